@@ -1,0 +1,152 @@
+//! The providers of sine, cosine, logarithm and exponential.
+
+use super::own;
+use crate::scalar::Scalar;
+
+/// The transcendental functions that programs use, in one scalar type.
+pub trait Maths<S: Scalar>: Copy + Default + Send + Sync + 'static {
+    /// Sine of `x` radians.
+    fn sin(x: S) -> S;
+    /// Cosine of `x` radians.
+    fn cos(x: S) -> S;
+    /// Natural logarithm.
+    fn ln(x: S) -> S;
+    /// Exponential.
+    fn exp(x: S) -> S;
+}
+
+/// This project's kernels: no loop, no table search, the same bits on every machine and in generated C.
+/// Error bounds are stated and measured in [`own`].
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Own;
+
+/// The platform's libm with feature `std`, else the crate `libm`.
+///
+/// Graphs that GEGELATI trained used their machine's libm; another one is near, not bit-equal. That is why
+/// a graph names its provider.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct System;
+
+impl Maths<f32> for Own {
+    #[inline]
+    fn sin(x: f32) -> f32 {
+        own::f32::sin(x)
+    }
+    #[inline]
+    fn cos(x: f32) -> f32 {
+        own::f32::cos(x)
+    }
+    #[inline]
+    fn ln(x: f32) -> f32 {
+        own::f32::ln(x)
+    }
+    #[inline]
+    fn exp(x: f32) -> f32 {
+        own::f32::exp(x)
+    }
+}
+
+impl Maths<f64> for Own {
+    #[inline]
+    fn sin(x: f64) -> f64 {
+        own::f64::sin(x)
+    }
+    #[inline]
+    fn cos(x: f64) -> f64 {
+        own::f64::cos(x)
+    }
+    #[inline]
+    fn ln(x: f64) -> f64 {
+        own::f64::ln(x)
+    }
+    #[inline]
+    fn exp(x: f64) -> f64 {
+        own::f64::exp(x)
+    }
+}
+
+#[cfg(feature = "std")]
+mod system {
+    use super::{Maths, System};
+
+    impl Maths<f32> for System {
+        #[inline]
+        fn sin(x: f32) -> f32 {
+            x.sin()
+        }
+        #[inline]
+        fn cos(x: f32) -> f32 {
+            x.cos()
+        }
+        #[inline]
+        fn ln(x: f32) -> f32 {
+            x.ln()
+        }
+        #[inline]
+        fn exp(x: f32) -> f32 {
+            x.exp()
+        }
+    }
+
+    impl Maths<f64> for System {
+        #[inline]
+        fn sin(x: f64) -> f64 {
+            x.sin()
+        }
+        #[inline]
+        fn cos(x: f64) -> f64 {
+            x.cos()
+        }
+        #[inline]
+        fn ln(x: f64) -> f64 {
+            x.ln()
+        }
+        #[inline]
+        fn exp(x: f64) -> f64 {
+            x.exp()
+        }
+    }
+}
+
+#[cfg(not(feature = "std"))]
+mod system {
+    use super::{Maths, System};
+
+    impl Maths<f32> for System {
+        #[inline]
+        fn sin(x: f32) -> f32 {
+            libm::sinf(x)
+        }
+        #[inline]
+        fn cos(x: f32) -> f32 {
+            libm::cosf(x)
+        }
+        #[inline]
+        fn ln(x: f32) -> f32 {
+            libm::logf(x)
+        }
+        #[inline]
+        fn exp(x: f32) -> f32 {
+            libm::expf(x)
+        }
+    }
+
+    impl Maths<f64> for System {
+        #[inline]
+        fn sin(x: f64) -> f64 {
+            libm::sin(x)
+        }
+        #[inline]
+        fn cos(x: f64) -> f64 {
+            libm::cos(x)
+        }
+        #[inline]
+        fn ln(x: f64) -> f64 {
+            libm::log(x)
+        }
+        #[inline]
+        fn exp(x: f64) -> f64 {
+            libm::exp(x)
+        }
+    }
+}

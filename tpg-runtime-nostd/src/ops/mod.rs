@@ -1,0 +1,17 @@
+//! The instruction set of TPG programs and the two providers of its transcendental functions.
+//!
+//! Programs compute in `f32` or `f64`; every result is the IEEE-754 one. Infinities and NaN flow freely: nothing is
+//! protected, as in GEGELATI. A comparison with NaN is false.
+
+mod instruction;
+mod maths;
+pub mod own;
+
+pub use instruction::{Instruction, max, min, negate_if_less};
+pub use maths::{Maths, Own, System};
+
+/// A bid as teams compare it: a NaN counts as −∞ (GEGELATI, `tpgExecutionEngine.cpp`).
+#[inline(always)]
+pub fn bid<S: crate::scalar::Scalar>(value: S) -> S {
+    if value.is_nan() { S::NEG_INFINITY } else { value }
+}

@@ -1,0 +1,29 @@
+//! What a policy is: a pure function from a state to an action.
+
+/// The number of an action, as a graph declares it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ActionId(pub u16);
+
+/// A stateless decision: the same state always gives the same action.
+///
+/// Generated code implements it over its flat state (`[f64; 15]` say, the sources one after another);
+/// [`ArmPolicy`](crate::observation::ArmPolicy) lifts such a policy to the arm, where the state is an
+/// [`Observation`](crate::observation::Observation) and the action a [`Move`](crate::arm::Move).
+pub trait Policy {
+    /// What the policy sees.
+    type State: ?Sized;
+    /// What the policy answers.
+    type Action;
+
+    /// Decides. Never panics, whatever the state holds: NaN and infinities are legal values.
+    fn decide(&self, state: &Self::State) -> Self::Action;
+}
+
+impl<P: Policy + ?Sized> Policy for &P {
+    type State = P::State;
+    type Action = P::Action;
+
+    fn decide(&self, state: &Self::State) -> Self::Action {
+        (**self).decide(state)
+    }
+}

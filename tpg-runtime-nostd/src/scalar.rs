@@ -1,0 +1,100 @@
+//! The two scalar types a policy can be computed in.
+
+use core::fmt::Debug;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// `f32` or `f64`, with exactly the operations the runtime needs.
+///
+/// Every operation is the IEEE-754 one, rounded to nearest even; nothing is fused or reassociated.
+pub trait Scalar:
+    Copy
+    + Debug
+    + Default
+    + PartialEq
+    + PartialOrd
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + Send
+    + Sync
+    + 'static
+{
+    /// Zero.
+    const ZERO: Self;
+    /// One.
+    const ONE: Self;
+    /// Negative infinity: what a NaN bid counts as.
+    const NEG_INFINITY: Self;
+
+    /// The value nearest to `value`.
+    fn from_f64(value: f64) -> Self;
+    /// The value nearest to `value` (exact below 2²⁴ for `f32`).
+    fn from_i32(value: i32) -> Self;
+    /// The same number as an `f64`, always exact.
+    fn to_f64(self) -> f64;
+    /// The magnitude: clears the sign bit, of a NaN too.
+    fn abs(self) -> Self;
+    /// The correctly rounded square root; NaN for negative numbers.
+    fn sqrt(self) -> Self;
+    /// Whether this is not a number.
+    #[expect(clippy::eq_op, reason = "a NaN is the only value unequal to itself")]
+    fn is_nan(self) -> bool {
+        self != self
+    }
+}
+
+impl Scalar for f32 {
+    const ZERO: Self = 0.0;
+    const ONE: Self = 1.0;
+    const NEG_INFINITY: Self = f32::NEG_INFINITY;
+
+    #[inline(always)]
+    fn from_f64(value: f64) -> Self {
+        value as f32
+    }
+    #[inline(always)]
+    fn from_i32(value: i32) -> Self {
+        value as f32
+    }
+    #[inline(always)]
+    fn to_f64(self) -> f64 {
+        f64::from(self)
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        f32::abs(self)
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        libm::sqrtf(self)
+    }
+}
+
+impl Scalar for f64 {
+    const ZERO: Self = 0.0;
+    const ONE: Self = 1.0;
+    const NEG_INFINITY: Self = f64::NEG_INFINITY;
+
+    #[inline(always)]
+    fn from_f64(value: f64) -> Self {
+        value
+    }
+    #[inline(always)]
+    fn from_i32(value: i32) -> Self {
+        f64::from(value)
+    }
+    #[inline(always)]
+    fn to_f64(self) -> f64 {
+        self
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        f64::abs(self)
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        libm::sqrt(self)
+    }
+}
