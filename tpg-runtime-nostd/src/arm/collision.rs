@@ -1,0 +1,81 @@
+//! The collision test of the paper's environment, in the arm plane (`ArmLearnWrapper.cpp`, lines 1026–1179).
+//!
+//! There is no link–link test and none of the upper arm, as in the artifact. The order of operations is the artifact's,
+//! so that the conformance suite can run this very code on its own [`Plane`].
+
+use super::{BaseEdge, Shapes};
+use crate::kinematics::{Direction, Plane, Point};
+use crate::scalar::Scalar;
+
+/// What the arm hits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Collision {
+    /// A joint or the hand's tip lies below the table.
+    Table,
+    /// A corner of the hand lies below the table.
+    HandCorner,
+    /// The hand or the forearm meets the arm's own base.
+    Base,
+}
+
+impl<S: Scalar> Plane<S> {
+    /// The first collision, in the order of the enumeration; `None` where the arm is free.
+    pub fn collision(&self, shapes: &Shapes<S>) -> Option<Collision> {
+        if [self.bracket, self.elbow, self.wrist, self.tip].iter().any(|point| point.z < S::ZERO) {
+            return Some(Collision::Table);
+        }
+        let [upper, lower] = shapes.hand_edges;
+        let tip_upper = offset(self.wrist, self.hand, shapes.hand_length, self.hand_across, upper);
+        let tip_lower = offset(self.wrist, self.hand, shapes.hand_length, self.hand_across, lower);
+        if tip_upper.z < S::ZERO || tip_lower.z < S::ZERO {
+            return Some(Collision::HandCorner);
+        }
+        let heel = across(self.wrist, self.hand_across, lower);
+        let [upper, lower] = shapes.forearm_edges;
+        let end_upper = offset(self.wrist, self.forearm, shapes.forearm_overhang, self.forearm_across, upper);
+        let end_lower = offset(self.wrist, self.forearm, shapes.forearm_overhang, self.forearm_across, lower);
+        let elbow_lower = across(self.elbow, self.forearm_across, lower);
+        let faces = [(tip_upper, tip_lower), (heel, tip_lower), (end_upper, end_lower), (elbow_lower, end_lower)];
+        let hits = |edge: BaseEdge<S>| faces.iter().any(|&(p, q)| meets(p, q, edge));
+        let mirrored = |edge: BaseEdge<S>| BaseEdge { x: edge.x.map(|x| -x), z: edge.z };
+        let base = shapes.base.iter().any(|&edge| hits(edge) || hits(mirrored(edge)));
+        base.then_some(Collision::Base)
+    }
+}
+
+/// From `origin`, `along` mm in one direction and then `aside` mm in the other.
+fn offset<S: Scalar>(origin: Point<S>, axis: Direction<S>, along: S, aside: Direction<S>, by: S) -> Point<S> {
+    Point { x: origin.x + axis.cos * along + aside.cos * by, z: origin.z + axis.sin * along + aside.sin * by }
+}
+
+fn across<S: Scalar>(origin: Point<S>, aside: Direction<S>, by: S) -> Point<S> {
+    Point { x: origin.x + aside.cos * by, z: origin.z + aside.sin * by }
+}
+
+/// Whether the segment `p`–`q` meets an axis-aligned edge; touching counts, and so does an undefined crossing.
+fn meets<S: Scalar>(p: Point<S>, q: Point<S>, edge: BaseEdge<S>) -> bool {
+    let (p_x, p_z) = (p.x, p.z);
+    let (q_x, q_z) = (q.x, q.z);
+    let x = sorted(edge.x);
+    let z = sorted(edge.z);
+    if disjoint(sorted([p_x, q_x]), x) || disjoint(sorted([p_z, q_z]), z) {
+        return false;
+    }
+    let horizontal = z[0] == z[1];
+    if p_x == q_x {
+        return horizontal || p_x == x[0];
+    }
+    let slope = (q_z - p_z) / (q_x - p_x);
+    let intercept = p_z - slope * p_x;
+    let (crossing, bounds) = if horizontal { ((z[0] - intercept) / slope, x) } else { (slope * x[0] + intercept, z) };
+    // A NaN crossing (a segment along the edge) is neither above nor below: it is a hit, as in the artifact.
+    !(crossing > bounds[1] || crossing < bounds[0])
+}
+
+fn sorted<S: Scalar>([a, b]: [S; 2]) -> [S; 2] {
+    if b < a { [b, a] } else { [a, b] }
+}
+
+fn disjoint<S: Scalar>(a: [S; 2], b: [S; 2]) -> bool {
+    a[1] < b[0] || b[1] < a[0]
+}

@@ -1,0 +1,208 @@
+//! The arm as data: joints, links, limits and collision shapes, and the rule of one step.
+//!
+//! Everything else in the project is generic over an [`Arm`]; the paper's is [`WIDOWX`]. Positions are integers, in
+//! motor ticks of 1/4096 turn, so that a trajectory is a list of integers on every machine.
+
+mod collision;
+mod widowx;
+
+pub use collision::Collision;
+pub use widowx::WIDOWX;
+
+use crate::kinematics::Plane;
+use crate::scalar::{Lattice, Scalar};
+
+/// Joints that a policy moves: base, shoulder, elbow, wrist.
+pub const JOINTS: usize = 4;
+
+/// Motor ticks in a full turn.
+pub const TICKS_PER_TURN: i32 = 4096;
+
+/// A joint's place in a [`Pose`]: 0 base, 1 shoulder, 2 elbow, 3 wrist.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Joint(pub u8);
+
+/// The motor positions of the four joints, in ticks (0..=4095; 2048 is the middle of a joint's travel, 0 rad).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Pose(pub [i16; JOINTS]);
+
+impl Pose {
+    /// The four positions in one number, 16 bits each: equal exactly when the poses are.
+    pub const fn packed(self) -> u64 {
+        let [a, b, c, d] = self.0;
+        // Through u16, so that a negative position does not spill into its neighbours.
+        (a as u16 as u64) | ((b as u16 as u64) << 16) | ((c as u16 as u64) << 32) | ((d as u16 as u64) << 48)
+    }
+}
+
+/// What an action asks of the motors: a change in ticks for each joint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Move(pub [i8; JOINTS]);
+
+impl Move {
+    /// The move that asks for nothing: it ends an episode.
+    pub const STOP: Self = Self([0; JOINTS]);
+
+    /// `ticks` on one joint, nothing on the others; [`STOP`](Self::STOP) for a joint that does not exist.
+    pub const fn single(joint: Joint, ticks: i8) -> Self {
+        let mut deltas = [0; JOINTS];
+        if (joint.0 as usize) < JOINTS {
+            deltas[joint.0 as usize] = ticks;
+        }
+        Self(deltas)
+    }
+}
+
+/// The positions that a joint may take, both ends included.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct JointRange {
+    /// Lowest position, ticks.
+    pub min: i16,
+    /// Highest position, ticks.
+    pub max: i16,
+}
+
+impl JointRange {
+    /// Whether `ticks` lies in the range.
+    pub const fn contains(self, ticks: i16) -> bool {
+        self.min <= ticks && ticks <= self.max
+    }
+}
+
+/// The lengths between the joints, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Links<S> {
+    /// Height of the shoulder over the table.
+    pub base: S,
+    /// Shoulder to the elbow's bracket.
+    pub upper_arm: S,
+    /// Bracket to the elbow, at a right angle to the upper arm.
+    pub elbow_offset: S,
+    /// Elbow to wrist.
+    pub forearm: S,
+    /// Wrist to the tip of the hand: the point that must reach the target.
+    pub hand: S,
+}
+
+/// A horizontal or vertical edge of the arm's base in the arm plane, mm; the base has its mirror image at −x too.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BaseEdge<S> {
+    /// The two ends' distances from the base's axis.
+    pub x: [S; 2],
+    /// The two ends' heights over the table.
+    pub z: [S; 2],
+}
+
+/// The shapes of the collision test, in the arm plane, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shapes<S> {
+    /// Wrist to the face of the hand's tip.
+    pub hand_length: S,
+    /// From the hand's axis to its two long edges, measured across, positive downwards with the arm stretched forwards.
+    pub hand_edges: [S; 2],
+    /// How far the forearm's end face lies beyond the wrist.
+    pub forearm_overhang: S,
+    /// From the forearm's axis to its two long edges, measured as [`hand_edges`](Self::hand_edges).
+    pub forearm_edges: [S; 2],
+    /// The outline of the base, one side.
+    pub base: [BaseEdge<S>; 4],
+}
+
+/// A four-joint arm: a base that turns, and shoulder, elbow and wrist in one vertical plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Arm<S> {
+    /// Where a fixed-start episode begins.
+    pub home: Pose,
+    /// Positions of the servos that never move (wrist rotation, gripper), ticks.
+    pub fixed_servos: [i16; 2],
+    /// Joint limits.
+    pub ranges: [JointRange; JOINTS],
+    /// Lengths.
+    pub links: Links<S>,
+    /// Collision shapes.
+    pub shapes: Shapes<S>,
+}
+
+/// Why an action was refused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Invalid {
+    /// The joint would leave its range.
+    JointLimit(Joint),
+    /// The arm would collide.
+    Collision(Collision),
+}
+
+/// The result of trying a [`Move`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Step {
+    /// The pose afterwards.
+    pub pose: Pose,
+    /// Why the move, or a part of it, was refused.
+    pub invalid: Option<Invalid>,
+}
+
+impl<S: Lattice> Arm<S> {
+    /// Tries a move, by the rules of the paper's artifact (`ArmLearnWrapper.cpp`, `doActions`).
+    ///
+    /// A joint that would leave its range stays where it is, the others still move. If the arm then collides, the whole
+    /// move is taken back. Either makes the step invalid.
+    pub fn step(&self, pose: Pose, wanted: Move) -> Step {
+        self.step_with(pose, wanted, |moved| Plane::at(self, moved).collision(&self.shapes))
+    }
+}
+
+impl<S: Scalar> Arm<S> {
+    /// [`step`](Self::step) with another evaluation of the collision test.
+    ///
+    /// The conformance suite uses it: the recorded episodes come from the same rule in another arithmetic.
+    pub fn step_with(&self, pose: Pose, wanted: Move, collision: impl FnOnce(Pose) -> Option<Collision>) -> Step {
+        let mut moved = pose;
+        let mut invalid = None;
+        let joints = moved.0.iter_mut().zip(wanted.0).zip(&self.ranges);
+        for (index, ((ticks, delta), range)) in (0u8..).zip(joints) {
+            let to = ticks.saturating_add(i16::from(delta));
+            if range.contains(to) {
+                *ticks = to;
+            } else if invalid.is_none() {
+                invalid = Some(Invalid::JointLimit(Joint(index)));
+            }
+        }
+        match collision(moved) {
+            Some(collision) => Step { pose, invalid: Some(invalid.unwrap_or(Invalid::Collision(collision))) },
+            None => Step { pose: moved, invalid },
+        }
+    }
+}
+
+impl Arm<f64> {
+    /// The same arm in `f32`: every length rounded to nearest.
+    pub const fn to_f32(&self) -> Arm<f32> {
+        const fn pair(v: [f64; 2]) -> [f32; 2] {
+            [v[0] as f32, v[1] as f32]
+        }
+        const fn edge(e: BaseEdge<f64>) -> BaseEdge<f32> {
+            BaseEdge { x: pair(e.x), z: pair(e.z) }
+        }
+        let Links { base, upper_arm, elbow_offset, forearm, hand } = self.links;
+        let shapes = &self.shapes;
+        Arm {
+            home: self.home,
+            fixed_servos: self.fixed_servos,
+            ranges: self.ranges,
+            links: Links {
+                base: base as f32,
+                upper_arm: upper_arm as f32,
+                elbow_offset: elbow_offset as f32,
+                forearm: forearm as f32,
+                hand: hand as f32,
+            },
+            shapes: Shapes {
+                hand_length: shapes.hand_length as f32,
+                hand_edges: pair(shapes.hand_edges),
+                forearm_overhang: shapes.forearm_overhang as f32,
+                forearm_edges: pair(shapes.forearm_edges),
+                base: [edge(shapes.base[0]), edge(shapes.base[1]), edge(shapes.base[2]), edge(shapes.base[3])],
+            },
+        }
+    }
+}

@@ -1,0 +1,122 @@
+//! One episode: a policy drives the arm from a start towards a target, until one of five things happens.
+//!
+//! These are the project's own rules (the paper's with one end for every invalid action); the artifact's exact
+//! bookkeeping, which ends a cycle one action later, lives with the conformance suite in `tpg-train`.
+
+use crate::arm::{Arm, Invalid, Move, Pose};
+use crate::cycle::CycleDetector;
+use crate::kinematics::Vector;
+use crate::observation::Observation;
+use crate::policy::Policy;
+use crate::scalar::Lattice;
+
+/// What is asked of the arm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Problem<S> {
+    /// Where the arm starts.
+    pub start: Pose,
+    /// Where the hand's tip shall go, mm.
+    pub target: Vector<S>,
+    /// The episode succeeds when hand and target are less than this apart, mm.
+    pub tolerance: S,
+    /// After this many actions it is over.
+    pub max_actions: u32,
+}
+
+/// How an episode ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Outcome {
+    /// The hand is at its target: the only success.
+    Reached,
+    /// The policy asked for something impossible. Counts as a collision.
+    Invalid(Invalid),
+    /// The policy chose not to move.
+    Stop,
+    /// A pose repeats: a memoryless policy will never leave the cycle.
+    Cycle,
+    /// The action limit was reached.
+    Timeout,
+}
+
+/// How an episode ended and where.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Summary<S> {
+    /// How it ended.
+    pub outcome: Outcome,
+    /// Actions done, the last one included.
+    pub actions: u32,
+    /// The final pose.
+    pub pose: Pose,
+    /// Hand to target at the end, mm.
+    pub distance: S,
+}
+
+/// An episode under way.
+#[derive(Clone, Debug)]
+pub struct Episode<'a, S, D> {
+    arm: &'a Arm<S>,
+    problem: Problem<S>,
+    detector: D,
+    observation: Observation<S>,
+    actions: u32,
+}
+
+impl<'a, S: Lattice, D: CycleDetector> Episode<'a, S, D> {
+    /// Puts the arm at the problem's start.
+    pub fn new(arm: &'a Arm<S>, problem: Problem<S>, mut detector: D) -> Self {
+        detector.reset(problem.start);
+        let observation = Observation::at(arm, problem.start, problem.target);
+        Self { arm, problem, detector, observation, actions: 0 }
+    }
+
+    /// What the policy sees now.
+    pub fn observation(&self) -> &Observation<S> {
+        &self.observation
+    }
+
+    /// Actions done so far.
+    pub fn actions(&self) -> u32 {
+        self.actions
+    }
+
+    /// Does one action; `Some` when it ended the episode.
+    ///
+    /// Where several ends fall together, the first of these holds: invalid, reached, stop, cycle, timeout.
+    pub fn advance(&mut self, wanted: Move) -> Option<Outcome> {
+        let step = self.arm.step(self.observation.pose, wanted);
+        self.actions = self.actions.saturating_add(1);
+        self.observation = Observation::at(self.arm, step.pose, self.problem.target);
+        if let Some(invalid) = step.invalid {
+            Some(Outcome::Invalid(invalid))
+        } else if self.observation.distance() < self.problem.tolerance {
+            Some(Outcome::Reached)
+        } else if wanted == Move::STOP {
+            Some(Outcome::Stop)
+        } else if self.detector.repeats(step.pose) {
+            Some(Outcome::Cycle)
+        } else if self.actions >= self.problem.max_actions {
+            Some(Outcome::Timeout)
+        } else {
+            None
+        }
+    }
+
+    /// Lets the policy act until the end; `each` sees the pose after every action.
+    pub fn run<P>(mut self, policy: &P, mut each: impl FnMut(Pose)) -> Summary<S>
+    where
+        P: Policy<State = Observation<S>, Action = Move> + ?Sized,
+    {
+        loop {
+            let outcome = self.advance(policy.decide(&self.observation));
+            each(self.observation.pose);
+            if let Some(outcome) = outcome {
+                return Summary {
+                    outcome,
+                    actions: self.actions,
+                    pose: self.observation.pose,
+                    distance: self.observation.distance(),
+                };
+            }
+        }
+    }
+}
