@@ -1,1 +1,5 @@
-//! Placeholder of the first commit.
+//! Compiles tangled program graphs into C and `no_std` Rust, and proves the result equal to the graph.
+
+pub mod error;
+pub mod graph;
+pub mod interpret;

@@ -1,0 +1,54 @@
+//! What is wrong with an input, said so that its author can mend it.
+
+use std::fmt;
+use std::path::Path;
+
+/// A place in an input file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// The file as a whole.
+    Whole,
+    /// A line of a text file, counted from 1.
+    Line(usize),
+    /// A line and column, both counted from 1.
+    Column(usize, usize),
+    /// A path into a JSON or TOML document: `$.teams[3].edges[1].program`.
+    Path(String),
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Whole => Ok(()),
+            Self::Line(line) => write!(f, "line {line}: "),
+            Self::Column(line, column) => write!(f, "line {line}, column {column}: "),
+            Self::Path(path) => write!(f, "{path}: "),
+        }
+    }
+}
+
+/// An input that is refused: where, what was found, and what is accepted instead.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{file}: {place}{found}; accepted: {accepted}")]
+pub struct InputError {
+    /// The file's name, `<stdin>` for standard input.
+    pub file: String,
+    /// Where in the file.
+    pub place: Place,
+    /// What is there.
+    pub found: String,
+    /// What would be accepted there.
+    pub accepted: String,
+}
+
+impl InputError {
+    /// Puts an error together.
+    pub fn new(file: impl Into<String>, place: Place, found: impl Into<String>, accepted: impl Into<String>) -> Self {
+        Self { file: file.into(), place, found: found.into(), accepted: accepted.into() }
+    }
+
+    /// A file that cannot be read or written.
+    pub fn io(path: &Path, error: &std::io::Error, accepted: impl Into<String>) -> Self {
+        Self::new(path.display().to_string(), Place::Whole, error.to_string(), accepted)
+    }
+}
