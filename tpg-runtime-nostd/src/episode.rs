@@ -5,10 +5,10 @@
 
 use crate::arm::{Arm, Invalid, Move, Pose};
 use crate::cycle::CycleDetector;
+use crate::kinematics::Lattice;
 use crate::kinematics::Vector;
 use crate::observation::Observation;
 use crate::policy::Policy;
-use crate::scalar::Lattice;
 
 /// What is asked of the arm.
 #[derive(Clone, Copy, Debug, PartialEq)]

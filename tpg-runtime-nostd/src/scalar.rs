@@ -1,6 +1,5 @@
 //! The two scalar types a policy can be computed in.
 
-use crate::kinematics::Direction;
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -37,8 +36,6 @@ pub trait Scalar:
     fn to_f64(self) -> f64;
     /// The magnitude: clears the sign bit, of a NaN too.
     fn abs(self) -> Self;
-    /// The correctly rounded square root; NaN for negative numbers.
-    fn sqrt(self) -> Self;
     /// Whether this is not a number.
     #[expect(clippy::eq_op, reason = "a NaN is the only value unequal to itself")]
     fn is_nan(self) -> bool {
@@ -67,10 +64,6 @@ impl Scalar for f32 {
     fn abs(self) -> Self {
         f32::abs(self)
     }
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        libm::sqrtf(self)
-    }
 }
 
 impl Scalar for f64 {
@@ -93,43 +86,5 @@ impl Scalar for f64 {
     #[inline(always)]
     fn abs(self) -> Self {
         f64::abs(self)
-    }
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        libm::sqrt(self)
-    }
-}
-
-/// A scalar that also knows the directions of angles: by table on the motor lattice, by libm anywhere.
-pub trait Lattice: Scalar {
-    /// Sine of `index` · π/2048, for `index` in 0..=1024; 0 beyond.
-    ///
-    /// Equal to `libm::sin` in `f64`, rounded to this type.
-    fn quarter_sine(index: usize) -> Self;
-    /// The direction of an angle in radians, by libm.
-    fn direction_of(radians: Self) -> Direction<Self>;
-}
-
-include!(concat!(env!("OUT_DIR"), "/sine.rs"));
-
-impl Lattice for f32 {
-    #[inline]
-    fn quarter_sine(index: usize) -> Self {
-        SINE_F32.get(index).copied().unwrap_or(0.0)
-    }
-    #[inline]
-    fn direction_of(radians: Self) -> Direction<Self> {
-        Direction { cos: libm::cosf(radians), sin: libm::sinf(radians) }
-    }
-}
-
-impl Lattice for f64 {
-    #[inline]
-    fn quarter_sine(index: usize) -> Self {
-        SINE_F64.get(index).copied().unwrap_or(0.0)
-    }
-    #[inline]
-    fn direction_of(radians: Self) -> Direction<Self> {
-        Direction { cos: libm::cos(radians), sin: libm::sin(radians) }
     }
 }

@@ -4,54 +4,16 @@
 //! motor ticks of 1/4096 turn, so that a trajectory is a list of integers on every machine.
 
 mod collision;
+mod pose;
 mod widowx;
 
 pub use collision::Collision;
+pub use pose::{JOINTS, Joint, Move, Pose, TICKS_PER_TURN};
 pub use widowx::WIDOWX;
 
+use crate::kinematics::Lattice;
 use crate::kinematics::Plane;
-use crate::scalar::{Lattice, Scalar};
-
-/// Joints that a policy moves: base, shoulder, elbow, wrist.
-pub const JOINTS: usize = 4;
-
-/// Motor ticks in a full turn.
-pub const TICKS_PER_TURN: i32 = 4096;
-
-/// A joint's place in a [`Pose`]: 0 base, 1 shoulder, 2 elbow, 3 wrist.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Joint(pub u8);
-
-/// The motor positions of the four joints, in ticks (0..=4095; 2048 is the middle of a joint's travel, 0 rad).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Pose(pub [i16; JOINTS]);
-
-impl Pose {
-    /// The four positions in one number, 16 bits each: equal exactly when the poses are.
-    pub const fn packed(self) -> u64 {
-        let [a, b, c, d] = self.0;
-        // Through u16, so that a negative position does not spill into its neighbours.
-        (a as u16 as u64) | ((b as u16 as u64) << 16) | ((c as u16 as u64) << 32) | ((d as u16 as u64) << 48)
-    }
-}
-
-/// What an action asks of the motors: a change in ticks for each joint.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Move(pub [i8; JOINTS]);
-
-impl Move {
-    /// The move that asks for nothing: it ends an episode.
-    pub const STOP: Self = Self([0; JOINTS]);
-
-    /// `ticks` on one joint, nothing on the others; [`STOP`](Self::STOP) for a joint that does not exist.
-    pub const fn single(joint: Joint, ticks: i8) -> Self {
-        let mut deltas = [0; JOINTS];
-        if (joint.0 as usize) < JOINTS {
-            deltas[joint.0 as usize] = ticks;
-        }
-        Self(deltas)
-    }
-}
+use crate::scalar::Scalar;
 
 /// The positions that a joint may take, both ends included.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

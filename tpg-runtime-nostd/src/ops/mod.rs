@@ -15,3 +15,10 @@ pub use maths::{Maths, Own, System};
 pub fn bid<S: crate::scalar::Scalar>(value: S) -> S {
     if value.is_nan() { S::NEG_INFINITY } else { value }
 }
+
+/// Lets `challenger` bid against the best so far: it wins when its bid is as high, so of equal bids the last wins
+/// (GEGELATI, `tpgExecutionEngine.cpp`). Both bids have gone through [`bid`]; `.1` is where the bidder leads.
+#[inline(always)]
+pub fn challenge<S: crate::scalar::Scalar, To>(best: (S, To), challenger: (S, To)) -> (S, To) {
+    if challenger.0 >= best.0 { challenger } else { best }
+}

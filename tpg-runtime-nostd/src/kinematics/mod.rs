@@ -8,14 +8,18 @@
 //! Error bounds over the reachable poses, measured in `tests/kinematics.rs` against the `f64` matrix chain of the
 //! paper's artifact: 1e-12 mm in `f64`, 1e-4 mm in `f32`.
 
+mod lattice;
+
+pub use lattice::Lattice;
+
 use crate::arm::{Arm, Joint, Pose, TICKS_PER_TURN};
-use crate::scalar::{Lattice, Scalar};
+use crate::scalar::Scalar;
 
 /// A point or vector in the world, mm: x, y in the table, z upwards.
 pub type Vector<S> = [S; 3];
 
 /// The Euclidean distance of two points, mm, summed in the order x, y, z.
-pub fn distance<S: Scalar>(a: Vector<S>, b: Vector<S>) -> S {
+pub fn distance<S: Lattice>(a: Vector<S>, b: Vector<S>) -> S {
     let [x, y, z] = difference(a, b);
     (x * x + y * y + z * z).sqrt()
 }

@@ -1,9 +1,14 @@
 //! What a policy sees of the arm and its target, and how that fills a graph's data sources.
 
+mod source;
+
+pub use source::Source;
+
 use crate::arm::{Arm, Move, Pose};
+use crate::kinematics::Lattice;
 use crate::kinematics::{self, Vector};
 use crate::policy::{ActionId, Policy};
-use crate::scalar::{Lattice, Scalar};
+use crate::scalar::Scalar;
 
 /// The paper's 13 values: four motor positions, and hand, target and their difference in mm (section 4.2).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,7 +25,7 @@ pub struct Observation<S> {
     pub difference: Vector<S>,
 }
 
-impl<S: Scalar> Observation<S> {
+impl<S: Lattice> Observation<S> {
     /// From a pose and a hand that was computed already.
     pub fn new(arm: &Arm<S>, pose: Pose, hand: Vector<S>, target: Vector<S>) -> Self {
         let difference = kinematics::difference(target, hand);
@@ -31,67 +36,14 @@ impl<S: Scalar> Observation<S> {
     pub fn distance(&self) -> S {
         kinematics::distance(self.target, self.hand)
     }
-}
 
-impl<S: Lattice> Observation<S> {
     /// What is seen at a pose.
     pub fn at(arm: &Arm<S>, pose: Pose, target: Vector<S>) -> Self {
         Self::new(arm, pose, kinematics::hand(arm, pose), target)
     }
 }
 
-/// A data source of a graph: a named part of the observation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Source {
-    /// The target: x, y, z in mm.
-    Target,
-    /// Target − hand: x, y, z in mm.
-    Difference,
-    /// The hand's tip: x, y, z in mm.
-    Hand,
-    /// The four motor positions, ticks.
-    Motors,
-    /// The positions of all six servos, ticks: the four motors, wrist rotation and gripper. The paper's graphs read it.
-    Servos,
-}
-
 impl Source {
-    /// Every source, in the order of the enumeration.
-    pub const ALL: [Self; 5] = [Self::Target, Self::Difference, Self::Hand, Self::Motors, Self::Servos];
-
-    /// The name in `graph.json`.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Target => "target",
-            Self::Difference => "difference",
-            Self::Hand => "hand",
-            Self::Motors => "motors",
-            Self::Servos => "servos",
-        }
-    }
-
-    /// The source of that [`name`](Self::name).
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|source| source.name() == name)
-    }
-
-    /// How many values it has.
-    pub const fn length(self) -> usize {
-        match self {
-            Self::Target | Self::Difference | Self::Hand => 3,
-            Self::Motors => 4,
-            Self::Servos => 6,
-        }
-    }
-
-    /// The unit of its values.
-    pub const fn unit(self) -> &'static str {
-        match self {
-            Self::Target | Self::Difference | Self::Hand => "mm",
-            Self::Motors | Self::Servos => "ticks",
-        }
-    }
-
     /// The value at `index` of this source, 0 past its [`length`](Self::length).
     pub fn value<S: Scalar>(self, observation: &Observation<S>, index: usize) -> S {
         let ticks = |positions: &[i16], index: usize| positions.get(index).map(|&t| S::from_i32(i32::from(t)));

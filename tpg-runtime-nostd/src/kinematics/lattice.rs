@@ -1,0 +1,48 @@
+//! What kinematics needs of a scalar beyond arithmetic.
+
+use super::Direction;
+use crate::scalar::Scalar;
+
+/// A scalar that also knows the directions of angles: by table on the motor lattice, by libm anywhere.
+pub trait Lattice: Scalar {
+    /// Sine of `index` · π/2048, for `index` in 0..=1024; 0 beyond.
+    ///
+    /// Equal to `libm::sin` in `f64`, rounded to this type.
+    fn quarter_sine(index: usize) -> Self;
+    /// The direction of an angle in radians, by libm.
+    fn direction_of(radians: Self) -> Direction<Self>;
+    /// The correctly rounded square root; NaN for negative numbers.
+    fn sqrt(self) -> Self;
+}
+
+include!(concat!(env!("OUT_DIR"), "/sine.rs"));
+
+impl Lattice for f32 {
+    #[inline]
+    fn quarter_sine(index: usize) -> Self {
+        SINE_F32.get(index).copied().unwrap_or(0.0)
+    }
+    #[inline]
+    fn direction_of(radians: Self) -> Direction<Self> {
+        Direction { cos: libm::cosf(radians), sin: libm::sinf(radians) }
+    }
+    #[inline]
+    fn sqrt(self) -> Self {
+        libm::sqrtf(self)
+    }
+}
+
+impl Lattice for f64 {
+    #[inline]
+    fn quarter_sine(index: usize) -> Self {
+        SINE_F64.get(index).copied().unwrap_or(0.0)
+    }
+    #[inline]
+    fn direction_of(radians: Self) -> Direction<Self> {
+        Direction { cos: libm::cos(radians), sin: libm::sin(radians) }
+    }
+    #[inline]
+    fn sqrt(self) -> Self {
+        libm::sqrt(self)
+    }
+}
