@@ -1,1 +1,4 @@
-//! Placeholder of the first commit.
+//! Evolves tangled program graphs.
+
+pub mod engine;
+pub mod random;
