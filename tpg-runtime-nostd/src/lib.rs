@@ -45,6 +45,7 @@
 //! | feature | effect |
 //! | --- | --- |
 //! | `std` | [`ops::System`] is the platform's libm instead of the crate `libm` |
+//! | `standalone` | the text of the files that generated code needs, for tools that compile it |
 //!
 //! No heap, no panic, no `unsafe`; builds for `thumbv7em-none-eabihf` and `thumbv6m-none-eabi`. MSRV 1.89.
 
@@ -61,3 +62,5 @@ pub mod observation;
 pub mod ops;
 pub mod policy;
 pub mod scalar;
+#[cfg(feature = "standalone")]
+pub mod standalone;
