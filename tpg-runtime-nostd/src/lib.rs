@@ -34,6 +34,7 @@
 //! | [`arm`] | the arm as data, joint limits, collision test, the rule of one step |
 //! | [`kinematics`] | motor positions to points, by table or by libm |
 //! | [`observation`] | the 13 values a policy sees, and a graph's data sources |
+//! | [`frame`] | what follows from an observation: polar errors, gradients, clearances |
 //! | [`policy`] | the [`Policy`](policy::Policy) trait that generated code implements |
 //! | [`ops`] | the instruction set, and sin, cos, ln, exp with the same bits everywhere |
 //! | [`cycle`] | has the arm been here before? |
@@ -56,6 +57,7 @@ extern crate std;
 pub mod arm;
 pub mod cycle;
 pub mod episode;
+pub mod frame;
 pub mod kinematics;
 pub mod observation;
 pub mod ops;
