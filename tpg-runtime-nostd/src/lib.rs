@@ -39,6 +39,7 @@
 //! | [`ops`] | the instruction set, and sin, cos, ln, exp with the same bits everywhere |
 //! | [`cycle`] | has the arm been here before? |
 //! | [`episode`] | one episode and how it ended |
+//! | [`sac`] | the soft actor-critic's features and its decision |
 //! | [`scalar`] | `f32` and `f64` |
 //!
 //! # Features
@@ -62,4 +63,5 @@ pub mod kinematics;
 pub mod observation;
 pub mod ops;
 pub mod policy;
+pub mod sac;
 pub mod scalar;

@@ -58,6 +58,11 @@ impl<'a, S: Lattice> Frame<'a, S> {
         Self { arm, pose, target, base: kinematics::base_direction(pose), plane }
     }
 
+    /// The motor positions.
+    pub fn pose(&self) -> Pose {
+        self.pose
+    }
+
     /// The arm in its plane.
     pub fn plane(&self) -> &Plane<S> {
         &self.plane
