@@ -24,22 +24,29 @@ impl<S: Scalar> Plane<S> {
         if [self.bracket, self.elbow, self.wrist, self.tip].iter().any(|point| point.z < S::ZERO) {
             return Some(Collision::Table);
         }
-        let [upper, lower] = shapes.hand_edges;
-        let tip_upper = offset(self.wrist, self.hand, shapes.hand_length, self.hand_across, upper);
-        let tip_lower = offset(self.wrist, self.hand, shapes.hand_length, self.hand_across, lower);
+        let [tip_upper, tip_lower] = self.tip_corners(shapes);
         if tip_upper.z < S::ZERO || tip_lower.z < S::ZERO {
             return Some(Collision::HandCorner);
         }
-        let heel = across(self.wrist, self.hand_across, lower);
-        let [upper, lower] = shapes.forearm_edges;
-        let end_upper = offset(self.wrist, self.forearm, shapes.forearm_overhang, self.forearm_across, upper);
-        let end_lower = offset(self.wrist, self.forearm, shapes.forearm_overhang, self.forearm_across, lower);
-        let elbow_lower = across(self.elbow, self.forearm_across, lower);
+        let heel = across(self.wrist, self.hand_across, shapes.hand_edges[1]);
+        let [end_upper, end_lower] = self.forearm_end_corners(shapes);
+        let elbow_lower = across(self.elbow, self.forearm_across, shapes.forearm_edges[1]);
         let faces = [(tip_upper, tip_lower), (heel, tip_lower), (end_upper, end_lower), (elbow_lower, end_lower)];
         let hits = |edge: BaseEdge<S>| faces.iter().any(|&(p, q)| meets(p, q, edge));
         let mirrored = |edge: BaseEdge<S>| BaseEdge { x: edge.x.map(|x| -x), z: edge.z };
         let base = shapes.base.iter().any(|&edge| hits(edge) || hits(mirrored(edge)));
         base.then_some(Collision::Base)
+    }
+
+    /// The corners of the hand's tip face, upper and lower.
+    pub fn tip_corners(&self, shapes: &Shapes<S>) -> [Point<S>; 2] {
+        shapes.hand_edges.map(|edge| offset(self.wrist, self.hand, shapes.hand_length, self.hand_across, edge))
+    }
+
+    /// The corners of the forearm's end face, upper and lower.
+    pub fn forearm_end_corners(&self, shapes: &Shapes<S>) -> [Point<S>; 2] {
+        let corner = |edge| offset(self.wrist, self.forearm, shapes.forearm_overhang, self.forearm_across, edge);
+        shapes.forearm_edges.map(corner)
     }
 }
 

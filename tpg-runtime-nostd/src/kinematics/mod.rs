@@ -193,6 +193,12 @@ pub fn base_direction<S: Lattice>(pose: Pose) -> Direction<S> {
     Angle(i32::from(base) - TICKS_PER_TURN / 2).direction()
 }
 
+/// The direction of the upper arm over the table, in the arm plane.
+pub fn upper_arm_direction<S: Lattice>(pose: Pose) -> Direction<S> {
+    let [upper_arm, ..] = link_angles(pose);
+    upper_arm.direction()
+}
+
 /// Where the hand's tip is at a pose, mm.
 pub fn hand<S: Lattice>(arm: &Arm<S>, pose: Pose) -> Vector<S> {
     Plane::at(arm, pose).hand_in_world(base_direction(pose))
