@@ -36,6 +36,16 @@ fn every_instruction_in_f32_with_the_systems_maths() {
 }
 
 #[test]
+fn every_instruction_in_f64_with_own_maths() {
+    assert_equal(&fixture(ScalarType::F64, MathsProvider::Own), 50_000);
+}
+
+#[test]
+fn every_instruction_in_f32_with_own_maths() {
+    assert_equal(&fixture(ScalarType::F32, MathsProvider::Own), 50_000);
+}
+
+#[test]
 fn a_different_policy_is_found_out() {
     let graph = fixture(ScalarType::F64, MathsProvider::System);
     let mut document = graph.to_document();

@@ -36,6 +36,11 @@ struct Source<'a> {
     upper: &'a str,
     scalar: &'a str,
     helpers: Helpers,
+    // The kernels' templates ask for these by name.
+    uses_sin: bool,
+    uses_cos: bool,
+    uses_ln: bool,
+    uses_exp: bool,
     sources: &'a [SourceView],
     programs: Vec<ProgramView>,
     teams: Vec<TeamView>,
@@ -115,12 +120,17 @@ pub(super) fn emit(graph: &Graph, module: &Module, options: &Options) -> Vec<Fil
         system_maths: graph.maths() == MathsProvider::System,
     };
     let vertices = teams + graph.actions().len();
+    let helpers = printer.helpers();
     let source = Source {
         banner: &banner,
         prefix,
         upper: &upper,
         scalar,
-        helpers: printer.helpers(),
+        uses_sin: helpers.uses("sin"),
+        uses_cos: helpers.uses("cos"),
+        uses_ln: helpers.uses("ln"),
+        uses_exp: helpers.uses("exp"),
+        helpers,
         sources: &sources,
         programs: module.bidders.iter().map(|bidder| printer.program(bidder)).collect(),
         teams: (0..teams).map(|team| printer.team(team)).collect(),

@@ -23,7 +23,7 @@
 /* With GCC in GNU mode on a machine with fused multiply-add, pass -ffp-contract=off (-std=c99 implies it). */
 #endif
 {% if helpers.own_maths() %}
-{% if helpers.f64 %}{% include "own_f64.c" %}{% else %}{% include "own_f32.c" %}{% endif %}
+{% if helpers.f64 %}{% include "c/own_f64.c" %}{% else %}{% include "c/own_f32.c" %}{% endif %}
 {% endif %}
 {% if helpers.uses("negate_if_less") %}
 static {{ scalar }} {{ prefix }}_negate_if_less({{ scalar }} a, {{ scalar }} b)
