@@ -1,4 +1,5 @@
 //! Evolves tangled program graphs.
 
 pub mod engine;
+pub mod environments;
 pub mod random;

@@ -25,6 +25,9 @@ pub trait Environment<S: Scalar>: Sync {
     /// The ways in which an episode can end, by [`Ending::outcome`].
     fn outcomes(&self) -> &'static [&'static str];
 
+    /// After this many actions an episode is over.
+    fn time_limit(&self) -> u32;
+
     /// Draws a task.
     fn draw(&self, stream: &mut Stream) -> Self::Task;
 

@@ -35,7 +35,7 @@ const SPARSE: usize = 6;
 
 /// Runs roots over tasks, one root after another, and keeps its memory between them.
 #[derive(Debug)]
-pub struct Lanes<'e, S, M, E: Environment<S>> {
+pub struct Lanes<'e, S: Scalar, M, E: Environment<S>> {
     environment: &'e E,
     options: Options,
     columns: Vec<S>,
@@ -190,10 +190,11 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
                 history.push(key);
                 None
             }
-            // What ends an episode is new, but for a time-out: that may hide an earlier repeat.
-            Some(ending) if !ending.success => {
+            // An episode in a cycle never ends by itself, so only a time-out can hide an earlier repeat. One at the
+            // time-out itself counts as a cycle too: the set of visited keys would have seen it.
+            Some(ending) if !ending.success && ending.actions >= self.environment.time_limit() => {
                 history.push(key);
-                history.first_repeat().filter(|repeat| repeat.actions < ending.actions)
+                history.first_repeat().filter(|repeat| repeat.actions <= ending.actions)
             }
             Some(_) => None,
         };

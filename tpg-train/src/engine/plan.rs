@@ -61,6 +61,11 @@ impl<S: Scalar> Plan<S> {
         Self { nodes: arena.nodes().to_vec(), teams, inputs, wanted, state_length }
     }
 
+    /// Values of the flat state.
+    pub fn state_length(&self) -> usize {
+        self.state_length
+    }
+
     /// Distinct operations of the whole root.
     pub fn operations(&self) -> usize {
         self.nodes.iter().filter(|node| matches!(node, Node::Operation(..))).count()

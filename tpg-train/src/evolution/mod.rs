@@ -1,0 +1,13 @@
+//! Evolution: genome, mutation, selection, demes, archive, and the loop over generations.
+
+pub mod archive;
+pub mod config;
+pub mod export;
+pub mod generation;
+pub mod genome;
+pub mod mutate_program;
+pub mod mutate_team;
+pub mod presets;
+pub mod select;
+pub mod state;
+pub mod vocabulary;
