@@ -47,6 +47,7 @@
 //! | feature | effect |
 //! | --- | --- |
 //! | `std` | [`ops::System`] is the platform's libm instead of the crate `libm` |
+//! | `standalone` | the text of the files that generated code needs, for tools that compile it |
 //!
 //! No heap, no panic, no `unsafe`; builds for `thumbv7em-none-eabihf` and `thumbv6m-none-eabi`. MSRV 1.89.
 
@@ -65,3 +66,5 @@ pub mod ops;
 pub mod policy;
 pub mod sac;
 pub mod scalar;
+#[cfg(feature = "standalone")]
+pub mod standalone;

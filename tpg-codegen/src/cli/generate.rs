@@ -1,0 +1,142 @@
+//! `tpg-codegen GRAPH`: writes the code and says what it is.
+
+use super::{CliError, GraphArgs, Verdict, verify};
+use crate::emit::{self, File, Language, Options, Prefix, Style};
+use crate::error::InputError;
+use crate::graph::Graph;
+use crate::{output, size};
+use clap::{Args, ValueEnum};
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// States compared after generating; `verify` compares more.
+const STATES: usize = 10_000;
+
+/// Generate code.
+#[derive(Clone, Debug, Args)]
+pub struct GenerateArgs {
+    #[command(flatten)]
+    graph: GraphArgs,
+    /// The language to generate
+    #[arg(long, value_enum, default_value_t = LanguageArg::All)]
+    lang: LanguageArg,
+    /// The interface of the C
+    #[arg(long, value_enum, default_value_t = Style::Pure)]
+    style: Style,
+    /// What every generated name begins with [default: from the file's name]
+    #[arg(long, value_name = "NAME")]
+    prefix: Option<Prefix>,
+    /// The folder to write to, made where it does not exist; - for standard output
+    #[arg(short, long, value_name = "DIR", default_value = ".")]
+    output: PathBuf,
+    /// Write nothing; exit 1 when the files there are not what would be written
+    #[arg(long)]
+    check: bool,
+    /// Do not compile the code and compare it with the interpreter
+    #[arg(long)]
+    no_verify: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum LanguageArg {
+    C,
+    Rust,
+    All,
+}
+
+impl GenerateArgs {
+    /// Generates.
+    ///
+    /// # Errors
+    /// Bad input, or an output that cannot be written.
+    pub fn run(&self) -> Result<Verdict, CliError> {
+        let graph = self.graph.load()?;
+        let prefix = self.prefix.clone().unwrap_or_else(|| Prefix::of_file(&self.graph.graph));
+        let options = Options { prefix, style: self.style };
+        let files: Vec<File> =
+            self.languages().iter().flat_map(|&language| emit::emit(&graph, language, &options)).collect();
+        if self.output == Path::new("-") {
+            print(&files).map_err(CliError::other)?;
+            return Ok(Verdict::Good);
+        }
+        if self.check {
+            return Ok(self.stale(&files));
+        }
+        let files: Vec<(PathBuf, &str)> =
+            files.iter().map(|file| (self.output.join(&file.name), file.text.as_str())).collect();
+        fs::create_dir_all(&self.output)
+            .map_err(|error| InputError::io(&self.output, &error, "a folder that can be written"))?;
+        output::write_all(&files)?;
+        self.tell(&graph, &options, &files)
+    }
+
+    fn languages(&self) -> &'static [Language] {
+        match self.lang {
+            LanguageArg::C => &[Language::C],
+            LanguageArg::Rust => &[Language::Rust],
+            LanguageArg::All => &[Language::C, Language::Rust],
+        }
+    }
+
+    fn stale(&self, files: &[File]) -> Verdict {
+        let mut verdict = Verdict::Good;
+        for file in files {
+            let path = self.output.join(&file.name);
+            match fs::read(&path) {
+                Ok(bytes) if bytes == file.text.as_bytes() => {}
+                Ok(_) => {
+                    eprintln!("{}: stale: not what this graph and these options give", path.display());
+                    verdict = Verdict::Failed;
+                }
+                Err(error) => {
+                    eprintln!("{}: {error}", path.display());
+                    verdict = Verdict::Failed;
+                }
+            }
+        }
+        verdict
+    }
+
+    fn tell(&self, graph: &Graph, options: &Options, files: &[(PathBuf, &str)]) -> Result<Verdict, CliError> {
+        for (path, text) in files {
+            println!("wrote {} ({} lines)", path.display(), text.lines().count());
+        }
+        if self.lang != LanguageArg::Rust {
+            for line in size::of_c(graph, options) {
+                println!("{line}");
+            }
+        }
+        if self.no_verify {
+            return Ok(Verdict::Good);
+        }
+        match verify::compare(graph, &options.prefix, STATES, 1) {
+            Ok(comparisons) => {
+                let mut verdict = Verdict::Good;
+                for comparison in &comparisons {
+                    println!("{}", verify::sentence(comparison));
+                    if comparison.differences > 0 {
+                        verdict = Verdict::Failed;
+                    }
+                }
+                Ok(verdict)
+            }
+            Err(error) => {
+                eprintln!("not verified: {error}");
+                Ok(Verdict::Good)
+            }
+        }
+    }
+}
+
+/// One file as it is; several with a line between them that is a comment in C and Rust.
+fn print(files: &[File]) -> io::Result<()> {
+    let mut out = io::stdout().lock();
+    for file in files {
+        if files.len() > 1 {
+            writeln!(out, "/* ---- {} ---- */", file.name)?;
+        }
+        out.write_all(file.text.as_bytes())?;
+    }
+    out.flush()
+}

@@ -1,0 +1,242 @@
+//! The lowered graph that passes rewrite and emitters print.
+//!
+//! Programs become values: running a program's lines on symbols leaves in register 0 a [`Node`] that stands for the bid.
+//! Lines that do not reach register 0 (introns, 80 % of an evolved program) leave no trace, and equal expressions are one
+//! node, whichever program computes them. Nothing is folded or reassociated here: every node is an operation that the
+//! interpreter does too, on the same operands.
+
+use crate::graph::{Destination, Graph, Input, Operand, Program, TeamId};
+use std::collections::{BTreeMap, BTreeSet};
+use tpg_runtime::ops::Instruction;
+use tpg_runtime::policy::ActionId;
+
+/// The place of a node in [`Module::nodes`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct NodeId(pub(crate) u32);
+
+impl NodeId {
+    /// As an index.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// A value that programs compute.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Node {
+    /// A number, by the bits of its `f64`: 0 and −0 are different constants.
+    Constant(u64),
+    /// A value of the state.
+    Input(Input),
+    /// An operation on earlier nodes; the second operand of a one-operand instruction repeats the first.
+    Operation(Instruction, [NodeId; 2]),
+}
+
+impl Node {
+    /// The node of a number.
+    pub fn constant(value: f64) -> Self {
+        Self::Constant(value.to_bits())
+    }
+}
+
+/// A bidder of the lowered graph.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Bidder {
+    /// The program's id in the source file.
+    pub label: u32,
+    /// What it bids.
+    pub value: NodeId,
+}
+
+/// An edge of the lowered graph.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Edge {
+    /// The place of the bidder in [`Module::bidders`].
+    pub bidder: usize,
+    /// Where it leads.
+    pub to: Target,
+}
+
+/// Where an edge leads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Target {
+    /// To the team at this place of [`Module::teams`].
+    Team(usize),
+    /// To an action.
+    Action(ActionId),
+}
+
+/// A team of the lowered graph.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Team {
+    /// Its id in the source file.
+    pub label: u32,
+    /// Its edges, in the order that decides ties.
+    pub edges: Vec<Edge>,
+}
+
+/// A lowered graph.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Module {
+    /// Every value once, operands before operations.
+    pub nodes: Vec<Node>,
+    /// The programs, in the order the teams first use them.
+    pub bidders: Vec<Bidder>,
+    /// The teams, breadth first from the root, which is the first.
+    pub teams: Vec<Team>,
+    /// Teams on the longest walk: no walk decides more often.
+    pub depth: usize,
+}
+
+impl Module {
+    /// Lowers a graph.
+    pub fn lower(graph: &Graph) -> Self {
+        Lowering::new(graph).module()
+    }
+
+    /// A node.
+    pub fn node(&self, id: NodeId) -> Node {
+        self.nodes[id.index()]
+    }
+
+    /// The operations that `value` needs, operands before operations.
+    pub fn operations_of(&self, value: NodeId) -> Vec<NodeId> {
+        let mut needed = BTreeSet::new();
+        let mut open = vec![value];
+        while let Some(id) = open.pop() {
+            if let Node::Operation(_, operands) = self.node(id)
+                && needed.insert(id)
+            {
+                open.extend(operands);
+            }
+        }
+        needed.into_iter().collect()
+    }
+}
+
+struct Lowering<'g> {
+    graph: &'g Graph,
+    nodes: Vec<Node>,
+    numbers: BTreeMap<Node, NodeId>,
+}
+
+impl<'g> Lowering<'g> {
+    fn new(graph: &'g Graph) -> Self {
+        Self { graph, nodes: Vec::new(), numbers: BTreeMap::new() }
+    }
+
+    fn module(mut self) -> Module {
+        let order = breadth_first(self.graph);
+        let mut place = vec![0; order.len()];
+        for (index, team) in order.iter().enumerate() {
+            place[team.index()] = index;
+        }
+        let mut bidders = Vec::new();
+        let mut bidder_of = BTreeMap::new();
+        let mut teams = Vec::new();
+        for &id in &order {
+            let team = self.graph.team(id);
+            let mut edges = Vec::new();
+            for edge in &team.edges {
+                let bidder = *bidder_of.entry(edge.program).or_insert_with(|| {
+                    let program = self.graph.program(edge.program);
+                    bidders.push(Bidder { label: program.label, value: self.value(program) });
+                    bidders.len() - 1
+                });
+                let to = match edge.to {
+                    Destination::Team(team) => Target::Team(place[team.index()]),
+                    Destination::Action(action) => Target::Action(action),
+                };
+                edges.push(Edge { bidder, to });
+            }
+            teams.push(Team { label: team.label, edges });
+        }
+        let depth = longest_walk(&teams);
+        Module { nodes: self.nodes, bidders, teams, depth }
+    }
+
+    /// Runs the lines that matter on symbols and returns what register 0 holds.
+    fn value(&mut self, program: &Program) -> NodeId {
+        let effective = effective_lines(program, usize::from(self.graph.registers()));
+        let zero = Node::constant(0.0);
+        let mut registers = vec![None; usize::from(self.graph.registers())];
+        for (line, _) in program.lines.iter().zip(effective).filter(|(_, effective)| *effective) {
+            let operands = line.operands.map(|operand| match operand {
+                Operand::Register(register) => registers[register.index()].unwrap_or_else(|| self.intern(zero)),
+                Operand::Input(input) => self.intern(Node::Input(input)),
+                Operand::Constant(value) => self.intern(Node::constant(value)),
+            });
+            registers[line.to.index()] = Some(self.intern(Node::Operation(line.instruction, operands)));
+        }
+        registers[0].unwrap_or_else(|| self.intern(zero))
+    }
+
+    fn intern(&mut self, node: Node) -> NodeId {
+        *self.numbers.entry(node).or_insert_with(|| {
+            self.nodes.push(node);
+            NodeId(self.nodes.len() as u32 - 1)
+        })
+    }
+}
+
+/// Which lines of a program reach register 0, found backwards from its end.
+pub fn effective_lines(program: &Program, registers: usize) -> Vec<bool> {
+    let mut wanted = vec![false; registers];
+    wanted[0] = true;
+    let mut effective = vec![false; program.lines.len()];
+    for (line, effective) in program.lines.iter().zip(&mut effective).rev() {
+        if !wanted[line.to.index()] {
+            continue;
+        }
+        *effective = true;
+        wanted[line.to.index()] = false;
+        for operand in line.operands.iter().take(line.instruction.arity()) {
+            if let Operand::Register(register) = operand {
+                wanted[register.index()] = true;
+            }
+        }
+    }
+    effective
+}
+
+fn breadth_first(graph: &Graph) -> Vec<TeamId> {
+    let mut seen = vec![false; graph.teams().len()];
+    seen[graph.root().index()] = true;
+    let mut order = vec![graph.root()];
+    let mut next = 0;
+    while let Some(&team) = order.get(next) {
+        next += 1;
+        for edge in &graph.team(team).edges {
+            if let Destination::Team(to) = edge.to
+                && !std::mem::replace(&mut seen[to.index()], true)
+            {
+                order.push(to);
+            }
+        }
+    }
+    order
+}
+
+/// Teams on the longest walk from the first team. Breadth-first order is not topological, so teams are taken when all
+/// that lead to them have been.
+fn longest_walk(teams: &[Team]) -> usize {
+    let targets = |team: &Team| -> Vec<usize> {
+        team.edges.iter().filter_map(|edge| if let Target::Team(to) = edge.to { Some(to) } else { None }).collect()
+    };
+    let mut entering = vec![0_usize; teams.len()];
+    for to in teams.iter().flat_map(targets) {
+        entering[to] += 1;
+    }
+    let mut walk = vec![1_usize; teams.len()];
+    let mut ready = vec![0];
+    while let Some(team) = ready.pop() {
+        for to in targets(&teams[team]) {
+            walk[to] = walk[to].max(walk[team] + 1);
+            entering[to] -= 1;
+            if entering[to] == 0 {
+                ready.push(to);
+            }
+        }
+    }
+    walk.into_iter().max().unwrap_or(0)
+}

@@ -1,0 +1,174 @@
+//! Compiles generated code into small programs that decide over a pipe.
+
+use super::Process;
+use crate::emit::{self, File, Language, Options, Style};
+use crate::graph::{Graph, ScalarType};
+use askama::Template;
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::{env, fs, io};
+use tempfile::TempDir;
+use tpg_runtime::standalone;
+
+/// The program around generated C.
+#[derive(Template)]
+#[template(path = "c/harness.c", escape = "none")]
+struct CHarness<'a> {
+    prefix: &'a str,
+    scalar: &'a str,
+    state_length: usize,
+    sources: Vec<(&'a str, usize)>,
+    gegelati: bool,
+}
+
+/// The program around generated Rust.
+#[derive(Template)]
+#[template(path = "rust/harness.rs", escape = "none")]
+struct RustHarness<'a> {
+    module: &'a str,
+    name: String,
+    scalar: &'a str,
+    state_length: usize,
+}
+
+/// Why generated code did not become a program.
+#[derive(Debug, thiserror::Error)]
+pub enum BuildError {
+    /// No compiler.
+    #[error("{language} compiler {command:?} cannot be started: {error}")]
+    Missing {
+        /// What it should compile.
+        language: &'static str,
+        /// What was tried.
+        command: OsString,
+        /// What the system said.
+        error: io::Error,
+    },
+    /// The compiler refused the code: a defect of the generator.
+    #[error("the {language} compiler refused generated code:\n{message}")]
+    Refused {
+        /// The language.
+        language: &'static str,
+        /// What the compiler printed.
+        message: String,
+    },
+    /// The temporary folder or the program failed.
+    #[error("cannot build generated code: {0}")]
+    Io(#[from] io::Error),
+}
+
+/// A temporary folder where generated code is compiled; gone when dropped.
+#[derive(Debug)]
+pub struct Workshop {
+    folder: TempDir,
+}
+
+impl Workshop {
+    /// An empty workshop.
+    ///
+    /// # Errors
+    /// When no temporary folder can be made.
+    pub fn new() -> io::Result<Self> {
+        Ok(Self { folder: TempDir::new()? })
+    }
+
+    /// Emits and compiles C and starts the program.
+    ///
+    /// # Errors
+    /// See [`BuildError`].
+    pub fn c(&self, graph: &Graph, options: &Options) -> Result<Process, BuildError> {
+        let files = emit::emit(graph, Language::C, options);
+        let folder = self.room("c", &files)?;
+        let prefix = options.prefix.lower();
+        let harness = CHarness {
+            prefix,
+            scalar: if graph.scalar() == ScalarType::F32 { "float" } else { "double" },
+            state_length: graph.state_length(),
+            sources: graph.sources().iter().map(|s| (s.name.as_str(), s.ranges.len())).collect(),
+            gegelati: options.style == Style::Gegelati,
+        };
+        fs::write(folder.join("harness.c"), harness.render().map_err(io::Error::other)?)?;
+        let program = folder.join("harness");
+        let compiler = c_compiler()?;
+        let mut command = compiler.to_command();
+        command.current_dir(&folder).args(["-std=c99", "-ffp-contract=off", "-o"]).arg(&program);
+        command.arg("harness.c").arg(format!("{prefix}.c")).arg("-lm");
+        compile("C", command)?;
+        Ok(Process::start(&program, "C", graph)?)
+    }
+
+    /// Emits and compiles Rust and starts the program.
+    ///
+    /// # Errors
+    /// See [`BuildError`].
+    pub fn rust(&self, graph: &Graph, options: &Options) -> Result<Process, BuildError> {
+        let files = emit::emit(graph, Language::Rust, options);
+        let folder = self.room("rust", &files)?;
+        for (name, text) in standalone::FILES {
+            let path = folder.join("runtime").join(name);
+            fs::create_dir_all(path.parent().unwrap_or(&folder))?;
+            fs::write(path, text)?;
+        }
+        // Overflow checks stay on: generated code must not need them.
+        let rustc = || {
+            let mut command = Command::new(env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()));
+            command.current_dir(&folder).args(["--edition=2024", "-O", "-Coverflow-checks=on", "-Awarnings"]);
+            command
+        };
+        let mut library = rustc();
+        library.args(["--crate-type=rlib", "--crate-name=tpg_runtime", "--cfg=feature=\"std\"", "runtime/lib.rs"]);
+        compile("Rust", library)?;
+
+        let harness = RustHarness {
+            module: options.prefix.lower(),
+            name: options.prefix.camel(),
+            scalar: graph.scalar().name(),
+            state_length: graph.state_length(),
+        };
+        fs::write(folder.join("harness.rs"), harness.render().map_err(io::Error::other)?)?;
+        let program = folder.join("harness");
+        let mut command = rustc();
+        command.args(["--extern=tpg_runtime=libtpg_runtime.rlib", "harness.rs", "-o"]).arg(&program);
+        compile("Rust", command)?;
+        Ok(Process::start(&program, "Rust", graph)?)
+    }
+
+    fn room(&self, name: &str, files: &[File]) -> io::Result<PathBuf> {
+        let folder = tempfile::Builder::new().prefix(name).tempdir_in(self.folder.path())?.keep();
+        for file in files {
+            fs::write(folder.join(&file.name), &file.text)?;
+        }
+        Ok(folder)
+    }
+
+    /// The folder.
+    pub fn path(&self) -> &Path {
+        self.folder.path()
+    }
+}
+
+/// The host's C compiler, as the crate `cc` finds it (`CC` is honoured).
+fn c_compiler() -> Result<cc::Tool, BuildError> {
+    let host = env!("TPG_HOST");
+    let mut build = cc::Build::new();
+    build.target(host).host(host).opt_level(2).debug(false).warnings(false).cargo_metadata(false);
+    build.try_get_compiler().map_err(|error| BuildError::Missing {
+        language: "C",
+        command: env::var_os("CC").unwrap_or_else(|| "cc".into()),
+        error: io::Error::other(error.to_string()),
+    })
+}
+
+fn compile(language: &'static str, mut command: Command) -> Result<(), BuildError> {
+    let Output { status, stdout, stderr } = command.output().map_err(|error| BuildError::Missing {
+        language,
+        command: command.get_program().to_owned(),
+        error,
+    })?;
+    if status.success() {
+        return Ok(());
+    }
+    let message = [stdout, stderr].map(|text| String::from_utf8_lossy(&text).into_owned()).concat();
+    Err(BuildError::Refused { language, message })
+}

@@ -1,0 +1,82 @@
+//! Compiles what was generated and compares it with the interpreter, state by state.
+
+mod build;
+mod process;
+
+pub use build::{BuildError, Workshop};
+pub use process::Process;
+
+use crate::engine::{Engine, Reference};
+use crate::graph::Graph;
+use crate::states;
+use serde::Serialize;
+use std::io;
+use tpg_runtime::policy::ActionId;
+
+/// States that are decided at a time: bounds memory, not results.
+const BATCH: usize = 8192;
+
+/// How one engine compares with the interpreter.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Comparison {
+    /// The engine.
+    pub engine: String,
+    /// States compared.
+    pub states: usize,
+    /// States with another action.
+    pub differences: usize,
+    /// The first of them.
+    pub first: Option<Difference>,
+}
+
+/// A state on which an engine and the interpreter disagree.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Difference {
+    /// The state's number in the run.
+    pub index: usize,
+    /// Its values, as text: JSON has no NaN.
+    pub state: Vec<String>,
+    /// The interpreter's action.
+    pub expected: u16,
+    /// The engine's action.
+    pub found: u16,
+}
+
+/// Runs engines beside the interpreter on `count` states drawn with `seed`.
+///
+/// # Errors
+/// When an engine's process dies.
+pub fn compare(graph: &Graph, engines: &mut [&mut dyn Engine], count: usize, seed: u64) -> io::Result<Vec<Comparison>> {
+    let mut reference = Reference::new(graph);
+    let mut comparisons: Vec<Comparison> = (engines.iter())
+        .map(|engine| Comparison { engine: engine.name().to_owned(), states: 0, differences: 0, first: None })
+        .collect();
+    for (batch, start) in (0..count).step_by(BATCH).enumerate() {
+        // Each batch has its own stream, so that a run of more states begins with the states of a shorter one.
+        let states = states::sample(graph, BATCH.min(count - start), seed.wrapping_add((batch as u64) << 32));
+        let mut expected = Vec::new();
+        reference.decide(&states, &mut expected)?;
+        for (engine, comparison) in engines.iter_mut().zip(&mut comparisons) {
+            let mut found = Vec::new();
+            engine.decide(&states, &mut found)?;
+            comparison.add(graph, start, &states, &expected, &found);
+        }
+    }
+    Ok(comparisons)
+}
+
+impl Comparison {
+    fn add(&mut self, graph: &Graph, start: usize, states: &[f64], expected: &[ActionId], found: &[ActionId]) {
+        self.states += expected.len();
+        let rows = states.chunks_exact(graph.state_length()).zip(expected.iter().zip(found));
+        for (index, (state, (expected, found))) in rows.enumerate().filter(|(_, (_, (e, f)))| e != f) {
+            self.differences += 1;
+            self.first.get_or_insert_with(|| Difference {
+                index: start + index,
+                state: state.iter().map(|value| format!("{value:?}")).collect(),
+                expected: expected.0,
+                found: found.0,
+            });
+        }
+    }
+}

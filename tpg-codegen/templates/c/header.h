@@ -1,0 +1,56 @@
+/*
+{%- for line in banner %}
+ * {{ line }}
+{%- endfor %}
+ */
+#ifndef {{ upper }}_H
+#define {{ upper }}_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The actions:
+{%- for action in actions %}
+ * {{ loop.index0 }} {{ action }}
+{%- endfor %}
+ */
+#define {{ upper }}_ACTIONS {{ actions.len() }}U
+/* Teams, and how many of them decide at most in one inference. */
+#define {{ upper }}_TEAMS {{ teams }}U
+#define {{ upper }}_DEPTH {{ depth }}U
+{% if gegelati %}
+/* What the policy sees, as GEGELATI's generated code declares it. The caller defines these pointers. */
+{%- for source in sources %}
+extern {{ scalar }} *in{{ loop.index }}; /* {{ source.name }}: {{ source.length }} values, {{ source.unit }}, {{ source.range }} */
+{%- endfor %}
+
+/* The action for the values that in1, in2, ... point at now. */
+int inferenceTPG(void);
+{% else %}
+/* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
+typedef struct {{ prefix }}_state {
+{%- for source in sources %}
+    {{ scalar }} {{ source.name }}[{{ source.length }}]; /* {{ source.unit }}, {{ source.range }} */
+{%- endfor %}
+} {{ prefix }}_state_t;
+
+/* The action for a state, below {{ upper }}_ACTIONS. Pure and reentrant: no globals, no memory, no side effect. */
+uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state);
+{% endif %}
+#ifndef {{ upper }}_NO_SELFTEST
+/* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
+{%- if system_maths %}
+ * The graph uses the platform's sin, cos, log and exp: another libm than the generator's may differ in the last bit.
+{%- endif %}
+ */
+uint32_t {{ prefix }}_selftest(void);
+#endif
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

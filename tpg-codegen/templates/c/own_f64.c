@@ -1,0 +1,286 @@
+/* sin, cos, ln and exp in double: the same statements, and so the same bits, as tpg-runtime's ops::own::f64, where the
+ * method and the error bounds are described. Needs -ffp-contract=off, round to nearest, and FLT_EVAL_METHOD 0 or 1. */
+
+static uint64_t {{ prefix }}_bits(double x)
+{
+    uint64_t bits;
+    (void)memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+static double {{ prefix }}_double(uint64_t bits)
+{
+    double x;
+    (void)memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+/* All ones where the top bit is set, else 0. */
+static uint64_t {{ prefix }}_mask(uint64_t bits)
+{
+    return 0U - (bits >> 63);
+}
+{% if uses_sin || uses_cos || uses_ln %}
+
+/* a where the mask is all ones, b where it is 0. */
+static uint64_t {{ prefix }}_choose(uint64_t mask, uint64_t a, uint64_t b)
+{
+    return b ^ ((a ^ b) & mask);
+}
+{% endif %}
+{% if uses_sin || uses_cos %}
+
+/* The upper half of a product, from 32-bit halves: C99 has no wider type. */
+static uint64_t {{ prefix }}_multiply_high(uint64_t a, uint64_t b)
+{
+    const uint64_t mask = 0xffffffffU;
+    const uint64_t a_low = a & mask;
+    const uint64_t a_high = a >> 32;
+    const uint64_t b_low = b & mask;
+    const uint64_t b_high = b >> 32;
+    const uint64_t low = a_low * b_low;
+    const uint64_t first = (a_high * b_low) + (low >> 32);
+    const uint64_t second = (a_low * b_high) + (first & mask);
+    return (a_high * b_high) + (first >> 32) + (second >> 32);
+}
+
+/* 64 bits of 2/pi from a bit of the table on. */
+static uint64_t {{ prefix }}_window(uint32_t bit)
+{
+    /* The bits of 2/pi: 64 zeros, then those behind the binary point. */
+    static const uint32_t two_over_pi[39] = {
+        0x00000000U, 0x00000000U, 0xa2f9836eU, 0x4e441529U, 0xfc2757d1U, 0xf534ddc0U,
+        0xdb629599U, 0x3c439041U, 0xfe5163abU, 0xdebbc561U, 0xb7246e3aU, 0x424dd2e0U,
+        0x06492eeaU, 0x09d1921cU, 0xfe1deb1cU, 0xb129a73eU, 0xe88235f5U, 0x2ebb4484U,
+        0xe99c7026U, 0xb45f7e41U, 0x3991d639U, 0x835339f4U, 0x9c845f8bU, 0xbdf9283bU,
+        0x1ff897ffU, 0xde05980fU, 0xef2f118bU, 0x5a0a6d1fU, 0x6d367ecfU, 0x27cb09b7U,
+        0x4f463f66U, 0x9e5fea2dU, 0x7527bac7U, 0xebe5f17bU, 0x3d0739f7U, 0x8a5292eaU,
+        0x6bfb5fb1U, 0x1f8d5d08U, 0x56033046U
+    };
+
+    const uint32_t word = bit >> 5;
+    const uint32_t shift = bit & 31U;
+    const uint64_t upper = two_over_pi[word];
+    const uint64_t first = upper << 32;
+    const uint64_t second = two_over_pi[word + 1U];
+    const uint64_t third = two_over_pi[word + 2U];
+    return ((first | second) << shift) | ((third << shift) >> 32);
+}
+
+/* The bits of sin(a + offset - 1/8 turn), a given by its bits and the offset in 2^-64 turns. */
+static uint64_t {{ prefix }}_circle(uint64_t magnitude, uint64_t offset)
+{
+    static const double polynomial[2][7] = {
+        /* sin r = r + r s P(s), s = r^2 */
+        {-0.16666666666666666, 0.0083333333333331, -0.00019841269841057126, 2.7557319129292577e-6, -2.505208597648223e-8,
+         1.6056249611106226e-10, -7.484908692307725e-13},
+        /* cos r = 1 + 1 s P(s) */
+        {-0.5, 0.041666666666666595, -0.0013888888888873348, 2.480158728900809e-5, -2.755731421905481e-7,
+         2.087570568855178e-9, -1.1358764799839055e-11}
+    };
+
+    const uint64_t sign = (uint64_t)1U << 63;
+    const uint64_t least_normal = (uint64_t)1U << 52;
+
+    /* a = mantissa * 2^(exponent + 1021 - 1075) */
+    const uint64_t biased = magnitude >> 52;
+    const uint64_t above = biased - 1021U;
+    const uint64_t kept = above & ~{{ prefix }}_mask(above);
+    const uint32_t exponent = (uint32_t)kept;
+    const uint64_t mantissa = (magnitude & (least_normal - 1U)) | least_normal;
+
+    /* a * 2/pi modulo 4 in units of 2^-126 */
+    const uint64_t first = {{ prefix }}_window(exponent + 8U);
+    const uint64_t second = {{ prefix }}_window(exponent + 72U);
+    const uint64_t third = {{ prefix }}_window(exponent + 136U);
+    const uint64_t angle_below = {{ prefix }}_multiply_high(mantissa, third);
+    const uint64_t angle_low = (mantissa * second) + angle_below;
+    const uint64_t angle_carry = (angle_low < angle_below) ? (uint64_t)1U : (uint64_t)0U;
+    const uint64_t angle_high = (mantissa * first) + {{ prefix }}_multiply_high(mantissa, second) + angle_carry;
+
+    /* the quadrant, and the signed distance from its middle with its sign taken off */
+    const uint64_t turn = angle_high + offset;
+    const uint64_t distance = (turn & ((sign >> 1) - 1U)) - (sign >> 2);
+    const uint64_t negative = {{ prefix }}_mask(distance);
+    const uint64_t distance_high = distance ^ negative;
+    const uint64_t distance_low = angle_low ^ negative;
+
+    /* times pi/2, in units of 2^-125 radians */
+    const uint64_t half_pi = ((uint64_t)0xc90fdaa2U << 32) | 0x2168c234U;
+    const uint64_t radians_below = {{ prefix }}_multiply_high(distance_low, half_pi);
+    const uint64_t radians_low = (distance_high * half_pi) + radians_below;
+    const uint64_t radians_carry = (radians_low < radians_below) ? (uint64_t)1U : (uint64_t)0U;
+    const uint64_t radians_high = {{ prefix }}_multiply_high(distance_high, half_pi) + radians_carry;
+    const uint64_t upper_part = radians_high >> 8;
+    const uint64_t lower_part = (radians_high << 56) | (radians_low >> 8);
+    const double upper = (double)upper_part * 1.1102230246251565e-16;
+    const double lower = (double)lower_part * 6.018531076210112e-36;
+    const uint64_t reduced = {{ prefix }}_bits(upper + lower) | (distance & sign);
+
+    /* no reduction below 3/4 */
+    const uint64_t three_quarters = (uint64_t)0x3fe80000U << 32;
+    const uint64_t small = {{ prefix }}_mask(magnitude - three_quarters);
+    const double r = {{ prefix }}_double({{ prefix }}_choose(small, magnitude, reduced));
+
+    /* odd quadrants are the cosine's */
+    const uint64_t parity = (turn >> 62) & 1U;
+    const uint32_t odd = (uint32_t)parity;
+    const double base = (odd == 1U) ? 1.0 : r;
+    const double *const c = polynomial[odd];
+    const double s = r * r;
+    const double zero = {{ prefix }}_double(magnitude) * 0.0;
+    double p = c[6] * s;
+    p = p + c[5];
+    p = p * s;
+    p = p + c[4];
+    p = p * s;
+    p = p + c[3];
+    p = p * s;
+    p = p + c[2];
+    p = p * s;
+    p = p + c[1];
+    p = p * s;
+    p = p + c[0];
+    p = p * s;
+    p = p * base;
+    p = p + zero;
+    p = base + p;
+    return {{ prefix }}_bits(p) ^ (turn & sign);
+}
+{% endif %}
+{% if uses_sin %}
+
+static double {{ prefix }}_sin(double x)
+{
+    const uint64_t sign = (uint64_t)1U << 63;
+    const uint64_t bits = {{ prefix }}_bits(x);
+    const uint64_t of_magnitude = {{ prefix }}_circle(bits & (sign - 1U), sign >> 2);
+    return {{ prefix }}_double(of_magnitude ^ (bits & sign));
+}
+{% endif %}
+{% if uses_cos %}
+
+static double {{ prefix }}_cos(double x)
+{
+    const uint64_t sign = (uint64_t)1U << 63;
+    return {{ prefix }}_double({{ prefix }}_circle({{ prefix }}_bits(x) & (sign - 1U), (sign >> 1) | (sign >> 2)));
+}
+{% endif %}
+{% if uses_ln %}
+
+static double {{ prefix }}_ln(double x)
+{
+    const uint64_t sign = (uint64_t)1U << 63;
+    const uint64_t one = (uint64_t)0x3ff00000U << 32;
+    const uint64_t half_root = ((uint64_t)0x3fe6a09eU << 32) | 0x667f3bcdU;
+    const uint64_t least_normal = (uint64_t)1U << 52;
+    const uint64_t infinity = (uint64_t)0x7ff00000U << 32;
+    const uint64_t minus_infinity = (uint64_t)0xfff00000U << 32;
+    const uint64_t not_a_number = (uint64_t)0x7ff80000U << 32;
+    const uint64_t bits = {{ prefix }}_bits(x);
+
+    /* x = m * 2^exponent, sqrt(1/2) <= m < sqrt(2) */
+    const uint64_t scaled = {{ prefix }}_bits(x * 18014398509481984.0);
+    const uint64_t small = {{ prefix }}_mask(bits - least_normal);
+    const uint64_t normal = {{ prefix }}_choose(small, scaled, bits);
+    const uint64_t more = 54U & small;
+    const int32_t bias = 1023 + (int32_t)more;
+    const uint64_t shifted = normal + (one - half_root);
+    const uint64_t biased = shifted >> 52;
+    const int32_t unbiased = (int32_t)biased - bias;
+    const double exponent = (double)unbiased;
+    const double m = {{ prefix }}_double((shifted & (least_normal - 1U)) + half_root);
+
+    /* ln(1 + f) = 2 artanh(s), s = f / (2 + f) */
+    const double f = m - 1.0;
+    const double g = f + 2.0;
+    const double s = f / g;
+    const double w = s * s;
+    const double low = exponent * -1.7239444525614835e-13;
+    const double high = exponent * 0.6931471805601177;
+
+    /* infinity and NaN stay, zeros and what is negative have values of their own */
+    const uint64_t before = bits - 1U;
+    const uint64_t special = {{ prefix }}_mask(before | ((infinity - 2U) - before));
+    const uint64_t zero = {{ prefix }}_mask((bits & (sign - 1U)) - 1U);
+    const uint64_t signed_limit = bits | ({{ prefix }}_mask(bits) & not_a_number);
+    const uint64_t limit = {{ prefix }}_choose(zero, minus_infinity, signed_limit);
+    double p = 0.14795705382583219 * w;
+    p = p + 0.15314080455230586;
+    p = p * w;
+    p = p + 0.18183562917324905;
+    p = p * w;
+    p = p + 0.22222198605607052;
+    p = p * w;
+    p = p + 0.2857142874200941;
+    p = p * w;
+    p = p + 0.3999999999941674;
+    p = p * w;
+    p = p + 0.6666666666666734;
+    p = p * w;
+    p = f - p;
+    p = p * s;
+    p = p - low;
+    p = f - p;
+    p = high + p;
+    return {{ prefix }}_double({{ prefix }}_choose(special, limit, {{ prefix }}_bits(p)));
+}
+{% endif %}
+{% if uses_exp %}
+
+static double {{ prefix }}_exp(double x)
+{
+    const uint64_t sign = (uint64_t)1U << 63;
+    const uint64_t infinity = (uint64_t)0x7ff00000U << 32;
+    const uint64_t quiet = (uint64_t)0x7ff80000U << 32;
+    const uint64_t limit = (uint64_t)0x40875000U << 32;
+    const uint64_t round_bits = (uint64_t)0x43380000U << 32;
+
+    /* nothing changes beyond 746 */
+    const uint64_t bits = {{ prefix }}_bits(x);
+    const uint64_t magnitude = bits & (sign - 1U);
+    const uint64_t limited = (magnitude < limit) ? magnitude : limit;
+    const double a = {{ prefix }}_double(limited | (bits & sign));
+
+    /* x = n ln 2 + r; adding 1.5 * 2^52 leaves the nearest integer in the low bits */
+    const double quotient = a * 1.4426950408889634;
+    const double sum = quotient + 6755399441055744.0;
+    const double n = sum - 6755399441055744.0;
+    const double high = n * 0.6931471805601177;
+    const double low = n * -1.7239444525614835e-13;
+    const double rest = a - high;
+    const double r = rest - low;
+
+    /* 2^n as two powers of two */
+    const uint64_t biased = {{ prefix }}_bits(sum) - (round_bits - 2046U);
+    const uint64_t half = biased >> 1;
+    const double first = {{ prefix }}_double(half << 52);
+    const double second = {{ prefix }}_double((biased - half) << 52);
+    const uint64_t not_a_number = {{ prefix }}_mask(infinity - magnitude);
+    double p = 2.5004611754833166e-8 * r;
+    p = p + 2.763047317939756e-7;
+    p = p * r;
+    p = p + 2.7557572053764215e-6;
+    p = p * r;
+    p = p + 2.480149241561441e-5;
+    p = p * r;
+    p = p + 0.00019841269522593547;
+    p = p * r;
+    p = p + 0.0013888888944362959;
+    p = p * r;
+    p = p + 0.008333333333487038;
+    p = p * r;
+    p = p + 0.041666666666526936;
+    p = p * r;
+    p = p + 0.16666666666666424;
+    p = p * r;
+    p = p + 0.5000000000000011;
+    p = p * r;
+    p = p * r;
+    p = p + r;
+    p = p + 1.0;
+    p = p * first;
+    p = p * second;
+    return {{ prefix }}_double({{ prefix }}_bits(p) | (not_a_number & quiet));
+}
+{% endif %}

@@ -1,0 +1,32 @@
+//! Decides for states from standard input: see tpg-codegen's verify::process.
+
+mod {{ module }};
+
+use std::io::{self, Read, Write};
+use tpg_runtime::policy::{ActionId, Policy};
+
+const LENGTH: usize = {{ state_length }};
+const WIDTH: usize = size_of::<{{ scalar }}>();
+
+fn main() -> io::Result<()> {
+    let mut input = io::stdin().lock();
+    let mut output = io::stdout().lock();
+    let mut head = [0; 4];
+    while input.read_exact(&mut head).is_ok() {
+        let count = u32::from_le_bytes(head) as usize;
+        let mut bytes = vec![0; count * LENGTH * WIDTH];
+        input.read_exact(&mut bytes)?;
+        let mut actions = Vec::with_capacity(count * 2);
+        for values in bytes.chunks_exact(LENGTH * WIDTH) {
+            let mut state = [0.0; LENGTH];
+            for (slot, value) in state.iter_mut().zip(values.chunks_exact(WIDTH)) {
+                *slot = {{ scalar }}::from_ne_bytes(value.try_into().unwrap());
+            }
+            let ActionId(action) = {{ module }}::{{ name }}.decide(&state);
+            actions.extend(action.to_ne_bytes());
+        }
+        output.write_all(&actions)?;
+        output.flush()?;
+    }
+    Ok(())
+}

@@ -1,0 +1,124 @@
+//! The C kernels give the bits of the Rust ones, with every compiler at hand, and compile without a warning.
+
+use std::io::{Read as _, Write as _};
+use std::process::{Command, Stdio};
+
+use tpg_runtime::ops::own;
+
+/// C99 and C++11, of whoever provides them; the system's `cc` must be there.
+const COMPILERS: [&[&str]; 4] = [
+    &["cc", "-std=c99", "-Wstrict-prototypes"],
+    &["clang", "-std=c99", "-Wstrict-prototypes"],
+    &["g++", "-x", "c++", "-std=c++11"],
+    &["clang++", "-x", "c++", "-std=c++11"],
+];
+
+const FLAGS: [&str; 12] = [
+    "-O2",
+    "-ffp-contract=off",
+    "-Wall",
+    "-Wextra",
+    "-Wpedantic",
+    "-Wconversion",
+    "-Wsign-conversion",
+    "-Wdouble-promotion",
+    "-Wshadow",
+    "-Wcast-qual",
+    "-Wfloat-equal",
+    "-Werror",
+];
+
+/// Reads numbers and writes the four results of each.
+const MAIN: &str = "
+int main(void)
+{
+    NUMBER x;
+    while (fread(&x, sizeof x, 1, stdin) == 1) {
+        const NUMBER y[4] = {tpg_sin(x), tpg_cos(x), tpg_ln(x), tpg_exp(x)};
+        if (fwrite(y, sizeof y, 1, stdout) != 1) {
+            return 1;
+        }
+    }
+    return 0;
+}
+";
+
+/// A program of the template with every function in it.
+fn program(template: &str, number: &str) -> String {
+    let kernels: Vec<&str> = template.lines().filter(|line| !line.starts_with("{%")).collect();
+    let kernels = kernels.join("\n").replace("{{ prefix }}", "tpg");
+    let main = MAIN.replace("NUMBER", number);
+    format!("#include <stdint.h>\n#include <stdio.h>\n#include <string.h>\n\n{kernels}\n{main}")
+}
+
+/// What the compiled program answers, or `None` where there is no such compiler.
+fn run(compiler: &[&str], program: &str, input: Vec<u8>) -> Option<Vec<u8>> {
+    Command::new(compiler[0]).arg("--version").stdout(Stdio::null()).status().ok()?;
+    let directory = tempfile::tempdir().unwrap();
+    let (source, binary) = (directory.path().join("own.c"), directory.path().join("own"));
+    std::fs::write(&source, program).unwrap();
+    let mut command = Command::new(compiler[0]);
+    command.args(&compiler[1..]).args(FLAGS).arg(&source).arg("-o").arg(&binary);
+    assert!(command.status().unwrap().success(), "{command:?}");
+
+    let mut child = Command::new(&binary).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
+    let mut stdin = child.stdin.take().unwrap();
+    let writer = std::thread::spawn(move || stdin.write_all(&input).unwrap());
+    let mut output = Vec::new();
+    child.stdout.take().unwrap().read_to_end(&mut output).unwrap();
+    writer.join().unwrap();
+    assert!(child.wait().unwrap().success(), "{compiler:?}");
+    Some(output)
+}
+
+/// Random bits (xorshift): the same ones in every run.
+fn random_bits() -> impl Iterator<Item = u64> {
+    std::iter::successors(Some(0x9e37_79b9_7f4a_7c15_u64), |&state| {
+        let state = state ^ (state << 13);
+        let state = state ^ (state >> 7);
+        Some(state ^ (state << 17))
+    })
+}
+
+macro_rules! same_bits {
+    ($module:ident, $float:ident, $number:literal, $inputs:expr) => {{
+        use own::$module::{cos, exp, ln, sin};
+        let program = program(include_str!(concat!("../templates/c/own_", stringify!($module), ".c")), $number);
+        let inputs: Vec<$float> = $inputs.map($float::from_bits).collect();
+        let bytes: Vec<u8> = inputs.iter().flat_map(|x| x.to_ne_bytes()).collect();
+        for compiler in COMPILERS {
+            let Some(output) = run(compiler, &program, bytes.clone()) else {
+                assert_ne!(compiler[0], "cc", "no C compiler");
+                continue;
+            };
+            let (results, rest) = output.as_chunks();
+            assert_eq!((results.len(), rest.len()), (4 * inputs.len(), 0), "{compiler:?}");
+            for (&x, results) in inputs.iter().zip(results.chunks_exact(4)) {
+                let expected = [("sin", sin(x)), ("cos", cos(x)), ("ln", ln(x)), ("exp", exp(x))];
+                for ((function, expected), &got) in expected.into_iter().zip(results) {
+                    let got = $float::from_ne_bytes(got);
+                    let same = got.to_bits() == expected.to_bits() || (got.is_nan() && expected.is_nan());
+                    assert!(same, "{compiler:?}: {function} {x:e} is {got:e}, in Rust {expected:e}");
+                }
+            }
+        }
+    }};
+}
+
+#[test]
+fn f32_has_the_bits_of_rust() {
+    let limits = (0x7f7f_ff00..0x7f80_0010).chain(0..0x100);
+    let strided = (0..=u32::MAX).step_by(1999);
+    let random = random_bits().map(|bits| (bits >> 16) as u32).take(500_000);
+    // Between 2⁻¹² and 2¹², where everything is in use.
+    let moderate = random_bits().map(|bits| (bits as u32 & 0x807f_ffff) | ((115 + (bits >> 40) as u32 % 24) << 23));
+    same_bits!(f32, f32, "float", limits.chain(strided).chain(random).chain(moderate.take(500_000)));
+}
+
+#[test]
+fn f64_has_the_bits_of_rust() {
+    let limits = [0, 1, 0x000f_ffff_ffff_ffff, 0x0010_0000_0000_0000, 0x7fef_ffff_ffff_ffff, 0x7ff0_0000_0000_0000];
+    let limits = limits.into_iter().flat_map(|bits: u64| [bits, bits | (1 << 63)]);
+    let moderate = random_bits().map(|bits| (bits & 0x800f_ffff_ffff_ffff) | ((1009 + (bits >> 52) % 28) << 52));
+    same_bits!(f64, f64, "double", limits.chain(random_bits().take(700_000)).chain(moderate.take(700_000)));
+}

@@ -1,0 +1,220 @@
+//! The kernels in `f32`. No operation is wider than `f32` and `u64`: a Cortex-M4F runs all of it in hardware.
+
+/// Everything but the sign.
+const MAGNITUDE: u32 = 0x7fff_ffff;
+const SIGN: u32 = 0x8000_0000;
+const FRACTION: u32 = 0x007f_ffff;
+/// The least normal number, and also the bit below which the exponent begins.
+const LEAST_NORMAL: u32 = 0x0080_0000;
+const INFINITY: u32 = 0x7f80_0000;
+const MINUS_INFINITY: u32 = 0xff80_0000;
+const NAN: u32 = 0x7fc0_0000;
+
+/// `floor(2/π · 2^(8i + 5)) mod 2³²`: a window on the bits of 2/π for every byte of the exponent, so that no word needs
+/// to be shifted after loading.
+const TWO_OVER_PI: [u32; 25] = [
+    0x0000_0014,
+    0x0000_145f,
+    0x0014_5f30,
+    0x145f_306d,
+    0x5f30_6dc9,
+    0x306d_c9c8,
+    0x6dc9_c882,
+    0xc9c8_82a5,
+    0xc882_a53f,
+    0x82a5_3f84,
+    0xa53f_84ea,
+    0x3f84_eafa,
+    0x84ea_fa3e,
+    0xeafa_3ea6,
+    0xfa3e_a69b,
+    0x3ea6_9bb8,
+    0xa69b_b81b,
+    0x9bb8_1b6c,
+    0xb81b_6c52,
+    0x1b6c_52b3,
+    0x6c52_b327,
+    0x52b3_2788,
+    0xb327_8872,
+    0x2788_7208,
+    0x8872_083f,
+];
+
+/// `floor(π/2 · 2³¹)`.
+const HALF_PI: u64 = 0xc90f_daa2;
+
+/// Row 0: `sin r = r + r·s·P(s)`, row 1: `cos r = 1 + 1·s·P(s)`, both for `s = r²`, `|r| ≤ π/4`;
+/// relative errors of the polynomials 2.0e-10 and 1.2e-10.
+const CIRCLE: [[f32; 4]; 2] =
+    [[-0.16666667, 0.008333372, -0.00019849911, 2.800547e-6], [-0.5, 0.041666646, -0.0013887311, 2.4432566e-5]];
+
+/// ln 2, the first part short enough that its product with an exponent is exact.
+const LN_2_HIGH: f32 = 0.69314575;
+const LN_2_LOW: f32 = 1.4286068e-6;
+
+/// Sine of `x` radians: off by at most 8.8e-8, and by at most 1.5 ulp, for every finite `x`; odd, and never beyond ±1.
+pub fn sin(x: f32) -> f32 {
+    let bits = x.to_bits();
+    let of_magnitude = circle(bits & MAGNITUDE, 0x2000_0000);
+    f32::from_bits(of_magnitude ^ (bits & SIGN))
+}
+
+/// Cosine of `x` radians: off by at most 8.8e-8, and by at most 1.5 ulp, for every finite `x`; even, and never
+/// beyond ±1.
+pub fn cos(x: f32) -> f32 {
+    f32::from_bits(circle(x.to_bits() & MAGNITUDE, 0x6000_0000))
+}
+
+/// All ones where the top bit is set, else 0. Masks rather than conditions, where a compiler would branch.
+fn mask(bits: u32) -> u32 {
+    0_u32.wrapping_sub(bits >> 31)
+}
+
+/// `a` where the mask is all ones, `b` where it is 0.
+fn choose(mask: u32, a: u32, b: u32) -> u32 {
+    b ^ ((a ^ b) & mask)
+}
+
+/// The bits of `sin(a + offset − ⅛ turn)`, `a` given by its bits and the offset in 2⁻³² turns.
+///
+/// With an eighth of a turn added, the quadrant nearest to the angle is in the top two bits of the sum.
+fn circle(magnitude: u32, offset: u32) -> u32 {
+    // a = mantissa · 2^(8·byte + 125 − 150). Everything below ¼ is taken for something in [¼, ½): only the quadrant of
+    // such an angle is used, and that is right.
+    // (Saturating rather than masked, so that the compiler sees the index in its range and leaves out the check.)
+    let exponent = (magnitude >> 23).saturating_sub(125);
+    let byte = (exponent >> 3) as usize;
+    let mantissa = u64::from(((magnitude & FRACTION) | LEAST_NORMAL) << (exponent & 7));
+
+    // a · 2/π modulo 4 in units of 2⁻⁶²: the product of the mantissa with those 96 bits of 2/π that matter. Higher ones
+    // would add whole turns, lower ones less than a unit.
+    let high = mantissa.wrapping_mul(u64::from(TWO_OVER_PI[byte])) << 32;
+    let middle = mantissa.wrapping_mul(u64::from(TWO_OVER_PI[byte + 4]));
+    let low = mantissa.wrapping_mul(u64::from(TWO_OVER_PI[byte + 8])) >> 32;
+    let angle = high.wrapping_add(middle).wrapping_add(low);
+
+    // The quadrant, and the signed distance from its middle with its sign taken off. (Ones' complement: a unit is lost.)
+    let turn = ((angle >> 32) as u32).wrapping_add(offset);
+    let distance = (turn & 0x3fff_ffff).wrapping_sub(0x2000_0000);
+    let negative = mask(distance);
+    let distance_high = u64::from(distance ^ negative);
+    let distance_low = u64::from((angle as u32) ^ negative);
+
+    // Times π/2, in units of 2⁻⁶¹ radians, then to a float with one rounding that counts: the upper 24 bits are exact.
+    let radians = distance_high.wrapping_mul(HALF_PI).wrapping_add(distance_low.wrapping_mul(HALF_PI) >> 32);
+    let upper = (radians >> 37) as u32 as f32;
+    let lower = (radians >> 5) as u32 as f32;
+    let upper = upper * 5.9604645e-8; // 2⁻²⁴
+    let lower = lower * 1.3877788e-17; // 2⁻⁵⁶
+    let reduced = (upper + lower).to_bits() | (distance & SIGN);
+
+    // What is below ¾ needs no reduction, and must not lose its own bits to one.
+    let small = mask(magnitude.wrapping_sub(0x3f40_0000));
+    let r = f32::from_bits(choose(small, magnitude, reduced));
+
+    // Odd quadrants are the cosine's.
+    let odd = (turn >> 30) & 1;
+    let base = if odd == 1 { 1.0 } else { r };
+    let [c0, c1, c2, c3] = CIRCLE[odd as usize];
+    let s = r * r;
+    let p = c3 * s;
+    let p = p + c2;
+    let p = p * s;
+    let p = p + c1;
+    let p = p * s;
+    let p = p + c0;
+    let p = p * s;
+    let p = p * base;
+
+    // Zero, unless infinity or NaN make it NaN.
+    let zero = f32::from_bits(magnitude) * 0.0;
+    let p = p + zero;
+    let value = base + p;
+
+    // The lower half turn is negative.
+    value.to_bits() ^ (turn & SIGN)
+}
+
+/// Natural logarithm: off by at most 0.96 ulp; of ±0 it is −∞, of a negative number NaN.
+pub fn ln(x: f32) -> f32 {
+    let bits = x.to_bits();
+
+    // x = m · 2^exponent with √½ ≤ m < √2, a subnormal number being scaled up first.
+    let scaled = (x * 8388608.0).to_bits();
+    let small = mask(bits.wrapping_sub(LEAST_NORMAL));
+    let normal = choose(small, scaled, bits);
+    let bias = 127 + (23 & small) as i32;
+    let shifted = normal.wrapping_add(0x3f80_0000 - 0x3f35_04f3);
+    let exponent = ((shifted >> 23) as i32).wrapping_sub(bias) as f32;
+    let m = f32::from_bits((shifted & FRACTION).wrapping_add(0x3f35_04f3));
+
+    // ln(1 + f) = 2 artanh(s) = 2s + s·R(s²) for s = f / (2 + f); and 2s = f − s·f, where f is exact.
+    let f = m - 1.0;
+    let g = f + 2.0;
+    let s = f / g;
+    let w = s * s;
+    let p = 0.2987083 * w;
+    let p = p + 0.39977583;
+    let p = p * w;
+    let p = p + 0.66666776;
+    let p = p * w;
+    let p = f - p;
+    let p = p * s;
+    let low = exponent * LN_2_LOW;
+    let p = p - low;
+    let p = f - p;
+    let high = exponent * LN_2_HIGH;
+    let value = (high + p).to_bits();
+
+    // What is not in 1..INFINITY: infinity and NaN stay, zeros and what is negative have values of their own.
+    let before = bits.wrapping_sub(1);
+    let special = mask(before | (INFINITY - 2).wrapping_sub(before));
+    let zero = mask((bits & MAGNITUDE).wrapping_sub(1));
+    let limit = choose(zero, MINUS_INFINITY, bits | (mask(bits) & NAN));
+    f32::from_bits(choose(special, limit, value))
+}
+
+/// `eˣ`: off by at most 1 ulp, subnormal results included; +∞ from 88.722_84 on, 0 below −103.972_08.
+pub fn exp(x: f32) -> f32 {
+    // 1.5 · 2²³: adding it leaves the nearest integer in the low bits of the sum.
+    const ROUND: f32 = 12582912.0;
+    const ROUND_BITS: u32 = 0x4b40_0000;
+
+    // Beyond ±104 nothing changes any more; NaN is put back at the end.
+    let bits = x.to_bits();
+    let magnitude = bits & MAGNITUDE;
+    let limited = if magnitude < 0x42d0_0000 { magnitude } else { 0x42d0_0000 };
+    let a = f32::from_bits(limited | (bits & SIGN));
+
+    // x = n·ln 2 + r with |r| ≤ ½ ln 2.
+    let sum = a * core::f32::consts::LOG2_E;
+    let sum = sum + ROUND;
+    let n = sum - ROUND;
+    let high = n * LN_2_HIGH;
+    let low = n * LN_2_LOW;
+    let r = a - high;
+    let r = r - low;
+
+    // eʳ = 1 + (r + r²·P(r)).
+    let p = 0.0013782504 * r;
+    let p = p + 0.008368675;
+    let p = p * r;
+    let p = p + 0.041668963;
+    let p = p * r;
+    let p = p + 0.16666521;
+    let p = p * r;
+    let p = p + 0.4999999;
+    let p = p * r;
+    let p = p * r;
+    let p = p + r;
+    let p = p + 1.0;
+
+    // Times 2ⁿ as two powers of two: the first product is exact, the second rounds once, if at all.
+    let biased = sum.to_bits().wrapping_sub(ROUND_BITS - 2 * 127);
+    let half = biased >> 1;
+    let value = p * f32::from_bits(half << 23);
+    let value = value * f32::from_bits(biased.wrapping_sub(half) << 23);
+
+    let not_a_number = mask(INFINITY.wrapping_sub(magnitude));
+    f32::from_bits(value.to_bits() | (not_a_number & NAN))
+}

@@ -1,0 +1,192 @@
+//! The error bounds that `ops::own` states, measured, and its special values.
+
+use std::f64::consts::PI;
+
+use tpg_runtime::ops::own;
+
+type Function = fn(f64) -> f64;
+
+/// A prime, so that the stride meets every exponent and all kinds of mantissas: 4.3 million of the 2³² arguments.
+/// With 1 it takes minutes and gives the figures that the module states.
+const STRIDE: usize = 997;
+
+/// `|got − reference|` in units in the last place of an `f32` near the reference.
+fn ulps_f32(got: f32, reference: f64) -> f64 {
+    let magnitude = reference.abs().max(f64::from(f32::MIN_POSITIVE));
+    let exponent = (magnitude.to_bits() >> 52) as i32 - 1023;
+    (f64::from(got) - reference).abs() / 2_f64.powi(exponent - 23)
+}
+
+/// The greatest absolute error and the greatest one in ulp, over a stride through all bit patterns.
+fn worst_f32(kernel: fn(f32) -> f32, reference: fn(f64) -> f64) -> (f64, f64) {
+    let mut worst = (0_f64, 0_f64);
+    for bits in (0..=u32::MAX).step_by(STRIDE) {
+        let x = f32::from_bits(bits);
+        let (got, expected) = (kernel(x), reference(f64::from(x)));
+        let rounded = expected as f32;
+        if rounded.is_finite() {
+            assert!(got.is_finite(), "{x:e}: {got} instead of {expected:e}");
+            worst.0 = worst.0.max((f64::from(got) - expected).abs());
+            worst.1 = worst.1.max(ulps_f32(got, expected));
+        } else {
+            assert!(got == rounded || (got.is_nan() && rounded.is_nan()), "{x:e}: {got} instead of {rounded}");
+        }
+    }
+    worst
+}
+
+#[test]
+fn f32_circle_is_within_its_bounds() {
+    for (kernel, reference) in
+        [(own::f32::sin as fn(f32) -> f32, f64::sin as fn(f64) -> f64), (own::f32::cos, f64::cos)]
+    {
+        let (absolute, ulps) = worst_f32(kernel, reference);
+        assert!(absolute <= 8.8e-8 && ulps <= 1.5, "{absolute:e}, {ulps} ulp");
+    }
+}
+
+#[test]
+fn f32_ln_is_within_its_bound() {
+    let (_, ulps) = worst_f32(own::f32::ln, f64::ln);
+    assert!(ulps <= 0.96, "{ulps} ulp");
+}
+
+#[test]
+fn f32_exp_is_within_its_bound() {
+    let (_, ulps) = worst_f32(own::f32::exp, f64::exp);
+    assert!(ulps <= 1.0, "{ulps} ulp");
+}
+
+#[test]
+fn f64_is_within_its_bounds_at_the_hard_points() {
+    let hexadecimal = |text: &str| u64::from_str_radix(text, 16).unwrap();
+    let mut counts = [0; 4];
+    for line in include_str!("fixtures/own_maths/reference.txt").lines().filter(|line| !line.starts_with('#')) {
+        let fields: Vec<&str> = line.split(' ').collect();
+        let [name, x, nearest, rest] = fields[..] else { panic!("{line}") };
+        let (x, nearest) = (f64::from_bits(hexadecimal(x)), hexadecimal(nearest));
+        let rest = rest.parse::<f64>().unwrap() * 1e-6;
+        let (index, kernel, bound): (usize, fn(f64) -> f64, f64) = match name {
+            "sin" => (0, own::f64::sin, 1.5),
+            "cos" => (1, own::f64::cos, 1.5),
+            "ln" => (2, own::f64::ln, 0.96),
+            "exp" => (3, own::f64::exp, 1.0),
+            _ => panic!("{line}"),
+        };
+        // Neighbouring doubles have neighbouring bits.
+        let steps = kernel(x).to_bits().wrapping_sub(nearest) as i64;
+        let ulps = (steps as f64 - rest).abs();
+        assert!(ulps <= bound, "{name} {x:e}: {ulps} ulp");
+        if index < 2 {
+            let place = 2_f64.powi(((nearest >> 52) & 0x7ff).max(1) as i32 - 1075);
+            assert!(ulps * place <= 1.7e-16, "{name} {x:e}: {:e}", ulps * place);
+        }
+        counts[index] += 1;
+    }
+    assert!(counts.iter().all(|&count| count > 250), "{counts:?}");
+}
+
+/// Random bits (xorshift): the same ones in every run.
+fn random_bits() -> impl Iterator<Item = u64> {
+    std::iter::successors(Some(0x9e37_79b9_7f4a_7c15_u64), |&state| {
+        let state = state ^ (state << 13);
+        let state = state ^ (state >> 7);
+        Some(state ^ (state << 17))
+    })
+}
+
+/// Doubles of all exponents, of moderate ones and evenly spread ones.
+fn random_doubles() -> impl Iterator<Item = f64> {
+    random_bits().enumerate().map(|(index, bits)| match index % 3 {
+        0 => f64::from_bits(bits),
+        1 => f64::from_bits((bits & 0x800f_ffff_ffff_ffff) | ((1015 + ((bits >> 52) & 15)) << 52)),
+        _ => (bits as i64) as f64 / 2_f64.powi(53),
+    })
+}
+
+#[test]
+fn f64_is_near_the_platforms_functions() {
+    // They are correct to an ulp or so themselves.
+    let pairs: [(Function, Function); 4] =
+        [(own::f64::sin, f64::sin), (own::f64::cos, f64::cos), (own::f64::ln, f64::ln), (own::f64::exp, f64::exp)];
+    for x in random_doubles().take(500_000) {
+        for (index, (kernel, reference)) in pairs.into_iter().enumerate() {
+            let (got, expected) = (kernel(x), reference(x));
+            let close = (got.to_bits().wrapping_sub(expected.to_bits()) as i64).unsigned_abs() <= 3;
+            assert!(close || (got.is_nan() && expected.is_nan()), "{index} of {x:e}: {got:e}, {expected:e}");
+        }
+    }
+}
+
+#[test]
+fn special_values() {
+    macro_rules! check {
+        ($module:ident, $float:ident) => {{
+            use own::$module::{cos, exp, ln, sin};
+            const INFINITY: $float = $float::INFINITY;
+            for x in [INFINITY, -INFINITY, $float::NAN, -$float::NAN] {
+                assert!(sin(x).is_nan() && cos(x).is_nan(), "{x}");
+            }
+            assert!(exp($float::NAN).is_nan() && exp(-$float::NAN).is_nan());
+            for x in [-INFINITY, -1.0, -$float::MIN_POSITIVE, -$float::from_bits(1), $float::NAN, -$float::NAN] {
+                assert!(ln(x).is_nan(), "{x}");
+            }
+            assert_eq!(sin(0.0).to_bits(), (0.0 as $float).to_bits());
+            assert_eq!(sin(-0.0).to_bits(), (-0.0 as $float).to_bits());
+            assert_eq!(sin($float::from_bits(1)).to_bits(), 1);
+            assert_eq!((cos(0.0), cos(-0.0), cos($float::MIN_POSITIVE)), (1.0, 1.0, 1.0));
+            assert_eq!((ln(0.0), ln(-0.0), ln(INFINITY)), (-INFINITY, -INFINITY, INFINITY));
+            assert_eq!(ln(1.0).to_bits(), 0);
+            assert_eq!((exp(0.0), exp(-0.0), exp($float::MIN_POSITIVE)), (1.0, 1.0, 1.0));
+            assert_eq!((exp(INFINITY), exp($float::MAX)), (INFINITY, INFINITY));
+            assert_eq!((exp(-INFINITY).to_bits(), exp($float::MIN).to_bits()), (0, 0));
+        }};
+    }
+    check!(f32, f32);
+    check!(f64, f64);
+
+    // The ends of the ranges: the last finite result, the first infinite one, the last subnormal one, the first zero.
+    assert!(own::f32::exp(88.722_84) == f32::INFINITY && own::f32::exp(88.72283) < f32::MAX);
+    assert_eq!((own::f32::exp(-103.97207).to_bits(), own::f32::exp(-103.97209).to_bits()), (1, 0));
+    assert!(own::f64::exp(709.782712893385) == f64::INFINITY && own::f64::exp(709.782712893383) < f64::MAX);
+    assert_eq!((own::f64::exp(-745.1332191019411).to_bits(), own::f64::exp(-745.1332191019413).to_bits()), (1, 0));
+}
+
+#[test]
+fn sine_is_odd_cosine_even_and_both_are_bounded() {
+    for x in random_doubles().filter(|x| x.is_finite()).take(500_000) {
+        assert_eq!(own::f64::sin(-x).to_bits(), (-own::f64::sin(x)).to_bits());
+        assert_eq!(own::f64::cos(-x).to_bits(), own::f64::cos(x).to_bits());
+        assert!(own::f64::sin(x).abs() <= 1.0 && own::f64::cos(x).abs() <= 1.0);
+    }
+    for x in random_bits().map(|bits| f32::from_bits(bits as u32)).filter(|x| x.is_finite()).take(500_000) {
+        assert_eq!(own::f32::sin(-x).to_bits(), (-own::f32::sin(x)).to_bits());
+        assert_eq!(own::f32::cos(-x).to_bits(), own::f32::cos(x).to_bits());
+        assert!(own::f32::sin(x).abs() <= 1.0 && own::f32::cos(x).abs() <= 1.0);
+    }
+    // Where the quadrants meet, rounding must not carry a result past ±1.
+    for quarter in 1..2000 {
+        let near = (f64::from(quarter) * PI / 2.0) as f32;
+        for bits in near.to_bits() - 50..near.to_bits() + 50 {
+            let x = f32::from_bits(bits);
+            assert!(own::f32::sin(x).abs() <= 1.0 && own::f32::cos(x).abs() <= 1.0, "{x:e}");
+        }
+    }
+}
+
+#[test]
+fn f32_ln_and_exp_rise() {
+    // Steps of 64 bit patterns are wider than the errors: a fall would be a seam between two pieces.
+    let mut before = f32::NEG_INFINITY;
+    for bits in (0..f32::INFINITY.to_bits()).step_by(64) {
+        let after = own::f32::ln(f32::from_bits(bits));
+        assert!(after >= before, "ln {:e}", f32::from_bits(bits));
+        before = after;
+    }
+    let mut before = 0.0;
+    for bits in (0..105_f32.to_bits()).step_by(64) {
+        let after = own::f32::exp(-f32::from_bits(105_f32.to_bits() - bits));
+        assert!(after >= before, "exp {:e}", -f32::from_bits(105_f32.to_bits() - bits));
+        before = after;
+    }
+}
