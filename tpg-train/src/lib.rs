@@ -1,1 +1,6 @@
-//! Placeholder of the first commit.
+//! Trains robot-arm policies: tangled program graphs and soft actor-critic.
+
+pub mod ik;
+pub mod random;
+pub mod sac;
+pub mod targets;
