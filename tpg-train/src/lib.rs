@@ -1,5 +1,9 @@
-//! Evolves tangled program graphs.
+//! Trains robot-arm policies: tangled program graphs and soft actor-critic.
 
 pub mod engine;
 pub mod environments;
+pub mod evolution;
+pub mod ik;
 pub mod random;
+pub mod sac;
+pub mod targets;

@@ -34,6 +34,20 @@ pub enum Purpose {
     Test = 11,
     /// One episode of `eval --episodes`.
     Evaluation = 12,
+    /// Sampling of the arm's reachable space.
+    Reach = 20,
+    /// One task of a set of tasks.
+    Task = 21,
+    /// Initial weights of a network.
+    Weights = 22,
+    /// The start of one training episode of a lane.
+    Reset = 23,
+    /// The noise of a lane's actions.
+    Exploration = 24,
+    /// Which transitions one update replays.
+    Replay = 25,
+    /// The noise of the actions inside one update.
+    Update = 26,
 }
 
 /// A stream of random numbers.

@@ -1,6 +1,6 @@
 //! What the engine asks of a problem.
 
-use crate::random::Stream;
+use crate::random::{Purpose, Stream};
 use serde::{Serialize, de::DeserializeOwned};
 use std::fmt::Debug;
 use tpg_codegen::graph::{ActionDocument, SourceDocument};
@@ -30,6 +30,11 @@ pub trait Environment<S: Scalar>: Sync {
 
     /// Draws a task.
     fn draw(&self, stream: &mut Stream) -> Self::Task;
+
+    /// The tasks that choose between trained roots: the same for every run, and never among those that train.
+    fn validation_tasks(&self, count: usize) -> Vec<Self::Task> {
+        (0..count as u64).map(|index| self.draw(&mut Stream::new(0, 0, Purpose::Selection, index))).collect()
+    }
 
     /// Starts an episode.
     fn start(&self, task: &Self::Task) -> Self::Episode;

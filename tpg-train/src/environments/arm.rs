@@ -3,9 +3,9 @@
 //! Every value comes from the runtime's own functions on the same arguments, so it has the same bits as an observation
 //! made from scratch; a test walks both side by side.
 
-use super::reachable::Reachable;
 use crate::engine::{Ending, Environment, SourceSet};
 use crate::random::Stream;
+use crate::targets::{self, Reach as Space, Set, Start, Task};
 use serde::{Deserialize, Serialize};
 use tpg_codegen::graph::{ActionDocument, SourceDocument};
 use tpg_runtime::arm::{Arm, Collision, Invalid, JOINTS, Joint, Move, Pose, TICKS_PER_TURN};
@@ -33,18 +33,6 @@ impl ArmScalar for f64 {
     }
 }
 
-/// Where episodes start.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
-#[serde(rename_all = "lowercase")]
-pub enum Start {
-    /// At the arm's home.
-    #[value(name = "fs")]
-    Fixed,
-    /// Anywhere that the hand can reach.
-    #[value(name = "rs")]
-    Random,
-}
-
 /// What is asked of the arm, and how it is scored.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ArmProblem {
@@ -69,14 +57,10 @@ pub struct ArmProblem {
 impl ArmProblem {
     /// The project's problem: actions of 3 ticks, 3 mm, the paper's score, with those sources.
     pub fn new(start: Start, sources: Vec<Source>) -> Self {
-        let max_actions = match start {
-            Start::Fixed => 1707,
-            Start::Random => 3414,
-        };
         Self {
             start,
-            tolerance: 3.0,
-            max_actions,
+            tolerance: targets::TOLERANCE,
+            max_actions: start.max_actions(),
             step: 3,
             may_stop: true,
             sources,
@@ -95,6 +79,12 @@ pub struct ArmTask {
     pub target: [f64; 3],
 }
 
+impl From<Task> for ArmTask {
+    fn from(task: Task) -> Self {
+        Self { start: task.start.0, target: task.target }
+    }
+}
+
 /// The arm.
 #[derive(Clone, Debug)]
 pub struct ArmEnvironment<S> {
@@ -107,7 +97,7 @@ pub struct ArmEnvironment<S> {
     places: Vec<usize>,
     /// Sine of every tick of a turn.
     sines: Box<[S]>,
-    reachable: Reachable,
+    space: Space,
 }
 
 /// An episode under way, and what of it need not be computed again.
@@ -129,7 +119,9 @@ pub struct ArmEpisode<S> {
 
 impl<S: ArmScalar> ArmEnvironment<S> {
     /// An environment.
-    pub fn new(arm: &Arm<f64>, problem: ArmProblem, reachable: Reachable) -> Self {
+    ///
+    /// Its training tasks come from the space's own sample; validation tasks from another.
+    pub fn new(arm: &Arm<f64>, problem: ArmProblem) -> Self {
         let mut moves: Vec<Move> = (0..JOINTS as u8)
             .flat_map(|joint| [problem.step, -problem.step].map(|ticks| Move::single(Joint(joint), ticks)))
             .collect();
@@ -147,7 +139,7 @@ impl<S: ArmScalar> ArmEnvironment<S> {
             moves,
             places,
             sines: (0..TICKS_PER_TURN).map(|ticks| Angle(ticks).direction().sin).collect(),
-            reachable,
+            space: Space::sample(arm, 0, Set::Training),
         }
     }
 
@@ -245,11 +237,12 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
     }
 
     fn draw(&self, stream: &mut Stream) -> ArmTask {
-        let start = match self.problem.start {
-            Start::Fixed => self.arm.home,
-            Start::Random => self.reachable.pose(stream),
-        };
-        ArmTask { start: start.0, target: self.reachable.target(stream) }
+        self.space.task(self.problem.start, stream).into()
+    }
+
+    fn validation_tasks(&self, count: usize) -> Vec<ArmTask> {
+        let tasks = targets::tasks(&self.description, 0, Set::Validation, self.problem.start, count);
+        tasks.into_iter().map(ArmTask::from).collect()
     }
 
     fn start(&self, task: &ArmTask) -> ArmEpisode<S> {

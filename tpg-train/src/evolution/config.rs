@@ -3,7 +3,7 @@
 //! The sections `tpg`, `program` and `learning` have GEGELATI's parameters with GEGELATI's names and meaning; the others
 //! are this project's. `tpg-train config` prints the presets with a comment for every parameter.
 
-use crate::environments::Start;
+use crate::targets::Start;
 use serde::{Deserialize, Serialize};
 use tpg_codegen::error::{InputError, Place};
 use tpg_codegen::graph::ScalarType;
@@ -41,7 +41,7 @@ pub struct ProblemConfig {
     /// `arm` or `pendulum`.
     pub environment: EnvironmentName,
     /// Where the arm starts.
-    pub start: StartName,
+    pub start: Start,
     /// What programs read, in order.
     pub sources: Vec<String>,
     /// Success is nearer than this, mm.
@@ -64,25 +64,6 @@ pub enum EnvironmentName {
     Arm,
     /// The pendulum that is to be swung up.
     Pendulum,
-}
-
-/// Where the arm starts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum StartName {
-    /// At home.
-    Fs,
-    /// Anywhere.
-    Rs,
-}
-
-impl From<StartName> for Start {
-    fn from(name: StartName) -> Self {
-        match name {
-            StartName::Fs => Self::Fixed,
-            StartName::Rs => Self::Random,
-        }
-    }
 }
 
 /// What programs are written with.

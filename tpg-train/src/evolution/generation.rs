@@ -53,10 +53,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>, V: Evaluator<E::Task>> Evolu
             config.language.literals,
             config.language.scalar,
         );
-        // The same for every seed, so that restarts can be compared; another purpose than training's episodes.
-        let selection_tasks = (0..config.selection.validation_episodes as u64)
-            .map(|index| environment.draw(&mut Stream::new(0, 0, Purpose::Selection, index)))
-            .collect();
+        let selection_tasks = environment.validation_tasks(config.selection.validation_episodes);
         let actions = environment.actions().len() as u16;
         Self { config, vocabulary, environment, evaluator, selection_tasks, actions, number: PhantomData }
     }

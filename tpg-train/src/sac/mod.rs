@@ -1,0 +1,2 @@
+//! Soft actor-critic.
+pub mod nn;
