@@ -2,7 +2,9 @@
 
 pub mod engine;
 pub mod environments;
+pub mod evaluate;
 pub mod evolution;
+pub mod files;
 pub mod ik;
 pub mod random;
 pub mod sac;

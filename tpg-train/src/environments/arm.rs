@@ -97,7 +97,8 @@ pub struct ArmEnvironment<S> {
     places: Vec<usize>,
     /// Sine of every tick of a turn.
     sines: Box<[S]>,
-    space: Space,
+    /// Where training tasks come from.
+    space: Option<Space>,
 }
 
 /// An episode under way, and what of it need not be computed again.
@@ -122,12 +123,22 @@ impl<S: ArmScalar> ArmEnvironment<S> {
     ///
     /// Its training tasks come from the space's own sample; validation tasks from another.
     pub fn new(arm: &Arm<f64>, problem: ArmProblem) -> Self {
-        let mut moves: Vec<Move> = (0..JOINTS as u8)
-            .flat_map(|joint| [problem.step, -problem.step].map(|ticks| Move::single(Joint(joint), ticks)))
+        let mut environment = Self::for_evaluation(arm, problem, Vec::new());
+        environment.moves = (0..JOINTS as u8)
+            .flat_map(|joint| {
+                let step = environment.problem.step;
+                [step, -step].map(|ticks| Move::single(Joint(joint), ticks))
+            })
             .collect();
-        if problem.may_stop {
-            moves.push(Move::STOP);
+        if environment.problem.may_stop {
+            environment.moves.push(Move::STOP);
         }
+        environment.space = Some(Space::sample(arm, 0, Set::Training));
+        environment
+    }
+
+    /// An environment with a policy's own actions, for tasks that are given: none can be drawn.
+    pub fn for_evaluation(arm: &Arm<f64>, problem: ArmProblem, moves: Vec<Move>) -> Self {
         let places = (0..problem.sources.len())
             .map(|place| problem.sources[..place].iter().map(|source| source.length()).sum())
             .collect();
@@ -139,7 +150,7 @@ impl<S: ArmScalar> ArmEnvironment<S> {
             moves,
             places,
             sines: (0..TICKS_PER_TURN).map(|ticks| Angle(ticks).direction().sin).collect(),
-            space: Space::sample(arm, 0, Set::Training),
+            space: None,
         }
     }
 
@@ -237,7 +248,8 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
     }
 
     fn draw(&self, stream: &mut Stream) -> ArmTask {
-        self.space.task(self.problem.start, stream).into()
+        let space = self.space.as_ref().expect("an environment for training has a space to draw from");
+        space.task(self.problem.start, stream).into()
     }
 
     fn validation_tasks(&self, count: usize) -> Vec<ArmTask> {

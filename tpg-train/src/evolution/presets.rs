@@ -1,7 +1,38 @@
 //! The configurations that come with the trainer, with a comment for every parameter.
 
 use super::config::Config;
-use tpg_codegen::error::InputError;
+use clap::Args;
+use std::io::Write as _;
+use tpg_codegen::error::{InputError, Place};
+
+/// Print a commented configuration.
+#[derive(Clone, Debug, Args)]
+pub struct ConfigArgs {
+    /// kelly, paper-fs, paper-rs, best-fs or best-rs
+    #[arg(value_name = "NAME", default_value = "best-rs")]
+    pub name: String,
+    /// Only the names, with what they are
+    #[arg(long)]
+    pub list: bool,
+}
+
+/// Prints a preset, or the list of all.
+///
+/// # Errors
+/// If there is no preset of that name, or stdout is closed.
+pub fn print_config(args: &ConfigArgs) -> Result<(), InputError> {
+    let text = if args.list {
+        PRESETS.map(|preset| format!("{:10} {}\n", preset.name, preset.about)).concat()
+    } else {
+        let preset = Preset::find(&args.name).ok_or_else(|| {
+            let accepted = PRESETS.map(|preset| preset.name).join(", ");
+            InputError::new("<command line>", Place::Whole, format!("the preset {:?}", args.name), accepted)
+        })?;
+        preset.text.to_owned()
+    };
+    let written = std::io::stdout().lock().write_all(text.as_bytes());
+    written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))
+}
 
 /// A configuration that comes with the trainer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
