@@ -6,7 +6,7 @@ mod reach;
 mod source;
 
 pub use derived::Aim;
-pub use reach::{Reach, ReachErrors};
+pub use reach::{Reach, ReachErrors, ReachTarget};
 pub use source::Source;
 
 use crate::arm::{Arm, Move, Pose};

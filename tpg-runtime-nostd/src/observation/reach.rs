@@ -17,6 +17,21 @@ struct Bend<S> {
     pitch: S,
 }
 
+/// A target as the inverse kinematics sees it: what does not depend on the wrist.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ReachTarget<S> {
+    /// Base's goal, ticks.
+    base: S,
+    /// Shoulder to target, mm.
+    wanted: S,
+    /// Of the target as seen from the shoulder, in the arm plane turned to it, rad.
+    direction: S,
+    /// Shoulder to elbow, mm.
+    upper: S,
+    /// Between the upper arm and the line to the elbow, rad.
+    upper_angle: S,
+}
+
 /// Where base, shoulder and elbow must go; depends on the wrist's position and the target alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reach<S> {
@@ -37,31 +52,42 @@ pub struct ReachErrors<S> {
     pub pitch: S,
 }
 
-impl<S: Lattice> Reach<S> {
-    /// The goals for a wrist position in ticks and a target in mm.
-    pub fn keeping_wrist(arm: &Arm<S>, wrist: i16, target: Vector<S>) -> Self {
+impl<S: Lattice> ReachTarget<S> {
+    /// Of a target in mm.
+    pub fn at(arm: &Arm<S>, target: Vector<S>) -> Self {
         let links = &arm.links;
-        let upper = (links.upper_arm * links.upper_arm + links.elbow_offset * links.elbow_offset).sqrt();
-        let upper_angle = links.elbow_offset.atan2(links.upper_arm);
+        let [x, y, z] = target;
+        let range = (x * x + y * y).sqrt();
+        let height = z - links.base;
+        Self {
+            base: S::from_i32(TICKS_PER_TURN / 2) + ticks_of((-x).atan2(y)),
+            wanted: (range * range + height * height).sqrt(),
+            // The stretched arm points to negative x of its plane: so does a target on the front side.
+            direction: height.atan2(-range),
+            upper: (links.upper_arm * links.upper_arm + links.elbow_offset * links.elbow_offset).sqrt(),
+            upper_angle: links.elbow_offset.atan2(links.upper_arm),
+        }
+    }
+
+    /// The goals for a wrist position in ticks.
+    pub fn keeping_wrist(&self, arm: &Arm<S>, wrist: i16) -> Reach<S> {
+        let Self { base, wanted, direction, upper, upper_angle } = *self;
+        let links = &arm.links;
         let turned = Angle(TICKS_PER_TURN / 2 - i32::from(wrist)).direction::<S>();
         let (along, aside) = (links.forearm + links.hand * turned.cos, links.hand * turned.sin);
         let lower = (along * along + aside * aside).sqrt();
         let lower_angle = aside.atan2(along);
 
-        let [x, y, z] = target;
-        let range = (x * x + y * y).sqrt();
-        let height = z - links.base;
-        let wanted = (range * range + height * height).sqrt();
         let reach = clamp(wanted, (upper - lower).abs(), upper + lower);
         let cosine = (reach * reach - upper * upper - lower * lower) / (S::from_f64(2.0) * upper * lower);
         let cosine = clamp(cosine, -S::ONE, S::ONE);
         let sine = clamp(S::ONE - cosine * cosine, S::ZERO, S::ONE).sqrt();
-
-        // The stretched arm points to negative x of its plane: so does a target on the front side.
-        let direction = height.atan2(-range);
-        let bend = |sine: S| {
-            let forearm = sine.atan2(cosine) - lower_angle + upper_angle;
-            let upper_arm = direction - upper_angle - (lower * sine).atan2(upper + lower * cosine);
+        // The angle at the elbow, and the one at the shoulder between the lines to elbow and target.
+        let bent = sine.atan2(cosine);
+        let lean = (lower * sine).atan2(upper + lower * cosine);
+        let bend = |bent: S, lean: S| {
+            let upper_arm = direction - upper_angle - lean;
+            let forearm = bent - lower_angle + upper_angle;
             let shoulder = near_middle(S::from_i32(TICKS_PER_TURN / 4) + ticks_of(upper_arm));
             let elbow = near_middle(S::from_i32(3 * TICKS_PER_TURN / 4) - ticks_of(forearm));
             // Angle of the hand in the plane, less the half turn at which it lies level on the front side.
@@ -69,11 +95,14 @@ impl<S: Lattice> Reach<S> {
             let pitch = wrapped(hand - S::from_i32(TICKS_PER_TURN / 2));
             Bend { shoulder, elbow, pitch }
         };
-        Self {
-            base: S::from_i32(TICKS_PER_TURN / 2) + ticks_of((-x).atan2(y)),
-            bends: [bend(sine), bend(-sine)],
-            deficit: wanted - reach,
-        }
+        Reach { base, bends: [bend(bent, lean), bend(-bent, -lean)], deficit: wanted - reach }
+    }
+}
+
+impl<S: Lattice> Reach<S> {
+    /// The goals for a wrist position in ticks and a target in mm.
+    pub fn keeping_wrist(arm: &Arm<S>, wrist: i16, target: Vector<S>) -> Self {
+        ReachTarget::at(arm, target).keeping_wrist(arm, wrist)
     }
 
     /// How far off a pose is. Of the two bends of the elbow, the one that the joint ranges allow better; where both are

@@ -12,7 +12,7 @@ use tpg_runtime::arm::{Arm, Collision, Invalid, JOINTS, Joint, Move, Pose, TICKS
 use tpg_runtime::episode::Outcome;
 use tpg_runtime::frame::Frame;
 use tpg_runtime::kinematics::{self, Angle, Direction, Directions, Lattice, Plane, Vector, link_angles};
-use tpg_runtime::observation::{Aim, Observation, Reach, ReachErrors, Source, derived};
+use tpg_runtime::observation::{Aim, Observation, Reach, ReachErrors, ReachTarget, Source, derived};
 use tpg_runtime::policy::ActionId;
 
 /// The scalars that an arm exists in.
@@ -95,6 +95,8 @@ pub struct ArmEnvironment<S> {
     moves: Vec<Move>,
     /// First place of each source in the flat state.
     places: Vec<usize>,
+    /// With every joint and the tip above this, nothing collides, mm.
+    free_above: S,
     /// Sine of every tick of a turn.
     sines: Box<[S]>,
     /// Where training tasks come from.
@@ -114,6 +116,7 @@ pub struct ArmEpisode<S> {
     aim: Option<Aim<S>>,
     /// Elevation and reach of the hand; forgotten when the plane moves.
     hand_polar: Option<[S; 2]>,
+    reach_target: Option<ReachTarget<S>>,
     /// For the wrist position beside it.
     reach: Option<(i16, Reach<S>)>,
 }
@@ -147,6 +150,7 @@ impl<S: ArmScalar> ArmEnvironment<S> {
             description: *arm,
             tolerance: S::from_f64(problem.tolerance),
             problem,
+            free_above: S::from_f64(free_above(arm)),
             moves,
             places,
             sines: (0..TICKS_PER_TURN).map(|ticks| Angle(ticks).direction().sin).collect(),
@@ -197,6 +201,16 @@ impl<S: ArmScalar> ArmEnvironment<S> {
     }
 }
 
+/// The top of the base, and how far a collision corner can lie below the joint it belongs to, rounded up.
+fn free_above(arm: &Arm<f64>) -> f64 {
+    let shapes = &arm.shapes;
+    let widest = |edges: [f64; 2]| edges[0].abs().max(edges[1].abs());
+    let hand = (shapes.hand_length - arm.links.hand).hypot(widest(shapes.hand_edges));
+    let forearm = shapes.forearm_overhang.hypot(widest(shapes.forearm_edges));
+    let top = shapes.base.iter().flat_map(|edge| edge.z).fold(0.0, f64::max);
+    top + hand.max(forearm) + 1.0
+}
+
 /// Names of the outcomes, as `eval --json` counts them.
 const OUTCOMES: [&str; 7] = ["reached", "cycle", "stop", "joint_limit", "table", "base", "timeout"];
 
@@ -217,11 +231,16 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
     type Episode = ArmEpisode<S>;
 
     fn sources(&self) -> Vec<SourceDocument> {
+        // Whole numbers: exact in every scalar.
+        let range = |source: &Source, index: usize| {
+            let [min, max] = source.range(&self.description, index);
+            [min.floor(), max.ceil()]
+        };
         let document = |source: &Source| SourceDocument {
             name: source.name().to_owned(),
             length: source.length() as u32,
             unit: source.unit().to_owned(),
-            ranges: (0..source.length()).map(|index| source.range(&self.description, index)).collect(),
+            ranges: (0..source.length()).map(|index| range(source, index)).collect(),
         };
         self.problem.sources.iter().map(document).collect()
     }
@@ -271,6 +290,7 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
             actions: 0,
             aim: None,
             hand_polar: None,
+            reach_target: None,
             reach: None,
         }
     }
@@ -328,7 +348,8 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
             }
             let plane = self.plane(moved);
             moved_plane = Some(plane);
-            plane.collision(&self.arm.shapes)
+            let joints = [plane.bracket.z, plane.elbow.z, plane.wrist.z, plane.tip.z];
+            if joints.iter().all(|&z| z > self.free_above) { None } else { plane.collision(&self.arm.shapes) }
         });
         episode.actions += 1;
         if step.pose != before {
@@ -393,6 +414,7 @@ impl<S: Lattice> ArmEpisode<S> {
         if self.reach.is_none_or(|(at, _)| at != wrist) {
             self.reach = None;
         }
-        &self.reach.get_or_insert_with(|| (wrist, Reach::keeping_wrist(arm, wrist, self.target))).1
+        let target = self.reach_target.get_or_insert_with(|| ReachTarget::at(arm, self.target));
+        &self.reach.get_or_insert_with(|| (wrist, target.keeping_wrist(arm, wrist))).1
     }
 }
