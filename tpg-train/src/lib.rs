@@ -4,3 +4,4 @@ pub mod ik;
 pub mod random;
 pub mod sac;
 pub mod targets;
+pub mod trial;

@@ -1,2 +1,20 @@
-//! Soft actor-critic.
+//! Soft actor-critic: trains the actor whose fixed-point form is `tpg_runtime::sac`.
+//!
+//! | module | subject |
+//! | --- | --- |
+//! | [`nn`] | networks, optimiser, squashed Gaussian |
+//! | [`agent`] | actor, critics, temperature and one update |
+//! | [`replay`] | the transitions that updates draw from |
+//! | [`lanes`] | the arm in parallel lanes, rewards included |
+//! | [`config`] | presets and their TOML |
+//! | [`training`] | the loop |
+//! | [`policy`] | a trained actor as a policy |
+
+pub mod agent;
+pub mod command;
+pub mod config;
+pub mod lanes;
 pub mod nn;
+pub mod policy;
+pub mod replay;
+pub mod training;
