@@ -1,6 +1,6 @@
 //! C99: one `.c` and one `.h`, a function for each program and team, the walk a bounded switch, as GEGELATI shapes it.
 
-use super::{File, Options, Style, banner};
+use super::{File, Options, Style, banner, layout};
 use crate::graph::{Graph, Input, MathsProvider, ScalarType};
 use crate::interpret;
 use crate::ir::{Bidder, Module, Node, NodeId, Target};
@@ -141,27 +141,9 @@ pub(super) fn emit(graph: &Graph, module: &Module, options: &Options) -> Vec<Fil
         argument: if gegelati { "" } else { "state" },
     };
     vec![
-        File { name: format!("{prefix}.h"), text: tidy(&header.render().expect("the template renders")) },
-        File { name: format!("{prefix}.c"), text: tidy(&source.render().expect("the template renders")) },
+        File { name: format!("{prefix}.h"), text: layout::tidy(&header.render().expect("the template renders")) },
+        File { name: format!("{prefix}.c"), text: layout::tidy(&source.render().expect("the template renders")) },
     ]
-}
-
-/// Templates leave blank lines where a block was left out: at most one in a row stays, and none at the end.
-fn tidy(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    let mut blank = false;
-    for line in text.lines().map(str::trim_end) {
-        if line.is_empty() {
-            blank = !out.is_empty();
-            continue;
-        }
-        if std::mem::take(&mut blank) {
-            out.push('\n');
-        }
-        out.push_str(line);
-        out.push('\n');
-    }
-    out
 }
 
 /// Text that may stand in a C comment.

@@ -2,6 +2,7 @@
 
 mod banner;
 mod c;
+mod layout;
 mod name;
 mod rust;
 
