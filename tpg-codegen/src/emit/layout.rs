@@ -23,7 +23,8 @@ pub(super) fn tidy(text: &str) -> String {
 pub(super) fn array(elements: &[String], indent: usize) -> String {
     const ONE_LINE: usize = 60;
     const SHORT: usize = 10;
-    const WIDTH: usize = 100;
+    // rustfmt fills up to a column less than its line width.
+    const WIDTH: usize = 99;
     let flat = elements.join(", ");
     if flat.len() <= ONE_LINE {
         return format!("[{flat}]");
