@@ -55,7 +55,18 @@ impl<'a, S: Lattice> Frame<'a, S> {
 
     /// The frame at a pose whose plane is known already.
     pub fn with_plane(arm: &'a Arm<S>, pose: Pose, target: Vector<S>, plane: Plane<S>) -> Self {
-        Self { arm, pose, target, base: kinematics::base_direction(pose), plane }
+        Self::with_directions(arm, pose, target, kinematics::base_direction(pose), plane)
+    }
+
+    /// The frame at a pose whose plane and base direction are known already.
+    pub fn with_directions(
+        arm: &'a Arm<S>,
+        pose: Pose,
+        target: Vector<S>,
+        base: Direction<S>,
+        plane: Plane<S>,
+    ) -> Self {
+        Self { arm, pose, target, base, plane }
     }
 
     /// The motor positions.
@@ -76,6 +87,16 @@ impl<'a, S: Lattice> Frame<'a, S> {
     /// The target, mm.
     pub fn target(&self) -> Vector<S> {
         self.target
+    }
+
+    /// Height of the shoulder over the table, mm.
+    pub fn shoulder_height(&self) -> S {
+        self.arm.links.base
+    }
+
+    /// Wrist to tip, mm.
+    pub fn hand_length(&self) -> S {
+        self.arm.links.hand
     }
 
     /// ρ, mm: the hand's signed distance from the base's axis.

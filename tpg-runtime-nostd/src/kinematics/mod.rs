@@ -178,7 +178,7 @@ impl<S: Lattice> Plane<S> {
 }
 
 /// The angles of upper arm, forearm and hand over the table, in whole ticks.
-fn link_angles(pose: Pose) -> [Angle; 3] {
+pub fn link_angles(pose: Pose) -> [Angle; 3] {
     let [_, shoulder, elbow, wrist] = pose.0.map(i32::from);
     let quarter = TICKS_PER_TURN / 4;
     let upper_arm = shoulder - quarter;

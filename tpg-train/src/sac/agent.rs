@@ -18,6 +18,7 @@ use super::config::{Algorithm, Config, Learning};
 use super::nn::{Adam, Gaussian, Kernel, Mlp, Real, Samples, Shape, Tape};
 use super::replay::ACTIONS;
 use crate::random::Stream;
+use serde::{Deserialize, Serialize};
 
 /// The step sizes and constants of an update.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,7 +53,7 @@ pub struct Experience<'a, T> {
 }
 
 /// What an update saw, averaged over its batch.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Report {
     /// Mean squared error of the two critics, summed.
     pub critic_loss: f64,

@@ -8,13 +8,19 @@
 //! | [`lanes`] | the arm in parallel lanes, rewards included |
 //! | [`config`] | presets and their TOML |
 //! | [`training`] | the loop |
+//! | [`weights`] | `policy.safetensors` and its contract |
+//! | [`checkpoint`] | a run under way as a file |
+//! | [`command`] | `tpg-train sac` |
 //! | [`policy`] | a trained actor as a policy |
 
 pub mod agent;
+pub mod checkpoint;
 pub mod command;
 pub mod config;
 pub mod lanes;
 pub mod nn;
 pub mod policy;
 pub mod replay;
+pub mod tensors;
 pub mod training;
+pub mod weights;

@@ -12,6 +12,7 @@ use super::replay::{ACTIONS, Batch, Replay, Transition};
 use crate::random::{Purpose, Stream};
 use crate::targets::{Reach, Set, Start, Task, tasks};
 use crate::trial::{self, Trial};
+use serde::{Deserialize, Serialize};
 use tpg_runtime::arm::WIDOWX;
 
 /// A training run under way.
@@ -42,7 +43,7 @@ pub struct Best {
 }
 
 /// Sums over updates and episodes, for the log.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Recent {
     /// Updates.
     pub updates: u64,
