@@ -137,8 +137,7 @@ fn fill_puts_sources_one_after_another() {
     let sources = [Source::Polar, Source::MotorsCentred, Source::Floor];
     let mut state = [f64::NAN; 9];
     Source::fill(&sources, &WIDOWX, &seen, &mut state);
-    let expected: Vec<f64> =
-        sources.iter().flat_map(|&source| values(source, &WIDOWX, WIDOWX.home, target)).collect();
+    let expected: Vec<f64> = sources.iter().flat_map(|&source| values(source, &WIDOWX, WIDOWX.home, target)).collect();
     assert_eq!(state[..8], expected[..]);
     assert!(state[8].is_nan(), "nothing is written past the last source");
 }

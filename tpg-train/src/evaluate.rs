@@ -72,16 +72,22 @@ pub struct Report {
 
 impl Report {
     /// Of the endings of some episodes; `seconds` is what they took.
-    pub fn new(problem: Start, policy: &str, seed: Option<u64>, endings: &[Ending], outcomes: &[&str], seconds: f64) -> Self {
+    pub fn new(
+        problem: Start,
+        policy: &str,
+        seed: Option<u64>,
+        endings: &[Ending],
+        outcomes: &[&str],
+        seconds: f64,
+    ) -> Self {
         let share = |count: usize| count as f64 / endings.len().max(1) as f64;
         let of = |names: &[&str]| endings.iter().filter(|e| names.contains(&outcomes[usize::from(e.outcome)])).count();
         let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len().max(1) as f64;
         let mut distances: Vec<f64> = endings.iter().map(|ending| ending.error).collect();
         distances.sort_by(f64::total_cmp);
         let actions: Vec<f64> = endings.iter().map(|ending| f64::from(ending.actions)).collect();
-        let on_success: Vec<f64> = (endings.iter().filter(|ending| ending.success))
-            .map(|ending| f64::from(ending.actions))
-            .collect();
+        let on_success: Vec<f64> =
+            (endings.iter().filter(|ending| ending.success)).map(|ending| f64::from(ending.actions)).collect();
         let failures = outcomes.iter().filter(|&&name| name != "reached").map(|&name| (name.to_owned(), of(&[name])));
         let middle = distances.len() / 2;
         let median = if distances.len() % 2 == 1 {
@@ -113,8 +119,12 @@ impl Report {
 
     /// The report as a table for people.
     pub fn to_table(&self) -> String {
-        let failures: Vec<String> =
-            self.failures.iter().filter(|(_, count)| **count > 0).map(|(name, count)| format!("{name} {count}")).collect();
+        let failures: Vec<String> = self
+            .failures
+            .iter()
+            .filter(|(_, count)| **count > 0)
+            .map(|(name, count)| format!("{name} {count}"))
+            .collect();
         format!(
             "{} on {}, {} episodes\n\
              success        {:.1} %\n\

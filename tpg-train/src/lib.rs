@@ -9,3 +9,4 @@ pub mod ik;
 pub mod random;
 pub mod sac;
 pub mod targets;
+pub mod trial;

@@ -111,6 +111,18 @@ impl Stream {
         radius * libm::cos(core::f64::consts::TAU * self.unit())
     }
 
+    /// Standard normal numbers, in single precision: Box and Müller's method, both of each pair.
+    pub fn normals(&mut self, numbers: &mut [f32]) {
+        for pair in numbers.chunks_mut(2) {
+            let bits = self.bits();
+            // 24 bits each: the radius from a number in (0, 1], the angle from one in [0, 1).
+            let [low, high] = [bits as u32, (bits >> 32) as u32].map(|bits| (bits >> 8) as f32);
+            let radius = libm::sqrtf(-2.0 * libm::logf((low + 1.0) * (1.0 / 16_777_216.0)));
+            let (sine, cosine) = libm::sincosf(high * (core::f32::consts::TAU / 16_777_216.0));
+            pair.iter_mut().zip([cosine, sine]).for_each(|(number, direction)| *number = radius * direction);
+        }
+    }
+
     /// One of `items`.
     ///
     /// # Panics
@@ -169,6 +181,19 @@ mod tests {
         let variance = draws.iter().map(|x| (x - mean) * (x - mean)).sum::<f64>() / draws.len() as f64;
         assert!(mean.abs() < 0.015, "mean {mean}");
         assert!((variance - 1.0).abs() < 0.02, "variance {variance}");
+    }
+
+    #[test]
+    fn normal_numbers_in_bulk_have_mean_0_deviation_1_and_no_correlation() {
+        let mut draws = vec![0.0; 100_001];
+        stream(5).normals(&mut draws);
+        let count = draws.len() as f32;
+        let mean = draws.iter().sum::<f32>() / count;
+        let variance = draws.iter().map(|x| (x - mean) * (x - mean)).sum::<f32>() / count;
+        let correlation = draws.windows(2).map(|pair| pair[0] * pair[1]).sum::<f32>() / count;
+        assert!(mean.abs() < 0.015 && (variance - 1.0).abs() < 0.02 && correlation.abs() < 0.015);
+        let far = draws.iter().filter(|x| x.abs() > 2.0).count() as f32 / count;
+        assert!((far - 0.0455).abs() < 0.003, "{far} beyond two deviations");
     }
 
     #[test]

@@ -11,9 +11,10 @@
 use crate::random::{Purpose, Stream};
 use serde::{Deserialize, Serialize};
 use std::fs;
-use std::io;
+use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
-use tpg_runtime::arm::{Arm, JOINTS, Pose};
+use tpg_codegen::error::InputError;
+use tpg_runtime::arm::{Arm, JOINTS, Pose, WIDOWX};
 use tpg_runtime::episode::Problem;
 use tpg_runtime::frame::Clearance;
 use tpg_runtime::kinematics::{self, Lattice, Plane};
@@ -167,6 +168,35 @@ pub fn tasks(arm: &Arm<f64>, seed: u64, set: Set, start: Start, count: usize) ->
     (0..count as u64).map(|index| reach.task(start, &mut stream(index))).collect()
 }
 
+/// The seed of the project's committed test tasks, `generated/test-targets/`.
+pub const TEST_SEED: u64 = 2024;
+
+/// Print a set of test tasks as CSV.
+///
+/// `tpg-train targets --problem fs > generated/test-targets/fs.csv` makes the committed file again.
+#[derive(Clone, Debug, clap::Args)]
+pub struct TargetsArgs {
+    /// The problem: fixed or random start
+    #[arg(long, value_enum)]
+    pub problem: Start,
+    /// How many
+    #[arg(long, value_name = "N", default_value_t = 1000)]
+    pub episodes: usize,
+    /// The seed
+    #[arg(long, value_name = "S", default_value_t = TEST_SEED)]
+    pub seed: u64,
+}
+
+/// Prints test tasks.
+///
+/// # Errors
+/// If stdout is closed.
+pub fn print_targets(args: &TargetsArgs) -> Result<(), InputError> {
+    let text = to_csv(&tasks(&WIDOWX, args.seed, Set::Test, args.problem, args.episodes));
+    let written = io::stdout().lock().write_all(text.as_bytes());
+    written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))
+}
+
 const HEADER: [&str; JOINTS + 3] =
     ["start_base", "start_shoulder", "start_elbow", "start_wrist", "target_x_mm", "target_y_mm", "target_z_mm"];
 
@@ -245,7 +275,6 @@ fn task(arm: &Arm<f64>, line: &str) -> Result<Task, (String, String)> {
 mod tests {
     use super::*;
     use std::collections::BTreeSet;
-    use tpg_runtime::arm::WIDOWX;
 
     #[test]
     fn tasks_are_free_reachable_and_spread() {

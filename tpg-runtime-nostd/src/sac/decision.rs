@@ -78,14 +78,17 @@ impl Mask {
 
 /// How preferences become a move: the least magnitude from which a joint moves by that many ticks.
 ///
-/// A preference that reaches no threshold leaves its joint at rest. If that holds for all joints, the one with the
-/// greatest magnitude moves by the smallest step (the first of equals): a policy that stands still has failed.
+/// A preference that reaches no threshold leaves its joint at rest. If that holds for all joints and the arm may not
+/// rest, the one with the greatest magnitude moves by the smallest step (the first of equals): a policy that stands
+/// still has failed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Decision<T, const STEPS: usize> {
     /// Threshold and ticks, both rising.
     pub steps: [(T, i8); STEPS],
     /// What is refused.
     pub mask: Mask,
+    /// Whether no joint at all may move. The paper's policies may rest.
+    pub may_rest: bool,
 }
 
 /// Fine actions of a network before its tanh: round(3.49·tanh p).
@@ -119,7 +122,7 @@ impl<T: Magnitude, const STEPS: usize> Decision<T, STEPS> {
                 strongest = Some((index, magnitude, least));
             }
         }
-        if let (false, Some((index, _, least))) = (moves, strongest)
+        if let (false, Some((index, _, least))) = (moves || self.may_rest, strongest)
             && let Some(delta) = wanted.0.get_mut(index)
         {
             *delta = least;
@@ -141,14 +144,16 @@ mod tests {
     use crate::arm::WIDOWX;
     use proptest::prelude::*;
 
-    const FINE: Decision<f32, 3> = Decision { steps: TRAINED_FINE, mask: Mask::None };
-    const COARSE: Decision<f32, 1> = Decision { steps: TRAINED_COARSE, mask: Mask::None };
+    const FINE: Decision<f32, 3> = Decision { steps: TRAINED_FINE, mask: Mask::None, may_rest: false };
+    const COARSE: Decision<f32, 1> = Decision { steps: TRAINED_COARSE, mask: Mask::None, may_rest: false };
 
     #[test]
     fn nothing_wanted_moves_the_strongest_by_the_smallest_step() {
         let at = |preferences| FINE.decide(preferences, WIDOWX.home, &WIDOWX.ranges);
         assert_eq!(at([0.01, -0.05, 0.05, 0.0]), Move([0, -1, 0, 0]));
         assert_eq!(at([f32::NAN, 0.0, 0.0, 0.1]), Move([0, 0, 0, 1]));
+        let resting = Decision { may_rest: true, ..FINE };
+        assert_eq!(resting.decide([0.01, -0.05, 0.05, 0.0], WIDOWX.home, &WIDOWX.ranges), Move::STOP);
         assert_eq!(COARSE.decide([0.0, 0.1, -0.2, 0.0], WIDOWX.home, &WIDOWX.ranges), Move([0, 0, -3, 0]));
     }
 

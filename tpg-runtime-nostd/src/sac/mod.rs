@@ -7,11 +7,12 @@
 //! | step | item | numbers |
 //! | --- | --- | --- |
 //! | observation to features | [`features`] | `f32` |
-//! | features to preferences | a network | `f32` in training, integers on the target |
+//! | features to preferences | a network, [`fixed`] | `f32` in training, integers on the target |
 //! | preferences to a move | [`Decision`] | whatever the network answers in |
 
 mod decision;
 mod features;
+pub mod fixed;
 
 pub use decision::{Actions, Decision, Magnitude, Mask, TRAINED_COARSE, TRAINED_FINE};
 pub use features::{FEATURE_NAMES, FEATURES, features};

@@ -105,9 +105,7 @@ impl<S: Scalar, M: Maths<S>, E: Environment<S>> Evaluator<E::Task> for LocalThre
             Answer { key: unit.key, endings }
         };
         Ok(self.pool.install(|| {
-            (work.units.par_iter())
-                .map_init(|| Lanes::new(self.environment, self.options), evaluate)
-                .collect()
+            (work.units.par_iter()).map_init(|| Lanes::new(self.environment, self.options), evaluate).collect()
         }))
     }
 

@@ -40,9 +40,8 @@ impl<S: Scalar> Plan<S> {
             policy.programs.iter().map(|program| arena.program(policy.registers, program)).collect();
         let teams = (policy.teams.iter())
             .map(|team| {
-                let mut edges: Vec<PlannedEdge> = (team.iter())
-                    .map(|edge| PlannedEdge { bid: bids[edge.program as usize], to: edge.to })
-                    .collect();
+                let mut edges: Vec<PlannedEdge> =
+                    (team.iter()).map(|edge| PlannedEdge { bid: bids[edge.program as usize], to: edge.to }).collect();
                 if share {
                     drop_hopeless(&mut edges);
                 }

@@ -247,7 +247,14 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
 
     fn actions(&self) -> Vec<ActionDocument> {
         const NAMES: [&str; 9] = [
-            "base_up", "base_down", "shoulder_up", "shoulder_down", "elbow_up", "elbow_down", "wrist_up", "wrist_down",
+            "base_up",
+            "base_down",
+            "shoulder_up",
+            "shoulder_down",
+            "elbow_up",
+            "elbow_down",
+            "wrist_up",
+            "wrist_down",
             "stop",
         ];
         let document = |((id, moves), name): ((u32, &Move), &str)| ActionDocument {

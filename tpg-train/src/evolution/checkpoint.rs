@@ -50,7 +50,8 @@ pub fn load<Task: DeserializeOwned>(
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
         Err(error) => return Err(InputError::io(path, &error, "a checkpoint that can be read")),
     };
-    let refuse = |found: String, accepted: &str| InputError::new(path.display().to_string(), Place::Whole, found, accepted);
+    let refuse =
+        |found: String, accepted: &str| InputError::new(path.display().to_string(), Place::Whole, found, accepted);
     let checkpoint: Checkpoint<Task> = serde_json::from_str(&text)
         .map_err(|error| refuse(format!("no checkpoint: {error}"), "what this version of tpg-train wrote"))?;
     if checkpoint.format != FORMAT || checkpoint.version != VERSION {

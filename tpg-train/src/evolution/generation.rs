@@ -221,8 +221,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>, V: Evaluator<E::Task>> Evolu
         for deme in 0..state.demes.len() {
             let of_deme: Vec<&Evaluated> = evaluated.iter().filter(|root| root.deme == deme).collect();
             let candidates = candidates(state, evaluated, scores, Some(deme));
-            let deleted =
-                (self.config.learning.ratio_deleted_roots * self.config.tpg.nb_roots as f64).floor() as usize;
+            let deleted = (self.config.learning.ratio_deleted_roots * self.config.tpg.nb_roots as f64).floor() as usize;
             // The first population may be larger than all later ones: it is cut to the same survivors.
             let extra = candidates.len().saturating_sub(self.config.tpg.nb_roots);
             let count = candidates.len().saturating_sub(deleted + extra).max(1);

@@ -103,8 +103,7 @@ impl ProgramMutator<'_> {
             } else if selected % operand < source {
                 gene.source = other(gene.source.into(), vocabulary.sources(), stream) as u8;
             } else {
-                gene.location =
-                    other(gene.location.into(), vocabulary.largest_address_space().into(), stream) as u16;
+                gene.location = other(gene.location.into(), vocabulary.largest_address_space().into(), stream) as u16;
             }
         }
     }

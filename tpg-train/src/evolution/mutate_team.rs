@@ -38,8 +38,7 @@ pub fn random_population(
     let mut genome = Genome::default();
     let roots = parameters.init_nb_roots;
     let actions = usize::from(actions);
-    let programs: Vec<ProgramId> =
-        (0..2 * roots).map(|_| genome.add_program(mutator.random(stream))).collect();
+    let programs: Vec<ProgramId> = (0..2 * roots).map(|_| genome.add_program(mutator.random(stream))).collect();
     // GEGELATI spreads the actions over the first roots in order, then draws them.
     let action_of: Vec<u16> = (0..2 * roots)
         .map(|index| if index < 2 * actions { (index / 2 + index % 2) % actions } else { stream.below(actions) } as u16)

@@ -70,8 +70,7 @@ pub fn run<S: Scalar, M: Maths<S>, E: Environment<S>, V: Evaluator<E::Task>>(
         return Err(InputError::new(file, Place::Whole, "a run", "--resume, or another folder").into());
     }
     write_atomically(&options.folder.join("config.toml"), config.to_toml().as_bytes())?;
-    let mut state =
-        found.unwrap_or_else(|| State::new(seed, config.demes.count, config.learning.archive_size));
+    let mut state = found.unwrap_or_else(|| State::new(seed, config.demes.count, config.learning.archive_size));
     let evolution = Evolution::<S, M, E, V>::new(config, environment, evaluator);
     let mut session = Session::new(config, &state, &options.folder);
     let mut saved = Instant::now();

@@ -28,7 +28,7 @@ impl Spread {
 }
 
 /// The distribution behind an actor with `2·actions` outputs: means first, then spreads.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gaussian {
     /// Components of an action.
     pub actions: usize,

@@ -169,6 +169,12 @@ impl<T: Real> Mlp<T> {
         self.shape.layers().map(row_major).collect()
     }
 
+    /// Gain and shift of the LayerNorm behind a hidden layer.
+    pub fn norm(&self, layer: usize) -> Option<(&[T], &[T])> {
+        let Layer { norm, outputs, .. } = self.shape.layers().nth(layer)?;
+        Some(self.parameters[norm?..][..2 * outputs].split_at(outputs))
+    }
+
     /// Moves every parameter towards another network's by the fraction `rate` (Polyak averaging).
     ///
     /// # Panics

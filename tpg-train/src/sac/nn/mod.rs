@@ -27,7 +27,7 @@ pub use product::{Factor, Kernel};
 use nalgebra::RealField;
 
 /// `f32` or `f64`, with elementary functions that do not depend on the platform.
-pub trait Real: RealField + Copy {
+pub trait Real: RealField + Copy + Default {
     /// The value nearest to `value`.
     fn of(value: f64) -> Self;
     /// The same number, exactly.
