@@ -1,6 +1,6 @@
 //! C99: one `.c` and one `.h`, a function for each program and team, the walk a bounded switch, as GEGELATI shapes it.
 
-use super::{File, Options, Style, banner};
+use super::{File, Options, Style, banner, layout, name};
 use crate::graph::{Graph, Input, MathsProvider, ScalarType};
 use crate::interpret;
 use crate::ir::{Bidder, Module, Node, NodeId, Target};
@@ -141,27 +141,9 @@ pub(super) fn emit(graph: &Graph, module: &Module, options: &Options) -> Vec<Fil
         argument: if gegelati { "" } else { "state" },
     };
     vec![
-        File { name: format!("{prefix}.h"), text: tidy(&header.render().expect("the template renders")) },
-        File { name: format!("{prefix}.c"), text: tidy(&source.render().expect("the template renders")) },
+        File { name: format!("{prefix}.h"), text: layout::tidy(&header.render().expect("the template renders")) },
+        File { name: format!("{prefix}.c"), text: layout::tidy(&source.render().expect("the template renders")) },
     ]
-}
-
-/// Templates leave blank lines where a block was left out: at most one in a row stays, and none at the end.
-fn tidy(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    let mut blank = false;
-    for line in text.lines().map(str::trim_end) {
-        if line.is_empty() {
-            blank = !out.is_empty();
-            continue;
-        }
-        if std::mem::take(&mut blank) {
-            out.push('\n');
-        }
-        out.push_str(line);
-        out.push('\n');
-    }
-    out
 }
 
 /// Text that may stand in a C comment.
@@ -171,7 +153,7 @@ fn comment(text: &str) -> String {
 
 fn source_view(source: &crate::graph::Source) -> SourceView {
     SourceView {
-        name: source.name.clone(),
+        name: name::member(&source.name),
         length: source.ranges.len(),
         unit: comment(&source.unit),
         range: source.envelope().to_string(),
@@ -313,7 +295,7 @@ impl Printer<'_> {
             let number = self.graph.sources().iter().position(|s| s.name == source.name).unwrap_or(0) + 1;
             format!("in{number}[{place}]")
         } else {
-            format!("state->{}[{place}]", source.name)
+            format!("state->{}[{place}]", name::member(&source.name))
         }
     }
 }

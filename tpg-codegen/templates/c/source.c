@@ -111,11 +111,8 @@ uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state)
             break;
         }
     }
-{%- if gegelati %}
-    return (int)(vertex - {{ upper }}_TEAMS);
-{%- else %}
-    return (uint16_t)(vertex - {{ upper }}_TEAMS);
-{%- endif %}
+    vertex -= {{ upper }}_TEAMS;
+    return ({% if gegelati %}int{% else %}uint16_t{% endif %})vertex;
 }
 
 #ifndef {{ upper }}_NO_SELFTEST
@@ -146,8 +143,10 @@ uint32_t {{ prefix }}_selftest(void)
 
     for (vector = 0U; vector < {{ vectors.len() }}U; vector++) {
 {%- if gegelati %}
-        {{ prefix }}_vector_t copy = states[vector];
-{% for source in sources %}
+        {{ prefix }}_vector_t copy;
+
+        copy = states[vector];
+{%- for source in sources %}
         in{{ loop.index }} = copy.{{ source.name }};
 {%- endfor %}
         if (inferenceTPG() != (int)actions[vector]) {
