@@ -95,7 +95,11 @@ impl Workshop {
         command.current_dir(&folder).args(["-std=c99", "-ffp-contract=off", "-o"]).arg(&program);
         command.arg("harness.c").arg(format!("{prefix}.c")).arg("-lm");
         compile("C", command)?;
-        Ok(Process::start(&program, "C", graph)?)
+        let name = match options.style {
+            Style::Pure => "C",
+            Style::Gegelati => "C in GEGELATI's style",
+        };
+        Ok(Process::start(&program, name, graph)?)
     }
 
     /// Emits and compiles Rust and starts the program.
