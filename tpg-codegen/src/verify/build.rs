@@ -149,7 +149,7 @@ impl Workshop {
 }
 
 /// The host's C compiler, as the crate `cc` finds it (`CC` is honoured).
-fn c_compiler() -> Result<cc::Tool, BuildError> {
+pub(crate) fn c_compiler() -> Result<cc::Tool, BuildError> {
     let host = env!("TPG_HOST");
     let mut build = cc::Build::new();
     build.target(host).host(host).opt_level(2).debug(false).warnings(false).cargo_metadata(false);
