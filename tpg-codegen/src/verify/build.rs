@@ -95,7 +95,11 @@ impl Workshop {
         command.current_dir(&folder).args(["-std=c99", "-ffp-contract=off", "-o"]).arg(&program);
         command.arg("harness.c").arg(format!("{prefix}.c")).arg("-lm");
         compile("C", command)?;
-        Ok(Process::start(&program, "C", graph)?)
+        let name = match options.style {
+            Style::Pure => "C",
+            Style::Gegelati => "C in GEGELATI's style",
+        };
+        Ok(Process::start(&program, name, graph)?)
     }
 
     /// Emits and compiles Rust and starts the program.
@@ -149,7 +153,7 @@ impl Workshop {
 }
 
 /// The host's C compiler, as the crate `cc` finds it (`CC` is honoured).
-fn c_compiler() -> Result<cc::Tool, BuildError> {
+pub(crate) fn c_compiler() -> Result<cc::Tool, BuildError> {
     let host = env!("TPG_HOST");
     let mut build = cc::Build::new();
     build.target(host).host(host).opt_level(2).debug(false).warnings(false).cargo_metadata(false);
