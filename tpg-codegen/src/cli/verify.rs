@@ -40,12 +40,7 @@ impl VerifyArgs {
 }
 
 /// Everything that can be generated from a graph, against the interpreter.
-pub(super) fn compare(
-    graph: &Graph,
-    prefix: &Prefix,
-    states: usize,
-    seed: u64,
-) -> Result<Vec<Comparison>, CliError> {
+pub(super) fn compare(graph: &Graph, prefix: &Prefix, states: usize, seed: u64) -> Result<Vec<Comparison>, CliError> {
     let workshop = Workshop::new().map_err(CliError::other)?;
     let options = |style| Options { prefix: prefix.clone(), style };
     let mut c = workshop.c(graph, &options(Style::Pure)).map_err(CliError::other)?;

@@ -9,6 +9,8 @@
 //! | [`config`] | presets and their TOML |
 //! | [`training`] | the loop |
 //! | [`weights`] | `policy.safetensors` and its contract |
+//! | [`fixed`] | a trained actor in integers |
+//! | [`evaluate`] | `tpg-train eval --policy` and `tpg-train quantise` |
 //! | [`checkpoint`] | a run under way as a file |
 //! | [`command`] | `tpg-train sac` |
 //! | [`policy`] | a trained actor as a policy |
@@ -17,6 +19,8 @@ pub mod agent;
 pub mod checkpoint;
 pub mod command;
 pub mod config;
+pub mod evaluate;
+pub mod fixed;
 pub mod lanes;
 pub mod nn;
 pub mod policy;
