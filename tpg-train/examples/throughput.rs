@@ -26,8 +26,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let environment = ArmEnvironment::<f32>::new(&WIDOWX, ArmProblem::new(Start::Rs, config.sources()));
     let sources = environment.sources();
     let vocabulary = Vocabulary::new(config.instructions(), 8, 0, &sources, false, config.language.scalar);
-    let mutator =
-        ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
+    let mutator = ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
     let genome = random_population(&mutator, &config.tpg, 9, &mut Stream::new(1, 0, Purpose::Test, 0));
     let roots = genome.roots();
     let random: Vec<Policy> = roots.iter().take(ROOTS).map(|&root| genome.policy(root, &vocabulary)).collect();

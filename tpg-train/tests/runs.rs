@@ -12,10 +12,8 @@ use tpg_train::random::{Purpose, Stream};
 /// A run of seconds that uses all there is: two demes with migration, pool, archive, lexicase, racing.
 fn small_config() -> Config {
     let mut config = Preset::find("best-rs").expect("it comes with the trainer").config().expect("it is accepted");
-    config.problem.environment = toml::from_str::<toml::Table>("e = \"pendulum\"").expect("TOML")["e"]
-        .clone()
-        .try_into()
-        .expect("a pendulum");
+    config.problem.environment =
+        toml::from_str::<toml::Table>("e = \"pendulum\"").expect("TOML")["e"].clone().try_into().expect("a pendulum");
     config.problem.sources = vec!["pendulum".to_owned()];
     (config.tpg.nb_roots, config.tpg.init_nb_roots, config.tpg.max_init_outgoing_edges) = (24, 40, 3);
     (config.demes.count, config.demes.migration_interval, config.demes.migrants) = (2, 3, 1);
@@ -56,10 +54,9 @@ fn killed_resumed_or_on_other_threads_a_run_ends_in_the_same_bytes() {
     let undisturbed = place.path().join("undisturbed");
     assert!(train(&undisturbed, &config, &["--threads", "1"]).status().expect("it runs").success());
     let expected = results(&undisturbed);
-    for (name, more) in [
-        ("threads-2", ["--threads", "2", "--lanes", "3"]),
-        ("threads-5", ["--threads", "5", "--lanes", "1"]),
-    ] {
+    for (name, more) in
+        [("threads-2", ["--threads", "2", "--lanes", "3"]), ("threads-5", ["--threads", "5", "--lanes", "1"])]
+    {
         let folder = place.path().join(name);
         assert!(train(&folder, &config, &more).status().expect("it runs").success());
         assert!(results(&folder) == expected, "{name} gives other bytes");
@@ -94,7 +91,10 @@ fn a_finished_run_is_not_overwritten_and_another_configuration_not_resumed() {
     let before = results(&folder);
     assert!(refusal(train(&folder, &config, &["--generations", "2"])).contains("--resume"));
     let other = refusal(train(&folder, &config, &["--generations", "3", "--resume"]));
-    assert!(other.contains("- learning.nbGenerations = 2") && other.contains("+ learning.nbGenerations = 3"), "{other}");
+    assert!(
+        other.contains("- learning.nbGenerations = 2") && other.contains("+ learning.nbGenerations = 3"),
+        "{other}"
+    );
     assert!(refusal(train(&folder, &config, &["--generations", "2", "--resume", "--seed", "9"])).contains("seed 1"));
     assert!(results(&folder) == before, "a refused run changes nothing");
 }

@@ -204,7 +204,7 @@ mod tests {
     use super::{Moment, new_behaviour, populate, random_population};
     use crate::evolution::archive::{Archive, Recording, bid};
     use crate::evolution::config::Config;
-    use crate::evolution::genome::{Destination, Genome, ProgramId};
+    use crate::evolution::genome::{Destination, Genome, Program, ProgramId};
     use crate::evolution::mutate_program::ProgramMutator;
     use crate::evolution::presets::Preset;
     use crate::evolution::vocabulary::Vocabulary;
@@ -218,8 +218,7 @@ mod tests {
     }
 
     fn vocabulary(config: &Config) -> Vocabulary {
-        let source =
-            SourceDocument { name: "s".into(), length: 3, unit: "1".into(), ranges: vec![[-1.0, 1.0]; 3] };
+        let source = SourceDocument { name: "s".into(), length: 3, unit: "1".into(), ranges: vec![[-1.0, 1.0]; 3] };
         Vocabulary::new(config.instructions(), 8, 0, &[source], false, ScalarType::F32)
     }
 
@@ -227,8 +226,7 @@ mod tests {
         let vocabulary = vocabulary(config);
         let mutator =
             ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
-        let mut genome =
-            random_population(&mutator, &config.tpg, 9, &mut Stream::new(1, 0, Purpose::Test, 0));
+        let mut genome = random_population(&mutator, &config.tpg, 9, &mut Stream::new(1, 0, Purpose::Test, 0));
         for generation in 0..generations {
             let moment = Moment { seed: 1, generation, deme: 0 };
             populate(&mut genome, &mutator, &config.tpg, &Archive::new(0), 9, moment);
@@ -312,8 +310,8 @@ mod tests {
                 archive.record(Recording { program: (0, ProgramId(number)), state, bid });
             }
         }
-        let finite = |program| bid(&program, &vocabulary, &[0.5, -0.5, 1.0]).is_finite();
-        let same = known.iter().filter(|program| finite(program.lines(&vocabulary)));
+        let finite = |program: &Program| bid(&program.lines(&vocabulary), &vocabulary, &[0.5, -0.5, 1.0]).is_finite();
+        let same = known.iter().filter(|program| finite(program));
         assert!(same.clone().count() > 3);
         assert!(same.clone().all(|program| !archive.is_new(program, &vocabulary)), "the archived themselves are known");
         let mutated = new_behaviour(&known[0], &mutator, &config.tpg, &archive, &mut stream);
