@@ -5,5 +5,6 @@ pub mod error;
 pub mod graph;
 pub mod interpret;
 pub mod ir;
+pub mod passes;
 pub mod states;
 pub mod verify;

@@ -1,9 +1,10 @@
 //! Branch-free `no_std` Rust: every distinct operation once, then every team's choice by selects, then a bounded chase
 //! from the root to an action. The time does not depend on the state.
 
-use super::{File, Options, banner};
+use super::{File, Language, Options, banner};
 use crate::graph::{Graph, MathsProvider};
 use crate::ir::{Module, Node, NodeId, Target};
+use crate::passes;
 use askama::Template;
 use tpg_runtime::observation::Source as ArmSource;
 use tpg_runtime::ops::Instruction;
@@ -51,11 +52,12 @@ struct EdgeView {
 }
 
 /// Emits the file.
-pub(super) fn emit(graph: &Graph, module: &Module, options: &Options) -> Vec<File> {
+pub(super) fn emit(graph: &Graph, options: &Options) -> Vec<File> {
+    let module = &passes::optimise(graph, options.assumption).0;
     let printer = Printer { graph, module };
     let vertices = module.teams.len() + graph.actions().len();
     let policy = Policy {
-        banner: &banner::lines(graph, module, options, "rust"),
+        banner: &banner::lines(graph, module, options, Language::Rust),
         name: options.prefix.camel(),
         scalar: graph.scalar().name(),
         provider: printer.uses_maths().then_some(printer.provider()),
@@ -176,7 +178,7 @@ impl Printer<'_> {
                 }
             }
             Node::Input(input) => format!("s[{}]", input.index()),
-            Node::Operation(..) => format!("v{}", id.0),
+            Node::Operation(..) | Node::Upper(..) => format!("v{}", id.0),
         }
     }
 }
