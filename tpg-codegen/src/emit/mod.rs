@@ -2,10 +2,12 @@
 
 mod banner;
 mod c;
+mod layout;
 mod name;
 mod rust;
 
 pub use name::Prefix;
+pub(crate) use name::member;
 
 use crate::graph::Graph;
 use crate::passes::interval::Assumption;

@@ -4,32 +4,37 @@ use crate::ir::{Module, Node, NodeId, Values};
 
 /// Removes them.
 pub(super) fn run(module: &mut Module) {
-    let mut needed = vec![false; module.nodes.len()];
-    for bidder in &module.bidders {
-        needed[bidder.value.index()] = true;
+    keep(&mut module.nodes, module.bidders.iter_mut().map(|bidder| &mut bidder.value).collect());
+}
+
+/// Keeps what `roots` need, and renumbers.
+pub(super) fn keep(nodes: &mut Vec<Node>, roots: Vec<&mut NodeId>) {
+    let mut needed = vec![false; nodes.len()];
+    for root in &roots {
+        needed[root.index()] = true;
     }
     // Operands come before operations: backwards, every user is seen before what it uses.
-    for index in (0..module.nodes.len()).rev() {
+    for index in (0..nodes.len()).rev() {
         if needed[index] {
-            module.nodes[index].operands().iter().for_each(|operand| needed[operand.index()] = true);
+            nodes[index].operands().iter().for_each(|operand| needed[operand.index()] = true);
         }
     }
     let mut values = Values::default();
-    let mut place: Vec<Option<NodeId>> = vec![None; module.nodes.len()];
-    for (index, &node) in module.nodes.iter().enumerate().filter(|&(index, _)| needed[index]) {
+    let mut place: Vec<Option<NodeId>> = vec![None; nodes.len()];
+    for (index, &node) in nodes.iter().enumerate().filter(|&(index, _)| needed[index]) {
+        let at = |id: NodeId| place[id.index()].unwrap_or(id);
         let node = match node {
-            Node::Operation(instruction, operands) => {
-                Node::Operation(instruction, operands.map(|operand| place[operand.index()].unwrap_or(operand)))
-            }
-            Node::Upper(function, value) => Node::Upper(function, place[value.index()].unwrap_or(value)),
+            // Of a one-operand instruction, the second repeats the first.
+            Node::Operation(instruction, operands) => Node::Operation(instruction, operands.map(at)),
+            Node::Upper(instruction, value) => Node::Upper(instruction, at(value)),
             Node::Constant(_) | Node::Input(_) => node,
         };
         place[index] = Some(values.intern(node));
     }
-    for bidder in &mut module.bidders {
-        bidder.value = place[bidder.value.index()].unwrap_or(bidder.value);
+    for root in roots {
+        *root = place[root.index()].unwrap_or(*root);
     }
-    module.nodes = values.into_nodes();
+    *nodes = values.into_nodes();
 }
 
 #[cfg(test)]

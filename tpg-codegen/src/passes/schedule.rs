@@ -6,6 +6,7 @@
 
 use super::arithmetic::Arithmetic;
 use super::bound::{Bounds, is_worth_sparing};
+use super::collect;
 use super::interval::{self, Assumption};
 use crate::graph::Graph;
 use crate::ir::{Module, Node, NodeId, Target, Team, Values};
@@ -63,8 +64,16 @@ pub fn schedule(graph: &Graph, module: &Module) -> Schedule {
     let cheap = cheap_nodes(module);
     let mut values = Values::of(module.nodes.clone());
     let mut bounds = Bounds::new(arithmetic, &intervals, &cheap, &mut values);
-    let plans = module.teams.iter().map(|team| plan(module, team, &cheap, &mut bounds)).collect();
-    Schedule { nodes: values.into_nodes(), plans }
+    let mut plans: Vec<Plan> = module.teams.iter().map(|team| plan(module, team, &cheap, &mut bounds)).collect();
+    let mut nodes = values.into_nodes();
+    // Parts of bounds that came to nothing.
+    let mut roots = Vec::new();
+    for Plan { eager, lazy, .. } in &mut plans {
+        roots.extend(eager.iter_mut().map(|bid| &mut bid.value));
+        roots.extend(lazy.iter_mut().flat_map(|LazyBid { bid, bound }| bound.iter_mut().chain([&mut bid.value])));
+    }
+    collect::keep(&mut nodes, roots);
+    Schedule { nodes, plans }
 }
 
 /// The nodes that need no sine, cosine, logarithm or exponential.

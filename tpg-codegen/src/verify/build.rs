@@ -18,7 +18,7 @@ struct CHarness<'a> {
     prefix: &'a str,
     scalar: &'a str,
     state_length: usize,
-    sources: Vec<(&'a str, usize)>,
+    sources: Vec<(String, usize)>,
     gegelati: bool,
 }
 
@@ -85,7 +85,7 @@ impl Workshop {
             prefix,
             scalar: if graph.scalar() == ScalarType::F32 { "float" } else { "double" },
             state_length: graph.state_length(),
-            sources: graph.sources().iter().map(|s| (s.name.as_str(), s.ranges.len())).collect(),
+            sources: graph.sources().iter().map(|s| (emit::member(&s.name), s.ranges.len())).collect(),
             gegelati: options.style == Style::Gegelati,
         };
         fs::write(folder.join("harness.c"), harness.render().map_err(io::Error::other)?)?;
@@ -154,7 +154,7 @@ impl Workshop {
 }
 
 /// The host's C compiler, as the crate `cc` finds it (`CC` is honoured).
-fn c_compiler() -> Result<cc::Tool, BuildError> {
+pub(crate) fn c_compiler() -> Result<cc::Tool, BuildError> {
     let host = env!("TPG_HOST");
     let mut build = cc::Build::new();
     build.target(host).host(host).opt_level(2).debug(false).warnings(false).cargo_metadata(false);

@@ -3,6 +3,7 @@
 mod build;
 mod process;
 
+pub(crate) use build::c_compiler;
 pub use build::{BuildError, Workshop};
 pub use process::Process;
 

@@ -39,5 +39,6 @@ uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state)
     for (to = 0U; to < {{ upper }}_DEPTH; to++) {
         vertex = next[vertex];
     }
-    return (uint16_t)(vertex - {{ upper }}_TEAMS);
+    vertex -= {{ upper }}_TEAMS;
+    return (uint16_t)vertex;
 }

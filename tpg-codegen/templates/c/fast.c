@@ -15,7 +15,9 @@ static uint32_t {{ prefix }}_team_{{ team.label }}(const {{ prefix }}_state_t *s
     {{ statement }}
 {%- endfor %}
     {{ team.winner }} = ({{ bid.value }} >= best) ? {{ bid.rank }} : {{ team.winner }};
+{%- if !bid.last %}
     best = ({{ bid.value }} > best) ? {{ bid.value }} : best;
+{%- endif %}
 {%- endfor %}
 {%- for bid in team.lazy %}
 {%- for statement in bid.bound_statements %}
@@ -26,7 +28,9 @@ static uint32_t {{ prefix }}_team_{{ team.label }}(const {{ prefix }}_state_t *s
         {{ statement }}
 {%- endfor %}
         if ({{ bid.wins }}) {
+{%- if !bid.last %}
             best = {{ bid.value }};
+{%- endif %}
             {{ team.winner }} = {{ bid.rank }};
         }
     }
@@ -52,5 +56,6 @@ uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state)
             break;
         }
     }
-    return (uint16_t)(vertex - {{ upper }}_TEAMS);
+    vertex -= {{ upper }}_TEAMS;
+    return (uint16_t)vertex;
 }

@@ -59,6 +59,7 @@ int inferenceTPG(void)
             break;
         }
     }
-    return (int)(vertex - {{ upper }}_TEAMS);
+    vertex -= {{ upper }}_TEAMS;
+    return (int)vertex;
 }
 

@@ -10,9 +10,9 @@
 static {{ scalar }} values[BATCH * LENGTH];
 static uint16_t actions[BATCH];
 {% if gegelati %}
-{%- for (name, length) in sources %}
-static {{ scalar }} {{ name }}[{{ length }}];
-{{ scalar }} *in{{ loop.index }} = {{ name }};
+{%- for (_, length) in sources %}
+static {{ scalar }} source{{ loop.index }}[{{ length }}];
+{{ scalar }} *in{{ loop.index }} = source{{ loop.index }};
 {%- endfor %}
 {%- endif %}
 
@@ -33,8 +33,8 @@ int main(void)
         for (index = 0U; index < count; index++) {
             const {{ scalar }} *value = &values[index * LENGTH];
 {%- if gegelati %}
-{%- for (name, length) in sources %}
-            memcpy({{ name }}, value, sizeof({{ name }}));
+{%- for (_, length) in sources %}
+            memcpy(in{{ loop.index }}, value, sizeof(source{{ loop.index }}));
             value += {{ length }};
 {%- endfor %}
             actions[index] = (uint16_t)inferenceTPG();

@@ -52,8 +52,10 @@ uint32_t {{ prefix }}_selftest(void)
 
     for (vector = 0U; vector < {{ vectors.len() }}U; vector++) {
 {%- if gegelati %}
-        {{ prefix }}_vector_t copy = states[vector];
-{% for source in sources %}
+        {{ prefix }}_vector_t copy;
+
+        copy = states[vector];
+{%- for source in sources %}
         in{{ loop.index }} = copy.{{ source.name }};
 {%- endfor %}
         if (inferenceTPG() != (int)actions[vector]) {

@@ -1,6 +1,8 @@
 //! Decides for states from standard input: see tpg-codegen's verify::process.
 
-mod {{ module }};
+// By its path: the file may be called like a keyword.
+#[path = "{{ module }}.rs"]
+mod policy;
 
 use std::io::{self, Read, Write};
 use tpg_runtime::policy::{ActionId, Policy};
@@ -22,7 +24,7 @@ fn main() -> io::Result<()> {
             for (slot, value) in state.iter_mut().zip(values.chunks_exact(WIDTH)) {
                 *slot = {{ scalar }}::from_ne_bytes(value.try_into().unwrap());
             }
-            let ActionId(action) = {{ module }}::{{ name }}.decide(&state);
+            let ActionId(action) = policy::{{ name }}.decide(&state);
             actions.extend(action.to_ne_bytes());
         }
         output.write_all(&actions)?;

@@ -37,17 +37,9 @@ impl {{ name }} {
     pub const DEPTH: usize = {{ depth }};
 {%- if let Some(arm) = arm %}
     /// The arm's sources that make up a state, in order.
-    pub const SOURCES: [Source; {{ arm.sources.len() }}] = [
-{%- for source in arm.sources %}
-        Source::{{ source }},
-{%- endfor %}
-    ];
+    pub const SOURCES: [Source; {{ arm.sources.len() }}] = {{ layout::array(arm.sources, 4) }};
     /// What each action moves, in motor ticks.
-    pub const MOVES: [Move; {{ arm.moves.len() }}] = [
-{%- for ticks in arm.moves %}
-        Move({{ ticks }}),
-{%- endfor %}
-    ];
+    pub const MOVES: [Move; {{ arm.moves.len() }}] = {{ layout::array(arm.moves, 4) }};
 {%- endif %}
 }
 
@@ -55,7 +47,11 @@ impl Policy for {{ name }} {
     type State = [{{ scalar }}; {{ state_length }}];
     type Action = ActionId;
 
-    #[allow(clippy::all, unused_variables, reason = "evolved expressions need not make sense")]
+    #[allow(
+        clippy::all,
+        unused_variables,
+        reason = "evolved expressions need not make sense"
+    )]
     fn decide(&self, s: &[{{ scalar }}; {{ state_length }}]) -> ActionId {
 {%- for statement in statements %}
         {{ statement }}
@@ -70,11 +66,7 @@ impl Policy for {{ name }} {
 {%- endfor %}
         let t{{ loop.index0 }} = best.1;
 {%- endfor %}
-        let next = [
-{%- for team in teams %}
-            t{{ loop.index0 }},
-{%- endfor %}
-        ];
+        let next = {{ layout::array(next, 8) }};
         let mut vertex = 0;
         for _ in 0..Self::DEPTH {
             // An action is past the end: it leads to itself.

@@ -24,22 +24,35 @@ impl<S: Scalar> Plane<S> {
         if [self.bracket, self.elbow, self.wrist, self.tip].iter().any(|point| point.z < S::ZERO) {
             return Some(Collision::Table);
         }
-        let [upper, lower] = shapes.hand_edges;
-        let tip_upper = offset(self.wrist, self.hand, shapes.hand_length, self.hand_across, upper);
-        let tip_lower = offset(self.wrist, self.hand, shapes.hand_length, self.hand_across, lower);
+        let faces = self.faces(shapes);
+        let [(tip_upper, tip_lower), ..] = faces;
         if tip_upper.z < S::ZERO || tip_lower.z < S::ZERO {
             return Some(Collision::HandCorner);
         }
+        let hits = |edge: BaseEdge<S>| faces.iter().any(|&(p, q)| meets(p, q, edge));
+        let base = shapes.base.iter().any(|&edge| hits(edge) || hits(edge.mirrored()));
+        base.then_some(Collision::Base)
+    }
+
+    /// The parts of the arm that can meet its base, as segments: the hand's tip face and lower edge, the forearm's end
+    /// face and lower edge.
+    pub fn faces(&self, shapes: &Shapes<S>) -> [(Point<S>, Point<S>); 4] {
+        let [upper, lower] = shapes.hand_edges;
+        let tip_upper = offset(self.wrist, self.hand, shapes.hand_length, self.hand_across, upper);
+        let tip_lower = offset(self.wrist, self.hand, shapes.hand_length, self.hand_across, lower);
         let heel = across(self.wrist, self.hand_across, lower);
         let [upper, lower] = shapes.forearm_edges;
         let end_upper = offset(self.wrist, self.forearm, shapes.forearm_overhang, self.forearm_across, upper);
         let end_lower = offset(self.wrist, self.forearm, shapes.forearm_overhang, self.forearm_across, lower);
         let elbow_lower = across(self.elbow, self.forearm_across, lower);
-        let faces = [(tip_upper, tip_lower), (heel, tip_lower), (end_upper, end_lower), (elbow_lower, end_lower)];
-        let hits = |edge: BaseEdge<S>| faces.iter().any(|&(p, q)| meets(p, q, edge));
-        let mirrored = |edge: BaseEdge<S>| BaseEdge { x: edge.x.map(|x| -x), z: edge.z };
-        let base = shapes.base.iter().any(|&edge| hits(edge) || hits(mirrored(edge)));
-        base.then_some(Collision::Base)
+        [(tip_upper, tip_lower), (heel, tip_lower), (end_upper, end_lower), (elbow_lower, end_lower)]
+    }
+}
+
+impl<S: Scalar> BaseEdge<S> {
+    /// The same edge on the other side of the base's axis.
+    pub fn mirrored(self) -> Self {
+        Self { x: self.x.map(|x| -x), z: self.z }
     }
 }
 

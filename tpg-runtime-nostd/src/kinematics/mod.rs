@@ -5,8 +5,17 @@
 //! sines come exactly from a quarter-wave table ([`Angle`]), in a handful of instructions that never vary.
 //! [`Plane::from_radians`] is the reference for any angle, by libm.
 //!
-//! Error bounds over the reachable poses, measured in `tests/kinematics.rs` against the `f64` matrix chain of the
-//! paper's artifact: 1e-12 mm in `f64`, 1e-4 mm in `f32`.
+//! How far the hand is from where others put it, mm, at poses inside the WidowX's limits:
+//!
+//! | the lattice path in | against the `f64` matrix chain of the paper's artifact | against libm in the same scalar |
+//! | --- | --- | --- |
+//! | `f64` | 5e-13 | 6e-13 |
+//! | `f32` | 1.1e-4 | 3e-4 |
+//!
+//! The first column is measured in `tpg-train` (`tests/kinematics.rs`; 20 million poses gave 4.2e-13 and 1.002e-4), the
+//! second in this crate's `tests/kinematics.rs`. At such distances a collision answer can differ only where the arm all
+//! but touches something: over the 318,611,987 poses that actions of 3 ticks reach from home, none does in `f64`, and 10
+//! do in `f32`, all of them within 1.7e-5 mm of touching.
 
 mod lattice;
 

@@ -39,6 +39,8 @@ struct EagerView {
     statements: Vec<String>,
     value: String,
     rank: String,
+    /// Whether no bid follows: then, what is best does not matter any more.
+    last: bool,
 }
 
 struct LazyView {
@@ -49,6 +51,7 @@ struct LazyView {
     value: String,
     rank: String,
     wins: String,
+    last: bool,
 }
 
 /// Renders the body.
@@ -81,8 +84,13 @@ impl<'a> TeamPrinter<'a> {
     }
 
     fn view(mut self) -> TeamView {
-        let eager = self.plan.eager.iter().map(|bid| self.eager(bid)).collect();
-        let lazy = self.plan.lazy.iter().map(|lazy| self.lazy(lazy)).collect();
+        let mut eager: Vec<EagerView> = self.plan.eager.iter().map(|bid| self.eager(bid)).collect();
+        let mut lazy: Vec<LazyView> = self.plan.lazy.iter().map(|lazy| self.lazy(lazy)).collect();
+        match (lazy.last_mut(), eager.last_mut()) {
+            (Some(bid), _) => bid.last = true,
+            (None, Some(bid)) => bid.last = true,
+            (None, None) => {}
+        }
         let targets: Vec<String> = self.plan.targets.iter().map(|&to| vertex(self.module, to)).collect();
         let last = targets[targets.len() - 1].clone();
         TeamView {
@@ -105,6 +113,7 @@ impl<'a> TeamPrinter<'a> {
             statements: self.statements(bid.value, true),
             value: self.printer.value(bid.value),
             rank: self.rank(bid),
+            last: false,
         }
     }
 
@@ -127,7 +136,7 @@ impl<'a> TeamPrinter<'a> {
         } else {
             format!("({value} > best) || (({value} >= best) && (edge < {rank}))")
         };
-        LazyView { bound_statements, guard, statements, value, rank, wins }
+        LazyView { bound_statements, guard, statements, value, rank, wins, last: false }
     }
 
     /// What must still be computed for a value; later bids can use it where it `stays`.

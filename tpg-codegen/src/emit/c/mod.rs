@@ -7,7 +7,7 @@ mod gegelati;
 mod helpers;
 mod small;
 
-use super::{File, Language, Options, Profile, Style, banner};
+use super::{File, Language, Options, Profile, Style, banner, layout, name};
 use crate::graph::{Graph, MathsProvider, ScalarType};
 use crate::interpret;
 use crate::ir::{Module, Target};
@@ -115,8 +115,8 @@ pub(super) fn emit(graph: &Graph, options: &Options) -> Vec<File> {
         gegelati,
     };
     vec![
-        File { name: format!("{prefix}.h"), text: tidy(&header.render().expect("the template renders")) },
-        File { name: format!("{prefix}.c"), text: tidy(&source.render().expect("the template renders")) },
+        File { name: format!("{prefix}.h"), text: layout::tidy(&header.render().expect("the template renders")) },
+        File { name: format!("{prefix}.c"), text: layout::tidy(&source.render().expect("the template renders")) },
     ]
 }
 
@@ -138,24 +138,6 @@ fn vertex_type(graph: &Graph, module: &Module) -> &'static str {
     }
 }
 
-/// Templates leave blank lines where a block was left out: at most one in a row stays, and none at the end.
-fn tidy(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    let mut blank = false;
-    for line in text.lines().map(str::trim_end) {
-        if line.is_empty() {
-            blank = !out.is_empty();
-            continue;
-        }
-        if std::mem::take(&mut blank) {
-            out.push('\n');
-        }
-        out.push_str(line);
-        out.push('\n');
-    }
-    out
-}
-
 /// Text that may stand in a C comment.
 fn comment(text: &str) -> String {
     text.chars().map(|c| if c.is_control() || c == '*' || c == '/' { ' ' } else { c }).collect()
@@ -163,7 +145,7 @@ fn comment(text: &str) -> String {
 
 fn source_view(source: &crate::graph::Source) -> SourceView {
     SourceView {
-        name: source.name.clone(),
+        name: name::member(&source.name),
         length: source.ranges.len(),
         unit: comment(&source.unit),
         range: source.envelope().to_string(),

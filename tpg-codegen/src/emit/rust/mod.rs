@@ -1,7 +1,7 @@
 //! Branch-free `no_std` Rust: every distinct operation once, then every team's choice by selects, then a bounded chase
 //! from the root to an action. The time does not depend on the state.
 
-use super::{File, Language, Options, banner};
+use super::{File, Language, Options, banner, layout};
 use crate::graph::{Graph, MathsProvider};
 use crate::ir::{Module, Node, NodeId, Target};
 use crate::passes;
@@ -23,6 +23,8 @@ struct Policy<'a> {
     arm: Option<ArmView>,
     statements: Vec<String>,
     teams: Vec<TeamView>,
+    /// The names of the teams' choices.
+    next: Vec<String>,
     vertex: &'a str,
     depth: usize,
 }
@@ -67,10 +69,11 @@ pub(super) fn emit(graph: &Graph, options: &Options) -> Vec<File> {
         arm: arm_view(graph),
         statements: printer.statements(),
         teams: module.teams.iter().map(|team| printer.team(team)).collect(),
+        next: (0..module.teams.len()).map(|team| format!("t{team}")).collect(),
         vertex: if vertices <= 1 << 16 { "u16" } else { "u32" },
         depth: module.depth,
     };
-    let text = policy.render().expect("the template renders");
+    let text = layout::tidy(&policy.render().expect("the template renders"));
     vec![File { name: format!("{}.rs", options.prefix), text }]
 }
 
@@ -99,9 +102,9 @@ fn source_views(graph: &Graph) -> Vec<SourceView> {
 fn arm_view(graph: &Graph) -> Option<ArmView> {
     let sources = (graph.sources().iter())
         .map(|source| ArmSource::from_name(&source.name).filter(|arm| arm.length() == source.ranges.len()))
-        .map(|source| source.map(|source| format!("{source:?}")))
+        .map(|source| source.map(|source| format!("Source::{source:?}")))
         .collect::<Option<_>>()?;
-    let moves = graph.actions().iter().map(|action| action.moves.map(|m| format!("{:?}", m.0)));
+    let moves = graph.actions().iter().map(|action| action.moves.map(|m| format!("Move({:?})", m.0)));
     Some(ArmView { sources, moves: moves.collect::<Option<_>>()? })
 }
 

@@ -1,0 +1,54 @@
+//! Lines and blank lines, as a reader of the language expects them.
+
+/// Templates leave blank lines where a block was left out: at most one in a row stays, and none at the end.
+pub(super) fn tidy(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut blank = false;
+    for line in text.lines().map(str::trim_end) {
+        if line.is_empty() {
+            blank = !out.is_empty();
+            continue;
+        }
+        if std::mem::take(&mut blank) {
+            out.push('\n');
+        }
+        out.push_str(line);
+        out.push('\n');
+    }
+    out
+}
+
+/// A Rust array as rustfmt lays it out on lines indented by `indent`: on one line where it is short, short elements
+/// filled into lines, others a line each.
+pub(super) fn array(elements: &[String], indent: usize) -> String {
+    const ONE_LINE: usize = 60;
+    const SHORT: usize = 10;
+    // rustfmt fills up to a column less than its line width.
+    const WIDTH: usize = 99;
+    let flat = elements.join(", ");
+    if flat.len() <= ONE_LINE {
+        return format!("[{flat}]");
+    }
+    let inner = indent + 4;
+    let fill = elements.iter().all(|element| element.len() <= SHORT);
+    let mut out = String::from("[");
+    let mut column = usize::MAX;
+    for element in elements {
+        // A space before it and a comma behind it.
+        if fill && column.saturating_add(element.len() + 2) <= WIDTH {
+            out.push(' ');
+            column += 1;
+        } else {
+            out.push('\n');
+            out.push_str(&" ".repeat(inner));
+            column = inner;
+        }
+        out.push_str(element);
+        out.push(',');
+        column += element.len() + 1;
+    }
+    out.push('\n');
+    out.push_str(&" ".repeat(indent));
+    out.push(']');
+    out
+}

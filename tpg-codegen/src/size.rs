@@ -1,0 +1,112 @@
+//! How big generated C is once compiled: without its self-test, without the libraries it calls.
+
+use crate::emit::{self, Language, Options};
+use crate::graph::Graph;
+use crate::verify;
+use object::{Object as _, ObjectSection as _, SectionKind};
+use std::fmt;
+use std::fs;
+use std::io;
+use std::process::Command;
+use tempfile::TempDir;
+
+/// Where the code is to run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Target {
+    /// On this machine, built by its C compiler.
+    Host,
+    /// On a Cortex-M4 with FPU, built by `arm-none-eabi-gcc`.
+    CortexM4,
+}
+
+impl Target {
+    /// What it is called in reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Host => "this machine",
+            Self::CortexM4 => "Cortex-M4F",
+        }
+    }
+}
+
+/// Bytes of an object file that end up on the device.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Size {
+    /// Instructions, and constants that the compiler puts between them.
+    pub code: u64,
+    /// Constant tables.
+    pub constants: u64,
+    /// Initialised variables, which take flash and RAM.
+    pub data: u64,
+    /// Variables that start as zero, which take RAM.
+    pub bss: u64,
+}
+
+impl fmt::Display for Size {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { code, constants, data, bss } = self;
+        write!(f, "{code} bytes of code, {constants} of constants, {data} of data, {bss} of bss")
+    }
+}
+
+/// Lines for people that say the size of the compiled C, for each target whose compiler is there.
+pub fn of_c(graph: &Graph, options: &Options) -> Vec<String> {
+    [Target::Host, Target::CortexM4]
+        .map(|target| match compile_c(graph, options, target).and_then(|object| measure(&object)) {
+            Ok(size) => format!("size on {} (-Os): {size}", target.name()),
+            Err(error) => format!("size on {}: not available: {error}", target.name()),
+        })
+        .into()
+}
+
+/// Compiles the generated C for size, without its self-test, and returns the object file.
+///
+/// # Errors
+/// When the compiler is missing or refuses.
+pub fn compile_c(graph: &Graph, options: &Options, target: Target) -> io::Result<Vec<u8>> {
+    let folder = TempDir::new()?;
+    for file in emit::emit(graph, Language::C, options) {
+        fs::write(folder.path().join(&file.name), &file.text)?;
+    }
+    let mut command = match target {
+        Target::Host => verify::c_compiler().map_err(io::Error::other)?.to_command(),
+        Target::CortexM4 => {
+            let mut command = Command::new("arm-none-eabi-gcc");
+            command.args(["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"]);
+            command
+        }
+    };
+    command.current_dir(folder.path()).args(["-std=c99", "-ffp-contract=off", "-Os"]);
+    // What a debugger or an unwinder reads is not the policy.
+    command.args(["-g0", "-fno-asynchronous-unwind-tables"]).arg(format!("-D{}_NO_SELFTEST", options.prefix.upper()));
+    command.arg("-c").arg(format!("{}.c", options.prefix)).args(["-o", "policy.o"]);
+    let name = command.get_program().to_string_lossy().into_owned();
+    let output = command.output().map_err(|error| io::Error::new(error.kind(), format!("{name}: {error}")))?;
+    if !output.status.success() {
+        let message = String::from_utf8_lossy(&output.stderr);
+        let first = message.lines().find(|line| line.contains("error")).unwrap_or("it says nothing");
+        return Err(io::Error::other(format!("{name} refused: {first}")));
+    }
+    fs::read(folder.path().join("policy.o"))
+}
+
+/// Adds an object file's sections up.
+///
+/// # Errors
+/// When it is no object file.
+pub fn measure(object: &[u8]) -> io::Result<Size> {
+    let file = object::File::parse(object).map_err(io::Error::other)?;
+    let mut size = Size::default();
+    for section in file.sections() {
+        match section.kind() {
+            SectionKind::Text => size.code += section.size(),
+            SectionKind::ReadOnlyData | SectionKind::ReadOnlyString | SectionKind::ReadOnlyDataWithRel => {
+                size.constants += section.size();
+            }
+            SectionKind::Data => size.data += section.size(),
+            SectionKind::UninitializedData => size.bss += section.size(),
+            _ => {}
+        }
+    }
+    Ok(size)
+}

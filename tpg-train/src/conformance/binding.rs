@@ -1,0 +1,79 @@
+//! A graph in terms of the arm: which parts of the observation its state is made of, and what its actions move.
+
+use tpg_codegen::error::{InputError, Place};
+use tpg_codegen::graph::{Graph, ScalarType};
+use tpg_runtime::arm::Move;
+use tpg_runtime::observation::{Observation, Source};
+use tpg_runtime::policy::ActionId;
+
+/// How an engine's flat state is filled and its answer understood.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Binding {
+    scalar: ScalarType,
+    sources: Vec<Source>,
+    moves: Vec<Move>,
+}
+
+impl Binding {
+    /// Of a policy with these sources, in this order, and these actions.
+    pub fn new(scalar: ScalarType, sources: Vec<Source>, moves: Vec<Move>) -> Self {
+        Self { scalar, sources, moves }
+    }
+
+    /// Of a graph.
+    ///
+    /// # Errors
+    /// When a source is no part of the observation, or an action moves nothing that the arm knows.
+    pub fn of(file: &str, graph: &Graph) -> Result<Self, InputError> {
+        let error = |path: String, found: String, accepted: &str| {
+            Err(InputError::new(file, Place::Path(path), found, accepted.to_owned()))
+        };
+        let mut sources = Vec::new();
+        for (index, declared) in graph.sources().iter().enumerate() {
+            let length = declared.ranges.len();
+            match Source::from_name(&declared.name).filter(|source| source.length() == length) {
+                Some(source) => sources.push(source),
+                None => {
+                    let found = format!("a source {:?} of {length} values", declared.name);
+                    return error(format!("$.sources[{index}]"), found, &known_sources());
+                }
+            }
+        }
+        let mut moves = Vec::new();
+        for (index, action) in graph.actions().iter().enumerate() {
+            let Some(wanted) = action.moves else {
+                let found = format!("the action {:?} without a move", action.name);
+                return error(format!("$.actions[{index}]"), found, "a move of the arm's four joints, in ticks");
+            };
+            moves.push(wanted);
+        }
+        Ok(Self::new(graph.scalar(), sources, moves))
+    }
+
+    /// How many values a state has.
+    pub fn state_length(&self) -> usize {
+        self.sources.iter().map(|source| source.length()).sum()
+    }
+
+    /// Appends what is seen to a batch of flat states, exact in the policy's scalar type.
+    pub fn push_state(&self, observation: &Observation<f64>, states: &mut Vec<f64>) {
+        let start = states.len();
+        states.resize(start + self.state_length(), 0.0);
+        let state = &mut states[start..];
+        Source::fill(&self.sources, observation, state);
+        for value in state {
+            *value = self.scalar.round(*value);
+        }
+    }
+
+    /// What an action moves; `None` for an action that the policy does not have.
+    pub fn wanted(&self, action: ActionId) -> Option<Move> {
+        self.moves.get(usize::from(action.0)).copied()
+    }
+}
+
+fn known_sources() -> String {
+    let names: Vec<String> =
+        Source::ALL.iter().map(|source| format!("{} ({} values)", source.name(), source.length())).collect();
+    names.join(", ")
+}

@@ -1,0 +1,146 @@
+//! Forward kinematics as the paper's artifact computed it: a chain of six rotations, in the order of
+//! `KDL::ChainFkSolverPos_recursive` (`ggendro/armlearn`, `src/physics/converter.cpp`, `src/builder/widowxbuilder.cpp`).
+//!
+//! Every product of matrices is a row-times-column sum from left to right, zeros included, and the constant tips keep the
+//! rounding residue of sin π and cos π/2. At home this gives x = 4.2e-14, not 0, and the recorded programs saw that.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+use tpg_runtime::arm::{Arm, Pose, TICKS_PER_TURN};
+use tpg_runtime::kinematics::Vector;
+
+/// How the artifact splits the hand: wrist angle, wrist rotation and gripper, mm.
+const HAND_SEGMENTS: [f64; 3] = [74.0, 41.0, 40.0];
+
+type Matrix = [[f64; 3]; 3];
+
+/// A motor's angle, as its cosine and sine.
+#[derive(Clone, Copy, Debug)]
+struct Turn {
+    cos: f64,
+    sin: f64,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Axis {
+    X,
+    Z,
+}
+
+/// One link: a joint, then a fixed tip.
+#[derive(Clone, Copy, Debug)]
+struct Segment {
+    axis: Axis,
+    tip: Vector<f64>,
+    tip_rotation: Matrix,
+}
+
+/// The chain of an arm.
+#[derive(Clone, Debug)]
+pub struct Chain {
+    arm: Arm<f64>,
+    segments: [Segment; 6],
+    /// The turn of every motor position: 4,096 of them are cheaper than their sines at every step.
+    turns: Vec<Turn>,
+}
+
+impl Chain {
+    /// The chain of an arm whose hand is as long as the WidowX's.
+    pub fn new(arm: Arm<f64>) -> Self {
+        let links = &arm.links;
+        let straight = |axis, length| Segment { axis, tip: [0.0, 0.0, length], tip_rotation: IDENTITY };
+        let [wrist, rotation, gripper] = HAND_SEGMENTS;
+        let half_turn = Turn::of(PI).about(Axis::Z);
+        let segments = [
+            Segment { tip_rotation: half_turn, ..straight(Axis::Z, links.base) },
+            Segment {
+                axis: Axis::X,
+                tip: [0.0, -links.elbow_offset, links.upper_arm],
+                tip_rotation: product(&Turn::of(FRAC_PI_2).about(Axis::X), &half_turn),
+            },
+            straight(Axis::X, links.forearm),
+            straight(Axis::X, wrist),
+            straight(Axis::Z, rotation),
+            straight(Axis::Z, gripper),
+        ];
+        let turns = (0..TICKS_PER_TURN).map(Turn::at).collect();
+        Self { arm, segments, turns }
+    }
+
+    /// The arm.
+    pub fn arm(&self) -> &Arm<f64> {
+        &self.arm
+    }
+
+    /// Where the hand's tip is at a pose, mm.
+    pub fn hand(&self, pose: Pose) -> Vector<f64> {
+        let motors = pose.0.iter().chain(&self.arm.fixed_servos);
+        let mut rotation = IDENTITY;
+        let mut position = [0.0; 3];
+        for (segment, &ticks) in self.segments.iter().zip(motors) {
+            let joint = self.turn(ticks).about(segment.axis);
+            let step = apply(&rotation, &apply(&joint, &segment.tip));
+            position = [step[0] + position[0], step[1] + position[1], step[2] + position[2]];
+            rotation = product(&rotation, &product(&joint, &segment.tip_rotation));
+        }
+        position
+    }
+
+    fn turn(&self, ticks: i16) -> Turn {
+        let tabulated = usize::try_from(ticks).ok().and_then(|index| self.turns.get(index));
+        tabulated.copied().unwrap_or_else(|| Turn::at(i32::from(ticks)))
+    }
+}
+
+impl Turn {
+    fn of(radians: f64) -> Self {
+        Self { cos: radians.cos(), sin: radians.sin() }
+    }
+
+    /// Of a motor position; the order of operations is the artifact's.
+    fn at(ticks: i32) -> Self {
+        Self::of((f64::from(ticks) * (360.0 / 4096.0) - 180.0) * PI / 180.0)
+    }
+
+    fn about(self, axis: Axis) -> Matrix {
+        let Self { cos, sin } = self;
+        match axis {
+            Axis::X => [[1.0, 0.0, 0.0], [0.0, cos, -sin], [0.0, sin, cos]],
+            Axis::Z => [[cos, -sin, 0.0], [sin, cos, 0.0], [0.0, 0.0, 1.0]],
+        }
+    }
+}
+
+const IDENTITY: Matrix = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+fn product(a: &Matrix, b: &Matrix) -> Matrix {
+    a.map(|[x, y, z]| std::array::from_fn(|column| x * b[0][column] + y * b[1][column] + z * b[2][column]))
+}
+
+fn apply(matrix: &Matrix, v: &Vector<f64>) -> Vector<f64> {
+    matrix.map(|[x, y, z]| x * v[0] + y * v[1] + z * v[2])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Chain, HAND_SEGMENTS};
+    use tpg_runtime::arm::{Pose, WIDOWX};
+
+    #[test]
+    fn the_hand_at_home_keeps_its_residue() {
+        let [x, y, z] = Chain::new(WIDOWX).hand(WIDOWX.home);
+        assert!((4.23e-14..4.24e-14).contains(&x), "{x:e}");
+        assert_eq!([y, z], [346.0, 267.0]);
+    }
+
+    #[test]
+    fn the_hand_is_as_long_as_the_arm_says() {
+        assert_eq!(HAND_SEGMENTS.iter().sum::<f64>(), WIDOWX.links.hand);
+    }
+
+    #[test]
+    fn positions_beyond_the_table_are_computed() {
+        let chain = Chain::new(WIDOWX);
+        let beyond = chain.hand(Pose([2048 + 4096, 2048, 2048, 2048]));
+        assert!(beyond.iter().zip(chain.hand(WIDOWX.home)).all(|(a, b)| (a - b).abs() < 1e-9));
+    }
+}

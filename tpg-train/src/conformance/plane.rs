@@ -1,0 +1,50 @@
+//! The arm plane as the artifact's collision test computed it (`armlearn-wrapper`, `ArmLearnWrapper.cpp`, lines 1026–1101).
+//!
+//! Only the angles and their sines are the artifact's; links and collision rules are the runtime's own code, whose order
+//! of operations is the artifact's too.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+use tpg_runtime::arm::{Arm, Collision, Pose};
+use tpg_runtime::kinematics::{Direction, Directions, Plane};
+
+/// The directions of the links at a pose, from sums of angles in radians.
+pub fn directions(pose: Pose) -> Directions<f64> {
+    let [_, shoulder, elbow, wrist] = pose.0.map(|ticks| (f64::from(ticks) - 1024.0) / 2048.0 * 180.0);
+    let upper_arm = shoulder / 180.0 * PI;
+    let bend = PI - elbow / 180.0 * PI;
+    let forearm = upper_arm + bend;
+    let hand = forearm + (FRAC_PI_2 - wrist / 180.0 * PI);
+    Directions {
+        upper_arm: direction(upper_arm),
+        bracket: direction(upper_arm + FRAC_PI_2),
+        forearm: direction(forearm),
+        forearm_across: direction(forearm - FRAC_PI_2),
+        hand: direction(hand),
+        hand_across: direction(hand - FRAC_PI_2),
+    }
+}
+
+/// The arm plane at a pose.
+pub fn at(arm: &Arm<f64>, pose: Pose) -> Plane<f64> {
+    Plane::new(arm, directions(pose))
+}
+
+/// What the arm hits at a pose.
+pub fn collision(arm: &Arm<f64>, pose: Pose) -> Option<Collision> {
+    at(arm, pose).collision(&arm.shapes)
+}
+
+fn direction(radians: f64) -> Direction<f64> {
+    Direction { cos: radians.cos(), sin: radians.sin() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::collision;
+    use tpg_runtime::arm::WIDOWX;
+
+    #[test]
+    fn home_is_free() {
+        assert_eq!(collision(&WIDOWX, WIDOWX.home), None);
+    }
+}

@@ -1,0 +1,199 @@
+//! All recorded episodes of a policy at once, in lockstep, compared with what was recorded.
+//!
+//! Whoever decides is an [`Engine`]: it is asked for the actions of all episodes under way together, so that an engine in
+//! another process costs one exchange for each step, not one for each episode.
+
+use super::binding::Binding;
+use super::chain::Chain;
+use super::data::{ByRow, End, Task};
+use super::episode::{EndState, Episode, Rules};
+use serde::Serialize;
+use std::io;
+use tpg_codegen::engine::Engine;
+use tpg_runtime::arm::Pose;
+use tpg_runtime::policy::ActionId;
+
+/// An episode, done.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Done {
+    /// The pose after each action.
+    pub poses: Vec<Pose>,
+    /// How it ended.
+    pub end: EndState,
+}
+
+/// Why a replay broke off.
+#[derive(Debug, thiserror::Error)]
+pub enum ReplayError {
+    /// The engine failed.
+    #[error("the engine {engine} failed: {error}")]
+    Engine {
+        /// Its name.
+        engine: String,
+        /// What happened.
+        error: io::Error,
+    },
+    /// The engine answered something that no policy can.
+    #[error("the engine {engine} answered {found} where {expected}")]
+    Answer {
+        /// Its name.
+        engine: String,
+        /// What it answered.
+        found: String,
+        /// What it was asked.
+        expected: String,
+    },
+}
+
+/// One episode on its way.
+struct Lane<'a> {
+    row: u32,
+    episode: Episode<'a>,
+    poses: Vec<Pose>,
+    over: bool,
+}
+
+/// Lets an engine do every task, all in lockstep.
+///
+/// # Errors
+/// When the engine fails.
+pub fn run(
+    chain: &Chain,
+    rules: Rules,
+    tasks: &ByRow<Task>,
+    binding: &Binding,
+    engine: &mut dyn Engine,
+) -> Result<ByRow<Done>, ReplayError> {
+    let mut lanes: Vec<Lane<'_>> = (tasks.iter())
+        .map(|(&row, task)| Lane {
+            row,
+            episode: Episode::new(chain, rules, task.start, task.target),
+            poses: Vec::new(),
+            over: false,
+        })
+        .collect();
+    let (mut states, mut actions) = (Vec::new(), Vec::new());
+    loop {
+        let mut live: Vec<&mut Lane<'_>> = lanes.iter_mut().filter(|lane| !lane.over).collect();
+        if live.is_empty() {
+            break;
+        }
+        states.clear();
+        live.iter().for_each(|lane| binding.push_state(lane.episode.observation(), &mut states));
+        actions.clear();
+        ask(engine, &states, live.len(), &mut actions)?;
+        for (lane, &action) in live.iter_mut().zip(&actions) {
+            let wanted = binding.wanted(action).ok_or_else(|| ReplayError::Answer {
+                engine: engine.name().to_owned(),
+                found: format!("action {}", action.0),
+                expected: "the policy has no such action".to_owned(),
+            })?;
+            lane.over = lane.episode.advance(wanted);
+            lane.poses.push(lane.episode.observation().pose);
+        }
+    }
+    Ok(lanes.into_iter().map(|lane| (lane.row, Done { poses: lane.poses, end: lane.episode.end_state() })).collect())
+}
+
+fn ask(engine: &mut dyn Engine, states: &[f64], count: usize, actions: &mut Vec<ActionId>) -> Result<(), ReplayError> {
+    match engine.decide(states, actions) {
+        Ok(()) if actions.len() == count => Ok(()),
+        Ok(()) => Err(ReplayError::Answer {
+            engine: engine.name().to_owned(),
+            found: format!("{} actions", actions.len()),
+            expected: format!("{count} states were given"),
+        }),
+        Err(error) => Err(ReplayError::Engine { engine: engine.name().to_owned(), error }),
+    }
+}
+
+/// How much of a recorded file came out the same.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Comparison {
+    /// What was compared: `ends` or `trace`.
+    pub kind: &'static str,
+    /// Recorded episodes.
+    pub rows: usize,
+    /// Those that came out the same, entirely.
+    pub exact_rows: usize,
+    /// Recorded steps; none in end states.
+    pub steps: usize,
+    /// Those after which the arm was at the recorded pose.
+    pub exact_steps: usize,
+    /// The first row that differs, described.
+    pub first_difference: Option<String>,
+}
+
+impl Comparison {
+    fn new(kind: &'static str) -> Self {
+        Self { kind, rows: 0, exact_rows: 0, steps: 0, exact_steps: 0, first_difference: None }
+    }
+
+    /// Whether everything came out the same.
+    pub fn is_exact(&self) -> bool {
+        self.exact_rows == self.rows && self.exact_steps == self.steps
+    }
+
+    fn add_row(&mut self, difference: Option<String>) {
+        self.rows += 1;
+        match difference {
+            None => self.exact_rows += 1,
+            Some(difference) => {
+                self.first_difference.get_or_insert(difference);
+            }
+        }
+    }
+}
+
+/// Compares end states, every recorded column.
+pub fn compare_ends(recorded: &ByRow<End>, done: &ByRow<Done>) -> Comparison {
+    let mut comparison = Comparison::new("ends");
+    for (row, end) in recorded {
+        comparison.add_row(match done.get(row) {
+            None => Some(format!("row {row} was not replayed")),
+            Some(done) => end_difference(end, &done.end).map(|difference| format!("row {row}: {difference}")),
+        });
+    }
+    comparison
+}
+
+fn end_difference(recorded: &End, replayed: &EndState) -> Option<String> {
+    let state = &recorded.state;
+    let columns = [
+        ("score_x1000", state.score_x1000, replayed.score_x1000),
+        ("distance_um", state.distance_um, replayed.distance_um),
+        ("success", state.success.into(), replayed.success.into()),
+        ("collision", state.collision.into(), replayed.collision.into()),
+        ("nb_actions", state.actions.into(), replayed.actions.into()),
+    ];
+    // Every action of a replayed graph is the TPG's.
+    let tpg_actions = recorded.tpg_actions.map(|n| ("nb_tpg_actions", i64::from(n), i64::from(replayed.actions)));
+    let differences: Vec<String> = (columns.into_iter().chain(tpg_actions))
+        .filter(|(_, recorded, replayed)| recorded != replayed)
+        .map(|(name, recorded, replayed)| format!("{name} {replayed} instead of {recorded}"))
+        .collect();
+    (!differences.is_empty()).then(|| differences.join(", "))
+}
+
+/// Compares traces, every recorded step.
+pub fn compare_traces(recorded: &ByRow<Vec<Pose>>, done: &ByRow<Done>) -> Comparison {
+    let mut comparison = Comparison::new("trace");
+    for (row, trace) in recorded {
+        let replayed = done.get(row).map_or(&[][..], |done| &done.poses);
+        comparison.steps += trace.len();
+        comparison.exact_steps += trace.iter().zip(replayed).filter(|(a, b)| a == b).count();
+        let difference = trace_difference(trace, replayed);
+        comparison.add_row(difference.map(|difference| format!("row {row}: {difference}")));
+    }
+    comparison
+}
+
+fn trace_difference(recorded: &[Pose], replayed: &[Pose]) -> Option<String> {
+    let steps = (1..).zip(recorded.iter().zip(replayed));
+    let differs = steps.into_iter().find(|(_, (recorded, replayed))| recorded != replayed);
+    if let Some((step, (recorded, replayed))) = differs {
+        return Some(format!("step {step}: pose {:?} instead of {:?}", replayed.0, recorded.0));
+    }
+    let lengths = (recorded.len(), replayed.len());
+    (lengths.0 != lengths.1).then(|| format!("{} steps instead of {}", lengths.1, lengths.0))
+}

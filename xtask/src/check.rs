@@ -1,0 +1,109 @@
+//! The checks, one after another: a failure does not hide the next one's.
+
+use crate::setup::TARGETS;
+use crate::summary::{Count, Summary};
+use std::io::{BufRead as _, BufReader};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::{env, fs, io};
+
+/// Runs every check; whether all passed.
+pub(crate) fn all() -> bool {
+    let mut run = Run::new();
+    run.check("format", cargo(&["fmt", "--all", "--check"]));
+    run.check(
+        "clippy",
+        cargo(&["clippy", "--workspace", "--all-targets", "--all-features", "--", "--deny", "warnings"]),
+    );
+    run.tests("tests", cargo(&["test", "--workspace", "--all-features", "--no-fail-fast"]));
+    let mut documentation = cargo(&["doc", "--workspace", "--all-features", "--no-deps", "--quiet"]);
+    documentation.env("RUSTDOCFLAGS", "--deny warnings");
+    run.check("documentation", documentation);
+    for target in TARGETS {
+        run.no_std(target);
+    }
+    run.finish()
+}
+
+/// Runs the lint of generated C; whether it passed.
+pub(crate) fn lint() -> bool {
+    let mut run = Run::new();
+    run.tests("lint of generated C", cargo(&["test", "--package", "tpg-codegen", "--test", "c_lint"]));
+    run.finish()
+}
+
+/// The cargo that runs this.
+fn cargo(arguments: &[&str]) -> Command {
+    let mut command = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    command.args(arguments);
+    command
+}
+
+struct Run {
+    summary: Summary,
+    log: PathBuf,
+}
+
+impl Run {
+    fn new() -> Self {
+        let log = env::temp_dir().join(format!("tpg-skipped-{}", std::process::id()));
+        Self { summary: Summary::default(), log }
+    }
+
+    /// One command, one check.
+    fn check(&mut self, name: &str, mut command: Command) {
+        let result = self.start(name, &mut command).and_then(|()| command.status());
+        self.summary.note(name, result.map(|status| (status.success(), Count::default())));
+    }
+
+    /// A command whose tests are counted.
+    fn tests(&mut self, name: &str, mut command: Command) {
+        let result = self.start(name, &mut command).and_then(|()| counted(&mut command));
+        self.summary.note(name, result);
+    }
+
+    /// The runtime for a core without an operating system, without its features.
+    fn no_std(&mut self, target: &str) {
+        let name = format!("no_std build for {target}");
+        if !installed(target) {
+            self.summary.missing(&name, &format!("rustup target add {target}"));
+            return;
+        }
+        self.check(&name, cargo(&["build", "--package", "tpg-runtime", "--no-default-features", "--target", target]));
+    }
+
+    fn start(&self, name: &str, command: &mut Command) -> io::Result<()> {
+        let words: Vec<_> = command.get_args().map(|word| word.to_string_lossy()).collect();
+        println!("\n==== {name}: cargo {}", words.join(" "));
+        command.env(xtask::LOG, &self.log).stdin(Stdio::null());
+        Ok(())
+    }
+
+    fn finish(mut self) -> bool {
+        self.summary.skip(xtask::skipped(&self.log));
+        let _ = fs::remove_file(&self.log);
+        self.summary.print();
+        self.summary.good()
+    }
+}
+
+/// Shows a command's output while counting the tests in it.
+fn counted(command: &mut Command) -> io::Result<(bool, Count)> {
+    let mut child = command.stdout(Stdio::piped()).spawn()?;
+    let mut count = Count::default();
+    if let Some(stdout) = child.stdout.take() {
+        for line in BufReader::new(stdout).lines() {
+            let line = line?;
+            println!("{line}");
+            count.add(&line);
+        }
+    }
+    Ok((child.wait()?.success(), count))
+}
+
+/// Whether the compiler in use has a target's core library.
+fn installed(target: &str) -> bool {
+    let output = Command::new("rustc").args(["--print", "sysroot"]).output();
+    let sysroot = output.map(|output| String::from_utf8_lossy(&output.stdout).trim().to_owned()).unwrap_or_default();
+    Path::new(&sysroot).join("lib/rustlib").join(target).join("lib").is_dir()
+}

@@ -1,0 +1,35 @@
+//! `cargo xtask`: everything CI runs, a person can run.
+
+mod check;
+mod setup;
+mod summary;
+
+use clap::{Parser, Subcommand};
+use std::process::ExitCode;
+
+/// Sets a machine up for this repository and tests it.
+#[derive(Debug, Parser)]
+#[command(bin_name = "cargo xtask")]
+struct Cli {
+    #[command(subcommand)]
+    command: Task,
+}
+
+#[derive(Clone, Copy, Debug, Subcommand)]
+enum Task {
+    /// Install what is missing: compilers, linters and emulator (apt-get), cross targets (rustup)
+    Setup,
+    /// Everything: format, clippy, tests, documentation, no_std builds, lint of generated C
+    Test,
+    /// Only the lint of generated C: gcc, clang, clang-tidy, cppcheck with its MISRA addon
+    Lint,
+}
+
+fn main() -> ExitCode {
+    let good = match Cli::parse().command {
+        Task::Setup => setup::run(),
+        Task::Test => check::all(),
+        Task::Lint => check::lint(),
+    };
+    if good { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}

@@ -1,0 +1,99 @@
+//! Installs what is missing, and says what it runs before it runs it.
+
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+/// A Debian package and a program of it that shows that it is there.
+const PACKAGES: [(&str, &str); 9] = [
+    ("gcc", "/usr/bin/gcc"),
+    ("g++", "/usr/bin/g++"),
+    ("clang", "/usr/bin/clang"),
+    ("clang-tidy", "/usr/bin/clang-tidy"),
+    ("cppcheck", "/usr/bin/cppcheck"),
+    ("gcc-arm-none-eabi", "/usr/bin/arm-none-eabi-gcc"),
+    ("libnewlib-arm-none-eabi", "/usr/lib/arm-none-eabi/include/newlib.h"),
+    ("qemu-system-arm", "/usr/bin/qemu-system-arm"),
+    ("valgrind", "/usr/bin/valgrind"),
+];
+
+const COMPONENTS: [&str; 2] = ["rustfmt", "clippy"];
+
+/// Cores without an operating system that the runtime is built for.
+pub(crate) const TARGETS: [&str; 2] = ["thumbv7em-none-eabihf", "thumbv6m-none-eabi"];
+
+/// Installs; whether all is there afterwards.
+pub(crate) fn run() -> bool {
+    let packages = packages();
+    let rust = rust();
+    packages && rust
+}
+
+fn packages() -> bool {
+    let missing: Vec<&str> =
+        PACKAGES.iter().filter(|(_, file)| !Path::new(file).exists()).map(|(package, _)| *package).collect();
+    if missing.is_empty() {
+        println!("setup: compilers, linters and emulator are there");
+        return true;
+    }
+    if !Path::new("/usr/bin/apt-get").exists() {
+        eprintln!("setup: no apt-get here; install by hand what Debian calls: {}", missing.join(" "));
+        return false;
+    }
+    // No index, or an old one, is the usual state of a new machine.
+    let install = ["install", "-y", "--no-install-recommends"].into_iter().chain(missing).collect::<Vec<_>>();
+    apt(&["update"]) && apt(&install)
+}
+
+fn apt(arguments: &[&str]) -> bool {
+    let mut words = vec!["env", "DEBIAN_FRONTEND=noninteractive", "apt-get"];
+    if !is_root() {
+        words.insert(0, "sudo");
+    }
+    words.extend(arguments);
+    step(&words)
+}
+
+fn is_root() -> bool {
+    let id = Command::new("id").arg("-u").output();
+    id.is_ok_and(|output| output.stdout.trim_ascii() == b"0")
+}
+
+fn rust() -> bool {
+    let Some(installed) = listed(&["component", "list", "--installed"]) else {
+        eprintln!(
+            "setup: no rustup here; make sure of {} and the targets {}",
+            COMPONENTS.join(", "),
+            TARGETS.join(", ")
+        );
+        return true;
+    };
+    let targets = listed(&["target", "list", "--installed"]).unwrap_or_default();
+    let mut good = true;
+    // Components are listed with the host's name behind theirs.
+    for component in COMPONENTS.iter().filter(|name| !installed.iter().any(|line| line.starts_with(**name))) {
+        good &= step(&["rustup", "component", "add", component]);
+    }
+    for target in TARGETS.iter().filter(|name| !targets.iter().any(|line| line == **name)) {
+        good &= step(&["rustup", "target", "add", target]);
+    }
+    if good {
+        println!("setup: Rust's components and targets are there");
+    }
+    good
+}
+
+/// What rustup lists, a line each.
+fn listed(arguments: &[&str]) -> Option<Vec<String>> {
+    let output = Command::new("rustup").args(arguments).stderr(Stdio::inherit()).output().ok()?;
+    let text = String::from_utf8_lossy(&output.stdout);
+    output.status.success().then(|| text.lines().map(|line| line.trim().to_owned()).collect())
+}
+
+fn step(words: &[&str]) -> bool {
+    println!("setup: {}", words.join(" "));
+    let good = Command::new(words[0]).args(&words[1..]).status().is_ok_and(|status| status.success());
+    if !good {
+        eprintln!("setup: failed: {}", words.join(" "));
+    }
+    good
+}

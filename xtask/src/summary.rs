@@ -1,0 +1,102 @@
+//! What passed, what failed, what was skipped.
+
+use std::io;
+
+/// Tests in a command's output.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Count {
+    passed: usize,
+    failed: usize,
+    ignored: usize,
+}
+
+impl Count {
+    /// Counts a line of cargo test's output: `test result: ok. 3 passed; 0 failed; 1 ignored; …`.
+    pub(crate) fn add(&mut self, line: &str) {
+        let Some(result) = line.strip_prefix("test result: ") else { return };
+        let number = |name| {
+            let mut parts = result.split([';', '.']).filter_map(|part| part.trim().strip_suffix(name));
+            parts.next().and_then(|number: &str| number.trim().parse().ok()).unwrap_or(0)
+        };
+        self.passed += number("passed");
+        self.failed += number("failed");
+        self.ignored += number("ignored");
+    }
+}
+
+/// The state of a run.
+#[derive(Debug, Default)]
+pub(crate) struct Summary {
+    checks: Vec<String>,
+    passed: usize,
+    failed: usize,
+    skipped: Vec<String>,
+}
+
+impl Summary {
+    /// Notes how a command ended. One that counts no tests is a test itself; one that failed fails even where no test did.
+    pub(crate) fn note(&mut self, name: &str, result: io::Result<(bool, Count)>) {
+        let (good, count) = result.unwrap_or_else(|error| {
+            eprintln!("{name}: {error}");
+            (false, Count::default())
+        });
+        self.passed += if good { count.passed.max(1) } else { count.passed };
+        self.failed += if good { 0 } else { count.failed.max(1) };
+        if count.ignored > 0 {
+            self.skipped.push(format!("{name}: {} tests marked #[ignore]", count.ignored));
+        }
+        self.checks.push(format!("{} {name}", if good { "passed " } else { "FAILED " }));
+    }
+
+    /// Notes a check that cannot run: a failure where everything must be there.
+    pub(crate) fn missing(&mut self, name: &str, remedy: &str) {
+        if xtask::required() {
+            self.failed += 1;
+            self.checks.push(format!("FAILED  {name}: not installed ({remedy})"));
+        } else {
+            self.checks.push(format!("SKIPPED {name}"));
+            xtask::skip(&format!("{name}: not installed ({remedy})"));
+            self.skipped.push(format!("{name}: not installed ({remedy})"));
+        }
+    }
+
+    /// Notes what tests skipped.
+    pub(crate) fn skip(&mut self, what: Vec<String>) {
+        self.skipped.extend(what);
+    }
+
+    /// Tells people; the last line is for programs too.
+    pub(crate) fn print(&self) {
+        println!("\n==== summary");
+        self.checks.iter().for_each(|check| println!("{check}"));
+        self.skipped.iter().for_each(|what| println!("SKIPPED {what}"));
+        println!("{} passed, {} failed, {} skipped", self.passed, self.failed, self.skipped.len());
+    }
+
+    /// Whether nothing failed.
+    pub(crate) fn good(&self) -> bool {
+        self.failed == 0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Count, Summary};
+
+    #[test]
+    fn the_lines_of_cargo_test_are_counted() {
+        let mut count = Count::default();
+        count.add("test result: ok. 12 passed; 0 failed; 1 ignored; 0 measured; 0 filtered out; finished in 1.25s");
+        count.add("test result: FAILED. 3 passed; 2 failed; 0 ignored; 0 measured; 0 filtered out; finished in 0.00s");
+        count.add("test tests::one ... ok");
+        assert_eq!(count, Count { passed: 15, failed: 2, ignored: 1 });
+    }
+
+    #[test]
+    fn a_command_that_fails_without_a_failed_test_is_a_failure() {
+        let mut summary = Summary::default();
+        summary.note("tests", Ok((false, Count { passed: 3, ..Count::default() })));
+        assert!(!summary.good());
+        assert_eq!((summary.passed, summary.failed), (3, 1));
+    }
+}
