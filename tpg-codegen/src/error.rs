@@ -52,3 +52,17 @@ impl InputError {
         Self::new(path.display().to_string(), Place::Whole, error.to_string(), accepted)
     }
 }
+
+/// Takes a message of serde's apart: what was found, and what it expected instead.
+///
+/// Positions at the end (`at line 3 column 7`) go to what was found, in brackets.
+pub(crate) fn serde_message(message: &str) -> (String, Option<&str>) {
+    let (message, position) = match message.rsplit_once(" at line ") {
+        Some((message, position)) => (message, format!(" (line {})", position.replace(" column", ", column"))),
+        None => (message, String::new()),
+    };
+    match message.split_once(", expected ") {
+        Some((found, accepted)) => (format!("{found}{position}"), Some(accepted)),
+        None => (format!("{message}{position}"), None),
+    }
+}

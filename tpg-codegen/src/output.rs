@@ -1,97 +1,155 @@
-//! Writes files whole or not at all.
+//! Writing files whole or not at all.
+//!
+//! A file's bytes go to a temporary file next to it, are forced to the disk, and only then take its name. Whoever looks,
+//! and whatever fails, finds the old file or the new one, never a part.
 
 use crate::error::InputError;
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use tempfile::NamedTempFile;
+use tempfile::{Builder, NamedTempFile};
 
-const ACCEPTED: &str = "a file that can be written, on a disk with room";
-
-/// Writes one file: after a crash, a full disk or a kill there is the old file or the new one, never a part.
+/// Writes one file.
 ///
 /// # Errors
-/// When the folder or the disk does not allow it; the old file is then as it was.
+/// Where it cannot be written: no such folder, no permission, no space. Nothing has changed then.
 pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), InputError> {
-    prepare(path, bytes)?.commit()
+    write_all(&[(path, bytes)])
 }
 
-/// Writes several files: none is put in its place before all are written.
+/// Writes a set of files: all of them to temporary files first, so that one which does not fit keeps every other from
+/// appearing too.
+///
+/// What is no regular file, such as `/dev/stdout`, is written to as it is.
 ///
 /// # Errors
-/// As [`write_atomically`].
-pub fn write_all(files: &[(PathBuf, &str)]) -> Result<(), InputError> {
-    let prepared: Vec<Prepared<'_>> =
-        files.iter().map(|(path, text)| prepare(path, text.as_bytes())).collect::<Result<_, _>>()?;
-    prepared.into_iter().try_for_each(Prepared::commit)
-}
-
-/// A file written beside its place; dropped, it is gone.
-struct Prepared<'a> {
-    path: &'a Path,
-    file: NamedTempFile,
-}
-
-fn prepare<'a>(path: &'a Path, bytes: &[u8]) -> Result<Prepared<'a>, InputError> {
-    let write = || -> io::Result<NamedTempFile> {
-        let mut file = tempfile::Builder::new().prefix(".tpg-").tempfile_in(folder(path))?;
-        file.write_all(bytes)?;
-        file.as_file().sync_all()?;
-        readable_by_all(file.as_file())?;
-        Ok(file)
-    };
-    write().map(|file| Prepared { path, file }).map_err(|error| InputError::io(path, &error, ACCEPTED))
-}
-
-impl Prepared<'_> {
-    fn commit(self) -> Result<(), InputError> {
-        let failed = |error: io::Error| InputError::io(self.path, &error, ACCEPTED);
-        self.file.persist(self.path).map_err(|error| failed(error.error))?;
-        // The rename itself must reach the disk.
-        File::open(folder(self.path)).and_then(|folder| folder.sync_all()).map_err(failed)
+/// As [`write_atomically`]; nothing has changed then, unless a folder went away between the last write and the renaming.
+pub fn write_all<P: AsRef<Path>, B: AsRef<[u8]>>(files: &[(P, B)]) -> Result<(), InputError> {
+    let mut written = Vec::with_capacity(files.len());
+    for (path, bytes) in files {
+        let path = path.as_ref();
+        written.push(Pending::write(path, bytes.as_ref()).map_err(|error| refused(path, &error))?);
     }
-}
-
-/// Temporary files are private; a result is as readable as any other file.
-#[cfg(unix)]
-fn readable_by_all(file: &File) -> io::Result<()> {
-    use std::os::unix::fs::PermissionsExt;
-    file.set_permissions(std::fs::Permissions::from_mode(0o644))
-}
-
-#[cfg(not(unix))]
-fn readable_by_all(_: &File) -> io::Result<()> {
+    for pending in written {
+        pending.appear().map_err(|(path, error)| refused(&path, &error))?;
+    }
     Ok(())
 }
 
-fn folder(path: &Path) -> &Path {
+fn refused(path: &Path, error: &io::Error) -> InputError {
+    InputError::io(path, error, "a file that can be written, with space for it")
+}
+
+/// A file that is written and does not have its name yet. Dropped, it goes away.
+enum Pending {
+    Temporary { file: NamedTempFile, path: PathBuf },
+    Done,
+}
+
+impl Pending {
+    fn write(path: &Path, bytes: &[u8]) -> io::Result<Self> {
+        let path = match fs::metadata(path) {
+            Ok(found) if found.is_dir() => return Err(io::Error::from(io::ErrorKind::IsADirectory)),
+            Ok(found) if !found.is_file() => {
+                let mut device = File::options().write(true).open(path)?;
+                device.write_all(bytes)?;
+                device.flush()?;
+                return Ok(Self::Done);
+            }
+            Ok(_) => fs::canonicalize(path)?, // through a link, so that it stays one
+            Err(_) => path.to_owned(),
+        };
+        let mut file = temporary_in(folder_of(&path))?;
+        file.write_all(bytes)?;
+        file.as_file().sync_all()?;
+        Ok(Self::Temporary { file, path })
+    }
+
+    fn appear(self) -> Result<(), (PathBuf, io::Error)> {
+        let Self::Temporary { file, path } = self else { return Ok(()) };
+        if let Err(error) = file.persist(&path) {
+            return Err((path, error.error));
+        }
+        // The name is on the disk only when the folder is. Not every system opens folders; the file is whole anyway.
+        if let Ok(folder) = File::open(folder_of(&path)) {
+            let _ = folder.sync_all();
+        }
+        Ok(())
+    }
+}
+
+fn folder_of(path: &Path) -> &Path {
     match path.parent() {
-        Some(parent) if parent != Path::new("") => parent,
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     }
 }
 
+/// Readable by whom other new files are: temporary files usually are not.
+fn temporary_in(folder: &Path) -> io::Result<NamedTempFile> {
+    let mut builder = Builder::new();
+    builder.prefix(".tpg-");
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    builder.tempfile_in(folder)
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{write_all, write_atomically};
-    use std::fs;
+    use super::*;
 
-    #[test]
-    fn a_file_is_replaced_whole() {
-        let folder = tempfile::tempdir().expect("a temporary folder");
-        let path = folder.path().join("a");
-        write_atomically(&path, b"old, and longer").expect("written");
-        write_atomically(&path, b"new").expect("written");
-        assert_eq!(fs::read(&path).expect("there"), b"new");
+    fn names(folder: &Path) -> Vec<String> {
+        let mut names: Vec<String> = (fs::read_dir(folder).expect("a folder"))
+            .map(|entry| entry.expect("an entry").file_name().into_string().expect("a plain name"))
+            .collect();
+        names.sort();
+        names
     }
 
     #[test]
-    fn nothing_is_written_when_one_of_several_cannot_be() {
-        let folder = tempfile::tempdir().expect("a temporary folder");
+    fn a_set_appears_and_replaces() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let [a, b] = ["a", "b"].map(|name| folder.path().join(name));
+        write_all(&[(&a, "old")]).expect("written");
+        write_all(&[(&a, "new"), (&b, "other")]).expect("written");
+        assert_eq!(fs::read_to_string(&a).expect("a"), "new");
+        assert_eq!(fs::read_to_string(&b).expect("b"), "other");
+        assert_eq!(names(folder.path()), ["a", "b"]);
+    }
+
+    #[test]
+    fn one_that_fails_keeps_all_from_appearing() {
+        let folder = tempfile::tempdir().expect("a folder");
         let good = folder.path().join("good");
-        let bad = folder.path().join("missing").join("bad");
-        let error = write_all(&[(good.clone(), "text"), (bad, "text")]).expect_err("no such folder");
-        assert!(error.to_string().contains("bad"), "{error}");
-        assert_eq!(fs::read_dir(folder.path()).expect("there").count(), 0);
+        fs::write(&good, "old").expect("written");
+        for bad in [folder.path().join("missing/file"), folder.path().to_owned(), good.join("below a file")] {
+            let error = write_all(&[(&good, "new"), (&bad, "new")]).expect_err("refused");
+            assert_eq!(error.file, bad.display().to_string());
+            assert_eq!(fs::read_to_string(&good).expect("good"), "old");
+            assert_eq!(names(folder.path()), ["good"]);
+        }
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_full_device_is_an_error() {
+        let error = write_atomically(Path::new("/dev/full"), b"bytes").expect_err("no space");
+        assert!(error.found.contains("No space left"), "{error}");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_stays_one_and_others_may_read() {
+        use std::os::unix::fs::PermissionsExt;
+        let folder = tempfile::tempdir().expect("a folder");
+        let [file, link, plain] = ["file", "link", "plain"].map(|name| folder.path().join(name));
+        fs::write(&file, "old").expect("written");
+        fs::write(&plain, "").expect("written");
+        std::os::unix::fs::symlink(&file, &link).expect("linked");
+        write_atomically(&link, b"new").expect("written");
+        assert!(link.is_symlink());
+        assert_eq!(fs::read_to_string(&file).expect("file"), "new");
+        let mode = |path: &Path| fs::metadata(path).expect("a file").permissions().mode();
+        assert_eq!(mode(&file), mode(&plain));
     }
 }

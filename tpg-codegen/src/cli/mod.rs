@@ -8,24 +8,26 @@ pub use generate::GenerateArgs;
 use crate::error::InputError;
 use crate::graph::Graph;
 use crate::import;
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, CommandFactory, Parser, Subcommand};
+use std::ffi::OsString;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Compiles tangled program graphs into C and no_std Rust, and proves the result equal to the graph.
 ///
+/// `tpg-codegen GRAPH` is short for `tpg-codegen generate GRAPH`.
 /// Exit status: 0 good, 1 a check failed, 2 bad input.
 #[derive(Debug, Parser)]
-#[command(version, args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
+#[command(version, arg_required_else_help = true)]
 pub struct Cli {
     #[command(subcommand)]
-    command: Option<Command>,
-    #[command(flatten)]
-    generate: Option<GenerateArgs>,
+    command: Command,
 }
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    /// Generate code, say how big it is, and prove it equal to the interpreter
+    Generate(GenerateArgs),
     /// Compile the generated code and compare it with the interpreter
     Verify(verify::VerifyArgs),
 }
@@ -80,12 +82,25 @@ impl GraphArgs {
 }
 
 impl Cli {
+    /// Reads the command line; a first word that is no command is the graph to generate code from.
+    pub fn from_args(args: impl IntoIterator<Item = OsString>) -> Self {
+        let mut args: Vec<OsString> = args.into_iter().collect();
+        let command = Self::command();
+        let known = |word: &OsString| {
+            let names = command.get_subcommands().any(|sub| word.to_str() == Some(sub.get_name()));
+            names || ["help", "-h", "--help", "-V", "--version"].iter().any(|&name| word == name)
+        };
+        if args.get(1).is_some_and(|word| !known(word)) {
+            args.insert(1, "generate".into());
+        }
+        Self::parse_from(args)
+    }
+
     /// Does what was asked, tells people on stderr what went wrong.
     pub fn run(self) -> ExitCode {
-        let result = match (self.command, self.generate) {
-            (Some(Command::Verify(args)), _) => args.run(),
-            (None, Some(args)) => args.run(),
-            (None, None) => Err(CliError::other("no graph given; see --help")),
+        let result = match self.command {
+            Command::Generate(args) => args.run(),
+            Command::Verify(args) => args.run(),
         };
         match result {
             Ok(Verdict::Good) => ExitCode::SUCCESS,

@@ -1,8 +1,10 @@
 //! `graph.json` as it is written: plain data, not yet validated.
 
 use schemars::JsonSchema;
+use serde::de::{Deserializer, Visitor};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use std::fmt;
 
 /// The value of [`Document::format`].
 pub const FORMAT: &str = "tpg-graph";
@@ -11,7 +13,7 @@ pub const FORMAT: &str = "tpg-graph";
 pub const VERSION: u32 = 1;
 
 /// A tangled program graph with everything that decides its behaviour.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "graph.json")]
 pub struct Document {
@@ -49,12 +51,13 @@ pub struct Document {
 }
 
 /// A floating-point type.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum ScalarType {
     /// 32 bits.
     F32,
     /// 64 bits.
+    #[default]
     F64,
 }
 
@@ -77,12 +80,13 @@ impl ScalarType {
 }
 
 /// A provider of sin, cos, ln and exp.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum MathsProvider {
     /// This project's loop-free kernels: the same bits everywhere.
     Own,
     /// The platform's libm.
+    #[default]
     System,
 }
 
@@ -174,13 +178,42 @@ pub struct LineDocument {
 }
 
 /// An operand: a number, a register `r3`, or a value of a source `target[0]`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(untagged)]
 pub enum OperandDocument {
     /// A constant.
     Constant(f64),
     /// A register or a value of a source.
     Place(#[schemars(regex(pattern = r"^(r[0-9]+|[a-z][a-z0-9_]*\[[0-9]+\])$"))] String),
+}
+
+/// By hand, because a derived one says of anything else only that it "did not match any variant".
+impl<'de> Deserialize<'de> for OperandDocument {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct OperandVisitor;
+
+        impl Visitor<'_> for OperandVisitor {
+            type Value = OperandDocument;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a number, a register \"r0\", or a value of a source \"name[0]\"")
+            }
+            fn visit_f64<E>(self, value: f64) -> Result<OperandDocument, E> {
+                Ok(OperandDocument::Constant(value))
+            }
+            fn visit_i64<E>(self, value: i64) -> Result<OperandDocument, E> {
+                Ok(OperandDocument::Constant(value as f64))
+            }
+            fn visit_u64<E>(self, value: u64) -> Result<OperandDocument, E> {
+                Ok(OperandDocument::Constant(value as f64))
+            }
+            fn visit_str<E>(self, value: &str) -> Result<OperandDocument, E> {
+                Ok(OperandDocument::Place(value.to_owned()))
+            }
+        }
+
+        deserializer.deserialize_any(OperandVisitor)
+    }
 }
 
 /// Where a graph comes from.

@@ -4,6 +4,7 @@
 //! register and input is in range, and the teams form an acyclic graph with one root. Passes and emitters never check again.
 
 mod document;
+mod name;
 mod text;
 mod validate;
 
@@ -11,6 +12,8 @@ pub use document::{
     ActionDocument, Document, EdgeDocument, FORMAT, LineDocument, MathsProvider, OperandDocument, ProgramDocument,
     Provenance, ScalarType, SourceDocument, TeamDocument, VERSION,
 };
+
+pub(crate) use validate::MAX_NUMBERED;
 
 use sha2::{Digest, Sha256};
 use std::fmt::Write as _;

@@ -6,17 +6,19 @@ use super::document::{
 };
 use super::{
     Action, ActionId, Destination, Edge, Graph, Input, Line, Operand, Program, ProgramId, Range, Reg, Source, Team,
-    TeamId,
+    TeamId, name,
 };
-use crate::error::{InputError, Place};
+use crate::error::{InputError, Place, serde_message};
 use std::collections::BTreeMap;
 use tpg_runtime::arm::Move;
 use tpg_runtime::ops::Instruction;
 
+/// What is accepted where nothing more exact can be said.
+const SCHEMA: &str = "what `tpg-codegen schema` describes";
 /// Most registers a program can have, as GEGELATI's line format.
 const MAX_REGISTERS: u32 = 256;
 /// Most values a state can have, and most actions: both are numbered in 16 bits.
-const MAX_NUMBERED: usize = 1 << 16;
+pub(crate) const MAX_NUMBERED: usize = 1 << 16;
 
 impl Graph {
     /// Reads `graph.json`.
@@ -26,14 +28,11 @@ impl Graph {
     pub fn from_json(file: &str, text: &str) -> Result<Self, InputError> {
         let mut deserializer = serde_json::Deserializer::from_str(text);
         let document: Document = serde_path_to_error::deserialize(&mut deserializer).map_err(|error| {
-            let path = error.path().to_string();
-            let inner = error.inner();
-            if inner.is_data() {
-                let place = if path == "." { "$".to_owned() } else { format!("$.{path}") };
-                InputError::new(file, Place::Path(place), inner.to_string(), "what `tpg-codegen schema` describes")
-            } else {
-                not_json(file, inner)
-            }
+            let path = match error.path().to_string().as_str() {
+                "." => "$".to_owned(),
+                path => format!("$.{path}"),
+            };
+            json_error(file, text, path, error.inner())
         })?;
         deserializer.end().map_err(|error| not_json(file, &error))?;
         Self::from_document(file, document)
@@ -87,6 +86,17 @@ impl Graph {
     }
 }
 
+impl Document {
+    /// Checks everything but root, teams and programs.
+    pub(crate) fn check_declarations(&self, file: &str) -> Result<(), InputError> {
+        let validator = Validator { file, document: self };
+        validator.header()?;
+        validator.sources()?;
+        validator.instructions()?;
+        validator.actions()
+    }
+}
+
 fn source_document(source: &Source) -> SourceDocument {
     SourceDocument {
         name: source.name.clone(),
@@ -100,9 +110,41 @@ fn action_document(id: u32, action: &Action) -> ActionDocument {
     ActionDocument { id, name: action.name.clone(), moves: action.moves.map(|Move(ticks)| ticks) }
 }
 
+/// What keeps the text from being a document: by path where it is JSON, else by line and column.
+///
+/// Another version may have any fields, so that the version is the first thing to be said.
+fn json_error(file: &str, text: &str, path: String, error: &serde_json::Error) -> InputError {
+    #[derive(serde::Deserialize)]
+    struct Header {
+        version: u64,
+    }
+    if let Ok(Header { version }) = serde_json::from_str(text)
+        && version != u64::from(VERSION)
+    {
+        return other_version(file, version);
+    }
+    let message = error.to_string();
+    let (found, accepted) = serde_message(&message);
+    if error.is_data() {
+        return InputError::new(file, Place::Path(path), found, accepted.unwrap_or(SCHEMA));
+    }
+    if message.starts_with("number out of range") {
+        return InputError::new(file, Place::Path(path), found, format!("a magnitude of at most {:e}", f64::MAX));
+    }
+    not_json(file, error)
+}
+
+fn other_version(file: &str, version: u64) -> InputError {
+    let accepted = format!("{VERSION}, the version this tool knows");
+    InputError::new(file, Place::Path("$.version".to_owned()), version.to_string(), accepted)
+}
+
 fn not_json(file: &str, error: &serde_json::Error) -> InputError {
     let place = Place::Column(error.line(), error.column());
-    InputError::new(file, place, format!("not JSON: {error}"), "a graph.json as `tpg-codegen schema` describes it")
+    let message = error.to_string();
+    let message = message.rsplit_once(" at line ").map_or(message.as_str(), |(message, _)| message);
+    let found = if error.is_eof() { "the file ends here, unfinished" } else { message };
+    InputError::new(file, place, format!("not JSON: {found}"), SCHEMA)
 }
 
 struct Validator<'a> {
@@ -158,11 +200,7 @@ impl Validator<'_> {
             return Err(self.error("$.format", format!("{format:?}"), format!("{FORMAT:?}")));
         }
         if *version != VERSION {
-            return Err(self.error(
-                "$.version",
-                version.to_string(),
-                format!("{VERSION}, the version this tool knows"),
-            ));
+            return Err(other_version(self.file, u64::from(*version)));
         }
         if !(1..=MAX_REGISTERS).contains(registers) {
             return Err(self.error("$.registers", registers.to_string(), format!("1 to {MAX_REGISTERS}")));
@@ -175,9 +213,11 @@ impl Validator<'_> {
         let mut first = 0;
         for (index, source) in self.document.sources.iter().enumerate() {
             let path = format!("$.sources[{index}]");
-            if !is_identifier(&source.name) || is_register(&source.name) {
-                let accepted = "a lower-case letter, then lower-case letters, digits and underscores; not r and digits";
-                return Err(self.error(format!("{path}.name"), format!("{:?}", source.name), accepted));
+            if !name::is_source(&source.name) {
+                return Err(self.error(format!("{path}.name"), format!("{:?}", source.name), name::SOURCE));
+            }
+            if !name::is_text(&source.unit) {
+                return Err(self.error(format!("{path}.unit"), format!("{:?}", source.unit), name::TEXT));
             }
             let length = source.length as usize;
             if source.ranges.len() != length || length == 0 {
@@ -248,6 +288,10 @@ impl Validator<'_> {
                 let path = format!("$.actions[{index}].id");
                 return Err(self.error(path, action.id.to_string(), format!("{index}, its place in the list")));
             }
+            if !name::is_text(&action.name) {
+                let path = format!("$.actions[{index}].name");
+                return Err(self.error(path, format!("{:?}", action.name), name::TEXT));
+            }
         }
         if actions.is_empty() || actions.len() > MAX_NUMBERED {
             return Err(self.error("$.actions", format!("{} actions", actions.len()), format!("1 to {MAX_NUMBERED}")));
@@ -273,12 +317,12 @@ impl Validator<'_> {
     fn edge(&self, path: &str, edge: &EdgeDocument, names: &Names<'_>) -> Result<Edge, InputError> {
         let program = *names.programs.get(&edge.program).ok_or_else(|| {
             let found = format!("program {}, which does not exist", edge.program);
-            self.error(format!("{path}.program"), found, "the id of one of $.programs")
+            self.error(format!("{path}.program"), found, "the id of a program")
         })?;
         let to = match (edge.team, edge.action) {
             (Some(team), None) => Destination::Team(*names.teams.get(&team).ok_or_else(|| {
                 let found = format!("team {team}, which does not exist");
-                self.error(format!("{path}.team"), found, "the id of one of $.teams")
+                self.error(format!("{path}.team"), found, "the id of a team")
             })?),
             (None, Some(action)) if (action as usize) < self.document.actions.len() => {
                 Destination::Action(ActionId(action as u16))
@@ -327,7 +371,7 @@ impl Validator<'_> {
     fn root(&self, names: &Names<'_>, teams: &[Team]) -> Result<TeamId, InputError> {
         let declared = self.document.root;
         let root = *names.teams.get(&declared).ok_or_else(|| {
-            self.error("$.root", format!("team {declared}, which does not exist"), "the id of one of $.teams")
+            self.error("$.root", format!("team {declared}, which does not exist"), "the id of a team")
         })?;
         let mut entered = vec![false; teams.len()];
         for edge in teams.iter().flat_map(|team| &team.edges) {
@@ -408,7 +452,7 @@ impl Validator<'_> {
         let to = self.register(&format!("{path}.to"), line.to)?;
         let declared = |i: &Instruction| names.instructions.contains(i);
         let instruction = Instruction::from_name(&line.op).filter(declared).ok_or_else(|| {
-            let accepted = format!("one of $.instructions: {}", self.document.instructions.join(", "));
+            let accepted = format!("one of the declared instructions: {}", self.document.instructions.join(", "));
             self.error(format!("{path}.op"), format!("instruction {:?}", line.op), accepted)
         })?;
         let operands: Vec<Operand> = (line.args.iter().enumerate())
@@ -439,8 +483,8 @@ impl Validator<'_> {
             OperandDocument::Constant(value) => return self.constant(path, *value),
             OperandDocument::Place(place) => place,
         };
-        if is_register(place) {
-            let number = place[1..].parse().unwrap_or(u32::MAX);
+        if name::is_register(place) {
+            let number = place[1..].parse().unwrap_or(u32::MAX); // a number that does not fit is out of range too
             return self.register(path, number).map(Operand::Register);
         }
         let accepted = || "a number, a register \"r0\", or a value of a source \"name[0]\"";
@@ -451,7 +495,9 @@ impl Validator<'_> {
             self.error(path, format!("unknown source {name:?}"), format!("one of {}", known.join(", ")))
         })?;
         match index.parse::<usize>() {
-            Ok(index) if index < length => Ok(Operand::Input(Input((first + index) as u16))),
+            Ok(offset) if offset < length && name::is_number(index) => {
+                Ok(Operand::Input(Input((first + offset) as u16)))
+            }
             _ => Err(self.error(path, format!("{place:?}"), format!("{name}[0] to {name}[{}]", length - 1))),
         }
     }
@@ -483,14 +529,4 @@ fn action(action: &ActionDocument) -> Action {
 
 fn known_instructions() -> String {
     Instruction::ALL.map(Instruction::name).join(", ")
-}
-
-fn is_identifier(name: &str) -> bool {
-    name.starts_with(|c: char| c.is_ascii_lowercase())
-        && name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')
-}
-
-/// `r` and digits: how a register is written, so no source may be called that.
-fn is_register(name: &str) -> bool {
-    name.strip_prefix('r').is_some_and(|digits| !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit()))
 }

@@ -96,7 +96,7 @@ impl Workshop {
         command.arg("harness.c").arg(format!("{prefix}.c")).arg("-lm");
         compile("C", command)?;
         let name = match options.style {
-            Style::Gegelati => "C, GEGELATI's style".to_owned(),
+            Style::Gegelati => "C in GEGELATI's style".to_owned(),
             Style::Pure => format!("C, {}", options.profile_in(Language::C).name()),
         };
         Ok(Process::start(&program, &name, graph)?)

@@ -197,3 +197,88 @@ fn trace_difference(recorded: &[Pose], replayed: &[Pose]) -> Option<String> {
     let lengths = (recorded.len(), replayed.len());
     (lengths.0 != lengths.1).then(|| format!("{} steps instead of {}", lengths.1, lengths.0))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{ReplayError, run};
+    use crate::conformance::binding::Binding;
+    use crate::conformance::chain::Chain;
+    use crate::conformance::data::{ByRow, Task};
+    use crate::conformance::episode::Rules;
+    use std::io;
+    use tpg_codegen::engine::Engine;
+    use tpg_codegen::graph::ScalarType;
+    use tpg_runtime::arm::{Joint, Move, Pose, WIDOWX};
+    use tpg_runtime::observation::Source;
+    use tpg_runtime::policy::ActionId;
+
+    /// Decides by a function of the whole batch, and remembers the sizes of the batches.
+    struct Scripted<F> {
+        decide: F,
+        batches: Vec<usize>,
+    }
+
+    impl<F: FnMut(&[f64]) -> io::Result<Vec<u16>>> Engine for Scripted<F> {
+        fn name(&self) -> &str {
+            "script"
+        }
+
+        fn decide(&mut self, states: &[f64], actions: &mut Vec<ActionId>) -> io::Result<()> {
+            self.batches.push(states.len() / 6);
+            actions.extend((self.decide)(states)?.into_iter().map(ActionId));
+            Ok(())
+        }
+    }
+
+    fn scripted<F: FnMut(&[f64]) -> io::Result<Vec<u16>>>(decide: F) -> Scripted<F> {
+        Scripted { decide, batches: Vec::new() }
+    }
+
+    /// Three arms, 1, 2 and 3 steps below the base's limit.
+    fn tasks() -> ByRow<Task> {
+        let task = |n: i16| Task { start: Pose([4094 - 3 * n, 2048, 2048, 2048]), target: [0.0, 0.0, 1000.0] };
+        [(5, task(1)), (6, task(2)), (9, task(3))].into_iter().collect()
+    }
+
+    fn replay(engine: &mut dyn Engine) -> Result<ByRow<super::Done>, ReplayError> {
+        let moves = vec![Move::single(Joint(0), 3), Move::STOP];
+        let binding = Binding::new(ScalarType::F64, vec![Source::Servos], moves);
+        let rules = Rules { max_actions: 100, tolerance: 3.0 };
+        run(&Chain::new(WIDOWX), rules, &tasks(), &binding, engine)
+    }
+
+    #[test]
+    fn rows_run_in_lockstep_until_each_is_over() {
+        let mut engine = scripted(|states: &[f64]| Ok(vec![0; states.len() / 6]));
+        let done = replay(&mut engine).unwrap();
+        assert_eq!(engine.batches, [3, 3, 2, 1]);
+        let actions: Vec<(u32, u32)> = done.iter().map(|(&row, done)| (row, done.end.actions)).collect();
+        assert_eq!(actions, [(5, 2), (6, 3), (9, 4)]);
+        assert!(done.values().all(|done| done.end.collision && done.poses.len() == done.end.actions as usize));
+    }
+
+    #[test]
+    fn each_row_gets_the_answer_to_its_own_state() {
+        // Only the arm that starts highest stops; it is over at once.
+        let mut engine = scripted(|states: &[f64]| {
+            Ok(states
+                .chunks(6)
+                .map(|servos| u16::from(servos == [4091.0, 2048.0, 2048.0, 2048.0, 512.0, 256.0]))
+                .collect())
+        });
+        let done = replay(&mut engine).unwrap();
+        let ends: Vec<(i16, u32)> = done.values().map(|done| (done.poses[0].0[0], done.end.actions)).collect();
+        assert_eq!(ends, [(4091, 1), (4091, 2), (4088, 3)]);
+    }
+
+    #[test]
+    fn an_engine_that_fails_or_answers_nonsense_is_named() {
+        let error = |engine: &mut dyn Engine| replay(engine).unwrap_err().to_string();
+        let dead = error(&mut scripted(|_: &[f64]| Err(io::Error::other("it died"))));
+        assert_eq!(dead, "the engine script failed: it died");
+        let few = error(&mut scripted(|_: &[f64]| Ok(vec![0, 0])));
+        assert_eq!(few, "the engine script answered 2 actions where 3 states were given");
+        let unknown = error(&mut scripted(|_: &[f64]| Ok(vec![0, 2, 0])));
+        assert_eq!(unknown, "the engine script answered action 2 where the policy has no such action");
+    }
+}

@@ -1,0 +1,4 @@
+//! Writing graphs in other formats than `graph.json`.
+
+pub mod dot;
+pub mod sidecar;

@@ -1,0 +1,79 @@
+//! What things in a graph may be called.
+
+/// Words that C99, C++ or Rust keep for themselves: no field of a generated struct can be called so.
+#[rustfmt::skip]
+const KEYWORDS: [&str; 117] = [
+    "abstract", "alignas", "alignof", "and", "and_eq", "as", "asm", "async", "auto", "await", "become", "bitand", "bitor",
+    "bool", "box", "break", "case", "catch", "char", "char16_t", "char32_t", "class", "compl", "const", "const_cast",
+    "constexpr", "continue", "crate", "decltype", "default", "delete", "do", "double", "dyn", "dynamic_cast", "else",
+    "enum", "explicit", "export", "extern", "false", "final", "float", "fn", "for", "friend", "gen", "goto", "if", "impl",
+    "in", "inline", "int", "let", "long", "loop", "macro", "match", "mod", "move", "mut", "mutable", "namespace", "new",
+    "noexcept", "not", "not_eq", "nullptr", "operator", "or", "or_eq", "override", "priv", "private", "protected", "pub",
+    "public", "ref", "register", "reinterpret_cast", "restrict", "return", "self", "short", "signed", "sizeof", "static",
+    "static_assert", "static_cast", "struct", "super", "switch", "template", "this", "thread_local", "throw", "trait",
+    "true", "try", "type", "typedef", "typeid", "typename", "typeof", "union", "unsafe", "unsigned", "unsized", "use",
+    "using", "virtual", "void", "volatile", "wchar_t", "where", "while", "xor",
+];
+
+/// What [`is_source`] takes, for messages.
+pub(super) const SOURCE: &str = "a lower-case letter, then lower-case letters, digits and underscores; \
+                                 not r and digits, no keyword of C, C++ or Rust";
+
+/// What [`is_text`] takes, for messages.
+pub(super) const TEXT: &str = "one line of text without /* or */";
+
+/// Whether a source can be called that, in the graph and as a field in C and Rust.
+pub(super) fn is_source(name: &str) -> bool {
+    name.starts_with(|c: char| c.is_ascii_lowercase())
+        && name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')
+        && !is_register(name)
+        && KEYWORDS.binary_search(&name).is_err()
+}
+
+/// `r` and digits: how a register is written, so no source may be called that.
+pub(super) fn is_register(name: &str) -> bool {
+    name.strip_prefix('r').is_some_and(is_number)
+}
+
+/// Digits and nothing else: `str::parse` would take a sign.
+pub(super) fn is_number(text: &str) -> bool {
+    !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit())
+}
+
+/// Whether a text can stand in a comment of generated code without ending it.
+pub(super) fn is_text(text: &str) -> bool {
+    let breaks = |c: char| c.is_control() || matches!(c, '\u{2028}' | '\u{2029}');
+    !text.chars().any(breaks) && !text.contains("/*") && !text.contains("*/") && !text.ends_with(['\\', '/', '*'])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keywords_are_sorted_to_be_searched() {
+        assert!(KEYWORDS.is_sorted());
+    }
+
+    #[test]
+    fn sources() {
+        for good in ["target", "s0", "r", "rx", "r0x", "hand_tip", "register_0"] {
+            assert!(is_source(good), "{good}");
+        }
+        for bad in
+            ["", "r0", "r12", "Target", "0s", "_x", "hand tip", "é", "int", "fn", "class", "while", "xor", "abstract"]
+        {
+            assert!(!is_source(bad), "{bad}");
+        }
+    }
+
+    #[test]
+    fn texts_in_comments() {
+        for good in ["", "mm", "base +3", "m/s²", "a * b / c"] {
+            assert!(is_text(good), "{good}");
+        }
+        for bad in ["a\nb", "a */ b", "a /* b", "\t", "back\\", "a/", "a*", "\u{2028}"] {
+            assert!(!is_text(bad), "{bad}");
+        }
+    }
+}

@@ -1,0 +1,127 @@
+//! The lines of a program and its constants, as labels and comments write them.
+
+use super::Fault;
+use super::lexer::quote;
+use super::statement::{OperandText, ProgramLine};
+use std::str::FromStr;
+
+/// What ends every line of a program: how the exporter spells Graphviz's `\n`.
+const END: &str = "&#92;n";
+
+/// How a line is written, for messages.
+const LINE: &str = "instruction|register&source|location#source|location&#92;n";
+
+/// Reads the label of a node of lines.
+pub(super) fn lines(label: &str) -> Result<Vec<ProgramLine>, Fault> {
+    let mut lines = Vec::new();
+    let mut rest = label;
+    while !rest.is_empty() {
+        let place = lines.len() + 1;
+        let (text, after) = rest
+            .split_once(END)
+            .ok_or_else(|| Fault::new(format!("program line {place} {} without its end {END}", quote(rest)), LINE))?;
+        let line = line(text).ok_or_else(|| Fault::new(format!("program line {place} {}", quote(text)), LINE))?;
+        lines.push(line);
+        rest = after;
+    }
+    Ok(lines)
+}
+
+fn line(text: &str) -> Option<ProgramLine> {
+    let (head, tail) = text.split_once('&')?;
+    let (instruction, to) = head.split_once('|')?;
+    let mut line = ProgramLine {
+        instruction: number(instruction)?,
+        to: number(to)?,
+        written: 0,
+        operands: [OperandText::default(); 2],
+    };
+    for operand in tail.split('#') {
+        let (source, location) = operand.split_once('|')?;
+        let operand = OperandText { source: number(source)?, location: number(location)? };
+        if let Some(place) = line.operands.get_mut(line.written) {
+            *place = operand;
+        }
+        line.written += 1;
+    }
+    Some(line)
+}
+
+/// Digits only: `FromStr` would take a sign.
+fn number<N: FromStr>(text: &str) -> Option<N> {
+    text.bytes().all(|byte| byte.is_ascii_digit()).then(|| text.parse().ok()).flatten()
+}
+
+/// Reads the integer constants of GEGELATI 1: `3|-5|`.
+pub(super) fn integers(comment: &str) -> Result<Vec<f64>, Fault> {
+    constants(comment, "integers of 32 bits, each followed by |", |text| text.parse::<i32>().ok().map(f64::from))
+}
+
+/// Reads the real constants of GEGELATI 2: `0.63|-0.4|`.
+pub(super) fn reals(comment: &str) -> Result<Vec<f64>, Fault> {
+    let finite = |text: &str| text.parse::<f64>().ok().filter(|value| value.is_finite());
+    constants(comment, "finite numbers, each followed by |", finite)
+}
+
+fn constants(comment: &str, accepted: &str, read: impl Fn(&str) -> Option<f64>) -> Result<Vec<f64>, Fault> {
+    if comment.is_empty() {
+        return Ok(Vec::new());
+    }
+    let list = comment
+        .strip_suffix('|')
+        .ok_or_else(|| Fault::new(format!("constants {} without a | at the end", quote(comment)), accepted))?;
+    list.split('|')
+        .map(|text| read(text.trim()).ok_or_else(|| Fault::new(format!("the constant {}", quote(text)), accepted)))
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_program_of_two_lines() {
+        let found = lines("7|5&1|1#4|70&#92;n1|3&0|0#4|5#9|9&#92;n").expect("two lines");
+        let operand = |source, location| OperandText { source, location };
+        let expected = [
+            ProgramLine { instruction: 7, to: 5, written: 2, operands: [operand(1, 1), operand(4, 70)] },
+            ProgramLine { instruction: 1, to: 3, written: 3, operands: [operand(0, 0), operand(4, 5)] },
+        ];
+        assert_eq!(found, expected);
+        assert_eq!(lines("").expect("no line"), []);
+    }
+
+    #[test]
+    fn what_is_no_line() {
+        for bad in [
+            "7",
+            "7|5",
+            "7|5&",
+            "7|5&1",
+            "7|5&1|",
+            "7|5&1|1#",
+            "|5&1|1",
+            "7|-5&1|1",
+            "+7|5&1|1",
+            "7|5&1|x",
+            "7|5&1|1|2",
+        ] {
+            let fault = lines(&format!("{bad}&#92;n")).expect_err(bad);
+            assert_eq!(fault.found, format!("program line 1 `{bad}`"));
+        }
+        assert!(lines("1|0&0|0&#92;n7|5&1|1").expect_err("no end").found.starts_with("program line 2"));
+    }
+
+    #[test]
+    fn constants_of_both_versions() {
+        assert_eq!(integers("0|-5|2147483647|").expect("integers"), [0.0, -5.0, 2147483647.0]);
+        assert_eq!(reals("0.63|-0.40|1e-3|").expect("reals"), [0.63, -0.4, 1e-3]);
+        assert!(integers("").expect("none").is_empty());
+        for bad in ["1", "1|2", "1||", "0.5|", "2147483648|", "a note"] {
+            integers(bad).expect_err(bad);
+        }
+        for bad in ["1e999|", "nan|", "inf|", "x|"] {
+            reals(bad).expect_err(bad);
+        }
+    }
+}

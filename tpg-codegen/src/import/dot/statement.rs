@@ -1,0 +1,96 @@
+//! The statements of a `.dot` file.
+
+use std::fmt;
+
+/// A statement and the line it stands on.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Located {
+    /// Counted from 1.
+    pub(super) line: usize,
+    /// What it says.
+    pub(super) statement: Statement,
+}
+
+/// What a line says, as far as it matters to the graph.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Statement {
+    /// Who wrote the file, from its first comment: a tool and its version.
+    Exporter { tool: String, version: String },
+    /// A team.
+    Team { team: u32 },
+    /// A program, with the integer constants of GEGELATI 1.
+    Program { program: u32, constants: Vec<f64> },
+    /// The lines of a program, with the real constants of GEGELATI 2.
+    Lines { program: u32, lines: Vec<ProgramLine>, constants: Vec<f64> },
+    /// A link from a program to its lines.
+    Link { program: u32 },
+    /// A node of an action. The node's number says nothing, its label is the action.
+    Action { node: u32, action: u32 },
+    /// An edge.
+    Edge { team: u32, program: u32, to: Target },
+    /// The roots.
+    Rank { roots: Vec<Node> },
+    /// The closing brace.
+    Close,
+}
+
+/// Where an edge leads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Target {
+    /// To a team.
+    Team(u32),
+    /// To the action of this node.
+    ActionNode(u32),
+    /// To where its program leads in another edge.
+    OfProgram,
+}
+
+/// One line of a program, in the numbers of the file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct ProgramLine {
+    /// Place in the instruction set.
+    pub(super) instruction: u32,
+    /// The register that takes the result.
+    pub(super) to: u32,
+    /// How many operands are written: as many as the widest instruction of the set reads.
+    pub(super) written: usize,
+    /// The first of them, as many as an instruction can read here.
+    pub(super) operands: [OperandText; 2],
+}
+
+/// An operand, in the numbers of the file.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct OperandText {
+    /// 0 the registers, then the constants where there are any, then the environment's sources.
+    pub(super) source: u32,
+    /// Taken modulo the source's size.
+    pub(super) location: u64,
+}
+
+/// A kind of node.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    Team,
+    Program,
+    Lines,
+    Action,
+}
+
+/// The name of a node: `T12`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Node {
+    pub(super) kind: Kind,
+    pub(super) number: u32,
+}
+
+impl fmt::Display for Node {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let letter = match self.kind {
+            Kind::Team => 'T',
+            Kind::Program => 'P',
+            Kind::Lines => 'I',
+            Kind::Action => 'A',
+        };
+        write!(f, "{letter}{}", self.number)
+    }
+}
