@@ -15,13 +15,11 @@ fn assert_equal(graph: &Graph, states: usize) {
     let workshop = Workshop::new().expect("a temporary folder");
     let pure = Options::new("all_ops".parse().expect("a prefix"));
     let gegelati = Options { style: Style::Gegelati, ..pure.clone() };
-    let mut programs = vec![
-        workshop.c(graph, &gegelati).expect("GEGELATI-style C compiles"),
-        workshop.rust(graph, &pure).expect("Rust compiles"),
-    ];
+    let mut programs = vec![workshop.c(graph, &gegelati).expect("GEGELATI-style C compiles")];
     for profile in Profile::ALL {
         let options = Options { profile: Some(profile), ..pure.clone() };
         programs.push(workshop.c(graph, &options).expect("C compiles"));
+        programs.push(workshop.rust(graph, &options).expect("Rust compiles"));
     }
     let mut engines: Vec<&mut dyn Engine> = programs.iter_mut().map(|program| program as &mut dyn Engine).collect();
     let engines = engines.as_mut_slice();

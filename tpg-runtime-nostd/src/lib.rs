@@ -34,10 +34,12 @@
 //! | [`arm`] | the arm as data, joint limits, collision test, the rule of one step |
 //! | [`kinematics`] | motor positions to points, by table or by libm |
 //! | [`observation`] | the 13 values a policy sees, and a graph's data sources |
+//! | [`frame`] | what follows from an observation: polar errors, gradients, clearances |
 //! | [`policy`] | the [`Policy`](policy::Policy) trait that generated code implements |
 //! | [`ops`] | the instruction set, and sin, cos, ln, exp with the same bits everywhere |
 //! | [`cycle`] | has the arm been here before? |
 //! | [`episode`] | one episode and how it ended |
+//! | [`sac`] | the soft actor-critic's features and its decision |
 //! | [`scalar`] | `f32` and `f64` |
 //!
 //! # Features
@@ -57,10 +59,12 @@ extern crate std;
 pub mod arm;
 pub mod cycle;
 pub mod episode;
+pub mod frame;
 pub mod kinematics;
 pub mod observation;
 pub mod ops;
 pub mod policy;
+pub mod sac;
 pub mod scalar;
 #[cfg(feature = "standalone")]
 pub mod standalone;

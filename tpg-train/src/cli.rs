@@ -1,13 +1,18 @@
 //! The command line: results on stdout, everything else on stderr.
 
 use crate::conformance::command::ReplayArgs;
+use crate::evaluate::{EvalArgs, eval};
+use crate::evolution::command::{End, TpgArgs, execute as execute_tpg};
+use crate::evolution::presets::{ConfigArgs, print_config};
+use crate::sac::command::{SacArgs, execute as execute_sac};
+use crate::targets::{TargetsArgs, print_targets};
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 use tpg_codegen::error::InputError;
 
 /// Trains robot-arm policies, and replays the recorded episodes of the paper's own.
 ///
-/// Exit status: 0 good, 1 a check failed, 2 bad input.
+/// Exit status: 0 good, 1 a check failed, 2 bad input, 130 stopped by Ctrl-C (the run can be resumed).
 #[derive(Debug, Parser)]
 #[command(version)]
 pub struct Cli {
@@ -17,6 +22,16 @@ pub struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    /// Evolve a tangled program graph
+    Tpg(TpgArgs),
+    /// Train a soft actor-critic
+    Sac(SacArgs),
+    /// Let a policy act and count how its episodes end
+    Eval(EvalArgs),
+    /// Print a commented configuration
+    Config(ConfigArgs),
+    /// Print a set of tasks as CSV
+    Targets(TargetsArgs),
     /// Replay recorded episodes and count what is exact
     Replay(ReplayArgs),
 }
@@ -28,6 +43,17 @@ pub enum Verdict {
     Good,
     /// A check failed.
     Failed,
+    /// Ctrl-C: the run can be resumed.
+    Interrupted,
+}
+
+impl From<End> for Verdict {
+    fn from(end: End) -> Self {
+        match end {
+            End::Finished => Self::Good,
+            End::Interrupted => Self::Interrupted,
+        }
+    }
 }
 
 /// Why a command could not do its work.
@@ -52,11 +78,20 @@ impl Cli {
     /// Does what was asked, tells people on stderr what went wrong.
     pub fn run(self) -> ExitCode {
         let result = match self.command {
+            Command::Tpg(args) => execute_tpg(&args).map(Verdict::from).map_err(CliError::other),
+            Command::Sac(args) => execute_sac(&args).map(Verdict::from).map_err(CliError::other),
+            Command::Eval(args) => eval(&args).map(|()| Verdict::Good).map_err(CliError::from),
+            Command::Config(args) => print_config(&args).map(|()| Verdict::Good).map_err(CliError::from),
+            Command::Targets(args) => print_targets(&args).map(|()| Verdict::Good).map_err(CliError::other),
             Command::Replay(args) => args.run(),
         };
         match result {
             Ok(Verdict::Good) => ExitCode::SUCCESS,
             Ok(Verdict::Failed) => ExitCode::from(1),
+            Ok(Verdict::Interrupted) => {
+                eprintln!("stopped; --resume goes on from the checkpoint");
+                ExitCode::from(130)
+            }
             Err(error) => {
                 eprintln!("error: {error}");
                 ExitCode::from(2)

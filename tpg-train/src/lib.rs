@@ -5,7 +5,27 @@
 //! | module | subject |
 //! | --- | --- |
 //! | [`cli`] | the program `tpg-train`: its commands and exit codes |
+//! | [`engine`] | many episodes of many roots: the [`Environment`](engine::Environment) and [`Evaluator`](engine::Evaluator) traits |
+//! | [`environments`] | the arm and a pendulum |
+//! | [`evolution`] | tangled program graphs: genome, mutation, selection, runs |
+//! | [`sac`] | soft actor-critic |
+//! | [`targets`] | tasks over the reachable space |
+//! | [`trial`] | one actor on many tasks |
+//! | [`evaluate`] | how a policy's episodes end |
+//! | [`ik`] | goals of the inverse kinematics, for training only |
+//! | [`random`] | one stream of random numbers for every purpose |
+//! | [`files`] | files that are whole or not there |
 //! | [`conformance`] | recorded trajectories, replayed in the paper's arithmetic |
 
 pub mod cli;
 pub mod conformance;
+pub mod engine;
+pub mod environments;
+pub mod evaluate;
+pub mod evolution;
+pub mod files;
+pub mod ik;
+pub mod random;
+pub mod sac;
+pub mod targets;
+pub mod trial;

@@ -242,6 +242,14 @@ pub fn steps(scalar: ScalarType, instruction: Instruction) -> (&'static [(f64, f
     }
 }
 
+/// Above the first number, every libm's exponential is infinite; below the second, 0. Many take a slow road to it.
+pub fn beyond_exponentials(scalar: ScalarType) -> (f64, f64) {
+    match scalar {
+        ScalarType::F32 => (90.0, -105.0),
+        ScalarType::F64 => (710.0, -750.0),
+    }
+}
+
 /// Whether a bid that needs `instruction` is worth a test that may spare it.
 pub(super) fn is_worth_sparing(instruction: Instruction) -> bool {
     is_transcendental(instruction)

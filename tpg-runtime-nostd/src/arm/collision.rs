@@ -37,15 +37,22 @@ impl<S: Scalar> Plane<S> {
     /// The parts of the arm that can meet its base, as segments: the hand's tip face and lower edge, the forearm's end
     /// face and lower edge.
     pub fn faces(&self, shapes: &Shapes<S>) -> [(Point<S>, Point<S>); 4] {
-        let [upper, lower] = shapes.hand_edges;
-        let tip_upper = offset(self.wrist, self.hand, shapes.hand_length, self.hand_across, upper);
-        let tip_lower = offset(self.wrist, self.hand, shapes.hand_length, self.hand_across, lower);
-        let heel = across(self.wrist, self.hand_across, lower);
-        let [upper, lower] = shapes.forearm_edges;
-        let end_upper = offset(self.wrist, self.forearm, shapes.forearm_overhang, self.forearm_across, upper);
-        let end_lower = offset(self.wrist, self.forearm, shapes.forearm_overhang, self.forearm_across, lower);
-        let elbow_lower = across(self.elbow, self.forearm_across, lower);
+        let [tip_upper, tip_lower] = self.tip_corners(shapes);
+        let heel = across(self.wrist, self.hand_across, shapes.hand_edges[1]);
+        let [end_upper, end_lower] = self.forearm_end_corners(shapes);
+        let elbow_lower = across(self.elbow, self.forearm_across, shapes.forearm_edges[1]);
         [(tip_upper, tip_lower), (heel, tip_lower), (end_upper, end_lower), (elbow_lower, end_lower)]
+    }
+
+    /// The corners of the hand's tip face, upper and lower.
+    pub fn tip_corners(&self, shapes: &Shapes<S>) -> [Point<S>; 2] {
+        shapes.hand_edges.map(|edge| offset(self.wrist, self.hand, shapes.hand_length, self.hand_across, edge))
+    }
+
+    /// The corners of the forearm's end face, upper and lower.
+    pub fn forearm_end_corners(&self, shapes: &Shapes<S>) -> [Point<S>; 2] {
+        let corner = |edge| offset(self.wrist, self.forearm, shapes.forearm_overhang, self.forearm_across, edge);
+        shapes.forearm_edges.map(corner)
     }
 }
 

@@ -15,6 +15,11 @@ pub struct Joint(pub u8);
 pub struct Pose(pub [i16; JOINTS]);
 
 impl Pose {
+    /// The pose of a [`packed`](Self::packed) number.
+    pub const fn from_packed(packed: u64) -> Self {
+        Self([packed as i16, (packed >> 16) as i16, (packed >> 32) as i16, (packed >> 48) as i16])
+    }
+
     /// The four positions in one number, 16 bits each: equal exactly when the poses are.
     pub const fn packed(self) -> u64 {
         let [a, b, c, d] = self.0;

@@ -13,6 +13,10 @@ pub trait Lattice: Scalar {
     fn direction_of(radians: Self) -> Direction<Self>;
     /// The correctly rounded square root; NaN for negative numbers.
     fn sqrt(self) -> Self;
+    /// The angle of the point (`x`, `self`), rad, −π..π, by libm in this type's own precision.
+    fn atan2(self, x: Self) -> Self;
+    /// The natural logarithm, by libm in this type's own precision.
+    fn ln(self) -> Self;
 }
 
 include!(concat!(env!("OUT_DIR"), "/sine.rs"));
@@ -30,6 +34,14 @@ impl Lattice for f32 {
     fn sqrt(self) -> Self {
         libm::sqrtf(self)
     }
+    #[inline]
+    fn atan2(self, x: Self) -> Self {
+        libm::atan2f(self, x)
+    }
+    #[inline]
+    fn ln(self) -> Self {
+        libm::logf(self)
+    }
 }
 
 impl Lattice for f64 {
@@ -44,5 +56,13 @@ impl Lattice for f64 {
     #[inline]
     fn sqrt(self) -> Self {
         libm::sqrt(self)
+    }
+    #[inline]
+    fn atan2(self, x: Self) -> Self {
+        libm::atan2(self, x)
+    }
+    #[inline]
+    fn ln(self) -> Self {
+        libm::log(self)
     }
 }

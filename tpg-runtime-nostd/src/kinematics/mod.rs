@@ -187,7 +187,7 @@ impl<S: Lattice> Plane<S> {
 }
 
 /// The angles of upper arm, forearm and hand over the table, in whole ticks.
-fn link_angles(pose: Pose) -> [Angle; 3] {
+pub fn link_angles(pose: Pose) -> [Angle; 3] {
     let [_, shoulder, elbow, wrist] = pose.0.map(i32::from);
     let quarter = TICKS_PER_TURN / 4;
     let upper_arm = shoulder - quarter;
@@ -200,6 +200,12 @@ fn link_angles(pose: Pose) -> [Angle; 3] {
 pub fn base_direction<S: Lattice>(pose: Pose) -> Direction<S> {
     let [base, ..] = pose.0;
     Angle(i32::from(base) - TICKS_PER_TURN / 2).direction()
+}
+
+/// The direction of the upper arm over the table, in the arm plane.
+pub fn upper_arm_direction<S: Lattice>(pose: Pose) -> Direction<S> {
+    let [upper_arm, ..] = link_angles(pose);
+    upper_arm.direction()
 }
 
 /// Where the hand's tip is at a pose, mm.

@@ -1,14 +1,19 @@
 //! What a policy sees of the arm and its target, and how that fills a graph's data sources.
 
+pub mod derived;
+mod range;
+mod reach;
 mod source;
 
+pub use derived::Aim;
+pub use reach::{Reach, ReachErrors, ReachTarget};
 pub use source::Source;
 
 use crate::arm::{Arm, Move, Pose};
+use crate::frame::Frame;
 use crate::kinematics::Lattice;
 use crate::kinematics::{self, Vector};
 use crate::policy::{ActionId, Policy};
-use crate::scalar::Scalar;
 
 /// The paper's 13 values: four motor positions, and hand, target and their difference in mm (section 4.2).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,46 +49,76 @@ impl<S: Lattice> Observation<S> {
 }
 
 impl Source {
-    /// The value at `index` of this source, 0 past its [`length`](Self::length).
-    pub fn value<S: Scalar>(self, observation: &Observation<S>, index: usize) -> S {
-        let ticks = |positions: &[i16], index: usize| positions.get(index).map(|&t| S::from_i32(i32::from(t)));
-        let value = match self {
-            Self::Target => observation.target.get(index).copied(),
-            Self::Difference => observation.difference.get(index).copied(),
-            Self::Hand => observation.hand.get(index).copied(),
-            Self::Motors => ticks(&observation.pose.0, index),
-            Self::Servos => match index.checked_sub(observation.pose.0.len()) {
-                None => ticks(&observation.pose.0, index),
-                Some(fixed) => ticks(&observation.fixed_servos, fixed),
-            },
-        };
-        value.unwrap_or(S::ZERO)
+    /// Writes this source's values at a pose into `values`; stops where `values` is full.
+    pub fn write<S: Lattice>(self, arm: &Arm<S>, seen: &Observation<S>, values: &mut [S]) {
+        let frame = || Frame::of(arm, seen);
+        let aim = || Aim::at(arm, seen.target);
+        let [.., wrist] = seen.pose.0;
+        let reach = || Reach::keeping_wrist(arm, wrist, seen.target).errors(arm, seen.pose);
+        match self {
+            Self::Target => put(values, seen.target),
+            Self::Difference => put(values, seen.difference),
+            Self::Hand => put(values, seen.hand),
+            Self::Motors => put(values, seen.pose.0.map(ticks)),
+            Self::Servos => {
+                let [a, b, c, d] = seen.pose.0;
+                let [e, f] = seen.fixed_servos;
+                put(values, [a, b, c, d, e, f].map(ticks));
+            }
+            Self::MotorsCentred => put(values, derived::centred(seen.pose)),
+            Self::Polar => {
+                let frame = frame();
+                put(values, derived::polar(&frame, frame.target_reach(), frame.hand_reach()));
+            }
+            Self::Bearing => {
+                let frame = frame();
+                put(values, derived::bearing(&aim(), seen.pose, frame.hand_elevation(), frame.hand_reach()));
+            }
+            Self::Reach => put(values, reach().ticks),
+            Self::ReachExcess => put(values, reach().excess),
+            Self::ReachPitch => put(values, [reach().pitch]),
+            Self::Wrist => put(values, derived::wrist(&frame())),
+            Self::Floor => put(values, [frame().lowest_corner()]),
+        }
     }
 
     /// Writes the values of `sources`, one after another, into `state`; stops where `state` is full.
-    pub fn fill<S: Scalar>(sources: &[Self], observation: &Observation<S>, state: &mut [S]) {
-        let values =
-            sources.iter().flat_map(|&source| (0..source.length()).map(move |index| source.value(observation, index)));
-        for (slot, value) in state.iter_mut().zip(values) {
-            *slot = value;
+    pub fn fill<S: Lattice>(sources: &[Self], arm: &Arm<S>, seen: &Observation<S>, state: &mut [S]) {
+        let mut rest = state;
+        for &source in sources {
+            source.write(arm, seen, rest);
+            let length = source.length().min(rest.len());
+            rest = &mut rest[length..];
         }
     }
 }
 
+fn put<S: Copy, const N: usize>(values: &mut [S], these: [S; N]) {
+    for (slot, value) in values.iter_mut().zip(these) {
+        *slot = value;
+    }
+}
+
+fn ticks<S: Lattice>(ticks: i16) -> S {
+    S::from_i32(i32::from(ticks))
+}
+
 /// A graph's policy lifted to the arm: it sees an [`Observation`] and answers a [`Move`].
 #[derive(Clone, Copy, Debug)]
-pub struct ArmPolicy<'a, P> {
+pub struct ArmPolicy<'a, S, P> {
     /// The policy over its flat state.
     pub policy: P,
+    /// The arm it drives: derived sources depend on its lengths and limits.
+    pub arm: &'a Arm<S>,
     /// The sources of that state, in order.
     pub sources: &'a [Source],
     /// What each action moves; an action past the end stops.
     pub moves: &'a [Move],
 }
 
-impl<S, P, const N: usize> Policy for ArmPolicy<'_, P>
+impl<S, P, const N: usize> Policy for ArmPolicy<'_, S, P>
 where
-    S: Scalar,
+    S: Lattice,
     P: Policy<State = [S; N], Action = ActionId>,
 {
     type State = Observation<S>;
@@ -91,7 +126,7 @@ where
 
     fn decide(&self, observation: &Observation<S>) -> Move {
         let mut state = [S::ZERO; N];
-        Source::fill(self.sources, observation, &mut state);
+        Source::fill(self.sources, self.arm, observation, &mut state);
         let ActionId(action) = self.policy.decide(&state);
         self.moves.get(usize::from(action)).copied().unwrap_or(Move::STOP)
     }

@@ -13,11 +13,46 @@ pub enum Source {
     Motors,
     /// The positions of all six servos, ticks: the four motors, wrist rotation and gripper. The paper's graphs read it.
     Servos,
+    /// The four motor positions less 2048, ticks: 0 is the middle of a joint's travel.
+    MotorsCentred,
+    /// Errors in the shoulder's polar frame, mm: lateral, tangential, radial. They suit an arm that stays on its front
+    /// side.
+    Polar,
+    /// Errors as seen from the shoulder: azimuth (half ticks, not wrapped), elevation (1/250 rad), radial (mm). They also
+    /// suit an arm that reaches over its back.
+    Bearing,
+    /// By how many ticks base, shoulder and elbow are off, if the wrist stays: the closed-form inverse kinematics of
+    /// the other three joints.
+    Reach,
+    /// What stands against [`Reach`](Self::Reach): ticks by which the shoulder's and the elbow's goal lie outside their
+    /// range, and mm by which the target is too far away or too near.
+    ReachExcess,
+    /// The hand's pitch at that goal, ticks below the horizontal.
+    ReachPitch,
+    /// The target as seen from the wrist: distance less the hand's length (mm), and by how many ticks the wrist is off
+    /// that would point the hand at it.
+    Wrist,
+    /// Height of the lower corner of the hand's tip over the table, mm.
+    Floor,
 }
 
 impl Source {
     /// Every source, in the order of the enumeration.
-    pub const ALL: [Self; 5] = [Self::Target, Self::Difference, Self::Hand, Self::Motors, Self::Servos];
+    pub const ALL: [Self; 13] = [
+        Self::Target,
+        Self::Difference,
+        Self::Hand,
+        Self::Motors,
+        Self::Servos,
+        Self::MotorsCentred,
+        Self::Polar,
+        Self::Bearing,
+        Self::Reach,
+        Self::ReachExcess,
+        Self::ReachPitch,
+        Self::Wrist,
+        Self::Floor,
+    ];
 
     /// The name in `graph.json`.
     pub const fn name(self) -> &'static str {
@@ -27,6 +62,14 @@ impl Source {
             Self::Hand => "hand",
             Self::Motors => "motors",
             Self::Servos => "servos",
+            Self::MotorsCentred => "motors_centred",
+            Self::Polar => "polar",
+            Self::Bearing => "bearing",
+            Self::Reach => "reach",
+            Self::ReachExcess => "reach_excess",
+            Self::ReachPitch => "reach_pitch",
+            Self::Wrist => "wrist",
+            Self::Floor => "floor",
         }
     }
 
@@ -38,8 +81,11 @@ impl Source {
     /// How many values it has.
     pub const fn length(self) -> usize {
         match self {
+            Self::ReachPitch | Self::Floor => 1,
+            Self::Wrist => 2,
             Self::Target | Self::Difference | Self::Hand => 3,
-            Self::Motors => 4,
+            Self::Polar | Self::Bearing | Self::Reach | Self::ReachExcess => 3,
+            Self::Motors | Self::MotorsCentred => 4,
             Self::Servos => 6,
         }
     }
@@ -47,8 +93,11 @@ impl Source {
     /// The unit of its values.
     pub const fn unit(self) -> &'static str {
         match self {
-            Self::Target | Self::Difference | Self::Hand => "mm",
-            Self::Motors | Self::Servos => "ticks",
+            Self::Target | Self::Difference | Self::Hand | Self::Polar | Self::Floor => "mm",
+            Self::Motors | Self::Servos | Self::MotorsCentred | Self::Reach | Self::ReachPitch => "ticks",
+            Self::Bearing => "half ticks, 1/250 rad, mm",
+            Self::ReachExcess => "ticks, ticks, mm",
+            Self::Wrist => "mm, ticks",
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use tpg_codegen::error::{InputError, Place};
 use tpg_codegen::graph::{Graph, ScalarType};
-use tpg_runtime::arm::Move;
+use tpg_runtime::arm::{Move, WIDOWX};
 use tpg_runtime::observation::{Observation, Source};
 use tpg_runtime::policy::ActionId;
 
@@ -60,7 +60,7 @@ impl Binding {
         let start = states.len();
         states.resize(start + self.state_length(), 0.0);
         let state = &mut states[start..];
-        Source::fill(&self.sources, observation, state);
+        Source::fill(&self.sources, &WIDOWX, observation, state);
         for value in state {
             *value = self.scalar.round(*value);
         }

@@ -65,11 +65,7 @@ pub(super) fn render(printer: &Printer<'_>, branch_free: bool) -> String {
     let own = printer.graph.maths() == MathsProvider::Own;
     let uses = |instruction| used.contains(&instruction);
     let short = !own && printer.short_cuts;
-    // Beyond these every libm rounds to infinity or to zero, and many take a slow road to it.
-    let (infinite_above, zero_below) = match scalar {
-        ScalarType::F32 => (90.0, -105.0),
-        ScalarType::F64 => (710.0, -750.0),
-    };
+    let (infinite_above, zero_below) = bound::beyond_exponentials(scalar);
     // The order of a number's bits: what is negative upside down, below what is positive.
     let (key, top, sign, infinity, minus_infinity) = match scalar {
         ScalarType::F32 => ("uint32_t", 31, "0x80000000U", "0xff800000U", "0x007fffffU"),

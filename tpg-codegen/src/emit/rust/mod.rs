@@ -1,32 +1,35 @@
-//! Branch-free `no_std` Rust: every distinct operation once, then every team's choice by selects, then a bounded chase
-//! from the root to an action. The time does not depend on the state.
+//! `no_std` Rust without unsafe code and without a way to panic, in the shape of a profile.
 
-use super::{File, Language, Options, banner, layout};
-use crate::graph::{Graph, MathsProvider};
-use crate::ir::{Module, Node, NodeId, Target};
-use crate::passes;
+mod constant_time;
+mod expression;
+mod fast;
+mod helpers;
+mod small;
+
+use super::{File, Language, Options, Profile, banner, layout};
+use crate::graph::Graph;
+use crate::ir::{Module, Target};
+use crate::passes::{self, schedule};
 use askama::Template;
+use expression::Printer;
 use tpg_runtime::observation::Source as ArmSource;
-use tpg_runtime::ops::Instruction;
 
 #[derive(Template)]
 #[template(path = "rust/policy.rs", escape = "none")]
 struct Policy<'a> {
     banner: &'a [String],
     name: String,
+    title: &'a str,
     scalar: &'a str,
-    /// `Own` or `System`, where a transcendental function is used.
-    provider: Option<&'a str>,
+    /// What is used of the runtime's instructions.
+    imports: Option<String>,
     state_length: usize,
     sources: Vec<SourceView>,
     actions: Vec<String>,
     arm: Option<ArmView>,
-    statements: Vec<String>,
-    teams: Vec<TeamView>,
-    /// The names of the teams' choices.
-    next: Vec<String>,
-    vertex: &'a str,
     depth: usize,
+    body: String,
+    items: String,
 }
 
 struct SourceView {
@@ -42,39 +45,75 @@ struct ArmView {
     moves: Vec<String>,
 }
 
-struct TeamView {
-    label: u32,
-    first: EdgeView,
-    others: Vec<EdgeView>,
-}
-
-struct EdgeView {
-    bid: String,
-    to: usize,
+/// A profile's part of the file.
+struct Parts {
+    /// The statements that decide.
+    body: String,
+    /// What they call.
+    items: String,
 }
 
 /// Emits the file.
 pub(super) fn emit(graph: &Graph, options: &Options) -> Vec<File> {
     let module = &passes::optimise(graph, options.assumption).0;
-    let printer = Printer { graph, module };
-    let vertices = module.teams.len() + graph.actions().len();
+    let name = options.prefix.camel();
+    let printer = Printer { graph, nodes: &module.nodes, short_cuts: false };
+    let (title, parts) = match options.profile_in(Language::Rust) {
+        Profile::Fast => {
+            let schedule = schedule::schedule(graph, module);
+            let printer = Printer { graph, nodes: &schedule.nodes, short_cuts: true };
+            ("expensive bids are computed only where they can win", fast::render(&printer, module, &schedule))
+        }
+        Profile::Small => ("tables and one small evaluator", small::render(&printer, module)),
+        Profile::ConstantTime => {
+            ("branch-free, the same time for every state", constant_time::render(&printer, module))
+        }
+    };
     let policy = Policy {
         banner: &banner::lines(graph, module, options, Language::Rust),
-        name: options.prefix.camel(),
+        name,
+        title,
         scalar: graph.scalar().name(),
-        provider: printer.uses_maths().then_some(printer.provider()),
+        imports: imports(&printer, &parts),
         state_length: graph.state_length(),
         sources: source_views(graph),
         actions: graph.actions().iter().map(|action| one_line(&action.name)).collect(),
         arm: arm_view(graph),
-        statements: printer.statements(),
-        teams: module.teams.iter().map(|team| printer.team(team)).collect(),
-        next: (0..module.teams.len()).map(|team| format!("t{team}")).collect(),
-        vertex: if vertices <= 1 << 16 { "u16" } else { "u32" },
         depth: module.depth,
+        body: parts.body.trim_matches('\n').to_owned(),
+        items: parts.items,
     };
     let text = layout::tidy(&policy.render().expect("the template renders"));
     vec![File { name: format!("{}.rs", options.prefix), text }]
+}
+
+/// What the parts name of `tpg_runtime::ops`.
+fn imports(printer: &Printer<'_>, parts: &Parts) -> Option<String> {
+    let names = |name: &str| parts.body.contains(name) || parts.items.contains(name);
+    let provider = printer.provider();
+    match (names("ops::"), names(&format!("{provider}::"))) {
+        (true, true) => Some(format!("ops::{{self, Maths, {provider}}}")),
+        (true, false) => Some("ops".to_owned()),
+        (false, true) => Some(format!("ops::{{Maths, {provider}}}")),
+        (false, false) => None,
+    }
+}
+
+/// Teams are numbered from 0, the actions after them.
+fn vertex(module: &Module, target: Target) -> usize {
+    match target {
+        Target::Team(team) => team,
+        Target::Action(action) => module.teams.len() + usize::from(action.0),
+    }
+}
+
+/// The least type that numbers them.
+fn vertex_type(graph: &Graph, module: &Module) -> &'static str {
+    match module.teams.len() + graph.actions().len() {
+        0..=0x100 => "u8",
+        0x101..=0x1_0000 => "u16",
+        _ => "u32",
+    }
 }
 
 fn one_line(text: &str) -> String {
@@ -106,82 +145,4 @@ fn arm_view(graph: &Graph) -> Option<ArmView> {
         .collect::<Option<_>>()?;
     let moves = graph.actions().iter().map(|action| action.moves.map(|m| format!("Move({:?})", m.0)));
     Some(ArmView { sources, moves: moves.collect::<Option<_>>()? })
-}
-
-/// Writes nodes as Rust expressions.
-struct Printer<'a> {
-    graph: &'a Graph,
-    module: &'a Module,
-}
-
-impl Printer<'_> {
-    fn provider(&self) -> &'static str {
-        match self.graph.maths() {
-            MathsProvider::Own => "Own",
-            MathsProvider::System => "System",
-        }
-    }
-
-    fn uses_maths(&self) -> bool {
-        let transcendental = |i| matches!(i, Instruction::Cos | Instruction::Sin | Instruction::Ln | Instruction::Exp);
-        self.module.nodes.iter().any(|node| matches!(*node, Node::Operation(i, _) if transcendental(i)))
-    }
-
-    fn statements(&self) -> Vec<String> {
-        (0u32..)
-            .zip(&self.module.nodes)
-            .filter(|(_, node)| matches!(node, Node::Operation(..)))
-            .map(|(id, _)| format!("let v{id} = {};", self.operation(NodeId(id))))
-            .collect()
-    }
-
-    fn team(&self, team: &crate::ir::Team) -> TeamView {
-        let mut edges = team
-            .edges
-            .iter()
-            .map(|edge| EdgeView { bid: self.value(self.module.bidders[edge.bidder].value), to: self.vertex(edge.to) });
-        let first = edges.next().expect("a team has an edge");
-        TeamView { label: team.label, first, others: edges.collect() }
-    }
-
-    fn vertex(&self, target: Target) -> usize {
-        match target {
-            Target::Team(team) => team,
-            Target::Action(action) => self.module.teams.len() + usize::from(action.0),
-        }
-    }
-
-    fn operation(&self, id: NodeId) -> String {
-        let Node::Operation(instruction, operands) = self.module.node(id) else {
-            return self.value(id);
-        };
-        let [a, b] = operands.map(|operand| self.value(operand));
-        match instruction {
-            Instruction::Sub => format!("{a} - {b}"),
-            Instruction::Add => format!("{a} + {b}"),
-            Instruction::Mul => format!("{a} * {b}"),
-            Instruction::Div => format!("{a} / {b}"),
-            Instruction::NegateIfLess | Instruction::Min | Instruction::Max => {
-                format!("ops::{}({a}, {b})", instruction.name())
-            }
-            Instruction::Cos | Instruction::Sin | Instruction::Ln | Instruction::Exp => {
-                format!("{}::{}({a})", self.provider(), instruction.name())
-            }
-            Instruction::Abs => format!("{}::abs({a})", self.graph.scalar().name()),
-        }
-    }
-
-    fn value(&self, id: NodeId) -> String {
-        match self.module.node(id) {
-            Node::Constant(bits) => {
-                let value = f64::from_bits(bits);
-                match self.graph.scalar() {
-                    crate::graph::ScalarType::F32 => format!("{:?}_f32", value as f32),
-                    crate::graph::ScalarType::F64 => format!("{value:?}_f64"),
-                }
-            }
-            Node::Input(input) => format!("s[{}]", input.index()),
-            Node::Operation(..) | Node::Upper(..) => format!("v{}", id.0),
-        }
-    }
 }

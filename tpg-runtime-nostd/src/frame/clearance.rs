@@ -1,0 +1,110 @@
+//! How near the hand and the forearm are to the arm's own base, in the arm plane.
+
+use crate::arm::{Arm, Pose, Shapes};
+use crate::kinematics::{Direction, Lattice, Plane, Point};
+
+/// Distances from the base as a solid, mm: what the collision test refuses is about to reach 0 here.
+///
+/// The solid is the base's outline filled: a staircase, one box under each edge's outer, upper end. (The collision
+/// test knows the outline only, which is open at its top: it lets a hand enter the column from above. Here that hand
+/// has no clearance.) Meant for free poses; where a side lies across the solid with both ends outside, the value is
+/// that of its nearest end or corner, not a depth.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clearance<S> {
+    /// From the hand's tip face and its lower edge.
+    pub hand: S,
+    /// From the forearm's end face and its lower edge.
+    pub forearm: S,
+}
+
+/// One straight side of a part of the arm.
+struct Side<S> {
+    start: Point<S>,
+    direction: Direction<S>,
+    length: S,
+}
+
+impl<S: Lattice> Clearance<S> {
+    /// Of an arm in its plane.
+    ///
+    /// The sides are those of the collision test. Their directions and lengths are known, so that no division is
+    /// needed; about 600 additions and multiplications and two square roots.
+    pub fn of(plane: &Plane<S>, shapes: &Shapes<S>) -> Self {
+        let [hand_upper, hand_lower] = shapes.hand_edges;
+        let hand = [
+            Side {
+                start: plane.wrist.along(plane.hand_across, hand_lower),
+                direction: plane.hand,
+                length: shapes.hand_length,
+            },
+            Side { start: plane.tip_corners(shapes)[1], direction: plane.hand_across, length: hand_upper - hand_lower },
+        ];
+        let [forearm_upper, forearm_lower] = shapes.forearm_edges;
+        let elbow_lower = plane.elbow.along(plane.forearm_across, forearm_lower);
+        let end_lower = plane.forearm_end_corners(shapes)[1];
+        let forearm = [
+            Side { start: elbow_lower, direction: plane.forearm, length: dot(plane.forearm, elbow_lower, end_lower) },
+            Side { start: end_lower, direction: plane.forearm_across, length: forearm_upper - forearm_lower },
+        ];
+        Self { hand: nearest(&hand, shapes), forearm: nearest(&forearm, shapes) }
+    }
+}
+
+/// The distance between a part's sides and the base, both mirror images.
+fn nearest<S: Lattice>(sides: &[Side<S>; 2], shapes: &Shapes<S>) -> S {
+    let mut square = S::from_f64(f64::INFINITY);
+    for side in sides {
+        let end = side.start.along(side.direction, side.length);
+        for edge in &shapes.base {
+            let corner = Point { x: greatest(edge.x[0], edge.x[1]), z: greatest(edge.z[0], edge.z[1]) };
+            // A segment and a box that do not meet are nearest at an end of the one or a corner of the other.
+            square = least(square, to_box(side.start, corner));
+            square = least(square, to_box(end, corner));
+            square = least(square, to_side(corner, side));
+            square = least(square, to_side(Point { x: -corner.x, z: corner.z }, side));
+        }
+    }
+    square.sqrt()
+}
+
+/// The square of a point's distance to the box that reaches from −`corner.x` to `corner.x` and up to `corner.z`.
+fn to_box<S: Lattice>(point: Point<S>, corner: Point<S>) -> S {
+    let dx = greatest(point.x.abs() - corner.x, S::ZERO);
+    let dz = greatest(point.z - corner.z, S::ZERO);
+    dx * dx + dz * dz
+}
+
+/// The square of a point's distance to a side.
+fn to_side<S: Lattice>(point: Point<S>, side: &Side<S>) -> S {
+    let along = dot(side.direction, side.start, point);
+    let along = if along < S::ZERO {
+        S::ZERO
+    } else if along > side.length {
+        side.length
+    } else {
+        along
+    };
+    let foot = side.start.along(side.direction, along);
+    let (dx, dz) = (point.x - foot.x, point.z - foot.z);
+    dx * dx + dz * dz
+}
+
+/// How far `to` lies from `from` along a direction.
+fn dot<S: Lattice>(direction: Direction<S>, from: Point<S>, to: Point<S>) -> S {
+    (to.x - from.x) * direction.cos + (to.z - from.z) * direction.sin
+}
+
+fn least<S: Lattice>(a: S, b: S) -> S {
+    if b < a { b } else { a }
+}
+
+fn greatest<S: Lattice>(a: S, b: S) -> S {
+    if b > a { b } else { a }
+}
+
+impl<S: Lattice> Arm<S> {
+    /// The clearance at a pose.
+    pub fn clearance(&self, pose: Pose) -> Clearance<S> {
+        Clearance::of(&Plane::at(self, pose), &self.shapes)
+    }
+}

@@ -1,0 +1,252 @@
+//! What an observation says about the geometry of arm and target: the derived quantities that the SAC's features and
+//! a graph's derived sources share.
+//!
+//! Everything here follows from the 13 values of an [`Observation`] and the arm's own description, without memory and
+//! without search. It is knowledge about the arm that the paper's policies did not have, and is named as such wherever
+//! results are shown.
+//!
+//! # Frame
+//!
+//! The base's axis and the arm plane span a cylinder frame that turns with the base. Its first coordinate is the
+//! *signed* radius: positive where the stretched arm points at home, negative when the hand reaches over its back.
+//! It is −x of the [`Plane`]. With q0 the base's angle (0 at motor position 2048, rad), h the hand and t the target:
+//!
+//! | symbol | method | formula | unit |
+//! | --- | --- | --- | --- |
+//! | ρ | [`radius`](Frame::radius) | −plane x of the tip: h = (−ρ sin q0, ρ cos q0, z) | mm |
+//! | z | [`height`](Frame::height) | height of the tip over the table | mm |
+//! | t_r | [`target_radius`](Frame::target_radius) | −t_x sin q0 + t_y cos q0 | mm |
+//! | t_l | [`target_lateral`](Frame::target_lateral) | t_x cos q0 + t_y sin q0 | mm |
+//! | e_r | [`radial_error`](Frame::radial_error) | t_r − ρ | mm |
+//! | e_z | [`height_error`](Frame::height_error) | t_z − z | mm |
+//! | d | [`distance`](Frame::distance) | √(e_r² + t_l² + e_z²) | mm |
+//!
+//! A [`Frame`] holds no more than pose, target and plane. Each quantity is a method, computed when it is asked for, so
+//! that a policy pays for what it reads.
+
+mod clearance;
+
+pub use clearance::Clearance;
+
+use crate::arm::{Arm, Joint, Pose};
+use crate::kinematics::{self, Direction, Lattice, Plane, Point, Vector};
+use crate::observation::Observation;
+
+/// The arm and its target, seen in the frame that turns with the base.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame<'a, S> {
+    arm: &'a Arm<S>,
+    pose: Pose,
+    target: Vector<S>,
+    base: Direction<S>,
+    plane: Plane<S>,
+}
+
+impl<'a, S: Lattice> Frame<'a, S> {
+    /// The frame of what a policy sees.
+    pub fn of(arm: &'a Arm<S>, observation: &Observation<S>) -> Self {
+        Self::at(arm, observation.pose, observation.target)
+    }
+
+    /// The frame at a pose, with the target in mm.
+    pub fn at(arm: &'a Arm<S>, pose: Pose, target: Vector<S>) -> Self {
+        Self::with_plane(arm, pose, target, Plane::at(arm, pose))
+    }
+
+    /// The frame at a pose whose plane is known already.
+    pub fn with_plane(arm: &'a Arm<S>, pose: Pose, target: Vector<S>, plane: Plane<S>) -> Self {
+        Self::with_directions(arm, pose, target, kinematics::base_direction(pose), plane)
+    }
+
+    /// The frame at a pose whose plane and base direction are known already.
+    pub fn with_directions(
+        arm: &'a Arm<S>,
+        pose: Pose,
+        target: Vector<S>,
+        base: Direction<S>,
+        plane: Plane<S>,
+    ) -> Self {
+        Self { arm, pose, target, base, plane }
+    }
+
+    /// The motor positions.
+    pub fn pose(&self) -> Pose {
+        self.pose
+    }
+
+    /// The arm in its plane.
+    pub fn plane(&self) -> &Plane<S> {
+        &self.plane
+    }
+
+    /// Direction of the base's angle q0.
+    pub fn base(&self) -> Direction<S> {
+        self.base
+    }
+
+    /// The target, mm.
+    pub fn target(&self) -> Vector<S> {
+        self.target
+    }
+
+    /// Height of the shoulder over the table, mm.
+    pub fn shoulder_height(&self) -> S {
+        self.arm.links.base
+    }
+
+    /// Wrist to tip, mm.
+    pub fn hand_length(&self) -> S {
+        self.arm.links.hand
+    }
+
+    /// ρ, mm: the hand's signed distance from the base's axis.
+    pub fn radius(&self) -> S {
+        -self.plane.tip.x
+    }
+
+    /// z, mm: the hand's height over the table.
+    pub fn height(&self) -> S {
+        self.plane.tip.z
+    }
+
+    /// t_r, mm: the target's coordinate along the arm plane.
+    pub fn target_radius(&self) -> S {
+        let [x, y, _] = self.target;
+        y * self.base.cos - x * self.base.sin
+    }
+
+    /// t_l, mm: the target's coordinate across the arm plane. 0 when the base points at the target or away from it.
+    pub fn target_lateral(&self) -> S {
+        let [x, y, _] = self.target;
+        x * self.base.cos + y * self.base.sin
+    }
+
+    /// e_r = t_r − ρ, mm.
+    pub fn radial_error(&self) -> S {
+        self.target_radius() - self.radius()
+    }
+
+    /// e_z = t_z − z, mm.
+    pub fn height_error(&self) -> S {
+        self.target[2] - self.plane.tip.z
+    }
+
+    /// Hand to target, mm, from the frame's three errors. It may differ from [`Observation::distance`] in the last
+    /// bits, so episodes do not end by this one.
+    pub fn distance(&self) -> S {
+        let (radial, lateral, height) = (self.radial_error(), self.target_lateral(), self.height_error());
+        (radial * radial + lateral * lateral + height * height).sqrt()
+    }
+
+    /// The target's horizontal distance from the base's axis, mm, never negative.
+    pub fn target_range(&self) -> S {
+        let [x, y, _] = self.target;
+        (x * x + y * y).sqrt()
+    }
+
+    /// Directions of upper arm, forearm and hand over the table, in the plane whose first axis is −ρ: the angles
+    /// s, s + e and s + e + w of the paper's artifact.
+    pub fn links(&self) -> [Direction<S>; 3] {
+        [kinematics::upper_arm_direction(self.pose), self.plane.forearm, self.plane.hand]
+    }
+
+    /// −½ ∂d²/∂q of a joint, mm² per rad: the Jacobian's transpose times the error. Positive where raising the joint's
+    /// motor position brings the hand nearer to the target. 0 for a joint that does not exist.
+    pub fn pull(&self, joint: Joint) -> S {
+        match joint.0 {
+            0 => -(self.target_lateral() * self.radius()),
+            1 => self.moment(self.shoulder()),
+            2 => -self.moment(self.plane.elbow),
+            3 => -self.moment(self.plane.wrist),
+            _ => S::ZERO,
+        }
+    }
+
+    /// The moment of the error vector about an axis of the arm plane: e_r (z − p_z) − e_z (ρ − p_ρ), mm².
+    fn moment(&self, axis: Point<S>) -> S {
+        let Point { x, z } = self.plane.tip;
+        // ρ − p_ρ is p_x − x: the radius runs against the plane's x.
+        self.radial_error() * (z - axis.z) - self.height_error() * (axis.x - x)
+    }
+
+    fn shoulder(&self) -> Point<S> {
+        Point { x: S::ZERO, z: self.arm.links.base }
+    }
+
+    /// By how much the base's angle is off when the arm reaches forwards and when it reaches over its back, rad:
+    /// atan2(−t_x, t_y) − q0 and atan2(t_x, −t_y) − q0.
+    ///
+    /// Not wrapped: the base does not turn through its limits, so the way to the target is the difference as it is.
+    /// In −2π..2π; the two differ by π.
+    pub fn azimuth_errors(&self) -> [S; 2] {
+        let [x, y, _] = self.target;
+        let pi = S::from_f64(core::f64::consts::PI);
+        let front = (-x).atan2(y);
+        let back = if front > S::ZERO { front - pi } else { front + pi };
+        let at = kinematics::radians(self.pose, Joint(0));
+        [front - at, back - at]
+    }
+
+    /// Elevation of the target over the shoulder's horizon, rad, −π/2..π/2: atan2(t_z − base height, range).
+    pub fn target_elevation(&self) -> S {
+        (self.target[2] - self.arm.links.base).atan2(self.target_range())
+    }
+
+    /// Elevation of the hand over the shoulder's horizon, rad, −π..π: atan2(z − base height, ρ). Beyond ±π/2 the arm
+    /// reaches over its back.
+    pub fn hand_elevation(&self) -> S {
+        (self.height() - self.arm.links.base).atan2(self.radius())
+    }
+
+    /// Shoulder to target, mm.
+    pub fn target_reach(&self) -> S {
+        let ([x, y, _], height) = (self.target, self.target[2] - self.arm.links.base);
+        (x * x + y * y + height * height).sqrt()
+    }
+
+    /// Shoulder to hand, mm.
+    pub fn hand_reach(&self) -> S {
+        let (radius, height) = (self.radius(), self.height() - self.arm.links.base);
+        (radius * radius + height * height).sqrt()
+    }
+
+    /// How far off the hand is at right angles to the line from the shoulder, in the arm plane, mm:
+    /// (ρ ζt − ζh t_r) / reach of the hand, where ζ is the height over the shoulder.
+    ///
+    /// Positive where the hand must rise (on the front side). 0/0 = NaN when the hand is at the shoulder, which no
+    /// pose of the arm reaches.
+    pub fn tangential_error(&self) -> S {
+        let base = self.arm.links.base;
+        let (hand, target) = (self.height() - base, self.target[2] - base);
+        (self.radius() * target - hand * self.target_radius()) / self.hand_reach()
+    }
+
+    /// Ticks that a joint can still rise before its upper limit; 0 for a joint that does not exist.
+    pub fn room_above(&self, joint: Joint) -> S {
+        self.room(joint, |ticks, (_, max)| max - ticks)
+    }
+
+    /// Ticks that a joint can still fall before its lower limit; 0 for a joint that does not exist.
+    pub fn room_below(&self, joint: Joint) -> S {
+        self.room(joint, |ticks, (min, _)| ticks - min)
+    }
+
+    fn room(&self, joint: Joint, room: impl FnOnce(i32, (i32, i32)) -> i32) -> S {
+        let index = usize::from(joint.0);
+        let ticks = self.pose.0.get(index).zip(self.arm.ranges.get(index));
+        S::from_i32(
+            ticks.map_or(0, |(&ticks, range)| room(i32::from(ticks), (i32::from(range.min), i32::from(range.max)))),
+        )
+    }
+
+    /// Height of the lower of the hand's two tip corners over the table, mm. Below 0 the hand collides.
+    pub fn lowest_corner(&self) -> S {
+        let [upper, lower] = self.plane.tip_corners(&self.arm.shapes);
+        if lower.z < upper.z { lower.z } else { upper.z }
+    }
+
+    /// How near hand and forearm are to the arm's own base.
+    pub fn clearance(&self) -> Clearance<S> {
+        Clearance::of(&self.plane, &self.arm.shapes)
+    }
+}

@@ -1,0 +1,168 @@
+//! The inverse kinematics of base, shoulder and elbow while the wrist stays.
+//!
+//! With the wrist held, the arm is two rigid parts: shoulder–elbow, and elbow–tip. Two sides and the distance from
+//! shoulder to target make a triangle, so the elbow's goal follows from the law of cosines and the shoulder's from the
+//! target's direction. This is knowledge about the arm that the paper's policies did not have.
+
+use super::derived::ticks_of;
+use crate::arm::{Arm, JointRange, Pose, TICKS_PER_TURN};
+use crate::kinematics::{Angle, Lattice, Vector};
+
+/// Goals of shoulder and elbow, ticks, with the elbow bent one way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Bend<S> {
+    shoulder: S,
+    elbow: S,
+    /// The hand's pitch there, ticks below the horizontal.
+    pitch: S,
+}
+
+/// A target as the inverse kinematics sees it: what does not depend on the wrist.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ReachTarget<S> {
+    /// Base's goal, ticks.
+    base: S,
+    /// Shoulder to target, mm.
+    wanted: S,
+    /// Of the target as seen from the shoulder, in the arm plane turned to it, rad.
+    direction: S,
+    /// Shoulder to elbow, mm.
+    upper: S,
+    /// Between the upper arm and the line to the elbow, rad.
+    upper_angle: S,
+}
+
+/// Where base, shoulder and elbow must go; depends on the wrist's position and the target alone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reach<S> {
+    base: S,
+    bends: [Bend<S>; 2],
+    deficit: S,
+}
+
+/// How far a pose is from its [`Reach`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ReachErrors<S> {
+    /// Base, shoulder and elbow: goal less position, ticks.
+    pub ticks: [S; 3],
+    /// Ticks by which the goals of shoulder and elbow lie outside their ranges, and mm by which the target is out of
+    /// reach with this wrist: positive too far, negative too near.
+    pub excess: [S; 3],
+    /// The hand's pitch at the goal, ticks below the horizontal.
+    pub pitch: S,
+}
+
+impl<S: Lattice> ReachTarget<S> {
+    /// Of a target in mm.
+    pub fn at(arm: &Arm<S>, target: Vector<S>) -> Self {
+        let links = &arm.links;
+        let [x, y, z] = target;
+        let range = (x * x + y * y).sqrt();
+        let height = z - links.base;
+        Self {
+            base: S::from_i32(TICKS_PER_TURN / 2) + ticks_of((-x).atan2(y)),
+            wanted: (range * range + height * height).sqrt(),
+            // The stretched arm points to negative x of its plane: so does a target on the front side.
+            direction: height.atan2(-range),
+            upper: (links.upper_arm * links.upper_arm + links.elbow_offset * links.elbow_offset).sqrt(),
+            upper_angle: links.elbow_offset.atan2(links.upper_arm),
+        }
+    }
+
+    /// The goals for a wrist position in ticks.
+    pub fn keeping_wrist(&self, arm: &Arm<S>, wrist: i16) -> Reach<S> {
+        let Self { base, wanted, direction, upper, upper_angle } = *self;
+        let links = &arm.links;
+        let turned = Angle(TICKS_PER_TURN / 2 - i32::from(wrist)).direction::<S>();
+        let (along, aside) = (links.forearm + links.hand * turned.cos, links.hand * turned.sin);
+        let lower = (along * along + aside * aside).sqrt();
+        let lower_angle = aside.atan2(along);
+
+        let reach = clamp(wanted, (upper - lower).abs(), upper + lower);
+        let cosine = (reach * reach - upper * upper - lower * lower) / (S::from_f64(2.0) * upper * lower);
+        let cosine = clamp(cosine, -S::ONE, S::ONE);
+        let sine = clamp(S::ONE - cosine * cosine, S::ZERO, S::ONE).sqrt();
+        // The angle at the elbow, and the one at the shoulder between the lines to elbow and target.
+        let bent = sine.atan2(cosine);
+        let lean = (lower * sine).atan2(upper + lower * cosine);
+        let bend = |bent: S, lean: S| {
+            let upper_arm = direction - upper_angle - lean;
+            let forearm = bent - lower_angle + upper_angle;
+            let shoulder = near_middle(S::from_i32(TICKS_PER_TURN / 4) + ticks_of(upper_arm));
+            let elbow = near_middle(S::from_i32(3 * TICKS_PER_TURN / 4) - ticks_of(forearm));
+            // Angle of the hand in the plane, less the half turn at which it lies level on the front side.
+            let hand = shoulder - elbow + S::from_i32(TICKS_PER_TURN - i32::from(wrist));
+            let pitch = wrapped(hand - S::from_i32(TICKS_PER_TURN / 2));
+            Bend { shoulder, elbow, pitch }
+        };
+        Reach { base, bends: [bend(bent, lean), bend(-bent, -lean)], deficit: wanted - reach }
+    }
+}
+
+impl<S: Lattice> Reach<S> {
+    /// The goals for a wrist position in ticks and a target in mm.
+    pub fn keeping_wrist(arm: &Arm<S>, wrist: i16, target: Vector<S>) -> Self {
+        ReachTarget::at(arm, target).keeping_wrist(arm, wrist)
+    }
+
+    /// How far off a pose is. Of the two bends of the elbow, the one that the joint ranges allow better; where both are
+    /// equally good, the nearer.
+    pub fn errors(&self, arm: &Arm<S>, pose: Pose) -> ReachErrors<S> {
+        let [base, shoulder, elbow, _] = pose.0.map(|ticks| S::from_i32(i32::from(ticks)));
+        let [_, shoulder_range, elbow_range, _] = arm.ranges;
+        let judged = self.bends.map(|bend| {
+            let excess = [outside(bend.shoulder, shoulder_range), outside(bend.elbow, elbow_range)];
+            let errors = [bend.shoulder - shoulder, bend.elbow - elbow];
+            let largest = larger(errors[0].abs(), errors[1].abs());
+            (bend, excess, errors, excess[0].abs() + excess[1].abs(), largest)
+        });
+        let [first, second] = judged;
+        let second_is_better = second.3 < first.3 || (second.3 == first.3 && second.4 < first.4);
+        let (bend, excess, errors, ..) = if second_is_better { second } else { first };
+        ReachErrors {
+            ticks: [self.base - base, errors[0], errors[1]],
+            excess: [excess[0], excess[1], self.deficit],
+            pitch: bend.pitch,
+        }
+    }
+}
+
+/// A joint goal, moved by whole turns to 0..=4096, around the middle of a joint's travel.
+fn near_middle<S: Lattice>(ticks: S) -> S {
+    let middle = S::from_i32(TICKS_PER_TURN / 2);
+    middle + wrapped(ticks - middle)
+}
+
+/// Moved by at most two turns, to −2048..=2048: the sums above never leave that.
+fn wrapped<S: Lattice>(ticks: S) -> S {
+    let (half, turn) = (S::from_i32(TICKS_PER_TURN / 2), S::from_i32(TICKS_PER_TURN));
+    let once = |ticks: S| {
+        if ticks > half {
+            ticks - turn
+        } else if ticks < -half {
+            ticks + turn
+        } else {
+            ticks
+        }
+    };
+    once(once(ticks))
+}
+
+fn outside<S: Lattice>(ticks: S, range: JointRange) -> S {
+    let ends = [range.min, range.max].map(|end| S::from_i32(i32::from(end)));
+    ticks - clamp(ticks, ends[0], ends[1])
+}
+
+fn clamp<S: Lattice>(value: S, min: S, max: S) -> S {
+    if value < min {
+        min
+    } else if value > max {
+        max
+    } else {
+        value
+    }
+}
+
+fn larger<S: Lattice>(a: S, b: S) -> S {
+    if a > b { a } else { b }
+}

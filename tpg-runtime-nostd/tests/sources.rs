@@ -1,0 +1,143 @@
+//! The data sources of a graph: their values, and the ranges that `graph.json` declares for them.
+
+use tpg_runtime::arm::{Arm, JOINTS, Pose, WIDOWX};
+use tpg_runtime::kinematics::{self, Lattice, Plane};
+use tpg_runtime::observation::{Observation, Reach, Source};
+
+const ARM_F32: Arm<f32> = WIDOWX.to_f32();
+
+/// Poses inside the limits, from a linear congruential generator: a test must not change with a crate.
+struct Poses(u64);
+
+impl Poses {
+    fn below(&mut self, bound: u64) -> u64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) % bound
+    }
+
+    fn any(&mut self) -> Pose {
+        let mut pose = Pose([0; JOINTS]);
+        for (ticks, range) in pose.0.iter_mut().zip(WIDOWX.ranges) {
+            *ticks = range.min + self.below((range.max - range.min) as u64 + 1) as i16;
+        }
+        // Ends of the ranges are where bounds break.
+        if self.below(8) == 0 {
+            let joint = self.below(4) as usize;
+            let range = WIDOWX.ranges[joint];
+            pose.0[joint] = if self.below(2) == 0 { range.min } else { range.max };
+        }
+        pose
+    }
+
+    fn free(&mut self) -> Pose {
+        loop {
+            let pose = self.any();
+            if Plane::at(&WIDOWX, pose).collision(&WIDOWX.shapes).is_none() {
+                return pose;
+            }
+        }
+    }
+}
+
+fn values<S: Lattice>(source: Source, arm: &Arm<S>, pose: Pose, target: [S; 3]) -> Vec<f64> {
+    let mut values = vec![S::ZERO; source.length()];
+    source.write(arm, &Observation::at(arm, pose, target), &mut values);
+    values.iter().map(|value| value.to_f64()).collect()
+}
+
+#[test]
+fn every_value_lies_in_its_declared_range() {
+    let mut poses = Poses(1);
+    let mut widest = [[0.0f64; 6]; Source::ALL.len()];
+    for _ in 0..300_000 {
+        let (pose, goal) = (poses.free(), poses.free());
+        let target = kinematics::hand(&WIDOWX, goal);
+        let target_f32 = kinematics::hand(&ARM_F32, goal);
+        for (place, source) in Source::ALL.into_iter().enumerate() {
+            let both = [values(source, &WIDOWX, pose, target), values(source, &ARM_F32, pose, target_f32)];
+            for (index, value) in both.iter().flat_map(|values| values.iter().copied().enumerate()) {
+                let [min, max] = source.range(&WIDOWX, index);
+                assert!(min.is_finite() && max.is_finite() && min <= max);
+                assert!(
+                    min <= value && value <= max,
+                    "{}[{index}] is {value} at {pose:?} for the target {target:?}, declared {min} to {max}",
+                    source.name()
+                );
+                let used = if max > min { (value - min).max(max - value) / (max - min) } else { 1.0 };
+                widest[place][index] = widest[place][index].max(used);
+            }
+        }
+    }
+    // A range that nothing comes near would make interval analysis weak.
+    for (source, widest) in Source::ALL.into_iter().zip(widest) {
+        for (index, used) in widest.iter().enumerate().take(source.length()) {
+            assert!(*used > 0.55, "{}[{index}] uses only {used} of its range from one end", source.name());
+        }
+    }
+}
+
+#[test]
+fn f32_and_f64_see_the_same_errors() {
+    let mut poses = Poses(2);
+    for _ in 0..20_000 {
+        let (pose, goal) = (poses.free(), poses.free());
+        let target = kinematics::hand(&WIDOWX, goal);
+        let polar = |index: usize| {
+            let wide = values(Source::Polar, &WIDOWX, pose, target)[index];
+            let narrow = values(Source::Polar, &ARM_F32, pose, target.map(|x| x as f32))[index];
+            (wide - narrow).abs()
+        };
+        assert!((0..3).all(|index| polar(index) < 1e-2), "{pose:?} {target:?}");
+    }
+}
+
+#[test]
+fn doing_what_reach_says_brings_the_hand_to_the_target() {
+    let mut poses = Poses(3);
+    let mut reached = 0;
+    for _ in 0..20_000 {
+        let (pose, goal) = (poses.free(), poses.free());
+        let target = kinematics::hand(&WIDOWX, goal);
+        let errors = Reach::keeping_wrist(&WIDOWX, pose.0[3], target).errors(&WIDOWX, pose);
+        if errors.excess.iter().any(|excess| excess.abs() > 0.0) {
+            continue;
+        }
+        reached += 1;
+        let radians = |joint: usize| {
+            let error = if joint < 3 { errors.ticks[joint] } else { 0.0 };
+            (f64::from(pose.0[joint]) + error - 2048.0) * core::f64::consts::PI / 2048.0
+        };
+        let hand = kinematics::hand_from_radians(&WIDOWX, [0, 1, 2, 3].map(radians));
+        let missed = kinematics::distance(hand, target);
+        assert!(missed < 1e-6, "{missed} mm off from {pose:?} to {target:?}");
+    }
+    assert!(reached > 5000, "only {reached} targets were within reach without the wrist");
+}
+
+#[test]
+fn the_wrist_error_points_the_hand_at_the_target() {
+    let mut poses = Poses(4);
+    for _ in 0..5000 {
+        let (pose, goal) = (poses.free(), poses.free());
+        // A target in the arm plane: the base is right already.
+        let target = kinematics::hand(&WIDOWX, Pose([pose.0[0], goal.0[1], goal.0[2], goal.0[3]]));
+        let wrist = values(Source::Wrist, &WIDOWX, pose, target);
+        let mut joints = pose.0.map(|ticks| (f64::from(ticks) - 2048.0) * core::f64::consts::PI / 2048.0);
+        joints[3] += wrist[1] * core::f64::consts::PI / 2048.0;
+        let hand = kinematics::hand_from_radians(&WIDOWX, joints);
+        let missed = kinematics::distance(hand, target);
+        assert!((missed - wrist[0].abs()).abs() < 1e-6, "{missed} mm left, {} foretold", wrist[0]);
+    }
+}
+
+#[test]
+fn fill_puts_sources_one_after_another() {
+    let target = kinematics::hand(&WIDOWX, Pose([2100, 2200, 1900, 2000]));
+    let seen = Observation::at(&WIDOWX, WIDOWX.home, target);
+    let sources = [Source::Polar, Source::MotorsCentred, Source::Floor];
+    let mut state = [f64::NAN; 9];
+    Source::fill(&sources, &WIDOWX, &seen, &mut state);
+    let expected: Vec<f64> = sources.iter().flat_map(|&source| values(source, &WIDOWX, WIDOWX.home, target)).collect();
+    assert_eq!(state[..8], expected[..]);
+    assert!(state[8].is_nan(), "nothing is written past the last source");
+}

@@ -1,0 +1,20 @@
+//! The engine: many episodes of many roots, millions of steps a second, with the interpreter's answers.
+//!
+//! [`Policy`] → [`Plan`] (distinct nodes, teams in order) → [`Lanes`] (episodes side by side) → [`Ending`]s;
+//! [`LocalThreads`] spreads roots over threads behind the [`Evaluator`] trait.
+
+mod environment;
+mod evaluator;
+mod history;
+mod lanes;
+mod nodes;
+mod plan;
+mod policy;
+
+pub use environment::{Ending, Environment, SourceSet};
+pub use evaluator::{Answer, EvaluationError, Evaluator, LocalThreads, UnitKey, Work, WorkUnit};
+pub use history::{History, Repeat};
+pub use lanes::{Lanes, Options};
+pub use nodes::{Arena, Node, NodeId, effective};
+pub use plan::Plan;
+pub use policy::{Destination, Edge, Line, Operand, Policy};

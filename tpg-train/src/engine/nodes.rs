@@ -1,0 +1,186 @@
+//! Programs as values: every distinct operation of a root once.
+//!
+//! A program's effective lines become nodes of a hash-consed arena; a program *is* the node of its register 0. What does
+//! not reach that register (in evolved graphs four lines of five) never enters the arena, and what many programs
+//! compute is computed once. Nodes are in an order in which operands come first.
+
+use super::policy::{Line, Operand};
+use std::collections::HashMap;
+use std::marker::PhantomData;
+use tpg_runtime::ops::{Instruction, Maths};
+use tpg_runtime::scalar::Scalar;
+
+/// The place of a node in its arena.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct NodeId(pub(crate) u32);
+
+impl NodeId {
+    /// As an index.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// A value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Node<S> {
+    /// A value of the state.
+    Input(u16),
+    /// A number.
+    Constant(S),
+    /// The result of an instruction.
+    Operation(Instruction, NodeId, NodeId),
+}
+
+/// What makes two nodes one. Constants go by their bits: 0 and −0 differ, and equal NaNs are one.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+enum Identity {
+    Input(u16),
+    Constant(u64),
+    Operation(Instruction, NodeId, NodeId),
+}
+
+/// The distinct nodes of some programs.
+#[derive(Clone, Debug)]
+pub struct Arena<S, M> {
+    nodes: Vec<Node<S>>,
+    /// Looked up, never iterated: its order reaches nothing.
+    known: HashMap<Identity, NodeId>,
+    share: bool,
+    maths: PhantomData<M>,
+}
+
+impl std::fmt::Debug for Identity {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("Identity")
+    }
+}
+
+impl<S: Scalar, M: Maths<S>> Arena<S, M> {
+    /// An empty arena. Without `share` no two operations are ever one (an ablation; the values are the same).
+    pub fn new(share: bool) -> Self {
+        Self { nodes: Vec::new(), known: HashMap::new(), share, maths: PhantomData }
+    }
+
+    /// The nodes, operands before what they enter.
+    pub fn nodes(&self) -> &[Node<S>] {
+        &self.nodes
+    }
+
+    /// Adds a program; its bid is the value of the node returned.
+    pub fn program(&mut self, registers: u16, lines: &[Line]) -> NodeId {
+        let zero = self.constant(S::ZERO);
+        let mut at = vec![zero; usize::from(registers)];
+        for (line, _) in lines.iter().zip(effective(registers, lines)).filter(|(_, effective)| *effective) {
+            let operands = line.operands.map(|operand| match operand {
+                Operand::Register(register) => at[usize::from(register)],
+                Operand::Input(input) => self.node(Node::Input(input)),
+                Operand::Constant(value) => self.constant(S::from_f64(value)),
+            });
+            at[usize::from(line.to)] = self.operation(line.instruction, operands);
+        }
+        at[0]
+    }
+
+    fn operation(&mut self, instruction: Instruction, [a, b]: [NodeId; 2]) -> NodeId {
+        let b = if instruction.arity() == 1 { a } else { b };
+        if let (Node::Constant(a), Node::Constant(b)) = (self.nodes[a.index()], self.nodes[b.index()]) {
+            return self.constant(instruction.apply::<S, M>(a, b));
+        }
+        // a + b and b + a differ at most in which NaN they hand on, and every NaN bids the same.
+        let commutes = matches!(instruction, Instruction::Add | Instruction::Mul);
+        let (a, b) = if commutes && b < a { (b, a) } else { (a, b) };
+        self.node(Node::Operation(instruction, a, b))
+    }
+
+    fn constant(&mut self, value: S) -> NodeId {
+        self.node(Node::Constant(value))
+    }
+
+    fn node(&mut self, node: Node<S>) -> NodeId {
+        let identity = match node {
+            Node::Input(input) => Identity::Input(input),
+            Node::Constant(value) => Identity::Constant(value.to_f64().to_bits()),
+            Node::Operation(instruction, a, b) => Identity::Operation(instruction, a, b),
+        };
+        let next = NodeId(u32::try_from(self.nodes.len()).expect("fewer than 2³² nodes"));
+        let shared = self.share || !matches!(node, Node::Operation(..));
+        let id = if shared { *self.known.entry(identity).or_insert(next) } else { next };
+        if id == next {
+            self.nodes.push(node);
+        }
+        id
+    }
+}
+
+/// Which lines can change register 0: liveness, backwards from the end.
+pub fn effective(registers: u16, lines: &[Line]) -> Vec<bool> {
+    let mut live = vec![false; usize::from(registers)];
+    live[0] = true;
+    let mut effective = vec![false; lines.len()];
+    for (index, line) in lines.iter().enumerate().rev() {
+        let to = usize::from(line.to);
+        if live[to] {
+            live[to] = false;
+            effective[index] = true;
+            for operand in line.operands.iter().take(line.instruction.arity()) {
+                if let Operand::Register(register) = operand {
+                    live[usize::from(*register)] = true;
+                }
+            }
+        }
+    }
+    effective
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Arena, Node, effective};
+    use crate::engine::policy::{Line, Operand};
+    use tpg_runtime::ops::{Instruction, Own};
+
+    fn line(to: u16, instruction: Instruction, a: Operand, b: Operand) -> Line {
+        Line { to, instruction, operands: [a, b] }
+    }
+
+    const R0: Operand = Operand::Register(0);
+    const R1: Operand = Operand::Register(1);
+    const X: Operand = Operand::Input(0);
+    const Y: Operand = Operand::Input(1);
+
+    #[test]
+    fn lines_that_cannot_reach_the_bid_are_not_effective() {
+        let program = [
+            line(1, Instruction::Add, X, Y),
+            line(0, Instruction::Add, X, X), // overwritten before it is read
+            line(2, Instruction::Mul, R0, R0),
+            line(0, Instruction::Abs, R1, Operand::Register(2)), // Abs ignores its second operand
+        ];
+        assert_eq!(effective(8, &program), [true, false, false, true]);
+    }
+
+    #[test]
+    fn equal_values_are_one_node_and_constants_fold() {
+        let mut arena = Arena::<f32, Own>::new(true);
+        let a = arena.program(8, &[line(0, Instruction::Add, X, Y)]);
+        let b = arena.program(8, &[line(3, Instruction::Sub, X, Y), line(0, Instruction::Add, Y, X)]);
+        assert_eq!(a, b, "x + y and y + x are one value");
+        let c = arena.program(8, &[line(0, Instruction::Sub, X, Y)]);
+        let d = arena.program(8, &[line(0, Instruction::Sub, Y, X)]);
+        assert_ne!(c, d, "x − y and y − x are not");
+        let two = Operand::Constant(2.0);
+        let folded = arena.program(8, &[line(1, Instruction::Mul, two, two), line(0, Instruction::Sub, R1, R0)]);
+        assert_eq!(arena.nodes()[folded.index()], Node::Constant(4.0));
+    }
+
+    #[test]
+    fn operands_come_before_what_they_enter() {
+        let mut arena = Arena::<f32, Own>::new(true);
+        arena.program(8, &[line(1, Instruction::Add, X, Y), line(0, Instruction::Mul, R1, X)]);
+        for (place, node) in (0u32..).zip(arena.nodes()) {
+            if let Node::Operation(_, a, b) = node {
+                assert!(a.0 < place && b.0 < place);
+            }
+        }
+    }
+}

@@ -1,0 +1,156 @@
+//! A policy as the engine takes it: plain data that a work unit can carry to any thread or machine.
+
+use serde::{Deserialize, Serialize};
+use tpg_codegen::graph::{self, Graph};
+use tpg_runtime::ops::Instruction;
+
+/// Where an instruction reads.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Operand {
+    /// A register.
+    Register(u16),
+    /// A value of the flat state.
+    Input(u16),
+    /// A number, exact in the policy's scalar type.
+    Constant(f64),
+}
+
+/// One line of a program.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Line {
+    /// The register that takes the result.
+    pub to: u16,
+    /// What is computed.
+    #[serde(with = "by_name")]
+    pub instruction: Instruction,
+    /// Its operands; a one-operand instruction ignores the second.
+    pub operands: [Operand; 2],
+}
+
+/// Where an edge leads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Destination {
+    /// To the team at this place of [`Policy::teams`].
+    Team(u32),
+    /// To an action.
+    Action(u16),
+}
+
+/// A program that bids for its destination.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Edge {
+    /// Place of the bidder in [`Policy::programs`].
+    pub program: u32,
+    /// What it bids for.
+    pub to: Destination,
+}
+
+/// A single-root graph without labels, sources or provenance: what decides, and nothing else.
+///
+/// Team 0 is the root, and an edge leads only to later teams: [`Policy::new`] sees to both.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Policy {
+    /// Registers of a program.
+    pub registers: u16,
+    /// The teams; of equal bids the last edge wins.
+    pub teams: Vec<Vec<Edge>>,
+    /// The programs.
+    pub programs: Vec<Vec<Line>>,
+}
+
+impl Policy {
+    /// Puts teams into topological order, root first. Teams that the root does not reach are dropped.
+    ///
+    /// # Panics
+    /// If the teams have a cycle: neither GEGELATI's mutations nor a validated graph can make one.
+    pub fn new(registers: u16, root: u32, teams: Vec<Vec<Edge>>, programs: Vec<Vec<Line>>) -> Self {
+        let order = topological(root, &teams);
+        let mut place = vec![u32::MAX; teams.len()];
+        for (new, &old) in (0u32..).zip(&order) {
+            place[old as usize] = new;
+        }
+        let renumbered = |edge: &Edge| match edge.to {
+            Destination::Team(team) => Edge { to: Destination::Team(place[team as usize]), ..*edge },
+            Destination::Action(_) => *edge,
+        };
+        let teams = order.iter().map(|&old| teams[old as usize].iter().map(renumbered).collect()).collect();
+        Self { registers, teams, programs }
+    }
+}
+
+impl From<&Graph> for Policy {
+    fn from(graph: &Graph) -> Self {
+        let operand = |operand: graph::Operand| match operand {
+            graph::Operand::Register(register) => Operand::Register(register.index() as u16),
+            graph::Operand::Input(input) => Operand::Input(input.index() as u16),
+            graph::Operand::Constant(value) => Operand::Constant(value),
+        };
+        let line = |line: &graph::Line| Line {
+            to: line.to.index() as u16,
+            instruction: line.instruction,
+            operands: line.operands.map(operand),
+        };
+        let edge = |edge: &graph::Edge| Edge {
+            program: edge.program.index() as u32,
+            to: match edge.to {
+                graph::Destination::Team(team) => Destination::Team(team.index() as u32),
+                graph::Destination::Action(action) => Destination::Action(action.0),
+            },
+        };
+        let teams = graph.teams().iter().map(|team| team.edges.iter().map(edge).collect()).collect();
+        let programs = graph.programs().iter().map(|program| program.lines.iter().map(line).collect()).collect();
+        Self::new(graph.registers(), graph.root().index() as u32, teams, programs)
+    }
+}
+
+/// Teams that the root reaches, each before those it leads to; depth first with a stack of its own.
+fn topological(root: u32, teams: &[Vec<Edge>]) -> Vec<u32> {
+    #[derive(Clone, Copy, PartialEq)]
+    enum Mark {
+        New,
+        Open,
+        Done,
+    }
+    let mut marks = vec![Mark::New; teams.len()];
+    let mut finished = Vec::new();
+    let mut path = vec![(root, 0)];
+    marks[root as usize] = Mark::Open;
+    while let Some((team, next)) = path.last_mut() {
+        match teams[*team as usize].get(*next) {
+            None => {
+                marks[*team as usize] = Mark::Done;
+                finished.push(*team);
+                path.pop();
+            }
+            Some(edge) => {
+                *next += 1;
+                if let Destination::Team(to) = edge.to {
+                    assert!(marks[to as usize] != Mark::Open, "a cycle through team {to}");
+                    if marks[to as usize] == Mark::New {
+                        marks[to as usize] = Mark::Open;
+                        path.push((to, 0));
+                    }
+                }
+            }
+        }
+    }
+    finished.reverse();
+    finished
+}
+
+/// Instructions are written by name, as in `graph.json`.
+mod by_name {
+    use serde::{Deserialize, Deserializer, Serializer, de::Error};
+    use tpg_runtime::ops::Instruction;
+
+    pub(super) fn serialize<S: Serializer>(instruction: &Instruction, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(instruction.name())
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Instruction, D::Error> {
+        let name = String::deserialize(deserializer)?;
+        Instruction::from_name(&name).ok_or_else(|| D::Error::custom(format!("unknown instruction {name:?}")))
+    }
+}

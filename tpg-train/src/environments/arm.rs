@@ -1,0 +1,427 @@
+//! The arm as an [`Environment`]: the runtime's rules, kept from step to step where nothing changed.
+//!
+//! Every value comes from the runtime's own functions on the same arguments, so it has the same bits as an observation
+//! made from scratch; a test walks both side by side.
+
+use crate::engine::{Ending, Environment, SourceSet};
+use crate::random::Stream;
+use crate::targets::{self, Reach as Space, Set, Start, Task};
+use serde::{Deserialize, Serialize};
+use tpg_codegen::graph::{ActionDocument, SourceDocument};
+use tpg_runtime::arm::{Arm, Collision, Invalid, JOINTS, Joint, Move, Pose, TICKS_PER_TURN};
+use tpg_runtime::episode::Outcome;
+use tpg_runtime::frame::Frame;
+use tpg_runtime::kinematics::{self, Angle, Direction, Directions, Lattice, Plane, Vector, link_angles};
+use tpg_runtime::observation::{Aim, Observation, Reach, ReachErrors, ReachTarget, Source, derived};
+use tpg_runtime::policy::ActionId;
+
+/// The scalars that an arm exists in.
+pub trait ArmScalar: Lattice {
+    /// The arm, rounded to this scalar.
+    fn arm(arm: &Arm<f64>) -> Arm<Self>;
+}
+
+impl ArmScalar for f32 {
+    fn arm(arm: &Arm<f64>) -> Arm<f32> {
+        arm.to_f32()
+    }
+}
+
+impl ArmScalar for f64 {
+    fn arm(arm: &Arm<f64>) -> Arm<f64> {
+        *arm
+    }
+}
+
+/// What is asked of the arm, and how it is scored.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ArmProblem {
+    /// Where episodes start.
+    pub start: Start,
+    /// An episode succeeds nearer than this, mm.
+    pub tolerance: f64,
+    /// After this many actions it is over.
+    pub max_actions: u32,
+    /// Ticks that an action moves one joint.
+    pub step: i8,
+    /// Whether there is an action that does nothing (and so ends the episode).
+    pub may_stop: bool,
+    /// What a policy sees.
+    pub sources: Vec<Source>,
+    /// Score of a success; a failure scores −distance in mm.
+    pub bonus: f64,
+    /// Added to a success for each action that was not needed.
+    pub per_unused_action: f64,
+}
+
+impl ArmProblem {
+    /// The project's problem: actions of 3 ticks, 3 mm, the paper's score, with those sources.
+    pub fn new(start: Start, sources: Vec<Source>) -> Self {
+        Self {
+            start,
+            tolerance: targets::TOLERANCE,
+            max_actions: start.max_actions(),
+            step: 3,
+            may_stop: true,
+            sources,
+            bonus: 10.0,
+            per_unused_action: 0.01,
+        }
+    }
+}
+
+/// One episode's task.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ArmTask {
+    /// Where the arm starts, ticks.
+    pub start: [i16; JOINTS],
+    /// Where the hand shall go, mm.
+    pub target: [f64; 3],
+}
+
+impl From<Task> for ArmTask {
+    fn from(task: Task) -> Self {
+        Self { start: task.start.0, target: task.target }
+    }
+}
+
+/// The arm.
+#[derive(Clone, Debug)]
+pub struct ArmEnvironment<S> {
+    arm: Arm<S>,
+    description: Arm<f64>,
+    problem: ArmProblem,
+    tolerance: S,
+    moves: Vec<Move>,
+    /// First place of each source in the flat state.
+    places: Vec<usize>,
+    /// With every joint and the tip above this, nothing collides, mm.
+    free_above: S,
+    /// Sine of every tick of a turn.
+    sines: Box<[S]>,
+    /// Where training tasks come from.
+    space: Option<Space>,
+}
+
+/// An episode under way, and what of it need not be computed again.
+#[derive(Clone, Debug)]
+pub struct ArmEpisode<S> {
+    pose: Pose,
+    target: Vector<S>,
+    plane: Plane<S>,
+    base: Direction<S>,
+    hand: Vector<S>,
+    collides: bool,
+    actions: u32,
+    aim: Option<Aim<S>>,
+    /// Elevation and reach of the hand; forgotten when the plane moves.
+    hand_polar: Option<[S; 2]>,
+    reach_target: Option<ReachTarget<S>>,
+    /// For the wrist position beside it.
+    reach: Option<(i16, Reach<S>)>,
+}
+
+impl<S: ArmScalar> ArmEnvironment<S> {
+    /// An environment.
+    ///
+    /// Its training tasks come from the space's own sample; validation tasks from another.
+    pub fn new(arm: &Arm<f64>, problem: ArmProblem) -> Self {
+        let mut environment = Self::for_evaluation(arm, problem, Vec::new());
+        environment.moves = (0..JOINTS as u8)
+            .flat_map(|joint| {
+                let step = environment.problem.step;
+                [step, -step].map(|ticks| Move::single(Joint(joint), ticks))
+            })
+            .collect();
+        if environment.problem.may_stop {
+            environment.moves.push(Move::STOP);
+        }
+        environment.space = Some(Space::sample(arm, 0, Set::Training));
+        environment
+    }
+
+    /// An environment with a policy's own actions, for tasks that are given: none can be drawn.
+    pub fn for_evaluation(arm: &Arm<f64>, problem: ArmProblem, moves: Vec<Move>) -> Self {
+        let places = (0..problem.sources.len())
+            .map(|place| problem.sources[..place].iter().map(|source| source.length()).sum())
+            .collect();
+        Self {
+            arm: S::arm(arm),
+            description: *arm,
+            tolerance: S::from_f64(problem.tolerance),
+            problem,
+            free_above: S::from_f64(free_above(arm)),
+            moves,
+            places,
+            sines: (0..TICKS_PER_TURN).map(|ticks| Angle(ticks).direction().sin).collect(),
+            space: None,
+        }
+    }
+
+    /// The arm in this environment's scalar.
+    pub fn arm(&self) -> &Arm<S> {
+        &self.arm
+    }
+
+    /// What is asked.
+    pub fn problem(&self) -> &ArmProblem {
+        &self.problem
+    }
+
+    /// What each action moves.
+    pub fn moves(&self) -> &[Move] {
+        &self.moves
+    }
+
+    #[inline]
+    fn direction(&self, angle: Angle) -> Direction<S> {
+        let within = (TICKS_PER_TURN - 1) as usize;
+        let ticks = angle.0 as usize & within;
+        let ahead = (ticks + TICKS_PER_TURN as usize / 4) & within;
+        Direction { cos: self.sines[ahead], sin: self.sines[ticks] }
+    }
+
+    #[inline]
+    fn plane(&self, pose: Pose) -> Plane<S> {
+        let [upper_arm, forearm, hand] = link_angles(pose).map(|angle| self.direction(angle));
+        Plane::new(&self.arm, Directions::of_links(upper_arm, forearm, hand))
+    }
+
+    #[inline]
+    fn base(&self, pose: Pose) -> Direction<S> {
+        self.direction(Angle(i32::from(pose.0[0]) - TICKS_PER_TURN / 2))
+    }
+
+    fn ending(&self, outcome: Outcome, actions: u32, distance: S) -> Ending {
+        let error = distance.to_f64();
+        let success = outcome == Outcome::Reached;
+        let unused = f64::from(self.problem.max_actions.saturating_sub(actions));
+        let score = if success { unused * self.problem.per_unused_action + self.problem.bonus } else { -error };
+        Ending { outcome: outcome_number(outcome), success, score, error, actions }
+    }
+}
+
+/// The top of the base, and how far a collision corner can lie below the joint it belongs to, rounded up.
+fn free_above(arm: &Arm<f64>) -> f64 {
+    let shapes = &arm.shapes;
+    let widest = |edges: [f64; 2]| edges[0].abs().max(edges[1].abs());
+    let hand = (shapes.hand_length - arm.links.hand).hypot(widest(shapes.hand_edges));
+    let forearm = shapes.forearm_overhang.hypot(widest(shapes.forearm_edges));
+    let top = shapes.base.iter().flat_map(|edge| edge.z).fold(0.0, f64::max);
+    top + hand.max(forearm) + 1.0
+}
+
+/// Names of the outcomes, as `eval --json` counts them.
+const OUTCOMES: [&str; 7] = ["reached", "cycle", "stop", "joint_limit", "table", "base", "timeout"];
+
+fn outcome_number(outcome: Outcome) -> u8 {
+    match outcome {
+        Outcome::Reached => 0,
+        Outcome::Cycle => 1,
+        Outcome::Stop => 2,
+        Outcome::Invalid(Invalid::JointLimit(_)) => 3,
+        Outcome::Invalid(Invalid::Collision(Collision::Table | Collision::HandCorner)) => 4,
+        Outcome::Invalid(Invalid::Collision(Collision::Base)) => 5,
+        Outcome::Timeout => 6,
+    }
+}
+
+impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
+    type Task = ArmTask;
+    type Episode = ArmEpisode<S>;
+
+    fn sources(&self) -> Vec<SourceDocument> {
+        // Whole numbers: exact in every scalar.
+        let range = |source: &Source, index: usize| {
+            let [min, max] = source.range(&self.description, index);
+            [min.floor(), max.ceil()]
+        };
+        let document = |source: &Source| SourceDocument {
+            name: source.name().to_owned(),
+            length: source.length() as u32,
+            unit: source.unit().to_owned(),
+            ranges: (0..source.length()).map(|index| range(source, index)).collect(),
+        };
+        self.problem.sources.iter().map(document).collect()
+    }
+
+    fn actions(&self) -> Vec<ActionDocument> {
+        const NAMES: [&str; 9] = [
+            "base_up",
+            "base_down",
+            "shoulder_up",
+            "shoulder_down",
+            "elbow_up",
+            "elbow_down",
+            "wrist_up",
+            "wrist_down",
+            "stop",
+        ];
+        let document = |((id, moves), name): ((u32, &Move), &str)| ActionDocument {
+            id,
+            name: name.to_owned(),
+            moves: Some(moves.0),
+        };
+        (0..).zip(&self.moves).zip(NAMES).map(document).collect()
+    }
+
+    fn outcomes(&self) -> &'static [&'static str] {
+        &OUTCOMES
+    }
+
+    fn time_limit(&self) -> u32 {
+        self.problem.max_actions
+    }
+
+    fn draw(&self, stream: &mut Stream) -> ArmTask {
+        let space = self.space.as_ref().expect("an environment for training has a space to draw from");
+        space.task(self.problem.start, stream).into()
+    }
+
+    fn validation_tasks(&self, count: usize) -> Vec<ArmTask> {
+        let tasks = targets::tasks(&self.description, 0, Set::Validation, self.problem.start, count);
+        tasks.into_iter().map(ArmTask::from).collect()
+    }
+
+    fn start(&self, task: &ArmTask) -> ArmEpisode<S> {
+        let pose = Pose(task.start);
+        let plane = self.plane(pose);
+        let base = self.base(pose);
+        ArmEpisode {
+            pose,
+            target: task.target.map(S::from_f64),
+            plane,
+            base,
+            hand: plane.hand_in_world(base),
+            collides: plane.collision(&self.arm.shapes).is_some(),
+            actions: 0,
+            aim: None,
+            hand_polar: None,
+            reach_target: None,
+            reach: None,
+        }
+    }
+
+    fn observe(&self, episode: &mut ArmEpisode<S>, wanted: SourceSet, state: &mut [S]) {
+        let mut seen = None;
+        let mut errors: Option<ReachErrors<S>> = None;
+        for (place, (&source, &at)) in self.problem.sources.iter().zip(&self.places).enumerate() {
+            if !wanted.contains(place) {
+                continue;
+            }
+            let values = &mut state[at..at + source.length()];
+            match source {
+                Source::MotorsCentred => values.copy_from_slice(&derived::centred::<S>(episode.pose)),
+                Source::Polar => {
+                    let frame = episode.frame(&self.arm);
+                    let [_, hand_reach] = episode.hand_polar(&frame);
+                    let aim = episode.aim(&self.arm);
+                    values.copy_from_slice(&derived::polar(&frame, aim.reach, hand_reach));
+                }
+                Source::Bearing => {
+                    let frame = episode.frame(&self.arm);
+                    let [elevation, hand_reach] = episode.hand_polar(&frame);
+                    let aim = episode.aim(&self.arm);
+                    values.copy_from_slice(&derived::bearing(&aim, episode.pose, elevation, hand_reach));
+                }
+                Source::Reach | Source::ReachExcess | Source::ReachPitch => {
+                    let pose = episode.pose;
+                    let errors = errors.get_or_insert_with(|| episode.reach(&self.arm).errors(&self.arm, pose));
+                    match source {
+                        Source::Reach => values.copy_from_slice(&errors.ticks),
+                        Source::ReachExcess => values.copy_from_slice(&errors.excess),
+                        _ => values.copy_from_slice(&[errors.pitch]),
+                    }
+                }
+                Source::Wrist => values.copy_from_slice(&derived::wrist(&episode.frame(&self.arm))),
+                Source::Floor => values.copy_from_slice(&[episode.frame(&self.arm).lowest_corner()]),
+                Source::Target | Source::Difference | Source::Hand | Source::Motors | Source::Servos => {
+                    let (pose, hand, target) = (episode.pose, episode.hand, episode.target);
+                    let seen = seen.get_or_insert_with(|| Observation::new(&self.arm, pose, hand, target));
+                    source.write(&self.arm, seen, values);
+                }
+            }
+        }
+    }
+
+    fn step(&self, episode: &mut ArmEpisode<S>, action: ActionId) -> Option<Ending> {
+        let wanted = self.moves.get(usize::from(action.0)).copied().unwrap_or(Move::STOP);
+        let before = episode.pose;
+        let mut moved_plane = None;
+        let step = self.arm.step_with(before, wanted, |moved| {
+            // The plane, and with it every collision, is the same for every angle of the base.
+            if moved.0[1..] == before.0[1..] && !episode.collides {
+                return None;
+            }
+            let plane = self.plane(moved);
+            moved_plane = Some(plane);
+            let joints = [plane.bracket.z, plane.elbow.z, plane.wrist.z, plane.tip.z];
+            if joints.iter().all(|&z| z > self.free_above) { None } else { plane.collision(&self.arm.shapes) }
+        });
+        episode.actions += 1;
+        if step.pose != before {
+            episode.collides = false;
+            episode.pose = step.pose;
+            if step.pose.0[0] != before.0[0] {
+                episode.base = self.base(step.pose);
+            }
+            if let Some(plane) = moved_plane {
+                episode.plane = plane;
+                episode.hand_polar = None;
+            }
+            episode.hand = episode.plane.hand_in_world(episode.base);
+        }
+        let distance = kinematics::distance(episode.target, episode.hand);
+        // The order of the runtime's episode; cycles are the engine's.
+        let outcome = if let Some(invalid) = step.invalid {
+            Outcome::Invalid(invalid)
+        } else if distance < self.tolerance {
+            Outcome::Reached
+        } else if wanted == Move::STOP {
+            Outcome::Stop
+        } else if episode.actions >= self.problem.max_actions {
+            Outcome::Timeout
+        } else {
+            return None;
+        };
+        Some(self.ending(outcome, episode.actions, distance))
+    }
+
+    fn key(&self, episode: &ArmEpisode<S>) -> Option<u64> {
+        Some(episode.pose.packed())
+    }
+
+    fn cycle(&self, episode: &ArmEpisode<S>, key: u64, actions: u32) -> Ending {
+        let pose = Pose::from_packed(key);
+        let hand = self.plane(pose).hand_in_world(self.base(pose));
+        self.ending(Outcome::Cycle, actions, kinematics::distance(episode.target, hand))
+    }
+}
+
+impl<S: Lattice> ArmEpisode<S> {
+    /// The pose.
+    pub fn pose(&self) -> Pose {
+        self.pose
+    }
+
+    fn frame<'a>(&self, arm: &'a Arm<S>) -> Frame<'a, S> {
+        Frame::with_directions(arm, self.pose, self.target, self.base, self.plane)
+    }
+
+    fn aim(&mut self, arm: &Arm<S>) -> Aim<S> {
+        *self.aim.get_or_insert_with(|| Aim::at(arm, self.target))
+    }
+
+    fn hand_polar(&mut self, frame: &Frame<'_, S>) -> [S; 2] {
+        *self.hand_polar.get_or_insert_with(|| [frame.hand_elevation(), frame.hand_reach()])
+    }
+
+    fn reach(&mut self, arm: &Arm<S>) -> &Reach<S> {
+        let [.., wrist] = self.pose.0;
+        if self.reach.is_none_or(|(at, _)| at != wrist) {
+            self.reach = None;
+        }
+        let target = self.reach_target.get_or_insert_with(|| ReachTarget::at(arm, self.target));
+        &self.reach.get_or_insert_with(|| (wrist, target.keeping_wrist(arm, wrist))).1
+    }
+}

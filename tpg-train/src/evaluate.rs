@@ -1,0 +1,218 @@
+//! `tpg-train eval`: lets a policy act on test episodes and counts how they end.
+
+use crate::engine::{Ending, Environment, Lanes, Options, Plan, Policy};
+use crate::environments::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
+use crate::files::read_text;
+use crate::targets::{self, Set, Start};
+use clap::Args;
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+use tpg_codegen::error::{InputError, Place};
+use tpg_codegen::graph::{Graph, MathsProvider, ScalarType};
+use tpg_runtime::arm::{Move, WIDOWX};
+use tpg_runtime::observation::Source;
+use tpg_runtime::ops::{Maths, Own, System};
+
+/// Let a policy act and count how its episodes end.
+#[derive(Clone, Debug, Args)]
+pub struct EvalArgs {
+    /// The problem: fixed or random start
+    #[arg(long, value_enum)]
+    pub problem: Start,
+    /// The graph
+    #[arg(long, value_name = "GRAPH")]
+    pub tpg: PathBuf,
+    /// Episodes from a file
+    #[arg(long, value_name = "CSV", conflicts_with = "episodes")]
+    pub targets: Option<PathBuf>,
+    /// So many episodes of the test set of --seed
+    #[arg(long, value_name = "N", default_value_t = 1000)]
+    pub episodes: usize,
+    /// The seed of the test set
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    pub seed: u64,
+    /// One JSON object instead of a table
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// What `eval --json` prints. Rates are between 0 and 1.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Report {
+    /// `fs` or `rs`.
+    pub problem: String,
+    /// The policy's file.
+    pub policy: String,
+    /// Episodes.
+    pub episodes: usize,
+    /// The seed of the test set; absent for a file of episodes.
+    pub seed: Option<u64>,
+    /// Part of the episodes that reached their target.
+    pub success_rate: f64,
+    /// Part of the episodes that an invalid action ended.
+    pub collision_rate: f64,
+    /// Mean distance at the end.
+    pub mean_distance_mm: f64,
+    /// Median distance at the end.
+    pub median_distance_mm: f64,
+    /// Mean number of actions.
+    pub mean_actions: f64,
+    /// Mean number of actions of the episodes that reached their target.
+    pub mean_actions_on_success: f64,
+    /// Part of the actions that the TPG chose: 1 but for a hybrid.
+    pub tpg_action_ratio: f64,
+    /// Time of one action on this machine, all lanes together: policy and environment.
+    pub ns_per_action: f64,
+    /// Episodes by how they failed.
+    pub failures: BTreeMap<String, usize>,
+}
+
+impl Report {
+    /// Of the endings of some episodes; `seconds` is what they took.
+    pub fn new(
+        problem: Start,
+        policy: &str,
+        seed: Option<u64>,
+        endings: &[Ending],
+        outcomes: &[&str],
+        seconds: f64,
+    ) -> Self {
+        let share = |count: usize| count as f64 / endings.len().max(1) as f64;
+        let of = |names: &[&str]| endings.iter().filter(|e| names.contains(&outcomes[usize::from(e.outcome)])).count();
+        let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len().max(1) as f64;
+        let mut distances: Vec<f64> = endings.iter().map(|ending| ending.error).collect();
+        distances.sort_by(f64::total_cmp);
+        let actions: Vec<f64> = endings.iter().map(|ending| f64::from(ending.actions)).collect();
+        let on_success: Vec<f64> =
+            (endings.iter().filter(|ending| ending.success)).map(|ending| f64::from(ending.actions)).collect();
+        let failures = outcomes.iter().filter(|&&name| name != "reached").map(|&name| (name.to_owned(), of(&[name])));
+        let middle = distances.len() / 2;
+        let median = if distances.len() % 2 == 1 {
+            distances[middle]
+        } else if middle > 0 {
+            0.5 * (distances[middle - 1] + distances[middle])
+        } else {
+            0.0
+        };
+        Self {
+            problem: match problem {
+                Start::Fs => "fs".to_owned(),
+                Start::Rs => "rs".to_owned(),
+            },
+            policy: policy.to_owned(),
+            episodes: endings.len(),
+            seed,
+            success_rate: share(endings.iter().filter(|ending| ending.success).count()),
+            collision_rate: share(of(&["joint_limit", "table", "base"])),
+            mean_distance_mm: mean(&distances),
+            median_distance_mm: median,
+            mean_actions: mean(&actions),
+            mean_actions_on_success: mean(&on_success),
+            tpg_action_ratio: 1.0,
+            ns_per_action: seconds * 1e9 / actions.iter().sum::<f64>().max(1.0),
+            failures: failures.collect(),
+        }
+    }
+
+    /// The report as a table for people.
+    pub fn to_table(&self) -> String {
+        let failures: Vec<String> = self
+            .failures
+            .iter()
+            .filter(|(_, count)| **count > 0)
+            .map(|(name, count)| format!("{name} {count}"))
+            .collect();
+        format!(
+            "{} on {}, {} episodes\n\
+             success        {:.1} %\n\
+             collision      {:.1} %\n\
+             distance       {:.2} mm mean, {:.2} mm median\n\
+             actions        {:.0} mean, {:.0} mean on success\n\
+             failures       {}\n\
+             time           {:.1} ns per action, all lanes together\n",
+            self.policy,
+            self.problem,
+            self.episodes,
+            100.0 * self.success_rate,
+            100.0 * self.collision_rate,
+            self.mean_distance_mm,
+            self.median_distance_mm,
+            self.mean_actions,
+            self.mean_actions_on_success,
+            failures.join(", "),
+            self.ns_per_action
+        )
+    }
+}
+
+/// Does what the arguments ask, and prints it.
+///
+/// # Errors
+/// If the graph or the episodes cannot be read, or the graph is not one for the arm.
+pub fn eval(args: &EvalArgs) -> Result<(), InputError> {
+    let file = args.tpg.display().to_string();
+    let graph = Graph::from_json(&file, &read_text(&args.tpg, "a graph.json")?)?;
+    let (tasks, seed) = match &args.targets {
+        Some(path) => (read_tasks(path)?, None),
+        None => (targets::tasks(&WIDOWX, args.seed, Set::Test, args.problem, args.episodes), Some(args.seed)),
+    };
+    let tasks: Vec<ArmTask> = tasks.into_iter().map(ArmTask::from).collect();
+    let began = Instant::now();
+    let (endings, outcomes) = match (graph.scalar(), graph.maths()) {
+        (ScalarType::F32, MathsProvider::Own) => endings::<f32, Own>(&file, &graph, args.problem, &tasks)?,
+        (ScalarType::F32, MathsProvider::System) => endings::<f32, System>(&file, &graph, args.problem, &tasks)?,
+        (ScalarType::F64, MathsProvider::Own) => endings::<f64, Own>(&file, &graph, args.problem, &tasks)?,
+        (ScalarType::F64, MathsProvider::System) => endings::<f64, System>(&file, &graph, args.problem, &tasks)?,
+    };
+    let seconds = began.elapsed().as_secs_f64();
+    let report = Report::new(args.problem, &file, seed, &endings, outcomes, seconds);
+    let text = if args.json {
+        serde_json::to_string(&report).expect("a report is plain data") + "\n"
+    } else {
+        report.to_table()
+    };
+    let written = std::io::stdout().lock().write_all(text.as_bytes());
+    written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))
+}
+
+fn read_tasks(path: &Path) -> Result<Vec<targets::Task>, InputError> {
+    targets::read_csv(&WIDOWX, path).map_err(|error| match error {
+        targets::Error::Io { path, source } => InputError::io(&path, &source, "a file of episodes"),
+        targets::Error::Content { path, line, found, accepted } => {
+            InputError::new(path.display().to_string(), Place::Line(line as usize), found, accepted)
+        }
+    })
+}
+
+/// How a graph's episodes end, with the outcomes' names.
+///
+/// # Errors
+/// If the graph reads sources that the arm does not have, or has actions that do not say what they move.
+pub fn endings<S: ArmScalar, M: Maths<S>>(
+    file: &str,
+    graph: &Graph,
+    start: Start,
+    tasks: &[ArmTask],
+) -> Result<(Vec<Ending>, &'static [&'static str]), InputError> {
+    let known = Source::ALL.map(Source::name).join(", ");
+    let mut sources = Vec::new();
+    for (place, source) in graph.sources().iter().enumerate() {
+        let path = Place::Path(format!("$.sources[{place}].name"));
+        let found = Source::from_name(&source.name).filter(|known| known.length() == source.ranges.len());
+        sources.push(found.ok_or_else(|| InputError::new(file, path, format!("{:?}", source.name), known.as_str()))?);
+    }
+    let mut moves: Vec<Move> = Vec::new();
+    for (place, action) in graph.actions().iter().enumerate() {
+        let path = Place::Path(format!("$.actions[{place}]"));
+        moves.push(action.moves.ok_or_else(|| {
+            InputError::new(file, path, format!("{:?} without \"move\"", action.name), "actions that move the arm")
+        })?);
+    }
+    let environment = ArmEnvironment::<S>::for_evaluation(&WIDOWX, ArmProblem::new(start, sources), moves);
+    let plan = Plan::new::<M>(&Policy::from(graph), &environment.sources(), true);
+    let endings = Lanes::<S, M, _>::new(&environment, Options::default()).run(&plan, tasks);
+    Ok((endings, environment.outcomes()))
+}

@@ -1,0 +1,94 @@
+//! The archive: what programs bid in the past, so that a new program is really new (`archive.h`, `archive.cpp`).
+//!
+//! GEGELATI records every program execution of the training with a small probability and keeps the newest; with millions
+//! of executions a generation the archive then holds a few executions of the last roots. Here each generation draws as
+//! many recordings from all of its roots, episodes and steps: the same use, independent of the order of evaluation.
+
+use super::genome::{Program, ProgramId};
+use super::vocabulary::Vocabulary;
+use crate::engine::{Line, Operand};
+use serde::{Deserialize, Serialize};
+use std::collections::{BTreeMap, VecDeque};
+use tpg_codegen::graph::ScalarType;
+use tpg_runtime::ops::{Maths, Own};
+use tpg_runtime::scalar::Scalar;
+
+/// Bids nearer than this are the same (`archive.h`, `areProgramResultsUnique`).
+const TAU: f64 = 1e-4;
+
+/// One execution.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Recording {
+    /// Who bid: deme and program.
+    pub program: (u64, ProgramId),
+    /// The whole flat state it saw.
+    pub state: Vec<f64>,
+    /// What it bid, as bits: a bid can be infinite or NaN, which JSON cannot write.
+    pub bid: u64,
+}
+
+/// The newest recordings.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Archive {
+    size: usize,
+    recordings: VecDeque<Recording>,
+}
+
+impl Archive {
+    /// An empty archive of at most `size` recordings (`archiveSize`); of 0 it finds every program new.
+    pub fn new(size: usize) -> Self {
+        Self { size, recordings: VecDeque::new() }
+    }
+
+    /// How many recordings it keeps.
+    pub fn size(&self) -> usize {
+        self.size
+    }
+
+    /// Adds a recording; the oldest makes room.
+    pub fn record(&mut self, recording: Recording) {
+        self.recordings.push_back(recording);
+        while self.recordings.len() > self.size {
+            self.recordings.pop_front();
+        }
+    }
+
+    /// Whether no archived program bid the same on all of its states (`areProgramResultsUnique`).
+    pub fn is_new(&self, program: &Program, vocabulary: &Vocabulary) -> bool {
+        if self.recordings.is_empty() {
+            return true;
+        }
+        let lines = program.lines(vocabulary);
+        let mut same: BTreeMap<(u64, ProgramId), bool> = BTreeMap::new();
+        for recording in &self.recordings {
+            let same = same.entry(recording.program).or_insert(true);
+            // Written so that a NaN is never the same, as in GEGELATI.
+            *same = *same && (bid(&lines, vocabulary, &recording.state) - f64::from_bits(recording.bid)).abs() <= TAU;
+        }
+        !same.values().any(|&same| same)
+    }
+}
+
+/// What a program bids in a state, in its scalar with the project's own maths; a NaN as it is.
+pub fn bid(lines: &[Line], vocabulary: &Vocabulary, state: &[f64]) -> f64 {
+    match vocabulary.scalar() {
+        ScalarType::F32 => run::<f32>(lines, vocabulary.registers(), state),
+        ScalarType::F64 => run::<f64>(lines, vocabulary.registers(), state),
+    }
+}
+
+fn run<S: Scalar>(lines: &[Line], registers: u16, state: &[f64]) -> f64
+where
+    Own: Maths<S>,
+{
+    let mut register = vec![S::ZERO; usize::from(registers)];
+    for line in lines {
+        let [a, b] = line.operands.map(|operand| match operand {
+            Operand::Register(index) => register[usize::from(index)],
+            Operand::Input(index) => S::from_f64(state[usize::from(index)]),
+            Operand::Constant(value) => S::from_f64(value),
+        });
+        register[usize::from(line.to)] = line.instruction.apply::<S, Own>(a, b);
+    }
+    register[0].to_f64()
+}

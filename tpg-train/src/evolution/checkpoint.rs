@@ -1,0 +1,91 @@
+//! Checkpoints: all that a run needs to end in the same bytes as if it had never stopped.
+
+use super::config::Config;
+use super::state::State;
+use crate::files::write_atomically;
+use serde::{Deserialize, Serialize, de::DeserializeOwned};
+use std::fs;
+use std::io::ErrorKind;
+use std::path::Path;
+use tpg_codegen::error::{InputError, Place};
+
+/// The value of [`Checkpoint::format`].
+const FORMAT: &str = "tpg-train checkpoint";
+/// Changes with every change to what a checkpoint holds or means.
+const VERSION: u32 = 1;
+
+/// What is written.
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(bound(deserialize = "Task: DeserializeOwned"))]
+struct Checkpoint<Task> {
+    format: String,
+    version: u32,
+    config: String,
+    state: State<Task>,
+}
+
+/// Writes a checkpoint; the last good one stays until the new one is whole.
+///
+/// # Errors
+/// If it cannot be written.
+pub fn save<Task: Serialize + Clone>(path: &Path, config: &Config, state: &State<Task>) -> Result<(), InputError> {
+    let checkpoint =
+        Checkpoint { format: FORMAT.to_owned(), version: VERSION, config: config.to_toml(), state: state.clone() };
+    let text = serde_json::to_string(&checkpoint)
+        .map_err(|error| InputError::io(path, &error.into(), "a task that JSON can write"))?;
+    write_atomically(path, text.as_bytes())
+}
+
+/// Reads a checkpoint; `None` where there is none.
+///
+/// # Errors
+/// If it cannot be read, is no checkpoint, or belongs to another configuration or seed: then the difference is shown.
+pub fn load<Task: DeserializeOwned>(
+    path: &Path,
+    config: &Config,
+    seed: u64,
+) -> Result<Option<State<Task>>, InputError> {
+    let text = match fs::read_to_string(path) {
+        Ok(text) => text,
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
+        Err(error) => return Err(InputError::io(path, &error, "a checkpoint that can be read")),
+    };
+    let refuse =
+        |found: String, accepted: &str| InputError::new(path.display().to_string(), Place::Whole, found, accepted);
+    let checkpoint: Checkpoint<Task> = serde_json::from_str(&text)
+        .map_err(|error| refuse(format!("no checkpoint: {error}"), "what this version of tpg-train wrote"))?;
+    if checkpoint.format != FORMAT || checkpoint.version != VERSION {
+        let found = format!("{:?}, version {}", checkpoint.format, checkpoint.version);
+        return Err(refuse(found, &format!("{FORMAT:?}, version {VERSION}")));
+    }
+    let difference = difference(&checkpoint.config, &config.to_toml());
+    if !difference.is_empty() {
+        let found = format!("a checkpoint of another configuration:\n{}", difference.join("\n"));
+        return Err(refuse(found, "the configuration that the run began with, or another --out"));
+    }
+    if checkpoint.state.seed != seed {
+        return Err(refuse(format!("a checkpoint of seed {}", checkpoint.state.seed), &format!("seed {seed}")));
+    }
+    Ok(Some(checkpoint.state))
+}
+
+/// The lines in which two configurations differ, with their sections.
+fn difference(of_checkpoint: &str, given: &str) -> Vec<String> {
+    let entries = |text: &str| {
+        let mut section = String::new();
+        let mut entries = Vec::new();
+        for line in text.lines() {
+            if line.starts_with('[') {
+                section = line.trim_matches(['[', ']']).to_owned();
+            } else if !line.is_empty() {
+                entries.push(format!("{section}.{line}"));
+            }
+        }
+        entries
+    };
+    let (old, new) = (entries(of_checkpoint), entries(given));
+    let only = |these: &[String], those: &[String], sign: char| {
+        these.iter().filter(|line| !those.contains(line)).map(|line| format!("  {sign} {line}")).collect::<Vec<_>>()
+    };
+    [only(&old, &new, '-'), only(&new, &old, '+')].concat()
+}

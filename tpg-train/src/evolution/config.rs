@@ -1,0 +1,402 @@
+//! The configuration of a run: every parameter, strictly read.
+//!
+//! The sections `tpg`, `program` and `learning` have GEGELATI's parameters with GEGELATI's names and meaning; the others
+//! are this project's. `tpg-train config` prints the presets with a comment for every parameter.
+
+use crate::targets::Start;
+use serde::{Deserialize, Serialize};
+use tpg_codegen::error::{InputError, Place};
+use tpg_codegen::graph::ScalarType;
+use tpg_runtime::observation::Source;
+use tpg_runtime::ops::Instruction;
+
+/// Everything that decides a run, but for its seed.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Config {
+    /// The problem.
+    pub problem: ProblemConfig,
+    /// What programs are written with.
+    pub language: LanguageConfig,
+    /// GEGELATI's parameters of teams.
+    pub tpg: TpgParameters,
+    /// GEGELATI's parameters of programs.
+    pub program: ProgramParameters,
+    /// GEGELATI's parameters of learning.
+    pub learning: LearningParameters,
+    /// Who survives.
+    pub selection: SelectionConfig,
+    /// Literal constants.
+    pub literals: Literals,
+    /// Demes.
+    pub demes: DemeConfig,
+    /// The pool of hard episodes.
+    pub pool: PoolConfig,
+}
+
+/// The problem.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "camelCase")]
+pub struct ProblemConfig {
+    /// `arm` or `pendulum`.
+    pub environment: EnvironmentName,
+    /// Where the arm starts.
+    pub start: Start,
+    /// What programs read, in order.
+    pub sources: Vec<String>,
+    /// Success is nearer than this, mm.
+    pub tolerance: f64,
+    /// Ticks of one action.
+    pub step: i8,
+    /// Whether there is an action that does nothing and ends the episode.
+    pub may_stop: bool,
+    /// Score of a success.
+    pub bonus_success: f64,
+    /// Score of each action that a success did not need.
+    pub coef_reward_multiplication: f64,
+}
+
+/// The environments that come with the trainer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum EnvironmentName {
+    /// The WidowX arm.
+    Arm,
+    /// The pendulum that is to be swung up.
+    Pendulum,
+}
+
+/// What programs are written with.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "camelCase")]
+pub struct LanguageConfig {
+    /// `f32` or `f64`.
+    pub scalar: ScalarType,
+    /// The instruction set, by name; the order numbers it.
+    pub instructions: Vec<String>,
+    /// Whether an operand may be a number of its own.
+    pub literals: bool,
+}
+
+/// GEGELATI's `MutationParameters::tpg` (`mutator/mutationParameters.h`).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "camelCase")]
+pub struct TpgParameters {
+    /// Roots after populating.
+    pub nb_roots: usize,
+    /// Roots of the first population.
+    pub init_nb_roots: usize,
+    /// Most edges of a team of the first population.
+    pub max_init_outgoing_edges: usize,
+    /// Most edges of a team.
+    pub max_outgoing_edges: usize,
+    /// Probability of deleting one more edge: the first is deleted for certain.
+    pub p_edge_deletion: f64,
+    /// Probability of adding one more edge: the first is added for certain.
+    pub p_edge_addition: f64,
+    /// Probability of mutating the program of an edge; rounds repeat until one was mutated.
+    pub p_program_mutation: f64,
+    /// Whether a mutated program must differ in its effective lines.
+    pub force_program_behavior_change_on_mutation: bool,
+    /// Probability that a mutated edge gets another destination.
+    pub p_edge_destination_change: f64,
+    /// Probability that it is an action.
+    pub p_edge_destination_is_action: f64,
+}
+
+/// GEGELATI's `MutationParameters::prog` (`mutator/mutationParameters.h`).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "camelCase")]
+pub struct ProgramParameters {
+    /// Most lines.
+    pub max_program_size: usize,
+    /// Probability of deleting a line.
+    pub p_delete: f64,
+    /// Probability of inserting a line.
+    pub p_add: f64,
+    /// Probability of altering one field of a line.
+    pub p_mutate: f64,
+    /// Probability of swapping two lines.
+    pub p_swap: f64,
+    /// Probability of drawing one of the program's constants anew.
+    pub p_constant_mutation: f64,
+    /// Probability of drawing a whole new program instead.
+    pub p_new_program: f64,
+    /// Least program constant.
+    pub min_const_value: i32,
+    /// Greatest program constant.
+    pub max_const_value: i32,
+}
+
+/// GEGELATI's `LearningParameters` (`learn/learningParameters.h`), but for `nbIterationsPerJob` (adversarial agents only),
+/// `nbThreads` (`--threads`: no result depends on it) and `doValidation` (see `validationInterval`).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "camelCase")]
+pub struct LearningParameters {
+    /// Recordings of the archive; 0 for none.
+    pub archive_size: usize,
+    /// Probability of recording a drawn program execution.
+    pub archiving_probability: f64,
+    /// Episodes of a root in a generation.
+    pub nb_iterations_per_policy_evaluation: usize,
+    /// After this many actions an episode is over.
+    pub max_nb_actions_per_eval: u32,
+    /// Part of `nbRoots` that is deleted in a generation.
+    pub ratio_deleted_roots: f64,
+    /// Generations.
+    pub nb_generations: u64,
+    /// After this many episodes a root's score is final.
+    pub max_nb_evaluation_per_policy: u64,
+    /// Registers of a program.
+    pub nb_registers: u16,
+    /// Constants of a program.
+    pub nb_program_constant: u16,
+}
+
+/// How survivors are chosen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum SelectionMethod {
+    /// The best by running mean, as GEGELATI (`learningAgent.cpp`, `decimateWorstRoots`).
+    Truncation,
+    /// The best of random groups.
+    Tournament,
+}
+
+/// Who survives.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "camelCase")]
+pub struct SelectionConfig {
+    /// How survivors are chosen.
+    pub method: SelectionMethod,
+    /// Roots of a tournament.
+    pub tournament_size: usize,
+    /// Survivors chosen by lexicase instead.
+    pub lexicase_survivors: usize,
+    /// Lexicase chooses among the best so many by running mean.
+    pub lexicase_candidates: usize,
+    /// Scores within this are equal for lexicase.
+    pub lexicase_tolerance: f64,
+    /// Episodes of racing: after so many, roots far behind are dropped; 0 for no racing.
+    pub racing_episodes: usize,
+    /// How far behind the worst survivor's mean a root must be to be dropped.
+    pub racing_margin: f64,
+    /// Generations between validations; the best root on the selection set so far is kept.
+    pub validation_interval: u64,
+    /// Episodes of the selection set.
+    pub validation_episodes: usize,
+}
+
+/// Literal constants of operands, where the language has them.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "camelCase")]
+pub struct Literals {
+    /// Standard deviations; one is drawn for each number.
+    pub deviations: Vec<f64>,
+    /// Probability that altering a literal operand alters its number.
+    pub change: f64,
+    /// Standard deviation of the factor's distance from 1 when a number is scaled.
+    pub scaling: f64,
+}
+
+/// Demes: populations that seldom exchange roots.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "camelCase")]
+pub struct DemeConfig {
+    /// How many; each has `nbRoots` roots.
+    pub count: usize,
+    /// Generations between migrations.
+    pub migration_interval: u64,
+    /// Roots that a deme gives to the next.
+    pub migrants: usize,
+}
+
+/// The pool of hard episodes.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "camelCase")]
+pub struct PoolConfig {
+    /// Most episodes it holds.
+    pub size: usize,
+    /// Part of a generation's episodes that come from it.
+    pub share: f64,
+}
+
+impl Config {
+    /// Reads a configuration.
+    ///
+    /// # Errors
+    /// An unknown key, a value out of range or a contradiction, with its line and what is accepted.
+    pub fn from_toml(file: &str, text: &str) -> Result<Self, InputError> {
+        let config: Self = toml::from_str(text).map_err(|error| {
+            let place = error.span().map_or(Place::Whole, |span| Place::Line(line_of(text, span.start)));
+            InputError::new(file, place, error.message().trim(), "what `tpg-train config` prints")
+        })?;
+        config.check(&|key, found, accepted| {
+            let place = line_of_key(text, key).map_or(Place::Path(key.to_owned()), Place::Line);
+            InputError::new(file, place, format!("{key} = {found}"), accepted)
+        })?;
+        Ok(config)
+    }
+
+    /// The configuration as TOML, without comments: what a run directory and a checkpoint keep.
+    ///
+    /// # Panics
+    /// Never: every part can be written.
+    pub fn to_toml(&self) -> String {
+        toml::to_string(self).expect("a configuration is plain data")
+    }
+
+    /// The sources, by name.
+    pub fn sources(&self) -> Vec<Source> {
+        self.problem.sources.iter().filter_map(|name| Source::from_name(name)).collect()
+    }
+
+    /// The instruction set, by name.
+    pub fn instructions(&self) -> Vec<Instruction> {
+        self.language.instructions.iter().filter_map(|name| Instruction::from_name(name)).collect()
+    }
+
+    /// Roots that survive a generation, at least 1.
+    pub fn survivors(&self) -> usize {
+        let deleted = (self.learning.ratio_deleted_roots * self.tpg.nb_roots as f64).floor() as usize;
+        self.tpg.nb_roots.saturating_sub(deleted).max(1)
+    }
+
+    fn check(&self, error: &dyn Fn(&str, String, String) -> InputError) -> Result<(), InputError> {
+        let number = |key: &str, value: f64, low: f64, high: f64| {
+            let inside = value >= low && value <= high;
+            if inside { Ok(()) } else { Err(error(key, value.to_string(), format!("{low} to {high}"))) }
+        };
+        let probability = |key: &str, value: f64| number(key, value, 0.0, 1.0);
+        let count = |key: &str, value: usize, low: usize, high: usize| {
+            let inside = (low..=high).contains(&value);
+            if inside { Ok(()) } else { Err(error(key, value.to_string(), format!("{low} to {high}"))) }
+        };
+        const MANY: usize = 1_000_000;
+        self.check_problem(error)?;
+        number("problem.tolerance", self.problem.tolerance, 1e-3, 1e3)?;
+        number("problem.step", self.problem.step.into(), 1.0, 127.0)?;
+        number("problem.bonusSuccess", self.problem.bonus_success, 0.0, 1e9)?;
+        number("problem.coefRewardMultiplication", self.problem.coef_reward_multiplication, 0.0, 1e3)?;
+
+        let actions = if self.problem.may_stop { 9 } else { 8 };
+        let tpg = &self.tpg;
+        count("tpg.nbRoots", tpg.nb_roots, 2, MANY)?;
+        count("tpg.initNbRoots", tpg.init_nb_roots, actions, MANY)?;
+        count("tpg.maxInitOutgoingEdges", tpg.max_init_outgoing_edges, 2, actions)?;
+        count("tpg.maxOutgoingEdges", tpg.max_outgoing_edges, tpg.max_init_outgoing_edges, 1000)?;
+        probability("tpg.pEdgeDeletion", tpg.p_edge_deletion)?;
+        probability("tpg.pEdgeAddition", tpg.p_edge_addition)?;
+        // At 0 GEGELATI would mutate for ever: rounds repeat until a program was mutated.
+        number("tpg.pProgramMutation", tpg.p_program_mutation, 1e-3, 1.0)?;
+        probability("tpg.pEdgeDestinationChange", tpg.p_edge_destination_change)?;
+        probability("tpg.pEdgeDestinationIsAction", tpg.p_edge_destination_is_action)?;
+
+        let program = &self.program;
+        count("program.maxProgramSize", program.max_program_size, 1, 1000)?;
+        let chances = [
+            ("program.pDelete", program.p_delete),
+            ("program.pAdd", program.p_add),
+            ("program.pMutate", program.p_mutate),
+            ("program.pSwap", program.p_swap),
+            ("program.pConstantMutation", program.p_constant_mutation),
+            ("program.pNewProgram", program.p_new_program),
+        ];
+        chances.iter().try_for_each(|(key, value)| probability(key, *value))?;
+        if program.p_mutate + program.p_new_program <= 0.0 {
+            let accepted = "above 0, or program.pNewProgram above 0: a mutation must be able to change a program";
+            return Err(error("program.pMutate", program.p_mutate.to_string(), accepted.to_owned()));
+        }
+        if program.min_const_value > program.max_const_value {
+            let accepted = format!("at most program.maxConstValue, {}", program.max_const_value);
+            return Err(error("program.minConstValue", program.min_const_value.to_string(), accepted));
+        }
+
+        let learning = &self.learning;
+        count("learning.archiveSize", learning.archive_size, 0, MANY)?;
+        probability("learning.archivingProbability", learning.archiving_probability)?;
+        let episodes = learning.nb_iterations_per_policy_evaluation;
+        count("learning.nbIterationsPerPolicyEvaluation", episodes, 1, MANY)?;
+        count("learning.maxNbActionsPerEval", learning.max_nb_actions_per_eval as usize, 1, MANY)?;
+        number("learning.ratioDeletedRoots", learning.ratio_deleted_roots, 0.0, 0.999)?;
+        count("learning.nbGenerations", learning.nb_generations as usize, 1, MANY)?;
+        count("learning.maxNbEvaluationPerPolicy", learning.max_nb_evaluation_per_policy as usize, 1, usize::MAX)?;
+        count("learning.nbRegisters", learning.nb_registers.into(), 1, 256)?;
+        count("learning.nbProgramConstant", learning.nb_program_constant.into(), 0, 256)?;
+
+        let selection = &self.selection;
+        count("selection.tournamentSize", selection.tournament_size, 1, tpg.nb_roots)?;
+        count("selection.lexicaseSurvivors", selection.lexicase_survivors, 0, self.survivors())?;
+        count("selection.lexicaseCandidates", selection.lexicase_candidates, 1, MANY)?;
+        number("selection.lexicaseTolerance", selection.lexicase_tolerance, 0.0, 1e9)?;
+        count("selection.racingEpisodes", selection.racing_episodes, 0, episodes - 1)?;
+        number("selection.racingMargin", selection.racing_margin, 0.0, 1e9)?;
+        count("selection.validationInterval", selection.validation_interval as usize, 1, MANY)?;
+        count("selection.validationEpisodes", selection.validation_episodes, 1, MANY)?;
+
+        if self.literals.deviations.is_empty() || self.literals.deviations.iter().any(|d| !(1e-9..=1e9).contains(d)) {
+            let found = format!("{:?}", self.literals.deviations);
+            return Err(error("literals.deviations", found, "at least one, each 1e-9 to 1e9".to_owned()));
+        }
+        probability("literals.change", self.literals.change)?;
+        number("literals.scaling", self.literals.scaling, 0.0, 100.0)?;
+        count("demes.count", self.demes.count, 1, 1000)?;
+        count("demes.migrationInterval", self.demes.migration_interval as usize, 1, MANY)?;
+        count("demes.migrants", self.demes.migrants, 0, self.survivors())?;
+        count("pool.size", self.pool.size, 0, MANY)?;
+        probability("pool.share", self.pool.share)?;
+        if self.pool.share > 0.0 && self.pool.size == 0 {
+            let accepted = "0, or a pool.size above 0".to_owned();
+            return Err(error("pool.share", self.pool.share.to_string(), accepted));
+        }
+        Ok(())
+    }
+
+    /// Names: each known, each once.
+    fn check_problem(&self, error: &dyn Fn(&str, String, String) -> InputError) -> Result<(), InputError> {
+        let known = Source::ALL.map(Source::name);
+        let arm = self.problem.environment == EnvironmentName::Arm;
+        let sources = if arm { &known[..] } else { &["pendulum"][..] };
+        check_names("problem.sources", &self.problem.sources, sources, error)?;
+        let instructions = Instruction::ALL.map(Instruction::name);
+        check_names("language.instructions", &self.language.instructions, &instructions, error)
+    }
+}
+
+fn check_names(
+    key: &str,
+    names: &[String],
+    known: &[&str],
+    error: &dyn Fn(&str, String, String) -> InputError,
+) -> Result<(), InputError> {
+    let accepted = || format!("one or more of {}, each once", known.join(", "));
+    if names.is_empty() {
+        return Err(error(key, "an empty list".to_owned(), accepted()));
+    }
+    for (place, name) in names.iter().enumerate() {
+        if !known.contains(&name.as_str()) || names[..place].contains(name) {
+            return Err(error(key, format!("{name:?}"), accepted()));
+        }
+    }
+    Ok(())
+}
+
+/// The line, from 1, of a byte of the text.
+fn line_of(text: &str, byte: usize) -> usize {
+    1 + text.bytes().take(byte).filter(|&b| b == b'\n').count()
+}
+
+/// The line, from 1, where `section.key` is set.
+fn line_of_key(text: &str, key: &str) -> Option<usize> {
+    let (section, key) = key.split_once('.')?;
+    let header = format!("[{section}]");
+    let mut inside = false;
+    for (line, number) in text.lines().map(str::trim).zip(1..) {
+        if line.starts_with('[') {
+            inside = line.starts_with(&header);
+        } else if inside && line.split('=').next().map(str::trim) == Some(key) && line.contains('=') {
+            return Some(number);
+        }
+    }
+    None
+}

@@ -1,0 +1,77 @@
+//! From a policy of the engine to a graph that can be written, compiled and run anywhere.
+
+use super::vocabulary::Vocabulary;
+use crate::engine::{Destination, Operand, Policy, effective};
+use std::collections::BTreeMap;
+use tpg_codegen::error::InputError;
+use tpg_codegen::graph::{
+    ActionDocument, Document, EdgeDocument, FORMAT, Graph, LineDocument, MathsProvider, OperandDocument,
+    ProgramDocument, Provenance, SourceDocument, TeamDocument, VERSION,
+};
+
+/// The graph of a policy. Lines without effect are left out; a program that bids for several destinations becomes several
+/// (a graph's program has one).
+///
+/// # Errors
+/// If the graph is not valid: a defect of the trainer.
+pub fn graph(
+    policy: &Policy,
+    vocabulary: &Vocabulary,
+    sources: Vec<SourceDocument>,
+    actions: Vec<ActionDocument>,
+    provenance: Provenance,
+) -> Result<Graph, InputError> {
+    let names: Vec<String> = (sources.iter())
+        .flat_map(|source| (0..source.length).map(move |index| format!("{}[{index}]", source.name)))
+        .collect();
+    let mut copies: BTreeMap<(u32, (u8, u32)), u32> = BTreeMap::new();
+    let mut programs = Vec::new();
+    let mut teams = Vec::new();
+    for (id, team) in (0..).zip(&policy.teams) {
+        let edges = team.iter().map(|edge| {
+            let (destination, to_team, to_action) = match edge.to {
+                Destination::Team(team) => ((0, team), Some(team), None),
+                Destination::Action(action) => ((1, u32::from(action)), None, Some(u32::from(action))),
+            };
+            let program = *copies.entry((edge.program, destination)).or_insert_with(|| {
+                let id = programs.len() as u32;
+                programs.push(ProgramDocument { id, lines: lines(policy, edge.program, &names) });
+                id
+            });
+            EdgeDocument { program, team: to_team, action: to_action }
+        });
+        teams.push(TeamDocument { id, edges: edges.collect() });
+    }
+    let document = Document {
+        format: FORMAT.to_owned(),
+        version: VERSION,
+        scalar: vocabulary.scalar(),
+        maths: MathsProvider::Own,
+        registers: u32::from(policy.registers),
+        sources,
+        instructions: vocabulary.instructions().iter().map(|i| i.name().to_owned()).collect(),
+        actions,
+        root: 0,
+        teams,
+        programs,
+        provenance,
+    };
+    Graph::from_document("<evolved graph>", document)
+}
+
+fn lines(policy: &Policy, program: u32, names: &[String]) -> Vec<LineDocument> {
+    let lines = &policy.programs[program as usize];
+    let operand = |operand: &Operand| match *operand {
+        Operand::Register(register) => OperandDocument::Place(format!("r{register}")),
+        Operand::Input(input) => OperandDocument::Place(names[usize::from(input)].clone()),
+        Operand::Constant(value) => OperandDocument::Constant(value),
+    };
+    (lines.iter().zip(effective(policy.registers, lines)))
+        .filter(|(_, effective)| *effective)
+        .map(|(line, _)| LineDocument {
+            to: u32::from(line.to),
+            op: line.instruction.name().to_owned(),
+            args: line.operands.iter().take(line.instruction.arity()).map(operand).collect(),
+        })
+        .collect()
+}

@@ -1,0 +1,378 @@
+//! One generation: populate, evaluate, select, remember.
+
+use super::archive::{Recording, bid};
+use super::config::Config;
+use super::genome::{Destination, ProgramId, TeamId};
+use super::mutate_program::ProgramMutator;
+use super::mutate_team::{Moment, populate, random_population};
+use super::select::{Candidate, ranked, survivors};
+use super::state::{Best, Record, Row, State};
+use super::vocabulary::Vocabulary;
+use crate::engine::{
+    Ending, Environment, EvaluationError, Evaluator, Lanes, Options, Plan, Policy, SourceSet, UnitKey, Work, WorkUnit,
+};
+use crate::random::{Purpose, Stream};
+use std::collections::{BTreeMap, BTreeSet};
+use std::marker::PhantomData;
+use tpg_runtime::ops::Maths;
+use tpg_runtime::scalar::Scalar;
+
+/// Evolution of one problem, wherever its roots are evaluated.
+#[derive(Debug)]
+pub struct Evolution<'e, S: Scalar, M, E: Environment<S>, V> {
+    config: &'e Config,
+    vocabulary: Vocabulary,
+    environment: &'e E,
+    evaluator: &'e V,
+    selection_tasks: Vec<E::Task>,
+    actions: u16,
+    number: PhantomData<(S, M)>,
+}
+
+/// The number of a root in its run: deme and team.
+fn root_number(deme: usize, team: TeamId) -> u64 {
+    (deme as u64) << 40 | team.0
+}
+
+/// A root's evaluation in this generation.
+struct Evaluated {
+    deme: usize,
+    team: TeamId,
+    endings: Vec<Ending>,
+    dropped: bool,
+}
+
+impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, M, E, V> {
+    /// Evolution by that configuration.
+    pub fn new(config: &'e Config, environment: &'e E, evaluator: &'e V) -> Self {
+        let vocabulary = Vocabulary::new(
+            config.instructions(),
+            config.learning.nb_registers,
+            config.learning.nb_program_constant,
+            &environment.sources(),
+            config.language.literals,
+            config.language.scalar,
+        );
+        let selection_tasks = environment.validation_tasks(config.selection.validation_episodes);
+        let actions = environment.actions().len() as u16;
+        Self { config, vocabulary, environment, evaluator, selection_tasks, actions, number: PhantomData }
+    }
+
+    /// What programs are written with.
+    pub fn vocabulary(&self) -> &Vocabulary {
+        &self.vocabulary
+    }
+
+    /// Does one generation.
+    ///
+    /// # Errors
+    /// If roots cannot be evaluated; the state is then that of before but for its populations' children.
+    pub fn advance(&self, state: &mut State<E::Task>) -> Result<(), EvaluationError> {
+        self.breed(state);
+        let tasks = self.tasks(state);
+        let evaluated = self.evaluate(state, &tasks)?;
+        let scores: Vec<Vec<f64>> = evaluated.iter().map(|root| scores(&root.endings)).collect();
+        for (root, scores) in evaluated.iter().zip(&scores) {
+            if !scores.is_empty() {
+                state.demes[root.deme].records.entry(root.team).or_default().add(scores);
+            }
+        }
+        let mut row = self.row(state, &evaluated, &scores);
+        self.remember_hard_tasks(state, &tasks, &evaluated, &scores);
+        self.record(state, &tasks, &evaluated);
+        self.select(state, &evaluated, &scores);
+        self.migrate(state);
+        row.teams = state.demes.iter().map(|deme| deme.genome.teams().len()).sum();
+        row.programs = state.demes.iter().map(|deme| deme.genome.program_count()).sum();
+        let last = state.generation + 1 == self.config.learning.nb_generations;
+        if last || (state.generation + 1) % self.config.selection.validation_interval == 0 {
+            let (success, error) = self.validate(state)?;
+            row.validation_success = Some(success);
+            row.validation_error = Some(error);
+        }
+        state.rows.push(row);
+        state.generation += 1;
+        Ok(())
+    }
+
+    fn breed(&self, state: &mut State<E::Task>) {
+        let mutator = ProgramMutator {
+            vocabulary: &self.vocabulary,
+            parameters: &self.config.program,
+            literals: &self.config.literals,
+        };
+        for (index, deme) in (0..).zip(&mut state.demes) {
+            let moment = Moment { seed: state.seed, generation: state.generation, deme: index };
+            if deme.genome.teams().is_empty() {
+                let mut stream = moment.stream(Purpose::Initial, 0);
+                deme.genome = random_population(&mutator, &self.config.tpg, self.actions, &mut stream);
+            }
+            populate(&mut deme.genome, &mutator, &self.config.tpg, &state.archive, self.actions, moment);
+        }
+    }
+
+    fn tasks(&self, state: &State<E::Task>) -> Vec<E::Task> {
+        let mut choice = Stream::new(state.seed, state.generation, Purpose::Pool, 0);
+        (0..self.config.learning.nb_iterations_per_policy_evaluation as u64)
+            .map(|index| {
+                if choice.chance(self.config.pool.share) && !state.pool.is_empty() {
+                    state.pool[choice.below(state.pool.len())].clone()
+                } else {
+                    self.environment.draw(&mut Stream::new(state.seed, state.generation, Purpose::Episode, index))
+                }
+            })
+            .collect()
+    }
+
+    /// Evaluates every root whose score is not final (`learningAgent.cpp`, `isRootEvalSkipped`).
+    fn evaluate(&self, state: &State<E::Task>, tasks: &[E::Task]) -> Result<Vec<Evaluated>, EvaluationError> {
+        let mut roots: Vec<Evaluated> = Vec::new();
+        for (deme, population) in state.demes.iter().enumerate() {
+            for team in population.genome.roots() {
+                roots.push(Evaluated { deme, team, endings: Vec::new(), dropped: false });
+            }
+        }
+        let most = self.config.learning.max_nb_evaluation_per_policy;
+        let open = |root: &Evaluated| {
+            state.demes[root.deme].records.get(&root.team).is_none_or(|record| record.evaluations < most)
+        };
+        let mut open: Vec<usize> = (0..roots.len()).filter(|&place| open(&roots[place])).collect();
+        let mut done = 0;
+        if self.config.selection.racing_episodes > 0 {
+            done = self.config.selection.racing_episodes;
+            self.evaluate_some(state, &tasks[..done], &mut roots, &open)?;
+            let mean = |root: &Evaluated| scores(&root.endings).iter().sum::<f64>() / done as f64;
+            let mut means: Vec<f64> = open.iter().map(|&place| mean(&roots[place])).collect();
+            means.sort_by(|a, b| b.total_cmp(a));
+            let wanted = (self.config.survivors() * state.demes.len()).min(means.len());
+            let least = means[wanted - 1] - self.config.selection.racing_margin;
+            for &place in &open {
+                roots[place].dropped = mean(&roots[place]) < least;
+            }
+            open.retain(|&place| !roots[place].dropped);
+        }
+        self.evaluate_some(state, &tasks[done..], &mut roots, &open)?;
+        Ok(roots)
+    }
+
+    fn evaluate_some(
+        &self,
+        state: &State<E::Task>,
+        tasks: &[E::Task],
+        roots: &mut [Evaluated],
+        places: &[usize],
+    ) -> Result<(), EvaluationError> {
+        let units = places.iter().map(|&place| {
+            let Evaluated { deme, team, .. } = roots[place];
+            let key = UnitKey { seed: state.seed, generation: state.generation, root: root_number(deme, team) };
+            WorkUnit { key, policy: state.demes[deme].genome.policy(team, &self.vocabulary) }
+        });
+        let work = Work { tasks: tasks.to_vec(), units: units.collect() };
+        let answers = self.evaluator.evaluate(&work)?;
+        for (&place, answer) in places.iter().zip(answers) {
+            roots[place].endings.extend(answer.endings);
+        }
+        Ok(())
+    }
+
+    fn row(&self, state: &State<E::Task>, evaluated: &[Evaluated], scores: &[Vec<f64>]) -> Row {
+        let candidates = candidates(state, evaluated, scores, None);
+        let order = ranked(&candidates);
+        let best = &evaluated[order[0]];
+        let (success, error) = summary(&best.endings);
+        Row {
+            generation: state.generation,
+            best_score: candidates[order[0]].mean,
+            median_score: candidates[order[order.len() / 2]].mean,
+            best_success: success,
+            best_error: error,
+            roots: evaluated.len(),
+            teams: 0,
+            programs: 0,
+            validation_success: None,
+            validation_error: None,
+        }
+    }
+
+    /// The episodes of this generation that its best root failed join the pool.
+    fn remember_hard_tasks(
+        &self,
+        state: &mut State<E::Task>,
+        tasks: &[E::Task],
+        evaluated: &[Evaluated],
+        scores: &[Vec<f64>],
+    ) {
+        if self.config.pool.size == 0 {
+            return;
+        }
+        let best = ranked(&candidates(state, evaluated, scores, None))[0];
+        for (task, ending) in tasks.iter().zip(&evaluated[best].endings) {
+            // A pool that could hold an episode twice would fill with the few that nobody can do.
+            if !ending.success && !state.pool.contains(task) {
+                state.pool.push_back(task.clone());
+            }
+        }
+        while state.pool.len() > self.config.pool.size {
+            state.pool.pop_front();
+        }
+    }
+
+    fn select(&self, state: &mut State<E::Task>, evaluated: &[Evaluated], scores: &[Vec<f64>]) {
+        for deme in 0..state.demes.len() {
+            let of_deme: Vec<&Evaluated> = evaluated.iter().filter(|root| root.deme == deme).collect();
+            let candidates = candidates(state, evaluated, scores, Some(deme));
+            let deleted = (self.config.learning.ratio_deleted_roots * self.config.tpg.nb_roots as f64).floor() as usize;
+            // The first population may be larger than all later ones: it is cut to the same survivors.
+            let extra = candidates.len().saturating_sub(self.config.tpg.nb_roots);
+            let count = candidates.len().saturating_sub(deleted + extra).max(1);
+            let index = (deme as u64) << 40;
+            let mut stream = Stream::new(state.seed, state.generation, Purpose::Lexicase, index);
+            let kept: BTreeSet<TeamId> = survivors(&candidates, count, &self.config.selection, &mut stream)
+                .into_iter()
+                .map(|place| of_deme[place].team)
+                .collect();
+            let population = &mut state.demes[deme];
+            let removed: Vec<TeamId> =
+                of_deme.iter().map(|root| root.team).filter(|team| !kept.contains(team)).collect();
+            population.genome.remove_roots(&removed);
+            population.records.retain(|team, _| population.genome.teams().contains_key(team));
+        }
+    }
+
+    /// Each deme's best survivors go to the next deme, as they were before any of this generation's migrants.
+    fn migrate(&self, state: &mut State<E::Task>) {
+        let demes = state.demes.len();
+        let config = &self.config.demes;
+        if demes < 2 || config.migrants == 0 || (state.generation + 1) % config.migration_interval != 0 {
+            return;
+        }
+        let best = |deme: usize| {
+            let population = &state.demes[deme];
+            let mut roots: Vec<(TeamId, f64)> = (population.genome.roots().into_iter())
+                .filter_map(|team| population.records.get(&team).map(|record| (team, record.mean)))
+                .collect();
+            roots.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
+            roots.into_iter().take(config.migrants).map(|(team, _)| team).collect::<Vec<_>>()
+        };
+        let leaving: Vec<Vec<TeamId>> = (0..demes).map(best).collect();
+        let before: Vec<_> = state.demes.iter().map(|deme| deme.genome.clone()).collect();
+        for (from, roots) in leaving.into_iter().enumerate() {
+            let to = &mut state.demes[(from + 1) % demes];
+            for root in roots {
+                to.genome.adopt(&before[from], root);
+            }
+        }
+    }
+
+    /// Evaluates the survivors on the selection set; success and error of the best there.
+    fn validate(&self, state: &mut State<E::Task>) -> Result<(f64, f64), EvaluationError> {
+        let mut units = Vec::new();
+        for (deme, population) in state.demes.iter().enumerate() {
+            for &team in population.records.keys() {
+                let key = UnitKey { seed: state.seed, generation: state.generation, root: root_number(deme, team) };
+                units.push(WorkUnit { key, policy: population.genome.policy(team, &self.vocabulary) });
+            }
+        }
+        let work = Work { tasks: self.selection_tasks.clone(), units };
+        let answers = self.evaluator.evaluate(&work)?;
+        let mut found: Option<(f64, f64, f64, &Policy)> = None;
+        for (unit, answer) in work.units.iter().zip(&answers) {
+            let (success, error) = summary(&answer.endings);
+            let worth = 100.0 * success - 0.3 * error;
+            if found.is_none_or(|(best, ..)| worth > best) {
+                found = Some((worth, success, error, &unit.policy));
+            }
+        }
+        let (worth, success, error, policy) = found.expect("a generation has survivors");
+        if state.best.as_ref().is_none_or(|best| worth > best.worth) {
+            let generation = state.generation;
+            state.best = Some(Best { generation, worth, success, error, policy: policy.clone() });
+        }
+        Ok((success, error))
+    }
+
+    /// Draws recordings for the archive: a root, an episode, a step of it, and a program that bid there.
+    fn record(&self, state: &mut State<E::Task>, tasks: &[E::Task], evaluated: &[Evaluated]) {
+        let evaluated: Vec<&Evaluated> = evaluated.iter().filter(|root| !root.endings.is_empty()).collect();
+        let sources = self.environment.sources();
+        let options = Options { lanes: 1, ..Options::default() };
+        let mut lanes = Lanes::<S, M, E>::new(self.environment, options);
+        let mut plans: BTreeMap<usize, Plan<S>> = BTreeMap::new();
+        for index in 0..state.archive.size() as u64 {
+            let mut stream = Stream::new(state.seed, state.generation, Purpose::Archive, index);
+            if evaluated.is_empty() || !stream.chance(self.config.learning.archiving_probability.sqrt()) {
+                continue;
+            }
+            let place = stream.below(evaluated.len());
+            let root = evaluated[place];
+            let task = &tasks[stream.below(root.endings.len())];
+            let genome = &state.demes[root.deme].genome;
+            let plan = plans
+                .entry(place)
+                .or_insert_with(|| Plan::new::<M>(&genome.policy(root.team, &self.vocabulary), &sources, true));
+            let mut actions = Vec::new();
+            lanes.run_watched(plan, std::slice::from_ref(task), |_, action| actions.push(action));
+            let mut episode = self.environment.start(task);
+            for &action in &actions[..stream.below(actions.len())] {
+                self.environment.step(&mut episode, action);
+            }
+            let mut seen = vec![S::ZERO; plan.state_length()];
+            self.environment.observe(&mut episode, SourceSet::ALL, &mut seen);
+            let seen: Vec<f64> = seen.into_iter().map(S::to_f64).collect();
+            let bidders = self.walk(state, root, &seen);
+            let (program, bid) = *stream.pick(&bidders);
+            let recording = Recording { program: (root.deme as u64, program), state: seen, bid: bid.to_bits() };
+            state.archive.record(recording);
+        }
+    }
+
+    /// Every program that bids on the way from a root to its action.
+    fn walk(&self, state: &State<E::Task>, root: &Evaluated, seen: &[f64]) -> Vec<(ProgramId, f64)> {
+        let genome = &state.demes[root.deme].genome;
+        let mut bidders = Vec::new();
+        let mut team = root.team;
+        loop {
+            let mut winner: Option<(f64, Destination)> = None;
+            for edge in &genome.team(team).edges {
+                let bid = bid(&genome.program(edge.program).lines(&self.vocabulary), &self.vocabulary, seen);
+                bidders.push((edge.program, bid));
+                let bid = if bid.is_nan() { f64::NEG_INFINITY } else { bid };
+                if winner.is_none_or(|(best, _)| bid >= best) {
+                    winner = Some((bid, edge.to));
+                }
+            }
+            match winner {
+                Some((_, Destination::Team(next))) => team = next,
+                _ => return bidders,
+            }
+        }
+    }
+}
+
+/// An environment's score may be infinite or NaN; neither may enter a mean.
+fn scores(endings: &[Ending]) -> Vec<f64> {
+    endings.iter().map(|ending| if ending.score.is_nan() { -1e30 } else { ending.score.clamp(-1e30, 1e30) }).collect()
+}
+
+/// The roots of a deme, or of all, as selection sees them.
+fn candidates<'a, Task>(
+    state: &State<Task>,
+    evaluated: &[Evaluated],
+    scores: &'a [Vec<f64>],
+    deme: Option<usize>,
+) -> Vec<Candidate<'a>> {
+    (evaluated.iter().zip(scores))
+        .filter(|(root, _)| deme.is_none_or(|deme| root.deme == deme))
+        .map(|(root, scores)| {
+            let record = state.demes[root.deme].records.get(&root.team).copied().unwrap_or(Record::default());
+            Candidate { mean: record.mean, scores, dropped: root.dropped }
+        })
+        .collect()
+}
+
+/// Part of the episodes done, and mean error.
+pub fn summary(endings: &[Ending]) -> (f64, f64) {
+    let episodes = endings.len().max(1) as f64;
+    let success = endings.iter().filter(|ending| ending.success).count() as f64 / episodes;
+    (success, endings.iter().map(|ending| ending.error).sum::<f64>() / episodes)
+}

@@ -1,0 +1,50 @@
+//! The logs of a run: one row for each generation, from generation 0. Without a clock, so that equal runs have equal logs;
+//! times go to a file of their own.
+
+use super::state::Row;
+use crate::files::write_atomically;
+use std::fmt::Write as _;
+use std::fs;
+use std::path::Path;
+use tpg_codegen::error::InputError;
+
+/// Writes `generations.csv` and `generations.jsonl`.
+///
+/// # Errors
+/// If they cannot be written.
+pub fn write(folder: &Path, rows: &[Row]) -> Result<(), InputError> {
+    let mut csv = String::from(
+        "generation,best_score,median_score,best_success,best_error,roots,teams,programs,validation_success,validation_error\n",
+    );
+    let mut json = String::new();
+    for row in rows {
+        let optional = |value: Option<f64>| value.map(|value| value.to_string()).unwrap_or_default();
+        let _ = writeln!(
+            csv,
+            "{},{},{},{},{},{},{},{},{},{}",
+            row.generation,
+            row.best_score,
+            row.median_score,
+            row.best_success,
+            row.best_error,
+            row.roots,
+            row.teams,
+            row.programs,
+            optional(row.validation_success),
+            optional(row.validation_error),
+        );
+        json.push_str(&serde_json::to_string(row).expect("a row is plain data"));
+        json.push('\n');
+    }
+    write_atomically(&folder.join("generations.csv"), csv.as_bytes())?;
+    write_atomically(&folder.join("generations.jsonl"), json.as_bytes())
+}
+
+/// Seconds of CPU time of this process so far, where the system tells (Linux).
+pub fn cpu_seconds() -> Option<f64> {
+    let stat = fs::read_to_string("/proc/self/stat").ok()?;
+    // Fields 14 and 15, in ticks of 1/100 s; the second field, in brackets, may hold spaces.
+    let mut fields = stat.rsplit_once(')')?.1.split_whitespace().skip(11);
+    let ticks: u64 = fields.next()?.parse::<u64>().ok()? + fields.next()?.parse::<u64>().ok()?;
+    Some(ticks as f64 / 100.0)
+}

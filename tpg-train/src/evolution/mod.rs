@@ -1,0 +1,17 @@
+//! Evolution: genome, mutation, selection, demes, archive, and the loop over generations.
+
+pub mod archive;
+pub mod checkpoint;
+pub mod command;
+pub mod config;
+pub mod export;
+pub mod generation;
+pub mod genome;
+pub mod logs;
+pub mod mutate_program;
+pub mod mutate_team;
+pub mod presets;
+pub mod run;
+pub mod select;
+pub mod state;
+pub mod vocabulary;

@@ -1,0 +1,145 @@
+//! Random programs and their mutations, with GEGELATI's choices (`mutator/programMutator.cpp`, `mutator/lineMutator.cpp`).
+
+use super::config::{Literals, ProgramParameters};
+use super::genome::{GenomeLine, Program};
+use super::vocabulary::{Gene, Kind, OPERANDS, Vocabulary};
+use crate::random::Stream;
+
+/// What a mutation needs to know.
+#[derive(Clone, Copy, Debug)]
+pub struct ProgramMutator<'a> {
+    /// What programs are written with.
+    pub vocabulary: &'a Vocabulary,
+    /// GEGELATI's parameters.
+    pub parameters: &'a ProgramParameters,
+    /// How literal constants are drawn and changed.
+    pub literals: &'a Literals,
+}
+
+impl ProgramMutator<'_> {
+    /// A random program (`ProgramMutator::initRandomProgram`): 1 to `maxProgramSize` lines.
+    pub fn random(&self, stream: &mut Stream) -> Program {
+        let constants = (0..self.vocabulary.constants()).map(|_| self.random_constant(stream)).collect();
+        let mut program = Program { constants, lines: Vec::new() };
+        let lines = 1 + stream.below(self.parameters.max_program_size);
+        while program.lines.len() < lines {
+            self.insert_line(&mut program, stream);
+        }
+        program
+    }
+
+    /// One round of mutation (`ProgramMutator::mutateProgram`); whether anything was done.
+    pub fn mutate(&self, program: &mut Program, stream: &mut Stream) -> bool {
+        let parameters = self.parameters;
+        let mut any = false;
+        if program.lines.len() > 1 && stream.chance(parameters.p_delete) {
+            let place = stream.below(program.lines.len());
+            program.lines.remove(place);
+            any = true;
+        }
+        if program.lines.len() < parameters.max_program_size && stream.chance(parameters.p_add) {
+            self.insert_line(program, stream);
+            any = true;
+        }
+        if stream.chance(parameters.p_mutate) {
+            let place = stream.below(program.lines.len());
+            self.alter_line(&mut program.lines[place], stream);
+            any = true;
+        }
+        if stream.chance(parameters.p_swap) {
+            // As in GEGELATI this counts as done even where there is only one line.
+            swap_lines(program, stream);
+            any = true;
+        }
+        if !program.constants.is_empty() && stream.chance(parameters.p_constant_mutation) {
+            let place = stream.below(program.constants.len());
+            program.constants[place] = self.random_constant(stream);
+            any = true;
+        }
+        any
+    }
+
+    fn random_constant(&self, stream: &mut Stream) -> f64 {
+        stream.between(self.parameters.min_const_value.into(), self.parameters.max_const_value.into()) as f64
+    }
+
+    fn insert_line(&self, program: &mut Program, stream: &mut Stream) {
+        let place = stream.below(program.lines.len() + 1);
+        let line = self.random_line(stream);
+        program.lines.insert(place, line);
+    }
+
+    /// `LineMutator::initRandomCorrectLine`: every choice uniform.
+    fn random_line(&self, stream: &mut Stream) -> GenomeLine {
+        GenomeLine {
+            to: stream.below(self.vocabulary.registers().into()) as u16,
+            instruction: stream.below(self.vocabulary.instructions().len()) as u8,
+            operands: [(); OPERANDS].map(|()| Gene {
+                source: stream.below(self.vocabulary.sources()) as u8,
+                location: stream.below(self.vocabulary.largest_address_space().into()) as u16,
+                literal: self.random_literal(stream),
+            }),
+        }
+    }
+
+    /// `LineMutator::alterCorrectLine`: one field, each as likely as it has bits in GEGELATI's encoding.
+    fn alter_line(&self, line: &mut GenomeLine, stream: &mut Stream) {
+        let vocabulary = self.vocabulary;
+        let bits = |values: usize| values.next_power_of_two().trailing_zeros() as usize;
+        let instruction = bits(vocabulary.instructions().len());
+        let destination = bits(vocabulary.registers().into());
+        let source = bits(vocabulary.sources());
+        let operand = source + bits(vocabulary.largest_address_space().into());
+        let selected = stream.below((instruction + destination + OPERANDS * operand).max(1));
+        if selected < instruction {
+            line.instruction = other(line.instruction.into(), vocabulary.instructions().len(), stream) as u8;
+        } else if selected < instruction + destination {
+            line.to = other(line.to.into(), vocabulary.registers().into(), stream) as u16;
+        } else if operand > 0 {
+            let selected = selected - instruction - destination;
+            let gene = &mut line.operands[selected / operand];
+            if vocabulary.kind(gene.source) == Kind::Literal && stream.chance(self.literals.change) {
+                gene.literal = self.changed_literal(gene.literal, stream);
+            } else if selected % operand < source {
+                gene.source = other(gene.source.into(), vocabulary.sources(), stream) as u8;
+            } else {
+                gene.location = other(gene.location.into(), vocabulary.largest_address_space().into(), stream) as u16;
+            }
+        }
+    }
+
+    /// A literal: normal, with one of two widths, because bids are sums of large and small numbers.
+    fn random_literal(&self, stream: &mut Stream) -> f64 {
+        let width = *stream.pick(&self.literals.deviations);
+        self.vocabulary.scalar().round(width * stream.normal())
+    }
+
+    /// Scaled a little (half of the time), negated, or drawn anew.
+    fn changed_literal(&self, literal: f64, stream: &mut Stream) -> f64 {
+        let changed = match stream.below(4) {
+            0 | 1 => literal * (1.0 + self.literals.scaling * stream.normal()),
+            2 => -literal,
+            _ => return self.random_literal(stream),
+        };
+        let rounded = self.vocabulary.scalar().round(changed);
+        if rounded.is_finite() { rounded } else { literal }
+    }
+}
+
+/// `ProgramMutator::swapRandomLines`: two different lines change places.
+fn swap_lines(program: &mut Program, stream: &mut Stream) {
+    if program.lines.len() >= 2 {
+        let first = stream.below(program.lines.len());
+        let second = other(first, program.lines.len(), stream);
+        program.lines.swap(first, second);
+    }
+}
+
+/// Another number below `bound` than `current`; `current` where there is none.
+fn other(current: usize, bound: usize, stream: &mut Stream) -> usize {
+    if bound < 2 {
+        return current;
+    }
+    let drawn = stream.below(bound - 1);
+    drawn + usize::from(drawn >= current)
+}

@@ -1,0 +1,200 @@
+//! The first population, and children of roots, with GEGELATI's choices (`mutator/tpgMutator.cpp`).
+
+use super::archive::Archive;
+use super::config::TpgParameters;
+use super::genome::{Destination, Edge, Genome, Program, ProgramId, Team, TeamId};
+use super::mutate_program::ProgramMutator;
+use crate::random::{Purpose, Stream};
+use std::collections::BTreeMap;
+
+/// Which population, and when: the first half of every stream's address.
+#[derive(Clone, Copy, Debug)]
+pub struct Moment {
+    /// The run's seed.
+    pub seed: u64,
+    /// The generation.
+    pub generation: u64,
+    /// The deme.
+    pub deme: u64,
+}
+
+impl Moment {
+    /// The stream for a purpose. `index` counts within the deme, below 2⁴⁰.
+    pub fn stream(self, purpose: Purpose, index: u64) -> Stream {
+        Stream::new(self.seed, self.generation, purpose, self.deme << 40 | index)
+    }
+}
+
+/// A random population (`TPGMutator::initRandomTPG`).
+///
+/// Each root gets two programs for two different actions, and up to `maxInitOutgoingEdges` − 2 programs of others, of two
+/// drawn the one that fewer teams use.
+pub fn random_population(
+    mutator: &ProgramMutator<'_>,
+    parameters: &TpgParameters,
+    actions: u16,
+    stream: &mut Stream,
+) -> Genome {
+    let mut genome = Genome::default();
+    let roots = parameters.init_nb_roots;
+    let actions = usize::from(actions);
+    let programs: Vec<ProgramId> = (0..2 * roots).map(|_| genome.add_program(mutator.random(stream))).collect();
+    // GEGELATI spreads the actions over the first roots in order, then draws them.
+    let action_of: Vec<u16> = (0..2 * roots)
+        .map(|index| if index < 2 * actions { (index / 2 + index % 2) % actions } else { stream.below(actions) } as u16)
+        .collect();
+    let mut uses = vec![1usize; programs.len()];
+    for root in 0..roots {
+        let edge = |index: usize, action: u16| Edge { program: programs[index], to: Destination::Action(action) };
+        let own = [2 * root, 2 * root + 1];
+        let mut taken = own.to_vec();
+        let mut edges = own.map(|index| edge(index, action_of[index])).to_vec();
+        for _ in 0..stream.below(parameters.max_init_outgoing_edges - 1) {
+            let mut draw = || loop {
+                let index = stream.below(programs.len());
+                if !taken.contains(&index) {
+                    return index;
+                }
+            };
+            if edges.len() + 1 >= programs.len() {
+                break;
+            }
+            let (first, second) = (draw(), draw());
+            let index = if uses[second] < uses[first] { second } else { first };
+            uses[index] += 1;
+            taken.push(index);
+            edges.push(edge(index, ((index / 2 + index % 2) % actions) as u16));
+        }
+        genome.add_team(Team { edges });
+    }
+    genome
+}
+
+/// Adds children until there are `nbRoots` roots (`TPGMutator::populateTPG`).
+///
+/// A child copies a root, each equally likely, and is mutated. It can swallow a root (an edge of the child leads there),
+/// so roots are counted after every child.
+pub fn populate(
+    genome: &mut Genome,
+    mutator: &ProgramMutator<'_>,
+    parameters: &TpgParameters,
+    archive: &Archive,
+    actions: u16,
+    moment: Moment,
+) {
+    let roots = genome.roots();
+    let teams: Vec<TeamId> = genome.teams().keys().copied().collect();
+    let edges: Vec<Edge> = genome.teams().values().flat_map(|team| team.edges.iter().copied()).collect();
+    let before = Before { teams: &teams, edges: &edges, actions };
+    let mut to_mutate = Vec::new();
+    let mut is_root: BTreeMap<TeamId, bool> = roots.iter().map(|&root| (root, true)).collect();
+    let mut count = roots.len();
+    let mut children = 0;
+    while count < parameters.nb_roots {
+        let mut stream = moment.stream(Purpose::Child, children);
+        let parent = *stream.pick(&roots);
+        let child = genome.add_team(genome.team(parent).clone());
+        mutate_team(genome, child, &before, parameters, &mut to_mutate, &mut stream);
+        count += 1;
+        for edge in &genome.team(child).edges {
+            if let Destination::Team(to) = edge.to
+                && std::mem::replace(is_root.entry(to).or_insert(false), false)
+            {
+                count -= 1;
+            }
+        }
+        children += 1;
+    }
+    for (index, new) in (0..).zip(&to_mutate) {
+        let mut stream = moment.stream(Purpose::Program, index);
+        let mutated = new_behaviour(genome.program(*new), mutator, parameters, archive, &mut stream);
+        genome.replace_program(*new, mutated);
+    }
+}
+
+/// What there was before any child: children lead only there, so no cycle can come about.
+struct Before<'a> {
+    teams: &'a [TeamId],
+    edges: &'a [Edge],
+    actions: u16,
+}
+
+/// `TPGMutator::mutateTPGTeam`.
+fn mutate_team(
+    genome: &mut Genome,
+    child: TeamId,
+    before: &Before<'_>,
+    parameters: &TpgParameters,
+    to_mutate: &mut Vec<ProgramId>,
+    stream: &mut Stream,
+) {
+    let mut edges = genome.team(child).edges.clone();
+    let mut probability = 1.0;
+    while edges.len() > 2 && probability > stream.unit() {
+        edges.remove(stream.below(edges.len()));
+        probability *= parameters.p_edge_deletion;
+    }
+    let mut probability = 1.0;
+    while edges.len() < parameters.max_outgoing_edges && probability > stream.unit() {
+        edges.push(*stream.pick(before.edges));
+        probability *= parameters.p_edge_addition;
+    }
+    let mut any = false;
+    while !any {
+        for edge in &mut edges {
+            if stream.chance(parameters.p_program_mutation) {
+                mutate_edge(genome, edge, before, parameters, to_mutate, stream);
+                any = true;
+            }
+        }
+    }
+    *genome.edges_mut(child) = edges;
+}
+
+/// `TPGMutator::mutateOutgoingEdge`: a copy of the program takes its place and will be mutated; the destination may change.
+fn mutate_edge(
+    genome: &mut Genome,
+    edge: &mut Edge,
+    before: &Before<'_>,
+    parameters: &TpgParameters,
+    to_mutate: &mut Vec<ProgramId>,
+    stream: &mut Stream,
+) {
+    let copy = genome.add_program(genome.program(edge.program).clone());
+    to_mutate.push(copy);
+    edge.program = copy;
+    if stream.chance(parameters.p_edge_destination_change) {
+        edge.to = if stream.chance(parameters.p_edge_destination_is_action) {
+            Destination::Action(stream.below(before.actions.into()) as u16)
+        } else {
+            Destination::Team(*stream.pick(before.teams))
+        };
+    }
+}
+
+/// `TPGMutator::mutateProgramBehaviorAgainstArchive`: mutates until no archived program behaves the same.
+fn new_behaviour(
+    original: &Program,
+    mutator: &ProgramMutator<'_>,
+    parameters: &TpgParameters,
+    archive: &Archive,
+    stream: &mut Stream,
+) -> Program {
+    let old = parameters.force_program_behavior_change_on_mutation.then(|| original.behaviour(mutator.vocabulary));
+    let mut program = original.clone();
+    loop {
+        if stream.chance(mutator.parameters.p_new_program) {
+            program = mutator.random(stream);
+        } else {
+            loop {
+                let done = mutator.mutate(&mut program, stream);
+                if done && old.as_ref().is_none_or(|old| *old != program.behaviour(mutator.vocabulary)) {
+                    break;
+                }
+            }
+        }
+        if archive.is_new(&program, mutator.vocabulary) {
+            return program;
+        }
+    }
+}

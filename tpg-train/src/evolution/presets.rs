@@ -1,0 +1,100 @@
+//! The configurations that come with the trainer, with a comment for every parameter.
+
+use super::config::Config;
+use clap::Args;
+use std::io::Write as _;
+use tpg_codegen::error::{InputError, Place};
+
+/// Print a commented configuration.
+#[derive(Clone, Debug, Args)]
+pub struct ConfigArgs {
+    /// kelly, paper-fs, paper-rs, best-fs or best-rs
+    #[arg(value_name = "NAME", default_value = "best-rs")]
+    pub name: String,
+    /// Only the names, with what they are
+    #[arg(long)]
+    pub list: bool,
+}
+
+/// Prints a preset, or the list of all.
+///
+/// # Errors
+/// If there is no preset of that name, or stdout is closed.
+pub fn print_config(args: &ConfigArgs) -> Result<(), InputError> {
+    let text = if args.list {
+        PRESETS.map(|preset| format!("{:10} {}\n", preset.name, preset.about)).concat()
+    } else {
+        let preset = Preset::find(&args.name).ok_or_else(|| {
+            let accepted = PRESETS.map(|preset| preset.name).join(", ");
+            InputError::new("<command line>", Place::Whole, format!("the preset {:?}", args.name), accepted)
+        })?;
+        preset.text.to_owned()
+    };
+    let written = std::io::stdout().lock().write_all(text.as_bytes());
+    written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))
+}
+
+/// A configuration that comes with the trainer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Preset {
+    /// Its name.
+    pub name: &'static str,
+    /// What it is, in a line.
+    pub about: &'static str,
+    /// Its commented text.
+    pub text: &'static str,
+}
+
+/// Every preset.
+pub const PRESETS: [Preset; 5] = [
+    Preset {
+        name: "kelly",
+        about: "Kelly's parameters, GEGELATI's defaults, on the paper's fixed-start problem",
+        text: include_str!("presets/kelly.toml"),
+    },
+    Preset {
+        name: "paper-fs",
+        about: "the paper's learning problem, fixed start",
+        text: include_str!("presets/paper-fs.toml"),
+    },
+    Preset {
+        name: "paper-rs",
+        about: "the paper's learning problem, random start",
+        text: include_str!("presets/paper-rs.toml"),
+    },
+    Preset { name: "best-fs", about: "ours, fixed start", text: include_str!("presets/best-fs.toml") },
+    Preset { name: "best-rs", about: "ours, random start", text: include_str!("presets/best-rs.toml") },
+];
+
+impl Preset {
+    /// The preset of that name.
+    pub fn find(name: &str) -> Option<&'static Self> {
+        PRESETS.iter().find(|preset| preset.name == name)
+    }
+
+    /// The configuration.
+    ///
+    /// # Errors
+    /// None: a test reads every preset.
+    pub fn config(&self) -> Result<Config, InputError> {
+        Config::from_toml(&format!("<preset {}>", self.name), self.text)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::PRESETS;
+
+    #[test]
+    fn every_preset_is_accepted_and_comments_every_parameter() {
+        for preset in PRESETS {
+            let config = preset.config().unwrap_or_else(|error| panic!("{error}"));
+            assert_eq!(crate::evolution::config::Config::from_toml("written", &config.to_toml()), Ok(config));
+            let lines: Vec<&str> = preset.text.lines().collect();
+            for (place, line) in lines.iter().enumerate() {
+                let key = !line.starts_with(['#', '[', ' ', ']']) && line.contains('=');
+                assert!(!key || lines[place - 1].starts_with('#'), "{}: {line} has no comment", preset.name);
+            }
+        }
+    }
+}

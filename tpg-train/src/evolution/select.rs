@@ -1,0 +1,169 @@
+//! Who survives a generation.
+
+use super::config::{SelectionConfig, SelectionMethod};
+use crate::random::Stream;
+
+/// A root that was evaluated.
+#[derive(Clone, Debug)]
+pub struct Candidate<'a> {
+    /// Its mean score over all of its evaluations.
+    pub mean: f64,
+    /// Its scores of this generation, one for each episode; empty for a root that racing dropped or whose score is final.
+    pub scores: &'a [f64],
+    /// Whether racing dropped it: it is worse than any that was not.
+    pub dropped: bool,
+}
+
+/// Lexicase gives up after so many draws for each survivor: duplicates are refused.
+const TRIES_PER_SURVIVOR: usize = 8;
+
+/// The places of the survivors, best mean first.
+///
+/// `count` of them: [`lexicase_survivors`](SelectionConfig::lexicase_survivors) by lexicase, the others by the method of
+/// the configuration.
+pub fn survivors(
+    candidates: &[Candidate<'_>],
+    count: usize,
+    config: &SelectionConfig,
+    stream: &mut Stream,
+) -> Vec<usize> {
+    let ranked = ranked(candidates);
+    let count = count.min(ranked.len());
+    let mut chosen = Vec::new();
+    if config.lexicase_survivors > 0 {
+        let best: Vec<usize> = (ranked.iter().copied())
+            .filter(|&place| !candidates[place].scores.is_empty() && !candidates[place].dropped)
+            .take(config.lexicase_candidates)
+            .collect();
+        let wanted = config.lexicase_survivors.min(count).min(best.len());
+        for _ in 0..TRIES_PER_SURVIVOR * wanted {
+            if chosen.len() == wanted {
+                break;
+            }
+            let winner = lexicase(candidates, &best, config.lexicase_tolerance, stream);
+            if !chosen.contains(&winner) {
+                chosen.push(winner);
+            }
+        }
+    }
+    match config.method {
+        SelectionMethod::Truncation => {
+            for &place in &ranked {
+                if chosen.len() < count && !chosen.contains(&place) {
+                    chosen.push(place);
+                }
+            }
+        }
+        SelectionMethod::Tournament => {
+            while chosen.len() < count {
+                let rest: Vec<usize> = ranked.iter().copied().filter(|place| !chosen.contains(place)).collect();
+                // `rest` is in order of rank, so the least place drawn is the best.
+                let best = (0..config.tournament_size).map(|_| stream.below(rest.len())).min().unwrap_or(0);
+                chosen.push(rest[best]);
+            }
+        }
+    }
+    chosen.sort_by_key(|chosen| ranked.iter().position(|place| place == chosen));
+    chosen
+}
+
+/// Places from the best mean to the worst; of equal means the older root first, a NaN last.
+pub fn ranked(candidates: &[Candidate<'_>]) -> Vec<usize> {
+    let worth = |place: usize| {
+        let candidate = &candidates[place];
+        let mean = if candidate.mean.is_nan() { f64::NEG_INFINITY } else { candidate.mean };
+        (!candidate.dropped, mean)
+    };
+    let mut places: Vec<usize> = (0..candidates.len()).collect();
+    places.sort_by(|&a, &b| {
+        let ((a_kept, a_mean), (b_kept, b_mean)) = (worth(a), worth(b));
+        b_kept.cmp(&a_kept).then(b_mean.total_cmp(&a_mean)).then(a.cmp(&b))
+    });
+    places
+}
+
+/// One winner: episodes in random order, each keeps those within the tolerance of the best on it.
+fn lexicase(candidates: &[Candidate<'_>], among: &[usize], tolerance: f64, stream: &mut Stream) -> usize {
+    let mut left = among.to_vec();
+    let mut episodes: Vec<usize> = (0..candidates[among[0]].scores.len()).collect();
+    stream.shuffle(&mut episodes);
+    for episode in episodes {
+        if left.len() == 1 {
+            break;
+        }
+        let score = |place: usize| candidates[place].scores[episode];
+        let best = left.iter().map(|&place| score(place)).fold(f64::NEG_INFINITY, f64::max);
+        left.retain(|&place| score(place) >= best - tolerance);
+    }
+    *stream.pick(&left)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Candidate, survivors};
+    use crate::evolution::config::{SelectionConfig, SelectionMethod};
+    use crate::random::{Purpose, Stream};
+
+    fn config(method: SelectionMethod, lexicase_survivors: usize) -> SelectionConfig {
+        SelectionConfig {
+            method,
+            tournament_size: 3,
+            lexicase_survivors,
+            lexicase_candidates: 100,
+            lexicase_tolerance: 1.0,
+            racing_episodes: 0,
+            racing_margin: 0.0,
+            validation_interval: 1,
+            validation_episodes: 1,
+        }
+    }
+
+    fn candidates(scores: &[Vec<f64>]) -> Vec<Candidate<'_>> {
+        let mean = |scores: &Vec<f64>| scores.iter().sum::<f64>() / scores.len() as f64;
+        scores.iter().map(|scores| Candidate { mean: mean(scores), scores, dropped: false }).collect()
+    }
+
+    #[test]
+    fn truncation_keeps_the_best_and_puts_dropped_and_nan_last() {
+        let scores = vec![vec![1.0], vec![f64::NAN], vec![3.0], vec![9.0], vec![2.0]];
+        let mut candidates = candidates(&scores);
+        candidates[3].dropped = true;
+        let mut stream = Stream::new(1, 0, Purpose::Test, 0);
+        let kept = survivors(&candidates, 4, &config(SelectionMethod::Truncation, 0), &mut stream);
+        assert_eq!(kept, [2, 4, 0, 1], "dropped only if nothing else is left");
+    }
+
+    #[test]
+    fn lexicase_keeps_a_specialist_that_truncation_loses() {
+        // Nine generalists and one root that alone solves episode 3, at a bad mean.
+        let mut scores = vec![vec![5.0, 5.0, 5.0, 0.0]; 9];
+        scores.push(vec![0.0, 0.0, 0.0, 9.0]);
+        let candidates = candidates(&scores);
+        let truncation = survivors(
+            &candidates,
+            5,
+            &config(SelectionMethod::Truncation, 0),
+            &mut Stream::new(1, 0, Purpose::Test, 0),
+        );
+        assert!(!truncation.contains(&9));
+        // Each draw tries episode 3 first with a chance of a quarter.
+        let kept = (0..50).filter(|&index| {
+            let mut stream = Stream::new(1, 0, Purpose::Test, index);
+            survivors(&candidates, 5, &config(SelectionMethod::Truncation, 5), &mut stream).contains(&9)
+        });
+        assert!(kept.count() > 40);
+    }
+
+    #[test]
+    fn tournaments_prefer_the_better_and_never_repeat() {
+        let scores: Vec<Vec<f64>> = (0..100).map(|score| vec![f64::from(score)]).collect();
+        let candidates = candidates(&scores);
+        let mut stream = Stream::new(1, 0, Purpose::Test, 0);
+        let mut kept = survivors(&candidates, 20, &config(SelectionMethod::Tournament, 0), &mut stream);
+        let mean = kept.iter().sum::<usize>() as f64 / 20.0;
+        assert!(mean > 60.0, "mean rank {mean}");
+        kept.sort_unstable();
+        kept.dedup();
+        assert_eq!(kept.len(), 20);
+    }
+}

@@ -1,0 +1,375 @@
+//! The soft actor-critic proper: an actor, two critics with slow copies, a temperature, and how one batch changes them
+//! (Haarnoja et al. 2018, the second version with learned temperature).
+//!
+//! With γ already in the transitions' discounts, one [`update`](Agent::update) is, in this order:
+//! 1. critics: (Q(s, a) − y)² with y = r + discount·(min Q̄(s′, a′) − α ln π(a′|s′)), a′ drawn from the actor;
+//! 2. actor: α ln π(a|s) − min Q(s, a), a drawn from the actor, the critics just updated;
+//! 3. temperature: −ln α·(ln π + target entropy), with the densities of 2;
+//! 4. the slow copies follow by τ.
+//!
+//! The paper's algorithm is the first version (Haarnoja et al. 2018, 1801.01290): a value network instead of slow
+//! critics, a fixed temperature of 1, and this order, which is that of its artifact (`softActorCritic.cpp`):
+//! 1. value: (V(s) − (min Q(s, a) − ln π(a|s)))², a drawn from the actor;
+//! 2. actor, as above;
+//! 3. critics: y = r + discount·V̄(s′);
+//! 4. the slow value network follows.
+
+use super::config::{Algorithm, Config, Learning};
+use super::nn::{Adam, Gaussian, Kernel, Mlp, Real, Samples, Shape, Tape};
+use super::replay::ACTIONS;
+use crate::random::Stream;
+use serde::{Deserialize, Serialize};
+
+/// The step sizes and constants of an update.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rates {
+    /// Adam's step for actor and critics.
+    pub learning: f64,
+    /// Adam's step for ln α.
+    pub temperature: f64,
+    /// τ: the fraction by which the slow critics follow.
+    pub follow: f64,
+    /// The entropy that the temperature holds the actor to, nats.
+    pub target_entropy: f64,
+}
+
+/// A batch as an update reads it: one column a sample, `noise` standard normal.
+#[derive(Clone, Copy, Debug)]
+pub struct Experience<'a, T> {
+    /// inputs × batch.
+    pub states: &'a [T],
+    /// 4 × batch.
+    pub actions: &'a [T],
+    /// One a sample.
+    pub rewards: &'a [T],
+    /// One a sample.
+    pub discounts: &'a [T],
+    /// inputs × batch.
+    pub next: &'a [T],
+    /// 4 × batch: for the actions in `next`; with a value network, for those that its target judges.
+    pub next_noise: &'a [T],
+    /// 4 × batch: for the actions in `states`.
+    pub noise: &'a [T],
+}
+
+/// What an update saw, averaged over its batch.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Report {
+    /// Mean squared error of the two critics, summed.
+    pub critic_loss: f64,
+    /// α ln π − min Q.
+    pub actor_loss: f64,
+    /// −ln π.
+    pub entropy: f64,
+    /// α before the update.
+    pub temperature: f64,
+}
+
+/// A parameter vector with its optimiser.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Learner<T> {
+    /// The network.
+    pub network: Mlp<T>,
+    /// Its optimiser.
+    pub adam: Adam<T>,
+}
+
+impl<T: Real> Learner<T> {
+    fn new(network: Mlp<T>) -> Self {
+        let adam = Adam::new(network.parameters().len());
+        Self { network, adam }
+    }
+
+    fn descend(&mut self, gradient: &[T], rate: f64) {
+        self.adam.step(self.network.parameters_mut(), gradient, rate);
+    }
+}
+
+/// Where the value of a next state comes from.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Bootstrap<T> {
+    /// Slow copies of the two critics.
+    SlowCritics([Mlp<T>; 2]),
+    /// A value network and its slow copy: the paper's.
+    Value {
+        /// Learns.
+        value: Learner<T>,
+        /// Follows.
+        slow: Mlp<T>,
+    },
+}
+
+/// Everything that learns.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Agent<T> {
+    /// Answers a [`Gaussian`] of actions.
+    pub actor: Learner<T>,
+    /// Two opinions of a state and an action.
+    pub critics: [Learner<T>; 2],
+    /// Where the value of a next state comes from.
+    pub bootstrap: Bootstrap<T>,
+    /// ln α.
+    pub log_alpha: T,
+    /// The optimiser of ln α.
+    pub alpha_adam: Adam<T>,
+    gaussian: Gaussian,
+    kernel: Kernel,
+}
+
+/// The space an update needs: made once, for one batch size.
+#[derive(Clone, Debug)]
+pub struct Workspace<T> {
+    actor: Tape<T>,
+    critics: [Tape<T>; 2],
+    value: Option<Tape<T>>,
+    gradient: Vec<T>,
+    by_q: [Vec<T>; 2],
+    by_input: [Vec<T>; 2],
+    by_actions: Vec<T>,
+    by_outputs: Vec<T>,
+    wanted: Vec<T>,
+    samples: Samples<T>,
+}
+
+impl<T: Real> Agent<T> {
+    /// An agent with random weights.
+    pub fn new(config: &Config, gaussian: Gaussian, random: &mut Stream) -> Self {
+        let (inputs, norm) = (config.actor.inputs.count(), config.actor.layer_norm);
+        let actor = Shape { inputs, hidden: config.actor.hidden.clone(), outputs: 2 * gaussian.actions, norm };
+        let critic = Shape { inputs: inputs + ACTIONS, hidden: config.critic.hidden.clone(), outputs: 1, norm };
+        let actor = Mlp::random(actor, random);
+        let critics = [(); 2].map(|()| Mlp::random(critic.clone(), random));
+        let Learning { log_temperature, kernel, algorithm, .. } = config.learning;
+        let value = (algorithm == Algorithm::ValueNetwork).then(|| {
+            let shape = Shape { inputs, hidden: config.critic.hidden.clone(), outputs: 1, norm };
+            Mlp::random(shape, random)
+        });
+        Self::of_networks(actor, critics, value, gaussian, log_temperature, kernel)
+    }
+
+    /// An agent of given networks, with fresh optimisers and slow copies equal to what they follow. With a value
+    /// network it learns by the paper's algorithm.
+    pub fn of_networks(
+        actor: Mlp<T>,
+        critics: [Mlp<T>; 2],
+        value: Option<Mlp<T>>,
+        gaussian: Gaussian,
+        log_alpha: f64,
+        kernel: Kernel,
+    ) -> Self {
+        let bootstrap = match value {
+            None => Bootstrap::SlowCritics(critics.clone()),
+            Some(value) => Bootstrap::Value { slow: value.clone(), value: Learner::new(value) },
+        };
+        let critics = critics.map(Learner::new);
+        let actor = Learner::new(actor);
+        Self { actor, critics, bootstrap, log_alpha: T::of(log_alpha), alpha_adam: Adam::new(1), gaussian, kernel }
+    }
+
+    /// The space for updates with `batch` samples.
+    pub fn workspace(&self, batch: usize) -> Workspace<T> {
+        let (actor, critic) = (self.actor.network.shape(), self.critics[0].network.shape());
+        let zeros = |rows: usize| vec![T::zero(); rows * batch];
+        let widest = self.actor.network.parameters().len().max(self.critics[0].network.parameters().len());
+        Workspace {
+            actor: Tape::new(actor, batch),
+            critics: [Tape::new(critic, batch), Tape::new(critic, batch)],
+            value: match &self.bootstrap {
+                Bootstrap::SlowCritics(_) => None,
+                Bootstrap::Value { slow, .. } => Some(Tape::new(slow.shape(), batch)),
+            },
+            gradient: vec![T::zero(); widest],
+            by_q: [zeros(1), zeros(1)],
+            by_input: [zeros(critic.inputs), zeros(critic.inputs)],
+            by_actions: zeros(ACTIONS),
+            by_outputs: zeros(2 * ACTIONS),
+            wanted: zeros(1),
+            samples: Samples::default(),
+        }
+    }
+
+    /// Learns from one batch.
+    ///
+    /// # Panics
+    /// If the batch has another size than the workspace.
+    pub fn update(&mut self, space: &mut Workspace<T>, batch: Experience<'_, T>, rates: &Rates) -> Report {
+        match self.bootstrap {
+            Bootstrap::SlowCritics(_) => self.update_with_slow_critics(space, batch, rates),
+            Bootstrap::Value { .. } => self.update_with_value(space, batch, rates),
+        }
+    }
+
+    fn update_with_slow_critics(
+        &mut self,
+        space: &mut Workspace<T>,
+        batch: Experience<'_, T>,
+        rates: &Rates,
+    ) -> Report {
+        let alpha = self.log_alpha.exponential();
+        self.bootstrap_from_critics(space, batch, alpha);
+        let critic_loss = self.update_critics(space, batch, rates.learning);
+        let actor_loss = self.update_actor(space, batch, alpha, rates.learning);
+        let mean_density = mean(&space.samples.log_densities);
+        let slope = -(mean_density + T::of(rates.target_entropy));
+        let mut log_alpha = [self.log_alpha];
+        self.alpha_adam.step(&mut log_alpha, &[slope], rates.temperature);
+        [self.log_alpha] = log_alpha;
+        if let Bootstrap::SlowCritics(slow) = &mut self.bootstrap {
+            for (slow, critic) in slow.iter_mut().zip(&self.critics) {
+                slow.follow(&critic.network, T::of(rates.follow));
+            }
+        }
+        Report { critic_loss, actor_loss, entropy: -mean_density.wide(), temperature: alpha.wide() }
+    }
+
+    fn update_with_value(&mut self, space: &mut Workspace<T>, batch: Experience<'_, T>, rates: &Rates) -> Report {
+        self.update_value(space, batch, rates.learning);
+        let actor_loss = self.update_actor(space, batch, T::one(), rates.learning);
+        let entropy = -mean(&space.samples.log_densities).wide();
+        if let (Bootstrap::Value { slow, .. }, Some(tape)) = (&self.bootstrap, &mut space.value) {
+            tape.input_mut().copy_from_slice(batch.next);
+            slow.forward(tape, self.kernel);
+            let returns = batch.rewards.iter().zip(batch.discounts).zip(tape.output());
+            for (wanted, ((&reward, &discount), &value)) in space.wanted.iter_mut().zip(returns) {
+                *wanted = reward + discount * value;
+            }
+        }
+        let critic_loss = self.update_critics(space, batch, rates.learning);
+        if let Bootstrap::Value { value, slow } = &mut self.bootstrap {
+            slow.follow(&value.network, T::of(rates.follow));
+        }
+        Report { critic_loss, actor_loss, entropy, temperature: 1.0 }
+    }
+
+    /// Moves the value network towards min Q(s, a) − ln π(a|s), with `next_noise` for a.
+    fn update_value(&mut self, space: &mut Workspace<T>, batch: Experience<'_, T>, rate: f64) {
+        self.judge_own_actions(space, batch.states, batch.next_noise);
+        let (Bootstrap::Value { value, .. }, Some(tape)) = (&mut self.bootstrap, &mut space.value) else { return };
+        tape.input_mut().copy_from_slice(batch.states);
+        value.network.forward(tape, self.kernel);
+        let scale = T::of(2.0 / space.wanted.len() as f64);
+        let [first, second] = space.critics.each_ref().map(Tape::output);
+        let wanted = first.iter().zip(second).zip(&space.samples.log_densities);
+        let by_value = &mut space.by_q[0];
+        for ((by_value, &value), ((&first, &second), &density)) in by_value.iter_mut().zip(tape.output()).zip(wanted) {
+            *by_value = scale * (value - (least(first, second) - density));
+        }
+        let gradient = &mut space.gradient[..value.network.parameters().len()];
+        value.network.backward(tape, by_value, Some(gradient), None, self.kernel);
+        value.descend(gradient, rate);
+    }
+
+    /// Draws an action for each state, and lets the critics judge it.
+    fn judge_own_actions(&self, space: &mut Workspace<T>, states: &[T], noise: &[T]) {
+        space.actor.input_mut().copy_from_slice(states);
+        self.actor.network.forward(&mut space.actor, self.kernel);
+        self.gaussian.sample(space.actor.output(), noise, &mut space.samples);
+        for (critic, tape) in self.critics.iter().zip(&mut space.critics) {
+            join(tape.input_mut(), states, &space.samples.actions);
+            critic.network.forward(tape, self.kernel);
+        }
+    }
+
+    /// What the critics shall answer, by their slow copies.
+    fn bootstrap_from_critics(&self, space: &mut Workspace<T>, batch: Experience<'_, T>, alpha: T) {
+        let Bootstrap::SlowCritics(slow) = &self.bootstrap else { return };
+        space.actor.input_mut().copy_from_slice(batch.next);
+        self.actor.network.forward(&mut space.actor, self.kernel);
+        self.gaussian.sample(space.actor.output(), batch.next_noise, &mut space.samples);
+        for (slow, tape) in slow.iter().zip(&mut space.critics) {
+            join(tape.input_mut(), batch.next, &space.samples.actions);
+            slow.forward(tape, self.kernel);
+        }
+        let [first, second] = space.critics.each_ref().map(Tape::output);
+        let values = first.iter().zip(second).zip(&space.samples.log_densities);
+        let returns = batch.rewards.iter().zip(batch.discounts);
+        for ((wanted, ((&first, &second), &density)), (&reward, &discount)) in
+            space.wanted.iter_mut().zip(values).zip(returns)
+        {
+            *wanted = reward + discount * (least(first, second) - alpha * density);
+        }
+    }
+
+    /// Moves both critics towards `space.wanted`.
+    fn update_critics(&mut self, space: &mut Workspace<T>, batch: Experience<'_, T>, rate: f64) -> f64 {
+        let scale = T::of(2.0 / space.wanted.len() as f64);
+        let mut loss = 0.0;
+        let pairs = self.critics.iter_mut().zip(&mut space.critics).zip(&mut space.by_q);
+        for ((critic, tape), by_q) in pairs {
+            join(tape.input_mut(), batch.states, batch.actions);
+            critic.network.forward(tape, self.kernel);
+            let mut squares = T::zero();
+            for ((by_q, &q), &wanted) in by_q.iter_mut().zip(tape.output()).zip(&space.wanted) {
+                squares += (q - wanted) * (q - wanted);
+                *by_q = scale * (q - wanted);
+            }
+            loss += squares.wide() / space.wanted.len() as f64;
+            let gradient = &mut space.gradient[..critic.network.parameters().len()];
+            critic.network.backward(tape, by_q, Some(gradient), None, self.kernel);
+            critic.descend(gradient, rate);
+        }
+        loss
+    }
+
+    fn update_actor(&mut self, space: &mut Workspace<T>, batch: Experience<'_, T>, alpha: T, rate: f64) -> f64 {
+        self.judge_own_actions(space, batch.states, batch.noise);
+        let size = space.wanted.len();
+        let share = T::one() / T::of(size as f64);
+        let mut loss = T::zero();
+        for sample in 0..size {
+            let [first, second] = space.critics.each_ref().map(|tape| tape.output()[sample]);
+            loss += alpha * space.samples.log_densities[sample] - least(first, second);
+            // The loss falls with the smaller opinion only.
+            let (by_first, by_second) = if second < first { (T::zero(), -share) } else { (-share, T::zero()) };
+            space.by_q[0][sample] = by_first;
+            space.by_q[1][sample] = by_second;
+        }
+        let critics = self.critics.iter().zip(&mut space.critics);
+        for ((critic, tape), (by_q, by_input)) in critics.zip(space.by_q.iter().zip(&mut space.by_input)) {
+            critic.network.backward(tape, by_q, None, Some(by_input), self.kernel);
+        }
+        let inputs = self.actor.network.shape().inputs;
+        let columns = space.by_input.each_ref().map(|all| all.chunks_exact(inputs + ACTIONS));
+        let [first, second] = columns;
+        for ((by_actions, first), second) in space.by_actions.chunks_exact_mut(ACTIONS).zip(first).zip(second) {
+            for ((by_action, &first), &second) in by_actions.iter_mut().zip(&first[inputs..]).zip(&second[inputs..]) {
+                *by_action = first + second;
+            }
+        }
+        let (noise, by_outputs) = (batch.noise, &mut space.by_outputs);
+        self.gaussian.backward(&space.samples, noise, &space.by_actions, alpha * share, by_outputs);
+        let gradient = &mut space.gradient[..self.actor.network.parameters().len()];
+        self.actor.network.backward(&mut space.actor, by_outputs, Some(gradient), None, self.kernel);
+        self.actor.descend(gradient, rate);
+        (loss * share).wide()
+    }
+
+    /// The distribution behind the actor's outputs.
+    pub fn gaussian(&self) -> Gaussian {
+        self.gaussian
+    }
+
+    /// The matrix product in use.
+    pub fn kernel(&self) -> Kernel {
+        self.kernel
+    }
+}
+
+/// Columns of states over columns of actions.
+fn join<T: Real>(input: &mut [T], states: &[T], actions: &[T]) {
+    let rows = input.len() * ACTIONS / actions.len();
+    let inputs = rows - ACTIONS;
+    let parts = states.chunks_exact(inputs).zip(actions.chunks_exact(ACTIONS));
+    for (column, (state, action)) in input.chunks_exact_mut(rows).zip(parts) {
+        column[..inputs].copy_from_slice(state);
+        column[inputs..].copy_from_slice(action);
+    }
+}
+
+fn least<T: Real>(a: T, b: T) -> T {
+    if b < a { b } else { a }
+}
+
+fn mean<T: Real>(values: &[T]) -> T {
+    values.iter().fold(T::zero(), |sum, &value| sum + value) / T::of(values.len() as f64)
+}

@@ -1,0 +1,26 @@
+//! Soft actor-critic: trains the actor whose fixed-point form is `tpg_runtime::sac`.
+//!
+//! | module | subject |
+//! | --- | --- |
+//! | [`nn`] | networks, optimiser, squashed Gaussian |
+//! | [`agent`] | actor, critics, temperature and one update |
+//! | [`replay`] | the transitions that updates draw from |
+//! | [`lanes`] | the arm in parallel lanes, rewards included |
+//! | [`config`] | presets and their TOML |
+//! | [`training`] | the loop |
+//! | [`weights`] | `policy.safetensors` and its contract |
+//! | [`checkpoint`] | a run under way as a file |
+//! | [`command`] | `tpg-train sac` |
+//! | [`policy`] | a trained actor as a policy |
+
+pub mod agent;
+pub mod checkpoint;
+pub mod command;
+pub mod config;
+pub mod lanes;
+pub mod nn;
+pub mod policy;
+pub mod replay;
+pub mod tensors;
+pub mod training;
+pub mod weights;

@@ -1,0 +1,76 @@
+//! The Adam optimiser (Kingma and Ba 2015), as PyTorch computes it: β = (0.9, 0.999), ε = 1e-8.
+
+use super::Real;
+
+const BETA: [f64; 2] = [0.9, 0.999];
+const EPSILON: f64 = 1e-8;
+
+/// Adam's memory of one vector of parameters.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Adam<T> {
+    steps: u64,
+    mean: Vec<T>,
+    square: Vec<T>,
+}
+
+impl<T: Real> Adam<T> {
+    /// The optimiser of that many parameters, before its first step.
+    pub fn new(parameters: usize) -> Self {
+        Self { steps: 0, mean: vec![T::zero(); parameters], square: vec![T::zero(); parameters] }
+    }
+
+    /// Steps done, running mean of the gradient and of its square.
+    pub fn state(&self) -> (u64, &[T], &[T]) {
+        (self.steps, &self.mean, &self.square)
+    }
+
+    /// Continues from a [`state`](Self::state); `None` if the two vectors differ in length.
+    pub fn from_state(steps: u64, mean: Vec<T>, square: Vec<T>) -> Option<Self> {
+        (mean.len() == square.len()).then_some(Self { steps, mean, square })
+    }
+
+    /// One step downhill.
+    ///
+    /// # Panics
+    /// If `parameters` or `gradient` has another length than this optimiser was made for.
+    pub fn step(&mut self, parameters: &mut [T], gradient: &[T], rate: f64) {
+        assert!(parameters.len() == self.mean.len() && gradient.len() == self.mean.len(), "another parameter vector");
+        self.steps += 1;
+        let steps = self.steps as f64;
+        let [correction, square_correction] = BETA.map(|beta| 1.0 - libm::pow(beta, steps));
+        let (rate, root) = (T::of(rate / correction), T::of(1.0 / square_correction.sqrt()));
+        let [kept, kept_square] = BETA.map(T::of);
+        let [new, new_square] = BETA.map(|beta| T::of(1.0 - beta));
+        let epsilon = T::of(EPSILON);
+        let moments = self.mean.iter_mut().zip(&mut self.square);
+        for ((parameter, &slope), (mean, square)) in parameters.iter_mut().zip(gradient).zip(moments) {
+            *mean = kept * *mean + new * slope;
+            *square = kept_square * *square + new_square * slope * slope;
+            *parameter -= rate * *mean / (square.root() * root + epsilon);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Adam;
+
+    #[test]
+    fn the_first_step_is_the_rate_against_the_slope() {
+        let mut adam = Adam::<f64>::new(2);
+        let mut parameters = [1.0, 1.0];
+        adam.step(&mut parameters, &[3.0, -0.01], 0.1);
+        assert!((parameters[0] - 0.9).abs() < 1e-6 && (parameters[1] - 1.1).abs() < 1e-6, "{parameters:?}");
+    }
+
+    #[test]
+    fn it_finds_the_bottom_of_a_bowl() {
+        let mut adam = Adam::<f32>::new(2);
+        let mut at = [5.0f32, -3.0];
+        for _ in 0..2000 {
+            let slope = [2.0 * (at[0] - 1.0), 20.0 * (at[1] - 2.0)];
+            adam.step(&mut at, &slope, 0.02);
+        }
+        assert!((at[0] - 1.0).abs() < 1e-3 && (at[1] - 2.0).abs() < 1e-3, "{at:?}");
+    }
+}

@@ -1,0 +1,405 @@
+//! A multi-layer perceptron with its parameters in one flat vector.
+
+use super::{Factor, Kernel, Real};
+use crate::random::Stream;
+use serde::{Deserialize, Serialize};
+
+/// The sizes of a network: hidden layers are linear, ReLU and, with `norm`, LayerNorm, in this order; the last layer is
+/// linear.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Shape {
+    /// Values in.
+    pub inputs: usize,
+    /// Units of each hidden layer.
+    pub hidden: Vec<usize>,
+    /// Values out.
+    pub outputs: usize,
+    /// Whether each hidden layer is normalised (ε = 1e-5, with gain and shift), as in the paper.
+    pub norm: bool,
+}
+
+/// Where one layer's parameters lie in the flat vector.
+#[derive(Clone, Copy, Debug)]
+struct Layer {
+    inputs: usize,
+    outputs: usize,
+    /// Weights, column-major `outputs` × `inputs`.
+    weight: usize,
+    bias: usize,
+    /// Gain, then shift, of the LayerNorm behind; `None` where there is none.
+    norm: Option<usize>,
+}
+
+impl Layer {
+    fn weight<'a, T>(&self, parameters: &'a [T]) -> Factor<'a, T> {
+        Factor::new(&parameters[self.weight..][..self.inputs * self.outputs], self.outputs, self.inputs)
+    }
+
+    fn bias<'a, T>(&self, parameters: &'a [T]) -> &'a [T] {
+        &parameters[self.bias..][..self.outputs]
+    }
+}
+
+impl Shape {
+    fn layers(&self) -> impl DoubleEndedIterator<Item = Layer> + ExactSizeIterator {
+        let mut at = 0;
+        let mut inputs = self.inputs;
+        let sizes = self.hidden.iter().chain([&self.outputs]).enumerate();
+        let layers: Vec<Layer> = sizes
+            .map(|(index, &outputs)| {
+                let (weight, bias) = (at, at + inputs * outputs);
+                at = bias + outputs;
+                let norm = (self.norm && index < self.hidden.len()).then_some(at);
+                at += if norm.is_some() { 2 * outputs } else { 0 };
+                let layer = Layer { inputs, outputs, weight, bias, norm };
+                inputs = outputs;
+                layer
+            })
+            .collect();
+        layers.into_iter()
+    }
+
+    /// How many parameters a network of this shape has.
+    pub fn parameters(&self) -> usize {
+        self.layers().last().map_or(0, |last| last.bias + last.outputs)
+    }
+
+    /// How many multiplications of a weight one sample costs.
+    pub fn multiplications(&self) -> usize {
+        self.layers().map(|layer| layer.inputs * layer.outputs).sum()
+    }
+}
+
+/// A network: its shape and its parameters, layer by layer weights (column-major, outputs × inputs), bias, and gain
+/// and shift where normalised.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mlp<T> {
+    shape: Shape,
+    parameters: Vec<T>,
+}
+
+/// What a forward pass leaves for the backward pass: the values between the layers, for one batch.
+#[derive(Clone, Debug)]
+pub struct Tape<T> {
+    batch: usize,
+    /// Per layer, what went in: the network's input, then each hidden layer's output.
+    inputs: Vec<Vec<T>>,
+    /// Per hidden layer, the ReLU's output, where a LayerNorm follows.
+    before_norm: Vec<Vec<T>>,
+    /// Per hidden layer and sample, 1/standard deviation, where a LayerNorm follows.
+    scale: Vec<Vec<T>>,
+    output: Vec<T>,
+    /// Gradients on their way back; swapped layer by layer.
+    gradient: [Vec<T>; 2],
+}
+
+impl<T: Real> Tape<T> {
+    /// An empty tape for batches of that many samples.
+    pub fn new(shape: &Shape, batch: usize) -> Self {
+        let zeros = |rows: usize| vec![T::zero(); rows * batch];
+        let widest = shape.hidden.iter().chain([&shape.inputs, &shape.outputs]).copied().max().unwrap_or(0);
+        let normed = |size: &usize| if shape.norm { vec![T::zero(); size * batch] } else { Vec::new() };
+        Self {
+            batch,
+            inputs: [&shape.inputs].into_iter().chain(&shape.hidden).map(|&rows| zeros(rows)).collect(),
+            before_norm: shape.hidden.iter().map(normed).collect(),
+            scale: shape.hidden.iter().map(|_| normed(&1)).collect(),
+            output: zeros(shape.outputs),
+            gradient: [zeros(widest), zeros(widest)],
+        }
+    }
+
+    /// The network's input, one column a sample: to be filled before [`Mlp::forward`].
+    pub fn input_mut(&mut self) -> &mut [T] {
+        self.inputs.first_mut().map_or(&mut [], Vec::as_mut_slice)
+    }
+
+    /// The network's output, one column a sample.
+    pub fn output(&self) -> &[T] {
+        &self.output
+    }
+}
+
+const EPSILON: f64 = 1e-5;
+
+impl<T: Real> Mlp<T> {
+    /// Weights and biases uniform in ±1/√inputs, as PyTorch's `Linear` draws them; gains 1, shifts 0.
+    pub fn random(shape: Shape, random: &mut Stream) -> Self {
+        let mut parameters = vec![T::zero(); shape.parameters()];
+        for layer in shape.layers() {
+            let bound = 1.0 / (layer.inputs as f64).sqrt();
+            for parameter in &mut parameters[layer.weight..layer.bias + layer.outputs] {
+                *parameter = T::of((2.0 * random.unit() - 1.0) * bound);
+            }
+            if let Some(gain) = layer.norm {
+                parameters[gain..][..layer.outputs].fill(T::one());
+            }
+        }
+        Self { shape, parameters }
+    }
+
+    /// A network of given parameters; `None` if their number is not the shape's.
+    pub fn from_parameters(shape: Shape, parameters: Vec<T>) -> Option<Self> {
+        (parameters.len() == shape.parameters()).then_some(Self { shape, parameters })
+    }
+
+    /// The sizes.
+    pub fn shape(&self) -> &Shape {
+        &self.shape
+    }
+
+    /// The flat parameters.
+    pub fn parameters(&self) -> &[T] {
+        &self.parameters
+    }
+
+    /// The flat parameters, to be changed by an optimiser.
+    pub fn parameters_mut(&mut self) -> &mut [T] {
+        &mut self.parameters
+    }
+
+    /// Weights (row-major, outputs × inputs) and bias of each layer, first to last.
+    pub fn weights(&self) -> Vec<(Vec<T>, Vec<T>)> {
+        let row_major = |layer: Layer| {
+            let weights = &self.parameters[layer.weight..][..layer.inputs * layer.outputs];
+            let rows = 0..layer.outputs;
+            let row = |o: usize| (0..layer.inputs).map(move |i| weights[i * layer.outputs + o]);
+            (rows.flat_map(row).collect(), layer.bias(&self.parameters).to_vec())
+        };
+        self.shape.layers().map(row_major).collect()
+    }
+
+    /// Gain and shift of the LayerNorm behind a hidden layer.
+    pub fn norm(&self, layer: usize) -> Option<(&[T], &[T])> {
+        let Layer { norm, outputs, .. } = self.shape.layers().nth(layer)?;
+        Some(self.parameters[norm?..][..2 * outputs].split_at(outputs))
+    }
+
+    /// Moves every parameter towards another network's by the fraction `rate` (Polyak averaging).
+    ///
+    /// # Panics
+    /// If the shapes differ.
+    pub fn follow(&mut self, other: &Self, rate: T) {
+        assert_eq!(self.shape, other.shape, "networks of different shapes");
+        for (own, &others) in self.parameters.iter_mut().zip(&other.parameters) {
+            *own += rate * (others - *own);
+        }
+    }
+
+    /// Computes the output of the batch in the tape's input, and keeps what [`backward`](Self::backward) needs.
+    ///
+    /// # Panics
+    /// If the tape was made for another shape.
+    pub fn forward(&self, tape: &mut Tape<T>, kernel: Kernel) {
+        let last = self.shape.hidden.len();
+        for (index, layer) in self.shape.layers().enumerate() {
+            let (before, after) = tape.inputs.split_at_mut(index + 1);
+            let input = Factor::new(&before[index], layer.inputs, tape.batch);
+            let bias = layer.bias(&self.parameters);
+            if index == last {
+                kernel.multiply(&mut tape.output, layer.weight(&self.parameters), input);
+                for column in tape.output.chunks_exact_mut(layer.outputs) {
+                    column.iter_mut().zip(bias).for_each(|(value, &bias)| *value += bias);
+                }
+                return;
+            }
+            let out = if layer.norm.is_some() { &mut tape.before_norm[index] } else { &mut after[0] };
+            kernel.multiply(out, layer.weight(&self.parameters), input);
+            for column in out.chunks_exact_mut(layer.outputs) {
+                for (value, &bias) in column.iter_mut().zip(bias) {
+                    let sum = *value + bias;
+                    *value = if sum > T::zero() { sum } else { T::zero() };
+                }
+            }
+            if let Some(gain) = layer.norm {
+                let (gain, shift) = self.parameters[gain..][..2 * layer.outputs].split_at(layer.outputs);
+                normalise(&mut after[0], &mut tape.scale[index], &tape.before_norm[index], gain, shift);
+            }
+        }
+    }
+
+    /// Carries the gradient of a loss by the output back through the batch that went [`forward`](Self::forward) last.
+    ///
+    /// `gradients`, where given, is overwritten with the gradient by the parameters (in their order, summed over the
+    /// batch); `by_input`, where given, with the gradient by the input.
+    ///
+    /// # Panics
+    /// If a size does not fit.
+    pub fn backward(
+        &self,
+        tape: &mut Tape<T>,
+        by_output: &[T],
+        mut gradients: Option<&mut [T]>,
+        by_input: Option<&mut [T]>,
+        kernel: Kernel,
+    ) {
+        assert_eq!(by_output.len(), self.shape.outputs * tape.batch, "a gradient of another size");
+        let [current, next] = &mut tape.gradient;
+        current[..by_output.len()].copy_from_slice(by_output);
+        let batch = tape.batch;
+        for (index, layer) in self.shape.layers().enumerate().rev() {
+            let (current_size, next_size) = (layer.outputs * batch, layer.inputs * batch);
+            if index < self.shape.hidden.len() {
+                let gradient = &mut current[..current_size];
+                let activations = if let Some(gain) = layer.norm {
+                    let by_norm = gradients.as_deref_mut().map(|all| &mut all[gain..][..2 * layer.outputs]);
+                    let gain = &self.parameters[gain..][..layer.outputs];
+                    denormalise(gradient, by_norm, &tape.before_norm[index], &tape.scale[index], gain);
+                    &tape.before_norm[index]
+                } else {
+                    &tape.inputs[index + 1]
+                };
+                for (gradient, &value) in gradient.iter_mut().zip(activations) {
+                    *gradient = if value > T::zero() { *gradient } else { T::zero() };
+                }
+            }
+            let gradient = Factor::new(&current[..current_size], layer.outputs, batch);
+            if let Some(all) = gradients.as_deref_mut() {
+                let input = Factor::new(&tape.inputs[index], layer.inputs, batch);
+                kernel.multiply(&mut all[layer.weight..layer.bias], gradient, input.transposed());
+                let by_bias = &mut all[layer.bias..][..layer.outputs];
+                by_bias.fill(T::zero());
+                for column in current[..current_size].chunks_exact(layer.outputs) {
+                    by_bias.iter_mut().zip(column).for_each(|(sum, &value)| *sum += value);
+                }
+            }
+            if index > 0 || by_input.is_some() {
+                kernel.multiply(&mut next[..next_size], layer.weight(&self.parameters).transposed(), gradient);
+                std::mem::swap(current, next);
+            }
+        }
+        if let Some(by_input) = by_input {
+            by_input.copy_from_slice(&current[..self.shape.inputs * batch]);
+        }
+    }
+}
+
+/// LayerNorm, column by column; leaves 1/standard deviation in `scale`.
+fn normalise<T: Real>(out: &mut [T], scale: &mut [T], values: &[T], gain: &[T], shift: &[T]) {
+    let size = gain.len();
+    let columns = out.chunks_exact_mut(size).zip(values.chunks_exact(size));
+    for ((out, values), scale) in columns.zip(scale) {
+        let (mean, inverse) = moments(values);
+        *scale = inverse;
+        for ((out, &value), (&gain, &shift)) in out.iter_mut().zip(values).zip(gain.iter().zip(shift)) {
+            *out = (value - mean) * inverse * gain + shift;
+        }
+    }
+}
+
+/// Mean and 1/√(variance + ε).
+fn moments<T: Real>(values: &[T]) -> (T, T) {
+    let count = T::of(values.len() as f64);
+    let mean = values.iter().fold(T::zero(), |sum, &value| sum + value) / count;
+    let variance = values.iter().fold(T::zero(), |sum, &value| sum + (value - mean) * (value - mean)) / count;
+    (mean, T::one() / (variance + T::of(EPSILON)).root())
+}
+
+/// Turns the gradient by LayerNorm's output into the one by its input, in place.
+fn denormalise<T: Real>(gradient: &mut [T], by_norm: Option<&mut [T]>, values: &[T], scale: &[T], gain: &[T]) {
+    let size = gain.len();
+    let count = T::of(size as f64);
+    let mut nothing = Vec::new();
+    let by_norm = by_norm.unwrap_or_else(|| {
+        nothing.resize(2 * size, T::zero());
+        &mut nothing
+    });
+    by_norm.fill(T::zero());
+    let (by_gain, by_shift) = by_norm.split_at_mut(size);
+    for ((gradient, values), &inverse) in gradient.chunks_exact_mut(size).zip(values.chunks_exact(size)).zip(scale) {
+        let (mean, _) = moments(values);
+        let (mut sum, mut along) = (T::zero(), T::zero());
+        for i in 0..size {
+            let normal = (values[i] - mean) * inverse;
+            by_gain[i] += gradient[i] * normal;
+            by_shift[i] += gradient[i];
+            gradient[i] *= gain[i];
+            sum += gradient[i];
+            along += gradient[i] * normal;
+        }
+        for (gradient, &value) in gradient.iter_mut().zip(values) {
+            let normal = (value - mean) * inverse;
+            *gradient = (*gradient - sum / count - normal * along / count) * inverse;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::random::Purpose;
+
+    fn shape(norm: bool) -> Shape {
+        Shape { inputs: 7, hidden: vec![9, 8], outputs: 3, norm }
+    }
+
+    /// Σ c·out over a batch of 6, with fixed coefficients c.
+    fn loss(network: &Mlp<f64>, input: &[f64], coefficients: &[f64], kernel: Kernel) -> (f64, Tape<f64>) {
+        let mut tape = Tape::new(network.shape(), 6);
+        tape.input_mut().copy_from_slice(input);
+        network.forward(&mut tape, kernel);
+        (tape.output().iter().zip(coefficients).map(|(&out, &c)| out * c).sum(), tape)
+    }
+
+    #[test]
+    fn gradients_equal_finite_differences() {
+        for (norm, kernel) in [(false, Kernel::Fast), (true, Kernel::Fast), (false, Kernel::Portable)] {
+            let mut random = Stream::new(1, 0, Purpose::Test, 20);
+            let mut network = Mlp::<f64>::random(shape(norm), &mut random);
+            for parameter in network.parameters_mut() {
+                *parameter += 0.1 * random.normal(); // gains and shifts too shall be ordinary numbers
+            }
+            let input: Vec<f64> = (0..7 * 6).map(|_| random.normal()).collect();
+            let coefficients: Vec<f64> = (0..3 * 6).map(|_| random.normal()).collect();
+            let (_, mut tape) = loss(&network, &input, &coefficients, kernel);
+            let mut by_parameters = vec![f64::NAN; network.parameters().len()];
+            let mut by_input = vec![f64::NAN; input.len()];
+            network.backward(&mut tape, &coefficients, Some(&mut by_parameters), Some(&mut by_input), kernel);
+            let step = 1e-6;
+            let slope = |up: f64, down: f64| (up - down) / (2.0 * step);
+            for (index, &gradient) in by_parameters.iter().enumerate() {
+                let at = |by: f64| {
+                    let mut moved = network.clone();
+                    moved.parameters_mut()[index] += by;
+                    loss(&moved, &input, &coefficients, kernel).0
+                };
+                let slope = slope(at(step), at(-step));
+                assert!((gradient - slope).abs() < 1e-7 * (1.0 + slope.abs()), "parameter {index}: {gradient} {slope}");
+            }
+            for (index, &gradient) in by_input.iter().enumerate() {
+                let at = |by: f64| {
+                    let mut moved = input.clone();
+                    moved[index] += by;
+                    loss(&network, &moved, &coefficients, kernel).0
+                };
+                let slope = slope(at(step), at(-step));
+                assert!((gradient - slope).abs() < 1e-7 * (1.0 + slope.abs()), "input {index}: {gradient} {slope}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_gradient_by_the_input_does_not_need_the_one_by_the_parameters() {
+        let mut random = Stream::new(1, 0, Purpose::Test, 21);
+        let network = Mlp::<f32>::random(shape(true), &mut random);
+        let input: Vec<f32> = (0..7 * 6).map(|_| random.normal() as f32).collect();
+        let gradient = |wanted: bool| {
+            let mut tape = Tape::new(network.shape(), 6);
+            tape.input_mut().copy_from_slice(&input);
+            network.forward(&mut tape, Kernel::Fast);
+            let (mut all, mut by_input) = (vec![0.0; network.parameters().len()], vec![0.0; input.len()]);
+            let all = wanted.then_some(&mut all[..]);
+            network.backward(&mut tape, &[1.0; 18], all, Some(&mut by_input), Kernel::Fast);
+            by_input
+        };
+        assert_eq!(gradient(true), gradient(false));
+    }
+
+    #[test]
+    fn a_wrong_number_of_parameters_is_refused() {
+        assert_eq!(shape(false).parameters(), 7 * 9 + 9 + 9 * 8 + 8 + 8 * 3 + 3);
+        assert_eq!(shape(true).parameters(), shape(false).parameters() + 2 * (9 + 8));
+        assert_eq!(shape(true).multiplications(), 7 * 9 + 9 * 8 + 8 * 3);
+        assert!(Mlp::from_parameters(shape(false), vec![0.0f32; 5]).is_none());
+    }
+}

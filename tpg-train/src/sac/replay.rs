@@ -1,0 +1,177 @@
+//! The replay buffer: the last so many transitions.
+
+use crate::random::Stream;
+
+/// Components of an action.
+pub const ACTIONS: usize = tpg_runtime::arm::JOINTS;
+
+/// One transition: what was seen, done, earned and seen then.
+#[derive(Clone, Copy, Debug)]
+pub struct Transition<'a> {
+    /// The inputs before.
+    pub state: &'a [f32],
+    /// The continuous action, before discretisation and mask, each component in −1..1.
+    pub action: [f32; ACTIONS],
+    /// The reward.
+    pub reward: f32,
+    /// What the value of the next state is multiplied by: γ to the number of raw steps, 0 where the episode ended.
+    pub discount: f32,
+    /// The inputs afterwards.
+    pub next: &'a [f32],
+}
+
+/// A ring of transitions of `inputs` values a state.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Replay {
+    inputs: usize,
+    capacity: usize,
+    /// Transitions ever added; the newest is at (added − 1) mod capacity.
+    added: u64,
+    /// Row by row: state, action, reward, discount, next state.
+    rows: Vec<f32>,
+}
+
+/// Transitions drawn for one update, one column a sample.
+#[derive(Clone, Debug)]
+pub struct Batch {
+    /// inputs × batch.
+    pub states: Vec<f32>,
+    /// 4 × batch.
+    pub actions: Vec<f32>,
+    /// One a sample.
+    pub rewards: Vec<f32>,
+    /// One a sample.
+    pub discounts: Vec<f32>,
+    /// inputs × batch.
+    pub next: Vec<f32>,
+}
+
+impl Batch {
+    /// An empty batch of that many samples.
+    pub fn new(inputs: usize, size: usize) -> Self {
+        let zeros = |rows: usize| vec![0.0; rows * size];
+        Self {
+            states: zeros(inputs),
+            actions: zeros(ACTIONS),
+            rewards: zeros(1),
+            discounts: zeros(1),
+            next: zeros(inputs),
+        }
+    }
+}
+
+impl Replay {
+    /// An empty buffer. It grows with what is added, up to `capacity` transitions.
+    ///
+    /// # Panics
+    /// If `capacity` is 0.
+    pub fn new(inputs: usize, capacity: usize) -> Self {
+        assert!(capacity > 0, "a buffer for nothing");
+        Self { inputs, capacity, added: 0, rows: Vec::new() }
+    }
+
+    fn width(&self) -> usize {
+        2 * self.inputs + ACTIONS + 2
+    }
+
+    /// Transitions held.
+    pub fn len(&self) -> usize {
+        self.rows.len() / self.width()
+    }
+
+    /// Whether none is held.
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
+    /// Adds a transition, in the place of the oldest where the buffer is full.
+    ///
+    /// # Panics
+    /// If a state has another number of values than the buffer's.
+    pub fn push(&mut self, transition: Transition<'_>) {
+        assert!(transition.state.len() == self.inputs && transition.next.len() == self.inputs, "another state");
+        let width = self.width();
+        let at = (self.added % self.capacity as u64) as usize * width;
+        if self.rows.len() < at + width {
+            self.rows.resize(at + width, 0.0);
+        }
+        let row = &mut self.rows[at..at + width];
+        let (state, rest) = row.split_at_mut(self.inputs);
+        let (action, rest) = rest.split_at_mut(ACTIONS);
+        let (numbers, next) = rest.split_at_mut(2);
+        state.copy_from_slice(transition.state);
+        action.copy_from_slice(&transition.action);
+        numbers.copy_from_slice(&[transition.reward, transition.discount]);
+        next.copy_from_slice(transition.next);
+        self.added += 1;
+    }
+
+    /// Draws a batch, every transition held equally likely, with repeats.
+    ///
+    /// # Panics
+    /// If the buffer is empty or the batch was made for other states.
+    pub fn draw(&self, random: &mut Stream, batch: &mut Batch) {
+        assert_eq!(batch.states.len(), batch.rewards.len() * self.inputs, "a batch for other states");
+        let width = self.width();
+        let columns = batch.states.chunks_exact_mut(self.inputs).zip(batch.next.chunks_exact_mut(self.inputs));
+        let numbers = batch.rewards.iter_mut().zip(&mut batch.discounts);
+        let actions = batch.actions.chunks_exact_mut(ACTIONS);
+        for (((state, next), action), (reward, discount)) in columns.zip(actions).zip(numbers) {
+            let row = &self.rows[random.below(self.len()) * width..][..width];
+            let (from, rest) = row.split_at(self.inputs);
+            state.copy_from_slice(from);
+            action.copy_from_slice(&rest[..ACTIONS]);
+            *reward = rest[ACTIONS];
+            *discount = rest[ACTIONS + 1];
+            next.copy_from_slice(&rest[ACTIONS + 2..]);
+        }
+    }
+
+    /// Transitions ever added, and the rows as they lie.
+    pub fn state(&self) -> (u64, &[f32]) {
+        (self.added, &self.rows)
+    }
+
+    /// Continues from a [`state`](Self::state); `None` if it is none of such a buffer.
+    pub fn from_state(inputs: usize, capacity: usize, added: u64, rows: Vec<f32>) -> Option<Self> {
+        let buffer = Self { inputs, capacity, added, rows };
+        let held = added.min(capacity as u64) as usize;
+        (capacity > 0 && buffer.rows.len() == held * buffer.width()).then_some(buffer)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::random::Purpose;
+
+    fn push(buffer: &mut Replay, value: f32) {
+        let (state, next) = ([value; 3], [value + 0.5; 3]);
+        buffer.push(Transition { state: &state, action: [value; 4], reward: value, discount: 0.9, next: &next });
+    }
+
+    #[test]
+    fn the_newest_transitions_stay_whole() {
+        let mut buffer = Replay::new(3, 10);
+        (0..25).for_each(|value| push(&mut buffer, value as f32));
+        let mut batch = Batch::new(3, 400);
+        buffer.draw(&mut Stream::new(1, 0, Purpose::Test, 1), &mut batch);
+        let mut seen = [0; 25];
+        for (i, &reward) in batch.rewards.iter().enumerate() {
+            seen[reward as usize] += 1;
+            assert_eq!(batch.states[3 * i..][..3], [reward; 3]);
+            assert_eq!(batch.actions[4 * i..][..4], [reward; 4]);
+            assert_eq!(batch.next[3 * i..][..3], [reward + 0.5; 3]);
+        }
+        assert!(seen[..15].iter().all(|&count| count == 0) && seen[15..].iter().all(|&count| count > 15), "{seen:?}");
+    }
+
+    #[test]
+    fn it_continues_from_its_state_and_refuses_another() {
+        let mut buffer = Replay::new(3, 10);
+        (0..25).for_each(|value| push(&mut buffer, value as f32));
+        let (added, rows) = buffer.state();
+        assert_eq!(Replay::from_state(3, 10, added, rows.to_vec()).as_ref(), Some(&buffer));
+        assert!(Replay::from_state(3, 11, added, rows.to_vec()).is_none());
+    }
+}

@@ -1,0 +1,288 @@
+//! The training loop: lanes decide, the buffer remembers, the agent learns, candidates are validated.
+//!
+//! One [`tick`](Training::tick) lets every lane decide once. Nothing depends on the clock or on who computes it: a
+//! tick's random numbers are a function of the seed and of how many decisions came before.
+
+use super::agent::{Agent, Experience, Rates, Report, Workspace};
+use super::config::{Algorithm, Config};
+use super::lanes::{End, Lanes};
+use super::nn::{Gaussian, Mlp, Samples, Tape};
+use super::policy::ActorPolicy;
+use super::replay::{ACTIONS, Batch, Replay, Transition};
+use crate::random::{Purpose, Stream};
+use crate::targets::{Reach, Set, Start, Task, tasks};
+use crate::trial::{self, Trial};
+use serde::{Deserialize, Serialize};
+use tpg_runtime::arm::WIDOWX;
+
+/// A training run under way.
+#[derive(Debug)]
+pub struct Training {
+    pub(super) config: Config,
+    pub(super) seed: u64,
+    pub(super) agent: Agent<f32>,
+    pub(super) replay: Replay,
+    pub(super) lanes: Lanes,
+    pub(super) decisions: u64,
+    pub(super) updates: u64,
+    pub(super) best: Option<Best>,
+    /// Of the updates since the last [`Training::take_progress`].
+    pub(super) recent: Recent,
+    space: Space,
+}
+
+/// The best candidate so far.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Best {
+    /// Its success on validation tasks.
+    pub score: f64,
+    /// The decisions it was trained for.
+    pub decisions: u64,
+    /// Its actor.
+    pub actor: Mlp<f32>,
+}
+
+/// Sums over updates and episodes, for the log.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Recent {
+    /// Updates.
+    pub updates: u64,
+    /// Sums of the updates' reports.
+    pub sums: Report,
+    /// Episodes that reached their target.
+    pub reached: u64,
+    /// Episodes that ended by an invalid step.
+    pub invalid: u64,
+    /// Episodes that were cut off.
+    pub cut: u64,
+    /// Steps done.
+    pub steps: u64,
+}
+
+/// Memory for acting and learning, none of it a part of a run's state.
+#[derive(Debug)]
+struct Space {
+    acting: Tape<f32>,
+    samples: Samples<f32>,
+    update: Workspace<f32>,
+    batch: Batch,
+    noise: Vec<f32>,
+    next_noise: Vec<f32>,
+    before: Vec<f32>,
+}
+
+impl Space {
+    fn new(config: &Config, agent: &Agent<f32>) -> Self {
+        let (inputs, lanes, batch) = (config.actor.inputs.count(), config.learning.lanes, config.learning.batch);
+        Self {
+            acting: Tape::new(agent.actor.network.shape(), lanes),
+            samples: Samples::default(),
+            update: agent.workspace(batch),
+            batch: Batch::new(inputs, batch),
+            noise: vec![0.0; ACTIONS * batch.max(lanes)],
+            next_noise: vec![0.0; ACTIONS * batch],
+            before: vec![0.0; inputs * lanes],
+        }
+    }
+}
+
+impl Training {
+    /// A run from the start.
+    pub fn new(config: Config, seed: u64) -> Self {
+        let inputs = config.actor.inputs.count();
+        let gaussian = Gaussian { actions: ACTIONS, spread: config.actor.spread };
+        let agent = Agent::new(&config, gaussian, &mut Stream::new(seed, 0, Purpose::Weights, 0));
+        let replay = Replay::new(inputs, config.learning.replay);
+        let lanes = Lanes::new(&config, seed, Reach::sample(&WIDOWX, seed, Set::Training));
+        Self::of_parts(config, seed, agent, replay, lanes)
+    }
+
+    pub(super) fn of_parts(config: Config, seed: u64, agent: Agent<f32>, replay: Replay, lanes: Lanes) -> Self {
+        let space = Space::new(&config, &agent);
+        let recent = Recent::default();
+        Self { config, seed, agent, replay, lanes, decisions: 0, updates: 0, best: None, recent, space }
+    }
+
+    /// What is trained.
+    pub fn config(&self) -> &Config {
+        &self.config
+    }
+
+    /// Decisions done, of all lanes together.
+    pub fn decisions(&self) -> u64 {
+        self.decisions
+    }
+
+    /// Updates done.
+    pub fn updates(&self) -> u64 {
+        self.updates
+    }
+
+    /// Whether the run has its decisions.
+    pub fn finished(&self) -> bool {
+        self.decisions >= self.config.learning.decisions
+    }
+
+    /// The best candidate so far.
+    pub fn best(&self) -> Option<&Best> {
+        self.best.as_ref()
+    }
+
+    /// The sums since the last call.
+    pub fn take_progress(&mut self) -> Recent {
+        std::mem::take(&mut self.recent)
+    }
+
+    /// Lets every lane decide once, then does the updates that are due.
+    pub fn tick(&mut self) {
+        self.act();
+        let learning = &self.config.learning;
+        if self.decisions < learning.random_decisions {
+            return;
+        }
+        let due = (self.decisions - learning.random_decisions) / learning.decisions_per_update;
+        while self.updates < due {
+            self.update();
+        }
+    }
+
+    fn act(&mut self) {
+        let Self { config, seed, agent, replay, lanes, space, .. } = self;
+        let inputs = config.actor.inputs;
+        let width = inputs.count();
+        let columns = space.acting.input_mut().chunks_exact_mut(width);
+        columns.enumerate().for_each(|(lane, column)| lanes.observe(lane, inputs, column));
+        space.before.copy_from_slice(space.acting.input_mut());
+        let mut random = Stream::new(*seed, self.decisions, Purpose::Exploration, 0);
+        let count = config.learning.lanes;
+        let exploring = self.decisions < config.learning.random_decisions;
+        if exploring {
+            space.samples.actions.clear();
+            space.samples.actions.extend((0..ACTIONS * count).map(|_| (2.0 * random.unit() - 1.0) as f32));
+        } else {
+            agent.actor.network.forward(&mut space.acting, agent.kernel());
+            let noise = &mut space.noise[..ACTIONS * count];
+            random.normals(noise);
+            agent.gaussian().sample(space.acting.output(), noise, &mut space.samples);
+        }
+        let mut next = vec![0.0; width];
+        for lane in 0..count {
+            let action: [f32; ACTIONS] = std::array::from_fn(|joint| space.samples.actions[lane * ACTIONS + joint]);
+            let consequence = lanes.act(lane, action.map(libm::atanhf));
+            lanes.observe(lane, inputs, &mut next);
+            let goes_on = !matches!(consequence.end, Some(End::Reached | End::Invalid));
+            let discount = libm::powf(config.learning.discount as f32, consequence.steps as f32);
+            replay.push(Transition {
+                state: &space.before[lane * width..][..width],
+                action,
+                reward: consequence.reward,
+                discount: if goes_on { discount } else { 0.0 },
+                next: &next,
+            });
+            self.recent.steps += u64::from(consequence.steps);
+            match consequence.end {
+                Some(End::Reached) => self.recent.reached += 1,
+                Some(End::Invalid) => self.recent.invalid += 1,
+                Some(End::Cut) => self.recent.cut += 1,
+                None => continue,
+            }
+            lanes.renew(lane);
+        }
+        self.decisions += count as u64;
+    }
+
+    fn update(&mut self) {
+        let learning = &self.config.learning;
+        let space = &mut self.space;
+        self.replay.draw(&mut Stream::new(self.seed, self.updates, Purpose::Replay, 0), &mut space.batch);
+        let mut random = Stream::new(self.seed, self.updates, Purpose::Update, 0);
+        let noise = &mut space.noise[..ACTIONS * learning.batch];
+        random.normals(&mut space.next_noise);
+        random.normals(noise);
+        if learning.algorithm == Algorithm::ValueNetwork {
+            // The artifact draws one number for a whole batch (`networks.cpp`, `rsample`).
+            for noise in [&mut space.next_noise[..], noise] {
+                noise.fill(noise[0]);
+            }
+        }
+        let experience = Experience {
+            states: &space.batch.states,
+            actions: &space.batch.actions,
+            rewards: &space.batch.rewards,
+            discounts: &space.batch.discounts,
+            next: &space.batch.next,
+            next_noise: &space.next_noise,
+            noise,
+        };
+        let done = (self.decisions as f64 / learning.decisions as f64).min(1.0);
+        let rates = Rates {
+            learning: learning.rate * (1.0 + (learning.final_rate - 1.0) * done),
+            temperature: learning.temperature_rate,
+            follow: learning.follow,
+            target_entropy: learning.target_entropy,
+        };
+        let report = self.agent.update(&mut space.update, experience, &rates);
+        self.updates += 1;
+        self.recent.add(report);
+    }
+
+    /// The policy as it stands.
+    pub fn policy(&self) -> ActorPolicy<'_> {
+        ActorPolicy::new(&self.agent.actor.network, &self.config.actor)
+    }
+
+    /// Puts the actor as it stands to the validation tasks, and keeps it if it is the best so far.
+    pub fn validate(&mut self, validation: &ValidationTasks) -> Vec<Trial> {
+        let trials = validation.run(&self.policy());
+        let score = trials.iter().zip(&validation.weights).map(|(trial, weight)| trial.success_rate * weight).sum();
+        if self.best.as_ref().is_none_or(|best| score >= best.score) {
+            let actor = self.agent.actor.network.clone();
+            self.best = Some(Best { score, decisions: self.decisions, actor });
+        }
+        trials
+    }
+}
+
+impl Recent {
+    fn add(&mut self, report: Report) {
+        self.updates += 1;
+        self.sums.critic_loss += report.critic_loss;
+        self.sums.actor_loss += report.actor_loss;
+        self.sums.entropy += report.entropy;
+        self.sums.temperature += report.temperature;
+    }
+
+    /// The means of the updates' reports.
+    pub fn means(&self) -> Report {
+        let count = self.updates.max(1) as f64;
+        let Report { critic_loss, actor_loss, entropy, temperature } = self.sums;
+        Report {
+            critic_loss: critic_loss / count,
+            actor_loss: actor_loss / count,
+            entropy: entropy / count,
+            temperature: temperature / count,
+        }
+    }
+}
+
+/// The validation tasks of a run: for each problem, and how much its success weighs.
+#[derive(Clone, Debug)]
+pub struct ValidationTasks {
+    problems: Vec<(Start, Vec<Task>)>,
+    weights: Vec<f64>,
+}
+
+impl ValidationTasks {
+    /// For a run that shall do well on `problem`: the other start is watched, too, but does not choose.
+    pub fn new(seed: u64, problem: Start, episodes: usize) -> Self {
+        let starts = [Start::Fs, Start::Rs];
+        let problems = starts.map(|start| (start, tasks(&WIDOWX, seed, Set::Validation, start, episodes)));
+        Self { problems: problems.into(), weights: starts.map(|start| f64::from(u8::from(start == problem))).into() }
+    }
+
+    /// Runs a policy on all of them.
+    pub fn run(&self, policy: &ActorPolicy<'_>) -> Vec<Trial> {
+        let trial = |(start, tasks): &(Start, Vec<Task>)| trial::run(&super::lanes::ARM, policy, *start, tasks);
+        self.problems.iter().map(trial).collect()
+    }
+}

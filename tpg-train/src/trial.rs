@@ -1,0 +1,136 @@
+//! A policy put to a list of tasks: how often it succeeds, and how it fails.
+
+use crate::targets::{Start, Task};
+use serde::Serialize;
+use tpg_runtime::arm::{Arm, Collision, Invalid, Move};
+use tpg_runtime::cycle::Brent;
+use tpg_runtime::episode::{Episode, Outcome, Summary};
+use tpg_runtime::kinematics::Lattice;
+use tpg_runtime::observation::Observation;
+use tpg_runtime::policy::Policy;
+
+/// What came of many episodes of one problem. Rates lie in 0..1, distances are in mm.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Trial {
+    /// Which start.
+    pub problem: Start,
+    /// How many episodes.
+    pub episodes: usize,
+    /// Episodes that ended at the target.
+    pub success_rate: f64,
+    /// Episodes that ended by an invalid action, joint limits included, as in the paper.
+    pub collision_rate: f64,
+    /// Of the final distances.
+    pub mean_distance_mm: f64,
+    /// Of the final distances.
+    pub median_distance_mm: f64,
+    /// Of all episodes.
+    pub mean_actions: f64,
+    /// Of the successful episodes; 0 where there is none.
+    pub mean_actions_on_success: f64,
+    /// Why the others failed.
+    pub failures: Failures,
+}
+
+/// Failed episodes by their end.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Failures {
+    /// A pose came again.
+    pub cycle: usize,
+    /// The policy chose not to move.
+    pub stop: usize,
+    /// A joint would have left its range.
+    pub joint_limit: usize,
+    /// The arm, or a corner of the hand, would have gone below the table.
+    pub table: usize,
+    /// The arm would have hit its own base.
+    pub base: usize,
+    /// The action limit was reached.
+    pub timeout: usize,
+}
+
+/// Runs one episode of each task.
+pub fn run<S, P>(arm: &Arm<S>, policy: &P, start: Start, tasks: &[Task]) -> Trial
+where
+    S: Lattice,
+    P: Policy<State = Observation<S>, Action = Move> + ?Sized,
+{
+    let episode = |task: &Task| Episode::new(arm, task.problem(start), Brent::new()).run(policy, |_pose| ());
+    summarise(start, &tasks.iter().map(episode).collect::<Vec<_>>())
+}
+
+fn summarise<S: Lattice>(problem: Start, summaries: &[Summary<S>]) -> Trial {
+    let mut failures = Failures::default();
+    let (mut successes, mut actions, mut on_success) = (0, 0.0, 0.0);
+    for summary in summaries {
+        actions += f64::from(summary.actions);
+        match summary.outcome {
+            Outcome::Reached => {
+                successes += 1;
+                on_success += f64::from(summary.actions);
+            }
+            Outcome::Invalid(Invalid::JointLimit(_)) => failures.joint_limit += 1,
+            Outcome::Invalid(Invalid::Collision(Collision::Base)) => failures.base += 1,
+            Outcome::Invalid(Invalid::Collision(Collision::Table | Collision::HandCorner)) => failures.table += 1,
+            Outcome::Stop => failures.stop += 1,
+            Outcome::Cycle => failures.cycle += 1,
+            Outcome::Timeout => failures.timeout += 1,
+        }
+    }
+    let mut distances: Vec<f64> = summaries.iter().map(|summary| summary.distance.to_f64()).collect();
+    distances.sort_by(f64::total_cmp);
+    let count = summaries.len().max(1) as f64;
+    let invalid = failures.joint_limit + failures.table + failures.base;
+    Trial {
+        problem,
+        episodes: summaries.len(),
+        success_rate: f64::from(successes) / count,
+        collision_rate: invalid as f64 / count,
+        mean_distance_mm: distances.iter().sum::<f64>() / count,
+        median_distance_mm: median(&distances),
+        mean_actions: actions / count,
+        mean_actions_on_success: on_success / f64::from(successes.max(1)),
+        failures,
+    }
+}
+
+fn median(sorted: &[f64]) -> f64 {
+    match sorted.len() {
+        0 => 0.0,
+        n if n % 2 == 1 => sorted[n / 2],
+        n => 0.5 * (sorted[n / 2 - 1] + sorted[n / 2]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::targets::{Set, tasks};
+    use tpg_runtime::arm::{Joint, WIDOWX};
+
+    /// Always the same move.
+    struct Always(Move);
+
+    impl Policy for Always {
+        type State = Observation<f64>;
+        type Action = Move;
+        fn decide(&self, _seen: &Observation<f64>) -> Move {
+            self.0
+        }
+    }
+
+    #[test]
+    fn every_episode_is_counted_once_under_its_end() {
+        let tasks = tasks(&WIDOWX, 5, Set::Validation, Start::Fs, 40);
+        let turning = run(&WIDOWX, &Always(Move::single(Joint(0), 3)), Start::Fs, &tasks);
+        assert_eq!(turning.failures.joint_limit + (turning.success_rate * 40.0).round() as usize, 40);
+        assert!(turning.mean_actions > 600.0, "the base turns 682 steps to its limit");
+        let resting = run(&WIDOWX, &Always(Move::STOP), Start::Fs, &tasks);
+        assert_eq!((resting.failures.stop, resting.collision_rate, resting.mean_actions), (40, 0.0, 1.0));
+    }
+
+    #[test]
+    fn the_median_of_an_even_number_lies_between() {
+        assert_eq!([median(&[]), median(&[1.0, 2.0, 9.0]), median(&[1.0, 2.0, 4.0, 9.0])], [0.0, 2.0, 3.0]);
+    }
+}

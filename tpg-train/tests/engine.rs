@@ -1,0 +1,196 @@
+//! The engine gives the interpreter's answers, step for step, whatever it is told about lanes, sharing and threads.
+
+use tpg_codegen::graph::{Graph, Provenance, ScalarType};
+use tpg_codegen::interpret::Interpreter;
+use tpg_runtime::arm::{Arm, Move, WIDOWX};
+use tpg_runtime::cycle::Visited;
+use tpg_runtime::episode::{Episode, Outcome, Summary};
+use tpg_runtime::kinematics::Lattice;
+use tpg_runtime::observation::{Observation, Source};
+use tpg_runtime::ops::{Instruction, Maths, Own};
+use tpg_runtime::policy::{ActionId, Policy as _};
+use tpg_train::engine::{Ending, Environment, Evaluator, Lanes, LocalThreads, Options, Plan, Policy, UnitKey, Work, WorkUnit};
+use tpg_train::environments::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
+use tpg_train::evolution::archive::Archive;
+use tpg_train::evolution::config::Config;
+use tpg_train::evolution::export;
+use tpg_train::evolution::mutate_program::ProgramMutator;
+use tpg_train::evolution::mutate_team::{Moment, populate, random_population};
+use tpg_train::evolution::presets::Preset;
+use tpg_train::evolution::vocabulary::Vocabulary;
+use tpg_train::random::{Purpose, Stream};
+use tpg_train::targets::{Set, Start, tasks};
+
+/// A configuration in which everything can happen: every source, every instruction, literals, program constants.
+fn config(scalar: ScalarType) -> Config {
+    let mut config = Preset::find("best-rs").expect("it comes with the trainer").config().expect("it is accepted");
+    config.problem.sources = Source::ALL.map(|source| source.name().to_owned()).to_vec();
+    config.problem.may_stop = true;
+    config.language.scalar = scalar;
+    config.language.instructions = Instruction::ALL.map(|instruction| instruction.name().to_owned()).to_vec();
+    config.learning.nb_program_constant = 2;
+    config.tpg.nb_roots = 60;
+    config.tpg.init_nb_roots = 20;
+    config.tpg.p_edge_destination_change = 0.5;
+    config
+}
+
+struct World<S> {
+    config: Config,
+    environment: ArmEnvironment<S>,
+    vocabulary: Vocabulary,
+    policies: Vec<Policy>,
+}
+
+impl<S: ArmScalar> World<S> {
+    /// Roots some rounds of mutation away from random ones: several teams deep.
+    fn new(scalar: ScalarType) -> Self {
+        let config = config(scalar);
+        let problem = ArmProblem { may_stop: true, ..ArmProblem::new(Start::Rs, config.sources()) };
+        let environment = ArmEnvironment::<S>::new(&WIDOWX, problem);
+        let vocabulary =
+            Vocabulary::new(config.instructions(), 8, 2, &environment.sources(), true, config.language.scalar);
+        let mutator =
+            ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
+        let mut stream = Stream::new(1, 0, Purpose::Test, 0);
+        let mut genome = random_population(&mutator, &config.tpg, 9, &mut stream);
+        for generation in 0..6 {
+            let moment = Moment { seed: 1, generation, deme: 0 };
+            populate(&mut genome, &mutator, &config.tpg, &Archive::new(0), 9, moment);
+            let doomed: Vec<_> = genome.roots().into_iter().step_by(2).collect();
+            genome.remove_roots(&doomed);
+        }
+        let policies: Vec<Policy> = genome.roots().into_iter().map(|root| genome.policy(root, &vocabulary)).collect();
+        assert!(policies.iter().map(|policy| policy.teams.len()).max() > Some(4), "deep graphs are wanted");
+        Self { config, environment, vocabulary, policies }
+    }
+
+    fn graph(&self, policy: &Policy) -> Graph {
+        let (sources, actions) = (self.environment.sources(), self.environment.actions());
+        export::graph(policy, &self.vocabulary, sources, actions, Provenance::default()).expect("a valid graph")
+    }
+}
+
+fn arm_tasks(count: usize) -> Vec<ArmTask> {
+    tasks(&WIDOWX, 5, Set::Training, Start::Rs, count).into_iter().map(ArmTask::from).collect()
+}
+
+/// The interpreter drives the runtime's own episode with the exact set of visited poses.
+fn by_interpreter<S: ArmScalar, M: Maths<S>>(
+    graph: &Graph,
+    arm: &Arm<S>,
+    problem: &ArmProblem,
+    task: &ArmTask,
+) -> (Vec<ActionId>, Summary<S>) {
+    let interpreter = Interpreter::<S, M>::new(graph);
+    let start = tpg_runtime::episode::Problem {
+        start: tpg_runtime::arm::Pose(task.start),
+        target: task.target.map(S::from_f64),
+        tolerance: S::from_f64(problem.tolerance),
+        max_actions: problem.max_actions,
+    };
+    let mut episode = Episode::new(arm, start, Visited::<4096>::new());
+    let mut actions = Vec::new();
+    let mut state = vec![S::ZERO; graph.state_length()];
+    loop {
+        Source::fill(&problem.sources, arm, episode.observation(), &mut state);
+        let action = interpreter.decide(&state);
+        actions.push(action);
+        let moves = graph.actions()[usize::from(action.0)].moves.unwrap_or(Move::STOP);
+        if let Some(outcome) = episode.advance(moves) {
+            let Observation { pose, .. } = *episode.observation();
+            let distance = episode.observation().distance();
+            return (actions, Summary { outcome, actions: episode.actions(), pose, distance });
+        }
+    }
+}
+
+fn same<S: Lattice>(ending: &Ending, summary: &Summary<S>, outcomes: &[&str]) -> bool {
+    let name = match summary.outcome {
+        Outcome::Reached => "reached",
+        Outcome::Cycle => "cycle",
+        Outcome::Stop => "stop",
+        Outcome::Timeout => "timeout",
+        Outcome::Invalid(tpg_runtime::arm::Invalid::JointLimit(_)) => "joint_limit",
+        Outcome::Invalid(tpg_runtime::arm::Invalid::Collision(tpg_runtime::arm::Collision::Base)) => "base",
+        Outcome::Invalid(_) => "table",
+    };
+    outcomes[usize::from(ending.outcome)] == name
+        && ending.actions == summary.actions
+        && ending.error.to_bits() == summary.distance.to_f64().to_bits()
+}
+
+fn engine_is_the_interpreter<S: ArmScalar>(scalar: ScalarType)
+where
+    Own: Maths<S>,
+{
+    let world = World::<S>::new(scalar);
+    let tasks = arm_tasks(12);
+    let mut ways = [0usize; 7];
+    let mut steps = 0;
+    for policy in &world.policies {
+        let graph = world.graph(policy);
+        // From the genome's own policy, introns and shared programs and all; the graph went through a file.
+        let graph = Graph::from_json("again", &graph.to_json()).expect("what was written can be read");
+        let plan = Plan::<S>::new::<Own>(policy, &world.environment.sources(), true);
+        let mut lanes = Lanes::<S, Own, _>::new(&world.environment, Options { lanes: 5, ..Options::default() });
+        let mut watched = vec![Vec::new(); tasks.len()];
+        let endings = lanes.run_watched(&plan, &tasks, |task, action| watched[task].push(action));
+        for ((task, ending), watched) in tasks.iter().zip(&endings).zip(&watched) {
+            let (actions, summary) =
+                by_interpreter::<S, Own>(&graph, world.environment.arm(), world.environment.problem(), task);
+            // The engine notices a cycle later and then goes back to its first repeat.
+            assert_eq!(watched[..actions.len()], actions, "the same actions");
+            assert!(same(ending, &summary, world.environment.outcomes()), "{ending:?} against {summary:?}");
+            ways[usize::from(ending.outcome)] += 1;
+            steps += actions.len();
+        }
+    }
+    assert!(steps > 20_000, "only {steps} steps compared");
+    assert!(ways[1] > 10 && ways[2] > 10 && ways[3] > 10, "cycles, stops and limits must occur: {ways:?}");
+}
+
+#[test]
+fn every_step_is_the_interpreters_in_f32() {
+    engine_is_the_interpreter::<f32>(ScalarType::F32);
+}
+
+#[test]
+fn every_step_is_the_interpreters_in_f64() {
+    engine_is_the_interpreter::<f64>(ScalarType::F64);
+}
+
+#[test]
+fn no_option_and_no_number_of_threads_changes_an_answer() {
+    let world = World::<f32>::new(ScalarType::F32);
+    let units = (0..).zip(&world.policies).map(|(root, policy)| WorkUnit {
+        key: UnitKey { seed: 1, generation: 0, root },
+        policy: policy.clone(),
+    });
+    let work = Work { tasks: arm_tasks(30), units: units.collect() };
+    let answers = |options: Options, threads: usize| {
+        let evaluator = LocalThreads::<f32, Own, _>::new(&world.environment, options, threads).expect("threads start");
+        evaluator.evaluate(&work).expect("local threads always answer")
+    };
+    let reference = answers(Options::default(), 1);
+    assert!(reference.iter().flat_map(|answer| &answer.endings).any(|ending| ending.actions > 100));
+    for lanes in [1, 2, 7, 64, 500] {
+        assert_eq!(answers(Options { lanes, ..Options::default() }, 1), reference, "{lanes} lanes");
+    }
+    assert_eq!(answers(Options { share: false, ..Options::default() }, 1), reference, "without sharing");
+    assert_eq!(answers(Options { look_for_cycles: false, ..Options::default() }, 1), reference, "without looking");
+    for threads in [2, 5] {
+        assert_eq!(answers(Options::default(), threads), reference, "{threads} threads");
+    }
+    assert_eq!(world.config.language.instructions.len(), Instruction::ALL.len());
+}
+
+#[test]
+fn a_work_unit_survives_its_way_over_a_wire() {
+    let world = World::<f32>::new(ScalarType::F32);
+    let policy = world.policies[3].clone();
+    let unit = WorkUnit { key: UnitKey { seed: 9, generation: 4, root: 77 }, policy };
+    let work = Work { tasks: arm_tasks(3), units: vec![unit] };
+    let text = serde_json::to_string(&work).expect("a work unit is plain data");
+    assert_eq!(serde_json::from_str::<Work<ArmTask>>(&text).expect("and can be read"), work);
+}
