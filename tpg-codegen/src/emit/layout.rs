@@ -23,7 +23,7 @@ pub(super) fn tidy(text: &str) -> String {
 pub(super) fn array(elements: &[String], indent: usize) -> String {
     const ONE_LINE: usize = 60;
     const SHORT: usize = 10;
-    // rustfmt fills up to a column less than its line width; the last element may take that, too.
+    // rustfmt fills up to a column less than its line width.
     const WIDTH: usize = 99;
     let flat = elements.join(", ");
     if flat.len() <= ONE_LINE {
@@ -33,8 +33,9 @@ pub(super) fn array(elements: &[String], indent: usize) -> String {
     let fill = elements.iter().all(|element| element.len() <= SHORT);
     let mut out = String::from("[");
     let mut column = usize::MAX;
-    for (place, element) in elements.iter().enumerate() {
-        let width = if place + 1 == elements.len() { WIDTH + 1 } else { WIDTH };
+    // All of them on a line of their own may take that, too.
+    let width = if inner + flat.len() < WIDTH + 1 { WIDTH + 1 } else { WIDTH };
+    for element in elements {
         // A space before it and a comma behind it.
         if fill && column.saturating_add(element.len() + 2) <= width {
             out.push(' ');

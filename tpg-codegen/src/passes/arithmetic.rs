@@ -101,7 +101,8 @@ mod tests {
     #[test]
     fn what_the_standard_fixes_is_what_the_platform_computes() {
         let specials = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.0, -0.0, 1.0, -1.0, -7.5];
-        let functions: [(Instruction, fn(f64) -> f64); 4] = [
+        type Function = fn(f64) -> f64;
+        let functions: [(Instruction, Function); 4] = [
             (Instruction::Sin, f64::sin),
             (Instruction::Cos, f64::cos),
             (Instruction::Ln, f64::ln),

@@ -1,6 +1,5 @@
 //! Nodes as C expressions.
 
-use crate::emit::name;
 use crate::graph::{Graph, Input, MathsProvider, ScalarType};
 use crate::ir::{Node, NodeId};
 use tpg_runtime::ops::Instruction;
@@ -100,7 +99,7 @@ impl Printer<'_> {
             let number = self.graph.sources().iter().position(|s| s.name == source.name).unwrap_or(0) + 1;
             format!("in{number}[{place}]")
         } else {
-            format!("state->{}[{place}]", name::member(&source.name))
+            format!("state->{}[{place}]", source.name)
         }
     }
 }

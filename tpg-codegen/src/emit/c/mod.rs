@@ -7,7 +7,7 @@ mod gegelati;
 mod helpers;
 mod small;
 
-use super::{File, Language, Options, Profile, Style, banner, layout, name};
+use super::{File, Language, Options, Profile, Style, banner, layout};
 use crate::graph::{Graph, MathsProvider, ScalarType};
 use crate::interpret;
 use crate::ir::{Module, Target};
@@ -145,7 +145,7 @@ fn comment(text: &str) -> String {
 
 fn source_view(source: &crate::graph::Source) -> SourceView {
     SourceView {
-        name: name::member(&source.name),
+        name: source.name.clone(),
         length: source.ranges.len(),
         unit: comment(&source.unit),
         range: source.envelope().to_string(),
