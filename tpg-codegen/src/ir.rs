@@ -30,12 +30,33 @@ pub enum Node {
     Input(Input),
     /// An operation on earlier nodes; the second operand of a one-operand instruction repeats the first.
     Operation(Instruction, [NodeId; 2]),
+    /// Not below a logarithm or an exponential of an earlier node, and cheap: see [`passes::bound`](crate::passes::bound).
+    Upper(Instruction, NodeId),
 }
 
 impl Node {
     /// The node of a number.
     pub fn constant(value: f64) -> Self {
         Self::Constant(value.to_bits())
+    }
+
+    /// The nodes that must be computed before.
+    pub fn operands(&self) -> &[NodeId] {
+        match self {
+            Self::Constant(_) | Self::Input(_) => &[],
+            Self::Operation(instruction, operands) => &operands[..instruction.arity()],
+            Self::Upper(_, value) => std::slice::from_ref(value),
+        }
+    }
+
+    /// Whether it must be computed: neither a constant nor an input.
+    pub fn is_computed(&self) -> bool {
+        matches!(self, Self::Operation(..) | Self::Upper(..))
+    }
+
+    /// The number of a constant.
+    pub fn as_constant(self) -> Option<f64> {
+        if let Self::Constant(bits) = self { Some(f64::from_bits(bits)) } else { None }
     }
 }
 
@@ -101,28 +122,31 @@ impl Module {
 
     /// The operations that `value` needs, operands before operations.
     pub fn operations_of(&self, value: NodeId) -> Vec<NodeId> {
-        let mut needed = BTreeSet::new();
-        let mut open = vec![value];
-        while let Some(id) = open.pop() {
-            if let Node::Operation(_, operands) = self.node(id)
-                && needed.insert(id)
-            {
-                open.extend(operands);
-            }
-        }
-        needed.into_iter().collect()
+        needed(&self.nodes, value, |_| true)
     }
+}
+
+/// What must be computed for `value`, operands before operations, not looking beyond nodes that are not `missing`.
+pub fn needed(nodes: &[Node], value: NodeId, missing: impl Fn(NodeId) -> bool) -> Vec<NodeId> {
+    let mut found = BTreeSet::new();
+    let mut open = vec![value];
+    while let Some(id) = open.pop() {
+        let node = &nodes[id.index()];
+        if node.is_computed() && missing(id) && found.insert(id) {
+            open.extend(node.operands());
+        }
+    }
+    found.into_iter().collect()
 }
 
 struct Lowering<'g> {
     graph: &'g Graph,
-    nodes: Vec<Node>,
-    numbers: BTreeMap<Node, NodeId>,
+    values: Values,
 }
 
 impl<'g> Lowering<'g> {
     fn new(graph: &'g Graph) -> Self {
-        Self { graph, nodes: Vec::new(), numbers: BTreeMap::new() }
+        Self { graph, values: Values::default() }
     }
 
     fn module(mut self) -> Module {
@@ -152,7 +176,7 @@ impl<'g> Lowering<'g> {
             teams.push(Team { label: team.label, edges });
         }
         let depth = longest_walk(&teams);
-        Module { nodes: self.nodes, bidders, teams, depth }
+        Module { nodes: self.values.into_nodes(), bidders, teams, depth }
     }
 
     /// Runs the lines that matter on symbols and returns what register 0 holds.
@@ -172,10 +196,46 @@ impl<'g> Lowering<'g> {
     }
 
     fn intern(&mut self, node: Node) -> NodeId {
+        self.values.intern(node)
+    }
+}
+
+/// Nodes under construction: each is made once (hash-consing), so that equal expressions have equal ids. That is value
+/// numbering over the whole graph: a node names what is computed, not where.
+#[derive(Clone, Debug, Default)]
+pub struct Values {
+    nodes: Vec<Node>,
+    numbers: BTreeMap<Node, NodeId>,
+}
+
+impl Values {
+    /// The nodes of a module, to be added to.
+    pub fn of(nodes: Vec<Node>) -> Self {
+        let numbers = (0..).zip(&nodes).map(|(id, &node)| (node, NodeId(id))).collect();
+        Self { nodes, numbers }
+    }
+
+    /// The id of a node; operands are there already.
+    pub fn intern(&mut self, node: Node) -> NodeId {
         *self.numbers.entry(node).or_insert_with(|| {
             self.nodes.push(node);
             NodeId(self.nodes.len() as u32 - 1)
         })
+    }
+
+    /// The node of an id.
+    pub fn node(&self, id: NodeId) -> Node {
+        self.nodes[id.index()]
+    }
+
+    /// All nodes, operands before operations.
+    pub fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    /// All nodes, operands before operations.
+    pub fn into_nodes(self) -> Vec<Node> {
+        self.nodes
     }
 }
 
@@ -219,7 +279,7 @@ fn breadth_first(graph: &Graph) -> Vec<TeamId> {
 
 /// Teams on the longest walk from the first team. Breadth-first order is not topological, so teams are taken when all
 /// that lead to them have been.
-fn longest_walk(teams: &[Team]) -> usize {
+pub(crate) fn longest_walk(teams: &[Team]) -> usize {
     let targets = |team: &Team| -> Vec<usize> {
         team.edges.iter().filter_map(|edge| if let Target::Team(to) = edge.to { Some(to) } else { None }).collect()
     };

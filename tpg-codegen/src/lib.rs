@@ -9,6 +9,7 @@ pub mod import;
 pub mod interpret;
 pub mod ir;
 pub mod output;
+pub mod passes;
 pub mod policy;
 pub mod sample;
 pub mod size;

@@ -2,14 +2,14 @@
 
 mod common;
 
-use common::{STYLES, fixture, options};
+use common::{SHAPES, Shape, fixture, shaped};
 use object::{Object as _, ObjectSymbol as _};
 use tpg_codegen::graph::{Graph, MathsProvider, ScalarType};
 use tpg_codegen::size::{self, Target};
 
 /// What the object file asks others for, but for GEGELATI's own inputs.
-fn undefined(graph: &Graph, style: tpg_codegen::emit::Style) -> Vec<String> {
-    let object = size::compile_c(graph, &options("arm", style), Target::CortexM4).expect("it compiles");
+fn undefined(graph: &Graph, shape: Shape) -> Vec<String> {
+    let object = size::compile_c(graph, &shaped("arm", shape), Target::CortexM4).expect("it compiles");
     let file = object::File::parse(&*object).expect("an object file");
     let names = file.symbols().filter(|symbol| symbol.is_undefined()).map(|symbol| symbol.name().expect("a name"));
     let input = |name: &str| name.strip_prefix("in").is_some_and(|number| number.parse::<u32>().is_ok());
@@ -23,9 +23,9 @@ fn compiler(what: &str) -> bool {
 #[test]
 fn own_maths_in_f32_asks_for_nothing() {
     if compiler("symbols of generated C on a Cortex-M4") {
-        for style in STYLES {
+        for shape in SHAPES {
             let graph = fixture(ScalarType::F32, MathsProvider::Own);
-            assert_eq!(undefined(&graph, style), Vec::<String>::new(), "{style:?}");
+            assert_eq!(undefined(&graph, shape), Vec::<String>::new(), "{shape:?}");
         }
     }
 }
@@ -33,10 +33,10 @@ fn own_maths_in_f32_asks_for_nothing() {
 #[test]
 fn the_systems_maths_in_f32_asks_for_four_functions() {
     if compiler("symbols of generated C with the system's maths on a Cortex-M4") {
-        for style in STYLES {
-            let mut names = undefined(&fixture(ScalarType::F32, MathsProvider::System), style);
+        for shape in SHAPES {
+            let mut names = undefined(&fixture(ScalarType::F32, MathsProvider::System), shape);
             names.sort_unstable();
-            assert_eq!(names, ["cosf", "expf", "logf", "sinf"], "{style:?}");
+            assert_eq!(names, ["cosf", "expf", "logf", "sinf"], "{shape:?}");
         }
     }
 }
@@ -44,9 +44,9 @@ fn the_systems_maths_in_f32_asks_for_four_functions() {
 #[test]
 fn a_double_would_be_noticed() {
     if compiler("symbols of f64 C on a Cortex-M4") {
-        for style in STYLES {
-            let names = undefined(&fixture(ScalarType::F64, MathsProvider::Own), style);
-            assert!(names.iter().any(|name| name.starts_with("__aeabi_d")), "{style:?}: {names:?}");
+        for shape in SHAPES {
+            let names = undefined(&fixture(ScalarType::F64, MathsProvider::Own), shape);
+            assert!(names.iter().any(|name| name.starts_with("__aeabi_d")), "{shape:?}: {names:?}");
         }
     }
 }
@@ -54,7 +54,7 @@ fn a_double_would_be_noticed() {
 #[test]
 fn the_size_has_a_line_for_each_target() {
     let graph = fixture(ScalarType::F32, MathsProvider::Own);
-    let lines = size::of_c(&graph, &options("arm", STYLES[0]));
+    let lines = size::of_c(&graph, &shaped("arm", SHAPES[0]));
     assert!(lines[0].starts_with("size on this machine (-Os): "), "{lines:?}");
     assert!(lines[1].starts_with("size on Cortex-M4F"), "{lines:?}");
     let code = lines[0].split_whitespace().find_map(|word| word.parse::<u64>().ok());

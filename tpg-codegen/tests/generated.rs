@@ -2,10 +2,10 @@
 
 mod common;
 
-use common::{COMBINATIONS, emit_into, fixture, options, run};
+use common::{COMBINATIONS, emit_into, fixture, options, run, shaped};
 use std::process::Command;
 use tempfile::TempDir;
-use tpg_codegen::emit::{self, Language, Style};
+use tpg_codegen::emit::{self, Language, Profile, Style};
 use tpg_codegen::graph::{Document, Graph, MathsProvider, ScalarType};
 use tpg_codegen::sample::{self, Shape};
 
@@ -64,8 +64,11 @@ fn rustfmt_changes_nothing() {
     let folder = TempDir::new().expect("a temporary folder");
     let mut files = Vec::new();
     let mut add = |graph: &Graph, prefix: &str| {
-        let emitted = emit_into(folder.path(), graph, Language::Rust, &options(prefix, Style::Pure));
-        files.extend(emitted.into_iter().map(|file| file.name));
+        for (profile, short) in Profile::ALL.into_iter().zip(["f", "s", "c"]) {
+            let options = shaped(&format!("{prefix}_{short}"), (Style::Pure, Some(profile)));
+            let emitted = emit_into(folder.path(), graph, Language::Rust, &options);
+            files.extend(emitted.into_iter().map(|file| file.name));
+        }
     };
     for (scalar, maths) in COMBINATIONS {
         add(&fixture(scalar, maths), &format!("arm_{}_{}", scalar.name(), maths.name()));
@@ -91,8 +94,10 @@ fn the_same_graph_and_options_give_the_same_bytes() {
         let document = serde_json::from_str(&graph.to_json()).expect("its own text");
         let again = Graph::from_document("again", document).expect("its own text");
         for language in [Language::C, Language::Rust] {
-            let options = options("arm", Style::Pure);
-            assert_eq!(emit::emit(&graph, language, &options), emit::emit(&again, language, &options));
+            for profile in Profile::ALL {
+                let options = shaped("arm", (Style::Pure, Some(profile)));
+                assert_eq!(emit::emit(&graph, language, &options), emit::emit(&again, language, &options));
+            }
         }
     }
 }

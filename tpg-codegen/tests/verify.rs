@@ -1,6 +1,6 @@
 //! Generated code acts like the interpreter: compiled and run.
 
-use tpg_codegen::emit::{Options, Style};
+use tpg_codegen::emit::{Options, Profile, Style};
 use tpg_codegen::engine::Engine;
 use tpg_codegen::graph::{Document, Graph, MathsProvider, ScalarType};
 use tpg_codegen::verify::{self, Workshop};
@@ -13,12 +13,16 @@ fn fixture(scalar: ScalarType, maths: MathsProvider) -> Graph {
 
 fn assert_equal(graph: &Graph, states: usize) {
     let workshop = Workshop::new().expect("a temporary folder");
-    let pure = Options { prefix: "all_ops".parse().expect("a prefix"), style: Style::Pure };
+    let pure = Options::new("all_ops".parse().expect("a prefix"));
     let gegelati = Options { style: Style::Gegelati, ..pure.clone() };
-    let mut c = workshop.c(graph, &pure).expect("C compiles");
-    let mut drop_in = workshop.c(graph, &gegelati).expect("GEGELATI-style C compiles");
-    let mut rust = workshop.rust(graph, &pure).expect("Rust compiles");
-    let engines: &mut [&mut dyn Engine] = &mut [&mut c, &mut drop_in, &mut rust];
+    let mut programs = vec![workshop.c(graph, &gegelati).expect("GEGELATI-style C compiles")];
+    for profile in Profile::ALL {
+        let options = Options { profile: Some(profile), ..pure.clone() };
+        programs.push(workshop.c(graph, &options).expect("C compiles"));
+        programs.push(workshop.rust(graph, &options).expect("Rust compiles"));
+    }
+    let mut engines: Vec<&mut dyn Engine> = programs.iter_mut().map(|program| program as &mut dyn Engine).collect();
+    let engines = engines.as_mut_slice();
     for comparison in verify::compare(graph, engines, states, 1).expect("the programs run") {
         assert_eq!(comparison.states, states);
         assert_eq!(comparison.differences, 0, "{comparison:?}");
@@ -52,7 +56,7 @@ fn a_different_policy_is_found_out() {
     document.teams[0].edges.swap(0, 2);
     let other = Graph::from_document("other", document).expect("a valid graph");
     let workshop = Workshop::new().expect("a temporary folder");
-    let options = Options { prefix: "other".parse().expect("a prefix"), style: Style::Pure };
+    let options = Options::new("other".parse().expect("a prefix"));
     let mut c = workshop.c(&other, &options).expect("C compiles");
     let comparisons = verify::compare(&graph, &mut [&mut c], 20_000, 1).expect("the program runs");
     assert!(comparisons[0].differences > 0, "swapped edges change ties: {comparisons:?}");

@@ -1,9 +1,10 @@
 //! `tpg-codegen GRAPH`: writes the code and says what it is.
 
 use super::{CliError, GraphArgs, Verdict, verify};
-use crate::emit::{self, File, Language, Options, Prefix, Style};
+use crate::emit::{self, File, Language, Options, Prefix, Profile, Style};
 use crate::error::InputError;
 use crate::graph::Graph;
+use crate::passes::interval::Assumption;
 use crate::{output, size};
 use clap::{Args, ValueEnum};
 use std::fs;
@@ -24,6 +25,12 @@ pub struct GenerateArgs {
     /// The interface of the C
     #[arg(long, value_enum, default_value_t = Style::Pure)]
     style: Style,
+    /// What the code is good at [default: fast in C, constant-time in Rust]
+    #[arg(long, value_enum)]
+    profile: Option<Profile>,
+    /// Believe the declared ranges of the inputs: a state outside of them may get another action than the interpreter's
+    #[arg(long)]
+    assume_ranges: bool,
     /// What every generated name begins with [default: from the file's name]
     #[arg(long, value_name = "NAME")]
     prefix: Option<Prefix>,
@@ -53,7 +60,8 @@ impl GenerateArgs {
     pub fn run(&self) -> Result<Verdict, CliError> {
         let graph = self.graph.load()?;
         let prefix = self.prefix.clone().unwrap_or_else(|| Prefix::of_file(&self.graph.graph));
-        let options = Options { prefix, style: self.style };
+        let assumption = if self.assume_ranges { Assumption::DeclaredRanges } else { Assumption::Nothing };
+        let options = Options { style: self.style, profile: self.profile, assumption, ..Options::new(prefix) };
         let files: Vec<File> =
             self.languages().iter().flat_map(|&language| emit::emit(&graph, language, &options)).collect();
         if self.output == Path::new("-") {

@@ -1,7 +1,7 @@
 //! `tpg-codegen verify`: interpreter = C = Rust, state by state.
 
 use super::{CliError, GraphArgs, Verdict};
-use crate::emit::{Options, Prefix, Style};
+use crate::emit::{Options, Prefix, Profile, Style};
 use crate::engine::Engine;
 use crate::graph::Graph;
 use crate::verify::{self, Comparison, Workshop};
@@ -42,12 +42,16 @@ impl VerifyArgs {
 /// Everything that can be generated from a graph, against the interpreter.
 pub(super) fn compare(graph: &Graph, prefix: &Prefix, states: usize, seed: u64) -> Result<Vec<Comparison>, CliError> {
     let workshop = Workshop::new().map_err(CliError::other)?;
-    let options = |style| Options { prefix: prefix.clone(), style };
-    let mut c = workshop.c(graph, &options(Style::Pure)).map_err(CliError::other)?;
-    let mut drop_in = workshop.c(graph, &options(Style::Gegelati)).map_err(CliError::other)?;
-    let mut rust = workshop.rust(graph, &options(Style::Pure)).map_err(CliError::other)?;
-    let engines: &mut [&mut dyn Engine] = &mut [&mut c, &mut drop_in, &mut rust];
-    verify::compare(graph, engines, states, seed).map_err(CliError::other)
+    let options = Options::new(prefix.clone());
+    let gegelati = Options { style: Style::Gegelati, ..options.clone() };
+    let mut programs = vec![workshop.c(graph, &gegelati).map_err(CliError::other)?];
+    for profile in Profile::ALL {
+        let options = Options { profile: Some(profile), ..options.clone() };
+        programs.push(workshop.c(graph, &options).map_err(CliError::other)?);
+        programs.push(workshop.rust(graph, &options).map_err(CliError::other)?);
+    }
+    let mut engines: Vec<&mut dyn Engine> = programs.iter_mut().map(|program| program as &mut dyn Engine).collect();
+    verify::compare(graph, &mut engines, states, seed).map_err(CliError::other)
 }
 
 /// What a comparison found, for people.

@@ -1,20 +1,26 @@
 //! What every generated file says of itself: where it comes from, never when or where it was made.
 
-use super::{Options, Style};
+use super::{Language, Options, Style};
 use crate::graph::Graph;
 use crate::ir::{Module, Node};
+use crate::passes::interval::Assumption;
 
 /// The banner's lines, without comment marks.
-pub(super) fn lines(graph: &Graph, module: &Module, options: &Options, language: &str) -> Vec<String> {
+pub(super) fn lines(graph: &Graph, module: &Module, options: &Options, language: Language) -> Vec<String> {
     let operations = module.nodes.iter().filter(|node| matches!(node, Node::Operation(..))).count();
     let edges: usize = module.teams.iter().map(|team| team.edges.len()).sum();
-    let style = match options.style {
-        Style::Gegelati if language == "c" => " --style gegelati",
-        Style::Gegelati | Style::Pure => "",
+    let (name, style) = match (language, options.style) {
+        (Language::C, Style::Gegelati) => ("c", " --style gegelati".to_owned()),
+        (Language::C, Style::Pure) => ("c", format!(" --profile {}", options.profile_in(language).name())),
+        (Language::Rust, _) => ("rust", format!(" --profile {}", options.profile_in(language).name())),
+    };
+    let assumption = match options.assumption {
+        Assumption::Nothing => "",
+        Assumption::DeclaredRanges => " --assume-ranges",
     };
     vec![
         format!("Made by tpg-codegen {} from a tangled program graph; do not edit.", env!("CARGO_PKG_VERSION")),
-        format!("Options: --lang {language} --prefix {}{style}", options.prefix),
+        format!("Options: --lang {name} --prefix {}{style}{assumption}", options.prefix),
         format!("Graph SHA-256: {}", graph.sha256()),
         format!(
             "{} teams ({} on the longest walk), {edges} edges, {} programs, {operations} distinct operations.",

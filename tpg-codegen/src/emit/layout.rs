@@ -34,9 +34,11 @@ pub(super) fn array(elements: &[String], indent: usize) -> String {
     let fill = elements.iter().all(|element| element.len() <= SHORT);
     let mut out = String::from("[");
     let mut column = usize::MAX;
+    // All of them on a line of their own may take that, too.
+    let width = if inner + flat.len() < WIDTH + 1 { WIDTH + 1 } else { WIDTH };
     for element in elements {
         // A space before it and a comma behind it.
-        if fill && column.saturating_add(element.len() + 2) <= WIDTH {
+        if fill && column.saturating_add(element.len() + 2) <= width {
             out.push(' ');
             column += 1;
         } else {

@@ -9,7 +9,7 @@ mod rust;
 pub use name::Prefix;
 
 use crate::graph::Graph;
-use crate::ir::Module;
+use crate::passes::interval::Assumption;
 
 /// A language to emit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, clap::ValueEnum)]
@@ -30,6 +30,39 @@ pub enum Style {
     Gegelati,
 }
 
+/// What the code is good at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, clap::ValueEnum)]
+pub enum Profile {
+    /// Least mean time: a function for each team, which computes expensive bids only where they can win.
+    Fast,
+    /// Least flash: tables, and one small evaluator.
+    Small,
+    /// The same instructions for every state: everything is computed, nothing branches.
+    ConstantTime,
+}
+
+impl Profile {
+    /// Every profile.
+    pub const ALL: [Self; 3] = [Self::Fast, Self::Small, Self::ConstantTime];
+
+    /// The name on the command line.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Fast => "fast",
+            Self::Small => "small",
+            Self::ConstantTime => "constant-time",
+        }
+    }
+
+    /// What a language gets where nothing is asked for.
+    pub const fn default_of(language: Language) -> Self {
+        match language {
+            Language::C => Self::Fast,
+            Language::Rust => Self::ConstantTime,
+        }
+    }
+}
+
 /// What to emit and what to call it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Options {
@@ -37,6 +70,22 @@ pub struct Options {
     pub prefix: Prefix,
     /// The interface of C.
     pub style: Style,
+    /// The profile; each language has its default. GEGELATI's style has none.
+    pub profile: Option<Profile>,
+    /// What is believed of the inputs.
+    pub assumption: Assumption,
+}
+
+impl Options {
+    /// The default options.
+    pub fn new(prefix: Prefix) -> Self {
+        Self { prefix, style: Style::Pure, profile: None, assumption: Assumption::Nothing }
+    }
+
+    /// The profile in a language.
+    pub fn profile_in(&self, language: Language) -> Profile {
+        self.profile.unwrap_or(Profile::default_of(language))
+    }
 }
 
 /// A file to write.
@@ -50,9 +99,8 @@ pub struct File {
 
 /// Emits a graph in one language. The same graph and options give the same bytes.
 pub fn emit(graph: &Graph, language: Language, options: &Options) -> Vec<File> {
-    let module = Module::lower(graph);
     match language {
-        Language::C => c::emit(graph, &module, options),
-        Language::Rust => rust::emit(graph, &module, options),
+        Language::C => c::emit(graph, options),
+        Language::Rust => rust::emit(graph, options),
     }
 }

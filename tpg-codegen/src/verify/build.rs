@@ -96,10 +96,10 @@ impl Workshop {
         command.arg("harness.c").arg(format!("{prefix}.c")).arg("-lm");
         compile("C", command)?;
         let name = match options.style {
-            Style::Pure => "C",
-            Style::Gegelati => "C in GEGELATI's style",
+            Style::Gegelati => "C in GEGELATI's style".to_owned(),
+            Style::Pure => format!("C, {}", options.profile_in(Language::C).name()),
         };
-        Ok(Process::start(&program, name, graph)?)
+        Ok(Process::start(&program, &name, graph)?)
     }
 
     /// Emits and compiles Rust and starts the program.
@@ -135,7 +135,8 @@ impl Workshop {
         let mut command = rustc();
         command.args(["--extern=tpg_runtime=libtpg_runtime.rlib", "harness.rs", "-o"]).arg(&program);
         compile("Rust", command)?;
-        Ok(Process::start(&program, "Rust", graph)?)
+        let name = format!("Rust, {}", options.profile_in(Language::Rust).name());
+        Ok(Process::start(&program, &name, graph)?)
     }
 
     fn room(&self, name: &str, files: &[File]) -> io::Result<PathBuf> {

@@ -2,19 +2,23 @@
 //! {{ line }}
 {% endfor -%}
 #![forbid(unsafe_code)]
+#![allow(
+    clippy::all,
+    unused_variables,
+    unused_assignments,
+    reason = "evolved expressions need not make sense"
+)]
 
 {% if let Some(arm) = arm -%}
 use tpg_runtime::arm::Move;
 use tpg_runtime::observation::Source;
 {% endif -%}
-{% if let Some(provider) = provider -%}
-use tpg_runtime::ops::{self, Maths, {{ provider }}};
-{% else -%}
-use tpg_runtime::ops;
+{% if let Some(imports) = imports -%}
+use tpg_runtime::{{ imports }};
 {% endif -%}
 use tpg_runtime::policy::{ActionId, Policy};
 
-/// A tangled program graph: branch-free, the same time for every state.
+/// A tangled program graph: {{ title }}.
 ///
 /// It sees, one after another:
 {% for source in sources -%}
@@ -47,31 +51,8 @@ impl Policy for {{ name }} {
     type State = [{{ scalar }}; {{ state_length }}];
     type Action = ActionId;
 
-    #[allow(
-        clippy::all,
-        unused_variables,
-        reason = "evolved expressions need not make sense"
-    )]
     fn decide(&self, s: &[{{ scalar }}; {{ state_length }}]) -> ActionId {
-{%- for statement in statements %}
-        {{ statement }}
-{%- endfor %}
-
-        // Where each team leads: teams are numbered from 0, the root, and the actions follow them.
-{%- for team in teams %}
-        // Team {{ team.label }}
-        let best = (ops::bid({{ team.first.bid }}), {{ team.first.to }}_{{ vertex }});
-{%- for edge in team.others %}
-        let best = ops::challenge(best, (ops::bid({{ edge.bid }}), {{ edge.to }}));
-{%- endfor %}
-        let t{{ loop.index0 }} = best.1;
-{%- endfor %}
-        let next = {{ layout::array(next, 8) }};
-        let mut vertex = 0;
-        for _ in 0..Self::DEPTH {
-            // An action is past the end: it leads to itself.
-            vertex = next.get(usize::from(vertex)).copied().unwrap_or(vertex);
-        }
-        ActionId(vertex.wrapping_sub({{ teams.len() }}) as u16)
+{{ body }}
     }
 }
+{{ items }}

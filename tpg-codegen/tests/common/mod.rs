@@ -3,7 +3,7 @@
 
 use std::path::Path;
 use std::process::Command;
-use tpg_codegen::emit::{self, File, Language, Options, Style};
+use tpg_codegen::emit::{self, File, Language, Options, Profile, Style};
 use tpg_codegen::graph::{Document, Graph, MathsProvider, ScalarType};
 
 /// Every scalar with every maths.
@@ -14,8 +14,16 @@ pub(crate) const COMBINATIONS: [(ScalarType, MathsProvider); 4] = [
     (ScalarType::F64, MathsProvider::System),
 ];
 
-/// Every interface of C.
-pub(crate) const STYLES: [Style; 2] = [Style::Pure, Style::Gegelati];
+/// An interface of C, and a profile where it has one.
+pub(crate) type Shape = (Style, Option<Profile>);
+
+/// Every shape of C.
+pub(crate) const SHAPES: [Shape; 4] = [
+    (Style::Pure, Some(Profile::Fast)),
+    (Style::Pure, Some(Profile::Small)),
+    (Style::Pure, Some(Profile::ConstantTime)),
+    (Style::Gegelati, None),
+];
 
 /// The graph that has every instruction.
 pub(crate) fn fixture(scalar: ScalarType, maths: MathsProvider) -> Graph {
@@ -26,7 +34,12 @@ pub(crate) fn fixture(scalar: ScalarType, maths: MathsProvider) -> Graph {
 
 /// Options with a prefix.
 pub(crate) fn options(prefix: &str, style: Style) -> Options {
-    Options { prefix: prefix.parse().expect("a prefix"), style }
+    shaped(prefix, (style, None))
+}
+
+/// Options with a prefix and a shape.
+pub(crate) fn shaped(prefix: &str, (style, profile): Shape) -> Options {
+    Options { style, profile, ..Options::new(prefix.parse().expect("a prefix")) }
 }
 
 /// Emits code and writes it to a folder.

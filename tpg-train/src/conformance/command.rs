@@ -10,7 +10,7 @@ use clap::{Args, ValueEnum};
 use serde::Serialize;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use tpg_codegen::emit::{Options, Prefix, Style};
+use tpg_codegen::emit::{Options, Prefix};
 use tpg_codegen::engine::{Engine, Reference};
 use tpg_codegen::graph::Graph;
 use tpg_codegen::import;
@@ -90,7 +90,7 @@ impl EngineArg {
     /// # Errors
     /// When generated code cannot be built.
     pub fn start<'g>(self, file: &Path, graph: &'g Graph) -> Result<Box<dyn Engine + 'g>, CliError> {
-        let options = Options { prefix: Prefix::of_file(file), style: Style::Pure };
+        let options = Options::new(Prefix::of_file(file));
         // The folder goes when this returns; the program that was started from it stays.
         let workshop = || Workshop::new().map_err(CliError::other);
         Ok(match self {

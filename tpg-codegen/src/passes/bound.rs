@@ -1,0 +1,256 @@
+//! Upper bounds on expensive values, computed from cheap ones while the policy runs.
+//!
+//! `a − c·sin(b)` is at most `a + |c|`: one addition tells whether the sine can matter. A bound holds for every state:
+//! rounding to nearest is monotone, so whatever is put in place of an operand that is not below it gives a result that is
+//! not below; and bounds are written so that a NaN in them comes out of them. A bound that is NaN says nothing, and a
+//! value that is NaN needs no bound, for it bids −∞.
+
+use super::arithmetic::{Arithmetic, is_transcendental};
+use super::fold;
+use super::interval::Interval;
+use crate::graph::ScalarType;
+use crate::ir::{Node, NodeId, Values};
+use tpg_runtime::ops::Instruction;
+
+/// What is known of a value in terms of cheap nodes. Nodes named here are bounds wherever they are not NaN.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Bound {
+    /// It is cheap itself.
+    Exact(NodeId),
+    /// Its magnitude is at most this.
+    Magnitude(NodeId),
+    /// It is between these, where known.
+    Between(Option<NodeId>, Option<NodeId>),
+}
+
+const UNKNOWN: Bound = Bound::Between(None, None);
+
+/// Makes bounds of a module's values.
+pub(super) struct Bounds<'a> {
+    arithmetic: Arithmetic,
+    /// What is known of the module's nodes when nothing is assumed of the inputs.
+    intervals: &'a [Interval],
+    /// Which of the module's nodes are cheap.
+    cheap: &'a [bool],
+    values: &'a mut Values,
+    /// The bounds of the module's nodes as far as they have been asked for.
+    known: Vec<Option<Bound>>,
+}
+
+impl<'a> Bounds<'a> {
+    /// Of the nodes in `values`, which bounds are added to.
+    pub(super) fn new(
+        arithmetic: Arithmetic,
+        intervals: &'a [Interval],
+        cheap: &'a [bool],
+        values: &'a mut Values,
+    ) -> Self {
+        let known = vec![None; values.nodes().len()];
+        Self { arithmetic, intervals, cheap, values, known }
+    }
+
+    /// An upper bound of a node, where there is a useful one.
+    pub(super) fn upper(&mut self, id: NodeId) -> Option<NodeId> {
+        let bound = self.bound(id);
+        self.high(bound).filter(|&high| self.values.node(high) != Node::constant(f64::INFINITY))
+    }
+
+    /// The bound of a node, operands first: expressions can be deeper than the stack.
+    fn bound(&mut self, id: NodeId) -> Bound {
+        let mut open = vec![id];
+        while let Some(&id) = open.last() {
+            if self.known[id.index()].is_some() {
+                open.pop();
+                continue;
+            }
+            let node = self.values.node(id);
+            let cheap = self.cheap[id.index()];
+            let missing = |operand: &&NodeId| self.known[operand.index()].is_none();
+            if !cheap && let Some(&operand) = node.operands().iter().find(missing) {
+                open.push(operand);
+                continue;
+            }
+            let bound = if cheap { Bound::Exact(id) } else { self.of_operation(node) };
+            self.known[id.index()] = Some(self.at_least_static(id, bound));
+            open.pop();
+        }
+        self.known[id.index()].unwrap_or(UNKNOWN)
+    }
+
+    /// Falls back on what holds for every state.
+    fn at_least_static(&mut self, id: NodeId, bound: Bound) -> Bound {
+        let Interval { low, high, .. } = self.intervals[id.index()];
+        let mut number = |end: f64| end.is_finite().then(|| self.values.intern(Node::constant(end)));
+        match bound {
+            Bound::Between(known_low, known_high) => {
+                Bound::Between(known_low.or_else(|| number(low)), known_high.or_else(|| number(high)))
+            }
+            Bound::Exact(_) | Bound::Magnitude(_) => bound,
+        }
+    }
+
+    fn of_operation(&mut self, node: Node) -> Bound {
+        let Node::Operation(instruction, ids) = node else {
+            return UNKNOWN;
+        };
+        let [a, b] = ids.map(|id| self.known[id.index()].unwrap_or(UNKNOWN));
+        match instruction {
+            Instruction::Add => match (a, b) {
+                (Bound::Magnitude(a), Bound::Magnitude(b)) => Bound::Magnitude(self.make(Instruction::Add, a, b)),
+                _ => {
+                    let high = self.both(Instruction::Add, Self::high, a, Self::high, b);
+                    let low = match (a, b) {
+                        (a, Bound::Magnitude(b)) => self.low(a).map(|a| self.make(Instruction::Sub, a, b)),
+                        (Bound::Magnitude(a), b) => self.low(b).map(|b| self.make(Instruction::Sub, b, a)),
+                        (a, b) => self.both(Instruction::Add, Self::low, a, Self::low, b),
+                    };
+                    Bound::Between(low, high)
+                }
+            },
+            Instruction::Sub => match (a, b) {
+                (Bound::Magnitude(a), Bound::Magnitude(b)) => Bound::Magnitude(self.make(Instruction::Add, a, b)),
+                (a, Bound::Magnitude(b)) => {
+                    let high = self.high(a).map(|a| self.make(Instruction::Add, a, b));
+                    let low = self.low(a).map(|a| self.make(Instruction::Sub, a, b));
+                    Bound::Between(low, high)
+                }
+                (a, b) => {
+                    let high = self.both(Instruction::Sub, Self::high, a, Self::low, b);
+                    // The lower end of a magnitude is its negative, which has no node: leave it.
+                    let low = if matches!(a, Bound::Magnitude(_)) {
+                        None
+                    } else {
+                        self.both(Instruction::Sub, Self::low, a, Self::high, b)
+                    };
+                    Bound::Between(low, high)
+                }
+            },
+            Instruction::Mul => match (self.magnitude(a), self.magnitude(b)) {
+                (Some(a), Some(b)) => Bound::Magnitude(self.make(Instruction::Mul, a, b)),
+                _ => UNKNOWN,
+            },
+            Instruction::Div => {
+                let divisor = match b {
+                    Bound::Exact(b) => Some(self.abs(b)),
+                    Bound::Magnitude(_) | Bound::Between(..) => self.least_magnitude(ids[1]),
+                };
+                match (self.magnitude(a), divisor) {
+                    (Some(a), Some(b)) => Bound::Magnitude(self.make(Instruction::Div, a, b)),
+                    _ => UNKNOWN,
+                }
+            }
+            Instruction::NegateIfLess | Instruction::Abs => self.magnitude(a).map_or(UNKNOWN, Bound::Magnitude),
+            Instruction::Cos | Instruction::Sin => Bound::Magnitude(self.values.intern(Node::constant(1.0))),
+            Instruction::Ln => Bound::Between(None, self.of_function(Instruction::Ln, a)),
+            Instruction::Exp => {
+                let zero = self.values.intern(Node::constant(0.0));
+                Bound::Between(Some(zero), self.of_function(Instruction::Exp, a))
+            }
+            // Never above the second operand, NaN or not.
+            Instruction::Min => Bound::Between(None, self.high(b)),
+            // Of a NaN, it is the second; of numbers, one of both: the sum of their magnitudes is not below either, and NaN
+            // where one of them is.
+            Instruction::Max => match (self.magnitude(a), self.magnitude(b)) {
+                (Some(a), Some(b)) => Bound::Magnitude(self.make(Instruction::Add, a, b)),
+                _ => UNKNOWN,
+            },
+        }
+    }
+
+    /// Where the argument's bound is a number, so is the result's, and the analysis has a closer one.
+    fn of_function(&mut self, instruction: Instruction, argument: Bound) -> Option<NodeId> {
+        let argument = self.high(argument)?;
+        let known = self.values.node(argument).as_constant().is_some();
+        (!known).then(|| self.values.intern(Node::Upper(instruction, argument)))
+    }
+
+    fn both(
+        &mut self,
+        instruction: Instruction,
+        end_of_a: fn(&mut Self, Bound) -> Option<NodeId>,
+        a: Bound,
+        end_of_b: fn(&mut Self, Bound) -> Option<NodeId>,
+        b: Bound,
+    ) -> Option<NodeId> {
+        let a = end_of_a(self, a)?;
+        let b = end_of_b(self, b)?;
+        Some(self.make(instruction, a, b))
+    }
+
+    fn high(&mut self, bound: Bound) -> Option<NodeId> {
+        match bound {
+            Bound::Exact(id) | Bound::Magnitude(id) => Some(id),
+            Bound::Between(_, high) => high,
+        }
+    }
+
+    /// The lower end, where it has a node: −m has none unless m is a number.
+    fn low(&mut self, bound: Bound) -> Option<NodeId> {
+        match bound {
+            Bound::Exact(id) => Some(id),
+            Bound::Magnitude(id) => {
+                let number = self.values.node(id).as_constant()?;
+                Some(self.values.intern(Node::constant(-number)))
+            }
+            Bound::Between(low, _) => low,
+        }
+    }
+
+    /// A node that the magnitude is not above.
+    fn magnitude(&mut self, bound: Bound) -> Option<NodeId> {
+        match bound {
+            Bound::Exact(id) => Some(self.abs(id)),
+            Bound::Magnitude(id) => Some(id),
+            Bound::Between(low, high) => {
+                let (low, high) = (low?, high?);
+                if self.values.node(low).as_constant().is_some_and(|low| low >= 0.0) {
+                    return Some(high);
+                }
+                // Not the greater of both, which could swallow a NaN.
+                let (low, high) = (self.abs(low), self.abs(high));
+                Some(self.make(Instruction::Add, low, high))
+            }
+        }
+    }
+
+    /// A positive number that the magnitude of a node is never below.
+    fn least_magnitude(&mut self, id: NodeId) -> Option<NodeId> {
+        let Interval { low, high, .. } = self.intervals[id.index()];
+        let least = if low > 0.0 { low } else { -high };
+        (least > 0.0).then(|| self.values.intern(Node::constant(least)))
+    }
+
+    fn abs(&mut self, id: NodeId) -> NodeId {
+        self.make(Instruction::Abs, id, id)
+    }
+
+    fn make(&mut self, instruction: Instruction, a: NodeId, b: NodeId) -> NodeId {
+        fold::operation(self.values, self.arithmetic, instruction, [a, b])
+    }
+}
+
+/// The steps of [`Node::Upper`] for a logarithm or exponential: for arguments up to the first number, the second is not
+/// below the result; beyond the last step, and for NaN, the number at the end is not. The logarithm of a negative number
+/// is NaN and bids −∞: printers put that step before these.
+///
+/// The numbers are above the true values by far more than any provider is off.
+pub fn steps(scalar: ScalarType, instruction: Instruction) -> (&'static [(f64, f64)], f64) {
+    match (instruction, scalar) {
+        (Instruction::Ln, ScalarType::F64) => (&[(1.0, 0.001), (5000.0, 8.625)], 710.0),
+        (Instruction::Ln, ScalarType::F32) => (&[(1.0, 0.001), (5000.0, 8.625)], 89.0),
+        _ => (&[(0.0, 1.0625), (8.0, 3000.0)], f64::INFINITY),
+    }
+}
+
+/// Above the first number, every libm's exponential is infinite; below the second, 0. Many take a slow road to it.
+pub fn beyond_exponentials(scalar: ScalarType) -> (f64, f64) {
+    match scalar {
+        ScalarType::F32 => (90.0, -105.0),
+        ScalarType::F64 => (710.0, -750.0),
+    }
+}
+
+/// Whether a bid that needs `instruction` is worth a test that may spare it.
+pub(super) fn is_worth_sparing(instruction: Instruction) -> bool {
+    is_transcendental(instruction)
+}

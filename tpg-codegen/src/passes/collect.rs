@@ -1,0 +1,58 @@
+//! Nodes that no bid needs any more.
+
+use crate::ir::{Module, Node, NodeId, Values};
+
+/// Removes them.
+pub(super) fn run(module: &mut Module) {
+    keep(&mut module.nodes, module.bidders.iter_mut().map(|bidder| &mut bidder.value).collect());
+}
+
+/// Keeps what `roots` need, and renumbers.
+pub(super) fn keep(nodes: &mut Vec<Node>, roots: Vec<&mut NodeId>) {
+    let mut needed = vec![false; nodes.len()];
+    for root in &roots {
+        needed[root.index()] = true;
+    }
+    // Operands come before operations: backwards, every user is seen before what it uses.
+    for index in (0..nodes.len()).rev() {
+        if needed[index] {
+            nodes[index].operands().iter().for_each(|operand| needed[operand.index()] = true);
+        }
+    }
+    let mut values = Values::default();
+    let mut place: Vec<Option<NodeId>> = vec![None; nodes.len()];
+    for (index, &node) in nodes.iter().enumerate().filter(|&(index, _)| needed[index]) {
+        let at = |id: NodeId| place[id.index()].unwrap_or(id);
+        let node = match node {
+            // Of a one-operand instruction, the second repeats the first.
+            Node::Operation(instruction, operands) => Node::Operation(instruction, operands.map(at)),
+            Node::Upper(instruction, value) => Node::Upper(instruction, at(value)),
+            Node::Constant(_) | Node::Input(_) => node,
+        };
+        place[index] = Some(values.intern(node));
+    }
+    for root in roots {
+        *root = place[root.index()].unwrap_or(*root);
+    }
+    *nodes = values.into_nodes();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::run;
+    use crate::graph::Input;
+    use crate::ir::{Bidder, Module, Node, NodeId};
+    use tpg_runtime::ops::Instruction;
+
+    #[test]
+    fn what_a_bid_needs_stays_in_order() {
+        let operation = |a, b| Node::Operation(Instruction::Add, [NodeId(a), NodeId(b)]);
+        let nodes =
+            vec![Node::Input(Input(0)), Node::Input(Input(1)), operation(0, 1), operation(1, 1), operation(3, 1)];
+        let mut module =
+            Module { nodes, bidders: vec![Bidder { label: 0, value: NodeId(4) }], teams: Vec::new(), depth: 0 };
+        run(&mut module);
+        assert_eq!(module.nodes, [Node::Input(Input(1)), operation(0, 0), operation(1, 0)]);
+        assert_eq!(module.bidders[0].value, NodeId(2));
+    }
+}

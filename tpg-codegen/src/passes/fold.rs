@@ -1,0 +1,170 @@
+//! Constant folding and identities that hold for every value, bit for bit.
+//!
+//! What is used: an operation on constants is a constant; `x − 0 = x` and `x + (−0) = x`, also for x = −0; `1·x = x`,
+//! `x / 1 = x`; division by a power of two is multiplication by its reciprocal; `min(x, x)`, `max(x, x)` and
+//! `negate_if_less(x, x)` are x, for NaN too, as the comparison is false; `||x|| = |x|`; sums and products commute (the
+//! payload of a NaN aside, which no comparison sees), so their operands are sorted and equal ones meet.
+//!
+//! What is not: `x + 0` (−0 becomes 0), `0·x` and `x − x` (NaN for an infinite x), any reassociation.
+
+use super::arithmetic::Arithmetic;
+use crate::ir::{Module, Node, NodeId, Values};
+use tpg_runtime::ops::{Instruction, bid};
+
+/// Folds every node, then every bid: a bid of NaN is a bid of −∞.
+pub(super) fn run(module: &mut Module, arithmetic: Arithmetic) {
+    let mut values = Values::default();
+    let mut folded: Vec<NodeId> = Vec::with_capacity(module.nodes.len());
+    for &node in &module.nodes {
+        let id = match node {
+            Node::Operation(instruction, operands) => {
+                operation(&mut values, arithmetic, instruction, operands.map(|operand| folded[operand.index()]))
+            }
+            Node::Upper(function, value) => values.intern(Node::Upper(function, folded[value.index()])),
+            Node::Constant(_) | Node::Input(_) => values.intern(node),
+        };
+        folded.push(id);
+    }
+    for bidder in &mut module.bidders {
+        let value = folded[bidder.value.index()];
+        bidder.value = match values.node(value).as_constant() {
+            Some(constant) => values.intern(Node::constant(bid(constant))),
+            None => value,
+        };
+    }
+    module.nodes = values.into_nodes();
+}
+
+/// An operation, or what it always equals.
+pub(super) fn operation(
+    values: &mut Values,
+    arithmetic: Arithmetic,
+    instruction: Instruction,
+    operands: [NodeId; 2],
+) -> NodeId {
+    let [a, b] = operands;
+    let constants = operands.map(|operand| values.node(operand).as_constant());
+    let is = |constant: Option<f64>, value: f64| constant.is_some_and(|c| c.to_bits() == value.to_bits());
+    if let [Some(x), Some(y)] = constants
+        && let Some(result) = arithmetic.evaluate(instruction, x, y)
+    {
+        return values.intern(Node::constant(result));
+    }
+    match instruction {
+        Instruction::Sub if is(constants[1], 0.0) => a,
+        Instruction::Add if is(constants[1], -0.0) => a,
+        Instruction::Add if is(constants[0], -0.0) => b,
+        Instruction::Mul if is(constants[1], 1.0) => a,
+        Instruction::Mul if is(constants[0], 1.0) => b,
+        Instruction::Div if is(constants[1], 1.0) => a,
+        Instruction::Div if let Some(factor) = constants[1].and_then(|divisor| arithmetic.reciprocal(divisor)) => {
+            let factor = values.intern(Node::constant(factor));
+            commutative(values, Instruction::Mul, a, factor)
+        }
+        Instruction::Min | Instruction::Max | Instruction::NegateIfLess if a == b => a,
+        Instruction::Abs if matches!(values.node(a), Node::Operation(Instruction::Abs, _)) => a,
+        Instruction::Add | Instruction::Mul => commutative(values, instruction, a, b),
+        _ => values.intern(Node::Operation(instruction, operands)),
+    }
+}
+
+fn commutative(values: &mut Values, instruction: Instruction, a: NodeId, b: NodeId) -> NodeId {
+    values.intern(Node::Operation(instruction, [a.min(b), a.max(b)]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{operation, run};
+    use crate::graph::{Input, MathsProvider, ScalarType};
+    use crate::ir::{Bidder, Module, Node, NodeId, Values};
+    use crate::passes::arithmetic::Arithmetic;
+    use tpg_runtime::ops::Instruction;
+
+    const F64: Arithmetic = Arithmetic { scalar: ScalarType::F64, maths: MathsProvider::Own };
+    const VALUES: [f64; 9] =
+        [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.0, -0.0, 1.5, -3.0, f64::MAX, f64::MIN_POSITIVE / 8.0];
+
+    /// What a node computes for an input.
+    fn value(values: &Values, id: NodeId, input: f64) -> f64 {
+        match values.node(id) {
+            Node::Constant(bits) => f64::from_bits(bits),
+            Node::Input(_) => input,
+            Node::Upper(..) => unreachable!("folding makes no bounds"),
+            Node::Operation(instruction, operands) => {
+                let [a, b] = operands.map(|operand| value(values, operand, input));
+                F64.evaluate(instruction, a, b).expect("own maths")
+            }
+        }
+    }
+
+    #[test]
+    fn whatever_is_folded_keeps_its_bits_for_every_value() {
+        for instruction in Instruction::ALL {
+            for constant in VALUES.into_iter().chain([1.0, 4.0, -0.25]) {
+                for swapped in [false, true] {
+                    let mut values = Values::default();
+                    let x = values.intern(Node::Input(Input(0)));
+                    let c = values.intern(Node::constant(constant));
+                    let operands = if swapped { [c, x] } else { [x, c] };
+                    let id = operation(&mut values, F64, instruction, operands);
+                    for input in VALUES {
+                        let [a, b] = if swapped { [constant, input] } else { [input, constant] };
+                        let expected = F64.evaluate(instruction, a, b).expect("own maths");
+                        let found = value(&values, id, input);
+                        let equal = expected.to_bits() == found.to_bits() || (expected.is_nan() && found.is_nan());
+                        assert!(equal, "{instruction:?} {a} {b}: {expected} but {found}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn an_operation_on_one_value_twice_keeps_its_bits() {
+        for instruction in Instruction::ALL {
+            let mut values = Values::default();
+            let x = values.intern(Node::Input(Input(0)));
+            let id = operation(&mut values, F64, instruction, [x, x]);
+            for input in VALUES {
+                let expected = F64.evaluate(instruction, input, input).expect("own maths");
+                let found = value(&values, id, input);
+                let equal = expected.to_bits() == found.to_bits() || (expected.is_nan() && found.is_nan());
+                assert!(equal, "{instruction:?} {input}: {expected} but {found}");
+            }
+        }
+    }
+
+    #[test]
+    fn identities_leave_no_operation() {
+        let identities: [(Instruction, f64); 5] = [
+            (Instruction::Sub, 0.0),
+            (Instruction::Add, -0.0),
+            (Instruction::Mul, 1.0),
+            (Instruction::Div, 1.0),
+            (Instruction::Div, 8.0),
+        ];
+        for (instruction, constant) in identities {
+            let mut values = Values::default();
+            let x = values.intern(Node::Input(Input(0)));
+            let c = values.intern(Node::constant(constant));
+            let id = operation(&mut values, F64, instruction, [x, c]);
+            assert!(!matches!(values.node(id), Node::Operation(found, _) if found == instruction), "{instruction:?}");
+        }
+        let mut values = Values::default();
+        let x = values.intern(Node::Input(Input(0)));
+        let zero = values.intern(Node::constant(0.0));
+        let sum = operation(&mut values, F64, Instruction::Add, [x, zero]);
+        assert!(matches!(values.node(sum), Node::Operation(..)), "−0 + 0 is 0: not an identity");
+    }
+
+    #[test]
+    fn a_bid_that_is_always_nan_is_minus_infinity() {
+        let mut values = Values::default();
+        let zero = values.intern(Node::constant(0.0));
+        let quotient = values.intern(Node::Operation(Instruction::Div, [zero, zero]));
+        let bidders = vec![Bidder { label: 1, value: quotient }];
+        let mut module = Module { nodes: values.into_nodes(), bidders, teams: Vec::new(), depth: 0 };
+        run(&mut module, F64);
+        assert_eq!(module.node(module.bidders[0].value), Node::constant(f64::NEG_INFINITY));
+    }
+}

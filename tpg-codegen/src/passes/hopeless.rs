@@ -1,0 +1,47 @@
+//! Bids that provably never win: those whose highest value is below what another bid of their team is certain to reach.
+//! A bid that can only equal it stays, for it may come later.
+
+use super::interval::Interval;
+use crate::ir::Module;
+
+/// Removes them and says how many there were.
+pub(super) fn run(module: &mut Module, intervals: &[Interval]) -> usize {
+    let Module { teams, bidders, .. } = module;
+    let mut removed = 0;
+    for team in teams {
+        let interval = |bidder: usize| intervals[bidders[bidder].value.index()];
+        let certain =
+            team.edges.iter().map(|edge| interval(edge.bidder).certain_bid()).fold(f64::NEG_INFINITY, f64::max);
+        let before = team.edges.len();
+        // The edge that is certain stays itself: its highest value is at least its lowest.
+        team.edges.retain(|edge| interval(edge.bidder).high >= certain);
+        removed += before - team.edges.len();
+    }
+    removed
+}
+
+#[cfg(test)]
+mod tests {
+    use super::run;
+    use crate::graph::{ActionId, Input};
+    use crate::ir::{Bidder, Edge, Module, Node, NodeId, Target, Team};
+    use crate::passes::interval::Interval;
+
+    #[test]
+    fn only_bids_that_are_always_lower_go() {
+        let of = |low, high, nan| Interval { low, high, nan };
+        let intervals = [
+            of(0.0, 10.0, false), // certain to reach 0
+            of(-5.0, 0.0, false), // can equal that
+            of(-5.0, -0.1, true), // cannot
+            of(50.0, 60.0, true), // may be NaN: certain of nothing
+        ];
+        let bidders = (0..4).map(|n| Bidder { label: n, value: NodeId(n) }).collect();
+        let edge = |bidder| Edge { bidder, to: Target::Action(ActionId(0)) };
+        let team = Team { label: 1, edges: (0..4).map(edge).collect() };
+        let nodes = (0..4).map(|n| Node::Input(Input(n))).collect();
+        let mut module = Module { nodes, bidders, teams: vec![team], depth: 1 };
+        assert_eq!(run(&mut module, &intervals), 1);
+        assert_eq!(module.teams[0].edges, [edge(0), edge(1), edge(3)]);
+    }
+}

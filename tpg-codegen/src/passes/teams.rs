@@ -1,0 +1,149 @@
+//! Teams that do not decide anything, and teams that decide alike.
+//!
+//! A team all of whose edges lead to one place is walked past: its bids do not matter. Teams with the same bids for the
+//! same places are one. Both can follow from the other, so teams are taken from the ends of the graph towards the root,
+//! every one after all that it leads to.
+
+use crate::ir::{Module, NodeId, Target, Team, longest_walk};
+use std::collections::BTreeMap;
+
+/// How many teams went.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Removed {
+    /// Teams without a choice.
+    pub(super) bypassed: usize,
+    /// Teams that decide like another.
+    pub(super) merged: usize,
+    /// Teams that nothing leads to any more.
+    pub(super) unreachable: usize,
+}
+
+/// Redirects edges past such teams, and renumbers what is left breadth first. The root stays, whatever it decides.
+pub(super) fn run(module: &mut Module) -> Removed {
+    let before = module.teams.len();
+    let mut removed = Removed::default();
+    let mut place: Vec<Target> = (0..before).map(Target::Team).collect();
+    let mut known: BTreeMap<Vec<(NodeId, Target)>, Target> = BTreeMap::new();
+    for index in ends_first(&module.teams) {
+        let team = &mut module.teams[index];
+        for edge in &mut team.edges {
+            if let Target::Team(to) = edge.to {
+                edge.to = place[to];
+            }
+        }
+        if index == 0 {
+            continue;
+        }
+        let only = team.edges.first().map(|edge| edge.to).filter(|&to| team.edges.iter().all(|edge| edge.to == to));
+        if let Some(to) = only {
+            place[index] = to;
+            removed.bypassed += 1;
+            continue;
+        }
+        let decision = team.edges.iter().map(|edge| (module.bidders[edge.bidder].value, edge.to)).collect();
+        let first = *known.entry(decision).or_insert(Target::Team(index));
+        if first != Target::Team(index) {
+            place[index] = first;
+            removed.merged += 1;
+        }
+    }
+    renumber(module);
+    removed.unreachable = before - module.teams.len() - removed.bypassed - removed.merged;
+    removed
+}
+
+/// The teams, each after all that it leads to.
+fn ends_first(teams: &[Team]) -> Vec<usize> {
+    let mut entering = vec![Vec::new(); teams.len()];
+    let mut leaving = vec![0_usize; teams.len()];
+    for (index, team) in teams.iter().enumerate() {
+        for edge in &team.edges {
+            if let Target::Team(to) = edge.to {
+                entering[to].push(index);
+                leaving[index] += 1;
+            }
+        }
+    }
+    let mut order: Vec<usize> = (0..teams.len()).filter(|&index| leaving[index] == 0).collect();
+    let mut next = 0;
+    while let Some(&index) = order.get(next) {
+        next += 1;
+        for &from in &entering[index] {
+            leaving[from] -= 1;
+            if leaving[from] == 0 {
+                order.push(from);
+            }
+        }
+    }
+    order
+}
+
+/// Keeps the teams that can be reached, breadth first from the root, and the bidders and nodes that they use.
+fn renumber(module: &mut Module) {
+    let mut place = vec![None; module.teams.len()];
+    place[0] = Some(0);
+    let mut order = vec![0];
+    let mut next = 0;
+    while let Some(&index) = order.get(next) {
+        next += 1;
+        for edge in &module.teams[index].edges {
+            if let Target::Team(to) = edge.to
+                && place[to].is_none()
+            {
+                place[to] = Some(order.len());
+                order.push(to);
+            }
+        }
+    }
+    let mut bidder_place = BTreeMap::new();
+    let mut bidders = Vec::new();
+    let mut teams = Vec::with_capacity(order.len());
+    for index in order {
+        let mut team = module.teams[index].clone();
+        for edge in &mut team.edges {
+            if let Target::Team(to) = edge.to {
+                edge.to = Target::Team(place[to].unwrap_or_default());
+            }
+            edge.bidder = *bidder_place.entry(edge.bidder).or_insert_with(|| {
+                bidders.push(module.bidders[edge.bidder].clone());
+                bidders.len() - 1
+            });
+        }
+        teams.push(team);
+    }
+    module.depth = longest_walk(&teams);
+    module.teams = teams;
+    module.bidders = bidders;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Removed, run};
+    use crate::graph::{ActionId, Input};
+    use crate::ir::{Bidder, Edge, Module, Node, NodeId, Target, Team};
+
+    #[test]
+    fn teams_without_a_choice_and_twins_go() {
+        let nodes = (0..3).map(|n| Node::Input(Input(n))).collect();
+        let bidders = (0..3).map(|n| Bidder { label: n, value: NodeId(n) }).collect();
+        let to_team = |bidder, team| Edge { bidder, to: Target::Team(team) };
+        let to_action = |bidder, action| Edge { bidder, to: Target::Action(ActionId(action)) };
+        let team = |label, edges| Team { label, edges };
+        let mut module = Module {
+            nodes,
+            bidders,
+            teams: vec![
+                team(100, vec![to_team(0, 1), to_team(1, 2), to_team(2, 3)]),
+                team(101, vec![to_action(1, 5), to_action(2, 5)]), // no choice
+                team(102, vec![to_action(0, 1), to_team(2, 1)]),   // 1 or, past 101, 5
+                team(103, vec![to_action(0, 1), to_action(2, 5)]), // the same
+            ],
+            depth: 3,
+        };
+        assert_eq!(run(&mut module), Removed { bypassed: 1, merged: 1, unreachable: 0 });
+        assert_eq!(module.teams.len(), 2);
+        assert_eq!(module.depth, 2);
+        assert_eq!(module.teams[0].edges, [to_action(0, 5), to_team(1, 1), to_team(2, 1)]);
+        assert_eq!(module.teams[1].edges, [to_action(0, 1), to_action(2, 5)]);
+    }
+}

@@ -1,0 +1,94 @@
+/* Runs a program: its results follow one another in the frame, and the last is its bid. */
+static {{ scalar }} {{ prefix }}_run({{ scalar }} frame[], uint32_t program)
+{
+    /* Instructions: operation, then the places of both operands. */
+    static const {{ code.kind }} code[{{ code.length }}] = {
+{%- for line in code.lines %}
+        {{ line }},
+{%- endfor %}
+    };
+    /* Where each program begins, and where the last ends. */
+    static const {{ programs.kind }} programs[{{ programs.length }}] = {
+{%- for line in programs.lines %}
+        {{ line }},
+{%- endfor %}
+    };
+    const uint32_t begin = programs[program];
+    const uint32_t end = programs[program + 1U];
+    {{ scalar }} result = {% if f64 %}0.0{% else %}0.0F{% endif %};
+    uint32_t place;
+
+    for (place = begin; place < end; place++) {
+        const {{ code.kind }} instruction = code[place];
+        const {{ scalar }} a = frame[instruction & {{ operand_mask }}U];
+        const {{ scalar }} b = frame[(uint32_t)(instruction >> {{ operand_bits }}) & {{ operand_mask }}U];
+
+        switch ((uint32_t)(instruction >> {{ operand_bits * 2 }})) {
+{%- for case in cases %}
+{%- if loop.last %}
+        default:
+{%- else %}
+        case {{ case.number }}U:
+{%- endif %}
+            result = {{ case.expression }};
+            break;
+{%- endfor %}
+        }
+        frame[({{ first_result }}U + place) - begin] = result;
+    }
+    return result;
+}
+
+uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state)
+{
+    /* The program of each edge, and where it leads: teams are numbered from 0, the root, and the actions follow them. */
+    static const {{ bidders.kind }} bidders[{{ bidders.length }}] = {
+{%- for line in bidders.lines %}
+        {{ line }},
+{%- endfor %}
+    };
+    static const {{ targets.kind }} targets[{{ targets.length }}] = {
+{%- for line in targets.lines %}
+        {{ line }},
+{%- endfor %}
+    };
+    /* Where each team's edges begin, and where the last team's end. */
+    static const {{ teams.kind }} teams[{{ teams.length }}] = {
+{%- for line in teams.lines %}
+        {{ line }},
+{%- endfor %}
+    };
+{% if !constants.is_empty() %}
+    static const {{ scalar }} constants[{{ constants.len() }}] = {
+{%- for constant in constants %}
+        {{ constant }},
+{%- endfor %}
+    };
+{% endif %}
+    {{ scalar }} frame[{{ frame }}];
+    uint32_t vertex = 0U;
+    uint32_t hop;
+
+    (void)memcpy(frame, state, sizeof(*state));
+{%- if !constants.is_empty() %}
+    (void)memcpy(&frame[{{ state_length }}], constants, sizeof(constants));
+{%- endif %}
+    for (hop = 0U; (hop < {{ upper }}_DEPTH) && (vertex < {{ upper }}_TEAMS); hop++) {
+        const uint32_t end = teams[vertex + 1U];
+        uint32_t edge = teams[vertex];
+        {{ scalar }} best = -{{ lowest }};
+
+        /* Only bids above minus infinity win; where there is none, the last edge does. */
+        vertex = targets[end - 1U];
+        for (; edge < end; edge++) {
+            const {{ scalar }} bid = {{ prefix }}_run(frame, bidders[edge]);
+
+            if (bid >= best) {
+                best = bid;
+                vertex = targets[edge];
+            }
+        }
+    }
+    vertex -= {{ upper }}_TEAMS;
+    return (uint16_t)vertex;
+}
