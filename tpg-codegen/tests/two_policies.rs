@@ -98,10 +98,10 @@ fn main() {
 }
 
 #[test]
-fn names_that_a_language_keeps_for_itself() {
+fn names_that_generated_code_uses_itself() {
     let mut document: Document = fixture(ScalarType::F32, MathsProvider::Own).to_document();
     let text = serde_json::to_string(&document).expect("JSON");
-    let text = text.replace("target", "class").replace("difference", "index").replace("motors", "double");
+    let text = text.replace("target", "state").replace("difference", "index").replace("motors", "bids");
     document = serde_json::from_str(&text).expect("a document");
     let graph = Graph::from_document("named", document).expect("a valid graph");
     let workshop = Workshop::new().expect("a temporary folder");

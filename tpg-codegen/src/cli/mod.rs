@@ -1,6 +1,8 @@
 //! The command line: results on stdout, everything else on stderr.
 
+mod convert;
 mod generate;
+mod schema;
 mod verify;
 
 pub use generate::GenerateArgs;
@@ -30,6 +32,10 @@ enum Command {
     Generate(GenerateArgs),
     /// Compile the generated code and compare it with the interpreter
     Verify(verify::VerifyArgs),
+    /// Convert a graph to graph.json, or to a GEGELATI .dot file and its sidecar
+    Convert(convert::ConvertArgs),
+    /// Print the JSON Schema of graph.json
+    Schema(schema::SchemaArgs),
 }
 
 /// What a command found.
@@ -101,6 +107,8 @@ impl Cli {
         let result = match self.command {
             Command::Generate(args) => args.run(),
             Command::Verify(args) => args.run(),
+            Command::Convert(args) => args.run(),
+            Command::Schema(args) => args.run(),
         };
         match result {
             Ok(Verdict::Good) => ExitCode::SUCCESS,

@@ -1,6 +1,6 @@
 //! C99: one `.c` and one `.h`, a function for each program and team, the walk a bounded switch, as GEGELATI shapes it.
 
-use super::{File, Options, Style, banner, layout, name};
+use super::{File, Options, Style, banner, layout};
 use crate::graph::{Graph, Input, MathsProvider, ScalarType};
 use crate::interpret;
 use crate::ir::{Bidder, Module, Node, NodeId, Target};
@@ -153,7 +153,7 @@ fn comment(text: &str) -> String {
 
 fn source_view(source: &crate::graph::Source) -> SourceView {
     SourceView {
-        name: name::member(&source.name),
+        name: source.name.clone(),
         length: source.ranges.len(),
         unit: comment(&source.unit),
         range: source.envelope().to_string(),
@@ -295,7 +295,7 @@ impl Printer<'_> {
             let number = self.graph.sources().iter().position(|s| s.name == source.name).unwrap_or(0) + 1;
             format!("in{number}[{place}]")
         } else {
-            format!("state->{}[{place}]", name::member(&source.name))
+            format!("state->{}[{place}]", source.name)
         }
     }
 }

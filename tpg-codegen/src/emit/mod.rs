@@ -7,7 +7,6 @@ mod name;
 mod rust;
 
 pub use name::Prefix;
-pub(crate) use name::member;
 
 use crate::graph::Graph;
 use crate::ir::Module;

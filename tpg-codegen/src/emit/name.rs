@@ -54,25 +54,6 @@ impl Prefix {
 const TAKEN: [&str; 12] =
     ["ActionId", "Clone", "Copy", "Debug", "Default", "Maths", "Move", "Own", "Policy", "Self", "Source", "System"];
 
-/// The name of a source as a member of a C struct: a word that C or C++ keeps for itself gets an underscore.
-pub(crate) fn member(source: &str) -> String {
-    if KEYWORDS.contains(&source) { format!("{source}_") } else { source.to_owned() }
-}
-
-/// Keywords of C and C++ that can be the name of a source, and two words that compilers in GNU mode define as 1.
-#[rustfmt::skip] // a line for each word otherwise
-const KEYWORDS: [&str; 98] = [
-    "alignas", "alignof", "and", "and_eq", "asm", "auto", "bitand", "bitor", "bool", "break", "case", "catch", "char",
-    "char16_t", "char32_t", "char8_t", "class", "co_await", "co_return", "co_yield", "compl", "concept", "const",
-    "const_cast", "consteval", "constexpr", "constinit", "continue", "decltype", "default", "delete", "do", "double",
-    "dynamic_cast", "else", "enum", "explicit", "export", "extern", "false", "float", "for", "friend", "goto", "if",
-    "inline", "int", "linux", "long", "mutable", "namespace", "new", "noexcept", "noreturn", "not", "not_eq", "nullptr",
-    "operator", "or", "or_eq", "private", "protected", "public", "register", "reinterpret_cast", "requires", "restrict",
-    "return", "short", "signed", "sizeof", "static", "static_assert", "static_cast", "struct", "switch", "template",
-    "this", "thread_local", "throw", "true", "try", "typedef", "typeid", "typename", "typeof", "typeof_unqual", "union",
-    "unix", "unsigned", "using", "virtual", "void", "volatile", "wchar_t", "while", "xor", "xor_eq",
-];
-
 impl fmt::Display for Prefix {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.0)

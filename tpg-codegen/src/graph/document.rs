@@ -5,6 +5,7 @@ use serde::de::{Deserializer, Visitor};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fmt;
+use tpg_runtime::ops::Instruction;
 
 /// The value of [`Document::format`].
 pub const FORMAT: &str = "tpg-graph";
@@ -18,8 +19,10 @@ pub const VERSION: u32 = 1;
 #[schemars(title = "graph.json")]
 pub struct Document {
     /// Always "tpg-graph".
+    #[schemars(extend("const" = FORMAT))]
     pub format: String,
     /// Always 1.
+    #[schemars(extend("const" = VERSION))]
     pub version: u32,
     /// The type programs compute in.
     pub scalar: ScalarType,
@@ -32,7 +35,7 @@ pub struct Document {
     #[schemars(length(min = 1))]
     pub sources: Vec<SourceDocument>,
     /// The instructions that programs may use. The order numbers them for GEGELATI's `.dot` format.
-    #[schemars(length(min = 1))]
+    #[schemars(length(min = 1), extend("items" = {"type": "string", "enum": instruction_names()}))]
     pub instructions: Vec<String>,
     /// What the policy can do; an action's id is its place in this list.
     #[schemars(length(min = 1))]
@@ -143,6 +146,7 @@ pub struct TeamDocument {
 /// An edge of a team: a program and what it bids for.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(extend("oneOf" = [{"required": ["team"]}, {"required": ["action"]}]))]
 pub struct EdgeDocument {
     /// The id of the program that bids.
     pub program: u32,
@@ -171,10 +175,15 @@ pub struct LineDocument {
     /// The register that takes the result.
     pub to: u32,
     /// An instruction of the declared set.
+    #[schemars(extend("enum" = instruction_names()))]
     pub op: String,
     /// Its operands, as many as it has.
     #[schemars(length(min = 1, max = 2))]
     pub args: Vec<OperandDocument>,
+}
+
+fn instruction_names() -> [&'static str; Instruction::ALL.len()] {
+    Instruction::ALL.map(Instruction::name)
 }
 
 /// An operand: a number, a register `r3`, or a value of a source `target[0]`.

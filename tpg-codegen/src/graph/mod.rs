@@ -5,6 +5,7 @@
 
 mod document;
 mod name;
+mod schema;
 mod text;
 mod validate;
 
@@ -13,6 +14,7 @@ pub use document::{
     Provenance, ScalarType, SourceDocument, TeamDocument, VERSION,
 };
 
+pub use schema::schema;
 pub(crate) use validate::MAX_NUMBERED;
 
 use sha2::{Digest, Sha256};

@@ -85,7 +85,7 @@ impl Workshop {
             prefix,
             scalar: if graph.scalar() == ScalarType::F32 { "float" } else { "double" },
             state_length: graph.state_length(),
-            sources: graph.sources().iter().map(|s| (emit::member(&s.name), s.ranges.len())).collect(),
+            sources: graph.sources().iter().map(|s| (s.name.clone(), s.ranges.len())).collect(),
             gegelati: options.style == Style::Gegelati,
         };
         fs::write(folder.join("harness.c"), harness.render().map_err(io::Error::other)?)?;

@@ -1,0 +1,67 @@
+//! `tpg-codegen convert`: a graph from one format to another.
+
+use super::{CliError, GraphArgs, Verdict};
+use crate::error::{InputError, Place};
+use crate::graph::Graph;
+use crate::{export, output};
+use clap::Args;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// Convert a graph to graph.json, or to a GEGELATI .dot file and its sidecar.
+#[derive(Clone, Debug, Args)]
+pub(super) struct ConvertArgs {
+    #[command(flatten)]
+    graph: GraphArgs,
+    /// The file to write: NAME.json, or NAME.dot and with it NAME.toml, the sidecar that says what a .dot file does not;
+    /// - for graph.json on standard output
+    #[arg(value_name = "OUT")]
+    out: PathBuf,
+}
+
+impl ConvertArgs {
+    pub(super) fn run(&self) -> Result<Verdict, CliError> {
+        let format = Format::of(&self.out)?;
+        let graph = self.graph.load()?;
+        match format {
+            Format::Stdout => {
+                let mut out = io::stdout().lock();
+                out.write_all(graph.to_json().as_bytes()).and_then(|()| out.flush()).map_err(CliError::other)?;
+            }
+            Format::Json => output::write_atomically(&self.out, graph.to_json().as_bytes())?,
+            Format::Dot => self.write_dot(&graph)?,
+        }
+        Ok(Verdict::Good)
+    }
+
+    fn write_dot(&self, graph: &Graph) -> Result<(), InputError> {
+        let sidecar = self.out.with_extension("toml");
+        output::write_all(&[(&self.out, export::dot::text(graph)), (&sidecar, export::sidecar::text(graph))])?;
+        eprintln!("{} needs --sidecar {} to be read", self.out.display(), sidecar.display());
+        Ok(())
+    }
+}
+
+/// What is written.
+#[derive(Clone, Copy)]
+enum Format {
+    Stdout,
+    Json,
+    Dot,
+}
+
+impl Format {
+    fn of(out: &Path) -> Result<Self, InputError> {
+        if out == Path::new("-") {
+            return Ok(Self::Stdout);
+        }
+        match out.extension().and_then(|extension| extension.to_str()) {
+            Some("json") => Ok(Self::Json),
+            Some("dot") => Ok(Self::Dot),
+            _ => {
+                let found = "an output whose name does not say its format";
+                Err(InputError::new(out.display().to_string(), Place::Whole, found, "NAME.json, NAME.dot, or -"))
+            }
+        }
+    }
+}
