@@ -53,7 +53,7 @@ impl InputError {
     }
 }
 
-/// Takes a message of serde's apart: what was found, and what it expected instead.
+/// Takes a message of serde's apart: what was found, and what it expected instead, in words of the file.
 ///
 /// Positions at the end (`at line 3 column 7`) go to what was found, in brackets.
 pub(crate) fn serde_message(message: &str) -> (String, Option<&str>) {
@@ -62,7 +62,26 @@ pub(crate) fn serde_message(message: &str) -> (String, Option<&str>) {
         None => (message, String::new()),
     };
     match message.split_once(", expected ") {
-        Some((found, accepted)) => (format!("{found}{position}"), Some(accepted)),
+        Some((found, accepted)) => (format!("{found}{position}"), Some(plain(accepted))),
         None => (format!("{message}{position}"), None),
     }
+}
+
+/// What a type of Rust's takes, for people who write files.
+fn plain(expected: &str) -> &str {
+    match expected {
+        "u32" => "a whole number, 0 to 4294967295",
+        "u64" => "a whole number, 0 to 18446744073709551615",
+        "i8" => "a whole number, -128 to 127",
+        "f64" => "a number",
+        "a sequence" => "a list",
+        "a map" => "an object",
+        _ if expected.starts_with("struct ") => "an object",
+        _ => expected,
+    }
+}
+
+/// `1 edge`, `2 edges`.
+pub(crate) fn counted(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }

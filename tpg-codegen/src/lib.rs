@@ -10,6 +10,7 @@ pub mod interpret;
 pub mod ir;
 pub mod output;
 pub mod passes;
+pub mod policy;
 pub mod sample;
 pub mod size;
 pub mod states;

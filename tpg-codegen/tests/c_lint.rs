@@ -10,6 +10,7 @@ use std::process::Command;
 use tempfile::TempDir;
 use tpg_codegen::emit::{Language, Style};
 use tpg_codegen::graph::Graph;
+use tpg_codegen::sample::{self, Shape};
 
 const WARNINGS: [&str; 13] = [
     "-O2",
@@ -37,12 +38,14 @@ const COMPILERS: [(&str, &str, &[&str]); 4] =
 /// Two parameters of one type are what `a < b` needs.
 const TIDY: &str = "-*,bugprone-*,cert-*,clang-analyzer-*,-bugprone-easily-swappable-parameters";
 
-/// Does `check` for the fixture in every scalar, maths and shape, in a folder that holds its C and a program that uses it.
+/// Does `check` for the fixture in every scalar and maths and for random graphs, in every shape, each in a folder that
+/// holds the C and a program that uses it.
 fn everywhere(mut check: impl FnMut(&Path)) {
-    for (scalar, maths) in COMBINATIONS {
+    let fixtures = COMBINATIONS.iter().map(|&(scalar, maths)| fixture(scalar, maths));
+    let random = (1..=2).map(|seed| sample::graph(&Shape::random(seed), seed));
+    for graph in fixtures.chain(random) {
         for shape in SHAPES {
             let folder = TempDir::new().expect("a temporary folder");
-            let graph = fixture(scalar, maths);
             emit_into(folder.path(), &graph, Language::C, &shaped("arm", shape));
             fs::write(folder.path().join("user.c"), user(&graph, shape.0)).expect("the folder can be written");
             check(folder.path());

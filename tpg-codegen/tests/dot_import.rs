@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 use tpg_codegen::error::InputError;
+use tpg_codegen::export;
 use tpg_codegen::graph::{Destination, Graph, Line, Operand};
 use tpg_codegen::import::{self, Profile, Sidecar};
 use tpg_runtime::ops::Instruction;
@@ -123,6 +124,8 @@ fn the_papers_graphs() {
             if path.extension().is_some_and(|extension| extension == "dot") {
                 let graph = import::load(&path, Some(Profile::Ecta24), None).unwrap_or_else(|error| panic!("{error}"));
                 assert_eq!(graph.state_length(), 15);
+                let sidecar = Sidecar::from_toml("x.toml", &export::sidecar::text(&graph)).expect("a sidecar");
+                assert_eq!(import::from_text("x.dot", &export::dot::text(&graph), Some(&sidecar)), Ok(graph));
                 read += 1;
             }
         }

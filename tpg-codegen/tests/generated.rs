@@ -7,6 +7,7 @@ use std::process::Command;
 use tempfile::TempDir;
 use tpg_codegen::emit::{self, Language, Profile, Style};
 use tpg_codegen::graph::{Document, Graph, MathsProvider, ScalarType};
+use tpg_codegen::sample::{self, Shape};
 
 fn text(graph: &Graph, language: Language, style: Style, file: &str) -> String {
     let files = emit::emit(graph, language, &options("arm", style));
@@ -71,6 +72,9 @@ fn rustfmt_changes_nothing() {
     };
     for (scalar, maths) in COMBINATIONS {
         add(&fixture(scalar, maths), &format!("arm_{}_{}", scalar.name(), maths.name()));
+    }
+    for seed in 1..=30 {
+        add(&sample::graph(&Shape::random(seed), seed), &format!("random{seed}"));
     }
     // Around the lengths where arrays get a line more.
     for teams in (0..60).chain([97, 98, 99, 500]) {

@@ -4,6 +4,7 @@ use crate::engine::{Ending, Environment, Lanes, Options, Plan, Policy};
 use crate::environments::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
 use crate::files::read_text;
 use crate::targets::{self, Set, Start};
+use crate::trial::{Failures, Trial};
 use clap::Args;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -22,9 +23,12 @@ pub struct EvalArgs {
     /// The problem: fixed or random start
     #[arg(long, value_enum)]
     pub problem: Start,
-    /// The graph
-    #[arg(long, value_name = "GRAPH")]
-    pub tpg: PathBuf,
+    /// A graph
+    #[arg(long, value_name = "GRAPH", required_unless_present = "policy", conflicts_with = "policy")]
+    pub tpg: Option<PathBuf>,
+    /// A policy.safetensors, a policy.q.json, or the classical `planner` or `nearest-goal`
+    #[arg(long, value_name = "FILE")]
+    pub policy: Option<String>,
     /// Episodes from a file
     #[arg(long, value_name = "CSV", conflicts_with = "episodes")]
     pub targets: Option<PathBuf>,
@@ -117,6 +121,37 @@ impl Report {
         }
     }
 
+    /// Of a policy that is no graph; `seconds` is what its episodes took.
+    pub fn of_trial(trial: &Trial, policy: &str, seed: Option<u64>, seconds: f64) -> Self {
+        let Failures { cycle, stop, joint_limit, table, base, timeout } = trial.failures;
+        let failures = [
+            ("base", base),
+            ("cycle", cycle),
+            ("joint_limit", joint_limit),
+            ("stop", stop),
+            ("table", table),
+            ("timeout", timeout),
+        ];
+        Self {
+            problem: match trial.problem {
+                Start::Fs => "fs".to_owned(),
+                Start::Rs => "rs".to_owned(),
+            },
+            policy: policy.to_owned(),
+            episodes: trial.episodes,
+            seed,
+            success_rate: trial.success_rate,
+            collision_rate: trial.collision_rate,
+            mean_distance_mm: trial.mean_distance_mm,
+            median_distance_mm: trial.median_distance_mm,
+            mean_actions: trial.mean_actions,
+            mean_actions_on_success: trial.mean_actions_on_success,
+            tpg_action_ratio: 0.0,
+            ns_per_action: seconds * 1e9 / (trial.mean_actions * trial.episodes as f64).max(1.0),
+            failures: failures.map(|(name, count)| (name.to_owned(), count)).into(),
+        }
+    }
+
     /// The report as a table for people.
     pub fn to_table(&self) -> String {
         let failures: Vec<String> = self
@@ -153,22 +188,19 @@ impl Report {
 /// # Errors
 /// If the graph or the episodes cannot be read, or the graph is not one for the arm.
 pub fn eval(args: &EvalArgs) -> Result<(), InputError> {
-    let file = args.tpg.display().to_string();
-    let graph = Graph::from_json(&file, &read_text(&args.tpg, "a graph.json")?)?;
     let (tasks, seed) = match &args.targets {
         Some(path) => (read_tasks(path)?, None),
         None => (targets::tasks(&WIDOWX, args.seed, Set::Test, args.problem, args.episodes), Some(args.seed)),
     };
-    let tasks: Vec<ArmTask> = tasks.into_iter().map(ArmTask::from).collect();
-    let began = Instant::now();
-    let (endings, outcomes) = match (graph.scalar(), graph.maths()) {
-        (ScalarType::F32, MathsProvider::Own) => endings::<f32, Own>(&file, &graph, args.problem, &tasks)?,
-        (ScalarType::F32, MathsProvider::System) => endings::<f32, System>(&file, &graph, args.problem, &tasks)?,
-        (ScalarType::F64, MathsProvider::Own) => endings::<f64, Own>(&file, &graph, args.problem, &tasks)?,
-        (ScalarType::F64, MathsProvider::System) => endings::<f64, System>(&file, &graph, args.problem, &tasks)?,
+    let report = match (&args.tpg, &args.policy) {
+        (Some(path), _) => of_graph(path, args.problem, tasks, seed)?,
+        (None, policy) => {
+            let policy = policy.as_deref().unwrap_or("planner");
+            let began = Instant::now();
+            let trial = crate::sac::evaluate::trial_of(policy, args.problem, &tasks)?;
+            Report::of_trial(&trial, policy, seed, began.elapsed().as_secs_f64())
+        }
     };
-    let seconds = began.elapsed().as_secs_f64();
-    let report = Report::new(args.problem, &file, seed, &endings, outcomes, seconds);
     let text = if args.json {
         serde_json::to_string(&report).expect("a report is plain data") + "\n"
     } else {
@@ -176,6 +208,21 @@ pub fn eval(args: &EvalArgs) -> Result<(), InputError> {
     };
     let written = std::io::stdout().lock().write_all(text.as_bytes());
     written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))
+}
+
+fn of_graph(path: &Path, start: Start, tasks: Vec<targets::Task>, seed: Option<u64>) -> Result<Report, InputError> {
+    let file = path.display().to_string();
+    let graph = Graph::from_json(&file, &read_text(path, "a graph.json")?)?;
+    let tasks: Vec<ArmTask> = tasks.into_iter().map(ArmTask::from).collect();
+    let began = Instant::now();
+    let (endings, outcomes) = match (graph.scalar(), graph.maths()) {
+        (ScalarType::F32, MathsProvider::Own) => endings::<f32, Own>(&file, &graph, start, &tasks)?,
+        (ScalarType::F32, MathsProvider::System) => endings::<f32, System>(&file, &graph, start, &tasks)?,
+        (ScalarType::F64, MathsProvider::Own) => endings::<f64, Own>(&file, &graph, start, &tasks)?,
+        (ScalarType::F64, MathsProvider::System) => endings::<f64, System>(&file, &graph, start, &tasks)?,
+    };
+    let seconds = began.elapsed().as_secs_f64();
+    Ok(Report::new(start, &file, seed, &endings, outcomes, seconds))
 }
 
 fn read_tasks(path: &Path) -> Result<Vec<targets::Task>, InputError> {

@@ -13,6 +13,7 @@
 //! | [`trial`] | one actor on many tasks |
 //! | [`evaluate`] | how a policy's episodes end |
 //! | [`ik`] | goals of the inverse kinematics, for training only |
+//! | [`planner`] | classical yardsticks that learn nothing |
 //! | [`random`] | one stream of random numbers for every purpose |
 //! | [`files`] | files that are whole or not there |
 //! | [`conformance`] | recorded trajectories, replayed in the paper's arithmetic |
@@ -25,6 +26,7 @@ pub mod evaluate;
 pub mod evolution;
 pub mod files;
 pub mod ik;
+pub mod planner;
 pub mod random;
 pub mod sac;
 pub mod targets;

@@ -307,6 +307,17 @@ mod tests {
     }
 
     #[test]
+    fn the_committed_test_tasks_are_those_of_the_command() {
+        let committed = [
+            (Start::Fs, include_str!("../../generated/test-targets/fs.csv")),
+            (Start::Rs, include_str!("../../generated/test-targets/rs.csv")),
+        ];
+        for (start, text) in committed {
+            assert!(to_csv(&tasks(&WIDOWX, TEST_SEED, Set::Test, start, 1000)) == text, "{start:?}");
+        }
+    }
+
+    #[test]
     fn csv_gives_back_the_same_tasks() {
         let list = tasks(&WIDOWX, 7, Set::Validation, Start::Rs, 50);
         assert_eq!(parse_csv(&WIDOWX, &to_csv(&list)), Ok(list));

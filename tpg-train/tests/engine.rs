@@ -9,7 +9,9 @@ use tpg_runtime::kinematics::Lattice;
 use tpg_runtime::observation::{Observation, Source};
 use tpg_runtime::ops::{Instruction, Maths, Own};
 use tpg_runtime::policy::{ActionId, Policy as _};
-use tpg_train::engine::{Ending, Environment, Evaluator, Lanes, LocalThreads, Options, Plan, Policy, UnitKey, Work, WorkUnit};
+use tpg_train::engine::{
+    Ending, Environment, Evaluator, Lanes, LocalThreads, Options, Plan, Policy, UnitKey, Work, WorkUnit,
+};
 use tpg_train::environments::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
 use tpg_train::evolution::archive::Archive;
 use tpg_train::evolution::config::Config;
@@ -163,10 +165,9 @@ fn every_step_is_the_interpreters_in_f64() {
 #[test]
 fn no_option_and_no_number_of_threads_changes_an_answer() {
     let world = World::<f32>::new(ScalarType::F32);
-    let units = (0..).zip(&world.policies).map(|(root, policy)| WorkUnit {
-        key: UnitKey { seed: 1, generation: 0, root },
-        policy: policy.clone(),
-    });
+    let units = (0..)
+        .zip(&world.policies)
+        .map(|(root, policy)| WorkUnit { key: UnitKey { seed: 1, generation: 0, root }, policy: policy.clone() });
     let work = Work { tasks: arm_tasks(30), units: units.collect() };
     let answers = |options: Options, threads: usize| {
         let evaluator = LocalThreads::<f32, Own, _>::new(&world.environment, options, threads).expect("threads start");

@@ -1,6 +1,7 @@
 //! Lines and blank lines, as a reader of the language expects them.
 
-/// Templates leave blank lines where a block was left out: at most one in a row stays, and none at the end.
+/// Templates leave blank lines where a block was left out: at most one in a row stays, and none at the
+/// end or behind an opening brace.
 pub(super) fn tidy(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut blank = false;
@@ -9,7 +10,7 @@ pub(super) fn tidy(text: &str) -> String {
             blank = !out.is_empty();
             continue;
         }
-        if std::mem::take(&mut blank) {
+        if std::mem::take(&mut blank) && !out.ends_with("{\n") {
             out.push('\n');
         }
         out.push_str(line);

@@ -8,7 +8,7 @@ use super::{
     Action, ActionId, Destination, Edge, Graph, Input, Line, Operand, Program, ProgramId, Range, Reg, Source, Team,
     TeamId, name,
 };
-use crate::error::{InputError, Place, serde_message};
+use crate::error::{InputError, Place, counted, serde_message};
 use std::collections::BTreeMap;
 use tpg_runtime::arm::Move;
 use tpg_runtime::ops::Instruction;
@@ -221,7 +221,7 @@ impl Validator<'_> {
             }
             let length = source.length as usize;
             if source.ranges.len() != length || length == 0 {
-                let found = format!("{} ranges for a length of {length}", source.ranges.len());
+                let found = format!("{} for a length of {length}", counted(source.ranges.len(), "range"));
                 return Err(self.error(format!("{path}.ranges"), found, "one range for each value, at least one"));
             }
             for (place, [min, max]) in source.ranges.iter().enumerate() {
@@ -449,7 +449,7 @@ impl Validator<'_> {
     }
 
     fn line(&self, path: &str, line: &LineDocument, names: &Names<'_>) -> Result<Line, InputError> {
-        let to = self.register(&format!("{path}.to"), line.to)?;
+        let to = self.register(&format!("{path}.to"), Some(line.to), &line.to.to_string())?;
         let declared = |i: &Instruction| names.instructions.contains(i);
         let instruction = Instruction::from_name(&line.op).filter(declared).ok_or_else(|| {
             let accepted = format!("one of the declared instructions: {}", self.document.instructions.join(", "));
@@ -462,19 +462,21 @@ impl Validator<'_> {
             (1, &[a]) => [a, a],
             (2, &[a, b]) => [a, b],
             (arity, found) => {
-                let found = format!("{} operands of {:?}", found.len(), line.op);
+                let found = format!("{} of {:?}", counted(found.len(), "operand"), line.op);
                 return Err(self.error(format!("{path}.args"), found, arity.to_string()));
             }
         };
         Ok(Line { to, instruction, operands })
     }
 
-    fn register(&self, path: &str, register: u32) -> Result<Reg, InputError> {
-        if register < self.document.registers {
-            Ok(Reg(register as u16))
-        } else {
-            let accepted = format!("register 0 to {}", self.document.registers - 1);
-            Err(self.error(path, format!("register {register}"), accepted))
+    /// `None` is a number that does not fit, written as `found`.
+    fn register(&self, path: &str, register: Option<u32>, found: &str) -> Result<Reg, InputError> {
+        match register {
+            Some(register) if register < self.document.registers => Ok(Reg(register as u16)),
+            _ => {
+                let accepted = format!("register 0 to {}", self.document.registers - 1);
+                Err(self.error(path, format!("register {found}"), accepted))
+            }
         }
     }
 
@@ -484,8 +486,8 @@ impl Validator<'_> {
             OperandDocument::Place(place) => place,
         };
         if name::is_register(place) {
-            let number = place[1..].parse().unwrap_or(u32::MAX); // a number that does not fit is out of range too
-            return self.register(path, number).map(Operand::Register);
+            let number = &place[1..];
+            return self.register(path, number.parse().ok(), number).map(Operand::Register);
         }
         let accepted = || "a number, a register \"r0\", or a value of a source \"name[0]\"";
         let (name, index) = (place.strip_suffix(']').and_then(|place| place.split_once('[')))

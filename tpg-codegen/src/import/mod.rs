@@ -18,8 +18,8 @@ const STDIN: &str = "-";
 
 /// Reads a graph from a file, or from standard input where the path is `-`.
 ///
-/// What begins with `{` is a `graph.json`, anything else a GEGELATI `.dot`. The latter says nothing of sources,
-/// instructions and actions: a built-in `profile` or a `sidecar` file must.
+/// What begins with `{` is a `graph.json`, what begins with `//` or `digraph` a GEGELATI `.dot`. The latter says nothing
+/// of sources, instructions and actions: a built-in `profile` or a `sidecar` file must.
 ///
 /// # Errors
 /// Whatever is wrong with the file, its sidecar or the choice between the two.
@@ -47,17 +47,41 @@ pub fn load(path: &Path, profile: Option<Profile>, sidecar: Option<&Path>) -> Re
 pub fn from_text(file: &str, text: &str, description: Option<&Sidecar>) -> Result<Graph, InputError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text); // the byte order mark that some editors write
     let whole = |found, accepted| Err(InputError::new(file, Place::Whole, found, accepted));
-    match (text.trim_start().chars().next(), description) {
-        (None, _) => whole("an empty file", "a graph.json or a GEGELATI .dot file"),
-        (Some('{'), None) => Graph::from_json(file, text),
-        (Some('{'), Some(_)) => {
+    match (Format::of(text), description) {
+        (Format::Empty, _) => whole("an empty file", "a graph.json or a GEGELATI .dot file"),
+        (Format::Json, None) => Graph::from_json(file, text),
+        (Format::Json, Some(_)) => {
             whole("a graph.json with --profile-of or --sidecar", "neither: a graph.json says everything itself")
         }
-        (Some(_), Some(description)) => dot::read(file, text, description),
-        (Some(_), None) => whole(
+        (Format::Dot, Some(description)) => dot::read(file, text, description),
+        (Format::Dot, None) => whole(
             "a .dot file, which does not say what its sources, instructions and actions are",
             "--profile-of ecta24 for the paper's own graphs, --sidecar FILE for any other",
         ),
+        (Format::Other, _) => whole(
+            "neither JSON nor .dot",
+            "a graph.json, which begins with {, or a GEGELATI .dot, which begins with // or digraph",
+        ),
+    }
+}
+
+/// What a text is, by its beginning.
+enum Format {
+    Empty,
+    Json,
+    Dot,
+    Other,
+}
+
+impl Format {
+    fn of(text: &str) -> Self {
+        let start = text.trim_start();
+        match start {
+            "" => Self::Empty,
+            _ if start.starts_with('{') => Self::Json,
+            _ if start.starts_with("//") || start.starts_with("digraph") => Self::Dot,
+            _ => Self::Other,
+        }
     }
 }
 

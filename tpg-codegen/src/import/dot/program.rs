@@ -2,6 +2,7 @@
 
 use super::Fault;
 use super::statement::{OperandText, ProgramLine};
+use crate::error::counted;
 use crate::graph::{Document, LineDocument, OperandDocument};
 use tpg_runtime::ops::Instruction;
 
@@ -41,7 +42,7 @@ impl Meaning<'_> {
         // Operands beyond the arity are written and never read.
         let Some(operands) = line.operands.get(..instruction.arity()).filter(|_| instruction.arity() <= line.written)
         else {
-            let found = format!("{} operand of {}", line.written, instruction.name());
+            let found = format!("{} of {}", counted(line.written, "operand"), instruction.name());
             return Err(Fault::new(found, format!("at least {}", instruction.arity())));
         };
         let args = operands.iter().map(|operand| self.operand(*operand)).collect::<Result<_, _>>()?;

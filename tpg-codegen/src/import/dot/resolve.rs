@@ -5,7 +5,7 @@ use super::declared::{Declared, Rank};
 use super::lines::{Lines, ProgramLines, TeamLines};
 use super::program::Meaning;
 use super::statement::{Kind, Located, Node, Statement, Target};
-use crate::error::InputError;
+use crate::error::{InputError, counted};
 use crate::graph::{Document, EdgeDocument, ProgramDocument, TeamDocument};
 use crate::import::sidecar::Sidecar;
 use std::collections::BTreeMap;
@@ -161,7 +161,7 @@ impl Resolver<'_> {
                 (integers, []) => (integers, node.line),
                 ([], reals) => (reals, content.line),
                 _ => {
-                    let accepted = format!("them in one place: on line {} or here", node.line);
+                    let accepted = format!("constants in one place, on line {} or here", node.line);
                     return Err(self.error(content.line, format!("constants of P{number} a second time"), accepted));
                 }
             };
@@ -169,7 +169,7 @@ impl Resolver<'_> {
             let (first, first_line) = *constants_of_first.get_or_insert((constants.len(), line));
             if constants.len() != first {
                 let accepted = format!("as many in each program: {first} on line {first_line}");
-                return Err(self.error(line, format!("{} constants", constants.len()), accepted));
+                return Err(self.error(line, counted(constants.len(), "constant"), accepted));
             }
             let meaning = Meaning { document: self.document, instructions: &instructions, constants };
             let document = meaning.lines(content.lines).map_err(|fault| fault.on(self.file, content.line))?;

@@ -114,6 +114,14 @@ impl<T: Real> Tape<T> {
         self.inputs.first_mut().map_or(&mut [], Vec::as_mut_slice)
     }
 
+    /// The output of a hidden layer, one column a sample.
+    ///
+    /// # Panics
+    /// If there is no such layer.
+    pub fn activations(&self, layer: usize) -> &[T] {
+        &self.inputs[layer + 1]
+    }
+
     /// The network's output, one column a sample.
     pub fn output(&self) -> &[T] {
         &self.output
