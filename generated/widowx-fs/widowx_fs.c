@@ -161,8 +161,10 @@ static uint32_t widowx_fs_team_14(const widowx_fs_state_t *state)
     const float v56 = widowx_fs_negate_if_less(state->polar[1], 229.17769F);
     vertex = (v56 >= best) ? 11U : vertex;
     best = (v56 > best) ? v56 : best;
-    vertex = (0.0F >= best) ? 12U : vertex;
-    best = (0.0F > best) ? 0.0F : best;
+    const volatile float constant = 0.0F;
+    const float zero = constant;
+    vertex = (zero >= best) ? 12U : vertex;
+    best = (zero > best) ? zero : best;
     const float v57 = (-107.57004F) * state->polar[1];
     vertex = (v57 >= best) ? 13U : vertex;
     return vertex;
@@ -213,8 +215,10 @@ static uint32_t widowx_fs_team_21(const widowx_fs_state_t *state)
     const float v14 = state->polar[0] - 0.7582224F;
     vertex = (v14 >= best) ? 28U : vertex;
     best = (v14 > best) ? v14 : best;
-    vertex = (0.0F >= best) ? 15U : vertex;
-    best = (0.0F > best) ? 0.0F : best;
+    const volatile float constant = 0.0F;
+    const float zero = constant;
+    vertex = (zero >= best) ? 15U : vertex;
+    best = (zero > best) ? zero : best;
     const float v48 = state->polar[2] * (-176.74728F);
     vertex = (v48 >= best) ? 16U : vertex;
     best = (v48 > best) ? v48 : best;
@@ -254,7 +258,9 @@ static uint32_t widowx_fs_team_30(const widowx_fs_state_t *state)
     const float v51 = widowx_fs_min(state->polar[0], state->polar[1]);
     vertex = (v51 >= best) ? 28U : vertex;
     best = (v51 > best) ? v51 : best;
-    vertex = (0.0F >= best) ? 33U : vertex;
+    const volatile float constant = 0.0F;
+    const float zero = constant;
+    vertex = (zero >= best) ? 33U : vertex;
     return vertex;
 }
 
@@ -372,8 +378,10 @@ static uint32_t widowx_fs_team_28(const widowx_fs_state_t *state)
     const float v60 = state->polar[2] + (-117.26495F);
     vertex = (v60 >= best) ? 29U : vertex;
     best = (v60 > best) ? v60 : best;
-    vertex = (0.0F >= best) ? 31U : vertex;
-    best = (0.0F > best) ? 0.0F : best;
+    const volatile float constant = 0.0F;
+    const float zero = constant;
+    vertex = (zero >= best) ? 31U : vertex;
+    best = (zero > best) ? zero : best;
     const float v74 = state->polar[0] * 0.87870044F;
     vertex = (v74 >= best) ? 16U : vertex;
     best = (v74 > best) ? v74 : best;
@@ -408,8 +416,10 @@ static uint32_t widowx_fs_team_22(const widowx_fs_state_t *state)
     const float v69 = 2.710111F / v68;
     vertex = (v69 >= best) ? 29U : vertex;
     best = (v69 > best) ? v69 : best;
-    vertex = (0.0F >= best) ? 28U : vertex;
-    best = (0.0F > best) ? 0.0F : best;
+    const volatile float constant = 0.0F;
+    const float zero = constant;
+    vertex = (zero >= best) ? 28U : vertex;
+    best = (zero > best) ? zero : best;
     const float v23 = state->polar[1] / state->polar[1];
     vertex = (v23 >= best) ? 8U : vertex;
     best = (v23 > best) ? v23 : best;
@@ -432,8 +442,10 @@ static uint32_t widowx_fs_team_32(const widowx_fs_state_t *state)
 {
     float best = -FLT_MAX;
     uint32_t vertex = 29U;
-    vertex = (0.0F >= best) ? 31U : vertex;
-    best = (0.0F > best) ? 0.0F : best;
+    const volatile float constant = 0.0F;
+    const float zero = constant;
+    vertex = (zero >= best) ? 31U : vertex;
+    best = (zero > best) ? zero : best;
     const float v14 = state->polar[0] - 0.7582224F;
     vertex = (v14 >= best) ? 28U : vertex;
     best = (v14 > best) ? v14 : best;
@@ -600,8 +612,10 @@ static uint32_t widowx_fs_team_23(const widowx_fs_state_t *state)
     const float v82 = state->polar[0] + (-107.57004F);
     vertex = (v82 >= best) ? 29U : vertex;
     best = (v82 > best) ? v82 : best;
-    vertex = (0.0F >= best) ? 31U : vertex;
-    best = (0.0F > best) ? 0.0F : best;
+    const volatile float constant = 0.0F;
+    const float zero = constant;
+    vertex = (zero >= best) ? 31U : vertex;
+    best = (zero > best) ? zero : best;
     const float v23 = state->polar[1] / state->polar[1];
     vertex = (v23 >= best) ? 8U : vertex;
     best = (v23 > best) ? v23 : best;

@@ -4,7 +4,12 @@
 //! 28 teams (16 on the longest walk), 174 edges, 141 programs, 49 distinct operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
-#![allow(clippy::all, unused_variables, unused_assignments, reason = "evolved expressions need not make sense")]
+#![allow(
+    clippy::all,
+    unused_variables,
+    unused_assignments,
+    reason = "evolved expressions need not make sense"
+)]
 
 use tpg_runtime::arm::Move;
 use tpg_runtime::observation::Source;
@@ -337,13 +342,13 @@ impl Policy for WidowxFs {
         let best = ops::challenge(best, (ops::bid(v57), 13));
         let t27 = best.1;
         let next = [
-            t0, t1, t2, t3, t4, t5, t6, t7, t8, t9, t10, t11, t12, t13, t14, t15, t16, t17, t18, t19, t20, t21, t22,
-            t23, t24, t25, t26, t27,
+            t0, t1, t2, t3, t4, t5, t6, t7, t8, t9, t10, t11, t12, t13, t14, t15, t16, t17, t18,
+            t19, t20, t21, t22, t23, t24, t25, t26, t27,
         ];
-        let mut vertex = 0;
+        let mut vertex = 0_u8;
         for _ in 0..Self::DEPTH {
             // An action is past the end: it leads to itself.
-            vertex = next.get(usize::from(vertex)).copied().unwrap_or(vertex);
+            vertex = next.get(vertex as usize).copied().unwrap_or(vertex);
         }
         ActionId(vertex.wrapping_sub(28) as u16)
     }

@@ -2,7 +2,7 @@
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix widowx_rs --profile fast
  * Graph SHA-256: e03ca780ae182528e6a99c13b83e6fc72c791b0b352167b3af393d1d05d741ce
- * 28 teams (15 on the longest walk), 216 edges, 164 programs, 55 distinct operations.
+ * 28 teams (15 on the longest walk), 214 edges, 163 programs, 55 distinct operations.
  * Computes in f32 with own maths.
  */
 #include "widowx_rs.h"
@@ -56,8 +56,10 @@ static uint32_t widowx_rs_team_0(const widowx_rs_state_t *state)
     const float v12 = state->reach[2] - state->reach_pitch[0];
     vertex = (v12 >= best) ? 4U : vertex;
     best = (v12 > best) ? v12 : best;
-    vertex = (0.0F >= best) ? 28U : vertex;
-    best = (0.0F > best) ? 0.0F : best;
+    const volatile float constant = 0.0F;
+    const float zero = constant;
+    vertex = (zero >= best) ? 28U : vertex;
+    best = (zero > best) ? zero : best;
     const float v5 = state->reach[2] * state->reach_excess[0];
     vertex = (v5 >= best) ? 35U : vertex;
     best = (v5 > best) ? v5 : best;
@@ -107,7 +109,9 @@ static uint32_t widowx_rs_team_11(const widowx_rs_state_t *state)
     const float v36 = widowx_rs_min(state->reach_excess[2], 17.596085F);
     vertex = (v36 >= best) ? 9U : vertex;
     best = (v36 > best) ? v36 : best;
-    vertex = (0.0F >= best) ? 28U : vertex;
+    const volatile float constant = 0.0F;
+    const float zero = constant;
+    vertex = (zero >= best) ? 28U : vertex;
     return vertex;
 }
 
@@ -155,8 +159,10 @@ static uint32_t widowx_rs_team_23(const widowx_rs_state_t *state)
     best = (v12 > best) ? v12 : best;
     vertex = (state->reach[0] >= best) ? 13U : vertex;
     best = (state->reach[0] > best) ? state->reach[0] : best;
-    vertex = (0.0F >= best) ? 28U : vertex;
-    best = (0.0F > best) ? 0.0F : best;
+    const volatile float constant = 0.0F;
+    const float zero = constant;
+    vertex = (zero >= best) ? 28U : vertex;
+    best = (zero > best) ? zero : best;
     const float v25 = state->motors_centred[2] / 99.55378F;
     vertex = (v25 >= best) ? 35U : vertex;
     best = (v25 > best) ? v25 : best;
@@ -203,7 +209,9 @@ static uint32_t widowx_rs_team_5(const widowx_rs_state_t *state)
     const float v22 = widowx_rs_max(state->reach[0], state->reach[2]);
     vertex = (v22 >= best) ? 18U : vertex;
     best = (v22 > best) ? v22 : best;
-    vertex = (0.0F >= best) ? 33U : vertex;
+    const volatile float constant = 0.0F;
+    const float zero = constant;
+    vertex = (zero >= best) ? 33U : vertex;
     return vertex;
 }
 
@@ -258,8 +266,10 @@ static uint32_t widowx_rs_team_12(const widowx_rs_state_t *state)
     const float v33 = widowx_rs_min(81.83404F, state->reach[0]);
     vertex = (v33 >= best) ? 28U : vertex;
     best = (v33 > best) ? v33 : best;
-    vertex = (0.0F >= best) ? 14U : vertex;
-    best = (0.0F > best) ? 0.0F : best;
+    const volatile float constant = 0.0F;
+    const float zero = constant;
+    vertex = (zero >= best) ? 14U : vertex;
+    best = (zero > best) ? zero : best;
     const float v39 = widowx_rs_min(71.53701F, state->reach[1]);
     vertex = (v39 >= best) ? 30U : vertex;
     best = (v39 > best) ? v39 : best;
@@ -280,7 +290,9 @@ static uint32_t widowx_rs_team_29(const widowx_rs_state_t *state)
     const float v52 = state->reach[0] / state->reach_excess[2];
     vertex = (v52 >= best) ? 35U : vertex;
     best = (v52 > best) ? v52 : best;
-    vertex = (0.0F >= best) ? 29U : vertex;
+    const volatile float constant = 0.0F;
+    const float zero = constant;
+    vertex = (zero >= best) ? 29U : vertex;
     return vertex;
 }
 
@@ -291,8 +303,10 @@ static uint32_t widowx_rs_team_21(const widowx_rs_state_t *state)
     const float v54 = state->reach[0] - 7.9593115F;
     vertex = (v54 >= best) ? 28U : vertex;
     best = (v54 > best) ? v54 : best;
-    vertex = (0.0F >= best) ? 33U : vertex;
-    best = (0.0F > best) ? 0.0F : best;
+    const volatile float constant = 0.0F;
+    const float zero = constant;
+    vertex = (zero >= best) ? 33U : vertex;
+    best = (zero > best) ? zero : best;
     const float v39 = widowx_rs_min(71.53701F, state->reach[1]);
     vertex = (v39 >= best) ? 30U : vertex;
     best = (v39 > best) ? v39 : best;
@@ -328,8 +342,10 @@ static uint32_t widowx_rs_team_17(const widowx_rs_state_t *state)
     const float v25 = state->motors_centred[2] / 99.55378F;
     vertex = (v25 >= best) ? 35U : vertex;
     best = (v25 > best) ? v25 : best;
-    vertex = (0.0F >= best) ? 28U : vertex;
-    best = (0.0F > best) ? 0.0F : best;
+    const volatile float constant = 0.0F;
+    const float zero = constant;
+    vertex = (zero >= best) ? 28U : vertex;
+    best = (zero > best) ? zero : best;
     vertex = (state->reach[0] >= best) ? 23U : vertex;
     best = (state->reach[0] > best) ? state->reach[0] : best;
     const float v48 = widowx_rs_max(state->reach_pitch[0], 59.26271F);
@@ -361,7 +377,9 @@ static uint32_t widowx_rs_team_20(const widowx_rs_state_t *state)
     const float v58 = widowx_rs_min(77.8404F, state->reach[0]);
     vertex = (v58 >= best) ? 28U : vertex;
     best = (v58 > best) ? v58 : best;
-    vertex = (0.0F >= best) ? 28U : vertex;
+    const volatile float constant = 0.0F;
+    const float zero = constant;
+    vertex = (zero >= best) ? 28U : vertex;
     return vertex;
 }
 
@@ -387,8 +405,10 @@ static uint32_t widowx_rs_team_16(const widowx_rs_state_t *state)
     const float v65 = state->reach[0] * v64;
     vertex = (v65 >= best) ? 8U : vertex;
     best = (v65 > best) ? v65 : best;
-    vertex = ((-0.0F) >= best) ? 29U : vertex;
-    best = ((-0.0F) > best) ? (-0.0F) : best;
+    const volatile float constant = 0.0F;
+    const float zero = constant;
+    vertex = (zero >= best) ? 29U : vertex;
+    best = (zero > best) ? zero : best;
     const float v22 = widowx_rs_max(state->reach[0], state->reach[2]);
     vertex = (v22 >= best) ? 8U : vertex;
     best = (v22 > best) ? v22 : best;
@@ -401,20 +421,20 @@ static uint32_t widowx_rs_team_27(const widowx_rs_state_t *state)
 {
     float best = -FLT_MAX;
     uint32_t vertex = 24U;
-    vertex = ((-0.0F) >= best) ? 34U : vertex;
-    best = ((-0.0F) > best) ? (-0.0F) : best;
     vertex = (state->reach[0] >= best) ? 28U : vertex;
     best = (state->reach[0] > best) ? state->reach[0] : best;
     const float v18 = 0.0F - state->reach[0];
     vertex = (v18 >= best) ? 7U : vertex;
     best = (v18 > best) ? v18 : best;
-    vertex = (0.0F >= best) ? 29U : vertex;
-    best = (0.0F > best) ? 0.0F : best;
+    const volatile float constant = 0.0F;
+    const float zero = constant;
+    vertex = (zero >= best) ? 29U : vertex;
+    best = (zero > best) ? zero : best;
     const float v25 = state->motors_centred[2] / 99.55378F;
     vertex = (v25 >= best) ? 35U : vertex;
     best = (v25 > best) ? v25 : best;
-    const float v68 = state->reach[0] + state->motors_centred[1];
-    vertex = (v68 >= best) ? 24U : vertex;
+    const float v67 = state->reach[0] + state->motors_centred[1];
+    vertex = (v67 >= best) ? 24U : vertex;
     return vertex;
 }
 
@@ -425,8 +445,10 @@ static uint32_t widowx_rs_team_26(const widowx_rs_state_t *state)
     const float v54 = state->reach[0] - 7.9593115F;
     vertex = (v54 >= best) ? 28U : vertex;
     best = (v54 > best) ? v54 : best;
-    vertex = (0.0F >= best) ? 33U : vertex;
-    best = (0.0F > best) ? 0.0F : best;
+    const volatile float constant = 0.0F;
+    const float zero = constant;
+    vertex = (zero >= best) ? 33U : vertex;
+    best = (zero > best) ? zero : best;
     const float v39 = widowx_rs_min(71.53701F, state->reach[1]);
     vertex = (v39 >= best) ? 30U : vertex;
     best = (v39 > best) ? v39 : best;
@@ -456,11 +478,13 @@ static uint32_t widowx_rs_team_25(const widowx_rs_state_t *state)
     best = (v13 > best) ? v13 : best;
     vertex = (state->reach[0] >= best) ? 28U : vertex;
     best = (state->reach[0] > best) ? state->reach[0] : best;
-    const float v69 = state->reach[1] + state->reach[1];
-    vertex = (v69 >= best) ? 33U : vertex;
-    best = (v69 > best) ? v69 : best;
-    vertex = (0.0F >= best) ? 35U : vertex;
-    best = (0.0F > best) ? 0.0F : best;
+    const float v68 = state->reach[1] + state->reach[1];
+    vertex = (v68 >= best) ? 33U : vertex;
+    best = (v68 > best) ? v68 : best;
+    const volatile float constant = 0.0F;
+    const float zero = constant;
+    vertex = (zero >= best) ? 35U : vertex;
+    best = (zero > best) ? zero : best;
     const float v59 = state->reach[2] + state->reach_pitch[0];
     vertex = (v59 >= best) ? 34U : vertex;
     return vertex;
@@ -470,10 +494,12 @@ static uint32_t widowx_rs_team_24(const widowx_rs_state_t *state)
 {
     float best = -FLT_MAX;
     uint32_t vertex = 31U;
-    const float v69 = state->reach[1] + state->reach[1];
-    vertex = (v69 >= best) ? 33U : vertex;
-    best = (v69 > best) ? v69 : best;
-    vertex = (0.0F >= best) ? 31U : vertex;
+    const float v68 = state->reach[1] + state->reach[1];
+    vertex = (v68 >= best) ? 33U : vertex;
+    best = (v68 > best) ? v68 : best;
+    const volatile float constant = 0.0F;
+    const float zero = constant;
+    vertex = (zero >= best) ? 31U : vertex;
     return vertex;
 }
 
@@ -490,9 +516,9 @@ static uint32_t widowx_rs_team_7(const widowx_rs_state_t *state)
     const float v20 = widowx_rs_max(state->reach[0], state->reach_pitch[0]);
     vertex = (v20 >= best) ? 21U : vertex;
     best = (v20 > best) ? v20 : best;
-    const float v71 = widowx_rs_max(state->motors_centred[3], (-52.018345F));
-    vertex = (v71 >= best) ? 25U : vertex;
-    best = (v71 > best) ? v71 : best;
+    const float v70 = widowx_rs_max(state->motors_centred[3], (-52.018345F));
+    vertex = (v70 >= best) ? 25U : vertex;
+    best = (v70 > best) ? v70 : best;
     const float v15 = widowx_rs_max(state->reach_pitch[0], 82.87463F);
     const float v16 = state->reach[0] * v15;
     vertex = (v16 >= best) ? 28U : vertex;
@@ -500,8 +526,10 @@ static uint32_t widowx_rs_team_7(const widowx_rs_state_t *state)
     const float v58 = widowx_rs_min(77.8404F, state->reach[0]);
     vertex = (v58 >= best) ? 28U : vertex;
     best = (v58 > best) ? v58 : best;
-    vertex = (0.0F >= best) ? 33U : vertex;
-    best = (0.0F > best) ? 0.0F : best;
+    const volatile float constant = 0.0F;
+    const float zero = constant;
+    vertex = (zero >= best) ? 33U : vertex;
+    best = (zero > best) ? zero : best;
     const float v18 = 0.0F - state->reach[0];
     vertex = (v18 >= best) ? 7U : vertex;
     best = (v18 > best) ? v18 : best;
@@ -520,9 +548,9 @@ static uint32_t widowx_rs_team_9(const widowx_rs_state_t *state)
     const float v17 = state->reach[0] - state->reach_pitch[0];
     vertex = (v17 >= best) ? 3U : vertex;
     best = (v17 > best) ? v17 : best;
-    const float v72 = state->reach[2] - state->reach_excess[0];
-    vertex = (v72 >= best) ? 8U : vertex;
-    best = (v72 > best) ? v72 : best;
+    const float v71 = state->reach[2] - state->reach_excess[0];
+    vertex = (v71 >= best) ? 8U : vertex;
+    best = (v71 > best) ? v71 : best;
     const float v12 = state->reach[2] - state->reach_pitch[0];
     vertex = (v12 >= best) ? 6U : vertex;
     best = (v12 > best) ? v12 : best;
@@ -536,8 +564,10 @@ static uint32_t widowx_rs_team_9(const widowx_rs_state_t *state)
     const float v22 = widowx_rs_max(state->reach[0], state->reach[2]);
     vertex = (v22 >= best) ? 8U : vertex;
     best = (v22 > best) ? v22 : best;
-    vertex = (0.0F >= best) ? 28U : vertex;
-    best = (0.0F > best) ? 0.0F : best;
+    const volatile float constant = 0.0F;
+    const float zero = constant;
+    vertex = (zero >= best) ? 28U : vertex;
+    best = (zero > best) ? zero : best;
     const float v25 = state->motors_centred[2] / 99.55378F;
     vertex = (v25 >= best) ? 35U : vertex;
     best = (v25 > best) ? v25 : best;
@@ -547,8 +577,8 @@ static uint32_t widowx_rs_team_9(const widowx_rs_state_t *state)
     const float v37 = widowx_rs_min(state->reach_pitch[0], 17.596085F);
     vertex = (v37 >= best) ? 9U : vertex;
     best = (v37 > best) ? v37 : best;
-    const float v74 = widowx_rs_min(36.712555F, state->reach[1]);
-    vertex = (v74 >= best) ? 30U : vertex;
+    const float v73 = widowx_rs_min(36.712555F, state->reach[1]);
+    vertex = (v73 >= best) ? 30U : vertex;
     return vertex;
 }
 
@@ -559,18 +589,18 @@ static uint32_t widowx_rs_team_6(const widowx_rs_state_t *state)
     const float v25 = state->motors_centred[2] / 99.55378F;
     vertex = (v25 >= best) ? 30U : vertex;
     best = (v25 > best) ? v25 : best;
-    const float v72 = state->reach[2] - state->reach_excess[0];
-    vertex = (v72 >= best) ? 8U : vertex;
-    best = (v72 > best) ? v72 : best;
+    const float v71 = state->reach[2] - state->reach_excess[0];
+    vertex = (v71 >= best) ? 8U : vertex;
+    best = (v71 > best) ? v71 : best;
     const float v12 = state->reach[2] - state->reach_pitch[0];
     vertex = (v12 >= best) ? 32U : vertex;
     best = (v12 > best) ? v12 : best;
     const float v18 = 0.0F - state->reach[0];
     vertex = (v18 >= best) ? 7U : vertex;
     best = (v18 > best) ? v18 : best;
-    const float v74 = widowx_rs_min(36.712555F, state->reach[1]);
-    vertex = (v74 >= best) ? 30U : vertex;
-    best = (v74 > best) ? v74 : best;
+    const float v73 = widowx_rs_min(36.712555F, state->reach[1]);
+    vertex = (v73 >= best) ? 30U : vertex;
+    best = (v73 > best) ? v73 : best;
     const float v26 = fabsf(state->motors_centred[2]);
     const float v27 = widowx_rs_min(v26, state->reach[1]);
     vertex = (v27 >= best) ? 30U : vertex;
@@ -606,12 +636,14 @@ static uint32_t widowx_rs_team_4(const widowx_rs_state_t *state)
     const float v5 = state->reach[2] * state->reach_excess[0];
     vertex = (v5 >= best) ? 35U : vertex;
     best = (v5 > best) ? v5 : best;
-    vertex = (0.0F >= best) ? 1U : vertex;
-    best = (0.0F > best) ? 0.0F : best;
+    const volatile float constant = 0.0F;
+    const float zero = constant;
+    vertex = (zero >= best) ? 1U : vertex;
+    best = (zero > best) ? zero : best;
     const float v20 = widowx_rs_max(state->reach[0], state->reach_pitch[0]);
-    const float v76 = widowx_rs_min(v20, 5.95553F);
-    vertex = (v76 >= best) ? 30U : vertex;
-    best = (v76 > best) ? v76 : best;
+    const float v75 = widowx_rs_min(v20, 5.95553F);
+    vertex = (v75 >= best) ? 30U : vertex;
+    best = (v75 > best) ? v75 : best;
     const float v48 = widowx_rs_max(state->reach_pitch[0], 59.26271F);
     const float v60 = state->reach[0] * v48;
     vertex = (v60 >= best) ? 28U : vertex;
@@ -654,7 +686,9 @@ static uint32_t widowx_rs_team_10(const widowx_rs_state_t *state)
     const float v39 = widowx_rs_min(71.53701F, state->reach[1]);
     vertex = (v39 >= best) ? 30U : vertex;
     best = (v39 > best) ? v39 : best;
-    vertex = (0.0F >= best) ? 24U : vertex;
+    const volatile float constant = 0.0F;
+    const float zero = constant;
+    vertex = (zero >= best) ? 24U : vertex;
     return vertex;
 }
 
@@ -685,8 +719,10 @@ static uint32_t widowx_rs_team_13(const widowx_rs_state_t *state)
     const float v25 = state->motors_centred[2] / 99.55378F;
     vertex = (v25 >= best) ? 26U : vertex;
     best = (v25 > best) ? v25 : best;
-    vertex = ((-0.0F) >= best) ? 29U : vertex;
-    best = ((-0.0F) > best) ? (-0.0F) : best;
+    const volatile float constant = 0.0F;
+    const float zero = constant;
+    vertex = (zero >= best) ? 29U : vertex;
+    best = (zero > best) ? zero : best;
     const float v12 = state->reach[2] - state->reach_pitch[0];
     vertex = (v12 >= best) ? 8U : vertex;
     best = (v12 > best) ? v12 : best;
@@ -704,8 +740,6 @@ static uint32_t widowx_rs_team_22(const widowx_rs_state_t *state)
     const float v55 = state->reach[0] - v48;
     vertex = (v55 >= best) ? 28U : vertex;
     best = (v55 > best) ? v55 : best;
-    vertex = ((-0.0F) >= best) ? 29U : vertex;
-    best = ((-0.0F) > best) ? (-0.0F) : best;
     const float v13 = fabsf(state->reach[0]);
     vertex = (v13 >= best) ? 29U : vertex;
     best = (v13 > best) ? v13 : best;
@@ -724,7 +758,9 @@ static uint32_t widowx_rs_team_22(const widowx_rs_state_t *state)
     const float v45 = widowx_rs_negate_if_less(state->reach_pitch[0], v44);
     vertex = (v45 >= best) ? 15U : vertex;
     best = (v45 > best) ? v45 : best;
-    vertex = (0.0F >= best) ? 28U : vertex;
+    const volatile float constant = 0.0F;
+    const float zero = constant;
+    vertex = (zero >= best) ? 28U : vertex;
     return vertex;
 }
 
@@ -740,16 +776,18 @@ static uint32_t widowx_rs_team_18(const widowx_rs_state_t *state)
     best = (v58 > best) ? v58 : best;
     vertex = (state->reach[0] >= best) ? 28U : vertex;
     best = (state->reach[0] > best) ? state->reach[0] : best;
-    const float v78 = (-190.21367F) - state->reach_pitch[0];
-    vertex = (v78 >= best) ? 34U : vertex;
+    const float v77 = (-190.21367F) - state->reach_pitch[0];
+    vertex = (v77 >= best) ? 34U : vertex;
+    best = (v77 > best) ? v77 : best;
+    const float v67 = state->reach[0] + state->motors_centred[1];
+    vertex = (v67 >= best) ? 24U : vertex;
+    best = (v67 > best) ? v67 : best;
+    const float v78 = widowx_rs_min(state->reach[0], state->motors_centred[1]);
+    vertex = (v78 >= best) ? 27U : vertex;
     best = (v78 > best) ? v78 : best;
-    const float v68 = state->reach[0] + state->motors_centred[1];
-    vertex = (v68 >= best) ? 24U : vertex;
-    best = (v68 > best) ? v68 : best;
-    const float v79 = widowx_rs_min(state->reach[0], state->motors_centred[1]);
-    vertex = (v79 >= best) ? 27U : vertex;
-    best = (v79 > best) ? v79 : best;
-    vertex = (0.0F >= best) ? 28U : vertex;
+    const volatile float constant = 0.0F;
+    const float zero = constant;
+    vertex = (zero >= best) ? 28U : vertex;
     return vertex;
 }
 
@@ -757,11 +795,13 @@ static uint32_t widowx_rs_team_28(const widowx_rs_state_t *state)
 {
     float best = -FLT_MAX;
     uint32_t vertex = 28U;
-    const float v80 = state->reach_pitch[0] - state->motors_centred[2];
-    vertex = (v80 >= best) ? 35U : vertex;
-    best = (v80 > best) ? v80 : best;
-    vertex = (0.0F >= best) ? 34U : vertex;
-    best = (0.0F > best) ? 0.0F : best;
+    const float v79 = state->reach_pitch[0] - state->motors_centred[2];
+    vertex = (v79 >= best) ? 35U : vertex;
+    best = (v79 > best) ? v79 : best;
+    const volatile float constant = 0.0F;
+    const float zero = constant;
+    vertex = (zero >= best) ? 34U : vertex;
+    best = (zero > best) ? zero : best;
     vertex = (state->reach[0] >= best) ? 28U : vertex;
     return vertex;
 }
@@ -791,10 +831,10 @@ static uint32_t widowx_rs_team_8(const widowx_rs_state_t *state)
     const float v20 = widowx_rs_max(state->reach[0], state->reach_pitch[0]);
     vertex = (v20 >= best) ? 21U : vertex;
     best = (v20 > best) ? v20 : best;
-    const float v82 = widowx_rs_min(state->reach_excess[0], state->motors_centred[1]);
-    const float v83 = v82 - state->reach[0];
-    vertex = (v83 >= best) ? 7U : vertex;
-    best = (v83 > best) ? v83 : best;
+    const float v81 = widowx_rs_min(state->reach_excess[0], state->motors_centred[1]);
+    const float v82 = v81 - state->reach[0];
+    vertex = (v82 >= best) ? 7U : vertex;
+    best = (v82 > best) ? v82 : best;
     const float v58 = widowx_rs_min(77.8404F, state->reach[0]);
     vertex = (v58 >= best) ? 28U : vertex;
     best = (v58 > best) ? v58 : best;
@@ -807,17 +847,19 @@ static uint32_t widowx_rs_team_14(const widowx_rs_state_t *state)
 {
     float best = -FLT_MAX;
     uint32_t vertex = 8U;
-    vertex = (0.0F >= best) ? 33U : vertex;
-    best = (0.0F > best) ? 0.0F : best;
+    const volatile float constant = 0.0F;
+    const float zero = constant;
+    vertex = (zero >= best) ? 33U : vertex;
+    best = (zero > best) ? zero : best;
     const float v25 = state->motors_centred[2] / 99.55378F;
     vertex = (v25 >= best) ? 35U : vertex;
     best = (v25 > best) ? v25 : best;
     const float v39 = widowx_rs_min(71.53701F, state->reach[1]);
     vertex = (v39 >= best) ? 30U : vertex;
     best = (v39 > best) ? v39 : best;
-    const float v84 = state->reach[0] * state->reach_pitch[0];
-    vertex = (v84 >= best) ? 8U : vertex;
-    best = (v84 > best) ? v84 : best;
+    const float v83 = state->reach[0] * state->reach_pitch[0];
+    vertex = (v83 >= best) ? 8U : vertex;
+    best = (v83 > best) ? v83 : best;
     const float v18 = 0.0F - state->reach[0];
     vertex = (v18 >= best) ? 7U : vertex;
     best = (v18 > best) ? v18 : best;
@@ -838,7 +880,9 @@ static uint32_t widowx_rs_team_19(const widowx_rs_state_t *state)
     best = (v13 > best) ? v13 : best;
     vertex = (state->reach[0] >= best) ? 28U : vertex;
     best = (state->reach[0] > best) ? state->reach[0] : best;
-    vertex = (0.0F >= best) ? 30U : vertex;
+    const volatile float constant = 0.0F;
+    const float zero = constant;
+    vertex = (zero >= best) ? 30U : vertex;
     return vertex;
 }
 

@@ -2,7 +2,7 @@
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix widowx_rs --profile fast
  * Graph SHA-256: e03ca780ae182528e6a99c13b83e6fc72c791b0b352167b3af393d1d05d741ce
- * 28 teams (15 on the longest walk), 216 edges, 164 programs, 55 distinct operations.
+ * 28 teams (15 on the longest walk), 214 edges, 163 programs, 55 distinct operations.
  * Computes in f32 with own maths.
  */
 #ifndef WIDOWX_RS_H

@@ -1,10 +1,15 @@
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix widowx_rs --profile constant-time
 //! Graph SHA-256: e03ca780ae182528e6a99c13b83e6fc72c791b0b352167b3af393d1d05d741ce
-//! 28 teams (15 on the longest walk), 216 edges, 164 programs, 55 distinct operations.
+//! 28 teams (15 on the longest walk), 214 edges, 163 programs, 55 distinct operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
-#![allow(clippy::all, unused_variables, unused_assignments, reason = "evolved expressions need not make sense")]
+#![allow(
+    clippy::all,
+    unused_variables,
+    unused_assignments,
+    reason = "evolved expressions need not make sense"
+)]
 
 use tpg_runtime::arm::Move;
 use tpg_runtime::observation::Source;
@@ -39,7 +44,12 @@ impl WidowxRs {
     /// Teams on the longest walk.
     pub const DEPTH: usize = 15;
     /// The arm's sources that make up a state, in order.
-    pub const SOURCES: [Source; 4] = [Source::Reach, Source::ReachExcess, Source::ReachPitch, Source::MotorsCentred];
+    pub const SOURCES: [Source; 4] = [
+        Source::Reach,
+        Source::ReachExcess,
+        Source::ReachPitch,
+        Source::MotorsCentred,
+    ];
     /// What each action moves, in motor ticks.
     pub const MOVES: [Move; 8] = [
         Move([3, 0, 0, 0]),
@@ -101,18 +111,18 @@ impl Policy for WidowxRs {
         let v63 = s[4] / s[10];
         let v64 = v48 - v63;
         let v65 = s[0] * v64;
-        let v68 = s[0] + s[8];
-        let v69 = s[1] + s[1];
-        let v71 = ops::max(s[10], -52.018345_f32);
-        let v72 = s[2] - s[3];
-        let v74 = ops::min(36.712555_f32, s[1]);
-        let v76 = ops::min(v20, 5.95553_f32);
-        let v78 = -190.21367_f32 - s[6];
-        let v79 = ops::min(s[0], s[8]);
-        let v80 = s[6] - s[9];
-        let v82 = ops::min(s[3], s[8]);
-        let v83 = v82 - s[0];
-        let v84 = s[0] * s[6];
+        let v67 = s[0] + s[8];
+        let v68 = s[1] + s[1];
+        let v70 = ops::max(s[10], -52.018345_f32);
+        let v71 = s[2] - s[3];
+        let v73 = ops::min(36.712555_f32, s[1]);
+        let v75 = ops::min(v20, 5.95553_f32);
+        let v77 = -190.21367_f32 - s[6];
+        let v78 = ops::min(s[0], s[8]);
+        let v79 = s[6] - s[9];
+        let v81 = ops::min(s[3], s[8]);
+        let v82 = v81 - s[0];
+        let v83 = s[0] * s[6];
 
         // Where each team leads: teams are numbered from 0, the root, and the actions follow them.
         // Team 0
@@ -230,17 +240,16 @@ impl Policy for WidowxRs {
         let best = ops::challenge(best, (ops::bid(v37), 9));
         let best = ops::challenge(best, (ops::bid(v61), 7));
         let best = ops::challenge(best, (ops::bid(v65), 8));
-        let best = ops::challenge(best, (ops::bid(-0.0_f32), 29));
+        let best = ops::challenge(best, (ops::bid(0.0_f32), 29));
         let best = ops::challenge(best, (ops::bid(v22), 8));
         let best = ops::challenge(best, (ops::bid(v39), 30));
         let t11 = best.1;
         // Team 27
-        let best = (ops::bid(-0.0_f32), 34_u8);
-        let best = ops::challenge(best, (ops::bid(s[0]), 28));
+        let best = (ops::bid(s[0]), 28_u8);
         let best = ops::challenge(best, (ops::bid(v18), 7));
         let best = ops::challenge(best, (ops::bid(0.0_f32), 29));
         let best = ops::challenge(best, (ops::bid(v25), 35));
-        let best = ops::challenge(best, (ops::bid(v68), 24));
+        let best = ops::challenge(best, (ops::bid(v67), 24));
         let t12 = best.1;
         // Team 26
         let best = (ops::bid(v54), 28_u8);
@@ -255,19 +264,19 @@ impl Policy for WidowxRs {
         // Team 25
         let best = (ops::bid(v13), 29_u8);
         let best = ops::challenge(best, (ops::bid(s[0]), 28));
-        let best = ops::challenge(best, (ops::bid(v69), 33));
+        let best = ops::challenge(best, (ops::bid(v68), 33));
         let best = ops::challenge(best, (ops::bid(0.0_f32), 35));
         let best = ops::challenge(best, (ops::bid(v59), 34));
         let t14 = best.1;
         // Team 24
-        let best = (ops::bid(v69), 33_u8);
+        let best = (ops::bid(v68), 33_u8);
         let best = ops::challenge(best, (ops::bid(0.0_f32), 31));
         let t15 = best.1;
         // Team 7
         let best = (ops::bid(v39), 30_u8);
         let best = ops::challenge(best, (ops::bid(v25), 20));
         let best = ops::challenge(best, (ops::bid(v20), 21));
-        let best = ops::challenge(best, (ops::bid(v71), 25));
+        let best = ops::challenge(best, (ops::bid(v70), 25));
         let best = ops::challenge(best, (ops::bid(v16), 28));
         let best = ops::challenge(best, (ops::bid(v58), 28));
         let best = ops::challenge(best, (ops::bid(0.0_f32), 33));
@@ -277,7 +286,7 @@ impl Policy for WidowxRs {
         let t16 = best.1;
         // Team 9
         let best = (ops::bid(v17), 3_u8);
-        let best = ops::challenge(best, (ops::bid(v72), 8));
+        let best = ops::challenge(best, (ops::bid(v71), 8));
         let best = ops::challenge(best, (ops::bid(v12), 6));
         let best = ops::challenge(best, (ops::bid(v18), 7));
         let best = ops::challenge(best, (ops::bid(v27), 30));
@@ -286,14 +295,14 @@ impl Policy for WidowxRs {
         let best = ops::challenge(best, (ops::bid(v25), 35));
         let best = ops::challenge(best, (ops::bid(v39), 30));
         let best = ops::challenge(best, (ops::bid(v37), 9));
-        let best = ops::challenge(best, (ops::bid(v74), 30));
+        let best = ops::challenge(best, (ops::bid(v73), 30));
         let t17 = best.1;
         // Team 6
         let best = (ops::bid(v25), 30_u8);
-        let best = ops::challenge(best, (ops::bid(v72), 8));
+        let best = ops::challenge(best, (ops::bid(v71), 8));
         let best = ops::challenge(best, (ops::bid(v12), 32));
         let best = ops::challenge(best, (ops::bid(v18), 7));
-        let best = ops::challenge(best, (ops::bid(v74), 30));
+        let best = ops::challenge(best, (ops::bid(v73), 30));
         let best = ops::challenge(best, (ops::bid(v27), 30));
         let best = ops::challenge(best, (ops::bid(v22), 8));
         let best = ops::challenge(best, (ops::bid(v29), 9));
@@ -306,7 +315,7 @@ impl Policy for WidowxRs {
         let best = ops::challenge(best, (ops::bid(v16), 28));
         let best = ops::challenge(best, (ops::bid(v5), 35));
         let best = ops::challenge(best, (ops::bid(0.0_f32), 1));
-        let best = ops::challenge(best, (ops::bid(v76), 30));
+        let best = ops::challenge(best, (ops::bid(v75), 30));
         let best = ops::challenge(best, (ops::bid(v60), 28));
         let best = ops::challenge(best, (ops::bid(v50), 28));
         let best = ops::challenge(best, (ops::bid(s[0]), 28));
@@ -332,13 +341,12 @@ impl Policy for WidowxRs {
         let best = ops::challenge(best, (ops::bid(v17), 3));
         let best = ops::challenge(best, (ops::bid(s[0]), 13));
         let best = ops::challenge(best, (ops::bid(v25), 26));
-        let best = ops::challenge(best, (ops::bid(-0.0_f32), 29));
+        let best = ops::challenge(best, (ops::bid(0.0_f32), 29));
         let best = ops::challenge(best, (ops::bid(v12), 8));
         let best = ops::challenge(best, (ops::bid(v16), 28));
         let t21 = best.1;
         // Team 22
         let best = (ops::bid(v55), 28_u8);
-        let best = ops::challenge(best, (ops::bid(-0.0_f32), 29));
         let best = ops::challenge(best, (ops::bid(v13), 29));
         let best = ops::challenge(best, (ops::bid(v60), 28));
         let best = ops::challenge(best, (ops::bid(s[0]), 28));
@@ -351,13 +359,13 @@ impl Policy for WidowxRs {
         let best = (ops::bid(v18), 7_u8);
         let best = ops::challenge(best, (ops::bid(v58), 28));
         let best = ops::challenge(best, (ops::bid(s[0]), 28));
-        let best = ops::challenge(best, (ops::bid(v78), 34));
-        let best = ops::challenge(best, (ops::bid(v68), 24));
-        let best = ops::challenge(best, (ops::bid(v79), 27));
+        let best = ops::challenge(best, (ops::bid(v77), 34));
+        let best = ops::challenge(best, (ops::bid(v67), 24));
+        let best = ops::challenge(best, (ops::bid(v78), 27));
         let best = ops::challenge(best, (ops::bid(0.0_f32), 28));
         let t23 = best.1;
         // Team 28
-        let best = (ops::bid(v80), 35_u8);
+        let best = (ops::bid(v79), 35_u8);
         let best = ops::challenge(best, (ops::bid(0.0_f32), 34));
         let best = ops::challenge(best, (ops::bid(s[0]), 28));
         let t24 = best.1;
@@ -369,7 +377,7 @@ impl Policy for WidowxRs {
         let best = ops::challenge(best, (ops::bid(v37), 9));
         let best = ops::challenge(best, (ops::bid(0.05277237_f32), 35));
         let best = ops::challenge(best, (ops::bid(v20), 21));
-        let best = ops::challenge(best, (ops::bid(v83), 7));
+        let best = ops::challenge(best, (ops::bid(v82), 7));
         let best = ops::challenge(best, (ops::bid(v58), 28));
         let best = ops::challenge(best, (ops::bid(v18), 7));
         let t25 = best.1;
@@ -377,7 +385,7 @@ impl Policy for WidowxRs {
         let best = (ops::bid(0.0_f32), 33_u8);
         let best = ops::challenge(best, (ops::bid(v25), 35));
         let best = ops::challenge(best, (ops::bid(v39), 30));
-        let best = ops::challenge(best, (ops::bid(v84), 8));
+        let best = ops::challenge(best, (ops::bid(v83), 8));
         let best = ops::challenge(best, (ops::bid(v18), 7));
         let best = ops::challenge(best, (ops::bid(v37), 9));
         let best = ops::challenge(best, (ops::bid(v12), 8));
@@ -388,13 +396,13 @@ impl Policy for WidowxRs {
         let best = ops::challenge(best, (ops::bid(0.0_f32), 30));
         let t27 = best.1;
         let next = [
-            t0, t1, t2, t3, t4, t5, t6, t7, t8, t9, t10, t11, t12, t13, t14, t15, t16, t17, t18, t19, t20, t21, t22,
-            t23, t24, t25, t26, t27,
+            t0, t1, t2, t3, t4, t5, t6, t7, t8, t9, t10, t11, t12, t13, t14, t15, t16, t17, t18,
+            t19, t20, t21, t22, t23, t24, t25, t26, t27,
         ];
-        let mut vertex = 0;
+        let mut vertex = 0_u8;
         for _ in 0..Self::DEPTH {
             // An action is past the end: it leads to itself.
-            vertex = next.get(usize::from(vertex)).copied().unwrap_or(vertex);
+            vertex = next.get(vertex as usize).copied().unwrap_or(vertex);
         }
         ActionId(vertex.wrapping_sub(28) as u16)
     }
