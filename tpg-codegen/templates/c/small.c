@@ -21,7 +21,9 @@ static {{ scalar }} {{ prefix }}_run({{ scalar }} frame[], uint32_t program)
     for (place = begin; place < end; place++) {
         const {{ code.kind }} instruction = code[place];
         const {{ scalar }} a = frame[instruction & {{ operand_mask }}U];
+{%- if two_operands %}
         const {{ scalar }} b = frame[(uint32_t)(instruction >> {{ operand_bits }}) & {{ operand_mask }}U];
+{%- endif %}
 
         switch ((uint32_t)(instruction >> {{ operand_bits * 2 }})) {
 {%- for case in cases %}
