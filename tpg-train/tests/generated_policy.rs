@@ -1,6 +1,6 @@
 //! The committed policy in integers: made again it has the same bytes, and its constants answer as its file does.
 
-#[path = "../../generated/widowx-rs/policy.rs"]
+#[path = "../../generated/widowx-sac/policy.rs"]
 #[allow(unreachable_pub, reason = "it is a module of users' crates")]
 mod network;
 
@@ -22,7 +22,7 @@ use tpg_train::targets::{Set, Start, tasks};
 const ARM: Arm<f32> = WIDOWX.to_f32();
 
 fn generated(name: &str) -> PathBuf {
-    [env!("CARGO_MANIFEST_DIR"), "../generated/widowx-rs", name].iter().collect()
+    [env!("CARGO_MANIFEST_DIR"), "../generated/widowx-sac", name].iter().collect()
 }
 
 fn policy() -> QuantisedPolicy {
