@@ -1,7 +1,8 @@
 //! This project's own trained policies, compiled by `tpg-codegen`.
 //!
 //! Each folder holds a policy's `graph.json`, the C and Rust made of it, and `PROVENANCE.md`: how it was trained and how
-//! well it does. A test fails when regenerating gives other bytes.
+//! well it does. `widowx-sac` is a soft actor-critic's network instead: its weights, the same in integers, and the Rust
+//! constants of those. Tests fail when regenerating gives other bytes.
 //!
 //! ```
 //! use tpg_generated::widowx_fs::WidowxFs;
@@ -23,3 +24,5 @@
 pub mod widowx_fs;
 #[path = "widowx-rs/widowx_rs.rs"]
 pub mod widowx_rs;
+#[path = "widowx-sac/policy.rs"]
+pub mod widowx_sac;

@@ -17,6 +17,11 @@ const TOLERANCE: f64 = 4.0;
 /// The free poses that put the hand on `target` (mm), for 144 pitches of the hand, both sides of the base and both
 /// bends of the elbow: none where the target is out of reach, 576 at most. In a fixed order.
 pub fn goals(arm: &Arm<f64>, target: [f64; 3]) -> Vec<Pose> {
+    goals_of_pitches(arm, target, PITCHES)
+}
+
+/// [`goals`] for another number of pitches: a target at the rim of the space may need one between the 144.
+pub fn goals_of_pitches(arm: &Arm<f64>, target: [f64; 3], pitches: u32) -> Vec<Pose> {
     let [x, y, z] = target;
     let range = x.hypot(y);
     let front = libm::atan2(-x, y);
@@ -24,8 +29,8 @@ pub fn goals(arm: &Arm<f64>, target: [f64; 3]) -> Vec<Pose> {
     let mut goals = Vec::new();
     // The arm plane's x runs against the radius: in front of the base it is negative.
     for (base, plane_x) in [(front, -range), (back, range)] {
-        for pitch in 0..PITCHES {
-            let hand = TAU * f64::from(pitch) / f64::from(PITCHES);
+        for pitch in 0..pitches {
+            let hand = TAU * f64::from(pitch) / f64::from(pitches);
             let wrist = (plane_x - arm.links.hand * libm::cos(hand), z - arm.links.hand * libm::sin(hand));
             for (upper_arm, forearm) in two_links(arm, wrist).into_iter().flatten() {
                 let pose =

@@ -28,6 +28,10 @@ pub struct Planner<'a> {
     solved: RefCell<([f64; 3], Vec<Pose>)>,
 }
 
+/// Pitches of the hand that are tried; the second number where the first finds nothing.
+const PITCHES: u32 = 144;
+const FINE_PITCHES: u32 = 2880;
+
 /// The most a motor moves in a step, ticks.
 const STEP: i16 = 3;
 
@@ -42,7 +46,11 @@ impl<'a> Planner<'a> {
             // A little less than the tolerance: episodes may be run in single precision.
             kinematics::distance(kinematics::hand(self.arm, *pose), target) < 0.95 * TOLERANCE
         };
-        ik::goals(self.arm, target).into_iter().filter(reaches).collect()
+        let solve = |pitches| -> Vec<Pose> {
+            ik::goals_of_pitches(self.arm, target, pitches).into_iter().filter(reaches).collect()
+        };
+        let goals = solve(PITCHES);
+        if goals.is_empty() { solve(FINE_PITCHES) } else { goals }
     }
 
     /// Whether a walk from `pose` to `goal` does only valid steps. (It stays within the ranges: both ends do.)

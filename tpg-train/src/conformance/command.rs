@@ -1,10 +1,12 @@
 //! `tpg-train replay`: recorded episodes, done again and compared.
 
+use super::actor::RecordedActor;
 use super::binding::Binding;
 use super::chain::Chain;
-use super::data;
+use super::data::{self, ByRow, Task};
 use super::episode::Rules;
-use super::replay::{self, Comparison};
+use super::replay::{self, Comparison, Done};
+use super::sac;
 use crate::cli::{CliError, Verdict};
 use clap::{Args, ValueEnum};
 use serde::Serialize;
@@ -21,8 +23,17 @@ use tpg_runtime::arm::WIDOWX;
 #[derive(Clone, Debug, Args)]
 pub struct ReplayArgs {
     /// The policy: a graph.json or a GEGELATI .dot file; - for standard input
-    #[arg(long, value_name = "FILE")]
-    graph: PathBuf,
+    #[arg(long, value_name = "FILE", required_unless_present = "actor", conflicts_with = "actor")]
+    graph: Option<PathBuf>,
+    /// The policy: a recorded actor's weights
+    #[arg(long, value_name = "F32", requires = "layout")]
+    actor: Option<PathBuf>,
+    /// What the actor's weights mean
+    #[arg(long, value_name = "JSON", requires = "actor")]
+    layout: Option<PathBuf>,
+    /// An invalid action ends an actor's episode
+    #[arg(long, requires = "actor")]
+    end_at_collision: bool,
     /// A built-in description of what a .dot file lacks
     #[arg(long, value_name = "NAME", conflicts_with = "sidecar")]
     profile_of: Option<import::Profile>,
@@ -73,6 +84,16 @@ impl Problem {
     }
 }
 
+impl Problem {
+    /// The actions that an episode of an actor could take.
+    pub const fn max_actor_actions(self) -> u32 {
+        match self {
+            Self::Fs => 1000,
+            Self::Rs => 2000,
+        }
+    }
+}
+
 /// Who decides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum EngineArg {
@@ -116,16 +137,19 @@ impl ReplayArgs {
     /// # Errors
     /// Bad input, or an engine that fails.
     pub fn run(&self) -> Result<Verdict, CliError> {
-        let graph = import::load(&self.graph, self.profile_of, self.sidecar.as_deref())?;
-        let binding = Binding::of(&self.graph.display().to_string(), &graph)?;
         let tasks = data::tasks(&self.targets)?;
-        let ends = self.ends.as_deref().map(|path| data::ends(path, &tasks)).transpose()?;
+        let mut ends = self.ends.as_deref().map(|path| data::ends(path, &tasks)).transpose()?;
         let traces = self.trace.as_deref().map(|path| data::traces(path, &tasks)).transpose()?;
 
-        let rules = Rules { max_actions: self.problem.max_actions(), tolerance: self.tolerance_mm };
-        let mut engine = self.engine.start(&self.graph, &graph)?;
-        let chain = Chain::new(WIDOWX);
-        let done = replay::run(&chain, rules, &tasks, &binding, engine.as_mut()).map_err(CliError::other)?;
+        let (policy, engine, done) = match (&self.graph, &self.actor, &self.layout) {
+            (Some(graph), ..) => self.of_graph(graph, &tasks)?,
+            (None, Some(actor), Some(layout)) => {
+                // No action of an actor's episode is a TPG's.
+                ends.iter_mut().flat_map(|ends| ends.values_mut()).for_each(|end| end.tpg_actions = None);
+                self.of_actor(actor, layout, &tasks)?
+            }
+            _ => return Err(CliError::other("neither --graph nor --actor with --layout")),
+        };
         let comparisons: Vec<Comparison> = (ends.iter().map(|ends| replay::compare_ends(ends, &done)))
             .chain(traces.iter().map(|traces| replay::compare_traces(traces, &done)))
             .collect();
@@ -136,14 +160,37 @@ impl ReplayArgs {
             }
         }
         let exact = comparisons.iter().all(Comparison::is_exact);
-        let report = Report {
-            graph: self.graph.display().to_string(),
-            problem: self.problem,
-            engine: engine.name().to_owned(),
-            comparisons,
-        };
+        let report = Report { graph: policy, problem: self.problem, engine, comparisons };
         report.print(self.json).map_err(CliError::other)?;
         Ok(if exact { Verdict::Good } else { Verdict::Failed })
+    }
+
+    /// The policy's name, who decided, and the episodes.
+    fn of_graph(&self, path: &Path, tasks: &ByRow<Task>) -> Result<(String, String, ByRow<Done>), CliError> {
+        let graph = import::load(path, self.profile_of, self.sidecar.as_deref())?;
+        let name = path.display().to_string();
+        let binding = Binding::of(&name, &graph)?;
+        let rules = Rules { max_actions: self.problem.max_actions(), tolerance: self.tolerance_mm };
+        let mut engine = self.engine.start(path, &graph)?;
+        let chain = Chain::new(WIDOWX);
+        let done = replay::run(&chain, rules, tasks, &binding, engine.as_mut()).map_err(CliError::other)?;
+        Ok((name, engine.name().to_owned(), done))
+    }
+
+    fn of_actor(
+        &self,
+        weights: &Path,
+        layout: &Path,
+        tasks: &ByRow<Task>,
+    ) -> Result<(String, String, ByRow<Done>), CliError> {
+        let actor = RecordedActor::read(weights, layout)?;
+        let rules = sac::Rules {
+            max_actions: self.problem.max_actor_actions(),
+            tolerance: self.tolerance_mm,
+            end_at_collision: self.end_at_collision,
+        };
+        let done = sac::run(&Chain::new(WIDOWX), rules, tasks, &actor);
+        Ok((weights.display().to_string(), "actor".to_owned(), done))
     }
 }
 

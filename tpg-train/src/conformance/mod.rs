@@ -13,11 +13,15 @@
 //! | [`episode`] | an episode as the artifact kept its books |
 //! | [`data`] | the recorded files |
 //! | [`binding`] | a graph's sources and actions in terms of the arm |
+//! | [`sac`] | the recorded actors' episodes |
+//! | [`actor`] | a recorded actor: its file, its answers |
+//! | [`torch_random`] | PyTorch's random numbers |
 //! | [`replay`] | all rows of a file in lockstep, compared with what was recorded |
 //! | [`fk`] | forward kinematics and collisions against recorded values, the runtime's fast paths too |
 //! | [`clearance`] | how near an arm is to changing its collision answer |
 //! | [`command`] | `tpg-train replay` |
 
+pub mod actor;
 pub mod binding;
 pub mod chain;
 pub mod clearance;
@@ -27,3 +31,5 @@ pub mod episode;
 pub mod fk;
 pub mod plane;
 pub mod replay;
+pub mod sac;
+pub mod torch_random;

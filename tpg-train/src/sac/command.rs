@@ -2,7 +2,7 @@
 //!
 //! The folder holds `config.toml` (what was asked for), `log.csv` and `log.jsonl` (a row for each validation, without a
 //! clock: equal runs have equal logs), `time.json` (what it cost), `checkpoint.safetensors`, and, from the first
-//! validation on, `policy.safetensors`: the best candidate so far.
+//! validation on, `policy.safetensors`: the best candidate so far, and at the end the last one.
 
 use super::checkpoint;
 use super::config::{Config, PRESETS};

@@ -231,11 +231,13 @@ impl Training {
         ActorPolicy::new(&self.agent.actor.network, &self.config.actor)
     }
 
-    /// Puts the actor as it stands to the validation tasks, and keeps it if it is the best so far.
+    /// Puts the actor as it stands to the validation tasks, and keeps it if it is the best so far. The last actor of a
+    /// finished run is kept whatever its score: its rate has fallen to almost nothing, and the best of many noisy scores
+    /// is mostly lucky (measured: chosen at 99.6 %, it did 98.5 % on fresh tasks, the last one 98.7 %).
     pub fn validate(&mut self, validation: &ValidationTasks) -> Vec<Trial> {
         let trials = validation.run(&self.policy());
         let score = trials.iter().zip(&validation.weights).map(|(trial, weight)| trial.success_rate * weight).sum();
-        if self.best.as_ref().is_none_or(|best| score >= best.score) {
+        if self.finished() || self.best.as_ref().is_none_or(|best| score >= best.score) {
             let actor = self.agent.actor.network.clone();
             self.best = Some(Best { score, decisions: self.decisions, actor });
         }

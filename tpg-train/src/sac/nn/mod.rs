@@ -10,7 +10,7 @@
 //!
 //! [`Kernel::Fast`] is nalgebra's product by the crate `matrixmultiply`, which picks its kernel by the CPU it finds:
 //! with and without fused multiply-add the last bits differ. It gives the same bits for the same seed on CPUs of one
-//! family only. [`Kernel::Portable`] adds in one order without fusing: the same bits everywhere, at about a third of
+//! family only. [`Kernel::Portable`] adds in one order without fusing: the same bits everywhere, at about a fifth of
 //! the speed. Everything else here is portable: transcendental functions come from the crate `libm`, not from the
 //! platform.
 

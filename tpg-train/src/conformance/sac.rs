@@ -1,0 +1,67 @@
+//! The paper's trained actors, replayed: stochastic episodes whose noise comes from PyTorch's generator, seeded with the
+//! row's number.
+
+use super::actor::RecordedActor;
+use super::chain::Chain;
+use super::data::{ByRow, Task};
+use super::episode::EndState;
+use super::plane;
+use super::replay::Done;
+use super::torch_random::TorchRandom;
+use tpg_runtime::observation::Observation;
+
+/// What all SAC episodes of a run have in common.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rules {
+    /// After this many actions an episode is over.
+    pub max_actions: u32,
+    /// The hand is at its target when it is nearer than this, mm.
+    pub tolerance: f64,
+    /// Whether an invalid action ends the episode.
+    pub end_at_collision: bool,
+}
+
+/// The reward of the step that reaches the target (`bonusSuccess` of the SAC runs).
+const REWARD_FOR_SUCCESS: f64 = 100.0;
+/// The reward for an invalid step.
+const REWARD_FOR_COLLISION: f64 = -10.0;
+/// Times the distance, in every other step.
+const REWARD_PER_MM: f64 = -0.1;
+
+/// Lets an actor do every task.
+pub fn run(chain: &Chain, rules: Rules, tasks: &ByRow<Task>, actor: &RecordedActor) -> ByRow<Done> {
+    tasks.iter().map(|(&row, task)| (row, episode(chain, rules, row, task, actor))).collect()
+}
+
+fn episode(chain: &Chain, rules: Rules, row: u32, task: &Task, actor: &RecordedActor) -> Done {
+    let arm = chain.arm();
+    let mut random = TorchRandom::new(row.into());
+    let mut seen = Observation::new(arm, task.start, chain.hand(task.start), task.target);
+    let (mut poses, mut score) = (Vec::new(), 0.0f64);
+    loop {
+        let wanted = actor.act(&seen, &mut random);
+        let step = arm.step_with(seen.pose, wanted, |pose| plane::collision(arm, pose));
+        seen = Observation::new(arm, step.pose, chain.hand(step.pose), task.target);
+        poses.push(step.pose);
+        let (distance, collision) = (seen.distance(), step.invalid.is_some());
+        let success = distance < rules.tolerance;
+        score += match (success, collision) {
+            (true, _) => REWARD_FOR_SUCCESS,
+            (false, false) => REWARD_PER_MM * distance,
+            (false, true) if rules.end_at_collision => REWARD_FOR_COLLISION,
+            (false, true) => REWARD_PER_MM * distance + REWARD_FOR_COLLISION,
+        };
+        let actions = poses.len() as u32;
+        if success || (collision && rules.end_at_collision) || actions >= rules.max_actions {
+            let thousandths = |value: f64| (1000.0 * value) as i64;
+            let end = EndState {
+                score_x1000: thousandths(score),
+                distance_um: thousandths(distance),
+                success,
+                collision,
+                actions,
+            };
+            return Done { poses, end };
+        }
+    }
+}
