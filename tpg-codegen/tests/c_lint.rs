@@ -10,7 +10,7 @@ use std::process::Command;
 use tempfile::TempDir;
 use tpg_codegen::emit::{Language, Style};
 use tpg_codegen::graph::Graph;
-use tpg_codegen::sample::{self, Shape};
+use tpg_codegen::sample::{self, Constants, Shape};
 
 const WARNINGS: [&str; 13] = [
     "-O2",
@@ -43,7 +43,10 @@ const TIDY: &str = "-*,bugprone-*,cert-*,clang-analyzer-*,-bugprone-easily-swapp
 fn everywhere(mut check: impl FnMut(&Path)) {
     let fixtures = COMBINATIONS.iter().map(|&(scalar, maths)| fixture(scalar, maths));
     let random = (1..=2).map(|seed| sample::graph(&Shape::random(seed), seed));
-    for graph in fixtures.chain(random) {
+    // More teams than one switch takes, which passes leave as they are.
+    let many =
+        Shape { teams: 70, edges: 2..=4, lines: 6..=9, registers: 2, constants: Constants::None, ..Shape::default() };
+    for graph in fixtures.chain(random).chain([sample::graph(&many, 1)]) {
         for shape in SHAPES {
             let folder = TempDir::new().expect("a temporary folder");
             emit_into(folder.path(), &graph, Language::C, &shaped("arm", shape));

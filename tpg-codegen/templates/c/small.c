@@ -21,8 +21,13 @@ static {{ scalar }} {{ prefix }}_run({{ scalar }} frame[], uint32_t program)
     for (place = begin; place < end; place++) {
         const {{ code.kind }} instruction = code[place];
         const {{ scalar }} a = frame[instruction & {{ operand_mask }}U];
+{%- if two_operands %}
         const {{ scalar }} b = frame[(uint32_t)(instruction >> {{ operand_bits }}) & {{ operand_mask }}U];
+{%- endif %}
 
+{%- if let [case] = cases.as_slice() %}
+        result = {{ case.expression }};
+{%- else %}
         switch ((uint32_t)(instruction >> {{ operand_bits * 2 }})) {
 {%- for case in cases %}
 {%- if loop.last %}
@@ -34,6 +39,7 @@ static {{ scalar }} {{ prefix }}_run({{ scalar }} frame[], uint32_t program)
             break;
 {%- endfor %}
         }
+{%- endif %}
         frame[({{ first_result }}U + place) - begin] = result;
     }
     return result;

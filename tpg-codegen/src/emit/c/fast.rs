@@ -5,7 +5,8 @@
 //! is none, nobody wins, which is how the team's last edge does. No bid needs a test for NaN.
 
 use super::expression::Printer;
-use super::vertex;
+use super::{vertex, walk};
+use crate::emit::Style;
 use crate::graph::ScalarType;
 use crate::ir::{Module, Node, NodeId, needed};
 use crate::passes::schedule::{Bid, LazyBid, Plan, Schedule};
@@ -16,11 +17,12 @@ use std::collections::BTreeSet;
 #[template(path = "c/fast.c", escape = "none")]
 struct Fast<'a> {
     prefix: &'a str,
-    upper: &'a str,
     scalar: &'a str,
     lowest: &'a str,
     vertex: &'a str,
     teams: Vec<TeamView>,
+    /// The entry point.
+    walk: String,
 }
 
 struct TeamView {
@@ -58,11 +60,11 @@ struct LazyView {
 pub(super) fn render(printer: &Printer<'_>, module: &Module, schedule: &Schedule, upper: &str) -> String {
     let fast = Fast {
         prefix: printer.prefix,
-        upper,
         scalar: printer.scalar(),
         lowest: if printer.graph.scalar() == ScalarType::F32 { "FLT_MAX" } else { "DBL_MAX" },
         vertex: super::vertex_type(printer.graph, module),
         teams: schedule.plans.iter().map(|plan| TeamPrinter::new(printer, module, plan).view()).collect(),
+        walk: walk::render(printer, module, upper, Style::Pure),
     };
     fast.render().expect("the template renders")
 }
