@@ -6,6 +6,7 @@ use crate::evolution::command::{End, TpgArgs, execute as execute_tpg};
 use crate::evolution::presets::{ConfigArgs, print_config};
 use crate::sac::command::{SacArgs, execute as execute_sac};
 use crate::sac::evaluate::{QuantiseArgs, quantise};
+use crate::sac::import::{ImportArgs, import};
 use crate::targets::{TargetsArgs, print_targets};
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
@@ -27,6 +28,8 @@ enum Command {
     Tpg(TpgArgs),
     /// Train a soft actor-critic
     Sac(SacArgs),
+    /// Turn an actor of Stable-Baselines3 or CleanRL into a policy
+    Import(ImportArgs),
     /// Put a soft actor-critic's network into integers
     Quantise(QuantiseArgs),
     /// Let a policy act and count how its episodes end
@@ -83,6 +86,7 @@ impl Cli {
         let result = match self.command {
             Command::Tpg(args) => execute_tpg(&args).map(Verdict::from).map_err(CliError::other),
             Command::Sac(args) => execute_sac(&args).map(Verdict::from).map_err(CliError::other),
+            Command::Import(args) => import(&args).map(|()| Verdict::Good).map_err(CliError::from),
             Command::Quantise(args) => quantise(&args).map(|()| Verdict::Good).map_err(CliError::from),
             Command::Eval(args) => eval(&args).map(|()| Verdict::Good).map_err(CliError::from),
             Command::Config(args) => print_config(&args).map(|()| Verdict::Good).map_err(CliError::from),

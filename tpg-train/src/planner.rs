@@ -13,11 +13,12 @@ use tpg_runtime::policy::Policy;
 pub enum Choice {
     /// The nearest, whatever stands between.
     Nearest,
-    /// The nearest that a straight walk reaches without an invalid step; the nearest if there is none.
+    /// The nearest that a straight walk reaches without a collision. If there is none, the nearest that a walk of one
+    /// joint after the other reaches, in any order of the joints; the nearest if there is none either.
     NearestFree,
 }
 
-/// Walks straight, in motor positions, to a pose that solves the task, choosing anew at every step. Memoryless: what it
+/// Walks to a pose that solves the task, choosing anew at every step. Memoryless: what it
 /// keeps is a function of the target.
 #[derive(Debug)]
 pub struct Planner<'a> {
@@ -44,10 +45,10 @@ impl<'a> Planner<'a> {
         ik::goals(self.arm, target).into_iter().filter(reaches).collect()
     }
 
-    /// Whether the walk from `pose` to `goal` does only valid steps.
-    fn free(&self, mut pose: Pose, goal: Pose) -> bool {
+    /// Whether a walk from `pose` to `goal` does only valid steps. (It stays within the ranges: both ends do.)
+    fn free(&self, mut pose: Pose, goal: Pose, walk: Walk) -> bool {
         while pose != goal {
-            let Move(deltas) = towards(pose, goal);
+            let Move(deltas) = walk.step(pose, goal);
             pose = Pose(std::array::from_fn(|joint| pose.0[joint] + i16::from(deltas[joint])));
             if Plane::at(self.arm, pose).collision(&self.arm.shapes).is_some() {
                 return false;
@@ -55,11 +56,44 @@ impl<'a> Planner<'a> {
         }
         true
     }
+
+    /// The first step of the first free walk to one of `goals`.
+    fn free_step(&self, pose: Pose, goals: &[Pose]) -> Option<Move> {
+        let straight = goals.iter().map(|&goal| (goal, Walk::Straight));
+        let in_order = goals.iter().flat_map(|&goal| orders().map(move |order| (goal, Walk::InOrder(order))));
+        let mut walks = straight.chain(in_order);
+        walks.find(|&(goal, walk)| self.free(pose, goal, walk)).map(|(goal, walk)| walk.step(pose, goal))
+    }
 }
 
-/// The step of a straight walk: every motor moves, up to three ticks, until it has arrived.
-fn towards(pose: Pose, goal: Pose) -> Move {
-    Move(std::array::from_fn(|joint| (goal.0[joint] - pose.0[joint]).clamp(-STEP, STEP) as i8))
+/// A way from pose to pose.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Walk {
+    /// Every motor moves, up to three ticks a step, until it has arrived.
+    Straight,
+    /// One motor after the other.
+    InOrder([usize; JOINTS]),
+}
+
+impl Walk {
+    fn step(self, pose: Pose, goal: Pose) -> Move {
+        let delta = |joint: usize| (goal.0[joint] - pose.0[joint]).clamp(-STEP, STEP) as i8;
+        match self {
+            Self::Straight => Move(std::array::from_fn(delta)),
+            Self::InOrder(order) => {
+                let next = order.into_iter().find(|&joint| delta(joint) != 0);
+                Move(std::array::from_fn(|joint| if Some(joint) == next { delta(joint) } else { 0 }))
+            }
+        }
+    }
+}
+
+/// The 24 orders of four joints.
+fn orders() -> impl Iterator<Item = [usize; JOINTS]> {
+    (0..JOINTS.pow(JOINTS as u32)).filter_map(|code| {
+        let order: [usize; JOINTS] = std::array::from_fn(|place| code / JOINTS.pow(place as u32) % JOINTS);
+        (0..JOINTS).all(|joint| order.contains(&joint)).then_some(order)
+    })
 }
 
 /// Steps to go with all motors moving, hundredths of a tick; ties go to the smaller sum.
@@ -79,12 +113,12 @@ impl Policy for Planner<'_> {
         }
         let mut goals: Vec<Pose> = solved.1.clone();
         goals.sort_by_key(|&goal| (cost(seen.pose, goal), goal));
-        let free = || goals.iter().find(|&&goal| self.free(seen.pose, goal));
-        let goal = match self.choice {
-            Choice::Nearest => goals.first(),
-            Choice::NearestFree => free().or(goals.first()),
+        let nearest = || goals.first().map(|&goal| Walk::Straight.step(seen.pose, goal));
+        let step = match self.choice {
+            Choice::Nearest => nearest(),
+            Choice::NearestFree => self.free_step(seen.pose, &goals).or_else(nearest),
         };
-        goal.map_or(Move::STOP, |&goal| towards(seen.pose, goal))
+        step.unwrap_or(Move::STOP)
     }
 }
 
@@ -94,6 +128,12 @@ mod tests {
     use crate::targets::{Set, Start, tasks};
     use crate::trial;
     use tpg_runtime::arm::WIDOWX;
+
+    #[test]
+    fn there_are_as_many_orders_as_permutations() {
+        let all: std::collections::BTreeSet<_> = orders().collect();
+        assert_eq!((orders().count(), all.len()), (24, 24));
+    }
 
     #[test]
     fn planning_solves_nearly_everything_and_looking_ahead_helps() {

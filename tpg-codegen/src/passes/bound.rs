@@ -230,15 +230,15 @@ impl<'a> Bounds<'a> {
 }
 
 /// The steps of [`Node::Upper`] for a logarithm or exponential: for arguments up to the first number, the second is not
-/// below the result; beyond the last step, and for NaN, the number at the end is not. The logarithm of a negative number
-/// is NaN and bids −∞: printers put that step before these.
+/// below the result; beyond the last step, and for NaN, nothing but ∞ is certain (the logarithm of ∞ is ∞). The logarithm
+/// of a negative number is NaN and bids −∞: printers put that step before these.
 ///
 /// The numbers are above the true values by far more than any provider is off.
-pub fn steps(scalar: ScalarType, instruction: Instruction) -> (&'static [(f64, f64)], f64) {
+pub fn steps(scalar: ScalarType, instruction: Instruction) -> &'static [(f64, f64)] {
     match (instruction, scalar) {
-        (Instruction::Ln, ScalarType::F64) => (&[(1.0, 0.001), (5000.0, 8.625)], 710.0),
-        (Instruction::Ln, ScalarType::F32) => (&[(1.0, 0.001), (5000.0, 8.625)], 89.0),
-        _ => (&[(0.0, 1.0625), (8.0, 3000.0)], f64::INFINITY),
+        (Instruction::Ln, ScalarType::F64) => &[(1.0, 0.001), (5000.0, 8.625), (f64::MAX, 710.0)],
+        (Instruction::Ln, ScalarType::F32) => &[(1.0, 0.001), (5000.0, 8.625), (3.4028234663852886e38, 89.0)],
+        _ => &[(0.0, 1.0625), (8.0, 3000.0)],
     }
 }
 
@@ -253,4 +253,38 @@ pub fn beyond_exponentials(scalar: ScalarType) -> (f64, f64) {
 /// Whether a bid that needs `instruction` is worth a test that may spare it.
 pub(super) fn is_worth_sparing(instruction: Instruction) -> bool {
     is_transcendental(instruction)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::steps;
+    use crate::graph::ScalarType;
+    use tpg_runtime::ops::{Instruction, Maths, Own, System};
+    use tpg_runtime::scalar::Scalar;
+
+    /// The result is below the first step that its argument does not exceed.
+    fn assert_above<S: Scalar, M: Maths<S>>(scalar: ScalarType, instruction: Instruction, argument: S) {
+        let result = instruction.apply::<S, M>(argument, argument).to_f64();
+        let step = steps(scalar, instruction).iter().find(|(up_to, _)| argument.to_f64() <= *up_to);
+        let bound = step.map_or(f64::INFINITY, |&(_, bound)| bound);
+        assert!(result.is_nan() || result <= bound, "{instruction:?} {argument:?} is {result}, above {bound}");
+    }
+
+    #[test]
+    fn steps_are_above_every_provider() {
+        for instruction in [Instruction::Ln, Instruction::Exp] {
+            // Every 4096th number there is in f32, infinities and NaN among them.
+            for bits in (0..=u32::MAX >> 12).map(|upper| upper << 12).chain([1.0_f32.to_bits(), f32::MAX.to_bits()]) {
+                let argument = f32::from_bits(bits);
+                assert_above::<f32, Own>(ScalarType::F32, instruction, argument);
+                assert_above::<f32, System>(ScalarType::F32, instruction, argument);
+                assert_above::<f64, Own>(ScalarType::F64, instruction, f64::from(argument));
+                assert_above::<f64, System>(ScalarType::F64, instruction, f64::from(argument));
+            }
+            for argument in [f64::MAX, f64::MIN_POSITIVE, 5000.0, 8.0, 1.0, 0.0, -0.0, f64::INFINITY] {
+                assert_above::<f64, Own>(ScalarType::F64, instruction, argument);
+                assert_above::<f64, System>(ScalarType::F64, instruction, argument);
+            }
+        }
+    }
 }

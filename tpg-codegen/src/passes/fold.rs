@@ -2,7 +2,8 @@
 //!
 //! What is used: an operation on constants is a constant; `x − 0 = x` and `x + (−0) = x`, also for x = −0; `1·x = x`,
 //! `x / 1 = x`; division by a power of two is multiplication by its reciprocal; `min(x, x)`, `max(x, x)` and
-//! `negate_if_less(x, x)` are x, for NaN too, as the comparison is false; `||x|| = |x|`; sums and products commute (the
+//! `negate_if_less(x, x)` are x, for NaN too, as the comparison is false; with a NaN, an operation is NaN or one of its
+//! operands; `||x|| = |x|`; sums and products commute (the
 //! payload of a NaN aside, which no comparison sees), so their operands are sorted and equal ones meet.
 //!
 //! What is not: `x + 0` (−0 becomes 0), `0·x` and `x − x` (NaN for an infinite x), any reassociation.
@@ -11,7 +12,7 @@ use super::arithmetic::Arithmetic;
 use crate::ir::{Module, Node, NodeId, Values};
 use tpg_runtime::ops::{Instruction, bid};
 
-/// Folds every node, then every bid: a bid of NaN is a bid of −∞.
+/// Folds every node, then every bid: a bid of NaN is a bid of −∞, and one of −0 a bid of 0.
 pub(super) fn run(module: &mut Module, arithmetic: Arithmetic) {
     let mut values = Values::default();
     let mut folded: Vec<NodeId> = Vec::with_capacity(module.nodes.len());
@@ -28,7 +29,8 @@ pub(super) fn run(module: &mut Module, arithmetic: Arithmetic) {
     for bidder in &mut module.bidders {
         let value = folded[bidder.value.index()];
         bidder.value = match values.node(value).as_constant() {
-            Some(constant) => values.intern(Node::constant(bid(constant))),
+            // Bids of 0 and −0 are equally high: they are one. (x + 0 is x, but for −0.)
+            Some(constant) => values.intern(Node::constant(bid(constant) + 0.0)),
             None => value,
         };
     }
@@ -49,6 +51,14 @@ pub(super) fn operation(
         && let Some(result) = arithmetic.evaluate(instruction, x, y)
     {
         return values.intern(Node::constant(result));
+    }
+    if constants[..instruction.arity()].iter().any(|constant| constant.is_some_and(f64::is_nan)) {
+        // No comparison with a NaN holds; everything else that reads one is one.
+        return match instruction {
+            Instruction::Min | Instruction::Max => b,
+            Instruction::NegateIfLess => a,
+            _ => values.intern(Node::constant(f64::NAN)),
+        };
     }
     match instruction {
         Instruction::Sub if is(constants[1], 0.0) => a,
@@ -155,6 +165,20 @@ mod tests {
         let zero = values.intern(Node::constant(0.0));
         let sum = operation(&mut values, F64, Instruction::Add, [x, zero]);
         assert!(matches!(values.node(sum), Node::Operation(..)), "−0 + 0 is 0: not an identity");
+    }
+
+    #[test]
+    fn a_constant_nan_is_no_operand() {
+        for instruction in Instruction::ALL {
+            for swapped in [false, true] {
+                let mut values = Values::default();
+                let x = values.intern(Node::Input(Input(0)));
+                let nan = values.intern(Node::constant(f64::NAN));
+                let id = operation(&mut values, F64, instruction, if swapped { [nan, x] } else { [x, nan] });
+                let single = instruction.arity() == 1 && !swapped;
+                assert!(single || id == x || id == nan, "{instruction:?}");
+            }
+        }
     }
 
     #[test]

@@ -3,8 +3,10 @@
 //! The arithmetic is `tpg_runtime::sac::fixed`'s, which this module calls: `i8` weights with a scale for each row, `i16`
 //! activations, `i32` accumulators that are proven not to overflow, one rounding rule.
 
+mod emit;
 mod quantise;
 
+pub use emit::to_rust;
 pub use quantise::{FloatLayer, QuantiseError, quantise};
 
 use crate::error::{InputError, Place};

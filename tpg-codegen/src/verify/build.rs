@@ -90,10 +90,8 @@ impl Workshop {
         };
         fs::write(folder.join("harness.c"), harness.render().map_err(io::Error::other)?)?;
         let program = folder.join("harness");
-        let compiler = c_compiler()?;
-        let mut command = compiler.to_command();
-        command.current_dir(&folder).args(["-std=c99", "-ffp-contract=off", "-o"]).arg(&program);
-        command.arg("harness.c").arg(format!("{prefix}.c")).arg("-lm");
+        let mut command = c_command(&folder)?;
+        command.arg("-o").arg(&program).arg("harness.c").arg(format!("{prefix}.c")).arg("-lm");
         compile("C", command)?;
         let name = match options.style {
             Style::Gegelati => "C in GEGELATI's style".to_owned(),
@@ -109,21 +107,7 @@ impl Workshop {
     pub fn rust(&self, graph: &Graph, options: &Options) -> Result<Process, BuildError> {
         let files = emit::emit(graph, Language::Rust, options);
         let folder = self.room("rust", &files)?;
-        for (name, text) in standalone::FILES {
-            let path = folder.join("runtime").join(name);
-            fs::create_dir_all(path.parent().unwrap_or(&folder))?;
-            fs::write(path, text)?;
-        }
-        // Overflow checks stay on: generated code must not need them.
-        let rustc = || {
-            let mut command = Command::new(env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()));
-            command.current_dir(&folder).args(["--edition=2024", "-O", "-Coverflow-checks=on", "-Awarnings"]);
-            command
-        };
-        let mut library = rustc();
-        library.args(["--crate-type=rlib", "--crate-name=tpg_runtime", "--cfg=feature=\"std\"", "runtime/lib.rs"]);
-        compile("Rust", library)?;
-
+        runtime_library(&folder)?;
         let harness = RustHarness {
             module: options.prefix.lower(),
             name: options.prefix.camel(),
@@ -132,14 +116,14 @@ impl Workshop {
         };
         fs::write(folder.join("harness.rs"), harness.render().map_err(io::Error::other)?)?;
         let program = folder.join("harness");
-        let mut command = rustc();
+        let mut command = rustc(&folder);
         command.args(["--extern=tpg_runtime=libtpg_runtime.rlib", "harness.rs", "-o"]).arg(&program);
         compile("Rust", command)?;
         let name = format!("Rust, {}", options.profile_in(Language::Rust).name());
         Ok(Process::start(&program, &name, graph)?)
     }
 
-    fn room(&self, name: &str, files: &[File]) -> io::Result<PathBuf> {
+    pub(super) fn room(&self, name: &str, files: &[File]) -> io::Result<PathBuf> {
         let folder = tempfile::Builder::new().prefix(name).tempdir_in(self.folder.path())?.keep();
         for file in files {
             fs::write(folder.join(&file.name), &file.text)?;
@@ -165,7 +149,33 @@ pub(crate) fn c_compiler() -> Result<cc::Tool, BuildError> {
     })
 }
 
-fn compile(language: &'static str, mut command: Command) -> Result<(), BuildError> {
+/// The C compiler in a folder, told what every policy needs.
+pub(super) fn c_command(folder: &Path) -> Result<Command, BuildError> {
+    let mut command = c_compiler()?.to_command();
+    command.current_dir(folder).args(["-std=c99", "-ffp-contract=off"]);
+    Ok(command)
+}
+
+/// The Rust compiler in a folder. Overflow checks stay on: generated code must not need them.
+pub(super) fn rustc(folder: &Path) -> Command {
+    let mut command = Command::new(env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()));
+    command.current_dir(folder).args(["--edition=2024", "-O", "-Coverflow-checks=on", "-Awarnings"]);
+    command
+}
+
+/// Compiles what generated Rust stands on.
+pub(super) fn runtime_library(folder: &Path) -> Result<(), BuildError> {
+    for (name, text) in standalone::FILES {
+        let path = folder.join("runtime").join(name);
+        fs::create_dir_all(path.parent().unwrap_or(folder))?;
+        fs::write(path, text)?;
+    }
+    let mut library = rustc(folder);
+    library.args(["--crate-type=rlib", "--crate-name=tpg_runtime", "--cfg=feature=\"std\"", "runtime/lib.rs"]);
+    compile("Rust", library)
+}
+
+pub(super) fn compile(language: &'static str, mut command: Command) -> Result<(), BuildError> {
     let Output { status, stdout, stderr } = command.output().map_err(|error| BuildError::Missing {
         language,
         command: command.get_program().to_owned(),

@@ -1,8 +1,10 @@
 //! Compiles what was generated and compares it with the interpreter, state by state.
 
+mod batch;
 mod build;
 mod process;
 
+pub use batch::Batch;
 pub(crate) use build::c_compiler;
 pub use build::{BuildError, Workshop};
 pub use process::Process;

@@ -12,9 +12,9 @@
         let t{{ loop.index0 }} = best.1;
 {%- endfor %}
         let next = {{ layout::array(next, 8) }};
-        let mut vertex = 0;
+        let mut vertex = 0_{{ vertex }};
         for _ in 0..Self::DEPTH {
             // An action is past the end: it leads to itself.
-            vertex = next.get(usize::from(vertex)).copied().unwrap_or(vertex);
+            vertex = next.get(vertex as usize).copied().unwrap_or(vertex);
         }
         ActionId(vertex.wrapping_sub({{ teams.len() }}) as u16)

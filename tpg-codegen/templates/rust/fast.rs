@@ -10,8 +10,10 @@ fn team_{{ team.label }}(s: &[{{ scalar }}; {{ state_length }}]) -> {{ vertex }}
     {{ statement }}
 {%- endfor %}
     if {{ bid.wins }} {
-        best = {{ bid.value }};
         {{ team.winner }} = {{ bid.rank }};
+    }
+    if {{ bid.value }} > best {
+        best = {{ bid.value }};
     }
 {%- endfor %}
 {%- for bid in team.lazy %}
@@ -24,8 +26,10 @@ fn team_{{ team.label }}(s: &[{{ scalar }}; {{ state_length }}]) -> {{ vertex }}
         {{ statement }}
 {%- endfor %}
         if {{ bid.wins }} {
-            best = {{ bid.value }};
             {{ team.winner }} = {{ bid.rank }};
+        }
+        if {{ bid.value }} > best {
+            best = {{ bid.value }};
         }
     }
 {%- else %}
@@ -33,8 +37,10 @@ fn team_{{ team.label }}(s: &[{{ scalar }}; {{ state_length }}]) -> {{ vertex }}
     {{ statement }}
 {%- endfor %}
     if {{ bid.wins }} {
-        best = {{ bid.value }};
         {{ team.winner }} = {{ bid.rank }};
+    }
+    if {{ bid.value }} > best {
+        best = {{ bid.value }};
     }
 {%- endif %}
 {%- endfor %}

@@ -7,4 +7,4 @@
                 _ => break,
             };
         }
-        ActionId(u16::from(vertex.wrapping_sub({{ teams.len() }})))
+        ActionId(vertex.wrapping_sub({{ teams.len() }}) as u16)

@@ -13,14 +13,23 @@ const TORQUES: [f64; 5] = [-4.0, -1.0, 0.0, 1.0, 4.0];
 const STEP: f64 = 0.05;
 /// Greatest angular velocity, rad/s.
 const FASTEST: f64 = 8.0;
-/// Actions of an episode.
-const ACTIONS: u32 = 400;
-/// The last so many actions count.
-const HOLD: u32 = 100;
 
 /// A rod of 1 m with 1 kg at its end, on an axle with a motor.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Pendulum;
+#[derive(Clone, Copy, Debug)]
+pub struct Pendulum {
+    actions: u32,
+}
+
+impl Pendulum {
+    /// Episodes of that many actions; the last quarter counts.
+    pub fn new(actions: u32) -> Self {
+        Self { actions }
+    }
+
+    fn hold(self) -> u32 {
+        self.actions.div_ceil(4)
+    }
+}
 
 /// A swing under way.
 #[derive(Clone, Copy, Debug)]
@@ -29,7 +38,7 @@ pub struct Swing {
     angle: f64,
     velocity: f64,
     actions: u32,
-    /// Sum of |angle| over the last [`HOLD`] actions.
+    /// Sum of |angle| over the actions that count.
     off: f64,
 }
 
@@ -57,7 +66,7 @@ impl<S: Scalar> Environment<S> for Pendulum {
     }
 
     fn time_limit(&self) -> u32 {
-        ACTIONS
+        self.actions
     }
 
     fn draw(&self, stream: &mut Stream) -> [f64; 2] {
@@ -81,13 +90,13 @@ impl<S: Scalar> Environment<S> for Pendulum {
         swing.velocity = swing.velocity.clamp(-FASTEST, FASTEST);
         swing.angle = libm::remainder(swing.angle + STEP * swing.velocity, TAU).clamp(-PI, PI);
         swing.actions += 1;
-        if swing.actions > ACTIONS - HOLD {
+        if swing.actions > self.actions - self.hold() {
             swing.off += swing.angle.abs();
         }
-        (swing.actions == ACTIONS).then(|| {
-            let error = swing.off / f64::from(HOLD);
+        (swing.actions == self.actions).then(|| {
+            let error = swing.off / f64::from(self.hold());
             let success = error < 0.2;
-            Ending { outcome: u8::from(!success), success, score: -error, error, actions: ACTIONS }
+            Ending { outcome: u8::from(!success), success, score: -error, error, actions: self.actions }
         })
     }
 }

@@ -5,7 +5,7 @@ use super::presets::{PRESETS, Preset};
 use super::run::{RunEnd, RunError, RunOptions, run};
 use super::state::Best;
 use crate::engine::{Environment, LocalThreads, Options};
-use crate::environments::{ArmEnvironment, ArmProblem, ArmScalar};
+use crate::environments::{ArmEnvironment, ArmProblem, ArmScalar, Pendulum};
 use crate::files::{make_folder, read_text, write_atomically};
 use crate::targets::Start;
 use clap::Args;
@@ -153,7 +153,14 @@ where
 {
     match config.problem.environment {
         EnvironmentName::Arm => restarts::<S, _>(args, config, &arm_environment::<S>(config), stop),
-        EnvironmentName::Pendulum => restarts::<S, _>(args, config, &crate::environments::Pendulum::default(), stop),
+        EnvironmentName::Pendulum => {
+            restarts::<S, _>(args, config, &Pendulum::new(config.learning.max_nb_actions_per_eval), stop)
+        }
+        EnvironmentName::Own => {
+            let accepted = "arm or pendulum; \"own\" is for programs that use this library";
+            let place = Place::Path("problem.environment".to_owned());
+            Err(InputError::new("<configuration>", place, "own", accepted).into())
+        }
     }
 }
 

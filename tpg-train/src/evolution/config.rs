@@ -38,7 +38,7 @@ pub struct Config {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "camelCase")]
 pub struct ProblemConfig {
-    /// `arm` or `pendulum`.
+    /// `arm`, `pendulum` or `own`. Of the parameters of this section the last two use none but `sources`.
     pub environment: EnvironmentName,
     /// Where the arm starts.
     pub start: Start,
@@ -64,6 +64,8 @@ pub enum EnvironmentName {
     Arm,
     /// The pendulum that is to be swung up.
     Pendulum,
+    /// A user's own, in a program that uses this library.
+    Own,
 }
 
 /// What programs are written with.
@@ -279,7 +281,12 @@ impl Config {
         number("problem.bonusSuccess", self.problem.bonus_success, 0.0, 1e9)?;
         number("problem.coefRewardMultiplication", self.problem.coef_reward_multiplication, 0.0, 1e3)?;
 
-        let actions = if self.problem.may_stop { 9 } else { 8 };
+        let actions = match self.problem.environment {
+            EnvironmentName::Arm if self.problem.may_stop => 9,
+            EnvironmentName::Arm => 8,
+            EnvironmentName::Pendulum => 5,
+            EnvironmentName::Own => 2,
+        };
         let tpg = &self.tpg;
         count("tpg.nbRoots", tpg.nb_roots, 2, MANY)?;
         count("tpg.initNbRoots", tpg.init_nb_roots, actions, MANY)?;
@@ -355,9 +362,14 @@ impl Config {
     /// Names: each known, each once.
     fn check_problem(&self, error: &dyn Fn(&str, String, String) -> InputError) -> Result<(), InputError> {
         let known = Source::ALL.map(Source::name);
-        let arm = self.problem.environment == EnvironmentName::Arm;
-        let sources = if arm { &known[..] } else { &["pendulum"][..] };
-        check_names("problem.sources", &self.problem.sources, sources, error)?;
+        let sources = match self.problem.environment {
+            EnvironmentName::Arm => &known[..],
+            EnvironmentName::Pendulum => &["pendulum"][..],
+            EnvironmentName::Own => &[][..],
+        };
+        if self.problem.environment != EnvironmentName::Own {
+            check_names("problem.sources", &self.problem.sources, sources, error)?;
+        }
         let instructions = Instruction::ALL.map(Instruction::name);
         check_names("language.instructions", &self.language.instructions, &instructions, error)
     }

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use tpg_codegen::error::InputError;
 use tpg_codegen::graph::{
     ActionDocument, Document, EdgeDocument, FORMAT, Graph, LineDocument, MathsProvider, OperandDocument,
-    ProgramDocument, Provenance, SourceDocument, TeamDocument, VERSION,
+    ProgramDocument, Provenance, ScalarType, SourceDocument, TeamDocument, VERSION,
 };
 
 /// The graph of a policy. Lines without effect are left out; a program that bids for several destinations becomes several
@@ -42,6 +42,7 @@ pub fn graph(
         });
         teams.push(TeamDocument { id, edges: edges.collect() });
     }
+    let sources = sources.into_iter().map(|source| exact(source, vocabulary.scalar())).collect();
     let document = Document {
         format: FORMAT.to_owned(),
         version: VERSION,
@@ -57,6 +58,20 @@ pub fn graph(
         provenance,
     };
     Graph::from_document("<evolved graph>", document)
+}
+
+/// A range's ends must be exact in the graph's scalar: they are moved outwards to the next number that is.
+fn exact(source: SourceDocument, scalar: ScalarType) -> SourceDocument {
+    let outwards = |[min, max]: [f64; 2]| match scalar {
+        ScalarType::F64 => [min, max],
+        ScalarType::F32 => {
+            let (low, high) = (min as f32, max as f32);
+            let low = if f64::from(low) > min { low.next_down() } else { low };
+            let high = if f64::from(high) < max { high.next_up() } else { high };
+            [low, high].map(f64::from)
+        }
+    };
+    SourceDocument { ranges: source.ranges.into_iter().map(outwards).collect(), ..source }
 }
 
 fn lines(policy: &Policy, program: u32, names: &[String]) -> Vec<LineDocument> {

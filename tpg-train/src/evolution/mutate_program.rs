@@ -95,9 +95,11 @@ impl ProgramMutator<'_> {
             line.instruction = other(line.instruction.into(), vocabulary.instructions().len(), stream) as u8;
         } else if selected < instruction + destination {
             line.to = other(line.to.into(), vocabulary.registers().into(), stream) as u16;
-        } else if operand > 0 {
+        } else {
             let selected = selected - instruction - destination;
-            let gene = &mut line.operands[selected / operand];
+            // Without operand bits (one source of one place) there is nothing to alter.
+            let Some(place) = selected.checked_div(operand) else { return };
+            let gene = &mut line.operands[place];
             if vocabulary.kind(gene.source) == Kind::Literal && stream.chance(self.literals.change) {
                 gene.literal = self.changed_literal(gene.literal, stream);
             } else if selected % operand < source {

@@ -198,3 +198,123 @@ fn new_behaviour(
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Moment, new_behaviour, populate, random_population};
+    use crate::evolution::archive::{Archive, Recording, bid};
+    use crate::evolution::config::Config;
+    use crate::evolution::genome::{Destination, Genome, Program, ProgramId};
+    use crate::evolution::mutate_program::ProgramMutator;
+    use crate::evolution::presets::Preset;
+    use crate::evolution::vocabulary::Vocabulary;
+    use crate::random::{Purpose, Stream};
+    use tpg_codegen::graph::{ScalarType, SourceDocument};
+
+    fn config() -> Config {
+        let mut config = Preset::find("paper-fs").expect("it is there").config().expect("it is accepted");
+        (config.tpg.nb_roots, config.tpg.init_nb_roots) = (40, 30);
+        config
+    }
+
+    fn vocabulary(config: &Config) -> Vocabulary {
+        let source = SourceDocument { name: "s".into(), length: 3, unit: "1".into(), ranges: vec![[-1.0, 1.0]; 3] };
+        Vocabulary::new(config.instructions(), 8, 0, &[source], false, ScalarType::F32)
+    }
+
+    fn evolved(config: &Config, generations: u64) -> Genome {
+        let vocabulary = vocabulary(config);
+        let mutator =
+            ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
+        let mut genome = random_population(&mutator, &config.tpg, 9, &mut Stream::new(1, 0, Purpose::Test, 0));
+        for generation in 0..generations {
+            let moment = Moment { seed: 1, generation, deme: 0 };
+            populate(&mut genome, &mutator, &config.tpg, &Archive::new(0), 9, moment);
+            let doomed: Vec<_> = genome.roots().into_iter().step_by(3).collect();
+            genome.remove_roots(&doomed);
+        }
+        genome
+    }
+
+    #[test]
+    fn the_first_population_is_gegelatis() {
+        let config = config();
+        let genome = evolved(&config, 0);
+        assert_eq!((genome.roots().len(), genome.teams().len()), (30, 30));
+        for (place, team) in genome.teams().values().enumerate() {
+            assert!((2..=config.tpg.max_init_outgoing_edges).contains(&team.edges.len()));
+            if place < 9 {
+                let actions = [0, 1].map(|edge| Destination::Action(((place + edge) % 9) as u16));
+                assert_eq!([team.edges[0].to, team.edges[1].to], actions, "actions are spread over the first roots");
+            }
+            let mut programs: Vec<ProgramId> = team.edges.iter().map(|edge| edge.program).collect();
+            programs.sort_unstable();
+            programs.dedup();
+            assert_eq!(programs.len(), team.edges.len(), "a team's first programs are different ones");
+        }
+    }
+
+    #[test]
+    fn children_fill_the_population_lead_only_to_older_teams_and_keep_the_limits() {
+        let config = config();
+        let vocabulary = vocabulary(&config);
+        let mut genome = evolved(&config, 8);
+        let mutator =
+            ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
+        let moment = Moment { seed: 1, generation: 9, deme: 0 };
+        populate(&mut genome, &mutator, &config.tpg, &Archive::new(0), 9, moment);
+        assert_eq!(genome.roots().len(), config.tpg.nb_roots);
+        let mut deep = 0;
+        for (&id, team) in genome.teams() {
+            assert!((2..=config.tpg.max_outgoing_edges).contains(&team.edges.len()));
+            for edge in &team.edges {
+                assert!((1..=config.program.max_program_size).contains(&genome.program(edge.program).lines.len()));
+                if let Destination::Team(to) = edge.to {
+                    assert!(to < id, "an edge to a younger team could close a cycle");
+                    deep += 1;
+                }
+            }
+        }
+        assert!(deep > 0, "some edge leads to a team by now");
+        assert_eq!(evolved(&config, 8), evolved(&config, 8), "the same seed, the same genome");
+    }
+
+    #[test]
+    fn a_mutated_program_can_be_forced_to_behave_differently() {
+        let mut config = config();
+        config.tpg.force_program_behavior_change_on_mutation = true;
+        let vocabulary = vocabulary(&config);
+        let mutator =
+            ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
+        for index in 0..300 {
+            let mut stream = Stream::new(1, 0, Purpose::Test, index);
+            let program = mutator.random(&mut stream);
+            let mutated = new_behaviour(&program, &mutator, &config.tpg, &Archive::new(0), &mut stream);
+            assert_ne!(mutated.behaviour(&vocabulary), program.behaviour(&vocabulary));
+        }
+    }
+
+    #[test]
+    fn no_new_program_bids_what_an_archived_one_bid() {
+        let config = config();
+        let vocabulary = vocabulary(&config);
+        let mutator =
+            ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
+        let mut archive = Archive::new(50);
+        let mut stream = Stream::new(1, 0, Purpose::Test, 0);
+        let known: Vec<_> = (0..10).map(|_| mutator.random(&mut stream)).collect();
+        for (number, program) in (0..).zip(&known) {
+            for state in 0..5 {
+                let state = [0, 1, 2].map(|place| f64::from(state) * 0.25 - f64::from(place)).to_vec();
+                let bid = bid(&program.lines(&vocabulary), &vocabulary, &state).to_bits();
+                archive.record(Recording { program: (0, ProgramId(number)), state, bid });
+            }
+        }
+        let finite = |program: &Program| bid(&program.lines(&vocabulary), &vocabulary, &[0.5, -0.5, 1.0]).is_finite();
+        let same = known.iter().filter(|program| finite(program));
+        assert!(same.clone().count() > 3);
+        assert!(same.clone().all(|program| !archive.is_new(program, &vocabulary)), "the archived themselves are known");
+        let mutated = new_behaviour(&known[0], &mutator, &config.tpg, &archive, &mut stream);
+        assert!(archive.is_new(&mutated, &vocabulary));
+    }
+}

@@ -30,6 +30,12 @@ pub struct RunOptions {
     pub checkpoint_every: Duration,
 }
 
+impl Default for RunOptions {
+    fn default() -> Self {
+        Self { folder: PathBuf::from("."), resume: false, checkpoint_every: Duration::from_secs(30) }
+    }
+}
+
 /// How a run ended.
 #[derive(Clone, Debug)]
 pub enum RunEnd {

@@ -61,7 +61,7 @@ pub fn execute(args: &SacArgs) -> Result<End, InputError> {
     let asked = Arc::clone(&stop);
     // Without a handler Ctrl-C would end the process at once; the last checkpoint would still be there.
     let _ = ctrlc::set_handler(move || asked.store(true, Ordering::Relaxed));
-    Run::begin(args, name, config)?.to_the_end(&stop)
+    Run::begin(args, name, config)?.finish(&stop)
 }
 
 fn configuration(args: &SacArgs) -> Result<(String, Config), InputError> {
@@ -120,7 +120,7 @@ impl<'a> Run<'a> {
         Ok(Self { args, name, training, validation, log, progress, began: Instant::now() })
     }
 
-    fn to_the_end(mut self, stop: &AtomicBool) -> Result<End, InputError> {
+    fn finish(mut self, stop: &AtomicBool) -> Result<End, InputError> {
         let every = self.training.config().validation.every;
         let mut saved = Instant::now();
         while !self.training.finished() {

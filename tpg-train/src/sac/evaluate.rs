@@ -13,7 +13,7 @@ use sha2::{Digest, Sha256};
 use std::fs;
 use std::path::{Path, PathBuf};
 use tpg_codegen::error::{InputError, Place};
-use tpg_codegen::policy::QuantisedPolicy;
+use tpg_codegen::policy::{QuantisedPolicy, to_rust};
 use tpg_runtime::arm::WIDOWX;
 
 /// Puts a policy to tasks: a `policy.safetensors`, a `policy.q.json`, or the classical `planner` or `nearest-goal`.
@@ -46,6 +46,9 @@ pub struct QuantiseArgs {
     /// The policy.q.json to write
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
+    /// A Rust module of constants to write beside it
+    #[arg(long, value_name = "FILE")]
+    pub rust: Option<PathBuf>,
     /// The seed of the training tasks that calibrate it
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
@@ -65,6 +68,9 @@ pub fn quantise(args: &QuantiseArgs) -> Result<(), InputError> {
         return Err(InputError::new(file, Place::Whole, "the policy itself as --out", "another file"));
     }
     write_atomically(&args.out, policy.to_json().as_bytes())?;
+    if let Some(path) = &args.rust {
+        write_atomically(path, to_rust(&policy)?.as_bytes())?;
+    }
     eprintln!("{} bytes of constants, {} multiplications a decision", policy.bytes(), policy.multiplications());
     Ok(())
 }

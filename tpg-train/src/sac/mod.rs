@@ -11,6 +11,7 @@
 //! | [`weights`] | `policy.safetensors` and its contract |
 //! | [`fixed`] | a trained actor in integers |
 //! | [`evaluate`] | `tpg-train eval --policy` and `tpg-train quantise` |
+//! | [`import`] | actors of Stable-Baselines3 and CleanRL |
 //! | [`checkpoint`] | a run under way as a file |
 //! | [`command`] | `tpg-train sac` |
 //! | [`policy`] | a trained actor as a policy |
@@ -21,6 +22,7 @@ pub mod command;
 pub mod config;
 pub mod evaluate;
 pub mod fixed;
+pub mod import;
 pub mod lanes;
 pub mod nn;
 pub mod policy;

@@ -3,6 +3,9 @@
 //!
 //! The best bid starts at the lowest finite number, and a NaN is never as high: so only bids above −∞ win, and where there
 //! is none, nobody wins, which is how the team's last edge does. No bid needs a test for NaN.
+//!
+//! A bid of 0 is read from a volatile variable: clang takes `(v > 0) ? v : 0` of a `v = max(0, x)` for v, which it is not
+//! where x is NaN. Where what is best is no constant, it does not.
 
 use super::expression::Printer;
 use super::{vertex, walk};
@@ -111,12 +114,15 @@ impl<'a> TeamPrinter<'a> {
     }
 
     fn eager(&mut self, bid: &Bid) -> EagerView {
-        EagerView {
-            statements: self.statements(bid.value, true),
-            value: self.printer.value(bid.value),
-            rank: self.rank(bid),
-            last: false,
+        let mut statements = self.statements(bid.value, true);
+        let mut value = self.printer.value(bid.value);
+        if self.printer.nodes[bid.value.index()].as_constant() == Some(0.0) {
+            let scalar = self.printer.scalar();
+            statements.push(format!("const volatile {scalar} constant = {value};"));
+            statements.push(format!("const {scalar} zero = constant;"));
+            value = "zero".to_owned();
         }
+        EagerView { statements, value, rank: self.rank(bid), last: false }
     }
 
     fn lazy(&mut self, lazy: &LazyBid) -> LazyView {

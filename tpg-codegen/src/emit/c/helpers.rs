@@ -98,14 +98,14 @@ pub(super) fn render(printer: &Printer<'_>, branch_free: bool) -> String {
             zero_below: number(zero_below),
         }),
         uppers: (bounded.into_iter())
-            .map(|instruction| {
-                let (steps, beyond) = bound::steps(scalar, instruction);
-                Upper {
-                    name: instruction.name(),
-                    logarithm: instruction == Instruction::Ln,
-                    steps: steps.iter().map(|&(up_to, value)| (number(up_to), number(value))).collect(),
-                    beyond: number(beyond),
-                }
+            .map(|instruction| Upper {
+                name: instruction.name(),
+                logarithm: instruction == Instruction::Ln,
+                steps: bound::steps(scalar, instruction)
+                    .iter()
+                    .map(|&(up_to, value)| (number(up_to), number(value)))
+                    .collect(),
+                beyond: number(f64::INFINITY),
             })
             .collect(),
     };

@@ -3,6 +3,9 @@
 //!
 //! The best bid starts at the lowest finite number, and a NaN is never as high: so only bids above −∞ win, and where there
 //! is none, nobody wins, which is how the team's last edge does. No bid needs a test for NaN.
+//!
+//! A bid of 0 goes through `black_box`: LLVM 22 takes `if v > 0 { v } else { 0 }` of a `v = max(0, x)` for v, which it is not
+//! where x is NaN. Where what is best is no constant, it does not.
 
 use super::expression::{Printer, literal};
 use super::{Parts, helpers, vertex, vertex_type};
@@ -97,11 +100,16 @@ impl<'a> TeamPrinter<'a> {
     }
 
     fn eager(&mut self, bid: &Bid) -> BidView {
-        let value = self.printer.value(bid.value);
+        let mut statements = self.statements(bid.value, true);
+        let mut value = self.printer.value(bid.value);
+        if self.printer.nodes[bid.value.index()].as_constant() == Some(0.0) {
+            statements.push(format!("let zero = core::hint::black_box({value});"));
+            value = "zero".to_owned();
+        }
         BidView {
             bound_statements: Vec::new(),
             guard: None,
-            statements: self.statements(bid.value, true),
+            statements,
             wins: format!("{value} >= best"),
             value,
             rank: self.rank(bid),

@@ -1,0 +1,25 @@
+//! This project's own trained policies, compiled by `tpg-codegen`.
+//!
+//! Each folder holds a policy's `graph.json`, the C and Rust made of it, and `PROVENANCE.md`: how it was trained and how
+//! well it does. A test fails when regenerating gives other bytes.
+//!
+//! ```
+//! use tpg_generated::widowx_fs::WidowxFs;
+//! use tpg_runtime::arm::WIDOWX;
+//! use tpg_runtime::cycle::Brent;
+//! use tpg_runtime::episode::{Episode, Outcome, Problem};
+//! use tpg_runtime::observation::ArmPolicy;
+//!
+//! let policy = ArmPolicy { policy: WidowxFs, sources: &WidowxFs::SOURCES, moves: &WidowxFs::MOVES };
+//! let arm = WIDOWX.to_f32();
+//! let problem = Problem { start: arm.home, target: [-120.0, 260.0, 300.0], tolerance: 3.0, max_actions: 1707 };
+//! let summary = Episode::new(&arm, problem, Brent::new()).run(&policy, |_pose| ());
+//! assert_eq!(summary.outcome, Outcome::Reached);
+//! ```
+
+#![no_std]
+
+#[path = "widowx-fs/widowx_fs.rs"]
+pub mod widowx_fs;
+#[path = "widowx-rs/widowx_rs.rs"]
+pub mod widowx_rs;

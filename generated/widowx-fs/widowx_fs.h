@@ -1,0 +1,50 @@
+/*
+ * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
+ * Options: --lang c --prefix widowx_fs --profile fast
+ * Graph SHA-256: 36990850ec2e9a46699110a4764611e2bc47067713cc9af0e6e5503f1e975f93
+ * 28 teams (16 on the longest walk), 174 edges, 141 programs, 49 distinct operations.
+ * Computes in f32 with own maths.
+ */
+#ifndef WIDOWX_FS_H
+#define WIDOWX_FS_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The actions:
+ * 0 base_up
+ * 1 base_down
+ * 2 shoulder_up
+ * 3 shoulder_down
+ * 4 elbow_up
+ * 5 elbow_down
+ * 6 wrist_up
+ * 7 wrist_down
+ */
+#define WIDOWX_FS_ACTIONS 8U
+/* Teams, and how many of them decide at most in one inference. */
+#define WIDOWX_FS_TEAMS 28U
+#define WIDOWX_FS_DEPTH 16U
+
+/* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
+typedef struct widowx_fs_state {
+    float polar[3]; /* mm, -449 to 449 */
+} widowx_fs_state_t;
+
+/* The action for a state, below WIDOWX_FS_ACTIONS. Pure and reentrant: no globals, no memory, no side effect. */
+uint16_t widowx_fs_infer(const widowx_fs_state_t *state);
+
+#ifndef WIDOWX_FS_NO_SELFTEST
+/* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
+ */
+uint32_t widowx_fs_selftest(void);
+#endif
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,94 @@
+//! Many policies compiled at once: one compiler run instead of one for each, so that thousands can be compared.
+
+use super::build::{BuildError, Workshop, c_command, compile, runtime_library, rustc};
+use super::process::{self, Process};
+use crate::emit::{self, Language, Options};
+use crate::graph::{Graph, ScalarType};
+use askama::Template;
+use std::path::PathBuf;
+use std::{fs, io};
+
+#[derive(Template)]
+#[template(path = "c/batch.c", escape = "none")]
+struct CBatch {
+    policies: Vec<PolicyView>,
+}
+
+#[derive(Template)]
+#[template(path = "rust/batch.rs", escape = "none")]
+struct RustBatch {
+    policies: Vec<PolicyView>,
+}
+
+struct PolicyView {
+    prefix: String,
+    name: String,
+    scalar: &'static str,
+    state_length: usize,
+    sources: Vec<(String, usize)>,
+}
+
+/// A program that holds many policies.
+#[derive(Debug)]
+pub struct Batch {
+    program: PathBuf,
+    language: &'static str,
+}
+
+impl Batch {
+    /// Starts the program as one of its policies, by the order they were given in.
+    ///
+    /// # Errors
+    /// When it cannot be started.
+    pub fn start(&self, policy: usize, graph: &Graph) -> io::Result<Process> {
+        let name = format!("{} policy {policy}", self.language);
+        process::start(&self.program, &[policy.to_string()], &name, graph)
+    }
+}
+
+impl Workshop {
+    /// Emits policies, each with a prefix of its own and without GEGELATI's style, and compiles them into one program.
+    ///
+    /// # Errors
+    /// See [`BuildError`].
+    pub fn batch(&self, language: Language, policies: &[(&Graph, Options)]) -> Result<Batch, BuildError> {
+        let files: Vec<emit::File> =
+            policies.iter().flat_map(|(graph, options)| emit::emit(graph, language, options)).collect();
+        let folder = self.room("batch", &files)?;
+        let views = policies.iter().map(|(graph, options)| view(graph, options, language)).collect();
+        let program = folder.join("batch");
+        match language {
+            Language::C => {
+                let text = CBatch { policies: views }.render().map_err(io::Error::other)?;
+                fs::write(folder.join("batch_main.c"), text)?;
+                let mut command = c_command(&folder)?;
+                command.arg("-o").arg(&program).args(["batch_main.c", "-lm"]);
+                compile("C", command)?;
+            }
+            Language::Rust => {
+                runtime_library(&folder)?;
+                let text = RustBatch { policies: views }.render().map_err(io::Error::other)?;
+                fs::write(folder.join("batch_main.rs"), text)?;
+                let mut command = rustc(&folder);
+                command.args(["--extern=tpg_runtime=libtpg_runtime.rlib", "batch_main.rs", "-o"]).arg(&program);
+                compile("Rust", command)?;
+            }
+        }
+        let language = if language == Language::C { "C" } else { "Rust" };
+        Ok(Batch { program, language })
+    }
+}
+
+fn view(graph: &Graph, options: &Options, language: Language) -> PolicyView {
+    PolicyView {
+        prefix: options.prefix.to_string(),
+        name: options.prefix.camel(),
+        scalar: match (language, graph.scalar()) {
+            (Language::C, ScalarType::F32) => "float",
+            (Language::C, ScalarType::F64) => "double",
+            (Language::Rust, scalar) => scalar.name(),
+        },
+        state_length: graph.state_length(),
+        sources: graph.sources().iter().map(|source| (source.name.clone(), source.ranges.len())).collect(),
+    }
+}

@@ -1,0 +1,56 @@
+/* Many policies in one program; its argument says which one decides for states from standard input: see tpg-codegen's
+ * verify::process. */
+{% for policy in policies -%}
+#include "{{ policy.prefix }}.c"
+{% endfor %}
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define BATCH 1024U
+
+static uint16_t actions[BATCH];
+{% for policy in policies %}
+static int serve_{{ policy.prefix }}(void)
+{
+    static {{ policy.scalar }} values[BATCH * {{ policy.state_length }}U];
+    unsigned char head[4];
+
+    if ({{ policy.prefix }}_selftest() != 0U) {
+        return 3;
+    }
+    while (fread(head, 1U, 4U, stdin) == 4U) {
+        const size_t count = (size_t)head[0] | ((size_t)head[1] << 8) | ((size_t)head[2] << 16);
+        const size_t length = count * {{ policy.state_length }}U;
+        size_t index;
+
+        if ((count > BATCH) || (fread(values, sizeof(values[0]), length, stdin) != length)) {
+            return 1;
+        }
+        for (index = 0U; index < count; index++) {
+            const {{ policy.scalar }} *value = &values[index * {{ policy.state_length }}U];
+            {{ policy.prefix }}_state_t state;
+{% for (name, length) in policy.sources %}
+            memcpy(state.{{ name }}, value, sizeof(state.{{ name }}));
+            value += {{ length }};
+{%- endfor %}
+            actions[index] = {{ policy.prefix }}_infer(&state);
+        }
+        if ((fwrite(actions, sizeof(actions[0]), count, stdout) != count) || (fflush(stdout) != 0)) {
+            return 2;
+        }
+    }
+    return 0;
+}
+{% endfor %}
+int main(int argc, char **argv)
+{
+    switch ((argc > 1) ? atoi(argv[1]) : -1) {
+{%- for policy in policies %}
+    case {{ loop.index0 }}:
+        return serve_{{ policy.prefix }}();
+{%- endfor %}
+    default:
+        return 4;
+    }
+}

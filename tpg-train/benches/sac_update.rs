@@ -1,0 +1,79 @@
+//! CPU time of one whole update of the soft actor-critic, batch 256, beside PyTorch's on the same core in the same run.
+//!
+//! `cargo bench -p tpg-train --bench sac_update`. PyTorch is found in the Python that `TPG_PYTHON` names (default
+//! `python3`); `pip install torch` puts it there. Without it that half is skipped, loudly.
+
+use std::process::Command;
+use std::time::Instant;
+use tpg_train::evolution::logs::cpu_seconds;
+use tpg_train::random::{Purpose, Stream};
+use tpg_train::sac::agent::{Agent, Experience, Rates};
+use tpg_train::sac::config::Config;
+use tpg_train::sac::nn::{Gaussian, Kernel, Spread};
+use tpg_train::sac::replay::ACTIONS;
+
+const SIZES: [(usize, usize); 4] = [(256, 256), (64, 128), (64, 64), (16, 64)];
+const UPDATES: u32 = 300;
+
+fn milliseconds(actor: usize, critic: usize, kernel: Kernel) -> f64 {
+    let mut config = Config::preset("best-rs").expect("a preset");
+    config.actor.hidden = vec![actor; 2];
+    config.critic.hidden = vec![critic; 2];
+    config.learning.kernel = kernel;
+    let (inputs, batch) = (config.actor.inputs.count(), config.learning.batch);
+    let mut random = Stream::new(1, 0, Purpose::Test, 0);
+    let gaussian = Gaussian { actions: ACTIONS, spread: Spread::LogSigma };
+    let mut agent = Agent::<f32>::new(&config, gaussian, &mut random);
+    let mut space = agent.workspace(batch);
+    let mut draw = |count: usize| {
+        let mut numbers = vec![0.0; count];
+        random.normals(&mut numbers);
+        numbers
+    };
+    let (states, next) = (draw(inputs * batch), draw(inputs * batch));
+    let actions: Vec<f32> = draw(ACTIONS * batch).into_iter().map(f32::tanh).collect();
+    let (rewards, discounts) = (draw(batch), vec![0.95; batch]);
+    let (mut noise, mut next_noise) = (draw(ACTIONS * batch), draw(ACTIONS * batch));
+    let rates = Rates { learning: 5e-4, temperature: 1.5e-3, follow: 0.005, target_entropy: -1.0 };
+    let mut run = |updates: u32| {
+        for _ in 0..updates {
+            // Drawing noise is a part of an update.
+            random.normals(&mut noise);
+            random.normals(&mut next_noise);
+            let experience = Experience {
+                states: &states,
+                actions: &actions,
+                rewards: &rewards,
+                discounts: &discounts,
+                next: &next,
+                next_noise: &next_noise,
+                noise: &noise,
+            };
+            agent.update(&mut space, experience, &rates);
+        }
+    };
+    run(UPDATES / 10);
+    let clock = Instant::now();
+    let seconds = || cpu_seconds().unwrap_or_else(|| clock.elapsed().as_secs_f64());
+    let began = seconds();
+    run(UPDATES);
+    (seconds() - began) * 1e3 / f64::from(UPDATES)
+}
+
+fn main() {
+    // `cargo test --benches` shall only see that it runs.
+    if std::env::args().any(|argument| argument == "--test") {
+        return;
+    }
+    println!("one update, batch 256, 38 inputs; ms of CPU time on one thread");
+    for (actor, critic) in SIZES {
+        let [fast, portable] = [Kernel::Fast, Kernel::Portable].map(|kernel| milliseconds(actor, critic, kernel));
+        println!("actor {actor}-{actor} critics {critic}-{critic}: fast {fast:.2}, portable {portable:.2}");
+    }
+    let python = std::env::var("TPG_PYTHON").unwrap_or_else(|_| "python3".to_owned());
+    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/benches/sac_update.py");
+    let done = Command::new(&python).arg(script).status();
+    if !done.is_ok_and(|status| status.success()) {
+        println!("SKIPPED: PyTorch. {python} has none; `pip install torch`, or name another Python in TPG_PYTHON.");
+    }
+}

@@ -1,0 +1,77 @@
+//! Actors that Stable-Baselines3 and CleanRL's code made: imported, they answer what PyTorch did.
+
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use tpg_train::sac::config::Inputs;
+use tpg_train::sac::import::{ImportArgs, from_tensors, import};
+use tpg_train::sac::nn::{Kernel, Tape};
+use tpg_train::sac::tensors::{Tensor, Tensors};
+use tpg_train::sac::weights;
+
+#[derive(Deserialize)]
+struct Answers {
+    observations: Vec<Vec<f32>>,
+    sb3: Vec<Vec<f32>>,
+    cleanrl: Vec<Vec<f32>>,
+}
+
+fn fixture(name: &str) -> PathBuf {
+    [env!("CARGO_MANIFEST_DIR"), "tests/fixtures/foreign-actors", name].iter().collect()
+}
+
+fn read(trainer: &str) -> Tensors {
+    Tensors::read(&fixture(&format!("{trainer}.safetensors")), 1 << 20).expect("a fixture")
+}
+
+#[test]
+fn imported_actors_answer_what_pytorch_did() {
+    let text = std::fs::read_to_string(fixture("answers.json")).expect("a fixture");
+    let answers: Answers = serde_json::from_str(&text).expect("answers");
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for (trainer, wanted) in [("sb3", &answers.sb3), ("cleanrl", &answers.cleanrl)] {
+        let out = folder.path().join(trainer);
+        let args = ImportArgs {
+            actor: fixture(&format!("{trainer}.safetensors")),
+            out: out.clone(),
+            inputs: Inputs::Features,
+            actions: tpg_runtime::sac::Actions::Fine,
+            mask: tpg_runtime::sac::Mask::None,
+            may_rest: false,
+        };
+        import(&args).expect("a good actor");
+        let (network, contract) = weights::read(&out).expect("what was just written");
+        assert_eq!(contract.actor.hidden, [7, 5]);
+        let mut tape = Tape::new(network.shape(), 1);
+        for (observation, wanted) in answers.observations.iter().zip(wanted) {
+            tape.input_mut().copy_from_slice(observation);
+            network.forward(&mut tape, Kernel::Portable);
+            for (answer, wanted) in tape.output().iter().zip(wanted) {
+                assert!((answer - wanted).abs() < 1e-6, "{trainer}: {answer} {wanted}");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_does_not_fit_is_refused_at_its_place() {
+    let place = |trainer: &str, inputs: Inputs, change: &dyn Fn(&mut BTreeMap<String, Tensor>)| {
+        let mut file = read(trainer);
+        change(&mut file.tensors);
+        from_tensors(file, inputs).map(|(_, trainer)| trainer).map_err(|(place, ..)| place)
+    };
+    fn of<'a>(tensors: &'a mut BTreeMap<String, Tensor>, name: &str) -> &'a mut Tensor {
+        tensors.get_mut(name).expect("a tensor of the fixture")
+    }
+    let features = Inputs::Features;
+    assert_eq!(place("sb3", features, &|_| ()), Ok("Stable-Baselines3"));
+    assert_eq!(place("cleanrl", features, &|_| ()), Ok("CleanRL"));
+    let refused = |place: &str| Err(place.to_owned());
+    assert_eq!(place("sb3", Inputs::PaperFs, &|_| ()), refused("latent_pi.0.weight"));
+    assert_eq!(place("sb3", features, &|t| drop(t.remove("mu.bias"))), refused("mu.bias"));
+    assert_eq!(place("sb3", features, &|t| drop(t.remove("mu.weight"))), refused(""));
+    assert_eq!(place("sb3", features, &|t| drop(t.remove("log_std.weight"))), refused("log_std.weight"));
+    assert_eq!(place("sb3", features, &|t| of(t, "mu.weight").values[0] = f32::NAN), refused("mu.weight"));
+    assert_eq!(place("cleanrl", features, &|t| of(t, "action_scale").values[0] = 2.0), refused("action_scale"));
+    assert_eq!(place("cleanrl", features, &|t| drop(t.insert("q".into(), Tensor::flat(vec![]))),), refused("q"));
+}

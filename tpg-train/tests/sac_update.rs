@@ -1,0 +1,119 @@
+//! Two whole updates of the soft actor-critic against numbers that PyTorch made.
+
+use serde::Deserialize;
+use tpg_train::sac::agent::{Agent, Bootstrap, Experience, Rates};
+use tpg_train::sac::nn::{Gaussian, Kernel, Mlp, Real, Shape, Spread};
+
+#[derive(Deserialize)]
+struct Fixture {
+    inputs: usize,
+    batch: usize,
+    actor_hidden: Vec<usize>,
+    critic_hidden: Vec<usize>,
+    rate: f64,
+    temperature_rate: f64,
+    follow: f64,
+    target_entropy: f64,
+    before: Parameters,
+    updates: Vec<Update>,
+}
+
+#[derive(Deserialize)]
+struct Parameters {
+    actor: Vec<f64>,
+    critics: [Vec<f64>; 2],
+    slow: [Vec<f64>; 2],
+    log_alpha: f64,
+}
+
+#[derive(Deserialize)]
+struct Update {
+    states: Vec<f64>,
+    actions: Vec<f64>,
+    rewards: Vec<f64>,
+    discounts: Vec<f64>,
+    next: Vec<f64>,
+    next_noise: Vec<f64>,
+    noise: Vec<f64>,
+    critic_loss: f64,
+    actor_loss: f64,
+    entropy: f64,
+    after: Parameters,
+}
+
+const ACTIONS: usize = 4;
+
+fn fixture() -> Fixture {
+    serde_json::from_str(include_str!("fixtures/sac-update/update.json")).expect("the fixture is JSON")
+}
+
+/// The greatest difference of two lists, relative to 1 and the second's magnitude.
+fn difference<T: Real>(ours: &[T], theirs: &[f64]) -> f64 {
+    assert_eq!(ours.len(), theirs.len());
+    let relative = |(ours, theirs): (&T, &f64)| (ours.wide() - theirs).abs() / (1.0 + theirs.abs());
+    ours.iter().zip(theirs).map(relative).fold(0.0, f64::max)
+}
+
+fn agrees<T: Real>(kernel: Kernel, bound: f64) {
+    let fixture = fixture();
+    let narrow = |values: &[f64]| -> Vec<T> { values.iter().map(|&value| T::of(value)).collect() };
+    let network = |inputs, hidden: &[usize], outputs, parameters: &[f64]| {
+        let shape = Shape { inputs, hidden: hidden.to_vec(), outputs, norm: false };
+        Mlp::from_parameters(shape, narrow(parameters)).expect("the fixture fits its shape")
+    };
+    let actor = network(fixture.inputs, &fixture.actor_hidden, 2 * ACTIONS, &fixture.before.actor);
+    let critics = (fixture.before.critics.each_ref())
+        .map(|critic| network(fixture.inputs + ACTIONS, &fixture.critic_hidden, 1, critic));
+    let gaussian = Gaussian { actions: ACTIONS, spread: Spread::LogSigma };
+    let mut agent = Agent::<T>::of_networks(actor, critics, None, gaussian, fixture.before.log_alpha, kernel);
+    let mut space = agent.workspace(fixture.batch);
+    let rates = Rates {
+        learning: fixture.rate,
+        temperature: fixture.temperature_rate,
+        follow: fixture.follow,
+        target_entropy: fixture.target_entropy,
+    };
+    for (number, update) in fixture.updates.iter().enumerate() {
+        let lists = [
+            &update.states,
+            &update.actions,
+            &update.rewards,
+            &update.discounts,
+            &update.next,
+            &update.next_noise,
+            &update.noise,
+        ]
+        .map(|list| narrow(list));
+        let [states, actions, rewards, discounts, next, next_noise, noise] = &lists;
+        let experience = Experience { states, actions, rewards, discounts, next, next_noise, noise };
+        let report = agent.update(&mut space, experience, &rates);
+        let after = &update.after;
+        let Bootstrap::SlowCritics(slow) = &agent.bootstrap else { panic!("an agent with slow critics") };
+        let pairs = [
+            ("actor", difference(agent.actor.network.parameters(), &after.actor)),
+            ("critic 0", difference(agent.critics[0].network.parameters(), &after.critics[0])),
+            ("critic 1", difference(agent.critics[1].network.parameters(), &after.critics[1])),
+            ("slow 0", difference(slow[0].parameters(), &after.slow[0])),
+            ("slow 1", difference(slow[1].parameters(), &after.slow[1])),
+            ("temperature", difference(&[agent.log_alpha], &[after.log_alpha])),
+            ("critic loss", difference(&[report.critic_loss], &[update.critic_loss])),
+            ("actor loss", difference(&[report.actor_loss], &[update.actor_loss])),
+            ("entropy", difference(&[report.entropy], &[update.entropy])),
+        ];
+        for (what, difference) in pairs {
+            assert!(difference < bound, "update {number}, {what}: off by {difference}");
+        }
+    }
+}
+
+#[test]
+fn two_updates_in_double_precision_equal_pytorchs() {
+    agrees::<f64>(Kernel::Fast, 1e-10);
+    agrees::<f64>(Kernel::Portable, 1e-10);
+}
+
+#[test]
+fn two_updates_in_single_precision_are_near_pytorchs() {
+    agrees::<f32>(Kernel::Fast, 1e-4);
+    agrees::<f32>(Kernel::Portable, 1e-4);
+}
