@@ -35,7 +35,11 @@ fn graph(folder: &Path) -> Graph {
 fn graphs_are_in_canonical_form() {
     for folder in policies() {
         let text = fs::read_to_string(folder.join("graph.json")).expect("readable");
-        assert!(graph(&folder).to_json() == text, "{}: `tpg-codegen convert` it", folder.display());
+        assert!(
+            graph(&folder).to_json() == text,
+            "{}: `tpg-codegen convert` it",
+            folder.display()
+        );
     }
 }
 
@@ -47,7 +51,11 @@ fn generated_code_is_fresh() {
             for file in emit::emit(&graph(&folder), language, &options) {
                 let path = folder.join(&file.name);
                 let found = fs::read_to_string(&path).unwrap_or_default();
-                assert!(found == file.text, "{}: regenerate as PROVENANCE.md says", path.display());
+                assert!(
+                    found == file.text,
+                    "{}: regenerate as PROVENANCE.md says",
+                    path.display()
+                );
             }
         }
     }

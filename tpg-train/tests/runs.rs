@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
-use std::time::Duration;
+use std::time::Instant;
 use tpg_train::evolution::config::Config;
 use tpg_train::evolution::presets::Preset;
 use tpg_train::random::{Purpose, Stream};
@@ -52,7 +52,9 @@ fn killed_resumed_or_on_other_threads_a_run_ends_in_the_same_bytes() {
     let config = place.path().join("config.toml");
     fs::write(&config, small_config().to_toml()).expect("it can be written");
     let undisturbed = place.path().join("undisturbed");
+    let start = Instant::now();
     assert!(train(&undisturbed, &config, &["--threads", "1"]).status().expect("it runs").success());
+    let whole = start.elapsed();
     let expected = results(&undisturbed);
     for (name, more) in
         [("threads-2", ["--threads", "2", "--lanes", "3"]), ("threads-5", ["--threads", "5", "--lanes", "1"])]
@@ -68,7 +70,8 @@ fn killed_resumed_or_on_other_threads_a_run_ends_in_the_same_bytes() {
     let mut kills = 0;
     for _ in 0..20 {
         let mut run: Child = train(&killed, &config, &arguments).spawn().expect("it starts");
-        sleep(Duration::from_millis(stream.between(5, 400) as u64));
+        // At most a quarter of a whole run, so that the first one is killed on a fast machine too.
+        sleep(whole / 400 * stream.between(1, 100) as u32);
         // SIGKILL: the program cannot do anything about it.
         run.kill().expect("it can be killed");
         kills += u32::from(!run.wait().expect("it ends").success());

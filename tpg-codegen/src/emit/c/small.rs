@@ -28,7 +28,7 @@ struct Small<'a> {
     frame: usize,
     operand_bits: u32,
     operand_mask: u32,
-    /// Whether an operation has a second operand.
+    /// Whether any operation reads a second place.
     two_operands: bool,
     cases: Vec<CaseView>,
 }
@@ -67,7 +67,7 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module, upper: &str) -> Str
         frame,
         operand_bits,
         operand_mask: (1 << operand_bits) - 1,
-        two_operands: used.iter().any(|operation| operation.is_some_and(|instruction| instruction.arity() == 2)),
+        two_operands: used.iter().flatten().any(|instruction| instruction.arity() == 2),
         cases: (used.iter())
             .map(|&operation| CaseView {
                 number: bytecode::number(operation),
