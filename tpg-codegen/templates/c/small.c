@@ -25,7 +25,7 @@ static {{ scalar }} {{ prefix }}_run({{ scalar }} frame[], uint32_t program)
         const {{ scalar }} b = frame[(uint32_t)(instruction >> {{ operand_bits }}) & {{ operand_mask }}U];
 {%- endif %}
 
-{%- if let [case] = cases.as_slice() %}
+{% if let [case] = cases.as_slice() %}
         result = {{ case.expression }};
 {%- else %}
         switch ((uint32_t)(instruction >> {{ operand_bits * 2 }})) {
