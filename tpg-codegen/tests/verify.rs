@@ -3,6 +3,7 @@
 use tpg_codegen::emit::{Options, Profile, Style};
 use tpg_codegen::engine::Engine;
 use tpg_codegen::graph::{Document, Graph, MathsProvider, ScalarType};
+use tpg_codegen::sample::{self, Shape};
 use tpg_codegen::verify::{self, Workshop};
 
 fn fixture(scalar: ScalarType, maths: MathsProvider) -> Graph {
@@ -47,6 +48,12 @@ fn every_instruction_in_f64_with_own_maths() {
 #[test]
 fn every_instruction_in_f32_with_own_maths() {
     assert_equal(&fixture(ScalarType::F32, MathsProvider::Own), 50_000);
+}
+
+#[test]
+fn more_teams_than_one_switch_takes() {
+    let shape = Shape { teams: 150, edges: 1..=3, lines: 0..=3, chain: true, ..Shape::default() };
+    assert_equal(&sample::graph(&shape, 1), 20_000);
 }
 
 #[test]

@@ -38,24 +38,4 @@ static uint32_t {{ prefix }}_team_{{ team.label }}(const {{ prefix }}_state_t *s
     return {% if team.next.is_some() %}next[edge]{% else %}vertex{% endif %};
 }
 {% endfor %}
-/* Teams are numbered from 0, which is the root; the actions follow them. */
-uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state)
-{
-    uint32_t vertex = 0U;
-    uint32_t hop;
-
-    for (hop = 0U; (hop < {{ upper }}_DEPTH) && (vertex < {{ upper }}_TEAMS); hop++) {
-        switch (vertex) {
-{%- for team in teams %}
-        case {{ loop.index0 }}U:
-            vertex = {{ prefix }}_team_{{ team.label }}(state);
-            break;
-{%- endfor %}
-        default:
-            vertex = {{ upper }}_TEAMS; /* never: every team has its case */
-            break;
-        }
-    }
-    vertex -= {{ upper }}_TEAMS;
-    return (uint16_t)vertex;
-}
+{{ walk }}

@@ -25,6 +25,9 @@ static {{ scalar }} {{ prefix }}_run({{ scalar }} frame[], uint32_t program)
         const {{ scalar }} b = frame[(uint32_t)(instruction >> {{ operand_bits }}) & {{ operand_mask }}U];
 {%- endif %}
 
+{% if let [case] = cases.as_slice() %}
+        result = {{ case.expression }};
+{%- else %}
         switch ((uint32_t)(instruction >> {{ operand_bits * 2 }})) {
 {%- for case in cases %}
 {%- if loop.last %}
@@ -36,6 +39,7 @@ static {{ scalar }} {{ prefix }}_run({{ scalar }} frame[], uint32_t program)
             break;
 {%- endfor %}
         }
+{%- endif %}
         frame[({{ first_result }}U + place) - begin] = result;
     }
     return result;

@@ -8,7 +8,8 @@
 //! where x is NaN. Where what is best is no constant, it does not.
 
 use super::expression::Printer;
-use super::vertex;
+use super::{vertex, walk};
+use crate::emit::Style;
 use crate::graph::ScalarType;
 use crate::ir::{Module, Node, NodeId, needed};
 use crate::passes::schedule::{Bid, LazyBid, Plan, Schedule};
@@ -19,11 +20,12 @@ use std::collections::BTreeSet;
 #[template(path = "c/fast.c", escape = "none")]
 struct Fast<'a> {
     prefix: &'a str,
-    upper: &'a str,
     scalar: &'a str,
     lowest: &'a str,
     vertex: &'a str,
     teams: Vec<TeamView>,
+    /// The entry point.
+    walk: String,
 }
 
 struct TeamView {
@@ -61,11 +63,11 @@ struct LazyView {
 pub(super) fn render(printer: &Printer<'_>, module: &Module, schedule: &Schedule, upper: &str) -> String {
     let fast = Fast {
         prefix: printer.prefix,
-        upper,
         scalar: printer.scalar(),
         lowest: if printer.graph.scalar() == ScalarType::F32 { "FLT_MAX" } else { "DBL_MAX" },
         vertex: super::vertex_type(printer.graph, module),
         teams: schedule.plans.iter().map(|plan| TeamPrinter::new(printer, module, plan).view()).collect(),
+        walk: walk::render(printer, module, upper, Style::Pure),
     };
     fast.render().expect("the template renders")
 }

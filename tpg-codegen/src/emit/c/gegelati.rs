@@ -2,7 +2,8 @@
 //! switch. Nothing is optimised: it is what the profiles are measured against.
 
 use super::expression::Printer;
-use super::vertex;
+use super::{vertex, walk};
+use crate::emit::Style;
 use crate::ir::{Bidder, Module, Node, NodeId};
 use askama::Template;
 
@@ -10,11 +11,12 @@ use askama::Template;
 #[template(path = "c/gegelati.c", escape = "none")]
 struct Gegelati<'a> {
     prefix: &'a str,
-    upper: &'a str,
     scalar: &'a str,
     vertex: &'a str,
     programs: Vec<ProgramView>,
     teams: Vec<TeamView>,
+    /// The entry point.
+    walk: String,
 }
 
 struct ProgramView {
@@ -33,7 +35,6 @@ struct TeamView {
 pub(super) fn render(printer: &Printer<'_>, module: &Module, upper: &str) -> String {
     let gegelati = Gegelati {
         prefix: printer.prefix,
-        upper,
         scalar: printer.scalar(),
         vertex: super::vertex_type(printer.graph, module),
         programs: module.bidders.iter().map(|bidder| program(printer, module, bidder)).collect(),
@@ -44,6 +45,7 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module, upper: &str) -> Str
                 next: team.edges.iter().map(|edge| vertex(module, edge.to)).collect::<Vec<_>>().join(", "),
             })
             .collect(),
+        walk: walk::render(printer, module, upper, Style::Gegelati),
     };
     gegelati.render().expect("the template renders")
 }
