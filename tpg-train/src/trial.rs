@@ -59,7 +59,8 @@ where
     summarise(start, &tasks.iter().map(episode).collect::<Vec<_>>())
 }
 
-fn summarise<S: Lattice>(problem: Start, summaries: &[Summary<S>]) -> Trial {
+/// What came of these episodes.
+pub fn summarise<S: Lattice>(problem: Start, summaries: &[Summary<S>]) -> Trial {
     let mut failures = Failures::default();
     let (mut successes, mut actions, mut on_success) = (0, 0.0, 0.0);
     for summary in summaries {
