@@ -10,6 +10,7 @@
 //! | [`Settings`] | the paper's two parameters, and ours: a guard and a hand-over for good |
 //! | [`Hybrid`] | two policies with their settings: constant, shared by all episodes |
 //! | [`Switch`] | whose turn it is: the state of one episode, a few words and a cycle detector |
+//! | [`Careful`] | a network that holds joints rather than collide |
 //! | [`HybridEpisode`] | one episode in the simulated arm |
 //!
 //! On a real arm there is no [`HybridEpisode`]: the control loop asks and tells the [`Switch`] itself.
@@ -47,9 +48,11 @@
 //! assert_eq!(switch.driver(), Driver::Sac);
 //! ```
 
+mod careful;
 mod episode;
 mod switch;
 
+pub use careful::Careful;
 pub use episode::{HybridEpisode, HybridSummary};
 pub use switch::{CAUSES, Cause, Chosen, Counts, Driver, Switch};
 

@@ -8,8 +8,20 @@
 //! | [`graph`] | a graph as a policy of the arm |
 //! | [`actor`] | an actor from its file |
 //! | [`trial`] | a hybrid on many tasks |
+//! | [`study`] | every pair under every setting |
+//! | [`cost`] | what a decision costs |
+//! | [`choice`] | means over pairs, Pareto front, the setting to take |
+//! | [`report`] | the study as a page |
+//! | [`command`] | `tpg-train hybrid` |
+//! | [`table`] | `tpg-train table2` |
 
 pub mod actor;
+pub mod choice;
+pub mod command;
+pub mod cost;
 pub mod graph;
+pub mod report;
 pub mod setting;
+pub mod study;
+pub mod table;
 pub mod trial;

@@ -1,8 +1,8 @@
 //! How a graph and an actor share an arm, as a file: `hybrid.toml`.
 
-use crate::files::read_text;
+use crate::files::{read_text, write_atomically};
 use serde::{Deserialize, Serialize};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use tpg_codegen::error::{InputError, Place};
 use tpg_runtime::hybrid::{Guard, NEVER, Settings};
 use tpg_runtime::scalar::Scalar;
@@ -88,12 +88,19 @@ pub struct Setting {
     pub guard: Guard,
     /// How cycles are noticed.
     pub detector: Detector,
+    /// Whether the network holds joints rather than collide.
+    pub careful: bool,
 }
 
 impl Setting {
     /// The paper's choice for each problem.
-    pub const PAPER_FS: Self =
-        Self { hand_back_after: HandBack(100), separation_mm: 20.0, guard: Guard::None, detector: Detector::Visited };
+    pub const PAPER_FS: Self = Self {
+        hand_back_after: HandBack(100),
+        separation_mm: 20.0,
+        guard: Guard::None,
+        detector: Detector::Visited,
+        careful: false,
+    };
     /// For random starts.
     pub const PAPER_RS: Self = Self { separation_mm: 10.0, ..Self::PAPER_FS };
 
@@ -112,7 +119,9 @@ impl Setting {
             HandBack::NEVER => "for good".to_owned(),
             HandBack(actions) => format!("{actions} actions"),
         };
-        format!("{back}, {} mm, guard {}, {}", shown(self.separation_mm), self.guard.name(), self.detector.name())
+        let careful = if self.careful { ", careful network" } else { "" };
+        let (mm, guard, detector) = (shown(self.separation_mm), self.guard.name(), self.detector.name());
+        format!("{back}, {mm} mm, guard {guard}, {detector}{careful}")
     }
 }
 
@@ -137,6 +146,9 @@ pub struct HybridFile {
     pub guard: String,
     /// "visited" or "brent".
     pub cycle_detector: Detector,
+    /// Whether the network holds joints rather than collide.
+    #[serde(default)]
+    pub careful: bool,
 }
 
 impl HybridFile {
@@ -169,8 +181,8 @@ impl HybridFile {
             let accepted = "a distance from 0 mm, or inf".to_owned();
             return Err(("separation_mm".to_owned(), self.separation_mm.to_string(), accepted));
         }
-        let Self { hand_back_after, separation_mm, cycle_detector: detector, .. } = *self;
-        Ok(Setting { hand_back_after, separation_mm, guard, detector })
+        let Self { hand_back_after, separation_mm, cycle_detector: detector, careful, .. } = *self;
+        Ok(Setting { hand_back_after, separation_mm, guard, detector, careful })
     }
 
     /// The same as constants of a Rust crate that uses `tpg_runtime`.
@@ -178,7 +190,7 @@ impl HybridFile {
     /// # Errors
     /// As [`setting`](Self::setting).
     pub fn to_rust(&self) -> Result<String, (String, String, String)> {
-        let Setting { hand_back_after, separation_mm, guard, detector } = self.setting()?;
+        let Setting { hand_back_after, separation_mm, guard, detector, careful } = self.setting()?;
         let (back, back_import) = match hand_back_after {
             HandBack::NEVER => ("NEVER".to_owned(), "NEVER, "),
             HandBack(actions) => (actions.to_string(), ""),
@@ -195,13 +207,40 @@ impl HybridFile {
              use tpg_runtime::hybrid::{{Guard, {back_import}Settings}};\n\
              \n\
              /// When they change.\n\
-             pub const SETTINGS: Settings<f32> =\n    \
-             Settings {{ hand_back_after: {back}, separation: {separation}, guard: Guard::{guard} }};\n\
+             pub const SETTINGS: Settings<f32> = Settings {{\n    \
+             hand_back_after: {back},\n    \
+             separation: {separation},\n    \
+             guard: Guard::{guard},\n\
+             }};\n\
              \n\
              /// What notices that the graph comes to a pose again.\n\
-             pub type Detector = {watched};\n"
+             pub type Detector = {watched};\n\
+             \n\
+             /// Whether the network is a [`Careful`](tpg_runtime::hybrid::Careful) one.\n\
+             pub const CAREFUL: bool = {careful};\n"
         ))
     }
+}
+
+/// Turn a hybrid.toml into constants of Rust.
+#[derive(Clone, Debug, clap::Args)]
+pub struct ConstantsArgs {
+    /// The hybrid.toml
+    pub hybrid: PathBuf,
+    /// The Rust file to write
+    #[arg(long, value_name = "FILE")]
+    pub out: PathBuf,
+}
+
+/// Writes the constants.
+///
+/// # Errors
+/// If the file is no `hybrid.toml`, or the other cannot be written.
+pub fn constants(args: &ConstantsArgs) -> Result<(), InputError> {
+    let name = args.hybrid.display().to_string();
+    let rust = HybridFile::read(&args.hybrid)?.to_rust();
+    let rust = rust.map_err(|(key, found, accepted)| InputError::new(name, Place::Path(key), found, accepted))?;
+    write_atomically(&args.out, rust.as_bytes())
 }
 
 #[cfg(test)]
@@ -209,7 +248,7 @@ mod tests {
     use super::*;
 
     const TEXT: &str = "graph = \"graph.json\"\nactor = \"../a/policy.q.json\"\nhand_back_after = \"never\"\n\
-                        separation_mm = inf\nguard = \"collisions\"\ncycle_detector = \"brent\"\n";
+                        separation_mm = inf\nguard = \"collisions\"\ncycle_detector = \"brent\"\ncareful = true\n";
 
     #[test]
     fn a_file_comes_back_as_it_was() {
@@ -220,7 +259,7 @@ mod tests {
         let numbers = TEXT.replace("\"never\"", "100").replace("inf", "20.0");
         let file: HybridFile = toml::from_str(&numbers).expect("a good file");
         assert_eq!(toml::to_string(&file).expect("plain data"), numbers);
-        assert!(file.to_rust().expect("a setting").contains("hand_back_after: 100, separation: 20.0"));
+        assert!(file.to_rust().expect("a setting").contains("hand_back_after: 100,\n    separation: 20.0,\n"));
     }
 
     #[test]

@@ -11,7 +11,7 @@ use tpg_codegen::error::InputError;
 use tpg_codegen::graph::{Graph, MathsProvider, ScalarType};
 use tpg_runtime::arm::{Move, WIDOWX};
 use tpg_runtime::cycle::{Brent, CycleDetector, Visited};
-use tpg_runtime::hybrid::{CAUSES, Hybrid, HybridEpisode, HybridSummary};
+use tpg_runtime::hybrid::{CAUSES, Careful, Hybrid, HybridEpisode, HybridSummary};
 use tpg_runtime::observation::Observation;
 use tpg_runtime::ops::{Maths, Own, System};
 use tpg_runtime::policy::Policy;
@@ -66,8 +66,35 @@ fn of<S: ArmScalar, M: Maths<S>>(
     let tpg = GraphPolicy::<S, M>::new(file, graph)?;
     let sac = actor.policy();
     let arm = S::arm(&WIDOWX);
-    let hybrid = Hybrid { arm: &arm, tpg, sac: Narrowed::<S, _>::new(&*sac), settings: setting.settings() };
-    Ok(trial(&hybrid, setting.detector, start, tasks))
+    let (sac, settings) = (Narrowed::<S, _>::new(&*sac), setting.settings());
+    Ok(if setting.careful {
+        let hybrid = Hybrid { arm: &arm, tpg, sac: Careful { arm: &arm, policy: sac }, settings };
+        trial(&hybrid, setting.detector, start, tasks)
+    } else {
+        trial(&Hybrid { arm: &arm, tpg, sac, settings }, setting.detector, start, tasks)
+    })
+}
+
+/// Lets a graph do every task without anyone's help.
+///
+/// # Errors
+/// If the graph is none for the arm; `file` names it.
+pub fn graph_alone(file: &str, graph: &Graph, start: Start, tasks: &[Task]) -> Result<Trial, InputError> {
+    match (graph.scalar(), graph.maths()) {
+        (ScalarType::F32, MathsProvider::Own) => alone::<f32, Own>(file, graph, start, tasks),
+        (ScalarType::F32, MathsProvider::System) => alone::<f32, System>(file, graph, start, tasks),
+        (ScalarType::F64, MathsProvider::Own) => alone::<f64, Own>(file, graph, start, tasks),
+        (ScalarType::F64, MathsProvider::System) => alone::<f64, System>(file, graph, start, tasks),
+    }
+}
+
+fn alone<S: ArmScalar, M: Maths<S>>(
+    file: &str,
+    graph: &Graph,
+    start: Start,
+    tasks: &[Task],
+) -> Result<Trial, InputError> {
+    Ok(trial::run(&S::arm(&WIDOWX), &GraphPolicy::<S, M>::new(file, graph)?, start, tasks))
 }
 
 /// Runs one episode of each task.

@@ -1,0 +1,17 @@
+//! How this folder's graph and its actor share the arm: made from `hybrid.toml` by `tpg-train`; do not edit.
+
+use tpg_runtime::cycle::Brent;
+use tpg_runtime::hybrid::{Guard, NEVER, Settings};
+
+/// When they change.
+pub const SETTINGS: Settings<f32> = Settings {
+    hand_back_after: NEVER,
+    separation: f32::INFINITY,
+    guard: Guard::Collisions,
+};
+
+/// What notices that the graph comes to a pose again.
+pub type Detector = Brent;
+
+/// Whether the network is a [`Careful`](tpg_runtime::hybrid::Careful) one.
+pub const CAREFUL: bool = false;

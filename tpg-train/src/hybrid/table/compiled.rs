@@ -1,0 +1,106 @@
+//! The shipped policies as users compile them: the generated Rust, with this program's own options.
+
+use super::reference::Reference;
+use super::timing::{self, Time};
+use crate::sac::lanes::ARM;
+use crate::targets::{Start, Task};
+use tpg_generated::{widowx_fs, widowx_fs_hybrid, widowx_rs, widowx_rs_hybrid, widowx_sac};
+use tpg_runtime::arm::Move;
+use tpg_runtime::cycle::{Brent, CycleDetector, Visited};
+use tpg_runtime::hybrid::{Careful, Guard, Hybrid, Settings};
+use tpg_runtime::observation::{ArmPolicy, Observation};
+use tpg_runtime::policy::Policy;
+use tpg_runtime::sac::fixed::FixedPolicy;
+
+/// Times of a shipped hybrid and its parts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Times {
+    /// The graph alone.
+    pub tpg: Time,
+    /// The network alone, in integers.
+    pub sac: Time,
+    /// Both, as shipped.
+    pub hybrid: Time,
+}
+
+/// What else is measured in the same run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Costs {
+    /// The shipped hybrid and its parts.
+    pub shipped: Times,
+    /// The hybrid with each guard, in the order of [`Guard::ALL`].
+    pub guards: [Time; 3],
+    /// The hybrid with the exact set of visited poses, and with Brent's detector.
+    pub detectors: [Time; 2],
+    /// The paper's network alone, 13-256-256-4 in `f32`.
+    pub reference: Time,
+}
+
+fn network() -> impl Policy<State = Observation<f32>, Action = Move> + Copy {
+    FixedPolicy { arm: &ARM, network: &widowx_sac::NETWORK, decision: widowx_sac::DECISION }
+}
+
+fn careful() -> impl Policy<State = Observation<f32>, Action = Move> + Copy {
+    Careful { arm: &ARM, policy: network() }
+}
+
+/// Times on those tasks.
+pub fn times(start: Start, tasks: &[Task]) -> Times {
+    use {widowx_fs_hybrid as of_fs, widowx_rs_hybrid as of_rs};
+    match (start, of_fs::CAREFUL, of_rs::CAREFUL) {
+        (Start::Fs, false, _) => parts(start, tasks, fs(), network(), of_fs::SETTINGS, &of_fs::Detector::new()),
+        (Start::Fs, true, _) => parts(start, tasks, fs(), careful(), of_fs::SETTINGS, &of_fs::Detector::new()),
+        (Start::Rs, _, false) => parts(start, tasks, rs(), network(), of_rs::SETTINGS, &of_rs::Detector::new()),
+        (Start::Rs, _, true) => parts(start, tasks, rs(), careful(), of_rs::SETTINGS, &of_rs::Detector::new()),
+    }
+}
+
+/// Tasks that are timed.
+const TIMED: usize = 100;
+
+/// Everything that is compared in one run.
+pub fn measure(start: Start, tasks: &[Task]) -> Costs {
+    let tasks = &tasks[..TIMED.min(tasks.len())];
+    let reference = timing::of_policy(&ARM, &Reference::random(1), start, tasks);
+    let shipped = times(start, tasks);
+    let (guards, detectors) = match start {
+        Start::Fs => variants(start, tasks, fs(), widowx_fs_hybrid::SETTINGS),
+        Start::Rs => variants(start, tasks, rs(), widowx_rs_hybrid::SETTINGS),
+    };
+    Costs { shipped, guards, detectors, reference }
+}
+
+fn fs() -> impl Policy<State = Observation<f32>, Action = Move> + Copy {
+    let (sources, moves) = (&widowx_fs::WidowxFs::SOURCES, &widowx_fs::WidowxFs::MOVES);
+    ArmPolicy { policy: widowx_fs::WidowxFs, arm: &ARM, sources, moves }
+}
+
+fn rs() -> impl Policy<State = Observation<f32>, Action = Move> + Copy {
+    let (sources, moves) = (&widowx_rs::WidowxRs::SOURCES, &widowx_rs::WidowxRs::MOVES);
+    ArmPolicy { policy: widowx_rs::WidowxRs, arm: &ARM, sources, moves }
+}
+
+fn parts<T, P, D>(start: Start, tasks: &[Task], tpg: T, sac: P, settings: Settings<f32>, detector: &D) -> Times
+where
+    T: Policy<State = Observation<f32>, Action = Move> + Copy,
+    P: Policy<State = Observation<f32>, Action = Move> + Copy,
+    D: CycleDetector + Clone,
+{
+    Times {
+        tpg: timing::of_policy(&ARM, &tpg, start, tasks),
+        sac: timing::of_policy(&ARM, &network(), start, tasks),
+        hybrid: timing::of_hybrid(&Hybrid { arm: &ARM, tpg, sac, settings }, detector, start, tasks),
+    }
+}
+
+fn variants<T>(start: Start, tasks: &[Task], tpg: T, settings: Settings<f32>) -> ([Time; 3], [Time; 2])
+where
+    T: Policy<State = Observation<f32>, Action = Move> + Copy,
+{
+    let hybrid = |settings| Hybrid { arm: &ARM, tpg, sac: network(), settings };
+    let guards =
+        Guard::ALL.map(|guard| timing::of_hybrid(&hybrid(Settings { guard, ..settings }), &Brent::new(), start, tasks));
+    let exact = timing::of_hybrid(&hybrid(settings), &Visited::<4096>::new(), start, tasks);
+    let brent = timing::of_hybrid(&hybrid(settings), &Brent::new(), start, tasks);
+    (guards, [exact, brent])
+}
