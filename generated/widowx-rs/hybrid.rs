@@ -12,6 +12,3 @@ pub const SETTINGS: Settings<f32> = Settings {
 
 /// What notices that the graph comes to a pose again.
 pub type Detector = Brent;
-
-/// Whether the network is a [`Careful`](tpg_runtime::hybrid::Careful) one.
-pub const CAREFUL: bool = false;

@@ -43,15 +43,12 @@ pub struct EvalArgs {
     /// With --tpg and --policy: the network takes over when the hand is further away than its best by this; `inf`
     #[arg(long, value_name = "D", default_value_t = 20.0)]
     pub separation_mm: f64,
-    /// With --tpg and --policy: none, joint-limits or collisions
+    /// With --tpg and --policy: none, joint-limits, collisions or both
     #[arg(long, value_name = "GUARD", default_value = "none", value_parser = crate::hybrid::command::guard)]
     pub guard: Guard,
     /// With --tpg and --policy: how cycles of the graph are noticed
     #[arg(long, value_enum, default_value_t = Detector::Visited)]
     pub cycle_detector: Detector,
-    /// With --tpg and --policy: the network holds joints rather than collide
-    #[arg(long)]
-    pub careful: bool,
     /// Episodes from a file
     #[arg(long, value_name = "CSV", conflicts_with = "episodes")]
     pub targets: Option<PathBuf>,
@@ -252,7 +249,6 @@ pub fn eval(args: &EvalArgs) -> Result<(), InputError> {
                 separation_mm: args.separation_mm,
                 guard: args.guard,
                 detector: args.cycle_detector,
-                careful: args.careful,
             };
             let name = format!("{} with {actor}: {}", graph.display(), setting.sentence());
             of_hybrid(&name, graph, Path::new(actor), &setting, args.problem, &tasks, seed)?

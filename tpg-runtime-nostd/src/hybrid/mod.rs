@@ -10,7 +10,6 @@
 //! | [`Settings`] | the paper's two parameters, and ours: a guard and a hand-over for good |
 //! | [`Hybrid`] | two policies with their settings: constant, shared by all episodes |
 //! | [`Switch`] | whose turn it is: the state of one episode, a few words and a cycle detector |
-//! | [`Careful`] | a network that holds joints rather than collide |
 //! | [`HybridEpisode`] | one episode in the simulated arm |
 //!
 //! On a real arm there is no [`HybridEpisode`]: the control loop asks and tells the [`Switch`] itself.
@@ -48,11 +47,9 @@
 //! assert_eq!(switch.driver(), Driver::Sac);
 //! ```
 
-mod careful;
 mod episode;
 mod switch;
 
-pub use careful::Careful;
 pub use episode::{HybridEpisode, HybridSummary};
 pub use switch::{CAUSES, Cause, Chosen, Counts, Driver, Switch};
 
@@ -78,20 +75,23 @@ pub struct Settings<S> {
     pub guard: Guard,
 }
 
-/// Which actions of the graph are not executed: the network takes over instead. The paper has no guard.
+/// Which actions are not executed. The paper has no guard.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Guard {
     /// Every action is executed, and an invalid one ends the episode.
     None,
-    /// Not those that leave a joint's range: two comparisons a joint.
+    /// Not the graph's that leave a joint's range: the network takes over instead. Two comparisons a joint.
     JointLimits,
-    /// Nor those that collide: one collision test an action of the graph.
+    /// Nor the graph's that collide: one collision test an action of the graph.
     Collisions,
+    /// Nor the network's: it holds joints where that makes its action valid. One collision test an action, and up to 15
+    /// where the network's would be invalid.
+    Both,
 }
 
 impl Guard {
     /// Every guard.
-    pub const ALL: [Self; 3] = [Self::None, Self::JointLimits, Self::Collisions];
+    pub const ALL: [Self; 4] = [Self::None, Self::JointLimits, Self::Collisions, Self::Both];
 
     /// The name in setting files.
     pub const fn name(self) -> &'static str {
@@ -99,6 +99,7 @@ impl Guard {
             Self::None => "none",
             Self::JointLimits => "joint-limits",
             Self::Collisions => "collisions",
+            Self::Both => "both",
         }
     }
 
@@ -107,12 +108,12 @@ impl Guard {
         Self::ALL.into_iter().find(|guard| guard.name() == name)
     }
 
-    /// Why an action must not be executed, if so.
+    /// Why an action of the graph must not be executed, if so.
     pub fn refuses<S: Lattice>(self, arm: &Arm<S>, pose: Pose, wanted: Move) -> Option<Invalid> {
         match self {
             Self::None => None,
             Self::JointLimits => arm.step_with(pose, wanted, |_| None).invalid,
-            Self::Collisions => arm.step(pose, wanted).invalid,
+            Self::Collisions | Self::Both => arm.step(pose, wanted).invalid,
         }
     }
 }
@@ -145,6 +146,30 @@ where
             }
             switch.refused();
         }
-        Chosen { driver: Driver::Sac, wanted: self.sac.decide(seen) }
+        let wanted = self.sac.decide(seen);
+        let wanted = if self.settings.guard == Guard::Both { holding(self.arm, seen.pose, wanted) } else { wanted };
+        Chosen { driver: Driver::Sac, wanted }
     }
+}
+
+/// Joints that are held, as bits from the base on: fewer first, and of as many those nearer to the hand.
+const HELD: [u8; 14] =
+    [0b1000, 0b0100, 0b0010, 0b0001, 0b1100, 0b1010, 0b0110, 0b1001, 0b0101, 0b0011, 0b1110, 0b1101, 0b1011, 0b0111];
+
+/// The move, or where it is invalid the first valid one with fewer joints; if there is none, the move as it was. Resting
+/// is no way out: the network would rest for ever.
+fn holding<S: Lattice>(arm: &Arm<S>, pose: Pose, wanted: Move) -> Move {
+    let valid = |wanted| arm.step(pose, wanted).invalid.is_none();
+    if valid(wanted) {
+        return wanted;
+    }
+    let fewer = HELD.into_iter().map(|held| {
+        let Move(mut deltas) = wanted;
+        for (joint, delta) in deltas.iter_mut().enumerate() {
+            *delta = if held >> joint & 1 == 1 { 0 } else { *delta };
+        }
+        Move(deltas)
+    });
+    let mut moving = fewer.filter(|&fewer| fewer != Move::STOP && fewer != wanted);
+    moving.find(|&fewer| valid(fewer)).unwrap_or(wanted)
 }

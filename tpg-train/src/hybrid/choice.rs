@@ -143,7 +143,6 @@ mod tests {
             sac,
             guard: "none".to_owned(),
             cycle_detector: Detector::Visited,
-            careful: false,
             hand_back_after: HandBack(10),
             separation_mm,
             episodes: 100,
@@ -163,7 +162,7 @@ mod tests {
 
     #[test]
     fn the_cheapest_of_the_good_is_chosen_and_what_is_dominated_is_not_on_the_front() {
-        let costs = Costs { tpg: vec![100.0], sac: vec![1000.0, 1000.0], guards: [0.0, 5.0, 50.0] };
+        let costs = Costs { tpg: vec![100.0], sac: vec![1000.0, 1000.0], guards: [0.0, 5.0, 50.0, 50.0] };
         let cells = [
             cell(0, 1.0, 0.96, 3.0, 0.1), // best, and slow
             cell(1, 1.0, 0.94, 5.0, 0.1),
@@ -177,7 +176,6 @@ mod tests {
             separation_mm,
             guard: Guard::None,
             detector: Detector::Visited,
-            careful: false,
         };
         let summaries = summarise(&cells, &[setting(1.0), setting(3.0), setting(10.0)], &costs);
         assert_eq!(summaries.iter().map(|s| s.on_front).collect::<Vec<_>>(), [true, true, false]);

@@ -51,16 +51,13 @@ pub struct HybridArgs {
     /// The seed of the validation episodes
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
-    /// Guards: none, joint-limits, collisions
-    #[arg(long, value_name = "GUARD", value_delimiter = ',', default_value = "none,joint-limits,collisions",
+    /// Guards: none, joint-limits, collisions, both
+    #[arg(long, value_name = "GUARD", value_delimiter = ',', default_value = "none,joint-limits,collisions,both",
           value_parser = guard)]
     pub guard: Vec<Guard>,
     /// How cycles are noticed
     #[arg(long, value_enum, value_name = "DETECTOR", value_delimiter = ',', default_value = "visited")]
     pub cycle_detector: Vec<Detector>,
-    /// The network holds joints rather than collide
-    #[arg(long)]
-    pub careful: bool,
     /// Threads; 0 for one each core
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub threads: usize,
@@ -101,7 +98,6 @@ struct Asked {
     seed: u64,
     guards: Vec<String>,
     cycle_detectors: Vec<Detector>,
-    careful: bool,
     tpg: Vec<Input>,
     policy: Vec<Input>,
 }
@@ -133,14 +129,13 @@ pub fn execute(args: &HybridArgs) -> Result<End, InputError> {
         seed: args.seed,
         guards: args.guard.iter().map(|guard| guard.name().to_owned()).collect(),
         cycle_detectors: args.cycle_detector.clone(),
-        careful: args.careful,
         tpg: inputs(&args.tpg)?,
         policy: inputs(&args.policy)?,
     };
     let study = Study {
         tpgs: args.tpg.iter().map(|p| Ok((p.display().to_string(), read_graph(p)?))).collect::<Result<_, _>>()?,
         sacs: args.policy.iter().map(|p| Ok((p.display().to_string(), Actor::read(p)?))).collect::<Result<_, _>>()?,
-        settings: settings(&args.guard, &args.cycle_detector, args.careful),
+        settings: settings(&args.guard, &args.cycle_detector),
         start: args.problem,
         tasks: tasks(&WIDOWX, args.seed, Set::Validation, args.problem, args.episodes),
     };
@@ -245,7 +240,6 @@ fn best_pair(args: &HybridArgs, cells: &[Cell], chosen: &Summary) -> Option<Stri
         separation_mm: best.separation_mm,
         guard: best.guard.clone(),
         cycle_detector: best.cycle_detector,
-        careful: best.careful,
     };
     Some(toml::to_string(&file).expect("plain data"))
 }

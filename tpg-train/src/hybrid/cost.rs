@@ -24,7 +24,7 @@ pub struct Costs {
     /// Of each actor.
     pub sac: Vec<f64>,
     /// Of each guard, in the order of [`Guard::ALL`].
-    pub guards: [f64; 3],
+    pub guards: [f64; 4],
 }
 
 impl Costs {
@@ -46,8 +46,8 @@ impl Costs {
         let single = Move([3, 0, 0, 0]);
         let guards = Guard::ALL.map(|guard| best_of(&states, |seen| guard.refuses(&arm, seen.pose, single)));
         // What the loop itself costs: the time of the guard that does nothing.
-        let [nothing, limits, collisions] = guards;
-        Ok(Self { tpg, sac, guards: [0.0, (limits - nothing).max(0.0), (collisions - nothing).max(0.0)] })
+        let [nothing, ..] = guards;
+        Ok(Self { tpg, sac, guards: guards.map(|ns| (ns - nothing).max(0.0)) })
     }
 
     /// The mean time of an action in a cell: decisions of both policies and guard checks, counted exactly, times their
@@ -55,8 +55,10 @@ impl Costs {
     pub fn ns_per_action(&self, cell: &Cell) -> f64 {
         let guard = Guard::ALL.iter().position(|guard| guard.name() == cell.guard).unwrap_or(0);
         // A refused decision was made, too.
+        let of_network = if cell.guard == Guard::Both.name() { self.guards[guard] } else { 0.0 };
         let tpg_decisions = cell.tpg_action_ratio + cell.hand_overs_guard / cell.actions.max(1.0);
-        tpg_decisions * (self.tpg[cell.tpg] + self.guards[guard]) + (1.0 - cell.tpg_action_ratio) * self.sac[cell.sac]
+        tpg_decisions * (self.tpg[cell.tpg] + self.guards[guard])
+            + (1.0 - cell.tpg_action_ratio) * (self.sac[cell.sac] + of_network)
     }
 }
 

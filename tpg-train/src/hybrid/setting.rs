@@ -88,19 +88,12 @@ pub struct Setting {
     pub guard: Guard,
     /// How cycles are noticed.
     pub detector: Detector,
-    /// Whether the network holds joints rather than collide.
-    pub careful: bool,
 }
 
 impl Setting {
     /// The paper's choice for each problem.
-    pub const PAPER_FS: Self = Self {
-        hand_back_after: HandBack(100),
-        separation_mm: 20.0,
-        guard: Guard::None,
-        detector: Detector::Visited,
-        careful: false,
-    };
+    pub const PAPER_FS: Self =
+        Self { hand_back_after: HandBack(100), separation_mm: 20.0, guard: Guard::None, detector: Detector::Visited };
     /// For random starts.
     pub const PAPER_RS: Self = Self { separation_mm: 10.0, ..Self::PAPER_FS };
 
@@ -119,9 +112,8 @@ impl Setting {
             HandBack::NEVER => "for good".to_owned(),
             HandBack(actions) => format!("{actions} actions"),
         };
-        let careful = if self.careful { ", careful network" } else { "" };
         let (mm, guard, detector) = (shown(self.separation_mm), self.guard.name(), self.detector.name());
-        format!("{back}, {mm} mm, guard {guard}, {detector}{careful}")
+        format!("{back}, {mm} mm, guard {guard}, {detector}")
     }
 }
 
@@ -142,13 +134,10 @@ pub struct HybridFile {
     pub hand_back_after: HandBack,
     /// The network takes over when the hand is further away than its best by this, mm; `inf` for never.
     pub separation_mm: f64,
-    /// "none", "joint-limits" or "collisions".
+    /// "none", "joint-limits", "collisions" or "both".
     pub guard: String,
     /// "visited" or "brent".
     pub cycle_detector: Detector,
-    /// Whether the network holds joints rather than collide.
-    #[serde(default)]
-    pub careful: bool,
 }
 
 impl HybridFile {
@@ -181,8 +170,8 @@ impl HybridFile {
             let accepted = "a distance from 0 mm, or inf".to_owned();
             return Err(("separation_mm".to_owned(), self.separation_mm.to_string(), accepted));
         }
-        let Self { hand_back_after, separation_mm, cycle_detector: detector, careful, .. } = *self;
-        Ok(Setting { hand_back_after, separation_mm, guard, detector, careful })
+        let Self { hand_back_after, separation_mm, cycle_detector: detector, .. } = *self;
+        Ok(Setting { hand_back_after, separation_mm, guard, detector })
     }
 
     /// The same as constants of a Rust crate that uses `tpg_runtime`.
@@ -190,7 +179,7 @@ impl HybridFile {
     /// # Errors
     /// As [`setting`](Self::setting).
     pub fn to_rust(&self) -> Result<String, (String, String, String)> {
-        let Setting { hand_back_after, separation_mm, guard, detector, careful } = self.setting()?;
+        let Setting { hand_back_after, separation_mm, guard, detector } = self.setting()?;
         let (back, back_import) = match hand_back_after {
             HandBack::NEVER => ("NEVER".to_owned(), "NEVER, "),
             HandBack(actions) => (actions.to_string(), ""),
@@ -214,10 +203,7 @@ impl HybridFile {
              }};\n\
              \n\
              /// What notices that the graph comes to a pose again.\n\
-             pub type Detector = {watched};\n\
-             \n\
-             /// Whether the network is a [`Careful`](tpg_runtime::hybrid::Careful) one.\n\
-             pub const CAREFUL: bool = {careful};\n"
+             pub type Detector = {watched};\n"
         ))
     }
 }
@@ -248,7 +234,7 @@ mod tests {
     use super::*;
 
     const TEXT: &str = "graph = \"graph.json\"\nactor = \"../a/policy.q.json\"\nhand_back_after = \"never\"\n\
-                        separation_mm = inf\nguard = \"collisions\"\ncycle_detector = \"brent\"\ncareful = true\n";
+                        separation_mm = inf\nguard = \"collisions\"\ncycle_detector = \"brent\"\n";
 
     #[test]
     fn a_file_comes_back_as_it_was() {

@@ -24,8 +24,8 @@ pub const HAND_BACKS: [HandBack; 7] =
 /// The paper's values of `sepDistance`, mm.
 pub const SEPARATIONS: [f64; 6] = [1.0, 3.0, 10.0, 20.0, 100.0, f64::INFINITY];
 
-/// Every setting with those guards and detectors, and a careful network or not.
-pub fn settings(guards: &[Guard], detectors: &[Detector], careful: bool) -> Vec<Setting> {
+/// Every setting with those guards and detectors.
+pub fn settings(guards: &[Guard], detectors: &[Detector]) -> Vec<Setting> {
     let mut all = Vec::new();
     for &guard in guards {
         for &detector in detectors {
@@ -35,7 +35,6 @@ pub fn settings(guards: &[Guard], detectors: &[Detector], careful: bool) -> Vec<
                     separation_mm,
                     guard,
                     detector,
-                    careful,
                 }));
             }
         }
@@ -54,8 +53,6 @@ pub struct Cell {
     pub guard: String,
     /// How cycles were noticed.
     pub cycle_detector: Detector,
-    /// Whether the network held joints rather than collide.
-    pub careful: bool,
     /// The paper's `nbItGoBackTPG`.
     pub hand_back_after: HandBack,
     /// The paper's `sepDistance`, mm.
@@ -102,7 +99,6 @@ impl Cell {
             separation_mm: self.separation_mm,
             guard: Guard::from_name(&self.guard).unwrap_or(Guard::None),
             detector: self.cycle_detector,
-            careful: self.careful,
         }
     }
 }
@@ -144,7 +140,6 @@ impl Study {
             sac,
             guard: setting.guard.name().to_owned(),
             cycle_detector: setting.detector,
-            careful: setting.careful,
             hand_back_after: setting.hand_back_after,
             separation_mm: setting.separation_mm,
             episodes: done.trial.episodes,

@@ -11,7 +11,7 @@ use tpg_codegen::error::InputError;
 use tpg_codegen::graph::{Graph, MathsProvider, ScalarType};
 use tpg_runtime::arm::{Move, WIDOWX};
 use tpg_runtime::cycle::{Brent, CycleDetector, Visited};
-use tpg_runtime::hybrid::{CAUSES, Careful, Hybrid, HybridEpisode, HybridSummary};
+use tpg_runtime::hybrid::{CAUSES, Hybrid, HybridEpisode, HybridSummary};
 use tpg_runtime::observation::Observation;
 use tpg_runtime::ops::{Maths, Own, System};
 use tpg_runtime::policy::Policy;
@@ -66,13 +66,8 @@ fn of<S: ArmScalar, M: Maths<S>>(
     let tpg = GraphPolicy::<S, M>::new(file, graph)?;
     let sac = actor.policy();
     let arm = S::arm(&WIDOWX);
-    let (sac, settings) = (Narrowed::<S, _>::new(&*sac), setting.settings());
-    Ok(if setting.careful {
-        let hybrid = Hybrid { arm: &arm, tpg, sac: Careful { arm: &arm, policy: sac }, settings };
-        trial(&hybrid, setting.detector, start, tasks)
-    } else {
-        trial(&Hybrid { arm: &arm, tpg, sac, settings }, setting.detector, start, tasks)
-    })
+    let hybrid = Hybrid { arm: &arm, tpg, sac: Narrowed::<S, _>::new(&*sac), settings: setting.settings() };
+    Ok(trial(&hybrid, setting.detector, start, tasks))
 }
 
 /// Lets a graph do every task without anyone's help.

@@ -4,10 +4,14 @@ use super::reference::Reference;
 use super::timing::{self, Time};
 use crate::sac::lanes::ARM;
 use crate::targets::{Start, Task};
-use tpg_generated::{widowx_fs, widowx_fs_hybrid, widowx_rs, widowx_rs_hybrid, widowx_sac};
+use tpg_generated::widowx_fs::WidowxFs;
+use tpg_generated::widowx_fs_fast::WidowxFsFast;
+use tpg_generated::widowx_rs::WidowxRs;
+use tpg_generated::widowx_rs_fast::WidowxRsFast;
+use tpg_generated::{widowx_fs_hybrid, widowx_rs_hybrid, widowx_sac};
 use tpg_runtime::arm::Move;
 use tpg_runtime::cycle::{Brent, CycleDetector, Visited};
-use tpg_runtime::hybrid::{Careful, Guard, Hybrid, Settings};
+use tpg_runtime::hybrid::{Guard, Hybrid, Settings};
 use tpg_runtime::observation::{ArmPolicy, Observation};
 use tpg_runtime::policy::Policy;
 use tpg_runtime::sac::fixed::FixedPolicy;
@@ -15,8 +19,10 @@ use tpg_runtime::sac::fixed::FixedPolicy;
 /// Times of a shipped hybrid and its parts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Times {
-    /// The graph alone.
+    /// The graph alone, profile `fast`.
     pub tpg: Time,
+    /// The graph alone, profile `constant-time`.
+    pub tpg_constant_time: Time,
     /// The network alone, in integers.
     pub sac: Time,
     /// Both, as shipped.
@@ -29,7 +35,7 @@ pub struct Costs {
     /// The shipped hybrid and its parts.
     pub shipped: Times,
     /// The hybrid with each guard, in the order of [`Guard::ALL`].
-    pub guards: [Time; 3],
+    pub guards: [Time; 4],
     /// The hybrid with the exact set of visited poses, and with Brent's detector.
     pub detectors: [Time; 2],
     /// The paper's network alone, 13-256-256-4 in `f32`.
@@ -40,18 +46,12 @@ fn network() -> impl Policy<State = Observation<f32>, Action = Move> + Copy {
     FixedPolicy { arm: &ARM, network: &widowx_sac::NETWORK, decision: widowx_sac::DECISION }
 }
 
-fn careful() -> impl Policy<State = Observation<f32>, Action = Move> + Copy {
-    Careful { arm: &ARM, policy: network() }
-}
-
 /// Times on those tasks.
 pub fn times(start: Start, tasks: &[Task]) -> Times {
     use {widowx_fs_hybrid as of_fs, widowx_rs_hybrid as of_rs};
-    match (start, of_fs::CAREFUL, of_rs::CAREFUL) {
-        (Start::Fs, false, _) => parts(start, tasks, fs(), network(), of_fs::SETTINGS, &of_fs::Detector::new()),
-        (Start::Fs, true, _) => parts(start, tasks, fs(), careful(), of_fs::SETTINGS, &of_fs::Detector::new()),
-        (Start::Rs, _, false) => parts(start, tasks, rs(), network(), of_rs::SETTINGS, &of_rs::Detector::new()),
-        (Start::Rs, _, true) => parts(start, tasks, rs(), careful(), of_rs::SETTINGS, &of_rs::Detector::new()),
+    match start {
+        Start::Fs => parts(start, tasks, fs(), of_fs::SETTINGS, &of_fs::Detector::new()),
+        Start::Rs => parts(start, tasks, rs(), of_rs::SETTINGS, &of_rs::Detector::new()),
     }
 }
 
@@ -71,29 +71,38 @@ pub fn measure(start: Start, tasks: &[Task]) -> Costs {
 }
 
 fn fs() -> impl Policy<State = Observation<f32>, Action = Move> + Copy {
-    let (sources, moves) = (&widowx_fs::WidowxFs::SOURCES, &widowx_fs::WidowxFs::MOVES);
-    ArmPolicy { policy: widowx_fs::WidowxFs, arm: &ARM, sources, moves }
+    let (sources, moves) = (&WidowxFsFast::SOURCES, &WidowxFsFast::MOVES);
+    ArmPolicy { policy: WidowxFsFast, arm: &ARM, sources, moves }
 }
 
 fn rs() -> impl Policy<State = Observation<f32>, Action = Move> + Copy {
-    let (sources, moves) = (&widowx_rs::WidowxRs::SOURCES, &widowx_rs::WidowxRs::MOVES);
-    ArmPolicy { policy: widowx_rs::WidowxRs, arm: &ARM, sources, moves }
+    let (sources, moves) = (&WidowxRsFast::SOURCES, &WidowxRsFast::MOVES);
+    ArmPolicy { policy: WidowxRsFast, arm: &ARM, sources, moves }
 }
 
-fn parts<T, P, D>(start: Start, tasks: &[Task], tpg: T, sac: P, settings: Settings<f32>, detector: &D) -> Times
+fn parts<T, D>(start: Start, tasks: &[Task], tpg: T, settings: Settings<f32>, detector: &D) -> Times
 where
     T: Policy<State = Observation<f32>, Action = Move> + Copy,
-    P: Policy<State = Observation<f32>, Action = Move> + Copy,
     D: CycleDetector + Clone,
 {
     Times {
         tpg: timing::of_policy(&ARM, &tpg, start, tasks),
+        tpg_constant_time: match start {
+            Start::Fs => {
+                let (sources, moves) = (&WidowxFs::SOURCES, &WidowxFs::MOVES);
+                timing::of_policy(&ARM, &ArmPolicy { policy: WidowxFs, arm: &ARM, sources, moves }, start, tasks)
+            }
+            Start::Rs => {
+                let (sources, moves) = (&WidowxRs::SOURCES, &WidowxRs::MOVES);
+                timing::of_policy(&ARM, &ArmPolicy { policy: WidowxRs, arm: &ARM, sources, moves }, start, tasks)
+            }
+        },
         sac: timing::of_policy(&ARM, &network(), start, tasks),
-        hybrid: timing::of_hybrid(&Hybrid { arm: &ARM, tpg, sac, settings }, detector, start, tasks),
+        hybrid: timing::of_hybrid(&Hybrid { arm: &ARM, tpg, sac: network(), settings }, detector, start, tasks),
     }
 }
 
-fn variants<T>(start: Start, tasks: &[Task], tpg: T, settings: Settings<f32>) -> ([Time; 3], [Time; 2])
+fn variants<T>(start: Start, tasks: &[Task], tpg: T, settings: Settings<f32>) -> ([Time; 4], [Time; 2])
 where
     T: Policy<State = Observation<f32>, Action = Move> + Copy,
 {

@@ -34,8 +34,9 @@ pub fn measure(start: Start, inputs: &ProblemInputs) -> Result<Vec<Row>, InputEr
         ("for good, no guard".to_owned(), for_good),
         ("for good, guard for joint limits".to_owned(), guard(for_good, Guard::JointLimits)),
         ("for good, guard for collisions".to_owned(), guard(for_good, Guard::Collisions)),
-        ("that, never because of the distance".to_owned(), guard(never_far, Guard::Collisions)),
-        ("that, Brent instead of the exact set".to_owned(), brent(guard(never_far, Guard::Collisions))),
+        ("and of the network".to_owned(), guard(for_good, Guard::Both)),
+        ("that, never because of the distance".to_owned(), guard(never_far, Guard::Both)),
+        ("that, Brent instead of the exact set".to_owned(), brent(guard(never_far, Guard::Both))),
         (format!("shipped: {}", shipped.setting.sentence()), shipped.setting),
     ];
     let arm = WIDOWX.to_f32();

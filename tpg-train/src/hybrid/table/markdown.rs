@@ -50,8 +50,8 @@ hybrid hands over instead of executing such an action of the graph: both are par
 ";
 
 const COLUMNS: &str = "**Columns.** *By graph*: part of all actions. *ns an action*: from motor positions to a move, on this \
-machine, kinematics included, the simulated arm excluded; code as it is compiled for users (the generated Rust, the network in \
-integers), of each episode the quickest of seven rounds; *worst* is the slowest single action. *Bytes*: the graph's C for a Cortex-M4F \
+machine, kinematics included, the simulated arm excluded; code as it is compiled for users (the generated Rust, profile `fast`; the \
+network in integers; no option for this machine's own instructions), of each episode the quickest of seven rounds; *worst* is the slowest single action. *Bytes*: the graph's C for a Cortex-M4F \
 (`fast`, `-Os`, code and constants) and the network's constants. *All seeds* and *all pairs*: mean ± standard deviation over \
 trainings that differ in their seed alone, with the shipped settings: what to expect, where the shipped ones were chosen \
 (on validation episodes).
@@ -154,20 +154,22 @@ fn table(rows: &[Row]) -> String {
 }
 
 fn costs(problem: &Problem) -> String {
-    let Costs { shipped, guards: [none, limits, collisions], detectors: [exact, brent], reference } = problem.costs;
+    let Costs { shipped, guards: [none, limits, collisions, both], detectors: [exact, brent], reference } =
+        problem.costs;
     let planner = problem.rows.first().and_then(|row| row.time);
     let times = |of: f64, by: f64| {
         let factor = of / by;
         if factor >= 10.0 { format!("{factor:.0}") } else { format!("{factor:.1}") }
     };
     let mut text = format!(
-        "**{}.** In one run on this machine, a mean action takes {} ns with the hybrid, {} ns with its graph alone, {} ns with \
+        "**{}.** In one run on this machine, a mean action takes {} ns with the hybrid, {} ns with its graph alone ({} ns in constant time), {} ns with \
          its network alone, and {} ns with the network that the paper measures against, 13-256-256-4 in `f32`. The hybrid is \
          **{} times quicker than that network** (the paper, its halving undone: {}) and {} times as quick as the small \
          network alone. ",
         capital(problem.name()),
         thousands(shipped.hybrid.mean),
         thousands(shipped.tpg.mean),
+        thousands(shipped.tpg_constant_time.mean),
         thousands(shipped.sac.mean),
         thousands(reference.mean),
         times(reference.mean, shipped.hybrid.mean),
@@ -185,10 +187,11 @@ fn costs(problem: &Problem) -> String {
         );
     }
     text += &format!(
-        "Of the hybrid's time the guards take {} ns (joint limits) and {} ns (collisions too); the exact set of visited \
+        "Of the hybrid's time the guards take {} ns (joint limits), {} ns (collisions too) and {} ns (the network's too); the exact set of visited \
          poses (48 KB) takes {} ns more than Brent's detector (16 bytes).\n\n",
         signed(limits.mean - none.mean),
         signed(collisions.mean - none.mean),
+        signed(both.mean - none.mean),
         signed(exact.mean - brent.mean),
     );
     text

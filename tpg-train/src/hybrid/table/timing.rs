@@ -41,7 +41,11 @@ where
     let ways = ways(tasks, |task, poses| {
         Episode::new(arm, task.problem(start), Brent::new()).run(policy, |pose| poses.push(pose));
     });
-    along(&ways, || (), |(), way, pose, _| policy.decide(&Observation::at(arm, pose, way.target)))
+    // A policy that keeps something of its target must not know it yet.
+    let begin = || {
+        policy.decide(&Observation::at(arm, arm.home, [S::ZERO; 3]));
+    };
+    along(&ways, begin, |(), way, pose, _| policy.decide(&Observation::at(arm, pose, way.target)))
 }
 
 /// Two policies that share the arm.
@@ -85,11 +89,7 @@ fn ways<S: Lattice>(tasks: &[Task], mut go: impl FnMut(&Task, &mut Vec<Pose>)) -
 
 /// Times each episode for itself, some times over: an episode takes less than a millisecond, so that of several rounds one
 /// is undisturbed even on a busy machine.
-fn along<S, T>(
-    ways: &[Way<S>],
-    begin: impl Fn() -> T,
-    decide: impl Fn(&mut T, &Way<S>, Pose, bool) -> Move,
-) -> Time {
+fn along<S, T>(ways: &[Way<S>], begin: impl Fn() -> T, decide: impl Fn(&mut T, &Way<S>, Pose, bool) -> Move) -> Time {
     let actions: usize = ways.iter().map(|way| way.poses.len()).sum();
     let mut whole = 0.0;
     let mut worst = 0.0f64;
