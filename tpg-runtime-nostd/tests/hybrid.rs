@@ -166,8 +166,8 @@ fn the_network_holds_joints_rather_than_collide() {
     // The base goes on turning where the shoulder can lean no further.
     let summary = end(Guard::Both, lean_and_turn);
     assert_eq!((summary.outcome, summary.pose.0[0]), (Outcome::Timeout, 2048 + 3 * 599));
-    // There is nothing else to do: the action is executed, and ends the episode.
-    assert!(matches!(end(Guard::Both, lean).outcome, Outcome::Invalid(Invalid::Collision(_))));
+    // There is nothing else to do: the network rests, and that for ever.
+    assert_eq!(end(Guard::Both, lean).outcome, Outcome::Cycle);
 }
 
 #[test]
@@ -207,6 +207,21 @@ proptest! {
         let poses: Vec<Pose> = both[..first].iter().map(|&(_, pose)| pose).collect();
         let refused = matches!(summary.outcome, Outcome::Invalid(_)) && settings.guard != Guard::None;
         prop_assert_eq!(&poses[..], &alone[..alone.len() - usize::from(refused && first < alone.len())]);
+    }
+
+    /// With the guard for both no action is invalid, whatever the two want.
+    #[test]
+    fn nothing_invalid_is_executed(seed: u64, hand_back_after in 1u32..100, joint in 0u8..4, up: bool) {
+        let settings = Settings { hand_back_after, guard: Guard::Both, ..PAPER };
+        // One that mostly goes straight on, into whatever comes.
+        let straight = [if up { forwards(joint) } else { backwards(joint) }; 3000];
+        let sac = Scrambled { seed, step: 3 };
+        let hybrid = Hybrid { arm: &WIDOWX, tpg: Script::new(&straight), sac, settings };
+        let summary = HybridEpisode::new(&hybrid, PROBLEM, Brent::new()).run(|_, _| ()).summary;
+        prop_assert!(!matches!(summary.outcome, Outcome::Invalid(_)), "{:?}", summary.outcome);
+        let hybrid = Hybrid { arm: &WIDOWX, tpg: Scrambled { seed, step: 3 }, sac: Script::new(&straight), settings };
+        let summary = HybridEpisode::new(&hybrid, PROBLEM, Brent::new()).run(|_, _| ()).summary;
+        prop_assert!(!matches!(summary.outcome, Outcome::Invalid(_)), "{:?}", summary.outcome);
     }
 
     /// The counts tell the whole episode, with either detector, and Brent never hands over before the exact set.

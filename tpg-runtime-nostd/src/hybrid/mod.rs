@@ -84,8 +84,9 @@ pub enum Guard {
     JointLimits,
     /// Nor the graph's that collide: one collision test an action of the graph.
     Collisions,
-    /// Nor the network's: it holds joints where that makes its action valid. One collision test an action, and up to 15
-    /// where the network's would be invalid.
+    /// Nor the network's: where its action would be invalid it holds joints, or lets the graph act once, or rests. From a
+    /// free pose no invalid action is ever executed. One collision test an action, up to 16 where the network's would be
+    /// invalid.
     Both,
 }
 
@@ -113,7 +114,8 @@ impl Guard {
         match self {
             Self::None => None,
             Self::JointLimits => arm.step_with(pose, wanted, |_| None).invalid,
-            Self::Collisions | Self::Both => arm.step(pose, wanted).invalid,
+            Self::Collisions | Self::Both if moves_in_plane(wanted) => arm.step(pose, wanted).invalid,
+            Self::Collisions | Self::Both => arm.step_with(pose, wanted, |_| None).invalid,
         }
     }
 }
@@ -147,21 +149,34 @@ where
             switch.refused();
         }
         let wanted = self.sac.decide(seen);
-        let wanted = if self.settings.guard == Guard::Both { holding(self.arm, seen.pose, wanted) } else { wanted };
-        Chosen { driver: Driver::Sac, wanted }
+        if self.settings.guard != Guard::Both {
+            return Chosen { driver: Driver::Sac, wanted };
+        }
+        if let Some(wanted) = valid_part(self.arm, seen.pose, wanted) {
+            return Chosen { driver: Driver::Sac, wanted };
+        }
+        let wanted = self.tpg.decide(seen);
+        match self.settings.guard.refuses(self.arm, seen.pose, wanted) {
+            None if wanted != Move::STOP => Chosen { driver: Driver::Tpg, wanted },
+            _ => Chosen { driver: Driver::Sac, wanted: Move::STOP },
+        }
     }
+}
+
+/// Whether more than the base moves. The base alone changes nothing in the arm's plane, where collisions are.
+fn moves_in_plane(Move([_, plane @ ..]): Move) -> bool {
+    plane.iter().any(|&delta| delta != 0)
 }
 
 /// Joints that are held, as bits from the base on: fewer first, and of as many those nearer to the hand.
 const HELD: [u8; 14] =
     [0b1000, 0b0100, 0b0010, 0b0001, 0b1100, 0b1010, 0b0110, 0b1001, 0b0101, 0b0011, 0b1110, 0b1101, 0b1011, 0b0111];
 
-/// The move, or where it is invalid the first valid one with fewer joints; if there is none, the move as it was. Resting
-/// is no way out: the network would rest for ever.
-fn holding<S: Lattice>(arm: &Arm<S>, pose: Pose, wanted: Move) -> Move {
+/// The move, or where it is invalid the first valid one with fewer joints that moves at all.
+fn valid_part<S: Lattice>(arm: &Arm<S>, pose: Pose, wanted: Move) -> Option<Move> {
     let valid = |wanted| arm.step(pose, wanted).invalid.is_none();
     if valid(wanted) {
-        return wanted;
+        return Some(wanted);
     }
     let fewer = HELD.into_iter().map(|held| {
         let Move(mut deltas) = wanted;
@@ -171,5 +186,5 @@ fn holding<S: Lattice>(arm: &Arm<S>, pose: Pose, wanted: Move) -> Move {
         Move(deltas)
     });
     let mut moving = fewer.filter(|&fewer| fewer != Move::STOP && fewer != wanted);
-    moving.find(|&fewer| valid(fewer)).unwrap_or(wanted)
+    moving.find(|&fewer| valid(fewer))
 }

@@ -2,14 +2,18 @@
 
 use super::reference::Reference;
 use super::timing::{self, Time};
+use crate::random::{Purpose, Stream};
+use crate::sac::config::Config;
 use crate::sac::lanes::ARM;
+use crate::sac::nn::{Mlp, Shape};
+use crate::sac::policy::ActorPolicy;
 use crate::targets::{Start, Task};
 use tpg_generated::widowx_fs::WidowxFs;
 use tpg_generated::widowx_fs_fast::WidowxFsFast;
 use tpg_generated::widowx_rs::WidowxRs;
 use tpg_generated::widowx_rs_fast::WidowxRsFast;
 use tpg_generated::{widowx_fs_hybrid, widowx_rs_hybrid, widowx_sac};
-use tpg_runtime::arm::Move;
+use tpg_runtime::arm::{JOINTS, Move};
 use tpg_runtime::cycle::{Brent, CycleDetector, Visited};
 use tpg_runtime::hybrid::{Guard, Hybrid, Settings};
 use tpg_runtime::observation::{ArmPolicy, Observation};
@@ -40,6 +44,8 @@ pub struct Costs {
     pub detectors: [Time; 2],
     /// The paper's network alone, 13-256-256-4 in `f32`.
     pub reference: Time,
+    /// The same shape by the trainer's matrix product, on the widest vectors that the machine has.
+    pub wide: Time,
 }
 
 fn network() -> impl Policy<State = Observation<f32>, Action = Move> + Copy {
@@ -67,7 +73,20 @@ pub fn measure(start: Start, tasks: &[Task]) -> Costs {
         Start::Fs => variants(start, tasks, fs(), widowx_fs_hybrid::SETTINGS),
         Start::Rs => variants(start, tasks, rs(), widowx_rs_hybrid::SETTINGS),
     };
-    Costs { shipped, guards, detectors, reference }
+    Costs { shipped, guards, detectors, reference, wide: wide(start, tasks) }
+}
+
+/// The paper's network by the trainer's own matrix product. Its random weights go somewhere; the time is all that counts.
+fn wide(start: Start, tasks: &[Task]) -> Time {
+    let actor = Config::preset("paper-fs").expect("it comes with the trainer").actor;
+    let shape = Shape {
+        inputs: actor.inputs.count(),
+        hidden: actor.hidden.clone(),
+        outputs: 2 * JOINTS,
+        norm: actor.layer_norm,
+    };
+    let network = Mlp::random(shape, &mut Stream::new(1, 0, Purpose::Weights, 0));
+    timing::of_policy(&ARM, &ActorPolicy::new(&network, &actor), start, tasks)
 }
 
 fn fs() -> impl Policy<State = Observation<f32>, Action = Move> + Copy {

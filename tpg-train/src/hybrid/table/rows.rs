@@ -11,7 +11,7 @@ use crate::planner::{Choice, Planner};
 use crate::targets::{Start, Task};
 use crate::trial::{Trial, run, run_allowing_collisions};
 use std::path::{Path, PathBuf};
-use tpg_codegen::emit::{Options, Prefix};
+use tpg_codegen::emit::{Options, Prefix, Profile};
 use tpg_codegen::error::{InputError, Place};
 use tpg_codegen::graph::Graph;
 use tpg_codegen::size::{self, Target};
@@ -36,8 +36,8 @@ pub struct Row {
     pub by_graph: Option<Spread>,
     /// Measured on this machine.
     pub time: Option<Time>,
-    /// Of the model on a Cortex-M4F.
-    pub bytes: Option<usize>,
+    /// Of the model on a Cortex-M4F: with the graph's C in profile `fast`, and in profile `small`.
+    pub bytes: Option<[usize; 2]>,
 }
 
 impl Row {
@@ -93,12 +93,15 @@ impl Shipped {
     }
 }
 
-/// Bytes of a graph's C on a Cortex-M4F, compiled for size by the smaller of its profiles that branch; nothing where the
-/// compiler is missing.
-pub fn graph_bytes(graph: &Graph) -> Option<usize> {
-    let options = Options::new("policy".parse::<Prefix>().ok()?);
-    let size = size::compile_c(graph, &options, Target::CortexM4).and_then(|object| size::measure(&object)).ok()?;
-    Some((size.code + size.constants + size.data) as usize)
+/// Bytes of a graph's C on a Cortex-M4F, compiled for size: profile `fast` and profile `small`; nothing where the compiler
+/// is missing.
+pub fn graph_bytes(graph: &Graph) -> Option<[usize; 2]> {
+    let of = |profile| {
+        let options = Options { profile: Some(profile), ..Options::new("policy".parse::<Prefix>().ok()?) };
+        let size = size::compile_c(graph, &options, Target::CortexM4).and_then(|object| size::measure(&object)).ok()?;
+        Some((size.code + size.constants + size.data) as usize)
+    };
+    Some([of(Profile::Fast)?, of(Profile::Small)?])
 }
 
 /// Tasks whose states are timed.
@@ -124,14 +127,14 @@ pub fn measure(start: Start, inputs: &ProblemInputs, tasks: &[Task]) -> Result<V
     let shipped = Shipped::read(&inputs.shipped)?;
     let (file, graph) = &shipped.graph;
     let actor = shipped.actor.policy();
-    let actor_bytes = Some(shipped.actor.bytes());
-    let actor_row = |name: &str, trial: Trial| Row { bytes: actor_bytes, ..Row::of(name, &[trial]) };
+    let actor_bytes = shipped.actor.bytes();
+    let actor_row = |name: &str, trial: Trial| Row { bytes: Some([actor_bytes; 2]), ..Row::of(name, &[trial]) };
     rows.push(actor_row("SAC, shipped, collisions allowed", run_allowing_collisions(&arm, &*actor, start, tasks)));
     rows.push(actor_row("SAC, shipped", run(&arm, &*actor, start, tasks)));
     let bytes = graph_bytes(graph);
     rows.push(Row { bytes, ..Row::of("TPG, shipped", &[trial::graph_alone(file, graph, start, tasks)?]) });
     let both = trial::run(file, graph, &shipped.actor, &shipped.setting, start, tasks)?;
-    let bytes = bytes.zip(actor_bytes).map(|(graph, actor)| graph + actor);
+    let bytes = bytes.map(|graph| graph.map(|graph| graph + actor_bytes));
     rows.push(Row { bytes, ..Row::of_hybrids("**hybrid, shipped**", &[both]) });
     let compiled = super::compiled::times(start, timed);
     for (row, time) in rows[2..].iter_mut().zip([None, Some(compiled.sac), Some(compiled.tpg), Some(compiled.hybrid)]) {
