@@ -1,5 +1,7 @@
 //! Compiles tangled program graphs into C and `no_std` Rust, and proves the result equal to the graph.
 pub mod cli;
+pub mod conversion;
+pub mod cost;
 pub mod emit;
 pub mod engine;
 pub mod error;
@@ -14,4 +16,5 @@ pub mod policy;
 pub mod sample;
 pub mod size;
 pub mod states;
+pub mod trace;
 pub mod verify;

@@ -9,6 +9,7 @@ mod rust;
 pub use name::Prefix;
 
 use crate::graph::Graph;
+use crate::ir::Module;
 use crate::passes::interval::Assumption;
 
 /// A language to emit.
@@ -85,6 +86,13 @@ impl Options {
     /// The profile in a language.
     pub fn profile_in(&self, language: Language) -> Profile {
         self.profile.unwrap_or(Profile::default_of(language))
+    }
+
+    /// The profile whose shape code takes. Where passes find that no bid matters there is nothing to make small or
+    /// constant in C: the plainest text does.
+    pub(crate) fn shape(&self, language: Language, module: &Module) -> Profile {
+        let chooses = module.teams.iter().any(|team| team.edges.len() > 1);
+        if language == Language::C && !chooses { Profile::Fast } else { self.profile_in(language) }
     }
 }
 

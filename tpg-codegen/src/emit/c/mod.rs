@@ -70,15 +70,12 @@ pub(super) fn emit(graph: &Graph, options: &Options) -> Vec<File> {
     let prefix = options.prefix.lower();
     let upper = options.prefix.upper();
     let gegelati = options.style == Style::Gegelati;
-    let profile = options.profile_in(Language::C);
     let module = if gegelati { Module::lower(graph) } else { passes::optimise(graph, options.assumption).0 };
-    // Where passes find that no bid matters there is nothing to make small or constant: the plainest text does.
-    let chooses = module.teams.iter().any(|team| team.edges.len() > 1);
     let printer = Printer { graph, nodes: &module.nodes, prefix, gegelati, short_cuts: false };
     let (helpers, body) = if gegelati {
         (helpers::render(&printer, false), gegelati::render(&printer, &module, &upper))
     } else {
-        match if chooses { profile } else { Profile::Fast } {
+        match options.shape(Language::C, &module) {
             Profile::Fast => {
                 let schedule = schedule::schedule(graph, &module);
                 let printer = Printer { nodes: &schedule.nodes, short_cuts: true, ..printer };
