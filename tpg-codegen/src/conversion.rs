@@ -35,7 +35,12 @@ pub struct Conversion {
 ///
 /// # Errors
 /// A constant that the type cannot hold.
-pub fn convert(graph: &Graph, scalar: ScalarType, file: &str, set: &StateSet) -> Result<(Graph, Conversion), InputError> {
+pub fn convert(
+    graph: &Graph,
+    scalar: ScalarType,
+    file: &str,
+    set: &StateSet,
+) -> Result<(Graph, Conversion), InputError> {
     let maths = if scalar == ScalarType::F32 { MathsProvider::Own } else { graph.maths() };
     let converted = Graph::from_document(file, Document { scalar, maths, ..graph.to_document() })?;
     let pairs = interpret::actions(graph, &set.states).into_iter().zip(interpret::actions(&converted, &set.states));

@@ -13,6 +13,7 @@ pub mod ir;
 pub mod output;
 pub mod passes;
 pub mod policy;
+pub mod report;
 pub mod sample;
 pub mod size;
 pub mod states;

@@ -58,7 +58,9 @@ pub fn from_text(file: &str, text: &str, graph: &Graph) -> Result<Vec<f64>, Inpu
 fn malformed(file: &str, error: &csv::Error) -> InputError {
     let place = error.position().map_or(Place::Whole, |position| Place::Line(position.line() as usize));
     let found = match error.kind() {
-        csv::ErrorKind::UnequalLengths { expected_len, len, .. } => format!("{len} fields under {expected_len} columns"),
+        csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
+            format!("{len} fields under {expected_len} columns")
+        }
         _ => error.to_string(),
     };
     InputError::new(file, place, found, "CSV with as many fields in each row as in the header")
@@ -82,7 +84,10 @@ mod tests {
         let refused = |text| from_text("t.csv", text, &graph).expect_err("refused").to_string();
         assert!(refused("s0[0]\n1\n").starts_with("t.csv: line 1: no column \"s0[1]\"; accepted: "));
         assert!(refused("s0[0],s0[1],s0[1]\n").contains("more than one column \"s0[1]\""));
-        assert!(refused("s0[0],s0[1]\n1,2\n3,x\n").starts_with("t.csv: line 3: \"x\" in column \"s0[1]\"; accepted: a number"));
+        assert!(
+            refused("s0[0],s0[1]\n1,2\n3,x\n")
+                .starts_with("t.csv: line 3: \"x\" in column \"s0[1]\"; accepted: a number")
+        );
         assert!(refused("s0[0],s0[1]\n1,2\n3\n").starts_with("t.csv: line 3: 1 fields under 2 columns"));
         assert!(refused("s0[0],s0[1]\n").starts_with("t.csv: no states"));
         assert!(refused("").contains("no column"));

@@ -42,12 +42,8 @@ impl Costs {
             .collect::<Vec<_>>();
         let mean = |sum: u64| if actions.is_empty() { 0.0 } else { sum as f64 / actions.len() as f64 };
         let Cost { teams, bids, operations, maths_calls } = total;
-        let mean = Cost {
-            teams: mean(teams),
-            bids: mean(bids),
-            operations: mean(operations),
-            maths_calls: mean(maths_calls),
-        };
+        let mean =
+            Cost { teams: mean(teams), bids: mean(bids), operations: mean(operations), maths_calls: mean(maths_calls) };
         (mean, actions)
     }
 
@@ -57,9 +53,7 @@ impl Costs {
             values[index] = match *node {
                 Node::Constant(bits) => S::from_f64(f64::from_bits(bits)),
                 Node::Input(input) => S::from_f64(state[input.index()]),
-                Node::Operation(instruction, [a, b]) => {
-                    instruction.apply::<S, M>(values[a.index()], values[b.index()])
-                }
+                Node::Operation(instruction, [a, b]) => instruction.apply::<S, M>(values[a.index()], values[b.index()]),
                 Node::Upper(instruction, value) => {
                     S::from_f64(upper(scalar, instruction, values[value.index()].to_f64()))
                 }

@@ -8,6 +8,7 @@ mod rust;
 
 pub use name::Prefix;
 
+use crate::conversion::Conversion;
 use crate::graph::Graph;
 use crate::ir::Module;
 use crate::passes::interval::Assumption;
@@ -65,7 +66,7 @@ impl Profile {
 }
 
 /// What to emit and what to call it.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Options {
     /// The prefix of every name.
     pub prefix: Prefix,
@@ -75,12 +76,14 @@ pub struct Options {
     pub profile: Option<Profile>,
     /// What is believed of the inputs.
     pub assumption: Assumption,
+    /// What the graph was before its scalar type was changed, where it was.
+    pub conversion: Option<Conversion>,
 }
 
 impl Options {
     /// The default options.
     pub fn new(prefix: Prefix) -> Self {
-        Self { prefix, style: Style::Pure, profile: None, assumption: Assumption::Nothing }
+        Self { prefix, style: Style::Pure, profile: None, assumption: Assumption::Nothing, conversion: None }
     }
 
     /// The profile in a language.

@@ -1,9 +1,10 @@
 //! How much stack generated C needs: the deepest chain of calls in what GCC writes with `-fcallgraph-info=su`.
 
+use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The stack of an entry point.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Stack {
     /// Bytes of the deepest chain of calls.
     pub bytes: u64,
@@ -15,7 +16,7 @@ pub struct Stack {
 ///
 /// Nothing where the entry is missing, a frame has no fixed size, or functions call each other in a circle: then there is
 /// no number to give.
-pub fn deepest(text: &str, entry: &str) -> Option<Stack> {
+pub(super) fn deepest(text: &str, entry: &str) -> Option<Stack> {
     let mut frames: BTreeMap<&str, Option<u64>> = BTreeMap::new();
     let mut calls: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
     let mut libraries = BTreeSet::new();
