@@ -50,7 +50,12 @@ pub(super) fn deepest(text: &str, entry: &str) -> Option<Stack> {
         let missing: Vec<&str> = callees.iter().copied().filter(|callee| !depth.contains_key(callee)).collect();
         if missing.is_empty() {
             let below = callees.iter().map(|callee| depth[callee]).max().unwrap_or(0);
-            let frame = frames.get(function).copied().flatten()?;
+            let frame = match frames.get(function) {
+                Some(frame) => (*frame)?,
+                None if function == entry => return None,
+                // Inlined everywhere: its frame is its callers'.
+                None => 0,
+            };
             depth.insert(function, frame + below);
         } else if on_the_way.insert(function) {
             open.extend(missing);
@@ -86,6 +91,7 @@ node: { title: "h" label: "h\nt.c:9:8\n100 bytes (static)" }
 node: { title: "g" label: "g\nt.c:3:8\n16 bytes (static)" }
 edge: { sourcename: "g" targetname: "t.c:f" label: "t.c:3:28" }
 edge: { sourcename: "g" targetname: "t.c:f" label: "t.c:3:33" }
+edge: { sourcename: "g" targetname: "t.c:inlined" label: "t.c:3:35" }
 }
 "#;
 
