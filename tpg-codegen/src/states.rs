@@ -112,7 +112,7 @@ impl StateSet {
         Self { states: sample_in_range(graph, count, seed), origin }
     }
 
-    /// Recorded states: see [`trace`](crate::trace).
+    /// Recorded states: see [`trace`].
     ///
     /// # Errors
     /// Whatever is wrong with the file.
