@@ -60,7 +60,10 @@ impl WcetArgs {
                     Ok(sites) => {
                         good &= sites.is_empty();
                         for site in sites {
-                            eprintln!("{name}: not constant: {} at {:#x} in {}", site.text, site.address, site.function);
+                            eprintln!(
+                                "{name}: not constant: {} at {:#x} in {}",
+                                site.text, site.address, site.function
+                            );
                         }
                     }
                     Err(refusal) => {

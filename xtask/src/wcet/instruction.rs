@@ -75,7 +75,8 @@ pub fn kind(line: &Line) -> Kind {
 /// Whether the instruction decides by data what runs: a conditional branch, a predicated block, a table.
 pub fn is_decision(line: &Line) -> bool {
     let conditional = matches!(kind(line), Kind::Branch { conditional: true } | Kind::Return { conditional: true });
-    let block = bare(&line.mnemonic).strip_prefix("it").is_some_and(|rest| rest.chars().all(|c| matches!(c, 't' | 'e')));
+    let block =
+        bare(&line.mnemonic).strip_prefix("it").is_some_and(|rest| rest.chars().all(|c| matches!(c, 't' | 'e')));
     conditional || block || matches!(kind(line), Kind::JumpTable | Kind::Indirect)
 }
 
@@ -117,7 +118,8 @@ pub fn stack(line: &Line) -> Stack {
     }
     // Giving back: by a number, or from the frame pointer that kept what it was.
     let gives_back = (is(name, "add").is_some() || is(name, "addw").is_some()) && by_number().is_some();
-    if gives_back || (is(name, "mov").is_some() && operands == "sp, r7") || name.starts_with("str") || is_compare(name) {
+    if gives_back || (is(name, "mov").is_some() && operands == "sp, r7") || name.starts_with("str") || is_compare(name)
+    {
         return Stack::Same;
     }
     Stack::Unknown
@@ -194,7 +196,9 @@ mod tests {
     #[test]
     fn branches_calls_and_returns() {
         let conditional = |text| kind(&line(text)) == Kind::Branch { conditional: true };
-        assert!(["ble.n 10 <f>", "blt.w 10 <f>", "bls 10 <f>", "beq.n 4", "cbz r0, 8 <f>"].into_iter().all(conditional));
+        assert!(
+            ["ble.n 10 <f>", "blt.w 10 <f>", "bls 10 <f>", "beq.n 4", "cbz r0, 8 <f>"].into_iter().all(conditional)
+        );
         assert_eq!(kind(&line("b.n 10 <f>")), Kind::Branch { conditional: false });
         for call in ["bl 10 <f>", "bleq 10 <f>", "blle 10 <f>"] {
             assert_eq!(kind(&line(call)), Kind::Call, "{call}");
@@ -211,7 +215,8 @@ mod tests {
         for indirect in ["blx r3", "bx r3"] {
             assert_eq!(kind(&line(indirect)), Kind::Indirect, "{indirect}");
         }
-        for table in ["tbb [pc, r0]", "tbh [pc, r0, lsl #1]", "ldr.w pc, [r1, r0, lsl #2]", "mov pc, r0", "add pc, r1"] {
+        for table in ["tbb [pc, r0]", "tbh [pc, r0, lsl #1]", "ldr.w pc, [r1, r0, lsl #2]", "mov pc, r0", "add pc, r1"]
+        {
             assert!(is_decision(&line(table)), "{table}");
         }
     }

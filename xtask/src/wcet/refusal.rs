@@ -79,7 +79,10 @@ impl std::fmt::Display for Refusal {
         match self {
             Self::NoFunction { name } => write!(f, "no function {name:?} in the object"),
             Self::NotHere { function, address, callee } => {
-                write!(f, "{function} at {address:#x} calls {callee}, which is not in the object: analyse a linked image")
+                write!(
+                    f,
+                    "{function} at {address:#x} calls {callee}, which is not in the object: analyse a linked image"
+                )
             }
             Self::Loop { function, address } => write!(
                 f,
@@ -100,7 +103,10 @@ impl std::fmt::Display for Refusal {
                 write!(f, "{function} moves its stack pointer by what only the run knows at {address:#x} ({text})")
             }
             Self::Astray { function, address, text } => {
-                write!(f, "{function} at {address:#x} ({text}) leads to no instruction of it and no function's beginning")
+                write!(
+                    f,
+                    "{function} at {address:#x} ({text}) leads to no instruction of it and no function's beginning"
+                )
             }
         }
     }
