@@ -22,7 +22,7 @@ fn main() {
     if testing {
         subjects.truncate(1);
     } else {
-        subjects.extend(subject::conformance());
+        subjects.extend(subject::conformance(subject::STATES));
     }
     let mut criterion = Criterion::default().configure_from_args();
     let mut times = Table::new("Nanoseconds a decision, and how many times faster than the C of GEGELATI's shape");

@@ -28,7 +28,7 @@ pub struct Subject {
     pub name: String,
     /// The policy.
     pub graph: Graph,
-    /// Flat states, at most [`STATES`].
+    /// Flat states, in the order of the episodes.
     pub states: Vec<f64>,
 }
 
@@ -86,15 +86,16 @@ fn episodes<S: Lattice>(graph: &Graph, arm: &Arm<S>, tasks: &[targets::Task], st
     states
 }
 
-/// The paper's policies on the episodes that were recorded of them, where they are at hand; skipped loudly where not.
+/// The paper's policies on the first states of the episodes that were recorded of them, where they are at hand; skipped
+/// loudly where not.
 ///
 /// # Panics
 /// When the folder is there and cannot be read, or a policy does not end its episodes as recorded.
-pub fn conformance() -> Vec<Subject> {
+pub fn conformance(limit: usize) -> Vec<Subject> {
     let default = || Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/conformance");
     let folder = env::var_os("TPG_CONFORMANCE").map_or_else(default, PathBuf::from);
     if !folder.is_dir() {
-        xtask::skip(&format!("benchmarks of the paper's policies: no folder {} (TPG_CONFORMANCE)", folder.display()));
+        xtask::skip(&format!("the paper's policies: no folder {} (TPG_CONFORMANCE)", folder.display()));
         return Vec::new();
     }
     let mut graphs: Vec<PathBuf> = ["tpg_traced", "tpg"]
@@ -104,7 +105,14 @@ pub fn conformance() -> Vec<Subject> {
         .filter(|path| path.extension().is_some_and(|extension| extension == "dot"))
         .collect();
     graphs.sort();
-    graphs.iter().map(|path| recorded(&folder, path)).collect()
+    graphs
+        .iter()
+        .map(|path| {
+            let mut subject = recorded(&folder, path);
+            subject.states.truncate(limit.saturating_mul(subject.graph.state_length()));
+            subject
+        })
+        .collect()
 }
 
 /// A recorded policy; its name says what was recorded.
@@ -140,6 +148,5 @@ fn recorded(folder: &Path, path: &Path) -> Subject {
             binding.push_state(&seen, &mut states);
         }
     }
-    states.truncate(STATES * graph.state_length());
     Subject { name, graph, states }
 }

@@ -38,7 +38,7 @@ uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state)
 
     /* The longest walk decides {{ depth }} times; a shorter one waits at its action. No loop: nothing is left to a compiler. */
     vertex = next[0];
-{%- for _ in 1..*depth %}
+{%- for _ in 1..depth %}
     vertex = next[vertex];
 {%- endfor %}
     vertex -= {{ upper }}_TEAMS;

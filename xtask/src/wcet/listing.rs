@@ -107,7 +107,8 @@ fn header(line: &str) -> Option<(u64, String)> {
     Some((u64::from_str_radix(address, 16).ok()?, name.to_owned()))
 }
 
-/// `   e:	bl	0 <g>	e: R_ARM_THM_CALL	g`, without the last two fields where nothing is open; data (`.word`) is none.
+/// Fields between tabs: `e:`, `bl`, `0 <g>`, and where the linker has work left `e: R_ARM_THM_CALL`, `g`. Data (`.word`) is
+/// no instruction.
 fn instruction(line: &str) -> Option<Line> {
     let (address, rest) = line.split_once(':')?;
     let address = u64::from_str_radix(address.trim(), 16).ok()?;

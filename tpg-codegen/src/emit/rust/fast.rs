@@ -117,7 +117,7 @@ impl<'a> TeamPrinter<'a> {
     }
 
     fn lazy(&mut self, lazy: &LazyBid) -> BidView {
-        let LazyBid { bid, bound } = lazy;
+        let LazyBid { bid, bound, .. } = lazy;
         let rank = self.rank(bid);
         let bound_statements = bound.map(|bound| self.statements(bound, true)).unwrap_or_default();
         let infinity = literal(self.printer.graph.scalar(), f64::INFINITY);
