@@ -3,6 +3,7 @@
 mod check;
 mod setup;
 mod summary;
+mod worst;
 
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
@@ -15,7 +16,7 @@ struct Cli {
     command: Task,
 }
 
-#[derive(Clone, Copy, Debug, Subcommand)]
+#[derive(Clone, Debug, Subcommand)]
 enum Task {
     /// Install what is missing: compilers, linters and emulator (apt-get), cross targets (rustup)
     Setup,
@@ -23,6 +24,8 @@ enum Task {
     Test,
     /// Only the lint of generated C: gcc, clang, clang-tidy, cppcheck with its MISRA addon
     Lint,
+    /// The worst case of compiled code for a Cortex-M: instructions and stack
+    Wcet(worst::WcetArgs),
 }
 
 fn main() -> ExitCode {
@@ -30,6 +33,7 @@ fn main() -> ExitCode {
         Task::Setup => setup::run(),
         Task::Test => check::all(),
         Task::Lint => check::lint(),
+        Task::Wcet(arguments) => arguments.run(),
     };
     if good { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
