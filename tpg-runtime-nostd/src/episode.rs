@@ -52,7 +52,7 @@ pub struct Summary<S> {
 }
 
 /// An episode under way.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Episode<'a, S, D> {
     arm: &'a Arm<S>,
     problem: Problem<S>,

@@ -4,6 +4,8 @@
 //! captures, and `cargo xtask test` lists it again in its summary. Where everything must be there, as in CI, a missing
 //! tool fails instead.
 
+pub mod library;
+
 use std::fs::OpenOptions;
 use std::io::{self, Write as _};
 use std::process::{Command, Stdio};

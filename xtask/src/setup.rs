@@ -19,7 +19,7 @@ const PACKAGES: [(&str, &str); 9] = [
 const COMPONENTS: [&str; 2] = ["rustfmt", "clippy"];
 
 /// Cores without an operating system that the runtime is built for.
-pub(crate) const TARGETS: [&str; 2] = ["thumbv7em-none-eabihf", "thumbv6m-none-eabi"];
+pub(crate) const TARGETS: [&str; 3] = ["thumbv7em-none-eabihf", "thumbv7em-none-eabi", "thumbv6m-none-eabi"];
 
 /// Installs; whether all is there afterwards.
 pub(crate) fn run() -> bool {
