@@ -12,12 +12,10 @@ pub fn sqrt(value: f32) -> f32 {
 #[cfg(tpg_fpu)]
 #[expect(unsafe_code, reason = "one instruction that stable Rust has no name for in core")]
 pub fn sqrt(value: f32) -> f32 {
-    let root;
-    // SAFETY: the instruction is there (every thumbv7em core of the hard-float ABI has an FPU), reads one register, writes
-    // one, and touches neither memory nor the condition flags.
-    unsafe {
-        core::arch::asm!("vsqrt.f32 {root}, {value}", root = lateout(sreg) root, value = in(sreg) value,
-            options(pure, nomem, nostack, preserves_flags));
+    /// A function of its own, because inline assembly cannot name the FPU's registers on this target.
+    #[unsafe(naked)]
+    extern "C" fn root(value: f32) -> f32 {
+        core::arch::naked_asm!("vsqrt.f32 s0, s0", "bx lr")
     }
-    root
+    root(value)
 }
