@@ -14,6 +14,7 @@
 //! | [`evaluate`] | how a policy's episodes end |
 //! | [`ik`] | goals of the inverse kinematics, for training only |
 //! | [`planner`] | classical yardsticks that learn nothing |
+//! | [`picture`] | SVG, plots and the page that holds them |
 //! | [`random`] | one stream of random numbers for every purpose |
 //! | [`files`] | files that are whole or not there |
 //! | [`conformance`] | recorded trajectories, replayed in the paper's arithmetic |
@@ -26,6 +27,7 @@ pub mod evaluate;
 pub mod evolution;
 pub mod files;
 pub mod ik;
+pub mod picture;
 pub mod planner;
 pub mod random;
 pub mod sac;
