@@ -53,7 +53,7 @@ pub struct Summary<S> {
 }
 
 /// The part of an episode that does not ask who decides: the arm on its way, and the ends that every policy shares.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Course<'a, S> {
     arm: &'a Arm<S>,
     problem: Problem<S>,
@@ -96,7 +96,7 @@ impl<'a, S: Lattice> Course<'a, S> {
 }
 
 /// An episode under way.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Episode<'a, S, D> {
     course: Course<'a, S>,
     detector: D,

@@ -2,6 +2,7 @@
 
 mod convert;
 mod generate;
+mod policy;
 mod schema;
 mod verify;
 
@@ -34,6 +35,8 @@ enum Command {
     Verify(verify::VerifyArgs),
     /// Convert a graph to graph.json, or to a GEGELATI .dot file and its sidecar
     Convert(convert::ConvertArgs),
+    /// Write a network in integers, a policy.q.json, as constants of C and Rust
+    Policy(policy::PolicyArgs),
     /// Print the JSON Schema of graph.json
     Schema(schema::SchemaArgs),
 }
@@ -108,6 +111,7 @@ impl Cli {
             Command::Generate(args) => args.run(),
             Command::Verify(args) => args.run(),
             Command::Convert(args) => args.run(),
+            Command::Policy(args) => args.run(),
             Command::Schema(args) => args.run(),
         };
         match result {

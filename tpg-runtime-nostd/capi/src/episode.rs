@@ -35,6 +35,13 @@ pub struct tpg_problem_t {
     pub max_actions: u32,
 }
 
+impl tpg_problem_t {
+    pub(crate) fn get(&self) -> Problem<f32> {
+        let Self { start, target, tolerance, max_actions } = *self;
+        Problem { start: Pose(start.ticks), target, tolerance, max_actions }
+    }
+}
+
 /// Words of a tpg_episode_t.
 pub const TPG_EPISODE_WORDS: usize = 16;
 
@@ -46,7 +53,7 @@ pub struct tpg_episode_t {
 }
 
 /// An episode and whether it is over.
-#[derive(Clone, Copy)]
+#[derive(Clone, Debug)]
 pub struct Content {
     pub(crate) episode: Episode<'static, f32, Brent>,
     over: bool,
@@ -60,7 +67,7 @@ unsafe impl Opaque for tpg_episode_t {
     const TAG: u32 = 0x4550_4901;
 }
 
-fn outcome_code(outcome: Option<Outcome>) -> i32 {
+pub(crate) fn outcome_code(outcome: Option<Outcome>) -> i32 {
     match outcome {
         None => TPG_RUNNING,
         Some(Outcome::Reached) => TPG_REACHED,
@@ -81,9 +88,7 @@ pub unsafe extern "C" fn tpg_episode_init(
     // SAFETY: the header's contract; the caller keeps the arm for as long as the episode lives.
     let (arm, problem) = unsafe { (memory::content::<'static, _>(arm), memory::read(problem)) };
     code::of(arm.and_then(|arm: &'static Arm<f32>| {
-        let tpg_problem_t { start, target, tolerance, max_actions } = *problem?;
-        let problem = Problem { start: Pose(start.ticks), target, tolerance, max_actions };
-        let content = Content { episode: Episode::new(arm, problem, Brent::new()), over: false };
+        let content = Content { episode: Episode::new(arm, problem?.get(), Brent::new()), over: false };
         // SAFETY: the header's contract.
         unsafe { memory::initialise(episode, content) }
     }))

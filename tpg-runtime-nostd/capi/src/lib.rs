@@ -12,7 +12,8 @@
 //! | [`observation`] | what a policy sees, and a graph's sources |
 //! | [`policy`] | the hook for generated code |
 //! | [`sac`] | a network in integers |
-//! | [`episode`] | one episode |
+//! | [`hybrid`] | a generated policy and a network that share an arm |
+//! | [`episode`] | one episode of one policy |
 
 #![cfg_attr(target_os = "none", no_std)]
 #![allow(non_camel_case_types, reason = "these are C's names")]
@@ -20,6 +21,7 @@
 pub mod arm;
 pub mod code;
 pub mod episode;
+pub mod hybrid;
 pub mod memory;
 pub mod observation;
 pub mod policy;

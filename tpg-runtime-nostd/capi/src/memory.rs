@@ -71,8 +71,8 @@ pub unsafe fn array_mut<'a, T>(pointer: *mut T, length: usize) -> Result<&'a mut
 /// # Safety
 /// `Self` must have room for a [`Tagged`] content and its alignment ([`fits`] proves it), and accept any bytes.
 pub unsafe trait Opaque: Sized {
-    /// What lies in it.
-    type Content: Copy;
+    /// What lies in it. Nothing is ever dropped.
+    type Content;
     /// What it begins with once it is initialised; another one for every type.
     const TAG: u32;
 }
@@ -86,7 +86,9 @@ pub struct Tagged<T> {
 
 /// Whether `O` has room for its content.
 pub const fn fits<O: Opaque>() -> bool {
-    size_of::<O>() >= size_of::<Tagged<O::Content>>() && align_of::<O>() >= align_of::<Tagged<O::Content>>()
+    size_of::<O>() >= size_of::<Tagged<O::Content>>()
+        && align_of::<O>() >= align_of::<Tagged<O::Content>>()
+        && !core::mem::needs_drop::<O::Content>()
 }
 
 /// Initialises an opaque structure.

@@ -66,24 +66,14 @@ pub(crate) fn source(number: u8) -> Result<Source, Refusal> {
     Source::ALL.get(usize::from(number)).copied().ok_or(Refusal(TPG_ARGUMENT))
 }
 
-/// Writes the values of sources, one after another; how many there are.
-pub(crate) fn fill(
-    arm: &Arm<f32>,
-    seen: &Observation<f32>,
-    sources: &[u8],
-    state: &mut [f32],
-) -> Result<usize, Refusal> {
-    let mut at = 0usize;
+/// Writes the values of sources, one after another; stops where `state` is full.
+pub(crate) fn fill(arm: &Arm<f32>, seen: &Observation<f32>, sources: &[u8], state: &mut [f32]) {
+    let mut rest = state;
     for &number in sources {
-        let source = source(number)?;
-        let rest = state.get_mut(at..).ok_or(Refusal(TPG_LENGTH))?;
-        if rest.len() < source.length() {
-            return Err(Refusal(TPG_LENGTH));
-        }
+        let Some(&source) = Source::ALL.get(usize::from(number)) else { return };
         source.write(arm, seen, rest);
-        at = at.wrapping_add(source.length());
+        rest = rest.get_mut(source.length()..).unwrap_or(&mut []);
     }
-    Ok(at)
 }
 
 /// What is seen at a pose, with the target's x, y, z in mm.
@@ -136,5 +126,16 @@ pub unsafe extern "C" fn tpg_observation_state(
             memory::array_mut(state, length),
         )
     };
-    code::of(arm.and_then(|arm| fill(arm, &seen?.get(), sources?, state?).map(|_| ())))
+    code::of(arm.and_then(|arm| {
+        let (seen, sources, state) = (seen?.get(), sources?, state?);
+        let mut wanted = 0usize;
+        for &number in sources {
+            wanted = wanted.saturating_add(source(number)?.length());
+        }
+        if state.len() < wanted {
+            return Err(Refusal(TPG_LENGTH));
+        }
+        fill(arm, &seen, sources, state);
+        Ok(())
+    }))
 }

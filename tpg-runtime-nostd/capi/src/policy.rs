@@ -3,7 +3,7 @@
 use crate::arm::{tpg_arm_t, tpg_move_t};
 use crate::code::{self, Refusal, TPG_LENGTH, TPG_NULL};
 use crate::memory;
-use crate::observation::{fill, tpg_observation_t};
+use crate::observation::{fill, source, tpg_observation_t};
 use tpg_runtime::arm::{Arm, Move};
 use tpg_runtime::observation::Observation;
 
@@ -29,24 +29,39 @@ pub struct tpg_policy_t {
     pub move_count: usize,
 }
 
-/// Asks a policy.
-///
-/// # Safety
-/// The header's contract.
-pub(crate) unsafe fn decide(policy: &tpg_policy_t, arm: &Arm<f32>, seen: &Observation<f32>) -> Result<Move, Refusal> {
-    let infer = policy.infer.ok_or(Refusal(TPG_NULL))?;
-    // SAFETY: the header's contract.
-    let sources = unsafe { memory::array(policy.sources, policy.source_count) }?;
-    // SAFETY: the header's contract.
-    let moves = unsafe { memory::array(policy.moves, policy.move_count) }?;
-    let mut state = [0f32; TPG_STATE_LENGTH];
-    if sources.len() > state.len() {
-        return Err(Refusal(TPG_LENGTH));
+/// A policy's parts, checked: its function, sources and moves.
+pub(crate) struct Checked<'a> {
+    infer: unsafe extern "C" fn(state: *const core::ffi::c_void) -> u16,
+    sources: &'a [u8],
+    moves: &'a [tpg_move_t],
+}
+
+impl<'a> Checked<'a> {
+    /// Checks a policy.
+    ///
+    /// # Safety
+    /// The header's contract; the policy's arrays live as long as the result.
+    pub(crate) unsafe fn new(policy: &tpg_policy_t) -> Result<Self, Refusal> {
+        let infer = policy.infer.ok_or(Refusal(TPG_NULL))?;
+        // SAFETY: the header's contract.
+        let sources = unsafe { memory::array(policy.sources, policy.source_count) }?;
+        // SAFETY: the header's contract.
+        let moves = unsafe { memory::array(policy.moves, policy.move_count) }?;
+        let mut length = 0usize;
+        for &number in sources {
+            length = length.saturating_add(source(number)?.length());
+        }
+        if length > TPG_STATE_LENGTH { Err(Refusal(TPG_LENGTH)) } else { Ok(Self { infer, sources, moves }) }
     }
-    fill(arm, seen, sources, &mut state)?;
-    // SAFETY: the header asks for the function of these sources: it reads no more than they have written.
-    let action = unsafe { infer(state.as_ptr().cast()) };
-    Ok(moves.get(usize::from(action)).map_or(Move::STOP, |moved| Move(moved.ticks)))
+
+    /// The move.
+    pub(crate) fn decide(&self, arm: &Arm<f32>, seen: &Observation<f32>) -> Move {
+        let mut state = [0f32; TPG_STATE_LENGTH];
+        fill(arm, seen, self.sources, &mut state);
+        // SAFETY: the header asks for the function of these sources: it reads no more than they have written.
+        let action = unsafe { (self.infer)(state.as_ptr().cast()) };
+        self.moves.get(usize::from(action)).map_or(Move::STOP, |moved| Move(moved.ticks))
+    }
 }
 
 /// The move that a generated policy decides for.
@@ -62,7 +77,8 @@ pub unsafe extern "C" fn tpg_policy_decide(
         unsafe { (memory::read(policy), memory::content(arm), memory::read(observation), memory::write(wanted)) };
     code::of(policy.and_then(|policy| {
         // SAFETY: the header's contract.
-        let Move(ticks) = unsafe { decide(policy, arm?, &seen?.get()) }?;
+        let policy = unsafe { Checked::new(policy) }?;
+        let Move(ticks) = policy.decide(arm?, &seen?.get());
         *wanted? = tpg_move_t { ticks };
         Ok(())
     }))

@@ -10,12 +10,11 @@ pub fn sqrt(value: f32) -> f32 {
 /// The correctly rounded square root of an `f32`; NaN for negative numbers.
 #[inline(always)]
 #[cfg(tpg_fpu)]
-#[expect(unsafe_code, reason = "one instruction that stable Rust has no name for in core")]
 pub fn sqrt(value: f32) -> f32 {
-    /// A function of its own, because inline assembly cannot name the FPU's registers on this target.
+    /// A function of its own: inline assembly cannot name the FPU's registers on this target, and core has no square root.
     #[unsafe(naked)]
     extern "C" fn root(value: f32) -> f32 {
-        core::arch::naked_asm!("vsqrt.f32 s0, s0", "bx lr")
+        core::arch::naked_asm!(".fpu fpv4-sp-d16", "vsqrt.f32 s0, s0", "bx lr")
     }
     root(value)
 }

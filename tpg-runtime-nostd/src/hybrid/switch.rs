@@ -74,7 +74,7 @@ pub struct Counts {
 /// [`Visited`](crate::cycle::Visited) hands over at the first repeated pose, as the paper did, and
 /// [`Brent`](crate::cycle::Brent) in 16 bytes at a later one: by then the graph may have gone round its cycle a few
 /// times more.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Switch<S, D> {
     settings: Settings<S>,
     detector: D,
