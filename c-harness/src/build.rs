@@ -1,12 +1,13 @@
 //! Compiles the firmwares.
 
 use crate::Failure;
-use crate::problems;
+use crate::{models, problems};
 use std::env;
+use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use tpg_codegen::emit::{self, Language, Options, Prefix, Profile};
+use tpg_codegen::emit::{self, File, Language, Options, Prefix, Profile};
 use tpg_codegen::graph::Graph;
 use tpg_codegen::policy::{QuantisedPolicy, to_c};
 use xtask::library::{self, Missing};
@@ -54,7 +55,7 @@ fn harness() -> PathBuf {
 fn board_folder(board: Board) -> Result<PathBuf, Failure> {
     let folder = room()?.join(board.name());
     fs::create_dir_all(&folder).map_err(|error| Failure::at(&folder, error))?;
-    let memories = harness().join("boards").join(format!("{}.ld", board.name()));
+    let memories = harness().join("example/boards").join(format!("{}.ld", board.name()));
     for name in ["board.ld", "memory.x"] {
         let to = folder.join(name);
         // Unchanged, cargo need not link again.
@@ -70,17 +71,24 @@ fn board_folder(board: Board) -> Result<PathBuf, Failure> {
 pub(crate) fn generated_c() -> Result<PathBuf, Failure> {
     let folder = room()?.join("generated");
     fs::create_dir_all(&folder).map_err(|error| Failure::at(&folder, error))?;
-    problems::write(&folder)?;
-    let mut files = Vec::new();
+    let mut files = Vec::from(problems::files()?);
+    files.push(models::file()?);
+    let mut modules = String::new();
     for start in ["fs", "rs"] {
         let path = library::top().join(format!("generated/widowx-{start}/graph.json"));
         let text = fs::read_to_string(&path).map_err(|error| Failure::at(&path, error))?;
         let graph = Graph::from_json(&path.display().to_string(), &text).map_err(Failure::new)?;
         let prefix = |name: String| name.parse::<Prefix>().map_err(Failure::new);
         files.extend(emit::emit(&graph, Language::C, &Options::new(prefix(format!("widowx_{start}"))?)));
-        for (profile, short) in [(Profile::Fast, "fast"), (Profile::Small, "small"), (Profile::ConstantTime, "constant")] {
+        for (profile, short) in
+            [(Profile::Fast, "fast"), (Profile::Small, "small"), (Profile::ConstantTime, "constant")]
+        {
             for (language, tag) in [(Language::C, "c"), (Language::Rust, "rust")] {
                 let name = prefix(format!("{start}_{short}_{tag}"))?;
+                if language == Language::Rust {
+                    let path = folder.join(format!("{name}.rs"));
+                    let _ = writeln!(modules, "#[path = {:?}]\nmod {name};", path.display().to_string());
+                }
                 files.extend(emit::emit(&graph, language, &Options { profile: Some(profile), ..Options::new(name) }));
             }
         }
@@ -89,9 +97,13 @@ pub(crate) fn generated_c() -> Result<PathBuf, Failure> {
     let text = fs::read_to_string(&path).map_err(|error| Failure::at(&path, error))?;
     let policy = QuantisedPolicy::from_json(&path.display().to_string(), &text).map_err(Failure::new)?;
     files.extend(to_c(&policy, &"widowx_sac".parse().map_err(Failure::new::<String>)?).map_err(Failure::new)?);
+    files.push(File { name: "profiles.rs".to_owned(), text: modules });
     for file in files {
         let path = folder.join(&file.name);
-        fs::write(&path, &file.text).map_err(|error| Failure::at(&path, error))?;
+        // Unchanged, cargo need not compile again.
+        if fs::read_to_string(&path).ok().as_ref() != Some(&file.text) {
+            fs::write(&path, &file.text).map_err(|error| Failure::at(&path, error))?;
+        }
     }
     Ok(folder)
 }
@@ -105,21 +117,49 @@ fn there<T>(result: Result<T, Missing>) -> Result<Option<T>, Failure> {
     }
 }
 
+/// The control program in C, for this machine; `None` where a tool is missing.
+pub(crate) fn host() -> Result<Option<PathBuf>, Failure> {
+    if !xtask::tool("gcc", "gcc", "the control program in C on this machine") {
+        return Ok(None);
+    }
+    let Some(archive) = there(library::make(library::host(), &library::dist()))? else { return Ok(None) };
+    let generated = generated_c()?;
+    let image = room()?.join("control-host");
+    let mut gcc = Command::new("gcc");
+    gcc.args(["-std=c99", "-O2", "-ffp-contract=off", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]);
+    gcc.arg(format!("-I{}", harness().join("example").display())).arg(format!("-I{}", generated.display()));
+    gcc.arg(format!("-I{}", library::dist().join("include").display()));
+    gcc.args(["firmware-c/control.c", "firmware-c/host.c", "example/report.c"].map(|name| harness().join(name)));
+    gcc.args(["widowx_fs.c", "widowx_rs.c", "widowx_sac.c"].map(|name| generated.join(name)));
+    there(library::output(gcc.arg(archive).arg("-o").arg(&image)))?;
+    Ok(Some(image))
+}
+
 /// The C firmware `program` for a board; `None` where a tool is missing.
 pub(crate) fn c(program: &str, board: Board) -> Result<Option<PathBuf>, Failure> {
+    let names: &[&str] = match program {
+        "costs" => &["fs_fast_c", "fs_small_c", "fs_constant_c", "rs_fast_c", "rs_small_c", "rs_constant_c"],
+        _ => &["widowx_fs", "widowx_rs", "widowx_sac"],
+    };
+    gcc(program, &harness().join(format!("firmware-c/{program}.c")), names, board)
+}
+
+/// The control loop that a user copies, for a board; `None` where a tool is missing.
+pub(crate) fn example(board: Board) -> Result<Option<PathBuf>, Failure> {
+    gcc("example", &harness().join("example/main.c"), &["widowx_fs", "widowx_sac"], board)
+}
+
+/// Compiles `main` with generated C for a board.
+fn gcc(program: &str, main: &Path, names: &[&str], board: Board) -> Result<Option<PathBuf>, Failure> {
     if !xtask::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", "the firmware in C") {
         return Ok(None);
     }
     let Some(archive) = there(library::make(TARGET, &library::dist()))? else { return Ok(None) };
     let (generated, board_folder) = (generated_c()?, board_folder(board)?);
-    let source = harness().join("firmware-c");
+    let source = harness().join("example");
     let image = board_folder.join(format!("{program}-c.elf"));
-    let mut sources: Vec<PathBuf> =
-        ["startup.c", "qemu.c", "report.c", &format!("{program}.c")].map(|name| source.join(name)).into();
-    let names: &[&str] = match program {
-        "costs" => &["fs_fast_c", "fs_small_c", "fs_constant_c", "rs_fast_c", "rs_small_c", "rs_constant_c"],
-        _ => &["widowx_fs", "widowx_rs", "widowx_sac"],
-    };
+    let mut sources: Vec<PathBuf> = ["startup.c", "qemu.c", "report.c"].map(|name| source.join(name)).into();
+    sources.push(main.to_owned());
     sources.extend(names.iter().map(|name| generated.join(format!("{name}.c"))));
     let mut gcc = Command::new("arm-none-eabi-gcc");
     gcc.args(CORE).args(["-std=gnu11", "-O2", "-ffreestanding", "-ffp-contract=off", "-ffunction-sections"]);

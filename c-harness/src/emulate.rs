@@ -12,7 +12,17 @@ const SECONDS: &str = "600";
 /// What an image prints on a board, line by line.
 pub(crate) fn run(board: Board, image: &Path) -> Result<Vec<Line>, Failure> {
     let mut qemu = Command::new("timeout");
-    qemu.args([SECONDS, "qemu-system-arm", "-machine", board.name(), "-nographic", "-monitor", "none", "-serial", "none"]);
+    qemu.args([
+        SECONDS,
+        "qemu-system-arm",
+        "-machine",
+        board.name(),
+        "-nographic",
+        "-monitor",
+        "none",
+        "-serial",
+        "none",
+    ]);
     qemu.args(["-semihosting-config", "enable=on,target=native", "-icount", "shift=10,align=off,sleep=off", "-kernel"]);
     let output = qemu.arg(image).output().map_err(Failure::new)?;
     // SYS_WRITE0 comes out on stderr, SYS_WRITE on stdout.

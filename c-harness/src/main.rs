@@ -4,6 +4,7 @@
 //! | --- | --- |
 //! | [`problems`] | which episodes, and how graph and network share the arm |
 //! | [`build`] | the firmwares in C and Rust |
+//! | [`models`] | networks of every kind and size, to count |
 //! | [`emulate`] | QEMU |
 //! | [`expected`] | the host's trajectories |
 //! | [`costs`] | instructions beside `costs.toml` |
@@ -15,6 +16,7 @@ mod costs;
 mod emulate;
 mod expected;
 mod line;
+mod models;
 mod problems;
 mod size;
 mod symbols;
@@ -25,7 +27,7 @@ use costs::Costs;
 use line::Line;
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
+use std::process::{Command, ExitCode};
 
 /// Why a check could not be done, or failed.
 #[derive(Debug)]
@@ -85,6 +87,10 @@ fn qemu(update: bool) -> Result<(), Failure> {
         return Ok(());
     }
     let expected = expected::lines()?;
+    if let Some(program) = build::host()? {
+        let text = xtask::library::output(&mut Command::new(program)).map_err(|error| Failure(format!("{error:?}")))?;
+        compare("C on this machine", &expected, &text.lines().map(Line::parse).collect::<Vec<_>>())?;
+    }
     let mut costs = Costs::new();
     let mut all = true;
     for (language, builder) in [("C", build::c as Builder), ("Rust", build::rust as Builder)] {

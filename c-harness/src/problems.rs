@@ -2,8 +2,7 @@
 
 use crate::Failure;
 use std::fmt::Write as _;
-use std::fs;
-use std::path::Path;
+use tpg_codegen::emit::File;
 use tpg_runtime::arm::Pose;
 use tpg_runtime::episode::Problem;
 use tpg_runtime::hybrid::{Guard, NEVER, Settings};
@@ -67,8 +66,8 @@ impl Start {
     }
 }
 
-/// Writes `problems.h` and `problems.rs`.
-pub(crate) fn write(folder: &Path) -> Result<(), Failure> {
+/// `problems.h` and `problems.rs`.
+pub(crate) fn files() -> Result<[File; 2], Failure> {
     let mut c = String::from("#ifndef PROBLEMS_H\n#define PROBLEMS_H\n\n#include \"tpg_runtime.h\"\n\n");
     let mut rust = String::new();
     let _ = writeln!(c, "#define PROBLEMS {PROBLEMS}U\n#define PARTS {PARTS}U\n");
@@ -103,9 +102,5 @@ pub(crate) fn write(folder: &Path) -> Result<(), Failure> {
         rust.push_str("];\n");
     }
     c.push_str("#endif\n");
-    for (name, text) in [("problems.h", c), ("problems.rs", rust)] {
-        let path = folder.join(name);
-        fs::write(&path, text).map_err(|error| Failure::at(&path, error))?;
-    }
-    Ok(())
+    Ok([("problems.h", c), ("problems.rs", rust)].map(|(name, text)| File { name: name.to_owned(), text }))
 }

@@ -2,7 +2,7 @@
 
 use crate::Failure;
 use crate::build::{self, Board};
-use object::{Object as _, ObjectSection as _, SectionFlags};
+use object::{Object as _, ObjectSection as _, SectionKind};
 use serde::Deserialize;
 use std::fs;
 use std::path::Path;
@@ -26,14 +26,14 @@ pub(crate) fn of(image: &Path) -> Result<(u64, u64), Failure> {
     let file = object::File::parse(&*bytes).map_err(Failure::new)?;
     let (mut flash, mut ram) = (0, 0);
     for section in file.sections() {
-        let SectionFlags::Elf { sh_flags } = section.flags() else { continue };
-        if sh_flags & u64::from(object::elf::SHF_ALLOC) == 0 {
-            continue;
-        }
-        let stored = section.kind() != object::SectionKind::UninitializedData;
-        let written = sh_flags & u64::from(object::elf::SHF_WRITE) != 0;
-        flash += if stored { section.size() } else { 0 };
-        ram += if written { section.size() } else { 0 };
+        let (in_flash, in_ram) = match section.kind() {
+            SectionKind::Text | SectionKind::ReadOnlyData | SectionKind::ReadOnlyString => (true, false),
+            SectionKind::Data => (true, true),
+            SectionKind::UninitializedData => (false, true),
+            _ => (false, false),
+        };
+        flash += if in_flash { section.size() } else { 0 };
+        ram += if in_ram { section.size() } else { 0 };
     }
     Ok((flash, ram))
 }

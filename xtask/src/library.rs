@@ -91,9 +91,8 @@ pub fn make(target: &str, folder: &Path) -> Result<PathBuf, Missing> {
 /// Copies what stands beside the library.
 fn install(target: &str, folder: &Path) -> Result<(), Missing> {
     let source = top().join("tpg-runtime-nostd/capi");
-    let description = fs::read_to_string(source.join("tpg_runtime.pc.in")).map(|text| {
-        text.replace("@VERSION@", env!("CARGO_PKG_VERSION")).replace("@TARGET@", target)
-    });
+    let description = fs::read_to_string(source.join("tpg_runtime.pc.in"))
+        .map(|text| text.replace("@VERSION@", env!("CARGO_PKG_VERSION")).replace("@TARGET@", target));
     let put = |to: &str, text: std::io::Result<String>| {
         let path = folder.join(to);
         let written = text.and_then(|text| {

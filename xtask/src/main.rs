@@ -32,6 +32,14 @@ enum Task {
         #[arg(short, long)]
         out: Option<PathBuf>,
     },
+    /// Run both firmwares under QEMU: trajectories as on the host, instructions as in costs.toml
+    Qemu {
+        /// Write costs.toml instead of comparing with it
+        #[arg(long)]
+        update: bool,
+    },
+    /// Flash and RAM of the control loop on an STM32F405
+    Size,
     /// Only the lint of generated C: gcc, clang, clang-tidy, cppcheck with its MISRA addon
     Lint,
 }
@@ -41,6 +49,8 @@ fn main() -> ExitCode {
         Task::Setup => setup::run(),
         Task::Test => check::all(),
         Task::Library { target, out } => library(target, out),
+        Task::Qemu { update } => check::harness(if update { &["qemu", "--update"] } else { &["qemu"] }),
+        Task::Size => check::harness(&["size"]),
         Task::Lint => check::lint(),
     };
     if good { ExitCode::SUCCESS } else { ExitCode::FAILURE }

@@ -178,7 +178,8 @@ pub unsafe extern "C" fn tpg_arm_home(arm: *const tpg_arm_t, pose: *mut tpg_pose
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_arm_hand(arm: *const tpg_arm_t, pose: *const tpg_pose_t, hand: *mut f32) -> i32 {
     // SAFETY: the header's contract.
-    let (arm, pose, hand) = unsafe { (memory::content(arm), memory::read(pose), memory::write(hand.cast::<[f32; 3]>())) };
+    let (arm, pose, hand) =
+        unsafe { (memory::content(arm), memory::read(pose), memory::write(hand.cast::<[f32; 3]>())) };
     code::of(arm.and_then(|arm| {
         *hand? = kinematics::hand(arm, Pose(pose?.ticks));
         Ok(())

@@ -248,7 +248,8 @@ pub unsafe extern "C" fn tpg_hybrid_init(
         if words < model.scratch() {
             return Err(Refusal(TPG_LENGTH));
         }
-        let both = Both(Hybrid { arm, tpg: Graph { arm, policy }, sac: Network { arm, model, scratch, words }, settings });
+        let both =
+            Both(Hybrid { arm, tpg: Graph { arm, policy }, sac: Network { arm, model, scratch, words }, settings });
         // SAFETY: the header's contract.
         unsafe { memory::initialise(hybrid, both) }
     }))
@@ -350,7 +351,10 @@ pub unsafe extern "C" fn tpg_hybrid_episode_observation(
 
 /// Decides on one action, without doing it.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn tpg_hybrid_episode_decide(episode: *mut tpg_hybrid_episode_t, chosen: *mut tpg_chosen_t) -> i32 {
+pub unsafe extern "C" fn tpg_hybrid_episode_decide(
+    episode: *mut tpg_hybrid_episode_t,
+    chosen: *mut tpg_chosen_t,
+) -> i32 {
     // SAFETY: the header's contract.
     let (content, chosen) = unsafe { (memory::content_mut(episode), memory::write(chosen)) };
     code::of(content.and_then(|content| {

@@ -1,9 +1,7 @@
 //! A network in integers.
 
 use crate::arm::{tpg_arm_t, tpg_move_t};
-use crate::code::{
-    self, Refusal, TPG_LENGTH, TPG_MODEL, TPG_MODEL_CHECKSUM, TPG_MODEL_FEATURES, TPG_MODEL_LAYERS,
-};
+use crate::code::{self, Refusal, TPG_LENGTH, TPG_MODEL, TPG_MODEL_CHECKSUM, TPG_MODEL_FEATURES, TPG_MODEL_LAYERS};
 use crate::memory::{self, Opaque};
 use crate::observation::tpg_observation_t;
 use tpg_runtime::arm::Move;

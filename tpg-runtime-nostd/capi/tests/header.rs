@@ -32,8 +32,16 @@ fn the_header_is_fresh() {
 #[test]
 fn compilers_take_the_header_as_c99_and_cpp11() {
     const WARNINGS: [&str; 10] = [
-        "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wsign-conversion", "-Wshadow", "-Wcast-qual", "-Wundef",
-        "-Werror", "-fsyntax-only",
+        "-Wall",
+        "-Wextra",
+        "-Wpedantic",
+        "-Wconversion",
+        "-Wsign-conversion",
+        "-Wshadow",
+        "-Wcast-qual",
+        "-Wundef",
+        "-Werror",
+        "-fsyntax-only",
     ];
     const C99: &[&str] = &["-x", "c", "-std=c99", "-Wstrict-prototypes"];
     const CPP11: &[&str] = &["-x", "c++", "-std=c++11", "-Wold-style-cast"];

@@ -43,7 +43,9 @@ pub fn split_inputs(inputs: &[i16], words: &mut [u32]) {
 }
 
 fn finish<'a>(rest: &[i16], mut outputs: impl Iterator<Item = &'a mut [u32; 2]>, form: impl Fn([i32; 4]) -> [u32; 2]) {
-    if !rest.is_empty() && let Some(output) = outputs.next() {
+    if !rest.is_empty()
+        && let Some(output) = outputs.next()
+    {
         let mut four = [0; 4];
         for (slot, &value) in four.iter_mut().zip(rest) {
             *slot = i32::from(value);

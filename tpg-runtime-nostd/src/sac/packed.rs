@@ -229,8 +229,7 @@ impl<const A: usize, const B: usize> Network<A, B> {
     };
 
     /// Words of its packed form.
-    pub const WORDS: usize =
-        words(&[(FEATURES, A, Kind::W8A16), (A, B, Kind::W8A16), (B, JOINTS, Kind::W8A16)]);
+    pub const WORDS: usize = words(&[(FEATURES, A, Kind::W8A16), (A, B, Kind::W8A16), (B, JOINTS, Kind::W8A16)]);
 
     /// The packed form. `WORDS` must be [`Self::WORDS`].
     ///

@@ -53,8 +53,7 @@ impl Random {
     }
 
     fn rows(&self) -> LayerRows<'_> {
-        let weights =
-            if self.kind == Kind::W16A16 { Weights::I16(&self.wide) } else { Weights::I8(&self.small) };
+        let weights = if self.kind == Kind::W16A16 { Weights::I16(&self.wide) } else { Weights::I8(&self.small) };
         LayerRows { inputs: self.inputs, kind: self.kind, weights, bias: &self.bias, rescale: &self.rescale }
     }
 
