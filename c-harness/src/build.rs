@@ -28,9 +28,6 @@ pub(crate) enum Board {
 }
 
 impl Board {
-    /// Both.
-    pub(crate) const ALL: [Self; 2] = [Self::Mps2An386, Self::NetduinoPlus2];
-
     /// QEMU's name.
     pub(crate) const fn name(self) -> &'static str {
         match self {
@@ -162,13 +159,13 @@ fn gcc(program: &str, main: &Path, names: &[&str], board: Board) -> Result<Optio
     sources.push(main.to_owned());
     sources.extend(names.iter().map(|name| generated.join(format!("{name}.c"))));
     let mut gcc = Command::new("arm-none-eabi-gcc");
-    gcc.args(CORE).args(["-std=gnu11", "-O2", "-ffreestanding", "-ffp-contract=off", "-ffunction-sections"]);
+    gcc.args(CORE).args(["-std=gnu11", "-O2", "-ffp-contract=off", "-ffunction-sections"]);
     gcc.args(["-fdata-sections", "-fstack-usage", "-Wall", "-Wextra", "-Werror", "-nostdlib", "-nostartfiles"]);
     gcc.arg(format!("-I{}", source.display())).arg(format!("-I{}", generated.display()));
     gcc.arg(format!("-I{}", library::dist().join("include").display()));
     gcc.args(&sources).arg(archive);
     gcc.arg(format!("-L{}", board_folder.display())).arg("-T").arg(source.join("sections.ld"));
-    gcc.args(["-Wl,--gc-sections", "-Wl,--fatal-warnings", "-Wl,--no-warn-rwx-segments", "-lgcc", "-o"]).arg(&image);
+    gcc.args(["-Wl,--gc-sections", "-Wl,--no-warn-rwx-segments", "-Wl,-z,noexecstack", "-lc", "-lgcc", "-o"]).arg(&image);
     gcc.current_dir(&board_folder);
     there(library::output(&mut gcc))?;
     Ok(Some(image))

@@ -30,7 +30,7 @@ pub(crate) fn all() -> bool {
 /// Runs the lint of generated C; whether it passed.
 pub(crate) fn lint() -> bool {
     let mut run = Run::new();
-    run.tests("lint of generated C", cargo(&["test", "--package", "tpg-codegen", "--test", "c_lint"]));
+    run.tests("lint of generated C", cargo(&["test", "--package", "tpg-codegen", "--test", "c_lint", "--test", "eva"]));
     run.finish()
 }
 

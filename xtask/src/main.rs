@@ -40,7 +40,7 @@ enum Task {
     },
     /// Flash and RAM of the control loop on an STM32F405
     Size,
-    /// Only the lint of generated C: gcc, clang, clang-tidy, cppcheck with its MISRA addon
+    /// Only the lint of generated C: gcc, clang, clang-tidy, cppcheck with its MISRA addon, Frama-C EVA
     Lint,
 }
 

@@ -176,7 +176,7 @@ fn parts(counter: &mut Counter, problems: &[Problem<f32>]) {
 
 #[entry]
 fn main() -> ! {
-    platform::paint_stack();
+    let stack = platform::paint_stack();
     let Some(peripherals) = cortex_m::Peripherals::take() else { platform::exit(false) };
     let mut counter = Counter::new(peripherals.SYST);
     let _ = (FS_SETTINGS, RS_SETTINGS);
@@ -208,6 +208,6 @@ fn main() -> ! {
     weights.iter_mut().for_each(|weight| *weight = (numbers.next() % 4096) as f32 / 16_384.0 - 0.125);
     float_network(&mut counter, "layers 38-64-64-4 f32", weights, FEATURES, 64);
     float_network(&mut counter, "layers 13-256-256-4 f32", weights, 13, 256);
-    Report::new("done").unsigned("stack", platform::stack_used()).print();
+    Report::new("done").unsigned("stack", platform::stack_used(stack)).print();
     platform::exit(true)
 }

@@ -49,7 +49,6 @@ pub fn exit(good: bool) -> ! {
 }
 
 unsafe extern "C" {
-    static mut __sheap: u32;
     static _stack_start: u32;
 }
 
@@ -57,27 +56,31 @@ const PAINT: u32 = 0xc5c5_c5c5;
 /// How far below the top the stack is painted, bytes.
 const PAINTED: usize = 8192;
 
-/// Paints the stack below the caller's frame.
-pub fn paint_stack() {
-    let here = cortex_m::register::msp::read() as usize - 64;
-    let top = &raw const _stack_start as usize;
-    let mut at = top - PAINTED;
+fn top() -> usize {
+    &raw const _stack_start as usize
+}
+
+/// Paints the stack below the caller's frame; where that ends.
+#[inline(always)]
+pub fn paint_stack() -> usize {
+    let here = cortex_m::register::msp::read() as usize;
+    let mut at = top() - PAINTED;
     while at < here {
         // SAFETY: between the end of the painted area and the stack pointer lies nothing that is in use.
         unsafe { (at as *mut u32).write_volatile(PAINT) };
         at += 4;
     }
+    here
 }
 
-/// Bytes of stack that were written to since.
-pub fn stack_used() -> u32 {
-    let top = &raw const _stack_start as usize;
-    let mut at = top - PAINTED;
+/// Bytes of stack below an address that were written to since.
+pub fn stack_used(below: usize) -> u32 {
+    let mut at = top() - PAINTED;
     // SAFETY: stack memory, which any number may be read from.
-    while at < top && unsafe { (at as *const u32).read_volatile() } == PAINT {
+    while at < below && unsafe { (at as *const u32).read_volatile() } == PAINT {
         at += 4;
     }
-    (top - at) as u32
+    (below - at) as u32
 }
 
 /// Nothing here panics: the linker leaves this out, and `cargo xtask qemu` looks for it.

@@ -96,3 +96,64 @@ pub fn to_c(policy: &QuantisedPolicy, prefix: &Prefix) -> Result<Vec<File>, Inpu
         file("c", source.render().expect("a template of plain values")),
     ])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::policy::{FloatLayer, quantise};
+    use tpg_runtime::sac::FEATURES;
+
+    fn policy() -> QuantisedPolicy {
+        let mut state = 7u32;
+        let mut number = move || {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (state >> 8) as f32 / (1 << 24) as f32 - 0.5
+        };
+        let layers: Vec<FloatLayer> = [(FEATURES, 9), (9, 6), (6, 4)]
+            .map(|(inputs, outputs)| FloatLayer {
+                inputs,
+                weights: (0..inputs * outputs).map(|_| number()).collect(),
+                bias: (0..outputs).map(|_| number()).collect(),
+            })
+            .into();
+        let quantised = quantise(&layers, &[2.0, 2.0]).expect("ordinary numbers");
+        QuantisedPolicy::new("0".repeat(64), Actions::Coarse, Mask::None, true, quantised).expect("sound")
+    }
+
+    #[test]
+    fn the_words_answer_what_the_policy_does() {
+        let policy = policy();
+        let words = to_words(&policy).expect("it packs");
+        let model = Model::parse(&words).expect("what was packed");
+        assert_eq!(*model.decision(), FixedDecision::new(Actions::Coarse, Mask::None, true));
+        let mut scratch = vec![0; model.scratch()];
+        for n in 0..2000 {
+            let features: [i16; FEATURES] =
+                std::array::from_fn(|i| (((n * 7919 + i * 104_729) % 16_384) as i16) - 8192);
+            assert_eq!(model.preferences(&features, &mut scratch), policy.preferences(&features));
+        }
+    }
+
+    #[test]
+    fn c_holds_the_words() {
+        let policy = policy();
+        let [header, source] = &to_c(&policy, &"arm_net".parse().expect("a prefix")).expect("it packs")[..] else {
+            panic!("two files")
+        };
+        let words = to_words(&policy).expect("it packs");
+        assert_eq!((header.name.as_str(), source.name.as_str()), ("arm_net.h", "arm_net.c"));
+        assert!(header.text.contains(&format!("#define ARM_NET_WORDS {}U", words.len())), "{}", header.text);
+        let found = source.text.split(|c: char| !c.is_ascii_alphanumeric());
+        let found = found.filter_map(|word| word.strip_prefix("0x")?.strip_suffix('U'));
+        let found: Vec<u32> = found.map(|word| u32::from_str_radix(word, 16).expect("a word")).collect();
+        assert_eq!(found, words);
+    }
+
+    #[test]
+    fn what_the_runtime_cannot_pack_is_refused() {
+        let mut policy = policy();
+        policy.layers[1].shift[0] = 3;
+        policy.layers[1].factor[0] = 20_000;
+        assert!(to_words(&policy).expect_err("no multiplier").to_string().contains("20000"));
+    }
+}

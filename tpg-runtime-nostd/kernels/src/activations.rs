@@ -20,7 +20,7 @@ pub(crate) const fn pack(low: i32, high: i32) -> u32 {
 }
 
 /// Writes inputs as [`Form::Pairs`](crate::Form::Pairs); zeros behind them.
-#[inline]
+#[inline(never)] // its loop is not its caller's: a static bound multiplies nested ones
 pub fn pair_inputs(inputs: &[i16], words: &mut [u32]) {
     let (fours, rest) = inputs.as_chunks::<4>();
     let mut outputs = words.as_chunks_mut::<2>().0.iter_mut();
@@ -31,7 +31,7 @@ pub fn pair_inputs(inputs: &[i16], words: &mut [u32]) {
 }
 
 /// Writes inputs as [`Form::Split`](crate::Form::Split), [clipped](clip_to_i8); zeros behind them.
-#[inline]
+#[inline(never)]
 pub fn split_inputs(inputs: &[i16], words: &mut [u32]) {
     let (fours, rest) = inputs.as_chunks::<4>();
     let mut outputs = words.as_chunks_mut::<2>().0.iter_mut();

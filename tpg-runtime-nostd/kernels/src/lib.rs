@@ -58,6 +58,7 @@ pub const FORM: &str = if cfg!(tpg_dsp) {
 ///
 /// `blocks` are whole blocks for as many columns as `inputs` has. Two words come out of every block; what does not fit
 /// into `outputs`, or an incomplete block, is left out.
+#[inline(never)] // its loop is not its caller's: a static bound multiplies nested ones
 pub fn hidden(kind: Kind, form: Form, blocks: &[u32], inputs: &[u32], outputs: &mut [u32]) {
     let blocks = blocks.chunks_exact(kind.block(inputs.len()));
     for (block, outputs) in blocks.zip(outputs.as_chunks_mut::<2>().0) {
