@@ -3,6 +3,8 @@
 mod convert;
 mod generate;
 mod policy;
+mod report;
+mod scalar;
 mod schema;
 mod verify;
 
@@ -33,6 +35,8 @@ enum Command {
     Generate(GenerateArgs),
     /// Compile the generated code and compare it with the interpreter
     Verify(verify::VerifyArgs),
+    /// Say what a graph's code takes: flash, RAM, stack, operations; what was removed of it
+    Report(report::ReportArgs),
     /// Convert a graph to graph.json, or to a GEGELATI .dot file and its sidecar
     Convert(convert::ConvertArgs),
     /// Write a network in integers, a policy.q.json, as constants of C and Rust
@@ -46,7 +50,7 @@ enum Command {
 pub enum Verdict {
     /// All is well.
     Good,
-    /// A check failed: differences, stale files.
+    /// A check failed: differences, stale files, a limit.
     Failed,
 }
 
@@ -110,6 +114,7 @@ impl Cli {
         let result = match self.command {
             Command::Generate(args) => args.run(),
             Command::Verify(args) => args.run(),
+            Command::Report(args) => args.run(),
             Command::Convert(args) => args.run(),
             Command::Policy(args) => args.run(),
             Command::Schema(args) => args.run(),
