@@ -93,7 +93,7 @@ pub(crate) fn generated_c() -> Result<PathBuf, Failure> {
     let path = library::top().join("generated/widowx-sac/policy.q.json");
     let text = fs::read_to_string(&path).map_err(|error| Failure::at(&path, error))?;
     let policy = QuantisedPolicy::from_json(&path.display().to_string(), &text).map_err(Failure::new)?;
-    files.extend(to_c(&policy, &"widowx_sac".parse().map_err(Failure::new::<String>)?).map_err(Failure::new)?);
+    files.extend(to_c(&policy, &"widowx_sac".parse().map_err(Failure::new::<String>)?, false).map_err(Failure::new)?);
     files.push(File { name: "profiles.rs".to_owned(), text: modules });
     for file in files {
         let path = folder.join(&file.name);
@@ -165,7 +165,8 @@ fn gcc(program: &str, main: &Path, names: &[&str], board: Board) -> Result<Optio
     gcc.arg(format!("-I{}", library::dist().join("include").display()));
     gcc.args(&sources).arg(archive);
     gcc.arg(format!("-L{}", board_folder.display())).arg("-T").arg(source.join("sections.ld"));
-    gcc.args(["-Wl,--gc-sections", "-Wl,--no-warn-rwx-segments", "-Wl,-z,noexecstack", "-lc", "-lgcc", "-o"]).arg(&image);
+    gcc.args(["-Wl,--gc-sections", "-Wl,--no-warn-rwx-segments", "-Wl,-z,noexecstack", "-lc", "-lgcc", "-o"])
+        .arg(&image);
     gcc.current_dir(&board_folder);
     there(library::output(&mut gcc))?;
     Ok(Some(image))

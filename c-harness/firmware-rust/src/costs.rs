@@ -28,6 +28,8 @@ include!(concat!(env!("TPG_GENERATED"), "/models.rs"));
 
 static ARM: Arm<f32> = WIDOWX.to_f32();
 
+static WIDE: [u32; fixed::Network::<64, 64>::WIDE_WORDS] = widowx_sac::NETWORK.pack_wide(&widowx_sac::DECISION);
+
 /// Instructions of many calls.
 #[derive(Clone, Copy, Default)]
 struct Tally {
@@ -199,6 +201,7 @@ fn main() -> ! {
     parts(&mut counter, &RS_PROBLEMS);
     let Some(scratch) = singleton!(: [u32; 512] = [0; 512]) else { platform::exit(false) };
     network(&mut counter, "layers shipped (i8, i16 activations)", &widowx_sac::MODEL, scratch);
+    network(&mut counter, "layers shipped, wide (i8 as i16)", &WIDE, scratch);
     for (name, words) in MODELS {
         network(&mut counter, name, words, scratch);
     }

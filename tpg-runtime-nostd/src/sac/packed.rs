@@ -229,19 +229,39 @@ impl<const A: usize, const B: usize> Network<A, B> {
     };
 
     /// Words of its packed form.
-    pub const WORDS: usize = words(&[(FEATURES, A, Kind::W8A16), (A, B, Kind::W8A16), (B, JOINTS, Kind::W8A16)]);
+    pub const WORDS: usize = Self::words(Kind::W8A16);
+
+    /// Words of its wide packed form.
+    pub const WIDE_WORDS: usize = Self::words(Kind::W16A16);
+
+    const fn words(kind: Kind) -> usize {
+        words(&[(FEATURES, A, kind), (A, B, kind), (B, JOINTS, kind)])
+    }
 
     /// The packed form. `WORDS` must be [`Self::WORDS`].
     ///
     /// # Panics
     /// At compile time, where generated code calls it: if `WORDS` is another number or a rescale has no multiplier.
     pub const fn pack<const WORDS: usize>(&self, decision: &FixedDecision) -> [u32; WORDS] {
-        const fn rows<const I: usize, const O: usize>(layer: &Layer<I, O>) -> LayerRows<'_> {
+        self.pack_as(decision, Kind::W8A16)
+    }
+
+    /// The packed form with 16 bits a weight: nearly twice the flash, a third fewer instructions on a core with DSP, the
+    /// same answers. `WORDS` must be [`Self::WIDE_WORDS`].
+    ///
+    /// # Panics
+    /// As [`pack`](Self::pack).
+    pub const fn pack_wide<const WORDS: usize>(&self, decision: &FixedDecision) -> [u32; WORDS] {
+        self.pack_as(decision, Kind::W16A16)
+    }
+
+    const fn pack_as<const WORDS: usize>(&self, decision: &FixedDecision, kind: Kind) -> [u32; WORDS] {
+        const fn rows<const I: usize, const O: usize>(layer: &Layer<I, O>, kind: Kind) -> LayerRows<'_> {
             let weights = Weights::I8(layer.weights.as_flattened());
-            LayerRows { inputs: I, kind: Kind::W8A16, weights, bias: &layer.bias, rescale: &layer.rescale }
+            LayerRows { inputs: I, kind, weights, bias: &layer.bias, rescale: &layer.rescale }
         }
         let mut words = [0; WORDS];
-        let layers = [rows(&self.first), rows(&self.second), rows(&self.last)];
+        let layers = [rows(&self.first, kind), rows(&self.second, kind), rows(&self.last, kind)];
         assert!(pack(&layers, decision, &mut words), "a rescale without a multiplier, or another number of words");
         words
     }

@@ -43,7 +43,8 @@ impl LayerRows<'_> {
 
     const fn fits(&self) -> bool {
         let count = match (self.kind, self.weights) {
-            (Kind::W8A16 | Kind::W8A8, Weights::I8(weights)) => weights.len(),
+            // `i8` weights in words for `i16` ones: more flash, fewer instructions, the same answers.
+            (Kind::W8A16 | Kind::W8A8 | Kind::W16A16, Weights::I8(weights)) => weights.len(),
             (Kind::W16A16, Weights::I16(weights)) => weights.len(),
             _ => return false,
         };

@@ -172,6 +172,9 @@ fn a_million_observations_answer_the_same_packed_and_not() {
     };
     let words: [u32; Network::<16, 16>::WORDS] = network.pack(&decision());
     let model = Model::parse(&words).expect("what was packed");
+    let wide: [u32; Network::<16, 16>::WIDE_WORDS] = network.pack_wide(&decision());
+    let wide = Model::parse(&wide).map(|model| model.preferences(&[77; FEATURES], &mut [0; 40]));
+    assert_eq!(wide, Ok(network.preferences(&[77; FEATURES])));
     let packed = PackedPolicy::<{ Network::<16, 16>::SCRATCH }>::new(&ARM, model).expect("it fits");
     let plain = FixedPolicy { arm: &ARM, network: &network, decision: decision() };
     let mut scratch = [0; Network::<16, 16>::SCRATCH];
