@@ -9,6 +9,7 @@
 //! | [`expected`] | the host's trajectories |
 //! | [`costs`] | instructions beside `costs.toml` |
 //! | [`symbols`] | what must not be in an image |
+//! | [`worst`] | the static worst case of a decision |
 //! | [`size`] | flash and RAM beside `sizes.toml` |
 
 mod build;
@@ -20,6 +21,7 @@ mod models;
 mod problems;
 mod size;
 mod symbols;
+mod worst;
 
 use build::Board;
 use clap::{Parser, Subcommand};
@@ -103,6 +105,9 @@ fn qemu(update: bool) -> Result<(), Failure> {
         compare(language, &expected, &lines)?;
         costs.add(language, &lines);
         stack(language, &lines)?;
+        if language == "Rust" {
+            worst::check(&image, &lines)?;
+        }
         if let Some(image) = builder("costs", Board::Mps2An386)? {
             costs.add(language, &emulate::run(Board::Mps2An386, &image)?);
         }

@@ -3,6 +3,7 @@
 mod check;
 mod setup;
 mod summary;
+mod worst;
 
 use clap::{Parser, Subcommand};
 use std::path::PathBuf;
@@ -42,6 +43,8 @@ enum Task {
     Size,
     /// Only the lint of generated C: gcc, clang, clang-tidy, cppcheck with its MISRA addon, Frama-C EVA
     Lint,
+    /// The worst case of compiled code for a Cortex-M: instructions and stack
+    Wcet(worst::WcetArgs),
 }
 
 fn main() -> ExitCode {
@@ -52,6 +55,7 @@ fn main() -> ExitCode {
         Task::Qemu { update } => check::harness(if update { &["qemu", "--update"] } else { &["qemu"] }),
         Task::Size => check::harness(&["size"]),
         Task::Lint => check::lint(),
+        Task::Wcet(arguments) => arguments.run(),
     };
     if good { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
