@@ -17,6 +17,7 @@
 //! | [`picture`] | SVG, plots and the page that holds them |
 //! | [`random`] | one stream of random numbers for every purpose |
 //! | [`files`] | files that are whole or not there |
+//! | [`report`] | runs in one HTML file |
 //! | [`conformance`] | recorded trajectories, replayed in the paper's arithmetic |
 
 pub mod cli;
@@ -30,6 +31,7 @@ pub mod ik;
 pub mod picture;
 pub mod planner;
 pub mod random;
+pub mod report;
 pub mod sac;
 pub mod targets;
 pub mod trial;

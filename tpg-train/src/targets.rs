@@ -8,6 +8,7 @@
 //! Training, validation and test tasks never share a random stream, whatever the seed: [`Purpose`](Set) is a part of
 //! the stream's key.
 
+use crate::evolution::config::Config;
 use crate::random::{Purpose, Stream};
 use serde::{Deserialize, Serialize};
 use std::fs;
@@ -153,7 +154,7 @@ impl Reach {
 
 /// Whether nothing collides and neither hand nor forearm stands inside the base (which the collision test, made of
 /// edges alone, does not see).
-fn stands_free(arm: &Arm<f64>, plane: &Plane<f64>) -> bool {
+pub fn stands_free(arm: &Arm<f64>, plane: &Plane<f64>) -> bool {
     let outside = || {
         let Clearance { hand, forearm } = Clearance::of(plane, &arm.shapes);
         hand > 0.0 && forearm > 0.0
@@ -179,6 +180,9 @@ pub struct TargetsArgs {
     /// The problem: fixed or random start
     #[arg(long, value_enum)]
     pub problem: Start,
+    /// The arm of this configuration, instead of the WidowX
+    #[arg(long, value_name = "FILE")]
+    pub config: Option<PathBuf>,
     /// How many
     #[arg(long, value_name = "N", default_value_t = 1000)]
     pub episodes: usize,
@@ -190,9 +194,10 @@ pub struct TargetsArgs {
 /// Prints test tasks.
 ///
 /// # Errors
-/// If stdout is closed.
+/// If the configuration cannot be read, or stdout is closed.
 pub fn print_targets(args: &TargetsArgs) -> Result<(), InputError> {
-    let text = to_csv(&tasks(&WIDOWX, args.seed, Set::Test, args.problem, args.episodes));
+    let arm = args.config.as_deref().map(Config::read).transpose()?.map_or(WIDOWX, |config| config.arm());
+    let text = to_csv(&tasks(&arm, args.seed, Set::Test, args.problem, args.episodes));
     let written = io::stdout().lock().write_all(text.as_bytes());
     written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))
 }

@@ -7,7 +7,8 @@ use crate::engine::{Ending, Environment, SourceSet};
 use crate::random::Stream;
 use crate::targets::{self, Reach as Space, Set, Start, Task};
 use serde::{Deserialize, Serialize};
-use tpg_codegen::graph::{ActionDocument, SourceDocument};
+use tpg_codegen::error::{InputError, Place};
+use tpg_codegen::graph::{ActionDocument, Graph, SourceDocument};
 use tpg_runtime::arm::{Arm, Collision, Invalid, JOINTS, Joint, Move, Pose, TICKS_PER_TURN};
 use tpg_runtime::episode::Outcome;
 use tpg_runtime::frame::Frame;
@@ -158,6 +159,29 @@ impl<S: ArmScalar> ArmEnvironment<S> {
         }
     }
 
+    /// An environment for a graph's tests: its sources, its actions.
+    ///
+    /// # Errors
+    /// If the graph reads sources that the arm does not have, or has actions that do not say what they move.
+    pub fn for_graph(file: &str, graph: &Graph, arm: &Arm<f64>, problem: ArmProblem) -> Result<Self, InputError> {
+        let known = Source::ALL.map(Source::name).join(", ");
+        let mut sources = Vec::new();
+        for (place, source) in graph.sources().iter().enumerate() {
+            let path = Place::Path(format!("$.sources[{place}].name"));
+            let found = Source::from_name(&source.name).filter(|known| known.length() == source.ranges.len());
+            sources
+                .push(found.ok_or_else(|| InputError::new(file, path, format!("{:?}", source.name), known.as_str()))?);
+        }
+        let mut moves = Vec::new();
+        for (place, action) in graph.actions().iter().enumerate() {
+            let path = Place::Path(format!("$.actions[{place}]"));
+            moves.push(action.moves.ok_or_else(|| {
+                InputError::new(file, path, format!("{:?} without \"move\"", action.name), "actions that move the arm")
+            })?);
+        }
+        Ok(Self::for_evaluation(arm, ArmProblem { sources, ..problem }, moves))
+    }
+
     /// The arm in this environment's scalar.
     pub fn arm(&self) -> &Arm<S> {
         &self.arm
@@ -212,9 +236,10 @@ fn free_above(arm: &Arm<f64>) -> f64 {
 }
 
 /// Names of the outcomes, as `eval --json` counts them.
-const OUTCOMES: [&str; 7] = ["reached", "cycle", "stop", "joint_limit", "table", "base", "timeout"];
+pub const OUTCOMES: [&str; 7] = ["reached", "cycle", "stop", "joint_limit", "table", "base", "timeout"];
 
-fn outcome_number(outcome: Outcome) -> u8 {
+/// Place of an outcome in [`OUTCOMES`].
+pub fn outcome_number(outcome: Outcome) -> u8 {
     match outcome {
         Outcome::Reached => 0,
         Outcome::Cycle => 1,
