@@ -313,6 +313,6 @@ fn endings<S: ArmScalar, M: Maths<S>>(
     tasks: &[ArmTask],
 ) -> Result<Vec<Ending>, InputError> {
     let environment = ArmEnvironment::<S>::for_graph(file, graph, arm, problem)?;
-    let plan = Plan::new::<M>(&Policy::from(graph), &environment.sources(), true);
+    let plan = Plan::new::<M>(&Policy::from(graph), &environment.sources(), Options::default());
     Ok(Lanes::<S, M, _>::new(&environment, Options::default()).run(&plan, tasks))
 }

@@ -12,6 +12,7 @@
 //! | [`targets`] | tasks over the reachable space |
 //! | [`trial`] | one actor on many tasks |
 //! | [`evaluate`] | how a policy's episodes end |
+//! | [`interrupt`] | Ctrl-C |
 //! | [`ik`] | goals of the inverse kinematics, for training only |
 //! | [`planner`] | classical yardsticks that learn nothing |
 //! | [`picture`] | SVG, plots and the page that holds them |
@@ -28,6 +29,7 @@ pub mod evaluate;
 pub mod evolution;
 pub mod files;
 pub mod ik;
+pub mod interrupt;
 pub mod picture;
 pub mod planner;
 pub mod random;

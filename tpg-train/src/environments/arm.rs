@@ -98,7 +98,7 @@ pub struct ArmEnvironment<S> {
     places: Vec<usize>,
     /// With every joint and the tip above this, nothing collides, mm.
     free_above: S,
-    /// Sine of every tick of a turn.
+    /// Sine of every tick of a turn; empty where sines are computed.
     sines: Box<[S]>,
     /// Where training tasks come from.
     space: Option<Space>,
@@ -182,6 +182,11 @@ impl<S: ArmScalar> ArmEnvironment<S> {
         Ok(Self::for_evaluation(arm, ArmProblem { sources, ..problem }, moves))
     }
 
+    /// The same environment with sines by libm: for a benchmark of the tables, its results differ in the last bits.
+    pub fn without_tables(self) -> Self {
+        Self { sines: Box::new([]), ..self }
+    }
+
     /// The arm in this environment's scalar.
     pub fn arm(&self) -> &Arm<S> {
         &self.arm
@@ -199,6 +204,10 @@ impl<S: ArmScalar> ArmEnvironment<S> {
 
     #[inline]
     fn direction(&self, angle: Angle) -> Direction<S> {
+        if self.sines.is_empty() {
+            let radians = S::from_i32(angle.0) * S::from_f64(core::f64::consts::TAU / f64::from(TICKS_PER_TURN));
+            return S::direction_of(radians);
+        }
         let within = (TICKS_PER_TURN - 1) as usize;
         let ticks = angle.0 as usize & within;
         let ahead = (ticks + TICKS_PER_TURN as usize / 4) & within;
@@ -416,10 +425,10 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
         Some(episode.pose.packed())
     }
 
-    fn cycle(&self, episode: &ArmEpisode<S>, key: u64, actions: u32) -> Ending {
+    fn cycle(&self, episode: &ArmEpisode<S>, key: u64, actions: u32) -> Option<Ending> {
         let pose = Pose::from_packed(key);
         let hand = self.plane(pose).hand_in_world(self.base(pose));
-        self.ending(Outcome::Cycle, actions, kinematics::distance(episode.target, hand))
+        Some(self.ending(Outcome::Cycle, actions, kinematics::distance(episode.target, hand)))
     }
 }
 

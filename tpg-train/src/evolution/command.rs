@@ -7,12 +7,12 @@ use super::state::Best;
 use crate::engine::{Environment, LocalThreads, Options};
 use crate::environments::{ArmEnvironment, ArmScalar, Pendulum};
 use crate::files::{make_folder, read_text, write_atomically};
+use crate::interrupt;
 use crate::targets::Start;
 use clap::Args;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 use tpg_codegen::error::{InputError, Place};
 use tpg_codegen::graph::ScalarType;
@@ -86,10 +86,7 @@ pub enum End {
 /// A bad configuration, a folder with another run, files that cannot be written.
 pub fn execute(args: &TpgArgs) -> Result<End, RunError> {
     let config = configuration(args)?;
-    let stop = Arc::new(AtomicBool::new(false));
-    let asked = Arc::clone(&stop);
-    // Without a handler Ctrl-C would end the process at once; the last checkpoint would still be there.
-    let _ = ctrlc::set_handler(move || asked.store(true, Ordering::Relaxed));
+    let stop = interrupt::watch();
     match config.language.scalar {
         ScalarType::F32 => with_scalar::<f32>(args, &config, &stop),
         ScalarType::F64 => with_scalar::<f64>(args, &config, &stop),

@@ -134,7 +134,7 @@ fn walks<S: ArmScalar, M: Maths<S>>(
     chosen: &[(usize, ArmTask, Ending)],
 ) -> Result<Vec<Walk>, InputError> {
     let environment = ArmEnvironment::<S>::for_graph(&run.name, graph, arm, problem.clone())?;
-    let plan = Plan::new::<M>(&Policy::from(graph), &environment.sources(), true);
+    let plan = Plan::new::<M>(&Policy::from(graph), &environment.sources(), Options::default());
     let mut lanes = Lanes::<S, M, _>::new(&environment, Options { lanes: 1, ..Options::default() });
     let one = |&(number, task, ending): &(usize, ArmTask, Ending)| {
         let mut poses = vec![Pose(task.start)];
