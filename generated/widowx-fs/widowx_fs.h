@@ -28,6 +28,10 @@ extern "C" {
 /* Teams, and how many of them decide at most in one inference. */
 #define WIDOWX_FS_TEAMS 28U
 #define WIDOWX_FS_DEPTH 16U
+/* At most, in one inference: bids looked at, operations, and sines, cosines, logarithms and exponentials among those. */
+#define WIDOWX_FS_WORST_BIDS 103U
+#define WIDOWX_FS_WORST_OPERATIONS 98U
+#define WIDOWX_FS_WORST_MATHS_CALLS 0U
 
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
 typedef struct widowx_fs_state {

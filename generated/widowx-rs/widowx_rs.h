@@ -28,6 +28,10 @@ extern "C" {
 /* Teams, and how many of them decide at most in one inference. */
 #define WIDOWX_RS_TEAMS 28U
 #define WIDOWX_RS_DEPTH 15U
+/* At most, in one inference: bids looked at, operations, and sines, cosines, logarithms and exponentials among those. */
+#define WIDOWX_RS_WORST_BIDS 132U
+#define WIDOWX_RS_WORST_OPERATIONS 132U
+#define WIDOWX_RS_WORST_MATHS_CALLS 0U
 
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
 typedef struct widowx_rs_state {

@@ -1,5 +1,7 @@
 //! Compiles tangled program graphs into C and `no_std` Rust, and proves the result equal to the graph.
 pub mod cli;
+pub mod conversion;
+pub mod cost;
 pub mod emit;
 pub mod engine;
 pub mod error;
@@ -11,7 +13,9 @@ pub mod ir;
 pub mod output;
 pub mod passes;
 pub mod policy;
+pub mod report;
 pub mod sample;
 pub mod size;
 pub mod states;
+pub mod trace;
 pub mod verify;

@@ -2,6 +2,8 @@
 
 mod convert;
 mod generate;
+mod report;
+mod scalar;
 mod schema;
 mod verify;
 
@@ -32,6 +34,8 @@ enum Command {
     Generate(GenerateArgs),
     /// Compile the generated code and compare it with the interpreter
     Verify(verify::VerifyArgs),
+    /// Say what a graph's code takes: flash, RAM, stack, operations; what was removed of it
+    Report(report::ReportArgs),
     /// Convert a graph to graph.json, or to a GEGELATI .dot file and its sidecar
     Convert(convert::ConvertArgs),
     /// Print the JSON Schema of graph.json
@@ -43,7 +47,7 @@ enum Command {
 pub enum Verdict {
     /// All is well.
     Good,
-    /// A check failed: differences, stale files.
+    /// A check failed: differences, stale files, a limit.
     Failed,
 }
 
@@ -107,6 +111,7 @@ impl Cli {
         let result = match self.command {
             Command::Generate(args) => args.run(),
             Command::Verify(args) => args.run(),
+            Command::Report(args) => args.run(),
             Command::Convert(args) => args.run(),
             Command::Schema(args) => args.run(),
         };

@@ -5,6 +5,7 @@
 
 use super::nodes::{Node, NodeId};
 use super::plan::Plan;
+use pulp::Arch;
 use std::marker::PhantomData;
 use tpg_runtime::ops::{Instruction, Maths};
 use tpg_runtime::scalar::Scalar;
@@ -20,12 +21,21 @@ pub(super) struct Columns<S, M> {
     /// The step in which each node was computed last.
     computed_at: Vec<u64>,
     now: u64,
+    arch: Arch,
     maths: PhantomData<M>,
 }
 
 impl<S: Scalar, M: Maths<S>> Columns<S, M> {
     pub(super) fn new(lanes: usize) -> Self {
-        Self { lanes, values: Vec::new(), arguments: Vec::new(), computed_at: Vec::new(), now: 0, maths: PhantomData }
+        Self {
+            lanes,
+            values: Vec::new(),
+            arguments: Vec::new(),
+            computed_at: Vec::new(),
+            now: 0,
+            arch: Arch::new(),
+            maths: PhantomData,
+        }
     }
 
     /// Makes room for a plan's nodes, and fills its constants in.
@@ -82,7 +92,10 @@ impl<S: Scalar, M: Maths<S>> Columns<S, M> {
             Instruction::Sin => compute_again(M::sin, a, arguments, to),
             Instruction::Ln => compute_again(M::ln, a, arguments, to),
             Instruction::Exp => compute_again(M::exp, a, arguments, to),
-            _ => pulp::Arch::new().dispatch(|| compute_column::<S, M>(instruction, [a, b], to)),
+            _ => self.arch.dispatch(
+                #[inline(always)]
+                || compute_column::<S, M>(instruction, [a, b], to),
+            ),
         }
     }
 

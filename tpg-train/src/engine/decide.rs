@@ -8,6 +8,7 @@
 use super::columns::Columns;
 use super::plan::{Plan, PlannedTeam};
 use super::policy::Destination;
+use pulp::Arch;
 use tpg_runtime::ops::{self, Maths};
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
@@ -26,6 +27,7 @@ pub(super) struct Decider<S> {
     /// The lanes in which a lazy bid could win.
     open: Vec<u32>,
     actions: Vec<ActionId>,
+    arch: Arch,
 }
 
 impl<S: Scalar> Decider<S> {
@@ -36,6 +38,7 @@ impl<S: Scalar> Decider<S> {
             winner: vec![0; lanes],
             open: Vec::with_capacity(lanes),
             actions: vec![ActionId(0); lanes],
+            arch: Arch::new(),
         }
     }
 
@@ -89,12 +92,15 @@ impl<S: Scalar> Decider<S> {
     fn ask_all<M: Maths<S>>(&mut self, team: &PlannedTeam<S>, columns: &Columns<S, M>, all: usize) {
         let best = &mut self.best[..all];
         let winner = &mut self.winner[..all];
-        pulp::Arch::new().dispatch(|| {
-            for (place, &index) in team.eager.iter().enumerate() {
-                let bids = columns.column(team.edges[index as usize].bid, all);
-                keep_best(index, place == 0, bids, best, winner);
-            }
-        });
+        self.arch.dispatch(
+            #[inline(always)]
+            || {
+                for (place, &index) in team.eager.iter().enumerate() {
+                    let bids = columns.column(team.edges[index as usize].bid, all);
+                    keep_best(index, place == 0, bids, best, winner);
+                }
+            },
+        );
         if team.eager.is_empty() {
             best.fill(S::NEG_INFINITY);
             winner.fill(0);

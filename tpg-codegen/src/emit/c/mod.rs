@@ -9,6 +9,7 @@ mod small;
 mod walk;
 
 use super::{File, Language, Options, Profile, Style, banner, layout};
+use crate::cost::{Cost, Costs};
 use crate::graph::{Graph, MathsProvider, ScalarType};
 use crate::interpret;
 use crate::ir::{Module, Target};
@@ -33,6 +34,7 @@ struct Header<'a> {
     actions: Vec<String>,
     teams: usize,
     depth: usize,
+    worst: Cost<u64>,
     gegelati: bool,
     system_maths: bool,
 }
@@ -70,23 +72,26 @@ pub(super) fn emit(graph: &Graph, options: &Options) -> Vec<File> {
     let prefix = options.prefix.lower();
     let upper = options.prefix.upper();
     let gegelati = options.style == Style::Gegelati;
-    let profile = options.profile_in(Language::C);
     let module = if gegelati { Module::lower(graph) } else { passes::optimise(graph, options.assumption).0 };
-    // Where passes find that no bid matters there is nothing to make small or constant: the plainest text does.
-    let chooses = module.teams.iter().any(|team| team.edges.len() > 1);
     let printer = Printer { graph, nodes: &module.nodes, prefix, gegelati, short_cuts: false };
-    let (helpers, body) = if gegelati {
-        (helpers::render(&printer, false), gegelati::render(&printer, &module, &upper))
+    let (helpers, body, costs) = if gegelati {
+        let costs = Costs::bid_by_bid(module.clone());
+        (helpers::render(&printer, false), gegelati::render(&printer, &module, &upper), costs)
     } else {
-        match if chooses { profile } else { Profile::Fast } {
+        match options.shape(Language::C, &module) {
             Profile::Fast => {
                 let schedule = schedule::schedule(graph, &module);
                 let printer = Printer { nodes: &schedule.nodes, short_cuts: true, ..printer };
-                (helpers::render(&printer, false), fast::render(&printer, &module, &schedule, &upper))
+                let costs = Costs::scheduled(module.clone(), &schedule, Language::C);
+                (helpers::render(&printer, false), fast::render(&printer, &module, &schedule, &upper), costs)
             }
-            Profile::Small => (helpers::render(&printer, false), small::render(&printer, &module, &upper)),
+            Profile::Small => {
+                let costs = Costs::bid_by_bid(module.clone());
+                (helpers::render(&printer, false), small::render(&printer, &module, &upper), costs)
+            }
             Profile::ConstantTime => {
-                (helpers::render(&printer, true), constant_time::render(&printer, &module, &upper))
+                let costs = Costs::everything(module.clone());
+                (helpers::render(&printer, true), constant_time::render(&printer, &module, &upper), costs)
             }
         }
     };
@@ -101,6 +106,7 @@ pub(super) fn emit(graph: &Graph, options: &Options) -> Vec<File> {
         actions: graph.actions().iter().map(|action| comment(&action.name)).collect(),
         teams: module.teams.len(),
         depth: module.depth,
+        worst: costs.worst(),
         gegelati,
         system_maths: graph.maths() == MathsProvider::System,
     };
