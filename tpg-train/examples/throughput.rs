@@ -1,10 +1,11 @@
 //! Environment steps per CPU-second, and what each idea of the engine is worth.
 //!
-//! `cargo run --release -p tpg-train --example throughput -- [--quick] [RUN|GRAPH]...`
+//! `cargo run --release -p tpg-train --example throughput -- [--quick] [--once] [RUN|GRAPH]...`
 //!
 //! Without arguments: generation 0 of the paper's problem. A run's folder: the generation after its checkpoint, exactly as
 //! training would evaluate it. A graph: 1,000 episodes of the problem that its arm's sources ask for, random start. Times
-//! are CPU times of this process (Linux), and the least of three passes; `--quick` measures the first row only.
+//! are CPU times of this process (Linux), and the least of three passes; `--once` makes one, `--quick` measures the first
+//! row only.
 
 use std::path::Path;
 use tpg_codegen::graph::{Graph, MathsProvider, ScalarType};
@@ -23,31 +24,38 @@ use tpg_train::evolution::vocabulary::Vocabulary;
 use tpg_train::random::{Purpose, Stream};
 use tpg_train::targets::{Set, Start, tasks};
 
-/// The least of so many passes is the machine's, not its other work's.
-const PASSES: usize = 3;
+/// How much is measured.
+#[derive(Clone, Copy)]
+struct Extent {
+    rows: usize,
+    /// The least of some passes is the machine's, not its other work's.
+    passes: usize,
+}
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (flags, names): (Vec<String>, Vec<String>) = std::env::args().skip(1).partition(|name| name.starts_with("--"));
-    let quick = flags.iter().any(|flag| flag == "--quick");
+    let given = |name: &str| flags.iter().any(|flag| flag == name);
+    let extent =
+        Extent { rows: if given("--quick") { 1 } else { usize::MAX }, passes: if given("--once") { 1 } else { 3 } };
     if names.is_empty() {
         let config = Preset::find("paper-fs").ok_or("no such preset")?.config()?;
-        population("paper-fs, generation 0", &config, State::new(1, 1, 0), quick)?;
+        population("paper-fs, generation 0", &config, State::new(1, 1, 0), extent)?;
     }
     for name in &names {
         if Path::new(name).is_dir() {
             let (config, state) = checkpoint::open(&Path::new(name).join("checkpoint.json"))?;
             let title = format!("{name}, generation {}", state.generation);
             match config.language.scalar {
-                ScalarType::F32 => population(&title, &config, state, quick)?,
+                ScalarType::F32 => population(&title, &config, state, extent)?,
                 ScalarType::F64 => return Err("only runs in f32".into()),
             }
         } else {
             let graph = Graph::from_json(name, &std::fs::read_to_string(name)?)?;
             match (graph.scalar(), graph.maths()) {
-                (ScalarType::F32, MathsProvider::Own) => one::<f32, Own>(name, &graph, quick)?,
-                (ScalarType::F32, MathsProvider::System) => one::<f32, System>(name, &graph, quick)?,
-                (ScalarType::F64, MathsProvider::Own) => one::<f64, Own>(name, &graph, quick)?,
-                (ScalarType::F64, MathsProvider::System) => one::<f64, System>(name, &graph, quick)?,
+                (ScalarType::F32, MathsProvider::Own) => one::<f32, Own>(name, &graph, extent)?,
+                (ScalarType::F32, MathsProvider::System) => one::<f32, System>(name, &graph, extent)?,
+                (ScalarType::F64, MathsProvider::Own) => one::<f64, Own>(name, &graph, extent)?,
+                (ScalarType::F64, MathsProvider::System) => one::<f64, System>(name, &graph, extent)?,
             }
         }
     }
@@ -59,7 +67,7 @@ fn population(
     title: &str,
     config: &Config,
     mut state: State<ArmTask>,
-    quick: bool,
+    extent: Extent,
 ) -> Result<(), Box<dyn std::error::Error>> {
     let environment = ArmEnvironment::<f32>::new(&config.arm(), config.arm_problem());
     let learning = &config.learning;
@@ -88,16 +96,16 @@ fn population(
     }
     let draw = |index| environment.draw(&mut Stream::new(state.seed, state.generation, Purpose::Episode, index));
     let tasks = (0..learning.nb_iterations_per_policy_evaluation as u64).map(draw).collect();
-    table::<f32, Own>(title, &environment, &Work { tasks, units }, quick)
+    table::<f32, Own>(title, &environment, &Work { tasks, units }, extent)
 }
 
 /// A graph on a thousand episodes.
-fn one<S: ArmScalar, M: Maths<S>>(name: &str, graph: &Graph, quick: bool) -> Result<(), Box<dyn std::error::Error>> {
+fn one<S: ArmScalar, M: Maths<S>>(name: &str, graph: &Graph, extent: Extent) -> Result<(), Box<dyn std::error::Error>> {
     let problem = ArmProblem::new(Start::Rs, Vec::new());
     let environment = ArmEnvironment::<S>::for_graph(name, graph, &WIDOWX, problem)?;
     let tasks = tasks(&WIDOWX, 3, Set::Training, Start::Rs, 1000).into_iter().map(ArmTask::from).collect();
     let unit = WorkUnit { key: UnitKey { seed: 0, generation: 0, root: 0 }, policy: Policy::from(graph) };
-    table::<S, M>(name, &environment, &Work { tasks, units: vec![unit] }, quick)
+    table::<S, M>(name, &environment, &Work { tasks, units: vec![unit] }, extent)
 }
 
 /// Prints a row for every set of options.
@@ -105,7 +113,7 @@ fn table<S: ArmScalar, M: Maths<S>>(
     title: &str,
     environment: &ArmEnvironment<S>,
     work: &Work<ArmTask>,
-    quick: bool,
+    extent: Extent,
 ) -> Result<(), Box<dyn std::error::Error>> {
     println!("{title}: {} roots, {} episodes each", work.units.len(), work.tasks.len());
     println!("  {:44} {:>9} {:>9} {:>12} {:>8}", "", "CPU s", "wall s", "M steps/CPU s", "");
@@ -123,9 +131,9 @@ fn table<S: ArmScalar, M: Maths<S>>(
         ("cycles noticed at the time-out only", environment, Options { look_for_cycles: false, ..all }, 1),
     ];
     let mut first = None;
-    for (name, environment, options, threads) in rows.into_iter().take(if quick { 1 } else { 9 }) {
+    for (name, environment, options, threads) in rows.into_iter().take(extent.rows) {
         let (mut least, mut wall, mut steps) = (f64::INFINITY, f64::INFINITY, 0);
-        for _ in 0..PASSES {
+        for _ in 0..extent.passes {
             let evaluator = LocalThreads::<S, M, _>::new(environment, options, threads)?;
             let (began, before) =
                 (std::time::Instant::now(), cpu_seconds().ok_or("this system does not tell CPU times")?);

@@ -205,6 +205,9 @@ pub fn print_targets(args: &TargetsArgs) -> Result<(), InputError> {
 const HEADER: [&str; JOINTS + 3] =
     ["start_base", "start_shoulder", "start_elbow", "start_wrist", "target_x_mm", "target_y_mm", "target_z_mm"];
 
+/// How the paper's recorded targets are headed: the same columns, after a number.
+const RECORDED_HEADER: &str = "row,m0,m1,m2,m3,tx,ty,tz";
+
 /// Why a file of tasks cannot be read.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
@@ -239,7 +242,7 @@ pub fn to_csv(tasks: &[Task]) -> String {
     [HEADER.join(",") + "\n"].into_iter().chain(tasks.iter().map(row)).collect()
 }
 
-/// Reads what [`to_csv`] wrote.
+/// Reads what [`to_csv`] wrote, or the paper's recorded targets.
 ///
 /// # Errors
 /// If the file cannot be read, has another header, or a value that is no number of the arm's range.
@@ -251,11 +254,23 @@ pub fn read_csv(arm: &Arm<f64>, path: &Path) -> Result<Vec<Task>, Error> {
 fn parse_csv(arm: &Arm<f64>, text: &str) -> Result<Vec<Task>, (u64, String, String)> {
     let mut lines = (1u64..).zip(text.lines());
     let header = HEADER.join(",");
-    match lines.next() {
-        Some((_, line)) if line.trim_end() == header => {}
-        found => return Err((1, format!("{:?}", found.map_or("", |(_, line)| line)), format!("the header {header}"))),
-    }
-    lines.map(|(number, line)| task(arm, line.trim_end()).map_err(|(found, want)| (number, found, want))).collect()
+    let recorded = match lines.next() {
+        Some((_, line)) if line.trim_end() == header => false,
+        Some((_, line)) if line.trim_end() == RECORDED_HEADER => true,
+        found => {
+            return Err((
+                1,
+                format!("{:?}", found.map_or("", |(_, line)| line)),
+                format!("the header {header}, or {RECORDED_HEADER}"),
+            ));
+        }
+    };
+    let columns = |line: &str| {
+        let line = line.trim_end();
+        let from = if recorded { line.find(',').map_or(0, |comma| comma + 1) } else { 0 };
+        line[from..].to_owned()
+    };
+    lines.map(|(number, line)| task(arm, &columns(line)).map_err(|(found, want)| (number, found, want))).collect()
 }
 
 fn task(arm: &Arm<f64>, line: &str) -> Result<Task, (String, String)> {
@@ -326,6 +341,13 @@ mod tests {
     fn csv_gives_back_the_same_tasks() {
         let list = tasks(&WIDOWX, 7, Set::Validation, Start::Rs, 50);
         assert_eq!(parse_csv(&WIDOWX, &to_csv(&list)), Ok(list));
+    }
+
+    #[test]
+    fn the_papers_recorded_targets_are_read() {
+        let text = "row,m0,m1,m2,m3,tx,ty,tz\n0,2048,2048,2048,2048,1.5,-250.25,30\n";
+        let task = Task { start: WIDOWX.home, target: [1.5, -250.25, 30.0] };
+        assert_eq!(parse_csv(&WIDOWX, text), Ok(vec![task]));
     }
 
     #[test]

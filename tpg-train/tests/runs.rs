@@ -79,11 +79,13 @@ fn killed_resumed_or_on_other_threads_a_run_ends_in_the_same_bytes() {
         sleep(whole / 400 * stream.between(1, 100) as u32);
         // SIGKILL: the program cannot do anything about it.
         run.kill().expect("it can be killed");
-        if run.wait().expect("it ends").success() {
+        let end = run.wait().expect("it ends");
+        if end.success() {
             assert!(results(&killed) == expected, "run {ends}, resumed, gives other bytes");
             ends += 1;
             assert!(ends < 100, "runs end before they are killed");
         } else {
+            assert_eq!(end.code(), None, "it is killed, it does not fail");
             kills += 1;
         }
     }

@@ -15,9 +15,6 @@ use tpg_runtime::scalar::Scalar;
 pub(super) struct Columns<S, M> {
     lanes: usize,
     values: Vec<S>,
-    /// What each transcendental node was computed of last, in every lane: arguments seldom change, because an action moves
-    /// one joint.
-    arguments: Vec<S>,
     /// The step in which each node was computed last.
     computed_at: Vec<u64>,
     now: u64,
@@ -27,15 +24,7 @@ pub(super) struct Columns<S, M> {
 
 impl<S: Scalar, M: Maths<S>> Columns<S, M> {
     pub(super) fn new(lanes: usize) -> Self {
-        Self {
-            lanes,
-            values: Vec::new(),
-            arguments: Vec::new(),
-            computed_at: Vec::new(),
-            now: 0,
-            arch: Arch::new(),
-            maths: PhantomData,
-        }
+        Self { lanes, values: Vec::new(), computed_at: Vec::new(), now: 0, arch: Arch::new(), maths: PhantomData }
     }
 
     /// Makes room for a plan's nodes, and fills its constants in.
@@ -47,9 +36,6 @@ impl<S: Scalar, M: Maths<S>> Columns<S, M> {
                 column.fill(*value);
             }
         }
-        // Nothing was computed of a zero yet, see `compute_again`.
-        self.arguments.clear();
-        self.arguments.resize(plan.nodes.len() * self.lanes, S::ZERO);
         self.computed_at.clear();
         self.computed_at.resize(plan.nodes.len(), 0);
         self.now = 0;
@@ -82,21 +68,13 @@ impl<S: Scalar, M: Maths<S>> Columns<S, M> {
             return;
         }
         let Node::Operation(instruction, a, b) = plan.nodes[node.index()] else { return };
-        let begin = node.index() * self.lanes;
-        let (before, from) = self.values.split_at_mut(begin);
-        let [a, b] = [a, b].map(|operand| &before[operand.index() * self.lanes..][..count]);
+        let (before, from) = self.values.split_at_mut(node.index() * self.lanes);
+        let operands = [a, b].map(|operand| &before[operand.index() * self.lanes..][..count]);
         let to = &mut from[..count];
-        let arguments = &mut self.arguments[begin..][..count];
-        match instruction {
-            Instruction::Cos => compute_again(M::cos, a, arguments, to),
-            Instruction::Sin => compute_again(M::sin, a, arguments, to),
-            Instruction::Ln => compute_again(M::ln, a, arguments, to),
-            Instruction::Exp => compute_again(M::exp, a, arguments, to),
-            _ => self.arch.dispatch(
-                #[inline(always)]
-                || compute_column::<S, M>(instruction, [a, b], to),
-            ),
-        }
+        self.arch.dispatch(
+            #[inline(always)]
+            || compute_column::<S, M>(instruction, operands, to),
+        );
     }
 
     /// A node's value in one lane, computed for it alone where this step has not computed it for all.
@@ -108,17 +86,6 @@ impl<S: Scalar, M: Maths<S>> Columns<S, M> {
                 instruction.apply::<S, M>(a_value, b_value)
             }
             _ => self.get(node, lane),
-        }
-    }
-}
-
-/// Computes a function where its argument is another one than last time. A zero is always computed: it may have the other
-/// sign, which comparing does not see. A NaN differs from itself.
-fn compute_again<S: Scalar>(function: impl Fn(S) -> S, of: &[S], last: &mut [S], to: &mut [S]) {
-    for ((to, last), &argument) in to.iter_mut().zip(last).zip(of) {
-        if argument != *last || argument == S::ZERO {
-            *last = argument;
-            *to = function(argument);
         }
     }
 }

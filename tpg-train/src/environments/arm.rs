@@ -384,7 +384,8 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
         let mut moved_plane = None;
         let step = self.arm.step_with(before, wanted, |moved| {
             // The plane, and with it every collision, is the same for every angle of the base.
-            if moved.0[1..] == before.0[1..] && !episode.collides {
+            let plane_moved = (moved.packed() ^ before.packed()) >> 16 != 0;
+            if !plane_moved && !episode.collides {
                 return None;
             }
             let plane = self.plane(moved);
