@@ -18,7 +18,7 @@ use tpg_runtime::cycle::{Brent, CycleDetector, Visited};
 use tpg_runtime::hybrid::{Guard, Hybrid, Settings};
 use tpg_runtime::observation::{ArmPolicy, Observation};
 use tpg_runtime::policy::Policy;
-use tpg_runtime::sac::fixed::FixedPolicy;
+use tpg_runtime::sac::packed::{Model, PackedPolicy};
 
 /// Times of a shipped hybrid and its parts.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,7 +49,8 @@ pub struct Costs {
 }
 
 fn network() -> impl Policy<State = Observation<f32>, Action = Move> + Copy {
-    FixedPolicy { arm: &ARM, network: &widowx_sac::NETWORK, decision: widowx_sac::DECISION }
+    let model = Model::parse(&widowx_sac::MODEL).expect("a committed model");
+    PackedPolicy::<{ widowx_sac::SCRATCH }>::new(&ARM, model).expect("its own scratch memory")
 }
 
 /// Times on those tasks.
