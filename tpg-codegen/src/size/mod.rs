@@ -1,5 +1,6 @@
 //! How big generated C is once compiled: without its self-test, without the libraries it calls.
 
+pub mod estimate;
 mod stack;
 
 pub use stack::Stack;
