@@ -13,6 +13,7 @@ pub mod bound;
 pub mod bytecode;
 mod collect;
 mod duplicates;
+pub mod estimate;
 mod fold;
 mod hopeless;
 pub mod interval;
