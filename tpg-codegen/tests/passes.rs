@@ -99,7 +99,10 @@ fn bids_are_the_modules_and_bounds_are_on_their_side_of_them() {
                 for lazy in &plan.lazy {
                     let value = values[lazy.bid.value.index()];
                     if let Some(bound) = lazy.bound.map(|bound| values[bound.index()]) {
-                        assert!(value.is_nan() || bound.is_nan() || value <= bound, "graph {seed}: {value} above {bound}");
+                        assert!(
+                            value.is_nan() || bound.is_nan() || value <= bound,
+                            "graph {seed}: {value} above {bound}"
+                        );
                         spared += usize::from(bound.is_finite());
                     }
                     // What is certain must not be promised of a NaN, which bids −∞.

@@ -148,7 +148,7 @@ impl Costs {
     }
 
     /// Operations as the code writes them down, all teams together.
-    pub fn written(&self) -> u64 {
+    pub(crate) fn written(&self) -> u64 {
         let steps = self.teams.iter().flatten();
         self.once.operations + steps.map(|step| step.before.operations + step.inside.operations).sum::<u64>()
     }

@@ -201,8 +201,8 @@ fn dead_inputs(graph: &Graph, optimised: &Module) -> Vec<String> {
 
 fn size_of(graph: &Graph, options: &Options, target: Target, profile: Shape) -> ShapeSize {
     let options = profile.options(options);
-    let built = size::build_c(graph, &options, target)
-        .and_then(|built| Ok((size::measure(&built.object)?, built.stack)));
+    let built =
+        size::build_c(graph, &options, target).and_then(|built| Ok((size::measure(&built.object)?, built.stack)));
     let none = ShapeSize {
         target,
         profile,
@@ -218,7 +218,7 @@ fn size_of(graph: &Graph, options: &Options, target: Target, profile: Shape) -> 
             ShapeSize { flash: Some(size.flash()), ram: Some(size.ram()), stack, sections: Some(size), ..none }
         }
         Err(error) if target == Target::CortexM4 => ShapeSize {
-            flash: Some(size::estimate::flash(graph, &options)),
+            flash: Some(size::estimated_flash(graph, &options)),
             ram: Some(0), // there is no variable outside of functions in any shape
             estimated: true,
             unavailable: Some(error.to_string()),

@@ -1,8 +1,9 @@
 //! How big generated C is once compiled: without its self-test, without the libraries it calls.
 
-pub mod estimate;
+mod estimate;
 mod stack;
 
+pub use estimate::flash as estimated_flash;
 pub use stack::Stack;
 
 use crate::emit::{self, Language, Options, Style};
