@@ -1,20 +1,24 @@
 //! `tpg-train eval`: lets a policy act on test episodes and counts how they end.
 
 use crate::engine::{Ending, Environment, Lanes, Options, Plan, Policy};
-use crate::environments::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
-use crate::files::read_text;
+use crate::environments::{ArmDescription, ArmEnvironment, ArmProblem, ArmScalar, ArmTask, arm::OUTCOMES};
+use crate::evolution::config::Config;
+use crate::hybrid::actor::Actor;
+use crate::hybrid::graph::read_graph;
+use crate::hybrid::setting::{Detector, HandBack, HybridFile, Setting};
+use crate::hybrid::trial::{self, HybridTrial};
 use crate::targets::{self, Set, Start};
 use crate::trial::{Failures, Trial};
 use clap::Args;
-use serde::Serialize;
+use serde::{Deserialize as _, Serialize};
 use std::collections::BTreeMap;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 use tpg_codegen::error::{InputError, Place};
 use tpg_codegen::graph::{Graph, MathsProvider, ScalarType};
-use tpg_runtime::arm::{Move, WIDOWX};
-use tpg_runtime::observation::Source;
+use tpg_runtime::arm::{Arm, WIDOWX};
+use tpg_runtime::hybrid::{Cause, Guard};
 use tpg_runtime::ops::{Maths, Own, System};
 
 /// Let a policy act and count how its episodes end.
@@ -23,12 +27,31 @@ pub struct EvalArgs {
     /// The problem: fixed or random start
     #[arg(long, value_enum)]
     pub problem: Start,
-    /// A graph
-    #[arg(long, value_name = "GRAPH", required_unless_present = "policy", conflicts_with = "policy")]
+    /// A graph; with --policy too, the two share the arm
+    #[arg(long, value_name = "GRAPH", required_unless_present_any = ["policy", "hybrid"])]
     pub tpg: Option<PathBuf>,
+    /// The arm, tolerance and action limit of this configuration. Default: the arm that the graph was trained for (the
+    /// WidowX where it does not say), 3 mm, 1707 or 3414 actions
+    #[arg(long, value_name = "FILE")]
+    pub config: Option<PathBuf>,
     /// A policy.safetensors, a policy.q.json, or the classical `planner` or `nearest-goal`
     #[arg(long, value_name = "FILE")]
     pub policy: Option<String>,
+    /// A hybrid.toml: graph, actor, and how they share the arm
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["tpg", "policy"])]
+    pub hybrid: Option<PathBuf>,
+    /// With --tpg and --policy: actions of the network before the graph is asked again, or `never`
+    #[arg(long, value_name = "N", default_value = "100")]
+    pub hand_back_after: HandBack,
+    /// With --tpg and --policy: the network takes over when the hand is further away than its best by this; `inf`
+    #[arg(long, value_name = "D", default_value_t = 20.0)]
+    pub separation_mm: f64,
+    /// With --tpg and --policy: none, joint-limits, collisions or both
+    #[arg(long, value_name = "GUARD", default_value = "none", value_parser = crate::hybrid::command::guard)]
+    pub guard: Guard,
+    /// With --tpg and --policy: how cycles of the graph are noticed
+    #[arg(long, value_enum, default_value_t = Detector::Visited)]
+    pub cycle_detector: Detector,
     /// Episodes from a file
     #[arg(long, value_name = "CSV", conflicts_with = "episodes")]
     pub targets: Option<PathBuf>,
@@ -72,6 +95,9 @@ pub struct Report {
     pub ns_per_action: f64,
     /// Episodes by how they failed.
     pub failures: BTreeMap<String, usize>,
+    /// Hand-overs an episode to a hybrid's network, by cause; absent for other policies.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hand_overs: Option<BTreeMap<String, f64>>,
 }
 
 impl Report {
@@ -118,6 +144,7 @@ impl Report {
             tpg_action_ratio: 1.0,
             ns_per_action: seconds * 1e9 / actions.iter().sum::<f64>().max(1.0),
             failures: failures.collect(),
+            hand_overs: None,
         }
     }
 
@@ -149,6 +176,17 @@ impl Report {
             tpg_action_ratio: 0.0,
             ns_per_action: seconds * 1e9 / (trial.mean_actions * trial.episodes as f64).max(1.0),
             failures: failures.map(|(name, count)| (name.to_owned(), count)).into(),
+            hand_overs: None,
+        }
+    }
+
+    /// Of a graph and a network that share the arm; `seconds` is what their episodes took.
+    pub fn of_hybrid(done: &HybridTrial, policy: &str, seed: Option<u64>, seconds: f64) -> Self {
+        let causes = Cause::ALL.map(|cause| cause.name().to_owned());
+        Self {
+            tpg_action_ratio: done.tpg_action_ratio,
+            hand_overs: Some(causes.into_iter().zip(done.hand_overs).collect()),
+            ..Self::of_trial(&done.trial, policy, seed, seconds)
         }
     }
 
@@ -167,6 +205,7 @@ impl Report {
              distance       {:.2} mm mean, {:.2} mm median\n\
              actions        {:.0} mean, {:.0} mean on success\n\
              failures       {}\n\
+             {}\
              time           {:.1} ns per action, all lanes together\n",
             self.policy,
             self.problem,
@@ -178,6 +217,11 @@ impl Report {
             self.mean_actions,
             self.mean_actions_on_success,
             failures.join(", "),
+            self.hand_overs.as_ref().map_or(String::new(), |causes| {
+                let causes: Vec<String> = causes.iter().map(|(name, count)| format!("{name} {count:.2}")).collect();
+                let ratio = 100.0 * self.tpg_action_ratio;
+                format!("by the graph   {ratio:.1} % of the actions; hand-overs an episode: {}\n", causes.join(", "))
+            }),
             self.ns_per_action
         )
     }
@@ -188,13 +232,53 @@ impl Report {
 /// # Errors
 /// If the graph or the episodes cannot be read, or the graph is not one for the arm.
 pub fn eval(args: &EvalArgs) -> Result<(), InputError> {
-    let (tasks, seed) = match &args.targets {
-        Some(path) => (read_tasks(path)?, None),
-        None => (targets::tasks(&WIDOWX, args.seed, Set::Test, args.problem, args.episodes), Some(args.seed)),
+    let graph = args
+        .tpg
+        .as_deref()
+        .map(|path| read_graph(path).map(|graph| (path.display().to_string(), graph)))
+        .transpose()?;
+    let config = args.config.as_deref().map(Config::read).transpose()?;
+    let arm = match (&config, &graph) {
+        (Some(config), _) => config.arm(),
+        (None, Some((file, graph))) => arm_of(file, graph)?,
+        (None, None) => WIDOWX,
     };
-    let report = match (&args.tpg, &args.policy) {
-        (Some(path), _) => of_graph(path, args.problem, tasks, seed)?,
-        (None, policy) => {
+    let (tasks, seed) = match &args.targets {
+        Some(path) => (read_tasks(&arm, path)?, None),
+        None => (targets::tasks(&arm, args.seed, Set::Test, args.problem, args.episodes), Some(args.seed)),
+    };
+    if config.is_some() && (args.policy.is_some() || args.hybrid.is_some()) {
+        let accepted = "--tpg alone: a network and a planner are for the WidowX";
+        return Err(InputError::new("<command line>", Place::Whole, "--config with --policy or --hybrid", accepted));
+    }
+    let report = match (&args.hybrid, graph, &args.policy) {
+        (Some(path), ..) => {
+            let hybrid = HybridFile::read(path)?;
+            let beside = |name: &str| path.parent().unwrap_or(Path::new("")).join(name);
+            let setting = hybrid.setting().map_err(|(key, found, accepted)| {
+                InputError::new(path.display().to_string(), Place::Path(key), found, accepted)
+            })?;
+            let file = beside(&hybrid.graph);
+            let (graph, actor) = (read_graph(&file)?, Actor::read(&beside(&hybrid.actor))?);
+            let played = (file.display().to_string(), graph);
+            of_hybrid(&path.display().to_string(), &played, &actor, &setting, args.problem, &tasks, seed)?
+        }
+        (None, Some(played), Some(actor)) => {
+            let setting = Setting {
+                hand_back_after: args.hand_back_after,
+                separation_mm: args.separation_mm,
+                guard: args.guard,
+                detector: args.cycle_detector,
+            };
+            let name = format!("{} with {actor}: {}", played.0, setting.sentence());
+            let actor = Actor::read(Path::new(actor))?;
+            of_hybrid(&name, &played, &actor, &setting, args.problem, &tasks, seed)?
+        }
+        (None, Some((file, graph)), None) => {
+            let problem = problem_of(args.problem, config.as_ref());
+            of_graph(&file, &graph, &arm, problem, tasks, seed)?
+        }
+        (None, None, policy) => {
             let policy = policy.as_deref().unwrap_or("planner");
             let began = Instant::now();
             let trial = crate::sac::evaluate::trial_of(policy, args.problem, &tasks)?;
@@ -210,56 +294,98 @@ pub fn eval(args: &EvalArgs) -> Result<(), InputError> {
     written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))
 }
 
-fn of_graph(path: &Path, start: Start, tasks: Vec<targets::Task>, seed: Option<u64>) -> Result<Report, InputError> {
-    let file = path.display().to_string();
-    let graph = Graph::from_json(&file, &read_text(path, "a graph.json")?)?;
-    let tasks: Vec<ArmTask> = tasks.into_iter().map(ArmTask::from).collect();
+fn of_hybrid(
+    name: &str,
+    (file, graph): &(String, Graph),
+    actor: &Actor,
+    setting: &Setting,
+    start: Start,
+    tasks: &[targets::Task],
+    seed: Option<u64>,
+) -> Result<Report, InputError> {
     let began = Instant::now();
-    let (endings, outcomes) = match (graph.scalar(), graph.maths()) {
-        (ScalarType::F32, MathsProvider::Own) => endings::<f32, Own>(&file, &graph, start, &tasks)?,
-        (ScalarType::F32, MathsProvider::System) => endings::<f32, System>(&file, &graph, start, &tasks)?,
-        (ScalarType::F64, MathsProvider::Own) => endings::<f64, Own>(&file, &graph, start, &tasks)?,
-        (ScalarType::F64, MathsProvider::System) => endings::<f64, System>(&file, &graph, start, &tasks)?,
-    };
-    let seconds = began.elapsed().as_secs_f64();
-    Ok(Report::new(start, &file, seed, &endings, outcomes, seconds))
+    let done = trial::run(file, graph, actor, setting, start, tasks)?;
+    Ok(Report::of_hybrid(&done, name, seed, began.elapsed().as_secs_f64()))
 }
 
-fn read_tasks(path: &Path) -> Result<Vec<targets::Task>, InputError> {
-    targets::read_csv(&WIDOWX, path).map_err(|error| match error {
+/// The arm that a graph was trained for, as its provenance says; the WidowX where that says nothing.
+///
+/// # Errors
+/// If what it says is no arm.
+pub fn arm_of(file: &str, graph: &Graph) -> Result<Arm<f64>, InputError> {
+    let Some(text) = graph.provenance().config.as_ref().and_then(|config| config.get("arm")) else { return Ok(WIDOWX) };
+    let refuse = |found: String| {
+        let place = Place::Path("$.provenance.config.arm".to_owned());
+        InputError::new(file, place, found, "an arm as `tpg-train config widowx` prints, or none")
+    };
+    let arm = ArmDescription::deserialize(text).map_err(|error| refuse(error.to_string()))?;
+    arm.check().map_err(|(key, found, _)| refuse(format!("{key} = {found}")))?;
+    Ok(Arm::from(&arm))
+}
+
+/// What a graph is asked for, but for its sources: a configuration's tolerance and action limit, or the paper's.
+fn problem_of(start: Start, config: Option<&Config>) -> ArmProblem {
+    let usual = ArmProblem::new(start, Vec::new());
+    config.map_or(usual.clone(), |config| ArmProblem { start, sources: Vec::new(), ..config.arm_problem() })
+}
+
+fn of_graph(
+    file: &str,
+    graph: &Graph,
+    arm: &Arm<f64>,
+    problem: ArmProblem,
+    tasks: Vec<targets::Task>,
+    seed: Option<u64>,
+) -> Result<Report, InputError> {
+    let start = problem.start;
+    let tasks: Vec<ArmTask> = tasks.into_iter().map(ArmTask::from).collect();
+    let began = Instant::now();
+    let endings = endings_of(file, graph, arm, problem, &tasks)?;
+    let seconds = began.elapsed().as_secs_f64();
+    Ok(Report::new(start, file, seed, &endings, &OUTCOMES, seconds))
+}
+
+/// How a graph's episodes end, in its own scalar and maths; `problem`'s sources are the graph's.
+///
+/// # Errors
+/// If the graph reads sources that the arm does not have, or has actions that do not say what they move.
+pub fn endings_of(
+    file: &str,
+    graph: &Graph,
+    arm: &Arm<f64>,
+    problem: ArmProblem,
+    tasks: &[ArmTask],
+) -> Result<Vec<Ending>, InputError> {
+    match (graph.scalar(), graph.maths()) {
+        (ScalarType::F32, MathsProvider::Own) => endings::<f32, Own>(file, graph, arm, problem, tasks),
+        (ScalarType::F32, MathsProvider::System) => endings::<f32, System>(file, graph, arm, problem, tasks),
+        (ScalarType::F64, MathsProvider::Own) => endings::<f64, Own>(file, graph, arm, problem, tasks),
+        (ScalarType::F64, MathsProvider::System) => endings::<f64, System>(file, graph, arm, problem, tasks),
+    }
+}
+
+fn read_tasks(arm: &Arm<f64>, path: &Path) -> Result<Vec<targets::Task>, InputError> {
+    targets::read_csv(arm, path).map_err(input_error)
+}
+
+/// What is wrong with a file of episodes, as this program says it.
+pub fn input_error(error: targets::Error) -> InputError {
+    match error {
         targets::Error::Io { path, source } => InputError::io(&path, &source, "a file of episodes"),
         targets::Error::Content { path, line, found, accepted } => {
             InputError::new(path.display().to_string(), Place::Line(line as usize), found, accepted)
         }
-    })
+    }
 }
 
-/// How a graph's episodes end, with the outcomes' names.
-///
-/// # Errors
-/// If the graph reads sources that the arm does not have, or has actions that do not say what they move.
-pub fn endings<S: ArmScalar, M: Maths<S>>(
+fn endings<S: ArmScalar, M: Maths<S>>(
     file: &str,
     graph: &Graph,
-    start: Start,
+    arm: &Arm<f64>,
+    problem: ArmProblem,
     tasks: &[ArmTask],
-) -> Result<(Vec<Ending>, &'static [&'static str]), InputError> {
-    let known = Source::ALL.map(Source::name).join(", ");
-    let mut sources = Vec::new();
-    for (place, source) in graph.sources().iter().enumerate() {
-        let path = Place::Path(format!("$.sources[{place}].name"));
-        let found = Source::from_name(&source.name).filter(|known| known.length() == source.ranges.len());
-        sources.push(found.ok_or_else(|| InputError::new(file, path, format!("{:?}", source.name), known.as_str()))?);
-    }
-    let mut moves: Vec<Move> = Vec::new();
-    for (place, action) in graph.actions().iter().enumerate() {
-        let path = Place::Path(format!("$.actions[{place}]"));
-        moves.push(action.moves.ok_or_else(|| {
-            InputError::new(file, path, format!("{:?} without \"move\"", action.name), "actions that move the arm")
-        })?);
-    }
-    let environment = ArmEnvironment::<S>::for_evaluation(&WIDOWX, ArmProblem::new(start, sources), moves);
-    let plan = Plan::new::<M>(&Policy::from(graph), &environment.sources(), true);
-    let endings = Lanes::<S, M, _>::new(&environment, Options::default()).run(&plan, tasks);
-    Ok((endings, environment.outcomes()))
+) -> Result<Vec<Ending>, InputError> {
+    let environment = ArmEnvironment::<S>::for_graph(file, graph, arm, problem)?;
+    let plan = Plan::new::<M>(&Policy::from(graph), &environment.sources(), Options::default());
+    Ok(Lanes::<S, M, _>::new(&environment, Options::default()).run(&plan, tasks))
 }

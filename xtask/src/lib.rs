@@ -8,6 +8,8 @@
 
 pub mod wcet;
 
+pub mod library;
+
 use std::fs::OpenOptions;
 use std::io::{self, Write as _};
 use std::process::{Command, Stdio};
