@@ -17,11 +17,17 @@ pub(super) struct Flow {
 }
 
 impl Flow {
-    /// Of a function of a listing.
+    /// Of a function of a listing. What no path leads to is not looked at: padding behind the last return, in an image.
     pub(super) fn of(listing: &Listing, function: &Function) -> Result<Self, Refusal> {
         let place: BTreeMap<u64, usize> = (function.lines.iter().map(|line| line.address)).zip(0..).collect();
-        let mut flow = Self { next: Vec::new(), calls: Vec::new(), frame: 0 };
-        for (index, line) in function.lines.iter().enumerate() {
+        let count = function.lines.len();
+        let mut flow = Self { next: vec![Vec::new(); count], calls: vec![None; count], frame: 0 };
+        let mut seen = vec![false; count];
+        let mut open = vec![0];
+        while let Some(index) = open.pop() {
+            let Some(line) = function.lines.get(index).filter(|_| !std::mem::replace(&mut seen[index], true)) else {
+                continue;
+            };
             let (mut next, mut call) = (Vec::new(), None);
             let mut goes_on = true;
             match stack(line) {
@@ -66,8 +72,9 @@ impl Flow {
             if goes_on {
                 next.push(follower(function, index).ok_or_else(|| astray(function, line))?);
             }
-            flow.next.push(next);
-            flow.calls.push(call);
+            open.extend(&next);
+            flow.next[index] = next;
+            flow.calls[index] = call;
         }
         Ok(flow)
     }
