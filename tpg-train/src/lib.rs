@@ -12,6 +12,7 @@
 //! | [`targets`] | tasks over the reachable space |
 //! | [`trial`] | one actor on many tasks |
 //! | [`evaluate`] | how a policy's episodes end |
+//! | [`hybrid`] | a graph and an actor that share the arm: study and table |
 //! | [`ik`] | goals of the inverse kinematics, for training only |
 //! | [`planner`] | classical yardsticks that learn nothing |
 //! | [`picture`] | SVG, plots and the page that holds them |
@@ -26,6 +27,7 @@ pub mod environments;
 pub mod evaluate;
 pub mod evolution;
 pub mod files;
+pub mod hybrid;
 pub mod ik;
 pub mod picture;
 pub mod planner;
