@@ -16,7 +16,6 @@ use tpg_runtime::arm::{Arm, Move, Pose, WIDOWX};
 use tpg_runtime::cycle::Brent;
 use tpg_runtime::episode::{Episode, Problem};
 use tpg_runtime::frame::{Clearance, Frame};
-use tpg_runtime::hybrid::{Guard, Settings};
 use tpg_runtime::observation::{Observation, Source};
 use tpg_runtime::policy::{ActionId, Policy};
 use tpg_runtime::sac::packed::Model;
@@ -199,7 +198,6 @@ fn main() -> ! {
     let stack = platform::paint_stack();
     let Some(peripherals) = cortex_m::Peripherals::take() else { platform::exit(false) };
     let mut counter = Counter::new(peripherals.SYST);
-    let _ = (FS_SETTINGS, RS_SETTINGS);
     profiles(
         &mut counter,
         ["fs fast", "fs small", "fs constant-time"],
