@@ -2,15 +2,14 @@
 //!
 //! `cargo run --release -p tpg-train --example own_environment -- RUN`, which takes seconds, and then
 //! `cargo run --release -p tpg-codegen -- RUN/graph.json --lang c --prefix cart -o RUN`.
-
 use tpg_codegen::graph::{ActionDocument, SourceDocument};
 use tpg_runtime::{ops::Own, policy::ActionId};
 use tpg_train::engine::{Ending, Environment, LocalThreads, Options, SourceSet};
-use tpg_train::evolution::config::EnvironmentName;
-use tpg_train::evolution::{presets::Preset, run::RunOptions, run::run};
+use tpg_train::evolution::{config::EnvironmentName, presets::Preset, run::RunOptions, run::run};
 use tpg_train::random::Stream;
 
-struct Cart;
+/// A cart on rails.
+pub struct Cart;
 
 impl Environment<f32> for Cart {
     type Task = f32; // where the cart starts
@@ -49,11 +48,12 @@ impl Environment<f32> for Cart {
     }
 }
 
-fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let folder = std::path::PathBuf::from(std::env::args().nth(1).ok_or("usage: own_environment RUN")?);
+/// Trains it.
+pub fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let folder = std::path::PathBuf::from(std::env::args_os().nth(1).ok_or("usage: own_environment RUN")?);
     let mut config = Preset::find("kelly").ok_or("no such preset")?.config()?;
-    config.problem.environment = EnvironmentName::Own;
-    (config.tpg.max_init_outgoing_edges, config.learning.nb_generations) = (2, 60);
+    (config.problem.environment, config.tpg.max_init_outgoing_edges) = (EnvironmentName::Own, 2);
+    config.learning.nb_generations = 60;
     let evaluator = LocalThreads::<f32, Own, Cart>::new(&Cart, Options::default(), 0)?;
     let options = RunOptions { folder, ..RunOptions::default() };
     run::<f32, Own, _, _>(&config, 1, &Cart, &evaluator, &options, &false.into())?;

@@ -1,8 +1,8 @@
 //! `tpg-train eval`: lets a policy act on test episodes and counts how they end.
 
 use crate::engine::{Ending, Environment, Lanes, Options, Plan, Policy};
-use crate::environments::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
-use crate::files::read_text;
+use crate::environments::{ArmDescription, ArmEnvironment, ArmProblem, ArmScalar, ArmTask, arm::OUTCOMES};
+use crate::evolution::config::Config;
 use crate::hybrid::actor::Actor;
 use crate::hybrid::graph::read_graph;
 use crate::hybrid::setting::{Detector, HandBack, HybridFile, Setting};
@@ -10,16 +10,15 @@ use crate::hybrid::trial::{self, HybridTrial};
 use crate::targets::{self, Set, Start};
 use crate::trial::{Failures, Trial};
 use clap::Args;
-use serde::Serialize;
+use serde::{Deserialize as _, Serialize};
 use std::collections::BTreeMap;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 use tpg_codegen::error::{InputError, Place};
 use tpg_codegen::graph::{Graph, MathsProvider, ScalarType};
-use tpg_runtime::arm::{Move, WIDOWX};
+use tpg_runtime::arm::{Arm, WIDOWX};
 use tpg_runtime::hybrid::{Cause, Guard};
-use tpg_runtime::observation::Source;
 use tpg_runtime::ops::{Maths, Own, System};
 
 /// Let a policy act and count how its episodes end.
@@ -31,6 +30,10 @@ pub struct EvalArgs {
     /// A graph; with --policy too, the two share the arm
     #[arg(long, value_name = "GRAPH", required_unless_present_any = ["policy", "hybrid"])]
     pub tpg: Option<PathBuf>,
+    /// The arm, tolerance and action limit of this configuration. Default: the arm that the graph was trained for (the
+    /// WidowX where it does not say), 3 mm, 1707 or 3414 actions
+    #[arg(long, value_name = "FILE")]
+    pub config: Option<PathBuf>,
     /// A policy.safetensors, a policy.q.json, or the classical `planner` or `nearest-goal`
     #[arg(long, value_name = "FILE")]
     pub policy: Option<String>,
@@ -229,31 +232,52 @@ impl Report {
 /// # Errors
 /// If the graph or the episodes cannot be read, or the graph is not one for the arm.
 pub fn eval(args: &EvalArgs) -> Result<(), InputError> {
-    let (tasks, seed) = match &args.targets {
-        Some(path) => (read_tasks(path)?, None),
-        None => (targets::tasks(&WIDOWX, args.seed, Set::Test, args.problem, args.episodes), Some(args.seed)),
+    let graph = args
+        .tpg
+        .as_deref()
+        .map(|path| read_graph(path).map(|graph| (path.display().to_string(), graph)))
+        .transpose()?;
+    let config = args.config.as_deref().map(Config::read).transpose()?;
+    let arm = match (&config, &graph) {
+        (Some(config), _) => config.arm(),
+        (None, Some((file, graph))) => arm_of(file, graph)?,
+        (None, None) => WIDOWX,
     };
-    let report = match (&args.hybrid, &args.tpg, &args.policy) {
+    let (tasks, seed) = match &args.targets {
+        Some(path) => (read_tasks(&arm, path)?, None),
+        None => (targets::tasks(&arm, args.seed, Set::Test, args.problem, args.episodes), Some(args.seed)),
+    };
+    if config.is_some() && (args.policy.is_some() || args.hybrid.is_some()) {
+        let accepted = "--tpg alone: a network and a planner are for the WidowX";
+        return Err(InputError::new("<command line>", Place::Whole, "--config with --policy or --hybrid", accepted));
+    }
+    let report = match (&args.hybrid, graph, &args.policy) {
         (Some(path), ..) => {
-            let file = HybridFile::read(path)?;
+            let hybrid = HybridFile::read(path)?;
             let beside = |name: &str| path.parent().unwrap_or(Path::new("")).join(name);
-            let setting = file.setting().map_err(|(key, found, accepted)| {
+            let setting = hybrid.setting().map_err(|(key, found, accepted)| {
                 InputError::new(path.display().to_string(), Place::Path(key), found, accepted)
             })?;
-            let (graph, actor) = (beside(&file.graph), beside(&file.actor));
-            of_hybrid(&path.display().to_string(), &graph, &actor, &setting, args.problem, &tasks, seed)?
+            let file = beside(&hybrid.graph);
+            let (graph, actor) = (read_graph(&file)?, Actor::read(&beside(&hybrid.actor))?);
+            let played = (file.display().to_string(), graph);
+            of_hybrid(&path.display().to_string(), &played, &actor, &setting, args.problem, &tasks, seed)?
         }
-        (None, Some(graph), Some(actor)) => {
+        (None, Some(played), Some(actor)) => {
             let setting = Setting {
                 hand_back_after: args.hand_back_after,
                 separation_mm: args.separation_mm,
                 guard: args.guard,
                 detector: args.cycle_detector,
             };
-            let name = format!("{} with {actor}: {}", graph.display(), setting.sentence());
-            of_hybrid(&name, graph, Path::new(actor), &setting, args.problem, &tasks, seed)?
+            let name = format!("{} with {actor}: {}", played.0, setting.sentence());
+            let actor = Actor::read(Path::new(actor))?;
+            of_hybrid(&name, &played, &actor, &setting, args.problem, &tasks, seed)?
         }
-        (None, Some(path), None) => of_graph(path, args.problem, tasks, seed)?,
+        (None, Some((file, graph)), None) => {
+            let problem = problem_of(args.problem, config.as_ref());
+            of_graph(&file, &graph, &arm, problem, tasks, seed)?
+        }
         (None, None, policy) => {
             let policy = policy.as_deref().unwrap_or("planner");
             let began = Instant::now();
@@ -272,36 +296,76 @@ pub fn eval(args: &EvalArgs) -> Result<(), InputError> {
 
 fn of_hybrid(
     name: &str,
-    graph: &Path,
-    actor: &Path,
+    (file, graph): &(String, Graph),
+    actor: &Actor,
     setting: &Setting,
     start: Start,
     tasks: &[targets::Task],
     seed: Option<u64>,
 ) -> Result<Report, InputError> {
-    let (file, graph, actor) = (graph.display().to_string(), read_graph(graph)?, Actor::read(actor)?);
     let began = Instant::now();
-    let done = trial::run(&file, &graph, &actor, setting, start, tasks)?;
+    let done = trial::run(file, graph, actor, setting, start, tasks)?;
     Ok(Report::of_hybrid(&done, name, seed, began.elapsed().as_secs_f64()))
 }
 
-fn of_graph(path: &Path, start: Start, tasks: Vec<targets::Task>, seed: Option<u64>) -> Result<Report, InputError> {
-    let file = path.display().to_string();
-    let graph = Graph::from_json(&file, &read_text(path, "a graph.json")?)?;
-    let tasks: Vec<ArmTask> = tasks.into_iter().map(ArmTask::from).collect();
-    let began = Instant::now();
-    let (endings, outcomes) = match (graph.scalar(), graph.maths()) {
-        (ScalarType::F32, MathsProvider::Own) => endings::<f32, Own>(&file, &graph, start, &tasks)?,
-        (ScalarType::F32, MathsProvider::System) => endings::<f32, System>(&file, &graph, start, &tasks)?,
-        (ScalarType::F64, MathsProvider::Own) => endings::<f64, Own>(&file, &graph, start, &tasks)?,
-        (ScalarType::F64, MathsProvider::System) => endings::<f64, System>(&file, &graph, start, &tasks)?,
+/// The arm that a graph was trained for, as its provenance says; the WidowX where that says nothing.
+///
+/// # Errors
+/// If what it says is no arm.
+pub fn arm_of(file: &str, graph: &Graph) -> Result<Arm<f64>, InputError> {
+    let Some(text) = graph.provenance().config.as_ref().and_then(|config| config.get("arm")) else { return Ok(WIDOWX) };
+    let refuse = |found: String| {
+        let place = Place::Path("$.provenance.config.arm".to_owned());
+        InputError::new(file, place, found, "an arm as `tpg-train config widowx` prints, or none")
     };
-    let seconds = began.elapsed().as_secs_f64();
-    Ok(Report::new(start, &file, seed, &endings, outcomes, seconds))
+    let arm = ArmDescription::deserialize(text).map_err(|error| refuse(error.to_string()))?;
+    arm.check().map_err(|(key, found, _)| refuse(format!("{key} = {found}")))?;
+    Ok(Arm::from(&arm))
 }
 
-fn read_tasks(path: &Path) -> Result<Vec<targets::Task>, InputError> {
-    targets::read_csv(&WIDOWX, path).map_err(input_error)
+/// What a graph is asked for, but for its sources: a configuration's tolerance and action limit, or the paper's.
+fn problem_of(start: Start, config: Option<&Config>) -> ArmProblem {
+    let usual = ArmProblem::new(start, Vec::new());
+    config.map_or(usual.clone(), |config| ArmProblem { start, sources: Vec::new(), ..config.arm_problem() })
+}
+
+fn of_graph(
+    file: &str,
+    graph: &Graph,
+    arm: &Arm<f64>,
+    problem: ArmProblem,
+    tasks: Vec<targets::Task>,
+    seed: Option<u64>,
+) -> Result<Report, InputError> {
+    let start = problem.start;
+    let tasks: Vec<ArmTask> = tasks.into_iter().map(ArmTask::from).collect();
+    let began = Instant::now();
+    let endings = endings_of(file, graph, arm, problem, &tasks)?;
+    let seconds = began.elapsed().as_secs_f64();
+    Ok(Report::new(start, file, seed, &endings, &OUTCOMES, seconds))
+}
+
+/// How a graph's episodes end, in its own scalar and maths; `problem`'s sources are the graph's.
+///
+/// # Errors
+/// If the graph reads sources that the arm does not have, or has actions that do not say what they move.
+pub fn endings_of(
+    file: &str,
+    graph: &Graph,
+    arm: &Arm<f64>,
+    problem: ArmProblem,
+    tasks: &[ArmTask],
+) -> Result<Vec<Ending>, InputError> {
+    match (graph.scalar(), graph.maths()) {
+        (ScalarType::F32, MathsProvider::Own) => endings::<f32, Own>(file, graph, arm, problem, tasks),
+        (ScalarType::F32, MathsProvider::System) => endings::<f32, System>(file, graph, arm, problem, tasks),
+        (ScalarType::F64, MathsProvider::Own) => endings::<f64, Own>(file, graph, arm, problem, tasks),
+        (ScalarType::F64, MathsProvider::System) => endings::<f64, System>(file, graph, arm, problem, tasks),
+    }
+}
+
+fn read_tasks(arm: &Arm<f64>, path: &Path) -> Result<Vec<targets::Task>, InputError> {
+    targets::read_csv(arm, path).map_err(input_error)
 }
 
 /// What is wrong with a file of episodes, as this program says it.
@@ -314,32 +378,14 @@ pub fn input_error(error: targets::Error) -> InputError {
     }
 }
 
-/// How a graph's episodes end, with the outcomes' names.
-///
-/// # Errors
-/// If the graph reads sources that the arm does not have, or has actions that do not say what they move.
-pub fn endings<S: ArmScalar, M: Maths<S>>(
+fn endings<S: ArmScalar, M: Maths<S>>(
     file: &str,
     graph: &Graph,
-    start: Start,
+    arm: &Arm<f64>,
+    problem: ArmProblem,
     tasks: &[ArmTask],
-) -> Result<(Vec<Ending>, &'static [&'static str]), InputError> {
-    let known = Source::ALL.map(Source::name).join(", ");
-    let mut sources = Vec::new();
-    for (place, source) in graph.sources().iter().enumerate() {
-        let path = Place::Path(format!("$.sources[{place}].name"));
-        let found = Source::from_name(&source.name).filter(|known| known.length() == source.ranges.len());
-        sources.push(found.ok_or_else(|| InputError::new(file, path, format!("{:?}", source.name), known.as_str()))?);
-    }
-    let mut moves: Vec<Move> = Vec::new();
-    for (place, action) in graph.actions().iter().enumerate() {
-        let path = Place::Path(format!("$.actions[{place}]"));
-        moves.push(action.moves.ok_or_else(|| {
-            InputError::new(file, path, format!("{:?} without \"move\"", action.name), "actions that move the arm")
-        })?);
-    }
-    let environment = ArmEnvironment::<S>::for_evaluation(&WIDOWX, ArmProblem::new(start, sources), moves);
-    let plan = Plan::new::<M>(&Policy::from(graph), &environment.sources(), true);
-    let endings = Lanes::<S, M, _>::new(&environment, Options::default()).run(&plan, tasks);
-    Ok((endings, environment.outcomes()))
+) -> Result<Vec<Ending>, InputError> {
+    let environment = ArmEnvironment::<S>::for_graph(file, graph, arm, problem)?;
+    let plan = Plan::new::<M>(&Policy::from(graph), &environment.sources(), Options::default());
+    Ok(Lanes::<S, M, _>::new(&environment, Options::default()).run(&plan, tasks))
 }

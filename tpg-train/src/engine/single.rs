@@ -78,7 +78,7 @@ impl<S: Scalar> Scratch<S> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::engine::Policy;
+    use crate::engine::{Options, Policy};
     use tpg_codegen::graph::Graph;
     use tpg_codegen::{interpret, states};
     use tpg_runtime::ops::Own;
@@ -91,7 +91,7 @@ mod tests {
         ] {
             let graph = Graph::from_json("graph.json", text).expect("a committed graph");
             let sources: Vec<_> = graph.to_document().sources;
-            let single = Single::<f32, Own>::new(Plan::new::<Own>(&Policy::from(&graph), &sources, true));
+            let single = Single::<f32, Own>::new(Plan::new::<Own>(&Policy::from(&graph), &sources, Options::default()));
             let states = states::sample(&graph, 20_000, 5);
             let expected = interpret::actions(&graph, &states);
             for (state, expected) in states.chunks_exact(graph.state_length()).zip(expected) {
