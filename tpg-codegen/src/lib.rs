@@ -5,6 +5,7 @@ pub mod cost;
 pub mod emit;
 pub mod engine;
 pub mod error;
+pub mod explain;
 pub mod export;
 pub mod graph;
 pub mod import;

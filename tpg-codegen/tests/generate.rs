@@ -185,3 +185,21 @@ fn a_limit_that_cannot_be_measured_is_not_kept() {
     assert!(err.contains("cannot be told: arm-none-eabi-gcc: "), "{err}");
     assert!(!folder.path().join("out").exists());
 }
+
+#[test]
+fn an_explanation_instead_of_code() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    fs::write(folder.join("arm.json"), include_str!("fixtures/all_instructions.json")).expect("written");
+    let (text, err) = generate(folder, &["--explain"], 0);
+    assert_eq!(err, "");
+    insta::assert_snapshot!(text);
+    generate(folder, &["--explain=why.txt"], 0);
+    assert_eq!(fs::read_to_string(folder.join("why.txt")).expect("written"), text);
+    assert_eq!(fs::read_dir(folder).expect("a folder").count(), 2, "no code is written");
+    let (_, err) = generate(folder, &["--explain", "--check"], 2);
+    assert!(err.contains("cannot be used with"), "{err}");
+    // f32 of an f64 graph is said here, too.
+    let (text, _) = generate(folder, &["--explain", "--scalar", "f32"], 0);
+    assert!(text.contains("\nThe graph says f64: ") && text.contains(" of 20000 actions equal ("), "{text}");
+}

@@ -144,7 +144,7 @@ fn guards_hand_over_instead_of_doing_it() {
     };
     // 682 steps of the base, and the next is refused.
     assert_eq!(end(Guard::None, 0, 700).0, Outcome::Invalid(Invalid::JointLimit(Joint(0))));
-    for guard in [Guard::JointLimits, Guard::Collisions] {
+    for guard in [Guard::JointLimits, Guard::Collisions, Guard::Both] {
         let (outcome, guarded, drivers) = end(guard, 0, 687);
         assert_eq!((outcome, guarded, &drivers[681..]), (Outcome::Timeout, 2, "tsssss"));
     }
@@ -153,6 +153,21 @@ fn guards_hand_over_instead_of_doing_it() {
     assert!(matches!(lean(Guard::JointLimits).0, Outcome::Invalid(Invalid::Collision(_))));
     let (outcome, guarded, _) = lean(Guard::Collisions);
     assert!(outcome == Outcome::Timeout && guarded > 1, "{outcome:?}, {guarded}");
+}
+
+#[test]
+fn the_network_holds_joints_rather_than_collide() {
+    let end = |guard, sac: Move| {
+        let settings = Settings { guard, separation: f64::INFINITY, hand_back_after: NEVER };
+        run(settings, Problem { max_actions: 600, ..PROBLEM }, &[], &[sac; 600]).0.summary
+    };
+    let (lean, lean_and_turn) = (forwards(1), Move([3, 3, 0, 0]));
+    assert!(matches!(end(Guard::Collisions, lean_and_turn).outcome, Outcome::Invalid(Invalid::Collision(_))));
+    // The base goes on turning where the shoulder can lean no further.
+    let summary = end(Guard::Both, lean_and_turn);
+    assert_eq!((summary.outcome, summary.pose.0[0]), (Outcome::Timeout, 2048 + 3 * 599));
+    // There is nothing else to do: the network rests, and that for ever.
+    assert_eq!(end(Guard::Both, lean).outcome, Outcome::Cycle);
 }
 
 #[test]
@@ -180,7 +195,7 @@ fn reaching_the_target_ends_it() {
 proptest! {
     /// Until the graph gives up, a hybrid is the graph alone.
     #[test]
-    fn before_the_first_hand_over_it_is_the_graph_alone(seed: u64, guard in 0usize..3) {
+    fn before_the_first_hand_over_it_is_the_graph_alone(seed: u64, guard in 0usize..4) {
         let tpg = Scrambled { seed, step: 3 };
         let mut alone = Vec::new();
         let summary = Episode::new(&WIDOWX, PROBLEM, Visited::<4096>::new()).run(&tpg, |pose| alone.push(pose));
@@ -192,6 +207,21 @@ proptest! {
         let poses: Vec<Pose> = both[..first].iter().map(|&(_, pose)| pose).collect();
         let refused = matches!(summary.outcome, Outcome::Invalid(_)) && settings.guard != Guard::None;
         prop_assert_eq!(&poses[..], &alone[..alone.len() - usize::from(refused && first < alone.len())]);
+    }
+
+    /// With the guard for both no action is invalid, whatever the two want.
+    #[test]
+    fn nothing_invalid_is_executed(seed: u64, hand_back_after in 1u32..100, joint in 0u8..4, up: bool) {
+        let settings = Settings { hand_back_after, guard: Guard::Both, ..PAPER };
+        // One that mostly goes straight on, into whatever comes.
+        let straight = [if up { forwards(joint) } else { backwards(joint) }; 3000];
+        let sac = Scrambled { seed, step: 3 };
+        let hybrid = Hybrid { arm: &WIDOWX, tpg: Script::new(&straight), sac, settings };
+        let summary = HybridEpisode::new(&hybrid, PROBLEM, Brent::new()).run(|_, _| ()).summary;
+        prop_assert!(!matches!(summary.outcome, Outcome::Invalid(_)), "{:?}", summary.outcome);
+        let hybrid = Hybrid { arm: &WIDOWX, tpg: Scrambled { seed, step: 3 }, sac: Script::new(&straight), settings };
+        let summary = HybridEpisode::new(&hybrid, PROBLEM, Brent::new()).run(|_, _| ()).summary;
+        prop_assert!(!matches!(summary.outcome, Outcome::Invalid(_)), "{:?}", summary.outcome);
     }
 
     /// The counts tell the whole episode, with either detector, and Brent never hands over before the exact set.

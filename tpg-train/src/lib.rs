@@ -12,6 +12,7 @@
 //! | [`targets`] | tasks over the reachable space |
 //! | [`trial`] | one actor on many tasks |
 //! | [`evaluate`] | how a policy's episodes end |
+//! | [`hybrid`] | a graph and an actor that share the arm: study and table |
 //! | [`interrupt`] | Ctrl-C |
 //! | [`ik`] | goals of the inverse kinematics, for training only |
 //! | [`planner`] | classical yardsticks that learn nothing |
@@ -28,6 +29,7 @@ pub mod environments;
 pub mod evaluate;
 pub mod evolution;
 pub mod files;
+pub mod hybrid;
 pub mod ik;
 pub mod interrupt;
 pub mod picture;

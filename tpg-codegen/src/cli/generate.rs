@@ -6,7 +6,7 @@ use crate::emit::{self, File, Language, Options, Prefix, Profile, Style};
 use crate::graph::Graph;
 use crate::passes::interval::Assumption;
 use crate::size::Target;
-use crate::{output, size};
+use crate::{explain, output, size};
 use clap::{Args, ValueEnum};
 use std::fs;
 use std::io::{self, Write};
@@ -48,6 +48,16 @@ pub struct GenerateArgs {
     /// Refuse, with exit status 1, where the C compiled for a Cortex-M4F takes more flash
     #[arg(long, value_name = "BYTES")]
     max_flash: Option<u64>,
+    /// Instead of generating, say what each pass removed and what every team computes, on standard output or in a file
+    #[arg(
+        long,
+        value_name = "FILE",
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = "-",
+        conflicts_with_all = ["check", "max_flash", "style"]
+    )]
+    explain: Option<PathBuf>,
     /// Do not compile the code and compare it with the interpreter
     #[arg(long)]
     no_verify: bool,
@@ -74,6 +84,15 @@ impl GenerateArgs {
         let assumption = if self.assume_ranges { Assumption::DeclaredRanges } else { Assumption::Nothing };
         let options =
             Options { style: self.style, profile: self.profile, assumption, conversion, ..Options::new(prefix) };
+        if let Some(path) = &self.explain {
+            let text = explain::explain(&graph, &options);
+            if path == Path::new("-") {
+                io::stdout().lock().write_all(text.as_bytes()).map_err(CliError::other)?;
+            } else {
+                output::write_atomically(path, text.as_bytes())?;
+            }
+            return Ok(Verdict::Good);
+        }
         if let Some(limit) = self.max_flash {
             if self.lang == LanguageArg::Rust {
                 return Err(CliError::Other(

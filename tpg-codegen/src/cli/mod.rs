@@ -2,6 +2,7 @@
 
 mod convert;
 mod generate;
+mod policy;
 mod report;
 mod scalar;
 mod schema;
@@ -38,6 +39,8 @@ enum Command {
     Report(report::ReportArgs),
     /// Convert a graph to graph.json, or to a GEGELATI .dot file and its sidecar
     Convert(convert::ConvertArgs),
+    /// Write a network in integers, a policy.q.json, as constants of C and Rust
+    Policy(policy::PolicyArgs),
     /// Print the JSON Schema of graph.json
     Schema(schema::SchemaArgs),
 }
@@ -113,6 +116,7 @@ impl Cli {
             Command::Verify(args) => args.run(),
             Command::Report(args) => args.run(),
             Command::Convert(args) => args.run(),
+            Command::Policy(args) => args.run(),
             Command::Schema(args) => args.run(),
         };
         match result {

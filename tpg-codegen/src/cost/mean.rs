@@ -4,7 +4,7 @@ use super::{Cost, Costs, Guard, Step, Work};
 use crate::graph::{Graph, MathsProvider, ScalarType};
 use crate::ir::{Node, Target};
 use crate::passes::arithmetic::Arithmetic;
-use crate::passes::bound;
+use crate::passes::estimate;
 use tpg_runtime::ops::{Instruction, Maths, Own, System};
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
@@ -55,7 +55,7 @@ impl Costs {
                 Node::Input(input) => S::from_f64(state[input.index()]),
                 Node::Operation(instruction, [a, b]) => instruction.apply::<S, M>(values[a.index()], values[b.index()]),
                 Node::Upper(instruction, value) => {
-                    S::from_f64(upper(scalar, instruction, values[value.index()].to_f64()))
+                    S::from_f64(estimate::upper(scalar, instruction, values[value.index()].to_f64()))
                 }
             };
         }
@@ -87,25 +87,48 @@ impl Costs {
 
 /// The place of the winning bid; none where every bid is −∞ or NaN, for the code begins with the lowest finite number.
 fn winner<S: Scalar>(steps: &[Step], values: &[S], lowest: S, seen: &mut Cost<u64>) -> Option<usize> {
-    let (mut best, mut winner) = (lowest, None);
-    for &Step { bid, guard, before, inside } in steps {
+    let mut winner = None;
+    // Who leads bids at least `best` and at most `top`; where it is a bid that can lead without being computed, what it bids
+    // and what it takes to know.
+    let (mut best, mut top) = (lowest, lowest);
+    let mut late: Option<(S, Work)> = None;
+    for &Step { bid, guard, certain, before, inside, .. } in steps {
         add(seen, before);
         // The code compares places counted from 1: nobody's is below every bid's.
         let comes_after = winner.is_none_or(|winner| winner < bid.place);
+        let beats = |value: S, best: S| value > best || (value >= best && (bid.in_turn || comes_after));
         let spared = match guard {
             Guard::None => false,
-            Guard::Bound(bound) => best > values[bound.index()],
+            Guard::Bound(bound) => {
+                let bound = values[bound.index()];
+                best > bound || (!bid.in_turn && best >= bound && !comes_after)
+            }
             Guard::Place => best >= -S::NEG_INFINITY && !comes_after,
         };
         if spared {
             continue;
         }
-        add(seen, inside);
         seen.bids += 1;
         let value = values[bid.value.index()];
-        if value > best || (value >= best && (bid.in_turn || comes_after)) {
-            (best, winner) = (value, Some(bid.place));
+        if let (Some(certain), Guard::Bound(bound)) = (certain, guard)
+            && beats(values[certain.index()], top)
+        {
+            (best, top) = (values[certain.index()], values[bound.index()]);
+            (winner, late) = (Some(bid.place), Some((value, inside)));
+            continue;
         }
+        add(seen, inside);
+        if let Some((known, work)) = late
+            && (certain.is_some() || top > best)
+        {
+            add(seen, work);
+            best = known;
+        }
+        if beats(value, best) {
+            (best, winner) = (value, Some(bid.place));
+            late = certain.map(|_| (value, inside));
+        }
+        top = best;
     }
     winner
 }
@@ -113,15 +136,6 @@ fn winner<S: Scalar>(steps: &[Step], values: &[S], lowest: S, seen: &mut Cost<u6
 fn add(total: &mut Cost<u64>, work: Work) {
     total.operations += work.operations;
     total.maths_calls += work.maths_calls;
-}
-
-/// What the helper that emitters write for [`Node::Upper`] returns.
-fn upper(scalar: ScalarType, instruction: Instruction, x: f64) -> f64 {
-    if instruction == Instruction::Ln && x < 0.0 {
-        return f64::NEG_INFINITY;
-    }
-    let step = bound::steps(scalar, instruction).iter().find(|(up_to, _)| x <= *up_to);
-    step.map_or(f64::INFINITY, |&(_, bound)| bound)
 }
 
 #[cfg(test)]

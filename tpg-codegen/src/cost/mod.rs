@@ -32,6 +32,16 @@ struct Work {
     maths_calls: u64,
 }
 
+impl Work {
+    fn plus(self, other: Self) -> Self {
+        Self { operations: self.operations + other.operations, maths_calls: self.maths_calls + other.maths_calls }
+    }
+
+    fn most(self, other: Self) -> Self {
+        Self { operations: self.operations.max(other.operations), maths_calls: self.maths_calls.max(other.maths_calls) }
+    }
+}
+
 /// When a bid is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Guard {
@@ -48,10 +58,22 @@ enum Guard {
 struct Step {
     bid: Bid,
     guard: Guard,
+    /// Where this is above the best bid so far, the bid wins without being computed.
+    certain: Option<NodeId>,
     /// Done whatever the guard says.
     before: Work,
     /// Done where it lets pass.
     inside: Work,
+    /// Done besides, at most: a leader that was not computed may have to be.
+    again: Work,
+}
+
+impl Step {
+    /// A bid that is computed always, whatever the others bid.
+    fn always(bid: Bid, inside: Work) -> Self {
+        let nothing = Work::default();
+        Self { bid, guard: Guard::None, certain: None, before: nothing, inside, again: nothing }
+    }
 }
 
 /// What code of one shape does, decision by decision.
@@ -90,7 +112,7 @@ impl Costs {
     pub fn bid_by_bid(module: Module) -> Self {
         let step = |bid: Bid| {
             let operations = module.operations_of(bid.value);
-            Step { bid, guard: Guard::None, before: Work::default(), inside: work(&module.nodes, &operations) }
+            Step::always(bid, work(&module.nodes, &operations))
         };
         let teams = in_order(&module, step);
         Self { nodes: module.nodes.clone(), once: Work::default(), teams, all_teams: false, module }
@@ -98,8 +120,7 @@ impl Costs {
 
     /// Everything is computed once, whatever the state: constant time.
     pub fn everything(module: Module) -> Self {
-        let nothing = Work::default();
-        let teams = in_order(&module, |bid| Step { bid, guard: Guard::None, before: nothing, inside: nothing });
+        let teams = in_order(&module, |bid| Step::always(bid, Work::default()));
         let all: Vec<NodeId> = (0..).map(NodeId).take(module.nodes.len()).collect();
         Self { nodes: module.nodes.clone(), once: work(&module.nodes, &all), teams, all_teams: true, module }
     }
@@ -119,8 +140,10 @@ impl Costs {
         Cost {
             teams: self.module.depth as u64,
             bids: heaviest(|_| 1),
-            operations: self.once.operations + heaviest(|step| step.before.operations + step.inside.operations),
-            maths_calls: self.once.maths_calls + heaviest(|step| step.before.maths_calls + step.inside.maths_calls),
+            operations: self.once.operations
+                + heaviest(|step| step.before.operations + step.inside.operations + step.again.operations),
+            maths_calls: self.once.maths_calls
+                + heaviest(|step| step.before.maths_calls + step.inside.maths_calls + step.again.maths_calls),
         }
     }
 
@@ -154,17 +177,29 @@ fn planned(nodes: &[Node], plan: &Plan, language: Language) -> Vec<Step> {
         work
     };
     let mut steps: Vec<Step> = (plan.eager.iter())
-        .map(|&bid| Step { bid, guard: Guard::None, before: missing(bid.value, true), inside: Work::default() })
+        .map(|&bid| Step { before: missing(bid.value, true), ..Step::always(bid, Work::default()) })
         .collect();
-    steps.extend(plan.lazy.iter().map(|&LazyBid { bid, bound }| {
-        let before = bound.map(|bound| missing(bound, true)).unwrap_or_default();
+    let mut again = Work::default();
+    steps.extend(plan.lazy.iter().map(|&LazyBid { bid, bound, certain }| {
+        // Only C leaves it at what is certain.
+        let certain = certain.filter(|_| language == Language::C);
+        let before =
+            bound.into_iter().chain(certain).map(|bound| missing(bound, true)).fold(Work::default(), Work::plus);
         let guard = match bound {
             Some(bound) => Guard::Bound(bound),
             None if bid.in_turn => Guard::None,
             None => Guard::Place,
         };
-        let inside = missing(bid.value, guard == Guard::None && language == Language::Rust);
-        Step { bid, guard, before, inside }
+        let inside = match certain {
+            // In a function of its own, which computes all that it needs.
+            Some(_) => work(nodes, &needed(nodes, bid.value, |_| true)),
+            None => missing(bid.value, guard == Guard::None && language == Language::Rust),
+        };
+        let step = Step { bid, guard, certain, before, inside, again };
+        if certain.is_some() {
+            again = again.most(inside);
+        }
+        step
     }));
     steps
 }

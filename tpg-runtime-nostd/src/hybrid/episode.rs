@@ -1,6 +1,6 @@
 //! One episode of a hybrid in the simulated arm.
 
-use super::{Counts, Driver, Hybrid, NEVER, Switch};
+use super::{Chosen, Counts, Driver, Hybrid, NEVER, Switch};
 use crate::arm::{Move, Pose};
 use crate::cycle::{Brent, CycleDetector};
 use crate::episode::{Course, Outcome, Problem, Summary};
@@ -59,22 +59,31 @@ where
     ///
     /// Where several ends fall together, the first of these holds: invalid, reached, cycle, timeout.
     pub fn advance(&mut self) -> (Driver, Option<Outcome>) {
-        let chosen = self.hybrid.decide(&mut self.switch, self.course.observation());
+        let chosen = self.decide();
+        (chosen.driver, self.act(chosen))
+    }
+
+    /// The first half of [`advance`](Self::advance): what a controller computes between two readings of the motors.
+    pub fn decide(&mut self) -> Chosen {
+        self.hybrid.decide(&mut self.switch, self.course.observation())
+    }
+
+    /// The second half: moves the arm and tells the switch.
+    pub fn act(&mut self, chosen: Chosen) -> Option<Outcome> {
         if chosen.driver == Driver::Sac && self.hybrid.settings.hand_back_after == NEVER && self.last_turn.is_none() {
             let mut detector = Brent::new();
             detector.reset(self.course.observation().pose);
             self.last_turn = Some(detector);
         }
-        let mut outcome = self.course.step(chosen.wanted);
+        let outcome = self.course.step(chosen.wanted);
         if outcome.is_some() {
             self.switch.ended(chosen);
-        } else {
-            self.switch.acted(chosen, self.course.observation());
-            let pose = self.course.observation().pose;
-            let cycles = chosen.driver == Driver::Sac && self.last_turn.as_mut().is_some_and(|d| d.repeats(pose));
-            outcome = if cycles { Some(Outcome::Cycle) } else { self.course.timeout() };
+            return outcome;
         }
-        (chosen.driver, outcome)
+        self.switch.acted(chosen, self.course.observation());
+        let pose = self.course.observation().pose;
+        let cycles = chosen.driver == Driver::Sac && self.last_turn.as_mut().is_some_and(|d| d.repeats(pose));
+        if cycles { Some(Outcome::Cycle) } else { self.course.timeout() }
     }
 
     /// Lets the hybrid act until the end; `each` sees who acted and the pose after every action.

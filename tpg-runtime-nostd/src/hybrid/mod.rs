@@ -75,20 +75,24 @@ pub struct Settings<S> {
     pub guard: Guard,
 }
 
-/// Which actions of the graph are not executed: the network takes over instead. The paper has no guard.
+/// Which actions are not executed. The paper has no guard.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Guard {
     /// Every action is executed, and an invalid one ends the episode.
     None,
-    /// Not those that leave a joint's range: two comparisons a joint.
+    /// Not the graph's that leave a joint's range: the network takes over instead. Two comparisons a joint.
     JointLimits,
-    /// Nor those that collide: one collision test an action of the graph.
+    /// Nor the graph's that collide: one collision test an action of the graph.
     Collisions,
+    /// Nor the network's: where its action would be invalid it holds joints, or lets the graph act once, or rests. From a
+    /// free pose no invalid action is ever executed. One collision test an action, up to 16 where the network's would be
+    /// invalid.
+    Both,
 }
 
 impl Guard {
     /// Every guard.
-    pub const ALL: [Self; 3] = [Self::None, Self::JointLimits, Self::Collisions];
+    pub const ALL: [Self; 4] = [Self::None, Self::JointLimits, Self::Collisions, Self::Both];
 
     /// The name in setting files.
     pub const fn name(self) -> &'static str {
@@ -96,6 +100,7 @@ impl Guard {
             Self::None => "none",
             Self::JointLimits => "joint-limits",
             Self::Collisions => "collisions",
+            Self::Both => "both",
         }
     }
 
@@ -104,12 +109,13 @@ impl Guard {
         Self::ALL.into_iter().find(|guard| guard.name() == name)
     }
 
-    /// Why an action must not be executed, if so.
+    /// Why an action of the graph must not be executed, if so.
     pub fn refuses<S: Lattice>(self, arm: &Arm<S>, pose: Pose, wanted: Move) -> Option<Invalid> {
         match self {
             Self::None => None,
             Self::JointLimits => arm.step_with(pose, wanted, |_| None).invalid,
-            Self::Collisions => arm.step(pose, wanted).invalid,
+            Self::Collisions | Self::Both if moves_in_plane(wanted) => arm.step(pose, wanted).invalid,
+            Self::Collisions | Self::Both => arm.step_with(pose, wanted, |_| None).invalid,
         }
     }
 }
@@ -142,6 +148,43 @@ where
             }
             switch.refused();
         }
-        Chosen { driver: Driver::Sac, wanted: self.sac.decide(seen) }
+        let wanted = self.sac.decide(seen);
+        if self.settings.guard != Guard::Both {
+            return Chosen { driver: Driver::Sac, wanted };
+        }
+        if let Some(wanted) = valid_part(self.arm, seen.pose, wanted) {
+            return Chosen { driver: Driver::Sac, wanted };
+        }
+        let wanted = self.tpg.decide(seen);
+        match self.settings.guard.refuses(self.arm, seen.pose, wanted) {
+            None if wanted != Move::STOP => Chosen { driver: Driver::Tpg, wanted },
+            _ => Chosen { driver: Driver::Sac, wanted: Move::STOP },
+        }
     }
+}
+
+/// Whether more than the base moves. The base alone changes nothing in the arm's plane, where collisions are.
+fn moves_in_plane(Move([_, plane @ ..]): Move) -> bool {
+    plane.iter().any(|&delta| delta != 0)
+}
+
+/// Joints that are held, as bits from the base on: fewer first, and of as many those nearer to the hand.
+const HELD: [u8; 14] =
+    [0b1000, 0b0100, 0b0010, 0b0001, 0b1100, 0b1010, 0b0110, 0b1001, 0b0101, 0b0011, 0b1110, 0b1101, 0b1011, 0b0111];
+
+/// The move, or where it is invalid the first valid one with fewer joints that moves at all.
+fn valid_part<S: Lattice>(arm: &Arm<S>, pose: Pose, wanted: Move) -> Option<Move> {
+    let valid = |wanted| arm.step(pose, wanted).invalid.is_none();
+    if valid(wanted) {
+        return Some(wanted);
+    }
+    let fewer = HELD.into_iter().map(|held| {
+        let Move(mut deltas) = wanted;
+        for (joint, delta) in deltas.iter_mut().enumerate() {
+            *delta = if held >> joint & 1 == 1 { 0 } else { *delta };
+        }
+        Move(deltas)
+    });
+    let mut moving = fewer.filter(|&fewer| fewer != Move::STOP && fewer != wanted);
+    moving.find(|&fewer| valid(fewer))
 }

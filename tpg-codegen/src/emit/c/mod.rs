@@ -37,6 +37,13 @@ struct Header<'a> {
     worst: Cost<u64>,
     gegelati: bool,
     system_maths: bool,
+    arm: Option<ArmView>,
+}
+
+/// The sources and moves of a policy that drives the arm, as initialisers.
+struct ArmView {
+    sources: Vec<String>,
+    moves: Vec<String>,
 }
 
 #[derive(Template)]
@@ -109,6 +116,7 @@ pub(super) fn emit(graph: &Graph, options: &Options) -> Vec<File> {
         worst: costs.worst(),
         gegelati,
         system_maths: graph.maths() == MathsProvider::System,
+        arm: arm_view(graph),
     };
     let source = Source {
         banner: &banner,
@@ -127,6 +135,17 @@ pub(super) fn emit(graph: &Graph, options: &Options) -> Vec<File> {
         File { name: format!("{prefix}.h"), text: layout::tidy(&header.render().expect("the template renders")) },
         File { name: format!("{prefix}.c"), text: layout::tidy(&source.render().expect("the template renders")) },
     ]
+}
+
+/// `None` where the runtime's C interface cannot drive the arm with it: it computes in `f32`.
+fn arm_view(graph: &Graph) -> Option<ArmView> {
+    let (sources, moves) = graph.on_the_arm().filter(|_| graph.scalar() == ScalarType::F32)?;
+    let sources = sources.iter().map(|source| format!("TPG_SOURCE_{}", source.name().to_ascii_uppercase()));
+    let moves = moves.iter().map(|moved| {
+        let ticks = moved.0.map(|ticks| ticks.to_string());
+        format!("{{ {{ {} }} }}", ticks.join(", "))
+    });
+    Some(ArmView { sources: sources.collect(), moves: moves.collect() })
 }
 
 /// Teams are numbered from 0, the actions after them.

@@ -13,7 +13,6 @@ use crate::ir::{Module, Target};
 use crate::passes::{self, schedule};
 use askama::Template;
 use expression::Printer;
-use tpg_runtime::observation::Source as ArmSource;
 
 #[derive(Template)]
 #[template(path = "rust/policy.rs", escape = "none")]
@@ -144,12 +143,8 @@ fn source_views(graph: &Graph) -> Vec<SourceView> {
         .collect()
 }
 
-/// `Some` where every source is one of the arm's and every action says what it moves.
 fn arm_view(graph: &Graph) -> Option<ArmView> {
-    let sources = (graph.sources().iter())
-        .map(|source| ArmSource::from_name(&source.name).filter(|arm| arm.length() == source.ranges.len()))
-        .map(|source| source.map(|source| format!("Source::{source:?}")))
-        .collect::<Option<_>>()?;
-    let moves = graph.actions().iter().map(|action| action.moves.map(|m| format!("Move({:?})", m.0)));
-    Some(ArmView { sources, moves: moves.collect::<Option<_>>()? })
+    let (sources, moves) = graph.on_the_arm()?;
+    let sources = sources.iter().map(|source| format!("Source::{source:?}"));
+    Some(ArmView { sources: sources.collect(), moves: moves.iter().map(|m| format!("Move({:?})", m.0)).collect() })
 }

@@ -1,0 +1,66 @@
+//! One state at a time: for who must act between two decisions, as a hybrid does.
+
+use super::columns::Columns;
+use super::decide::Decider;
+use super::plan::Plan;
+use std::cell::RefCell;
+use tpg_runtime::ops::Maths;
+use tpg_runtime::policy::ActionId;
+use tpg_runtime::scalar::Scalar;
+
+/// A plan with the memory that one decision needs: one lane.
+#[derive(Debug)]
+pub struct Single<S, M> {
+    plan: Plan<S>,
+    lane: RefCell<(Columns<S, M>, Decider<S>)>,
+}
+
+impl<S: Scalar, M: Maths<S>> Single<S, M> {
+    /// Of a plan.
+    pub fn new(plan: Plan<S>) -> Self {
+        let (mut columns, mut decider) = (Columns::new(1), Decider::new(1));
+        columns.prepare(&plan);
+        decider.prepare(&plan);
+        Self { plan, lane: RefCell::new((columns, decider)) }
+    }
+
+    /// The action for a flat state: the interpreter's.
+    ///
+    /// # Panics
+    /// If the state is shorter than [`Plan::state_length`].
+    pub fn decide(&self, state: &[S]) -> ActionId {
+        let (columns, decider) = &mut *self.lane.borrow_mut();
+        for &(input, node) in &self.plan.inputs {
+            columns.set(node, 0, state[usize::from(input)]);
+        }
+        decider.decide(&self.plan, columns, 1);
+        decider.action(0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::engine::{Options, Policy};
+    use tpg_codegen::graph::Graph;
+    use tpg_codegen::{interpret, states};
+    use tpg_runtime::ops::Own;
+
+    #[test]
+    fn it_acts_like_the_interpreter() {
+        for text in [
+            include_str!("../../../generated/widowx-fs/graph.json"),
+            include_str!("../../../generated/widowx-rs/graph.json"),
+        ] {
+            let graph = Graph::from_json("graph.json", text).expect("a committed graph");
+            let sources: Vec<_> = graph.to_document().sources;
+            let single = Single::<f32, Own>::new(Plan::new::<Own>(&Policy::from(&graph), &sources, Options::default()));
+            let states = states::sample(&graph, 20_000, 5);
+            let expected = interpret::actions(&graph, &states);
+            for (state, expected) in states.chunks_exact(graph.state_length()).zip(expected) {
+                let state: Vec<f32> = state.iter().map(|&value| value as f32).collect();
+                assert_eq!(single.decide(&state), expected, "{state:?}");
+            }
+        }
+    }
+}
