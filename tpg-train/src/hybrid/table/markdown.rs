@@ -191,6 +191,16 @@ fn costs(problem: &Problem) -> String {
             format_args!("{:.1}", shipped.hybrid.worst / 1000.0),
         );
     }
+    let episode = |name: &str, time: Time| {
+        let row = problem.rows.iter().find(|row| row.name == name);
+        thousands(row.map_or(0.0, |row| row.actions.mean) * time.mean / 1000.0)
+    };
+    text += &format!(
+        "A whole episode costs the hybrid {} µs and the small network alone, which moves all four motors at once and needs \
+         fewer actions, {} µs. ",
+        episode("**hybrid, shipped**", shipped.hybrid),
+        episode("SAC, shipped", shipped.sac),
+    );
     text += &format!(
         "Of the hybrid's time the guards take {} ns (joint limits), {} ns (collisions too) and {} ns (the network's too); the exact set of visited \
          poses (48 KB) takes {} ns more than Brent's detector (16 bytes).\n\n",
@@ -254,12 +264,13 @@ fn of_paper(rows: &[Measured]) -> String {
 }
 
 const PLANNER: &str = "**Beside the classical planner.** It solves nearly everything, and no learned policy here is better at \
-that. What it needs for it is in the table: many times the time of an action, a worst action that is thousands of times its \
-mean (the inverse kinematics of a new target, and walks that are tried in thought), a list of goal poses in memory, and a \
-model of everything the arm may hit. The learned policies decide from what they see alone, in constant memory and with a \
-worst case that is known at compile time, and they need no model at run time. An obstacle that moves, or one that was not \
-there when the model was made, costs the planner a new plan at every step; nothing here measures how well a policy trained \
-with such obstacles would do.
+that. Its simple form, straight to the nearest goal, takes no longer than the small network and does as well at fixed start; \
+at random start it collides in 3.6 % of the episodes, and the form that looks ahead costs many times the hybrid. Both need the \
+inverse kinematics of every new target, hence a worst action far above the mean, a list of goal poses in memory, and a model \
+of everything the arm may hit. The learned policies decide from what they see alone, in constant memory and with a worst \
+case that is known at compile time. (The guard needs the model of the arm itself.) An obstacle that moves, or one that was \
+not there when the model was made, costs the planner a new plan at every step; nothing here measures how well a policy \
+trained with such obstacles would do.
 ";
 
 const FAILED: &str = "
