@@ -50,7 +50,8 @@ pub(crate) fn file() -> Result<File, Failure> {
 pub(crate) fn compare(lines: &[Line]) -> Result<u64, Failure> {
     let mut count = 0;
     for (name, words) in all()? {
-        let is_it = |line: &&Line| line.words.split_first().is_some_and(|(f, rest)| f == "bits" && rest.join(" ") == name);
+        let is_it =
+            |line: &&Line| line.words.split_first().is_some_and(|(f, rest)| f == "bits" && rest.join(" ") == name);
         let line = lines.iter().find(is_it).ok_or_else(|| Failure::new(format!("{name}: no bits")))?;
         let model = Model::parse(&words).map_err(|error| Failure::new(format!("{name}: {error:?}")))?;
         let mut scratch = vec![0; model.scratch()];
@@ -67,7 +68,9 @@ pub(crate) fn compare(lines: &[Line]) -> Result<u64, Failure> {
             count += 1;
         }
         if line.values.get("hash") != Some(&format!("{hash:016x}")) {
-            return Err(Failure::new(format!("{name}: other preferences than on this machine ({hash:016x}): {line:?}")));
+            return Err(Failure::new(format!(
+                "{name}: other preferences than on this machine ({hash:016x}): {line:?}"
+            )));
         }
     }
     Ok(count)

@@ -69,7 +69,8 @@ impl Start {
 
 /// `problems.h` and `problems.rs`.
 pub(crate) fn files() -> Result<[File; 2], Failure> {
-    let mut c = String::from("#ifndef PROBLEMS_H\n#define PROBLEMS_H\n\n#include \"tpg_runtime.h\"\n\n#include <math.h>\n\n");
+    let mut c =
+        String::from("#ifndef PROBLEMS_H\n#define PROBLEMS_H\n\n#include \"tpg_runtime.h\"\n\n#include <math.h>\n\n");
     let mut rust = String::new();
     let _ = writeln!(c, "#define PROBLEMS {PROBLEMS}U\n#define PARTS {PARTS}U\n");
     let _ = writeln!(rust, "const PARTS: usize = {PARTS};");

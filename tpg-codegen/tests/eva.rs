@@ -44,7 +44,8 @@ fn analyse(graph: &Graph, profile: Profile, bad_index: bool) -> String {
     emit_into(folder.path(), graph, Language::C, &shaped("arm", (Style::Pure, Some(profile))));
     fs::write(folder.path().join("driver.c"), driver(graph, bad_index)).expect("the folder can be written");
     let mut command = Command::new("frama-c");
-    command.current_dir(folder.path()).args(["-eva", "-eva-precision", "4", "-warn-special-float", "none"]);
+    // Frama-C believes the variable rather than the system.
+    command.current_dir(folder.path()).env("PWD", folder.path()).args(["-eva", "-eva-precision", "4", "-warn-special-float", "none"]);
     run(command.args(["driver.c", "arm.c"])).unwrap_or_else(|message| panic!("{message}"))
 }
 

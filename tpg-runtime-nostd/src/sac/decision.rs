@@ -99,12 +99,12 @@ pub const TRAINED_COARSE: [(f32, i8); 1] = [(0.346_573_6, 3)];
 
 impl<T: Magnitude, const STEPS: usize> Decision<T, STEPS> {
     /// The move for a pose. A NaN preference leaves its joint at rest.
-    #[expect(clippy::needless_range_loop, reason = "four arrays side by side: zipped, no tool finds the loop's bound")]
     pub fn decide(&self, preferences: [T; JOINTS], pose: Pose, ranges: &[JointRange; JOINTS]) -> Move {
         let mut wanted = Move::STOP;
         let mut moves = false;
         // The joint that moves if none reaches a threshold: its index, magnitude and step.
         let mut strongest: Option<(usize, T, i8)> = None;
+        // By index: of four arrays zipped, no tool finds the loop's bound.
         for joint in 0..JOINTS {
             let preference = preferences[joint];
             let magnitude = preference.magnitude();
