@@ -1,6 +1,6 @@
 //! The example `own_environment`, from training to a C program that drives the same cart.
 
-#[allow(dead_code, unreachable_pub, missing_docs, reason = "it is a program")]
+#[allow(dead_code, reason = "it is a program")]
 #[path = "../examples/own_environment.rs"]
 mod example;
 
@@ -40,13 +40,6 @@ int main(void)
 }
 "#;
 
-/// The example's program: cargo builds it beside the tests.
-fn program() -> PathBuf {
-    let test = std::env::current_exe().expect("this program has a path");
-    let folder = test.ancestors().nth(2).expect("deps, in a folder of the profile");
-    folder.join("examples").join(format!("own_environment{}", std::env::consts::EXE_SUFFIX))
-}
-
 fn c_program(folder: &Path, graph: &Graph) -> PathBuf {
     let prefix = "cart".parse::<Prefix>().expect("a name");
     for file in emit::emit(graph, Language::C, &emit::Options::new(prefix)) {
@@ -66,7 +59,7 @@ fn c_program(folder: &Path, graph: &Graph) -> PathBuf {
 #[test]
 fn from_training_to_a_c_program_that_drives_the_same_cart() {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    Command::new(program()).arg(folder.path()).assert().success();
+    example::train(folder.path().to_owned()).expect("it trains");
     let text = fs::read_to_string(folder.path().join("graph.json")).expect("training leaves a graph");
     let graph = Graph::from_json("graph.json", &text).expect("a good one");
 
