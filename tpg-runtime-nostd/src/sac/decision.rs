@@ -104,7 +104,7 @@ impl<T: Magnitude, const STEPS: usize> Decision<T, STEPS> {
         let mut moves = false;
         // The joint that moves if none reaches a threshold: its index, magnitude and step.
         let mut strongest: Option<(usize, T, i8)> = None;
-        // Four arrays side by side by index: zipped, no tool finds the loop's bound.
+        // By index: of four arrays zipped, no tool finds the loop's bound.
         for joint in 0..JOINTS {
             let preference = preferences[joint];
             let magnitude = preference.magnitude();

@@ -116,10 +116,13 @@ pub fn stack(line: &Line) -> Stack {
     if is(name, "sub").is_some() || is(name, "subw").is_some() || is(name, "subs").is_some() {
         return by_number().map_or(Stack::Unknown, Stack::Down);
     }
+    // Storing at it without moving it: `stmia sp, {r3, r5}`.
+    if name.starts_with("str") || name.starts_with("stm") || name.starts_with("vstm") {
+        return Stack::Same;
+    }
     // Giving back: by a number, or from the frame pointer that kept what it was.
     let gives_back = (is(name, "add").is_some() || is(name, "addw").is_some()) && by_number().is_some();
-    if gives_back || (is(name, "mov").is_some() && operands == "sp, r7") || name.starts_with("str") || is_compare(name)
-    {
+    if gives_back || (is(name, "mov").is_some() && operands == "sp, r7") || is_compare(name) {
         return Stack::Same;
     }
     Stack::Unknown

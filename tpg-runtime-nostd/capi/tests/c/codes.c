@@ -32,7 +32,7 @@ static uint16_t turn_base(const void *state)
 {
     const float *difference = (const float *)state;
 
-    return (difference[0] < 0.0F) ? 0U : 1U;
+    return (uint16_t)((difference[0] < 0.0F) ? 0 : 1);
 }
 
 static uint16_t never_moves(const void *state)
@@ -53,7 +53,7 @@ static void arm_and_observation(void)
 {
     static tpg_arm_t arm;
     static tpg_arm_t own;
-    static const tpg_arm_t raw;
+    static tpg_arm_t raw;
     tpg_pose_t pose;
     tpg_pose_t after;
     tpg_observation_t seen;
@@ -123,7 +123,7 @@ static void policies(void)
 {
     static tpg_arm_t arm;
     static tpg_sac_t sac;
-    static const tpg_sac_t raw;
+    static tpg_sac_t raw;
     static uint32_t scratch[MODEL_SCRATCH];
     static uint32_t damaged[MODEL_WORDS];
     tpg_policy_t other = policy;
@@ -177,7 +177,7 @@ static void episodes(void)
 {
     static tpg_arm_t arm;
     static tpg_episode_t episode;
-    static const tpg_episode_t raw;
+    static tpg_episode_t raw;
     tpg_observation_t seen;
     tpg_move_t wanted;
     int32_t outcome = TPG_RUNNING;
@@ -208,7 +208,7 @@ static void hybrids(void)
     static tpg_hybrid_t hybrid;
     static tpg_switch_t turn;
     static tpg_hybrid_episode_t episode;
-    static const tpg_hybrid_t raw;
+    static tpg_hybrid_t raw;
     static uint32_t scratch[MODEL_SCRATCH];
     tpg_settings_t settings = { 5U, 20.0F, TPG_GUARD_JOINT_LIMITS };
     tpg_policy_t idle = policy;
