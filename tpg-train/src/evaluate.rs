@@ -232,35 +232,52 @@ impl Report {
 /// # Errors
 /// If the graph or the episodes cannot be read, or the graph is not one for the arm.
 pub fn eval(args: &EvalArgs) -> Result<(), InputError> {
+    let graph = args
+        .tpg
+        .as_deref()
+        .map(|path| read_graph(path).map(|graph| (path.display().to_string(), graph)))
+        .transpose()?;
     let config = args.config.as_deref().map(Config::read).transpose()?;
-    let arm = arm_for(args, config.as_ref())?;
+    let arm = match (&config, &graph) {
+        (Some(config), _) => config.arm(),
+        (None, Some((file, graph))) => arm_of(file, graph)?,
+        (None, None) => WIDOWX,
+    };
     let (tasks, seed) = match &args.targets {
         Some(path) => (read_tasks(&arm, path)?, None),
         None => (targets::tasks(&arm, args.seed, Set::Test, args.problem, args.episodes), Some(args.seed)),
     };
-    let report = match (&args.hybrid, &args.tpg, &args.policy) {
+    if (config.is_some() || arm != WIDOWX) && (args.policy.is_some() || args.hybrid.is_some()) {
+        let accepted = "--tpg alone: a network and a planner are for the WidowX";
+        let found = "--config, or a graph for another arm, with --policy or --hybrid";
+        return Err(InputError::new("<command line>", Place::Whole, found, accepted));
+    }
+    let report = match (&args.hybrid, graph, &args.policy) {
         (Some(path), ..) => {
-            let file = HybridFile::read(path)?;
+            let hybrid = HybridFile::read(path)?;
             let beside = |name: &str| path.parent().unwrap_or(Path::new("")).join(name);
-            let setting = file.setting().map_err(|(key, found, accepted)| {
+            let setting = hybrid.setting().map_err(|(key, found, accepted)| {
                 InputError::new(path.display().to_string(), Place::Path(key), found, accepted)
             })?;
-            let (graph, actor) = (beside(&file.graph), beside(&file.actor));
-            of_hybrid(&path.display().to_string(), &graph, &actor, &setting, args.problem, &tasks, seed)?
+            let file = beside(&hybrid.graph);
+            let (graph, actor) = (read_graph(&file)?, Actor::read(&beside(&hybrid.actor))?);
+            let played = (file.display().to_string(), graph);
+            of_hybrid(&path.display().to_string(), &played, &actor, &setting, args.problem, &tasks, seed)?
         }
-        (None, Some(graph), Some(actor)) => {
+        (None, Some(played), Some(actor)) => {
             let setting = Setting {
                 hand_back_after: args.hand_back_after,
                 separation_mm: args.separation_mm,
                 guard: args.guard,
                 detector: args.cycle_detector,
             };
-            let name = format!("{} with {actor}: {}", graph.display(), setting.sentence());
-            of_hybrid(&name, graph, Path::new(actor), &setting, args.problem, &tasks, seed)?
+            let name = format!("{} with {actor}: {}", played.0, setting.sentence());
+            let actor = Actor::read(Path::new(actor))?;
+            of_hybrid(&name, &played, &actor, &setting, args.problem, &tasks, seed)?
         }
-        (None, Some(path), None) => {
+        (None, Some((file, graph)), None) => {
             let problem = problem_of(args.problem, config.as_ref());
-            of_graph(&path.display().to_string(), &read_graph(path)?, &arm, problem, tasks, seed)?
+            of_graph(&file, &graph, &arm, problem, tasks, seed)?
         }
         (None, None, policy) => {
             let policy = policy.as_deref().unwrap_or("planner");
@@ -280,33 +297,16 @@ pub fn eval(args: &EvalArgs) -> Result<(), InputError> {
 
 fn of_hybrid(
     name: &str,
-    graph: &Path,
-    actor: &Path,
+    (file, graph): &(String, Graph),
+    actor: &Actor,
     setting: &Setting,
     start: Start,
     tasks: &[targets::Task],
     seed: Option<u64>,
 ) -> Result<Report, InputError> {
-    let (file, graph, actor) = (graph.display().to_string(), read_graph(graph)?, Actor::read(actor)?);
     let began = Instant::now();
-    let done = trial::run(&file, &graph, &actor, setting, start, tasks)?;
+    let done = trial::run(file, graph, actor, setting, start, tasks)?;
     Ok(Report::of_hybrid(&done, name, seed, began.elapsed().as_secs_f64()))
-}
-
-/// The configuration's arm, or the graph's. Only graphs are for other arms than the WidowX.
-fn arm_for(args: &EvalArgs, config: Option<&Config>) -> Result<Arm<f64>, InputError> {
-    let of_graph = |path: &Path| arm_of(&path.display().to_string(), &read_graph(path)?);
-    let arm = match (config, &args.tpg) {
-        (Some(config), _) => config.arm(),
-        (None, Some(path)) => of_graph(path)?,
-        (None, None) => WIDOWX,
-    };
-    let graph_alone = args.hybrid.is_none() && args.policy.is_none();
-    if !graph_alone && (config.is_some() || arm != WIDOWX) {
-        let accepted = "--tpg alone: a network, a hybrid and a planner are for the WidowX";
-        return Err(InputError::new("<command line>", Place::Whole, "another arm or --config", accepted));
-    }
-    Ok(arm)
 }
 
 /// The arm that a graph was trained for, as its provenance says; the WidowX where that says nothing.

@@ -119,6 +119,7 @@ impl<const I: usize, const O: usize> Layer<I, O> {
 }
 
 /// Features as integers: rounded to nearest, halves away from zero, clipped to `i16`; NaN becomes 0.
+#[inline(never)] // its loop is not its caller's: a static bound multiplies nested ones
 pub fn quantise(features: &[f32; FEATURES]) -> [i16; FEATURES] {
     features.map(|value| {
         let scaled = value * FEATURE_ONE;
@@ -183,6 +184,7 @@ impl FixedDecision {
     }
 
     /// The move for preferences in multiples of 1/2048.
+    #[inline(never)] // as `quantise`
     pub fn decide(
         &self,
         preferences: [i32; JOINTS],
