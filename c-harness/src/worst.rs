@@ -55,7 +55,8 @@ pub(crate) fn check(image: &Path, lines: &[Line]) -> Result<(), Failure> {
         };
         lines.iter().filter(matching).map(|line| line.number(value)).max().unwrap_or(0)
     };
-    let (instructions, stack) = (of("episode", "hybrid", "worst"), of("decision", "fs", "stack").max(of("decision", "rs", "stack")));
+    let (instructions, stack) =
+        (of("episode", "hybrid", "worst"), of("decision", "fs", "stack").max(of("decision", "rs", "stack")));
     println!(
         "Rust: a decision takes at most {} instructions (counted: {instructions}) and {} bytes of stack (painted: {stack})",
         bound.instructions, bound.stack
