@@ -1,6 +1,6 @@
 //! `tpg-train report`: runs in one HTML file. Learning curves, final distances on the test episodes, graphs, trajectories.
 //!
-//! [`runs`] reads folders, [`test`] puts what they trained to the test episodes; the others draw. Nothing depends on the
+//! `runs` reads folders, `test` puts what they trained to the test episodes; the others draw. Nothing depends on the
 //! clock or on where the folders are: the same runs give the same bytes.
 
 mod curves;

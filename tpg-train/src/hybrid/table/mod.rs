@@ -5,7 +5,7 @@
 //! | [`rows`] | every policy on the committed test episodes |
 //! | [`timing`] | measured times |
 //! | [`compiled`] | the shipped policies as they are compiled |
-//! | [`reference`] | the network that the paper measures against |
+//! | [`mod@reference`] | the network that the paper measures against |
 //! | [`ideas`] | what guards, hand-overs and detectors change, on validation episodes |
 //! | [`paper`] | the paper's figures, and its own policies run by us |
 //! | [`markdown`] | the text |
