@@ -2,6 +2,7 @@
 
 use crate::engine::{Ending, Environment, Lanes, Options, Plan, Policy};
 use crate::environments::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
+use crate::evolution::config::Shield;
 use crate::files::read_text;
 use crate::targets::{self, Set, Start};
 use crate::trial::{Failures, Trial};
@@ -15,6 +16,7 @@ use tpg_codegen::error::{InputError, Place};
 use tpg_codegen::graph::{Graph, MathsProvider, ScalarType};
 use tpg_runtime::arm::{Move, WIDOWX};
 use tpg_runtime::observation::Source;
+use tpg_runtime::observation::shield::{SHIELDED, STEP, action as action_of};
 use tpg_runtime::ops::{Maths, Own, System};
 
 /// Let a policy act and count how its episodes end.
@@ -38,6 +40,9 @@ pub struct EvalArgs {
     /// The seed of the test set
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
+    /// Add a shield to a graph that has none: actions that would be refused cannot be chosen
+    #[arg(long, value_enum, default_value_t = Shield::None)]
+    pub shield: Shield,
     /// One JSON object instead of a table
     #[arg(long)]
     pub json: bool,
@@ -50,6 +55,8 @@ pub struct Report {
     pub problem: String,
     /// The policy's file.
     pub policy: String,
+    /// `none`, `limits` or `limits-and-collision`: the actions that the policy cannot choose.
+    pub shield: String,
     /// Episodes.
     pub episodes: usize,
     /// The seed of the test set; absent for a file of episodes.
@@ -79,6 +86,7 @@ impl Report {
     pub fn new(
         problem: Start,
         policy: &str,
+        shield: Shield,
         seed: Option<u64>,
         endings: &[Ending],
         outcomes: &[&str],
@@ -107,6 +115,7 @@ impl Report {
                 Start::Rs => "rs".to_owned(),
             },
             policy: policy.to_owned(),
+            shield: shield.name().to_owned(),
             episodes: endings.len(),
             seed,
             success_rate: share(endings.iter().filter(|ending| ending.success).count()),
@@ -138,6 +147,7 @@ impl Report {
                 Start::Rs => "rs".to_owned(),
             },
             policy: policy.to_owned(),
+            shield: Shield::None.name().to_owned(),
             episodes: trial.episodes,
             seed,
             success_rate: trial.success_rate,
@@ -162,6 +172,7 @@ impl Report {
             .collect();
         format!(
             "{} on {}, {} episodes\n\
+             shield         {}\n\
              success        {:.1} %\n\
              collision      {:.1} %\n\
              distance       {:.2} mm mean, {:.2} mm median\n\
@@ -171,6 +182,7 @@ impl Report {
             self.policy,
             self.problem,
             self.episodes,
+            self.shield,
             100.0 * self.success_rate,
             100.0 * self.collision_rate,
             self.mean_distance_mm,
@@ -193,7 +205,7 @@ pub fn eval(args: &EvalArgs) -> Result<(), InputError> {
         None => (targets::tasks(&WIDOWX, args.seed, Set::Test, args.problem, args.episodes), Some(args.seed)),
     };
     let report = match (&args.tpg, &args.policy) {
-        (Some(path), _) => of_graph(path, args.problem, tasks, seed)?,
+        (Some(path), _) => of_graph(path, args, tasks, seed)?,
         (None, policy) => {
             let policy = policy.as_deref().unwrap_or("planner");
             let began = Instant::now();
@@ -210,19 +222,28 @@ pub fn eval(args: &EvalArgs) -> Result<(), InputError> {
     written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))
 }
 
-fn of_graph(path: &Path, start: Start, tasks: Vec<targets::Task>, seed: Option<u64>) -> Result<Report, InputError> {
+fn of_graph(path: &Path, args: &EvalArgs, tasks: Vec<targets::Task>, seed: Option<u64>) -> Result<Report, InputError> {
     let file = path.display().to_string();
     let graph = Graph::from_json(&file, &read_text(path, "a graph.json")?)?;
     let tasks: Vec<ArmTask> = tasks.into_iter().map(ArmTask::from).collect();
+    let shield = match (Shield::of(graph.sources().iter().map(|source| source.name.as_str())), args.shield) {
+        (own, Shield::None) => own,
+        (Shield::None, added) => added,
+        (own, _) => {
+            let found = format!("--shield for a graph that has the shield {:?}", own.name());
+            return Err(InputError::new(file, Place::Whole, found, "a graph without a shield"));
+        }
+    };
     let began = Instant::now();
+    let (start, added) = (args.problem, args.shield);
     let (endings, outcomes) = match (graph.scalar(), graph.maths()) {
-        (ScalarType::F32, MathsProvider::Own) => endings::<f32, Own>(&file, &graph, start, &tasks)?,
-        (ScalarType::F32, MathsProvider::System) => endings::<f32, System>(&file, &graph, start, &tasks)?,
-        (ScalarType::F64, MathsProvider::Own) => endings::<f64, Own>(&file, &graph, start, &tasks)?,
-        (ScalarType::F64, MathsProvider::System) => endings::<f64, System>(&file, &graph, start, &tasks)?,
+        (ScalarType::F32, MathsProvider::Own) => endings::<f32, Own>(&file, &graph, added, start, &tasks)?,
+        (ScalarType::F32, MathsProvider::System) => endings::<f32, System>(&file, &graph, added, start, &tasks)?,
+        (ScalarType::F64, MathsProvider::Own) => endings::<f64, Own>(&file, &graph, added, start, &tasks)?,
+        (ScalarType::F64, MathsProvider::System) => endings::<f64, System>(&file, &graph, added, start, &tasks)?,
     };
     let seconds = began.elapsed().as_secs_f64();
-    Ok(Report::new(start, &file, seed, &endings, outcomes, seconds))
+    Ok(Report::new(start, &file, shield, seed, &endings, outcomes, seconds))
 }
 
 fn read_tasks(path: &Path) -> Result<Vec<targets::Task>, InputError> {
@@ -234,13 +255,14 @@ fn read_tasks(path: &Path) -> Result<Vec<targets::Task>, InputError> {
     })
 }
 
-/// How a graph's episodes end, with the outcomes' names.
+/// How a graph's episodes end under a shield, beside its own, with the outcomes' names.
 ///
 /// # Errors
 /// If the graph reads sources that the arm does not have, or has actions that do not say what they move.
 pub fn endings<S: ArmScalar, M: Maths<S>>(
     file: &str,
     graph: &Graph,
+    shield: Shield,
     start: Start,
     tasks: &[ArmTask],
 ) -> Result<(Vec<Ending>, &'static [&'static str]), InputError> {
@@ -258,8 +280,17 @@ pub fn endings<S: ArmScalar, M: Maths<S>>(
             InputError::new(file, path, format!("{:?} without \"move\"", action.name), "actions that move the arm")
         })?);
     }
+    let mut policy = Policy::from(graph);
+    if let Some(source) = shield.source() {
+        let first = graph.state_length() as u16;
+        let place = |action: u16| {
+            (0..SHIELDED as u8).find(|&place| moves.get(usize::from(action)) == Some(&action_of(place, STEP)))
+        };
+        policy = policy.shielded(|action| place(action).map(|place| first + u16::from(place)));
+        sources.push(source);
+    }
     let environment = ArmEnvironment::<S>::for_evaluation(&WIDOWX, ArmProblem::new(start, sources), moves);
-    let plan = Plan::new::<M>(&Policy::from(graph), &environment.sources(), true);
+    let plan = Plan::new::<M>(&policy, &environment.sources(), true);
     let endings = Lanes::<S, M, _>::new(&environment, Options::default()).run(&plan, tasks);
     Ok((endings, environment.outcomes()))
 }

@@ -3,11 +3,14 @@
 pub mod derived;
 mod range;
 mod reach;
+pub mod shield;
 mod source;
+mod stance;
 
 pub use derived::Aim;
 pub use reach::{Reach, ReachErrors, ReachTarget};
 pub use source::Source;
+pub use stance::Stance;
 
 use crate::arm::{Arm, Move, Pose};
 use crate::frame::Frame;
@@ -79,6 +82,9 @@ impl Source {
             Self::ReachPitch => put(values, [reach().pitch]),
             Self::Wrist => put(values, derived::wrist(&frame())),
             Self::Floor => put(values, [frame().lowest_corner()]),
+            Self::Stance => put(values, Stance::at(arm, seen.target).errors(seen.pose)),
+            Self::ShieldLimits => put(values, shield::limits(arm, seen.pose, shield::STEP)),
+            Self::ShieldCollision => put(values, shield::collision(arm, seen.pose)),
         }
     }
 

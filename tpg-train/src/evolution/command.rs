@@ -135,6 +135,7 @@ fn preset(name: &str) -> Result<&'static Preset, InputError> {
 
 /// The arm as a configuration describes it.
 pub fn arm_environment<S: ArmScalar>(config: &Config) -> ArmEnvironment<S> {
+    let sources = config.sources().into_iter().chain(config.problem.shield.source()).collect();
     let problem = ArmProblem {
         tolerance: config.problem.tolerance,
         max_actions: config.learning.max_nb_actions_per_eval,
@@ -142,7 +143,7 @@ pub fn arm_environment<S: ArmScalar>(config: &Config) -> ArmEnvironment<S> {
         may_stop: config.problem.may_stop,
         bonus: config.problem.bonus_success,
         per_unused_action: config.problem.coef_reward_multiplication,
-        ..ArmProblem::new(config.problem.start, config.sources())
+        ..ArmProblem::new(config.problem.start, sources)
     };
     ArmEnvironment::new(&WIDOWX, problem)
 }
