@@ -154,7 +154,7 @@ fn a_shield_refuses_what_a_step_refuses() {
             refused[1] += u32::from(invalid.is_some());
         }
     }
-    assert!(refused[0] > 500 && refused[1] > refused[0] + 200, "refusals must occur: {refused:?}");
+    assert!(refused[0] > 500 && refused[1] > refused[0] + 50, "refusals must occur: {refused:?}");
     assert!(f64::from(ALLOWED as f32) == ALLOWED, "exact in both scalars");
 }
 
