@@ -22,7 +22,15 @@
 
 #[path = "widowx-fs/widowx_fs.rs"]
 pub mod widowx_fs;
+#[path = "widowx-fs/widowx_fs_fast.rs"]
+pub mod widowx_fs_fast;
+#[path = "widowx-fs/hybrid.rs"]
+pub mod widowx_fs_hybrid;
 #[path = "widowx-rs/widowx_rs.rs"]
 pub mod widowx_rs;
+#[path = "widowx-rs/widowx_rs_fast.rs"]
+pub mod widowx_rs_fast;
+#[path = "widowx-rs/hybrid.rs"]
+pub mod widowx_rs_hybrid;
 #[path = "widowx-sac/policy.rs"]
 pub mod widowx_sac;

@@ -2,11 +2,13 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use tpg_codegen::emit::{self, Language, Options, Prefix};
+use tpg_codegen::emit::{self, Language, Options, Prefix, Profile};
 use tpg_codegen::graph::Graph;
 use tpg_codegen::{interpret, states};
 use tpg_generated::widowx_fs::WidowxFs;
+use tpg_generated::widowx_fs_fast::WidowxFsFast;
 use tpg_generated::widowx_rs::WidowxRs;
+use tpg_generated::widowx_rs_fast::WidowxRsFast;
 use tpg_runtime::policy::{ActionId, Policy};
 
 fn folder(name: &str) -> PathBuf {
@@ -46,9 +48,19 @@ fn graphs_are_in_canonical_form() {
 #[test]
 fn generated_code_is_fresh() {
     for folder in policies() {
-        let options = Options::new(Prefix::of_file(&folder.join("graph.json")));
-        for language in [Language::C, Language::Rust] {
-            for file in emit::emit(&graph(&folder), language, &options) {
+        let prefix = Prefix::of_file(&folder.join("graph.json"));
+        let fast: Prefix = format!("{}_fast", prefix.lower()).parse().expect("a name");
+        let fast = Options {
+            profile: Some(Profile::Fast),
+            ..Options::new(fast)
+        };
+        let options = Options::new(prefix);
+        for (language, options) in [
+            (Language::C, &options),
+            (Language::Rust, &options),
+            (Language::Rust, &fast),
+        ] {
+            for file in emit::emit(&graph(&folder), language, options) {
                 let path = folder.join(&file.name);
                 let found = fs::read_to_string(&path).unwrap_or_default();
                 assert!(
@@ -77,5 +89,7 @@ where
 #[test]
 fn compiled_policies_act_like_their_graphs() {
     acts_like(WidowxFs, &graph(&folder("widowx-fs")));
+    acts_like(WidowxFsFast, &graph(&folder("widowx-fs")));
     acts_like(WidowxRs, &graph(&folder("widowx-rs")));
+    acts_like(WidowxRsFast, &graph(&folder("widowx-rs")));
 }

@@ -28,6 +28,10 @@ extern "C" {
 /* Teams, and how many of them decide at most in one inference. */
 #define WIDOWX_FS_TEAMS 28U
 #define WIDOWX_FS_DEPTH 16U
+/* At most, in one inference: bids looked at, operations, and sines, cosines, logarithms and exponentials among those. */
+#define WIDOWX_FS_WORST_BIDS 103U
+#define WIDOWX_FS_WORST_OPERATIONS 98U
+#define WIDOWX_FS_WORST_MATHS_CALLS 0U
 
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
 typedef struct widowx_fs_state {
@@ -36,6 +40,11 @@ typedef struct widowx_fs_state {
 
 /* The action for a state, below WIDOWX_FS_ACTIONS. Pure and reentrant: no globals, no memory, no side effect. */
 uint16_t widowx_fs_infer(const widowx_fs_state_t *state);
+
+/* For tpg_policy_t of tpg_runtime.h: the arm's sources that make up a state, and what each action moves, in ticks. */
+#define WIDOWX_FS_SOURCES { TPG_SOURCE_POLAR }
+#define WIDOWX_FS_SOURCE_COUNT 1U
+#define WIDOWX_FS_MOVES { { { 3, 0, 0, 0 } }, { { -3, 0, 0, 0 } }, { { 0, 3, 0, 0 } }, { { 0, -3, 0, 0 } }, { { 0, 0, 3, 0 } }, { { 0, 0, -3, 0 } }, { { 0, 0, 0, 3 } }, { { 0, 0, 0, -3 } } }
 
 #ifndef WIDOWX_FS_NO_SELFTEST
 /* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.

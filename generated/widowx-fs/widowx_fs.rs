@@ -40,6 +40,12 @@ impl WidowxFs {
     pub const ACTIONS: usize = 8;
     /// Teams on the longest walk.
     pub const DEPTH: usize = 16;
+    /// Bids that one decision looks at, at most.
+    pub const WORST_BIDS: usize = 174;
+    /// Operations of one decision, at most.
+    pub const WORST_OPERATIONS: usize = 49;
+    /// Sines, cosines, logarithms and exponentials among them, at most.
+    pub const WORST_MATHS_CALLS: usize = 0;
     /// The arm's sources that make up a state, in order.
     pub const SOURCES: [Source; 1] = [Source::Polar];
     /// What each action moves, in motor ticks.

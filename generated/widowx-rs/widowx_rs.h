@@ -28,6 +28,10 @@ extern "C" {
 /* Teams, and how many of them decide at most in one inference. */
 #define WIDOWX_RS_TEAMS 28U
 #define WIDOWX_RS_DEPTH 15U
+/* At most, in one inference: bids looked at, operations, and sines, cosines, logarithms and exponentials among those. */
+#define WIDOWX_RS_WORST_BIDS 132U
+#define WIDOWX_RS_WORST_OPERATIONS 132U
+#define WIDOWX_RS_WORST_MATHS_CALLS 0U
 
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
 typedef struct widowx_rs_state {
@@ -39,6 +43,11 @@ typedef struct widowx_rs_state {
 
 /* The action for a state, below WIDOWX_RS_ACTIONS. Pure and reentrant: no globals, no memory, no side effect. */
 uint16_t widowx_rs_infer(const widowx_rs_state_t *state);
+
+/* For tpg_policy_t of tpg_runtime.h: the arm's sources that make up a state, and what each action moves, in ticks. */
+#define WIDOWX_RS_SOURCES { TPG_SOURCE_REACH, TPG_SOURCE_REACH_EXCESS, TPG_SOURCE_REACH_PITCH, TPG_SOURCE_MOTORS_CENTRED }
+#define WIDOWX_RS_SOURCE_COUNT 4U
+#define WIDOWX_RS_MOVES { { { 3, 0, 0, 0 } }, { { -3, 0, 0, 0 } }, { { 0, 3, 0, 0 } }, { { 0, -3, 0, 0 } }, { { 0, 0, 3, 0 } }, { { 0, 0, -3, 0 } }, { { 0, 0, 0, 3 } }, { { 0, 0, 0, -3 } } }
 
 #ifndef WIDOWX_RS_NO_SELFTEST
 /* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.

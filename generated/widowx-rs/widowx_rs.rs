@@ -43,6 +43,12 @@ impl WidowxRs {
     pub const ACTIONS: usize = 8;
     /// Teams on the longest walk.
     pub const DEPTH: usize = 15;
+    /// Bids that one decision looks at, at most.
+    pub const WORST_BIDS: usize = 214;
+    /// Operations of one decision, at most.
+    pub const WORST_OPERATIONS: usize = 55;
+    /// Sines, cosines, logarithms and exponentials among them, at most.
+    pub const WORST_MATHS_CALLS: usize = 0;
     /// The arm's sources that make up a state, in order.
     pub const SOURCES: [Source; 4] = [
         Source::Reach,

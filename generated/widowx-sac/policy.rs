@@ -299,4 +299,10 @@ pub const NETWORK: Network<64, 64> = Network {
 /// What stands behind it.
 pub const DECISION: FixedDecision = FixedDecision::new(Actions::Fine, Mask::JointLimits, false);
 
+/// The network as the kernels read it: what lies in flash.
+pub static MODEL: [u32; Network::<64, 64>::WORDS] = NETWORK.pack(&DECISION);
+
+/// Words of scratch memory that a decision needs.
+pub const SCRATCH: usize = Network::<64, 64>::SCRATCH;
+
 const _: () = assert!(NETWORK.is_sound(), "no input may overflow an accumulator");

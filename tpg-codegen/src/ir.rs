@@ -277,9 +277,14 @@ fn breadth_first(graph: &Graph) -> Vec<TeamId> {
     order
 }
 
-/// Teams on the longest walk from the first team. Breadth-first order is not topological, so teams are taken when all
-/// that lead to them have been.
+/// Teams on the longest walk from the first team.
 pub(crate) fn longest_walk(teams: &[Team]) -> usize {
+    heaviest_walk(teams, |_| 1) as usize
+}
+
+/// The greatest sum of weights of the teams on a walk from the first. Breadth-first order is not topological, so teams are
+/// taken when all that lead to them have been.
+pub(crate) fn heaviest_walk(teams: &[Team], weight: impl Fn(usize) -> u64) -> u64 {
     let targets = |team: &Team| -> Vec<usize> {
         team.edges.iter().filter_map(|edge| if let Target::Team(to) = edge.to { Some(to) } else { None }).collect()
     };
@@ -287,11 +292,11 @@ pub(crate) fn longest_walk(teams: &[Team]) -> usize {
     for to in teams.iter().flat_map(targets) {
         entering[to] += 1;
     }
-    let mut walk = vec![1_usize; teams.len()];
+    let mut walk: Vec<u64> = (0..teams.len()).map(&weight).collect();
     let mut ready = vec![0];
     while let Some(team) = ready.pop() {
         for to in targets(&teams[team]) {
-            walk[to] = walk[to].max(walk[team] + 1);
+            walk[to] = walk[to].max(walk[team] + weight(to));
             entering[to] -= 1;
             if entering[to] == 0 {
                 ready.push(to);

@@ -1,8 +1,11 @@
 //! Compiles tangled program graphs into C and `no_std` Rust, and proves the result equal to the graph.
 pub mod cli;
+pub mod conversion;
+pub mod cost;
 pub mod emit;
 pub mod engine;
 pub mod error;
+pub mod explain;
 pub mod export;
 pub mod graph;
 pub mod import;
@@ -11,7 +14,9 @@ pub mod ir;
 pub mod output;
 pub mod passes;
 pub mod policy;
+pub mod report;
 pub mod sample;
 pub mod size;
 pub mod states;
+pub mod trace;
 pub mod verify;

@@ -36,6 +36,26 @@ pub fn write_all<P: AsRef<Path>, B: AsRef<[u8]>>(files: &[(P, B)]) -> Result<(),
     Ok(())
 }
 
+/// Makes a folder, writes a set of files into it as [`write_all`] does, and where that fails takes away again what it made
+/// of the folder.
+///
+/// # Errors
+/// As [`write_all`], or that the folder cannot be made.
+pub fn write_folder<B: AsRef<[u8]>>(folder: &Path, files: &[(PathBuf, B)]) -> Result<(), InputError> {
+    let made: Vec<&Path> =
+        folder.ancestors().take_while(|above| !above.as_os_str().is_empty() && !above.exists()).collect();
+    let written = fs::create_dir_all(folder)
+        .map_err(|error| InputError::io(folder, &error, "a folder that can be written"))
+        .and_then(|()| write_all(files));
+    if written.is_err() {
+        // The deepest first; one that holds something by now is not ours any more, and stays.
+        for folder in made {
+            let _ = fs::remove_dir(folder);
+        }
+    }
+    written
+}
+
 fn refused(path: &Path, error: &io::Error) -> InputError {
     InputError::io(path, error, "a file that can be written, with space for it")
 }
@@ -128,6 +148,21 @@ mod tests {
             assert_eq!(fs::read_to_string(&good).expect("good"), "old");
             assert_eq!(names(folder.path()), ["good"]);
         }
+    }
+
+    #[test]
+    fn a_folder_appears_with_its_files_or_not_at_all() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let new = folder.path().join("a/b");
+        write_folder(&new, &[(new.join("missing/file"), "text")]).expect_err("refused");
+        assert!(names(folder.path()).is_empty());
+        write_folder(&new, &[(new.join("file"), "text")]).expect("written");
+        assert_eq!(names(&new), ["file"]);
+        write_folder(&new, &[(new.join("missing/file"), "text")]).expect_err("refused");
+        assert_eq!(names(&new), ["file"], "what was there stays");
+        fs::write(folder.path().join("plain"), "").expect("written");
+        let error = write_folder(&folder.path().join("plain/b"), &[(new.join("x"), "")]).expect_err("refused");
+        assert!(error.file.ends_with("plain/b"), "{error}");
     }
 
     #[cfg(target_os = "linux")]

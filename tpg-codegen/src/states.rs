@@ -3,9 +3,13 @@
 //! Most lie in the declared ranges, some on their ends, some hold what no sensor should deliver: NaN, infinities,
 //! denormals, any bits at all. Implementations must agree on every one.
 
+use crate::error::InputError;
 use crate::graph::{Graph, Range};
+use crate::trace;
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
+use sha2::{Digest, Sha256};
+use std::path::Path;
 
 /// Flat states, one after another, each of [`Graph::state_length`] values exact in the graph's scalar type.
 pub fn sample(graph: &Graph, count: usize, seed: u64) -> Vec<f64> {
@@ -89,5 +93,33 @@ impl Kind {
             Self::Anything if random.random_bool(0.5) => f64::from(f32::from_bits(random.next_u32())),
             Self::Anything => f64::from_bits(random.next_u64()),
         }
+    }
+}
+
+/// States to measure something over, and where they come from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StateSet {
+    /// Flat states, one after another.
+    pub states: Vec<f64>,
+    /// Where they come from, for people, without a path or a time.
+    pub origin: String,
+}
+
+impl StateSet {
+    /// States inside the declared ranges.
+    pub fn sampled(graph: &Graph, count: usize, seed: u64) -> Self {
+        let origin = format!("{count} states sampled uniformly in the declared ranges, seed {seed}");
+        Self { states: sample_in_range(graph, count, seed), origin }
+    }
+
+    /// Recorded states: see [`trace`].
+    ///
+    /// # Errors
+    /// Whatever is wrong with the file.
+    pub fn recorded(graph: &Graph, path: &Path) -> Result<Self, InputError> {
+        let (states, text) = trace::load(path, graph)?;
+        let count = states.len() / graph.state_length();
+        let hash = Sha256::digest(text).iter().take(8).fold(String::new(), |hex, byte| format!("{hex}{byte:02x}"));
+        Ok(Self { states, origin: format!("{count} recorded states, SHA-256 {hash}...") })
     }
 }

@@ -1,7 +1,8 @@
 //! One episode: a policy drives the arm from a start towards a target, until one of five things happens.
 //!
 //! These are the project's own rules (the paper's with one end for every invalid action); the artifact's exact
-//! bookkeeping, which ends a cycle one action later, lives with the conformance suite in `tpg-train`.
+//! bookkeeping, which ends a cycle one action later, lives with the conformance suite in `tpg-train`. An episode that two
+//! policies share is a [`HybridEpisode`](crate::hybrid::HybridEpisode).
 
 use crate::arm::{Arm, Invalid, Move, Pose};
 use crate::cycle::CycleDetector;
@@ -51,38 +52,27 @@ pub struct Summary<S> {
     pub distance: S,
 }
 
-/// An episode under way.
+/// The part of an episode that does not ask who decides: the arm on its way, and the ends that every policy shares.
 #[derive(Clone, Debug)]
-pub struct Episode<'a, S, D> {
+pub(crate) struct Course<'a, S> {
     arm: &'a Arm<S>,
     problem: Problem<S>,
-    detector: D,
     observation: Observation<S>,
     actions: u32,
 }
 
-impl<'a, S: Lattice, D: CycleDetector> Episode<'a, S, D> {
-    /// Puts the arm at the problem's start.
-    pub fn new(arm: &'a Arm<S>, problem: Problem<S>, mut detector: D) -> Self {
-        detector.reset(problem.start);
+impl<'a, S: Lattice> Course<'a, S> {
+    pub(crate) fn new(arm: &'a Arm<S>, problem: Problem<S>) -> Self {
         let observation = Observation::at(arm, problem.start, problem.target);
-        Self { arm, problem, detector, observation, actions: 0 }
+        Self { arm, problem, observation, actions: 0 }
     }
 
-    /// What the policy sees now.
-    pub fn observation(&self) -> &Observation<S> {
+    pub(crate) fn observation(&self) -> &Observation<S> {
         &self.observation
     }
 
-    /// Actions done so far.
-    pub fn actions(&self) -> u32 {
-        self.actions
-    }
-
-    /// Does one action; `Some` when it ended the episode.
-    ///
-    /// Where several ends fall together, the first of these holds: invalid, reached, stop, cycle, timeout.
-    pub fn advance(&mut self, wanted: Move) -> Option<Outcome> {
+    /// Does one action; `Some` where it was invalid or reached the target.
+    pub(crate) fn step(&mut self, wanted: Move) -> Option<Outcome> {
         let step = self.arm.step(self.observation.pose, wanted);
         self.actions = self.actions.saturating_add(1);
         self.observation = Observation::at(self.arm, step.pose, self.problem.target);
@@ -90,14 +80,57 @@ impl<'a, S: Lattice, D: CycleDetector> Episode<'a, S, D> {
             Some(Outcome::Invalid(invalid))
         } else if self.observation.distance() < self.problem.tolerance {
             Some(Outcome::Reached)
-        } else if wanted == Move::STOP {
-            Some(Outcome::Stop)
-        } else if self.detector.repeats(step.pose) {
-            Some(Outcome::Cycle)
-        } else if self.actions >= self.problem.max_actions {
-            Some(Outcome::Timeout)
         } else {
             None
+        }
+    }
+
+    pub(crate) fn timeout(&self) -> Option<Outcome> {
+        (self.actions >= self.problem.max_actions).then_some(Outcome::Timeout)
+    }
+
+    pub(crate) fn summary(&self, outcome: Outcome) -> Summary<S> {
+        let Observation { pose, .. } = self.observation;
+        Summary { outcome, actions: self.actions, pose, distance: self.observation.distance() }
+    }
+}
+
+/// An episode under way.
+#[derive(Clone, Debug)]
+pub struct Episode<'a, S, D> {
+    course: Course<'a, S>,
+    detector: D,
+}
+
+impl<'a, S: Lattice, D: CycleDetector> Episode<'a, S, D> {
+    /// Puts the arm at the problem's start.
+    pub fn new(arm: &'a Arm<S>, problem: Problem<S>, mut detector: D) -> Self {
+        detector.reset(problem.start);
+        Self { course: Course::new(arm, problem), detector }
+    }
+
+    /// What the policy sees now.
+    pub fn observation(&self) -> &Observation<S> {
+        self.course.observation()
+    }
+
+    /// Actions done so far.
+    pub fn actions(&self) -> u32 {
+        self.course.actions
+    }
+
+    /// Does one action; `Some` when it ended the episode.
+    ///
+    /// Where several ends fall together, the first of these holds: invalid, reached, stop, cycle, timeout.
+    pub fn advance(&mut self, wanted: Move) -> Option<Outcome> {
+        if let Some(end) = self.course.step(wanted) {
+            Some(end)
+        } else if wanted == Move::STOP {
+            Some(Outcome::Stop)
+        } else if self.detector.repeats(self.observation().pose) {
+            Some(Outcome::Cycle)
+        } else {
+            self.course.timeout()
         }
     }
 
@@ -107,15 +140,10 @@ impl<'a, S: Lattice, D: CycleDetector> Episode<'a, S, D> {
         P: Policy<State = Observation<S>, Action = Move> + ?Sized,
     {
         loop {
-            let outcome = self.advance(policy.decide(&self.observation));
-            each(self.observation.pose);
+            let outcome = self.advance(policy.decide(self.observation()));
+            each(self.observation().pose);
             if let Some(outcome) = outcome {
-                return Summary {
-                    outcome,
-                    actions: self.actions,
-                    pose: self.observation.pose,
-                    distance: self.observation.distance(),
-                };
+                return self.course.summary(outcome);
             }
         }
     }

@@ -39,6 +39,7 @@
 //! | [`ops`] | the instruction set, and sin, cos, ln, exp with the same bits everywhere |
 //! | [`cycle`] | has the arm been here before? |
 //! | [`episode`] | one episode and how it ended |
+//! | [`hybrid`] | two policies that share an arm: who drives, and when they change |
 //! | [`sac`] | the soft actor-critic's features and its decision |
 //! | [`scalar`] | `f32` and `f64` |
 //!
@@ -60,6 +61,7 @@ pub mod arm;
 pub mod cycle;
 pub mod episode;
 pub mod frame;
+pub mod hybrid;
 pub mod kinematics;
 pub mod observation;
 pub mod ops;

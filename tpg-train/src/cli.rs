@@ -4,6 +4,9 @@ use crate::conformance::command::ReplayArgs;
 use crate::evaluate::{EvalArgs, eval};
 use crate::evolution::command::{End, TpgArgs, execute as execute_tpg};
 use crate::evolution::presets::{ConfigArgs, print_config};
+use crate::hybrid::command::{HybridArgs, execute as execute_hybrid};
+use crate::hybrid::setting::{ConstantsArgs, constants};
+use crate::hybrid::table::{Table2Args, execute as execute_table2};
 use crate::sac::command::{SacArgs, execute as execute_sac};
 use crate::sac::evaluate::{QuantiseArgs, quantise};
 use crate::sac::import::{ImportArgs, import};
@@ -28,6 +31,12 @@ enum Command {
     Tpg(TpgArgs),
     /// Train a soft actor-critic
     Sac(SacArgs),
+    /// Study how graphs and actors share the arm
+    Hybrid(HybridArgs),
+    /// Turn a hybrid.toml into constants of Rust
+    Constants(ConstantsArgs),
+    /// Measure every kind of policy and write docs/results.md
+    Table2(Table2Args),
     /// Turn an actor of Stable-Baselines3 or CleanRL into a policy
     Import(ImportArgs),
     /// Put a soft actor-critic's network into integers
@@ -86,6 +95,9 @@ impl Cli {
         let result = match self.command {
             Command::Tpg(args) => execute_tpg(&args).map(Verdict::from).map_err(CliError::other),
             Command::Sac(args) => execute_sac(&args).map(Verdict::from).map_err(CliError::other),
+            Command::Hybrid(args) => execute_hybrid(&args).map(Verdict::from).map_err(CliError::from),
+            Command::Constants(args) => constants(&args).map(|()| Verdict::Good).map_err(CliError::from),
+            Command::Table2(args) => execute_table2(&args).map(|()| Verdict::Good).map_err(CliError::from),
             Command::Import(args) => import(&args).map(|()| Verdict::Good).map_err(CliError::from),
             Command::Quantise(args) => quantise(&args).map(|()| Verdict::Good).map_err(CliError::from),
             Command::Eval(args) => eval(&args).map(|()| Verdict::Good).map_err(CliError::from),

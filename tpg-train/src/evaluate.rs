@@ -4,6 +4,10 @@ use crate::engine::{Ending, Environment, Lanes, Options, Plan, Policy};
 use crate::environments::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
 use crate::evolution::config::Shield;
 use crate::files::read_text;
+use crate::hybrid::actor::Actor;
+use crate::hybrid::graph::read_graph;
+use crate::hybrid::setting::{Detector, HandBack, HybridFile, Setting};
+use crate::hybrid::trial::{self, HybridTrial};
 use crate::targets::{self, Set, Start};
 use crate::trial::{Failures, Trial};
 use clap::Args;
@@ -15,6 +19,7 @@ use std::time::Instant;
 use tpg_codegen::error::{InputError, Place};
 use tpg_codegen::graph::{Graph, MathsProvider, ScalarType};
 use tpg_runtime::arm::{Move, WIDOWX};
+use tpg_runtime::hybrid::{Cause, Guard};
 use tpg_runtime::observation::Source;
 use tpg_runtime::observation::shield::{SHIELDED, STEP, action as action_of};
 use tpg_runtime::ops::{Maths, Own, System};
@@ -25,12 +30,27 @@ pub struct EvalArgs {
     /// The problem: fixed or random start
     #[arg(long, value_enum)]
     pub problem: Start,
-    /// A graph
-    #[arg(long, value_name = "GRAPH", required_unless_present = "policy", conflicts_with = "policy")]
+    /// A graph; with --policy too, the two share the arm
+    #[arg(long, value_name = "GRAPH", required_unless_present_any = ["policy", "hybrid"])]
     pub tpg: Option<PathBuf>,
     /// A policy.safetensors, a policy.q.json, or the classical `planner` or `nearest-goal`
     #[arg(long, value_name = "FILE")]
     pub policy: Option<String>,
+    /// A hybrid.toml: graph, actor, and how they share the arm
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["tpg", "policy"])]
+    pub hybrid: Option<PathBuf>,
+    /// With --tpg and --policy: actions of the network before the graph is asked again, or `never`
+    #[arg(long, value_name = "N", default_value = "100")]
+    pub hand_back_after: HandBack,
+    /// With --tpg and --policy: the network takes over when the hand is further away than its best by this; `inf`
+    #[arg(long, value_name = "D", default_value_t = 20.0)]
+    pub separation_mm: f64,
+    /// With --tpg and --policy: none, joint-limits, collisions or both
+    #[arg(long, value_name = "GUARD", default_value = "none", value_parser = crate::hybrid::command::guard)]
+    pub guard: Guard,
+    /// With --tpg and --policy: how cycles of the graph are noticed
+    #[arg(long, value_enum, default_value_t = Detector::Visited)]
+    pub cycle_detector: Detector,
     /// Episodes from a file
     #[arg(long, value_name = "CSV", conflicts_with = "episodes")]
     pub targets: Option<PathBuf>,
@@ -79,6 +99,9 @@ pub struct Report {
     pub ns_per_action: f64,
     /// Episodes by how they failed.
     pub failures: BTreeMap<String, usize>,
+    /// Hand-overs an episode to a hybrid's network, by cause; absent for other policies.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hand_overs: Option<BTreeMap<String, f64>>,
 }
 
 impl Report {
@@ -127,6 +150,7 @@ impl Report {
             tpg_action_ratio: 1.0,
             ns_per_action: seconds * 1e9 / actions.iter().sum::<f64>().max(1.0),
             failures: failures.collect(),
+            hand_overs: None,
         }
     }
 
@@ -159,6 +183,17 @@ impl Report {
             tpg_action_ratio: 0.0,
             ns_per_action: seconds * 1e9 / (trial.mean_actions * trial.episodes as f64).max(1.0),
             failures: failures.map(|(name, count)| (name.to_owned(), count)).into(),
+            hand_overs: None,
+        }
+    }
+
+    /// Of a graph and a network that share the arm; `seconds` is what their episodes took.
+    pub fn of_hybrid(done: &HybridTrial, policy: &str, seed: Option<u64>, seconds: f64) -> Self {
+        let causes = Cause::ALL.map(|cause| cause.name().to_owned());
+        Self {
+            tpg_action_ratio: done.tpg_action_ratio,
+            hand_overs: Some(causes.into_iter().zip(done.hand_overs).collect()),
+            ..Self::of_trial(&done.trial, policy, seed, seconds)
         }
     }
 
@@ -178,6 +213,7 @@ impl Report {
              distance       {:.2} mm mean, {:.2} mm median\n\
              actions        {:.0} mean, {:.0} mean on success\n\
              failures       {}\n\
+             {}\
              time           {:.1} ns per action, all lanes together\n",
             self.policy,
             self.problem,
@@ -190,6 +226,11 @@ impl Report {
             self.mean_actions,
             self.mean_actions_on_success,
             failures.join(", "),
+            self.hand_overs.as_ref().map_or(String::new(), |causes| {
+                let causes: Vec<String> = causes.iter().map(|(name, count)| format!("{name} {count:.2}")).collect();
+                let ratio = 100.0 * self.tpg_action_ratio;
+                format!("by the graph   {ratio:.1} % of the actions; hand-overs an episode: {}\n", causes.join(", "))
+            }),
             self.ns_per_action
         )
     }
@@ -204,9 +245,28 @@ pub fn eval(args: &EvalArgs) -> Result<(), InputError> {
         Some(path) => (read_tasks(path)?, None),
         None => (targets::tasks(&WIDOWX, args.seed, Set::Test, args.problem, args.episodes), Some(args.seed)),
     };
-    let report = match (&args.tpg, &args.policy) {
-        (Some(path), _) => of_graph(path, args, tasks, seed)?,
-        (None, policy) => {
+    let report = match (&args.hybrid, &args.tpg, &args.policy) {
+        (Some(path), ..) => {
+            let file = HybridFile::read(path)?;
+            let beside = |name: &str| path.parent().unwrap_or(Path::new("")).join(name);
+            let setting = file.setting().map_err(|(key, found, accepted)| {
+                InputError::new(path.display().to_string(), Place::Path(key), found, accepted)
+            })?;
+            let (graph, actor) = (beside(&file.graph), beside(&file.actor));
+            of_hybrid(&path.display().to_string(), &graph, &actor, &setting, args.problem, &tasks, seed)?
+        }
+        (None, Some(graph), Some(actor)) => {
+            let setting = Setting {
+                hand_back_after: args.hand_back_after,
+                separation_mm: args.separation_mm,
+                guard: args.guard,
+                detector: args.cycle_detector,
+            };
+            let name = format!("{} with {actor}: {}", graph.display(), setting.sentence());
+            of_hybrid(&name, graph, Path::new(actor), &setting, args.problem, &tasks, seed)?
+        }
+        (None, Some(path), None) => of_graph(path, args, tasks, seed)?,
+        (None, None, policy) => {
             let policy = policy.as_deref().unwrap_or("planner");
             let began = Instant::now();
             let trial = crate::sac::evaluate::trial_of(policy, args.problem, &tasks)?;
@@ -220,6 +280,21 @@ pub fn eval(args: &EvalArgs) -> Result<(), InputError> {
     };
     let written = std::io::stdout().lock().write_all(text.as_bytes());
     written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))
+}
+
+fn of_hybrid(
+    name: &str,
+    graph: &Path,
+    actor: &Path,
+    setting: &Setting,
+    start: Start,
+    tasks: &[targets::Task],
+    seed: Option<u64>,
+) -> Result<Report, InputError> {
+    let (file, graph, actor) = (graph.display().to_string(), read_graph(graph)?, Actor::read(actor)?);
+    let began = Instant::now();
+    let done = trial::run(&file, &graph, &actor, setting, start, tasks)?;
+    Ok(Report::of_hybrid(&done, name, seed, began.elapsed().as_secs_f64()))
 }
 
 fn of_graph(path: &Path, args: &EvalArgs, tasks: Vec<targets::Task>, seed: Option<u64>) -> Result<Report, InputError> {
@@ -247,12 +322,17 @@ fn of_graph(path: &Path, args: &EvalArgs, tasks: Vec<targets::Task>, seed: Optio
 }
 
 fn read_tasks(path: &Path) -> Result<Vec<targets::Task>, InputError> {
-    targets::read_csv(&WIDOWX, path).map_err(|error| match error {
+    targets::read_csv(&WIDOWX, path).map_err(input_error)
+}
+
+/// What is wrong with a file of episodes, as this program says it.
+pub fn input_error(error: targets::Error) -> InputError {
+    match error {
         targets::Error::Io { path, source } => InputError::io(&path, &source, "a file of episodes"),
         targets::Error::Content { path, line, found, accepted } => {
             InputError::new(path.display().to_string(), Place::Line(line as usize), found, accepted)
         }
-    })
+    }
 }
 
 /// How a graph's episodes end under a shield, beside its own, with the outcomes' names.

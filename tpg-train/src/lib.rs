@@ -12,8 +12,10 @@
 //! | [`targets`] | tasks over the reachable space |
 //! | [`trial`] | one actor on many tasks |
 //! | [`evaluate`] | how a policy's episodes end |
+//! | [`hybrid`] | a graph and an actor that share the arm: study and table |
 //! | [`ik`] | goals of the inverse kinematics, for training only |
 //! | [`planner`] | classical yardsticks that learn nothing |
+//! | [`picture`] | SVG, plots and the page that holds them |
 //! | [`random`] | one stream of random numbers for every purpose |
 //! | [`files`] | files that are whole or not there |
 //! | [`conformance`] | recorded trajectories, replayed in the paper's arithmetic |
@@ -25,7 +27,9 @@ pub mod environments;
 pub mod evaluate;
 pub mod evolution;
 pub mod files;
+pub mod hybrid;
 pub mod ik;
+pub mod picture;
 pub mod planner;
 pub mod random;
 pub mod sac;

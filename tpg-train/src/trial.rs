@@ -3,8 +3,8 @@
 use crate::targets::{Start, Task};
 use serde::Serialize;
 use tpg_runtime::arm::{Arm, Collision, Invalid, Move};
-use tpg_runtime::cycle::Brent;
-use tpg_runtime::episode::{Episode, Outcome, Summary};
+use tpg_runtime::cycle::{Brent, CycleDetector};
+use tpg_runtime::episode::{Episode, Outcome, Problem, Summary};
 use tpg_runtime::kinematics::Lattice;
 use tpg_runtime::observation::Observation;
 use tpg_runtime::policy::Policy;
@@ -59,7 +59,41 @@ where
     summarise(start, &tasks.iter().map(episode).collect::<Vec<_>>())
 }
 
-fn summarise<S: Lattice>(problem: Start, summaries: &[Summary<S>]) -> Trial {
+/// As [`run`], but an invalid action ends nothing: what can move moves, or the arm stays, and the episode goes on. An
+/// episode counts as a collision if its last action was invalid, as in the paper. A policy that stands still where its
+/// action is refused has come to its end: a cycle.
+pub fn run_allowing_collisions<S, P>(arm: &Arm<S>, policy: &P, start: Start, tasks: &[Task]) -> Trial
+where
+    S: Lattice,
+    P: Policy<State = Observation<S>, Action = Move> + ?Sized,
+{
+    let episode = |task: &Task| {
+        let problem: Problem<S> = task.problem(start);
+        let mut detector = Brent::new();
+        detector.reset(problem.start);
+        let mut seen = Observation::at(arm, problem.start, problem.target);
+        let mut actions = 0;
+        loop {
+            let step = arm.step(seen.pose, policy.decide(&seen));
+            seen = Observation::at(arm, step.pose, problem.target);
+            actions += 1;
+            let outcome = if seen.distance() < problem.tolerance {
+                Outcome::Reached
+            } else if detector.repeats(step.pose) {
+                step.invalid.map_or(Outcome::Cycle, Outcome::Invalid)
+            } else if actions >= problem.max_actions {
+                step.invalid.map_or(Outcome::Timeout, Outcome::Invalid)
+            } else {
+                continue;
+            };
+            return Summary { outcome, actions, pose: seen.pose, distance: seen.distance() };
+        }
+    };
+    summarise(start, &tasks.iter().map(episode).collect::<Vec<_>>())
+}
+
+/// What came of these episodes.
+pub fn summarise<S: Lattice>(problem: Start, summaries: &[Summary<S>]) -> Trial {
     let mut failures = Failures::default();
     let (mut successes, mut actions, mut on_success) = (0, 0.0, 0.0);
     for summary in summaries {

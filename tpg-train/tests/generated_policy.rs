@@ -14,6 +14,7 @@ use tpg_runtime::observation::Observation;
 use tpg_runtime::policy::Policy;
 use tpg_runtime::sac::features;
 use tpg_runtime::sac::fixed::{FixedPolicy, quantise};
+use tpg_train::hybrid::setting::HybridFile;
 use tpg_train::random::{Purpose, Stream};
 use tpg_train::sac::evaluate::{QuantiseArgs, quantise as quantise_file, trial_of};
 use tpg_train::sac::fixed::FixedActor;
@@ -40,6 +41,20 @@ fn made_again_from_the_weights_it_has_the_same_bytes() {
     for (name, made) in [("policy.q.json", json), ("policy.rs", rust)] {
         let (made, committed) = (fs::read(made), fs::read(generated(name)));
         assert!(made.expect("just written") == committed.expect("a committed file"), "{name}: other bytes");
+    }
+}
+
+#[test]
+fn hybrids_are_made_of_what_is_there_and_their_constants_are_fresh() {
+    for name in ["widowx-fs", "widowx-rs"] {
+        let folder: PathBuf = [env!("CARGO_MANIFEST_DIR"), "../generated", name].iter().collect();
+        let file = HybridFile::read(&folder.join("hybrid.toml")).expect("a good file");
+        for part in [&file.graph, &file.actor] {
+            assert!(folder.join(part).is_file(), "{name}: {part}");
+        }
+        let committed = fs::read_to_string(folder.join("hybrid.rs")).expect("a committed file");
+        let made = file.to_rust().expect("a setting");
+        assert!(made == committed, "{name}: `tpg-train constants` makes\n{made}");
     }
 }
 

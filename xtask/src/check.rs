@@ -22,13 +22,22 @@ pub(crate) fn all() -> bool {
     for target in TARGETS {
         run.no_std(target);
     }
+    run.firmware(&["qemu"]);
+    run.firmware(&["size"]);
     run.finish()
 }
 
 /// Runs the lint of generated C; whether it passed.
 pub(crate) fn lint() -> bool {
     let mut run = Run::new();
-    run.tests("lint of generated C", cargo(&["test", "--package", "tpg-codegen", "--test", "c_lint"]));
+    run.tests("lint of generated C", cargo(&["test", "--package", "tpg-codegen", "--test", "c_lint", "--test", "eva"]));
+    run.finish()
+}
+
+/// Runs a check of the firmwares; whether it passed.
+pub(crate) fn harness(words: &[&str]) -> bool {
+    let mut run = Run::new();
+    run.firmware(words);
     run.finish()
 }
 
@@ -60,6 +69,12 @@ impl Run {
     fn tests(&mut self, name: &str, mut command: Command) {
         let result = self.start(name, &mut command).and_then(|()| counted(&mut command));
         self.summary.note(name, result);
+    }
+
+    /// A check of the firmwares.
+    fn firmware(&mut self, words: &[&str]) {
+        let arguments = [&["run", "--quiet", "--release", "--package", "tpg-harness", "--"], words].concat();
+        self.check(&format!("firmware: {}", words.join(" ")), cargo(&arguments));
     }
 
     /// The runtime for a core without an operating system, without its features.

@@ -3,6 +3,12 @@
 //! A test that lacks a tool or data calls [`skip`] and returns. Whoever runs it sees the line, whatever the test harness
 //! captures, and `cargo xtask test` lists it again in its summary. Where everything must be there, as in CI, a missing
 //! tool fails instead.
+//!
+//! And [`wcet`]: the worst case of compiled code for a Cortex-M.
+
+pub mod wcet;
+
+pub mod library;
 
 use std::fs::OpenOptions;
 use std::io::{self, Write as _};

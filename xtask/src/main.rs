@@ -3,9 +3,12 @@
 mod check;
 mod setup;
 mod summary;
+mod worst;
 
 use clap::{Parser, Subcommand};
+use std::path::PathBuf;
 use std::process::ExitCode;
+use xtask::library::{self, Missing};
 
 /// Sets a machine up for this repository and tests it.
 #[derive(Debug, Parser)]
@@ -15,21 +18,62 @@ struct Cli {
     command: Task,
 }
 
-#[derive(Clone, Copy, Debug, Subcommand)]
+#[derive(Clone, Debug, Subcommand)]
 enum Task {
     /// Install what is missing: compilers, linters and emulator (apt-get), cross targets (rustup)
     Setup,
     /// Everything: format, clippy, tests, documentation, no_std builds, lint of generated C
     Test,
-    /// Only the lint of generated C: gcc, clang, clang-tidy, cppcheck with its MISRA addon
+    /// Make libtpg_runtime.a for this machine and for Cortex-M, with header, CMake and pkg-config files
+    Library {
+        /// Targets; all of them without it
+        #[arg(long)]
+        target: Vec<String>,
+        /// Where to; without it, `tpg_runtime` in cargo's target folder
+        #[arg(short, long)]
+        out: Option<PathBuf>,
+    },
+    /// Run both firmwares under QEMU: trajectories as on the host, instructions as in costs.toml
+    Qemu {
+        /// Write costs.toml instead of comparing with it
+        #[arg(long)]
+        update: bool,
+    },
+    /// Flash and RAM of the control loop on an STM32F405
+    Size,
+    /// Only the lint of generated C: gcc, clang, clang-tidy, cppcheck with its MISRA addon, Frama-C EVA
     Lint,
+    /// The worst case of compiled code for a Cortex-M: instructions and stack
+    Wcet(worst::WcetArgs),
 }
 
 fn main() -> ExitCode {
     let good = match Cli::parse().command {
         Task::Setup => setup::run(),
         Task::Test => check::all(),
+        Task::Library { target, out } => library(target, out),
+        Task::Qemu { update } => check::harness(if update { &["qemu", "--update"] } else { &["qemu"] }),
+        Task::Size => check::harness(&["size"]),
         Task::Lint => check::lint(),
+        Task::Wcet(arguments) => arguments.run(),
     };
     if good { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+/// Makes libraries and says where they are.
+fn library(targets: Vec<String>, out: Option<PathBuf>) -> bool {
+    let folder = out.unwrap_or_else(library::dist);
+    let all = || library::TARGETS.into_iter().chain([library::host()]).map(str::to_owned).collect();
+    let targets: Vec<String> = if targets.is_empty() { all() } else { targets };
+    targets.iter().fold(true, |good, target| match library::make(target, &folder) {
+        Ok(archive) => {
+            println!("{}", archive.display());
+            good
+        }
+        Err(Missing::Tool) => good,
+        Err(Missing::Failed(message)) => {
+            eprintln!("{target}: {message}");
+            false
+        }
+    })
 }

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 /// A Debian package and a program of it that shows that it is there.
-const PACKAGES: [(&str, &str); 9] = [
+const PACKAGES: [(&str, &str); 12] = [
     ("gcc", "/usr/bin/gcc"),
     ("g++", "/usr/bin/g++"),
     ("clang", "/usr/bin/clang"),
@@ -14,12 +14,15 @@ const PACKAGES: [(&str, &str); 9] = [
     ("libnewlib-arm-none-eabi", "/usr/lib/arm-none-eabi/include/newlib.h"),
     ("qemu-system-arm", "/usr/bin/qemu-system-arm"),
     ("valgrind", "/usr/bin/valgrind"),
+    ("cmake", "/usr/bin/cmake"),
+    ("pkg-config", "/usr/bin/pkg-config"),
+    ("frama-c-base", "/usr/bin/frama-c"),
 ];
 
 const COMPONENTS: [&str; 2] = ["rustfmt", "clippy"];
 
 /// Cores without an operating system that the runtime is built for.
-pub(crate) const TARGETS: [&str; 2] = ["thumbv7em-none-eabihf", "thumbv6m-none-eabi"];
+pub(crate) const TARGETS: [&str; 3] = ["thumbv7em-none-eabihf", "thumbv7em-none-eabi", "thumbv6m-none-eabi"];
 
 /// Installs; whether all is there afterwards.
 pub(crate) fn run() -> bool {

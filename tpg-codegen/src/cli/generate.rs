@@ -1,11 +1,12 @@
 //! `tpg-codegen GRAPH`: writes the code and says what it is.
 
+use super::scalar::{Chosen, ScalarArgs, StatesArgs};
 use super::{CliError, GraphArgs, Verdict, verify};
 use crate::emit::{self, File, Language, Options, Prefix, Profile, Style};
-use crate::error::InputError;
 use crate::graph::Graph;
 use crate::passes::interval::Assumption;
-use crate::{output, size};
+use crate::size::Target;
+use crate::{explain, output, size};
 use clap::{Args, ValueEnum};
 use std::fs;
 use std::io::{self, Write};
@@ -31,6 +32,10 @@ pub struct GenerateArgs {
     /// Believe the declared ranges of the inputs: a state outside of them may get another action than the interpreter's
     #[arg(long)]
     assume_ranges: bool,
+    #[command(flatten)]
+    scalar: ScalarArgs,
+    #[command(flatten)]
+    states: StatesArgs,
     /// What every generated name begins with [default: from the file's name]
     #[arg(long, value_name = "NAME")]
     prefix: Option<Prefix>,
@@ -40,6 +45,19 @@ pub struct GenerateArgs {
     /// Write nothing; exit 1 when the files there are not what would be written
     #[arg(long)]
     check: bool,
+    /// Refuse, with exit status 1, where the C compiled for a Cortex-M4F takes more flash
+    #[arg(long, value_name = "BYTES")]
+    max_flash: Option<u64>,
+    /// Instead of generating, say what each pass removed and what every team computes, on standard output or in a file
+    #[arg(
+        long,
+        value_name = "FILE",
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = "-",
+        conflicts_with_all = ["check", "max_flash", "style"]
+    )]
+    explain: Option<PathBuf>,
     /// Do not compile the code and compare it with the interpreter
     #[arg(long)]
     no_verify: bool,
@@ -58,10 +76,33 @@ impl GenerateArgs {
     /// # Errors
     /// Bad input, or an output that cannot be written.
     pub fn run(&self) -> Result<Verdict, CliError> {
-        let graph = self.graph.load()?;
+        let Chosen { graph, conversion } = match self.scalar.choose(&self.graph, self.graph.load()?, &self.states)? {
+            Ok(chosen) => chosen,
+            Err(verdict) => return Ok(verdict),
+        };
         let prefix = self.prefix.clone().unwrap_or_else(|| Prefix::of_file(&self.graph.graph));
         let assumption = if self.assume_ranges { Assumption::DeclaredRanges } else { Assumption::Nothing };
-        let options = Options { style: self.style, profile: self.profile, assumption, ..Options::new(prefix) };
+        let options =
+            Options { style: self.style, profile: self.profile, assumption, conversion, ..Options::new(prefix) };
+        if let Some(path) = &self.explain {
+            let text = explain::explain(&graph, &options);
+            if path == Path::new("-") {
+                io::stdout().lock().write_all(text.as_bytes()).map_err(CliError::other)?;
+            } else {
+                output::write_atomically(path, text.as_bytes())?;
+            }
+            return Ok(Verdict::Good);
+        }
+        if let Some(limit) = self.max_flash {
+            if self.lang == LanguageArg::Rust {
+                return Err(CliError::Other(
+                    "--max-flash measures the C; accepted with --lang c and --lang all".to_owned(),
+                ));
+            }
+            if !fits(&graph, &options, Target::CortexM4, limit) {
+                return Ok(Verdict::Failed);
+            }
+        }
         let files: Vec<File> =
             self.languages().iter().flat_map(|&language| emit::emit(&graph, language, &options)).collect();
         if self.output == Path::new("-") {
@@ -73,9 +114,7 @@ impl GenerateArgs {
         }
         let files: Vec<(PathBuf, &str)> =
             files.iter().map(|file| (self.output.join(&file.name), file.text.as_str())).collect();
-        fs::create_dir_all(&self.output)
-            .map_err(|error| InputError::io(&self.output, &error, "a folder that can be written"))?;
-        output::write_all(&files)?;
+        output::write_folder(&self.output, &files)?;
         self.tell(&graph, &options, &files)
     }
 
@@ -107,6 +146,9 @@ impl GenerateArgs {
     }
 
     fn tell(&self, graph: &Graph, options: &Options, files: &[(PathBuf, &str)]) -> Result<Verdict, CliError> {
+        if let Some(conversion) = &options.conversion {
+            println!("{} instead of {}: {}", graph.scalar().name(), conversion.from.name(), conversion.agreement);
+        }
         for (path, text) in files {
             println!("wrote {} ({} lines)", path.display(), text.lines().count());
         }
@@ -133,6 +175,23 @@ impl GenerateArgs {
                 eprintln!("not verified: {error}");
                 Ok(Verdict::Good)
             }
+        }
+    }
+}
+
+/// Whether the C is small enough, and says so where it is not, or where nobody can tell.
+pub(super) fn fits(graph: &Graph, options: &Options, target: Target, limit: u64) -> bool {
+    let name = target.name();
+    match size::compile_c(graph, options, target).and_then(|object| size::measure(&object)) {
+        Ok(size) if size.flash() <= limit => true,
+        Ok(size) => {
+            let flash = size.flash();
+            eprintln!("refused: {flash} bytes of flash on {name}, {} more than --max-flash {limit}", flash - limit);
+            false
+        }
+        Err(error) => {
+            eprintln!("refused: whether --max-flash {limit} holds on {name} cannot be told: {error}");
+            false
         }
     }
 }

@@ -2,6 +2,9 @@
 
 mod convert;
 mod generate;
+mod policy;
+mod report;
+mod scalar;
 mod schema;
 mod verify;
 
@@ -32,8 +35,12 @@ enum Command {
     Generate(GenerateArgs),
     /// Compile the generated code and compare it with the interpreter
     Verify(verify::VerifyArgs),
+    /// Say what a graph's code takes: flash, RAM, stack, operations; what was removed of it
+    Report(report::ReportArgs),
     /// Convert a graph to graph.json, or to a GEGELATI .dot file and its sidecar
     Convert(convert::ConvertArgs),
+    /// Write a network in integers, a policy.q.json, as constants of C and Rust
+    Policy(policy::PolicyArgs),
     /// Print the JSON Schema of graph.json
     Schema(schema::SchemaArgs),
 }
@@ -43,7 +50,7 @@ enum Command {
 pub enum Verdict {
     /// All is well.
     Good,
-    /// A check failed: differences, stale files.
+    /// A check failed: differences, stale files, a limit.
     Failed,
 }
 
@@ -107,7 +114,9 @@ impl Cli {
         let result = match self.command {
             Command::Generate(args) => args.run(),
             Command::Verify(args) => args.run(),
+            Command::Report(args) => args.run(),
             Command::Convert(args) => args.run(),
+            Command::Policy(args) => args.run(),
             Command::Schema(args) => args.run(),
         };
         match result {

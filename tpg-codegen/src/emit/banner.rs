@@ -1,6 +1,7 @@
 //! What every generated file says of itself: where it comes from, never when or where it was made.
 
 use super::{Language, Options, Style};
+use crate::conversion::Conversion;
 use crate::graph::Graph;
 use crate::ir::{Module, Node};
 use crate::passes::interval::Assumption;
@@ -18,10 +19,15 @@ pub(super) fn lines(graph: &Graph, module: &Module, options: &Options, language:
         Assumption::Nothing => "",
         Assumption::DeclaredRanges => " --assume-ranges",
     };
-    vec![
+    let scalar =
+        options.conversion.as_ref().map_or_else(String::new, |_| format!(" --scalar {}", graph.scalar().name()));
+    let mut lines = vec![
         format!("Made by tpg-codegen {} from a tangled program graph; do not edit.", env!("CARGO_PKG_VERSION")),
-        format!("Options: --lang {name} --prefix {}{style}{assumption}", options.prefix),
-        format!("Graph SHA-256: {}", graph.sha256()),
+        format!("Options: --lang {name} --prefix {}{style}{assumption}{scalar}", options.prefix),
+        format!(
+            "Graph SHA-256: {}",
+            options.conversion.as_ref().map_or_else(|| graph.sha256(), |was| was.sha256.clone())
+        ),
         format!(
             "{} teams ({} on the longest walk), {edges} edges, {} programs, {operations} distinct operations.",
             module.teams.len(),
@@ -29,5 +35,14 @@ pub(super) fn lines(graph: &Graph, module: &Module, options: &Options, language:
             module.bidders.len(),
         ),
         format!("Computes in {} with {} maths.", graph.scalar().name(), graph.maths().name()),
-    ]
+    ];
+    if let Some(Conversion { from, maths, agreement, .. }) = &options.conversion {
+        lines.push(format!(
+            "The graph says {} with {} maths, so this is not the graph, only near it:",
+            from.name(),
+            maths.name()
+        ));
+        lines.push(format!("{agreement}."));
+    }
+    lines
 }

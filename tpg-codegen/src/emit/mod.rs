@@ -8,7 +8,9 @@ mod rust;
 
 pub use name::Prefix;
 
+use crate::conversion::Conversion;
 use crate::graph::Graph;
+use crate::ir::Module;
 use crate::passes::interval::Assumption;
 
 /// A language to emit.
@@ -64,7 +66,7 @@ impl Profile {
 }
 
 /// What to emit and what to call it.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Options {
     /// The prefix of every name.
     pub prefix: Prefix,
@@ -74,17 +76,26 @@ pub struct Options {
     pub profile: Option<Profile>,
     /// What is believed of the inputs.
     pub assumption: Assumption,
+    /// What the graph was before its scalar type was changed, where it was.
+    pub conversion: Option<Conversion>,
 }
 
 impl Options {
     /// The default options.
     pub fn new(prefix: Prefix) -> Self {
-        Self { prefix, style: Style::Pure, profile: None, assumption: Assumption::Nothing }
+        Self { prefix, style: Style::Pure, profile: None, assumption: Assumption::Nothing, conversion: None }
     }
 
     /// The profile in a language.
     pub fn profile_in(&self, language: Language) -> Profile {
         self.profile.unwrap_or(Profile::default_of(language))
+    }
+
+    /// The profile whose shape code takes. Where passes find that no bid matters there is nothing to make small or
+    /// constant in C: the plainest text does.
+    pub(crate) fn shape(&self, language: Language, module: &Module) -> Profile {
+        let chooses = module.teams.iter().any(|team| team.edges.len() > 1);
+        if language == Language::C && !chooses { Profile::Fast } else { self.profile_in(language) }
     }
 }
 

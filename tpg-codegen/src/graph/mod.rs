@@ -188,6 +188,17 @@ pub struct Graph {
 }
 
 impl Graph {
+    /// The arm's sources that make up a state and what each action moves; `None` where a source is not the arm's or an
+    /// action does not say what it moves.
+    pub fn on_the_arm(&self) -> Option<(Vec<tpg_runtime::observation::Source>, Vec<Move>)> {
+        let arms = |source: &Source| {
+            let arms = tpg_runtime::observation::Source::from_name(&source.name);
+            arms.filter(|arms| arms.length() == source.ranges.len())
+        };
+        let sources = self.sources.iter().map(arms).collect::<Option<_>>()?;
+        Some((sources, self.actions.iter().map(|action| action.moves).collect::<Option<_>>()?))
+    }
+
     /// The type programs compute in.
     pub fn scalar(&self) -> ScalarType {
         self.scalar

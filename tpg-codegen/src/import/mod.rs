@@ -86,7 +86,7 @@ impl Format {
 }
 
 /// A file's name for messages, and its text.
-fn read(path: &Path) -> Result<(String, String), InputError> {
+pub(crate) fn read(path: &Path) -> Result<(String, String), InputError> {
     let (file, bytes) = if path == Path::new(STDIN) {
         let mut bytes = Vec::new();
         ("<stdin>".to_owned(), io::stdin().lock().read_to_end(&mut bytes).map(|_| bytes))

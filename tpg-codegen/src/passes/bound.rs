@@ -6,9 +6,10 @@
 //! value that is NaN needs no bound, for it bids −∞.
 
 use super::arithmetic::{Arithmetic, is_transcendental};
+use super::estimate;
 use super::fold;
 use super::interval::Interval;
-use crate::graph::ScalarType;
+use crate::graph::{MathsProvider, ScalarType};
 use crate::ir::{Node, NodeId, Values};
 use tpg_runtime::ops::Instruction;
 
@@ -141,7 +142,12 @@ impl<'a> Bounds<'a> {
             }
             Instruction::NegateIfLess | Instruction::Abs => self.magnitude(a).map_or(UNKNOWN, Bound::Magnitude),
             Instruction::Cos | Instruction::Sin => Bound::Magnitude(self.values.intern(Node::constant(1.0))),
-            Instruction::Ln => Bound::Between(None, self.of_function(Instruction::Ln, a)),
+            Instruction::Ln => {
+                let high = self.of_function(Instruction::Ln, a);
+                // The estimate is near only where its argument is the logarithm's own.
+                let low = high.filter(|_| matches!(a, Bound::Exact(_))).map(|high| self.least(Instruction::Ln, high));
+                Bound::Between(low, high)
+            }
             Instruction::Exp => {
                 let zero = self.values.intern(Node::constant(0.0));
                 Bound::Between(Some(zero), self.of_function(Instruction::Exp, a))
@@ -162,6 +168,33 @@ impl<'a> Bounds<'a> {
         let argument = self.high(argument)?;
         let known = self.values.node(argument).as_constant().is_some();
         (!known).then(|| self.values.intern(Node::Upper(instruction, argument)))
+    }
+
+    /// What a logarithm or exponential of a cheap value is certain to reach: −∞ or NaN wherever it is NaN itself. `None` for
+    /// other nodes, and for own maths, whose kernels are so short that knowing more before costs as much.
+    pub(super) fn certain(&mut self, id: NodeId) -> Option<NodeId> {
+        if self.arithmetic.maths == MathsProvider::Own {
+            return None;
+        }
+        let Node::Operation(instruction @ (Instruction::Ln | Instruction::Exp), [argument, _]) = self.values.node(id)
+        else {
+            return None;
+        };
+        let upper = self.upper(id)?;
+        (self.values.node(upper) == Node::Upper(instruction, argument)).then(|| self.least(instruction, upper))
+    }
+
+    /// The lower end that belongs to an estimate.
+    fn least(&mut self, instruction: Instruction, upper: NodeId) -> NodeId {
+        let mut number = |value: f64| self.values.intern(Node::constant(value));
+        if instruction == Instruction::Ln {
+            let less = number(estimate::LN_LESS);
+            return self.make(Instruction::Sub, upper, less);
+        }
+        let below = number(estimate::of(self.arithmetic.scalar).exp_below);
+        let part = number(estimate::EXP_LEAST);
+        let more_than_nothing = self.make(Instruction::Sub, upper, below);
+        self.make(Instruction::Mul, more_than_nothing, part)
     }
 
     fn both(
@@ -229,19 +262,6 @@ impl<'a> Bounds<'a> {
     }
 }
 
-/// The steps of [`Node::Upper`] for a logarithm or exponential: for arguments up to the first number, the second is not
-/// below the result; beyond the last step, and for NaN, nothing but ∞ is certain (the logarithm of ∞ is ∞). The logarithm
-/// of a negative number is NaN and bids −∞: printers put that step before these.
-///
-/// The numbers are above the true values by far more than any provider is off.
-pub fn steps(scalar: ScalarType, instruction: Instruction) -> &'static [(f64, f64)] {
-    match (instruction, scalar) {
-        (Instruction::Ln, ScalarType::F64) => &[(1.0, 0.001), (5000.0, 8.625), (f64::MAX, 710.0)],
-        (Instruction::Ln, ScalarType::F32) => &[(1.0, 0.001), (5000.0, 8.625), (3.4028234663852886e38, 89.0)],
-        _ => &[(0.0, 1.0625), (8.0, 3000.0)],
-    }
-}
-
 /// Above the first number, every libm's exponential is infinite; below the second, 0. Many take a slow road to it.
 pub fn beyond_exponentials(scalar: ScalarType) -> (f64, f64) {
     match scalar {
@@ -253,38 +273,4 @@ pub fn beyond_exponentials(scalar: ScalarType) -> (f64, f64) {
 /// Whether a bid that needs `instruction` is worth a test that may spare it.
 pub(super) fn is_worth_sparing(instruction: Instruction) -> bool {
     is_transcendental(instruction)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::steps;
-    use crate::graph::ScalarType;
-    use tpg_runtime::ops::{Instruction, Maths, Own, System};
-    use tpg_runtime::scalar::Scalar;
-
-    /// The result is below the first step that its argument does not exceed.
-    fn assert_above<S: Scalar, M: Maths<S>>(scalar: ScalarType, instruction: Instruction, argument: S) {
-        let result = instruction.apply::<S, M>(argument, argument).to_f64();
-        let step = steps(scalar, instruction).iter().find(|(up_to, _)| argument.to_f64() <= *up_to);
-        let bound = step.map_or(f64::INFINITY, |&(_, bound)| bound);
-        assert!(result.is_nan() || result <= bound, "{instruction:?} {argument:?} is {result}, above {bound}");
-    }
-
-    #[test]
-    fn steps_are_above_every_provider() {
-        for instruction in [Instruction::Ln, Instruction::Exp] {
-            // Every 4096th number there is in f32, infinities and NaN among them.
-            for bits in (0..=u32::MAX >> 12).map(|upper| upper << 12).chain([1.0_f32.to_bits(), f32::MAX.to_bits()]) {
-                let argument = f32::from_bits(bits);
-                assert_above::<f32, Own>(ScalarType::F32, instruction, argument);
-                assert_above::<f32, System>(ScalarType::F32, instruction, argument);
-                assert_above::<f64, Own>(ScalarType::F64, instruction, f64::from(argument));
-                assert_above::<f64, System>(ScalarType::F64, instruction, f64::from(argument));
-            }
-            for argument in [f64::MAX, f64::MIN_POSITIVE, 5000.0, 8.0, 1.0, 0.0, -0.0, f64::INFINITY] {
-                assert_above::<f64, Own>(ScalarType::F64, instruction, argument);
-                assert_above::<f64, System>(ScalarType::F64, instruction, argument);
-            }
-        }
-    }
 }

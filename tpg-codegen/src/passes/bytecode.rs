@@ -111,3 +111,87 @@ fn constants(module: &Module) -> Vec<u64> {
         .collect();
     constants.into_iter().collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Bytecode, encode, number};
+    use crate::graph::{Graph, MathsProvider, ScalarType};
+    use crate::passes::arithmetic::Arithmetic;
+    use crate::passes::interval::Assumption;
+    use crate::passes::optimise;
+    use crate::sample::{self, Shape};
+    use crate::{interpret, states};
+    use tpg_runtime::ops::{Instruction, bid};
+
+    /// Runs the tables as their fields say, knowing nothing of the module.
+    fn run(code: &Bytecode, arithmetic: Arithmetic, actions: usize, state: &[f64]) -> usize {
+        let teams = code.teams.len() - 1;
+        let mut vertex = 0;
+        while vertex < teams {
+            let mut best: Option<(f64, usize)> = None;
+            for edge in code.teams[vertex] as usize..code.teams[vertex + 1] as usize {
+                let bid = bid(program(code, arithmetic, code.bidders[edge] as usize, state));
+                if best.is_none_or(|(highest, _)| bid >= highest) {
+                    best = Some((bid, code.targets[edge] as usize));
+                }
+            }
+            vertex = best.expect("a team has an edge").1;
+        }
+        assert!(vertex < teams + actions);
+        vertex - teams
+    }
+
+    fn program(code: &Bytecode, arithmetic: Arithmetic, program: usize, state: &[f64]) -> f64 {
+        let mut frame: Vec<f64> = state.iter().chain(&code.constants).copied().collect();
+        assert_eq!(frame.len(), code.first_result);
+        for place in code.programs[program] as usize..code.programs[program + 1] as usize {
+            let word = code.code[place];
+            let mask = (1 << code.operand_bits) - 1;
+            let [a, b] = [word & mask, word >> code.operand_bits & mask].map(|operand| frame[operand as usize]);
+            let operation = code.used.iter().find(|&&used| u64::from(number(used)) == word >> (2 * code.operand_bits));
+            frame.push(match operation.expect("an operation that occurs") {
+                Some(instruction) => arithmetic.evaluate(*instruction, a, b).expect("own maths"),
+                None => a,
+            });
+        }
+        assert!(frame.len() <= code.frame);
+        frame[frame.len() - 1]
+    }
+
+    fn graphs() -> impl Iterator<Item = Graph> {
+        (0..150).map(|seed| sample::graph(&Shape { maths: MathsProvider::Own, ..Shape::random(seed) }, seed))
+    }
+
+    #[test]
+    fn the_tables_alone_act_like_the_interpreter() {
+        let mut copies = 0;
+        for (graph, seed) in graphs().zip(0..) {
+            let arithmetic = Arithmetic { scalar: graph.scalar(), maths: graph.maths() };
+            let code = encode(&graph, &optimise(&graph, Assumption::Nothing).0);
+            copies += usize::from(code.used.contains(&None));
+            let states = states::sample(&graph, 100, seed);
+            let expected = interpret::actions(&graph, &states);
+            for (state, expected) in states.chunks_exact(graph.state_length()).zip(expected) {
+                let found = run(&code, arithmetic, graph.actions().len(), state);
+                assert_eq!(found, usize::from(expected.0), "graph {seed}, {state:?}");
+            }
+        }
+        assert!(copies > 10, "bids that are inputs or constants occur");
+    }
+
+    #[test]
+    fn programs_that_bid_the_same_are_one_and_nothing_is_wider_than_it_must_be() {
+        let text = include_str!("../../tests/fixtures/all_instructions.json");
+        let graph = Graph::from_json("fixture", text).expect("a valid graph");
+        assert_eq!(graph.scalar(), ScalarType::F64);
+        let code = encode(&graph, &optimise(&graph, Assumption::Nothing).0);
+        // Program 3, which teams 7 and 9 share, bids 0, and no other program does: ten programs for eleven edges.
+        assert_eq!((code.bidders.len(), code.programs.len() - 1, code.teams), (11, 10, vec![0, 5, 8, 11]));
+        assert_eq!(code.bidders[2], code.bidders[7]);
+        // Ten values of the state, then the constants, then the longest program's results, of three lines.
+        assert_eq!(code.first_result, 10 + code.constants.len());
+        assert_eq!(code.frame, code.first_result + 3);
+        assert!(code.frame <= 1 << code.operand_bits && code.frame > 1 << (code.operand_bits - 1));
+        assert_eq!(code.used.len(), Instruction::ALL.len() + 1, "each once, and the copy");
+    }
+}

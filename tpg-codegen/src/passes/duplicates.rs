@@ -2,19 +2,27 @@
 //! The others go, wherever they lead. (So a compiled policy has no edge to fall back on when someone refuses an action
 //! after the fact: whoever wants to refuse actions must do so in the graph.)
 
+use super::DuplicateBid;
 use crate::ir::{Edge, Module};
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 
-/// Removes them and says how many there were.
-pub(super) fn run(module: &mut Module) -> usize {
+/// Removes them and says which they were.
+pub(super) fn run(module: &mut Module) -> Vec<DuplicateBid> {
     let Module { teams, bidders, .. } = module;
-    let mut removed = 0;
+    let mut removed = Vec::new();
     for team in teams {
-        let mut seen = BTreeSet::new();
-        let mut kept: Vec<Edge> =
-            team.edges.iter().rev().filter(|edge| seen.insert(bidders[edge.bidder].value)).copied().collect();
+        let mut last = BTreeMap::new();
+        let mut kept: Vec<Edge> = Vec::with_capacity(team.edges.len());
+        for edge in team.edges.iter().rev() {
+            let bidder = &bidders[edge.bidder];
+            let same_as = *last.entry(bidder.value).or_insert(bidder.label);
+            if last.len() > kept.len() {
+                kept.push(*edge);
+            } else {
+                removed.push(DuplicateBid { team: team.label, program: bidder.label, same_as });
+            }
+        }
         kept.reverse();
-        removed += team.edges.len() - kept.len();
         team.edges = kept;
     }
     removed
@@ -25,6 +33,7 @@ mod tests {
     use super::run;
     use crate::graph::{ActionId, Input};
     use crate::ir::{Bidder, Edge, Module, Node, NodeId, Target, Team};
+    use crate::passes::DuplicateBid;
 
     #[test]
     fn the_last_of_equal_bids_stays_in_its_place() {
@@ -37,7 +46,8 @@ mod tests {
             teams: vec![Team { label: 1, edges }],
             depth: 1,
         };
-        assert_eq!(run(&mut module), 3);
+        let removed = |program, same_as| DuplicateBid { team: 1, program, same_as };
+        assert_eq!(run(&mut module), [removed(12, 10), removed(11, 13), removed(10, 10)]);
         assert_eq!(module.teams[0].edges, [edge(0, 3), edge(3, 4)]);
     }
 }

@@ -1,21 +1,26 @@
 //! Bids that provably never win: those whose highest value is below what another bid of their team is certain to reach.
 //! A bid that can only equal it stays, for it may come later.
 
+use super::HopelessBid;
 use super::interval::Interval;
 use crate::ir::Module;
 
-/// Removes them and says how many there were.
-pub(super) fn run(module: &mut Module, intervals: &[Interval]) -> usize {
+/// Removes them and says which they were.
+pub(super) fn run(module: &mut Module, intervals: &[Interval]) -> Vec<HopelessBid> {
     let Module { teams, bidders, .. } = module;
-    let mut removed = 0;
+    let mut removed = Vec::new();
     for team in teams {
         let interval = |bidder: usize| intervals[bidders[bidder].value.index()];
         let certain =
             team.edges.iter().map(|edge| interval(edge.bidder).certain_bid()).fold(f64::NEG_INFINITY, f64::max);
-        let before = team.edges.len();
         // The edge that is certain stays itself: its highest value is at least its lowest.
-        team.edges.retain(|edge| interval(edge.bidder).high >= certain);
-        removed += before - team.edges.len();
+        team.edges.retain(|edge| {
+            let stays = interval(edge.bidder).high >= certain;
+            if !stays {
+                removed.push(HopelessBid { team: team.label, program: bidders[edge.bidder].label });
+            }
+            stays
+        });
     }
     removed
 }
@@ -25,6 +30,7 @@ mod tests {
     use super::run;
     use crate::graph::{ActionId, Input};
     use crate::ir::{Bidder, Edge, Module, Node, NodeId, Target, Team};
+    use crate::passes::HopelessBid;
     use crate::passes::interval::Interval;
 
     #[test]
@@ -41,7 +47,7 @@ mod tests {
         let team = Team { label: 1, edges: (0..4).map(edge).collect() };
         let nodes = (0..4).map(|n| Node::Input(Input(n))).collect();
         let mut module = Module { nodes, bidders, teams: vec![team], depth: 1 };
-        assert_eq!(run(&mut module, &intervals), 1);
+        assert_eq!(run(&mut module, &intervals), [HopelessBid { team: 1, program: 2 }]);
         assert_eq!(module.teams[0].edges, [edge(0), edge(1), edge(3)]);
     }
 }

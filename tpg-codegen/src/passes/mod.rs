@@ -13,6 +13,7 @@ pub mod bound;
 pub mod bytecode;
 mod collect;
 mod duplicates;
+pub mod estimate;
 mod fold;
 mod hopeless;
 pub mod interval;
@@ -42,11 +43,77 @@ pub struct Removed {
     pub unreachable_teams: usize,
 }
 
+/// An edge that bids the same as a later one of its team. Teams and programs by their ids in the source file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct DuplicateBid {
+    /// The team.
+    pub team: u32,
+    /// The program whose edge went.
+    pub program: u32,
+    /// The program of the edge that stayed; the same one where it had two.
+    pub same_as: u32,
+}
+
+/// An edge whose bid provably never wins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct HopelessBid {
+    /// The team.
+    pub team: u32,
+    /// The program whose edge went.
+    pub program: u32,
+}
+
+/// A team that decides like another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TwinTeam {
+    /// The team that went.
+    pub team: u32,
+    /// The team that stayed.
+    pub same_as: u32,
+}
+
+/// What exactly the passes removed, in the order they did.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Log {
+    /// See [`Removed::operations`].
+    pub operations: usize,
+    /// See [`Removed::duplicate_bids`].
+    pub duplicate_bids: Vec<DuplicateBid>,
+    /// See [`Removed::hopeless_bids`].
+    pub hopeless_bids: Vec<HopelessBid>,
+    /// See [`Removed::teams_without_choice`].
+    pub teams_without_choice: Vec<u32>,
+    /// See [`Removed::twin_teams`].
+    pub twin_teams: Vec<TwinTeam>,
+    /// See [`Removed::unreachable_teams`].
+    pub unreachable_teams: Vec<u32>,
+}
+
+impl Log {
+    /// How many of each.
+    pub fn counts(&self) -> Removed {
+        Removed {
+            operations: self.operations,
+            duplicate_bids: self.duplicate_bids.len(),
+            hopeless_bids: self.hopeless_bids.len(),
+            teams_without_choice: self.teams_without_choice.len(),
+            twin_teams: self.twin_teams.len(),
+            unreachable_teams: self.unreachable_teams.len(),
+        }
+    }
+}
+
 /// Lowers a graph and optimises it.
 pub fn optimise(graph: &Graph, assumption: Assumption) -> (Module, Removed) {
+    let (module, log) = optimise_logged(graph, assumption);
+    (module, log.counts())
+}
+
+/// As [`optimise`], and says what exactly went.
+pub fn optimise_logged(graph: &Graph, assumption: Assumption) -> (Module, Log) {
     let arithmetic = Arithmetic { scalar: graph.scalar(), maths: graph.maths() };
     let mut module = Module::lower(graph);
-    let mut removed = Removed::default();
+    let mut log = Log::default();
     let before = operations(&module);
     fold::run(&mut module, arithmetic);
     // Each round can make the next one find more; a round that finds nothing is the last.
@@ -56,17 +123,18 @@ pub fn optimise(graph: &Graph, assumption: Assumption) -> (Module, Removed) {
         let hopeless = hopeless::run(&mut module, &intervals);
         let teams = teams::run(&mut module);
         collect::run(&mut module);
-        removed.duplicate_bids += duplicates;
-        removed.hopeless_bids += hopeless;
-        removed.teams_without_choice += teams.bypassed;
-        removed.twin_teams += teams.merged;
-        removed.unreachable_teams += teams.unreachable;
-        if duplicates + hopeless + teams.bypassed + teams.merged + teams.unreachable == 0 {
+        let finished = duplicates.is_empty() && hopeless.is_empty() && teams.is_empty();
+        log.duplicate_bids.extend(duplicates);
+        log.hopeless_bids.extend(hopeless);
+        log.teams_without_choice.extend(teams.bypassed);
+        log.twin_teams.extend(teams.merged);
+        log.unreachable_teams.extend(teams.unreachable);
+        if finished {
             break;
         }
     }
-    removed.operations = before - operations(&module);
-    (module, removed)
+    log.operations = before - operations(&module);
+    (module, log)
 }
 
 fn operations(module: &Module) -> usize {

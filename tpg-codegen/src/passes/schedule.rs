@@ -1,7 +1,9 @@
 //! The order in which a team of a fast policy looks at its bids, and what spares it to look at some.
 //!
 //! Cheap bids come first; a bid with sines, logarithms or exponentials follows, and is computed only where its
-//! [upper bound](super::bound) says that it can still win. The winner does not depend on the order: of equal bids the one
+//! [upper bound](super::bound) says that it can still win. Of a logarithm or an
+//! exponential that is certain to win, the value is not computed either, unless another bid comes near it: what matters is
+//! who wins. The winner does not depend on the order: of equal bids the one
 //! with the highest place in the team wins, and a bid that is computed out of turn compares places, too.
 
 use super::arithmetic::Arithmetic;
@@ -30,6 +32,8 @@ pub struct LazyBid {
     pub bid: Bid,
     /// It cannot win where this is below the best bid so far.
     pub bound: Option<NodeId>,
+    /// It is certain to win where this is above the best bid so far, and need not be computed to know that.
+    pub certain: Option<NodeId>,
 }
 
 /// What a team does.
@@ -70,7 +74,10 @@ pub fn schedule(graph: &Graph, module: &Module) -> Schedule {
     let mut roots = Vec::new();
     for Plan { eager, lazy, .. } in &mut plans {
         roots.extend(eager.iter_mut().map(|bid| &mut bid.value));
-        roots.extend(lazy.iter_mut().flat_map(|LazyBid { bid, bound }| bound.iter_mut().chain([&mut bid.value])));
+        roots.extend(
+            lazy.iter_mut()
+                .flat_map(|LazyBid { bid, bound, certain }| bound.iter_mut().chain(certain).chain([&mut bid.value])),
+        );
     }
     collect::keep(&mut nodes, roots);
     Schedule { nodes, plans }
@@ -117,7 +124,13 @@ fn plan(module: &Module, team: &Team, cheap: &[bool], bounds: &mut Bounds<'_>) -
         Bid { place, value: value(place), in_turn }
     };
     let eager = eager.into_iter().map(&mut turn).collect();
-    let lazy = lazy.into_iter().map(|place| LazyBid { bid: turn(place), bound: bounds.upper(value(place)) }).collect();
+    let lazy = (lazy.into_iter())
+        .map(|place| LazyBid {
+            bid: turn(place),
+            bound: bounds.upper(value(place)),
+            certain: bounds.certain(value(place)),
+        })
+        .collect();
     let targets = team.edges.iter().map(|edge| edge.to).collect();
     Plan { label: team.label, eager, lazy, targets }
 }

@@ -4,26 +4,34 @@
 //! same places are one. Both can follow from the other, so teams are taken from the ends of the graph towards the root,
 //! every one after all that it leads to.
 
+use super::TwinTeam;
 use crate::ir::{Module, NodeId, Target, Team, longest_walk};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-/// How many teams went.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// Which teams went.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Removed {
     /// Teams without a choice.
-    pub(super) bypassed: usize,
+    pub(super) bypassed: Vec<u32>,
     /// Teams that decide like another.
-    pub(super) merged: usize,
+    pub(super) merged: Vec<TwinTeam>,
     /// Teams that nothing leads to any more.
-    pub(super) unreachable: usize,
+    pub(super) unreachable: Vec<u32>,
+}
+
+impl Removed {
+    /// Whether there is none.
+    pub(super) fn is_empty(&self) -> bool {
+        self.bypassed.is_empty() && self.merged.is_empty() && self.unreachable.is_empty()
+    }
 }
 
 /// Redirects edges past such teams, and renumbers what is left breadth first. The root stays, whatever it decides.
 pub(super) fn run(module: &mut Module) -> Removed {
-    let before = module.teams.len();
+    let before: Vec<u32> = module.teams.iter().map(|team| team.label).collect();
     let mut removed = Removed::default();
-    let mut place: Vec<Target> = (0..before).map(Target::Team).collect();
-    let mut known: BTreeMap<Vec<(NodeId, Target)>, Target> = BTreeMap::new();
+    let mut place: Vec<Target> = (0..before.len()).map(Target::Team).collect();
+    let mut known: BTreeMap<Vec<(NodeId, Target)>, usize> = BTreeMap::new();
     for index in ends_first(&module.teams) {
         let team = &mut module.teams[index];
         for edge in &mut team.edges {
@@ -37,18 +45,23 @@ pub(super) fn run(module: &mut Module) -> Removed {
         let only = team.edges.first().map(|edge| edge.to).filter(|&to| team.edges.iter().all(|edge| edge.to == to));
         if let Some(to) = only {
             place[index] = to;
-            removed.bypassed += 1;
+            removed.bypassed.push(team.label);
             continue;
         }
         let decision = team.edges.iter().map(|edge| (module.bidders[edge.bidder].value, edge.to)).collect();
-        let first = *known.entry(decision).or_insert(Target::Team(index));
-        if first != Target::Team(index) {
-            place[index] = first;
-            removed.merged += 1;
+        let first = *known.entry(decision).or_insert(index);
+        if first != index {
+            place[index] = Target::Team(first);
+            removed.merged.push(TwinTeam { team: before[index], same_as: before[first] });
         }
     }
     renumber(module);
-    removed.unreachable = before - module.teams.len() - removed.bypassed - removed.merged;
+    let mut gone: BTreeSet<u32> = before.iter().copied().collect();
+    let known = removed.bypassed.iter().copied().chain(removed.merged.iter().map(|twin| twin.team));
+    for label in known.chain(module.teams.iter().map(|team| team.label)) {
+        gone.remove(&label);
+    }
+    removed.unreachable = before.into_iter().filter(|label| gone.contains(label)).collect();
     removed
 }
 
@@ -121,6 +134,7 @@ mod tests {
     use super::{Removed, run};
     use crate::graph::{ActionId, Input};
     use crate::ir::{Bidder, Edge, Module, Node, NodeId, Target, Team};
+    use crate::passes::TwinTeam;
 
     #[test]
     fn teams_without_a_choice_and_twins_go() {
@@ -140,7 +154,10 @@ mod tests {
             ],
             depth: 3,
         };
-        assert_eq!(run(&mut module), Removed { bypassed: 1, merged: 1, unreachable: 0 });
+        // Twins are taken from the ends of the graph: the first of them that is done stays.
+        let removed = run(&mut module);
+        let twin = TwinTeam { team: 102, same_as: 103 };
+        assert_eq!(removed, Removed { bypassed: vec![101], merged: vec![twin], unreachable: Vec::new() });
         assert_eq!(module.teams.len(), 2);
         assert_eq!(module.depth, 2);
         assert_eq!(module.teams[0].edges, [to_action(0, 5), to_team(1, 1), to_team(2, 1)]);

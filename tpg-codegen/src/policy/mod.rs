@@ -4,9 +4,11 @@
 //! activations, `i32` accumulators that are proven not to overflow, one rounding rule.
 
 mod emit;
+mod model;
 mod quantise;
 
 pub use emit::to_rust;
+pub use model::{to_c, to_words};
 pub use quantise::{FloatLayer, QuantiseError, quantise};
 
 use crate::error::{InputError, Place};

@@ -149,22 +149,28 @@ pub(crate) fn c_compiler() -> Result<cc::Tool, BuildError> {
     })
 }
 
-/// The C compiler in a folder, told what every policy needs.
-pub(super) fn c_command(folder: &Path) -> Result<Command, BuildError> {
+/// The C compiler at `-O2` in a folder, told what every policy needs.
+///
+/// # Errors
+/// When there is none.
+pub fn c_command(folder: &Path) -> Result<Command, BuildError> {
     let mut command = c_compiler()?.to_command();
     command.current_dir(folder).args(["-std=c99", "-ffp-contract=off"]);
     Ok(command)
 }
 
 /// The Rust compiler in a folder. Overflow checks stay on: generated code must not need them.
-pub(super) fn rustc(folder: &Path) -> Command {
+pub fn rustc(folder: &Path) -> Command {
     let mut command = Command::new(env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()));
     command.current_dir(folder).args(["--edition=2024", "-O", "-Coverflow-checks=on", "-Awarnings"]);
     command
 }
 
-/// Compiles what generated Rust stands on.
-pub(super) fn runtime_library(folder: &Path) -> Result<(), BuildError> {
+/// Compiles what generated Rust stands on: `libtpg_runtime.rlib` in a folder.
+///
+/// # Errors
+/// When the compiler is missing or refuses.
+pub fn runtime_library(folder: &Path) -> Result<(), BuildError> {
     for (name, text) in standalone::FILES {
         let path = folder.join("runtime").join(name);
         fs::create_dir_all(path.parent().unwrap_or(folder))?;
@@ -175,7 +181,11 @@ pub(super) fn runtime_library(folder: &Path) -> Result<(), BuildError> {
     compile("Rust", library)
 }
 
-pub(super) fn compile(language: &'static str, mut command: Command) -> Result<(), BuildError> {
+/// Runs a compiler.
+///
+/// # Errors
+/// When it is missing or refuses.
+pub fn compile(language: &'static str, mut command: Command) -> Result<(), BuildError> {
     let Output { status, stdout, stderr } = command.output().map_err(|error| BuildError::Missing {
         language,
         command: command.get_program().to_owned(),

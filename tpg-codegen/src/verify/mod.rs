@@ -6,7 +6,7 @@ mod process;
 
 pub use batch::Batch;
 pub(crate) use build::c_compiler;
-pub use build::{BuildError, Workshop};
+pub use build::{BuildError, Workshop, c_command, compile, runtime_library, rustc};
 pub use process::Process;
 
 use crate::engine::{Engine, Reference};

@@ -32,13 +32,15 @@ uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state)
 {%- endfor %}
 
     /* An action leads to itself. */
-    for (vertex = {{ upper }}_TEAMS; vertex < ({{ upper }}_TEAMS + {{ upper }}_ACTIONS); vertex++) {
-        next[vertex] = ({{ vertex }})vertex;
-    }
-    vertex = 0U;
-    for (to = 0U; to < {{ upper }}_DEPTH; to++) {
-        vertex = next[vertex];
-    }
+{%- for action in actions %}
+    next[{{ action }}] = {{ action }};
+{%- endfor %}
+
+    /* The longest walk decides {{ depth }} times; a shorter one waits at its action. No loop: nothing is left to a compiler. */
+    vertex = next[0];
+{%- for _ in 1..depth %}
+    vertex = next[vertex];
+{%- endfor %}
     vertex -= {{ upper }}_TEAMS;
     return (uint16_t)vertex;
 }

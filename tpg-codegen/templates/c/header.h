@@ -21,6 +21,10 @@ extern "C" {
 /* Teams, and how many of them decide at most in one inference. */
 #define {{ upper }}_TEAMS {{ teams }}U
 #define {{ upper }}_DEPTH {{ depth }}U
+/* At most, in one inference: bids looked at, operations, and sines, cosines, logarithms and exponentials among those. */
+#define {{ upper }}_WORST_BIDS {{ worst.bids }}U
+#define {{ upper }}_WORST_OPERATIONS {{ worst.operations }}U
+#define {{ upper }}_WORST_MATHS_CALLS {{ worst.maths_calls }}U
 {% if gegelati %}
 /* What the policy sees, as GEGELATI's generated code declares it. The caller defines these pointers. */
 {%- for source in sources %}
@@ -39,7 +43,13 @@ typedef struct {{ prefix }}_state {
 
 /* The action for a state, below {{ upper }}_ACTIONS. Pure and reentrant: no globals, no memory, no side effect. */
 uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state);
+{% if let Some(arm) = arm %}
+/* For tpg_policy_t of tpg_runtime.h: the arm's sources that make up a state, and what each action moves, in ticks. */
+#define {{ upper }}_SOURCES { {{ arm.sources.join(", ") }} }
+#define {{ upper }}_SOURCE_COUNT {{ arm.sources.len() }}U
+#define {{ upper }}_MOVES { {{ arm.moves.join(", ") }} }
 {% endif %}
+{%- endif %}
 #ifndef {{ upper }}_NO_SELFTEST
 /* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
 {%- if system_maths %}

@@ -46,21 +46,47 @@ static {{ scalar }} {{ prefix }}_exp({{ scalar }} x)
     return result;
 }
 {% endif %}
-{% for upper in uppers %}
-/* Not below the {% if upper.logarithm %}logarithm{% else %}exponential{% endif %}, and cheap. */
-static {{ scalar }} {{ prefix }}_{{ upper.name }}_upper({{ scalar }} x)
+{% if let Some(estimate) = ln_estimate %}
+/* Not below the logarithm, and cheap: the bits of a number are a straight line between powers of two through it. */
+static {{ scalar }} {{ prefix }}_ln_upper({{ scalar }} x)
 {
-    {{ scalar }} bound = {{ upper.beyond }};
-{% if upper.logarithm %}
-    if (x < {% if f64 %}0.0{% else %}0.0F{% endif %}) {
-        bound = {% if f64 %}-(double)INFINITY{% else %}-INFINITY{% endif %}; /* NaN, which bids that */
-    } else{% else %}
-    {% endif %}
-    {%- for (up_to, value) in upper.steps %} if (x <= {{ up_to }}) {
-        bound = {{ value }};
-    } else{% endfor %} {
-        /* as it is, for NaN too */
+    {{ scalar }} bound = {% if f64 %}(double)NAN{% else %}NAN{% endif %}; /* says nothing */
+
+    if ((x >= {% if f64 %}DBL_MIN{% else %}FLT_MIN{% endif %}) && (x <= {% if f64 %}DBL_MAX{% else %}FLT_MAX{% endif %})) {
+        {{ signed }} bits;
+
+        (void)memcpy(&bits, &x, sizeof bits);
+        bound = (({{ scalar }})bits * {{ estimate.scale }}) - {{ estimate.offset }};
+    } else if (x <= {% if f64 %}0.0{% else %}0.0F{% endif %}) {
+        bound = {% if f64 %}-(double)INFINITY{% else %}-INFINITY{% endif %}; /* or NaN, which bids that */
+    } else if (x > {% if f64 %}DBL_MAX{% else %}FLT_MAX{% endif %}) {
+        bound = {% if f64 %}(double)INFINITY{% else %}INFINITY{% endif %};
+    } else {
+        /* as it is */
     }
     return bound;
 }
-{% endfor %}
+{% endif %}
+{% if let Some(estimate) = exp_estimate %}
+/* Not below the exponential, and cheap: the bits of a number are a straight line between powers of two through its
+ * logarithm. */
+static {{ scalar }} {{ prefix }}_exp_upper({{ scalar }} x)
+{
+    {{ scalar }} bound = {% if f64 %}(double)NAN{% else %}NAN{% endif %}; /* says nothing */
+
+    if ((x >= {{ estimate.from }}) && (x <= {{ estimate.to }})) {
+        const {{ scalar }} scaled = x * {{ estimate.scale }};
+        const {{ signed }} whole = ({{ signed }})scaled;
+        const {{ key }} bits = ({{ key }})whole + {{ estimate.offset }};
+
+        (void)memcpy(&bound, &bits, sizeof bound);
+    } else if (x < {{ estimate.from }}) {
+        bound = {{ estimate.below }};
+    } else if (x > {{ estimate.infinite_above }}) {
+        bound = {% if f64 %}(double)INFINITY{% else %}INFINITY{% endif %};
+    } else {
+        /* as it is */
+    }
+    return bound;
+}
+{% endif %}

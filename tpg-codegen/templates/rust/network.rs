@@ -29,4 +29,10 @@ pub const NETWORK: Network<{{ layers[0].outputs }}, {{ layers[1].outputs }}> = N
 /// What stands behind it.
 pub const DECISION: FixedDecision = FixedDecision::new(Actions::{{ actions_variant }}, Mask::{{ mask_variant }}, {{ may_rest }});
 
+/// The network as the kernels read it: what lies in flash.
+pub static MODEL: [u32; Network::<{{ layers[0].outputs }}, {{ layers[1].outputs }}>::WORDS] = NETWORK.pack(&DECISION);
+
+/// Words of scratch memory that a decision needs.
+pub const SCRATCH: usize = Network::<{{ layers[0].outputs }}, {{ layers[1].outputs }}>::SCRATCH;
+
 const _: () = assert!(NETWORK.is_sound(), "no input may overflow an accumulator");

@@ -249,4 +249,9 @@ impl<'a, S: Lattice> Frame<'a, S> {
     pub fn clearance(&self) -> Clearance<S> {
         Clearance::of(&self.plane, &self.arm.shapes)
     }
+
+    /// The same where it is less than `horizon`, mm; any number from there on where it is not.
+    pub fn clearance_up_to(&self, horizon: S) -> Clearance<S> {
+        Clearance::up_to(&self.plane, &self.arm.shapes, horizon)
+    }
 }

@@ -32,7 +32,7 @@ impl Lattice for f32 {
     }
     #[inline]
     fn sqrt(self) -> Self {
-        libm::sqrtf(self)
+        tpg_kernels::sqrt(self)
     }
     #[inline]
     fn atan2(self, x: Self) -> Self {

@@ -51,48 +51,76 @@ impl<S: Lattice> Observation<S> {
     }
 }
 
-impl Source {
-    /// Writes this source's values at a pose into `values`; stops where `values` is full.
-    pub fn write<S: Lattice>(self, arm: &Arm<S>, seen: &Observation<S>, values: &mut [S]) {
-        let frame = || Frame::of(arm, seen);
-        let aim = || Aim::at(arm, seen.target);
+/// What several sources are made of: computed once, when the first of them asks.
+struct Parts<'a, S> {
+    arm: &'a Arm<S>,
+    seen: &'a Observation<S>,
+    frame: Option<Frame<'a, S>>,
+    reach: Option<ReachErrors<S>>,
+}
+
+impl<'a, S: Lattice> Parts<'a, S> {
+    fn new(arm: &'a Arm<S>, seen: &'a Observation<S>) -> Self {
+        Self { arm, seen, frame: None, reach: None }
+    }
+
+    fn frame(&mut self) -> &Frame<'a, S> {
+        let (arm, seen) = (self.arm, self.seen);
+        self.frame.get_or_insert_with(|| Frame::of(arm, seen))
+    }
+
+    fn reach(&mut self) -> &ReachErrors<S> {
+        let (arm, seen) = (self.arm, self.seen);
         let [.., wrist] = seen.pose.0;
-        let reach = || Reach::keeping_wrist(arm, wrist, seen.target).errors(arm, seen.pose);
-        match self {
-            Self::Target => put(values, seen.target),
-            Self::Difference => put(values, seen.difference),
-            Self::Hand => put(values, seen.hand),
-            Self::Motors => put(values, seen.pose.0.map(ticks)),
-            Self::Servos => {
+        self.reach.get_or_insert_with(|| Reach::keeping_wrist(arm, wrist, seen.target).errors(arm, seen.pose))
+    }
+
+    fn write(&mut self, source: Source, values: &mut [S]) {
+        let seen = self.seen;
+        match source {
+            Source::Target => put(values, seen.target),
+            Source::Difference => put(values, seen.difference),
+            Source::Hand => put(values, seen.hand),
+            Source::Motors => put(values, seen.pose.0.map(ticks)),
+            Source::Servos => {
                 let [a, b, c, d] = seen.pose.0;
                 let [e, f] = seen.fixed_servos;
                 put(values, [a, b, c, d, e, f].map(ticks));
             }
-            Self::MotorsCentred => put(values, derived::centred(seen.pose)),
-            Self::Polar => {
-                let frame = frame();
-                put(values, derived::polar(&frame, frame.target_reach(), frame.hand_reach()));
+            Source::MotorsCentred => put(values, derived::centred(seen.pose)),
+            Source::Polar => {
+                let frame = self.frame();
+                put(values, derived::polar(frame, frame.target_reach(), frame.hand_reach()));
             }
-            Self::Bearing => {
-                let frame = frame();
-                put(values, derived::bearing(&aim(), seen.pose, frame.hand_elevation(), frame.hand_reach()));
+            Source::Bearing => {
+                let aim = Aim::at(self.arm, seen.target);
+                let frame = self.frame();
+                put(values, derived::bearing(&aim, seen.pose, frame.hand_elevation(), frame.hand_reach()));
             }
-            Self::Reach => put(values, reach().ticks),
-            Self::ReachExcess => put(values, reach().excess),
-            Self::ReachPitch => put(values, [reach().pitch]),
-            Self::Wrist => put(values, derived::wrist(&frame())),
-            Self::Floor => put(values, [frame().lowest_corner()]),
-            Self::Stance => put(values, Stance::at(arm, seen.target).errors(seen.pose)),
-            Self::ShieldLimits => put(values, shield::limits(arm, seen.pose, shield::STEP)),
-            Self::ShieldCollision => put(values, shield::collision(arm, seen.pose)),
+            Source::Reach => put(values, self.reach().ticks),
+            Source::ReachExcess => put(values, self.reach().excess),
+            Source::ReachPitch => put(values, [self.reach().pitch]),
+            Source::Wrist => put(values, derived::wrist(self.frame())),
+            Source::Floor => put(values, [self.frame().lowest_corner()]),
+            Source::Stance => put(values, Stance::at(self.arm, seen.target).errors(seen.pose)),
+            Source::ShieldLimits => put(values, shield::limits(self.arm, seen.pose, shield::STEP)),
+            Source::ShieldCollision => put(values, shield::collision(self.arm, seen.pose)),
         }
+    }
+}
+
+impl Source {
+    /// Writes this source's values at a pose into `values`; stops where `values` is full.
+    pub fn write<S: Lattice>(self, arm: &Arm<S>, seen: &Observation<S>, values: &mut [S]) {
+        Parts::new(arm, seen).write(self, values);
     }
 
     /// Writes the values of `sources`, one after another, into `state`; stops where `state` is full.
     pub fn fill<S: Lattice>(sources: &[Self], arm: &Arm<S>, seen: &Observation<S>, state: &mut [S]) {
+        let mut parts = Parts::new(arm, seen);
         let mut rest = state;
         for &source in sources {
-            source.write(arm, seen, rest);
+            parts.write(source, rest);
             let length = source.length().min(rest.len());
             rest = &mut rest[length..];
         }

@@ -82,7 +82,7 @@ pub fn features(frame: &Frame<'_, f32>) -> [f32; FEATURES] {
     let [front, back] = frame.azimuth_errors();
     let above = |joint| seen(frame.room_above(Joint(joint)));
     let below = |joint| seen(frame.room_below(Joint(joint)));
-    let clearance = frame.clearance();
+    let clearance = frame.clearance_up_to(HORIZON);
     [
         base / 2048.0,
         shoulder / 1024.0,
@@ -168,6 +168,17 @@ mod tests {
     }
 
     proptest! {
+        #[test]
+        fn what_is_beyond_the_horizon_need_not_be_known(
+            (b, c, d) in (1025i16..=3071, 1025i16..=3071, 1025i16..=3071),
+        ) {
+            let frame = Frame::at(&ARM, Pose([2048, b, c, d]), [0.0, 300.0, 300.0]);
+            let (whole, near) = (frame.clearance(), frame.clearance_up_to(HORIZON));
+            prop_assert_eq!(seen(whole.hand), seen(near.hand));
+            prop_assert_eq!(seen(whole.forearm), seen(near.forearm));
+            prop_assert!(whole.hand >= HORIZON || whole.hand == near.hand);
+        }
+
         #[test]
         fn every_feature_is_finite_and_small(
             (a, b, c, d) in (2i16..=4094, 1025i16..=3071, 1025i16..=3071, 1025i16..=3071),

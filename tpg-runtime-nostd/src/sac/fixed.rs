@@ -122,7 +122,9 @@ impl<const I: usize, const O: usize> Layer<I, O> {
 pub fn quantise(features: &[f32; FEATURES]) -> [i16; FEATURES] {
     features.map(|value| {
         let scaled = value * FEATURE_ONE;
-        (scaled + if scaled < 0.0 { -0.5 } else { 0.5 }) as i16
+        let half = f32::from_bits(0.5f32.to_bits() | (scaled.to_bits() & (-0.0f32).to_bits()));
+        // By way of i32, which an FPU converts to and saturates at: `as i16` costs three comparisons.
+        ((scaled + half) as i32).clamp(i32::from(i16::MIN), i32::from(i16::MAX)) as i16
     })
 }
 
@@ -230,6 +232,22 @@ mod tests {
         assert_eq!([at(3), at(-3), at(4), at(-4), at(0)], [2, -1, 2, -2, 0]);
         assert_eq!([at(i32::MAX), at(i32::MIN)], [32767, -32767]);
         assert_eq!([half.apply(-9, HIDDEN), half.apply(9, HIDDEN)], [0, 5]);
+    }
+
+    #[test]
+    fn features_are_rounded_and_clipped() {
+        let nearest = |value: f32| {
+            let scaled = value * FEATURE_ONE;
+            (scaled + if scaled < 0.0 { -0.5 } else { 0.5 }) as i16
+        };
+        let special = [0.0, -0.0, f32::NAN, -f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX, f32::MIN, 7.99, -8.0];
+        let halves = (-40_000..40_000).map(|n| n as f32 / 8192.0);
+        let any = (0..1_000_000u32).map(|n| f32::from_bits(n.wrapping_mul(2_654_435_761)));
+        for value in special.into_iter().chain(halves).chain(any) {
+            let mut features = [0.0; FEATURES];
+            features[3] = value;
+            assert_eq!(quantise(&features)[3], nearest(value), "{value}");
+        }
     }
 
     #[test]

@@ -13,6 +13,7 @@
 mod decision;
 mod features;
 pub mod fixed;
+pub mod packed;
 
 pub use decision::{Actions, Decision, Magnitude, Mask, TRAINED_COARSE, TRAINED_FINE};
 pub use features::{FEATURE_NAMES, FEATURES, features};

@@ -50,6 +50,11 @@ impl Binding {
         Ok(Self::new(graph.scalar(), sources, moves))
     }
 
+    /// The parts of the observation that a state is made of, in order.
+    pub fn sources(&self) -> &[Source] {
+        &self.sources
+    }
+
     /// How many values a state has.
     pub fn state_length(&self) -> usize {
         self.sources.iter().map(|source| source.length()).sum()

@@ -93,21 +93,21 @@ impl<'a> Episode<'a> {
 
     /// The episode's books as they stand.
     pub fn end_state(&self) -> EndState {
-        let distance = self.observation.distance();
-        let success = self.succeeded();
+        EndState::of(self.rules, self.observation.distance(), self.collided, self.actions)
+    }
+}
+
+impl EndState {
+    /// The books of an episode that ended so far from its target, mm, after so many actions.
+    pub fn of(rules: Rules, distance: f64, collision: bool, actions: u32) -> Self {
+        let success = distance < rules.tolerance;
         let score = if success {
-            let left = f64::from(self.rules.max_actions) - f64::from(self.actions);
+            let left = f64::from(rules.max_actions) - f64::from(actions);
             left * SCORE_PER_ACTION_LEFT + SCORE_FOR_SUCCESS
         } else {
             -distance
         };
-        EndState {
-            score_x1000: thousandths(score),
-            distance_um: thousandths(distance),
-            success,
-            collision: self.collided,
-            actions: self.actions,
-        }
+        Self { score_x1000: thousandths(score), distance_um: thousandths(distance), success, collision, actions }
     }
 }
 

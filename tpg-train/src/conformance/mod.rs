@@ -15,6 +15,7 @@
 //! | [`binding`] | a graph's sources and actions in terms of the arm |
 //! | [`sac`] | the recorded actors' episodes |
 //! | [`actor`] | a recorded actor: its file, its answers |
+//! | [`hybrid`] | the recorded graphs and actors together |
 //! | [`torch_random`] | PyTorch's random numbers |
 //! | [`replay`] | all rows of a file in lockstep, compared with what was recorded |
 //! | [`fk`] | forward kinematics and collisions against recorded values, the runtime's fast paths too |
@@ -29,6 +30,7 @@ pub mod command;
 pub mod data;
 pub mod episode;
 pub mod fk;
+pub mod hybrid;
 pub mod plane;
 pub mod replay;
 pub mod sac;

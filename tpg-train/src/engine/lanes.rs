@@ -8,6 +8,7 @@ use super::history::History;
 use super::nodes::{Node, NodeId};
 use super::plan::{Plan, PlannedTeam};
 use super::policy::Destination;
+use pulp::Arch;
 use std::marker::PhantomData;
 use tpg_runtime::ops::{self, Instruction, Maths};
 use tpg_runtime::policy::ActionId;
@@ -49,6 +50,8 @@ pub struct Lanes<'e, S: Scalar, M, E: Environment<S>> {
     running: Vec<Running<E::Episode>>,
     histories: Vec<History>,
     steps: u64,
+    /// Loops over lanes take the widest vectors that this machine has: the same bits, sooner.
+    arch: Arch,
     maths: PhantomData<M>,
 }
 
@@ -81,6 +84,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
             running: Vec::new(),
             histories: vec![History::default(); options.lanes],
             steps: 0,
+            arch: Arch::new(),
             maths: PhantomData,
         }
     }
@@ -245,15 +249,21 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
         let lanes = self.options.lanes;
         let best = &mut self.best[..all];
         let winner = &mut self.winner[..all];
-        for (index, edge) in (0u32..).zip(&team.edges) {
-            let bids = &self.columns[edge.bid.index() * lanes..][..all];
-            for ((best, winner), &bid) in best.iter_mut().zip(winner.iter_mut()).zip(bids) {
-                let bid = ops::bid(bid);
-                let wins = (index == 0) | (bid >= *best);
-                *best = if wins { bid } else { *best };
-                *winner = if wins { index } else { *winner };
-            }
-        }
+        let columns = &self.columns;
+        self.arch.dispatch(
+            #[inline(always)]
+            || {
+                for (index, edge) in (0u32..).zip(&team.edges) {
+                    let bids = &columns[edge.bid.index() * lanes..][..all];
+                    for ((best, winner), &bid) in best.iter_mut().zip(winner.iter_mut()).zip(bids) {
+                        let bid = ops::bid(bid);
+                        let wins = (index == 0) | (bid >= *best);
+                        *best = if wins { bid } else { *best };
+                        *winner = if wins { index } else { *winner };
+                    }
+                }
+            },
+        );
     }
 
     fn ask_one(&self, team: &PlannedTeam, lane: usize) -> Destination {
@@ -278,11 +288,16 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
         let lanes = self.options.lanes;
         let (before, from) = self.columns.split_at_mut(node.index() * lanes);
         let operands = [a, b].map(|operand| &before[operand.index() * lanes..][..all]);
-        compute_column::<S, M>(instruction, operands, &mut from[..all]);
+        let to = &mut from[..all];
+        self.arch.dispatch(
+            #[inline(always)]
+            || compute_column::<S, M>(instruction, operands, to),
+        );
     }
 }
 
 /// One loop for each instruction, so that none has to look at it again.
+#[inline(always)]
 fn compute_column<S: Scalar, M: Maths<S>>(instruction: Instruction, [a, b]: [&[S]; 2], to: &mut [S]) {
     macro_rules! loops {
         ($($name:ident)*) => {

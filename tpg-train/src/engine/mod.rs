@@ -1,7 +1,7 @@
 //! The engine: many episodes of many roots, millions of steps a second, with the interpreter's answers.
 //!
 //! [`Policy`] → [`Plan`] (distinct nodes, teams in order) → [`Lanes`] (episodes side by side) → [`Ending`]s;
-//! [`LocalThreads`] spreads roots over threads behind the [`Evaluator`] trait.
+//! [`LocalThreads`] spreads roots over threads behind the [`Evaluator`] trait. [`Single`] decides for one state at a time.
 
 mod environment;
 mod evaluator;
@@ -10,6 +10,7 @@ mod lanes;
 mod nodes;
 mod plan;
 mod policy;
+mod single;
 
 pub use environment::{Ending, Environment, SourceSet};
 pub use evaluator::{Answer, EvaluationError, Evaluator, LocalThreads, UnitKey, Work, WorkUnit};
@@ -18,3 +19,4 @@ pub use lanes::{Lanes, Options};
 pub use nodes::{Arena, Node, NodeId, effective};
 pub use plan::Plan;
 pub use policy::{Destination, Edge, Line, Operand, Policy, bounded};
+pub use single::Single;

@@ -1,5 +1,5 @@
-//! The profile `constant-time`: every distinct operation once, every team's choice by masks, a chase of fixed length.
-//! Comparisons are made on integers, so that no compiler has a reason to branch.
+//! The profile `constant-time`: every distinct operation once, every team's choice by masks, a chase of fixed length
+//! without a loop. Comparisons are made on integers, so that no compiler has a reason to branch.
 
 use super::expression::Printer;
 use super::vertex;
@@ -19,6 +19,9 @@ struct ConstantTime<'a> {
     statements: Vec<String>,
     keys: Vec<KeyView>,
     teams: Vec<TeamView>,
+    /// The vertices that are actions.
+    actions: Vec<String>,
+    depth: usize,
 }
 
 /// The key of a bid: an integer in the order of bids.
@@ -60,6 +63,8 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module, upper: &str) -> Str
                     .collect(),
             })
             .collect(),
+        actions: (module.teams.len()..).take(printer.graph.actions().len()).map(|place| format!("{place}U")).collect(),
+        depth: module.depth,
     };
     constant_time.render().expect("the template renders")
 }

@@ -30,6 +30,10 @@ struct Fast<'a> {
 
 struct TeamView {
     label: u32,
+    /// The values of the bids that may lead without having been computed, by place.
+    late: Vec<LateView>,
+    /// Whether the team must be told the state to compute them.
+    late_reads_state: bool,
     /// Where edges lead, after where nobody's win leads: only where winners are known by their place.
     next: Option<Vec<String>>,
     /// The variable that holds the winner: its place, or where it leads.
@@ -48,8 +52,25 @@ struct EagerView {
     last: bool,
 }
 
+/// A bid that may lead without having been computed.
+struct LateView {
+    rank: String,
+    statements: Vec<String>,
+    value: String,
+}
+
 struct LazyView {
     bound_statements: Vec<String>,
+    /// The ends of what it can be, where it need not be computed to win.
+    ends: Option<(String, String)>,
+    /// Certain to win.
+    sure: String,
+    /// What is the highest that the leader can bid.
+    top: &'static str,
+    /// Whether the leader may not have been computed yet.
+    pending: bool,
+    /// Whether this is the first that can win without being computed.
+    first: bool,
     /// None where it must be looked at whatever the others bid.
     guard: Option<String>,
     statements: Vec<String>,
@@ -80,17 +101,22 @@ struct TeamPrinter<'a> {
     in_turn: bool,
     computed: BTreeSet<NodeId>,
     reads_state: bool,
+    /// Whether the leader may be a bid that was not computed.
+    pending: bool,
 }
 
 impl<'a> TeamPrinter<'a> {
     fn new(printer: &'a Printer<'a>, module: &'a Module, plan: &'a Plan) -> Self {
         let in_turn = plan.eager.iter().chain(plan.lazy.iter().map(|lazy| &lazy.bid)).all(|bid| bid.in_turn);
-        Self { printer, module, plan, in_turn, computed: BTreeSet::new(), reads_state: false }
+        let in_turn = in_turn && plan.lazy.iter().all(|lazy| lazy.certain.is_none());
+        Self { printer, module, plan, in_turn, computed: BTreeSet::new(), reads_state: false, pending: false }
     }
 
     fn view(mut self) -> TeamView {
         let mut eager: Vec<EagerView> = self.plan.eager.iter().map(|bid| self.eager(bid)).collect();
         let mut lazy: Vec<LazyView> = self.plan.lazy.iter().map(|lazy| self.lazy(lazy)).collect();
+        let late: Vec<LateView> =
+            self.plan.lazy.iter().filter(|lazy| lazy.certain.is_some()).map(|lazy| self.late(lazy)).collect();
         match (lazy.last_mut(), eager.last_mut()) {
             (Some(bid), _) => bid.last = true,
             (None, Some(bid)) => bid.last = true,
@@ -100,10 +126,14 @@ impl<'a> TeamPrinter<'a> {
         let last = targets[targets.len() - 1].clone();
         TeamView {
             label: self.plan.label,
+            late_reads_state: late.iter().any(|late| {
+                late.value.contains("state->") || late.statements.iter().any(|statement| statement.contains("state->"))
+            }),
+            late,
             winner: if self.in_turn { "vertex" } else { "edge" },
             nobody: if self.in_turn { last.clone() } else { "0U".to_owned() },
             next: (!self.in_turn).then(|| std::iter::once(last).chain(targets).collect()),
-            reads_state: self.reads_state,
+            reads_state: self.reads_state || self.pending,
             eager,
             lazy,
         }
@@ -126,25 +156,70 @@ impl<'a> TeamPrinter<'a> {
     }
 
     fn lazy(&mut self, lazy: &LazyBid) -> LazyView {
-        let LazyBid { bid, bound } = lazy;
+        let LazyBid { bid, bound, certain } = lazy;
         let rank = self.rank(bid);
-        let bound_statements = bound.map(|bound| self.statements(bound, true)).unwrap_or_default();
+        let mut bound_statements = bound.map(|bound| self.statements(bound, true)).unwrap_or_default();
+        bound_statements.extend(certain.iter().flat_map(|&certain| self.statements(certain, true)));
+        let pending = self.pending;
+        let top = if pending { "top" } else { "best" };
+        let sure = certain.map(|certain| self.wins(bid, &rank, &self.printer.value(certain), top));
+        let ends = certain.zip(*bound).map(|(low, high)| (self.printer.value(low), self.printer.value(high)));
+        self.pending |= certain.is_some();
         let infinity = self.printer.constant(f64::INFINITY);
         let guard = match bound {
             // Also where the bound is NaN and says nothing.
-            Some(bound) => Some(format!("!(best > {})", self.printer.value(*bound))),
+            Some(bound) => {
+                let bound = self.printer.value(*bound);
+                Some(if bid.in_turn {
+                    format!("!(best > {bound})")
+                } else {
+                    format!("!((best > {bound}) || ((best >= {bound}) && (edge > {rank})))")
+                })
+            }
             // Nothing is higher than infinity; in turn, what is as high wins.
             None if bid.in_turn => None,
             None => Some(format!("(best < {infinity}) || (edge < {rank})")),
         };
-        let statements = self.statements(bid.value, false);
-        let value = self.printer.value(bid.value);
-        let wins = if bid.in_turn {
-            format!("{value} >= best")
+        let (statements, value) = if certain.is_some() {
+            (Vec::new(), "bid".to_owned())
         } else {
-            format!("({value} > best) || (({value} >= best) && (edge < {rank}))")
+            (self.statements(bid.value, false), self.printer.value(bid.value))
         };
-        LazyView { bound_statements, guard, statements, value, rank, wins, last: false }
+        let wins = self.wins(bid, &rank, &value, if certain.is_some() && pending { "lead" } else { "best" });
+        LazyView {
+            bound_statements,
+            ends,
+            sure: sure.unwrap_or_default(),
+            top,
+            pending,
+            first: certain.is_some() && !pending,
+            guard,
+            statements,
+            value,
+            rank,
+            wins,
+            last: false,
+        }
+    }
+
+    /// Whether a value of a bid makes it the leader.
+    fn wins(&self, bid: &Bid, rank: &str, value: &str, best: &str) -> String {
+        if bid.in_turn {
+            format!("{value} >= {best}")
+        } else {
+            format!("({value} > {best}) || (({value} >= {best}) && (edge < {rank}))")
+        }
+    }
+
+    /// A bid's value on its own, with all that it needs.
+    fn late(&self, lazy: &LazyBid) -> LateView {
+        let value = lazy.bid.value;
+        let needed = needed(self.printer.nodes, value, |_| true);
+        LateView {
+            rank: self.rank(&lazy.bid),
+            statements: needed.iter().map(|&id| self.printer.statement(id)).collect(),
+            value: self.printer.value(value),
+        }
     }
 
     /// What must still be computed for a value; later bids can use it where it `stays`.

@@ -4,7 +4,7 @@ use super::constant_time;
 use super::expression::{Printer, literal};
 use crate::graph::{MathsProvider, ScalarType};
 use crate::ir::Node;
-use crate::passes::bound;
+use crate::passes::{bound, estimate};
 use askama::Template;
 use std::collections::BTreeSet;
 use tpg_runtime::ops::Instruction;
@@ -34,7 +34,9 @@ struct Helpers<'a> {
     uses_max: bool,
     short_ln: Option<String>,
     short_exp: Option<ShortExp>,
-    uppers: Vec<Upper>,
+    signed: &'a str,
+    ln_estimate: Option<LnEstimate>,
+    exp_estimate: Option<ExpEstimate>,
 }
 
 /// The exponential where it is neither 0 nor infinite.
@@ -44,12 +46,18 @@ struct ShortExp {
     zero_below: String,
 }
 
-struct Upper {
-    name: &'static str,
-    /// Whether negative arguments give NaN.
-    logarithm: bool,
-    steps: Vec<(String, String)>,
-    beyond: String,
+struct LnEstimate {
+    scale: String,
+    offset: String,
+}
+
+struct ExpEstimate {
+    from: String,
+    to: String,
+    scale: String,
+    offset: String,
+    below: String,
+    infinite_above: String,
 }
 
 /// Renders what `nodes` call.
@@ -66,6 +74,7 @@ pub(super) fn render(printer: &Printer<'_>, branch_free: bool) -> String {
     let uses = |instruction| used.contains(&instruction);
     let short = !own && printer.short_cuts;
     let (infinite_above, zero_below) = bound::beyond_exponentials(scalar);
+    let estimate = estimate::of(scalar);
     // The order of a number's bits: what is negative upside down, below what is positive.
     let (key, top, sign, infinity, minus_infinity) = match scalar {
         ScalarType::F32 => ("uint32_t", 31, "0x80000000U", "0xff800000U", "0x007fffffU"),
@@ -97,17 +106,18 @@ pub(super) fn render(printer: &Printer<'_>, branch_free: bool) -> String {
             infinite_above: number(infinite_above),
             zero_below: number(zero_below),
         }),
-        uppers: (bounded.into_iter())
-            .map(|instruction| Upper {
-                name: instruction.name(),
-                logarithm: instruction == Instruction::Ln,
-                steps: bound::steps(scalar, instruction)
-                    .iter()
-                    .map(|&(up_to, value)| (number(up_to), number(value)))
-                    .collect(),
-                beyond: number(f64::INFINITY),
-            })
-            .collect(),
+        signed: if scalar == ScalarType::F64 { "int64_t" } else { "int32_t" },
+        ln_estimate: bounded
+            .contains(&Instruction::Ln)
+            .then(|| LnEstimate { scale: number(estimate.ln_scale), offset: number(estimate.ln_offset) }),
+        exp_estimate: bounded.contains(&Instruction::Exp).then(|| ExpEstimate {
+            from: number(estimate.exp_between.0),
+            to: number(estimate.exp_between.1),
+            scale: number(estimate.exp_scale),
+            offset: format!("{:#x}U{}", estimate.exp_offset, if scalar == ScalarType::F64 { "LL" } else { "" }),
+            below: number(estimate.exp_below),
+            infinite_above: number(estimate.exp_infinite_above),
+        }),
     };
     helpers.render().expect("the template renders")
 }

@@ -9,6 +9,7 @@ mod small;
 mod walk;
 
 use super::{File, Language, Options, Profile, Style, banner, layout};
+use crate::cost::{Cost, Costs};
 use crate::graph::{Graph, MathsProvider, ScalarType};
 use crate::interpret;
 use crate::ir::{Module, Target};
@@ -33,8 +34,16 @@ struct Header<'a> {
     actions: Vec<String>,
     teams: usize,
     depth: usize,
+    worst: Cost<u64>,
     gegelati: bool,
     system_maths: bool,
+    arm: Option<ArmView>,
+}
+
+/// The sources and moves of a policy that drives the arm, as initialisers.
+struct ArmView {
+    sources: Vec<String>,
+    moves: Vec<String>,
 }
 
 #[derive(Template)]
@@ -70,23 +79,26 @@ pub(super) fn emit(graph: &Graph, options: &Options) -> Vec<File> {
     let prefix = options.prefix.lower();
     let upper = options.prefix.upper();
     let gegelati = options.style == Style::Gegelati;
-    let profile = options.profile_in(Language::C);
     let module = if gegelati { Module::lower(graph) } else { passes::optimise(graph, options.assumption).0 };
-    // Where passes find that no bid matters there is nothing to make small or constant: the plainest text does.
-    let chooses = module.teams.iter().any(|team| team.edges.len() > 1);
     let printer = Printer { graph, nodes: &module.nodes, prefix, gegelati, short_cuts: false };
-    let (helpers, body) = if gegelati {
-        (helpers::render(&printer, false), gegelati::render(&printer, &module, &upper))
+    let (helpers, body, costs) = if gegelati {
+        let costs = Costs::bid_by_bid(module.clone());
+        (helpers::render(&printer, false), gegelati::render(&printer, &module, &upper), costs)
     } else {
-        match if chooses { profile } else { Profile::Fast } {
+        match options.shape(Language::C, &module) {
             Profile::Fast => {
                 let schedule = schedule::schedule(graph, &module);
                 let printer = Printer { nodes: &schedule.nodes, short_cuts: true, ..printer };
-                (helpers::render(&printer, false), fast::render(&printer, &module, &schedule, &upper))
+                let costs = Costs::scheduled(module.clone(), &schedule, Language::C);
+                (helpers::render(&printer, false), fast::render(&printer, &module, &schedule, &upper), costs)
             }
-            Profile::Small => (helpers::render(&printer, false), small::render(&printer, &module, &upper)),
+            Profile::Small => {
+                let costs = Costs::bid_by_bid(module.clone());
+                (helpers::render(&printer, false), small::render(&printer, &module, &upper), costs)
+            }
             Profile::ConstantTime => {
-                (helpers::render(&printer, true), constant_time::render(&printer, &module, &upper))
+                let costs = Costs::everything(module.clone());
+                (helpers::render(&printer, true), constant_time::render(&printer, &module, &upper), costs)
             }
         }
     };
@@ -101,8 +113,10 @@ pub(super) fn emit(graph: &Graph, options: &Options) -> Vec<File> {
         actions: graph.actions().iter().map(|action| comment(&action.name)).collect(),
         teams: module.teams.len(),
         depth: module.depth,
+        worst: costs.worst(),
         gegelati,
         system_maths: graph.maths() == MathsProvider::System,
+        arm: arm_view(graph),
     };
     let source = Source {
         banner: &banner,
@@ -121,6 +135,17 @@ pub(super) fn emit(graph: &Graph, options: &Options) -> Vec<File> {
         File { name: format!("{prefix}.h"), text: layout::tidy(&header.render().expect("the template renders")) },
         File { name: format!("{prefix}.c"), text: layout::tidy(&source.render().expect("the template renders")) },
     ]
+}
+
+/// `None` where the runtime's C interface cannot drive the arm with it: it computes in `f32`.
+fn arm_view(graph: &Graph) -> Option<ArmView> {
+    let (sources, moves) = graph.on_the_arm().filter(|_| graph.scalar() == ScalarType::F32)?;
+    let sources = sources.iter().map(|source| format!("TPG_SOURCE_{}", source.name().to_ascii_uppercase()));
+    let moves = moves.iter().map(|moved| {
+        let ticks = moved.0.map(|ticks| ticks.to_string());
+        format!("{{ {{ {} }} }}", ticks.join(", "))
+    });
+    Some(ArmView { sources: sources.collect(), moves: moves.collect() })
 }
 
 /// Teams are numbered from 0, the actions after them.

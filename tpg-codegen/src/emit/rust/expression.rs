@@ -9,7 +9,7 @@ use tpg_runtime::ops::Instruction;
 pub(super) struct Printer<'a> {
     pub(super) graph: &'a Graph,
     pub(super) nodes: &'a [Node],
-    /// Whether logarithms and exponentials of the platform go through helpers that answer the simple cases themselves.
+    /// Whether the platform's maths goes through helpers that answer the simple cases themselves and are not inlined.
     pub(super) short_cuts: bool,
 }
 
@@ -59,7 +59,9 @@ impl Printer<'_> {
             Instruction::NegateIfLess | Instruction::Min | Instruction::Max => {
                 format!("ops::{}({arguments})", instruction.name())
             }
-            Instruction::Ln | Instruction::Exp if self.short_cuts && self.graph.maths() == MathsProvider::System => {
+            Instruction::Cos | Instruction::Sin | Instruction::Ln | Instruction::Exp
+                if self.short_cuts && self.graph.maths() == MathsProvider::System =>
+            {
                 format!("{}({arguments})", instruction.name())
             }
             Instruction::Cos | Instruction::Sin | Instruction::Ln | Instruction::Exp => {

@@ -117,13 +117,20 @@ impl<'a> TeamPrinter<'a> {
     }
 
     fn lazy(&mut self, lazy: &LazyBid) -> BidView {
-        let LazyBid { bid, bound } = lazy;
+        let LazyBid { bid, bound, .. } = lazy;
         let rank = self.rank(bid);
         let bound_statements = bound.map(|bound| self.statements(bound, true)).unwrap_or_default();
         let infinity = literal(self.printer.graph.scalar(), f64::INFINITY);
         let guard = match bound {
             // Also where the bound is NaN and says nothing.
-            Some(bound) => Some(format!("!(best > {})", self.printer.value(*bound))),
+            Some(bound) => {
+                let bound = self.printer.value(*bound);
+                Some(if bid.in_turn {
+                    format!("!(best > {bound})")
+                } else {
+                    format!("!(best > {bound} || (best >= {bound} && edge > {rank}))")
+                })
+            }
             // Nothing is higher than infinity; in turn, what is as high wins.
             None if bid.in_turn => None,
             None => Some(format!("best < {infinity} || edge < {rank}")),

@@ -1,9 +1,9 @@
 //! The functions that expressions of the profile `fast` call.
 
 use super::expression::{Printer, literal};
-use crate::graph::MathsProvider;
+use crate::graph::{MathsProvider, ScalarType};
 use crate::ir::Node;
-use crate::passes::bound;
+use crate::passes::{bound, estimate};
 use askama::Template;
 use std::collections::BTreeSet;
 use tpg_runtime::ops::Instruction;
@@ -17,15 +17,26 @@ struct Helpers<'a> {
     short_exp: bool,
     infinite_above: String,
     zero_below: String,
-    uppers: Vec<Upper>,
+    /// Those of sine and cosine that are called.
+    circular: Vec<&'static str>,
+    signed: &'a str,
+    unsigned: &'a str,
+    ln_estimate: Option<LnEstimate>,
+    exp_estimate: Option<ExpEstimate>,
 }
 
-struct Upper {
-    name: &'static str,
-    /// Whether negative arguments give NaN.
-    logarithm: bool,
-    steps: Vec<(String, String)>,
-    beyond: String,
+struct LnEstimate {
+    scale: String,
+    offset: String,
+}
+
+struct ExpEstimate {
+    from: String,
+    to: String,
+    scale: String,
+    offset: String,
+    below: String,
+    infinite_above: String,
 }
 
 /// Renders what the printer's nodes call.
@@ -38,6 +49,8 @@ pub(super) fn render(printer: &Printer<'_>) -> String {
         .collect();
     let number = |value: f64| literal(scalar, value);
     let (infinite_above, zero_below) = bound::beyond_exponentials(scalar);
+    let estimate = estimate::of(scalar);
+    let single = scalar == ScalarType::F32;
     let helpers = Helpers {
         scalar: scalar.name(),
         zero: number(0.0),
@@ -45,17 +58,24 @@ pub(super) fn render(printer: &Printer<'_>) -> String {
         short_exp: short && uses(Instruction::Exp),
         infinite_above: number(infinite_above),
         zero_below: number(zero_below),
-        uppers: (bounded.into_iter())
-            .map(|instruction| Upper {
-                name: instruction.name(),
-                logarithm: instruction == Instruction::Ln,
-                steps: bound::steps(scalar, instruction)
-                    .iter()
-                    .map(|&(up_to, value)| (number(up_to), number(value)))
-                    .collect(),
-                beyond: number(f64::INFINITY),
-            })
+        circular: [Instruction::Sin, Instruction::Cos]
+            .into_iter()
+            .filter(|&instruction| short && uses(instruction))
+            .map(Instruction::name)
             .collect(),
+        signed: if single { "i32" } else { "i64" },
+        unsigned: if single { "u32" } else { "u64" },
+        ln_estimate: bounded
+            .contains(&Instruction::Ln)
+            .then(|| LnEstimate { scale: number(estimate.ln_scale), offset: number(estimate.ln_offset) }),
+        exp_estimate: bounded.contains(&Instruction::Exp).then(|| ExpEstimate {
+            from: number(estimate.exp_between.0),
+            to: number(estimate.exp_between.1),
+            scale: number(estimate.exp_scale),
+            offset: format!("{:#x}", estimate.exp_offset),
+            below: number(estimate.exp_below),
+            infinite_above: number(estimate.exp_infinite_above),
+        }),
     };
     helpers.render().expect("the template renders")
 }

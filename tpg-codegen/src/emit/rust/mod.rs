@@ -7,12 +7,12 @@ mod helpers;
 mod small;
 
 use super::{File, Language, Options, Profile, banner, layout};
+use crate::cost::{Cost, Costs};
 use crate::graph::Graph;
 use crate::ir::{Module, Target};
 use crate::passes::{self, schedule};
 use askama::Template;
 use expression::Printer;
-use tpg_runtime::observation::Source as ArmSource;
 
 #[derive(Template)]
 #[template(path = "rust/policy.rs", escape = "none")]
@@ -28,6 +28,7 @@ struct Policy<'a> {
     actions: Vec<String>,
     arm: Option<ArmView>,
     depth: usize,
+    worst: Cost<u64>,
     body: String,
     items: String,
 }
@@ -58,15 +59,19 @@ pub(super) fn emit(graph: &Graph, options: &Options) -> Vec<File> {
     let module = &passes::optimise(graph, options.assumption).0;
     let name = options.prefix.camel();
     let printer = Printer { graph, nodes: &module.nodes, short_cuts: false };
-    let (title, parts) = match options.profile_in(Language::Rust) {
+    let (title, parts, costs) = match options.profile_in(Language::Rust) {
         Profile::Fast => {
             let schedule = schedule::schedule(graph, module);
             let printer = Printer { graph, nodes: &schedule.nodes, short_cuts: true };
-            ("expensive bids are computed only where they can win", fast::render(&printer, module, &schedule))
+            let costs = Costs::scheduled(module.clone(), &schedule, Language::Rust);
+            ("expensive bids are computed only where they can win", fast::render(&printer, module, &schedule), costs)
         }
-        Profile::Small => ("tables and one small evaluator", small::render(&printer, module)),
+        Profile::Small => {
+            ("tables and one small evaluator", small::render(&printer, module), Costs::bid_by_bid(module.clone()))
+        }
         Profile::ConstantTime => {
-            ("branch-free, the same time for every state", constant_time::render(&printer, module))
+            let costs = Costs::everything(module.clone());
+            ("branch-free, the same time for every state", constant_time::render(&printer, module), costs)
         }
     };
     let policy = Policy {
@@ -80,6 +85,7 @@ pub(super) fn emit(graph: &Graph, options: &Options) -> Vec<File> {
         actions: graph.actions().iter().map(|action| one_line(&action.name)).collect(),
         arm: arm_view(graph),
         depth: module.depth,
+        worst: costs.worst(),
         body: parts.body.trim_matches('\n').to_owned(),
         items: parts.items,
     };
@@ -137,12 +143,8 @@ fn source_views(graph: &Graph) -> Vec<SourceView> {
         .collect()
 }
 
-/// `Some` where every source is one of the arm's and every action says what it moves.
 fn arm_view(graph: &Graph) -> Option<ArmView> {
-    let sources = (graph.sources().iter())
-        .map(|source| ArmSource::from_name(&source.name).filter(|arm| arm.length() == source.ranges.len()))
-        .map(|source| source.map(|source| format!("Source::{source:?}")))
-        .collect::<Option<_>>()?;
-    let moves = graph.actions().iter().map(|action| action.moves.map(|m| format!("Move({:?})", m.0)));
-    Some(ArmView { sources, moves: moves.collect::<Option<_>>()? })
+    let (sources, moves) = graph.on_the_arm()?;
+    let sources = sources.iter().map(|source| format!("Source::{source:?}"));
+    Some(ArmView { sources: sources.collect(), moves: moves.iter().map(|m| format!("Move({:?})", m.0)).collect() })
 }

@@ -53,6 +53,7 @@ const LN_2_HIGH: f32 = 0.69314575;
 const LN_2_LOW: f32 = 1.4286068e-6;
 
 /// Sine of `x` radians: off by at most 8.8e-8, and by at most 1.5 ulp, for every finite `x`; odd, and never beyond ±1.
+#[inline]
 pub fn sin(x: f32) -> f32 {
     let bits = x.to_bits();
     let of_magnitude = circle(bits & MAGNITUDE, 0x2000_0000);
@@ -61,6 +62,7 @@ pub fn sin(x: f32) -> f32 {
 
 /// Cosine of `x` radians: off by at most 8.8e-8, and by at most 1.5 ulp, for every finite `x`; even, and never
 /// beyond ±1.
+#[inline]
 pub fn cos(x: f32) -> f32 {
     f32::from_bits(circle(x.to_bits() & MAGNITUDE, 0x6000_0000))
 }
@@ -78,6 +80,7 @@ fn choose(mask: u32, a: u32, b: u32) -> u32 {
 /// The bits of `sin(a + offset − ⅛ turn)`, `a` given by its bits and the offset in 2⁻³² turns.
 ///
 /// With an eighth of a turn added, the quadrant nearest to the angle is in the top two bits of the sum.
+#[inline]
 fn circle(magnitude: u32, offset: u32) -> u32 {
     // a = mantissa · 2^(8·byte + 125 − 150). Everything below ¼ is taken for something in [¼, ½): only the quadrant of
     // such an angle is used, and that is right.
@@ -136,6 +139,7 @@ fn circle(magnitude: u32, offset: u32) -> u32 {
 }
 
 /// Natural logarithm: off by at most 0.96 ulp; of ±0 it is −∞, of a negative number NaN.
+#[inline]
 pub fn ln(x: f32) -> f32 {
     let bits = x.to_bits();
 
@@ -175,6 +179,7 @@ pub fn ln(x: f32) -> f32 {
 }
 
 /// `eˣ`: off by at most 1 ulp, subnormal results included; +∞ from 88.722_84 on, 0 below −103.972_08.
+#[inline]
 pub fn exp(x: f32) -> f32 {
     // 1.5 · 2²³: adding it leaves the nearest integer in the low bits of the sum.
     const ROUND: f32 = 12582912.0;

@@ -64,29 +64,90 @@ pub fn tasks(path: &Path) -> Result<ByRow<Task>, InputError> {
     by_row(&table, row, |line| Ok(Task { start: pose(line, positions)?, target: point(line, target)? }))
 }
 
+/// The columns of an end state.
+struct EndColumns {
+    row: Column,
+    score: Column,
+    distance: Column,
+    success: Column,
+    collision: Column,
+    actions: Column,
+    tpg_actions: Option<Column>,
+}
+
+impl EndColumns {
+    fn of(table: &Table) -> Result<Self, InputError> {
+        let [row, score, distance] = columns(table, ["row", "score_x1000", "distance_um"])?;
+        let [success, collision, actions] = columns(table, ["success", "collision", "nb_actions"])?;
+        let tpg_actions = table.column_if_there("nb_tpg_actions")?;
+        Ok(Self { row, score, distance, success, collision, actions, tpg_actions })
+    }
+
+    fn read(&self, line: Row<'_>, tasks: &ByRow<Task>) -> Result<End, InputError> {
+        known(line, self.row, tasks)?;
+        let state = EndState {
+            score_x1000: line.number(self.score, ANY_COUNT)?,
+            distance_um: line.number(self.distance, ANY_COUNT)?,
+            success: line.flag(self.success)?,
+            collision: line.flag(self.collision)?,
+            actions: line.number(self.actions, ANY_ACTIONS)?,
+        };
+        let tpg_actions = self.tpg_actions.map(|column| line.number(column, 0..=*ANY_ACTIONS.end())).transpose()?;
+        Ok(End { state, tpg_actions })
+    }
+}
+
 /// Reads end states, each of a row among `tasks`.
 ///
 /// # Errors
 /// What is wrong with the file, by line.
 pub fn ends(path: &Path, tasks: &ByRow<Task>) -> Result<ByRow<End>, InputError> {
     let table = Table::read(path)?;
-    let row = table.column("row")?;
-    let [score, distance] = columns(&table, ["score_x1000", "distance_um"])?;
-    let [success, collision] = columns(&table, ["success", "collision"])?;
-    let actions = table.column("nb_actions")?;
-    let tpg_actions = table.column_if_there("nb_tpg_actions")?;
-    by_row(&table, row, |line| {
-        known(line, row, tasks)?;
-        let state = EndState {
-            score_x1000: line.number(score, ANY_COUNT)?,
-            distance_um: line.number(distance, ANY_COUNT)?,
-            success: line.flag(success)?,
-            collision: line.flag(collision)?,
-            actions: line.number(actions, ANY_ACTIONS)?,
-        };
-        let tpg_actions = tpg_actions.map(|column| line.number(column, 0..=*ANY_ACTIONS.end())).transpose()?;
-        Ok(End { state, tpg_actions })
-    })
+    let columns = EndColumns::of(&table)?;
+    by_row(&table, columns.row, |line| columns.read(line, tasks))
+}
+
+/// How an episode of a hybrid ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HybridEnd {
+    /// Which of the recorded graphs.
+    pub tpg_seed: u32,
+    /// Which of the recorded actors.
+    pub sac_seed: u32,
+    /// `sepDistance`, mm; infinite where it was switched off (10,000 in the file).
+    pub separation_mm: f64,
+    /// `nbItGoBackTPG`.
+    pub hand_back_after: u32,
+    /// The task.
+    pub row: u32,
+    /// How it ended.
+    pub end: End,
+}
+
+/// The artifact's way to say that the distance never hands over, mm.
+const NO_SEPARATION: f64 = 10_000.0;
+
+/// Reads end states of hybrids, each of a row among `tasks`.
+///
+/// # Errors
+/// What is wrong with the file, by line.
+pub fn hybrid_ends(path: &Path, tasks: &ByRow<Task>) -> Result<Vec<HybridEnd>, InputError> {
+    let table = Table::read(path)?;
+    let [tpg_seed, sac_seed, separation, hand_back] = columns(&table, ["tpg_seed", "sac_seed", "sep_mm", "nb_it"])?;
+    let ends = EndColumns::of(&table)?;
+    table.column("nb_tpg_actions")?;
+    let read = |line: Row<'_>| {
+        let separation_mm: f64 = line.number(separation, 0.0..=NO_SEPARATION)?;
+        Ok(HybridEnd {
+            tpg_seed: line.number(tpg_seed, ANY_ROW)?,
+            sac_seed: line.number(sac_seed, ANY_ROW)?,
+            separation_mm: if separation_mm == NO_SEPARATION { f64::INFINITY } else { separation_mm },
+            hand_back_after: line.number(hand_back, ANY_ACTIONS)?,
+            row: line.number(ends.row, ANY_ROW)?,
+            end: ends.read(line, tasks)?,
+        })
+    };
+    table.rows().map(read).collect()
 }
 
 /// Reads step traces, each of a row among `tasks`: the pose after every action, the first action's first.

@@ -2,6 +2,7 @@
 
 use super::Real;
 use nalgebra::{DMatrixView, DMatrixViewMut, Dyn};
+use pulp::Arch;
 
 /// Which matrix product a network computes with.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
@@ -84,26 +85,25 @@ impl Kernel {
 /// How many partial sums a dot product keeps: a fixed order that compilers turn into vector instructions.
 const LANES: usize = 8;
 
+/// Additions in the order of the inner index, on the widest vectors that the machine has: their width changes no bit.
 fn portable<T: Real>(out: &mut [T], a: Factor<'_, T>, b: Factor<'_, T>) {
     let (rows, _) = a.size();
-    if rows == 1 {
-        // A row is a column in memory: (a·b)ᵀ = bᵀ·aᵀ has longer inner loops.
-        return by_columns(out, b.transposed().straightened(), a.transposed().straightened());
-    }
-    by_columns(out, a.straightened(), b.straightened());
+    // A row is a column in memory: (a·b)ᵀ = bᵀ·aᵀ has longer inner loops.
+    let (a, b) = if rows == 1 { (b.transposed(), a.transposed()) } else { (a, b) };
+    let (a, b) = (a.straightened(), b.straightened());
+    Arch::new().dispatch(
+        #[inline(always)]
+        || by_columns(out, a, b),
+    );
 }
 
+#[inline(always)]
 fn by_columns<T: Real>(out: &mut [T], a: Factor<'_, T>, b: Factor<'_, T>) {
     let ((rows, inner), _) = (a.size(), b.size());
-    out.fill(T::zero());
     for (j, column) in out.chunks_exact_mut(rows).enumerate() {
         if !a.transposed {
-            for k in 0..inner {
-                let factor = b.at(k, j);
-                for (sum, &value) in column.iter_mut().zip(&a.values[k * rows..][..rows]) {
-                    *sum += value * factor;
-                }
-            }
+            let factors = (0..inner).map(|k| b.at(k, j));
+            column_of_columns(column, a.values, factors);
         } else if !b.transposed {
             let right = &b.values[j * inner..][..inner];
             for (i, sum) in column.iter_mut().enumerate() {
@@ -111,14 +111,41 @@ fn by_columns<T: Real>(out: &mut [T], a: Factor<'_, T>, b: Factor<'_, T>) {
             }
         } else {
             for (i, sum) in column.iter_mut().enumerate() {
-                for k in 0..inner {
-                    *sum += a.at(i, k) * b.at(k, j);
-                }
+                *sum = (0..inner).fold(T::zero(), |sum, k| sum + a.at(i, k) * b.at(k, j));
             }
         }
     }
 }
 
+/// Rows whose sums stay in registers while the columns pass by.
+const BLOCK: usize = 64;
+
+/// `out` := Σ column·factor over the columns in `values`.
+#[inline(always)]
+fn column_of_columns<T: Real>(out: &mut [T], values: &[T], factors: impl Iterator<Item = T> + Clone) {
+    let rows = out.len();
+    let mut blocks = out.chunks_exact_mut(BLOCK);
+    let mut first = 0;
+    for block in &mut blocks {
+        let mut sums = [T::zero(); BLOCK];
+        for (column, factor) in values.chunks_exact(rows).zip(factors.clone()) {
+            for (sum, &value) in sums.iter_mut().zip(&column[first..first + BLOCK]) {
+                *sum += value * factor;
+            }
+        }
+        block.copy_from_slice(&sums);
+        first += BLOCK;
+    }
+    let rest = blocks.into_remainder();
+    rest.fill(T::zero());
+    for (column, factor) in values.chunks_exact(rows).zip(factors) {
+        for (sum, &value) in rest.iter_mut().zip(&column[first..]) {
+            *sum += value * factor;
+        }
+    }
+}
+
+#[inline(always)]
 fn dot<T: Real>(a: &[T], b: &[T]) -> T {
     let mut sums = [T::zero(); LANES];
     let (a_lanes, b_lanes) = (a.chunks_exact(LANES), b.chunks_exact(LANES));

@@ -1,9 +1,14 @@
 //! How big generated C is once compiled: without its self-test, without the libraries it calls.
 
-use crate::emit::{self, Language, Options};
+mod stack;
+
+pub use stack::Stack;
+
+use crate::emit::{self, Language, Options, Style};
 use crate::graph::Graph;
 use crate::verify;
 use object::{Object as _, ObjectSection as _, SectionKind};
+use serde::Serialize;
 use std::fmt;
 use std::fs;
 use std::io;
@@ -11,15 +16,21 @@ use std::process::Command;
 use tempfile::TempDir;
 
 /// Where the code is to run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, clap::ValueEnum)]
 pub enum Target {
-    /// On this machine, built by its C compiler.
-    Host,
     /// On a Cortex-M4 with FPU, built by `arm-none-eabi-gcc`.
+    #[value(name = "thumbv7em")]
+    #[serde(rename = "thumbv7em")]
     CortexM4,
+    /// On this machine, built by its C compiler.
+    #[serde(rename = "host")]
+    Host,
 }
 
 impl Target {
+    /// Every target.
+    pub const ALL: [Self; 2] = [Self::CortexM4, Self::Host];
+
     /// What it is called in reports.
     pub fn name(self) -> &'static str {
         match self {
@@ -30,7 +41,7 @@ impl Target {
 }
 
 /// Bytes of an object file that end up on the device.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Size {
     /// Instructions, and constants that the compiler puts between them.
     pub code: u64,
@@ -40,6 +51,18 @@ pub struct Size {
     pub data: u64,
     /// Variables that start as zero, which take RAM.
     pub bss: u64,
+}
+
+impl Size {
+    /// Bytes of flash.
+    pub fn flash(self) -> u64 {
+        self.code + self.constants + self.data
+    }
+
+    /// Bytes of RAM, without the stack.
+    pub fn ram(self) -> u64 {
+        self.data + self.bss
+    }
 }
 
 impl fmt::Display for Size {
@@ -64,21 +87,44 @@ pub fn of_c(graph: &Graph, options: &Options) -> Vec<String> {
 /// # Errors
 /// When the compiler is missing or refuses.
 pub fn compile_c(graph: &Graph, options: &Options, target: Target) -> io::Result<Vec<u8>> {
+    Ok(build_c(graph, options, target)?.object)
+}
+
+/// Generated C, compiled.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Built {
+    /// The object file.
+    pub object: Vec<u8>,
+    /// The stack that a decision needs; none where the compiler does not say (only GCC does).
+    pub stack: Option<Stack>,
+}
+
+/// Compiles as [`compile_c`] does, and asks the compiler for the stack.
+///
+/// # Errors
+/// As [`compile_c`].
+pub fn build_c(graph: &Graph, options: &Options, target: Target) -> io::Result<Built> {
     let folder = TempDir::new()?;
     for file in emit::emit(graph, Language::C, options) {
         fs::write(folder.path().join(&file.name), &file.text)?;
     }
-    let mut command = match target {
-        Target::Host => verify::c_compiler().map_err(io::Error::other)?.to_command(),
+    let (mut command, writes_call_graph) = match target {
+        Target::Host => {
+            let tool = verify::c_compiler().map_err(io::Error::other)?;
+            (tool.to_command(), tool.is_like_gnu())
+        }
         Target::CortexM4 => {
             let mut command = Command::new("arm-none-eabi-gcc");
             command.args(["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"]);
-            command
+            (command, true)
         }
     };
     command.current_dir(folder.path()).args(["-std=c99", "-ffp-contract=off", "-Os"]);
     // What a debugger or an unwinder reads is not the policy.
     command.args(["-g0", "-fno-asynchronous-unwind-tables"]).arg(format!("-D{}_NO_SELFTEST", options.prefix.upper()));
+    if writes_call_graph {
+        command.arg("-fcallgraph-info=su");
+    }
     command.arg("-c").arg(format!("{}.c", options.prefix)).args(["-o", "policy.o"]);
     let name = command.get_program().to_string_lossy().into_owned();
     let output = command.output().map_err(|error| io::Error::new(error.kind(), format!("{name}: {error}")))?;
@@ -87,7 +133,13 @@ pub fn compile_c(graph: &Graph, options: &Options, target: Target) -> io::Result
         let first = message.lines().find(|line| line.contains("error")).unwrap_or("it says nothing");
         return Err(io::Error::other(format!("{name} refused: {first}")));
     }
-    fs::read(folder.path().join("policy.o"))
+    let entry = match options.style {
+        Style::Pure => format!("{}_infer", options.prefix),
+        Style::Gegelati => "inferenceTPG".to_owned(),
+    };
+    let call_graph = fs::read_to_string(folder.path().join("policy.ci")).ok();
+    let stack = call_graph.and_then(|text| stack::deepest(&text, &entry));
+    Ok(Built { object: fs::read(folder.path().join("policy.o"))?, stack })
 }
 
 /// Adds an object file's sections up.

@@ -1,0 +1,117 @@
+//! How long compiling takes, from 10 teams to 10,000: this project's compiler, then the C and the Rust compiler on what it
+//! made, optimising as users do (`-O2`, `-O`).
+//!
+//! `cargo bench -p tpg-benches --bench compile_time`; `-- TEAMS` stops at that many. CPU seconds, children's included; each
+//! is one run, for the large ones take long enough. A step that would take more than a quarter of an hour, were it linear,
+//! is not tried, and the table says so.
+
+use std::path::Path;
+use std::process::Command;
+use std::{env, fs};
+use tempfile::TempDir;
+use tpg_codegen::emit::{self, Language, Options, Profile, Style};
+use tpg_codegen::graph::{Graph, ScalarType};
+use tpg_codegen::sample::{self, Constants, Shape};
+use tpg_codegen::verify;
+use tpg_runtime::ops::Instruction;
+
+const SIZES: [usize; 4] = [10, 100, 1_000, 10_000];
+/// Seconds.
+const PATIENCE: f64 = 900.0;
+
+fn main() {
+    let testing = !env::args().any(|word| word == "--bench");
+    let limit = env::args().skip(1).find_map(|word| word.parse().ok()).unwrap_or(if testing { 10 } else { 10_000 });
+    let sizes: Vec<usize> = SIZES.into_iter().filter(|&teams| teams <= limit).collect();
+    println!("\nCPU seconds to compile a graph; in brackets, how many times more than a tenth of the teams takes\n");
+    let heads: Vec<String> = sizes.iter().map(|teams| format!("{teams} teams")).collect();
+    println!("| what | {} |\n| --- |{}", heads.join(" | "), " --- |".repeat(sizes.len()));
+    let graphs: Vec<Graph> = sizes.iter().map(|&teams| graph(teams)).collect();
+    for (language, style, profile) in shapes() {
+        let name = profile.map_or("gegelati".to_owned(), |profile| profile.name().to_owned());
+        let options = Options { style, profile, ..Options::new("large".parse().expect("a prefix")) };
+        let mut compiler = Vec::new();
+        let mut other = Vec::new();
+        for graph in &graphs {
+            let before = cpu_seconds();
+            let files = emit::emit(graph, language, &options);
+            compiler.push(Some(cpu_seconds() - before));
+            let last: Option<f64> = other.last().copied().flatten();
+            let hopeless = !other.is_empty() && last.is_none_or(|last| last * 10.0 > PATIENCE);
+            other.push((!hopeless).then(|| {
+                let folder = TempDir::new().expect("a temporary folder");
+                for file in &files {
+                    fs::write(folder.path().join(&file.name), &file.text).expect("the folder can be written");
+                }
+                build(folder.path(), language)
+            }));
+        }
+        row(&format!("{language:?} {name}: tpg-codegen"), &compiler);
+        row(&format!("{language:?} {name}: the {language:?} compiler"), &other);
+    }
+}
+
+fn shapes() -> impl Iterator<Item = (Language, Style, Option<Profile>)> {
+    let pure = |language| Profile::ALL.map(move |profile| (language, Style::Pure, Some(profile)));
+    [(Language::C, Style::Gegelati, None)].into_iter().chain(pure(Language::C)).chain(pure(Language::Rust))
+}
+
+/// Without constants and divisions no bid is known beforehand: passes find little to leave out.
+fn graph(teams: usize) -> Graph {
+    let names = ["add", "sub", "mul", "negate_if_less", "cos"];
+    let shape = Shape {
+        teams,
+        edges: 2..=8,
+        lines: 2..=10,
+        registers: 3,
+        scalar: ScalarType::F32,
+        instructions: names.iter().copied().filter_map(Instruction::from_name).collect(),
+        constants: Constants::None,
+        ..Shape::default()
+    };
+    sample::graph(&shape, 1)
+}
+
+/// Compiles to an object and says how long that took.
+fn build(folder: &Path, language: Language) -> f64 {
+    let command = match language {
+        Language::C => {
+            let mut command = verify::c_command(folder).unwrap_or_else(|error| panic!("{error}"));
+            command.args(["-c", "large.c"]);
+            command
+        }
+        Language::Rust => {
+            verify::runtime_library(folder).unwrap_or_else(|error| panic!("{error}"));
+            let mut command: Command = verify::rustc(folder);
+            command.args(["-Coverflow-checks=off", "--crate-type=lib", "--emit=obj", "large.rs"]);
+            command.arg("--extern=tpg_runtime=libtpg_runtime.rlib");
+            command
+        }
+    };
+    let before = cpu_seconds();
+    verify::compile(if language == Language::C { "C" } else { "Rust" }, command)
+        .unwrap_or_else(|error| panic!("{error}"));
+    cpu_seconds() - before
+}
+
+fn row(name: &str, seconds: &[Option<f64>]) {
+    let cells: Vec<String> = (0..seconds.len())
+        .map(|place| {
+            let before = place.checked_sub(1).and_then(|before| seconds[before]);
+            match (seconds[place], before) {
+                (Some(now), Some(before)) if before > 0.0 => format!("{now:.2} ({:.1})", now / before),
+                (Some(now), _) => format!("{now:.2}"),
+                (None, _) => "not tried".to_owned(),
+            }
+        })
+        .collect();
+    println!("| {name} | {} |", cells.join(" | "));
+}
+
+/// CPU time of this process and of those that it waited for, where the system tells (Linux).
+fn cpu_seconds() -> f64 {
+    let stat = fs::read_to_string("/proc/self/stat").expect("Linux's account of this process");
+    // Fields 14 to 17, in ticks of 1/100 s; the second field, in brackets, may hold spaces.
+    let fields = stat.rsplit_once(')').expect("a name in brackets").1.split_whitespace().skip(11).take(4);
+    fields.map(|ticks| ticks.parse::<f64>().expect("a number of ticks") / 100.0).sum()
+}

@@ -1,0 +1,38 @@
+//! Instructions, counted by valgrind's callgrind: the same number on every run, however busy the machine is.
+
+use crate::program::Program;
+use crate::subject::Subject;
+use std::io;
+use std::process::{Command, Stdio};
+
+/// States that are counted: valgrind is fifty times slower than the processor.
+const COUNTED: usize = 1024;
+
+/// Whether valgrind is there; skipped loudly where not.
+pub fn available() -> bool {
+    xtask::tool("valgrind", "valgrind", "instruction counts")
+}
+
+/// Instructions for one state: the difference of one pass and three, so that what is not the policy falls out.
+///
+/// # Errors
+/// When valgrind fails.
+pub fn per_state(program: &Program, subject: &Subject) -> io::Result<f64> {
+    let count = subject.count().min(COUNTED);
+    let once = total(program, 1, count)?;
+    let thrice = total(program, 3, count)?;
+    Ok((thrice - once) as f64 / (2 * count) as f64)
+}
+
+fn total(program: &Program, passes: u32, count: usize) -> io::Result<u64> {
+    let mut command = Command::new("valgrind");
+    command.current_dir(program.folder()).args(["--tool=callgrind", "--callgrind-out-file=/dev/null"]);
+    command.args(program.once(passes, count)).stdout(Stdio::null()).stderr(Stdio::piped());
+    let output = command.output()?;
+    let text = String::from_utf8_lossy(&output.stderr);
+    let collected = text.lines().find_map(|line| line.split_once("Collected :")).map(|(_, number)| number.trim());
+    match collected.and_then(|number| number.parse().ok()) {
+        Some(number) if output.status.success() => Ok(number),
+        _ => Err(io::Error::other(format!("valgrind: {}: {text}", output.status))),
+    }
+}

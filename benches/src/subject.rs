@@ -1,0 +1,152 @@
+//! Policies, each with the states that it meets in its own episodes, in their order.
+
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+use tpg_codegen::engine::Reference;
+use tpg_codegen::graph::{Graph, ScalarType};
+use tpg_codegen::import::{self, Profile};
+use tpg_codegen::interpret;
+use tpg_runtime::arm::{Arm, WIDOWX};
+use tpg_runtime::cycle::Brent;
+use tpg_runtime::episode::Episode;
+use tpg_runtime::kinematics::Lattice;
+use tpg_runtime::observation::{Observation, Source};
+use tpg_train::conformance::binding::Binding;
+use tpg_train::conformance::chain::Chain;
+use tpg_train::conformance::command::Problem;
+use tpg_train::conformance::episode::Rules;
+use tpg_train::conformance::{data, replay};
+use tpg_train::targets::{self, Start};
+
+/// States of a subject: enough that no branch predictor learns them by heart.
+pub const STATES: usize = 8192;
+
+/// A policy and what it decides on.
+#[derive(Debug)]
+pub struct Subject {
+    /// What it is called in the table.
+    pub name: String,
+    /// The policy.
+    pub graph: Graph,
+    /// Flat states, in the order of the episodes.
+    pub states: Vec<f64>,
+}
+
+impl Subject {
+    /// How many states there are.
+    pub fn count(&self) -> usize {
+        self.states.len() / self.graph.state_length()
+    }
+}
+
+/// This project's policies: `generated/widowx-fs` and the like, on the first of their test episodes.
+///
+/// # Panics
+/// When what is committed cannot be read.
+pub fn own() -> Vec<Subject> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../generated");
+    let problems = [("widowx-fs", Start::Fs), ("widowx-rs", Start::Rs)];
+    problems
+        .map(|(name, start)| {
+            let path = folder.join(name).join("graph.json");
+            let graph = import::load(&path, None, None).unwrap_or_else(|error| panic!("{error}"));
+            let targets = folder.join(format!("test-targets/{}.csv", if start == Start::Fs { "fs" } else { "rs" }));
+            let tasks = targets::read_csv(&WIDOWX, &targets).unwrap_or_else(|error| panic!("{error}"));
+            let states = match graph.scalar() {
+                ScalarType::F32 => episodes(&graph, &WIDOWX.to_f32(), &tasks, start),
+                ScalarType::F64 => episodes(&graph, &WIDOWX, &tasks, start),
+            };
+            Subject { name: name.to_owned(), graph, states }
+        })
+        .into()
+}
+
+fn episodes<S: Lattice>(graph: &Graph, arm: &Arm<S>, tasks: &[targets::Task], start: Start) -> Vec<f64> {
+    let sources: Vec<Source> = (graph.sources().iter())
+        .map(|source| Source::from_name(&source.name).expect("a source of the observation"))
+        .collect();
+    let mut state = vec![S::ZERO; graph.state_length()];
+    let mut states = Vec::with_capacity(STATES * state.len());
+    for task in tasks {
+        let mut episode = Episode::new(arm, task.problem(start), Brent::new());
+        loop {
+            if states.len() == STATES * state.len() {
+                return states;
+            }
+            Source::fill(&sources, arm, episode.observation(), &mut state);
+            let flat: Vec<f64> = state.iter().map(|value| value.to_f64()).collect();
+            let action = interpret::actions(graph, &flat)[0];
+            states.extend(flat);
+            let wanted = graph.actions()[usize::from(action.0)].moves.expect("an action of the arm");
+            if episode.advance(wanted).is_some() {
+                break;
+            }
+        }
+    }
+    states
+}
+
+/// The paper's policies on the first states of the episodes that were recorded of them, where they are at hand; skipped
+/// loudly where not.
+///
+/// # Panics
+/// When the folder is there and cannot be read, or a policy does not end its episodes as recorded.
+pub fn conformance(limit: usize) -> Vec<Subject> {
+    let default = || Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/conformance");
+    let folder = env::var_os("TPG_CONFORMANCE").map_or_else(default, PathBuf::from);
+    if !folder.is_dir() {
+        xtask::skip(&format!("the paper's policies: no folder {} (TPG_CONFORMANCE)", folder.display()));
+        return Vec::new();
+    }
+    let mut graphs: Vec<PathBuf> = ["tpg_traced", "tpg"]
+        .iter()
+        .flat_map(|part| fs::read_dir(folder.join(part)).expect("a part of the recorded data"))
+        .map(|entry| entry.expect("an entry").path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "dot"))
+        .collect();
+    graphs.sort();
+    graphs
+        .iter()
+        .map(|path| {
+            let mut subject = recorded(&folder, path);
+            subject.states.truncate(limit.saturating_mul(subject.graph.state_length()));
+            subject
+        })
+        .collect()
+}
+
+/// A recorded policy; its name says what was recorded.
+fn recorded(folder: &Path, path: &Path) -> Subject {
+    let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
+    let (problem, targets) = match name.split('_').next() {
+        Some("rs") => (Problem::Rs, "targets_rs.csv"),
+        _ => (Problem::Fs, "targets_fs.csv"),
+    };
+    let tolerance = if name.contains("range0.03") { 0.03 } else { 3.0 };
+    let read = || -> Result<_, tpg_codegen::error::InputError> {
+        let graph = import::load(path, Some(Profile::Ecta24), None)?;
+        let tasks = data::tasks(&folder.join(targets))?;
+        let ends = path.with_file_name(format!("{}.ends.csv", name.trim_end_matches(".cleaned")));
+        let ends = data::ends(&ends, &tasks)?;
+        let binding = Binding::of(&name, &graph)?;
+        Ok((graph, tasks, ends, binding))
+    };
+    let (graph, tasks, ends, binding) = read().unwrap_or_else(|error| panic!("{error}"));
+    let chain = Chain::new(WIDOWX);
+    let rules = Rules { max_actions: problem.max_actions(), tolerance };
+    let done = replay::run(&chain, rules, &tasks, &binding, &mut Reference::new(&graph))
+        .unwrap_or_else(|error| panic!("{name}: {error}"));
+    let comparison = replay::compare_ends(&ends, &done);
+    assert!(comparison.is_exact(), "{name}: {comparison:?}");
+
+    let mut states = Vec::new();
+    for (row, task) in &tasks {
+        let poses = &done[row].poses;
+        // Every action was decided at the pose before it.
+        for &pose in [task.start].iter().chain(&poses[..poses.len() - 1]) {
+            let seen = Observation::new(chain.arm(), pose, chain.hand(pose), task.target);
+            binding.push_state(&seen, &mut states);
+        }
+    }
+    Subject { name, graph, states }
+}

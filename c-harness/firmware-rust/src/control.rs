@@ -1,0 +1,186 @@
+//! Drives the simulated arm to a list of targets and prints a line an episode, as `firmware-c/control.c` does: by the
+//! hybrid, and by each of its parts alone.
+
+#![no_std]
+#![no_main]
+
+mod platform;
+mod report;
+
+use cortex_m_rt::entry;
+use platform::Counter;
+use report::Report;
+use tpg_generated::{widowx_fs::WidowxFs, widowx_rs::WidowxRs, widowx_sac};
+use tpg_runtime::arm::{Arm, Collision, Invalid, Move, Pose, WIDOWX};
+use tpg_runtime::cycle::Brent;
+use tpg_runtime::episode::{Episode, Outcome, Problem};
+use tpg_runtime::hybrid::{Chosen, Driver, Guard, Hybrid, HybridEpisode, Settings, Switch};
+use tpg_runtime::observation::{ArmPolicy, Observation};
+use tpg_runtime::policy::Policy;
+use tpg_runtime::sac::packed::{Model, PackedPolicy};
+
+include!(env!("TPG_PROBLEMS"));
+
+static ARM: Arm<f32> = WIDOWX.to_f32();
+
+type Network = PackedPolicy<'static, { widowx_sac::SCRATCH }>;
+
+/// What an episode comes to.
+struct Tally {
+    actions: u32,
+    instructions: u32,
+    worst: u32,
+    poses: u64,
+}
+
+impl Tally {
+    const fn new() -> Self {
+        Self { actions: 0, instructions: 0, worst: 0, poses: 0xcbf2_9ce4_8422_2325 }
+    }
+
+    fn add(&mut self, instructions: u32, Pose(ticks): Pose) {
+        self.actions += 1;
+        self.instructions = self.instructions.wrapping_add(instructions);
+        self.worst = self.worst.max(instructions);
+        // FNV-1a over the motor positions of every step.
+        for byte in ticks.into_iter().flat_map(i16::to_le_bytes) {
+            self.poses = (self.poses ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
+        }
+    }
+
+    fn tell(&self, line: Report, index: u32, outcome: Outcome, [graph, network, switches]: [u32; 3], pose: Pose) {
+        let [base, shoulder, elbow, wrist] = pose.0.map(i32::from);
+        line.unsigned("index", index)
+            .number("outcome", code(outcome))
+            .unsigned("actions", self.actions)
+            .unsigned("graph", graph)
+            .unsigned("network", network)
+            .unsigned("switches", switches)
+            .number("base", base)
+            .number("shoulder", shoulder)
+            .number("elbow", elbow)
+            .number("wrist", wrist)
+            .hexadecimal("poses", self.poses)
+            .unsigned("instructions", self.instructions)
+            .unsigned("worst", self.worst)
+            .print();
+    }
+}
+
+/// As `tpg_runtime.h` numbers them.
+fn code(outcome: Outcome) -> i32 {
+    match outcome {
+        Outcome::Reached => 1,
+        Outcome::Stop => 2,
+        Outcome::Cycle => 3,
+        Outcome::Timeout => 4,
+        Outcome::Invalid(Invalid::JointLimit(joint)) => 17 + i32::from(joint.0),
+        Outcome::Invalid(Invalid::Collision(Collision::Table)) => 21,
+        Outcome::Invalid(Invalid::Collision(Collision::HandCorner)) => 22,
+        Outcome::Invalid(Invalid::Collision(Collision::Base)) => 23,
+    }
+}
+
+/// One decision of a hybrid. A function of its own in the image, so that its worst case can be bounded.
+#[inline(never)]
+fn hybrid_decide<P>(episode: &mut HybridEpisode<'_, f32, P, Network, Brent>) -> Chosen
+where
+    P: Policy<State = Observation<f32>, Action = Move>,
+{
+    episode.decide()
+}
+
+/// The most bytes of stack that a decision takes in some episodes, its caller's not included.
+fn stack<P>(hybrid: &Hybrid<'_, f32, P, Network>, problems: &[Problem<f32>]) -> u32
+where
+    P: Policy<State = Observation<f32>, Action = Move>,
+{
+    let mut deepest = 0;
+    for &problem in problems.iter().take(8) {
+        let mut episode = HybridEpisode::new(hybrid, problem, Brent::new());
+        loop {
+            let here = platform::paint_stack();
+            let chosen = hybrid_decide(&mut episode);
+            deepest = deepest.max(platform::stack_used(here));
+            if episode.act(chosen).is_some() {
+                break;
+            }
+        }
+    }
+    deepest
+}
+
+fn hybrids<P>(counter: &mut Counter, set: &str, graph: P, network: Network, settings: Settings<f32>, problems: &[Problem<f32>])
+where
+    P: Policy<State = Observation<f32>, Action = Move>,
+{
+    let hybrid = Hybrid { arm: &ARM, tpg: graph, sac: network, settings };
+    Report::new("decision ").word(set).unsigned("stack", stack(&hybrid, problems)).print();
+    for (index, &problem) in (0..).zip(problems) {
+        let mut episode = HybridEpisode::new(&hybrid, problem, Brent::new());
+        let mut tally = Tally::new();
+        loop {
+            let (chosen, instructions) = counter.measure(|| hybrid_decide(&mut episode));
+            let outcome = episode.act(chosen);
+            tally.add(instructions, episode.observation().pose);
+            if let Some(outcome) = outcome {
+                let counts = episode.switch().counts();
+                let switches = counts.hand_overs.iter().fold(0u32, |sum, &count| sum.wrapping_add(count));
+                let who = [counts.tpg_actions, counts.sac_actions, switches];
+                let line = Report::new("episode ").word(set).word(" hybrid");
+                tally.tell(line, index, outcome, who, episode.observation().pose);
+                break;
+            }
+        }
+    }
+}
+
+fn singles<P>(counter: &mut Counter, set: &str, name: &str, policy: &P, problems: &[Problem<f32>])
+where
+    P: Policy<State = Observation<f32>, Action = Move>,
+{
+    for (index, &problem) in (0..).zip(problems).take(PARTS) {
+        let mut episode = Episode::new(&ARM, problem, Brent::new());
+        let mut tally = Tally::new();
+        loop {
+            let (wanted, instructions) = counter.measure(|| policy.decide(episode.observation()));
+            let outcome = episode.advance(wanted);
+            tally.add(instructions, episode.observation().pose);
+            if let Some(outcome) = outcome {
+                let line = Report::new("episode ").word(set).word(" ").word(name);
+                tally.tell(line, index, outcome, [0; 3], episode.observation().pose);
+                break;
+            }
+        }
+    }
+}
+
+/// What every controller pays beside its decision: seeing where the arm is, and telling the switch.
+fn around(counter: &mut Counter) {
+    let Some(&problem) = RS_PROBLEMS.first() else { return };
+    let (seen, observe) = counter.measure(|| Observation::at(&ARM, core::hint::black_box(problem.start), problem.target));
+    let mut switch = Switch::new(RS_SETTINGS, Brent::new(), &seen);
+    let chosen = Chosen { driver: Driver::Tpg, wanted: Move([3, 0, 0, 0]) };
+    let (_, acted) = counter.measure(|| switch.acted(core::hint::black_box(chosen), &seen));
+    Report::new("around").unsigned("observe", observe).unsigned("switch", acted).print();
+}
+
+#[entry]
+fn main() -> ! {
+    let stack = platform::paint_stack();
+    let Some(peripherals) = cortex_m::Peripherals::take() else { platform::exit(false) };
+    let mut counter = Counter::new(peripherals.SYST);
+    let model = Model::parse(&widowx_sac::MODEL).ok();
+    let Some(network) = model.and_then(|model| Network::new(&ARM, model)) else { platform::exit(false) };
+    let fs = ArmPolicy { policy: WidowxFs, arm: &ARM, sources: &WidowxFs::SOURCES, moves: &WidowxFs::MOVES };
+    let rs = ArmPolicy { policy: WidowxRs, arm: &ARM, sources: &WidowxRs::SOURCES, moves: &WidowxRs::MOVES };
+    around(&mut counter);
+    hybrids(&mut counter, "fs", fs, network, FS_SETTINGS, &FS_PROBLEMS);
+    hybrids(&mut counter, "rs", rs, network, RS_SETTINGS, &RS_PROBLEMS);
+    singles(&mut counter, "fs", "graph", &fs, &FS_PROBLEMS);
+    singles(&mut counter, "rs", "graph", &rs, &RS_PROBLEMS);
+    singles(&mut counter, "fs", "network", &network, &FS_PROBLEMS);
+    singles(&mut counter, "rs", "network", &network, &RS_PROBLEMS);
+    Report::new("done").unsigned("stack", platform::stack_used(stack)).print();
+    platform::exit(true)
+}

@@ -1,0 +1,216 @@
+//! Instructions of each profile's Rust on the same states, of networks of each kind and size, and of what is around them.
+
+#![no_std]
+#![no_main]
+
+mod platform;
+mod report;
+
+use core::hint::black_box;
+use cortex_m::singleton;
+use cortex_m_rt::entry;
+use platform::Counter;
+use report::Report;
+use tpg_generated::widowx_sac;
+use tpg_runtime::arm::{Arm, Move, Pose, WIDOWX};
+use tpg_runtime::cycle::Brent;
+use tpg_runtime::episode::{Episode, Problem};
+use tpg_runtime::frame::{Clearance, Frame};
+use tpg_runtime::hybrid::{Guard, Settings};
+use tpg_runtime::observation::{Observation, Source};
+use tpg_runtime::policy::{ActionId, Policy};
+use tpg_runtime::sac::packed::Model;
+use tpg_runtime::sac::{FEATURES, features, fixed};
+
+include!(env!("TPG_PROBLEMS"));
+include!(concat!(env!("TPG_GENERATED"), "/profiles.rs"));
+include!(concat!(env!("TPG_GENERATED"), "/models.rs"));
+
+static ARM: Arm<f32> = WIDOWX.to_f32();
+
+static WIDE: [u32; fixed::Network::<64, 64>::WIDE_WORDS] = widowx_sac::NETWORK.pack_wide(&widowx_sac::DECISION);
+
+/// Instructions of many calls.
+#[derive(Clone, Copy, Default)]
+struct Tally {
+    actions: u32,
+    instructions: u32,
+    worst: u32,
+}
+
+impl Tally {
+    fn add(&mut self, instructions: u32) {
+        self.actions += 1;
+        self.instructions = self.instructions.wrapping_add(instructions);
+        self.worst = self.worst.max(instructions);
+    }
+
+    fn tell(&self, words: &str) {
+        Report::new("cost ")
+            .word(words)
+            .unsigned("actions", self.actions)
+            .unsigned("instructions", self.instructions)
+            .unsigned("worst", self.worst)
+            .print();
+    }
+}
+
+/// Three profiles of one graph along the states that it sees.
+fn profiles<A, B, C, const N: usize>(
+    counter: &mut Counter,
+    names: [&str; 3],
+    policies: (A, B, C),
+    sources: &[Source],
+    moves: &[Move],
+    problems: &[Problem<f32>],
+) where
+    A: Policy<State = [f32; N], Action = ActionId>,
+    B: Policy<State = [f32; N], Action = ActionId>,
+    C: Policy<State = [f32; N], Action = ActionId>,
+{
+    let mut tallies = [Tally::default(); 3];
+    for &problem in problems.iter().take(PARTS) {
+        let mut episode = Episode::new(&ARM, problem, Brent::new());
+        loop {
+            let mut state = [0f32; N];
+            Source::fill(sources, &ARM, episode.observation(), &mut state);
+            let (ActionId(fast), a) = counter.measure(|| policies.0.decide(black_box(&state)));
+            let (ActionId(small), b) = counter.measure(|| policies.1.decide(black_box(&state)));
+            let (ActionId(constant), c) = counter.measure(|| policies.2.decide(black_box(&state)));
+            if fast != small || fast != constant {
+                platform::exit(false);
+            }
+            for (tally, instructions) in tallies.iter_mut().zip([a, b, c]) {
+                tally.add(instructions);
+            }
+            let wanted = moves.get(usize::from(fast)).copied().unwrap_or(Move::STOP);
+            if episode.advance(wanted).is_some() {
+                break;
+            }
+        }
+    }
+    for (tally, name) in tallies.iter().zip(names) {
+        tally.tell(name);
+    }
+}
+
+/// A stream of numbers without a pattern.
+struct Numbers(u32);
+
+impl Numbers {
+    fn next(&mut self) -> u32 {
+        self.0 = self.0.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        self.0 >> 8
+    }
+}
+
+/// A network in integers.
+fn network(counter: &mut Counter, name: &str, words: &'static [u32], scratch: &mut [u32]) {
+    let Ok(model) = Model::parse(words) else { platform::exit(false) };
+    let mut numbers = Numbers(1);
+    let mut tally = Tally::default();
+    for _ in 0..16 {
+        let inputs: [i16; FEATURES] = core::array::from_fn(|_| (numbers.next() % 16_384) as i16 - 8192);
+        let (_, instructions) = counter.measure(|| model.preferences(black_box(&inputs), scratch));
+        tally.add(instructions);
+    }
+    tally.tell(name);
+}
+
+/// A layer in `f32`, sums in the order of the columns.
+fn float_layer(weights: &[f32], bias: &[f32], inputs: &[f32], outputs: &mut [f32], hidden: bool) {
+    for ((row, &bias), output) in weights.chunks_exact(inputs.len().max(1)).zip(bias).zip(outputs) {
+        let sum = row.iter().zip(inputs).fold(bias, |sum, (&w, &x)| sum + w * x);
+        *output = if hidden && sum < 0.0 { 0.0 } else { sum };
+    }
+}
+
+/// A network in `f32`: inputs, width of both hidden layers.
+fn float_network(counter: &mut Counter, name: &str, weights: &[f32], inputs: usize, width: usize) {
+    let (mut first, mut second, mut out) = ([0f32; 256], [0f32; 256], [0f32; 4]);
+    let Some((first_weights, rest)) = weights.split_at_checked(inputs * width) else { platform::exit(false) };
+    let Some((second_weights, rest)) = rest.split_at_checked(width * width) else { platform::exit(false) };
+    let Some(last_weights) = rest.get(..4 * width) else { platform::exit(false) };
+    let (Some(first), Some(second)) = (first.get_mut(..width), second.get_mut(..width)) else { platform::exit(false) };
+    let mut numbers = Numbers(1);
+    let mut tally = Tally::default();
+    for _ in 0..4 {
+        let mut values = [0f32; FEATURES];
+        values.iter_mut().for_each(|value| *value = (numbers.next() % 4096) as f32 / 2048.0 - 1.0);
+        let Some(values) = values.get(..inputs) else { platform::exit(false) };
+        let ((), instructions) = counter.measure(|| {
+            float_layer(first_weights, first_weights, black_box(values), first, true);
+            float_layer(second_weights, second_weights, first, second, true);
+            float_layer(last_weights, last_weights, second, &mut out, false);
+            black_box(&out);
+        });
+        tally.add(instructions);
+    }
+    tally.tell(name);
+}
+
+/// The parts of a decision of the network.
+fn parts(counter: &mut Counter, problems: &[Problem<f32>]) {
+    let [mut frames, mut made, mut clearances, mut rounded, mut decided] = [Tally::default(); 5];
+    let mut numbers = Numbers(3);
+    for problem in problems {
+        let seen = Observation::at(&ARM, problem.start, problem.target);
+        let (frame, instructions) = counter.measure(|| Frame::of(&ARM, black_box(&seen)));
+        frames.add(instructions);
+        let (values, instructions) = counter.measure(|| features(black_box(&frame)));
+        made.add(instructions);
+        let (_, instructions) = counter.measure(|| Clearance::of(black_box(frame.plane()), &ARM.shapes));
+        clearances.add(instructions);
+        let (_, instructions) = counter.measure(|| fixed::quantise(black_box(&values)));
+        rounded.add(instructions);
+        let preferences = [0; 4].map(|_: i32| (numbers.next() % 8192) as i32 - 4096);
+        let Pose(ticks) = seen.pose;
+        let (_, instructions) =
+            counter.measure(|| widowx_sac::DECISION.decide(black_box(preferences), Pose(ticks), &ARM.ranges));
+        decided.add(instructions);
+    }
+    frames.tell("network: frame");
+    made.tell("network: features");
+    clearances.tell("network: clearance, a part of the features");
+    rounded.tell("network: features to integers");
+    decided.tell("network: decision");
+}
+
+#[entry]
+fn main() -> ! {
+    let stack = platform::paint_stack();
+    let Some(peripherals) = cortex_m::Peripherals::take() else { platform::exit(false) };
+    let mut counter = Counter::new(peripherals.SYST);
+    let _ = (FS_SETTINGS, RS_SETTINGS);
+    profiles(
+        &mut counter,
+        ["fs fast", "fs small", "fs constant-time"],
+        (fs_fast_rust::FsFastRust, fs_small_rust::FsSmallRust, fs_constant_rust::FsConstantRust),
+        &fs_fast_rust::FsFastRust::SOURCES,
+        &fs_fast_rust::FsFastRust::MOVES,
+        &FS_PROBLEMS,
+    );
+    profiles(
+        &mut counter,
+        ["rs fast", "rs small", "rs constant-time"],
+        (rs_fast_rust::RsFastRust, rs_small_rust::RsSmallRust, rs_constant_rust::RsConstantRust),
+        &rs_fast_rust::RsFastRust::SOURCES,
+        &rs_fast_rust::RsFastRust::MOVES,
+        &RS_PROBLEMS,
+    );
+    parts(&mut counter, &RS_PROBLEMS);
+    let Some(scratch) = singleton!(: [u32; 512] = [0; 512]) else { platform::exit(false) };
+    network(&mut counter, "layers shipped (i8, i16 activations)", &widowx_sac::MODEL, scratch);
+    network(&mut counter, "layers shipped, wide (i8 as i16)", &WIDE, scratch);
+    for (name, words) in MODELS {
+        network(&mut counter, name, words, scratch);
+    }
+    const WEIGHTS: usize = 256 * (13 + 256 + 4);
+    let Some(weights) = singleton!(: [f32; WEIGHTS] = [0.0; WEIGHTS]) else { platform::exit(false) };
+    let mut numbers = Numbers(5);
+    weights.iter_mut().for_each(|weight| *weight = (numbers.next() % 4096) as f32 / 16_384.0 - 0.125);
+    float_network(&mut counter, "layers 38-64-64-4 f32", weights, FEATURES, 64);
+    float_network(&mut counter, "layers 13-256-256-4 f32", weights, 13, 256);
+    Report::new("done").unsigned("stack", platform::stack_used(stack)).print();
+    platform::exit(true)
+}

@@ -1,0 +1,154 @@
+//! The firmwares, checked: `cargo xtask qemu` and `cargo xtask size` run this.
+//!
+//! | module | subject |
+//! | --- | --- |
+//! | [`problems`] | which episodes, and how graph and network share the arm |
+//! | [`build`] | the firmwares in C and Rust |
+//! | [`models`] | networks of every kind and size, to count |
+//! | [`emulate`] | QEMU |
+//! | [`expected`] | the host's trajectories |
+//! | [`costs`] | instructions beside `costs.toml` |
+//! | [`symbols`] | what must not be in an image |
+//! | [`worst`] | the static worst case of a decision |
+//! | [`size`] | flash and RAM beside `sizes.toml` |
+
+mod build;
+mod costs;
+mod emulate;
+mod expected;
+mod line;
+mod models;
+mod problems;
+mod size;
+mod symbols;
+mod worst;
+
+use build::Board;
+use clap::{Parser, Subcommand};
+use costs::Costs;
+use line::Line;
+use std::fmt::Display;
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode};
+
+/// Why a check could not be done, or failed.
+#[derive(Debug)]
+pub(crate) struct Failure(String);
+
+impl Failure {
+    /// From whatever says why.
+    pub(crate) fn new<E: Display>(error: E) -> Self {
+        Self(error.to_string())
+    }
+
+    /// With the file.
+    pub(crate) fn at<E: Display>(path: &Path, error: E) -> Self {
+        Self(format!("{}: {error}", path.display()))
+    }
+}
+
+/// Builds the firmwares, runs them under QEMU and compares them with the host and with what is committed.
+#[derive(Debug, Parser)]
+#[command(bin_name = "cargo xtask")]
+struct Cli {
+    #[command(subcommand)]
+    command: Check,
+}
+
+#[derive(Debug, Subcommand)]
+enum Check {
+    /// Trajectories, instructions and stack of both firmwares
+    Qemu {
+        /// Write costs.toml instead of comparing with it
+        #[arg(long)]
+        update: bool,
+    },
+    /// Flash and RAM of the control loop
+    Size,
+}
+
+fn main() -> ExitCode {
+    let result = match Cli::parse().command {
+        Check::Qemu { update } => qemu(update),
+        Check::Size => size::check(),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(Failure(message)) => {
+            eprintln!("FAILED: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// How a language's image is built.
+type Builder = fn(&str, Board) -> Result<Option<PathBuf>, Failure>;
+
+fn qemu(update: bool) -> Result<(), Failure> {
+    if !xtask::tool("qemu-system-arm", "qemu-system-arm", "the firmwares under QEMU") {
+        return Ok(());
+    }
+    let expected = expected::lines()?;
+    if let Some(program) = build::host()? {
+        let text = xtask::library::output(&mut Command::new(program)).map_err(|error| Failure(format!("{error:?}")))?;
+        compare("C on this machine", &expected, &text.lines().map(Line::parse).collect::<Vec<_>>())?;
+    }
+    let mut costs = Costs::new();
+    let mut all = true;
+    for (language, builder) in [("C", build::c as Builder), ("Rust", build::rust as Builder)] {
+        let Some(image) = builder("control", Board::Mps2An386)? else {
+            all = false;
+            continue;
+        };
+        symbols::check(&image)?;
+        let lines = emulate::run(Board::Mps2An386, &image)?;
+        compare(language, &expected, &lines)?;
+        costs.add(language, &lines);
+        stack(language, &lines)?;
+        if language == "Rust" {
+            worst::check(&image, &lines)?;
+        }
+        if let Some(image) = builder("costs", Board::Mps2An386)? {
+            costs.add(language, &emulate::run(Board::Mps2An386, &image)?);
+        }
+        fits(language, builder)?;
+    }
+    costs.print();
+    if update && all {
+        return costs.commit();
+    }
+    let differences = costs.differences()?;
+    if differences.is_empty() { Ok(()) } else { Err(Failure::new(differences.join("\n"))) }
+}
+
+/// The board with little memory runs the same episodes to the same ends.
+fn fits(language: &str, builder: Builder) -> Result<(), Failure> {
+    let Some(image) = builder("control", Board::NetduinoPlus2)? else { return Ok(()) };
+    let lines = emulate::run(Board::NetduinoPlus2, &image)?;
+    compare(&format!("{language} on netduinoplus2"), &expected::lines()?, &lines)
+}
+
+/// Every episode as on the host: its end, who acted, and a hash of every motor position of every step.
+fn compare(language: &str, expected: &[Line], lines: &[Line]) -> Result<(), Failure> {
+    let found = lines.iter().filter(|line| line.words.first().is_some_and(|word| word == "episode"));
+    let found: Vec<Line> = found.map(|line| line.without(&["instructions", "worst"])).collect();
+    if let Some((wanted, found)) = expected.iter().zip(&found).find(|(wanted, found)| wanted != found) {
+        return Err(Failure::new(format!("{language} is not the host: {found:?}, not {wanted:?}")));
+    }
+    if found.len() != expected.len() {
+        return Err(Failure::new(format!("{language}: {} episodes, not {}", found.len(), expected.len())));
+    }
+    let actions: u64 = found.iter().map(|line| line.number("actions")).sum();
+    println!("{language}: {} episodes, {actions} actions: every position as on the host", found.len());
+    Ok(())
+}
+
+/// The painted stack.
+fn stack(language: &str, lines: &[Line]) -> Result<(), Failure> {
+    let used = lines.iter().find(|line| line.words == ["done"]).map_or(0, |line| line.number("stack"));
+    println!("{language}: {used} bytes of stack were written to");
+    if used == 0 || used > size::STACK {
+        return Err(Failure::new(format!("{language}: {used} bytes of stack, at most {}", size::STACK)));
+    }
+    Ok(())
+}

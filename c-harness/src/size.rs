@@ -1,0 +1,53 @@
+//! Flash and RAM of the control loop that a user copies, on an STM32F405.
+
+use crate::Failure;
+use crate::build::{self, Board};
+use object::{Object as _, ObjectSection as _, SectionKind};
+use serde::Deserialize;
+use std::fs;
+use std::path::Path;
+
+/// What the stack may hold, bytes: the linker script keeps it free.
+pub(crate) const STACK: u64 = 3072;
+
+/// `sizes.toml`.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Budget {
+    /// Bytes of flash.
+    flash: u64,
+    /// Bytes of RAM, stack included.
+    ram: u64,
+}
+
+/// Flash and RAM of an image, stack not included.
+pub(crate) fn of(image: &Path) -> Result<(u64, u64), Failure> {
+    let bytes = fs::read(image).map_err(|error| Failure::at(image, error))?;
+    let file = object::File::parse(&*bytes).map_err(Failure::new)?;
+    let (mut flash, mut ram) = (0, 0);
+    for section in file.sections() {
+        let (in_flash, in_ram) = match section.kind() {
+            SectionKind::Text | SectionKind::ReadOnlyData | SectionKind::ReadOnlyString => (true, false),
+            SectionKind::Data => (true, true),
+            SectionKind::UninitializedData => (false, true),
+            _ => (false, false),
+        };
+        flash += if in_flash { section.size() } else { 0 };
+        ram += if in_ram { section.size() } else { 0 };
+    }
+    Ok((flash, ram))
+}
+
+/// Prints sizes and compares them with the budget.
+pub(crate) fn check() -> Result<(), Failure> {
+    let budget: Budget = toml::from_str(&build::committed("sizes.toml")?).map_err(Failure::new)?;
+    println!("{:<28} {:>8} {:>8} {:>8}", "on an STM32F405, bytes", "flash", "data", "stack");
+    let Some(image) = build::example(Board::NetduinoPlus2)? else { return Ok(()) };
+    let (flash, ram) = of(&image)?;
+    println!("{:<28} {flash:>8} {ram:>8} {STACK:>8}", "the control loop in C");
+    println!("{:<28} {:>8} {:>8}", "budget", budget.flash, budget.ram);
+    if flash > budget.flash || ram + STACK > budget.ram {
+        return Err(Failure::new("the control loop does not fit its budget"));
+    }
+    Ok(())
+}

@@ -1,0 +1,14 @@
+//! How this folder's graph and its actor share the arm: made from `hybrid.toml` by `tpg-train`; do not edit.
+
+use tpg_runtime::cycle::Brent;
+use tpg_runtime::hybrid::{Guard, Settings};
+
+/// When they change.
+pub const SETTINGS: Settings<f32> = Settings {
+    hand_back_after: 5,
+    separation: f32::INFINITY,
+    guard: Guard::Both,
+};
+
+/// What notices that the graph comes to a pose again.
+pub type Detector = Brent;

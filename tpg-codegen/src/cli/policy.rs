@@ -1,0 +1,60 @@
+//! `tpg-codegen policy`: a network in integers as C and Rust.
+
+use super::{CliError, Verdict};
+use crate::emit::Prefix;
+use crate::error::InputError;
+use crate::output;
+use crate::policy::{QuantisedPolicy, to_c, to_rust};
+use clap::{Args, ValueEnum};
+use std::fs;
+use std::path::PathBuf;
+
+/// Write a network in integers as constants of C and Rust.
+#[derive(Clone, Debug, Args)]
+pub(super) struct PolicyArgs {
+    /// A policy.q.json
+    policy: PathBuf,
+    /// The language to write
+    #[arg(long, value_enum, default_value_t = PolicyLanguage::All)]
+    lang: PolicyLanguage,
+    /// The name of the C array and of the files [default: from the file's name]
+    #[arg(long, value_name = "NAME")]
+    prefix: Option<Prefix>,
+    /// In C, 16 bits a weight instead of 8: nearly twice the flash, a third fewer instructions, the same answers
+    #[arg(long)]
+    wide: bool,
+    /// The folder to write to, made where it does not exist
+    #[arg(short, long, value_name = "DIR", default_value = ".")]
+    output: PathBuf,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum PolicyLanguage {
+    C,
+    Rust,
+    All,
+}
+
+impl PolicyArgs {
+    pub(super) fn run(&self) -> Result<Verdict, CliError> {
+        let name = self.policy.display().to_string();
+        let text = fs::read_to_string(&self.policy)
+            .map_err(|error| InputError::io(&self.policy, &error, "a policy.q.json that can be read"))?;
+        let policy = QuantisedPolicy::from_json(&name, &text)?;
+        let prefix = self.prefix.clone().unwrap_or_else(|| Prefix::of_file(&self.policy.with_extension("")));
+        let mut files = Vec::new();
+        if self.lang != PolicyLanguage::Rust {
+            files.extend(to_c(&policy, &prefix, self.wide)?.into_iter().map(|file| (self.output.join(file.name), file.text)));
+        }
+        if self.lang != PolicyLanguage::C {
+            files.push((self.output.join(format!("{prefix}.rs")), to_rust(&policy)?));
+        }
+        fs::create_dir_all(&self.output)
+            .map_err(|error| InputError::io(&self.output, &error, "a folder that can be written"))?;
+        output::write_all(&files)?;
+        for (path, _) in &files {
+            println!("{}", path.display());
+        }
+        Ok(Verdict::Good)
+    }
+}

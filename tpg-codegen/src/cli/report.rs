@@ -1,0 +1,53 @@
+//! `tpg-codegen report`: what a graph's code takes.
+
+use super::generate::fits;
+use super::scalar::{Chosen, ScalarArgs, StatesArgs};
+use super::{CliError, GraphArgs, Verdict};
+use crate::emit::{Options, Prefix, Profile};
+use crate::report;
+use crate::size::Target;
+use clap::Args;
+
+/// Say what a graph's code takes: flash, RAM, stack, operations; what was removed of it.
+#[derive(Clone, Debug, Args)]
+pub(super) struct ReportArgs {
+    #[command(flatten)]
+    graph: GraphArgs,
+    /// Where the code is to run [default: both]
+    #[arg(long, value_enum)]
+    target: Option<Target>,
+    #[command(flatten)]
+    scalar: ScalarArgs,
+    #[command(flatten)]
+    states: StatesArgs,
+    /// Exit with status 1 where the C of --profile takes more flash on the target (without --target, a Cortex-M4F)
+    #[arg(long, value_name = "BYTES")]
+    max_flash: Option<u64>,
+    /// The profile that --max-flash is for
+    #[arg(long, value_enum, default_value_t = Profile::Fast, requires = "max_flash")]
+    profile: Profile,
+    /// Print one JSON object
+    #[arg(long)]
+    json: bool,
+}
+
+impl ReportArgs {
+    pub(super) fn run(&self) -> Result<Verdict, CliError> {
+        let Chosen { graph, conversion } = match self.scalar.choose(&self.graph, self.graph.load()?, &self.states)? {
+            Ok(chosen) => chosen,
+            Err(verdict) => return Ok(verdict),
+        };
+        let options = Options { conversion, ..Options::new(Prefix::of_file(&self.graph.graph)) };
+        let targets = self.target.map_or(Target::ALL.to_vec(), |target| vec![target]);
+        let report = report::report(&graph, &options, &targets, &self.states.load(&graph)?);
+        if self.json {
+            println!("{}", serde_json::to_string(&report).map_err(CliError::other)?);
+        } else {
+            print!("{report}");
+        }
+        let options = Options { profile: Some(self.profile), ..options };
+        let small_enough =
+            self.max_flash.is_none_or(|limit| fits(&graph, &options, self.target.unwrap_or(Target::CortexM4), limit));
+        Ok(if small_enough { Verdict::Good } else { Verdict::Failed })
+    }
+}

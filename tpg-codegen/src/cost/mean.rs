@@ -1,0 +1,222 @@
+//! What decisions cost on average: the generated code's steps, counted state by state.
+
+use super::{Cost, Costs, Guard, Step, Work};
+use crate::graph::{Graph, MathsProvider, ScalarType};
+use crate::ir::{Node, Target};
+use crate::passes::arithmetic::Arithmetic;
+use crate::passes::estimate;
+use tpg_runtime::ops::{Instruction, Maths, Own, System};
+use tpg_runtime::policy::ActionId;
+use tpg_runtime::scalar::Scalar;
+
+impl Costs {
+    /// What a decision costs on average over flat states; nothing where there are none.
+    ///
+    /// # Panics
+    /// If the states' length is no multiple of [`Graph::state_length`].
+    pub fn mean(&self, graph: &Graph, states: &[f64]) -> Cost<f64> {
+        self.count(graph, states).0
+    }
+
+    /// The mean, and the action of every state, by which tests know that the right steps were counted.
+    pub(super) fn count(&self, graph: &Graph, states: &[f64]) -> (Cost<f64>, Vec<ActionId>) {
+        assert_eq!(states.len() % graph.state_length(), 0, "whole states");
+        match (graph.scalar(), graph.maths()) {
+            (ScalarType::F32, MathsProvider::Own) => self.count_in::<f32, Own>(graph, states),
+            (ScalarType::F32, MathsProvider::System) => self.count_in::<f32, System>(graph, states),
+            (ScalarType::F64, MathsProvider::Own) => self.count_in::<f64, Own>(graph, states),
+            (ScalarType::F64, MathsProvider::System) => self.count_in::<f64, System>(graph, states),
+        }
+    }
+
+    fn count_in<S: Scalar, M: Maths<S>>(&self, graph: &Graph, states: &[f64]) -> (Cost<f64>, Vec<ActionId>) {
+        let arithmetic = Arithmetic { scalar: graph.scalar(), maths: graph.maths() };
+        let lowest = -S::from_f64(arithmetic.greatest());
+        let mut total = Cost::<u64>::default();
+        let mut values = vec![S::ZERO; self.nodes.len()];
+        let actions = (states.chunks_exact(graph.state_length()))
+            .map(|state| {
+                self.evaluate::<S, M>(graph.scalar(), state, &mut values);
+                self.walk(&values, lowest, &mut total)
+            })
+            .collect::<Vec<_>>();
+        let mean = |sum: u64| if actions.is_empty() { 0.0 } else { sum as f64 / actions.len() as f64 };
+        let Cost { teams, bids, operations, maths_calls } = total;
+        let mean =
+            Cost { teams: mean(teams), bids: mean(bids), operations: mean(operations), maths_calls: mean(maths_calls) };
+        (mean, actions)
+    }
+
+    /// Every node's value, whether the code would compute it or not: counting comes after.
+    fn evaluate<S: Scalar, M: Maths<S>>(&self, scalar: ScalarType, state: &[f64], values: &mut [S]) {
+        for (index, node) in self.nodes.iter().enumerate() {
+            values[index] = match *node {
+                Node::Constant(bits) => S::from_f64(f64::from_bits(bits)),
+                Node::Input(input) => S::from_f64(state[input.index()]),
+                Node::Operation(instruction, [a, b]) => instruction.apply::<S, M>(values[a.index()], values[b.index()]),
+                Node::Upper(instruction, value) => {
+                    S::from_f64(estimate::upper(scalar, instruction, values[value.index()].to_f64()))
+                }
+            };
+        }
+    }
+
+    fn walk<S: Scalar>(&self, values: &[S], lowest: S, total: &mut Cost<u64>) -> ActionId {
+        add(total, self.once);
+        if self.all_teams {
+            total.bids += self.teams.iter().map(|steps| steps.len() as u64).sum::<u64>();
+        }
+        let mut team = 0;
+        loop {
+            total.teams += 1;
+            let mut seen = Cost::default();
+            let place = winner(&self.teams[team], values, lowest, &mut seen);
+            if !self.all_teams {
+                total.bids += seen.bids;
+                total.operations += seen.operations;
+                total.maths_calls += seen.maths_calls;
+            }
+            let edges = &self.module.teams[team].edges;
+            match edges[place.unwrap_or(edges.len() - 1)].to {
+                Target::Team(next) => team = next,
+                Target::Action(action) => return action,
+            }
+        }
+    }
+}
+
+/// The place of the winning bid; none where every bid is −∞ or NaN, for the code begins with the lowest finite number.
+fn winner<S: Scalar>(steps: &[Step], values: &[S], lowest: S, seen: &mut Cost<u64>) -> Option<usize> {
+    let mut winner = None;
+    // Who leads bids at least `best` and at most `top`; where it is a bid that can lead without being computed, what it bids
+    // and what it takes to know.
+    let (mut best, mut top) = (lowest, lowest);
+    let mut late: Option<(S, Work)> = None;
+    for &Step { bid, guard, certain, before, inside, .. } in steps {
+        add(seen, before);
+        // The code compares places counted from 1: nobody's is below every bid's.
+        let comes_after = winner.is_none_or(|winner| winner < bid.place);
+        let beats = |value: S, best: S| value > best || (value >= best && (bid.in_turn || comes_after));
+        let spared = match guard {
+            Guard::None => false,
+            Guard::Bound(bound) => {
+                let bound = values[bound.index()];
+                best > bound || (!bid.in_turn && best >= bound && !comes_after)
+            }
+            Guard::Place => best >= -S::NEG_INFINITY && !comes_after,
+        };
+        if spared {
+            continue;
+        }
+        seen.bids += 1;
+        let value = values[bid.value.index()];
+        if let (Some(certain), Guard::Bound(bound)) = (certain, guard)
+            && beats(values[certain.index()], top)
+        {
+            (best, top) = (values[certain.index()], values[bound.index()]);
+            (winner, late) = (Some(bid.place), Some((value, inside)));
+            continue;
+        }
+        add(seen, inside);
+        if let Some((known, work)) = late
+            && (certain.is_some() || top > best)
+        {
+            add(seen, work);
+            best = known;
+        }
+        if beats(value, best) {
+            (best, winner) = (value, Some(bid.place));
+            late = certain.map(|_| (value, inside));
+        }
+        top = best;
+    }
+    winner
+}
+
+fn add(total: &mut Cost<u64>, work: Work) {
+    total.operations += work.operations;
+    total.maths_calls += work.maths_calls;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Costs;
+    use crate::emit::{Language, Options, Profile, Style};
+    use crate::graph::Graph;
+    use crate::sample::{self, Shape};
+    use crate::{interpret, states};
+
+    fn shapes() -> impl Iterator<Item = (Language, Options)> {
+        let options = Options::new("arm".parse().expect("a prefix"));
+        let gegelati = Options { style: Style::Gegelati, ..options.clone() };
+        let profiles = [Language::C, Language::Rust].into_iter().flat_map(move |language| {
+            let options = options.clone();
+            Profile::ALL.map(move |profile| (language, Options { profile: Some(profile), ..options.clone() }))
+        });
+        profiles.chain([(Language::C, gegelati)])
+    }
+
+    #[test]
+    fn what_is_counted_takes_the_interpreters_way_and_never_exceeds_the_worst() {
+        for seed in 0..60 {
+            let graph = sample::graph(&Shape::random(seed), seed);
+            let states = states::sample(&graph, 300, seed);
+            let expected = interpret::actions(&graph, &states);
+            for (language, options) in shapes() {
+                let (costs, _) = Costs::of(&graph, language, &options);
+                let (_, actions) = costs.count(&graph, &states);
+                assert_eq!(actions, expected, "graph {seed}, {options:?}");
+                let worst = costs.worst();
+                for state in states.chunks_exact(graph.state_length()) {
+                    let cost = costs.mean(&graph, state);
+                    assert!(cost.teams <= worst.teams as f64, "graph {seed}: {cost:?} {worst:?}");
+                    assert!(cost.bids <= worst.bids as f64, "graph {seed}: {cost:?} {worst:?}");
+                    assert!(cost.operations <= worst.operations as f64, "graph {seed}: {cost:?} {worst:?}");
+                    assert!(cost.maths_calls <= worst.maths_calls as f64, "graph {seed}: {cost:?} {worst:?}");
+                }
+            }
+        }
+    }
+
+    fn fixture() -> Graph {
+        Graph::from_json("fixture", include_str!("../../tests/fixtures/all_instructions.json")).expect("a valid graph")
+    }
+
+    /// Counted by hand on the fixture: programs 1 (sub), 2 (sin, mul, abs), 3 (none), 9 (sub), 8 (div) in the root;
+    /// 4 (exp, div, negate_if_less), 5 (ln, max), 3 in team 9; 6 (cos, min), 7 (cos, add), 10 (cos) in team 11.
+    #[test]
+    fn bid_by_bid_every_operation_of_a_walk_counts() {
+        let gegelati = Options { style: Style::Gegelati, ..Options::new("arm".parse().expect("a prefix")) };
+        let worst = Costs::of(&fixture(), Language::C, &gegelati).0.worst();
+        assert_eq!((worst.teams, worst.bids, worst.operations, worst.maths_calls), (3, 11, 6 + 5 + 5, 1 + 2 + 3));
+    }
+
+    #[test]
+    fn constant_time_costs_the_same_for_every_state() {
+        let options =
+            Options { profile: Some(Profile::ConstantTime), ..Options::new("arm".parse().expect("a prefix")) };
+        let graph = fixture();
+        let (costs, _) = Costs::of(&graph, Language::C, &options);
+        let worst = costs.worst();
+        let mean = costs.mean(&graph, &states::sample(&graph, 100, 1));
+        assert_eq!(mean.operations, worst.operations as f64);
+        assert_eq!(mean.maths_calls, worst.maths_calls as f64);
+        assert_eq!(mean.bids, worst.bids as f64);
+        // cos motors[1] is in two programs and is computed once.
+        assert_eq!(worst.maths_calls, 5);
+    }
+
+    #[test]
+    fn the_worst_case_of_fast_code_is_reached_where_nothing_can_be_spared() {
+        let options = Options { profile: Some(Profile::Fast), ..Options::new("arm".parse().expect("a prefix")) };
+        let graph = fixture();
+        let (costs, _) = Costs::of(&graph, Language::C, &options);
+        let states = states::sample(&graph, 5000, 1);
+        let highest = (states.chunks_exact(graph.state_length()))
+            .map(|state| costs.mean(&graph, state).operations)
+            .fold(0.0, f64::max);
+        let worst = costs.worst().operations as f64;
+        assert!(highest > 0.5 * worst, "{highest} of {worst}: the bound is not idle");
+        assert!(costs.mean(&graph, &states).operations < worst, "guards spare something");
+    }
+}

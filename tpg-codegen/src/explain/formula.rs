@@ -1,0 +1,165 @@
+//! Nodes as people write them: infix, with no more brackets than the order of operations needs.
+
+use crate::graph::{Graph, ScalarType};
+use crate::ir::{Module, Node, NodeId};
+use std::collections::BTreeMap;
+use tpg_runtime::ops::Instruction;
+
+/// The formulas of a team's bids. What occurs more than once has a name, so that no formula is longer than its program.
+pub(super) struct Formulas {
+    /// What stands for each node: a name, or what it is.
+    terms: BTreeMap<NodeId, Term>,
+    shared: Vec<(String, String)>,
+}
+
+#[derive(Clone)]
+struct Term {
+    text: String,
+    rank: Rank,
+}
+
+/// How strongly the parts of a term hold together.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Rank {
+    Sum,
+    Product,
+    Atom,
+}
+
+impl Formulas {
+    /// Of the values that a team's edges bid.
+    pub(super) fn new(graph: &Graph, module: &Module, bids: &[NodeId]) -> Self {
+        let mut needed: Vec<NodeId> = bids.iter().flat_map(|&bid| module.operations_of(bid)).collect();
+        needed.sort_unstable();
+        needed.dedup();
+        let mut uses: BTreeMap<NodeId, usize> = BTreeMap::new();
+        let operands = needed.iter().flat_map(|&id| module.nodes[id.index()].operands());
+        for &id in operands.chain(bids) {
+            *uses.entry(id).or_default() += 1;
+        }
+        let mut formulas = Self { terms: BTreeMap::new(), shared: Vec::new() };
+        for &id in bids.iter().chain(needed.iter().flat_map(|id| module.nodes[id.index()].operands())) {
+            if let Some(term) = leaf(graph, module.node(id)) {
+                formulas.terms.insert(id, term);
+            }
+        }
+        // Operands come before operations.
+        for id in needed {
+            let Node::Operation(instruction, operands) = module.node(id) else { continue };
+            let mut term = formulas.operation(instruction, operands);
+            if uses.get(&id).is_some_and(|&uses| uses > 1) {
+                let name = format!("t{}", formulas.shared.len() + 1);
+                formulas.shared.push((name.clone(), term.text));
+                term = Term { text: name, rank: Rank::Atom };
+            }
+            formulas.terms.insert(id, term);
+        }
+        formulas
+    }
+
+    /// The names, and what they stand for.
+    pub(super) fn shared(&self) -> &[(String, String)] {
+        &self.shared
+    }
+
+    /// The formula of a bid.
+    pub(super) fn of(&self, bid: NodeId) -> &str {
+        &self.terms[&bid].text
+    }
+
+    fn operation(&self, instruction: Instruction, [a, b]: [NodeId; 2]) -> Term {
+        let [a, b] = [a, b].map(|id| &self.terms[&id]);
+        let infix = |operator: &str, rank: Rank| {
+            // Nothing is associative: a + (b + c) is not (a + b) + c.
+            let left = if a.rank < rank { format!("({})", a.text) } else { a.text.clone() };
+            let right = if b.rank <= rank { format!("({})", b.text) } else { b.text.clone() };
+            Term { text: format!("{left} {operator} {right}"), rank }
+        };
+        match instruction {
+            Instruction::Add => infix("+", Rank::Sum),
+            Instruction::Sub => infix("-", Rank::Sum),
+            Instruction::Mul => infix("*", Rank::Product),
+            Instruction::Div => infix("/", Rank::Product),
+            _ if instruction.arity() == 1 => {
+                Term { text: format!("{}({})", instruction.name(), a.text), rank: Rank::Atom }
+            }
+            _ => Term { text: format!("{}({}, {})", instruction.name(), a.text, b.text), rank: Rank::Atom },
+        }
+    }
+}
+
+/// A number or a value of the state.
+fn leaf(graph: &Graph, node: Node) -> Option<Term> {
+    let text = match node {
+        Node::Input(input) => graph.input_name(input),
+        Node::Constant(bits) => {
+            let value = f64::from_bits(bits);
+            let text = match graph.scalar() {
+                ScalarType::F32 => format!("{:?}", value as f32),
+                ScalarType::F64 => format!("{value:?}"),
+            };
+            let text = text.strip_suffix(".0").map_or(text.clone(), str::to_owned);
+            // A sign in the middle of a formula reads badly.
+            return Some(Term { rank: if text.starts_with('-') { Rank::Sum } else { Rank::Atom }, text });
+        }
+        Node::Operation(..) | Node::Upper(..) => return None,
+    };
+    Some(Term { text, rank: Rank::Atom })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Formulas;
+    use crate::graph::{Graph, Input};
+    use crate::ir::{Module, Node, NodeId, Values};
+    use tpg_runtime::ops::Instruction::{self, Abs, Add, Div, Exp, Max, Mul, Sub};
+
+    fn formulas(
+        build: impl Fn(&mut dyn FnMut(Instruction, NodeId, NodeId) -> NodeId, NodeId, NodeId) -> Vec<NodeId>,
+    ) -> Vec<String> {
+        let graph =
+            Graph::from_json("fixture", include_str!("../../tests/fixtures/all_instructions.json")).expect("valid");
+        let mut values = Values::default();
+        let x = values.intern(Node::Input(Input(0)));
+        let two = values.intern(Node::constant(-2.0));
+        let bids = build(&mut |i, a, b| values.intern(Node::Operation(i, [a, b])), x, two);
+        let module = Module { nodes: values.into_nodes(), bidders: Vec::new(), teams: Vec::new(), depth: 0 };
+        let formulas = Formulas::new(&graph, &module, &bids);
+        let shared = formulas.shared().iter().map(|(name, formula)| format!("{name} = {formula}"));
+        shared.chain(bids.iter().map(|&bid| formulas.of(bid).to_owned())).collect()
+    }
+
+    #[test]
+    fn brackets_stand_where_the_order_of_operations_needs_them() {
+        let found = formulas(|op, x, two| {
+            let sum = op(Add, x, two);
+            let square = op(Mul, x, x);
+            let product = op(Mul, sum, square);
+            vec![op(Sub, x, product)]
+        });
+        assert_eq!(found, ["target[0] - (target[0] + (-2)) * (target[0] * target[0])"]);
+        let found = formulas(|op, x, two| {
+            let quotient = op(Div, two, x);
+            let inner = op(Sub, x, quotient);
+            let absolute = op(Abs, inner, inner);
+            let outer = op(Sub, absolute, x);
+            vec![op(Max, outer, two)]
+        });
+        assert_eq!(found, ["max(abs(target[0] - (-2) / target[0]) - target[0], -2)"]);
+    }
+
+    #[test]
+    fn what_occurs_twice_has_a_name_so_formulas_stay_short() {
+        let found = formulas(|op, x, _| {
+            let mut value = op(Exp, x, x);
+            for _ in 0..40 {
+                value = op(Add, value, value);
+            }
+            vec![value, x]
+        });
+        assert_eq!(found[0], "t1 = exp(target[0])");
+        assert_eq!(found[1], "t2 = t1 + t1");
+        assert_eq!(found[40], "t40 + t40");
+        assert_eq!(found[41], "target[0]");
+    }
+}

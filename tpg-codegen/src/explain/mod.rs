@@ -1,0 +1,172 @@
+//! `--explain`: what each pass removed, and what is left, team by team, in formulas that can be read.
+
+mod formula;
+
+use crate::emit::Options;
+use crate::graph::Graph;
+use crate::ir::{Module, Target, effective_lines};
+use crate::passes::schedule::schedule;
+use crate::passes::{self, Log};
+use formula::Formulas;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::{self, Write as _};
+use tpg_runtime::ops::Instruction;
+
+/// Columns of a line.
+const WIDTH: usize = 120;
+
+/// The explanation: the same graph and options give the same text.
+pub fn explain(graph: &Graph, options: &Options) -> String {
+    let mut out = String::new();
+    let explained = Explanation::new(graph, options).write(&mut out);
+    explained.expect("a string takes everything");
+    out
+}
+
+struct Explanation<'a> {
+    graph: &'a Graph,
+    options: &'a Options,
+    lowered: Module,
+    module: Module,
+    log: Log,
+}
+
+impl<'a> Explanation<'a> {
+    fn new(graph: &'a Graph, options: &'a Options) -> Self {
+        let (module, log) = passes::optimise_logged(graph, options.assumption);
+        Self { graph, options, lowered: Module::lower(graph), module, log }
+    }
+
+    fn write(&self, out: &mut String) -> fmt::Result {
+        let sha256 = self.options.conversion.as_ref().map_or_else(|| self.graph.sha256(), |was| was.sha256.clone());
+        writeln!(out, "Graph SHA-256: {sha256}")?;
+        writeln!(out, "Computes in {} with {} maths.", self.graph.scalar().name(), self.graph.maths().name())?;
+        if let Some(conversion) = &self.options.conversion {
+            writeln!(out, "The graph says {}: {}.", conversion.from.name(), conversion.agreement)?;
+        }
+        writeln!(out, "\nWhat the passes did\n")?;
+        self.introns(out)?;
+        self.removed(out)?;
+        self.guards(out)?;
+        self.teams(out)
+    }
+
+    /// Reachability, introns, value numbering and folding.
+    fn introns(&self, out: &mut String) -> fmt::Result {
+        let reached: BTreeSet<u32> = self.lowered.bidders.iter().map(|bidder| bidder.label).collect();
+        let programs = self.graph.programs().iter();
+        let (reached, unused): (Vec<_>, Vec<_>) = programs.partition(|program| reached.contains(&program.label));
+        section(out, "reachability", unused.len(), "programs that bid in no team")?;
+        list(out, "programs", unused.iter().map(|program| program.label.to_string()))?;
+
+        let mut lines = 0;
+        let mut effective = 0;
+        let mut affected = Vec::new();
+        for program in reached {
+            let count = effective_lines(program, usize::from(self.graph.registers())).iter().filter(|&&e| e).count();
+            let all = program.lines.len();
+            lines += all;
+            effective += count;
+            if count < all {
+                affected.push(format!("{} ({} of {all})", program.label, all - count));
+            }
+        }
+        section(out, "introns", lines - effective, &format!("of {lines} lines, that no bid depends on"))?;
+        list(out, "programs", affected.into_iter())?;
+        let distinct = self.lowered.nodes.iter().filter(|node| node.is_computed()).count();
+        let merged = effective - distinct;
+        section(out, "value numbering", merged, &format!("of {effective} lines compute what another one does"))?;
+        let what =
+            format!("of {distinct} operations are constant, equal to an operand, or of use to no bid that is left");
+        section(out, "folding", self.log.operations, &what)
+    }
+
+    fn removed(&self, out: &mut String) -> fmt::Result {
+        let Log { duplicate_bids, hopeless_bids, teams_without_choice, twin_teams, unreachable_teams, .. } = &self.log;
+        section(out, "duplicate bids", duplicate_bids.len(), "edges that bid as a later one of their team does")?;
+        let bids = duplicate_bids.iter().map(|bid| (bid.team, format!("{} (as {})", bid.program, bid.same_as)));
+        by_team(out, bids)?;
+        section(out, "hopeless bids", hopeless_bids.len(), "edges that another one of their team always outbids")?;
+        by_team(out, hopeless_bids.iter().map(|bid| (bid.team, bid.program.to_string())))?;
+        section(out, "no choice", teams_without_choice.len(), "teams whose edges all lead to one place")?;
+        list(out, "teams", teams_without_choice.iter().map(u32::to_string))?;
+        section(out, "twins", twin_teams.len(), "teams that decide as another one does")?;
+        list(out, "teams", twin_teams.iter().map(|twin| format!("{} (as {})", twin.team, twin.same_as)))?;
+        section(out, "unreachable", unreachable_teams.len(), "teams that no edge leads to any more")?;
+        list(out, "teams", unreachable_teams.iter().map(u32::to_string))
+    }
+
+    /// Bound-guarded evaluation, which only the profile fast does.
+    fn guards(&self, out: &mut String) -> fmt::Result {
+        let schedule = schedule(self.graph, &self.module);
+        let lazy = schedule.plans.iter().flat_map(|plan| &plan.lazy);
+        let guarded = lazy.filter(|lazy| lazy.bound.is_some()).count();
+        let edges: usize = self.module.teams.iter().map(|team| team.edges.len()).sum();
+        let what = format!("of {edges} bids are computed only where a bound says that they can win (profile fast)");
+        section(out, "lazy bids", guarded, &what)?;
+        let teams = self.module.teams.len();
+        let operations = self.module.nodes.iter().filter(|node| node.is_computed()).count();
+        let programs = self.module.bidders.len();
+        writeln!(out, "{:<16}{teams} teams, {edges} edges, {programs} programs, {operations} operations", "left")
+    }
+
+    fn teams(&self, out: &mut String) -> fmt::Result {
+        writeln!(out, "\nWhat the teams compute\n")?;
+        writeln!(out, "The highest bid wins, of equal bids the last; a NaN is the lowest.")?;
+        let negates = |i: &Instruction| *i == Instruction::NegateIfLess;
+        if self.graph.instructions().iter().any(negates) {
+            writeln!(out, "negate_if_less(a, b) is -a where a < b, else a.")?;
+        }
+        for (index, team) in self.module.teams.iter().enumerate() {
+            writeln!(out, "\nteam {}{}", team.label, if index == 0 { ", the root" } else { "" })?;
+            let bids: Vec<_> = team.edges.iter().map(|edge| self.module.bidders[edge.bidder].value).collect();
+            let formulas = Formulas::new(self.graph, &self.module, &bids);
+            for (name, formula) in formulas.shared() {
+                writeln!(out, "    {name} = {formula}")?;
+            }
+            for (edge, &bid) in team.edges.iter().zip(&bids) {
+                let to = match edge.to {
+                    Target::Team(team) => format!("team {}", self.module.teams[team].label),
+                    Target::Action(action) => {
+                        format!("action {} {}", action.0, self.graph.actions()[usize::from(action.0)].name)
+                    }
+                };
+                writeln!(out, "  program {} -> {to}: {}", self.module.bidders[edge.bidder].label, formulas.of(bid))?;
+            }
+        }
+        Ok(())
+    }
+}
+
+fn section(out: &mut String, name: &str, count: usize, what: &str) -> fmt::Result {
+    writeln!(out, "{name:<16}{count} {what}")
+}
+
+/// A list over as many lines as it takes, or nothing.
+fn list(out: &mut String, what: &str, items: impl Iterator<Item = String>) -> fmt::Result {
+    const INDENT: usize = 16;
+    let mut line = String::new();
+    for item in items {
+        if line.is_empty() {
+            line = format!("{:INDENT$}{what} {item}", "");
+        } else if line.len() + 2 + item.len() > WIDTH {
+            writeln!(out, "{line},")?;
+            line = format!("{:INDENT$}  {item}", "");
+        } else {
+            write!(line, ", {item}")?;
+        }
+    }
+    if line.is_empty() { Ok(()) } else { writeln!(out, "{line}") }
+}
+
+/// Lists, each behind its team, by the teams' ids.
+fn by_team(out: &mut String, items: impl Iterator<Item = (u32, String)>) -> fmt::Result {
+    let mut teams: BTreeMap<u32, Vec<String>> = BTreeMap::new();
+    for (team, item) in items {
+        teams.entry(team).or_default().push(item);
+    }
+    for (team, items) in teams {
+        list(out, &format!("team {team}: programs"), items.into_iter())?;
+    }
+    Ok(())
+}

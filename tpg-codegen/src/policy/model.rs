@@ -1,0 +1,163 @@
+//! A policy in integers as one array of words, and C that holds it.
+
+use super::{QuantisedLayer, QuantisedPolicy};
+use crate::emit::{File, Prefix};
+use crate::error::{InputError, Place};
+use askama::Template;
+use tpg_kernels::Kind;
+use tpg_runtime::sac::fixed::{FixedDecision, Rescale};
+use tpg_runtime::sac::packed::{self, LayerRows, Model, Weights};
+use tpg_runtime::sac::{Actions, Mask};
+
+#[derive(Template)]
+#[template(path = "c/model.c", escape = "none")]
+struct Source<'a> {
+    banner: &'a [String],
+    prefix: &'a str,
+    upper: &'a str,
+    lines: Vec<String>,
+}
+
+#[derive(Template)]
+#[template(path = "c/model.h", escape = "none")]
+struct Header<'a> {
+    banner: &'a [String],
+    prefix: &'a str,
+    upper: &'a str,
+    words: usize,
+    scratch: usize,
+}
+
+/// The policy as `tpg_runtime::sac::packed` reads it; `wide` with 16 bits a weight: more flash, fewer instructions, the
+/// same answers.
+///
+/// # Errors
+/// If it has more or wider layers than the runtime takes, or a rescale that is no multiplier of 32 bits.
+pub fn to_words(policy: &QuantisedPolicy, wide: bool) -> Result<Vec<u32>, InputError> {
+    let refuse = |found: String, accepted: &str| {
+        InputError::new("policy.q.json", Place::Path("$.layers".to_owned()), found, accepted)
+    };
+    let actions = Actions::from_name(&policy.actions).unwrap_or(Actions::Fine);
+    let mask = Mask::from_name(&policy.mask).unwrap_or(Mask::None);
+    let decision = FixedDecision::new(actions, mask, policy.may_rest);
+    let rescales: Vec<Vec<Rescale>> = policy.layers.iter().map(rescales).collect();
+    let kind = if wide { Kind::W16A16 } else { Kind::W8A16 };
+    let mut sizes = Vec::new();
+    let mut rows = Vec::new();
+    for (layer, rescale) in policy.layers.iter().zip(&rescales) {
+        if let Some(at) = rescale.iter().find(|rescale| rescale.multiplier().is_none()) {
+            return Err(refuse(format!("{at:?}"), "factor / 2^shift below 1/2, and exact in 32 bits"));
+        }
+        let weights = Weights::I8(&layer.weights);
+        sizes.push((layer.inputs, layer.outputs, kind));
+        rows.push(LayerRows { inputs: layer.inputs, kind, weights, bias: &layer.bias, rescale });
+    }
+    let mut words = vec![0; packed::words(&sizes)];
+    if !packed::pack(&rows, &decision, &mut words) {
+        let found = format!("layers of {sizes:?}");
+        let accepted = format!("1 to {} layers of at most {} values", packed::LAYERS, packed::WIDTH);
+        return Err(refuse(found, &accepted));
+    }
+    Ok(words)
+}
+
+fn rescales(layer: &QuantisedLayer) -> Vec<Rescale> {
+    layer.factor.iter().zip(&layer.shift).map(|(&factor, &shift)| Rescale { factor, shift }).collect()
+}
+
+/// `PREFIX.h` and `PREFIX.c`: the words as a constant array, for `tpg_sac_init`.
+///
+/// # Errors
+/// As [`to_words`].
+pub fn to_c(policy: &QuantisedPolicy, prefix: &Prefix, wide: bool) -> Result<Vec<File>, InputError> {
+    let words = to_words(policy, wide)?;
+    let scratch = Model::parse(&words).map_or(0, |model| model.scratch());
+    let upper = prefix.upper();
+    let banner = [
+        format!("Made by tpg-codegen {} from a network in integers; do not edit.", env!("CARGO_PKG_VERSION")),
+        format!("Weights' SHA-256: {}", policy.source_sha256),
+        format!(
+            "{} layers, {} multiplications a decision, {} bytes.",
+            policy.layers.len(),
+            policy.multiplications(),
+            4 * words.len()
+        ),
+        format!("Actions: {}; mask: {}.", policy.actions, policy.mask),
+    ];
+    let hexadecimal = |words: &[u32]| words.iter().map(|word| format!("0x{word:08x}U")).collect::<Vec<_>>().join(", ");
+    let source = Source {
+        banner: &banner,
+        prefix: prefix.lower(),
+        upper: &upper,
+        lines: words.chunks(8).map(hexadecimal).collect(),
+    };
+    let header = Header { banner: &banner, prefix: prefix.lower(), upper: &upper, words: words.len(), scratch };
+    let file = |extension: &str, text: String| File { name: format!("{prefix}.{extension}"), text: text + "\n" };
+    Ok(vec![
+        file("h", header.render().expect("a template of plain values")),
+        file("c", source.render().expect("a template of plain values")),
+    ])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::policy::{FloatLayer, quantise};
+    use tpg_runtime::sac::FEATURES;
+
+    fn policy() -> QuantisedPolicy {
+        let mut state = 7u32;
+        let mut number = move || {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (state >> 8) as f32 / (1 << 24) as f32 - 0.5
+        };
+        let layers: Vec<FloatLayer> = [(FEATURES, 9), (9, 6), (6, 4)]
+            .map(|(inputs, outputs)| FloatLayer {
+                inputs,
+                weights: (0..inputs * outputs).map(|_| number()).collect(),
+                bias: (0..outputs).map(|_| number()).collect(),
+            })
+            .into();
+        let quantised = quantise(&layers, &[2.0, 2.0]).expect("ordinary numbers");
+        QuantisedPolicy::new("0".repeat(64), Actions::Coarse, Mask::None, true, quantised).expect("sound")
+    }
+
+    #[test]
+    fn the_words_answer_what_the_policy_does() {
+        let policy = policy();
+        for wide in [false, true] {
+            let words = to_words(&policy, wide).expect("it packs");
+            let model = Model::parse(&words).expect("what was packed");
+            assert_eq!(*model.decision(), FixedDecision::new(Actions::Coarse, Mask::None, true));
+            let mut scratch = vec![0; model.scratch()];
+            for n in 0..2000 {
+                let features: [i16; FEATURES] =
+                    std::array::from_fn(|i| (((n * 7919 + i * 104_729) % 16_384) as i16) - 8192);
+                assert_eq!(model.preferences(&features, &mut scratch), policy.preferences(&features));
+            }
+        }
+    }
+
+    #[test]
+    fn c_holds_the_words() {
+        let policy = policy();
+        let [header, source] = &to_c(&policy, &"arm_net".parse().expect("a prefix"), false).expect("it packs")[..] else {
+            panic!("two files")
+        };
+        let words = to_words(&policy, false).expect("it packs");
+        assert_eq!((header.name.as_str(), source.name.as_str()), ("arm_net.h", "arm_net.c"));
+        assert!(header.text.contains(&format!("#define ARM_NET_WORDS {}U", words.len())), "{}", header.text);
+        let found = source.text.split(|c: char| !c.is_ascii_alphanumeric());
+        let found = found.filter_map(|word| word.strip_prefix("0x")?.strip_suffix('U'));
+        let found: Vec<u32> = found.map(|word| u32::from_str_radix(word, 16).expect("a word")).collect();
+        assert_eq!(found, words);
+    }
+
+    #[test]
+    fn what_the_runtime_cannot_pack_is_refused() {
+        let mut policy = policy();
+        policy.layers[1].shift[0] = 3;
+        policy.layers[1].factor[0] = 20_000;
+        assert!(to_words(&policy, false).expect_err("no multiplier").to_string().contains("20000"));
+    }
+}

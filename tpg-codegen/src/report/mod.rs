@@ -1,0 +1,240 @@
+//! What a graph's code takes, before anyone flashes it: bytes, stack, operations; and what of the graph never mattered.
+
+mod text;
+
+use crate::conversion::Conversion;
+use crate::cost::{Cost, Costs};
+use crate::emit::{Language, Options, Profile, Style};
+use crate::graph::{Graph, Input, MathsProvider, ScalarType};
+use crate::ir::{Module, Node, effective_lines};
+use crate::passes::Removed;
+use crate::size::{self, Size, Stack, Target};
+use crate::states::StateSet;
+use serde::Serialize;
+use std::collections::BTreeSet;
+
+/// The report.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Report {
+    /// The version of this tool.
+    pub version: &'static str,
+    /// The graph's SHA-256.
+    pub graph_sha256: String,
+    /// What the code computes in.
+    pub scalar: ScalarType,
+    /// Who computes sin, cos, ln and exp.
+    pub maths: MathsProvider,
+    /// Where the graph says another scalar type.
+    pub conversion: Option<Conversion>,
+    /// How big the graph is.
+    pub graph: GraphCounts,
+    /// Values of the state that no action depends on, by name.
+    pub dead_inputs: Vec<String>,
+    /// What the passes removed.
+    pub removed: Removed,
+    /// Where the states come from that means are taken over.
+    pub states: String,
+    /// What a decision of the C costs.
+    pub costs: Vec<ShapeCost>,
+    /// What the C takes on each target.
+    pub sizes: Vec<ShapeSize>,
+}
+
+/// How big a graph is. Only what the root leads to counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct GraphCounts {
+    /// Teams.
+    pub teams: usize,
+    /// Teams on the longest walk.
+    pub depth: usize,
+    /// Edges of the teams.
+    pub edges: usize,
+    /// Programs that bid on these edges.
+    pub programs: usize,
+    /// Actions that the graph declares.
+    pub actions: usize,
+    /// Values of a state.
+    pub inputs: usize,
+    /// Lines of the programs.
+    pub lines: usize,
+    /// Lines that no bid depends on.
+    pub introns: usize,
+    /// Operations that are left when equal ones are one.
+    pub distinct_operations: usize,
+    /// Operations that are left after the passes.
+    pub operations: usize,
+}
+
+/// A shape of C: a profile, or GEGELATI's style.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Shape {
+    /// See [`Profile::Fast`].
+    Fast,
+    /// See [`Profile::Small`].
+    Small,
+    /// See [`Profile::ConstantTime`].
+    ConstantTime,
+    /// See [`Style::Gegelati`].
+    Gegelati,
+}
+
+impl Shape {
+    /// Every shape.
+    pub const ALL: [Self; 4] = [Self::Fast, Self::Small, Self::ConstantTime, Self::Gegelati];
+
+    /// What it is called.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Fast => Profile::Fast.name(),
+            Self::Small => Profile::Small.name(),
+            Self::ConstantTime => Profile::ConstantTime.name(),
+            Self::Gegelati => "gegelati",
+        }
+    }
+
+    fn options(self, options: &Options) -> Options {
+        let (style, profile) = match self {
+            Self::Fast => (Style::Pure, Some(Profile::Fast)),
+            Self::Small => (Style::Pure, Some(Profile::Small)),
+            Self::ConstantTime => (Style::Pure, Some(Profile::ConstantTime)),
+            Self::Gegelati => (Style::Gegelati, None),
+        };
+        Options { style, profile, ..options.clone() }
+    }
+}
+
+/// What a decision costs in one shape.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ShapeCost {
+    /// The shape.
+    pub profile: Shape,
+    /// At most.
+    pub worst: Cost<u64>,
+    /// On average over the states.
+    pub mean: Cost<f64>,
+}
+
+/// What one shape takes on one target.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ShapeSize {
+    /// The target.
+    pub target: Target,
+    /// The shape.
+    pub profile: Shape,
+    /// Bytes of flash: code, constants and initialised variables.
+    pub flash: Option<u64>,
+    /// Bytes of RAM, without the stack.
+    pub ram: Option<u64>,
+    /// Bytes of stack, where the compiler says them.
+    pub stack: Option<Stack>,
+    /// The sections that the compiler made.
+    pub sections: Option<Size>,
+    /// Why there is no number.
+    pub unavailable: Option<String>,
+}
+
+/// Puts a report together; means are taken over `set`.
+pub fn report(graph: &Graph, options: &Options, targets: &[Target], set: &StateSet) -> Report {
+    let (optimised, removed) = Costs::of(graph, Language::C, &Shape::Fast.options(options));
+    let costs = Shape::ALL.map(|profile| {
+        let (costs, _) = Costs::of(graph, Language::C, &profile.options(options));
+        ShapeCost { profile, worst: costs.worst(), mean: costs.mean(graph, &set.states) }
+    });
+    let sizes = (targets.iter())
+        .flat_map(|&target| Shape::ALL.map(|profile| (target, profile)))
+        .map(|(target, profile)| size_of(graph, options, target, profile))
+        .collect();
+    Report {
+        version: env!("CARGO_PKG_VERSION"),
+        graph_sha256: options.conversion.as_ref().map_or_else(|| graph.sha256(), |was| was.sha256.clone()),
+        scalar: graph.scalar(),
+        maths: graph.maths(),
+        conversion: options.conversion.clone(),
+        graph: counts(graph, optimised.module()),
+        dead_inputs: dead_inputs(graph, optimised.module()),
+        removed,
+        states: set.origin.clone(),
+        costs: costs.to_vec(),
+        sizes,
+    }
+}
+
+fn counts(graph: &Graph, optimised: &Module) -> GraphCounts {
+    let lowered = Module::lower(graph);
+    let labels: BTreeSet<u32> = lowered.bidders.iter().map(|bidder| bidder.label).collect();
+    let programs = || graph.programs().iter().filter(|program| labels.contains(&program.label));
+    let effective: usize = programs()
+        .map(|program| effective_lines(program, usize::from(graph.registers())))
+        .map(|lines| lines.into_iter().filter(|&effective| effective).count())
+        .sum();
+    let lines: usize = programs().map(|program| program.lines.len()).sum();
+    GraphCounts {
+        teams: lowered.teams.len(),
+        depth: lowered.depth,
+        edges: lowered.teams.iter().map(|team| team.edges.len()).sum(),
+        programs: lowered.bidders.len(),
+        actions: graph.actions().len(),
+        inputs: graph.state_length(),
+        lines,
+        introns: lines - effective,
+        distinct_operations: operations(&lowered),
+        operations: operations(optimised),
+    }
+}
+
+fn operations(module: &Module) -> usize {
+    module.nodes.iter().filter(|node| node.is_computed()).count()
+}
+
+fn dead_inputs(graph: &Graph, optimised: &Module) -> Vec<String> {
+    let read: BTreeSet<Input> = optimised
+        .nodes
+        .iter()
+        .filter_map(|node| if let Node::Input(input) = *node { Some(input) } else { None })
+        .collect();
+    let inputs = (0..graph.state_length()).map(|place| Input(place as u16));
+    inputs.filter(|input| !read.contains(input)).map(|input| graph.input_name(input)).collect()
+}
+
+fn size_of(graph: &Graph, options: &Options, target: Target, profile: Shape) -> ShapeSize {
+    let built = size::build_c(graph, &profile.options(options), target)
+        .and_then(|built| Ok((size::measure(&built.object)?, built.stack)));
+    let nothing = ShapeSize { target, profile, flash: None, ram: None, stack: None, sections: None, unavailable: None };
+    match built {
+        Ok((size, stack)) => {
+            ShapeSize { flash: Some(size.flash()), ram: Some(size.ram()), stack, sections: Some(size), ..nothing }
+        }
+        Err(error) => ShapeSize { unavailable: Some(error.to_string()), ..nothing },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Shape, report};
+    use crate::emit::Options;
+    use crate::graph::Graph;
+    use crate::states::StateSet;
+
+    fn fixture() -> Graph {
+        Graph::from_json("fixture", include_str!("../../tests/fixtures/all_instructions.json")).expect("a valid graph")
+    }
+
+    #[test]
+    fn a_graph_is_counted() {
+        let graph = fixture();
+        let set = StateSet::sampled(&graph, 100, 1);
+        let report = report(&graph, &Options::new("arm".parse().expect("a prefix")), &[], &set);
+        let counts = report.graph;
+        assert_eq!((counts.teams, counts.depth, counts.edges, counts.programs), (3, 3, 11, 10));
+        // Program 1 has two lines that its bid does not depend on.
+        assert_eq!((counts.lines, counts.introns), (18, 2));
+        assert!(counts.operations <= counts.distinct_operations);
+        assert_eq!(report.dead_inputs, ["motors[3]"], "only an intron reads it");
+        assert_eq!(report.costs.iter().map(|cost| cost.profile).collect::<Vec<_>>(), Shape::ALL);
+        assert!(report.sizes.is_empty());
+        for cost in &report.costs {
+            assert!(cost.mean.operations <= cost.worst.operations as f64, "{cost:?}");
+        }
+    }
+}

@@ -1,0 +1,108 @@
+//! The report for people.
+
+use super::{GraphCounts, Report, ShapeSize};
+use crate::error::counted;
+use crate::graph::MathsProvider;
+use crate::passes::Removed;
+use crate::size::Target;
+use std::fmt;
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let GraphCounts { teams, depth, edges, programs, actions, inputs, lines, introns, .. } = self.graph;
+        writeln!(f, "graph     SHA-256 {}", self.graph_sha256)?;
+        writeln!(
+            f,
+            "          {}, at most {depth} on a walk; {}, {}, {}",
+            counted(teams, "team"),
+            counted(edges, "edge"),
+            counted(programs, "program"),
+            counted(actions, "action")
+        )?;
+        writeln!(f, "computes  in {} with {} maths", self.scalar.name(), self.maths.name())?;
+        if let Some(was) = &self.conversion {
+            writeln!(
+                f,
+                "          the graph says {} with {} maths: {}",
+                was.from.name(),
+                was.maths.name(),
+                was.agreement
+            )?;
+        }
+        let dead = if self.dead_inputs.is_empty() { "none".to_owned() } else { self.dead_inputs.join(", ") };
+        writeln!(f, "inputs    {inputs}; without effect on any action: {dead}")?;
+        writeln!(f, "lines     {lines}; {introns} introns removed ({})", percent(introns, lines))?;
+        self.removed(f)?;
+        self.costs(f)?;
+        for target in Target::ALL {
+            self.sizes(f, target)?;
+        }
+        Ok(())
+    }
+}
+
+impl Report {
+    fn removed(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let GraphCounts { lines, introns, distinct_operations, operations, .. } = self.graph;
+        let Removed { duplicate_bids, hopeless_bids, teams_without_choice, twin_teams, unreachable_teams, .. } =
+            self.removed;
+        writeln!(
+            f,
+            "work      {} effective lines, {distinct_operations} distinct, {operations} after all passes",
+            lines - introns
+        )?;
+        writeln!(
+            f,
+            "removed   {}, {}; {} without a choice, {}, {}",
+            counted(duplicate_bids, "duplicate bid"),
+            counted(hopeless_bids, "hopeless bid"),
+            counted(teams_without_choice, "team"),
+            counted(twin_teams, "twin"),
+            counted(unreachable_teams, "unreachable one")
+        )
+    }
+
+    fn costs(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let maths = match self.maths {
+            MathsProvider::System => "libm calls",
+            MathsProvider::Own => "sin cos ln exp",
+        };
+        writeln!(f, "\ncost of a decision in C; means over {}", self.states)?;
+        writeln!(f, "{:<14}{:>18}{maths:>18}{:>16}{:>14}", "", "operations", "bids", "teams")?;
+        let pair = format!("{:>9}{:>7}", "worst", "mean");
+        writeln!(f, "{:<16}{pair}  {pair}{pair}{pair}", "")?;
+        for cost in &self.costs {
+            let (worst, mean) = (cost.worst, cost.mean);
+            write!(f, "{:<16}", cost.profile.name())?;
+            write!(f, "{:>9}{:>7.1}  ", worst.operations, mean.operations)?;
+            write!(f, "{:>9}{:>7.2}", worst.maths_calls, mean.maths_calls)?;
+            write!(f, "{:>9}{:>7.1}", worst.bids, mean.bids)?;
+            writeln!(f, "{:>9}{:>7.2}", worst.teams, mean.teams)?;
+        }
+        Ok(())
+    }
+
+    fn sizes(&self, f: &mut fmt::Formatter<'_>, target: Target) -> fmt::Result {
+        let sizes: Vec<&ShapeSize> = self.sizes.iter().filter(|size| size.target == target).collect();
+        let Some(first) = sizes.first() else { return Ok(()) };
+        if let Some(why) = first.unavailable.as_ref().filter(|_| sizes.iter().all(|size| size.flash.is_none())) {
+            return writeln!(f, "\nbytes on {}: not known: {why}", target.name());
+        }
+        writeln!(f, "\nbytes on {}, compiled with -Os, without the libraries that are called", target.name())?;
+        writeln!(f, "{:<16}{:>9}{:>9}{:>9}", "", "flash", "RAM", "stack")?;
+        for size in sizes {
+            let number = |number: Option<u64>| number.map_or_else(|| "?".to_owned(), |number| number.to_string());
+            let stack = size.stack.as_ref();
+            write!(f, "{:<16}{:>9}{:>9}", size.profile.name(), number(size.flash), number(size.ram))?;
+            write!(f, "{:>9}", number(stack.map(|stack| stack.bytes)))?;
+            let without = stack.map(|stack| stack.without.join(", ")).filter(|names| !names.is_empty());
+            let note = size.unavailable.clone().or(without.map(|names| format!("and that of {names}")));
+            writeln!(f, "{}", note.map_or_else(String::new, |note| format!("  {note}")))?;
+        }
+        Ok(())
+    }
+}
+
+fn percent(part: usize, whole: usize) -> String {
+    format!("{:.1} %", if whole == 0 { 0.0 } else { 100.0 * part as f64 / whole as f64 })
+}

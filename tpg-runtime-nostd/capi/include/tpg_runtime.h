@@ -1,0 +1,490 @@
+/*
+ * The runtime of learned robot-arm policies: kinematics, observation, episodes, generated policies, networks in integers.
+ *
+ * Every function answers TPG_OK or says by a code why it did nothing. A pointer may be NULL or misaligned, which gives
+ * TPG_NULL or TPG_MISALIGNED; otherwise it must point to as much memory as its type, and the length beside it, say.
+ * All memory is the caller's; there is no heap and no variable, so functions may run at the same time on different data.
+ * Opaque structures are initialised before use: zero one first if it may be used before (TPG_STATE is the answer then).
+ *
+ * Made by cbindgen; do not edit.
+ */
+
+
+#ifndef TPG_RUNTIME_H
+#define TPG_RUNTIME_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+// Version of this header.
+#define TPG_VERSION 256
+
+// Joints: base, shoulder, elbow, wrist.
+#define TPG_JOINTS 4
+
+// Words of a tpg_arm_t.
+#define TPG_ARM_WORDS 18
+
+// The step was done.
+#define TPG_VALID 0
+
+// The base would have left its range; the other joints moved.
+#define TPG_LIMIT_BASE 1
+
+// The shoulder would have left its range; the other joints moved.
+#define TPG_LIMIT_SHOULDER 2
+
+// The elbow would have left its range; the other joints moved.
+#define TPG_LIMIT_ELBOW 3
+
+// The wrist would have left its range; the other joints moved.
+#define TPG_LIMIT_WRIST 4
+
+// A joint or the hand's tip would be below the table; nothing moved.
+#define TPG_COLLISION_TABLE 5
+
+// A corner of the hand would be below the table; nothing moved.
+#define TPG_COLLISION_CORNER 6
+
+// Hand or forearm would meet the arm's own base; nothing moved.
+#define TPG_COLLISION_BASE 7
+
+// All went well.
+#define TPG_OK 0
+
+// A pointer is NULL.
+#define TPG_NULL 1
+
+// A pointer is not aligned for its type.
+#define TPG_MISALIGNED 2
+
+// A buffer is too short, or longer than memory can be.
+#define TPG_LENGTH 3
+
+// A structure was not initialised, or not by this version of the library; or the episode is over.
+#define TPG_STATE 4
+
+// A number outside what is accepted.
+#define TPG_ARGUMENT 5
+
+// The words are no model: they do not begin like one, or are of another version.
+#define TPG_MODEL 6
+
+// The model is damaged: its checksum is another.
+#define TPG_MODEL_CHECKSUM 7
+
+// The model was made for other features than this library computes.
+#define TPG_MODEL_FEATURES 8
+
+// The model's layers do not fit each other, or exceed what the library takes.
+#define TPG_MODEL_LAYERS 9
+
+// The episode goes on.
+#define TPG_RUNNING 0
+
+// The hand is at its target: the only success.
+#define TPG_REACHED 1
+
+// The policy chose not to move.
+#define TPG_STOP 2
+
+// A pose repeats: a memoryless policy will never leave the cycle.
+#define TPG_CYCLE 3
+
+// The action limit was reached.
+#define TPG_TIMEOUT 4
+
+// The policy asked for something impossible; a TPG_LIMIT or TPG_COLLISION code is added.
+#define TPG_INVALID 16
+
+// Words of a tpg_episode_t.
+#define TPG_EPISODE_WORDS 16
+
+// The network keeps the arm until the episode ends.
+#define TPG_NEVER 4294967295
+
+// Every action of the graph is executed.
+#define TPG_GUARD_NONE 0
+
+// The network takes over instead of an action of the graph that leaves a joint's range.
+#define TPG_GUARD_JOINT_LIMITS 1
+
+// Nor one that collides.
+#define TPG_GUARD_COLLISIONS 2
+
+// The graph acts.
+#define TPG_DRIVER_GRAPH 0
+
+// The network acts.
+#define TPG_DRIVER_NETWORK 1
+
+// The graph goes on.
+#define TPG_CAUSE_NONE 0
+
+// The guard refused the graph's action.
+#define TPG_CAUSE_GUARD 1
+
+// The hand is further away than it has been, by more than the separation.
+#define TPG_CAUSE_DRIFT 2
+
+// The graph chose not to move.
+#define TPG_CAUSE_STOP 3
+
+// The graph came to a pose where it had been before.
+#define TPG_CAUSE_CYCLE 4
+
+// Causes of a hand-over.
+#define TPG_CAUSES 4
+
+// Words of a tpg_hybrid_t.
+#define TPG_HYBRID_WORDS 16
+
+// Words of a tpg_switch_t.
+#define TPG_SWITCH_WORDS 14
+
+// Words of a tpg_hybrid_episode_t.
+#define TPG_HYBRID_EPISODE_WORDS 32
+
+// The target: x, y, z in mm.
+#define TPG_SOURCE_TARGET 0
+
+// Target - hand: x, y, z in mm.
+#define TPG_SOURCE_DIFFERENCE 1
+
+// The hand's tip: x, y, z in mm.
+#define TPG_SOURCE_HAND 2
+
+// The four motor positions, ticks.
+#define TPG_SOURCE_MOTORS 3
+
+// All six servos, ticks.
+#define TPG_SOURCE_SERVOS 4
+
+// The four motor positions less 2048, ticks.
+#define TPG_SOURCE_MOTORS_CENTRED 5
+
+// Errors in the shoulder's polar frame, 3 values in mm.
+#define TPG_SOURCE_POLAR 6
+
+// Errors as seen from the shoulder: half ticks, 1/250 rad, mm.
+#define TPG_SOURCE_BEARING 7
+
+// By how many ticks base, shoulder and elbow are off, if the wrist stays.
+#define TPG_SOURCE_REACH 8
+
+// What stands against that: ticks, ticks, mm.
+#define TPG_SOURCE_REACH_EXCESS 9
+
+// The hand's pitch there, 1 value in ticks.
+#define TPG_SOURCE_REACH_PITCH 10
+
+// The target as seen from the wrist: mm, ticks.
+#define TPG_SOURCE_WRIST 11
+
+// Height of the hand's lower corner, 1 value in mm.
+#define TPG_SOURCE_FLOOR 12
+
+// The most floats that the sources of a policy may have together.
+#define TPG_STATE_LENGTH 48
+
+// Words of a tpg_sac_t.
+#define TPG_SAC_WORDS 28
+
+// An arm, ready for use. Opaque; initialised by tpg_arm_init or tpg_arm_init_widowx, constant from then on.
+typedef struct {
+  // The library's.
+  uint64_t opaque[TPG_ARM_WORDS];
+} tpg_arm_t;
+
+// Motor positions, ticks of 1/4096 turn; 2048 is the middle of a joint's travel, 0 rad.
+typedef struct {
+  // Base, shoulder, elbow, wrist.
+  int16_t ticks[TPG_JOINTS];
+} tpg_pose_t;
+
+// A horizontal or vertical edge of the base's outline in the arm plane, mm.
+typedef struct {
+  // The two ends' distances from the base's axis.
+  float x[2];
+  // The two ends' heights over the table.
+  float z[2];
+} tpg_edge_t;
+
+// An arm as data: a base that turns, and shoulder, elbow and wrist in one vertical plane. Lengths in mm.
+typedef struct {
+  // Where a fixed-start episode begins.
+  tpg_pose_t home;
+  // Positions of the servos that never move (wrist rotation, gripper), ticks.
+  int16_t fixed_servos[2];
+  // Lowest positions of the joints, ticks.
+  int16_t min[TPG_JOINTS];
+  // Highest positions of the joints, ticks.
+  int16_t max[TPG_JOINTS];
+  // Height of the shoulder over the table.
+  float base;
+  // Shoulder to the elbow's bracket.
+  float upper_arm;
+  // Bracket to the elbow, at a right angle to the upper arm.
+  float elbow_offset;
+  // Elbow to wrist.
+  float forearm;
+  // Wrist to the hand's tip.
+  float hand;
+  // Wrist to the face of the hand's tip.
+  float hand_length;
+  // From the hand's axis to its long edges, positive downwards with the arm stretched forwards.
+  float hand_edges[2];
+  // How far the forearm's end face lies beyond the wrist.
+  float forearm_overhang;
+  // From the forearm's axis to its long edges.
+  float forearm_edges[2];
+  // The outline of the base, one side.
+  tpg_edge_t base_edges[4];
+} tpg_arm_description_t;
+
+// What an action asks of the motors.
+typedef struct {
+  // A change for each joint, ticks.
+  int8_t ticks[TPG_JOINTS];
+} tpg_move_t;
+
+// An episode under way. Opaque; initialised by tpg_episode_init.
+typedef struct {
+  // The library's.
+  uint64_t opaque[TPG_EPISODE_WORDS];
+} tpg_episode_t;
+
+// What is asked of the arm.
+typedef struct {
+  // Where the arm starts.
+  tpg_pose_t start;
+  // Where the hand's tip shall go, mm.
+  float target[3];
+  // The episode succeeds when hand and target are less than this apart, mm.
+  float tolerance;
+  // After this many actions it is over.
+  uint32_t max_actions;
+} tpg_problem_t;
+
+// What a policy sees of the arm and its target.
+typedef struct {
+  // Motor positions.
+  tpg_pose_t pose;
+  // Positions of the servos that never move, ticks.
+  int16_t fixed_servos[2];
+  // The hand's tip, mm.
+  float hand[3];
+  // The target, mm.
+  float target[3];
+  // Target - hand, mm.
+  float difference[3];
+} tpg_observation_t;
+
+// A policy and a network with their settings. Opaque; initialised by tpg_hybrid_init, constant from then on.
+typedef struct {
+  // The library's.
+  uint64_t opaque[TPG_HYBRID_WORDS];
+} tpg_hybrid_t;
+
+// A generated `PREFIX_infer` behind a pointer of one type for all: `return PREFIX_infer(state);`.
+typedef uint16_t (*tpg_infer_t)(const void *state);
+
+// A policy that tpg-codegen compiled, in f32. Constant: it can lie in flash.
+typedef struct {
+  // The decision. Its argument points to the sources' values, aligned for the generated structure.
+  tpg_infer_t infer;
+  // TPG_SOURCE codes, in order: PREFIX_SOURCES of the generated header.
+  const uint8_t *sources;
+  // How many there are.
+  size_t source_count;
+  // What each action moves: PREFIX_MOVES of the generated header. An action past the end moves nothing.
+  const tpg_move_t *moves;
+  // How many there are.
+  size_t move_count;
+} tpg_policy_t;
+
+// A network in integers, checked. Opaque; initialised by tpg_sac_init, constant from then on.
+typedef struct {
+  // The library's.
+  uint64_t opaque[TPG_SAC_WORDS];
+} tpg_sac_t;
+
+// How graph and network share an arm.
+typedef struct {
+  // Actions of the network before the graph is asked again, from 1; TPG_NEVER for a hand-over for good.
+  uint32_t hand_back_after;
+  // The network takes over when the distance exceeds the best one so far by more than this, mm.
+  float separation;
+  // A TPG_GUARD code.
+  int32_t guard;
+} tpg_settings_t;
+
+// Whose turn it is. Opaque; initialised by tpg_switch_init at the start of every episode.
+typedef struct {
+  // The library's.
+  uint64_t opaque[TPG_SWITCH_WORDS];
+} tpg_switch_t;
+
+// An action and whose it is.
+typedef struct {
+  // What the motors shall do.
+  tpg_move_t wanted;
+  // A TPG_DRIVER code.
+  int32_t driver;
+} tpg_chosen_t;
+
+// Who acted how often, and why they changed.
+typedef struct {
+  // Actions of the graph.
+  uint32_t graph_actions;
+  // Actions of the network.
+  uint32_t network_actions;
+  // Hand-overs to the network: guard, drift, stop, cycle.
+  uint32_t hand_overs[TPG_CAUSES];
+  // Times that the network gave the arm back.
+  uint32_t hand_backs;
+} tpg_counts_t;
+
+// An episode of a hybrid in the simulated arm. Opaque; initialised by tpg_hybrid_episode_init.
+typedef struct {
+  // The library's.
+  uint64_t opaque[TPG_HYBRID_EPISODE_WORDS];
+} tpg_hybrid_episode_t;
+
+#ifdef __cplusplus
+extern "C" {
+#endif // __cplusplus
+
+// Version of the library, for comparison with TPG_VERSION: major << 16, minor << 8, patch.
+uint32_t tpg_version(void);
+
+// Makes the paper's arm, a WidowX with four joints.
+int32_t tpg_arm_init_widowx(tpg_arm_t *arm);
+
+// Makes an arm of your own. TPG_ARGUMENT where a lowest position lies above the highest.
+int32_t tpg_arm_init(tpg_arm_t *arm, const tpg_arm_description_t *description);
+
+// The pose in which a fixed-start episode begins.
+int32_t tpg_arm_home(const tpg_arm_t *arm, tpg_pose_t *pose);
+
+// Forward kinematics: where the hand's tip is at a pose; x, y, z in mm.
+int32_t tpg_arm_hand(const tpg_arm_t *arm, const tpg_pose_t *pose, float *hand);
+
+// Whether the arm collides at a pose: TPG_VALID or one of a code of TPG_COLLISION.
+int32_t tpg_arm_collision(const tpg_arm_t *arm, const tpg_pose_t *pose, int32_t *collision);
+
+// Tries a move: the pose afterwards, and TPG_VALID, or a code of TPG_LIMIT or TPG_COLLISION.
+//
+// A joint that would leave its range stays, the others still move; if the arm then collides, the whole move is taken
+// back. `pose` and `after` may be the same.
+int32_t tpg_arm_step(const tpg_arm_t *arm,
+                     const tpg_pose_t *pose,
+                     const tpg_move_t *wanted,
+                     tpg_pose_t *after,
+                     int32_t *validity);
+
+// Puts an arm at a problem's start. `arm` must stay where it is for as long as the episode is used.
+int32_t tpg_episode_init(tpg_episode_t *episode, const tpg_arm_t *arm, const tpg_problem_t *problem);
+
+// What a policy sees now.
+int32_t tpg_episode_observation(const tpg_episode_t *episode, tpg_observation_t *observation);
+
+// Actions done so far.
+int32_t tpg_episode_actions(const tpg_episode_t *episode, uint32_t *actions);
+
+// Does one action. `outcome` is TPG_RUNNING, or how the episode ended: TPG_REACHED, TPG_STOP, TPG_CYCLE, TPG_TIMEOUT, or
+// TPG_INVALID + a code of TPG_LIMIT or TPG_COLLISION. An episode that is over answers TPG_STATE.
+int32_t tpg_episode_advance(tpg_episode_t *episode,
+                            const tpg_move_t *wanted,
+                            int32_t *outcome);
+
+// Joins a generated policy and a network. `arm`, `policy`, `sac` and `scratch` must stay where they are for as long as
+// the hybrid is used; `scratch`, of as many words as tpg_sac_scratch says, is the hybrid's alone.
+//
+// TPG_ARGUMENT for settings outside what is accepted: hand_back_after from 1, separation from 0 mm.
+int32_t tpg_hybrid_init(tpg_hybrid_t *hybrid,
+                        const tpg_arm_t *arm,
+                        const tpg_policy_t *policy,
+                        const tpg_sac_t *sac,
+                        const tpg_settings_t *settings,
+                        uint32_t *scratch,
+                        size_t words);
+
+// Begins an episode on a real arm, or anyone's: the graph drives.
+int32_t tpg_switch_init(tpg_switch_t *switch_, const tpg_settings_t *settings, const tpg_observation_t *observation);
+
+// The next action and whose it is.
+int32_t tpg_hybrid_decide(const tpg_hybrid_t *hybrid,
+                          tpg_switch_t *switch_,
+                          const tpg_observation_t *observation,
+                          tpg_chosen_t *chosen);
+
+// Tells the switch what is seen after an action; `cause` is a TPG_CAUSE code: why the network acts next, if it newly does.
+int32_t tpg_switch_acted(tpg_switch_t *switch_,
+                         const tpg_chosen_t *chosen,
+                         const tpg_observation_t *observation,
+                         int32_t *cause);
+
+// Who acted how often.
+int32_t tpg_switch_counts(const tpg_switch_t *switch_, tpg_counts_t *counts);
+
+// Puts the simulated arm at a problem's start. `hybrid` must stay where it is for as long as the episode is used.
+int32_t tpg_hybrid_episode_init(tpg_hybrid_episode_t *episode,
+                                const tpg_hybrid_t *hybrid,
+                                const tpg_problem_t *problem);
+
+// What the policies see now.
+int32_t tpg_hybrid_episode_observation(const tpg_hybrid_episode_t *episode, tpg_observation_t *observation);
+
+// Decides on one action, without doing it.
+int32_t tpg_hybrid_episode_decide(tpg_hybrid_episode_t *episode, tpg_chosen_t *chosen);
+
+// Does the action decided on; `outcome` as tpg_episode_advance has it. An episode that is over answers TPG_STATE.
+int32_t tpg_hybrid_episode_act(tpg_hybrid_episode_t *episode, const tpg_chosen_t *chosen, int32_t *outcome);
+
+// Who acted how often.
+int32_t tpg_hybrid_episode_counts(const tpg_hybrid_episode_t *episode, tpg_counts_t *counts);
+
+// What is seen at a pose, with the target's x, y, z in mm.
+int32_t tpg_observe(const tpg_arm_t *arm, const tpg_pose_t *pose, const float *target, tpg_observation_t *observation);
+
+// Hand to target, mm.
+int32_t tpg_observation_distance(const tpg_observation_t *observation, float *distance);
+
+// Writes the values of `count` sources (TPG_SOURCE codes), one after another, into `state`: a generated policy's own
+// structure, say. TPG_LENGTH where `length` floats are too few, TPG_ARGUMENT for an unknown source.
+int32_t tpg_observation_state(const tpg_arm_t *arm,
+                              const tpg_observation_t *observation,
+                              const uint8_t *sources,
+                              size_t count,
+                              float *state,
+                              size_t length);
+
+// The move that a generated policy decides for.
+int32_t tpg_policy_decide(const tpg_policy_t *policy,
+                          const tpg_arm_t *arm,
+                          const tpg_observation_t *observation,
+                          tpg_move_t *wanted);
+
+// Checks a model of `words` 32-bit words and borrows it: it must stay where it is and as it is, in flash say, for as long
+// as `sac` is used.
+int32_t tpg_sac_init(tpg_sac_t *sac,
+                     const uint32_t *model,
+                     size_t words);
+
+// How many 32-bit words of scratch memory tpg_sac_decide needs.
+int32_t tpg_sac_scratch(const tpg_sac_t *sac, size_t *words);
+
+// The move that a network decides for. `scratch` is overwritten; TPG_LENGTH where `words` are too few.
+int32_t tpg_sac_decide(const tpg_sac_t *sac,
+                       const tpg_arm_t *arm,
+                       const tpg_observation_t *observation,
+                       uint32_t *scratch,
+                       size_t words,
+                       tpg_move_t *wanted);
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif  // __cplusplus
+
+#endif  /* TPG_RUNTIME_H */

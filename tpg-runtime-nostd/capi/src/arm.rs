@@ -1,0 +1,224 @@
+//! The arm: its description, forward kinematics, collisions, one step.
+
+use crate::code::{self, Refusal, TPG_ARGUMENT};
+use crate::memory::{self, Opaque};
+use tpg_runtime::arm::{Arm, BaseEdge, Collision, Invalid, JointRange, Links, Move, Pose, Shapes, Step, WIDOWX};
+use tpg_runtime::kinematics::{self, Plane};
+
+/// Joints: base, shoulder, elbow, wrist.
+pub const TPG_JOINTS: usize = 4;
+
+/// Motor positions, ticks of 1/4096 turn; 2048 is the middle of a joint's travel, 0 rad.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct tpg_pose_t {
+    /// Base, shoulder, elbow, wrist.
+    pub ticks: [i16; TPG_JOINTS],
+}
+
+/// What an action asks of the motors.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct tpg_move_t {
+    /// A change for each joint, ticks.
+    pub ticks: [i8; TPG_JOINTS],
+}
+
+/// A horizontal or vertical edge of the base's outline in the arm plane, mm.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct tpg_edge_t {
+    /// The two ends' distances from the base's axis.
+    pub x: [f32; 2],
+    /// The two ends' heights over the table.
+    pub z: [f32; 2],
+}
+
+/// An arm as data: a base that turns, and shoulder, elbow and wrist in one vertical plane. Lengths in mm.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct tpg_arm_description_t {
+    /// Where a fixed-start episode begins.
+    pub home: tpg_pose_t,
+    /// Positions of the servos that never move (wrist rotation, gripper), ticks.
+    pub fixed_servos: [i16; 2],
+    /// Lowest positions of the joints, ticks.
+    pub min: [i16; TPG_JOINTS],
+    /// Highest positions of the joints, ticks.
+    pub max: [i16; TPG_JOINTS],
+    /// Height of the shoulder over the table.
+    pub base: f32,
+    /// Shoulder to the elbow's bracket.
+    pub upper_arm: f32,
+    /// Bracket to the elbow, at a right angle to the upper arm.
+    pub elbow_offset: f32,
+    /// Elbow to wrist.
+    pub forearm: f32,
+    /// Wrist to the hand's tip.
+    pub hand: f32,
+    /// Wrist to the face of the hand's tip.
+    pub hand_length: f32,
+    /// From the hand's axis to its long edges, positive downwards with the arm stretched forwards.
+    pub hand_edges: [f32; 2],
+    /// How far the forearm's end face lies beyond the wrist.
+    pub forearm_overhang: f32,
+    /// From the forearm's axis to its long edges.
+    pub forearm_edges: [f32; 2],
+    /// The outline of the base, one side.
+    pub base_edges: [tpg_edge_t; 4],
+}
+
+/// Words of a tpg_arm_t.
+pub const TPG_ARM_WORDS: usize = 18;
+
+/// An arm, ready for use. Opaque; initialised by tpg_arm_init or tpg_arm_init_widowx, constant from then on.
+#[repr(C)]
+pub struct tpg_arm_t {
+    /// The library's.
+    pub opaque: [u64; TPG_ARM_WORDS],
+}
+
+const _: () = assert!(memory::fits::<tpg_arm_t>());
+
+// SAFETY: it fits, and any bytes are an array of integers.
+unsafe impl Opaque for tpg_arm_t {
+    type Content = Arm<f32>;
+    const TAG: u32 = 0x4150_4701;
+}
+
+/// The step was done.
+pub const TPG_VALID: i32 = 0;
+/// The base would have left its range; the other joints moved.
+pub const TPG_LIMIT_BASE: i32 = 1;
+/// The shoulder would have left its range; the other joints moved.
+pub const TPG_LIMIT_SHOULDER: i32 = 2;
+/// The elbow would have left its range; the other joints moved.
+pub const TPG_LIMIT_ELBOW: i32 = 3;
+/// The wrist would have left its range; the other joints moved.
+pub const TPG_LIMIT_WRIST: i32 = 4;
+/// A joint or the hand's tip would be below the table; nothing moved.
+pub const TPG_COLLISION_TABLE: i32 = 5;
+/// A corner of the hand would be below the table; nothing moved.
+pub const TPG_COLLISION_CORNER: i32 = 6;
+/// Hand or forearm would meet the arm's own base; nothing moved.
+pub const TPG_COLLISION_BASE: i32 = 7;
+
+fn collision_code(collision: Option<Collision>) -> i32 {
+    match collision {
+        None => TPG_VALID,
+        Some(Collision::Table) => TPG_COLLISION_TABLE,
+        Some(Collision::HandCorner) => TPG_COLLISION_CORNER,
+        Some(Collision::Base) => TPG_COLLISION_BASE,
+    }
+}
+
+pub(crate) fn validity(invalid: Option<Invalid>) -> i32 {
+    match invalid {
+        None => TPG_VALID,
+        Some(Invalid::JointLimit(joint)) => TPG_LIMIT_BASE + i32::from(joint.0),
+        Some(Invalid::Collision(collision)) => collision_code(Some(collision)),
+    }
+}
+
+/// Makes the paper's arm, a WidowX with four joints.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tpg_arm_init_widowx(arm: *mut tpg_arm_t) -> i32 {
+    const ARM: Arm<f32> = WIDOWX.to_f32();
+    // SAFETY: the header's contract.
+    code::of(unsafe { memory::initialise(arm, ARM) })
+}
+
+/// Makes an arm of your own. TPG_ARGUMENT where a lowest position lies above the highest.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tpg_arm_init(arm: *mut tpg_arm_t, description: *const tpg_arm_description_t) -> i32 {
+    // SAFETY: the header's contract.
+    let done = unsafe { memory::read(description) }.and_then(|it| {
+        let range = |joint: usize| JointRange { min: it.min[joint], max: it.max[joint] };
+        let ranges = [range(0), range(1), range(2), range(3)];
+        if ranges.iter().any(|range| range.min > range.max) {
+            return Err(Refusal(TPG_ARGUMENT));
+        }
+        let made = Arm {
+            home: Pose(it.home.ticks),
+            fixed_servos: it.fixed_servos,
+            ranges,
+            links: Links {
+                base: it.base,
+                upper_arm: it.upper_arm,
+                elbow_offset: it.elbow_offset,
+                forearm: it.forearm,
+                hand: it.hand,
+            },
+            shapes: Shapes {
+                hand_length: it.hand_length,
+                hand_edges: it.hand_edges,
+                forearm_overhang: it.forearm_overhang,
+                forearm_edges: it.forearm_edges,
+                base: it.base_edges.map(|edge| BaseEdge { x: edge.x, z: edge.z }),
+            },
+        };
+        // SAFETY: the header's contract.
+        unsafe { memory::initialise(arm, made) }
+    });
+    code::of(done)
+}
+
+/// The pose in which a fixed-start episode begins.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tpg_arm_home(arm: *const tpg_arm_t, pose: *mut tpg_pose_t) -> i32 {
+    // SAFETY: the header's contract.
+    code::of(unsafe { memory::content(arm) }.and_then(|arm| {
+        // SAFETY: the header's contract.
+        *unsafe { memory::write(pose) }? = tpg_pose_t { ticks: arm.home.0 };
+        Ok(())
+    }))
+}
+
+/// Forward kinematics: where the hand's tip is at a pose; x, y, z in mm.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tpg_arm_hand(arm: *const tpg_arm_t, pose: *const tpg_pose_t, hand: *mut f32) -> i32 {
+    // SAFETY: the header's contract.
+    let (arm, pose, hand) =
+        unsafe { (memory::content(arm), memory::read(pose), memory::write(hand.cast::<[f32; 3]>())) };
+    code::of(arm.and_then(|arm| {
+        *hand? = kinematics::hand(arm, Pose(pose?.ticks));
+        Ok(())
+    }))
+}
+
+/// Whether the arm collides at a pose: TPG_VALID or one of a code of TPG_COLLISION.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tpg_arm_collision(arm: *const tpg_arm_t, pose: *const tpg_pose_t, collision: *mut i32) -> i32 {
+    // SAFETY: the header's contract.
+    let (arm, pose, collision) = unsafe { (memory::content(arm), memory::read(pose), memory::write(collision)) };
+    code::of(arm.and_then(|arm| {
+        *collision? = collision_code(Plane::at(arm, Pose(pose?.ticks)).collision(&arm.shapes));
+        Ok(())
+    }))
+}
+
+/// Tries a move: the pose afterwards, and TPG_VALID, or a code of TPG_LIMIT or TPG_COLLISION.
+///
+/// A joint that would leave its range stays, the others still move; if the arm then collides, the whole move is taken
+/// back. `pose` and `after` may be the same.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tpg_arm_step(
+    arm: *const tpg_arm_t,
+    pose: *const tpg_pose_t,
+    wanted: *const tpg_move_t,
+    after: *mut tpg_pose_t,
+    validity: *mut i32,
+) -> i32 {
+    // SAFETY: the header's contract. The pose is copied before `after` is written.
+    let (arm, pose, wanted) =
+        unsafe { (memory::content(arm), memory::read(pose).copied(), memory::read(wanted).copied()) };
+    code::of(arm.and_then(|arm| {
+        let (pose, wanted) = (pose?, wanted?);
+        // SAFETY: the header's contract.
+        let (after, validity) = unsafe { (memory::write(after)?, memory::write(validity)?) };
+        let Step { pose, invalid } = arm.step(Pose(pose.ticks), Move(wanted.ticks));
+        *after = tpg_pose_t { ticks: pose.0 };
+        *validity = self::validity(invalid);
+        Ok(())
+    }))
+}

@@ -1,0 +1,35 @@
+//! What functions answer.
+
+/// All went well.
+pub const TPG_OK: i32 = 0;
+/// A pointer is NULL.
+pub const TPG_NULL: i32 = 1;
+/// A pointer is not aligned for its type.
+pub const TPG_MISALIGNED: i32 = 2;
+/// A buffer is too short, or longer than memory can be.
+pub const TPG_LENGTH: i32 = 3;
+/// A structure was not initialised, or not by this version of the library; or the episode is over.
+pub const TPG_STATE: i32 = 4;
+/// A number outside what is accepted.
+pub const TPG_ARGUMENT: i32 = 5;
+/// The words are no model: they do not begin like one, or are of another version.
+pub const TPG_MODEL: i32 = 6;
+/// The model is damaged: its checksum is another.
+pub const TPG_MODEL_CHECKSUM: i32 = 7;
+/// The model was made for other features than this library computes.
+pub const TPG_MODEL_FEATURES: i32 = 8;
+/// The model's layers do not fit each other, or exceed what the library takes.
+pub const TPG_MODEL_LAYERS: i32 = 9;
+
+/// Why a function did nothing: a code other than [`TPG_OK`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Refusal(pub i32);
+
+/// The code of a result.
+#[inline(always)]
+pub fn of(result: Result<(), Refusal>) -> i32 {
+    match result {
+        Ok(()) => TPG_OK,
+        Err(Refusal(code)) => code,
+    }
+}

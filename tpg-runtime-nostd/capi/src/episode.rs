@@ -1,0 +1,143 @@
+//! One episode.
+
+use crate::arm::{TPG_VALID, tpg_arm_t, tpg_move_t, tpg_pose_t, validity};
+use crate::code::{self, Refusal, TPG_STATE};
+use crate::memory::{self, Opaque};
+use crate::observation::tpg_observation_t;
+use tpg_runtime::arm::{Arm, Move, Pose};
+use tpg_runtime::cycle::Brent;
+use tpg_runtime::episode::{Episode, Outcome, Problem};
+
+/// The episode goes on.
+pub const TPG_RUNNING: i32 = 0;
+/// The hand is at its target: the only success.
+pub const TPG_REACHED: i32 = 1;
+/// The policy chose not to move.
+pub const TPG_STOP: i32 = 2;
+/// A pose repeats: a memoryless policy will never leave the cycle.
+pub const TPG_CYCLE: i32 = 3;
+/// The action limit was reached.
+pub const TPG_TIMEOUT: i32 = 4;
+/// The policy asked for something impossible; a TPG_LIMIT or TPG_COLLISION code is added.
+pub const TPG_INVALID: i32 = 16;
+
+/// What is asked of the arm.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct tpg_problem_t {
+    /// Where the arm starts.
+    pub start: tpg_pose_t,
+    /// Where the hand's tip shall go, mm.
+    pub target: [f32; 3],
+    /// The episode succeeds when hand and target are less than this apart, mm.
+    pub tolerance: f32,
+    /// After this many actions it is over.
+    pub max_actions: u32,
+}
+
+impl tpg_problem_t {
+    pub(crate) fn get(&self) -> Problem<f32> {
+        let Self { start, target, tolerance, max_actions } = *self;
+        Problem { start: Pose(start.ticks), target, tolerance, max_actions }
+    }
+}
+
+/// Words of a tpg_episode_t.
+pub const TPG_EPISODE_WORDS: usize = 16;
+
+/// An episode under way. Opaque; initialised by tpg_episode_init.
+#[repr(C)]
+pub struct tpg_episode_t {
+    /// The library's.
+    pub opaque: [u64; TPG_EPISODE_WORDS],
+}
+
+/// An episode and whether it is over.
+#[derive(Clone, Debug)]
+pub struct Content {
+    pub(crate) episode: Episode<'static, f32, Brent>,
+    over: bool,
+}
+
+const _: () = assert!(memory::fits::<tpg_episode_t>());
+
+// SAFETY: it fits, and any bytes are an array of integers.
+unsafe impl Opaque for tpg_episode_t {
+    type Content = Content;
+    const TAG: u32 = 0x4550_4901;
+}
+
+pub(crate) fn outcome_code(outcome: Option<Outcome>) -> i32 {
+    match outcome {
+        None => TPG_RUNNING,
+        Some(Outcome::Reached) => TPG_REACHED,
+        Some(Outcome::Stop) => TPG_STOP,
+        Some(Outcome::Cycle) => TPG_CYCLE,
+        Some(Outcome::Timeout) => TPG_TIMEOUT,
+        Some(Outcome::Invalid(invalid)) => (TPG_INVALID - TPG_VALID) + validity(Some(invalid)),
+    }
+}
+
+/// Puts an arm at a problem's start. `arm` must stay where it is for as long as the episode is used.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tpg_episode_init(
+    episode: *mut tpg_episode_t,
+    arm: *const tpg_arm_t,
+    problem: *const tpg_problem_t,
+) -> i32 {
+    // SAFETY: the header's contract; the caller keeps the arm for as long as the episode lives.
+    let (arm, problem) = unsafe { (memory::content::<'static, _>(arm), memory::read(problem)) };
+    code::of(arm.and_then(|arm: &'static Arm<f32>| {
+        let content = Content { episode: Episode::new(arm, problem?.get(), Brent::new()), over: false };
+        // SAFETY: the header's contract.
+        unsafe { memory::initialise(episode, content) }
+    }))
+}
+
+/// What a policy sees now.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tpg_episode_observation(
+    episode: *const tpg_episode_t,
+    observation: *mut tpg_observation_t,
+) -> i32 {
+    // SAFETY: the header's contract.
+    let (content, observation) = unsafe { (memory::content(episode), memory::write(observation)) };
+    code::of(content.and_then(|content| {
+        *observation? = tpg_observation_t::of(content.episode.observation());
+        Ok(())
+    }))
+}
+
+/// Actions done so far.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tpg_episode_actions(episode: *const tpg_episode_t, actions: *mut u32) -> i32 {
+    // SAFETY: the header's contract.
+    let (content, actions) = unsafe { (memory::content(episode), memory::write(actions)) };
+    code::of(content.and_then(|content| {
+        *actions? = content.episode.actions();
+        Ok(())
+    }))
+}
+
+/// Does one action. `outcome` is TPG_RUNNING, or how the episode ended: TPG_REACHED, TPG_STOP, TPG_CYCLE, TPG_TIMEOUT, or
+/// TPG_INVALID + a code of TPG_LIMIT or TPG_COLLISION. An episode that is over answers TPG_STATE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tpg_episode_advance(
+    episode: *mut tpg_episode_t,
+    wanted: *const tpg_move_t,
+    outcome: *mut i32,
+) -> i32 {
+    // SAFETY: the header's contract.
+    let (content, wanted, outcome) =
+        unsafe { (memory::content_mut(episode), memory::read(wanted), memory::write(outcome)) };
+    code::of(content.and_then(|content| {
+        let (wanted, outcome) = (wanted?, outcome?);
+        if content.over {
+            return Err(Refusal(TPG_STATE));
+        }
+        let end = content.episode.advance(Move(wanted.ticks));
+        content.over = end.is_some();
+        *outcome = outcome_code(end);
+        Ok(())
+    }))
+}

@@ -1,0 +1,400 @@
+//! A generated policy and a network that share an arm.
+
+use crate::arm::{tpg_arm_t, tpg_move_t};
+use crate::code::{self, Refusal, TPG_ARGUMENT, TPG_LENGTH, TPG_STATE};
+use crate::episode::{outcome_code, tpg_problem_t};
+use crate::memory::{self, Opaque};
+use crate::observation::tpg_observation_t;
+use crate::policy::{Checked, tpg_policy_t};
+use crate::sac::tpg_sac_t;
+use tpg_runtime::arm::{Arm, Move};
+use tpg_runtime::cycle::Brent;
+use tpg_runtime::hybrid::{CAUSES, Chosen, Counts, Driver, Guard, Hybrid, HybridEpisode, Settings, Switch};
+use tpg_runtime::observation::Observation;
+use tpg_runtime::policy::Policy;
+use tpg_runtime::sac::packed::Model;
+
+/// The network keeps the arm until the episode ends.
+pub const TPG_NEVER: u32 = 0xffff_ffff;
+
+/// Every action of the graph is executed.
+pub const TPG_GUARD_NONE: i32 = 0;
+/// The network takes over instead of an action of the graph that leaves a joint's range.
+pub const TPG_GUARD_JOINT_LIMITS: i32 = 1;
+/// Nor one that collides.
+pub const TPG_GUARD_COLLISIONS: i32 = 2;
+
+/// The graph acts.
+pub const TPG_DRIVER_GRAPH: i32 = 0;
+/// The network acts.
+pub const TPG_DRIVER_NETWORK: i32 = 1;
+
+/// The graph goes on.
+pub const TPG_CAUSE_NONE: i32 = 0;
+/// The guard refused the graph's action.
+pub const TPG_CAUSE_GUARD: i32 = 1;
+/// The hand is further away than it has been, by more than the separation.
+pub const TPG_CAUSE_DRIFT: i32 = 2;
+/// The graph chose not to move.
+pub const TPG_CAUSE_STOP: i32 = 3;
+/// The graph came to a pose where it had been before.
+pub const TPG_CAUSE_CYCLE: i32 = 4;
+
+/// Causes of a hand-over.
+pub const TPG_CAUSES: usize = 4;
+
+const _: () = assert!(TPG_CAUSES == CAUSES);
+
+/// How graph and network share an arm.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct tpg_settings_t {
+    /// Actions of the network before the graph is asked again, from 1; TPG_NEVER for a hand-over for good.
+    pub hand_back_after: u32,
+    /// The network takes over when the distance exceeds the best one so far by more than this, mm.
+    pub separation: f32,
+    /// A TPG_GUARD code.
+    pub guard: i32,
+}
+
+impl tpg_settings_t {
+    fn get(&self) -> Result<Settings<f32>, Refusal> {
+        let guard = match self.guard {
+            TPG_GUARD_NONE => Guard::None,
+            TPG_GUARD_JOINT_LIMITS => Guard::JointLimits,
+            TPG_GUARD_COLLISIONS => Guard::Collisions,
+            _ => return Err(Refusal(TPG_ARGUMENT)),
+        };
+        if self.hand_back_after == 0 || self.separation.is_nan() || self.separation < 0.0 {
+            return Err(Refusal(TPG_ARGUMENT));
+        }
+        Ok(Settings { hand_back_after: self.hand_back_after, separation: self.separation, guard })
+    }
+}
+
+/// An action and whose it is.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct tpg_chosen_t {
+    /// What the motors shall do.
+    pub wanted: tpg_move_t,
+    /// A TPG_DRIVER code.
+    pub driver: i32,
+}
+
+impl tpg_chosen_t {
+    fn of(chosen: Chosen) -> Self {
+        let driver = if chosen.driver == Driver::Tpg { TPG_DRIVER_GRAPH } else { TPG_DRIVER_NETWORK };
+        Self { wanted: tpg_move_t { ticks: chosen.wanted.0 }, driver }
+    }
+
+    fn get(&self) -> Result<Chosen, Refusal> {
+        let driver = match self.driver {
+            TPG_DRIVER_GRAPH => Driver::Tpg,
+            TPG_DRIVER_NETWORK => Driver::Sac,
+            _ => return Err(Refusal(TPG_ARGUMENT)),
+        };
+        Ok(Chosen { driver, wanted: Move(self.wanted.ticks) })
+    }
+}
+
+/// Who acted how often, and why they changed.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct tpg_counts_t {
+    /// Actions of the graph.
+    pub graph_actions: u32,
+    /// Actions of the network.
+    pub network_actions: u32,
+    /// Hand-overs to the network: guard, drift, stop, cycle.
+    pub hand_overs: [u32; TPG_CAUSES],
+    /// Times that the network gave the arm back.
+    pub hand_backs: u32,
+}
+
+impl tpg_counts_t {
+    fn of(counts: &Counts) -> Self {
+        let Counts { tpg_actions, sac_actions, hand_overs, hand_backs } = *counts;
+        Self { graph_actions: tpg_actions, network_actions: sac_actions, hand_overs, hand_backs }
+    }
+}
+
+/// A generated policy, checked.
+struct Graph {
+    arm: &'static Arm<f32>,
+    policy: Checked<'static>,
+}
+
+impl Policy for Graph {
+    type State = Observation<f32>;
+    type Action = Move;
+
+    fn decide(&self, seen: &Observation<f32>) -> Move {
+        self.policy.decide(self.arm, seen)
+    }
+}
+
+/// A network with memory to compute in.
+struct Network {
+    arm: &'static Arm<f32>,
+    model: &'static Model<'static>,
+    scratch: *mut u32,
+    words: usize,
+}
+
+impl Policy for Network {
+    type State = Observation<f32>;
+    type Action = Move;
+
+    fn decide(&self, seen: &Observation<f32>) -> Move {
+        // SAFETY: tpg_hybrid_init has checked pointer and length, and the header asks that nothing else uses this memory.
+        let scratch = unsafe { core::slice::from_raw_parts_mut(self.scratch, self.words) };
+        self.model.decide(self.arm, seen, scratch)
+    }
+}
+
+/// Words of a tpg_hybrid_t.
+pub const TPG_HYBRID_WORDS: usize = 16;
+
+/// A policy and a network with their settings. Opaque; initialised by tpg_hybrid_init, constant from then on.
+#[repr(C)]
+pub struct tpg_hybrid_t {
+    /// The library's.
+    pub opaque: [u64; TPG_HYBRID_WORDS],
+}
+
+/// What lies in a tpg_hybrid_t.
+pub struct Both(Hybrid<'static, f32, Graph, Network>);
+
+const _: () = assert!(memory::fits::<tpg_hybrid_t>());
+
+// SAFETY: it fits, and any bytes are an array of integers.
+unsafe impl Opaque for tpg_hybrid_t {
+    type Content = Both;
+    const TAG: u32 = 0x4859_4201;
+}
+
+/// Words of a tpg_switch_t.
+pub const TPG_SWITCH_WORDS: usize = 14;
+
+/// Whose turn it is. Opaque; initialised by tpg_switch_init at the start of every episode.
+#[repr(C)]
+pub struct tpg_switch_t {
+    /// The library's.
+    pub opaque: [u64; TPG_SWITCH_WORDS],
+}
+
+const _: () = assert!(memory::fits::<tpg_switch_t>());
+
+// SAFETY: it fits, and any bytes are an array of integers.
+unsafe impl Opaque for tpg_switch_t {
+    type Content = Switch<f32, Brent>;
+    const TAG: u32 = 0x5357_4901;
+}
+
+/// Words of a tpg_hybrid_episode_t.
+pub const TPG_HYBRID_EPISODE_WORDS: usize = 32;
+
+/// An episode of a hybrid in the simulated arm. Opaque; initialised by tpg_hybrid_episode_init.
+#[repr(C)]
+pub struct tpg_hybrid_episode_t {
+    /// The library's.
+    pub opaque: [u64; TPG_HYBRID_EPISODE_WORDS],
+}
+
+/// What lies in a tpg_hybrid_episode_t.
+pub struct Simulated {
+    episode: HybridEpisode<'static, f32, Graph, Network, Brent>,
+    over: bool,
+}
+
+const _: () = assert!(memory::fits::<tpg_hybrid_episode_t>());
+
+// SAFETY: it fits, and any bytes are an array of integers.
+unsafe impl Opaque for tpg_hybrid_episode_t {
+    type Content = Simulated;
+    const TAG: u32 = 0x4845_5001;
+}
+
+/// Joins a generated policy and a network. `arm`, `policy`, `sac` and `scratch` must stay where they are for as long as
+/// the hybrid is used; `scratch`, of as many words as tpg_sac_scratch says, is the hybrid's alone.
+///
+/// TPG_ARGUMENT for settings outside what is accepted: hand_back_after from 1, separation from 0 mm.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tpg_hybrid_init(
+    hybrid: *mut tpg_hybrid_t,
+    arm: *const tpg_arm_t,
+    policy: *const tpg_policy_t,
+    sac: *const tpg_sac_t,
+    settings: *const tpg_settings_t,
+    scratch: *mut u32,
+    words: usize,
+) -> i32 {
+    // SAFETY: the header's contract; the caller keeps all of it for as long as the hybrid lives.
+    let (arm, policy, model, settings) = unsafe {
+        (
+            memory::content::<'static, tpg_arm_t>(arm),
+            memory::read(policy),
+            memory::content::<'static, tpg_sac_t>(sac),
+            memory::read(settings),
+        )
+    };
+    code::of(arm.and_then(|arm| {
+        // SAFETY: as above.
+        let policy = unsafe { Checked::new(policy?) }?;
+        let (model, settings) = (model?, settings?.get()?);
+        // SAFETY: as above. Only checked: the network makes a slice of it for each decision.
+        unsafe { memory::array_mut(scratch, words) }?;
+        if words < model.scratch() {
+            return Err(Refusal(TPG_LENGTH));
+        }
+        let both =
+            Both(Hybrid { arm, tpg: Graph { arm, policy }, sac: Network { arm, model, scratch, words }, settings });
+        // SAFETY: the header's contract.
+        unsafe { memory::initialise(hybrid, both) }
+    }))
+}
+
+/// Begins an episode on a real arm, or anyone's: the graph drives.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tpg_switch_init(
+    switch_: *mut tpg_switch_t,
+    settings: *const tpg_settings_t,
+    observation: *const tpg_observation_t,
+) -> i32 {
+    // SAFETY: the header's contract.
+    let (settings, seen) = unsafe { (memory::read(settings), memory::read(observation)) };
+    code::of(settings.and_then(|settings| {
+        let switch = Switch::new(settings.get()?, Brent::new(), &seen?.get());
+        // SAFETY: the header's contract.
+        unsafe { memory::initialise(switch_, switch) }
+    }))
+}
+
+/// The next action and whose it is.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tpg_hybrid_decide(
+    hybrid: *const tpg_hybrid_t,
+    switch_: *mut tpg_switch_t,
+    observation: *const tpg_observation_t,
+    chosen: *mut tpg_chosen_t,
+) -> i32 {
+    // SAFETY: the header's contract.
+    let (hybrid, switch, seen, chosen) = unsafe {
+        (memory::content(hybrid), memory::content_mut(switch_), memory::read(observation), memory::write(chosen))
+    };
+    code::of(hybrid.and_then(|Both(hybrid)| {
+        *chosen? = tpg_chosen_t::of(hybrid.decide(switch?, &seen?.get()));
+        Ok(())
+    }))
+}
+
+/// Tells the switch what is seen after an action; `cause` is a TPG_CAUSE code: why the network acts next, if it newly does.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tpg_switch_acted(
+    switch_: *mut tpg_switch_t,
+    chosen: *const tpg_chosen_t,
+    observation: *const tpg_observation_t,
+    cause: *mut i32,
+) -> i32 {
+    // SAFETY: the header's contract.
+    let (switch, chosen, seen, cause) = unsafe {
+        (memory::content_mut(switch_), memory::read(chosen), memory::read(observation), memory::write(cause))
+    };
+    code::of(switch.and_then(|switch| {
+        let (chosen, seen, cause) = (chosen?.get()?, seen?, cause?);
+        *cause = switch.acted(chosen, &seen.get()).map_or(TPG_CAUSE_NONE, |cause| cause as i32 + TPG_CAUSE_GUARD);
+        Ok(())
+    }))
+}
+
+/// Who acted how often.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tpg_switch_counts(switch_: *const tpg_switch_t, counts: *mut tpg_counts_t) -> i32 {
+    // SAFETY: the header's contract.
+    let (switch, counts) = unsafe { (memory::content(switch_), memory::write(counts)) };
+    code::of(switch.and_then(|switch| {
+        *counts? = tpg_counts_t::of(switch.counts());
+        Ok(())
+    }))
+}
+
+/// Puts the simulated arm at a problem's start. `hybrid` must stay where it is for as long as the episode is used.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tpg_hybrid_episode_init(
+    episode: *mut tpg_hybrid_episode_t,
+    hybrid: *const tpg_hybrid_t,
+    problem: *const tpg_problem_t,
+) -> i32 {
+    // SAFETY: the header's contract; the caller keeps the hybrid for as long as the episode lives.
+    let (hybrid, problem) = unsafe { (memory::content::<'static, tpg_hybrid_t>(hybrid), memory::read(problem)) };
+    code::of(hybrid.and_then(|Both(hybrid)| {
+        let simulated = Simulated { episode: HybridEpisode::new(hybrid, problem?.get(), Brent::new()), over: false };
+        // SAFETY: the header's contract.
+        unsafe { memory::initialise(episode, simulated) }
+    }))
+}
+
+/// What the policies see now.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tpg_hybrid_episode_observation(
+    episode: *const tpg_hybrid_episode_t,
+    observation: *mut tpg_observation_t,
+) -> i32 {
+    // SAFETY: the header's contract.
+    let (content, observation) = unsafe { (memory::content(episode), memory::write(observation)) };
+    code::of(content.and_then(|content| {
+        *observation? = tpg_observation_t::of(content.episode.observation());
+        Ok(())
+    }))
+}
+
+/// Decides on one action, without doing it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tpg_hybrid_episode_decide(
+    episode: *mut tpg_hybrid_episode_t,
+    chosen: *mut tpg_chosen_t,
+) -> i32 {
+    // SAFETY: the header's contract.
+    let (content, chosen) = unsafe { (memory::content_mut(episode), memory::write(chosen)) };
+    code::of(content.and_then(|content| {
+        *chosen? = tpg_chosen_t::of(content.episode.decide());
+        Ok(())
+    }))
+}
+
+/// Does the action decided on; `outcome` as tpg_episode_advance has it. An episode that is over answers TPG_STATE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tpg_hybrid_episode_act(
+    episode: *mut tpg_hybrid_episode_t,
+    chosen: *const tpg_chosen_t,
+    outcome: *mut i32,
+) -> i32 {
+    // SAFETY: the header's contract.
+    let (content, chosen, outcome) =
+        unsafe { (memory::content_mut(episode), memory::read(chosen), memory::write(outcome)) };
+    code::of(content.and_then(|content| {
+        let (chosen, outcome) = (chosen?.get()?, outcome?);
+        if content.over {
+            return Err(Refusal(TPG_STATE));
+        }
+        let end = content.episode.act(chosen);
+        content.over = end.is_some();
+        *outcome = outcome_code(end);
+        Ok(())
+    }))
+}
+
+/// Who acted how often.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tpg_hybrid_episode_counts(
+    episode: *const tpg_hybrid_episode_t,
+    counts: *mut tpg_counts_t,
+) -> i32 {
+    // SAFETY: the header's contract.
+    let (content, counts) = unsafe { (memory::content(episode), memory::write(counts)) };
+    code::of(content.and_then(|content| {
+        *counts? = tpg_counts_t::of(content.episode.switch().counts());
+        Ok(())
+    }))
+}

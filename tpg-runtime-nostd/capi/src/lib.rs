@@ -1,0 +1,47 @@
+//! The C interface of [`tpg_runtime`]: `libtpg_runtime.a`, with `include/tpg_runtime.h`.
+//!
+//! Nothing is decided here. Every function checks its pointers, calls the runtime and writes what it answered. The
+//! caller's memory holds everything: no heap, no variables, so that any number of arms, policies and episodes live side by
+//! side. The header is made from this text by cbindgen; what its users must know stands in the comments of the items.
+//!
+//! | module | subject |
+//! | --- | --- |
+//! | [`code`] | what functions answer |
+//! | [`memory`] | pointers from C, checked; opaque structures |
+//! | [`arm`] | the arm, forward kinematics, collisions, one step |
+//! | [`observation`] | what a policy sees, and a graph's sources |
+//! | [`policy`] | the hook for generated code |
+//! | [`sac`] | a network in integers |
+//! | [`hybrid`] | a generated policy and a network that share an arm |
+//! | [`episode`] | one episode of one policy |
+
+#![cfg_attr(target_os = "none", no_std)]
+#![allow(non_camel_case_types, reason = "these are C's names")]
+
+pub mod arm;
+pub mod code;
+pub mod episode;
+pub mod hybrid;
+pub mod memory;
+pub mod observation;
+pub mod policy;
+pub mod sac;
+
+/// Version of this header.
+pub const TPG_VERSION: u32 = 0x0000_0100;
+
+/// Version of the library, for comparison with TPG_VERSION: major << 16, minor << 8, patch.
+#[unsafe(no_mangle)]
+pub extern "C" fn tpg_version() -> u32 {
+    TPG_VERSION
+}
+
+/// A core without an operating system needs one. Nothing in the library panics: the linker leaves it out, and a test
+/// looks for it.
+#[cfg(all(target_os = "none", not(test)))]
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+    loop {
+        core::hint::spin_loop();
+    }
+}

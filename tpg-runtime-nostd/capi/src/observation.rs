@@ -1,0 +1,141 @@
+//! What a policy sees, and how it fills a graph's sources.
+
+use crate::arm::{tpg_arm_t, tpg_pose_t};
+use crate::code::{self, Refusal, TPG_ARGUMENT, TPG_LENGTH};
+use crate::memory;
+use tpg_runtime::arm::{Arm, Pose};
+use tpg_runtime::observation::{Observation, Source};
+
+/// What a policy sees of the arm and its target.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct tpg_observation_t {
+    /// Motor positions.
+    pub pose: tpg_pose_t,
+    /// Positions of the servos that never move, ticks.
+    pub fixed_servos: [i16; 2],
+    /// The hand's tip, mm.
+    pub hand: [f32; 3],
+    /// The target, mm.
+    pub target: [f32; 3],
+    /// Target - hand, mm.
+    pub difference: [f32; 3],
+}
+
+impl tpg_observation_t {
+    pub(crate) fn of(seen: &Observation<f32>) -> Self {
+        let Observation { pose, fixed_servos, hand, target, difference } = *seen;
+        Self { pose: tpg_pose_t { ticks: pose.0 }, fixed_servos, hand, target, difference }
+    }
+
+    pub(crate) fn get(&self) -> Observation<f32> {
+        let Self { pose, fixed_servos, hand, target, difference } = *self;
+        Observation { pose: Pose(pose.ticks), fixed_servos, hand, target, difference }
+    }
+}
+
+/// The target: x, y, z in mm.
+pub const TPG_SOURCE_TARGET: u8 = 0;
+/// Target - hand: x, y, z in mm.
+pub const TPG_SOURCE_DIFFERENCE: u8 = 1;
+/// The hand's tip: x, y, z in mm.
+pub const TPG_SOURCE_HAND: u8 = 2;
+/// The four motor positions, ticks.
+pub const TPG_SOURCE_MOTORS: u8 = 3;
+/// All six servos, ticks.
+pub const TPG_SOURCE_SERVOS: u8 = 4;
+/// The four motor positions less 2048, ticks.
+pub const TPG_SOURCE_MOTORS_CENTRED: u8 = 5;
+/// Errors in the shoulder's polar frame, 3 values in mm.
+pub const TPG_SOURCE_POLAR: u8 = 6;
+/// Errors as seen from the shoulder: half ticks, 1/250 rad, mm.
+pub const TPG_SOURCE_BEARING: u8 = 7;
+/// By how many ticks base, shoulder and elbow are off, if the wrist stays.
+pub const TPG_SOURCE_REACH: u8 = 8;
+/// What stands against that: ticks, ticks, mm.
+pub const TPG_SOURCE_REACH_EXCESS: u8 = 9;
+/// The hand's pitch there, 1 value in ticks.
+pub const TPG_SOURCE_REACH_PITCH: u8 = 10;
+/// The target as seen from the wrist: mm, ticks.
+pub const TPG_SOURCE_WRIST: u8 = 11;
+/// Height of the hand's lower corner, 1 value in mm.
+pub const TPG_SOURCE_FLOOR: u8 = 12;
+
+/// The numbers above are the places in [`Source::ALL`].
+pub(crate) fn source(number: u8) -> Result<Source, Refusal> {
+    Source::ALL.get(usize::from(number)).copied().ok_or(Refusal(TPG_ARGUMENT))
+}
+
+/// Writes the values of sources, one after another; stops where `state` is full.
+pub(crate) fn fill(arm: &Arm<f32>, seen: &Observation<f32>, sources: &[u8], state: &mut [f32]) {
+    let mut rest = state;
+    for &number in sources {
+        let Some(&source) = Source::ALL.get(usize::from(number)) else { return };
+        source.write(arm, seen, rest);
+        rest = rest.get_mut(source.length()..).unwrap_or(&mut []);
+    }
+}
+
+/// What is seen at a pose, with the target's x, y, z in mm.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tpg_observe(
+    arm: *const tpg_arm_t,
+    pose: *const tpg_pose_t,
+    target: *const f32,
+    observation: *mut tpg_observation_t,
+) -> i32 {
+    // SAFETY: the header's contract.
+    let (arm, pose, target) =
+        unsafe { (memory::content(arm), memory::read(pose), memory::read(target.cast::<[f32; 3]>())) };
+    code::of(arm.and_then(|arm| {
+        let seen = Observation::at(arm, Pose(pose?.ticks), *target?);
+        // SAFETY: the header's contract.
+        *unsafe { memory::write(observation) }? = tpg_observation_t::of(&seen);
+        Ok(())
+    }))
+}
+
+/// Hand to target, mm.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tpg_observation_distance(observation: *const tpg_observation_t, distance: *mut f32) -> i32 {
+    // SAFETY: the header's contract.
+    let (seen, distance) = unsafe { (memory::read(observation), memory::write(distance)) };
+    code::of(seen.and_then(|seen| {
+        *distance? = seen.get().distance();
+        Ok(())
+    }))
+}
+
+/// Writes the values of `count` sources (TPG_SOURCE codes), one after another, into `state`: a generated policy's own
+/// structure, say. TPG_LENGTH where `length` floats are too few, TPG_ARGUMENT for an unknown source.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tpg_observation_state(
+    arm: *const tpg_arm_t,
+    observation: *const tpg_observation_t,
+    sources: *const u8,
+    count: usize,
+    state: *mut f32,
+    length: usize,
+) -> i32 {
+    // SAFETY: the header's contract.
+    let (arm, seen, sources, state) = unsafe {
+        (
+            memory::content(arm),
+            memory::read(observation),
+            memory::array(sources, count),
+            memory::array_mut(state, length),
+        )
+    };
+    code::of(arm.and_then(|arm| {
+        let (seen, sources, state) = (seen?.get(), sources?, state?);
+        let mut wanted = 0usize;
+        for &number in sources {
+            wanted = wanted.saturating_add(source(number)?.length());
+        }
+        if state.len() < wanted {
+            return Err(Refusal(TPG_LENGTH));
+        }
+        fill(arm, &seen, sources, state);
+        Ok(())
+    }))
+}

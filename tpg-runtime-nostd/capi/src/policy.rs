@@ -1,0 +1,85 @@
+//! The hook for policies that `tpg-codegen` compiled.
+
+use crate::arm::{tpg_arm_t, tpg_move_t};
+use crate::code::{self, Refusal, TPG_LENGTH, TPG_NULL};
+use crate::memory;
+use crate::observation::{fill, source, tpg_observation_t};
+use tpg_runtime::arm::{Arm, Move};
+use tpg_runtime::observation::Observation;
+
+/// The most floats that the sources of a policy may have together.
+pub const TPG_STATE_LENGTH: usize = 48;
+
+/// A generated `PREFIX_infer` behind a pointer of one type for all: `return PREFIX_infer(state);`.
+pub type tpg_infer_t = Option<unsafe extern "C" fn(state: *const core::ffi::c_void) -> u16>;
+
+/// A policy that tpg-codegen compiled, in f32. Constant: it can lie in flash.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct tpg_policy_t {
+    /// The decision. Its argument points to the sources' values, aligned for the generated structure.
+    pub infer: tpg_infer_t,
+    /// TPG_SOURCE codes, in order: PREFIX_SOURCES of the generated header.
+    pub sources: *const u8,
+    /// How many there are.
+    pub source_count: usize,
+    /// What each action moves: PREFIX_MOVES of the generated header. An action past the end moves nothing.
+    pub moves: *const tpg_move_t,
+    /// How many there are.
+    pub move_count: usize,
+}
+
+/// A policy's parts, checked: its function, sources and moves.
+pub(crate) struct Checked<'a> {
+    infer: unsafe extern "C" fn(state: *const core::ffi::c_void) -> u16,
+    sources: &'a [u8],
+    moves: &'a [tpg_move_t],
+}
+
+impl<'a> Checked<'a> {
+    /// Checks a policy.
+    ///
+    /// # Safety
+    /// The header's contract; the policy's arrays live as long as the result.
+    pub(crate) unsafe fn new(policy: &tpg_policy_t) -> Result<Self, Refusal> {
+        let infer = policy.infer.ok_or(Refusal(TPG_NULL))?;
+        // SAFETY: the header's contract.
+        let sources = unsafe { memory::array(policy.sources, policy.source_count) }?;
+        // SAFETY: the header's contract.
+        let moves = unsafe { memory::array(policy.moves, policy.move_count) }?;
+        let mut length = 0usize;
+        for &number in sources {
+            length = length.saturating_add(source(number)?.length());
+        }
+        if length > TPG_STATE_LENGTH { Err(Refusal(TPG_LENGTH)) } else { Ok(Self { infer, sources, moves }) }
+    }
+
+    /// The move.
+    pub(crate) fn decide(&self, arm: &Arm<f32>, seen: &Observation<f32>) -> Move {
+        let mut state = [0f32; TPG_STATE_LENGTH];
+        fill(arm, seen, self.sources, &mut state);
+        // SAFETY: the header asks for the function of these sources: it reads no more than they have written.
+        let action = unsafe { (self.infer)(state.as_ptr().cast()) };
+        self.moves.get(usize::from(action)).map_or(Move::STOP, |moved| Move(moved.ticks))
+    }
+}
+
+/// The move that a generated policy decides for.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tpg_policy_decide(
+    policy: *const tpg_policy_t,
+    arm: *const tpg_arm_t,
+    observation: *const tpg_observation_t,
+    wanted: *mut tpg_move_t,
+) -> i32 {
+    // SAFETY: the header's contract.
+    let (policy, arm, seen, wanted) =
+        unsafe { (memory::read(policy), memory::content(arm), memory::read(observation), memory::write(wanted)) };
+    code::of(policy.and_then(|policy| {
+        // SAFETY: the header's contract.
+        let policy = unsafe { Checked::new(policy) }?;
+        let Move(ticks) = policy.decide(arm?, &seen?.get());
+        *wanted? = tpg_move_t { ticks };
+        Ok(())
+    }))
+}

@@ -1,0 +1,94 @@
+//! A network in integers.
+
+use crate::arm::{tpg_arm_t, tpg_move_t};
+use crate::code::{self, Refusal, TPG_LENGTH, TPG_MODEL, TPG_MODEL_CHECKSUM, TPG_MODEL_FEATURES, TPG_MODEL_LAYERS};
+use crate::memory::{self, Opaque};
+use crate::observation::tpg_observation_t;
+use tpg_runtime::arm::Move;
+use tpg_runtime::sac::FEATURES;
+use tpg_runtime::sac::packed::{Model, ModelError};
+
+/// Words of a tpg_sac_t.
+pub const TPG_SAC_WORDS: usize = 28;
+
+/// A network in integers, checked. Opaque; initialised by tpg_sac_init, constant from then on.
+#[repr(C)]
+pub struct tpg_sac_t {
+    /// The library's.
+    pub opaque: [u64; TPG_SAC_WORDS],
+}
+
+const _: () = assert!(memory::fits::<tpg_sac_t>());
+
+// SAFETY: it fits, and any bytes are an array of integers.
+unsafe impl Opaque for tpg_sac_t {
+    type Content = Model<'static>;
+    const TAG: u32 = 0x5341_4301;
+}
+
+fn model_code(error: ModelError) -> Refusal {
+    Refusal(match error {
+        ModelError::NotAModel => TPG_MODEL,
+        ModelError::Short => TPG_LENGTH,
+        ModelError::Checksum => TPG_MODEL_CHECKSUM,
+        ModelError::Features => TPG_MODEL_FEATURES,
+        ModelError::Layers => TPG_MODEL_LAYERS,
+    })
+}
+
+/// Checks a model of `words` 32-bit words and borrows it: it must stay where it is and as it is, in flash say, for as long
+/// as `sac` is used.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tpg_sac_init(sac: *mut tpg_sac_t, model: *const u32, words: usize) -> i32 {
+    // SAFETY: the header's contract; the caller keeps the words for as long as `sac` lives.
+    code::of(unsafe { memory::array::<'static, u32>(model, words) }.and_then(|words| {
+        let model = Model::parse(words).map_err(model_code)?;
+        if model.inputs() != FEATURES {
+            return Err(Refusal(TPG_MODEL_FEATURES));
+        }
+        // SAFETY: the header's contract.
+        unsafe { memory::initialise(sac, model) }
+    }))
+}
+
+/// How many 32-bit words of scratch memory tpg_sac_decide needs.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tpg_sac_scratch(sac: *const tpg_sac_t, words: *mut usize) -> i32 {
+    // SAFETY: the header's contract.
+    let (model, words) = unsafe { (memory::content(sac), memory::write(words)) };
+    code::of(model.and_then(|model| {
+        *words? = model.scratch();
+        Ok(())
+    }))
+}
+
+/// The move that a network decides for. `scratch` is overwritten; TPG_LENGTH where `words` are too few.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tpg_sac_decide(
+    sac: *const tpg_sac_t,
+    arm: *const tpg_arm_t,
+    observation: *const tpg_observation_t,
+    scratch: *mut u32,
+    words: usize,
+    wanted: *mut tpg_move_t,
+) -> i32 {
+    // SAFETY: the header's contract.
+    let (model, arm, seen, scratch, wanted) = unsafe {
+        (
+            memory::content(sac),
+            memory::content(arm),
+            memory::read(observation),
+            memory::array_mut(scratch, words),
+            memory::write(wanted),
+        )
+    };
+    code::of(model.and_then(|model| {
+        let (arm, seen, scratch, wanted) = (arm?, seen?, scratch?, wanted?);
+        if scratch.len() < model.scratch() {
+            return Err(Refusal(TPG_LENGTH));
+        }
+        let Move(ticks) = model.decide(arm, &seen.get(), scratch);
+        *wanted = tpg_move_t { ticks };
+        Ok(())
+    }))
+}

@@ -1,0 +1,271 @@
+/* Every function of tpg_runtime.h with good pointers and with each of the bad ones: NULL, misaligned, too short, not
+ * initialised. Also C++11. Prints the first check that failed. */
+#include "tpg_runtime.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "model.h"
+
+static int failures = 0;
+
+#define CHECK(condition)                                                                                               \
+    do {                                                                                                               \
+        if (!(condition)) {                                                                                            \
+            (void)printf("line %d: %s\n", __LINE__, #condition);                                                       \
+            failures++;                                                                                                \
+        }                                                                                                              \
+    } while (0)
+
+/* A pointer that no type but char is aligned for. */
+static union {
+    uint64_t words[80];
+    unsigned char bytes[640];
+} memory;
+
+#define MISALIGNED(type) ((type *)(void *)&memory.bytes[1])
+
+/* A policy that turns the base towards the target's side. */
+static uint16_t turn_base(const void *state)
+{
+    const float *difference = (const float *)state;
+
+    return (difference[0] < 0.0F) ? 0U : 1U;
+}
+
+static uint16_t never_moves(const void *state)
+{
+    (void)state;
+    return 9U;
+}
+
+static const uint8_t sources[1] = { TPG_SOURCE_DIFFERENCE };
+static const uint8_t too_many[20] = { TPG_SOURCE_SERVOS, TPG_SOURCE_SERVOS, TPG_SOURCE_SERVOS, TPG_SOURCE_SERVOS,
+                                      TPG_SOURCE_SERVOS, TPG_SOURCE_SERVOS, TPG_SOURCE_SERVOS, TPG_SOURCE_SERVOS,
+                                      TPG_SOURCE_SERVOS };
+static const uint8_t unknown[1] = { 200 };
+static const tpg_move_t moves[2] = { { { 3, 0, 0, 0 } }, { { -3, 0, 0, 0 } } };
+static const tpg_policy_t policy = { turn_base, sources, 1U, moves, 2U };
+
+static void arm_and_observation(void)
+{
+    static tpg_arm_t arm;
+    static tpg_arm_t own;
+    static const tpg_arm_t raw;
+    tpg_pose_t pose;
+    tpg_pose_t after;
+    tpg_observation_t seen;
+    const tpg_move_t up = { { 3, 0, 0, 0 } };
+    const float target[3] = { 0.0F, 371.0F, 257.0F };
+    float hand[3];
+    float state[3];
+    float distance;
+    int32_t code;
+    const tpg_arm_description_t widowx = {
+        { { 2048, 2048, 2048, 2048 } }, { 512, 256 }, { 2, 1025, 1025, 1025 }, { 4094, 3071, 3071, 3071 },
+        125.0F, 142.0F, 49.0F, 142.0F, 155.0F, 160.0F, { 24.0F, -32.0F }, 10.0F, { 18.0F, -18.0F },
+        { { { 68.0F, 90.0F }, { 9.0F, 9.0F } }, { { 68.0F, 68.0F }, { 9.0F, 95.0F } },
+          { { 15.0F, 68.0F }, { 95.0F, 95.0F } }, { { 15.0F, 15.0F }, { 95.0F, 151.0F } } },
+    };
+    tpg_arm_description_t bad = widowx;
+
+    CHECK(tpg_version() == TPG_VERSION);
+    CHECK(tpg_arm_init_widowx(NULL) == TPG_NULL);
+    CHECK(tpg_arm_init_widowx(MISALIGNED(tpg_arm_t)) == TPG_MISALIGNED);
+    CHECK(tpg_arm_home(&raw, &pose) == TPG_STATE);
+    CHECK(tpg_arm_init_widowx(&arm) == TPG_OK);
+    CHECK(tpg_arm_init(&own, &widowx) == TPG_OK);
+    CHECK(memcmp(&arm, &own, sizeof arm) == 0);
+    bad.min[2] = 4000;
+    CHECK(tpg_arm_init(&own, &bad) == TPG_ARGUMENT);
+    CHECK(tpg_arm_init(&own, NULL) == TPG_NULL);
+    CHECK(tpg_arm_home(&arm, &pose) == TPG_OK);
+    CHECK(pose.ticks[0] == 2048);
+    CHECK(tpg_arm_home(&arm, NULL) == TPG_NULL);
+    CHECK(tpg_arm_home(&arm, MISALIGNED(tpg_pose_t)) == TPG_MISALIGNED);
+
+    CHECK(tpg_arm_hand(&arm, &pose, hand) == TPG_OK);
+    CHECK((fabsf(hand[0]) < 0.01F) && (fabsf(hand[1] - 346.0F) < 0.01F) && (fabsf(hand[2] - 267.0F) < 0.01F));
+    CHECK(tpg_arm_hand(&arm, &pose, NULL) == TPG_NULL);
+    CHECK(tpg_arm_hand(&arm, &pose, MISALIGNED(float)) == TPG_MISALIGNED);
+    CHECK(tpg_arm_hand(NULL, &pose, hand) == TPG_NULL);
+    CHECK(tpg_arm_collision(&arm, &pose, &code) == TPG_OK);
+    CHECK(code == TPG_VALID);
+    CHECK(tpg_arm_collision(&arm, &pose, NULL) == TPG_NULL);
+    CHECK(tpg_arm_step(&arm, &pose, &up, &after, &code) == TPG_OK);
+    CHECK((code == TPG_VALID) && (after.ticks[0] == 2051));
+    pose.ticks[0] = 4094;
+    CHECK(tpg_arm_step(&arm, &pose, &up, &pose, &code) == TPG_OK);
+    CHECK((code == TPG_LIMIT_BASE) && (pose.ticks[0] == 4094));
+    CHECK(tpg_arm_step(&arm, &pose, NULL, &after, &code) == TPG_NULL);
+    CHECK(tpg_arm_step(&arm, &pose, &up, NULL, &code) == TPG_NULL);
+    CHECK(tpg_arm_step(&arm, &pose, &up, &after, MISALIGNED(int32_t)) == TPG_MISALIGNED);
+
+    pose.ticks[0] = 2048;
+    CHECK(tpg_observe(&arm, &pose, target, &seen) == TPG_OK);
+    CHECK((fabsf(seen.difference[1] - 25.0F) < 0.01F) && (seen.fixed_servos[1] == 256));
+    CHECK(tpg_observe(&arm, &pose, NULL, &seen) == TPG_NULL);
+    CHECK(tpg_observe(&arm, &pose, target, MISALIGNED(tpg_observation_t)) == TPG_MISALIGNED);
+    CHECK(tpg_observation_distance(&seen, &distance) == TPG_OK);
+    CHECK(fabsf(distance - sqrtf(725.0F)) < 0.01F);
+    CHECK(tpg_observation_distance(NULL, &distance) == TPG_NULL);
+    CHECK(tpg_observation_state(&arm, &seen, sources, 1U, state, 3U) == TPG_OK);
+    CHECK(state[1] == seen.difference[1]);
+    CHECK(tpg_observation_state(&arm, &seen, sources, 1U, state, 2U) == TPG_LENGTH);
+    CHECK(tpg_observation_state(&arm, &seen, unknown, 1U, state, 3U) == TPG_ARGUMENT);
+    CHECK(tpg_observation_state(&arm, &seen, sources, SIZE_MAX, state, 3U) == TPG_LENGTH);
+    CHECK(tpg_observation_state(&arm, &seen, NULL, 1U, state, 3U) == TPG_NULL);
+}
+
+static void policies(void)
+{
+    static tpg_arm_t arm;
+    static tpg_sac_t sac;
+    static const tpg_sac_t raw;
+    static uint32_t scratch[MODEL_SCRATCH];
+    static uint32_t damaged[MODEL_WORDS];
+    tpg_policy_t other = policy;
+    tpg_pose_t pose;
+    tpg_observation_t seen;
+    tpg_move_t wanted;
+    size_t words = 0U;
+    const float target[3] = { -250.0F, 239.0F, 267.0F };
+
+    CHECK(tpg_arm_init_widowx(&arm) == TPG_OK);
+    CHECK(tpg_arm_home(&arm, &pose) == TPG_OK);
+    CHECK(tpg_observe(&arm, &pose, target, &seen) == TPG_OK);
+    CHECK(tpg_policy_decide(&policy, &arm, &seen, &wanted) == TPG_OK);
+    CHECK(wanted.ticks[0] == 3);
+    CHECK(tpg_policy_decide(NULL, &arm, &seen, &wanted) == TPG_NULL);
+    CHECK(tpg_policy_decide(&policy, &arm, &seen, NULL) == TPG_NULL);
+    other.infer = NULL;
+    CHECK(tpg_policy_decide(&other, &arm, &seen, &wanted) == TPG_NULL);
+    other.infer = never_moves;
+    CHECK(tpg_policy_decide(&other, &arm, &seen, &wanted) == TPG_OK);
+    CHECK((wanted.ticks[0] == 0) && (wanted.ticks[3] == 0));
+    other.sources = unknown;
+    CHECK(tpg_policy_decide(&other, &arm, &seen, &wanted) == TPG_ARGUMENT);
+    other.sources = too_many;
+    other.source_count = 9U;
+    CHECK(tpg_policy_decide(&other, &arm, &seen, &wanted) == TPG_LENGTH);
+    other = policy;
+    other.moves = NULL;
+    CHECK(tpg_policy_decide(&other, &arm, &seen, &wanted) == TPG_NULL);
+
+    CHECK(tpg_sac_init(&sac, model, MODEL_WORDS) == TPG_OK);
+    CHECK(tpg_sac_init(NULL, model, MODEL_WORDS) == TPG_NULL);
+    CHECK(tpg_sac_init(&sac, NULL, MODEL_WORDS) == TPG_NULL);
+    CHECK(tpg_sac_init(&sac, MISALIGNED(uint32_t), 10U) == TPG_MISALIGNED);
+    CHECK(tpg_sac_init(&sac, model, MODEL_WORDS - 1U) == TPG_LENGTH);
+    CHECK(tpg_sac_init(&sac, model + 1, MODEL_WORDS - 1U) == TPG_MODEL);
+    (void)memcpy(damaged, model, sizeof damaged);
+    damaged[MODEL_WORDS / 2U] ^= 0x100U;
+    CHECK(tpg_sac_init(&sac, damaged, MODEL_WORDS) == TPG_MODEL_CHECKSUM);
+    CHECK(tpg_sac_scratch(&raw, &words) == TPG_STATE);
+    CHECK(tpg_sac_scratch(&sac, &words) == TPG_OK);
+    CHECK(words == MODEL_SCRATCH);
+    CHECK(tpg_sac_decide(&sac, &arm, &seen, scratch, MODEL_SCRATCH, &wanted) == TPG_OK);
+    CHECK((wanted.ticks[0] != 0) || (wanted.ticks[1] != 0) || (wanted.ticks[2] != 0) || (wanted.ticks[3] != 0));
+    CHECK(tpg_sac_decide(&sac, &arm, &seen, scratch, MODEL_SCRATCH - 1U, &wanted) == TPG_LENGTH);
+    CHECK(tpg_sac_decide(&sac, &arm, &seen, NULL, MODEL_SCRATCH, &wanted) == TPG_NULL);
+    CHECK(tpg_sac_decide(&raw, &arm, &seen, scratch, MODEL_SCRATCH, &wanted) == TPG_STATE);
+}
+
+static void episodes(void)
+{
+    static tpg_arm_t arm;
+    static tpg_episode_t episode;
+    static const tpg_episode_t raw;
+    tpg_observation_t seen;
+    tpg_move_t wanted;
+    int32_t outcome = TPG_RUNNING;
+    uint32_t actions = 0U;
+    const tpg_problem_t problem = { { { 2048, 2048, 2048, 2048 } }, { -250.0F, 239.2F, 267.0F }, 3.0F, 1707U };
+
+    CHECK(tpg_arm_init_widowx(&arm) == TPG_OK);
+    CHECK(tpg_episode_init(NULL, &arm, &problem) == TPG_NULL);
+    CHECK(tpg_episode_init(&episode, &arm, NULL) == TPG_NULL);
+    CHECK(tpg_episode_observation(&raw, &seen) == TPG_STATE);
+    CHECK(tpg_episode_init(&episode, &arm, &problem) == TPG_OK);
+    while (outcome == TPG_RUNNING) {
+        CHECK(tpg_episode_observation(&episode, &seen) == TPG_OK);
+        CHECK(tpg_policy_decide(&policy, &arm, &seen, &wanted) == TPG_OK);
+        CHECK(tpg_episode_advance(&episode, &wanted, &outcome) == TPG_OK);
+    }
+    CHECK(outcome == TPG_REACHED);
+    CHECK(tpg_episode_actions(&episode, &actions) == TPG_OK);
+    CHECK(actions > 100U);
+    CHECK(tpg_episode_advance(&episode, &wanted, &outcome) == TPG_STATE);
+    CHECK(tpg_episode_actions(&episode, NULL) == TPG_NULL);
+}
+
+static void hybrids(void)
+{
+    static tpg_arm_t arm;
+    static tpg_sac_t sac;
+    static tpg_hybrid_t hybrid;
+    static tpg_switch_t turn;
+    static tpg_hybrid_episode_t episode;
+    static const tpg_hybrid_t raw;
+    static uint32_t scratch[MODEL_SCRATCH];
+    tpg_settings_t settings = { 5U, 20.0F, TPG_GUARD_JOINT_LIMITS };
+    tpg_policy_t idle = policy;
+    tpg_observation_t seen;
+    tpg_chosen_t chosen;
+    tpg_counts_t counts;
+    int32_t cause = TPG_CAUSE_NONE;
+    int32_t outcome = TPG_RUNNING;
+    const tpg_problem_t problem = { { { 2048, 2048, 2048, 2048 } }, { 120.0F, 300.0F, 200.0F }, 3.0F, 1707U };
+
+    idle.infer = never_moves;
+    CHECK(tpg_arm_init_widowx(&arm) == TPG_OK);
+    CHECK(tpg_sac_init(&sac, model, MODEL_WORDS) == TPG_OK);
+    CHECK(tpg_hybrid_init(&hybrid, &arm, &idle, &sac, &settings, scratch, MODEL_SCRATCH - 1U) == TPG_LENGTH);
+    CHECK(tpg_hybrid_init(&hybrid, &arm, &idle, &sac, &settings, NULL, MODEL_SCRATCH) == TPG_NULL);
+    settings.guard = 7;
+    CHECK(tpg_hybrid_init(&hybrid, &arm, &idle, &sac, &settings, scratch, MODEL_SCRATCH) == TPG_ARGUMENT);
+    settings.guard = TPG_GUARD_JOINT_LIMITS;
+    settings.hand_back_after = 0U;
+    CHECK(tpg_hybrid_init(&hybrid, &arm, &idle, &sac, &settings, scratch, MODEL_SCRATCH) == TPG_ARGUMENT);
+    settings.hand_back_after = 5U;
+    CHECK(tpg_hybrid_episode_init(&episode, &raw, &problem) == TPG_STATE);
+    CHECK(tpg_hybrid_init(&hybrid, &arm, &idle, &sac, &settings, scratch, MODEL_SCRATCH) == TPG_OK);
+
+    /* By hand: the graph does not move, so the network takes over. */
+    CHECK(tpg_observe(&arm, &problem.start, problem.target, &seen) == TPG_OK);
+    CHECK(tpg_switch_init(&turn, &settings, &seen) == TPG_OK);
+    CHECK(tpg_hybrid_decide(&hybrid, &turn, &seen, &chosen) == TPG_OK);
+    CHECK(chosen.driver == TPG_DRIVER_GRAPH);
+    CHECK(tpg_switch_acted(&turn, &chosen, &seen, &cause) == TPG_OK);
+    CHECK(cause == TPG_CAUSE_STOP);
+    CHECK(tpg_hybrid_decide(&hybrid, &turn, &seen, &chosen) == TPG_OK);
+    CHECK(chosen.driver == TPG_DRIVER_NETWORK);
+    chosen.driver = 3;
+    CHECK(tpg_switch_acted(&turn, &chosen, &seen, &cause) == TPG_ARGUMENT);
+    CHECK(tpg_switch_counts(&turn, &counts) == TPG_OK);
+    CHECK((counts.graph_actions == 1U) && (counts.hand_overs[2] == 1U));
+
+    /* Simulated. */
+    CHECK(tpg_hybrid_episode_init(&episode, &hybrid, &problem) == TPG_OK);
+    while (outcome == TPG_RUNNING) {
+        CHECK(tpg_hybrid_episode_decide(&episode, &chosen) == TPG_OK);
+        CHECK(tpg_hybrid_episode_act(&episode, &chosen, &outcome) == TPG_OK);
+    }
+    CHECK(outcome == TPG_REACHED);
+    CHECK(tpg_hybrid_episode_act(&episode, &chosen, &outcome) == TPG_STATE);
+    CHECK(tpg_hybrid_episode_counts(&episode, &counts) == TPG_OK);
+    CHECK((counts.network_actions > counts.graph_actions) && (counts.hand_backs > 0U));
+    CHECK(tpg_hybrid_episode_observation(&episode, &seen) == TPG_OK);
+    CHECK(tpg_hybrid_episode_observation(&episode, NULL) == TPG_NULL);
+}
+
+int main(void)
+{
+    arm_and_observation();
+    policies();
+    episodes();
+    hybrids();
+    return (failures == 0) ? 0 : 1;
+}

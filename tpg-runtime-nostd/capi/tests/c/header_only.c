@@ -1,0 +1,1 @@
+#include "tpg_runtime.h"

@@ -1,0 +1,172 @@
+//! The library as C and C++ programs see it: every code, what it exports, and that another float ABI does not link.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::{Mutex, PoisonError};
+use tempfile::TempDir;
+use tpg_generated::widowx_sac;
+use xtask::library::{self, Missing};
+
+/// The library for a target; `None` where a tool is missing, which has been said.
+fn made(target: &str) -> Option<PathBuf> {
+    // Made once: tests run side by side, and none may read what another writes.
+    static MADE: Mutex<BTreeMap<String, Option<PathBuf>>> = Mutex::new(BTreeMap::new());
+    let mut made = MADE.lock().unwrap_or_else(PoisonError::into_inner);
+    let make = || match library::make(target, &library::dist()) {
+        Ok(archive) => Some(archive),
+        Err(Missing::Tool) => None,
+        Err(Missing::Failed(message)) => panic!("{message}"),
+    };
+    made.entry(target.to_owned()).or_insert_with(make).clone()
+}
+
+fn include() -> String {
+    format!("-I{}", library::dist().join("include").display())
+}
+
+fn source(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/c").join(name)
+}
+
+/// What a command prints, and whether it succeeded.
+fn run(command: &mut Command) -> (bool, String) {
+    let output = command.output().expect("it starts");
+    let text = [output.stdout, output.stderr].map(|text| String::from_utf8_lossy(&text).into_owned()).concat();
+    (output.status.success(), text)
+}
+
+/// The shipped network as C.
+fn write_model(folder: &Path) {
+    let words = widowx_sac::MODEL;
+    let mut text = format!(
+        "#define MODEL_WORDS {}U\n#define MODEL_SCRATCH {}U\nstatic const uint32_t model[MODEL_WORDS] = {{\n",
+        words.len(),
+        widowx_sac::SCRATCH
+    );
+    for word in words {
+        let _ = writeln!(text, "    {word}U,");
+    }
+    text.push_str("};\n");
+    fs::write(folder.join("model.h"), text).expect("the folder can be written");
+}
+
+#[test]
+fn every_code_in_c99_and_cpp11() {
+    let Some(archive) = made(library::host()) else { return };
+    let folder = TempDir::new().expect("a temporary folder");
+    write_model(folder.path());
+    const C99: &[&str] = &["-std=c99", "-Wstrict-prototypes"];
+    const CPP11: &[&str] = &["-x", "c++", "-std=c++11"];
+    for (program, language) in [("gcc", C99), ("g++", CPP11)] {
+        if !xtask::tool(program, program, "the C interface") {
+            continue;
+        }
+        let mut command = Command::new(program);
+        command.args(language).args(["-g", "-O1", "-fsanitize=undefined", "-fno-sanitize-recover=all"]);
+        command.args(["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"]);
+        command.arg(include()).arg(format!("-I{}", folder.path().display())).arg(source("codes.c"));
+        command.args(["-x", "none"]).arg(&archive).arg("-lm").arg("-o").arg(folder.path().join(program));
+        let (good, text) = run(&mut command);
+        assert!(good, "{program}: {text}");
+        let (good, text) = run(&mut Command::new(folder.path().join(program)));
+        assert!(good, "{program}: {text}");
+    }
+}
+
+#[test]
+fn only_the_interface_is_exported() {
+    for target in library::TARGETS.into_iter().chain([library::host()]) {
+        let Some(archive) = made(target) else { continue };
+        let (good, text) = run(Command::new("nm").args(["--format=posix", "--extern-only"]).arg(&archive));
+        assert!(good, "{text}");
+        let header = fs::read_to_string(library::dist().join("include/tpg_runtime.h")).expect("the header");
+        let mut functions = 0;
+        for line in text.lines().filter(|line| line.split(' ').count() > 1) {
+            let mut words = line.split(' ');
+            let (name, kind) = (words.next().unwrap_or_default(), words.next().unwrap_or_default());
+            // The host's C library gives these two; a microcontroller's image needs nothing.
+            if kind == "U" && target == library::host() && ["memcpy", "memset"].contains(&name) {
+                continue;
+            }
+            assert!(kind == "T" && name.starts_with("tpg_"), "{target}: {line}");
+            assert!(header.contains(&format!(" {name}(")), "{target}: {name} is not in the header");
+            functions += 1;
+        }
+        assert_eq!(functions, header.matches("\nint32_t tpg_").count() + 1, "{target}");
+    }
+}
+
+#[test]
+fn nothing_in_the_library_can_panic_or_allocate() {
+    for target in library::TARGETS {
+        let Some(archive) = made(target) else { continue };
+        let (good, text) = run(Command::new("nm").arg(&archive));
+        assert!(good, "{text}");
+        for forbidden in ["panic", "unwrap_failed", "alloc", "__aeabi_d"] {
+            assert!(!text.contains(forbidden), "{target}: {forbidden}\n{text}");
+        }
+    }
+}
+
+#[test]
+fn another_float_abi_does_not_link() {
+    if !xtask::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", "float ABIs at link time") {
+        return;
+    }
+    let folder = TempDir::new().expect("a temporary folder");
+    let main = folder.path().join("main.c");
+    // A function with a float in a register: what the two ABIs disagree on.
+    fs::write(
+        &main,
+        "#include \"tpg_runtime.h\"\nfloat f(float x);\nfloat f(float x) { return x + 1.0F; }\n\
+         int main(void) { return (f(1.0F) > 0.0F) ? (int)tpg_version() : 0; }\n",
+    )
+    .expect("the folder can be written");
+    let link = |target: &str, float: &str| {
+        let archive = made(target)?;
+        let mut command = Command::new("arm-none-eabi-gcc");
+        command.args(["-mcpu=cortex-m4", "-mthumb", "-mfpu=fpv4-sp-d16", &format!("-mfloat-abi={float}"), "-nostdlib"]);
+        command.args(["-Wl,-e,main", "-Wl,-u,tpg_version"]).arg(include()).arg(&main).arg(archive).arg("-lgcc");
+        Some(run(command.arg("-o").arg(folder.path().join("image"))))
+    };
+    for (target, right, wrong) in [("thumbv7em-none-eabihf", "hard", "soft"), ("thumbv7em-none-eabi", "soft", "hard")] {
+        let (Some((good, text)), Some((bad, refusal))) = (link(target, right), link(target, wrong)) else { return };
+        assert!(good, "{target} with -mfloat-abi={right}: {text}");
+        assert!(!bad && refusal.contains("uses VFP register arguments"), "{target}, {wrong}: {refusal}");
+    }
+}
+
+#[test]
+fn cmake_and_pkg_config_find_it() {
+    let Some(_) = made(library::host()) else { return };
+    let folder = TempDir::new().expect("a temporary folder");
+    let main = "#include \"tpg_runtime.h\"\nint main(void) { return (tpg_version() == TPG_VERSION) ? 0 : 1; }\n";
+    fs::write(folder.path().join("main.c"), main).expect("the folder can be written");
+    if xtask::tool("pkg-config", "pkg-config", "tpg_runtime.pc") {
+        let search = library::dist().join("lib").join(library::host()).join("pkgconfig");
+        let mut command = Command::new("pkg-config");
+        let (good, flags) = run(command.env("PKG_CONFIG_PATH", search).args(["--cflags", "--libs", "tpg_runtime"]));
+        assert!(good, "{flags}");
+        let mut gcc = Command::new("gcc");
+        gcc.current_dir(folder.path()).args(["main.c", "-o", "with-pkg-config"]).args(flags.split_whitespace());
+        let (good, text) = run(&mut gcc);
+        assert!(good, "{text}");
+        assert!(run(&mut Command::new(folder.path().join("with-pkg-config"))).0);
+    }
+    if xtask::tool("cmake", "cmake", "tpg_runtime-config.cmake") {
+        let lists = "cmake_minimum_required(VERSION 3.16)\nproject(example C)\n\
+                     find_package(tpg_runtime CONFIG REQUIRED)\nadd_executable(with-cmake main.c)\n\
+                     target_link_libraries(with-cmake tpg_runtime::tpg_runtime)\n";
+        fs::write(folder.path().join("CMakeLists.txt"), lists).expect("the folder can be written");
+        let prefix = format!("-DCMAKE_PREFIX_PATH={}", library::dist().display());
+        let (good, text) =
+            run(Command::new("cmake").current_dir(folder.path()).args(["-S", ".", "-B", "build", &prefix]));
+        assert!(good, "{text}");
+        let (good, text) = run(Command::new("cmake").current_dir(folder.path()).args(["--build", "build"]));
+        assert!(good, "{text}");
+        assert!(run(&mut Command::new(folder.path().join("build/with-cmake"))).0);
+    }
+}

@@ -1,0 +1,117 @@
+//! The inner loops of a network in integers, and a square root: what plain Rust compiles to too many instructions.
+//!
+//! Weights lie in blocks of four rows, so that one load of four registers fetches the same columns of four rows (on a
+//! Cortex-M) or one vector register (on x86-64). A block is, in 32-bit words:
+//!
+//! | words | what |
+//! | --- | --- |
+//! | 4 | biases |
+//! | 4 (`i8`) or 8 (`i16`) for every 4 columns | weights, word by word of the four rows |
+//! | 4 | multipliers: an output is (accumulator · multiplier + 2³¹) >> 32 |
+//!
+//! Columns are padded with zeros to a multiple of [`COLUMNS`]. What a word of weights holds, and what the words of the
+//! inputs then are, is a matter of the [`Kind`]. The arithmetic is exact integer arithmetic modulo 2³²: every form of a
+//! kernel gives the same bits, whatever the numbers are.
+//!
+//! | form | where | module |
+//! | --- | --- | --- |
+//! | SMLAD, by inline assembly | `thumbv7em-*` | `dsp` |
+//! | SSE2 | `x86_64` | `sse2` |
+//! | plain Rust | everywhere else; always there to compare with | [`portable`] |
+//!
+//! This is the one crate under `tpg-runtime` with `unsafe` code: calls of assembly and of SSE2, behind functions that
+//! check their preconditions.
+
+#![no_std]
+
+mod activations;
+mod kind;
+pub mod portable;
+mod root;
+
+#[cfg(tpg_dsp)]
+mod dsp;
+#[cfg(target_arch = "x86_64")]
+mod sse2;
+
+pub use activations::{clip_to_i8, pair_inputs, split_inputs};
+pub use kind::{COLUMNS, Form, Kind, ROWS};
+pub use root::sqrt;
+
+#[cfg(tpg_dsp)]
+use dsp as chosen;
+#[cfg(not(any(tpg_dsp, target_arch = "x86_64")))]
+use portable as chosen;
+#[cfg(target_arch = "x86_64")]
+use sse2 as chosen;
+
+/// The name of the form that this build uses.
+pub const FORM: &str = if cfg!(tpg_dsp) {
+    "SMLAD"
+} else if cfg!(target_arch = "x86_64") {
+    "SSE2"
+} else {
+    "portable"
+};
+
+/// A hidden layer: its outputs behind their ReLU, as the next layer's inputs.
+///
+/// `blocks` are whole blocks for as many columns as `inputs` has. Two words come out of every block; what does not fit
+/// into `outputs`, or an incomplete block, is left out.
+#[inline(never)] // its loop is not its caller's: a static bound multiplies nested ones
+pub fn hidden(kind: Kind, form: Form, blocks: &[u32], inputs: &[u32], outputs: &mut [u32]) {
+    let blocks = blocks.chunks_exact(kind.block(inputs.len()));
+    for (block, outputs) in blocks.zip(outputs.as_chunks_mut::<2>().0) {
+        *outputs = chosen::hidden(kind, form, block, inputs);
+    }
+}
+
+/// The outputs of one block of the last layer: no ReLU, no clipping.
+pub fn last(kind: Kind, block: &[u32], inputs: &[u32]) -> [i32; ROWS] {
+    let accumulators = chosen::accumulate(kind, block, inputs);
+    portable::rescale(kind, block, inputs, accumulators)
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use super::*;
+    use proptest::prelude::*;
+    use std::vec::Vec;
+
+    /// Words at random, and the extreme ones.
+    fn words(length: usize) -> impl Strategy<Value = Vec<u32>> {
+        let extreme = prop_oneof![Just(0x8000_8000u32), Just(0x7fff_7fff), Just(0x8080_8080), Just(0x7f7f_7f7f)];
+        prop::collection::vec(prop_oneof![4 => any::<u32>(), 1 => extreme], length)
+    }
+
+    proptest! {
+        #[test]
+        fn the_chosen_form_is_the_portable_one(
+            (kind, eights, seed) in (prop::sample::select(&Kind::ALL[..]), 0usize..9, any::<u64>())
+                .prop_flat_map(|(kind, eights, _)| {
+                    let length = kind.block(eights * 4) + eights * 4;
+                    (Just(kind), Just(eights), words(length))
+                }),
+        ) {
+            let (block, inputs) = seed.split_at(kind.block(eights * 4));
+            prop_assert_eq!(
+                chosen::accumulate(kind, block, inputs), portable::accumulate(kind, block, inputs)
+            );
+            for form in [Form::Pairs, Form::Split] {
+                prop_assert_eq!(
+                    chosen::hidden(kind, form, block, inputs), portable::hidden(kind, form, block, inputs)
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_too_short_is_left_out() {
+        let mut outputs = [7; 5];
+        hidden(Kind::W8A16, Form::Pairs, &[1; 15], &[1; 4], &mut outputs);
+        assert_eq!(outputs, [7; 5], "a block has 16 words");
+        assert_eq!(last(Kind::W16A16, &[1; 3], &[1; 4]), [0; 4]);
+    }
+}

@@ -1,0 +1,80 @@
+//! The kernels in plain Rust: what they mean.
+
+use crate::activations::{pairs, split};
+use crate::{Form, Kind, ROWS};
+
+/// `a` + the products of the signed halves of two words: the instruction SMLAD.
+#[inline(always)]
+const fn dual(x: u32, y: u32, a: i32) -> i32 {
+    let low = (x as i16 as i32).wrapping_mul(y as i16 as i32);
+    let high = ((x as i32) >> 16).wrapping_mul((y as i32) >> 16);
+    a.wrapping_add(low).wrapping_add(high)
+}
+
+/// Bytes 0 and 2, sign-extended to halves: the instruction SXTB16.
+#[inline(always)]
+const fn even_bytes(word: u32) -> u32 {
+    (word as i8 as u16 as u32) | (((word >> 16) as i8 as u16 as u32) << 16)
+}
+
+/// The accumulators of a block's rows; zeros for a block that is too short for its biases.
+#[inline]
+pub fn accumulate(kind: Kind, block: &[u32], inputs: &[u32]) -> [i32; ROWS] {
+    let Some((biases, weights)) = block.split_first_chunk::<ROWS>() else { return [0; ROWS] };
+    let mut sums = biases.map(|bias| bias as i32);
+    let inputs = inputs.as_chunks::<2>().0;
+    match kind {
+        Kind::W8A16 => {
+            for (words, [first, second]) in weights.as_chunks::<ROWS>().0.iter().zip(inputs) {
+                for (sum, &word) in sums.iter_mut().zip(words) {
+                    *sum = dual(even_bytes(word), *first, *sum);
+                    *sum = dual(even_bytes(word.rotate_right(8)), *second, *sum);
+                }
+            }
+        }
+        Kind::W16A16 => {
+            for (words, [first, second]) in weights.as_chunks::<{ 2 * ROWS }>().0.iter().zip(inputs) {
+                let (left, right) = words.split_at(ROWS);
+                for ((sum, &left), &right) in sums.iter_mut().zip(left).zip(right) {
+                    *sum = dual(right, *second, dual(left, *first, *sum));
+                }
+            }
+        }
+        Kind::W8A8 => {
+            for (words, [first, second]) in weights.as_chunks::<ROWS>().0.iter().zip(inputs) {
+                for (sum, &word) in sums.iter_mut().zip(words) {
+                    *sum = dual(even_bytes(word), *first, dual(word, *second, *sum));
+                }
+            }
+        }
+    }
+    sums
+}
+
+/// Accumulators times their multipliers; zeros for a block without multipliers.
+#[inline(always)]
+pub(crate) fn rescale(kind: Kind, block: &[u32], inputs: &[u32], accumulators: [i32; ROWS]) -> [i32; ROWS] {
+    let after = kind.block(inputs.len()) - ROWS;
+    let Some(multipliers) = block.get(after..).and_then(|rest| rest.first_chunk::<ROWS>()) else { return [0; ROWS] };
+    let mut outputs = accumulators;
+    for (output, &multiplier) in outputs.iter_mut().zip(multipliers) {
+        let product = i64::from(*output >> kind.scale()) * i64::from(multiplier as i32);
+        *output = (product.wrapping_add(1 << 31) >> 32) as i32;
+    }
+    outputs
+}
+
+/// Outputs behind their ReLU, as inputs of a next layer.
+#[inline(always)]
+pub(crate) fn clip(form: Form, outputs: [i32; ROWS]) -> [u32; 2] {
+    match form {
+        Form::Pairs => pairs(outputs.map(|output| output.clamp(0, 32767))),
+        Form::Split => split(outputs.map(|output| output.clamp(0, 127))),
+    }
+}
+
+/// One block of a hidden layer.
+#[inline]
+pub fn hidden(kind: Kind, form: Form, block: &[u32], inputs: &[u32]) -> [u32; 2] {
+    clip(form, rescale(kind, block, inputs, accumulate(kind, block, inputs)))
+}

@@ -1,0 +1,99 @@
+//! One episode of a hybrid in the simulated arm.
+
+use super::{Chosen, Counts, Driver, Hybrid, NEVER, Switch};
+use crate::arm::{Move, Pose};
+use crate::cycle::{Brent, CycleDetector};
+use crate::episode::{Course, Outcome, Problem, Summary};
+use crate::kinematics::Lattice;
+use crate::observation::Observation;
+use crate::policy::Policy;
+
+/// How a hybrid's episode ended, and who did what.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HybridSummary<S> {
+    /// How it ended and where.
+    pub summary: Summary<S>,
+    /// Who acted, the last action included, and why they changed.
+    pub counts: Counts,
+}
+
+/// An episode under way.
+///
+/// It ends when the hand is at its target, at an invalid action, whoever chose it, and at the action limit. Stops and
+/// cycles of the graph are the [`Switch`]'s business. Where the network never hands back and comes to a pose again, it
+/// will for ever: that ends the episode as a cycle, too.
+#[derive(Clone, Debug)]
+pub struct HybridEpisode<'a, S, T, P, D> {
+    hybrid: &'a Hybrid<'a, S, T, P>,
+    course: Course<'a, S>,
+    switch: Switch<S, D>,
+    /// Watches the network once it has the arm for good.
+    last_turn: Option<Brent>,
+}
+
+impl<'a, S, T, P, D> HybridEpisode<'a, S, T, P, D>
+where
+    S: Lattice,
+    T: Policy<State = Observation<S>, Action = Move>,
+    P: Policy<State = Observation<S>, Action = Move>,
+    D: CycleDetector,
+{
+    /// Puts the arm at the problem's start.
+    pub fn new(hybrid: &'a Hybrid<'a, S, T, P>, problem: Problem<S>, detector: D) -> Self {
+        let course = Course::new(hybrid.arm, problem);
+        let switch = Switch::new(hybrid.settings, detector, course.observation());
+        Self { hybrid, course, switch, last_turn: None }
+    }
+
+    /// What the policies see now.
+    pub fn observation(&self) -> &Observation<S> {
+        self.course.observation()
+    }
+
+    /// Whose turn it is, and what happened so far.
+    pub fn switch(&self) -> &Switch<S, D> {
+        &self.switch
+    }
+
+    /// Does one action; tells who chose it, and how the episode ended if it did.
+    ///
+    /// Where several ends fall together, the first of these holds: invalid, reached, cycle, timeout.
+    pub fn advance(&mut self) -> (Driver, Option<Outcome>) {
+        let chosen = self.decide();
+        (chosen.driver, self.act(chosen))
+    }
+
+    /// The first half of [`advance`](Self::advance): what a controller computes between two readings of the motors.
+    pub fn decide(&mut self) -> Chosen {
+        self.hybrid.decide(&mut self.switch, self.course.observation())
+    }
+
+    /// The second half: moves the arm and tells the switch.
+    pub fn act(&mut self, chosen: Chosen) -> Option<Outcome> {
+        if chosen.driver == Driver::Sac && self.hybrid.settings.hand_back_after == NEVER && self.last_turn.is_none() {
+            let mut detector = Brent::new();
+            detector.reset(self.course.observation().pose);
+            self.last_turn = Some(detector);
+        }
+        let outcome = self.course.step(chosen.wanted);
+        if outcome.is_some() {
+            self.switch.ended(chosen);
+            return outcome;
+        }
+        self.switch.acted(chosen, self.course.observation());
+        let pose = self.course.observation().pose;
+        let cycles = chosen.driver == Driver::Sac && self.last_turn.as_mut().is_some_and(|d| d.repeats(pose));
+        if cycles { Some(Outcome::Cycle) } else { self.course.timeout() }
+    }
+
+    /// Lets the hybrid act until the end; `each` sees who acted and the pose after every action.
+    pub fn run(mut self, mut each: impl FnMut(Driver, Pose)) -> HybridSummary<S> {
+        loop {
+            let (driver, outcome) = self.advance();
+            each(driver, self.course.observation().pose);
+            if let Some(outcome) = outcome {
+                return HybridSummary { summary: self.course.summary(outcome), counts: *self.switch.counts() };
+            }
+        }
+    }
+}

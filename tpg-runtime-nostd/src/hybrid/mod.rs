@@ -1,0 +1,190 @@
+//! The hybrid: a tangled program graph drives, a soft actor-critic helps where the graph gives up.
+//!
+//! The graph is cheap and stops, cycles or strays on some targets; the network costs more and knows what to do there.
+//! This is Algorithm 1 of the paper as its artifact ran it, which differs from the print in three points: the network
+//! takes over when the distance *exceeds* the best one by more than `separation` (printed the other way round), the
+//! best distance starts anew when the network hands back, and of the network's turn only its last pose is judged.
+//!
+//! | item | subject |
+//! | --- | --- |
+//! | [`Settings`] | the paper's two parameters, and ours: a guard and a hand-over for good |
+//! | [`Hybrid`] | two policies with their settings: constant, shared by all episodes |
+//! | [`Switch`] | whose turn it is: the state of one episode, a few words and a cycle detector |
+//! | [`HybridEpisode`] | one episode in the simulated arm |
+//!
+//! On a real arm there is no [`HybridEpisode`]: the control loop asks and tells the [`Switch`] itself.
+//!
+//! ```
+//! use tpg_runtime::arm::{Joint, Move, WIDOWX};
+//! use tpg_runtime::cycle::Brent;
+//! use tpg_runtime::hybrid::{Driver, Guard, Hybrid, Settings, Switch};
+//! use tpg_runtime::observation::Observation;
+//! use tpg_runtime::policy::Policy;
+//!
+//! struct Always(Move);
+//!
+//! impl Policy for Always {
+//!     type State = Observation<f32>;
+//!     type Action = Move;
+//!     fn decide(&self, _seen: &Observation<f32>) -> Move { self.0 }
+//! }
+//!
+//! let arm = WIDOWX.to_f32();
+//! let settings = Settings { hand_back_after: 100, separation: 20.0, guard: Guard::JointLimits };
+//! let hybrid = Hybrid { arm: &arm, tpg: Always(Move::STOP), sac: Always(Move::single(Joint(0), 1)), settings };
+//!
+//! let mut seen = Observation::at(&arm, arm.home, [0.0, 300.0, 300.0]);
+//! let mut switch = Switch::new(settings, Brent::new(), &seen);
+//! for _ in 0..10 {
+//!     let chosen = hybrid.decide(&mut switch, &seen);
+//!     // Here the motors move and are read; this is where they would be.
+//!     let pose = arm.step(seen.pose, chosen.wanted).pose;
+//!     seen = Observation::at(&arm, pose, seen.target);
+//!     switch.acted(chosen, &seen);
+//! }
+//! // The graph wanted to stop, so the network has acted since.
+//! assert_eq!((switch.counts().tpg_actions, switch.counts().sac_actions), (1, 9));
+//! assert_eq!(switch.driver(), Driver::Sac);
+//! ```
+
+mod episode;
+mod switch;
+
+pub use episode::{HybridEpisode, HybridSummary};
+pub use switch::{CAUSES, Cause, Chosen, Counts, Driver, Switch};
+
+use crate::arm::{Arm, Invalid, Move, Pose};
+use crate::cycle::CycleDetector;
+use crate::kinematics::Lattice;
+use crate::observation::Observation;
+use crate::policy::Policy;
+
+/// For [`Settings::hand_back_after`]: the network keeps the arm until the episode ends.
+pub const NEVER: u32 = u32::MAX;
+
+/// How two policies share an arm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings<S> {
+    /// Actions of the network before the graph is asked again: the paper's `nbItGoBackTPG`, from 1. [`NEVER`] makes the
+    /// hand-over one for good.
+    pub hand_back_after: u32,
+    /// The network takes over when the distance exceeds the best one so far by more than this, mm: the paper's
+    /// `sepDistance`. With infinity it never does for that reason.
+    pub separation: S,
+    /// Which of the graph's actions are not executed.
+    pub guard: Guard,
+}
+
+/// Which actions are not executed. The paper has no guard.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Guard {
+    /// Every action is executed, and an invalid one ends the episode.
+    None,
+    /// Not the graph's that leave a joint's range: the network takes over instead. Two comparisons a joint.
+    JointLimits,
+    /// Nor the graph's that collide: one collision test an action of the graph.
+    Collisions,
+    /// Nor the network's: where its action would be invalid it holds joints, or lets the graph act once, or rests. From a
+    /// free pose no invalid action is ever executed. One collision test an action, up to 16 where the network's would be
+    /// invalid.
+    Both,
+}
+
+impl Guard {
+    /// Every guard.
+    pub const ALL: [Self; 4] = [Self::None, Self::JointLimits, Self::Collisions, Self::Both];
+
+    /// The name in setting files.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::JointLimits => "joint-limits",
+            Self::Collisions => "collisions",
+            Self::Both => "both",
+        }
+    }
+
+    /// The guard of that [`name`](Self::name).
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|guard| guard.name() == name)
+    }
+
+    /// Why an action of the graph must not be executed, if so.
+    pub fn refuses<S: Lattice>(self, arm: &Arm<S>, pose: Pose, wanted: Move) -> Option<Invalid> {
+        match self {
+            Self::None => None,
+            Self::JointLimits => arm.step_with(pose, wanted, |_| None).invalid,
+            Self::Collisions | Self::Both if moves_in_plane(wanted) => arm.step(pose, wanted).invalid,
+            Self::Collisions | Self::Both => arm.step_with(pose, wanted, |_| None).invalid,
+        }
+    }
+}
+
+/// Two policies that share an arm.
+#[derive(Clone, Copy, Debug)]
+pub struct Hybrid<'a, S, T, P> {
+    /// The arm: the guard needs its limits and shapes.
+    pub arm: &'a Arm<S>,
+    /// Drives: a tangled program graph.
+    pub tpg: T,
+    /// Helps: a soft actor-critic's network.
+    pub sac: P,
+    /// How they share the arm.
+    pub settings: Settings<S>,
+}
+
+impl<S, T, P> Hybrid<'_, S, T, P>
+where
+    S: Lattice,
+    T: Policy<State = Observation<S>, Action = Move>,
+    P: Policy<State = Observation<S>, Action = Move>,
+{
+    /// The next action and whose it is. A guard may hand over here: then both policies are asked, once each.
+    pub fn decide<D: CycleDetector>(&self, switch: &mut Switch<S, D>, seen: &Observation<S>) -> Chosen {
+        if switch.driver() == Driver::Tpg {
+            let wanted = self.tpg.decide(seen);
+            if self.settings.guard.refuses(self.arm, seen.pose, wanted).is_none() {
+                return Chosen { driver: Driver::Tpg, wanted };
+            }
+            switch.refused();
+        }
+        let wanted = self.sac.decide(seen);
+        if self.settings.guard != Guard::Both {
+            return Chosen { driver: Driver::Sac, wanted };
+        }
+        if let Some(wanted) = valid_part(self.arm, seen.pose, wanted) {
+            return Chosen { driver: Driver::Sac, wanted };
+        }
+        let wanted = self.tpg.decide(seen);
+        match self.settings.guard.refuses(self.arm, seen.pose, wanted) {
+            None if wanted != Move::STOP => Chosen { driver: Driver::Tpg, wanted },
+            _ => Chosen { driver: Driver::Sac, wanted: Move::STOP },
+        }
+    }
+}
+
+/// Whether more than the base moves. The base alone changes nothing in the arm's plane, where collisions are.
+fn moves_in_plane(Move([_, plane @ ..]): Move) -> bool {
+    plane.iter().any(|&delta| delta != 0)
+}
+
+/// Joints that are held, as bits from the base on: fewer first, and of as many those nearer to the hand.
+const HELD: [u8; 14] =
+    [0b1000, 0b0100, 0b0010, 0b0001, 0b1100, 0b1010, 0b0110, 0b1001, 0b0101, 0b0011, 0b1110, 0b1101, 0b1011, 0b0111];
+
+/// The move, or where it is invalid the first valid one with fewer joints that moves at all.
+fn valid_part<S: Lattice>(arm: &Arm<S>, pose: Pose, wanted: Move) -> Option<Move> {
+    let valid = |wanted| arm.step(pose, wanted).invalid.is_none();
+    if valid(wanted) {
+        return Some(wanted);
+    }
+    let fewer = HELD.into_iter().map(|held| {
+        let Move(mut deltas) = wanted;
+        for (joint, delta) in deltas.iter_mut().enumerate() {
+            *delta = if held >> joint & 1 == 1 { 0 } else { *delta };
+        }
+        Move(deltas)
+    });
+    let mut moving = fewer.filter(|&fewer| fewer != Move::STOP && fewer != wanted);
+    moving.find(|&fewer| valid(fewer))
+}

@@ -1,0 +1,200 @@
+//! From rows of weights to words.
+
+use super::{FEATURE_CONTRACT, HEADER, LAYERS, MAGIC, VERSION, WIDTH, columns, crc};
+use crate::arm::JOINTS;
+use crate::sac::Mask;
+use crate::sac::fixed::{FixedDecision, Rescale};
+use tpg_kernels::{Kind, ROWS};
+
+/// A layer's weights, row by row.
+#[derive(Clone, Copy, Debug)]
+pub enum Weights<'a> {
+    /// For the kinds with `i8` weights.
+    I8(&'a [i8]),
+    /// For the kind with `i16` weights.
+    I16(&'a [i16]),
+}
+
+/// A layer as it is before it is packed. It has as many rows as `bias` has numbers.
+#[derive(Clone, Copy, Debug)]
+pub struct LayerRows<'a> {
+    /// Columns of a row.
+    pub inputs: usize,
+    /// How it is to be packed.
+    pub kind: Kind,
+    /// Its weights.
+    pub weights: Weights<'a>,
+    /// Its biases.
+    pub bias: &'a [i32],
+    /// How its accumulators become outputs.
+    pub rescale: &'a [Rescale],
+}
+
+impl LayerRows<'_> {
+    const fn weight(&self, row: usize, column: usize) -> i32 {
+        if row >= self.bias.len() || column >= self.inputs {
+            return 0;
+        }
+        match self.weights {
+            Weights::I8(weights) => weights[row * self.inputs + column] as i32,
+            Weights::I16(weights) => weights[row * self.inputs + column] as i32,
+        }
+    }
+
+    const fn fits(&self) -> bool {
+        let count = match (self.kind, self.weights) {
+            // `i8` weights in words for `i16` ones: more flash, fewer instructions, the same answers.
+            (Kind::W8A16 | Kind::W8A8 | Kind::W16A16, Weights::I8(weights)) => weights.len(),
+            (Kind::W16A16, Weights::I16(weights)) => weights.len(),
+            _ => return false,
+        };
+        let outputs = self.bias.len();
+        let sizes = self.inputs >= 1 && self.inputs <= WIDTH && outputs >= 1 && outputs <= WIDTH;
+        sizes && count == self.inputs * outputs && self.rescale.len() == outputs
+    }
+
+    /// Whether no input can overflow an accumulator: 256 · the sum of products for `i8` activations.
+    const fn is_sound(&self) -> bool {
+        let mut row = 0;
+        while row < self.bias.len() {
+            let mut worst = self.bias[row].unsigned_abs() as i64;
+            let mut column = 0;
+            while column < self.inputs {
+                let weight = self.weight(row, column).unsigned_abs() as i64;
+                if matches!(self.kind, Kind::W8A8) && weight > 127 {
+                    return false;
+                }
+                worst += weight * if matches!(self.kind, Kind::W8A8) { 127 } else { 32_768 };
+                column += 1;
+            }
+            let scale = if matches!(self.kind, Kind::W8A8) { 256 } else { 1 };
+            if worst * scale > i32::MAX as i64 {
+                return false;
+            }
+            row += 1;
+        }
+        true
+    }
+
+    /// Word `word` of four columns of a row, which has one (`i8`) or two (`i16`).
+    const fn word(&self, row: usize, column: usize, word: usize) -> u32 {
+        let w = [
+            self.weight(row, column),
+            self.weight(row, column + 1),
+            self.weight(row, column + 2),
+            self.weight(row, column + 3),
+        ];
+        match self.kind {
+            Kind::W8A16 => u32::from_le_bytes([w[0] as u8, w[2] as u8, w[1] as u8, w[3] as u8]),
+            Kind::W16A16 => halves(w[2 * word], w[2 * word + 1]),
+            Kind::W8A8 => halves(256 * w[2] + w[0], 256 * w[3] + w[1]),
+        }
+    }
+}
+
+const fn halves(low: i32, high: i32) -> u32 {
+    (low as u16 as u32) | ((high as u16 as u32) << 16)
+}
+
+/// Words of a model whose layers have those inputs, outputs and kinds.
+pub const fn words(layers: &[(usize, usize, Kind)]) -> usize {
+    let mut words = HEADER + 2 * layers.len();
+    let mut index = 0;
+    while index < layers.len() {
+        let (inputs, outputs, kind) = layers[index];
+        words += blocks(outputs, index + 1 == layers.len()) * kind.block(columns(inputs) / 2);
+        index += 1;
+    }
+    words
+}
+
+const fn blocks(outputs: usize, last: bool) -> usize {
+    if last { outputs.div_ceil(ROWS) } else { columns(outputs) / ROWS }
+}
+
+/// Packs layers, first to last, and says whether it could.
+///
+/// It cannot if sizes do not fit each other, the runtime's limits or `words` ([`words()`] says how many there must be),
+/// if an accumulator could overflow, or if a rescale has no [multiplier](Rescale::multiplier).
+pub const fn pack(layers: &[LayerRows<'_>], decision: &FixedDecision, words: &mut [u32]) -> bool {
+    if layers.is_empty() || layers.len() > LAYERS || words.len() < HEADER + 2 * layers.len() {
+        return false;
+    }
+    let (fine, mask, may_rest) = match decision {
+        FixedDecision::Fine(decision) => (1, decision.mask, decision.may_rest),
+        FixedDecision::Coarse(decision) => (0, decision.mask, decision.may_rest),
+    };
+    let flags = matches!(mask, Mask::JointLimits) as u32 | ((may_rest as u32) << 1);
+    let mut at = HEADER + 2 * layers.len();
+    let mut index = 0;
+    while index < layers.len() {
+        let layer = &layers[index];
+        let outputs = layer.bias.len();
+        let last = index + 1 == layers.len();
+        let next = if last { JOINTS } else { layers[index + 1].inputs };
+        if !layer.fits() || !layer.is_sound() || outputs != next {
+            return false;
+        }
+        words[HEADER + 2 * index] = layer.inputs as u32 | ((outputs as u32) << 16);
+        words[HEADER + 2 * index + 1] = layer.kind.code();
+        let mut block = 0;
+        while block < blocks(outputs, last) {
+            match pack_block(layer, block * ROWS, words, at) {
+                Some(end) => at = end,
+                None => return false,
+            }
+            block += 1;
+        }
+        index += 1;
+    }
+    if at != words.len() {
+        return false;
+    }
+    words[0] = MAGIC;
+    words[1] = VERSION | ((layers.len() as u32) << 8) | (fine << 16) | (flags << 24);
+    words[2] = words.len() as u32;
+    words[4] = FEATURE_CONTRACT;
+    let (head, body) = words.split_at_mut(HEADER - 1);
+    head[3] = crc::of_words(body);
+    true
+}
+
+/// Writes the block of four rows from `row` on at `at`; where the next one goes.
+const fn pack_block(layer: &LayerRows<'_>, row: usize, words: &mut [u32], at: usize) -> Option<usize> {
+    let columns = columns(layer.inputs);
+    let length = layer.kind.block(columns / 2);
+    if at + length > words.len() {
+        return None;
+    }
+    let (scale, words_per_four) = match layer.kind {
+        Kind::W8A16 => (1, 1),
+        Kind::W16A16 => (1, 2),
+        Kind::W8A8 => (256, 1),
+    };
+    let mut index = 0;
+    while index < ROWS {
+        let row = row + index;
+        if row < layer.bias.len() {
+            words[at + index] = (layer.bias[row] * scale) as u32;
+            match layer.rescale[row].multiplier() {
+                Some(multiplier) => words[at + length - ROWS + index] = multiplier as u32,
+                None => return None,
+            }
+        } else {
+            words[at + index] = 0;
+            words[at + length - ROWS + index] = 0;
+        }
+        let mut column = 0;
+        while column < columns {
+            let mut word = 0;
+            while word < words_per_four {
+                let place = at + ROWS + (column / 4 * words_per_four + word) * ROWS + index;
+                words[place] = layer.word(row, column, word);
+                word += 1;
+            }
+            column += 4;
+        }
+        index += 1;
+    }
+    Some(at + length)
+}

@@ -1,0 +1,107 @@
+//! Time of one inference of an actor, batch 1, beside PyTorch's on the same core in the same run.
+//!
+//! `cargo bench -p tpg-train --bench sac_inference`. PyTorch is found in the Python that `TPG_PYTHON` names (default
+//! `python3`); `pip install torch` puts it there. Without it that half is skipped, loudly.
+//!
+//! The network alone is timed, from its inputs to its preferences, and for the shipped one also what stands before it:
+//! the features of an observation.
+
+use std::hint::black_box;
+use std::process::Command;
+use std::time::Instant;
+use tpg_generated::widowx_sac;
+use tpg_runtime::arm::{Arm, Pose, WIDOWX};
+use tpg_runtime::frame::Frame;
+use tpg_runtime::observation::Observation;
+use tpg_runtime::policy::Policy as _;
+use tpg_runtime::sac::fixed::{FixedPolicy, Layer, Network, Rescale, quantise};
+use tpg_runtime::sac::{FEATURES, features};
+use tpg_train::random::{Purpose, Stream};
+use tpg_train::sac::nn::{Kernel, Mlp, Shape, Tape};
+
+const ARM: Arm<f32> = WIDOWX.to_f32();
+const ROUNDS: usize = 25;
+const REPEATS: u32 = 20_000;
+
+/// The median of some rounds, in ns for one call.
+fn nanoseconds(mut call: impl FnMut()) -> f64 {
+    let mut rounds: Vec<f64> = (0..ROUNDS)
+        .map(|_| {
+            let began = Instant::now();
+            for _ in 0..REPEATS {
+                call();
+            }
+            began.elapsed().as_secs_f64() * 1e9 / f64::from(REPEATS)
+        })
+        .collect();
+    rounds.sort_by(f64::total_cmp);
+    rounds[ROUNDS / 2]
+}
+
+fn float(inputs: usize, units: usize) -> f64 {
+    let shape = Shape { inputs, hidden: vec![units; 2], outputs: 4, norm: false };
+    let mut random = Stream::new(1, 0, Purpose::Test, 0);
+    let network = Mlp::<f32>::random(shape.clone(), &mut random);
+    let mut tape = Tape::new(&shape, 1);
+    random.normals(tape.input_mut());
+    nanoseconds(|| {
+        black_box(tape.input_mut());
+        network.forward(&mut tape, Kernel::Portable);
+        black_box(tape.output());
+    })
+}
+
+/// A layer of numbers without a pattern: its time does not depend on them.
+fn layer<const I: usize, const O: usize>() -> Layer<I, O> {
+    let mut number = 1u32;
+    let mut next = || {
+        number = number.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (number >> 24) as i8
+    };
+    Layer {
+        weights: std::array::from_fn(|_| std::array::from_fn(|_| next())),
+        bias: [100; O],
+        rescale: [Rescale { factor: 20_000, shift: 24 }; O],
+    }
+}
+
+fn integers<const A: usize, const B: usize>(network: &Network<A, B>) -> f64 {
+    let input: [i16; FEATURES] = std::array::from_fn(|i| i as i16 * 97 - 1500);
+    nanoseconds(|| {
+        black_box(network.preferences(black_box(&input)));
+    })
+}
+
+fn main() {
+    // `cargo test --benches` shall only see that it runs.
+    if std::env::args().any(|argument| argument == "--test") {
+        return;
+    }
+    println!("one inference, batch 1; ns, median of {ROUNDS} rounds of {REPEATS}");
+    for (inputs, units) in [(13, 256), (38, 256), (38, 64), (38, 16)] {
+        println!("f32, {inputs}-{units}-{units}-4: {:.0}", float(inputs, units));
+    }
+    let large = Network { first: layer(), second: layer::<256, 256>(), last: layer() };
+    println!("integers, 38-256-256-4: {:.0}", integers(&large));
+    println!("integers, 38-64-64-4 (widowx-sac): {:.0}", integers(&widowx_sac::NETWORK));
+    let small = Network { first: layer(), second: layer::<16, 16>(), last: layer() };
+    println!("integers, 38-16-16-4: {:.0}", integers(&small));
+
+    let seen = Observation::at(&ARM, Pose([1500, 2100, 1900, 2300]), [120.0, 260.0, 140.0]);
+    let input = nanoseconds(|| {
+        black_box(quantise(&features(&Frame::of(&ARM, black_box(&seen)))));
+    });
+    println!("the features of an observation, as integers: {input:.0}");
+    let policy = FixedPolicy { arm: &ARM, network: &widowx_sac::NETWORK, decision: widowx_sac::DECISION };
+    let decision = nanoseconds(|| {
+        black_box(policy.decide(black_box(&seen)));
+    });
+    println!("widowx-sac from the observation to the move: {decision:.0}");
+
+    let python = std::env::var("TPG_PYTHON").unwrap_or_else(|_| "python3".to_owned());
+    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/benches/sac_inference.py");
+    let done = Command::new(&python).arg(script).status();
+    if !done.is_ok_and(|status| status.success()) {
+        println!("SKIPPED: PyTorch. {python} has none; `pip install torch`, or name another Python in TPG_PYTHON.");
+    }
+}

@@ -1,0 +1,128 @@
+//! The paper's hybrids, replayed: the project's own switch in the artifact's environment.
+//!
+//! The artifact did not seed the actors' random numbers here. What happens before the first hand-over is determined and
+//! must be exact; the rest can be compared statistically only.
+
+use super::actor::RecordedActor;
+use super::chain::Chain;
+use super::data::Task;
+use super::episode::{EndState, Rules};
+use super::plane;
+use super::torch_random::TorchRandom;
+use std::cell::RefCell;
+use std::collections::HashSet;
+use tpg_runtime::arm::{Move, Pose};
+use tpg_runtime::cycle::CycleDetector;
+use tpg_runtime::hybrid::{Driver, Hybrid, Switch};
+use tpg_runtime::observation::Observation;
+use tpg_runtime::policy::Policy;
+
+/// The artifact's memory of poses, in which the start has no place.
+#[derive(Clone, Debug, Default)]
+pub struct Memory(HashSet<Pose>);
+
+impl CycleDetector for Memory {
+    fn reset(&mut self, _start: Pose) {
+        self.0.clear();
+    }
+
+    fn repeats(&mut self, pose: Pose) -> bool {
+        !self.0.insert(pose)
+    }
+}
+
+/// A recorded actor that draws its actions.
+#[derive(Debug)]
+pub struct Sampled<'a> {
+    actor: &'a RecordedActor,
+    random: RefCell<TorchRandom>,
+}
+
+impl<'a> Sampled<'a> {
+    /// An actor with random numbers of that seed.
+    pub fn new(actor: &'a RecordedActor, seed: u64) -> Self {
+        Self { actor, random: RefCell::new(TorchRandom::new(seed)) }
+    }
+}
+
+impl Policy for Sampled<'_> {
+    type State = Observation<f64>;
+    type Action = Move;
+
+    fn decide(&self, seen: &Observation<f64>) -> Move {
+        self.actor.act(seen, &mut self.random.borrow_mut())
+    }
+}
+
+/// How an episode went.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct HybridDone {
+    /// The artifact's books.
+    pub end: EndState,
+    /// Actions of the graph.
+    pub tpg_actions: u32,
+}
+
+/// What is determined of an episode.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Determined {
+    /// The graph ended it.
+    Whole(EndState),
+    /// The network took over after so many actions.
+    FirstHandOver(u32),
+}
+
+/// An episode up to its end, or to the first hand-over.
+pub fn determined<T, P>(chain: &Chain, rules: Rules, task: &Task, hybrid: &Hybrid<'_, f64, T, P>) -> Determined
+where
+    T: Policy<State = Observation<f64>, Action = Move>,
+    P: Policy<State = Observation<f64>, Action = Move>,
+{
+    match go(chain, rules, task, hybrid, true) {
+        (Some(end), _) => Determined::Whole(end),
+        (None, actions) => Determined::FirstHandOver(actions),
+    }
+}
+
+/// An episode to its end.
+pub fn episode<T, P>(chain: &Chain, rules: Rules, task: &Task, hybrid: &Hybrid<'_, f64, T, P>) -> HybridDone
+where
+    T: Policy<State = Observation<f64>, Action = Move>,
+    P: Policy<State = Observation<f64>, Action = Move>,
+{
+    let (end, tpg_actions) = go(chain, rules, task, hybrid, false);
+    HybridDone { end: end.expect("only a determined part stops early"), tpg_actions }
+}
+
+/// The books, unless it stopped at the first hand-over, and the graph's actions.
+fn go<T, P>(
+    chain: &Chain,
+    rules: Rules,
+    task: &Task,
+    hybrid: &Hybrid<'_, f64, T, P>,
+    stop_at_hand_over: bool,
+) -> (Option<EndState>, u32)
+where
+    T: Policy<State = Observation<f64>, Action = Move>,
+    P: Policy<State = Observation<f64>, Action = Move>,
+{
+    let arm = chain.arm();
+    let mut seen = Observation::new(arm, task.start, chain.hand(task.start), task.target);
+    let mut switch = Switch::new(hybrid.settings, Memory::default(), &seen);
+    for actions in 1.. {
+        if stop_at_hand_over && switch.driver() == Driver::Sac {
+            break;
+        }
+        let chosen = hybrid.decide(&mut switch, &seen);
+        let step = arm.step_with(seen.pose, chosen.wanted, |pose| plane::collision(arm, pose));
+        seen = Observation::new(arm, step.pose, chain.hand(step.pose), task.target);
+        let collision = step.invalid.is_some();
+        if collision || seen.distance() < rules.tolerance || actions >= rules.max_actions {
+            switch.ended(chosen);
+            let end = EndState::of(rules, seen.distance(), collision, actions);
+            return (Some(end), switch.counts().tpg_actions);
+        }
+        switch.acted(chosen, &seen);
+    }
+    (None, switch.counts().tpg_actions)
+}

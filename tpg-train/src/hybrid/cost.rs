@@ -1,0 +1,111 @@
+//! What one decision costs on this machine, in the trainer's own evaluation. (Compiled code: `tpg-train table2`.)
+
+use super::actor::Narrowed;
+use super::graph::GraphPolicy;
+use super::study::{Cell, Study};
+use crate::environments::ArmScalar;
+use std::hint::black_box;
+use std::time::Instant;
+use tpg_codegen::error::InputError;
+use tpg_codegen::graph::{Graph, MathsProvider, ScalarType};
+use tpg_runtime::arm::{Move, WIDOWX};
+use tpg_runtime::cycle::Brent;
+use tpg_runtime::episode::Episode;
+use tpg_runtime::hybrid::Guard;
+use tpg_runtime::observation::Observation;
+use tpg_runtime::ops::{Maths, Own, System};
+use tpg_runtime::policy::Policy;
+
+/// Nanoseconds of one decision.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Costs {
+    /// Of each graph.
+    pub tpg: Vec<f64>,
+    /// Of each actor.
+    pub sac: Vec<f64>,
+    /// Of each guard, in the order of [`Guard::ALL`].
+    pub guards: [f64; 4],
+}
+
+impl Costs {
+    /// Measures every policy of a study on states of its own tasks.
+    ///
+    /// # Errors
+    /// If a graph is none for the arm.
+    pub fn measure(study: &Study) -> Result<Self, InputError> {
+        let tpg = study.tpgs.iter().map(|(file, graph)| of_graph(file, graph, study)).collect::<Result<_, _>>()?;
+        let arm = WIDOWX.to_f32();
+        let sac = study.sacs.iter().map(|(_, actor)| {
+            let policy = actor.policy();
+            let states = states::<f32, _>(&*policy, study);
+            best_of(&states, |seen| policy.decide(seen))
+        });
+        let sac: Vec<f64> = sac.collect();
+        let policy = study.sacs[0].1.policy();
+        let states = states::<f32, _>(&Narrowed::<f32, _>::new(&*policy), study);
+        let single = Move([3, 0, 0, 0]);
+        let guards = Guard::ALL.map(|guard| best_of(&states, |seen| guard.refuses(&arm, seen.pose, single)));
+        // What the loop itself costs: the time of the guard that does nothing.
+        let [nothing, ..] = guards;
+        Ok(Self { tpg, sac, guards: guards.map(|ns| (ns - nothing).max(0.0)) })
+    }
+
+    /// The mean time of an action in a cell: decisions of both policies and guard checks, counted exactly, times their
+    /// costs.
+    pub fn ns_per_action(&self, cell: &Cell) -> f64 {
+        let guard = Guard::ALL.iter().position(|guard| guard.name() == cell.guard).unwrap_or(0);
+        // A refused decision was made, too.
+        let of_network = if cell.guard == Guard::Both.name() { self.guards[guard] } else { 0.0 };
+        let tpg_decisions = cell.tpg_action_ratio + cell.hand_overs_guard / cell.actions.max(1.0);
+        tpg_decisions * (self.tpg[cell.tpg] + self.guards[guard])
+            + (1.0 - cell.tpg_action_ratio) * (self.sac[cell.sac] + of_network)
+    }
+}
+
+fn of_graph(file: &str, graph: &Graph, study: &Study) -> Result<f64, InputError> {
+    match (graph.scalar(), graph.maths()) {
+        (ScalarType::F32, MathsProvider::Own) => of::<f32, Own>(file, graph, study),
+        (ScalarType::F32, MathsProvider::System) => of::<f32, System>(file, graph, study),
+        (ScalarType::F64, MathsProvider::Own) => of::<f64, Own>(file, graph, study),
+        (ScalarType::F64, MathsProvider::System) => of::<f64, System>(file, graph, study),
+    }
+}
+
+fn of<S: ArmScalar, M: Maths<S>>(file: &str, graph: &Graph, study: &Study) -> Result<f64, InputError> {
+    let policy = GraphPolicy::<S, M>::new(file, graph)?;
+    let states = states(&policy, study);
+    Ok(best_of(&states, |seen| policy.decide(seen)))
+}
+
+/// Episodes whose states are measured.
+const EPISODES: usize = 20;
+/// The fastest of so many rounds counts: what is slower was disturbed.
+const ROUNDS: usize = 5;
+
+/// What a policy sees on the way to the first targets.
+fn states<S, P>(policy: &P, study: &Study) -> Vec<Observation<S>>
+where
+    S: ArmScalar,
+    P: Policy<State = Observation<S>, Action = Move> + ?Sized,
+{
+    let arm = S::arm(&WIDOWX);
+    let mut states = Vec::new();
+    for task in study.tasks.iter().take(EPISODES) {
+        let target = task.target.map(S::from_f64);
+        states.push(Observation::at(&arm, task.start, target));
+        Episode::new(&arm, task.problem(study.start), Brent::new())
+            .run(policy, |pose| states.push(Observation::at(&arm, pose, target)));
+    }
+    states
+}
+
+fn best_of<S, T>(states: &[Observation<S>], decide: impl Fn(&Observation<S>) -> T) -> f64 {
+    let round = |_| {
+        let began = Instant::now();
+        states.iter().for_each(|seen| {
+            black_box(decide(black_box(seen)));
+        });
+        began.elapsed().as_secs_f64() * 1e9 / states.len().max(1) as f64
+    };
+    (0..ROUNDS).map(round).fold(f64::INFINITY, f64::min)
+}

@@ -1,0 +1,55 @@
+//! A graph as a policy of the arm, in the trainer's own evaluation.
+
+use crate::conformance::binding::Binding;
+use crate::engine::{Plan, Policy as Root, Single};
+use crate::environments::ArmScalar;
+use crate::files::read_text;
+use std::cell::RefCell;
+use std::path::Path;
+use tpg_codegen::error::InputError;
+use tpg_codegen::graph::Graph;
+use tpg_runtime::arm::{Arm, Move, WIDOWX};
+use tpg_runtime::observation::{Observation, Source};
+use tpg_runtime::ops::Maths;
+use tpg_runtime::policy::Policy;
+
+/// Reads a `graph.json`.
+///
+/// # Errors
+/// If it cannot be read or is no graph.
+pub fn read_graph(path: &Path) -> Result<Graph, InputError> {
+    Graph::from_json(&path.display().to_string(), &read_text(path, "a graph.json")?)
+}
+
+/// A graph that drives the arm.
+#[derive(Debug)]
+pub struct GraphPolicy<S, M> {
+    arm: Arm<S>,
+    single: Single<S, M>,
+    binding: Binding,
+    state: RefCell<Vec<S>>,
+}
+
+impl<S: ArmScalar, M: Maths<S>> GraphPolicy<S, M> {
+    /// Of a graph; `file` is what an error names.
+    ///
+    /// # Errors
+    /// If the graph reads sources that the arm does not have, or has actions that do not say what they move.
+    pub fn new(file: &str, graph: &Graph) -> Result<Self, InputError> {
+        let binding = Binding::of(file, graph)?;
+        let plan = Plan::new::<M>(&Root::from(graph), &graph.to_document().sources, true);
+        let state = RefCell::new(vec![S::ZERO; binding.state_length()]);
+        Ok(Self { arm: S::arm(&WIDOWX), single: Single::new(plan), binding, state })
+    }
+}
+
+impl<S: ArmScalar, M: Maths<S>> Policy for GraphPolicy<S, M> {
+    type State = Observation<S>;
+    type Action = Move;
+
+    fn decide(&self, seen: &Observation<S>) -> Move {
+        let mut state = self.state.borrow_mut();
+        Source::fill(self.binding.sources(), &self.arm, seen, &mut state);
+        self.binding.wanted(self.single.decide(&state)).unwrap_or(Move::STOP)
+    }
+}

@@ -1,0 +1,27 @@
+//! A tangled program graph and a soft actor-critic that share the arm: settings, study, table.
+//!
+//! The switch itself is [`tpg_runtime::hybrid`].
+//!
+//! | module | subject |
+//! | --- | --- |
+//! | [`setting`] | the parameters, and `hybrid.toml` |
+//! | [`graph`] | a graph as a policy of the arm |
+//! | [`actor`] | an actor from its file |
+//! | [`trial`] | a hybrid on many tasks |
+//! | [`study`] | every pair under every setting |
+//! | [`cost`] | what a decision costs |
+//! | [`choice`] | means over pairs, Pareto front, the setting to take |
+//! | [`report`] | the study as a page |
+//! | [`command`] | `tpg-train hybrid` |
+//! | [`table`] | `tpg-train table2` |
+
+pub mod actor;
+pub mod choice;
+pub mod command;
+pub mod cost;
+pub mod graph;
+pub mod report;
+pub mod setting;
+pub mod study;
+pub mod table;
+pub mod trial;

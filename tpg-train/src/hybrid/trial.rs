@@ -1,0 +1,144 @@
+//! A hybrid put to a list of tasks.
+
+use super::actor::{Actor, Narrowed};
+use super::graph::GraphPolicy;
+use super::setting::{Detector, Setting};
+use crate::environments::ArmScalar;
+use crate::targets::{Start, Task};
+use crate::trial::{self, Trial};
+use serde::Serialize;
+use tpg_codegen::error::InputError;
+use tpg_codegen::graph::{Graph, MathsProvider, ScalarType};
+use tpg_runtime::arm::{Move, WIDOWX};
+use tpg_runtime::cycle::{Brent, CycleDetector, Visited};
+use tpg_runtime::hybrid::{CAUSES, Hybrid, HybridEpisode, HybridSummary};
+use tpg_runtime::observation::Observation;
+use tpg_runtime::ops::{Maths, Own, System};
+use tpg_runtime::policy::Policy;
+
+/// What came of many episodes of a hybrid.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct HybridTrial {
+    /// As for any policy.
+    #[serde(flatten)]
+    pub trial: Trial,
+    /// Part of all actions that the graph chose.
+    pub tpg_action_ratio: f64,
+    /// The same for each episode, then the mean: the paper's ratio.
+    pub tpg_ratio_of_episodes: f64,
+    /// Hand-overs an episode, by cause: guard, drift, stop, cycle.
+    pub hand_overs: [f64; CAUSES],
+    /// Times an episode that the network gave the arm back.
+    pub hand_backs: f64,
+}
+
+/// Poses that an exact set must hold: the action limit of random starts, and the start.
+const CAPACITY: usize = 4096;
+
+/// Lets a graph and an actor do every task together.
+///
+/// # Errors
+/// If the graph is none for the arm; `file` names it.
+pub fn run(
+    file: &str,
+    graph: &Graph,
+    actor: &Actor,
+    setting: &Setting,
+    start: Start,
+    tasks: &[Task],
+) -> Result<HybridTrial, InputError> {
+    match (graph.scalar(), graph.maths()) {
+        (ScalarType::F32, MathsProvider::Own) => of::<f32, Own>(file, graph, actor, setting, start, tasks),
+        (ScalarType::F32, MathsProvider::System) => of::<f32, System>(file, graph, actor, setting, start, tasks),
+        (ScalarType::F64, MathsProvider::Own) => of::<f64, Own>(file, graph, actor, setting, start, tasks),
+        (ScalarType::F64, MathsProvider::System) => of::<f64, System>(file, graph, actor, setting, start, tasks),
+    }
+}
+
+fn of<S: ArmScalar, M: Maths<S>>(
+    file: &str,
+    graph: &Graph,
+    actor: &Actor,
+    setting: &Setting,
+    start: Start,
+    tasks: &[Task],
+) -> Result<HybridTrial, InputError> {
+    let tpg = GraphPolicy::<S, M>::new(file, graph)?;
+    let sac = actor.policy();
+    let arm = S::arm(&WIDOWX);
+    let hybrid = Hybrid { arm: &arm, tpg, sac: Narrowed::<S, _>::new(&*sac), settings: setting.settings() };
+    Ok(trial(&hybrid, setting.detector, start, tasks))
+}
+
+/// Lets a graph do every task without anyone's help.
+///
+/// # Errors
+/// If the graph is none for the arm; `file` names it.
+pub fn graph_alone(file: &str, graph: &Graph, start: Start, tasks: &[Task]) -> Result<Trial, InputError> {
+    match (graph.scalar(), graph.maths()) {
+        (ScalarType::F32, MathsProvider::Own) => alone::<f32, Own>(file, graph, start, tasks),
+        (ScalarType::F32, MathsProvider::System) => alone::<f32, System>(file, graph, start, tasks),
+        (ScalarType::F64, MathsProvider::Own) => alone::<f64, Own>(file, graph, start, tasks),
+        (ScalarType::F64, MathsProvider::System) => alone::<f64, System>(file, graph, start, tasks),
+    }
+}
+
+fn alone<S: ArmScalar, M: Maths<S>>(
+    file: &str,
+    graph: &Graph,
+    start: Start,
+    tasks: &[Task],
+) -> Result<Trial, InputError> {
+    Ok(trial::run(&S::arm(&WIDOWX), &GraphPolicy::<S, M>::new(file, graph)?, start, tasks))
+}
+
+/// Runs one episode of each task.
+pub fn trial<S, T, P>(hybrid: &Hybrid<'_, S, T, P>, detector: Detector, start: Start, tasks: &[Task]) -> HybridTrial
+where
+    S: ArmScalar,
+    T: Policy<State = Observation<S>, Action = Move>,
+    P: Policy<State = Observation<S>, Action = Move>,
+{
+    let summaries = match detector {
+        Detector::Visited => episodes(hybrid, &Visited::<CAPACITY>::new(), start, tasks),
+        Detector::Brent => episodes(hybrid, &Brent::new(), start, tasks),
+    };
+    summarise(start, &summaries)
+}
+
+fn episodes<S, T, P, D>(
+    hybrid: &Hybrid<'_, S, T, P>,
+    detector: &D,
+    start: Start,
+    tasks: &[Task],
+) -> Vec<HybridSummary<S>>
+where
+    S: ArmScalar,
+    T: Policy<State = Observation<S>, Action = Move>,
+    P: Policy<State = Observation<S>, Action = Move>,
+    D: CycleDetector + Clone,
+{
+    let episode = |task: &Task| HybridEpisode::new(hybrid, task.problem(start), detector.clone()).run(|_, _| ());
+    tasks.iter().map(episode).collect()
+}
+
+fn summarise<S: ArmScalar>(start: Start, summaries: &[HybridSummary<S>]) -> HybridTrial {
+    let episodes = summaries.len().max(1) as f64;
+    let (mut tpg, mut ratios, mut hand_backs, mut hand_overs) = (0.0, 0.0, 0.0, [0.0; CAUSES]);
+    for HybridSummary { summary, counts } in summaries {
+        tpg += f64::from(counts.tpg_actions);
+        ratios += f64::from(counts.tpg_actions) / f64::from(summary.actions.max(1));
+        hand_backs += f64::from(counts.hand_backs);
+        hand_overs.iter_mut().zip(counts.hand_overs).for_each(|(sum, count)| *sum += f64::from(count));
+    }
+    let ended: Vec<_> = summaries.iter().map(|episode| episode.summary).collect();
+    let trial = trial::summarise(start, &ended);
+    let all = (trial.mean_actions * episodes).max(1.0);
+    HybridTrial {
+        trial,
+        tpg_action_ratio: tpg / all,
+        tpg_ratio_of_episodes: ratios / episodes,
+        hand_overs: hand_overs.map(|sum| sum / episodes),
+        hand_backs: hand_backs / episodes,
+    }
+}

@@ -1,0 +1,135 @@
+//! Axes: where a value stands, and where numbers are written.
+
+/// How values are spread along an axis.
+#[derive(Clone, Debug, PartialEq)]
+enum Scale {
+    Linear,
+    /// By their logarithm.
+    Log,
+    /// One place for each name: place k is the value k.
+    Names(Vec<String>),
+}
+
+/// One axis of a plot.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    /// What it shows, with its unit.
+    pub label: String,
+    scale: Scale,
+    low: Option<f64>,
+    high: Option<f64>,
+}
+
+impl Axis {
+    /// An axis with equal steps.
+    pub fn linear(label: &str) -> Self {
+        Self { label: label.to_owned(), scale: Scale::Linear, low: None, high: None }
+    }
+
+    /// A logarithmic axis; values below `low` are shown at `low`.
+    pub fn log(label: &str, low: f64) -> Self {
+        Self { label: label.to_owned(), scale: Scale::Log, low: Some(low), high: None }
+    }
+
+    /// An axis of names: the k-th, from 0, stands at the value k.
+    pub fn names(label: &str, names: Vec<String>) -> Self {
+        let high = names.len() as f64 - 0.5;
+        Self { label: label.to_owned(), scale: Scale::Names(names), low: Some(-0.5), high: Some(high) }
+    }
+
+    /// The same with ends that do not depend on the data.
+    pub fn between(self, low: f64, high: f64) -> Self {
+        Self { low: Some(low), high: Some(high), ..self }
+    }
+
+    /// The axis with ends, for that data.
+    pub(super) fn fit(&self, data: impl Iterator<Item = f64>) -> Fitted<'_> {
+        let finite = data.filter(|value| value.is_finite());
+        let (least, most) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
+        let low = self.low.unwrap_or(if least.is_finite() { least } else { 0.0 });
+        let high = self.high.unwrap_or(if most.is_finite() { most } else { 1.0 });
+        let high = if high > low { high } else { low + low.abs().max(1.0) };
+        Fitted { axis: self, low, high }
+    }
+}
+
+/// An axis with its ends.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Fitted<'a> {
+    axis: &'a Axis,
+    low: f64,
+    high: f64,
+}
+
+impl Fitted<'_> {
+    /// Where a value stands: 0 at the low end, 1 at the high end.
+    pub(super) fn place(&self, value: f64) -> f64 {
+        let value = value.clamp(self.low, self.high);
+        match self.axis.scale {
+            // The crate libm, not the system's: the same bytes on every machine.
+            Scale::Log => {
+                let low = libm::log10(self.low);
+                (libm::log10(value) - low) / (libm::log10(self.high) - low)
+            }
+            _ => (value - self.low) / (self.high - self.low),
+        }
+    }
+
+    /// Values to be written at the axis, with their text.
+    pub(super) fn ticks(&self) -> Vec<(f64, String)> {
+        match &self.axis.scale {
+            Scale::Linear => self.round_steps(),
+            Scale::Log => {
+                let (low, high) = (libm::log10(self.low), libm::log10(self.high));
+                let powers = (libm::ceil(low - 1e-9) as i32)..=(libm::floor(high + 1e-9) as i32);
+                powers.map(|power| (power_of_ten(power), number(power_of_ten(power), power))).collect()
+            }
+            Scale::Names(names) => (0..).map(f64::from).zip(names.iter().cloned()).collect(),
+        }
+    }
+
+    /// Multiples of 1, 2 or 5 times a power of ten, about five of them.
+    fn round_steps(&self) -> Vec<(f64, String)> {
+        let wanted = (self.high - self.low) / 5.0;
+        let power = libm::floor(libm::log10(wanted)) as i32;
+        let factor = [1.0, 2.0, 5.0, 10.0].into_iter().find(|factor| factor * power_of_ten(power) >= wanted * 0.999);
+        let step = factor.unwrap_or(10.0) * power_of_ten(power);
+        let first = libm::ceil(self.low / step - 1e-9) as i64;
+        let last = libm::floor(self.high / step + 1e-9) as i64;
+        (first..=last).map(|k| (k as f64 * step, number(k as f64 * step, power))).collect()
+    }
+}
+
+fn power_of_ten(power: i32) -> f64 {
+    if power < 0 { 1.0 / power_of_ten(-power) } else { (0..power).fold(1.0, |product, _| product * 10.0) }
+}
+
+/// A number with the decimals that a step of that power of ten needs.
+fn number(value: f64, power: i32) -> String {
+    format!("{value:.*}", usize::try_from(-power).unwrap_or(0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Axis;
+
+    fn texts(axis: &Axis, data: [f64; 2]) -> Vec<String> {
+        axis.fit(data.into_iter()).ticks().into_iter().map(|(_, text)| text).collect()
+    }
+
+    #[test]
+    fn ticks_are_round_and_inside() {
+        assert_eq!(texts(&Axis::linear(""), [0.0, 1.0]), ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
+        assert_eq!(texts(&Axis::linear(""), [-431.0, 12.0]), ["-400", "-300", "-200", "-100", "0"]);
+        assert_eq!(texts(&Axis::log("", 0.1), [0.5, 300.0]), ["0.1", "1", "10", "100"]);
+        assert_eq!(texts(&Axis::names("", vec!["a".into(), "b".into()]), [0.0, 1.0]), ["a", "b"]);
+        assert_eq!(texts(&Axis::linear(""), [f64::NAN, f64::NAN]).len(), 6, "no data is no reason to fail");
+    }
+
+    #[test]
+    fn values_stand_between_the_ends() {
+        let axis = Axis::log("", 1.0).between(1.0, 100.0);
+        let fitted = axis.fit([].into_iter());
+        assert!([0.0, 1.0, 10.0, 100.0, 1e9].map(|v| fitted.place(v)) == [0.0, 0.0, 0.5, 1.0, 1.0]);
+    }
+}

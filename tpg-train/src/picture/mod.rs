@@ -1,0 +1,14 @@
+//! Pictures for reports: SVG as text, plots of it, and the page that holds them. No script, no network, no clock: the
+//! same data gives the same bytes.
+//!
+//! [`Svg`] draws shapes, [`Plot`] draws data, [`Page`] is the HTML around them; colours and fonts are the page's.
+
+mod axis;
+mod page;
+mod plot;
+mod svg;
+
+pub use axis::Axis;
+pub use page::{Figure, Page, Section, Table};
+pub use plot::{Colour, FiveNumbers, Plot};
+pub use svg::{Point, Svg};

@@ -1,0 +1,61 @@
+//! `tpg-train hybrid`: equal bytes for any threads and for a study that was broken off, and a folder that is not lost.
+
+use assert_cmd::Command;
+use std::fs;
+use std::path::Path;
+
+fn study(out: &Path, more: &[&str]) -> assert_cmd::assert::Assert {
+    let generated = |name: &str| Path::new(env!("CARGO_MANIFEST_DIR")).join("../generated").join(name);
+    let mut command = Command::cargo_bin("tpg-train").expect("the program");
+    command.args(["hybrid", "--problem", "fs", "--episodes", "4", "--guard", "collisions", "--out"]).arg(out);
+    command.arg("--tpg").arg(generated("widowx-fs/graph.json")).arg(generated("widowx-rs/graph.json"));
+    command.arg("--policy").arg(generated("widowx-sac/policy.q.json"));
+    command.args(more).assert()
+}
+
+fn text(out: &Path, name: &str) -> String {
+    fs::read_to_string(out.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+}
+
+#[test]
+fn threads_and_interruptions_do_not_matter() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let (one, two) = (folder.path().join("one"), folder.path().join("two"));
+    study(&one, &["--threads", "1"]).success();
+    study(&two, &["--threads", "2"]).success();
+    let cells = text(&one, "cells.csv");
+    assert_eq!(cells.lines().count(), 1 + 2 * 42, "two pairs, 42 settings");
+    assert_eq!(text(&two, "cells.csv"), cells);
+
+    // As if it had been killed after every third cell.
+    let kept: String =
+        cells.lines().enumerate().filter(|(line, _)| line % 3 == 0).map(|(_, l)| format!("{l}\n")).collect();
+    fs::write(two.join("cells.csv"), kept).expect("a file");
+    fs::remove_file(two.join("report.html")).expect("a file");
+    study(&two, &["--resume"]).success();
+    assert_eq!(text(&two, "cells.csv"), cells);
+
+    // What was chosen can be put to work.
+    assert!(text(&two, "report.html").contains("figure 7"));
+    let mut eval = Command::cargo_bin("tpg-train").expect("the program");
+    let eval = eval.args(["eval", "--problem", "fs", "--episodes", "3", "--json", "--hybrid"]);
+    let output = eval.arg(two.join("hybrid.toml")).assert().success().get_output().stdout.clone();
+    let report: serde_json::Value = serde_json::from_slice(&output).expect("JSON");
+    assert_eq!(report["episodes"], 3);
+    assert!(report["tpg_action_ratio"].as_f64().is_some_and(|ratio| (0.0..=1.0).contains(&ratio)));
+    assert!(report["hand_overs"]["cycle"].is_number());
+}
+
+#[test]
+fn a_study_is_not_overwritten_or_mixed_with_another() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    study(folder.path(), &[]).success();
+    let refused = |more: &[&str], says: &str| {
+        let stderr = String::from_utf8(study(folder.path(), more).code(2).get_output().stderr.clone()).expect("text");
+        assert!(stderr.contains(says), "{stderr}");
+    };
+    refused(&[], "or --resume");
+    refused(&["--resume", "--seed", "9"], "another study");
+    fs::write(folder.path().join("cells.csv"), "tpg,sac\n0,never\n").expect("a file");
+    refused(&["--resume"], "cells.csv");
+}

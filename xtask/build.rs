@@ -1,0 +1,6 @@
+//! Tells the program for which machine it is built.
+
+fn main() {
+    println!("cargo::rerun-if-changed=build.rs");
+    println!("cargo::rustc-env=XTASK_HOST={}", std::env::var("TARGET").unwrap_or_default());
+}

@@ -1,0 +1,139 @@
+//! `libtpg_runtime.a` as users get it: one object file that exports `tpg_*` and nothing else.
+//!
+//! What rustc makes is an archive of some 5 MB and hundreds of members: the compiler's builtins, which could shadow
+//! libgcc's or clash with another Rust library's, and LLVM bitcode. Linked in advance, with what is unreachable left
+//! out, 20 to 30 KB remain, and every choice is made.
+
+use crate::tool;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::{env, fs};
+
+/// Targets that a library is made for, beside the host.
+pub const TARGETS: [&str; 3] = ["thumbv7em-none-eabihf", "thumbv7em-none-eabi", "thumbv6m-none-eabi"];
+
+/// The package of a target's binutils.
+const CROSS: &str = "gcc-arm-none-eabi";
+
+/// Why there is no library.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Missing {
+    /// A tool or target is not installed; the skip has been noted.
+    Tool,
+    /// A command failed: its words and what it printed.
+    Failed(String),
+}
+
+/// The repository's top folder.
+pub fn top() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().map(Path::to_owned).unwrap_or_default()
+}
+
+/// The host's triple.
+pub fn host() -> &'static str {
+    env!("XTASK_HOST")
+}
+
+/// Cargo's target folder.
+pub fn target_folder() -> PathBuf {
+    env::var_os("CARGO_TARGET_DIR").map_or_else(|| top().join("target"), PathBuf::from)
+}
+
+/// Where a target's libraries are installed to when nobody says where.
+pub fn dist() -> PathBuf {
+    target_folder().join("tpg_runtime")
+}
+
+/// Makes the library for a target (or [`host`]) under `folder`, with header, CMake and pkg-config files; where it lies.
+///
+/// # Errors
+/// See [`Missing`].
+pub fn make(target: &str, folder: &Path) -> Result<PathBuf, Missing> {
+    let what = format!("libtpg_runtime.a for {target}");
+    let (prefix, package) = if target == host() { ("", "binutils") } else { ("arm-none-eabi-", CROSS) };
+    if !tool(&format!("{prefix}ld"), package, &what) || (target != host() && !rust_target(target, &what)) {
+        return Err(Missing::Tool);
+    }
+    let library = folder.join("lib").join(target);
+    let room = folder.join("objects").join(target);
+    for folder in [&library, &room] {
+        fs::create_dir_all(folder).map_err(|error| Missing::Failed(format!("{}: {error}", folder.display())))?;
+    }
+    let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    cargo.current_dir(top()).args(["build", "--quiet", "--package", "tpg-runtime-capi", "--profile", "firmware"]);
+    cargo.args(["--target", target, "--lib"]);
+    output(&mut cargo)?;
+    let made = target_folder().join(target).join("firmware/libtpg_runtime_capi.a");
+
+    let run = |program: &str, arguments: &[&str]| {
+        output(Command::new(format!("{prefix}{program}")).current_dir(&room).args(arguments))
+    };
+    let path = made.to_string_lossy();
+    // Debian's linker aborts on bitcode in what it links in advance.
+    run("objcopy", &["--strip-debug", "-R", ".llvmbc", "-R", ".llvmcmd", &path, "all.a"])?;
+    let symbols = run("nm", &["--defined-only", "--extern-only", "--format=posix", "all.a"])?;
+    let mut names: Vec<&str> =
+        symbols.lines().filter_map(|line| line.split(' ').next()).filter(|name| name.starts_with("tpg_")).collect();
+    names.sort_unstable();
+    names.dedup();
+    let wanted = names.iter().flat_map(|name| ["-u", name]);
+    let link: Vec<&str> =
+        ["-r", "--gc-sections", "-o", "tpg_runtime.o"].into_iter().chain(wanted).chain(["all.a"]).collect();
+    run("ld", &link)?;
+    run("objcopy", &["--wildcard", "--keep-global-symbol=tpg_*", "--strip-unneeded", "tpg_runtime.o"])?;
+    let archive = library.join("libtpg_runtime.a");
+    let _ = fs::remove_file(&archive);
+    run("ar", &["rcsD", &archive.to_string_lossy(), "tpg_runtime.o"])?;
+    install(target, folder)?;
+    Ok(archive)
+}
+
+/// Copies what stands beside the library.
+fn install(target: &str, folder: &Path) -> Result<(), Missing> {
+    let source = top().join("tpg-runtime-nostd/capi");
+    let description = fs::read_to_string(source.join("tpg_runtime.pc.in"))
+        .map(|text| text.replace("@VERSION@", env!("CARGO_PKG_VERSION")).replace("@TARGET@", target));
+    let put = |to: &str, text: std::io::Result<String>| {
+        let path = folder.join(to);
+        let written = text.and_then(|text| {
+            fs::create_dir_all(path.parent().unwrap_or(folder))?;
+            fs::write(&path, text)
+        });
+        written.map_err(|error| Missing::Failed(format!("{}: {error}", path.display())))
+    };
+    put("include/tpg_runtime.h", fs::read_to_string(source.join("include/tpg_runtime.h")))?;
+    put("lib/cmake/tpg_runtime/tpg_runtime-config.cmake", fs::read_to_string(source.join("tpg_runtime-config.cmake")))?;
+    put(&format!("lib/{target}/pkgconfig/tpg_runtime.pc"), description)
+}
+
+/// Whether the compiler in use has a target's core library; where not, `what` is skipped, or fails.
+///
+/// # Panics
+/// Where the target is missing and nothing may be.
+pub fn rust_target(target: &str, what: &str) -> bool {
+    let output = Command::new("rustc").args(["--print", "sysroot"]).current_dir(top()).output();
+    let sysroot = output.map(|output| String::from_utf8_lossy(&output.stdout).trim().to_owned()).unwrap_or_default();
+    if Path::new(&sysroot).join("lib/rustlib").join(target).join("lib").is_dir() {
+        return true;
+    }
+    let message = format!("{what}: not installed (rustup target add {target})");
+    assert!(!crate::required(), "{message}");
+    crate::skip(&message);
+    false
+}
+
+/// What a command printed.
+///
+/// # Errors
+/// Where it failed.
+pub fn output(command: &mut Command) -> Result<String, Missing> {
+    let result = command.output();
+    let failed = |text: String| Missing::Failed(format!("{command:?}:\n{text}"));
+    match result {
+        Ok(output) if output.status.success() => Ok(String::from_utf8_lossy(&output.stdout).into_owned()),
+        Ok(output) => {
+            Err(failed([output.stdout, output.stderr].map(|text| String::from_utf8_lossy(&text).into_owned()).concat()))
+        }
+        Err(error) => Err(failed(error.to_string())),
+    }
+}

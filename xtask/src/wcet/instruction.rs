@@ -1,0 +1,253 @@
+//! What an instruction of Thumb-2 does to control flow and stack, by its mnemonic and operands as objdump writes them.
+
+use super::listing::Line;
+
+/// Where control goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// On to the next instruction.
+    Plain,
+    /// To the target; on, too, where `conditional`.
+    Branch {
+        /// Whether it may go on.
+        conditional: bool,
+    },
+    /// Into a function and back.
+    Call,
+    /// Back to the caller; on, too, where `conditional`.
+    Return {
+        /// Whether it may go on.
+        conditional: bool,
+    },
+    /// Nowhere: an undefined instruction ends the run.
+    Trap,
+    /// To where a register says.
+    Indirect,
+    /// To where a table says.
+    JumpTable,
+}
+
+const CONDITIONS: [&str; 16] =
+    ["eq", "ne", "cs", "hs", "cc", "lo", "mi", "pl", "vs", "vc", "hi", "ls", "ge", "lt", "gt", "le"];
+
+/// Classifies an instruction.
+pub fn kind(line: &Line) -> Kind {
+    let (name, operands) = (bare(&line.mnemonic), line.operands.as_str());
+    if matches!(name, "cbz" | "cbnz") {
+        return Kind::Branch { conditional: true };
+    }
+    if matches!(name, "tbb" | "tbh") {
+        return Kind::JumpTable;
+    }
+    if name == "udf" {
+        return Kind::Trap;
+    }
+    if let Some(conditional) = is(name, "b") {
+        return Kind::Branch { conditional };
+    }
+    if is(name, "bl").is_some() {
+        return Kind::Call;
+    }
+    if is(name, "blx").is_some() {
+        return Kind::Indirect;
+    }
+    if let Some(conditional) = is(name, "bx") {
+        return if operands == "lr" { Kind::Return { conditional } } else { Kind::Indirect };
+    }
+    if let Some(conditional) = loads_many(name)
+        && operands.contains("pc}")
+    {
+        return Kind::Return { conditional };
+    }
+    if let Some(conditional) = is(name, "ldr")
+        && operands.starts_with("pc,")
+    {
+        return if operands.starts_with("pc, [sp]") { Kind::Return { conditional } } else { Kind::JumpTable };
+    }
+    let writes_pc = operands.starts_with("pc,");
+    match is(name, "mov") {
+        Some(conditional) if operands == "pc, lr" => Kind::Return { conditional },
+        _ if writes_pc => Kind::JumpTable,
+        _ => Kind::Plain,
+    }
+}
+
+/// Whether the instruction decides by data what runs: a conditional branch, a predicated block, a table.
+pub fn is_decision(line: &Line) -> bool {
+    let conditional = matches!(kind(line), Kind::Branch { conditional: true } | Kind::Return { conditional: true });
+    let block =
+        bare(&line.mnemonic).strip_prefix("it").is_some_and(|rest| rest.chars().all(|c| matches!(c, 't' | 'e')));
+    conditional || block || matches!(kind(line), Kind::JumpTable | Kind::Indirect)
+}
+
+/// How the stack pointer moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stack {
+    /// Not down.
+    Same,
+    /// Down by so many bytes.
+    Down(u64),
+    /// By what only the run knows.
+    Unknown,
+}
+
+/// What an instruction does to the stack pointer. What it gives back is not counted: the bound is on the safe side.
+pub fn stack(line: &Line) -> Stack {
+    let (name, operands) = (bare(&line.mnemonic), line.operands.as_str());
+    if is(name, "push").is_some() {
+        return Stack::Down(4 * registers(operands));
+    }
+    if is(name, "vpush").is_some() {
+        return Stack::Down(floats(operands));
+    }
+    if (is(name, "stmdb").is_some() || is(name, "stmfd").is_some()) && operands.starts_with("sp!") {
+        return Stack::Down(4 * registers(operands));
+    }
+    if is(name, "vstmdb").is_some() && operands.starts_with("sp!") {
+        return Stack::Down(floats(operands));
+    }
+    if name.starts_with("str") && operands.contains("[sp, #-") && operands.ends_with("]!") {
+        return number(operands.rsplit("#-").next()).map_or(Stack::Unknown, Stack::Down);
+    }
+    if !operands.starts_with("sp,") {
+        return Stack::Same;
+    }
+    let by_number = || number(operands.rsplit('#').next().filter(|_| operands.contains('#')));
+    if is(name, "sub").is_some() || is(name, "subw").is_some() || is(name, "subs").is_some() {
+        return by_number().map_or(Stack::Unknown, Stack::Down);
+    }
+    // Giving back: by a number, or from the frame pointer that kept what it was.
+    let gives_back = (is(name, "add").is_some() || is(name, "addw").is_some()) && by_number().is_some();
+    if gives_back || (is(name, "mov").is_some() && operands == "sp, r7") || name.starts_with("str") || is_compare(name)
+    {
+        return Stack::Same;
+    }
+    Stack::Unknown
+}
+
+fn is_compare(name: &str) -> bool {
+    is(name, "cmp").is_some() || is(name, "cmn").is_some() || is(name, "tst").is_some()
+}
+
+/// A mnemonic without its width.
+fn bare(mnemonic: &str) -> &str {
+    mnemonic.trim_end_matches(".n").trim_end_matches(".w")
+}
+
+/// Whether a mnemonic is `base`; `Some(true)` where it has a condition.
+fn is(name: &str, base: &str) -> Option<bool> {
+    let condition = name.strip_prefix(base)?;
+    if condition.is_empty() {
+        return Some(false);
+    }
+    CONDITIONS.contains(&condition).then_some(true)
+}
+
+/// `pop`, `ldmia` and its like.
+fn loads_many(name: &str) -> Option<bool> {
+    ["pop", "ldmia", "ldmfd", "ldmdb", "ldm"].into_iter().find_map(|base| is(name, base))
+}
+
+/// How many registers a list in braces names.
+fn registers(operands: &str) -> u64 {
+    list(operands).map(|(first, last)| last - first + 1).sum()
+}
+
+/// Bytes of a list of `s` or `d` registers.
+fn floats(operands: &str) -> u64 {
+    let width = if operands.contains('d') { 8 } else { 4 };
+    width * registers(operands)
+}
+
+/// The ranges of a list in braces: single registers are ranges of one.
+fn list(operands: &str) -> impl Iterator<Item = (u64, u64)> + '_ {
+    let inside = operands.split_once('{').map_or("", |(_, rest)| rest.trim_end_matches('}'));
+    inside.split(',').map(str::trim).filter(|name| !name.is_empty()).map(|name| match name.split_once('-') {
+        Some((first, last)) => (of(first), of(last)),
+        None => (0, 0),
+    })
+}
+
+/// The number of a register in a range.
+fn of(name: &str) -> u64 {
+    match name.trim() {
+        "sl" => 10,
+        "fp" => 11,
+        "ip" => 12,
+        name => name[1..].parse().unwrap_or(0),
+    }
+}
+
+fn number(text: Option<&str>) -> Option<u64> {
+    let digits: String = text?.chars().take_while(char::is_ascii_digit).collect();
+    digits.parse().ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Kind, Stack, is_decision, kind, stack};
+    use crate::wcet::listing::Line;
+
+    fn line(text: &str) -> Line {
+        let (mnemonic, operands) = text.split_once(' ').unwrap_or((text, ""));
+        Line { address: 0, mnemonic: mnemonic.to_owned(), operands: operands.to_owned(), symbol: None }
+    }
+
+    #[test]
+    fn branches_calls_and_returns() {
+        let conditional = |text| kind(&line(text)) == Kind::Branch { conditional: true };
+        assert!(
+            ["ble.n 10 <f>", "blt.w 10 <f>", "bls 10 <f>", "beq.n 4", "cbz r0, 8 <f>"].into_iter().all(conditional)
+        );
+        assert_eq!(kind(&line("b.n 10 <f>")), Kind::Branch { conditional: false });
+        for call in ["bl 10 <f>", "bleq 10 <f>", "blle 10 <f>"] {
+            assert_eq!(kind(&line(call)), Kind::Call, "{call}");
+        }
+        for plain in ["bic.w r0, r1, #3", "bfi r0, r1, #3, #4", "bkpt 0x00ab", "pop {r4, r5}", "ldr r0, [pc, #4]"] {
+            assert_eq!(kind(&line(plain)), Kind::Plain, "{plain}");
+        }
+        for back in ["bx lr", "pop {r4, pc}", "ldmia.w sp!, {r4, r5, pc}", "ldr.w pc, [sp], #4", "mov pc, lr"] {
+            assert_eq!(kind(&line(back)), Kind::Return { conditional: false }, "{back}");
+        }
+        assert_eq!(kind(&line("bxne lr")), Kind::Return { conditional: true });
+        assert_eq!(kind(&line("popeq {r4, pc}")), Kind::Return { conditional: true });
+        assert_eq!(kind(&line("udf #254")), Kind::Trap);
+        for indirect in ["blx r3", "bx r3"] {
+            assert_eq!(kind(&line(indirect)), Kind::Indirect, "{indirect}");
+        }
+        for table in ["tbb [pc, r0]", "tbh [pc, r0, lsl #1]", "ldr.w pc, [r1, r0, lsl #2]", "mov pc, r0", "add pc, r1"]
+        {
+            assert!(is_decision(&line(table)), "{table}");
+        }
+    }
+
+    #[test]
+    fn predicated_blocks_are_decisions() {
+        assert!(["it eq", "ite ne", "itttt le"].into_iter().all(|text| is_decision(&line(text))));
+        assert!(!is_decision(&line("ldr r0, [r1]")));
+    }
+
+    #[test]
+    fn the_stack_goes_down_by() {
+        let cases = [
+            ("push {r4, r5, lr}", 12),
+            ("push {r4, lr}", 8),
+            ("stmdb sp!, {r4, r5, r6, r7, r8, r9, sl, fp, lr}", 36),
+            ("stmdb sp!, {r4-r7, lr}", 20),
+            ("vpush {d8-d10}", 24),
+            ("vpush {s16}", 4),
+            ("sub sp, #40", 40),
+            ("sub.w sp, sp, #1024", 1024),
+            ("str.w lr, [sp, #-4]!", 4),
+        ];
+        for (text, bytes) in cases {
+            assert_eq!(stack(&line(text)), Stack::Down(bytes), "{text}");
+        }
+        for text in ["add sp, #8", "mov sp, r7", "pop {r4, pc}", "str r0, [sp, #4]", "mov r7, sp"] {
+            assert_eq!(stack(&line(text)), Stack::Same, "{text}");
+        }
+        for text in ["sub.w sp, sp, r3", "mov sp, r0", "bic.w sp, sp, #7", "ldr sp, [r0]"] {
+            assert_eq!(stack(&line(text)), Stack::Unknown, "{text}");
+        }
+    }
+}

@@ -1,0 +1,189 @@
+//! Bounds of hand-written assembly: as a listing, and assembled where there is an assembler.
+
+use std::fs;
+use std::process::Command;
+use tempfile::TempDir;
+use xtask::wcet::{Analyser, Bound, Listing, LoopBounds, Refusal, disassemble};
+
+/// A listing as objdump prints it: `label:` begins a function, every other line is an instruction two bytes long.
+fn listing(text: &str) -> Listing {
+    let mut out = String::from("Disassembly of section .text:\n\n");
+    for (address, line) in (0..).step_by(2).zip(text.lines().map(str::trim).filter(|line| !line.is_empty())) {
+        match line.strip_suffix(':') {
+            Some(name) => out.push_str(&format!("{address:08x} <{name}>:\n {address:3x}:\tnop\n")),
+            None => out.push_str(&format!(" {address:3x}:\t{}\n", line.replacen(' ', "\t", 1))),
+        }
+    }
+    Listing::parse(&out)
+}
+
+fn bound(text: &str, name: &str) -> Result<Bound, Refusal> {
+    Analyser::new(&listing(text), &LoopBounds::new()).bound(name)
+}
+
+#[test]
+fn the_longer_way_and_the_callees_count() {
+    // Addresses: f 0, push 2, cbz 4, add 6, add 8, bl a, pop c; g e, sub 10, bx 12.
+    let text = "
+        f:
+        push {r4, lr}
+        cbz r0, a <f+0xa>
+        add r0, r1
+        add r0, r1
+        bl e <g>
+        pop {r4, pc}
+        g:
+        sub sp, #16
+        bx lr";
+    assert_eq!(bound(text, "g"), Ok(Bound { instructions: 3, stack: 16 }));
+    assert_eq!(bound(text, "f"), Ok(Bound { instructions: 7 + 3, stack: 8 + 16 }));
+}
+
+#[test]
+fn a_tail_call_is_a_call() {
+    let text = "
+        f:
+        push {r4, lr}
+        b.n 6 <g>
+        g:
+        bx lr";
+    assert_eq!(bound(text, "f"), Ok(Bound { instructions: 3 + 2, stack: 8 }));
+}
+
+#[test]
+fn a_conditional_return_may_go_on() {
+    let text = "
+        f:
+        it eq
+        bxeq lr
+        add r0, r1
+        bx lr";
+    assert_eq!(bound(text, "f"), Ok(Bound { instructions: 5, stack: 0 }));
+}
+
+#[test]
+fn loops_are_refused_without_a_bound() {
+    let text = "
+        f:
+        subs r0, #1
+        bne.n 2 <f+0x2>
+        bx lr";
+    let refusal = bound(text, "f").unwrap_err();
+    assert_eq!(refusal, Refusal::Loop { function: "f".to_owned(), address: 2 });
+    assert!(refusal.to_string().contains("--loop-bound f=N"), "{refusal}");
+    let bounds = LoopBounds::from([("f".to_owned(), 10)]);
+    let found = Analyser::new(&listing(text), &bounds).bound("f");
+    assert_eq!(found, Ok(Bound { instructions: 1 + 10 * 2 + 1, stack: 0 }));
+}
+
+#[test]
+fn recursion_names_its_circle() {
+    let text = "
+        f:
+        bl 6 <g>
+        bx lr
+        g:
+        bl 0 <f>
+        bx lr";
+    let refusal = bound(text, "f").unwrap_err();
+    assert_eq!(refusal.to_string(), "recursion: f calls g calls f");
+    let to_itself = "
+        f:
+        bl 0 <f>
+        bx lr";
+    assert_eq!(bound(to_itself, "f").unwrap_err().to_string(), "recursion: f calls f");
+}
+
+#[test]
+fn what_is_not_known_is_refused() {
+    for (instruction, expected) in [
+        ("blx r3", "goes where a register says"),
+        ("bx r3", "goes where a register says"),
+        ("tbb [pc, r0]", "jumps through a table"),
+        ("sub.w sp, sp, r3", "moves its stack pointer"),
+        ("b.n 4000 <elsewhere+0x10>", "leads to no instruction"),
+        ("add r0, r1", "leads to no instruction"), // and past the end
+    ] {
+        let text = format!("f:\n{instruction}");
+        let refusal = bound(&text, "f").unwrap_err().to_string();
+        assert!(refusal.contains(expected) && refusal.contains("0x2"), "{instruction}: {refusal}");
+    }
+    assert_eq!(bound("f:\nbx lr", "g").unwrap_err().to_string(), "no function \"g\" in the object");
+}
+
+#[test]
+fn decisions_are_found_in_callees_too() {
+    let text = "
+        f:
+        bl 6 <g>
+        bx lr
+        g:
+        ite eq
+        moveq r0, r1
+        bx lr
+        h:
+        cbz r0, 0";
+    let listing = listing(text);
+    let bounds = LoopBounds::new();
+    let sites = Analyser::new(&listing, &bounds).decisions("f").expect("known control flow");
+    assert_eq!(sites.len(), 1);
+    assert_eq!((sites[0].function.as_str(), sites[0].text.as_str()), ("g", "ite eq"));
+}
+
+const ASSEMBLY: &str = "
+    .syntax unified
+    .cpu cortex-m4
+    .fpu fpv4-sp-d16
+    .thumb
+    .section .text.leaf, \"ax\"
+    .thumb_func
+    .global leaf
+leaf:                       @ 4 instructions, 16 bytes
+    vpush {d8, d9}
+    vadd.f32 s0, s0, s1
+    vpop {d8, d9}
+    bx lr
+    .section .text.root, \"ax\"
+    .thumb_func
+    .global root
+root:                       @ push, mov, cmp, then 3 of the longer arm with the call, ldr, pop
+    stmdb sp!, {r4, r5, r6, lr}
+    mov r4, r0
+    cmp r4, #3
+    bgt 1f
+    bl leaf
+    b 2f
+1:  adds r4, #1
+2:  ldr r0, =0x12345678
+    pop {r4, r5, r6, pc}
+    .ltorg
+    .section .text.lost, \"ax\"
+    .thumb_func
+    .global lost
+lost:
+    push {r3, lr}
+    bl sinf
+    pop {r3, pc}
+";
+
+#[test]
+fn assembled_code_is_read_with_its_relocations_and_data() {
+    if !xtask::tool("arm-none-eabi-as", "gcc-arm-none-eabi", "the worst case of assembled code")
+        || !xtask::tool("arm-none-eabi-objdump", "gcc-arm-none-eabi", "the worst case of assembled code")
+    {
+        return;
+    }
+    let folder = TempDir::new().expect("a temporary folder");
+    let source = folder.path().join("code.s");
+    let object = folder.path().join("code.o");
+    fs::write(&source, ASSEMBLY).expect("the folder can be written");
+    let status = Command::new("arm-none-eabi-as").arg(&source).arg("-o").arg(&object).status().expect("it starts");
+    assert!(status.success());
+    let listing = disassemble(&object).expect("a listing");
+    let bounds = LoopBounds::new();
+    let mut analyser = Analyser::new(&listing, &bounds);
+    assert_eq!(analyser.bound("leaf"), Ok(Bound { instructions: 4, stack: 16 }));
+    assert_eq!(analyser.bound("root"), Ok(Bound { instructions: 8 + 4, stack: 16 + 16 }));
+    let refusal = analyser.bound("lost").unwrap_err().to_string();
+    assert!(refusal.contains("calls sinf, which is not in the object"), "{refusal}");
+}
