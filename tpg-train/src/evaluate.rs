@@ -61,7 +61,7 @@ pub struct EvalArgs {
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
     /// Add a shield to a graph that has none: actions that would be refused cannot be chosen
-    #[arg(long, value_enum, default_value_t = Shield::None)]
+    #[arg(long, value_enum, default_value_t = Shield::None, conflicts_with_all = ["policy", "hybrid"])]
     pub shield: Shield,
     /// One JSON object instead of a table
     #[arg(long)]
