@@ -48,7 +48,7 @@ fn time(criterion: &mut Criterion, subject: &Subject, variant: Variant, program:
     let mut running = program.start(subject).unwrap_or_else(|error| panic!("{error}"));
     let mut least = f64::INFINITY;
     let mut group = criterion.benchmark_group(&subject.name);
-    group.warm_up_time(Duration::from_millis(100)).measurement_time(Duration::from_millis(800)).sample_size(20);
+    group.warm_up_time(Duration::from_millis(50)).measurement_time(Duration::from_millis(300)).sample_size(10);
     group.throughput(criterion::Throughput::Elements(subject.count() as u64));
     group.bench_function(BenchmarkId::from_parameter(variant.name()), |bencher| {
         bencher.iter_custom(|passes| {

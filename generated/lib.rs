@@ -1,7 +1,7 @@
 //! This project's own trained policies, compiled by `tpg-codegen`.
 //!
 //! Each folder holds a policy's `graph.json`, the C and Rust made of it, and `PROVENANCE.md`: how it was trained and how
-//! well it does. `widowx-sac` is a soft actor-critic's network instead: its weights, the same in integers, and the Rust
+//! well it does; `hybrid.toml` and `hybrid.rs` say how it shares the arm with the network. `widowx-sac` is a soft actor-critic's network instead: its weights, the same in integers, and the Rust
 //! constants of those. Tests fail when regenerating gives other bytes.
 //!
 //! ```

@@ -6,7 +6,7 @@ use std::io;
 use std::process::{Command, Stdio};
 
 /// States that are counted: valgrind is fifty times slower than the processor.
-const COUNTED: usize = 1024;
+const COUNTED: usize = 512;
 
 /// Whether valgrind is there; skipped loudly where not.
 pub fn available() -> bool {

@@ -9,6 +9,7 @@
 #include "widowx_fs.h"
 #include "widowx_sac.h"
 
+#include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -31,7 +32,8 @@ static uint16_t infer(const void *state)
 static const uint8_t sources[] = WIDOWX_FS_SOURCES;
 static const tpg_move_t moves[] = WIDOWX_FS_MOVES;
 static const tpg_policy_t policy = { infer, sources, WIDOWX_FS_SOURCE_COUNT, moves, WIDOWX_FS_ACTIONS };
-static const tpg_settings_t settings = { TPG_NEVER, 20.0F, TPG_GUARD_COLLISIONS };
+/* As generated/widowx-fs/hybrid.toml has them. */
+static const tpg_settings_t settings = { 5U, INFINITY, TPG_GUARD_BOTH };
 
 /* Where the model's motors are. */
 static tpg_pose_t motors;

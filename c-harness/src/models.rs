@@ -1,11 +1,12 @@
 //! Networks with weights without a pattern, in every kind: what a kind costs does not depend on the numbers.
 
 use crate::Failure;
+use crate::line::Line;
 use std::fmt::Write as _;
 use tpg_codegen::emit::File;
 use tpg_kernels::Kind;
 use tpg_runtime::sac::fixed::{FixedDecision, Rescale};
-use tpg_runtime::sac::packed::{self, LayerRows, Weights};
+use tpg_runtime::sac::packed::{self, LayerRows, Model, Weights};
 use tpg_runtime::sac::{Actions, FEATURES, Mask};
 
 /// The shipped size, and the paper's with its 13 inputs.
@@ -19,21 +20,60 @@ fn kind_name(kind: Kind) -> &'static str {
     }
 }
 
-/// `models.rs`: the models by name.
-pub(crate) fn file() -> Result<File, Failure> {
-    let mut text = String::from("static MODELS: &[(&str, &[u32])] = &[\n");
+/// Every model, by name.
+fn all() -> Result<Vec<(String, Vec<u32>)>, Failure> {
+    let mut models = Vec::new();
     for size in SIZES {
         for kind in Kind::ALL {
             let [a, b, c, d] = size;
-            let _ = write!(text, "    (\"layers {a}-{b}-{c}-{d} {}\", &[", kind_name(kind));
-            for word in model(&size, kind)? {
-                let _ = write!(text, "{word},");
-            }
-            text.push_str("]),\n");
+            models.push((format!("layers {a}-{b}-{c}-{d} {}", kind_name(kind)), model(&size, kind)?));
         }
+    }
+    Ok(models)
+}
+
+/// `models.rs`: the models by name.
+pub(crate) fn file() -> Result<File, Failure> {
+    let mut text = String::from("static MODELS: &[(&str, &[u32])] = &[\n");
+    for (name, words) in all()? {
+        let _ = write!(text, "    ({name:?}, &[");
+        for word in words {
+            let _ = write!(text, "{word},");
+        }
+        text.push_str("]),\n");
     }
     text.push_str("];\n");
     Ok(File { name: "models.rs".to_owned(), text })
+}
+
+/// Compares the preferences that a firmware computed with this machine's, by their hash; how many there were.
+pub(crate) fn compare(lines: &[Line]) -> Result<u64, Failure> {
+    let mut count = 0;
+    for (name, words) in all()? {
+        let is_it =
+            |line: &&Line| line.words.split_first().is_some_and(|(f, rest)| f == "bits" && rest.join(" ") == name);
+        let line = lines.iter().find(is_it).ok_or_else(|| Failure::new(format!("{name}: no bits")))?;
+        let model = Model::parse(&words).map_err(|error| Failure::new(format!("{name}: {error:?}")))?;
+        let mut scratch = vec![0; model.scratch()];
+        let mut state = 11u32;
+        let mut hash = 0xcbf2_9ce4_8422_2325u64;
+        for _ in 0..line.number("inputs") {
+            let inputs: [i16; FEATURES] = std::array::from_fn(|_| {
+                state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                (state >> 16) as i16
+            });
+            for preference in model.preferences(&inputs, &mut scratch) {
+                hash = (hash ^ u64::from(preference as u32)).wrapping_mul(0x0000_0100_0000_01b3);
+            }
+            count += 1;
+        }
+        if line.values.get("hash") != Some(&format!("{hash:016x}")) {
+            return Err(Failure::new(format!(
+                "{name}: other preferences than on this machine ({hash:016x}): {line:?}"
+            )));
+        }
+    }
+    Ok(count)
 }
 
 fn model(size: &[usize; 4], kind: Kind) -> Result<Vec<u32>, Failure> {

@@ -3,9 +3,10 @@
 use crate::Failure;
 use std::fmt::Write as _;
 use tpg_codegen::emit::File;
+use tpg_generated::{widowx_fs_hybrid, widowx_rs_hybrid};
 use tpg_runtime::arm::Pose;
 use tpg_runtime::episode::Problem;
-use tpg_runtime::hybrid::{Guard, NEVER, Settings};
+use tpg_runtime::hybrid::{Guard, Settings};
 
 /// Episodes of the hybrid, for each start.
 pub(crate) const PROBLEMS: usize = 100;
@@ -43,11 +44,11 @@ impl Start {
         }
     }
 
-    /// How graph and network share the arm.
+    /// How the shipped graph and network share the arm.
     pub(crate) const fn settings(self) -> Settings<f32> {
         match self {
-            Self::Fixed => Settings { hand_back_after: NEVER, separation: 20.0, guard: Guard::Collisions },
-            Self::Random => Settings { hand_back_after: NEVER, separation: 20.0, guard: Guard::Collisions },
+            Self::Fixed => widowx_fs_hybrid::SETTINGS,
+            Self::Random => widowx_rs_hybrid::SETTINGS,
         }
     }
 
@@ -68,7 +69,8 @@ impl Start {
 
 /// `problems.h` and `problems.rs`.
 pub(crate) fn files() -> Result<[File; 2], Failure> {
-    let mut c = String::from("#ifndef PROBLEMS_H\n#define PROBLEMS_H\n\n#include \"tpg_runtime.h\"\n\n");
+    let mut c =
+        String::from("#ifndef PROBLEMS_H\n#define PROBLEMS_H\n\n#include \"tpg_runtime.h\"\n\n#include <math.h>\n\n");
     let mut rust = String::new();
     let _ = writeln!(c, "#define PROBLEMS {PROBLEMS}U\n#define PARTS {PARTS}U\n");
     let _ = writeln!(rust, "const PARTS: usize = {PARTS};");
@@ -76,17 +78,13 @@ pub(crate) fn files() -> Result<[File; 2], Failure> {
         let (name, upper) = (start.name(), start.name().to_ascii_uppercase());
         let Settings { hand_back_after, separation, guard } = start.settings();
         let guard_code = Guard::ALL.iter().position(|&other| other == guard).unwrap_or(0);
+        let separation = if separation.is_finite() { format!("{separation:?}F") } else { "INFINITY".to_owned() };
         let _ = writeln!(
             c,
-            "static const tpg_settings_t {name}_settings = {{ {hand_back_after}U, {separation:?}F, {guard_code} }};\n\
+            "static const tpg_settings_t {name}_settings = {{ {hand_back_after}U, {separation}, {guard_code} }};\n\
              static const tpg_problem_t {name}_problems[PROBLEMS] = {{"
         );
-        let _ = writeln!(
-            rust,
-            "const {upper}_SETTINGS: Settings<f32> = Settings {{ hand_back_after: {hand_back_after}, \
-             separation: {separation:?}, guard: Guard::{guard:?} }};\n\
-             static {upper}_PROBLEMS: [Problem<f32>; {PROBLEMS}] = ["
-        );
+        let _ = writeln!(rust, "static {upper}_PROBLEMS: [Problem<f32>; {PROBLEMS}] = [");
         for Problem { start: Pose([p, q, r, s]), target: [x, y, z], tolerance, max_actions } in start.problems()? {
             let _ = writeln!(
                 c,

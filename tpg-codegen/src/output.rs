@@ -105,10 +105,13 @@ fn folder_of(path: &Path) -> &Path {
     }
 }
 
+/// The names of files that are not whole yet begin so. A program that was killed leaves them.
+pub const UNFINISHED: &str = ".tpg-";
+
 /// Readable by whom other new files are: temporary files usually are not.
 fn temporary_in(folder: &Path) -> io::Result<NamedTempFile> {
     let mut builder = Builder::new();
-    builder.prefix(".tpg-");
+    builder.prefix(UNFINISHED);
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     builder.tempfile_in(folder)

@@ -1,7 +1,8 @@
 //! Random graphs, compiled in every profile and language: the interpreter's action for every state, in range and out of it.
 //!
 //! The graphs hold ties, shared and empty programs, constants of every kind; the states hold NaN, infinities, denormals.
-//! `TPG_RANDOM_GRAPHS` says how many graphs (in Rust, a quarter of them: its compiler takes longer).
+//! `TPG_RANDOM_GRAPHS` says how many graphs, and there are ten times as many small ones, where a difference has fewer places
+//! to hide (in Rust, a quarter of both: its compiler takes longer).
 
 use tpg_codegen::emit::{Language, Options, Profile};
 use tpg_codegen::graph::Graph;
@@ -10,19 +11,34 @@ use tpg_codegen::passes::interval::Assumption;
 use tpg_codegen::sample::{self, Shape};
 use tpg_codegen::verify::{self, Workshop};
 
-/// Graphs in one program.
-const BATCH: usize = 60;
-/// States for each graph.
-const STATES: usize = 2000;
-
-fn count() -> usize {
-    std::env::var("TPG_RANDOM_GRAPHS").map_or(120, |text| text.parse().expect("TPG_RANDOM_GRAPHS is a number"))
+/// A kind of graphs.
+#[derive(Clone, Copy)]
+struct Kind {
+    shape: fn(u64) -> Shape,
+    /// Graphs in one program.
+    batch: usize,
+    /// States for each graph.
+    states: usize,
 }
 
-fn assert_equal(language: Language, seeds: std::ops::Range<u64>) {
+const LARGE: Kind = Kind { shape: Shape::random, batch: 60, states: 2000 };
+const SMALL: Kind = Kind { shape: small, batch: 200, states: 600 };
+
+/// A few teams with a few bids each.
+fn small(seed: u64) -> Shape {
+    let shape = Shape::random(seed);
+    let edges = 1..=(*shape.edges.end()).min(5);
+    Shape { teams: shape.teams.div_ceil(8), edges, ..shape }
+}
+
+fn count() -> usize {
+    std::env::var("TPG_RANDOM_GRAPHS").map_or(60, |text| text.parse().expect("TPG_RANDOM_GRAPHS is a number"))
+}
+
+fn assert_equal(language: Language, kind: Kind, seeds: std::ops::Range<u64>) {
     let seeds: Vec<u64> = seeds.collect();
-    for seeds in seeds.chunks(BATCH) {
-        let graphs: Vec<Graph> = seeds.iter().map(|&seed| sample::graph(&Shape::random(seed), seed)).collect();
+    for seeds in seeds.chunks(kind.batch) {
+        let graphs: Vec<Graph> = seeds.iter().map(|&seed| sample::graph(&(kind.shape)(seed), seed)).collect();
         let policies: Vec<(&Graph, Options)> = (graphs.iter().zip(0..))
             .flat_map(|(graph, number)| Profile::ALL.map(|profile| (graph, number, profile)))
             .map(|(graph, number, profile): (&Graph, usize, Profile)| {
@@ -36,9 +52,9 @@ fn assert_equal(language: Language, seeds: std::ops::Range<u64>) {
         for (place, (graph, options)) in policies.iter().enumerate() {
             let mut process = batch.start(place, graph).expect("the program starts");
             let seed = seeds[place / Profile::ALL.len()];
-            let comparisons = verify::compare(graph, &mut [&mut process], STATES, seed).expect("it runs");
+            let comparisons = verify::compare(graph, &mut [&mut process], kind.states, seed).expect("it runs");
             let [comparison] = &comparisons[..] else { panic!("one engine, one comparison") };
-            assert_eq!(comparison.states, STATES);
+            assert_eq!(comparison.states, kind.states);
             assert_eq!(comparison.differences, 0, "graph {seed}, {}: {comparison:?}", options.prefix);
         }
     }
@@ -46,12 +62,14 @@ fn assert_equal(language: Language, seeds: std::ops::Range<u64>) {
 
 #[test]
 fn c_in_every_profile_acts_like_the_interpreter() {
-    assert_equal(Language::C, 0..count() as u64);
+    assert_equal(Language::C, LARGE, 0..count() as u64);
+    assert_equal(Language::C, SMALL, 2_000_000..2_000_000 + count() as u64 * 10);
 }
 
 #[test]
 fn rust_in_every_profile_acts_like_the_interpreter() {
-    assert_equal(Language::Rust, 1_000_000..1_000_000 + count() as u64 / 4);
+    assert_equal(Language::Rust, LARGE, 1_000_000..1_000_000 + count() as u64 / 4);
+    assert_equal(Language::Rust, SMALL, 3_000_000..3_000_000 + count() as u64 * 10 / 4);
 }
 
 #[test]

@@ -90,3 +90,19 @@ fn a_limit_is_a_verdict() {
     assert!(report(&folder, &["--target", "host", "--max-flash", "10"], 1).contains("bytes on this machine"));
     report(&folder, &["--target", "host", "--max-flash", "1000000", "--profile", "small"], 0);
 }
+
+#[test]
+fn without_a_cross_compiler_it_is_an_estimate_and_says_so() {
+    let folder = folder();
+    let run = |args: &[&str]| {
+        let mut tool = Command::cargo_bin("tpg-codegen").expect("the program is built");
+        let tool = tool.current_dir(&folder).args(["report", "arm.json", "--target", "thumbv7em"]).args(args);
+        String::from_utf8(tool.env("PATH", "").assert().success().get_output().stdout.clone()).expect("text")
+    };
+    assert!(run(&[]).contains("\nbytes on Cortex-M4F: an ESTIMATE, for arm-none-eabi-gcc: "));
+    let report: Value = serde_json::from_str(&run(&["--json"])).expect("one JSON object");
+    for size in report["sizes"].as_array().expect("sizes") {
+        assert_eq!((&size["estimated"], &size["stack"]), (&Value::from(true), &Value::Null));
+        assert!(size["flash"].as_u64().is_some_and(|flash| (200..20_000).contains(&flash)), "{size}");
+    }
+}

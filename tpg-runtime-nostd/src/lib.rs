@@ -40,7 +40,7 @@
 //! | [`cycle`] | has the arm been here before? |
 //! | [`episode`] | one episode and how it ended |
 //! | [`hybrid`] | two policies that share an arm: who drives, and when they change |
-//! | [`sac`] | the soft actor-critic's features and its decision |
+//! | [`sac`] | the soft actor-critic's features, its network in integers, its decision |
 //! | [`scalar`] | `f32` and `f64` |
 //!
 //! # Features

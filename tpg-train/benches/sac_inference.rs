@@ -15,6 +15,7 @@ use tpg_runtime::frame::Frame;
 use tpg_runtime::observation::Observation;
 use tpg_runtime::policy::Policy as _;
 use tpg_runtime::sac::fixed::{FixedPolicy, Layer, Network, Rescale, quantise};
+use tpg_runtime::sac::packed::Model;
 use tpg_runtime::sac::{FEATURES, features};
 use tpg_train::random::{Purpose, Stream};
 use tpg_train::sac::nn::{Kernel, Mlp, Shape, Tape};
@@ -72,6 +73,16 @@ fn integers<const A: usize, const B: usize>(network: &Network<A, B>) -> f64 {
     })
 }
 
+/// The same as it lies in flash, by the kernels of this machine.
+fn packed(words: &[u32]) -> f64 {
+    let model = Model::parse(words).expect("what was packed");
+    let mut scratch = vec![0; model.scratch()];
+    let input: [i16; FEATURES] = std::array::from_fn(|i| i as i16 * 97 - 1500);
+    nanoseconds(|| {
+        black_box(model.preferences(black_box(&input), &mut scratch));
+    })
+}
+
 fn main() {
     // `cargo test --benches` shall only see that it runs.
     if std::env::args().any(|argument| argument == "--test") {
@@ -83,7 +94,11 @@ fn main() {
     }
     let large = Network { first: layer(), second: layer::<256, 256>(), last: layer() };
     println!("integers, 38-256-256-4: {:.0}", integers(&large));
+    let words: [u32; Network::<256, 256>::WORDS] = large.pack(&widowx_sac::DECISION);
+    let form = tpg_kernels::FORM;
+    println!("integers, 38-256-256-4, packed, {form}: {:.0}", packed(&words));
     println!("integers, 38-64-64-4 (widowx-sac): {:.0}", integers(&widowx_sac::NETWORK));
+    println!("integers, 38-64-64-4 (widowx-sac), packed, {form}: {:.0}", packed(&widowx_sac::MODEL));
     let small = Network { first: layer(), second: layer::<16, 16>(), last: layer() };
     println!("integers, 38-16-16-4: {:.0}", integers(&small));
 

@@ -1,68 +1,142 @@
 //! Environment steps per CPU-second, and what each idea of the engine is worth.
 //!
-//! `cargo run --release -p tpg-train --example throughput [-- GRAPH...]`: random roots of the paper's problem, and the
-//! graphs named, on 1,000 episodes of the random-start problem. One thread.
+//! `cargo run --release -p tpg-train --example throughput -- [--quick] [--once] [RUN|GRAPH]...`
+//!
+//! Without arguments: generation 0 of the paper's problem. A run's folder: the generation after its checkpoint, exactly as
+//! training would evaluate it. A graph: 1,000 episodes of the problem that its arm's sources ask for, random start. Times
+//! are CPU times of this process (Linux), and the least of three passes; `--once` makes one, `--quick` measures the first
+//! row only.
 
-use std::time::Instant;
-use tpg_codegen::graph::Graph;
+use std::path::Path;
+use tpg_codegen::graph::{Graph, MathsProvider, ScalarType};
 use tpg_runtime::arm::WIDOWX;
-use tpg_runtime::observation::Source;
-use tpg_runtime::ops::Own;
-use tpg_train::engine::{Environment, Lanes, Options, Plan, Policy};
-use tpg_train::environments::{ArmEnvironment, ArmProblem, ArmTask};
+use tpg_runtime::ops::{Maths, Own, System};
+use tpg_train::engine::{Environment, Evaluator, LocalThreads, Options, Policy, UnitKey, Work, WorkUnit};
+use tpg_train::environments::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
+use tpg_train::evolution::checkpoint;
+use tpg_train::evolution::config::Config;
+use tpg_train::evolution::logs::cpu_seconds;
 use tpg_train::evolution::mutate_program::ProgramMutator;
-use tpg_train::evolution::mutate_team::random_population;
+use tpg_train::evolution::mutate_team::{Moment, populate, random_population};
 use tpg_train::evolution::presets::Preset;
-use tpg_train::evolution::vocabulary::Vocabulary;
+use tpg_train::evolution::state::State;
 use tpg_train::random::{Purpose, Stream};
 use tpg_train::targets::{Set, Start, tasks};
 
-const ROOTS: usize = 100;
+/// How much is measured.
+#[derive(Clone, Copy)]
+struct Extent {
+    rows: usize,
+    /// The least of some passes is the machine's, not its other work's.
+    passes: usize,
+}
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let tasks: Vec<ArmTask> =
-        tasks(&WIDOWX, 3, Set::Training, Start::Rs, 1000).into_iter().map(ArmTask::from).collect();
-    let config = Preset::find("paper-rs").ok_or("no such preset")?.config()?;
-    let environment = ArmEnvironment::<f32>::new(&WIDOWX, ArmProblem::new(Start::Rs, config.sources()));
-    let sources = environment.sources();
-    let vocabulary = Vocabulary::new(config.instructions(), 8, 0, &sources, false, config.language.scalar);
-    let mutator = ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
-    let genome = random_population(&mutator, &config.tpg, 9, &mut Stream::new(1, 0, Purpose::Test, 0));
-    let roots = genome.roots();
-    let random: Vec<Policy> = roots.iter().take(ROOTS).map(|&root| genome.policy(root, &vocabulary)).collect();
-    measure(&format!("{ROOTS} random roots, the paper's problem"), &environment, &random, &tasks[..100]);
-    for path in std::env::args().skip(1) {
-        let graph = Graph::from_json(&path, &std::fs::read_to_string(&path)?)?;
-        let names = graph.sources().iter();
-        let sources: Option<Vec<Source>> = names.map(|source| Source::from_name(&source.name)).collect();
-        let problem = ArmProblem::new(Start::Rs, sources.ok_or("a source that the arm does not have")?);
-        let moves: Option<Vec<_>> = graph.actions().iter().map(|action| action.moves).collect();
-        let moves = moves.ok_or("an action that moves nothing")?;
-        let environment = ArmEnvironment::<f32>::for_evaluation(&WIDOWX, problem, moves);
-        measure(&path, &environment, &[Policy::from(&graph)], &tasks);
+    let (flags, names): (Vec<String>, Vec<String>) = std::env::args().skip(1).partition(|name| name.starts_with("--"));
+    let given = |name: &str| flags.iter().any(|flag| flag == name);
+    let extent =
+        Extent { rows: if given("--quick") { 1 } else { usize::MAX }, passes: if given("--once") { 1 } else { 3 } };
+    if names.is_empty() {
+        let config = Preset::find("paper-fs").ok_or("no such preset")?.config()?;
+        population("paper-fs, generation 0", &config, State::new(1, 1, 0), extent)?;
+    }
+    for name in &names {
+        if Path::new(name).is_dir() {
+            let (config, state) = checkpoint::open(&Path::new(name).join("checkpoint.json"))?;
+            let title = format!("{name}, generation {}", state.generation);
+            match config.language.scalar {
+                ScalarType::F32 => population(&title, &config, state, extent)?,
+                ScalarType::F64 => return Err("only runs in f32".into()),
+            }
+        } else {
+            let graph = Graph::from_json(name, &std::fs::read_to_string(name)?)?;
+            match (graph.scalar(), graph.maths()) {
+                (ScalarType::F32, MathsProvider::Own) => one::<f32, Own>(name, &graph, extent)?,
+                (ScalarType::F32, MathsProvider::System) => one::<f32, System>(name, &graph, extent)?,
+                (ScalarType::F64, MathsProvider::Own) => one::<f64, Own>(name, &graph, extent)?,
+                (ScalarType::F64, MathsProvider::System) => one::<f64, System>(name, &graph, extent)?,
+            }
+        }
     }
     Ok(())
 }
 
-/// Prints a row for every set of options.
-fn measure(name: &str, environment: &ArmEnvironment<f32>, policies: &[Policy], tasks: &[ArmTask]) {
-    println!("{name}");
-    let all = Options::default();
-    for (what, options) in [
-        ("everything on, 112 lanes", all),
-        ("16 lanes", Options { lanes: 16, ..all }),
-        ("1 lane", Options { lanes: 1, ..all }),
-        ("no sharing of values", Options { share: false, ..all }),
-        ("cycles noticed at the time-out only", Options { look_for_cycles: false, ..all }),
-    ] {
-        let mut lanes = Lanes::<f32, Own, _>::new(environment, options);
-        let began = Instant::now();
-        for policy in policies {
-            let plan = Plan::new::<Own>(policy, &environment.sources(), options.share);
-            lanes.run(&plan, tasks);
+/// The next generation of a run: its survivors' children, and its episodes.
+fn population(
+    title: &str,
+    config: &Config,
+    mut state: State<ArmTask>,
+    extent: Extent,
+) -> Result<(), Box<dyn std::error::Error>> {
+    let environment = ArmEnvironment::<f32>::new(&config.arm(), config.arm_problem());
+    let learning = &config.learning;
+    let vocabulary = config.vocabulary(&environment.sources());
+    let mutator = ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
+    let actions = environment.actions().len() as u16;
+    let mut units = Vec::new();
+    for (deme, population) in (0..).zip(&mut state.demes) {
+        let moment = Moment { seed: state.seed, generation: state.generation, deme };
+        if population.genome.teams().is_empty() {
+            let mut stream = moment.stream(Purpose::Initial, 0);
+            population.genome = random_population(&mutator, &config.tpg, actions, &mut stream);
         }
-        let seconds = began.elapsed().as_secs_f64();
-        let steps = lanes.steps() as f64;
-        println!("  {what:38} {:7.2} M steps/s, {:8.3} s", steps / seconds / 1e6, seconds);
+        populate(&mut population.genome, &mutator, &config.tpg, &state.archive, actions, moment);
+        units.extend(population.genome.roots().into_iter().map(|root| WorkUnit {
+            key: UnitKey { seed: state.seed, generation: state.generation, root: root.0 },
+            policy: population.genome.policy(root, &vocabulary),
+        }));
     }
+    let draw = |index| environment.draw(&mut Stream::new(state.seed, state.generation, Purpose::Episode, index));
+    let tasks = (0..learning.nb_iterations_per_policy_evaluation as u64).map(draw).collect();
+    table::<f32, Own>(title, &environment, &Work { tasks, units }, extent)
+}
+
+/// A graph on a thousand episodes.
+fn one<S: ArmScalar, M: Maths<S>>(name: &str, graph: &Graph, extent: Extent) -> Result<(), Box<dyn std::error::Error>> {
+    let problem = ArmProblem::new(Start::Rs, Vec::new());
+    let environment = ArmEnvironment::<S>::for_graph(name, graph, &WIDOWX, problem)?;
+    let tasks = tasks(&WIDOWX, 3, Set::Training, Start::Rs, 1000).into_iter().map(ArmTask::from).collect();
+    let unit = WorkUnit { key: UnitKey { seed: 0, generation: 0, root: 0 }, policy: Policy::from(graph) };
+    table::<S, M>(name, &environment, &Work { tasks, units: vec![unit] }, extent)
+}
+
+/// Prints a row for every set of options.
+fn table<S: ArmScalar, M: Maths<S>>(
+    title: &str,
+    environment: &ArmEnvironment<S>,
+    work: &Work<ArmTask>,
+    extent: Extent,
+) -> Result<(), Box<dyn std::error::Error>> {
+    println!("{title}: {} roots, {} episodes each", work.units.len(), work.tasks.len());
+    println!("  {:44} {:>9} {:>9} {:>12} {:>8}", "", "CPU s", "wall s", "M steps/CPU s", "");
+    let all = Options::default();
+    let no_tables = environment.clone().without_tables();
+    let rows = [
+        ("everything on, 112 lanes, 1 thread", environment, all, 1),
+        ("2 threads", environment, all, 2),
+        ("64 lanes", environment, Options { lanes: 64, ..all }, 1),
+        ("16 lanes", environment, Options { lanes: 16, ..all }, 1),
+        ("1 lane", environment, Options { lanes: 1, ..all }, 1),
+        ("every bid computed", environment, Options { lazy: false, ..all }, 1),
+        ("no sharing of values", environment, Options { share: false, ..all }, 1),
+        ("sines by libm instead of tables", &no_tables, all, 1),
+        ("cycles noticed at the time-out only", environment, Options { look_for_cycles: false, ..all }, 1),
+    ];
+    let mut first = None;
+    for (name, environment, options, threads) in rows.into_iter().take(extent.rows) {
+        let (mut least, mut wall, mut steps) = (f64::INFINITY, f64::INFINITY, 0);
+        for _ in 0..extent.passes {
+            let evaluator = LocalThreads::<S, M, _>::new(environment, options, threads)?;
+            let (began, before) =
+                (std::time::Instant::now(), cpu_seconds().ok_or("this system does not tell CPU times")?);
+            evaluator.evaluate(work)?;
+            least = least.min(cpu_seconds().unwrap_or(before) - before);
+            wall = wall.min(began.elapsed().as_secs_f64());
+            steps = evaluator.steps();
+        }
+        let all = *first.get_or_insert(least);
+        let rate = steps as f64 / least.max(0.01) / 1e6;
+        println!("  {name:44} {least:9.2} {wall:9.2} {rate:12.2} {:7.2}×", least / all.max(0.01));
+    }
+    Ok(())
 }

@@ -7,6 +7,7 @@ use crate::evolution::presets::{ConfigArgs, print_config};
 use crate::hybrid::command::{HybridArgs, execute as execute_hybrid};
 use crate::hybrid::setting::{ConstantsArgs, constants};
 use crate::hybrid::table::{Table2Args, execute as execute_table2};
+use crate::report::{ReportArgs, report};
 use crate::sac::command::{SacArgs, execute as execute_sac};
 use crate::sac::evaluate::{QuantiseArgs, quantise};
 use crate::sac::import::{ImportArgs, import};
@@ -43,6 +44,8 @@ enum Command {
     Quantise(QuantiseArgs),
     /// Let a policy act and count how its episodes end
     Eval(EvalArgs),
+    /// Show runs in one HTML file
+    Report(ReportArgs),
     /// Print a commented configuration
     Config(ConfigArgs),
     /// Print a set of tasks as CSV
@@ -101,8 +104,9 @@ impl Cli {
             Command::Import(args) => import(&args).map(|()| Verdict::Good).map_err(CliError::from),
             Command::Quantise(args) => quantise(&args).map(|()| Verdict::Good).map_err(CliError::from),
             Command::Eval(args) => eval(&args).map(|()| Verdict::Good).map_err(CliError::from),
+            Command::Report(args) => report(&args).map(|()| Verdict::Good).map_err(CliError::from),
             Command::Config(args) => print_config(&args).map(|()| Verdict::Good).map_err(CliError::from),
-            Command::Targets(args) => print_targets(&args).map(|()| Verdict::Good).map_err(CliError::other),
+            Command::Targets(args) => print_targets(&args).map(|()| Verdict::Good).map_err(CliError::from),
             Command::Replay(args) => args.run(),
         };
         match result {

@@ -1,9 +1,9 @@
 //! `tpg-train eval`: lets a policy act on test episodes and counts how they end.
 
 use crate::engine::{Ending, Environment, Lanes, Options, Plan, Policy};
-use crate::environments::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
+use crate::environments::{ArmDescription, ArmEnvironment, ArmProblem, ArmScalar, ArmTask, arm::OUTCOMES};
+use crate::evolution::config::Config;
 use crate::evolution::config::Shield;
-use crate::files::read_text;
 use crate::hybrid::actor::Actor;
 use crate::hybrid::graph::read_graph;
 use crate::hybrid::setting::{Detector, HandBack, HybridFile, Setting};
@@ -11,16 +11,15 @@ use crate::hybrid::trial::{self, HybridTrial};
 use crate::targets::{self, Set, Start};
 use crate::trial::{Failures, Trial};
 use clap::Args;
-use serde::Serialize;
+use serde::{Deserialize as _, Serialize};
 use std::collections::BTreeMap;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 use tpg_codegen::error::{InputError, Place};
 use tpg_codegen::graph::{Graph, MathsProvider, ScalarType};
-use tpg_runtime::arm::{Move, WIDOWX};
+use tpg_runtime::arm::{Arm, WIDOWX};
 use tpg_runtime::hybrid::{Cause, Guard};
-use tpg_runtime::observation::Source;
 use tpg_runtime::observation::shield::{SHIELDED, STEP, action as action_of};
 use tpg_runtime::ops::{Maths, Own, System};
 
@@ -33,6 +32,10 @@ pub struct EvalArgs {
     /// A graph; with --policy too, the two share the arm
     #[arg(long, value_name = "GRAPH", required_unless_present_any = ["policy", "hybrid"])]
     pub tpg: Option<PathBuf>,
+    /// The arm, tolerance and action limit of this configuration. Default: the arm that the graph was trained for (the
+    /// WidowX where it does not say), 3 mm, 1707 or 3414 actions
+    #[arg(long, value_name = "FILE")]
+    pub config: Option<PathBuf>,
     /// A policy.safetensors, a policy.q.json, or the classical `planner` or `nearest-goal`
     #[arg(long, value_name = "FILE")]
     pub policy: Option<String>,
@@ -241,9 +244,11 @@ impl Report {
 /// # Errors
 /// If the graph or the episodes cannot be read, or the graph is not one for the arm.
 pub fn eval(args: &EvalArgs) -> Result<(), InputError> {
+    let config = args.config.as_deref().map(Config::read).transpose()?;
+    let arm = arm_for(args, config.as_ref())?;
     let (tasks, seed) = match &args.targets {
-        Some(path) => (read_tasks(path)?, None),
-        None => (targets::tasks(&WIDOWX, args.seed, Set::Test, args.problem, args.episodes), Some(args.seed)),
+        Some(path) => (read_tasks(&arm, path)?, None),
+        None => (targets::tasks(&arm, args.seed, Set::Test, args.problem, args.episodes), Some(args.seed)),
     };
     let report = match (&args.hybrid, &args.tpg, &args.policy) {
         (Some(path), ..) => {
@@ -265,7 +270,10 @@ pub fn eval(args: &EvalArgs) -> Result<(), InputError> {
             let name = format!("{} with {actor}: {}", graph.display(), setting.sentence());
             of_hybrid(&name, graph, Path::new(actor), &setting, args.problem, &tasks, seed)?
         }
-        (None, Some(path), None) => of_graph(path, args, tasks, seed)?,
+        (None, Some(path), None) => {
+            let problem = problem_of(args.problem, config.as_ref());
+            of_graph(&path.display().to_string(), &read_graph(path)?, &arm, problem, args.shield, tasks, seed)?
+        }
         (None, None, policy) => {
             let policy = policy.as_deref().unwrap_or("planner");
             let began = Instant::now();
@@ -297,11 +305,54 @@ fn of_hybrid(
     Ok(Report::of_hybrid(&done, name, seed, began.elapsed().as_secs_f64()))
 }
 
-fn of_graph(path: &Path, args: &EvalArgs, tasks: Vec<targets::Task>, seed: Option<u64>) -> Result<Report, InputError> {
-    let file = path.display().to_string();
-    let graph = Graph::from_json(&file, &read_text(path, "a graph.json")?)?;
-    let tasks: Vec<ArmTask> = tasks.into_iter().map(ArmTask::from).collect();
-    let shield = match (Shield::of(graph.sources().iter().map(|source| source.name.as_str())), args.shield) {
+/// The configuration's arm, or the graph's. Only graphs are for other arms than the WidowX.
+fn arm_for(args: &EvalArgs, config: Option<&Config>) -> Result<Arm<f64>, InputError> {
+    let of_graph = |path: &Path| arm_of(&path.display().to_string(), &read_graph(path)?);
+    let arm = match (config, &args.tpg) {
+        (Some(config), _) => config.arm(),
+        (None, Some(path)) => of_graph(path)?,
+        (None, None) => WIDOWX,
+    };
+    let graph_alone = args.hybrid.is_none() && args.policy.is_none();
+    if !graph_alone && (config.is_some() || arm != WIDOWX) {
+        let accepted = "--tpg alone: a network, a hybrid and a planner are for the WidowX";
+        return Err(InputError::new("<command line>", Place::Whole, "another arm or --config", accepted));
+    }
+    Ok(arm)
+}
+
+/// The arm that a graph was trained for, as its provenance says; the WidowX where that says nothing.
+///
+/// # Errors
+/// If what it says is no arm.
+pub fn arm_of(file: &str, graph: &Graph) -> Result<Arm<f64>, InputError> {
+    let Some(text) = graph.provenance().config.as_ref().and_then(|config| config.get("arm")) else { return Ok(WIDOWX) };
+    let refuse = |found: String| {
+        let place = Place::Path("$.provenance.config.arm".to_owned());
+        InputError::new(file, place, found, "an arm as `tpg-train config widowx` prints, or none")
+    };
+    let arm = ArmDescription::deserialize(text).map_err(|error| refuse(error.to_string()))?;
+    arm.check().map_err(|(key, found, _)| refuse(format!("{key} = {found}")))?;
+    Ok(Arm::from(&arm))
+}
+
+/// What a graph is asked for, but for its sources: a configuration's tolerance and action limit, or the paper's.
+fn problem_of(start: Start, config: Option<&Config>) -> ArmProblem {
+    let usual = ArmProblem::new(start, Vec::new());
+    config.map_or(usual.clone(), |config| ArmProblem { start, sources: Vec::new(), ..config.arm_problem() })
+}
+
+fn of_graph(
+    file: &str,
+    graph: &Graph,
+    arm: &Arm<f64>,
+    problem: ArmProblem,
+    added: Shield,
+    tasks: Vec<targets::Task>,
+    seed: Option<u64>,
+) -> Result<Report, InputError> {
+    let start = problem.start;
+    let shield = match (Shield::of(graph.sources().iter().map(|source| source.name.as_str())), added) {
         (own, Shield::None) => own,
         (Shield::None, added) => added,
         (own, _) => {
@@ -309,20 +360,46 @@ fn of_graph(path: &Path, args: &EvalArgs, tasks: Vec<targets::Task>, seed: Optio
             return Err(InputError::new(file, Place::Whole, found, "a graph without a shield"));
         }
     };
+    let tasks: Vec<ArmTask> = tasks.into_iter().map(ArmTask::from).collect();
     let began = Instant::now();
-    let (start, added) = (args.problem, args.shield);
-    let (endings, outcomes) = match (graph.scalar(), graph.maths()) {
-        (ScalarType::F32, MathsProvider::Own) => endings::<f32, Own>(&file, &graph, added, start, &tasks)?,
-        (ScalarType::F32, MathsProvider::System) => endings::<f32, System>(&file, &graph, added, start, &tasks)?,
-        (ScalarType::F64, MathsProvider::Own) => endings::<f64, Own>(&file, &graph, added, start, &tasks)?,
-        (ScalarType::F64, MathsProvider::System) => endings::<f64, System>(&file, &graph, added, start, &tasks)?,
-    };
+    let endings = shielded_endings_of(file, graph, arm, problem, added, &tasks)?;
     let seconds = began.elapsed().as_secs_f64();
-    Ok(Report::new(start, &file, shield, seed, &endings, outcomes, seconds))
+    Ok(Report::new(start, file, shield, seed, &endings, &OUTCOMES, seconds))
 }
 
-fn read_tasks(path: &Path) -> Result<Vec<targets::Task>, InputError> {
-    targets::read_csv(&WIDOWX, path).map_err(input_error)
+/// How a graph's episodes end, in its own scalar and maths; `problem`'s sources are the graph's.
+///
+/// # Errors
+/// If the graph reads sources that the arm does not have, or has actions that do not say what they move.
+pub fn endings_of(
+    file: &str,
+    graph: &Graph,
+    arm: &Arm<f64>,
+    problem: ArmProblem,
+    tasks: &[ArmTask],
+) -> Result<Vec<Ending>, InputError> {
+    shielded_endings_of(file, graph, arm, problem, Shield::None, tasks)
+}
+
+/// [`endings_of`] under a shield that the graph has not.
+fn shielded_endings_of(
+    file: &str,
+    graph: &Graph,
+    arm: &Arm<f64>,
+    problem: ArmProblem,
+    shield: Shield,
+    tasks: &[ArmTask],
+) -> Result<Vec<Ending>, InputError> {
+    match (graph.scalar(), graph.maths()) {
+        (ScalarType::F32, MathsProvider::Own) => endings::<f32, Own>(file, graph, arm, problem, shield, tasks),
+        (ScalarType::F32, MathsProvider::System) => endings::<f32, System>(file, graph, arm, problem, shield, tasks),
+        (ScalarType::F64, MathsProvider::Own) => endings::<f64, Own>(file, graph, arm, problem, shield, tasks),
+        (ScalarType::F64, MathsProvider::System) => endings::<f64, System>(file, graph, arm, problem, shield, tasks),
+    }
+}
+
+fn read_tasks(arm: &Arm<f64>, path: &Path) -> Result<Vec<targets::Task>, InputError> {
+    targets::read_csv(arm, path).map_err(input_error)
 }
 
 /// What is wrong with a file of episodes, as this program says it.
@@ -335,42 +412,27 @@ pub fn input_error(error: targets::Error) -> InputError {
     }
 }
 
-/// How a graph's episodes end under a shield, beside its own, with the outcomes' names.
-///
-/// # Errors
-/// If the graph reads sources that the arm does not have, or has actions that do not say what they move.
-pub fn endings<S: ArmScalar, M: Maths<S>>(
+fn endings<S: ArmScalar, M: Maths<S>>(
     file: &str,
     graph: &Graph,
+    arm: &Arm<f64>,
+    problem: ArmProblem,
     shield: Shield,
-    start: Start,
     tasks: &[ArmTask],
-) -> Result<(Vec<Ending>, &'static [&'static str]), InputError> {
-    let known = Source::ALL.map(Source::name).join(", ");
-    let mut sources = Vec::new();
-    for (place, source) in graph.sources().iter().enumerate() {
-        let path = Place::Path(format!("$.sources[{place}].name"));
-        let found = Source::from_name(&source.name).filter(|known| known.length() == source.ranges.len());
-        sources.push(found.ok_or_else(|| InputError::new(file, path, format!("{:?}", source.name), known.as_str()))?);
-    }
-    let mut moves: Vec<Move> = Vec::new();
-    for (place, action) in graph.actions().iter().enumerate() {
-        let path = Place::Path(format!("$.actions[{place}]"));
-        moves.push(action.moves.ok_or_else(|| {
-            InputError::new(file, path, format!("{:?} without \"move\"", action.name), "actions that move the arm")
-        })?);
-    }
+) -> Result<Vec<Ending>, InputError> {
+    let mut environment = ArmEnvironment::<S>::for_graph(file, graph, arm, problem)?;
     let mut policy = Policy::from(graph);
     if let Some(source) = shield.source() {
+        let moves = environment.moves().to_vec();
         let first = graph.state_length() as u16;
         let place = |action: u16| {
             (0..SHIELDED as u8).find(|&place| moves.get(usize::from(action)) == Some(&action_of(place, STEP)))
         };
         policy = policy.shielded(|action| place(action).map(|place| first + u16::from(place)));
-        sources.push(source);
+        let mut problem = environment.problem().clone();
+        problem.sources.push(source);
+        environment = ArmEnvironment::for_evaluation(arm, problem, moves);
     }
-    let environment = ArmEnvironment::<S>::for_evaluation(&WIDOWX, ArmProblem::new(start, sources), moves);
-    let plan = Plan::new::<M>(&policy, &environment.sources(), true);
-    let endings = Lanes::<S, M, _>::new(&environment, Options::default()).run(&plan, tasks);
-    Ok((endings, environment.outcomes()))
+    let plan = Plan::new::<M>(&policy, &environment.sources(), Options::default());
+    Ok(Lanes::<S, M, _>::new(&environment, Options::default()).run(&plan, tasks))
 }

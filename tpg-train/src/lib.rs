@@ -13,11 +13,13 @@
 //! | [`trial`] | one actor on many tasks |
 //! | [`evaluate`] | how a policy's episodes end |
 //! | [`hybrid`] | a graph and an actor that share the arm: study and table |
+//! | [`interrupt`] | Ctrl-C |
 //! | [`ik`] | goals of the inverse kinematics, for training only |
 //! | [`planner`] | classical yardsticks that learn nothing |
 //! | [`picture`] | SVG, plots and the page that holds them |
 //! | [`random`] | one stream of random numbers for every purpose |
 //! | [`files`] | files that are whole or not there |
+//! | [`report`] | runs in one HTML file |
 //! | [`conformance`] | recorded trajectories, replayed in the paper's arithmetic |
 
 pub mod cli;
@@ -29,9 +31,11 @@ pub mod evolution;
 pub mod files;
 pub mod hybrid;
 pub mod ik;
+pub mod interrupt;
 pub mod picture;
 pub mod planner;
 pub mod random;
+pub mod report;
 pub mod sac;
 pub mod targets;
 pub mod trial;

@@ -8,6 +8,7 @@
 //! Training, validation and test tasks never share a random stream, whatever the seed: [`Purpose`](Set) is a part of
 //! the stream's key.
 
+use crate::evolution::config::Config;
 use crate::random::{Purpose, Stream};
 use serde::{Deserialize, Serialize};
 use std::fs;
@@ -153,7 +154,7 @@ impl Reach {
 
 /// Whether nothing collides and neither hand nor forearm stands inside the base (which the collision test, made of
 /// edges alone, does not see).
-fn stands_free(arm: &Arm<f64>, plane: &Plane<f64>) -> bool {
+pub fn stands_free(arm: &Arm<f64>, plane: &Plane<f64>) -> bool {
     let outside = || {
         let Clearance { hand, forearm } = Clearance::of(plane, &arm.shapes);
         hand > 0.0 && forearm > 0.0
@@ -179,6 +180,9 @@ pub struct TargetsArgs {
     /// The problem: fixed or random start
     #[arg(long, value_enum)]
     pub problem: Start,
+    /// The arm of this configuration, instead of the WidowX
+    #[arg(long, value_name = "FILE")]
+    pub config: Option<PathBuf>,
     /// How many
     #[arg(long, value_name = "N", default_value_t = 1000)]
     pub episodes: usize,
@@ -190,15 +194,19 @@ pub struct TargetsArgs {
 /// Prints test tasks.
 ///
 /// # Errors
-/// If stdout is closed.
+/// If the configuration cannot be read, or stdout is closed.
 pub fn print_targets(args: &TargetsArgs) -> Result<(), InputError> {
-    let text = to_csv(&tasks(&WIDOWX, args.seed, Set::Test, args.problem, args.episodes));
+    let arm = args.config.as_deref().map(Config::read).transpose()?.map_or(WIDOWX, |config| config.arm());
+    let text = to_csv(&tasks(&arm, args.seed, Set::Test, args.problem, args.episodes));
     let written = io::stdout().lock().write_all(text.as_bytes());
     written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))
 }
 
 const HEADER: [&str; JOINTS + 3] =
     ["start_base", "start_shoulder", "start_elbow", "start_wrist", "target_x_mm", "target_y_mm", "target_z_mm"];
+
+/// How the paper's recorded targets are headed: the same columns, after a number.
+const RECORDED_HEADER: &str = "row,m0,m1,m2,m3,tx,ty,tz";
 
 /// Why a file of tasks cannot be read.
 #[derive(Debug, thiserror::Error)]
@@ -234,7 +242,7 @@ pub fn to_csv(tasks: &[Task]) -> String {
     [HEADER.join(",") + "\n"].into_iter().chain(tasks.iter().map(row)).collect()
 }
 
-/// Reads what [`to_csv`] wrote.
+/// Reads what [`to_csv`] wrote, or the paper's recorded targets.
 ///
 /// # Errors
 /// If the file cannot be read, has another header, or a value that is no number of the arm's range.
@@ -246,11 +254,23 @@ pub fn read_csv(arm: &Arm<f64>, path: &Path) -> Result<Vec<Task>, Error> {
 fn parse_csv(arm: &Arm<f64>, text: &str) -> Result<Vec<Task>, (u64, String, String)> {
     let mut lines = (1u64..).zip(text.lines());
     let header = HEADER.join(",");
-    match lines.next() {
-        Some((_, line)) if line.trim_end() == header => {}
-        found => return Err((1, format!("{:?}", found.map_or("", |(_, line)| line)), format!("the header {header}"))),
-    }
-    lines.map(|(number, line)| task(arm, line.trim_end()).map_err(|(found, want)| (number, found, want))).collect()
+    let recorded = match lines.next() {
+        Some((_, line)) if line.trim_end() == header => false,
+        Some((_, line)) if line.trim_end() == RECORDED_HEADER => true,
+        found => {
+            return Err((
+                1,
+                format!("{:?}", found.map_or("", |(_, line)| line)),
+                format!("the header {header}, or {RECORDED_HEADER}"),
+            ));
+        }
+    };
+    let columns = |line: &str| {
+        let line = line.trim_end();
+        let from = if recorded { line.find(',').map_or(0, |comma| comma + 1) } else { 0 };
+        line[from..].to_owned()
+    };
+    lines.map(|(number, line)| task(arm, &columns(line)).map_err(|(found, want)| (number, found, want))).collect()
 }
 
 fn task(arm: &Arm<f64>, line: &str) -> Result<Task, (String, String)> {
@@ -321,6 +341,13 @@ mod tests {
     fn csv_gives_back_the_same_tasks() {
         let list = tasks(&WIDOWX, 7, Set::Validation, Start::Rs, 50);
         assert_eq!(parse_csv(&WIDOWX, &to_csv(&list)), Ok(list));
+    }
+
+    #[test]
+    fn the_papers_recorded_targets_are_read() {
+        let text = "row,m0,m1,m2,m3,tx,ty,tz\n0,2048,2048,2048,2048,1.5,-250.25,30\n";
+        let task = Task { start: WIDOWX.home, target: [1.5, -250.25, 30.0] };
+        assert_eq!(parse_csv(&WIDOWX, text), Ok(vec![task]));
     }
 
     #[test]

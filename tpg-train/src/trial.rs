@@ -2,7 +2,7 @@
 
 use crate::targets::{Start, Task};
 use serde::Serialize;
-use tpg_runtime::arm::{Arm, Collision, Invalid, Move};
+use tpg_runtime::arm::{Arm, Collision, Invalid, Move, Pose};
 use tpg_runtime::cycle::{Brent, CycleDetector};
 use tpg_runtime::episode::{Episode, Outcome, Problem, Summary};
 use tpg_runtime::kinematics::Lattice;
@@ -55,8 +55,17 @@ where
     S: Lattice,
     P: Policy<State = Observation<S>, Action = Move> + ?Sized,
 {
-    let episode = |task: &Task| Episode::new(arm, task.problem(start), Brent::new()).run(policy, |_pose| ());
+    let episode = |task: &Task| watch(arm, policy, start, task, |_pose| ());
     summarise(start, &tasks.iter().map(episode).collect::<Vec<_>>())
+}
+
+/// Runs one episode; `each` sees the pose after every action.
+pub fn watch<S, P>(arm: &Arm<S>, policy: &P, start: Start, task: &Task, each: impl FnMut(Pose)) -> Summary<S>
+where
+    S: Lattice,
+    P: Policy<State = Observation<S>, Action = Move> + ?Sized,
+{
+    Episode::new(arm, task.problem(start), Brent::new()).run(policy, each)
 }
 
 /// As [`run`], but an invalid action ends nothing: what can move moves, or the arm stays, and the episode goes on. An

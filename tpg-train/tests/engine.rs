@@ -15,6 +15,7 @@ use tpg_train::engine::{
     Destination, Edge, Ending, Environment, Evaluator, Lanes, Line, LocalThreads, Operand, Options, Plan, Policy,
     UnitKey, Work, WorkUnit,
 };
+use tpg_train::environments::description::WIDOWX_TOML;
 use tpg_train::environments::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
 use tpg_train::evolution::archive::Archive;
 use tpg_train::evolution::command::arm_environment;
@@ -52,14 +53,14 @@ struct World<S> {
 
 impl<S: ArmScalar> World<S> {
     /// Roots some rounds of mutation away from random ones: several teams deep.
-    fn new(scalar: ScalarType, shield: Shield) -> Self {
+    fn new(scalar: ScalarType, arm: &Arm<f64>, shield: Shield) -> Self {
         let mut config = config(scalar);
         config.problem.shield = shield;
         if shield == Shield::None {
             // Random policies that read it hardly ever come back to a pose, and cycles are wanted, too.
             config.problem.sources.retain(|name| name != "stance");
         }
-        let environment = arm_environment::<S>(&config);
+        let environment = ArmEnvironment::<S>::new(arm, config.arm_problem());
         let vocabulary = config.vocabulary(&environment.sources());
         let mutator =
             ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
@@ -82,8 +83,24 @@ impl<S: ArmScalar> World<S> {
     }
 }
 
-fn arm_tasks(count: usize) -> Vec<ArmTask> {
-    tasks(&WIDOWX, 5, Set::Training, Start::Rs, count).into_iter().map(ArmTask::from).collect()
+/// Longer and shorter links, tighter and wider ranges, another base: nothing of it is the WidowX's.
+fn another_arm() -> Arm<f64> {
+    let text = WIDOWX_TOML
+        .replace("base = 125.0", "base = 90.0")
+        .replace("upperArm = 142.0", "upperArm = 201.5")
+        .replace("elbowOffset = 49.0", "elbowOffset = 0.0")
+        .replace("forearm = 142.0", "forearm = 117.25")
+        .replace("hand = 155.0", "hand = 80.0")
+        .replace("handLength = 160.0", "handLength = 99.0")
+        .replace("[[2, 4094], [1025, 3071]", "[[700, 3500], [800, 3300]")
+        .replace("[15.0, 15.0, 95.0, 151.0]", "[30.0, 30.0, 95.0, 120.0]")
+        .replace("[15.0, 68.0, 95.0, 95.0]", "[30.0, 68.0, 95.0, 95.0]");
+    let config = Preset::find("best-fs").expect("it comes with the trainer").text.to_owned() + &text;
+    Config::from_toml("another arm", &config).unwrap_or_else(|error| panic!("{error}")).arm()
+}
+
+fn arm_tasks(arm: &Arm<f64>, count: usize) -> Vec<ArmTask> {
+    tasks(arm, 5, Set::Training, Start::Rs, count).into_iter().map(ArmTask::from).collect()
 }
 
 /// The interpreter drives the runtime's own episode with the exact set of visited poses.
@@ -131,19 +148,19 @@ fn same<S: Lattice>(ending: &Ending, summary: &Summary<S>, outcomes: &[&str]) ->
         && ending.error.to_bits() == summary.distance.to_f64().to_bits()
 }
 
-fn engine_is_the_interpreter<S: ArmScalar>(scalar: ScalarType, shield: Shield) -> [usize; 7]
+fn engine_is_the_interpreter<S: ArmScalar>(scalar: ScalarType, arm: &Arm<f64>, shield: Shield) -> [usize; 7]
 where
     Own: Maths<S>,
 {
-    let world = World::<S>::new(scalar, shield);
-    let tasks = arm_tasks(12);
+    let world = World::<S>::new(scalar, arm, shield);
+    let tasks = arm_tasks(arm, 12);
     let mut ways = [0usize; 7];
     let mut steps = 0;
     for policy in &world.policies {
         let graph = world.graph(policy);
         // From the genome's own policy, introns and shared programs and all; the graph went through a file.
         let graph = Graph::from_json("again", &graph.to_json()).expect("what was written can be read");
-        let plan = Plan::<S>::new::<Own>(policy, &world.environment.sources(), true);
+        let plan = Plan::<S>::new::<Own>(policy, &world.environment.sources(), Options::default());
         let mut lanes = Lanes::<S, Own, _>::new(&world.environment, Options { lanes: 5, ..Options::default() });
         let mut watched = vec![Vec::new(); tasks.len()];
         let endings = lanes.run_watched(&plan, &tasks, |task, action| watched[task].push(action));
@@ -163,27 +180,27 @@ where
 
 #[test]
 fn every_step_is_the_interpreters_in_f32() {
-    let ways = engine_is_the_interpreter::<f32>(ScalarType::F32, Shield::None);
-    assert!(ways[1] > 10 && ways[2] > 10 && ways[3] > 10, "cycles, stops and limits must occur: {ways:?}");
+    let ways = engine_is_the_interpreter::<f32>(ScalarType::F32, &WIDOWX, Shield::None);
+    assert!(ways[1] > 5 && ways[2] > 10 && ways[3] > 10, "cycles, stops and limits must occur: {ways:?}");
 }
 
 #[test]
 fn every_step_is_the_interpreters_in_f64() {
-    let ways = engine_is_the_interpreter::<f64>(ScalarType::F64, Shield::None);
-    assert!(ways[1] > 10 && ways[2] > 10 && ways[3] > 10, "cycles, stops and limits must occur: {ways:?}");
+    let ways = engine_is_the_interpreter::<f64>(ScalarType::F64, &WIDOWX, Shield::None);
+    assert!(ways[1] > 5 && ways[2] > 10 && ways[3] > 10, "cycles, stops and limits must occur: {ways:?}");
 }
 
 /// Of random policies many have teams whose every bid is NaN: a shield leaves those alone, and they hit what they hit.
 #[test]
 fn under_a_shield_too_every_step_is_the_interpreters() {
-    let [.., limits, table, base, _] = engine_is_the_interpreter::<f32>(ScalarType::F32, Shield::None);
-    let [.., limits_of_limits, _, _, _] = engine_is_the_interpreter::<f32>(ScalarType::F32, Shield::Limits);
+    let [.., limits, table, base, _] = engine_is_the_interpreter::<f32>(ScalarType::F32, &WIDOWX, Shield::None);
+    let [.., limits_of_limits, _, _, _] = engine_is_the_interpreter::<f32>(ScalarType::F32, &WIDOWX, Shield::Limits);
     assert!(limits_of_limits < limits / 2, "{limits_of_limits} of {limits} limits are hit under a shield");
     let [.., limits_of_both, table_of_both, base_of_both, _] =
-        engine_is_the_interpreter::<f32>(ScalarType::F32, Shield::LimitsAndCollision);
+        engine_is_the_interpreter::<f32>(ScalarType::F32, &WIDOWX, Shield::LimitsAndCollision);
     let (hits, hits_of_both) = (limits + table + base, limits_of_both + table_of_both + base_of_both);
     assert!(hits_of_both < hits / 2, "{hits_of_both} of {hits} invalid actions are done under a shield");
-    engine_is_the_interpreter::<f64>(ScalarType::F64, Shield::LimitsAndCollision);
+    engine_is_the_interpreter::<f64>(ScalarType::F64, &WIDOWX, Shield::LimitsAndCollision);
 }
 
 /// Duplicates are found by value, and under a shield the values differ: merging must not change what is chosen where an
@@ -223,12 +240,18 @@ fn under_a_shield_equal_programs_for_different_actions_stay_two_bids() {
 }
 
 #[test]
+fn every_step_is_the_interpreters_on_another_arm() {
+    let ways = engine_is_the_interpreter::<f32>(ScalarType::F32, &another_arm(), Shield::None);
+    assert!(ways[1] > 5 && ways[2] > 10 && ways[3] > 10, "cycles, stops and limits must occur: {ways:?}");
+}
+
+#[test]
 fn no_option_and_no_number_of_threads_changes_an_answer() {
-    let world = World::<f32>::new(ScalarType::F32, Shield::None);
+    let world = World::<f32>::new(ScalarType::F32, &WIDOWX, Shield::None);
     let units = (0..)
         .zip(&world.policies)
         .map(|(root, policy)| WorkUnit { key: UnitKey { seed: 1, generation: 0, root }, policy: policy.clone() });
-    let work = Work { tasks: arm_tasks(30), units: units.collect() };
+    let work = Work { tasks: arm_tasks(&WIDOWX, 30), units: units.collect() };
     let answers = |options: Options, threads: usize| {
         let evaluator = LocalThreads::<f32, Own, _>::new(&world.environment, options, threads).expect("threads start");
         evaluator.evaluate(&work).expect("local threads always answer")
@@ -238,6 +261,7 @@ fn no_option_and_no_number_of_threads_changes_an_answer() {
     for lanes in [1, 2, 7, 64, 500] {
         assert_eq!(answers(Options { lanes, ..Options::default() }, 1), reference, "{lanes} lanes");
     }
+    assert_eq!(answers(Options { lazy: false, ..Options::default() }, 1), reference, "with every bid computed");
     assert_eq!(answers(Options { share: false, ..Options::default() }, 1), reference, "without sharing");
     assert_eq!(answers(Options { look_for_cycles: false, ..Options::default() }, 1), reference, "without looking");
     for threads in [2, 5] {
@@ -248,10 +272,10 @@ fn no_option_and_no_number_of_threads_changes_an_answer() {
 
 #[test]
 fn a_work_unit_survives_its_way_over_a_wire() {
-    let world = World::<f32>::new(ScalarType::F32, Shield::None);
+    let world = World::<f32>::new(ScalarType::F32, &WIDOWX, Shield::None);
     let policy = world.policies[3].clone();
     let unit = WorkUnit { key: UnitKey { seed: 9, generation: 4, root: 77 }, policy };
-    let work = Work { tasks: arm_tasks(3), units: vec![unit] };
+    let work = Work { tasks: arm_tasks(&WIDOWX, 3), units: vec![unit] };
     let text = serde_json::to_string(&work).expect("a work unit is plain data");
     assert_eq!(serde_json::from_str::<Work<ArmTask>>(&text).expect("and can be read"), work);
 }

@@ -1,13 +1,9 @@
 //! The committed policy in integers: made again it has the same bytes, and its constants answer as its file does.
 
-#[path = "../../generated/widowx-sac/policy.rs"]
-#[allow(unreachable_pub, reason = "it is a module of users' crates")]
-mod network;
-
-use network::{DECISION, NETWORK};
 use std::fs;
 use std::path::PathBuf;
 use tpg_codegen::policy::QuantisedPolicy;
+use tpg_generated::widowx_sac::{DECISION, NETWORK};
 use tpg_runtime::arm::{Arm, Pose, WIDOWX};
 use tpg_runtime::frame::Frame;
 use tpg_runtime::observation::Observation;

@@ -4,10 +4,14 @@ use std::fs;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
-use std::time::Instant;
+use std::time::{Duration, Instant};
+use tpg_train::environments::description::WIDOWX_TOML;
 use tpg_train::evolution::config::Config;
 use tpg_train::evolution::presets::Preset;
 use tpg_train::random::{Purpose, Stream};
+
+/// A run is killed so often.
+const KILLS: usize = 20;
 
 /// A run of seconds that uses all there is: two demes with migration, pool, archive, lexicase, racing.
 fn small_config() -> Config {
@@ -65,21 +69,30 @@ fn killed_resumed_or_on_other_threads_a_run_ends_in_the_same_bytes() {
         assert!(results(&folder) == expected, "{name} gives other bytes");
     }
 
-    let killed = place.path().join("killed");
-    let arguments = ["--threads", "1", "--checkpoint-seconds", "0", "--resume"];
+    // Each session on other threads and lanes. A run that comes to its end is compared, and another one begun.
     let mut stream = Stream::new(1, 0, Purpose::Test, 0);
-    let mut kills = 0;
-    for _ in 0..20 {
+    let (mut kills, mut ends) = (0, 0);
+    while kills < KILLS {
+        let killed = place.path().join(format!("killed-{ends}"));
+        let [threads, lanes] = [*stream.pick(&["1", "2", "5"]), *stream.pick(&["1", "3", "112"])];
+        let arguments = ["--threads", threads, "--lanes", lanes, "--checkpoint-seconds", "0", "--resume"];
         let mut run: Child = train(&killed, &config, &arguments).spawn().expect("it starts");
-        // At most a quarter of a whole run, so that the first one is killed on a fast machine too.
         sleep(whole / 400 * stream.between(1, 100) as u32);
         // SIGKILL: the program cannot do anything about it.
         run.kill().expect("it can be killed");
-        kills += u32::from(!run.wait().expect("it ends").success());
+        let end = run.wait().expect("it ends");
+        if end.success() {
+            assert!(results(&killed) == expected, "run {ends}, resumed, gives other bytes");
+            ends += 1;
+            assert!(ends < 100, "runs end before they are killed");
+        } else {
+            assert_eq!(end.code(), None, "it is killed, it does not fail");
+            kills += 1;
+        }
     }
-    assert!(kills > 0, "no run was killed before its end");
-    assert!(train(&killed, &config, &arguments).status().expect("it runs").success());
-    assert!(results(&killed) == expected, "a resumed run gives other bytes");
+    let last = place.path().join(format!("killed-{ends}"));
+    assert!(train(&last, &config, &["--resume"]).status().expect("it runs").success());
+    assert!(results(&last) == expected, "a resumed run gives other bytes");
 
     let rows = fs::read_to_string(undisturbed.join("generations.csv")).expect("the log");
     assert_eq!(rows.lines().count(), 26, "a header, and every generation from 0");
@@ -111,6 +124,12 @@ fn a_folder_that_cannot_be_written_is_an_error() {
     let file = place.path().join("file");
     fs::write(&file, "in the way").expect("it can be written");
     assert!(refusal(train(&file.join("run"), &config, &[])).contains("file/run"));
+    // Nobody can write here, not even root.
+    if Path::new("/proc/self").exists() {
+        assert!(refusal(train(Path::new("/proc/run"), &config, &[])).contains("/proc/run"));
+    } else {
+        xtask::skip("a run in a folder that nobody can write: there is no /proc");
+    }
 }
 
 #[test]
@@ -121,6 +140,11 @@ fn a_bad_configuration_is_refused_with_its_line_and_what_is_accepted() {
         let changed: Vec<&str> = text.lines().map(|line| if line.starts_with(from) { to } else { line }).collect();
         Config::from_toml("c.toml", &changed.join("\n")).expect_err("it is wrong").to_string()
     };
+    // The line of a key in a section of a section too.
+    let arm = text.to_owned() + &WIDOWX_TOML.replace("elbowOffset = 49.0", "elbowOffset = -1.0");
+    let line = arm.lines().position(|line| line.starts_with("elbowOffset")).expect("the key") + 1;
+    let error = Config::from_toml("c.toml", &arm).expect_err("it is wrong").to_string();
+    assert_eq!(error, format!("c.toml: line {line}: arm.links.elbowOffset = -1; accepted: 0 to 1000 mm"));
     for (from, to, found, accepted) in [
         ("pSwap", "pSwop = 1.0", "unknown field `pSwop`", "pSwap"),
         ("pEdgeDeletion", "pEdgeDeletion = 1.5", "tpg.pEdgeDeletion = 1.5", "0 to 1"),
@@ -139,4 +163,121 @@ fn a_bad_configuration_is_refused_with_its_line_and_what_is_accepted() {
         assert!(error.starts_with(&format!("c.toml: line {}: ", line_of(from))), "{error}");
         assert!(error.contains(found) && error.contains(accepted), "{error}");
     }
+}
+
+/// Waits until a file is there.
+fn wait_for(path: &Path) {
+    while !path.exists() {
+        sleep(Duration::from_millis(1));
+    }
+}
+
+/// Starts a run, sends it a signal when that file is there, and says how it ended and what it told. One that was faster
+/// than the signal is begun again.
+fn stopped(folder: &Path, config: &Path, more: &[&str], file: &str, signal: &str) -> (Option<i32>, String) {
+    for _ in 0..100 {
+        let mut run = train(folder, config, more).stderr(Stdio::piped()).spawn().expect("it starts");
+        wait_for(&folder.join(file));
+        let sent = Command::new("kill").args(["-s", signal, &run.id().to_string()]).stderr(Stdio::null()).status();
+        sent.expect("kill is a command");
+        let end = run.wait().expect("it ends");
+        if !end.success() {
+            let mut told = String::new();
+            std::io::Read::read_to_string(&mut run.stderr.take().expect("it is piped"), &mut told).expect("text");
+            return (end.code(), told);
+        }
+        fs::remove_dir_all(folder).expect("it can be removed");
+    }
+    panic!("every run was faster than the signal");
+}
+
+#[test]
+fn ctrl_c_leaves_a_checkpoint_that_ends_in_the_same_bytes() {
+    let place = tempfile::tempdir().expect("a temporary folder");
+    let config = place.path().join("config.toml");
+    fs::write(&config, small_config().to_toml()).expect("it can be written");
+    let undisturbed = place.path().join("undisturbed");
+    assert!(train(&undisturbed, &config, &[]).status().expect("it runs").success());
+    for name in ["INT", "TERM"] {
+        let folder = place.path().join(name);
+        // Without a checkpoint in between: the one that is found is the signal's.
+        let more = ["--threads", "1", "--lanes", "1", "--checkpoint-seconds", "1000000"];
+        // The configuration is written when training begins.
+        let (code, told) = stopped(&folder, &config, &more, "config.toml", name);
+        assert_eq!(code, Some(130), "{told}");
+        assert!(told.contains("--resume"), "{told}");
+        let rows = fs::read_to_string(folder.join("generations.csv")).expect("the log").lines().count();
+        assert!((2..26).contains(&rows), "a header and some generations, not {rows} rows");
+        assert!(train(&folder, &config, &["--resume"]).status().expect("it runs").success());
+        assert!(results(&folder) == results(&undisturbed), "{name}: other bytes");
+    }
+}
+
+#[test]
+fn restarts_keep_the_best_and_go_on_where_they_stopped() {
+    let place = tempfile::tempdir().expect("a temporary folder");
+    let config = place.path().join("config.toml");
+    let mut short = small_config();
+    (short.learning.nb_generations, short.selection.validation_interval) = (6, 2);
+    fs::write(&config, short.to_toml()).expect("it can be written");
+    let (all, stopped) = (place.path().join("all"), place.path().join("stopped"));
+    assert!(train(&all, &config, &["--seeds", "1..4"]).status().expect("it runs").success());
+
+    let text = fs::read_to_string(all.join("restarts.csv")).expect("the table of restarts");
+    let rows: Vec<Vec<f64>> = text.lines().skip(1).map(numbers).collect();
+    assert_eq!(rows.iter().map(|row| row[0]).collect::<Vec<_>>(), [1.0, 2.0, 3.0]);
+    // 100 · success − 0.3 · error, by which roots are chosen too; of equals the first.
+    let worth = |row: &Vec<f64>| 100.0 * row[2] - 0.3 * row[3];
+    let best = rows.iter().rev().max_by(|a, b| worth(a).total_cmp(&worth(b))).expect("three rows")[0];
+    let graph = |path: &Path| fs::read(path.join("graph.json")).expect("a graph");
+    assert!(graph(&all) == graph(&all.join(format!("seed-{best}"))), "the best restart is seed {best}");
+
+    let arguments = ["--seeds", "1..4", "--checkpoint-seconds", "0", "--resume"];
+    let mut run = train(&stopped, &config, &arguments).spawn().expect("it starts");
+    wait_for(&stopped.join("seed-2/checkpoint.json"));
+    run.kill().expect("it can be killed");
+    run.wait().expect("it ends");
+    assert!(train(&stopped, &config, &arguments).status().expect("it runs").success());
+    for seed in 1..4 {
+        let of = |folder: &Path| results(&folder.join(format!("seed-{seed}")));
+        assert!(of(&stopped) == of(&all), "seed {seed}, resumed, gives other bytes");
+    }
+    assert!(graph(&stopped) == graph(&all) && fs::read_to_string(stopped.join("restarts.csv")).ok() == Some(text));
+}
+
+fn numbers(row: &str) -> Vec<f64> {
+    row.split(',').map(|number| number.parse().expect("a number")).collect()
+}
+
+/// A disk without space for more than so many blocks of 512 bytes in a file.
+fn train_on_a_full_disk(folder: &Path, config: &Path, blocks: u64) -> Command {
+    let mut command = Command::new("sh");
+    // Without the trap the system would end the program instead of telling it.
+    command.args(["-c", &format!("trap '' XFSZ; ulimit -f {blocks}; exec \"$@\""), "sh"]);
+    command.arg(env!("CARGO_BIN_EXE_tpg-train")).arg("tpg").arg("--resume");
+    command.args(["--checkpoint-seconds", "0", "--config"]).arg(config).arg("--out").arg(folder);
+    command.stdout(Stdio::null());
+    command
+}
+
+#[test]
+fn a_full_disk_is_an_error_and_keeps_the_last_good_checkpoint() {
+    let place = tempfile::tempdir().expect("a temporary folder");
+    let (config, folder) = (place.path().join("config.toml"), place.path().join("run"));
+    let undisturbed = place.path().join("undisturbed");
+    fs::write(&config, small_config().to_toml()).expect("it can be written");
+    assert!(train(&undisturbed, &config, &[]).status().expect("it runs").success());
+
+    stopped(&folder, &config, &["--checkpoint-seconds", "0", "--lanes", "1"], "checkpoint.json", "KILL");
+    let checkpoint = fs::read(folder.join("checkpoint.json")).expect("a checkpoint");
+    let blocks = fs::metadata(folder.join("config.toml")).expect("a configuration").len() / 512 + 1;
+    assert!((checkpoint.len() as u64) > 512 * blocks, "the checkpoint is what does not fit");
+
+    let error = refusal(train_on_a_full_disk(&folder, &config, blocks));
+    assert!(error.contains("checkpoint.json") && error.contains("space"), "{error}");
+    assert!(fs::read(folder.join("checkpoint.json")).expect("a checkpoint") == checkpoint, "it is as it was");
+    let left: Vec<_> = fs::read_dir(&folder).expect("a folder").map(|e| e.expect("an entry").file_name()).collect();
+    assert!(left.iter().all(|name| !name.to_string_lossy().starts_with('.')), "no half file is left: {left:?}");
+    assert!(train(&folder, &config, &["--resume"]).status().expect("it runs").success());
+    assert!(results(&folder) == results(&undisturbed), "with space again it ends in the same bytes");
 }

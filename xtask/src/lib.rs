@@ -6,9 +6,8 @@
 //!
 //! And [`wcet`]: the worst case of compiled code for a Cortex-M.
 
-pub mod wcet;
-
 pub mod library;
+pub mod wcet;
 
 use std::fs::OpenOptions;
 use std::io::{self, Write as _};

@@ -10,11 +10,11 @@ mod report;
 use cortex_m_rt::entry;
 use platform::Counter;
 use report::Report;
-use tpg_generated::{widowx_fs::WidowxFs, widowx_rs::WidowxRs, widowx_sac};
+use tpg_generated::{widowx_fs::WidowxFs, widowx_fs_hybrid, widowx_rs::WidowxRs, widowx_rs_hybrid, widowx_sac};
 use tpg_runtime::arm::{Arm, Collision, Invalid, Move, Pose, WIDOWX};
 use tpg_runtime::cycle::Brent;
 use tpg_runtime::episode::{Episode, Outcome, Problem};
-use tpg_runtime::hybrid::{Chosen, Driver, Guard, Hybrid, HybridEpisode, Settings, Switch};
+use tpg_runtime::hybrid::{Chosen, Driver, Hybrid, HybridEpisode, Settings, Switch};
 use tpg_runtime::observation::{ArmPolicy, Observation};
 use tpg_runtime::policy::Policy;
 use tpg_runtime::sac::packed::{Model, PackedPolicy};
@@ -159,7 +159,7 @@ where
 fn around(counter: &mut Counter) {
     let Some(&problem) = RS_PROBLEMS.first() else { return };
     let (seen, observe) = counter.measure(|| Observation::at(&ARM, core::hint::black_box(problem.start), problem.target));
-    let mut switch = Switch::new(RS_SETTINGS, Brent::new(), &seen);
+    let mut switch = Switch::new(widowx_rs_hybrid::SETTINGS, Brent::new(), &seen);
     let chosen = Chosen { driver: Driver::Tpg, wanted: Move([3, 0, 0, 0]) };
     let (_, acted) = counter.measure(|| switch.acted(core::hint::black_box(chosen), &seen));
     Report::new("around").unsigned("observe", observe).unsigned("switch", acted).print();
@@ -175,8 +175,8 @@ fn main() -> ! {
     let fs = ArmPolicy { policy: WidowxFs, arm: &ARM, sources: &WidowxFs::SOURCES, moves: &WidowxFs::MOVES };
     let rs = ArmPolicy { policy: WidowxRs, arm: &ARM, sources: &WidowxRs::SOURCES, moves: &WidowxRs::MOVES };
     around(&mut counter);
-    hybrids(&mut counter, "fs", fs, network, FS_SETTINGS, &FS_PROBLEMS);
-    hybrids(&mut counter, "rs", rs, network, RS_SETTINGS, &RS_PROBLEMS);
+    hybrids(&mut counter, "fs", fs, network, widowx_fs_hybrid::SETTINGS, &FS_PROBLEMS);
+    hybrids(&mut counter, "rs", rs, network, widowx_rs_hybrid::SETTINGS, &RS_PROBLEMS);
     singles(&mut counter, "fs", "graph", &fs, &FS_PROBLEMS);
     singles(&mut counter, "rs", "graph", &rs, &RS_PROBLEMS);
     singles(&mut counter, "fs", "network", &network, &FS_PROBLEMS);

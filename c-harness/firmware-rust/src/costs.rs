@@ -16,7 +16,6 @@ use tpg_runtime::arm::{Arm, Move, Pose, WIDOWX};
 use tpg_runtime::cycle::Brent;
 use tpg_runtime::episode::{Episode, Problem};
 use tpg_runtime::frame::{Clearance, Frame};
-use tpg_runtime::hybrid::{Guard, Settings};
 use tpg_runtime::observation::{Observation, Source};
 use tpg_runtime::policy::{ActionId, Policy};
 use tpg_runtime::sac::packed::Model;
@@ -117,6 +116,24 @@ fn network(counter: &mut Counter, name: &str, words: &'static [u32], scratch: &m
     tally.tell(name);
 }
 
+/// A hash of the preferences for many inputs, extreme ones among them: the host's must be the same.
+fn bits(name: &str, words: &'static [u32], scratch: &mut [u32]) {
+    let Ok(model) = Model::parse(words) else { platform::exit(false) };
+    let count = if words.len() > 10_000 { 100 } else { 1000 };
+    let mut state = 11u32;
+    let mut hash = 0xcbf2_9ce4_8422_2325u64;
+    for _ in 0..count {
+        let inputs: [i16; FEATURES] = core::array::from_fn(|_| {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (state >> 16) as i16
+        });
+        for preference in model.preferences(&inputs, scratch) {
+            hash = (hash ^ u64::from(preference as u32)).wrapping_mul(0x0000_0100_0000_01b3);
+        }
+    }
+    Report::new("bits ").word(name).unsigned("inputs", count).hexadecimal("hash", hash).print();
+}
+
 /// A layer in `f32`, sums in the order of the columns.
 fn float_layer(weights: &[f32], bias: &[f32], inputs: &[f32], outputs: &mut [f32], hidden: bool) {
     for ((row, &bias), output) in weights.chunks_exact(inputs.len().max(1)).zip(bias).zip(outputs) {
@@ -181,7 +198,6 @@ fn main() -> ! {
     let stack = platform::paint_stack();
     let Some(peripherals) = cortex_m::Peripherals::take() else { platform::exit(false) };
     let mut counter = Counter::new(peripherals.SYST);
-    let _ = (FS_SETTINGS, RS_SETTINGS);
     profiles(
         &mut counter,
         ["fs fast", "fs small", "fs constant-time"],
@@ -204,6 +220,7 @@ fn main() -> ! {
     network(&mut counter, "layers shipped, wide (i8 as i16)", &WIDE, scratch);
     for (name, words) in MODELS {
         network(&mut counter, name, words, scratch);
+        bits(name, words, scratch);
     }
     const WEIGHTS: usize = 256 * (13 + 256 + 4);
     let Some(weights) = singleton!(: [f32; WEIGHTS] = [0.0; WEIGHTS]) else { platform::exit(false) };

@@ -44,7 +44,9 @@ impl PolicyArgs {
         let prefix = self.prefix.clone().unwrap_or_else(|| Prefix::of_file(&self.policy.with_extension("")));
         let mut files = Vec::new();
         if self.lang != PolicyLanguage::Rust {
-            files.extend(to_c(&policy, &prefix, self.wide)?.into_iter().map(|file| (self.output.join(file.name), file.text)));
+            files.extend(
+                to_c(&policy, &prefix, self.wide)?.into_iter().map(|file| (self.output.join(file.name), file.text)),
+            );
         }
         if self.lang != PolicyLanguage::C {
             files.push((self.output.join(format!("{prefix}.rs")), to_rust(&policy)?));

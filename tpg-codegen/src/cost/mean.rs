@@ -5,7 +5,7 @@ use crate::graph::{Graph, MathsProvider, ScalarType};
 use crate::ir::{Node, Target};
 use crate::passes::arithmetic::Arithmetic;
 use crate::passes::estimate;
-use tpg_runtime::ops::{Instruction, Maths, Own, System};
+use tpg_runtime::ops::{Maths, Own, System};
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
 

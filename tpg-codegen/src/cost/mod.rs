@@ -147,6 +147,12 @@ impl Costs {
         }
     }
 
+    /// Operations as the code writes them down, all teams together.
+    pub(crate) fn written(&self) -> u64 {
+        let steps = self.teams.iter().flatten();
+        self.once.operations + steps.map(|step| step.before.operations + step.inside.operations).sum::<u64>()
+    }
+
     /// The optimised module that the code is made of.
     pub fn module(&self) -> &Module {
         &self.module

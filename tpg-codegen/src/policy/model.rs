@@ -141,7 +141,8 @@ mod tests {
     #[test]
     fn c_holds_the_words() {
         let policy = policy();
-        let [header, source] = &to_c(&policy, &"arm_net".parse().expect("a prefix"), false).expect("it packs")[..] else {
+        let [header, source] = &to_c(&policy, &"arm_net".parse().expect("a prefix"), false).expect("it packs")[..]
+        else {
             panic!("two files")
         };
         let words = to_words(&policy, false).expect("it packs");

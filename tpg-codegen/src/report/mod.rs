@@ -130,7 +130,9 @@ pub struct ShapeSize {
     pub stack: Option<Stack>,
     /// The sections that the compiler made.
     pub sections: Option<Size>,
-    /// Why there is no number.
+    /// Whether the numbers are an estimate, for want of a compiler.
+    pub estimated: bool,
+    /// Why no compiler made them.
     pub unavailable: Option<String>,
 }
 
@@ -198,14 +200,31 @@ fn dead_inputs(graph: &Graph, optimised: &Module) -> Vec<String> {
 }
 
 fn size_of(graph: &Graph, options: &Options, target: Target, profile: Shape) -> ShapeSize {
-    let built = size::build_c(graph, &profile.options(options), target)
-        .and_then(|built| Ok((size::measure(&built.object)?, built.stack)));
-    let nothing = ShapeSize { target, profile, flash: None, ram: None, stack: None, sections: None, unavailable: None };
+    let options = profile.options(options);
+    let built =
+        size::build_c(graph, &options, target).and_then(|built| Ok((size::measure(&built.object)?, built.stack)));
+    let none = ShapeSize {
+        target,
+        profile,
+        flash: None,
+        ram: None,
+        stack: None,
+        sections: None,
+        estimated: false,
+        unavailable: None,
+    };
     match built {
         Ok((size, stack)) => {
-            ShapeSize { flash: Some(size.flash()), ram: Some(size.ram()), stack, sections: Some(size), ..nothing }
+            ShapeSize { flash: Some(size.flash()), ram: Some(size.ram()), stack, sections: Some(size), ..none }
         }
-        Err(error) => ShapeSize { unavailable: Some(error.to_string()), ..nothing },
+        Err(error) if target == Target::CortexM4 => ShapeSize {
+            flash: Some(size::estimated_flash(graph, &options)),
+            ram: Some(0), // there is no variable outside of functions in any shape
+            estimated: true,
+            unavailable: Some(error.to_string()),
+            ..none
+        },
+        Err(error) => ShapeSize { unavailable: Some(error.to_string()), ..none },
     }
 }
 

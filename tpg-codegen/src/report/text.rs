@@ -88,7 +88,12 @@ impl Report {
         if let Some(why) = first.unavailable.as_ref().filter(|_| sizes.iter().all(|size| size.flash.is_none())) {
             return writeln!(f, "\nbytes on {}: not known: {why}", target.name());
         }
-        writeln!(f, "\nbytes on {}, compiled with -Os, without the libraries that are called", target.name())?;
+        match first.unavailable.as_ref().filter(|_| sizes.iter().all(|size| size.estimated)) {
+            Some(why) => writeln!(f, "\nbytes on {}: an ESTIMATE, for {why}", target.name())?,
+            None => {
+                writeln!(f, "\nbytes on {}, compiled with -Os, without the libraries that are called", target.name())?
+            }
+        }
         writeln!(f, "{:<16}{:>9}{:>9}{:>9}", "", "flash", "RAM", "stack")?;
         for size in sizes {
             let number = |number: Option<u64>| number.map_or_else(|| "?".to_owned(), |number| number.to_string());
@@ -96,7 +101,11 @@ impl Report {
             write!(f, "{:<16}{:>9}{:>9}", size.profile.name(), number(size.flash), number(size.ram))?;
             write!(f, "{:>9}", number(stack.map(|stack| stack.bytes)))?;
             let without = stack.map(|stack| stack.without.join(", ")).filter(|names| !names.is_empty());
-            let note = size.unavailable.clone().or(without.map(|names| format!("and that of {names}")));
+            let note = size
+                .unavailable
+                .clone()
+                .filter(|_| !size.estimated)
+                .or(without.map(|names| format!("and that of {names}")));
             writeln!(f, "{}", note.map_or_else(String::new, |note| format!("  {note}")))?;
         }
         Ok(())

@@ -1,7 +1,9 @@
 //! How big generated C is once compiled: without its self-test, without the libraries it calls.
 
+mod estimate;
 mod stack;
 
+pub use estimate::flash as estimated_flash;
 pub use stack::Stack;
 
 use crate::emit::{self, Language, Options, Style};

@@ -20,14 +20,12 @@ static uint32_t {{ prefix }}_mask(uint32_t bits)
 {
     return 0U - (bits >> 31);
 }
-{% if uses_sin || uses_cos || uses_ln %}
 
 /* a where the mask is all ones, b where it is 0. */
 static uint32_t {{ prefix }}_choose(uint32_t mask, uint32_t a, uint32_t b)
 {
     return b ^ ((a ^ b) & mask);
 }
-{% endif %}
 {% if uses_sin || uses_cos %}
 
 /* The bits of sin(a + offset - 1/8 turn), a given by its bits and the offset in 2^-32 turns. */
@@ -89,7 +87,7 @@ static uint32_t {{ prefix }}_circle(uint32_t magnitude, uint32_t offset)
 
     /* odd quadrants are the cosine's */
     const uint32_t odd = (turn >> 30) & 1U;
-    const float base = (odd == 1U) ? 1.0f : r;
+    const float base = {{ prefix }}_float({{ prefix }}_choose(0U - odd, 0x3f800000U, {{ prefix }}_bits(r)));
     const float *const c = polynomial[odd];
     const float s = r * r;
     const float zero = {{ prefix }}_float(magnitude) * 0.0f;
@@ -174,7 +172,7 @@ static float {{ prefix }}_exp(float x)
     /* nothing changes beyond 104 */
     const uint32_t bits = {{ prefix }}_bits(x);
     const uint32_t magnitude = bits & 0x7fffffffU;
-    const uint32_t limited = (magnitude < 0x42d00000U) ? magnitude : 0x42d00000U;
+    const uint32_t limited = {{ prefix }}_choose({{ prefix }}_mask(magnitude - 0x42d00000U), magnitude, 0x42d00000U);
     const float a = {{ prefix }}_float(limited | (bits & 0x80000000U));
 
     /* x = n ln 2 + r; adding 1.5 * 2^23 leaves the nearest integer in the low bits */

@@ -112,6 +112,9 @@
 // Nor one that collides.
 #define TPG_GUARD_COLLISIONS 2
 
+// And the network holds joints where that makes its action valid.
+#define TPG_GUARD_BOTH 3
+
 // The graph acts.
 #define TPG_DRIVER_GRAPH 0
 

@@ -23,6 +23,8 @@ pub const TPG_GUARD_NONE: i32 = 0;
 pub const TPG_GUARD_JOINT_LIMITS: i32 = 1;
 /// Nor one that collides.
 pub const TPG_GUARD_COLLISIONS: i32 = 2;
+/// And the network holds joints where that makes its action valid.
+pub const TPG_GUARD_BOTH: i32 = 3;
 
 /// The graph acts.
 pub const TPG_DRIVER_GRAPH: i32 = 0;
@@ -63,6 +65,7 @@ impl tpg_settings_t {
             TPG_GUARD_NONE => Guard::None,
             TPG_GUARD_JOINT_LIMITS => Guard::JointLimits,
             TPG_GUARD_COLLISIONS => Guard::Collisions,
+            TPG_GUARD_BOTH => Guard::Both,
             _ => return Err(Refusal(TPG_ARGUMENT)),
         };
         if self.hand_back_after == 0 || self.separation.is_nan() || self.separation < 0.0 {

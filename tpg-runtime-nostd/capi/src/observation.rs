@@ -3,6 +3,7 @@
 use crate::arm::{tpg_arm_t, tpg_pose_t};
 use crate::code::{self, Refusal, TPG_ARGUMENT, TPG_LENGTH};
 use crate::memory;
+use crate::policy::TPG_STATE_LENGTH;
 use tpg_runtime::arm::{Arm, Pose};
 use tpg_runtime::observation::{Observation, Source};
 
@@ -66,14 +67,17 @@ pub(crate) fn source(number: u8) -> Result<Source, Refusal> {
     Source::ALL.get(usize::from(number)).copied().ok_or(Refusal(TPG_ARGUMENT))
 }
 
-/// Writes the values of sources, one after another; stops where `state` is full.
-pub(crate) fn fill(arm: &Arm<f32>, seen: &Observation<f32>, sources: &[u8], state: &mut [f32]) {
-    let mut rest = state;
-    for &number in sources {
-        let Some(&source) = Source::ALL.get(usize::from(number)) else { return };
-        source.write(arm, seen, rest);
-        rest = rest.get_mut(source.length()..).unwrap_or(&mut []);
+/// Writes the values of sources, one after another; stops where `state` is full. All at once: they share what they are
+/// made of.
+pub(crate) fn fill(arm: &Arm<f32>, seen: &Observation<f32>, numbers: &[u8], state: &mut [f32]) {
+    let mut sources = [Source::Target; TPG_STATE_LENGTH];
+    let mut count = 0;
+    for (slot, &number) in sources.iter_mut().zip(numbers) {
+        let Some(&source) = Source::ALL.get(usize::from(number)) else { break };
+        *slot = source;
+        count += 1;
     }
+    Source::fill(sources.get(..count).unwrap_or(&[]), arm, seen, state);
 }
 
 /// What is seen at a pose, with the target's x, y, z in mm.
@@ -132,7 +136,7 @@ pub unsafe extern "C" fn tpg_observation_state(
         for &number in sources {
             wanted = wanted.saturating_add(source(number)?.length());
         }
-        if state.len() < wanted {
+        if state.len() < wanted || sources.len() > TPG_STATE_LENGTH {
             return Err(Refusal(TPG_LENGTH));
         }
         fill(arm, &seen, sources, state);

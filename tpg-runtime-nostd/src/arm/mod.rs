@@ -117,6 +117,7 @@ impl<S: Scalar> Arm<S> {
     /// [`step`](Self::step) with another evaluation of the collision test.
     ///
     /// The conformance suite uses it: the recorded episodes come from the same rule in another arithmetic.
+    #[inline]
     pub fn step_with(&self, pose: Pose, wanted: Move, collision: impl FnOnce(Pose) -> Option<Collision>) -> Step {
         let mut moved = pose;
         let mut invalid = None;

@@ -28,12 +28,14 @@ use crate::scalar::Scalar;
 pub type Vector<S> = [S; 3];
 
 /// The Euclidean distance of two points, mm, summed in the order x, y, z.
+#[inline]
 pub fn distance<S: Lattice>(a: Vector<S>, b: Vector<S>) -> S {
     let [x, y, z] = difference(a, b);
     (x * x + y * y + z * z).sqrt()
 }
 
 /// `a − b`, component by component.
+#[inline]
 pub fn difference<S: Scalar>(a: Vector<S>, b: Vector<S>) -> Vector<S> {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
@@ -116,6 +118,7 @@ pub struct Directions<S> {
 
 impl<S: Scalar> Directions<S> {
     /// From the three links' own directions.
+    #[inline]
     pub fn of_links(upper_arm: Direction<S>, forearm: Direction<S>, hand: Direction<S>) -> Self {
         Self {
             upper_arm,
@@ -151,6 +154,7 @@ pub struct Plane<S> {
 
 impl<S: Scalar> Plane<S> {
     /// Adds up the links, from the shoulder outwards.
+    #[inline]
     pub fn new(arm: &Arm<S>, directions: Directions<S>) -> Self {
         let Directions { upper_arm, bracket, forearm, forearm_across, hand, hand_across } = directions;
         let links = &arm.links;
@@ -163,6 +167,7 @@ impl<S: Scalar> Plane<S> {
     }
 
     /// The tip in the world, with the arm plane turned to the base's direction.
+    #[inline]
     pub fn hand_in_world(&self, base: Direction<S>) -> Vector<S> {
         [self.tip.x * base.sin, -(self.tip.x * base.cos), self.tip.z]
     }
@@ -187,6 +192,7 @@ impl<S: Lattice> Plane<S> {
 }
 
 /// The angles of upper arm, forearm and hand over the table, in whole ticks.
+#[inline]
 pub fn link_angles(pose: Pose) -> [Angle; 3] {
     let [_, shoulder, elbow, wrist] = pose.0.map(i32::from);
     let quarter = TICKS_PER_TURN / 4;

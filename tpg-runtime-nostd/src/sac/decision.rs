@@ -104,22 +104,24 @@ impl<T: Magnitude, const STEPS: usize> Decision<T, STEPS> {
         let mut moves = false;
         // The joint that moves if none reaches a threshold: its index, magnitude and step.
         let mut strongest: Option<(usize, T, i8)> = None;
-        let joints = preferences.into_iter().zip(pose.0).zip(ranges).zip(&mut wanted.0);
-        for (index, (((preference, ticks), range), delta)) in joints.enumerate() {
+        // Four arrays side by side by index: zipped, no tool finds the loop's bound.
+        for joint in 0..JOINTS {
+            let preference = preferences[joint];
             let magnitude = preference.magnitude();
             let signed = |ticks: i8| if preference.is_negative() { -ticks } else { ticks };
-            let reached = self.steps.iter().rev().find(|&&(threshold, _)| magnitude >= threshold);
-            let step = signed(reached.map_or(0, |&(_, ticks)| ticks));
-            if self.allows(ticks, step, range) {
-                *delta = step;
+            // Thresholds rise: the last that is reached decides.
+            let step = self.steps.iter().fold(0, |step, &(least, ticks)| if magnitude >= least { ticks } else { step });
+            let step = signed(step);
+            if self.allows(pose.0[joint], step, &ranges[joint]) {
+                wanted.0[joint] = step;
                 moves |= step != 0;
             }
             let least = signed(self.steps.first().map_or(0, |&(_, ticks)| ticks));
             // A NaN is not even as great as itself.
             let stronger =
                 strongest.map_or(magnitude.partial_cmp(&magnitude).is_some(), |(_, greatest, _)| magnitude > greatest);
-            if stronger && self.allows(ticks, least, range) {
-                strongest = Some((index, magnitude, least));
+            if stronger && self.allows(pose.0[joint], least, &ranges[joint]) {
+                strongest = Some((joint, magnitude, least));
             }
         }
         if let (false, Some((index, _, least))) = (moves || self.may_rest, strongest)

@@ -119,6 +119,7 @@ impl<const I: usize, const O: usize> Layer<I, O> {
 }
 
 /// Features as integers: rounded to nearest, halves away from zero, clipped to `i16`; NaN becomes 0.
+#[inline(never)] // its loop is not its caller's: a static bound multiplies nested ones
 pub fn quantise(features: &[f32; FEATURES]) -> [i16; FEATURES] {
     features.map(|value| {
         let scaled = value * FEATURE_ONE;
@@ -183,6 +184,7 @@ impl FixedDecision {
     }
 
     /// The move for preferences in multiples of 1/2048.
+    #[inline(never)] // as `quantise`
     pub fn decide(
         &self,
         preferences: [i32; JOINTS],
@@ -240,7 +242,8 @@ mod tests {
             let scaled = value * FEATURE_ONE;
             (scaled + if scaled < 0.0 { -0.5 } else { 0.5 }) as i16
         };
-        let special = [0.0, -0.0, f32::NAN, -f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX, f32::MIN, 7.99, -8.0];
+        let special =
+            [0.0, -0.0, f32::NAN, -f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX, f32::MIN, 7.99, -8.0];
         let halves = (-40_000..40_000).map(|n| n as f32 / 8192.0);
         let any = (0..1_000_000u32).map(|n| f32::from_bits(n.wrapping_mul(2_654_435_761)));
         for value in special.into_iter().chain(halves).chain(any) {

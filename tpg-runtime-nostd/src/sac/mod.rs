@@ -7,7 +7,7 @@
 //! | step | item | numbers |
 //! | --- | --- | --- |
 //! | observation to features | [`features`] | `f32` |
-//! | features to preferences | a network, [`fixed`] | `f32` in training, integers on the target |
+//! | features to preferences | a network, [`fixed`]; as it lies in flash, [`packed`] | `f32` in training, integers on the target |
 //! | preferences to a move | [`Decision`] | whatever the network answers in |
 
 mod decision;

@@ -152,6 +152,7 @@ impl<'a> Model<'a> {
     /// The preferences, in multiples of 1/2048; zeros where `scratch` has fewer words than [`scratch`](Self::scratch).
     ///
     /// Inputs are multiples of 1/4096; missing ones count as 0, surplus ones are not read.
+    #[inline(never)] // its loop is not its caller's: a static bound multiplies nested ones
     pub fn preferences(&self, inputs: &[i16], scratch: &mut [u32]) -> [i32; JOINTS] {
         let Some((mut from, rest)) = scratch.split_at_mut_checked(self.width) else { return [0; JOINTS] };
         let Some(mut to) = rest.get_mut(..self.width) else { return [0; JOINTS] };

@@ -62,9 +62,9 @@ pub trait Environment<S: Scalar>: Sync {
         None
     }
 
-    /// How the episode ends that came back to `key` at action number `actions`.
-    fn cycle(&self, _episode: &Self::Episode, _key: u64, _actions: u32) -> Ending {
-        unimplemented!("an environment with keys says how a cycle ends")
+    /// How the episode ends that came back to `key` at action number `actions`. `None`, the default: it goes on.
+    fn cycle(&self, _episode: &Self::Episode, _key: u64, _actions: u32) -> Option<Ending> {
+        None
     }
 }
 

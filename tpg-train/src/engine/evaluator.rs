@@ -99,7 +99,7 @@ impl<S: Scalar, M: Maths<S>, E: Environment<S>> Evaluator<E::Task> for LocalThre
     fn evaluate(&self, work: &Work<E::Task>) -> Result<Vec<Answer>, EvaluationError> {
         let evaluate = |lanes: &mut Lanes<'_, S, M, E>, unit: &WorkUnit| {
             let before = lanes.steps();
-            let plan = Plan::new::<M>(&unit.policy, &self.sources, self.options.share);
+            let plan = Plan::new::<M>(&unit.policy, &self.sources, self.options);
             let endings = lanes.run(&plan, &work.tasks);
             self.steps.fetch_add(lanes.steps() - before, Ordering::Relaxed);
             Answer { key: unit.key, endings }

@@ -3,14 +3,12 @@
 //! Each node has a column with one value for each lane, so that an instruction is one loop over lanes which the compiler
 //! turns into vector instructions. Lanes whose episode ended take the next task; at the end they are closed up.
 
+use super::columns::Columns;
+use super::decide::Decider;
 use super::environment::{Ending, Environment};
 use super::history::History;
-use super::nodes::{Node, NodeId};
-use super::plan::{Plan, PlannedTeam};
-use super::policy::Destination;
-use pulp::Arch;
-use std::marker::PhantomData;
-use tpg_runtime::ops::{self, Instruction, Maths};
+use super::plan::Plan;
+use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
 
@@ -21,38 +19,29 @@ pub struct Options {
     pub lanes: usize,
     /// Compute equal values once, and drop bids that cannot win.
     pub share: bool,
+    /// Compute a bounded, expensive bid only where it could win.
+    pub lazy: bool,
     /// Look for cycles at every step, not only at the end of an episode.
     pub look_for_cycles: bool,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { lanes: 112, share: true, look_for_cycles: true }
+        Self { lanes: 112, share: true, lazy: true, look_for_cycles: true }
     }
 }
-
-/// Below one lane in so many, a team decides lane by lane.
-const SPARSE: usize = 6;
 
 /// Runs roots over tasks, one root after another, and keeps its memory between them.
 #[derive(Debug)]
 pub struct Lanes<'e, S: Scalar, M, E: Environment<S>> {
     environment: &'e E,
     options: Options,
-    columns: Vec<S>,
-    computed_at: Vec<u64>,
-    now: u64,
-    lists: Vec<Vec<u32>>,
-    best: Vec<S>,
-    winner: Vec<u32>,
-    actions: Vec<ActionId>,
+    columns: Columns<S, M>,
+    decider: Decider<S>,
     state: Vec<S>,
     running: Vec<Running<E::Episode>>,
     histories: Vec<History>,
     steps: u64,
-    /// Loops over lanes take the widest vectors that this machine has: the same bits, sooner.
-    arch: Arch,
-    maths: PhantomData<M>,
 }
 
 #[derive(Debug)]
@@ -73,19 +62,12 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
         Self {
             environment,
             options,
-            columns: Vec::new(),
-            computed_at: Vec::new(),
-            now: 0,
-            lists: Vec::new(),
-            best: vec![S::ZERO; options.lanes],
-            winner: vec![0; options.lanes],
-            actions: vec![ActionId(0); options.lanes],
+            columns: Columns::new(options.lanes),
+            decider: Decider::new(options.lanes),
             state: Vec::new(),
             running: Vec::new(),
             histories: vec![History::default(); options.lanes],
             steps: 0,
-            arch: Arch::new(),
-            maths: PhantomData,
         }
     }
 
@@ -116,11 +98,11 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
             next += 1;
         }
         while !self.running.is_empty() {
-            self.decide(plan);
+            self.decider.decide(plan, &mut self.columns, self.running.len());
             self.steps += self.running.len() as u64;
             // From the last lane down: closing up then only moves lanes that have had their step.
             for lane in (0..self.running.len()).rev() {
-                let action = self.actions[lane];
+                let action = self.decider.action(lane);
                 watch(self.running[lane].task, action);
                 let Some(ending) = self.step(lane, action) else {
                     self.show(plan, lane);
@@ -140,18 +122,8 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
     }
 
     fn prepare(&mut self, plan: &Plan<S>) {
-        let lanes = self.options.lanes;
-        self.columns.clear();
-        self.columns.resize(plan.nodes.len() * lanes, S::ZERO);
-        for (column, node) in self.columns.chunks_exact_mut(lanes).zip(&plan.nodes) {
-            if let Node::Constant(value) = node {
-                column.fill(*value);
-            }
-        }
-        self.computed_at.clear();
-        self.computed_at.resize(plan.nodes.len(), 0);
-        self.now = 0;
-        self.lists.resize_with(plan.teams.len().max(self.lists.len()), Vec::new);
+        self.columns.prepare(plan);
+        self.decider.prepare(plan);
         self.state.clear();
         self.state.resize(plan.state_length, S::ZERO);
     }
@@ -168,7 +140,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
     fn show(&mut self, plan: &Plan<S>, lane: usize) {
         self.environment.observe(&mut self.running[lane].episode, plan.wanted, &mut self.state);
         for &(input, node) in &plan.inputs {
-            self.columns[node.index() * self.options.lanes + lane] = self.state[usize::from(input)];
+            self.columns.set(node, lane, self.state[usize::from(input)]);
         }
     }
 
@@ -177,8 +149,8 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
         let last = self.running.len();
         if lane < last {
             for &(_, node) in &plan.inputs {
-                let column = node.index() * self.options.lanes;
-                self.columns[column + lane] = self.columns[column + last];
+                let value = self.columns.get(node, last);
+                self.columns.set(node, lane, value);
             }
         }
     }
@@ -202,113 +174,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
             }
             Some(_) => None,
         };
-        match repeat {
-            Some(repeat) => Some(self.environment.cycle(episode, repeat.key, repeat.actions)),
-            None => ending,
-        }
+        let cycle = repeat.and_then(|repeat| self.environment.cycle(episode, repeat.key, repeat.actions));
+        cycle.or(ending)
     }
-
-    /// Walks every lane from the root to its action.
-    fn decide(&mut self, plan: &Plan<S>) {
-        self.now += 1;
-        let all = self.running.len();
-        self.lists[0].extend(0..all as u32);
-        for (place, team) in plan.teams.iter().enumerate() {
-            let mut list = std::mem::take(&mut self.lists[place]);
-            if !list.is_empty() {
-                for &node in &team.needs {
-                    self.compute(plan, node, all);
-                }
-                if list.len() * SPARSE > all {
-                    self.ask_all(team, all);
-                    for &lane in &list {
-                        self.send(lane, team.edges[self.winner[lane as usize] as usize].to);
-                    }
-                } else {
-                    for &lane in &list {
-                        let to = self.ask_one(team, lane as usize);
-                        self.send(lane, to);
-                    }
-                }
-                list.clear();
-            }
-            self.lists[place] = list;
-        }
-    }
-
-    #[inline]
-    fn send(&mut self, lane: u32, to: Destination) {
-        match to {
-            Destination::Team(team) => self.lists[team as usize].push(lane),
-            Destination::Action(action) => self.actions[lane as usize] = ActionId(action),
-        }
-    }
-
-    /// The winner in every lane, wanted or not: one pass over each bidder's column.
-    fn ask_all(&mut self, team: &PlannedTeam, all: usize) {
-        let lanes = self.options.lanes;
-        let best = &mut self.best[..all];
-        let winner = &mut self.winner[..all];
-        let columns = &self.columns;
-        self.arch.dispatch(
-            #[inline(always)]
-            || {
-                for (index, edge) in (0u32..).zip(&team.edges) {
-                    let bids = &columns[edge.bid.index() * lanes..][..all];
-                    for ((best, winner), &bid) in best.iter_mut().zip(winner.iter_mut()).zip(bids) {
-                        let bid = ops::bid(bid);
-                        let wins = (index == 0) | (bid >= *best);
-                        *best = if wins { bid } else { *best };
-                        *winner = if wins { index } else { *winner };
-                    }
-                }
-            },
-        );
-    }
-
-    fn ask_one(&self, team: &PlannedTeam, lane: usize) -> Destination {
-        let bid = |node: NodeId| ops::bid(self.columns[node.index() * self.options.lanes + lane]);
-        let (first, others) = team.edges.split_first().expect("a team has an edge");
-        let mut best = (bid(first.bid), first.to);
-        for edge in others {
-            let bid = bid(edge.bid);
-            if bid >= best.0 {
-                best = (bid, edge.to);
-            }
-        }
-        best.1
-    }
-
-    /// Computes a node in every lane, once a step.
-    fn compute(&mut self, plan: &Plan<S>, node: NodeId, all: usize) {
-        if std::mem::replace(&mut self.computed_at[node.index()], self.now) == self.now {
-            return;
-        }
-        let Node::Operation(instruction, a, b) = plan.nodes[node.index()] else { return };
-        let lanes = self.options.lanes;
-        let (before, from) = self.columns.split_at_mut(node.index() * lanes);
-        let operands = [a, b].map(|operand| &before[operand.index() * lanes..][..all]);
-        let to = &mut from[..all];
-        self.arch.dispatch(
-            #[inline(always)]
-            || compute_column::<S, M>(instruction, operands, to),
-        );
-    }
-}
-
-/// One loop for each instruction, so that none has to look at it again.
-#[inline(always)]
-fn compute_column<S: Scalar, M: Maths<S>>(instruction: Instruction, [a, b]: [&[S]; 2], to: &mut [S]) {
-    macro_rules! loops {
-        ($($name:ident)*) => {
-            match instruction {
-                $(Instruction::$name => {
-                    for ((to, &a), &b) in to.iter_mut().zip(a).zip(b) {
-                        *to = Instruction::$name.apply::<S, M>(a, b);
-                    }
-                })*
-            }
-        };
-    }
-    loops!(Sub Add Mul Div NegateIfLess Cos Sin Ln Exp Abs Min Max);
 }

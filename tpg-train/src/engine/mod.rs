@@ -3,6 +3,8 @@
 //! [`Policy`] → [`Plan`] (distinct nodes, teams in order) → [`Lanes`] (episodes side by side) → [`Ending`]s;
 //! [`LocalThreads`] spreads roots over threads behind the [`Evaluator`] trait. [`Single`] decides for one state at a time.
 
+mod columns;
+mod decide;
 mod environment;
 mod evaluator;
 mod history;

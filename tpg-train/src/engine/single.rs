@@ -1,36 +1,27 @@
 //! One state at a time: for who must act between two decisions, as a hybrid does.
 
-use super::nodes::{Node, NodeId};
+use super::columns::Columns;
+use super::decide::Decider;
 use super::plan::Plan;
-use super::policy::Destination;
 use std::cell::RefCell;
-use std::marker::PhantomData;
-use tpg_runtime::ops::{self, Maths};
+use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
 
-/// A plan with the memory that one decision needs.
+/// A plan with the memory that one decision needs: one lane.
 #[derive(Debug)]
 pub struct Single<S, M> {
     plan: Plan<S>,
-    scratch: RefCell<Scratch<S>>,
-    maths: PhantomData<M>,
-}
-
-#[derive(Debug)]
-struct Scratch<S> {
-    values: Vec<S>,
-    computed_at: Vec<u64>,
-    now: u64,
+    lane: RefCell<(Columns<S, M>, Decider<S>)>,
 }
 
 impl<S: Scalar, M: Maths<S>> Single<S, M> {
     /// Of a plan.
     pub fn new(plan: Plan<S>) -> Self {
-        let constant = |node: &Node<S>| if let Node::Constant(value) = node { *value } else { S::ZERO };
-        let values: Vec<S> = plan.nodes.iter().map(constant).collect();
-        let scratch = Scratch { computed_at: vec![0; values.len()], values, now: 0 };
-        Self { plan, scratch: RefCell::new(scratch), maths: PhantomData }
+        let (mut columns, mut decider) = (Columns::new(1), Decider::new(1));
+        columns.prepare(&plan);
+        decider.prepare(&plan);
+        Self { plan, lane: RefCell::new((columns, decider)) }
     }
 
     /// The action for a flat state: the interpreter's.
@@ -38,47 +29,19 @@ impl<S: Scalar, M: Maths<S>> Single<S, M> {
     /// # Panics
     /// If the state is shorter than [`Plan::state_length`].
     pub fn decide(&self, state: &[S]) -> ActionId {
-        let mut scratch = self.scratch.borrow_mut();
-        scratch.now += 1;
+        let (columns, decider) = &mut *self.lane.borrow_mut();
         for &(input, node) in &self.plan.inputs {
-            scratch.values[node.index()] = state[usize::from(input)];
+            columns.set(node, 0, state[usize::from(input)]);
         }
-        let mut team = 0;
-        loop {
-            let planned = &self.plan.teams[team];
-            for &node in &planned.needs {
-                scratch.compute::<M>(&self.plan.nodes, node);
-            }
-            let mut best: Option<(S, Destination)> = None;
-            for edge in &planned.edges {
-                let bid = ops::bid(scratch.values[edge.bid.index()]);
-                if best.is_none_or(|(highest, _)| bid >= highest) {
-                    best = Some((bid, edge.to));
-                }
-            }
-            match best.expect("a planned team has an edge").1 {
-                Destination::Team(next) => team = next as usize,
-                Destination::Action(action) => return ActionId(action),
-            }
-        }
-    }
-}
-
-impl<S: Scalar> Scratch<S> {
-    fn compute<M: Maths<S>>(&mut self, nodes: &[Node<S>], node: NodeId) {
-        let place = node.index();
-        if let Node::Operation(instruction, a, b) = nodes[place]
-            && std::mem::replace(&mut self.computed_at[place], self.now) != self.now
-        {
-            self.values[place] = instruction.apply::<S, M>(self.values[a.index()], self.values[b.index()]);
-        }
+        decider.decide(&self.plan, columns, 1);
+        decider.action(0)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::engine::Policy;
+    use crate::engine::{Options, Policy};
     use tpg_codegen::graph::Graph;
     use tpg_codegen::{interpret, states};
     use tpg_runtime::ops::Own;
@@ -91,7 +54,7 @@ mod tests {
         ] {
             let graph = Graph::from_json("graph.json", text).expect("a committed graph");
             let sources: Vec<_> = graph.to_document().sources;
-            let single = Single::<f32, Own>::new(Plan::new::<Own>(&Policy::from(&graph), &sources, true));
+            let single = Single::<f32, Own>::new(Plan::new::<Own>(&Policy::from(&graph), &sources, Options::default()));
             let states = states::sample(&graph, 20_000, 5);
             let expected = interpret::actions(&graph, &states);
             for (state, expected) in states.chunks_exact(graph.state_length()).zip(expected) {

@@ -7,7 +7,8 @@ use crate::engine::{Ending, Environment, SourceSet};
 use crate::random::Stream;
 use crate::targets::{self, Reach as Space, Set, Start, Task};
 use serde::{Deserialize, Serialize};
-use tpg_codegen::graph::{ActionDocument, SourceDocument};
+use tpg_codegen::error::{InputError, Place};
+use tpg_codegen::graph::{ActionDocument, Graph, SourceDocument};
 use tpg_runtime::arm::{Arm, Collision, Invalid, JOINTS, Joint, Move, Pose, TICKS_PER_TURN};
 use tpg_runtime::episode::Outcome;
 use tpg_runtime::frame::Frame;
@@ -101,7 +102,7 @@ pub struct ArmEnvironment<S> {
     free_above: S,
     /// The same for the pose after any action of the shield.
     free_after: S,
-    /// Sine of every tick of a turn.
+    /// Sine of every tick of a turn; empty where sines are computed.
     sines: Box<[S]>,
     /// Where training tasks come from.
     space: Option<Space>,
@@ -165,6 +166,34 @@ impl<S: ArmScalar> ArmEnvironment<S> {
         }
     }
 
+    /// An environment for a graph's tests: its sources, its actions.
+    ///
+    /// # Errors
+    /// If the graph reads sources that the arm does not have, or has actions that do not say what they move.
+    pub fn for_graph(file: &str, graph: &Graph, arm: &Arm<f64>, problem: ArmProblem) -> Result<Self, InputError> {
+        let known = Source::ALL.map(Source::name).join(", ");
+        let mut sources = Vec::new();
+        for (place, source) in graph.sources().iter().enumerate() {
+            let path = Place::Path(format!("$.sources[{place}].name"));
+            let found = Source::from_name(&source.name).filter(|known| known.length() == source.ranges.len());
+            sources
+                .push(found.ok_or_else(|| InputError::new(file, path, format!("{:?}", source.name), known.as_str()))?);
+        }
+        let mut moves = Vec::new();
+        for (place, action) in graph.actions().iter().enumerate() {
+            let path = Place::Path(format!("$.actions[{place}]"));
+            moves.push(action.moves.ok_or_else(|| {
+                InputError::new(file, path, format!("{:?} without \"move\"", action.name), "actions that move the arm")
+            })?);
+        }
+        Ok(Self::for_evaluation(arm, ArmProblem { sources, ..problem }, moves))
+    }
+
+    /// The same environment with sines by libm: for a benchmark of the tables, its results differ in the last bits.
+    pub fn without_tables(self) -> Self {
+        Self { sines: Box::new([]), ..self }
+    }
+
     /// The arm in this environment's scalar.
     pub fn arm(&self) -> &Arm<S> {
         &self.arm
@@ -182,6 +211,10 @@ impl<S: ArmScalar> ArmEnvironment<S> {
 
     #[inline]
     fn direction(&self, angle: Angle) -> Direction<S> {
+        if self.sines.is_empty() {
+            let radians = S::from_i32(angle.0) * S::from_f64(core::f64::consts::TAU / f64::from(TICKS_PER_TURN));
+            return S::direction_of(radians);
+        }
         let within = (TICKS_PER_TURN - 1) as usize;
         let ticks = angle.0 as usize & within;
         let ahead = (ticks + TICKS_PER_TURN as usize / 4) & within;
@@ -239,9 +272,10 @@ fn swing(arm: &Arm<f64>) -> f64 {
 }
 
 /// Names of the outcomes, as `eval --json` counts them.
-const OUTCOMES: [&str; 7] = ["reached", "cycle", "stop", "joint_limit", "table", "base", "timeout"];
+pub const OUTCOMES: [&str; 7] = ["reached", "cycle", "stop", "joint_limit", "table", "base", "timeout"];
 
-fn outcome_number(outcome: Outcome) -> u8 {
+/// Place of an outcome in [`OUTCOMES`].
+pub fn outcome_number(outcome: Outcome) -> u8 {
     match outcome {
         Outcome::Reached => 0,
         Outcome::Cycle => 1,
@@ -392,7 +426,8 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
         let mut moved_plane = None;
         let step = self.arm.step_with(before, wanted, |moved| {
             // The plane, and with it every collision, is the same for every angle of the base.
-            if moved.0[1..] == before.0[1..] && !episode.collides {
+            let plane_moved = (moved.packed() ^ before.packed()) >> 16 != 0;
+            if !plane_moved && !episode.collides {
                 return None;
             }
             let plane = self.plane(moved);
@@ -433,10 +468,10 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
         Some(episode.pose.packed())
     }
 
-    fn cycle(&self, episode: &ArmEpisode<S>, key: u64, actions: u32) -> Ending {
+    fn cycle(&self, episode: &ArmEpisode<S>, key: u64, actions: u32) -> Option<Ending> {
         let pose = Pose::from_packed(key);
         let hand = self.plane(pose).hand_in_world(self.base(pose));
-        self.ending(Outcome::Cycle, actions, kinematics::distance(episode.target, hand))
+        Some(self.ending(Outcome::Cycle, actions, kinematics::distance(episode.target, hand)))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::config::Config;
 use super::state::State;
-use crate::files::write_atomically;
+use crate::files::{read_text, write_atomically};
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
 use std::fs;
 use std::io::ErrorKind;
@@ -36,6 +36,29 @@ pub fn save<Task: Serialize + Clone>(path: &Path, config: &Config, state: &State
     write_atomically(path, text.as_bytes())
 }
 
+/// What a checkpoint holds: its configuration and the state at the end of a generation.
+///
+/// # Errors
+/// If it cannot be read or is no checkpoint of this version.
+pub fn open<Task: DeserializeOwned>(path: &Path) -> Result<(Config, State<Task>), InputError> {
+    let file = path.display().to_string();
+    let text = read_text(path, "a checkpoint")?;
+    let checkpoint: Checkpoint<Task> = parse(&file, &text)?;
+    let config = Config::from_toml(&format!("{file}, config"), &checkpoint.config)?;
+    Ok((config, checkpoint.state))
+}
+
+fn parse<Task: DeserializeOwned>(file: &str, text: &str) -> Result<Checkpoint<Task>, InputError> {
+    let refuse = |found: String, accepted: &str| InputError::new(file, Place::Whole, found, accepted);
+    let checkpoint: Checkpoint<Task> = serde_json::from_str(text)
+        .map_err(|error| refuse(format!("no checkpoint: {error}"), "what this version of tpg-train wrote"))?;
+    if checkpoint.format != FORMAT || checkpoint.version != VERSION {
+        let found = format!("{:?}, version {}", checkpoint.format, checkpoint.version);
+        return Err(refuse(found, &format!("{FORMAT:?}, version {VERSION}")));
+    }
+    Ok(checkpoint)
+}
+
 /// Reads a checkpoint; `None` where there is none.
 ///
 /// # Errors
@@ -52,12 +75,7 @@ pub fn load<Task: DeserializeOwned>(
     };
     let refuse =
         |found: String, accepted: &str| InputError::new(path.display().to_string(), Place::Whole, found, accepted);
-    let checkpoint: Checkpoint<Task> = serde_json::from_str(&text)
-        .map_err(|error| refuse(format!("no checkpoint: {error}"), "what this version of tpg-train wrote"))?;
-    if checkpoint.format != FORMAT || checkpoint.version != VERSION {
-        let found = format!("{:?}, version {}", checkpoint.format, checkpoint.version);
-        return Err(refuse(found, &format!("{FORMAT:?}, version {VERSION}")));
-    }
+    let checkpoint: Checkpoint<Task> = parse(&path.display().to_string(), &text)?;
     let difference = difference(&checkpoint.config, &config.to_toml());
     if !difference.is_empty() {
         let found = format!("a checkpoint of another configuration:\n{}", difference.join("\n"));

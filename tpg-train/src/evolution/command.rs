@@ -5,18 +5,17 @@ use super::presets::{PRESETS, Preset};
 use super::run::{RunEnd, RunError, RunOptions, run};
 use super::state::Best;
 use crate::engine::{Environment, LocalThreads, Options};
-use crate::environments::{ArmEnvironment, ArmProblem, ArmScalar, Pendulum};
+use crate::environments::{ArmEnvironment, ArmScalar, Pendulum};
 use crate::files::{make_folder, read_text, write_atomically};
+use crate::interrupt;
 use crate::targets::Start;
 use clap::Args;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 use tpg_codegen::error::{InputError, Place};
 use tpg_codegen::graph::ScalarType;
-use tpg_runtime::arm::WIDOWX;
 use tpg_runtime::ops::{Maths, Own};
 
 /// Evolve a tangled program graph.
@@ -87,10 +86,7 @@ pub enum End {
 /// A bad configuration, a folder with another run, files that cannot be written.
 pub fn execute(args: &TpgArgs) -> Result<End, RunError> {
     let config = configuration(args)?;
-    let stop = Arc::new(AtomicBool::new(false));
-    let asked = Arc::clone(&stop);
-    // Without a handler Ctrl-C would end the process at once; the last checkpoint would still be there.
-    let _ = ctrlc::set_handler(move || asked.store(true, Ordering::Relaxed));
+    let stop = interrupt::watch();
     match config.language.scalar {
         ScalarType::F32 => with_scalar::<f32>(args, &config, &stop),
         ScalarType::F64 => with_scalar::<f64>(args, &config, &stop),
@@ -103,10 +99,7 @@ pub fn execute(args: &TpgArgs) -> Result<End, RunError> {
 /// If it cannot be read or is refused.
 pub fn configuration(args: &TpgArgs) -> Result<Config, InputError> {
     let mut config = match (&args.config, &args.preset, args.problem) {
-        (Some(path), _, _) => {
-            let text = read_text(path, "a configuration as `tpg-train config` prints")?;
-            Config::from_toml(&path.display().to_string(), &text)?
-        }
+        (Some(path), _, _) => Config::read(path)?,
         (None, Some(name), _) => preset(name)?.config()?,
         (None, None, Some(Start::Fs)) => preset("best-fs")?.config()?,
         (None, None, Some(Start::Rs)) => preset("best-rs")?.config()?,
@@ -135,17 +128,7 @@ fn preset(name: &str) -> Result<&'static Preset, InputError> {
 
 /// The arm as a configuration describes it.
 pub fn arm_environment<S: ArmScalar>(config: &Config) -> ArmEnvironment<S> {
-    let sources = config.sources().into_iter().chain(config.problem.shield.source()).collect();
-    let problem = ArmProblem {
-        tolerance: config.problem.tolerance,
-        max_actions: config.learning.max_nb_actions_per_eval,
-        step: config.problem.step,
-        may_stop: config.problem.may_stop,
-        bonus: config.problem.bonus_success,
-        per_unused_action: config.problem.coef_reward_multiplication,
-        ..ArmProblem::new(config.problem.start, sources)
-    };
-    ArmEnvironment::new(&WIDOWX, problem)
+    ArmEnvironment::new(&config.arm(), config.arm_problem())
 }
 
 fn with_scalar<S: ArmScalar>(args: &TpgArgs, config: &Config, stop: &AtomicBool) -> Result<End, RunError>

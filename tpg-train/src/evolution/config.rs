@@ -4,10 +4,14 @@
 //! are this project's. `tpg-train config` prints the presets with a comment for every parameter.
 
 use super::vocabulary::Vocabulary;
+use crate::environments::{ArmDescription, ArmProblem};
+use crate::files::read_text;
 use crate::targets::Start;
 use serde::{Deserialize, Serialize};
+use std::path::Path;
 use tpg_codegen::error::{InputError, Place};
 use tpg_codegen::graph::{ScalarType, SourceDocument};
+use tpg_runtime::arm::{Arm, WIDOWX};
 use tpg_runtime::observation::Source;
 use tpg_runtime::observation::shield::STEP;
 use tpg_runtime::ops::Instruction;
@@ -36,6 +40,9 @@ pub struct Config {
     pub pool: PoolConfig,
     /// Rougher episodes to begin with.
     pub curriculum: CurriculumConfig,
+    /// The arm; the WidowX where it is left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub arm: Option<ArmDescription>,
 }
 
 /// The problem.
@@ -289,6 +296,15 @@ impl CurriculumConfig {
 }
 
 impl Config {
+    /// Reads a configuration from a file.
+    ///
+    /// # Errors
+    /// As [`from_toml`](Self::from_toml), or if there is no such file.
+    pub fn read(path: &Path) -> Result<Self, InputError> {
+        let text = read_text(path, "a configuration as `tpg-train config` prints")?;
+        Self::from_toml(&path.display().to_string(), &text)
+    }
+
     /// Reads a configuration.
     ///
     /// # Errors
@@ -311,6 +327,25 @@ impl Config {
     /// Never: every part can be written.
     pub fn to_toml(&self) -> String {
         toml::to_string(self).expect("a configuration is plain data")
+    }
+
+    /// The arm.
+    pub fn arm(&self) -> Arm<f64> {
+        self.arm.as_ref().map_or(WIDOWX, Arm::from)
+    }
+
+    /// What is asked of the arm, and how it is scored.
+    pub fn arm_problem(&self) -> ArmProblem {
+        ArmProblem {
+            start: self.problem.start,
+            tolerance: self.problem.tolerance,
+            max_actions: self.learning.max_nb_actions_per_eval,
+            step: self.problem.step,
+            may_stop: self.problem.may_stop,
+            sources: self.sources().into_iter().chain(self.problem.shield.source()).collect(),
+            bonus: self.problem.bonus_success,
+            per_unused_action: self.problem.coef_reward_multiplication,
+        }
     }
 
     /// What programs are written with, where the environment has those sources: with a shield, it is the last.
@@ -358,6 +393,13 @@ impl Config {
         };
         const MANY: usize = 1_000_000;
         self.check_problem(error)?;
+        if let Some(arm) = &self.arm {
+            if self.problem.environment != EnvironmentName::Arm {
+                let (found, accepted) = ("not the arm, beside a section [arm]", "\"arm\", or no section [arm]");
+                return Err(error("problem.environment", found.to_owned(), accepted.to_owned()));
+            }
+            arm.check().map_err(|(key, found, accepted)| error(key, found, accepted))?;
+        }
         number("problem.tolerance", self.problem.tolerance, 1e-3, 1e3)?;
         number("problem.step", self.problem.step.into(), 1.0, 127.0)?;
         number("problem.bonusSuccess", self.problem.bonus_success, 0.0, 1e9)?;
@@ -493,7 +535,7 @@ fn line_of(text: &str, byte: usize) -> usize {
 
 /// The line, from 1, where `section.key` is set.
 fn line_of_key(text: &str, key: &str) -> Option<usize> {
-    let (section, key) = key.split_once('.')?;
+    let (section, key) = key.rsplit_once('.')?;
     let header = format!("[{section}]");
     let mut inside = false;
     for (line, number) in text.lines().map(str::trim).zip(1..) {

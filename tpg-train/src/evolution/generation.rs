@@ -312,7 +312,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>, V: Evaluator<E::Task>> Evolu
             let genome = &state.demes[root.deme].genome;
             let plan = plans
                 .entry(place)
-                .or_insert_with(|| Plan::new::<M>(&genome.policy(root.team, &self.vocabulary), &sources, true));
+                .or_insert_with(|| Plan::new::<M>(&genome.policy(root.team, &self.vocabulary), &sources, options));
             let mut actions = Vec::new();
             lanes.run_watched(plan, std::slice::from_ref(task), |_, action| actions.push(action));
             let mut episode = self.environment.start(task);

@@ -1,6 +1,7 @@
 //! The configurations that come with the trainer, with a comment for every parameter.
 
 use super::config::Config;
+use crate::environments::description::WIDOWX_TOML;
 use clap::Args;
 use std::io::Write as _;
 use tpg_codegen::error::{InputError, Place};
@@ -8,7 +9,7 @@ use tpg_codegen::error::{InputError, Place};
 /// Print a commented configuration.
 #[derive(Clone, Debug, Args)]
 pub struct ConfigArgs {
-    /// kelly, paper-fs, paper-rs, best-fs or best-rs
+    /// kelly, paper-fs, paper-rs, best-fs or best-rs; widowx for the section that describes the arm
     #[arg(value_name = "NAME", default_value = "best-rs")]
     pub name: String,
     /// Only the names, with what they are
@@ -22,10 +23,14 @@ pub struct ConfigArgs {
 /// If there is no preset of that name, or stdout is closed.
 pub fn print_config(args: &ConfigArgs) -> Result<(), InputError> {
     let text = if args.list {
-        PRESETS.map(|preset| format!("{:10} {}\n", preset.name, preset.about)).concat()
+        let arm = ("widowx", "the section [arm], to append and to change: links, limits, collision shapes");
+        let presets = PRESETS.iter().map(|preset| (preset.name, preset.about));
+        presets.chain([arm]).map(|(name, about)| format!("{name:10} {about}\n")).collect()
+    } else if args.name == "widowx" {
+        WIDOWX_TOML.to_owned()
     } else {
         let preset = Preset::find(&args.name).ok_or_else(|| {
-            let accepted = PRESETS.map(|preset| preset.name).join(", ");
+            let accepted = PRESETS.map(|preset| preset.name).join(", ") + ", widowx";
             InputError::new("<command line>", Place::Whole, format!("the preset {:?}", args.name), accepted)
         })?;
         preset.text.to_owned()

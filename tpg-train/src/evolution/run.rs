@@ -7,7 +7,7 @@ use super::generation::Evolution;
 use super::logs;
 use super::state::{Best, State};
 use crate::engine::{Environment, EvaluationError, Evaluator};
-use crate::files::{make_folder, write_atomically};
+use crate::files::{make_folder, remove_unfinished, write_atomically};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -75,10 +75,15 @@ pub fn run<S: Scalar, M: Maths<S>, E: Environment<S>, V: Evaluator<E::Task>>(
         let file = options.folder.display().to_string();
         return Err(InputError::new(file, Place::Whole, "a run", "--resume, or another folder").into());
     }
+    remove_unfinished(&options.folder);
     write_atomically(&options.folder.join("config.toml"), config.to_toml().as_bytes())?;
     let mut state = found.unwrap_or_else(|| State::new(seed, config.demes.count, config.learning.archive_size));
     let evolution = Evolution::<S, M, E, V>::new(config, environment, evaluator);
     let mut session = Session::new(config, &state, &options.folder);
+    if state.generation > 0 {
+        // The run may have been killed between its checkpoint and what is made of it.
+        write_results(config, &options.folder, &state, &evolution, environment)?;
+    }
     let mut saved = Instant::now();
     while state.generation < config.learning.nb_generations {
         evolution.advance(&mut state)?;
@@ -86,7 +91,8 @@ pub fn run<S: Scalar, M: Maths<S>, E: Environment<S>, V: Evaluator<E::Task>>(
         let last = state.generation == config.learning.nb_generations;
         let stopped = stop.load(Ordering::Relaxed);
         if last || stopped || saved.elapsed() >= options.checkpoint_every {
-            save(config, &path, &state, &evolution, environment)?;
+            checkpoint::save(&path, config, &state)?;
+            write_results(config, &options.folder, &state, &evolution, environment)?;
             session.write(&options.folder)?;
             saved = Instant::now();
         }
@@ -100,15 +106,14 @@ pub fn run<S: Scalar, M: Maths<S>, E: Environment<S>, V: Evaluator<E::Task>>(
     Ok(RunEnd::Finished(Box::new(best)))
 }
 
-fn save<S: Scalar, M: Maths<S>, E: Environment<S>, V: Evaluator<E::Task>>(
+/// The logs and the best graph.
+fn write_results<S: Scalar, M: Maths<S>, E: Environment<S>, V: Evaluator<E::Task>>(
     config: &Config,
-    checkpoint: &Path,
+    folder: &Path,
     state: &State<E::Task>,
     evolution: &Evolution<'_, S, M, E, V>,
     environment: &E,
 ) -> Result<(), RunError> {
-    checkpoint::save(checkpoint, config, state)?;
-    let folder = checkpoint.parent().unwrap_or(Path::new("."));
     logs::write(folder, &state.rows)?;
     if let Some(best) = &state.best {
         let graph = best_graph(config, state.seed, best, evolution, environment)?;

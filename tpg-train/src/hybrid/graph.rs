@@ -1,7 +1,7 @@
 //! A graph as a policy of the arm, in the trainer's own evaluation.
 
 use crate::conformance::binding::Binding;
-use crate::engine::{Plan, Policy as Root, Single};
+use crate::engine::{Options, Plan, Policy as Root, Single};
 use crate::environments::ArmScalar;
 use crate::files::read_text;
 use std::cell::RefCell;
@@ -37,7 +37,7 @@ impl<S: ArmScalar, M: Maths<S>> GraphPolicy<S, M> {
     /// If the graph reads sources that the arm does not have, or has actions that do not say what they move.
     pub fn new(file: &str, graph: &Graph) -> Result<Self, InputError> {
         let binding = Binding::of(file, graph)?;
-        let plan = Plan::new::<M>(&Root::from(graph), &graph.to_document().sources, true);
+        let plan = Plan::new::<M>(&Root::from(graph), &graph.to_document().sources, Options::default());
         let state = RefCell::new(vec![S::ZERO; binding.state_length()]);
         Ok(Self { arm: S::arm(&WIDOWX), single: Single::new(plan), binding, state })
     }

@@ -11,13 +11,13 @@ use super::weights::{Provenance, to_tensors};
 use crate::evolution::command::End;
 use crate::evolution::logs::cpu_seconds;
 use crate::files::{make_folder, read_text, write_atomically};
+use crate::interrupt;
 use crate::targets::Start;
 use crate::trial::Trial;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use tpg_codegen::error::{InputError, Place};
@@ -57,10 +57,7 @@ pub struct SacArgs {
 /// A bad configuration, a folder with another run, files that cannot be written.
 pub fn execute(args: &SacArgs) -> Result<End, InputError> {
     let (name, config) = configuration(args)?;
-    let stop = Arc::new(AtomicBool::new(false));
-    let asked = Arc::clone(&stop);
-    // Without a handler Ctrl-C would end the process at once; the last checkpoint would still be there.
-    let _ = ctrlc::set_handler(move || asked.store(true, Ordering::Relaxed));
+    let stop = interrupt::watch();
     Run::begin(args, name, config)?.finish(&stop)
 }
 

@@ -17,59 +17,67 @@ pub(super) struct Flow {
 }
 
 impl Flow {
-    /// Of a function of a listing.
+    /// Of a function of a listing. What cannot be reached (padding before data) is left out.
     pub(super) fn of(listing: &Listing, function: &Function) -> Result<Self, Refusal> {
         let place: BTreeMap<u64, usize> = (function.lines.iter().map(|line| line.address)).zip(0..).collect();
-        let mut flow = Self { next: Vec::new(), calls: Vec::new(), frame: 0 };
-        for (index, line) in function.lines.iter().enumerate() {
-            let (mut next, mut call) = (Vec::new(), None);
-            let mut goes_on = true;
-            match stack(line) {
-                Stack::Same => {}
-                Stack::Down(bytes) => flow.frame += bytes,
-                Stack::Unknown => {
-                    let (address, text) = (line.address, line.text());
-                    return Err(Refusal::DynamicStack { function: function.name.clone(), address, text });
-                }
+        let count = function.lines.len();
+        let mut flow = Self { next: vec![Vec::new(); count], calls: vec![None; count], frame: 0 };
+        let mut open: Vec<usize> = (0..count.min(1)).collect();
+        let mut seen = vec![false; count];
+        while let Some(index) = open.pop() {
+            if !std::mem::replace(&mut seen[index], true) {
+                flow.add(listing, function, &place, index)?;
+                open.extend(&flow.next[index]);
             }
-            match kind(line) {
-                Kind::Plain => {}
-                Kind::Branch { conditional } => {
-                    goes_on = conditional;
-                    match target(listing, function, line)? {
-                        To::Here(address) => match place.get(&address) {
-                            Some(&to) => next.push(to),
-                            None => return Err(astray(function, line)),
-                        },
-                        To::Function(callee) => call = Some(callee),
-                    }
-                }
-                Kind::Call => {
-                    call = match target(listing, function, line)? {
-                        To::Function(callee) => Some(callee),
-                        To::Here(_) => return Err(astray(function, line)),
-                    };
-                    // What follows no instruction is never come back to: the callee does not return.
-                    goes_on = follower(function, index).is_some();
-                }
-                Kind::Return { conditional } => goes_on = conditional,
-                Kind::Trap => goes_on = false,
-                Kind::Indirect => {
-                    let (address, text) = (line.address, line.text());
-                    return Err(Refusal::Indirect { function: function.name.clone(), address, text });
-                }
-                Kind::JumpTable => {
-                    let (address, text) = (line.address, line.text());
-                    return Err(Refusal::JumpTable { function: function.name.clone(), address, text });
-                }
-            }
-            if goes_on {
-                next.push(follower(function, index).ok_or_else(|| astray(function, line))?);
-            }
-            flow.next.push(next);
-            flow.calls.push(call);
         }
         Ok(flow)
+    }
+
+    /// Adds an instruction.
+    fn add(
+        &mut self,
+        listing: &Listing,
+        function: &Function,
+        place: &BTreeMap<u64, usize>,
+        index: usize,
+    ) -> Result<(), Refusal> {
+        let line = &function.lines[index];
+        let name = || function.name.clone();
+        let (address, text) = (line.address, line.text());
+        match stack(line) {
+            Stack::Same => {}
+            Stack::Down(bytes) => self.frame += bytes,
+            Stack::Unknown => return Err(Refusal::DynamicStack { function: name(), address, text }),
+        }
+        let mut goes_on = true;
+        match kind(line) {
+            Kind::Plain => {}
+            Kind::Branch { conditional } => {
+                goes_on = conditional;
+                match target(listing, function, line)? {
+                    To::Here(address) => {
+                        self.next[index].push(*place.get(&address).ok_or_else(|| astray(function, line))?);
+                    }
+                    To::Function(callee) => self.calls[index] = Some(callee),
+                }
+            }
+            Kind::Call => {
+                self.calls[index] = match target(listing, function, line)? {
+                    To::Function(callee) => Some(callee),
+                    To::Here(_) => return Err(astray(function, line)),
+                };
+                // What follows no instruction is never come back to: the callee does not return.
+                goes_on = follower(function, index).is_some();
+            }
+            Kind::Return { conditional } => goes_on = conditional,
+            Kind::Trap => goes_on = false,
+            Kind::Indirect => return Err(Refusal::Indirect { function: name(), address, text }),
+            Kind::JumpTable => return Err(Refusal::JumpTable { function: name(), address, text }),
+        }
+        if goes_on {
+            self.next[index].push(follower(function, index).ok_or_else(|| astray(function, line))?);
+        }
+        Ok(())
     }
 }
 

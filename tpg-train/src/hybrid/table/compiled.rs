@@ -18,7 +18,7 @@ use tpg_runtime::cycle::{Brent, CycleDetector, Visited};
 use tpg_runtime::hybrid::{Guard, Hybrid, Settings};
 use tpg_runtime::observation::{ArmPolicy, Observation};
 use tpg_runtime::policy::Policy;
-use tpg_runtime::sac::fixed::FixedPolicy;
+use tpg_runtime::sac::packed::{Model, PackedPolicy};
 
 /// Times of a shipped hybrid and its parts.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,7 +49,8 @@ pub struct Costs {
 }
 
 fn network() -> impl Policy<State = Observation<f32>, Action = Move> + Copy {
-    FixedPolicy { arm: &ARM, network: &widowx_sac::NETWORK, decision: widowx_sac::DECISION }
+    let model = Model::parse(&widowx_sac::MODEL).expect("a committed model");
+    PackedPolicy::<{ widowx_sac::SCRATCH }>::new(&ARM, model).expect("its own scratch memory")
 }
 
 /// Times on those tasks.
@@ -67,7 +68,7 @@ const TIMED: usize = 100;
 /// Everything that is compared in one run.
 pub fn measure(start: Start, tasks: &[Task]) -> Costs {
     let tasks = &tasks[..TIMED.min(tasks.len())];
-    let reference = timing::of_policy(&ARM, &Reference::random(1), start, tasks);
+    let reference = timing::of_policy_along(&ARM, &Reference::random(1), &network(), start, tasks);
     let shipped = times(start, tasks);
     let (guards, detectors) = match start {
         Start::Fs => variants(start, tasks, fs(), widowx_fs_hybrid::SETTINGS),
@@ -76,7 +77,7 @@ pub fn measure(start: Start, tasks: &[Task]) -> Costs {
     Costs { shipped, guards, detectors, reference, wide: wide(start, tasks) }
 }
 
-/// The paper's network by the trainer's own matrix product. Its random weights go somewhere; the time is all that counts.
+/// The paper's network by the trainer's own matrix product; its weights are random, so that it goes the shipped one's way.
 fn wide(start: Start, tasks: &[Task]) -> Time {
     let actor = Config::preset("paper-fs").expect("it comes with the trainer").actor;
     let shape = Shape {
@@ -85,8 +86,8 @@ fn wide(start: Start, tasks: &[Task]) -> Time {
         outputs: 2 * JOINTS,
         norm: actor.layer_norm,
     };
-    let network = Mlp::random(shape, &mut Stream::new(1, 0, Purpose::Weights, 0));
-    timing::of_policy(&ARM, &ActorPolicy::new(&network, &actor), start, tasks)
+    let weights = Mlp::random(shape, &mut Stream::new(1, 0, Purpose::Weights, 0));
+    timing::of_policy_along(&ARM, &ActorPolicy::new(&weights, &actor), &network(), start, tasks)
 }
 
 fn fs() -> impl Policy<State = Observation<f32>, Action = Move> + Copy {

@@ -161,10 +161,13 @@ fn of_seeds(start: Start, inputs: &ProblemInputs, shipped: &Shipped, tasks: &[Ta
             together.push(trial::run(file, graph, actor, &shipped.setting, start, tasks)?);
         }
     }
-    Ok(vec![
+    let mut rows = vec![
         Row::of("SAC, all seeds, collisions allowed", &allowed),
         Row::of("SAC, all seeds", &ending),
         Row::of("TPG, all seeds", &alone),
         Row::of_hybrids("hybrid, all pairs", &together),
-    ])
+    ];
+    // What there is only one of stands above already.
+    rows.retain(|row| row.policies > 1);
+    Ok(rows)
 }

@@ -38,8 +38,18 @@ where
     S: Lattice,
     P: Policy<State = Observation<S>, Action = Move> + ?Sized,
 {
+    of_policy_along(arm, policy, policy, start, tasks)
+}
+
+/// A policy on another's way.
+pub fn of_policy_along<S, P, G>(arm: &Arm<S>, policy: &P, guide: &G, start: Start, tasks: &[Task]) -> Time
+where
+    S: Lattice,
+    P: Policy<State = Observation<S>, Action = Move> + ?Sized,
+    G: Policy<State = Observation<S>, Action = Move> + ?Sized,
+{
     let ways = ways(tasks, |task, poses| {
-        Episode::new(arm, task.problem(start), Brent::new()).run(policy, |pose| poses.push(pose));
+        Episode::new(arm, task.problem(start), Brent::new()).run(guide, |pose| poses.push(pose));
     });
     // A policy that keeps something of its target must not know it yet.
     let begin = || {

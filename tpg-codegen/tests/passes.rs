@@ -1,0 +1,119 @@
+//! What the fast profile relies on: its plans look at every bid once, and what they spare cannot win.
+
+use tpg_codegen::graph::{Graph, MathsProvider};
+use tpg_codegen::ir::{Module, Node, NodeId, needed};
+use tpg_codegen::passes::arithmetic::{Arithmetic, is_transcendental};
+use tpg_codegen::passes::interval::Assumption;
+use tpg_codegen::passes::schedule::{Bid, Plan, Schedule, schedule};
+use tpg_codegen::passes::{estimate, optimise};
+use tpg_codegen::sample::{self, Shape};
+use tpg_codegen::states;
+
+/// Random graphs with own maths, which is the same on every machine, and their plans.
+fn planned() -> impl Iterator<Item = (u64, Graph, Module, Schedule)> {
+    (0..200).map(|seed| {
+        let graph = sample::graph(&Shape { maths: MathsProvider::Own, ..Shape::random(seed) }, seed);
+        let module = optimise(&graph, Assumption::Nothing).0;
+        let schedule = schedule(&graph, &module);
+        (seed, graph, module, schedule)
+    })
+}
+
+/// The value of every node.
+fn evaluate(graph: &Graph, nodes: &[Node], state: &[f64]) -> Vec<f64> {
+    let arithmetic = Arithmetic { scalar: graph.scalar(), maths: graph.maths() };
+    let mut values: Vec<f64> = Vec::with_capacity(nodes.len());
+    for node in nodes {
+        values.push(match *node {
+            Node::Constant(bits) => f64::from_bits(bits),
+            Node::Input(input) => state[input.index()],
+            Node::Operation(instruction, [a, b]) => {
+                arithmetic.evaluate(instruction, values[a.index()], values[b.index()]).expect("own maths")
+            }
+            Node::Upper(instruction, value) => {
+                graph.scalar().round(estimate::upper(graph.scalar(), instruction, values[value.index()]))
+            }
+        });
+    }
+    values
+}
+
+/// In the order in which they are looked at.
+fn bids(plan: &Plan) -> Vec<Bid> {
+    plan.eager.iter().copied().chain(plan.lazy.iter().map(|lazy| lazy.bid)).collect()
+}
+
+fn transcendental(nodes: &[Node], value: NodeId) -> bool {
+    let is = |id: &NodeId| matches!(nodes[id.index()], Node::Operation(i, _) if is_transcendental(i));
+    needed(nodes, value, |_| true).iter().any(is)
+}
+
+#[test]
+fn a_plan_looks_at_every_bid_of_its_team_once() {
+    for (seed, _, module, schedule) in planned() {
+        assert_eq!(schedule.plans.len(), module.teams.len());
+        for (plan, team) in schedule.plans.iter().zip(&module.teams) {
+            assert_eq!(plan.label, team.label);
+            assert_eq!(plan.targets, team.edges.iter().map(|edge| edge.to).collect::<Vec<_>>());
+            let mut places: Vec<usize> = bids(plan).iter().map(|bid| bid.place).collect();
+            let mut before = None;
+            for bid in bids(plan) {
+                assert_eq!(bid.in_turn, before.is_none_or(|before| before < bid.place), "graph {seed}: {plan:?}");
+                before = before.max(Some(bid.place));
+            }
+            assert!(plan.eager.is_sorted_by_key(|bid| bid.place), "graph {seed}: {plan:?}");
+            places.sort_unstable();
+            assert_eq!(places, (0..team.edges.len()).collect::<Vec<_>>(), "graph {seed}: {plan:?}");
+        }
+    }
+}
+
+#[test]
+fn only_what_is_expensive_waits_and_only_for_what_is_cheap() {
+    let mut bounded = 0;
+    for (seed, _, _, Schedule { nodes, plans }) in planned() {
+        for lazy in plans.iter().flat_map(|plan| &plan.lazy) {
+            assert!(transcendental(&nodes, lazy.bid.value), "graph {seed}: {lazy:?}");
+            for bound in lazy.bound.iter().chain(&lazy.certain) {
+                assert!(!transcendental(&nodes, *bound), "graph {seed}: {lazy:?}");
+                bounded += 1;
+            }
+        }
+    }
+    assert!(bounded > 100, "{bounded} bounds");
+}
+
+#[test]
+fn bids_are_the_modules_and_bounds_are_on_their_side_of_them() {
+    let (mut spared, mut certain) = (0, 0);
+    for (seed, graph, module, schedule) in planned() {
+        for state in states::sample(&graph, 200, seed).chunks_exact(graph.state_length()) {
+            let of_module = evaluate(&graph, &module.nodes, state);
+            let values = evaluate(&graph, &schedule.nodes, state);
+            for (plan, team) in schedule.plans.iter().zip(&module.teams) {
+                for bid in bids(plan) {
+                    let bidder = &module.bidders[team.edges[bid.place].bidder];
+                    let [found, expected] = [values[bid.value.index()], of_module[bidder.value.index()]];
+                    assert_eq!(found.to_bits(), expected.to_bits(), "graph {seed}, program {}", bidder.label);
+                }
+                for lazy in &plan.lazy {
+                    let value = values[lazy.bid.value.index()];
+                    if let Some(bound) = lazy.bound.map(|bound| values[bound.index()]) {
+                        assert!(
+                            value.is_nan() || bound.is_nan() || value <= bound,
+                            "graph {seed}: {value} above {bound}"
+                        );
+                        spared += usize::from(bound.is_finite());
+                    }
+                    // What is certain must not be promised of a NaN, which bids −∞.
+                    if let Some(least) = lazy.certain.map(|least| values[least.index()]) {
+                        let never = least.is_nan() || least == f64::NEG_INFINITY;
+                        assert!(never || value >= least, "graph {seed}: {value} below {least}");
+                        certain += usize::from(!never);
+                    }
+                }
+            }
+        }
+    }
+    assert!(spared > 1000 && certain > 100, "{spared} finite bounds, {certain} certain bids");
+}

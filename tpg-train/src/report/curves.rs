@@ -1,0 +1,95 @@
+//! Learning curves: mean over the seeds of a group, with a band of one standard deviation.
+
+use super::runs::{Group, Run};
+use crate::picture::{Axis, Colour, Figure, Plot, Section};
+use std::collections::BTreeMap;
+
+/// Mean, and standard deviation of the sample where there are two values or more; `None` of no value.
+pub(super) fn mean_and_sd(values: &[f64]) -> Option<(f64, Option<f64>)> {
+    let count = values.len() as f64;
+    let mean = if values.is_empty() { return None } else { values.iter().sum::<f64>() / count };
+    let squares: f64 = values.iter().map(|value| (value - mean) * (value - mean)).sum();
+    Some((mean, (values.len() > 1).then(|| (squares / (count - 1.0)).sqrt())))
+}
+
+/// A curve and how it is shown.
+struct Shown {
+    curve: &'static str,
+    y: Axis,
+    caption: &'static str,
+}
+
+pub(super) fn sections(groups: &[Group]) -> Vec<Section> {
+    let of_kind = |kind: &str| groups.iter().filter(|group| group.runs[0].kind.name() == kind).collect::<Vec<_>>();
+    let part = |label: &str| Axis::linear(label).between(0.0, 1.0);
+    let tpg = [
+        Shown {
+            curve: "success",
+            y: part("success"),
+            caption: "Success of the best survivor on the selection episodes.",
+        },
+        Shown {
+            curve: "error",
+            y: Axis::log("error (arm: mm)", 1.0),
+            caption: "Its mean error there: on the arm, the distance at the end.",
+        },
+        Shown { curve: "best score", y: Axis::linear("score"), caption: "Best running mean of a root's score." },
+        Shown { curve: "median score", y: Axis::linear("score"), caption: "Median of the roots' running means." },
+        Shown { curve: "teams", y: Axis::linear("teams"), caption: "Teams of the surviving population." },
+    ];
+    let sac = [
+        ("success, fixed start", part("success"), "Success on the validation episodes, fixed start."),
+        ("success, random start", part("success"), "Success on the validation episodes, random start."),
+        ("distance, fixed start", Axis::log("distance, mm", 1.0), "Mean distance at the end, fixed start."),
+        ("distance, random start", Axis::log("distance, mm", 1.0), "Mean distance at the end, random start."),
+    ]
+    .map(|(curve, y, caption)| Shown { curve, y, caption });
+    [
+        section("Evolution", "generation", &of_kind("TPG"), &tpg),
+        section("Soft actor-critic", "decisions", &of_kind("SAC"), &sac),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
+fn section(title: &str, x: &str, groups: &[&Group], shown: &[Shown]) -> Option<Section> {
+    if groups.is_empty() {
+        return None;
+    }
+    let figure = |Shown { curve, y, caption }: &Shown| {
+        let mut plot = Plot::new(Axis::linear(x), y.clone());
+        for (colour, group) in (0..).map(Colour).zip(groups) {
+            let points = over_seeds(&group.runs, curve);
+            plot.band(colour, points.iter().filter_map(|&(x, mean, sd)| Some([x, mean - sd?, mean + sd?])).collect());
+            plot.line(colour, points.iter().map(|&(x, mean, _)| [x, mean]).collect());
+            plot.name(colour, &format!("{} ({})", group.name, group.runs.len()));
+        }
+        Figure { svg: plot.svg(caption), caption: (*caption).to_owned() }
+    };
+    let text = "Lines are means over the seeds (how many, in brackets), bands one standard deviation.".to_owned();
+    Some(Section { title: title.to_owned(), text, figures: shown.iter().map(figure).collect(), ..Section::default() })
+}
+
+/// x, mean and standard deviation, wherever a run has a value.
+fn over_seeds(runs: &[Run], curve: &str) -> Vec<(f64, f64, Option<f64>)> {
+    // x are counts, so their bits sort as they do.
+    let mut at: BTreeMap<u64, Vec<f64>> = BTreeMap::new();
+    for [x, y] in runs.iter().filter_map(|run| run.curves.get(curve)).flatten() {
+        at.entry(x.to_bits()).or_default().push(*y);
+    }
+    let point = |(x, values): (u64, Vec<f64>)| mean_and_sd(&values).map(|(mean, sd)| (f64::from_bits(x), mean, sd));
+    at.into_iter().filter_map(point).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::mean_and_sd;
+
+    #[test]
+    fn mean_and_deviation_of_the_sample() {
+        assert_eq!(mean_and_sd(&[]), None);
+        assert_eq!(mean_and_sd(&[3.0]), Some((3.0, None)));
+        assert_eq!(mean_and_sd(&[1.0, 3.0, 5.0]), Some((3.0, Some(2.0))));
+    }
+}

@@ -1,0 +1,81 @@
+//! Final distances: how they are distributed within each run, and between the seeds of a group (the paper's figures 3
+//! and 5 show such distributions).
+
+use super::runs::Group;
+use super::test::Tested;
+use crate::picture::{Axis, Colour, Figure, FiveNumbers, Plot, Section};
+
+/// Nearer than this is shown as this, mm.
+const NEAREST: f64 = 0.1;
+/// Points of a cumulative curve.
+const POINTS: usize = 240;
+
+pub(super) fn section(groups: &[Group], tested: &[Vec<Option<Tested>>]) -> Option<Section> {
+    let tolerance = tested.iter().flatten().flatten().next()?.tolerance;
+    let distance = || Axis::log("final distance, mm", NEAREST);
+    let goal = format!("{tolerance} mm");
+
+    let names = groups.iter().flat_map(|group| group.runs.iter().map(|run| short(group, &run.name, run.seed)));
+    let mut boxes = Plot::new(Axis::names("seed", names.collect()), distance());
+    let mut seeds = Plot::new(
+        Axis::names("group", groups.iter().map(|group| group.name.clone()).collect()),
+        Axis::log("mean final distance, mm", 1.0),
+    );
+    let mut cumulative = Plot::new(distance(), Axis::linear("part of the episodes").between(0.0, 1.0));
+    let mut place = 0.0;
+    for ((colour, group), tested) in (0..).map(Colour).zip(groups).zip(tested) {
+        let mut all = Vec::new();
+        let mut means = Vec::new();
+        for (run, tested) in group.runs.iter().zip(tested) {
+            if let Some(tested) = tested {
+                if let Some(five) = FiveNumbers::of(&tested.distances) {
+                    boxes.five(colour, place, five);
+                }
+                means.push(([colour.0 as f64, tested.mean_distance()], run.name.clone()));
+                all.extend_from_slice(&tested.distances);
+            }
+            place += 1.0;
+        }
+        let sample: Vec<f64> = means.iter().map(|([_, mean], _)| *mean).collect();
+        if let Some(five) = FiveNumbers::of(&sample).filter(|_| sample.len() > 2) {
+            seeds.five(colour, colour.0 as f64, five);
+        }
+        seeds.points(colour, means);
+        cumulative.line(colour, curve(all));
+        for plot in [&mut boxes, &mut cumulative] {
+            plot.name(colour, &group.name);
+        }
+    }
+    boxes.rule(tolerance, &goal);
+    let figure = |plot: &Plot, caption: &str| Figure { svg: plot.svg(caption), caption: caption.to_owned() };
+    Some(Section {
+        title: "Final distances on the test episodes".to_owned(),
+        text: String::new(),
+        tables: Vec::new(),
+        figures: vec![
+            figure(&boxes, "Each seed's episodes: median, quartiles, 5th and 95th percentile."),
+            figure(&seeds, "Each seed's mean distance as a point; boxes as on the left, over the seeds of a group."),
+            figure(&cumulative, "Part of a group's episodes, all seeds together, that end nearer than a distance."),
+        ],
+    })
+}
+
+/// A run's name beside its group's: its seed.
+fn short(group: &Group, name: &str, seed: Option<u64>) -> String {
+    if group.runs.len() == 1 && seed.is_none() {
+        name.to_owned()
+    } else {
+        seed.map_or_else(String::new, |s| s.to_string())
+    }
+}
+
+/// The empirical distribution, at so many of its points.
+fn curve(mut distances: Vec<f64>) -> Vec<[f64; 2]> {
+    distances.sort_by(f64::total_cmp);
+    let count = distances.len();
+    let at = |k: usize| (k * count / POINTS).max(1);
+    (0..=POINTS)
+        .filter(|_| count > 0)
+        .map(|k| [distances[at(k) - 1].max(NEAREST), at(k) as f64 / count as f64])
+        .collect()
+}

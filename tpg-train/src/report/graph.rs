@@ -1,0 +1,131 @@
+//! A tangled program graph, drawn: teams in layers below the root, actions at the bottom.
+
+use crate::picture::{Figure, Point, Svg};
+use std::collections::BTreeMap;
+use tpg_codegen::graph::{Destination, Graph};
+
+const WIDTH: f64 = 960.0;
+const LAYER: f64 = 84.0;
+const TOP: f64 = 24.0;
+/// Times that nodes are sorted by where their neighbours above are: after a few it changes little.
+const SWEEPS: usize = 4;
+
+/// A team or an action, by its place in the graph.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Node {
+    Team(usize),
+    Action(usize),
+}
+
+pub(super) fn figure(graph: &Graph) -> Figure {
+    let layers = layers(graph);
+    let places = places(&layers);
+    let mut svg = Svg::new(WIDTH, 2.0 * TOP + LAYER * layers.len() as f64);
+    for (from, to, count) in edges(graph) {
+        let class = match to {
+            Node::Action(action) => format!("thin c{}", joint_colour(graph, action)),
+            Node::Team(_) => "thin c7".to_owned(),
+        };
+        // Two edges between the same two nodes would hide each other: a bundle is drawn once, and thicker.
+        let class = if count > 1 { class.replace("thin", "line") } else { class };
+        svg.curve(&class, places[&from], places[&to]);
+    }
+    for (&node, &at) in &places {
+        match node {
+            Node::Team(team) => {
+                let of_team = &graph.teams()[team];
+                let hint = format!("team {}: {} edges", of_team.label, of_team.edges.len());
+                let root = team == graph.root().index();
+                svg.circle(if root { "fill c0" } else { "body" }, at, 12.0, &hint);
+                let class = if root { "middle on" } else { "middle" };
+                svg.text(class, [at[0], at[1] + 4.0], &of_team.edges.len().to_string());
+            }
+            Node::Action(action) => {
+                let name = &graph.actions()[action].name;
+                svg.rect("body", [at[0] - 44.0, at[1] - 11.0], [88.0, 22.0], name);
+                svg.text("middle", [at[0], at[1] + 4.0], name);
+            }
+        }
+    }
+    let edges: usize = graph.teams().iter().map(|team| team.edges.len()).sum();
+    let caption = format!(
+        "The graph: {} teams, {edges} edges, {} programs, {} actions. A circle is a team with its number of edges, the root \
+         is filled; edges to actions have the colour of the joint; several edges between the same two are one thick line.",
+        graph.teams().len(),
+        graph.programs().len(),
+        graph.actions().len()
+    );
+    Figure { svg: svg.finish("the graph"), caption }
+}
+
+/// Actions that move the same joint have the same colour.
+fn joint_colour(graph: &Graph, action: usize) -> usize {
+    let moves = graph.actions()[action].moves;
+    let joint = moves.and_then(|moves| moves.0.iter().position(|&ticks| ticks != 0));
+    joint.map_or(action % 7, |joint| joint + 1)
+}
+
+/// Edges with equal ends, counted.
+fn edges(graph: &Graph) -> Vec<(Node, Node, usize)> {
+    let mut counts: BTreeMap<(Node, Node), usize> = BTreeMap::new();
+    for (from, team) in graph.teams().iter().enumerate() {
+        for edge in &team.edges {
+            let to = match edge.to {
+                Destination::Team(team) => Node::Team(team.index()),
+                Destination::Action(action) => Node::Action(usize::from(action.0)),
+            };
+            *counts.entry((Node::Team(from), to)).or_default() += 1;
+        }
+    }
+    counts.into_iter().map(|((from, to), count)| (from, to, count)).collect()
+}
+
+/// Teams by their longest way from the root, then the actions; each layer sorted so that few edges cross.
+fn layers(graph: &Graph) -> Vec<Vec<Node>> {
+    let edges = edges(graph);
+    let mut depth = vec![0usize; graph.teams().len()];
+    // Graphs have no cycles, so this ends after as many rounds as there are layers.
+    let mut changed = true;
+    while changed {
+        changed = false;
+        for &(from, to, _) in &edges {
+            if let (Node::Team(from), Node::Team(to)) = (from, to)
+                && depth[to] <= depth[from]
+            {
+                depth[to] = depth[from] + 1;
+                changed = true;
+            }
+        }
+    }
+    let deepest = depth.iter().copied().max().unwrap_or(0);
+    let of_depth = |layer| (0..depth.len()).filter(|&team| depth[team] == layer).map(Node::Team).collect();
+    let mut layers: Vec<Vec<Node>> = (0..=deepest).map(of_depth).collect();
+    let used = |action: &Node| edges.iter().any(|(_, to, _)| to == action);
+    layers.push((0..graph.actions().len()).map(Node::Action).filter(used).collect());
+    for _ in 0..SWEEPS {
+        for layer in 1..layers.len() - 1 {
+            let places = places(&layers);
+            let middle = |node: &Node| {
+                let above = edges.iter().filter(|(_, to, _)| to == node).map(|(from, ..)| places[from][0]);
+                let (sum, count) = above.fold((0.0, 0.0), |(sum, count), x| (sum + x, count + 1.0));
+                if count > 0.0 { sum / count } else { WIDTH / 2.0 }
+            };
+            let mut sorted: Vec<(f64, Node)> = layers[layer].iter().map(|node| (middle(node), *node)).collect();
+            sorted.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            layers[layer] = sorted.into_iter().map(|(_, node)| node).collect();
+        }
+    }
+    layers
+}
+
+fn places(layers: &[Vec<Node>]) -> BTreeMap<Node, Point> {
+    let layer = |(row, nodes): (usize, &Vec<Node>)| {
+        let step = WIDTH / nodes.len().max(1) as f64;
+        // Neighbours stand at two heights, so that many of them have room.
+        let dodge = |k: usize| if nodes.len() > 12 && k % 2 == 1 { LAYER / 3.0 } else { 0.0 };
+        let place =
+            move |(k, node): (usize, &Node)| (*node, [(k as f64 + 0.5) * step, TOP + row as f64 * LAYER + dodge(k)]);
+        nodes.iter().enumerate().map(place).collect::<Vec<_>>()
+    };
+    layers.iter().enumerate().flat_map(layer).collect()
+}

@@ -1,0 +1,94 @@
+//! `tpg-train report`: runs in one HTML file. Learning curves, final distances on the test episodes, graphs, trajectories.
+//!
+//! [`runs`] reads folders, [`test`] puts what they trained to the test episodes; the others draw. Nothing depends on the
+//! clock or on where the folders are: the same runs give the same bytes.
+
+mod curves;
+mod distances;
+mod graph;
+mod runs;
+mod tables;
+mod test;
+mod trajectory;
+
+use crate::files::write_atomically;
+use crate::picture::{Page, Section};
+use clap::Args;
+use runs::{Group, Kind};
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+use test::Tested;
+use tpg_codegen::error::InputError;
+
+/// Show runs in one HTML file.
+///
+/// Runs with equal configurations are one group: curves are their mean, with a band of one standard deviation.
+#[derive(Clone, Debug, Args)]
+pub struct ReportArgs {
+    /// Folders of runs, of `tpg` or `sac`; a folder of `--seeds` stands for all of its seeds
+    #[arg(value_name = "RUN", required = true)]
+    pub runs: Vec<PathBuf>,
+    /// The file to write; - for stdout
+    #[arg(long, short, value_name = "FILE", default_value = "report.html")]
+    pub out: PathBuf,
+    /// Test episodes for each run
+    #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub episodes: u32,
+    /// The seed of the test episodes
+    #[arg(long, value_name = "S", default_value_t = crate::targets::TEST_SEED)]
+    pub seed: u64,
+}
+
+/// Writes the report.
+///
+/// # Errors
+/// If a folder is no run, or the file cannot be written.
+pub fn report(args: &ReportArgs) -> Result<(), InputError> {
+    let groups = runs::read(&args.runs)?;
+    let html = page(&groups, args.episodes as usize, args.seed)?.html();
+    if args.out == Path::new("-") {
+        let written = std::io::stdout().lock().write_all(html.as_bytes());
+        return written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"));
+    }
+    write_atomically(&args.out, html.as_bytes())?;
+    let runs: usize = groups.iter().map(|group| group.runs.len()).sum();
+    eprintln!("{}: {} runs in {} groups", args.out.display(), runs, groups.len());
+    Ok(())
+}
+
+fn page(groups: &[Group], episodes: usize, seed: u64) -> Result<Page, InputError> {
+    let tested: Vec<Vec<Option<Tested>>> = (groups.iter())
+        .map(|group| group.runs.iter().map(|run| test::test(run, episodes, seed)).collect())
+        .collect::<Result<_, _>>()?;
+    let lead = format!(
+        "Tested on {episodes} episodes of the test set with seed {seed}, which no training and no selection reads. An invalid \
+         action ends an episode as a failure. ± is the standard deviation over the seeds of a group."
+    );
+    let mut sections = vec![tables::section(groups, &tested)];
+    sections.extend(curves::sections(groups));
+    sections.extend(distances::section(groups, &tested));
+    for (group, tested) in groups.iter().zip(&tested) {
+        let Some(best) = best(tested) else { continue };
+        let run = &group.runs[best];
+        let mut figures = Vec::new();
+        if let Kind::Tpg { graph, .. } = &run.kind {
+            figures.push(graph::figure(graph));
+        }
+        if let Some(tested) = &tested[best] {
+            figures.extend(trajectory::figures(tested));
+        }
+        let text = "The best of the group on the test episodes.".to_owned();
+        sections.push(Section { title: run.name.clone(), text, figures, ..Section::default() });
+    }
+    let title = groups.iter().map(|group| group.name.as_str()).collect::<Vec<_>>().join(", ");
+    Ok(Page { title, lead, sections })
+}
+
+/// The run with the highest success, then the least distance; the first where none was tested.
+fn best(tested: &[Option<Tested>]) -> Option<usize> {
+    let worth = |place: &usize| {
+        tested[*place].as_ref().map_or((-1.0, 0.0), |tested| (tested.success(), -tested.mean_distance()))
+    };
+    // Of equals the first.
+    (0..tested.len()).rev().max_by(|a, b| worth(a).partial_cmp(&worth(b)).unwrap_or(std::cmp::Ordering::Equal))
+}

@@ -1,0 +1,228 @@
+//! Folders of runs, read and grouped.
+
+use crate::evolution::config::{Config, EnvironmentName};
+use crate::evolution::state::Row;
+use crate::files::read_text;
+use crate::sac::nn::Mlp;
+use crate::sac::weights::{self, Contract};
+use crate::targets::Start;
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use tpg_codegen::error::{InputError, Place};
+use tpg_codegen::graph::Graph;
+
+/// Runs with the same configuration.
+#[derive(Debug)]
+pub(super) struct Group {
+    /// What their names have in common.
+    pub(super) name: String,
+    /// In the order of their seeds.
+    pub(super) runs: Vec<Run>,
+}
+
+/// One run.
+#[derive(Debug)]
+pub(super) struct Run {
+    /// The folder's name; of a restart, with the folder above.
+    pub(super) name: String,
+    /// The seed, where the run says it.
+    pub(super) seed: Option<u64>,
+    /// What is told along the way: for each name, x and y.
+    pub(super) curves: BTreeMap<&'static str, Vec<[f64; 2]>>,
+    /// Seconds of CPU time, where the run says it.
+    pub(super) cpu: Option<f64>,
+    /// What was trained.
+    pub(super) kind: Kind,
+}
+
+/// What was trained.
+#[derive(Debug)]
+pub(super) enum Kind {
+    /// A tangled program graph.
+    Tpg {
+        /// How.
+        config: Box<Config>,
+        /// It.
+        graph: Box<Graph>,
+    },
+    /// A soft actor-critic.
+    Sac {
+        /// The problem that it was chosen on.
+        start: Start,
+        /// Its network.
+        network: Box<Mlp<f32>>,
+        /// How it is used.
+        contract: Box<Contract>,
+    },
+}
+
+impl Kind {
+    /// What was trained, in a word.
+    pub(super) fn name(&self) -> &'static str {
+        match self {
+            Self::Tpg { .. } => "TPG",
+            Self::Sac { .. } => "SAC",
+        }
+    }
+
+    /// Whether it drives an arm.
+    pub(super) fn has_arm(&self) -> bool {
+        match self {
+            Self::Tpg { config, .. } => config.problem.environment == EnvironmentName::Arm,
+            Self::Sac { .. } => true,
+        }
+    }
+}
+
+/// Reads every run and puts those with equal configurations together, in the order they are given.
+pub(super) fn read(folders: &[PathBuf]) -> Result<Vec<Group>, InputError> {
+    let mut groups: Vec<(String, Group)> = Vec::new();
+    for (folder, name) in folders.iter().map(|folder| with_restarts(folder)).collect::<Result<Vec<_>, _>>()?.concat() {
+        let text = read_text(&folder.join("config.toml"), "the config.toml of a run")?;
+        let run = if folder.join("generations.jsonl").exists() {
+            tpg(&folder, name, &text)?
+        } else if folder.join("log.jsonl").exists() {
+            sac(&folder, name)?
+        } else {
+            let accepted = "a folder of `tpg-train tpg` or `tpg-train sac` with a log";
+            return Err(InputError::new(folder.display().to_string(), Place::Whole, "no run", accepted));
+        };
+        let start = if let Kind::Sac { start, .. } = run.kind { format!("{start:?}") } else { String::new() };
+        let key = format!("{} {start}\n{text}", run.kind.name());
+        match groups.iter_mut().find(|(other, _)| *other == key) {
+            Some((_, group)) => group.runs.push(run),
+            None => groups.push((key, Group { name: String::new(), runs: vec![run] })),
+        }
+    }
+    Ok(groups.into_iter().map(|(_, group)| named(group)).collect())
+}
+
+/// The folder itself, or its restarts; each with its name.
+fn with_restarts(folder: &Path) -> Result<Vec<(PathBuf, String)>, InputError> {
+    let last =
+        |path: &Path| path.file_name().map_or_else(|| ".".to_owned(), |name| name.to_string_lossy().into_owned());
+    let whole = fs::canonicalize(folder).map_err(|error| InputError::io(folder, &error, "the folder of a run"))?;
+    let name = last(&whole);
+    if folder.join("config.toml").exists() {
+        return Ok(vec![(folder.to_owned(), name)]);
+    }
+    let entries = fs::read_dir(folder).map_err(|error| InputError::io(folder, &error, "the folder of a run"))?;
+    let mut restarts: Vec<PathBuf> = (entries.filter_map(|entry| entry.ok().map(|entry| entry.path())))
+        .filter(|path| last(path).starts_with("seed-") && path.join("config.toml").exists())
+        .collect();
+    restarts.sort_by_key(|path| (last(path).len(), last(path)));
+    if restarts.is_empty() {
+        let accepted = "the folder of a run, with config.toml, or of restarts, with seed-S";
+        return Err(InputError::new(folder.display().to_string(), Place::Whole, "neither", accepted));
+    }
+    Ok(restarts.into_iter().map(|path| (path.clone(), format!("{name}/{}", last(&path)))).collect())
+}
+
+fn named(mut group: Group) -> Group {
+    group.runs.sort_by_key(|run| run.seed);
+    let first = group.runs[0].name.as_str();
+    let shared = |name: &str| first.bytes().zip(name.bytes()).take_while(|(a, b)| a == b).count();
+    let length = group.runs.iter().map(|run| shared(&run.name)).min().unwrap_or(0);
+    let name = first.get(..length).unwrap_or(first).trim_end_matches(['-', '_', '/', '.']);
+    let name = name.strip_suffix("/seed").unwrap_or(name);
+    group.name = if name.is_empty() { first.to_owned() } else { name.to_owned() };
+    group
+}
+
+fn tpg(folder: &Path, name: String, config: &str) -> Result<Run, InputError> {
+    let config = Config::from_toml(&folder.join("config.toml").display().to_string(), config)?;
+    let rows: Vec<Row> = lines(&folder.join("generations.jsonl"))?;
+    let path = folder.join("graph.json");
+    let graph = Graph::from_json(&path.display().to_string(), &read_text(&path, "the graph of a run")?)?;
+    let curve = |value: &dyn Fn(&Row) -> Option<f64>| {
+        rows.iter().filter_map(|row| Some([row.generation as f64, value(row)?])).collect::<Vec<_>>()
+    };
+    let curves = BTreeMap::from([
+        ("best score", curve(&|row| Some(row.best_score))),
+        ("median score", curve(&|row| Some(row.median_score))),
+        ("success", curve(&|row| row.validation_success)),
+        ("error", curve(&|row| row.validation_error)),
+        ("teams", curve(&|row| Some(row.teams as f64))),
+    ]);
+    let timing = fs::read_to_string(folder.join("timing.csv")).ok();
+    Ok(Run {
+        name,
+        seed: graph.provenance().seed,
+        curves,
+        cpu: timing.as_deref().and_then(cpu_of_sessions),
+        kind: Kind::Tpg { config: Box::new(config), graph: Box::new(graph) },
+    })
+}
+
+/// `timing.csv` counts within a session: where the time falls, another one began.
+fn cpu_of_sessions(timing: &str) -> Option<f64> {
+    let (mut done, mut last) = (0.0, 0.0);
+    for line in timing.lines().skip(1) {
+        let cpu: f64 = line.split(',').nth(2)?.parse().ok()?;
+        if cpu < last {
+            done += last;
+        }
+        last = cpu;
+    }
+    Some(done + last)
+}
+
+fn sac(folder: &Path, name: String) -> Result<Run, InputError> {
+    let rows: Vec<BTreeMap<String, Value>> = lines(&folder.join("log.jsonl"))?;
+    let path = folder.join("policy.safetensors");
+    let (network, contract) = weights::read(&path)?;
+    let start = match contract.provenance.problem.as_str() {
+        "fs" => Start::Fs,
+        "rs" => Start::Rs,
+        other => {
+            let place = Place::Path("provenance.problem".to_owned());
+            return Err(InputError::new(path.display().to_string(), place, format!("{other:?}"), "fs or rs"));
+        }
+    };
+    let value = |row: &BTreeMap<String, Value>, key: &str| row.get(key).and_then(Value::as_f64);
+    let curve = |key: &str| {
+        rows.iter().filter_map(|row| Some([value(row, "decisions")?, value(row, key)?])).collect::<Vec<_>>()
+    };
+    let curves = BTreeMap::from([
+        ("success, fixed start", curve("fs_success")),
+        ("success, random start", curve("rs_success")),
+        ("distance, fixed start", curve("fs_distance_mm")),
+        ("distance, random start", curve("rs_distance_mm")),
+    ]);
+    let time = fs::read_to_string(folder.join("time.json")).ok();
+    let time: Option<Value> = time.and_then(|text| serde_json::from_str(&text).ok());
+    let cpu = time.and_then(|time| time.get("cpu_seconds_of_this_process").and_then(Value::as_f64));
+    let seed = Some(contract.provenance.seed);
+    Ok(Run {
+        name,
+        seed,
+        curves,
+        cpu,
+        kind: Kind::Sac { start, network: Box::new(network), contract: Box::new(contract) },
+    })
+}
+
+/// One JSON value for each line.
+fn lines<T: serde::de::DeserializeOwned>(path: &Path) -> Result<Vec<T>, InputError> {
+    let parse = |(line, text): (usize, &str)| {
+        serde_json::from_str(text).map_err(|error| {
+            InputError::new(path.display().to_string(), Place::Line(line), error.to_string(), "a row of a log")
+        })
+    };
+    (1..).zip(read_text(path, "the log of a run")?.lines()).map(parse).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::cpu_of_sessions;
+
+    #[test]
+    fn cpu_time_is_added_over_sessions() {
+        let header = "generation,session_wall_s,session_cpu_s,session_steps\n";
+        let timing = format!("{header}0,1.0,2.0,5\n1,2.0,3.5,9\n2,0.5,0.5,4\n");
+        assert_eq!(cpu_of_sessions(&timing), Some(4.0));
+        assert_eq!(cpu_of_sessions(&format!("{header}0,1.0,,5\n")), None, "a system that does not tell");
+    }
+}

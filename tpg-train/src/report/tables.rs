@@ -1,0 +1,91 @@
+//! The tables: what each run is and how it did, and each group's mean.
+
+use super::runs::{Group, Kind, Run};
+use super::test::Tested;
+use crate::picture::{Section, Table};
+
+pub(super) fn section(groups: &[Group], tested: &[Vec<Option<Tested>>]) -> Section {
+    let mut means = Vec::new();
+    let mut rows = Vec::new();
+    for (group, tested) in groups.iter().zip(tested) {
+        let all: Vec<&Tested> = tested.iter().flatten().collect();
+        let over = |value: &dyn Fn(&Tested) -> f64| spread(&all.iter().map(|tested| value(tested)).collect::<Vec<_>>());
+        let cpu: Option<Vec<f64>> = group.runs.iter().map(|run| run.cpu).collect();
+        means.push(vec![
+            group.name.clone(),
+            group.runs[0].kind.name().to_owned(),
+            group.runs.len().to_string(),
+            over(&|tested| 100.0 * tested.success()),
+            over(&Tested::mean_distance),
+            all.iter().map(|tested| 100.0 * tested.success()).reduce(f64::max).map_or_else(String::new, one_decimal),
+            cpu.map_or_else(String::new, |cpu| spread(&cpu)),
+        ]);
+        rows.extend(group.runs.iter().zip(tested).map(|(run, tested)| row(run, tested.as_ref())));
+    }
+    let table = |header: &[&str], rows| Table { header: header.iter().map(|&cell| cell.to_owned()).collect(), rows };
+    Section {
+        title: "Results".to_owned(),
+        text: String::new(),
+        tables: vec![
+            table(&["group", "kind", "seeds", "success %", "mean distance mm", "best seed %", "CPU s"], means),
+            table(
+                &[
+                    "run",
+                    "seed",
+                    "what",
+                    "success %",
+                    "mean distance mm",
+                    "median mm",
+                    "actions",
+                    "selection %",
+                    "CPU s",
+                ],
+                rows,
+            ),
+        ],
+        ..Section::default()
+    }
+}
+
+fn row(run: &Run, tested: Option<&Tested>) -> Vec<String> {
+    let what = match &run.kind {
+        Kind::Tpg { graph, .. } => {
+            let edges: usize = graph.teams().iter().map(|team| team.edges.len()).sum();
+            format!("{} teams, {edges} edges, {} programs", graph.teams().len(), graph.programs().len())
+        }
+        Kind::Sac { network, contract, .. } => {
+            let hidden: Vec<String> = contract.actor.hidden.iter().map(usize::to_string).collect();
+            format!("{} inputs, {}", network.shape().inputs, hidden.join("-"))
+        }
+    };
+    let selection = match &run.kind {
+        Kind::Tpg { graph, .. } => graph.provenance().scores.get("validation_success").copied(),
+        Kind::Sac { contract, .. } => Some(contract.provenance.validation_success),
+    };
+    let text = |value: Option<f64>| value.map_or_else(String::new, one_decimal);
+    let median = tested.and_then(|tested| crate::picture::FiveNumbers::of(&tested.distances)).map(|five| five.median);
+    vec![
+        run.name.clone(),
+        run.seed.map_or_else(String::new, |seed| seed.to_string()),
+        what,
+        text(tested.map(|tested| 100.0 * tested.success())),
+        text(tested.map(Tested::mean_distance)),
+        text(median),
+        text(tested.map(|tested| tested.actions as f64 / tested.distances.len().max(1) as f64)),
+        text(selection.map(|success| 100.0 * success)),
+        text(run.cpu),
+    ]
+}
+
+fn one_decimal(value: f64) -> String {
+    format!("{value:.1}")
+}
+
+/// Mean ± standard deviation (of the sample, n − 1); of one value, itself.
+fn spread(values: &[f64]) -> String {
+    match super::curves::mean_and_sd(values) {
+        None => String::new(),
+        Some((mean, None)) => one_decimal(mean),
+        Some((mean, Some(sd))) => format!("{mean:.1} ± {sd:.1}"),
+    }
+}

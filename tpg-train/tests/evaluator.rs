@@ -1,0 +1,124 @@
+//! Another place to evaluate roots: behind the same trait, each unit and each answer as text, in any order. The run is the same.
+
+use std::cell::RefCell;
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+use tpg_runtime::ops::Own;
+use tpg_train::engine::{
+    Answer, Environment, EvaluationError, Evaluator, LocalThreads, Options, UnitKey, Work, WorkUnit,
+};
+use tpg_train::environments::{ArmEnvironment, ArmTask};
+use tpg_train::evolution::config::Config;
+use tpg_train::evolution::presets::Preset;
+use tpg_train::evolution::run::{RunEnd, RunOptions, run};
+
+/// A worker at the other end of a wire: it is sent a unit with the tasks, and sends an answer. It knows nothing else.
+struct Worker<'e> {
+    environment: &'e ArmEnvironment<f32>,
+}
+
+impl Worker<'_> {
+    fn ask(&self, message: &str) -> Result<String, EvaluationError> {
+        let work: Work<ArmTask> = serde_json::from_str(message).map_err(|error| EvaluationError(error.to_string()))?;
+        let engine = LocalThreads::<f32, Own, _>::new(self.environment, Options { lanes: 3, ..Options::default() }, 1)?;
+        let answers = engine.evaluate(&work)?;
+        serde_json::to_string(&answers).map_err(|error| EvaluationError(error.to_string()))
+    }
+}
+
+/// Sends units one by one, the last first, and puts the answers into order by their keys.
+struct Wire<'e> {
+    worker: Worker<'e>,
+    keys: RefCell<BTreeSet<(UnitKey, usize)>>,
+}
+
+impl Evaluator<ArmTask> for Wire<'_> {
+    fn evaluate(&self, work: &Work<ArmTask>) -> Result<Vec<Answer>, EvaluationError> {
+        let mut answers = Vec::new();
+        for unit in work.units.iter().rev() {
+            let one = Work::<ArmTask> { tasks: work.tasks.clone(), units: vec![unit.clone()] };
+            let message = serde_json::to_string(&one).map_err(|error| EvaluationError(error.to_string()))?;
+            let reply: Vec<Answer> = serde_json::from_str(&self.worker.ask(&message)?)
+                .map_err(|error| EvaluationError(error.to_string()))?;
+            let ([answer], WorkUnit { key, .. }) = (&reply[..], unit) else {
+                return Err(EvaluationError(format!("{} answers to a unit", reply.len())));
+            };
+            assert_eq!(answer.key, *key, "an answer has its unit's key");
+            // Racing asks twice a generation, validation once more: each time with another number of tasks.
+            assert!(
+                self.keys.borrow_mut().insert((*key, work.tasks.len())),
+                "{key:?} is no address: it was there before"
+            );
+            answers.push(answer.clone());
+        }
+        answers.sort_by_key(|answer| work.units.iter().position(|unit| unit.key == answer.key));
+        Ok(answers)
+    }
+}
+
+/// Two demes, so that roots of equal numbers are asked for.
+fn config() -> Config {
+    let mut config = Preset::find("best-rs").expect("it comes with the trainer").config().expect("it is accepted");
+    (config.tpg.nb_roots, config.tpg.init_nb_roots, config.learning.ratio_deleted_roots) = (16, 20, 0.7);
+    (config.demes.count, config.demes.migration_interval, config.demes.migrants) = (2, 2, 1);
+    (config.learning.nb_iterations_per_policy_evaluation, config.learning.nb_generations) = (12, 5);
+    (config.selection.lexicase_survivors, config.selection.racing_episodes) = (2, 4);
+    (config.selection.validation_interval, config.selection.validation_episodes) = (2, 20);
+    config
+}
+
+fn train<V: Evaluator<ArmTask>>(folder: &Path, environment: &ArmEnvironment<f32>, evaluator: &V) -> Vec<Vec<u8>> {
+    let options = RunOptions { folder: folder.to_owned(), ..RunOptions::default() };
+    let end = run::<f32, Own, _, _>(&config(), 7, environment, evaluator, &options, &false.into());
+    assert!(matches!(end, Ok(RunEnd::Finished(_))), "{end:?}");
+    let read = |name| fs::read(folder.join(name)).expect("a run leaves it");
+    ["graph.json", "generations.csv", "generations.jsonl", "checkpoint.json"].map(read).to_vec()
+}
+
+#[test]
+fn a_run_is_the_same_wherever_its_roots_are_evaluated() {
+    let config = config();
+    let environment = ArmEnvironment::<f32>::new(&config.arm(), config.arm_problem());
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let local = LocalThreads::<f32, Own, _>::new(&environment, Options::default(), 2).expect("threads start");
+    let wire = Wire { worker: Worker { environment: &environment }, keys: RefCell::default() };
+    let expected = train(&folder.path().join("local"), &environment, &local);
+    assert!(train(&folder.path().join("wire"), &environment, &wire) == expected, "other bytes over a wire");
+    assert!(wire.keys.borrow().len() > 100 && Environment::<f32>::time_limit(&environment) > 0);
+}
+
+/// Loses its connection at the third question.
+struct Broken<V> {
+    inner: V,
+    asked: RefCell<u32>,
+}
+
+impl<V: Evaluator<ArmTask>> Evaluator<ArmTask> for Broken<V> {
+    fn evaluate(&self, work: &Work<ArmTask>) -> Result<Vec<Answer>, EvaluationError> {
+        *self.asked.borrow_mut() += 1;
+        if *self.asked.borrow() == 3 {
+            Err(EvaluationError("connection lost".to_owned()))
+        } else {
+            self.inner.evaluate(work)
+        }
+    }
+}
+
+#[test]
+fn a_lost_machine_is_an_error_and_the_run_can_be_resumed() {
+    let config = config();
+    let environment = ArmEnvironment::<f32>::new(&config.arm(), config.arm_problem());
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let local = || LocalThreads::<f32, Own, _>::new(&environment, Options::default(), 1).expect("threads start");
+    let expected = train(&folder.path().join("whole"), &environment, &local());
+    let broken = Broken { inner: local(), asked: RefCell::new(0) };
+    let options =
+        RunOptions { folder: folder.path().join("broken"), resume: true, checkpoint_every: std::time::Duration::ZERO };
+    let go = || run::<f32, Own, _, _>(&config, 7, &environment, &broken, &options, &false.into());
+    let error = go().expect_err("a machine was lost").to_string();
+    assert!(error.contains("connection lost"), "{error}");
+    assert!(matches!(go(), Ok(RunEnd::Finished(_))));
+    let read = |name| fs::read(options.folder.join(name)).expect("a run leaves it");
+    assert!(["graph.json", "generations.csv", "generations.jsonl", "checkpoint.json"].map(read).to_vec() == expected);
+}

@@ -1,0 +1,71 @@
+//! `tpg-train report`: one file with everything in it, the same bytes for the same runs, and errors that name a folder.
+
+use assert_cmd::Command;
+use std::fs;
+use std::path::Path;
+
+fn tpg_train() -> Command {
+    Command::new(env!("CARGO_BIN_EXE_tpg-train"))
+}
+
+fn evolve(folder: &Path, problem: &str, seeds: &str) {
+    let mut command = tpg_train();
+    command.args(["tpg", "--problem", problem, "--generations", "2", "--seeds", seeds, "--out"]).arg(folder);
+    command.assert().success();
+}
+
+#[test]
+fn a_report_shows_every_run_and_is_the_same_wherever_the_runs_are() {
+    let place = tempfile::tempdir().expect("a temporary folder");
+    let evolved = place.path().join("evolved");
+    evolve(&evolved, "fs", "1..3");
+    let sac = place.path().join("sac");
+    let mut command = tpg_train();
+    command.args(["sac", "--problem", "rs", "--decisions", "12000", "--out"]).arg(&sac);
+    command.assert().success();
+
+    let report = |runs: &[&Path]| {
+        let output = tpg_train().arg("report").args(runs).args(["--episodes", "50", "--out", "-"]).assert().success();
+        String::from_utf8(output.get_output().stdout.clone()).expect("text")
+    };
+    let html = report(&[&evolved, &sac]);
+    for part in
+        ["evolved/seed-1", "evolved/seed-2", ">sac<", "TPG", "SAC", "<svg", "selection episodes", "target, in the last"]
+    {
+        assert!(html.contains(part), "{part} is missing");
+    }
+    for never in ["<script", "http:", "https:", "NaN", "inf,"] {
+        assert!(!html.contains(never), "{never} has no place in a report");
+    }
+    let tags = |tag: &str| html.matches(tag).count();
+    assert_eq!(tags("<svg"), tags("</svg>"));
+    assert_eq!(tags("<table"), 2);
+
+    let moved = place.path().join("elsewhere/evolved");
+    fs::create_dir_all(moved.parent().expect("a folder above")).expect("it can be made");
+    fs::rename(&evolved, &moved).expect("it can be moved");
+    assert!(report(&[&moved, &sac]) == html, "paths or the clock are in the report");
+}
+
+#[test]
+fn a_folder_without_a_run_is_refused_by_name() {
+    let place = tempfile::tempdir().expect("a temporary folder");
+    for (name, files, found) in [
+        ("nothing", &[][..], "no run nor restarts"),
+        ("empty", &[], "neither"),
+        ("half", &[("config.toml", "")], "no run"),
+        ("torn", &[("config.toml", ""), ("log.jsonl", "{\"decisions\": 1}\n{")], "line 2"),
+    ] {
+        let folder = place.path().join(name);
+        if name != "nothing" {
+            fs::create_dir(&folder).expect("it can be made");
+        }
+        for (file, text) in files {
+            fs::write(folder.join(file), text).expect("it can be written");
+        }
+        let output = tpg_train().arg("report").arg(&folder).assert().code(2);
+        let error = String::from_utf8_lossy(&output.get_output().stderr).into_owned();
+        assert!(error.contains(name), "{error}");
+        assert!(name == "nothing" || error.contains(found), "{error}");
+    }
+}
