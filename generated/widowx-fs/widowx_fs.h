@@ -1,8 +1,8 @@
 /*
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix widowx_fs --profile fast
- * Graph SHA-256: 36990850ec2e9a46699110a4764611e2bc47067713cc9af0e6e5503f1e975f93
- * 28 teams (16 on the longest walk), 174 edges, 141 programs, 49 distinct operations.
+ * Graph SHA-256: 2460e91fcad64a969f9a7c8ed86478a4fcbac7ae14ca0273944e1ca3551f08ee
+ * 31 teams (18 on the longest walk), 188 edges, 153 programs, 52 distinct operations.
  * Computes in f32 with own maths.
  */
 #ifndef WIDOWX_FS_H
@@ -26,11 +26,11 @@ extern "C" {
  */
 #define WIDOWX_FS_ACTIONS 8U
 /* Teams, and how many of them decide at most in one inference. */
-#define WIDOWX_FS_TEAMS 28U
-#define WIDOWX_FS_DEPTH 16U
+#define WIDOWX_FS_TEAMS 31U
+#define WIDOWX_FS_DEPTH 18U
 /* At most, in one inference: bids looked at, operations, and sines, cosines, logarithms and exponentials among those. */
-#define WIDOWX_FS_WORST_BIDS 103U
-#define WIDOWX_FS_WORST_OPERATIONS 98U
+#define WIDOWX_FS_WORST_BIDS 113U
+#define WIDOWX_FS_WORST_OPERATIONS 108U
 #define WIDOWX_FS_WORST_MATHS_CALLS 0U
 
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */

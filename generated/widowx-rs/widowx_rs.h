@@ -1,8 +1,8 @@
 /*
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix widowx_rs --profile fast
- * Graph SHA-256: e03ca780ae182528e6a99c13b83e6fc72c791b0b352167b3af393d1d05d741ce
- * 28 teams (15 on the longest walk), 214 edges, 163 programs, 55 distinct operations.
+ * Graph SHA-256: 4c66c6b65c6c713d5ad1fe31be297b7d3fcebbf6d3d7971a9a27b9132c25b11f
+ * 30 teams (16 on the longest walk), 210 edges, 156 programs, 58 distinct operations.
  * Computes in f32 with own maths.
  */
 #ifndef WIDOWX_RS_H
@@ -26,27 +26,25 @@ extern "C" {
  */
 #define WIDOWX_RS_ACTIONS 8U
 /* Teams, and how many of them decide at most in one inference. */
-#define WIDOWX_RS_TEAMS 28U
-#define WIDOWX_RS_DEPTH 15U
+#define WIDOWX_RS_TEAMS 30U
+#define WIDOWX_RS_DEPTH 16U
 /* At most, in one inference: bids looked at, operations, and sines, cosines, logarithms and exponentials among those. */
-#define WIDOWX_RS_WORST_BIDS 132U
-#define WIDOWX_RS_WORST_OPERATIONS 132U
+#define WIDOWX_RS_WORST_BIDS 118U
+#define WIDOWX_RS_WORST_OPERATIONS 118U
 #define WIDOWX_RS_WORST_MATHS_CALLS 0U
 
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
 typedef struct widowx_rs_state {
-    float reach[3]; /* ticks, -4095 to 4095 */
-    float reach_excess[3]; /* ticks, ticks, mm, -1026 to 1026 */
-    float reach_pitch[1]; /* ticks, -2049 to 2049 */
-    float motors_centred[4]; /* ticks, -2046 to 2046 */
+    float stance[4]; /* ticks, -4095 to 4095 */
+    float floor[1]; /* mm, 0 to 606 */
 } widowx_rs_state_t;
 
 /* The action for a state, below WIDOWX_RS_ACTIONS. Pure and reentrant: no globals, no memory, no side effect. */
 uint16_t widowx_rs_infer(const widowx_rs_state_t *state);
 
 /* For tpg_policy_t of tpg_runtime.h: the arm's sources that make up a state, and what each action moves, in ticks. */
-#define WIDOWX_RS_SOURCES { TPG_SOURCE_REACH, TPG_SOURCE_REACH_EXCESS, TPG_SOURCE_REACH_PITCH, TPG_SOURCE_MOTORS_CENTRED }
-#define WIDOWX_RS_SOURCE_COUNT 4U
+#define WIDOWX_RS_SOURCES { TPG_SOURCE_STANCE, TPG_SOURCE_FLOOR }
+#define WIDOWX_RS_SOURCE_COUNT 2U
 #define WIDOWX_RS_MOVES { { { 3, 0, 0, 0 } }, { { -3, 0, 0, 0 } }, { { 0, 3, 0, 0 } }, { { 0, -3, 0, 0 } }, { { 0, 0, 3, 0 } }, { { 0, 0, -3, 0 } }, { { 0, 0, 0, 3 } }, { { 0, 0, 0, -3 } } }
 
 #ifndef WIDOWX_RS_NO_SELFTEST

@@ -36,6 +36,8 @@ pub trait Scalar:
     fn to_f64(self) -> f64;
     /// The magnitude: clears the sign bit, of a NaN too.
     fn abs(self) -> Self;
+    /// Truncated towards zero; the nearest end where `i32` has no such number, 0 for a NaN.
+    fn to_i32(self) -> i32;
     /// Whether this is not a number.
     #[expect(clippy::eq_op, reason = "a NaN is the only value unequal to itself")]
     fn is_nan(self) -> bool {
@@ -61,6 +63,10 @@ impl Scalar for f32 {
         f64::from(self)
     }
     #[inline(always)]
+    fn to_i32(self) -> i32 {
+        self as i32
+    }
+    #[inline(always)]
     fn abs(self) -> Self {
         f32::abs(self)
     }
@@ -82,6 +88,10 @@ impl Scalar for f64 {
     #[inline(always)]
     fn to_f64(self) -> f64 {
         self
+    }
+    #[inline(always)]
+    fn to_i32(self) -> i32 {
+        self as i32
     }
     #[inline(always)]
     fn abs(self) -> Self {

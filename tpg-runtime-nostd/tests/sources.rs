@@ -1,7 +1,8 @@
 //! The data sources of a graph: their values, and the ranges that `graph.json` declares for them.
 
-use tpg_runtime::arm::{Arm, JOINTS, Pose, WIDOWX};
+use tpg_runtime::arm::{Arm, Invalid, JOINTS, Pose, WIDOWX};
 use tpg_runtime::kinematics::{self, Lattice, Plane};
+use tpg_runtime::observation::shield::{ALLOWED, SHIELDED, STEP, action};
 use tpg_runtime::observation::{Observation, Reach, Source};
 
 const ARM_F32: Arm<f32> = WIDOWX.to_f32();
@@ -48,7 +49,7 @@ fn values<S: Lattice>(source: Source, arm: &Arm<S>, pose: Pose, target: [S; 3]) 
 #[test]
 fn every_value_lies_in_its_declared_range() {
     let mut poses = Poses(1);
-    let mut widest = [[0.0f64; 6]; Source::ALL.len()];
+    let mut widest = [[0.0f64; 8]; Source::ALL.len()];
     for _ in 0..300_000 {
         let (pose, goal) = (poses.free(), poses.free());
         let target = kinematics::hand(&WIDOWX, goal);
@@ -112,6 +113,49 @@ fn doing_what_reach_says_brings_the_hand_to_the_target() {
         assert!(missed < 1e-6, "{missed} mm off from {pose:?} to {target:?}");
     }
     assert!(reached > 5000, "only {reached} targets were within reach without the wrist");
+}
+
+#[test]
+fn the_stance_is_free_and_solves_nearly_every_task() {
+    let mut poses = Poses(5);
+    let (mut solved, mut straight) = (0, 0);
+    for _ in 0..5000 {
+        let (pose, goal) = (poses.free(), poses.free());
+        let target = kinematics::hand(&WIDOWX, goal);
+        let errors = values(Source::Stance, &WIDOWX, pose, target);
+        let there = Pose([0, 1, 2, 3].map(|joint| (f64::from(pose.0[joint]) + errors[joint] + 0.5).floor() as i16));
+        let inside = there.0.iter().zip(WIDOWX.ranges).all(|(&ticks, range)| range.contains(ticks));
+        let free = Plane::at(&WIDOWX, there).collision(&WIDOWX.shapes).is_none();
+        // Rounding to ticks moves the hand by up to about 1 mm.
+        if inside && free && kinematics::distance(kinematics::hand(&WIDOWX, there), target) < 1.2 {
+            solved += 1;
+            straight += u32::from(there.0[3] == 2048);
+        }
+    }
+    // Poses are uniform here, not targets: more of them are folded than the arm's tasks ask for.
+    assert!(solved > 4700 && straight > 3500 && straight < solved, "{solved} solved, {straight} with a straight wrist");
+}
+
+#[test]
+fn a_shield_refuses_what_a_step_refuses() {
+    let mut poses = Poses(6);
+    let mut refused = [0; 2];
+    for _ in 0..20_000 {
+        let pose = poses.free();
+        let limits = values(Source::ShieldLimits, &ARM_F32, pose, [0.0; 3]);
+        let collision = values(Source::ShieldCollision, &ARM_F32, pose, [0.0; 3]);
+        for place in 0..SHIELDED as u8 {
+            let invalid = ARM_F32.step(pose, action(place, STEP)).invalid;
+            let limit = matches!(invalid, Some(Invalid::JointLimit(_)));
+            let expected = |refused: bool| if refused { -ALLOWED } else { ALLOWED };
+            assert_eq!(limits[usize::from(place)], expected(limit), "{pose:?}, action {place}");
+            assert_eq!(collision[usize::from(place)], expected(invalid.is_some()), "{pose:?}, action {place}");
+            refused[0] += u32::from(limit);
+            refused[1] += u32::from(invalid.is_some());
+        }
+    }
+    assert!(refused[0] > 500 && refused[1] > refused[0] + 50, "refusals must occur: {refused:?}");
+    assert!(f64::from(ALLOWED as f32) == ALLOWED, "exact in both scalars");
 }
 
 #[test]

@@ -20,7 +20,6 @@ use tpg_train::evolution::mutate_program::ProgramMutator;
 use tpg_train::evolution::mutate_team::{Moment, populate, random_population};
 use tpg_train::evolution::presets::Preset;
 use tpg_train::evolution::state::State;
-use tpg_train::evolution::vocabulary::Vocabulary;
 use tpg_train::random::{Purpose, Stream};
 use tpg_train::targets::{Set, Start, tasks};
 
@@ -71,14 +70,7 @@ fn population(
 ) -> Result<(), Box<dyn std::error::Error>> {
     let environment = ArmEnvironment::<f32>::new(&config.arm(), config.arm_problem());
     let learning = &config.learning;
-    let vocabulary = Vocabulary::new(
-        config.instructions(),
-        learning.nb_registers,
-        learning.nb_program_constant,
-        &environment.sources(),
-        config.language.literals,
-        config.language.scalar,
-    );
+    let vocabulary = config.vocabulary(&environment.sources());
     let mutator = ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
     let actions = environment.actions().len() as u16;
     let mut units = Vec::new();

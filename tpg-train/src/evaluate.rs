@@ -3,6 +3,7 @@
 use crate::engine::{Ending, Environment, Lanes, Options, Plan, Policy};
 use crate::environments::{ArmDescription, ArmEnvironment, ArmProblem, ArmScalar, ArmTask, arm::OUTCOMES};
 use crate::evolution::config::Config;
+use crate::evolution::config::Shield;
 use crate::hybrid::actor::Actor;
 use crate::hybrid::graph::read_graph;
 use crate::hybrid::setting::{Detector, HandBack, HybridFile, Setting};
@@ -19,6 +20,7 @@ use tpg_codegen::error::{InputError, Place};
 use tpg_codegen::graph::{Graph, MathsProvider, ScalarType};
 use tpg_runtime::arm::{Arm, WIDOWX};
 use tpg_runtime::hybrid::{Cause, Guard};
+use tpg_runtime::observation::shield::{SHIELDED, STEP, action as action_of};
 use tpg_runtime::ops::{Maths, Own, System};
 
 /// Let a policy act and count how its episodes end.
@@ -61,6 +63,9 @@ pub struct EvalArgs {
     /// The seed of the test set
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
+    /// Add a shield to a graph that has none: actions that would be refused cannot be chosen
+    #[arg(long, value_enum, default_value_t = Shield::None, conflicts_with_all = ["policy", "hybrid"])]
+    pub shield: Shield,
     /// One JSON object instead of a table
     #[arg(long)]
     pub json: bool,
@@ -73,6 +78,8 @@ pub struct Report {
     pub problem: String,
     /// The policy's file.
     pub policy: String,
+    /// `none`, `limits` or `limits-and-collision`: the actions that the policy cannot choose.
+    pub shield: String,
     /// Episodes.
     pub episodes: usize,
     /// The seed of the test set; absent for a file of episodes.
@@ -105,6 +112,7 @@ impl Report {
     pub fn new(
         problem: Start,
         policy: &str,
+        shield: Shield,
         seed: Option<u64>,
         endings: &[Ending],
         outcomes: &[&str],
@@ -133,6 +141,7 @@ impl Report {
                 Start::Rs => "rs".to_owned(),
             },
             policy: policy.to_owned(),
+            shield: shield.name().to_owned(),
             episodes: endings.len(),
             seed,
             success_rate: share(endings.iter().filter(|ending| ending.success).count()),
@@ -165,6 +174,7 @@ impl Report {
                 Start::Rs => "rs".to_owned(),
             },
             policy: policy.to_owned(),
+            shield: Shield::None.name().to_owned(),
             episodes: trial.episodes,
             seed,
             success_rate: trial.success_rate,
@@ -200,6 +210,7 @@ impl Report {
             .collect();
         format!(
             "{} on {}, {} episodes\n\
+             shield         {}\n\
              success        {:.1} %\n\
              collision      {:.1} %\n\
              distance       {:.2} mm mean, {:.2} mm median\n\
@@ -210,6 +221,7 @@ impl Report {
             self.policy,
             self.problem,
             self.episodes,
+            self.shield,
             100.0 * self.success_rate,
             100.0 * self.collision_rate,
             self.mean_distance_mm,
@@ -260,7 +272,7 @@ pub fn eval(args: &EvalArgs) -> Result<(), InputError> {
         }
         (None, Some(path), None) => {
             let problem = problem_of(args.problem, config.as_ref());
-            of_graph(&path.display().to_string(), &read_graph(path)?, &arm, problem, tasks, seed)?
+            of_graph(&path.display().to_string(), &read_graph(path)?, &arm, problem, args.shield, tasks, seed)?
         }
         (None, None, policy) => {
             let policy = policy.as_deref().unwrap_or("planner");
@@ -335,15 +347,24 @@ fn of_graph(
     graph: &Graph,
     arm: &Arm<f64>,
     problem: ArmProblem,
+    added: Shield,
     tasks: Vec<targets::Task>,
     seed: Option<u64>,
 ) -> Result<Report, InputError> {
     let start = problem.start;
+    let shield = match (Shield::of(graph.sources().iter().map(|source| source.name.as_str())), added) {
+        (own, Shield::None) => own,
+        (Shield::None, added) => added,
+        (own, _) => {
+            let found = format!("--shield for a graph that has the shield {:?}", own.name());
+            return Err(InputError::new(file, Place::Whole, found, "a graph without a shield"));
+        }
+    };
     let tasks: Vec<ArmTask> = tasks.into_iter().map(ArmTask::from).collect();
     let began = Instant::now();
-    let endings = endings_of(file, graph, arm, problem, &tasks)?;
+    let endings = shielded_endings_of(file, graph, arm, problem, added, &tasks)?;
     let seconds = began.elapsed().as_secs_f64();
-    Ok(Report::new(start, file, seed, &endings, &OUTCOMES, seconds))
+    Ok(Report::new(start, file, shield, seed, &endings, &OUTCOMES, seconds))
 }
 
 /// How a graph's episodes end, in its own scalar and maths; `problem`'s sources are the graph's.
@@ -357,11 +378,23 @@ pub fn endings_of(
     problem: ArmProblem,
     tasks: &[ArmTask],
 ) -> Result<Vec<Ending>, InputError> {
+    shielded_endings_of(file, graph, arm, problem, Shield::None, tasks)
+}
+
+/// [`endings_of`] under a shield that the graph has not.
+fn shielded_endings_of(
+    file: &str,
+    graph: &Graph,
+    arm: &Arm<f64>,
+    problem: ArmProblem,
+    shield: Shield,
+    tasks: &[ArmTask],
+) -> Result<Vec<Ending>, InputError> {
     match (graph.scalar(), graph.maths()) {
-        (ScalarType::F32, MathsProvider::Own) => endings::<f32, Own>(file, graph, arm, problem, tasks),
-        (ScalarType::F32, MathsProvider::System) => endings::<f32, System>(file, graph, arm, problem, tasks),
-        (ScalarType::F64, MathsProvider::Own) => endings::<f64, Own>(file, graph, arm, problem, tasks),
-        (ScalarType::F64, MathsProvider::System) => endings::<f64, System>(file, graph, arm, problem, tasks),
+        (ScalarType::F32, MathsProvider::Own) => endings::<f32, Own>(file, graph, arm, problem, shield, tasks),
+        (ScalarType::F32, MathsProvider::System) => endings::<f32, System>(file, graph, arm, problem, shield, tasks),
+        (ScalarType::F64, MathsProvider::Own) => endings::<f64, Own>(file, graph, arm, problem, shield, tasks),
+        (ScalarType::F64, MathsProvider::System) => endings::<f64, System>(file, graph, arm, problem, shield, tasks),
     }
 }
 
@@ -384,9 +417,22 @@ fn endings<S: ArmScalar, M: Maths<S>>(
     graph: &Graph,
     arm: &Arm<f64>,
     problem: ArmProblem,
+    shield: Shield,
     tasks: &[ArmTask],
 ) -> Result<Vec<Ending>, InputError> {
-    let environment = ArmEnvironment::<S>::for_graph(file, graph, arm, problem)?;
-    let plan = Plan::new::<M>(&Policy::from(graph), &environment.sources(), Options::default());
+    let mut environment = ArmEnvironment::<S>::for_graph(file, graph, arm, problem)?;
+    let mut policy = Policy::from(graph);
+    if let Some(source) = shield.source() {
+        let moves = environment.moves().to_vec();
+        let first = graph.state_length() as u16;
+        let place = |action: u16| {
+            (0..SHIELDED as u8).find(|&place| moves.get(usize::from(action)) == Some(&action_of(place, STEP)))
+        };
+        policy = policy.shielded(|action| place(action).map(|place| first + u16::from(place)));
+        let mut problem = environment.problem().clone();
+        problem.sources.push(source);
+        environment = ArmEnvironment::for_evaluation(arm, problem, moves);
+    }
+    let plan = Plan::new::<M>(&policy, &environment.sources(), Options::default());
     Ok(Lanes::<S, M, _>::new(&environment, Options::default()).run(&plan, tasks))
 }

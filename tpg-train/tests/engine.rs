@@ -2,32 +2,38 @@
 
 use tpg_codegen::graph::{Graph, Provenance, ScalarType};
 use tpg_codegen::interpret::Interpreter;
+use tpg_codegen::passes::{interval::Assumption, optimise};
 use tpg_runtime::arm::{Arm, Move, WIDOWX};
 use tpg_runtime::cycle::Visited;
 use tpg_runtime::episode::{Episode, Outcome, Summary};
 use tpg_runtime::kinematics::Lattice;
+use tpg_runtime::observation::shield::{ALLOWED, SHIELDED};
 use tpg_runtime::observation::{Observation, Source};
 use tpg_runtime::ops::{Instruction, Maths, Own};
 use tpg_runtime::policy::{ActionId, Policy as _};
 use tpg_train::engine::{
-    Ending, Environment, Evaluator, Lanes, LocalThreads, Options, Plan, Policy, UnitKey, Work, WorkUnit,
+    Destination, Edge, Ending, Environment, Evaluator, Lanes, Line, LocalThreads, Operand, Options, Plan, Policy,
+    UnitKey, Work, WorkUnit,
 };
 use tpg_train::environments::description::WIDOWX_TOML;
 use tpg_train::environments::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
 use tpg_train::evolution::archive::Archive;
-use tpg_train::evolution::config::Config;
+use tpg_train::evolution::command::arm_environment;
+use tpg_train::evolution::config::{Config, Shield};
 use tpg_train::evolution::export;
 use tpg_train::evolution::mutate_program::ProgramMutator;
 use tpg_train::evolution::mutate_team::{Moment, populate, random_population};
 use tpg_train::evolution::presets::Preset;
 use tpg_train::evolution::vocabulary::Vocabulary;
+
 use tpg_train::random::{Purpose, Stream};
 use tpg_train::targets::{Set, Start, tasks};
 
 /// A configuration in which everything can happen: every source, every instruction, literals, program constants.
 fn config(scalar: ScalarType) -> Config {
     let mut config = Preset::find("best-rs").expect("it comes with the trainer").config().expect("it is accepted");
-    config.problem.sources = Source::ALL.map(|source| source.name().to_owned()).to_vec();
+    let names = Source::ALL.map(|source| source.name().to_owned());
+    config.problem.sources = names.into_iter().filter(|name| !name.starts_with("shield_")).collect();
     config.problem.may_stop = true;
     config.language.scalar = scalar;
     config.language.instructions = Instruction::ALL.map(|instruction| instruction.name().to_owned()).to_vec();
@@ -47,12 +53,15 @@ struct World<S> {
 
 impl<S: ArmScalar> World<S> {
     /// Roots some rounds of mutation away from random ones: several teams deep.
-    fn new(scalar: ScalarType, arm: &Arm<f64>) -> Self {
-        let config = config(scalar);
-        let problem = ArmProblem { may_stop: true, ..ArmProblem::new(Start::Rs, config.sources()) };
-        let environment = ArmEnvironment::<S>::new(arm, problem);
-        let vocabulary =
-            Vocabulary::new(config.instructions(), 8, 2, &environment.sources(), true, config.language.scalar);
+    fn new(scalar: ScalarType, arm: &Arm<f64>, shield: Shield) -> Self {
+        let mut config = config(scalar);
+        config.problem.shield = shield;
+        if shield == Shield::None {
+            // Random policies that read it hardly ever come back to a pose, and cycles are wanted, too.
+            config.problem.sources.retain(|name| name != "stance");
+        }
+        let environment = ArmEnvironment::<S>::new(arm, config.arm_problem());
+        let vocabulary = config.vocabulary(&environment.sources());
         let mutator =
             ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
         let mut stream = Stream::new(1, 0, Purpose::Test, 0);
@@ -139,11 +148,11 @@ fn same<S: Lattice>(ending: &Ending, summary: &Summary<S>, outcomes: &[&str]) ->
         && ending.error.to_bits() == summary.distance.to_f64().to_bits()
 }
 
-fn engine_is_the_interpreter<S: ArmScalar>(scalar: ScalarType, arm: &Arm<f64>)
+fn engine_is_the_interpreter<S: ArmScalar>(scalar: ScalarType, arm: &Arm<f64>, shield: Shield) -> [usize; 7]
 where
     Own: Maths<S>,
 {
-    let world = World::<S>::new(scalar, arm);
+    let world = World::<S>::new(scalar, arm, shield);
     let tasks = arm_tasks(arm, 12);
     let mut ways = [0usize; 7];
     let mut steps = 0;
@@ -166,27 +175,79 @@ where
         }
     }
     assert!(steps > 20_000, "only {steps} steps compared");
-    assert!(ways[1] > 5 && ways[2] > 10 && ways[3] > 10, "cycles, stops and limits must occur: {ways:?}");
+    ways
 }
 
 #[test]
 fn every_step_is_the_interpreters_in_f32() {
-    engine_is_the_interpreter::<f32>(ScalarType::F32, &WIDOWX);
+    let ways = engine_is_the_interpreter::<f32>(ScalarType::F32, &WIDOWX, Shield::None);
+    assert!(ways[1] > 5 && ways[2] > 10 && ways[3] > 10, "cycles, stops and limits must occur: {ways:?}");
 }
 
 #[test]
 fn every_step_is_the_interpreters_in_f64() {
-    engine_is_the_interpreter::<f64>(ScalarType::F64, &WIDOWX);
+    let ways = engine_is_the_interpreter::<f64>(ScalarType::F64, &WIDOWX, Shield::None);
+    assert!(ways[1] > 5 && ways[2] > 10 && ways[3] > 10, "cycles, stops and limits must occur: {ways:?}");
+}
+
+/// Of random policies many have teams whose every bid is NaN: a shield leaves those alone, and they hit what they hit.
+#[test]
+fn under_a_shield_too_every_step_is_the_interpreters() {
+    let [.., limits, table, base, _] = engine_is_the_interpreter::<f32>(ScalarType::F32, &WIDOWX, Shield::None);
+    let [.., limits_of_limits, _, _, _] = engine_is_the_interpreter::<f32>(ScalarType::F32, &WIDOWX, Shield::Limits);
+    assert!(limits_of_limits < limits / 2, "{limits_of_limits} of {limits} limits are hit under a shield");
+    let [.., limits_of_both, table_of_both, base_of_both, _] =
+        engine_is_the_interpreter::<f32>(ScalarType::F32, &WIDOWX, Shield::LimitsAndCollision);
+    let (hits, hits_of_both) = (limits + table + base, limits_of_both + table_of_both + base_of_both);
+    assert!(hits_of_both < hits / 2, "{hits_of_both} of {hits} invalid actions are done under a shield");
+    engine_is_the_interpreter::<f64>(ScalarType::F64, &WIDOWX, Shield::LimitsAndCollision);
+}
+
+/// Duplicates are found by value, and under a shield the values differ: merging must not change what is chosen where an
+/// edge is refused, and what the compiler keeps must decide as the graph does.
+#[test]
+fn under_a_shield_equal_programs_for_different_actions_stay_two_bids() {
+    let line =
+        |input| Line { to: 0, instruction: Instruction::Add, operands: [Operand::Input(input), Operand::Register(1)] };
+    let edge = |program, action| Edge { program, to: Destination::Action(action) };
+    let policy = Policy::new(8, 0, vec![vec![edge(0, 0), edge(0, 1), edge(0, 0)]], vec![vec![line(0)]]);
+    let config = {
+        let mut config = config(ScalarType::F32);
+        config.problem.shield = Shield::Limits;
+        config
+    };
+    let environment = arm_environment::<f32>(&config);
+    let vocabulary = config.vocabulary(&environment.sources());
+    let shielded = policy.shielded(|action| vocabulary.bound(action));
+    assert_eq!(shielded.programs.len(), 2, "one for each action");
+    let graph =
+        export::graph(&shielded, &vocabulary, environment.sources(), environment.actions(), Provenance::default())
+            .expect("a valid graph");
+    let (_, removed) = optimise(&graph, Assumption::Nothing);
+    assert_eq!(removed.duplicate_bids, 1, "the first of three");
+    let interpreter = Interpreter::<f32, Own>::new(&graph);
+    let mut state = vec![0.0f32; graph.state_length()];
+    let first = state.len() - SHIELDED;
+    let big = ALLOWED as f32;
+    for value in [0.0, -0.0, 3.5, f32::NAN, f32::INFINITY, f32::NEG_INFINITY, big, -big] {
+        for (up, down, chosen) in [(big, big, 0), (-big, big, 1), (big, -big, 0), (-big, -big, 0)] {
+            (state[0], state[first], state[first + 1]) = (value, up, down);
+            // A bid that is NaN or at most the refusal's bound is not held back: all three are equal then, the last wins.
+            let chosen = if value.is_nan() || value <= -big { 0 } else { chosen };
+            assert_eq!(interpreter.decide(&state), ActionId(chosen), "{value} under {up} and {down}");
+        }
+    }
 }
 
 #[test]
 fn every_step_is_the_interpreters_on_another_arm() {
-    engine_is_the_interpreter::<f32>(ScalarType::F32, &another_arm());
+    let ways = engine_is_the_interpreter::<f32>(ScalarType::F32, &another_arm(), Shield::None);
+    assert!(ways[1] > 5 && ways[2] > 10 && ways[3] > 10, "cycles, stops and limits must occur: {ways:?}");
 }
 
 #[test]
 fn no_option_and_no_number_of_threads_changes_an_answer() {
-    let world = World::<f32>::new(ScalarType::F32, &WIDOWX);
+    let world = World::<f32>::new(ScalarType::F32, &WIDOWX, Shield::None);
     let units = (0..)
         .zip(&world.policies)
         .map(|(root, policy)| WorkUnit { key: UnitKey { seed: 1, generation: 0, root }, policy: policy.clone() });
@@ -211,7 +272,7 @@ fn no_option_and_no_number_of_threads_changes_an_answer() {
 
 #[test]
 fn a_work_unit_survives_its_way_over_a_wire() {
-    let world = World::<f32>::new(ScalarType::F32, &WIDOWX);
+    let world = World::<f32>::new(ScalarType::F32, &WIDOWX, Shield::None);
     let policy = world.policies[3].clone();
     let unit = WorkUnit { key: UnitKey { seed: 9, generation: 4, root: 77 }, policy };
     let work = Work { tasks: arm_tasks(&WIDOWX, 3), units: vec![unit] };

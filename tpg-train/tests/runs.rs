@@ -26,6 +26,7 @@ fn small_config() -> Config {
     (config.learning.nb_iterations_per_policy_evaluation, config.learning.nb_generations) = (12, 25);
     (config.learning.ratio_deleted_roots, config.learning.max_nb_actions_per_eval) = (0.7, 100);
     (config.selection.lexicase_survivors, config.selection.racing_episodes) = (3, 4);
+    (config.curriculum.generations, config.curriculum.roughness) = (6, 3);
     (config.selection.validation_interval, config.selection.validation_episodes) = (5, 30);
     config
 }
@@ -153,6 +154,10 @@ fn a_bad_configuration_is_refused_with_its_line_and_what_is_accepted() {
         ("pProgramMutation", "pProgramMutation = 0.0", "tpg.pProgramMutation = 0", "0.001 to 1"),
         ("maxOutgoingEdges", "maxOutgoingEdges = 2", "tpg.maxOutgoingEdges = 2", "3 to"),
         ("share", "share = 0.5", "pool.share = 0.5", "pool.size"),
+        ("shield", "shield = \"walls\"", "unknown variant `walls`", "tpg-train config"),
+        ("sources", "sources = [\"polar\", \"shield_limits\"]", "\"shield_limits\"", "one or more of"),
+        ("generations", "generations = 100000", "curriculum.generations = 100000", "0 to"),
+        ("roughness", "roughness = 43", "curriculum.roughness = 43", "1 to 42"),
     ] {
         let error = wrong(from, to);
         assert!(error.starts_with(&format!("c.toml: line {}: ", line_of(from))), "{error}");

@@ -3,11 +3,14 @@
 pub mod derived;
 mod range;
 mod reach;
+pub mod shield;
 mod source;
+mod stance;
 
 pub use derived::Aim;
 pub use reach::{Reach, ReachErrors, ReachTarget};
 pub use source::Source;
+pub use stance::Stance;
 
 use crate::arm::{Arm, Move, Pose};
 use crate::frame::Frame;
@@ -99,6 +102,9 @@ impl<'a, S: Lattice> Parts<'a, S> {
             Source::ReachPitch => put(values, [self.reach().pitch]),
             Source::Wrist => put(values, derived::wrist(self.frame())),
             Source::Floor => put(values, [self.frame().lowest_corner()]),
+            Source::Stance => put(values, Stance::at(self.arm, seen.target).errors(seen.pose)),
+            Source::ShieldLimits => put(values, shield::limits(self.arm, seen.pose, shield::STEP)),
+            Source::ShieldCollision => put(values, shield::collision(self.arm, seen.pose)),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! The finite range of every value of every source, from the arm's own lengths and limits.
 
 use super::Source;
+use super::shield::ALLOWED;
 use crate::arm::{Arm, JointRange, TICKS_PER_TURN};
 use crate::kinematics::Lattice;
 
@@ -53,6 +54,12 @@ impl Source {
             }
             (Self::ReachPitch, _) | (Self::Wrist, 1) => around(half_turn),
             (Self::Wrist, _) => [-links.hand - SLACK, 2.0 * reach],
+            (Self::Stance, 3) => {
+                let [min, max] = joint(3);
+                [min - max, max - min]
+            }
+            (Self::Stance, _) => less(goal, joint(index)),
+            (Self::ShieldLimits | Self::ShieldCollision, _) => around(ALLOWED),
             (Self::Floor, _) => [0.0, links.base + reach + corner_reach(arm)],
         }
     }

@@ -40,6 +40,18 @@ pub struct Reach<S> {
     deficit: S,
 }
 
+/// Where the joints must go, with the elbow bent one way.
+pub(super) struct Goal<S> {
+    /// Ticks.
+    pub(super) base: S,
+    /// Ticks.
+    pub(super) shoulder: S,
+    /// Ticks.
+    pub(super) elbow: S,
+    /// As [`ReachErrors::excess`].
+    pub(super) excess: [S; 3],
+}
+
 /// How far a pose is from its [`Reach`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReachErrors<S> {
@@ -103,6 +115,22 @@ impl<S: Lattice> Reach<S> {
     /// The goals for a wrist position in ticks and a target in mm.
     pub fn keeping_wrist(arm: &Arm<S>, wrist: i16, target: Vector<S>) -> Self {
         ReachTarget::at(arm, target).keeping_wrist(arm, wrist)
+    }
+
+    /// The goals themselves, with the elbow's bend that the joint ranges allow better, or the first.
+    pub(super) fn best(&self, arm: &Arm<S>) -> Goal<S> {
+        let [_, shoulder_range, elbow_range, _] = arm.ranges;
+        let excess = |bend: &Bend<S>| [outside(bend.shoulder, shoulder_range), outside(bend.elbow, elbow_range)];
+        let size = |[shoulder, elbow]: [S; 2]| shoulder.abs() + elbow.abs();
+        let [first, second] = &self.bends;
+        let bend = if size(excess(second)) < size(excess(first)) { second } else { first };
+        let [of_shoulder, of_elbow] = excess(bend);
+        Goal {
+            base: self.base,
+            shoulder: bend.shoulder,
+            elbow: bend.elbow,
+            excess: [of_shoulder, of_elbow, self.deficit],
+        }
     }
 
     /// How far off a pose is. Of the two bends of the elbow, the one that the joint ranges allow better; where both are

@@ -31,6 +31,13 @@ pub trait Environment<S: Scalar>: Sync {
     /// Draws a task.
     fn draw(&self, stream: &mut Stream) -> Self::Task;
 
+    /// The same task in rougher steps, `factor` times as large; the default knows no rougher ones.
+    ///
+    /// A curriculum begins with them: episodes are shorter by about that factor.
+    fn rougher(&self, task: Self::Task, _factor: u8) -> Self::Task {
+        task
+    }
+
     /// The tasks that choose between trained roots: the same for every run, and never among those that train.
     fn validation_tasks(&self, count: usize) -> Vec<Self::Task> {
         (0..count as u64).map(|index| self.draw(&mut Stream::new(0, 0, Purpose::Selection, index))).collect()

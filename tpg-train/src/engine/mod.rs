@@ -20,5 +20,5 @@ pub use history::{History, Repeat};
 pub use lanes::{Lanes, Options};
 pub use nodes::{Arena, Node, NodeId, effective};
 pub use plan::Plan;
-pub use policy::{Destination, Edge, Line, Operand, Policy};
+pub use policy::{Destination, Edge, Line, Operand, Policy, bounded};
 pub use single::Single;

@@ -1,6 +1,7 @@
 //! A policy as the engine takes it: plain data that a work unit can carry to any thread or machine.
 
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use tpg_codegen::graph::{self, Graph};
 use tpg_runtime::ops::Instruction;
 
@@ -78,6 +79,40 @@ impl Policy {
         let teams = order.iter().map(|&old| teams[old as usize].iter().map(renumbered).collect()).collect();
         Self { registers, teams, programs }
     }
+}
+
+impl Policy {
+    /// The same policy under a shield: each bid for an action is bounded by a value of the state, at most.
+    ///
+    /// `bound` gives the place of an action's bound in the flat state; `None` where it is not shielded. Each program that
+    /// bids for such an action gets [`bounded`] as its last line; programs that bid for several get several copies.
+    #[must_use]
+    pub fn shielded(&self, bound: impl Fn(u16) -> Option<u16>) -> Self {
+        let mut programs: Vec<Vec<Line>> = Vec::new();
+        let mut known = BTreeMap::new();
+        let edge = |edge: &Edge| {
+            let input = match edge.to {
+                Destination::Action(action) => bound(action),
+                Destination::Team(_) => None,
+            };
+            let program = *known.entry((edge.program, input)).or_insert_with(|| {
+                let lines = self.programs[edge.program as usize].iter().copied();
+                programs.push(lines.chain(input.map(bounded)).collect());
+                programs.len() as u32 - 1
+            });
+            Edge { program, ..*edge }
+        };
+        let mut edge = edge;
+        let teams = self.teams.iter().map(|team| team.iter().map(&mut edge).collect()).collect();
+        Self { registers: self.registers, teams, programs }
+    }
+}
+
+/// The last line of a shielded program: its bid, or the bound where that is less.
+///
+/// In this order of the operands a bid that is NaN stays one.
+pub fn bounded(bound: u16) -> Line {
+    Line { to: 0, instruction: Instruction::Min, operands: [Operand::Input(bound), Operand::Register(0)] }
 }
 
 impl From<&Graph> for Policy {

@@ -13,7 +13,7 @@ use tpg_runtime::arm::{Arm, Collision, Invalid, JOINTS, Joint, Move, Pose, TICKS
 use tpg_runtime::episode::Outcome;
 use tpg_runtime::frame::Frame;
 use tpg_runtime::kinematics::{self, Angle, Direction, Directions, Lattice, Plane, Vector, link_angles};
-use tpg_runtime::observation::{Aim, Observation, Reach, ReachErrors, ReachTarget, Source, derived};
+use tpg_runtime::observation::{Aim, Observation, Reach, ReachErrors, ReachTarget, Source, Stance, derived, shield};
 use tpg_runtime::policy::ActionId;
 
 /// The scalars that an arm exists in.
@@ -78,11 +78,13 @@ pub struct ArmTask {
     pub start: [i16; JOINTS],
     /// Where the hand shall go, mm.
     pub target: [f64; 3],
+    /// So many times larger than the problem's are steps and tolerance: 1, or more early in a curriculum.
+    pub roughness: u8,
 }
 
 impl From<Task> for ArmTask {
     fn from(task: Task) -> Self {
-        Self { start: task.start.0, target: task.target }
+        Self { start: task.start.0, target: task.target, roughness: 1 }
     }
 }
 
@@ -98,6 +100,8 @@ pub struct ArmEnvironment<S> {
     places: Vec<usize>,
     /// With every joint and the tip above this, nothing collides, mm.
     free_above: S,
+    /// The same for the pose after any action of the shield.
+    free_after: S,
     /// Sine of every tick of a turn; empty where sines are computed.
     sines: Box<[S]>,
     /// Where training tasks come from.
@@ -109,6 +113,7 @@ pub struct ArmEnvironment<S> {
 pub struct ArmEpisode<S> {
     pose: Pose,
     target: Vector<S>,
+    roughness: u8,
     plane: Plane<S>,
     base: Direction<S>,
     hand: Vector<S>,
@@ -118,6 +123,7 @@ pub struct ArmEpisode<S> {
     /// Elevation and reach of the hand; forgotten when the plane moves.
     hand_polar: Option<[S; 2]>,
     reach_target: Option<ReachTarget<S>>,
+    stance: Option<Stance<S>>,
     /// For the wrist position beside it.
     reach: Option<(i16, Reach<S>)>,
 }
@@ -152,6 +158,7 @@ impl<S: ArmScalar> ArmEnvironment<S> {
             tolerance: S::from_f64(problem.tolerance),
             problem,
             free_above: S::from_f64(free_above(arm)),
+            free_after: S::from_f64(free_above(arm) + swing(arm)),
             moves,
             places,
             sines: (0..TICKS_PER_TURN).map(|ticks| Angle(ticks).direction().sin).collect(),
@@ -225,6 +232,19 @@ impl<S: ArmScalar> ArmEnvironment<S> {
         self.direction(Angle(i32::from(pose.0[0]) - TICKS_PER_TURN / 2))
     }
 
+    /// [`Source::ShieldCollision`], without a look where the arm is far from everything.
+    fn shield(&self, episode: &ArmEpisode<S>) -> [S; shield::SHIELDED] {
+        let plane = &episode.plane;
+        let joints = [plane.bracket.z, plane.elbow.z, plane.wrist.z, plane.tip.z];
+        let step = episode.shielded_step();
+        if episode.roughness == 1 && joints.iter().all(|&z| z > self.free_after) {
+            return shield::limits(&self.arm, episode.pose, step);
+        }
+        shield::collision_with(&self.arm, episode.pose, step, |pose| {
+            if pose == episode.pose { episode.collides } else { self.plane(pose).collision(&self.arm.shapes).is_some() }
+        })
+    }
+
     fn ending(&self, outcome: Outcome, actions: u32, distance: S) -> Ending {
         let error = distance.to_f64();
         let success = outcome == Outcome::Reached;
@@ -242,6 +262,13 @@ fn free_above(arm: &Arm<f64>) -> f64 {
     let forearm = shapes.forearm_overhang.hypot(widest(shapes.forearm_edges));
     let top = shapes.base.iter().flat_map(|edge| edge.z).fold(0.0, f64::max);
     top + hand.max(forearm) + 1.0
+}
+
+/// How far an action of the shield moves any point of the arm at most, mm, rounded up.
+fn swing(arm: &Arm<f64>) -> f64 {
+    let links = &arm.links;
+    let length = links.upper_arm + links.elbow_offset + links.forearm + links.hand;
+    length * f64::from(shield::STEP) * std::f64::consts::TAU / f64::from(TICKS_PER_TURN) + 1.0
 }
 
 /// Names of the outcomes, as `eval --json` counts them.
@@ -317,6 +344,10 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
         tasks.into_iter().map(ArmTask::from).collect()
     }
 
+    fn rougher(&self, task: ArmTask, factor: u8) -> ArmTask {
+        ArmTask { roughness: factor, ..task }
+    }
+
     fn start(&self, task: &ArmTask) -> ArmEpisode<S> {
         let pose = Pose(task.start);
         let plane = self.plane(pose);
@@ -324,6 +355,7 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
         ArmEpisode {
             pose,
             target: task.target.map(S::from_f64),
+            roughness: task.roughness,
             plane,
             base,
             hand: plane.hand_in_world(base),
@@ -332,6 +364,7 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
             aim: None,
             hand_polar: None,
             reach_target: None,
+            stance: None,
             reach: None,
         }
     }
@@ -367,6 +400,14 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
                         _ => values.copy_from_slice(&[errors.pitch]),
                     }
                 }
+                Source::Stance => {
+                    let pose = episode.pose;
+                    values.copy_from_slice(&episode.stance(&self.arm).errors(pose));
+                }
+                Source::ShieldLimits => {
+                    values.copy_from_slice(&shield::limits(&self.arm, episode.pose, episode.shielded_step()))
+                }
+                Source::ShieldCollision => values.copy_from_slice(&self.shield(episode)),
                 Source::Wrist => values.copy_from_slice(&derived::wrist(&episode.frame(&self.arm))),
                 Source::Floor => values.copy_from_slice(&[episode.frame(&self.arm).lowest_corner()]),
                 Source::Target | Source::Difference | Source::Hand | Source::Motors | Source::Servos => {
@@ -380,6 +421,7 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
 
     fn step(&self, episode: &mut ArmEpisode<S>, action: ActionId) -> Option<Ending> {
         let wanted = self.moves.get(usize::from(action.0)).copied().unwrap_or(Move::STOP);
+        let wanted = Move(wanted.0.map(|ticks| ticks.saturating_mul(episode.roughness as i8)));
         let before = episode.pose;
         let mut moved_plane = None;
         let step = self.arm.step_with(before, wanted, |moved| {
@@ -410,7 +452,7 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
         // The order of the runtime's episode; cycles are the engine's.
         let outcome = if let Some(invalid) = step.invalid {
             Outcome::Invalid(invalid)
-        } else if distance < self.tolerance {
+        } else if distance < self.tolerance * S::from_i32(i32::from(episode.roughness)) {
             Outcome::Reached
         } else if wanted == Move::STOP {
             Outcome::Stop
@@ -439,6 +481,11 @@ impl<S: Lattice> ArmEpisode<S> {
         self.pose
     }
 
+    /// The shield of a rougher episode refuses its own steps.
+    fn shielded_step(&self) -> i8 {
+        shield::STEP.saturating_mul(self.roughness as i8)
+    }
+
     fn frame<'a>(&self, arm: &'a Arm<S>) -> Frame<'a, S> {
         Frame::with_directions(arm, self.pose, self.target, self.base, self.plane)
     }
@@ -449,6 +496,10 @@ impl<S: Lattice> ArmEpisode<S> {
 
     fn hand_polar(&mut self, frame: &Frame<'_, S>) -> [S; 2] {
         *self.hand_polar.get_or_insert_with(|| [frame.hand_elevation(), frame.hand_reach()])
+    }
+
+    fn stance(&mut self, arm: &Arm<S>) -> &Stance<S> {
+        self.stance.get_or_insert_with(|| Stance::at(arm, self.target))
     }
 
     fn reach(&mut self, arm: &Arm<S>) -> &Reach<S> {

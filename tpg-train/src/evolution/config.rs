@@ -3,15 +3,17 @@
 //! The sections `tpg`, `program` and `learning` have GEGELATI's parameters with GEGELATI's names and meaning; the others
 //! are this project's. `tpg-train config` prints the presets with a comment for every parameter.
 
+use super::vocabulary::Vocabulary;
 use crate::environments::{ArmDescription, ArmProblem};
 use crate::files::read_text;
 use crate::targets::Start;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 use tpg_codegen::error::{InputError, Place};
-use tpg_codegen::graph::ScalarType;
+use tpg_codegen::graph::{ScalarType, SourceDocument};
 use tpg_runtime::arm::{Arm, WIDOWX};
 use tpg_runtime::observation::Source;
+use tpg_runtime::observation::shield::STEP;
 use tpg_runtime::ops::Instruction;
 
 /// Everything that decides a run, but for its seed.
@@ -36,6 +38,8 @@ pub struct Config {
     pub demes: DemeConfig,
     /// The pool of hard episodes.
     pub pool: PoolConfig,
+    /// Rougher episodes to begin with.
+    pub curriculum: CurriculumConfig,
     /// The arm; the WidowX where it is left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub arm: Option<ArmDescription>,
@@ -51,6 +55,8 @@ pub struct ProblemConfig {
     pub start: Start,
     /// What programs read, in order.
     pub sources: Vec<String>,
+    /// Which actions no policy can choose; needs actions of 3 ticks.
+    pub shield: Shield,
     /// Success is nearer than this, mm.
     pub tolerance: f64,
     /// Ticks of one action.
@@ -61,6 +67,46 @@ pub struct ProblemConfig {
     pub bonus_success: f64,
     /// Score of each action that a success did not need.
     pub coef_reward_multiplication: f64,
+}
+
+/// Which actions no policy can choose. A part of the graph: without it, it is another policy.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
+#[serde(rename_all = "kebab-case")]
+pub enum Shield {
+    /// None is refused.
+    #[default]
+    None,
+    /// Those that would bring a joint out of its range.
+    Limits,
+    /// Those, and those after which the arm would collide.
+    LimitsAndCollision,
+}
+
+impl Shield {
+    /// The source that holds the bounds of the bids.
+    pub fn source(self) -> Option<Source> {
+        match self {
+            Self::None => None,
+            Self::Limits => Some(Source::ShieldLimits),
+            Self::LimitsAndCollision => Some(Source::ShieldCollision),
+        }
+    }
+
+    /// The shield that a graph with those sources has.
+    pub fn of<'a>(mut names: impl Iterator<Item = &'a str>) -> Self {
+        let shields = [Self::Limits, Self::LimitsAndCollision];
+        let named = |name: &str| shields.into_iter().find(|shield| shield.source().is_some_and(|s| s.name() == name));
+        names.find_map(named).unwrap_or_default()
+    }
+
+    /// Its name in configurations and reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Limits => "limits",
+            Self::LimitsAndCollision => "limits-and-collision",
+        }
+    }
 }
 
 /// The environments that come with the trainer.
@@ -230,6 +276,25 @@ pub struct PoolConfig {
     pub share: f64,
 }
 
+/// Rougher episodes to begin with.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "camelCase")]
+pub struct CurriculumConfig {
+    /// Generations with rougher episodes; 0 for none.
+    pub generations: u64,
+    /// So many times larger are steps and tolerance at first; from there they fall evenly.
+    pub roughness: u8,
+}
+
+impl CurriculumConfig {
+    /// How rough a generation's episodes are; 1 after the curriculum.
+    pub fn at(&self, generation: u64) -> u8 {
+        let rough = u64::from(self.roughness);
+        let fallen = (rough * generation).checked_div(self.generations).unwrap_or(rough);
+        rough.saturating_sub(fallen).max(1) as u8
+    }
+}
+
 impl Config {
     /// Reads a configuration from a file.
     ///
@@ -277,13 +342,30 @@ impl Config {
             max_actions: self.learning.max_nb_actions_per_eval,
             step: self.problem.step,
             may_stop: self.problem.may_stop,
-            sources: self.sources(),
+            sources: self.sources().into_iter().chain(self.problem.shield.source()).collect(),
             bonus: self.problem.bonus_success,
             per_unused_action: self.problem.coef_reward_multiplication,
         }
     }
 
-    /// The sources, by name.
+    /// What programs are written with, where the environment has those sources: with a shield, it is the last.
+    pub fn vocabulary(&self, sources: &[SourceDocument]) -> Vocabulary {
+        let readable = sources.len() - usize::from(self.problem.shield != Shield::None);
+        let vocabulary = Vocabulary::new(
+            self.instructions(),
+            self.learning.nb_registers,
+            self.learning.nb_program_constant,
+            &sources[..readable],
+            self.language.literals,
+            self.language.scalar,
+        );
+        if readable == sources.len() {
+            return vocabulary;
+        }
+        vocabulary.with_shield(sources[..readable].iter().map(|source| source.length as u16).sum())
+    }
+
+    /// The sources that programs read, by name.
     pub fn sources(&self) -> Vec<Source> {
         self.problem.sources.iter().filter_map(|name| Source::from_name(name)).collect()
     }
@@ -394,6 +476,10 @@ impl Config {
         count("demes.migrants", self.demes.migrants, 0, self.survivors())?;
         count("pool.size", self.pool.size, 0, MANY)?;
         probability("pool.share", self.pool.share)?;
+        let curriculum = &self.curriculum;
+        let last = self.learning.nb_generations - 1;
+        count("curriculum.generations", curriculum.generations as usize, 0, last as usize)?;
+        count("curriculum.roughness", curriculum.roughness.into(), 1, 127 / self.problem.step.unsigned_abs() as usize)?;
         if self.pool.share > 0.0 && self.pool.size == 0 {
             let accepted = "0, or a pool.size above 0".to_owned();
             return Err(error("pool.share", self.pool.share.to_string(), accepted));
@@ -403,7 +489,14 @@ impl Config {
 
     /// Names: each known, each once.
     fn check_problem(&self, error: &dyn Fn(&str, String, String) -> InputError) -> Result<(), InputError> {
-        let known = Source::ALL.map(Source::name);
+        let shield = self.problem.shield;
+        let possible = self.problem.environment == EnvironmentName::Arm && self.problem.step == STEP;
+        if shield != Shield::None && !possible {
+            let accepted = format!("\"none\": a shield knows the arm's actions of {STEP} ticks only");
+            return Err(error("problem.shield", format!("{:?}", shield.name()), accepted));
+        }
+        let readable = |source: &&str| !source.starts_with("shield_");
+        let known: Vec<&str> = Source::ALL.iter().map(|source| source.name()).filter(readable).collect();
         let sources = match self.problem.environment {
             EnvironmentName::Arm => &known[..],
             EnvironmentName::Pendulum => &["pendulum"][..],

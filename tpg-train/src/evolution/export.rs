@@ -8,6 +8,7 @@ use tpg_codegen::graph::{
     ActionDocument, Document, EdgeDocument, FORMAT, Graph, LineDocument, MathsProvider, OperandDocument,
     ProgramDocument, Provenance, ScalarType, SourceDocument, TeamDocument, VERSION,
 };
+use tpg_runtime::ops::Instruction;
 
 /// The graph of a policy. Lines without effect are left out; a program that bids for several destinations becomes several
 /// (a graph's program has one).
@@ -42,6 +43,10 @@ pub fn graph(
         });
         teams.push(TeamDocument { id, edges: edges.collect() });
     }
+    let mut instructions = vocabulary.instructions().to_vec();
+    if vocabulary.bound(0).is_some() && !instructions.contains(&Instruction::Min) {
+        instructions.push(Instruction::Min);
+    }
     let sources = sources.into_iter().map(|source| exact(source, vocabulary.scalar())).collect();
     let document = Document {
         format: FORMAT.to_owned(),
@@ -50,7 +55,7 @@ pub fn graph(
         maths: MathsProvider::Own,
         registers: u32::from(policy.registers),
         sources,
-        instructions: vocabulary.instructions().iter().map(|i| i.name().to_owned()).collect(),
+        instructions: instructions.iter().map(|i| i.name().to_owned()).collect(),
         actions,
         root: 0,
         teams,

@@ -10,6 +10,7 @@ use super::state::{Best, Record, Row, State};
 use super::vocabulary::Vocabulary;
 use crate::engine::{
     Ending, Environment, EvaluationError, Evaluator, Lanes, Options, Plan, Policy, SourceSet, UnitKey, Work, WorkUnit,
+    bounded,
 };
 use crate::random::{Purpose, Stream};
 use std::collections::{BTreeMap, BTreeSet};
@@ -45,14 +46,7 @@ struct Evaluated {
 impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, M, E, V> {
     /// Evolution by that configuration.
     pub fn new(config: &'e Config, environment: &'e E, evaluator: &'e V) -> Self {
-        let vocabulary = Vocabulary::new(
-            config.instructions(),
-            config.learning.nb_registers,
-            config.learning.nb_program_constant,
-            &environment.sources(),
-            config.language.literals,
-            config.language.scalar,
-        );
+        let vocabulary = config.vocabulary(&environment.sources());
         let selection_tasks = environment.validation_tasks(config.selection.validation_episodes);
         let actions = environment.actions().len() as u16;
         Self { config, vocabulary, environment, evaluator, selection_tasks, actions, number: PhantomData }
@@ -68,6 +62,13 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>, V: Evaluator<E::Task>> Evolu
     /// # Errors
     /// If roots cannot be evaluated; the state is then that of before but for its populations' children.
     pub fn advance(&self, state: &mut State<E::Task>) -> Result<(), EvaluationError> {
+        let curriculum = &self.config.curriculum;
+        let roughness = curriculum.at(state.generation);
+        if state.generation > 0 && roughness != curriculum.at(state.generation - 1) {
+            // Scores of rougher episodes say nothing about these.
+            state.pool.clear();
+            state.demes.iter_mut().for_each(|deme| deme.records.clear());
+        }
         self.breed(state);
         let tasks = self.tasks(state);
         let evaluated = self.evaluate(state, &tasks)?;
@@ -85,7 +86,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>, V: Evaluator<E::Task>> Evolu
         row.teams = state.demes.iter().map(|deme| deme.genome.teams().len()).sum();
         row.programs = state.demes.iter().map(|deme| deme.genome.program_count()).sum();
         let last = state.generation + 1 == self.config.learning.nb_generations;
-        if last || (state.generation + 1) % self.config.selection.validation_interval == 0 {
+        if last || roughness == 1 && (state.generation + 1) % self.config.selection.validation_interval == 0 {
             let (success, error) = self.validate(state)?;
             row.validation_success = Some(success);
             row.validation_error = Some(error);
@@ -113,12 +114,14 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>, V: Evaluator<E::Task>> Evolu
 
     fn tasks(&self, state: &State<E::Task>) -> Vec<E::Task> {
         let mut choice = Stream::new(state.seed, state.generation, Purpose::Pool, 0);
+        let roughness = self.config.curriculum.at(state.generation);
         (0..self.config.learning.nb_iterations_per_policy_evaluation as u64)
             .map(|index| {
                 if choice.chance(self.config.pool.share) && !state.pool.is_empty() {
                     state.pool[choice.below(state.pool.len())].clone()
                 } else {
-                    self.environment.draw(&mut Stream::new(state.seed, state.generation, Purpose::Episode, index))
+                    let mut stream = Stream::new(state.seed, state.generation, Purpose::Episode, index);
+                    self.environment.rougher(self.environment.draw(&mut stream), roughness)
                 }
             })
             .collect()
@@ -334,7 +337,11 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>, V: Evaluator<E::Task>> Evolu
         loop {
             let mut winner: Option<(f64, Destination)> = None;
             for edge in &genome.team(team).edges {
-                let bid = bid(&genome.program(edge.program).lines(&self.vocabulary), &self.vocabulary, seen);
+                let mut lines = genome.program(edge.program).lines(&self.vocabulary);
+                if let Destination::Action(action) = edge.to {
+                    lines.extend(self.vocabulary.bound(action).map(bounded));
+                }
+                let bid = bid(&lines, &self.vocabulary, seen);
                 bidders.push((edge.program, bid));
                 let bid = if bid.is_nan() { f64::NEG_INFINITY } else { bid };
                 if winner.is_none_or(|(best, _)| bid >= best) {

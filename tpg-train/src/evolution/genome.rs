@@ -228,6 +228,7 @@ impl Genome {
             });
             teams.push(edges.collect());
         }
-        Policy::new(vocabulary.registers(), place(root), teams, programs)
+        let policy = Policy::new(vocabulary.registers(), place(root), teams, programs);
+        if vocabulary.bound(0).is_some() { policy.shielded(|action| vocabulary.bound(action)) } else { policy }
     }
 }

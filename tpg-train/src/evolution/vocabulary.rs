@@ -3,6 +3,7 @@
 use crate::engine::Operand;
 use serde::{Deserialize, Serialize};
 use tpg_codegen::graph::{ScalarType, SourceDocument};
+use tpg_runtime::observation::shield::SHIELDED;
 use tpg_runtime::ops::Instruction;
 
 /// Operands of a line. GEGELATI calls it `maxNbOperands`; the instruction set has no instruction with more.
@@ -46,6 +47,8 @@ pub struct Vocabulary {
     /// GEGELATI, `environment.cpp`, `computeLargestAddressSpace`: locations are drawn below this.
     largest_address_space: u16,
     scalar: ScalarType,
+    /// Where the shield begins in the flat state, behind all that programs can name.
+    shield: Option<u16>,
 }
 
 impl Vocabulary {
@@ -76,7 +79,18 @@ impl Vocabulary {
         }
         let longest = sources.iter().map(|source| source.length as u16).max().unwrap_or(1);
         let largest_address_space = registers.max(constants).max(longest);
-        Self { instructions, registers, constants, kinds, largest_address_space, scalar }
+        Self { instructions, registers, constants, kinds, largest_address_space, scalar, shield: None }
+    }
+
+    /// The same under a shield whose values begin at that place of the flat state; no operand can name them.
+    #[must_use]
+    pub fn with_shield(self, place: u16) -> Self {
+        Self { shield: Some(place), ..self }
+    }
+
+    /// The place of an action's bound in the flat state, where there is a shield and it speaks of the action.
+    pub fn bound(&self, action: u16) -> Option<u16> {
+        self.shield.filter(|_| usize::from(action) < SHIELDED).map(|place| place + action)
     }
 
     /// The instruction set.

@@ -1,0 +1,58 @@
+//! The stance: one pose that brings the hand to the target, out of a few that the inverse kinematics offers.
+//!
+//! A target in space leaves one of four joints free. Here the wrist settles it: hand and forearm in one line, the hand
+//! hooked half or all the way down, or raised. Base, shoulder and elbow then follow in closed form, and the first of these
+//! four poses that the arm can take is the stance. What is left to a policy is the way there: which joint moves when.
+//! That is most of what a planner knows, and must be said wherever results are shown.
+
+use super::reach::{Goal, ReachTarget};
+use crate::arm::{Arm, JOINTS, Pose};
+use crate::kinematics::{Lattice, Plane, Vector};
+
+/// How far the wrist is from straight, ticks, in the order of preference. Raising the wrist's motor turns the hand back.
+/// 948 ticks are 83°, short of the limits. Of 1,000 reachable targets 898 have a free pose with the first, 989 with one.
+const WRISTS: [i16; 4] = [0, -448, -948, 948];
+
+/// Where every joint must go. Depends on the target alone: who decides many times about the same target may keep it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stance<S> {
+    /// Base, shoulder, elbow and wrist, ticks.
+    goal: [S; JOINTS],
+}
+
+/// A pose that is considered.
+struct Candidate<S> {
+    goal: [S; JOINTS],
+    /// 0 where nothing stands against it; otherwise ticks outside of ranges and mm out of reach, and more for a collision.
+    against: S,
+}
+
+impl<S: Lattice> Stance<S> {
+    /// For a target in mm: the first pose that the arm can take. Where it can take none, the one against which the least
+    /// stands; a collision counts like 4,096 ticks.
+    pub fn at(arm: &Arm<S>, target: Vector<S>) -> Self {
+        let seen = ReachTarget::at(arm, target);
+        let [.., straight] = arm.home.0;
+        let [first, others @ ..] = WRISTS.map(|wrist| candidate(arm, &seen, straight + wrist));
+        let best = |best: Candidate<S>, next: Candidate<S>| if next.against < best.against { next } else { best };
+        Self { goal: others.into_iter().fold(first, best).goal }
+    }
+
+    /// Goal less position of base, shoulder, elbow and wrist, ticks.
+    pub fn errors(&self, pose: Pose) -> [S; JOINTS] {
+        let [a, b, c, d] = pose.0.map(|ticks| S::from_i32(i32::from(ticks)));
+        let [base, shoulder, elbow, wrist] = self.goal;
+        [base - a, shoulder - b, elbow - c, wrist - d]
+    }
+}
+
+fn candidate<S: Lattice>(arm: &Arm<S>, seen: &ReachTarget<S>, wrist: i16) -> Candidate<S> {
+    let Goal { base, shoulder, elbow, excess: [of_shoulder, of_elbow, reach] } =
+        seen.keeping_wrist(arm, wrist).best(arm);
+    let goal = [base, shoulder, elbow, S::from_i32(i32::from(wrist))];
+    // Goals lie in 0..=4096, so adding a half and truncating rounds.
+    let pose = Pose(goal.map(|ticks| (ticks + S::from_f64(0.5)).to_i32() as i16));
+    let collides = Plane::at(arm, pose).collision(&arm.shapes).is_some();
+    let collision = if collides { S::from_i32(4096) } else { S::ZERO };
+    Candidate { goal, against: of_shoulder.abs() + of_elbow.abs() + reach.abs() + collision }
+}
