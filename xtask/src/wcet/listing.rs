@@ -126,7 +126,7 @@ fn instruction(line: &str) -> Option<Line> {
     is_code.then(|| Line { address, mnemonic: mnemonic.to_owned(), operands: operands.to_owned(), symbol })
 }
 
-/// The bytes of `12:	.short	0x0302`, at their addresses.
+/// The bytes of a line of data, `12: .short 0x0302` with tabs between, at their addresses.
 fn data(line: &str) -> Option<impl Iterator<Item = (u64, u8)> + use<>> {
     let (address, rest) = line.split_once(':')?;
     let address = u64::from_str_radix(address.trim(), 16).ok()?;
