@@ -66,9 +66,11 @@ typedef struct result {
 } result_t;
 
 /* FNV-1a over the motor positions of every step. */
-static uint64_t hashed(uint64_t hash, const tpg_pose_t *pose)
+static uint64_t hashed(uint64_t before, const tpg_pose_t *pose)
 {
-    for (size_t joint = 0U; joint < TPG_JOINTS; joint++) {
+    uint64_t hash = before;
+
+    for (size_t joint = 0U; joint < (size_t)TPG_JOINTS; joint++) {
         const uint32_t ticks = (uint16_t)pose->ticks[joint];
         hash = (hash ^ (ticks & 0xffU)) * 0x100000001b3U;
         hash = (hash ^ (ticks >> 8)) * 0x100000001b3U;
@@ -117,7 +119,7 @@ static bool single_step(const run_t *run, result_t *result)
 
 static bool begin(const run_t *run, const tpg_problem_t *problem, result_t *result)
 {
-    static const result_t empty;
+    static const result_t empty = { 0 };
 
     *result = empty;
     result->poses = 0xcbf29ce484222325U;
@@ -260,7 +262,7 @@ int main(void)
         || (widowx_fs_selftest() != 0U) || (widowx_rs_selftest() != 0U) || !observing()) {
         return 2;
     }
-    for (size_t at = 0U; at < (sizeof runs / sizeof runs[0]); at++) {
+    for (size_t at = 0U; at < (sizeof(runs) / sizeof(runs[0])); at++) {
         if ((runs[at].controller == HYBRID) && !stack_of_decisions(&runs[at])) {
             return 3;
         }

@@ -11,6 +11,7 @@
 //! | [`costs`] | instructions beside `costs.toml` |
 //! | [`symbols`] | what must not be in an image |
 //! | [`worst`], [`facts`] | the static worst case of a decision, and what it rests on |
+//! | [`lint`] | linters on the C that is not generated |
 //! | [`size`] | flash and RAM beside `sizes.toml` |
 
 mod build;
@@ -19,6 +20,7 @@ mod emulate;
 mod expected;
 mod facts;
 mod line;
+mod lint;
 mod models;
 mod problems;
 mod record;
@@ -68,6 +70,8 @@ enum Check {
     },
     /// Flash and RAM of the control loop
     Size,
+    /// clang-tidy, and cppcheck with its MISRA addon, on the firmwares' and the example's C
+    Lint,
     /// What makes up the static worst case of a decision; runs nothing
     Worst,
 }
@@ -76,6 +80,7 @@ fn main() -> ExitCode {
     let result = match Cli::parse().command {
         Check::Qemu { update } => qemu(update),
         Check::Size => size::check(),
+        Check::Lint => lint::sees_what_is_bad().and_then(|()| lint::check()),
         Check::Worst => worst(),
     };
     match result {
@@ -134,13 +139,14 @@ fn qemu(update: bool) -> Result<(), Failure> {
 
 /// The worst cases in parts.
 fn worst() -> Result<(), Failure> {
+    let mut failures = Vec::new();
     for (language, builder) in LANGUAGES {
         if let Some(image) = builder("control", Board::Mps2An386)? {
-            println!("\n{language}");
-            worst::explain(language, &image)?;
+            println!("\n{language}: {}", image.display());
+            failures.extend(worst::explain(language, &image).err().map(|Failure(message)| message));
         }
     }
-    Ok(())
+    if failures.is_empty() { Ok(()) } else { Err(Failure(failures.join("\n"))) }
 }
 
 /// The board with little memory runs the same episodes to the same ends.

@@ -7,19 +7,19 @@ use std::path::Path;
 use xtask::wcet::{Analyser, Bound, Calls, Limit, Listing, LoopBounds, Share, Turns, disassemble};
 
 /// The facts about an image, by the names that its functions have there.
-pub(crate) struct Told {
-    pub(crate) listing: Listing,
+struct Told {
+    listing: Listing,
     loops: LoopBounds,
     calls: Calls,
     limits: Vec<Limit>,
     /// Where decisions begin: what is counted, and what the stack is measured of.
-    pub(crate) roots: Vec<String>,
+    roots: Vec<String>,
     stack_roots: Vec<String>,
 }
 
 impl Told {
     /// Reads an image. A fact that speaks of nothing in it is a failure: it would be believed and say nothing.
-    pub(crate) fn of(language: &str, image: &Path) -> Result<Self, Failure> {
+    fn of(language: &str, image: &Path) -> Result<Self, Failure> {
         let listing = disassemble(image).map_err(Failure::new)?;
         let Facts { roots, stack_roots, loops, calls, limits } = facts::of(language);
         let names = |part: &str| -> Result<Vec<String>, Failure> {
@@ -35,18 +35,18 @@ impl Told {
             limits: Vec::new(),
             listing: listing.clone(),
         };
-        for (part, turns, _) in loops {
+        for (part, turns) in loops {
             for name in names(part)? {
-                told.loops.insert(name, Turns::Each(turns.to_vec()));
+                told.loops.insert(name, Turns::Each(turns.clone()));
             }
         }
-        for (part, callees, _) in calls {
+        for (part, callees) in calls {
             for name in names(part)? {
                 told.calls.insert(name, callees.iter().map(|&callee| callee.to_owned()).collect());
             }
         }
-        for (within, part, times, _) in limits {
-            for within in names(within)? {
+        for (part, times) in limits {
+            for within in &told.roots {
                 for function in names(part)? {
                     told.limits.push(Limit { within: within.clone(), function, times });
                 }
@@ -55,7 +55,7 @@ impl Told {
         Ok(told)
     }
 
-    pub(crate) fn analyser(&self) -> Analyser<'_> {
+    fn analyser(&self) -> Analyser<'_> {
         Analyser::new(&self.listing, &self.loops).calling(&self.calls).limited(&self.limits)
     }
 

@@ -79,14 +79,8 @@ pub(crate) fn source(number: u8) -> Result<Source, Refusal> {
 /// Writes the values of sources, one after another; stops where `state` is full. All at once: they share what they are
 /// made of.
 pub(crate) fn fill(arm: &Arm<f32>, seen: &Observation<f32>, memo: &TargetMemo<f32>, numbers: &[u8], state: &mut [f32]) {
-    let mut sources = [Source::Target; TPG_STATE_LENGTH];
-    let mut count = 0;
-    for (slot, &number) in sources.iter_mut().zip(numbers) {
-        let Some(&source) = Source::ALL.get(usize::from(number)) else { break };
-        *slot = source;
-        count += 1;
-    }
-    Source::fill(sources.get(..count).unwrap_or(&[]), arm, seen, memo, state);
+    let sources = numbers.iter().map_while(|&number| Source::ALL.get(usize::from(number)).copied());
+    Source::fill_each(sources, arm, seen, memo, state);
 }
 
 /// What is seen at a pose, with the target's x, y, z in mm.
