@@ -45,14 +45,33 @@ void start(void)
     platform_exit(main());
 }
 
-uint32_t platform_stack_used(void)
+/* Bytes of stack below an address that were written to since it was painted. */
+static uint32_t written_below(const uint32_t *top)
 {
     const uint32_t *at = _stack_limit;
 
-    while (*at == PAINT) {
+    while ((at < top) && (*at == PAINT)) {
         at++;
     }
-    return (uint32_t)((uintptr_t)_estack - (uintptr_t)at);
+    return (uint32_t)((uintptr_t)top - (uintptr_t)at);
+}
+
+uint32_t platform_stack_used(void)
+{
+    return written_below(_estack);
+}
+
+uint32_t platform_stack_of(void (*function)(void *argument), void *argument)
+{
+    uint32_t *here;
+
+    /* What lies below the stack pointer is nobody's: no interrupt is on. */
+    __asm volatile("mov %0, sp" : "=r"(here));
+    for (uint32_t *at = _stack_limit; at < here; at++) {
+        *at = PAINT;
+    }
+    function(argument);
+    return written_below(here);
 }
 
 void fault(void)

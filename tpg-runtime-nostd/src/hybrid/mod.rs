@@ -85,7 +85,7 @@ pub enum Guard {
     /// Nor the graph's that collide: one collision test an action of the graph.
     Collisions,
     /// Nor the network's: where its action would be invalid it holds joints, or lets the graph act once, or rests. From a
-    /// free pose no invalid action is ever executed. One collision test an action, up to 16 where the network's would be
+    /// free pose no invalid action is ever executed. One collision test an action, up to 9 where the network's would be
     /// invalid.
     Both,
 }
@@ -141,23 +141,25 @@ where
 {
     /// The next action and whose it is. A guard may hand over here: then both policies are asked, once each.
     pub fn decide<D: CycleDetector>(&self, switch: &mut Switch<S, D>, seen: &Observation<S>) -> Chosen {
-        if switch.driver() == Driver::Tpg {
-            let wanted = self.tpg.decide(seen);
-            if self.settings.guard.refuses(self.arm, seen.pose, wanted).is_none() {
+        let guard = self.settings.guard;
+        let graph = || Some(self.tpg.decide(seen)).filter(|&wanted| guard.refuses(self.arm, seen.pose, wanted).is_none());
+        let graph_drives = switch.driver() == Driver::Tpg;
+        if graph_drives {
+            if let Some(wanted) = graph() {
                 return Chosen { driver: Driver::Tpg, wanted };
             }
             switch.refused();
         }
         let wanted = self.sac.decide(seen);
-        if self.settings.guard != Guard::Both {
+        if guard != Guard::Both {
             return Chosen { driver: Driver::Sac, wanted };
         }
         if let Some(wanted) = valid_part(self.arm, seen.pose, wanted) {
             return Chosen { driver: Driver::Sac, wanted };
         }
-        let wanted = self.tpg.decide(seen);
-        match self.settings.guard.refuses(self.arm, seen.pose, wanted) {
-            None if wanted != Move::STOP => Chosen { driver: Driver::Tpg, wanted },
+        // Refused once, it would be refused again.
+        match if graph_drives { None } else { graph() } {
+            Some(wanted) if wanted != Move::STOP => Chosen { driver: Driver::Tpg, wanted },
             _ => Chosen { driver: Driver::Sac, wanted: Move::STOP },
         }
     }
@@ -173,18 +175,42 @@ const HELD: [u8; 14] =
     [0b1000, 0b0100, 0b0010, 0b0001, 0b1100, 0b1010, 0b0110, 0b1001, 0b0101, 0b0011, 0b1110, 0b1101, 0b1011, 0b0111];
 
 /// The move, or where it is invalid the first valid one with fewer joints that moves at all.
+///
+/// As [`Arm::step`] judges them. It judges the joints' limits one by one, and collisions in the arm's plane, which the base
+/// does not change: no more than 8 of these 15 moves differ there, and none is tested twice.
 fn valid_part<S: Lattice>(arm: &Arm<S>, pose: Pose, wanted: Move) -> Option<Move> {
-    let valid = |wanted| arm.step(pose, wanted).invalid.is_none();
-    if valid(wanted) {
+    // As bits, like `HELD`: joints that move; that would be out of range if they did; that are if they do not.
+    let [mut moving, mut out_there, mut out_here] = [0u8; 3];
+    let Move(deltas) = wanted;
+    for (joint, ((ticks, delta), range)) in pose.0.into_iter().zip(deltas).zip(arm.ranges).enumerate() {
+        let bit = |is: bool| u8::from(is) << joint;
+        moving |= bit(delta != 0);
+        out_there |= bit(!range.contains(ticks.saturating_add(i16::from(delta))));
+        out_here |= bit(!range.contains(ticks));
+    }
+    let part = |moves: u8| {
+        let mut joint = 0u8;
+        Move(deltas.map(|delta| {
+            joint += 1;
+            if moves >> (joint - 1) & 1 == 1 { delta } else { 0 }
+        }))
+    };
+    // By what moves in the plane: whether that was tested, and was free.
+    let [mut tested, mut free] = [0u8; 2];
+    let mut valid = |moves: u8| {
+        if (moves & out_there) | (!moves & out_here) != 0 {
+            return false;
+        }
+        let plane = 1u8 << (moves >> 1);
+        if tested & plane == 0 {
+            tested |= plane;
+            free |= if arm.step(pose, part(moves)).invalid.is_none() { plane } else { 0 };
+        }
+        free & plane != 0
+    };
+    if valid(moving) {
         return Some(wanted);
     }
-    let fewer = HELD.into_iter().map(|held| {
-        let Move(mut deltas) = wanted;
-        for (joint, delta) in deltas.iter_mut().enumerate() {
-            *delta = if held >> joint & 1 == 1 { 0 } else { *delta };
-        }
-        Move(deltas)
-    });
-    let mut moving = fewer.filter(|&fewer| fewer != Move::STOP && fewer != wanted);
-    moving.find(|&fewer| valid(fewer))
+    let mut fewer = HELD.into_iter().map(|held| moving & !held).filter(|&moves| moves != 0 && moves != moving);
+    fewer.find(|&moves| valid(moves)).map(part)
 }
