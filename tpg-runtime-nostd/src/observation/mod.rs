@@ -7,12 +7,14 @@ mod reach;
 pub mod shield;
 mod source;
 mod stance;
+mod straight;
 
 pub use derived::Aim;
 pub use memo::TargetMemo;
 pub use reach::{Reach, ReachErrors, ReachTarget};
 pub use source::Source;
 pub use stance::Stance;
+pub use straight::Straight;
 
 use crate::arm::{Arm, Move, Pose};
 use crate::frame::Frame;
