@@ -35,7 +35,8 @@ const FOURS: u64 = FEATURES as u64 / 4 + 1;
 
 /// What both images have: the library's functions.
 fn common() -> Facts {
-    let kernels = ["3dsp10w16a16_raw", "3dsp10w8a8_pairs", "3dsp10w8a8_split", "3dsp11w8a16_pairs", "3dsp11w8a16_split"];
+    let kernels =
+        ["3dsp10w16a16_raw", "3dsp10w8a8_pairs", "3dsp10w8a8_split", "3dsp11w8a16_pairs", "3dsp11w8a16_split"];
     let more = ["3dsp12w16a16_pairs", "3dsp12w16a16_split", "3dsp8w8a8_raw", "3dsp9w8a16_raw"];
     let mut loops: Vec<_> = kernels.into_iter().chain(more).map(|name| (name, vec![COLUMNS])).collect();
     loops.extend([
