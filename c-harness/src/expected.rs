@@ -34,11 +34,11 @@ fn code(outcome: Outcome) -> i32 {
 /// The lines of every episode, in the firmwares' order.
 pub(crate) fn lines() -> Result<Vec<Line>, Failure> {
     let mut lines = Vec::new();
-    let fs = ArmPolicy { policy: WidowxFs, arm: &ARM, sources: &WidowxFs::SOURCES, moves: &WidowxFs::MOVES };
-    let rs = ArmPolicy { policy: WidowxRs, arm: &ARM, sources: &WidowxRs::SOURCES, moves: &WidowxRs::MOVES };
+    let fs = ArmPolicy::new(WidowxFs, &ARM, &WidowxFs::SOURCES, &WidowxFs::MOVES);
+    let rs = ArmPolicy::new(WidowxRs, &ARM, &WidowxRs::SOURCES, &WidowxRs::MOVES);
     let [fixed, random] = [Start::Fixed.problems()?, Start::Random.problems()?];
-    hybrid(&mut lines, Start::Fixed, fs, &fixed);
-    hybrid(&mut lines, Start::Random, rs, &random);
+    hybrid(&mut lines, Start::Fixed, fs.clone(), &fixed);
+    hybrid(&mut lines, Start::Random, rs.clone(), &random);
     single(&mut lines, Start::Fixed, "graph", &fs, &fixed);
     single(&mut lines, Start::Random, "graph", &rs, &random);
     single(&mut lines, Start::Fixed, "network", &NETWORK, &fixed);

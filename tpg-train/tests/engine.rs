@@ -8,7 +8,7 @@ use tpg_runtime::cycle::Visited;
 use tpg_runtime::episode::{Episode, Outcome, Summary};
 use tpg_runtime::kinematics::Lattice;
 use tpg_runtime::observation::shield::{ALLOWED, SHIELDED};
-use tpg_runtime::observation::{Observation, Source};
+use tpg_runtime::observation::{Observation, Source, TargetMemo};
 use tpg_runtime::ops::{Instruction, Maths, Own};
 use tpg_runtime::policy::{ActionId, Policy as _};
 use tpg_train::engine::{
@@ -121,7 +121,7 @@ fn by_interpreter<S: ArmScalar, M: Maths<S>>(
     let mut actions = Vec::new();
     let mut state = vec![S::ZERO; graph.state_length()];
     loop {
-        Source::fill(&problem.sources, arm, episode.observation(), &mut state);
+        Source::fill(&problem.sources, arm, episode.observation(), &TargetMemo::new(), &mut state);
         let action = interpreter.decide(&state);
         actions.push(action);
         let moves = graph.actions()[usize::from(action.0)].moves.unwrap_or(Move::STOP);

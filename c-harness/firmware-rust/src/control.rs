@@ -172,11 +172,11 @@ fn main() -> ! {
     let mut counter = Counter::new(peripherals.SYST);
     let model = Model::parse(&widowx_sac::MODEL).ok();
     let Some(network) = model.and_then(|model| Network::new(&ARM, model)) else { platform::exit(false) };
-    let fs = ArmPolicy { policy: WidowxFs, arm: &ARM, sources: &WidowxFs::SOURCES, moves: &WidowxFs::MOVES };
-    let rs = ArmPolicy { policy: WidowxRs, arm: &ARM, sources: &WidowxRs::SOURCES, moves: &WidowxRs::MOVES };
+    let fs = ArmPolicy::new(WidowxFs, &ARM, &WidowxFs::SOURCES, &WidowxFs::MOVES);
+    let rs = ArmPolicy::new(WidowxRs, &ARM, &WidowxRs::SOURCES, &WidowxRs::MOVES);
     around(&mut counter);
-    hybrids(&mut counter, "fs", fs, network, widowx_fs_hybrid::SETTINGS, &FS_PROBLEMS);
-    hybrids(&mut counter, "rs", rs, network, widowx_rs_hybrid::SETTINGS, &RS_PROBLEMS);
+    hybrids(&mut counter, "fs", fs.clone(), network, widowx_fs_hybrid::SETTINGS, &FS_PROBLEMS);
+    hybrids(&mut counter, "rs", rs.clone(), network, widowx_rs_hybrid::SETTINGS, &RS_PROBLEMS);
     singles(&mut counter, "fs", "graph", &fs, &FS_PROBLEMS);
     singles(&mut counter, "rs", "graph", &rs, &RS_PROBLEMS);
     singles(&mut counter, "fs", "network", &network, &FS_PROBLEMS);

@@ -16,7 +16,7 @@ use tpg_runtime::arm::{Arm, Move, Pose, WIDOWX};
 use tpg_runtime::cycle::Brent;
 use tpg_runtime::episode::{Episode, Problem};
 use tpg_runtime::frame::{Clearance, Frame};
-use tpg_runtime::observation::{Observation, Source};
+use tpg_runtime::observation::{Observation, Source, TargetMemo};
 use tpg_runtime::policy::{ActionId, Policy};
 use tpg_runtime::sac::packed::Model;
 use tpg_runtime::sac::{FEATURES, features, fixed};
@@ -70,9 +70,10 @@ fn profiles<A, B, C, const N: usize>(
     let mut tallies = [Tally::default(); 3];
     for &problem in problems.iter().take(PARTS) {
         let mut episode = Episode::new(&ARM, problem, Brent::new());
+        let memo = TargetMemo::new();
         loop {
             let mut state = [0f32; N];
-            Source::fill(sources, &ARM, episode.observation(), &mut state);
+            Source::fill(sources, &ARM, episode.observation(), &memo, &mut state);
             let (ActionId(fast), a) = counter.measure(|| policies.0.decide(black_box(&state)));
             let (ActionId(small), b) = counter.measure(|| policies.1.decide(black_box(&state)));
             let (ActionId(constant), c) = counter.measure(|| policies.2.decide(black_box(&state)));

@@ -140,7 +140,7 @@
 #define TPG_CAUSES 4
 
 // Words of a tpg_hybrid_t.
-#define TPG_HYBRID_WORDS 16
+#define TPG_HYBRID_WORDS 28
 
 // Words of a tpg_switch_t.
 #define TPG_SWITCH_WORDS 14
@@ -186,6 +186,15 @@
 
 // Height of the hand's lower corner, 1 value in mm.
 #define TPG_SOURCE_FLOOR 12
+
+// By how many ticks all four joints are off from a pose that reaches the target.
+#define TPG_SOURCE_STANCE 13
+
+// Bounds of the bids of eight actions: negative where a joint would leave its range.
+#define TPG_SOURCE_SHIELD_LIMITS 14
+
+// Negative also where the arm would collide.
+#define TPG_SOURCE_SHIELD_COLLISION 15
 
 // The most floats that the sources of a policy may have together.
 #define TPG_STATE_LENGTH 48
@@ -283,7 +292,8 @@ typedef struct {
   float difference[3];
 } tpg_observation_t;
 
-// A policy and a network with their settings. Opaque; initialised by tpg_hybrid_init, constant from then on.
+// A policy and a network with their settings. Opaque; initialised by tpg_hybrid_init. For one
+// task at a time: it keeps what it has computed about the target.
 typedef struct {
   // The library's.
   uint64_t opaque[TPG_HYBRID_WORDS];

@@ -10,7 +10,7 @@ use crate::sac::tpg_sac_t;
 use tpg_runtime::arm::{Arm, Move};
 use tpg_runtime::cycle::Brent;
 use tpg_runtime::hybrid::{CAUSES, Chosen, Counts, Driver, Guard, Hybrid, HybridEpisode, Settings, Switch};
-use tpg_runtime::observation::Observation;
+use tpg_runtime::observation::{Observation, TargetMemo};
 use tpg_runtime::policy::Policy;
 use tpg_runtime::sac::packed::Model;
 
@@ -126,6 +126,7 @@ impl tpg_counts_t {
 struct Graph {
     arm: &'static Arm<f32>,
     policy: Checked<'static>,
+    memo: TargetMemo<f32>,
 }
 
 impl Policy for Graph {
@@ -133,7 +134,7 @@ impl Policy for Graph {
     type Action = Move;
 
     fn decide(&self, seen: &Observation<f32>) -> Move {
-        self.policy.decide(self.arm, seen)
+        self.policy.decide(self.arm, seen, &self.memo)
     }
 }
 
@@ -157,9 +158,10 @@ impl Policy for Network {
 }
 
 /// Words of a tpg_hybrid_t.
-pub const TPG_HYBRID_WORDS: usize = 16;
+pub const TPG_HYBRID_WORDS: usize = 28;
 
-/// A policy and a network with their settings. Opaque; initialised by tpg_hybrid_init, constant from then on.
+/// A policy and a network with their settings. Opaque; initialised by tpg_hybrid_init. For one
+/// task at a time: it keeps what it has computed about the target.
 #[repr(C)]
 pub struct tpg_hybrid_t {
     /// The library's.
@@ -251,8 +253,12 @@ pub unsafe extern "C" fn tpg_hybrid_init(
         if words < model.scratch() {
             return Err(Refusal(TPG_LENGTH));
         }
-        let both =
-            Both(Hybrid { arm, tpg: Graph { arm, policy }, sac: Network { arm, model, scratch, words }, settings });
+        let both = Both(Hybrid {
+            arm,
+            tpg: Graph { arm, policy, memo: TargetMemo::new() },
+            sac: Network { arm, model, scratch, words },
+            settings,
+        });
         // SAFETY: the header's contract.
         unsafe { memory::initialise(hybrid, both) }
     }))

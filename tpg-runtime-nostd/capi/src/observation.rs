@@ -5,7 +5,7 @@ use crate::code::{self, Refusal, TPG_ARGUMENT, TPG_LENGTH};
 use crate::memory;
 use crate::policy::TPG_STATE_LENGTH;
 use tpg_runtime::arm::{Arm, Pose};
-use tpg_runtime::observation::{Observation, Source};
+use tpg_runtime::observation::{Observation, Source, TargetMemo};
 
 /// What a policy sees of the arm and its target.
 #[repr(C)]
@@ -61,6 +61,14 @@ pub const TPG_SOURCE_REACH_PITCH: u8 = 10;
 pub const TPG_SOURCE_WRIST: u8 = 11;
 /// Height of the hand's lower corner, 1 value in mm.
 pub const TPG_SOURCE_FLOOR: u8 = 12;
+/// By how many ticks all four joints are off from a pose that reaches the target.
+pub const TPG_SOURCE_STANCE: u8 = 13;
+/// Bounds of the bids of eight actions: negative where a joint would leave its range.
+pub const TPG_SOURCE_SHIELD_LIMITS: u8 = 14;
+/// Negative also where the arm would collide.
+pub const TPG_SOURCE_SHIELD_COLLISION: u8 = 15;
+
+const _: () = assert!(TPG_SOURCE_SHIELD_COLLISION as usize + 1 == Source::ALL.len(), "a source without a number");
 
 /// The numbers above are the places in [`Source::ALL`].
 pub(crate) fn source(number: u8) -> Result<Source, Refusal> {
@@ -69,7 +77,7 @@ pub(crate) fn source(number: u8) -> Result<Source, Refusal> {
 
 /// Writes the values of sources, one after another; stops where `state` is full. All at once: they share what they are
 /// made of.
-pub(crate) fn fill(arm: &Arm<f32>, seen: &Observation<f32>, numbers: &[u8], state: &mut [f32]) {
+pub(crate) fn fill(arm: &Arm<f32>, seen: &Observation<f32>, memo: &TargetMemo<f32>, numbers: &[u8], state: &mut [f32]) {
     let mut sources = [Source::Target; TPG_STATE_LENGTH];
     let mut count = 0;
     for (slot, &number) in sources.iter_mut().zip(numbers) {
@@ -77,7 +85,7 @@ pub(crate) fn fill(arm: &Arm<f32>, seen: &Observation<f32>, numbers: &[u8], stat
         *slot = source;
         count += 1;
     }
-    Source::fill(sources.get(..count).unwrap_or(&[]), arm, seen, state);
+    Source::fill(sources.get(..count).unwrap_or(&[]), arm, seen, memo, state);
 }
 
 /// What is seen at a pose, with the target's x, y, z in mm.
@@ -139,7 +147,7 @@ pub unsafe extern "C" fn tpg_observation_state(
         if state.len() < wanted || sources.len() > TPG_STATE_LENGTH {
             return Err(Refusal(TPG_LENGTH));
         }
-        fill(arm, &seen, sources, state);
+        fill(arm, &seen, &TargetMemo::new(), sources, state);
         Ok(())
     }))
 }

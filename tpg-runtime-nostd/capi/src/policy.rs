@@ -5,7 +5,7 @@ use crate::code::{self, Refusal, TPG_LENGTH, TPG_NULL};
 use crate::memory;
 use crate::observation::{fill, source, tpg_observation_t};
 use tpg_runtime::arm::{Arm, Move};
-use tpg_runtime::observation::Observation;
+use tpg_runtime::observation::{Observation, TargetMemo};
 
 /// The most floats that the sources of a policy may have together.
 pub const TPG_STATE_LENGTH: usize = 48;
@@ -55,9 +55,9 @@ impl<'a> Checked<'a> {
     }
 
     /// The move.
-    pub(crate) fn decide(&self, arm: &Arm<f32>, seen: &Observation<f32>) -> Move {
+    pub(crate) fn decide(&self, arm: &Arm<f32>, seen: &Observation<f32>, memo: &TargetMemo<f32>) -> Move {
         let mut state = [0f32; TPG_STATE_LENGTH];
-        fill(arm, seen, self.sources, &mut state);
+        fill(arm, seen, memo, self.sources, &mut state);
         // SAFETY: the header asks for the function of these sources: it reads no more than they have written.
         let action = unsafe { (self.infer)(state.as_ptr().cast()) };
         self.moves.get(usize::from(action)).map_or(Move::STOP, |moved| Move(moved.ticks))
@@ -78,7 +78,7 @@ pub unsafe extern "C" fn tpg_policy_decide(
     code::of(policy.and_then(|policy| {
         // SAFETY: the header's contract.
         let policy = unsafe { Checked::new(policy) }?;
-        let Move(ticks) = policy.decide(arm?, &seen?.get());
+        let Move(ticks) = policy.decide(arm?, &seen?.get(), &TargetMemo::new());
         *wanted? = tpg_move_t { ticks };
         Ok(())
     }))

@@ -53,6 +53,8 @@ pub struct ArmProblem {
     pub sources: Vec<Source>,
     /// Score of a success; a failure scores −distance in mm.
     pub bonus: f64,
+    /// The most that a failure costs, mm. Infinite where the policy acts alone; less where another policy takes over.
+    pub hand_over_price: f64,
     /// Added to a success for each action that was not needed.
     pub per_unused_action: f64,
 }
@@ -68,6 +70,7 @@ impl ArmProblem {
             may_stop: true,
             sources,
             bonus: 10.0,
+            hand_over_price: f64::INFINITY,
             per_unused_action: 0.01,
         }
     }
@@ -277,7 +280,11 @@ impl<S: ArmScalar> ArmEnvironment<S> {
         let error = distance.to_f64();
         let success = outcome == Outcome::Reached;
         let unused = f64::from(self.problem.max_actions.saturating_sub(actions));
-        let score = if success { unused * self.problem.per_unused_action + self.problem.bonus } else { -error };
+        let score = if success {
+            unused * self.problem.per_unused_action + self.problem.bonus
+        } else {
+            -error.min(self.problem.hand_over_price)
+        };
         Ending { outcome: outcome_number(outcome), success, score, error, actions }
     }
 }

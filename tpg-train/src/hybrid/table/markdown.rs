@@ -1,6 +1,7 @@
 //! `docs/results.md` as text.
 
 use super::compiled::Costs;
+use super::cortex_m4::{Count, Counts};
 use super::paper::{self, Measured};
 use super::rows::Row;
 use super::timing::Time;
@@ -58,7 +59,7 @@ trainings that differ in their seed alone, with the shipped settings: what to ex
 ";
 
 /// The file.
-pub fn page(problems: &[Problem]) -> String {
+pub fn page(problems: &[Problem], counts: &Counts) -> String {
     let mut text = LEAD.to_owned();
     text += "\n## Table 2\n\n";
     text += COLUMNS;
@@ -70,6 +71,7 @@ pub fn page(problems: &[Problem]) -> String {
     for problem in problems {
         text += &costs(problem);
     }
+    text += &on_target(problems, counts);
     text += PLANNER;
     text += "\n## What each idea is worth\n\n";
     text += "The shipped graph and actor on 1,000 validation episodes that neither training nor any choice read.\n";
@@ -209,6 +211,43 @@ fn costs(problem: &Problem) -> String {
         signed(both.mean - none.mean),
         signed(exact.mean - brent.mean),
     );
+    text
+}
+
+/// What the parts of the hybrids take on a Cortex-M4.
+fn on_target(problems: &[Problem], counts: &Counts) -> String {
+    let mut text =
+        "**On a Cortex-M4** (`cargo xtask qemu`: both firmwares, 100 to 200 test targets, every instruction counted; \
+                    kinematics are in *network* and *graph*, the simulated arm is not):\n\n"
+            .to_owned();
+    text +=
+        &header(&["instructions", "C, mean action", "C, worst", "Rust, mean action", "Rust, worst", "C, an episode"]);
+    for problem in problems {
+        for (part, row) in [("hybrid", "**hybrid, shipped**"), ("graph", "TPG, shipped"), ("network", "SAC, shipped")] {
+            let [c, rust] = ["C", "Rust"].map(|language| counts.part(language, problem.start, part));
+            let cell = |count: Option<Count>, of: fn(&Count) -> f64| {
+                count.map_or("–".to_owned(), |count| thousands(of(&count)))
+            };
+            let actions = problem.rows.iter().find(|known| known.name == row).map_or(0.0, |row| row.actions.mean);
+            text += &line(&[
+                format!("{}, {part}", problem.name()),
+                cell(c, Count::mean),
+                cell(c, |count| count.worst as f64),
+                cell(rust, Count::mean),
+                cell(rust, |count| count.worst as f64),
+                c.map_or("–".to_owned(), |count| thousands(count.mean() * actions)),
+            ]);
+        }
+    }
+    let layers = ["f32", "i8"].map(|kind| counts.named(&format!("Rust layers 13-256-256-4 {kind}")));
+    if let [Some(single), Some(integers)] = layers {
+        text += &format!(
+            "\nThe layers alone of the paper's network, 13-256-256-4, take {} instructions in `f32` and {} in 8-bit integers \
+             with this project's kernels.\n\n",
+            thousands(single.mean()),
+            thousands(integers.mean()),
+        );
+    }
     text
 }
 
