@@ -83,10 +83,9 @@ pub(crate) fn sees_what_is_bad() -> Result<(), Failure> {
     std::fs::write(&bad, text).map_err(|error| Failure::at(&bad, error))?;
     let path: &Path = &bad;
     let headers = Headers([(); 3].map(|()| PathBuf::from("none")));
-    for (program, command) in [
-        ("clang-tidy", tidy().arg(path).args(["--", "-std=c99"])),
-        ("cppcheck", cppcheck(&headers).arg(path)),
-    ] {
+    for (program, command) in
+        [("clang-tidy", tidy().arg(path).args(["--", "-std=c99"])), ("cppcheck", cppcheck(&headers).arg(path))]
+    {
         if xtask::exists(program) && clean(command).is_ok() {
             return Err(Failure::at(path, format!("{program} finds nothing wrong with it")));
         }
