@@ -82,6 +82,8 @@ pub(crate) fn of(language: &str) -> Facts {
     } else {
         facts.roots = "hybrid_decide";
         facts.stack_roots = "hybrid_decide";
+        // A decision asks the graph once.
+        facts.limits.push(("Source$GT$9fill_each", 1));
         facts.loops.extend([
             // Two sources at most.
             ("Source$GT$9fill_each", vec![2]),
