@@ -10,7 +10,7 @@ use tpg_runtime::arm::{Arm, WIDOWX};
 use tpg_runtime::cycle::Brent;
 use tpg_runtime::episode::Episode;
 use tpg_runtime::kinematics::Lattice;
-use tpg_runtime::observation::{Observation, Source};
+use tpg_runtime::observation::{Observation, Source, TargetMemo};
 use tpg_train::conformance::binding::Binding;
 use tpg_train::conformance::chain::Chain;
 use tpg_train::conformance::command::Problem;
@@ -69,11 +69,12 @@ fn episodes<S: Lattice>(graph: &Graph, arm: &Arm<S>, tasks: &[targets::Task], st
     let mut states = Vec::with_capacity(STATES * state.len());
     for task in tasks {
         let mut episode = Episode::new(arm, task.problem(start), Brent::new());
+        let memo = TargetMemo::new();
         loop {
             if states.len() == STATES * state.len() {
                 return states;
             }
-            Source::fill(&sources, arm, episode.observation(), &mut state);
+            Source::fill(&sources, arm, episode.observation(), &memo, &mut state);
             let flat: Vec<f64> = state.iter().map(|value| value.to_f64()).collect();
             let action = interpret::actions(graph, &flat)[0];
             states.extend(flat);

@@ -5,8 +5,8 @@ use tpg_runtime::hybrid::{Guard, Settings};
 
 /// When they change.
 pub const SETTINGS: Settings<f32> = Settings {
-    hand_back_after: 100,
-    separation: 1.0,
+    hand_back_after: 1000,
+    separation: f32::INFINITY,
     guard: Guard::Both,
 };
 

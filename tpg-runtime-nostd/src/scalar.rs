@@ -38,6 +38,8 @@ pub trait Scalar:
     fn abs(self) -> Self;
     /// Truncated towards zero; the nearest end where `i32` has no such number, 0 for a NaN.
     fn to_i32(self) -> i32;
+    /// Whether both are the same bits: a NaN is the same as itself, 0 is not −0.
+    fn same_bits(self, other: Self) -> bool;
     /// Whether this is not a number.
     #[expect(clippy::eq_op, reason = "a NaN is the only value unequal to itself")]
     fn is_nan(self) -> bool {
@@ -50,6 +52,10 @@ impl Scalar for f32 {
     const ONE: Self = 1.0;
     const NEG_INFINITY: Self = f32::NEG_INFINITY;
 
+    #[inline(always)]
+    fn same_bits(self, other: Self) -> bool {
+        self.to_bits() == other.to_bits()
+    }
     #[inline(always)]
     fn from_f64(value: f64) -> Self {
         value as f32
@@ -77,6 +83,10 @@ impl Scalar for f64 {
     const ONE: Self = 1.0;
     const NEG_INFINITY: Self = f64::NEG_INFINITY;
 
+    #[inline(always)]
+    fn same_bits(self, other: Self) -> bool {
+        self.to_bits() == other.to_bits()
+    }
     #[inline(always)]
     fn from_f64(value: f64) -> Self {
         value

@@ -3,7 +3,7 @@
 use tpg_runtime::arm::{Arm, Invalid, JOINTS, Pose, WIDOWX};
 use tpg_runtime::kinematics::{self, Lattice, Plane};
 use tpg_runtime::observation::shield::{ALLOWED, SHIELDED, STEP, action};
-use tpg_runtime::observation::{Observation, Reach, Source};
+use tpg_runtime::observation::{Observation, Reach, Source, TargetMemo};
 
 const ARM_F32: Arm<f32> = WIDOWX.to_f32();
 
@@ -180,8 +180,29 @@ fn fill_puts_sources_one_after_another() {
     let seen = Observation::at(&WIDOWX, WIDOWX.home, target);
     let sources = [Source::Polar, Source::MotorsCentred, Source::Floor];
     let mut state = [f64::NAN; 9];
-    Source::fill(&sources, &WIDOWX, &seen, &mut state);
+    Source::fill(&sources, &WIDOWX, &seen, &TargetMemo::new(), &mut state);
     let expected: Vec<f64> = sources.iter().flat_map(|&source| values(source, &WIDOWX, WIDOWX.home, target)).collect();
     assert_eq!(state[..8], expected[..]);
     assert!(state[8].is_nan(), "nothing is written past the last source");
+}
+
+#[test]
+fn what_a_memo_keeps_changes_no_value() {
+    let memo = TargetMemo::new();
+    let mut poses = Poses(7);
+    // Targets that stay, change, come back, and differ in a sign of zero or a NaN only.
+    let near = kinematics::hand(&ARM_F32, poses.free());
+    let targets =
+        [near, near, kinematics::hand(&ARM_F32, poses.free()), near, [0.0, -200.0, 100.0], [-0.0, -200.0, 100.0]];
+    for target in targets.into_iter().chain([[f32::NAN, 1.0, 2.0]; 2]).cycle().take(400) {
+        let seen = Observation::at(&ARM_F32, poses.free(), target);
+        let mut state = [[0f32; 64]; 2];
+        let [kept, anew] = &mut state;
+        Source::fill(&Source::ALL, &ARM_F32, &seen, &memo, kept);
+        for (place, &source) in Source::ALL.iter().enumerate() {
+            let start = Source::ALL[..place].iter().map(|source| source.length()).sum::<usize>();
+            source.write(&ARM_F32, &seen, &mut anew[start..]);
+        }
+        assert_eq!(kept.map(f32::to_bits), anew.map(f32::to_bits), "{seen:?}");
+    }
 }

@@ -18,7 +18,7 @@ use tpg_runtime::sac::fixed::{FixedPolicy, Layer, Network, Rescale, quantise};
 use tpg_runtime::sac::packed::Model;
 use tpg_runtime::sac::{FEATURES, features};
 use tpg_train::random::{Purpose, Stream};
-use tpg_train::sac::nn::{Kernel, Mlp, Shape, Tape};
+use tpg_train::sac::nn::{Mlp, Shape, Tape};
 
 const ARM: Arm<f32> = WIDOWX.to_f32();
 const ROUNDS: usize = 25;
@@ -47,7 +47,7 @@ fn float(inputs: usize, units: usize) -> f64 {
     random.normals(tape.input_mut());
     nanoseconds(|| {
         black_box(tape.input_mut());
-        network.forward(&mut tape, Kernel::Portable);
+        network.forward(&mut tape);
         black_box(tape.output());
     })
 }

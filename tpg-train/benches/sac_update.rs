@@ -9,17 +9,16 @@ use tpg_train::evolution::logs::cpu_seconds;
 use tpg_train::random::{Purpose, Stream};
 use tpg_train::sac::agent::{Agent, Experience, Rates};
 use tpg_train::sac::config::Config;
-use tpg_train::sac::nn::{Gaussian, Kernel, Spread};
+use tpg_train::sac::nn::{Gaussian, Spread};
 use tpg_train::sac::replay::ACTIONS;
 
 const SIZES: [(usize, usize); 4] = [(256, 256), (64, 128), (64, 64), (16, 64)];
 const UPDATES: u32 = 300;
 
-fn milliseconds(actor: usize, critic: usize, kernel: Kernel) -> f64 {
+fn milliseconds(actor: usize, critic: usize) -> f64 {
     let mut config = Config::preset("best-rs").expect("a preset");
     config.actor.hidden = vec![actor; 2];
     config.critic.hidden = vec![critic; 2];
-    config.learning.kernel = kernel;
     let (inputs, batch) = (config.actor.inputs.count(), config.learning.batch);
     let mut random = Stream::new(1, 0, Purpose::Test, 0);
     let gaussian = Gaussian { actions: ACTIONS, spread: Spread::LogSigma };
@@ -67,8 +66,7 @@ fn main() {
     }
     println!("one update, batch 256, 38 inputs; ms of CPU time on one thread");
     for (actor, critic) in SIZES {
-        let [fast, portable] = [Kernel::Fast, Kernel::Portable].map(|kernel| milliseconds(actor, critic, kernel));
-        println!("actor {actor}-{actor} critics {critic}-{critic}: fast {fast:.2}, portable {portable:.2}");
+        println!("actor {actor}-{actor} critics {critic}-{critic}: {:.2}", milliseconds(actor, critic));
     }
     let python = std::env::var("TPG_PYTHON").unwrap_or_else(|_| "python3".to_owned());
     let script = concat!(env!("CARGO_MANIFEST_DIR"), "/benches/sac_update.py");

@@ -136,6 +136,7 @@ mod tests {
     use crate::targets::{Set, Start, tasks};
     use crate::trial;
     use tpg_runtime::arm::WIDOWX;
+    use tpg_runtime::observation::Straight;
 
     #[test]
     fn there_are_as_many_orders_as_permutations() {
@@ -150,6 +151,9 @@ mod tests {
             let success = |choice| trial::run(&WIDOWX, &Planner::new(&WIDOWX, choice), start, &tasks).success_rate;
             let (nearest, free) = (success(Choice::Nearest), success(Choice::NearestFree));
             assert!(free >= 0.97 && free >= nearest && nearest >= 0.9, "{start:?}: {nearest} {free}");
+            // The one that fits a microcontroller looks at four poses only.
+            let stance = trial::run(&WIDOWX, &Straight::new(&WIDOWX), start, &tasks).success_rate;
+            assert!(nearest >= stance && stance >= 0.85, "{start:?}: {stance}");
         }
     }
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use tpg_train::sac::config::Inputs;
 use tpg_train::sac::import::{ImportArgs, from_tensors, import};
-use tpg_train::sac::nn::{Kernel, Tape};
+use tpg_train::sac::nn::Tape;
 use tpg_train::sac::tensors::{Tensor, Tensors};
 use tpg_train::sac::weights;
 
@@ -45,7 +45,7 @@ fn imported_actors_answer_what_pytorch_did() {
         let mut tape = Tape::new(network.shape(), 1);
         for (observation, wanted) in answers.observations.iter().zip(wanted) {
             tape.input_mut().copy_from_slice(observation);
-            network.forward(&mut tape, Kernel::Portable);
+            network.forward(&mut tape);
             for (answer, wanted) in tape.output().iter().zip(wanted) {
                 assert!((answer - wanted).abs() < 1e-6, "{trainer}: {answer} {wanted}");
             }

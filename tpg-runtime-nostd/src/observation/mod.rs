@@ -1,16 +1,20 @@
 //! What a policy sees of the arm and its target, and how that fills a graph's data sources.
 
 pub mod derived;
+mod memo;
 mod range;
 mod reach;
 pub mod shield;
 mod source;
 mod stance;
+mod straight;
 
 pub use derived::Aim;
+pub use memo::TargetMemo;
 pub use reach::{Reach, ReachErrors, ReachTarget};
 pub use source::Source;
 pub use stance::Stance;
+pub use straight::Straight;
 
 use crate::arm::{Arm, Move, Pose};
 use crate::frame::Frame;
@@ -52,16 +56,17 @@ impl<S: Lattice> Observation<S> {
 }
 
 /// What several sources are made of: computed once, when the first of them asks.
-struct Parts<'a, S> {
+struct Parts<'a, S: Copy> {
     arm: &'a Arm<S>,
     seen: &'a Observation<S>,
+    memo: &'a TargetMemo<S>,
     frame: Option<Frame<'a, S>>,
     reach: Option<ReachErrors<S>>,
 }
 
 impl<'a, S: Lattice> Parts<'a, S> {
-    fn new(arm: &'a Arm<S>, seen: &'a Observation<S>) -> Self {
-        Self { arm, seen, frame: None, reach: None }
+    fn new(arm: &'a Arm<S>, seen: &'a Observation<S>, memo: &'a TargetMemo<S>) -> Self {
+        Self { arm, seen, memo, frame: None, reach: None }
     }
 
     fn frame(&mut self) -> &Frame<'a, S> {
@@ -70,9 +75,9 @@ impl<'a, S: Lattice> Parts<'a, S> {
     }
 
     fn reach(&mut self) -> &ReachErrors<S> {
-        let (arm, seen) = (self.arm, self.seen);
+        let (arm, seen, memo) = (self.arm, self.seen, self.memo);
         let [.., wrist] = seen.pose.0;
-        self.reach.get_or_insert_with(|| Reach::keeping_wrist(arm, wrist, seen.target).errors(arm, seen.pose))
+        self.reach.get_or_insert_with(|| memo.reach(arm, seen.target).keeping_wrist(arm, wrist).errors(arm, seen.pose))
     }
 
     fn write(&mut self, source: Source, values: &mut [S]) {
@@ -93,7 +98,7 @@ impl<'a, S: Lattice> Parts<'a, S> {
                 put(values, derived::polar(frame, frame.target_reach(), frame.hand_reach()));
             }
             Source::Bearing => {
-                let aim = Aim::at(self.arm, seen.target);
+                let aim = self.memo.aim(self.arm, seen.target);
                 let frame = self.frame();
                 put(values, derived::bearing(&aim, seen.pose, frame.hand_elevation(), frame.hand_reach()));
             }
@@ -102,7 +107,7 @@ impl<'a, S: Lattice> Parts<'a, S> {
             Source::ReachPitch => put(values, [self.reach().pitch]),
             Source::Wrist => put(values, derived::wrist(self.frame())),
             Source::Floor => put(values, [self.frame().lowest_corner()]),
-            Source::Stance => put(values, Stance::at(self.arm, seen.target).errors(seen.pose)),
+            Source::Stance => put(values, self.memo.stance(self.arm, seen.target).errors(seen.pose)),
             Source::ShieldLimits => put(values, shield::limits(self.arm, seen.pose, shield::STEP)),
             Source::ShieldCollision => put(values, shield::collision(self.arm, seen.pose)),
         }
@@ -112,14 +117,34 @@ impl<'a, S: Lattice> Parts<'a, S> {
 impl Source {
     /// Writes this source's values at a pose into `values`; stops where `values` is full.
     pub fn write<S: Lattice>(self, arm: &Arm<S>, seen: &Observation<S>, values: &mut [S]) {
-        Parts::new(arm, seen).write(self, values);
+        Self::fill(&[self], arm, seen, &TargetMemo::new(), values);
     }
 
     /// Writes the values of `sources`, one after another, into `state`; stops where `state` is full.
-    pub fn fill<S: Lattice>(sources: &[Self], arm: &Arm<S>, seen: &Observation<S>, state: &mut [S]) {
-        let mut parts = Parts::new(arm, seen);
+    ///
+    /// `memo` belongs to this arm. What it keeps changes no value; with a new one each time everything is computed anew.
+    pub fn fill<S: Lattice>(
+        sources: &[Self],
+        arm: &Arm<S>,
+        seen: &Observation<S>,
+        memo: &TargetMemo<S>,
+        state: &mut [S],
+    ) {
+        Self::fill_each(sources.iter().copied(), arm, seen, memo, state);
+    }
+
+    /// [`fill`](Self::fill) for sources that do not lie in an array.
+    #[inline]
+    pub fn fill_each<S: Lattice>(
+        sources: impl Iterator<Item = Self>,
+        arm: &Arm<S>,
+        seen: &Observation<S>,
+        memo: &TargetMemo<S>,
+        state: &mut [S],
+    ) {
+        let mut parts = Parts::new(arm, seen, memo);
         let mut rest = state;
-        for &source in sources {
+        for source in sources {
             parts.write(source, rest);
             let length = source.length().min(rest.len());
             rest = &mut rest[length..];
@@ -138,16 +163,23 @@ fn ticks<S: Lattice>(ticks: i16) -> S {
 }
 
 /// A graph's policy lifted to the arm: it sees an [`Observation`] and answers a [`Move`].
-#[derive(Clone, Copy, Debug)]
-pub struct ArmPolicy<'a, S, P> {
-    /// The policy over its flat state.
-    pub policy: P,
-    /// The arm it drives: derived sources depend on its lengths and limits.
-    pub arm: &'a Arm<S>,
-    /// The sources of that state, in order.
-    pub sources: &'a [Source],
-    /// What each action moves; an action past the end stops.
-    pub moves: &'a [Move],
+///
+/// It keeps what it has computed about the target, so it is for one thread; a clone serves another.
+#[derive(Clone, Debug)]
+pub struct ArmPolicy<'a, S: Copy, P> {
+    policy: P,
+    arm: &'a Arm<S>,
+    sources: &'a [Source],
+    moves: &'a [Move],
+    memo: TargetMemo<S>,
+}
+
+impl<'a, S: Lattice, P> ArmPolicy<'a, S, P> {
+    /// Lifts a policy over the flat state of `sources`, in order, for an arm: derived sources depend on its lengths and
+    /// limits. `moves` says what each action moves; an action past the end stops.
+    pub const fn new(policy: P, arm: &'a Arm<S>, sources: &'a [Source], moves: &'a [Move]) -> Self {
+        Self { policy, arm, sources, moves, memo: TargetMemo::new() }
+    }
 }
 
 impl<S, P, const N: usize> Policy for ArmPolicy<'_, S, P>
@@ -160,7 +192,7 @@ where
 
     fn decide(&self, observation: &Observation<S>) -> Move {
         let mut state = [S::ZERO; N];
-        Source::fill(self.sources, self.arm, observation, &mut state);
+        Source::fill(self.sources, self.arm, observation, &self.memo, &mut state);
         let ActionId(action) = self.policy.decide(&state);
         self.moves.get(usize::from(action)).copied().unwrap_or(Move::STOP)
     }

@@ -30,12 +30,23 @@ struct Candidate<S> {
 impl<S: Lattice> Stance<S> {
     /// For a target in mm: the first pose that the arm can take. Where it can take none, the one against which the least
     /// stands; a collision counts like 4,096 ticks.
+    #[inline(never)] // dear and rare: a static bound counts it once a target
     pub fn at(arm: &Arm<S>, target: Vector<S>) -> Self {
         let seen = ReachTarget::at(arm, target);
         let [.., straight] = arm.home.0;
-        let [first, others @ ..] = WRISTS.map(|wrist| candidate(arm, &seen, straight + wrist));
-        let best = |best: Candidate<S>, next: Candidate<S>| if next.against < best.against { next } else { best };
-        Self { goal: others.into_iter().fold(first, best).goal }
+        let [first, others @ ..] = WRISTS;
+        let mut best = candidate(arm, &seen, straight + first);
+        for wrist in others {
+            // Nothing can be better than a pose against which nothing stands, as for most targets the first is.
+            if best.against == S::ZERO {
+                break;
+            }
+            let next = candidate(arm, &seen, straight + wrist);
+            if next.against < best.against {
+                best = next;
+            }
+        }
+        Self { goal: best.goal }
     }
 
     /// Goal less position of base, shoulder, elbow and wrist, ticks.

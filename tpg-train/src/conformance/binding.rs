@@ -3,7 +3,7 @@
 use tpg_codegen::error::{InputError, Place};
 use tpg_codegen::graph::{Graph, ScalarType};
 use tpg_runtime::arm::{Move, WIDOWX};
-use tpg_runtime::observation::{Observation, Source};
+use tpg_runtime::observation::{Observation, Source, TargetMemo};
 use tpg_runtime::policy::ActionId;
 
 /// How an engine's flat state is filled and its answer understood.
@@ -65,7 +65,7 @@ impl Binding {
         let start = states.len();
         states.resize(start + self.state_length(), 0.0);
         let state = &mut states[start..];
-        Source::fill(&self.sources, &WIDOWX, observation, state);
+        Source::fill(&self.sources, &WIDOWX, observation, &TargetMemo::new(), state);
         for value in state {
             *value = self.scalar.round(*value);
         }

@@ -1,86 +1,124 @@
 //! The values of a plan's nodes: a column for each node, with one value for each lane.
 //!
-//! Loops over lanes run in the widest vectors that the processor has (the crate pulp looks once), without fusing or
-//! reordering anything: the same bits as one lane at a time.
+//! A column is a whole number of blocks, and every loop runs over whole blocks: what stands in lanes beyond the last is
+//! computed along and never read. Nothing is fused or reordered: the same bits as one lane at a time. What is marked
+//! `inline(always)` here becomes part of [`Decider::decide`](super::decide::Decider::decide), which is compiled for the
+//! widest vectors that the processor has.
 
-use super::nodes::{Node, NodeId};
+use super::episodes::View;
+use super::nodes::{Node, NodeId, NodeSet};
 use super::plan::Plan;
-use pulp::Arch;
 use std::marker::PhantomData;
 use tpg_runtime::ops::{Instruction, Maths};
 use tpg_runtime::scalar::Scalar;
 
+/// Lanes of a block: one vector of the widest there are.
+pub const BLOCK: usize = 16;
+
+/// The values of some neighbouring lanes.
+pub type Block<T> = [T; BLOCK];
+
 /// The values of a plan's nodes, in every lane.
 #[derive(Debug)]
 pub(super) struct Columns<S, M> {
-    lanes: usize,
-    values: Vec<S>,
-    /// The step in which each node was computed last.
-    computed_at: Vec<u64>,
-    now: u64,
-    arch: Arch,
+    /// Blocks of a column.
+    blocks: usize,
+    values: Vec<Block<S>>,
+    /// The operations whose columns are those of the state that is shown.
+    fresh: NodeSet,
+    /// The operations that only a new episode changes.
+    lasting: NodeSet,
     maths: PhantomData<M>,
 }
 
 impl<S: Scalar, M: Maths<S>> Columns<S, M> {
     pub(super) fn new(lanes: usize) -> Self {
-        Self { lanes, values: Vec::new(), computed_at: Vec::new(), now: 0, arch: Arch::new(), maths: PhantomData }
+        Self {
+            blocks: lanes.div_ceil(BLOCK),
+            values: Vec::new(),
+            fresh: NodeSet::default(),
+            lasting: NodeSet::default(),
+            maths: PhantomData,
+        }
     }
 
-    /// Makes room for a plan's nodes, and fills its constants in.
-    pub(super) fn prepare(&mut self, plan: &Plan<S>) {
+    /// Makes room for a plan's nodes, and fills its constants in. Inputs in `constant` change with the episode only.
+    pub(super) fn prepare(&mut self, plan: &Plan<S>, constant: &[u16]) {
         self.values.clear();
-        self.values.resize(plan.nodes.len() * self.lanes, S::ZERO);
-        for (column, node) in self.values.chunks_exact_mut(self.lanes).zip(&plan.nodes) {
+        self.values.resize(plan.nodes.len() * self.blocks, [S::ZERO; BLOCK]);
+        for (column, node) in self.values.chunks_exact_mut(self.blocks).zip(&plan.nodes) {
             if let Node::Constant(value) = node {
-                column.fill(*value);
+                column.fill([*value; BLOCK]);
             }
         }
-        self.computed_at.clear();
-        self.computed_at.resize(plan.nodes.len(), 0);
-        self.now = 0;
+        self.fresh = NodeSet::empty(plan.nodes.len());
+        self.lasting = NodeSet::empty(plan.nodes.len());
+        let mut lasts = vec![false; plan.nodes.len()];
+        for (place, node) in (0u32..).zip(&plan.nodes) {
+            lasts[place as usize] = match node {
+                Node::Constant(_) => true,
+                Node::Input(input) => constant.contains(input),
+                Node::Operation(_, a, b) => lasts[a.index()] && lasts[b.index()],
+            };
+            if lasts[place as usize] {
+                self.lasting.insert(NodeId(place));
+            }
+        }
     }
 
-    /// From here on what was computed is old.
+    /// Another state is shown: from here on what was computed is old, but for what follows from the episode alone.
+    #[inline(always)]
     pub(super) fn next_step(&mut self) {
-        self.now += 1;
+        self.fresh.keep(&self.lasting);
     }
 
-    #[inline]
-    pub(super) fn set(&mut self, node: NodeId, lane: usize, value: S) {
-        self.values[node.index() * self.lanes + lane] = value;
+    /// In some lane another episode is shown: all that was computed is old.
+    pub(super) fn forget(&mut self) {
+        self.fresh.clear();
+    }
+
+    /// Where the values of the flat state go; `places` are those of their nodes.
+    pub(super) fn view<'a>(&'a mut self, places: &'a [u32]) -> View<'a, S> {
+        View { columns: &mut self.values, blocks: self.blocks, places }
     }
 
     #[inline]
     pub(super) fn get(&self, node: NodeId, lane: usize) -> S {
-        self.values[node.index() * self.lanes + lane]
+        self.values[node.index() * self.blocks + lane / BLOCK][lane % BLOCK]
     }
 
-    /// A node's values in the first `count` lanes.
-    #[inline]
-    pub(super) fn column(&self, node: NodeId, count: usize) -> &[S] {
-        &self.values[node.index() * self.lanes..][..count]
+    /// A node's values, block by block.
+    #[inline(always)]
+    pub(super) fn column(&self, node: NodeId) -> &[Block<S>] {
+        &self.values[node.index() * self.blocks..][..self.blocks]
     }
 
-    /// Computes a node in the first `count` lanes, once a step; its operands are there already.
-    pub(super) fn compute(&mut self, plan: &Plan<S>, node: NodeId, count: usize) {
-        if std::mem::replace(&mut self.computed_at[node.index()], self.now) == self.now {
-            return;
-        }
-        let Node::Operation(instruction, a, b) = plan.nodes[node.index()] else { return };
-        let (before, from) = self.values.split_at_mut(node.index() * self.lanes);
-        let operands = [a, b].map(|operand| &before[operand.index() * self.lanes..][..count]);
-        let to = &mut from[..count];
-        self.arch.dispatch(
+    /// Computes what is needed and not fresh, in the first `lanes` lanes. Every operand of what is needed is needed too.
+    #[inline(always)]
+    pub(super) fn compute(&mut self, plan: &Plan<S>, needs: &NodeSet, lanes: usize) {
+        let Self { blocks, values, fresh, .. } = self;
+        let used = lanes.div_ceil(BLOCK);
+        fresh.add(
+            needs,
             #[inline(always)]
-            || compute_column::<S, M>(instruction, operands, to),
+            |node| {
+                let Node::Operation(instruction, a, b) = plan.nodes[node.index()] else { return };
+                let (before, from) = values.split_at_mut(node.index() * *blocks);
+                let a = &before[a.index() * *blocks..][..used];
+                let b = &before[b.index() * *blocks..][..used];
+                match (lanes, a, b, &mut from[..used]) {
+                    // One value is sooner computed than a block of them.
+                    (1, [a], [b], [to]) => to[0] = instruction.apply::<S, M>(a[0], b[0]),
+                    (_, a, b, to) => compute_column::<S, M>(instruction, [a, b], to),
+                }
+            },
         );
     }
 
-    /// A node's value in one lane, computed for it alone where this step has not computed it for all.
+    /// A node's value in one lane, computed for it alone where it is not fresh.
     pub(super) fn value(&self, plan: &Plan<S>, node: NodeId, lane: usize) -> S {
         match plan.nodes[node.index()] {
-            Node::Operation(instruction, a, b) if self.computed_at[node.index()] != self.now => {
+            Node::Operation(instruction, a, b) if !self.fresh.contains(node) => {
                 let a_value = self.value(plan, a, lane);
                 let b_value = if a == b { a_value } else { self.value(plan, b, lane) };
                 instruction.apply::<S, M>(a_value, b_value)
@@ -90,20 +128,32 @@ impl<S: Scalar, M: Maths<S>> Columns<S, M> {
     }
 }
 
-/// One loop for each instruction, so that none has to look at it again. Always inlined, into a function that may use wide
-/// vectors.
+/// One loop for each instruction, so that none has to look at it again.
+///
+/// The shape of the loops is the compiler's: short bodies over single values (of nested loops it would unroll the inner
+/// one and turn the outer one into gathers), long ones block by block (they get no remainder that goes value by value).
 #[inline(always)]
-fn compute_column<S: Scalar, M: Maths<S>>(instruction: Instruction, [a, b]: [&[S]; 2], to: &mut [S]) {
+fn compute_column<S: Scalar, M: Maths<S>>(instruction: Instruction, [a, b]: [&[Block<S>]; 2], to: &mut [Block<S>]) {
     macro_rules! loops {
-        ($($name:ident)*) => {
+        (short: $($short:ident)*; long: $($long:ident)*) => {
             match instruction {
-                $(Instruction::$name => {
-                    for ((to, &a), &b) in to.iter_mut().zip(a).zip(b) {
-                        *to = Instruction::$name.apply::<S, M>(a, b);
+                $(Instruction::$short => {
+                    let (a, b) = (a.as_flattened(), b.as_flattened());
+                    for ((to, &a), &b) in to.as_flattened_mut().iter_mut().zip(a).zip(b) {
+                        *to = Instruction::$short.apply::<S, M>(a, b);
+                    }
+                })*
+                $(Instruction::$long => {
+                    for (to, a) in to.iter_mut().zip(a) {
+                        let mut values = *a;
+                        for value in &mut values {
+                            *value = Instruction::$long.apply::<S, M>(*value, *value);
+                        }
+                        *to = values;
                     }
                 })*
             }
         };
     }
-    loops!(Sub Add Mul Div NegateIfLess Cos Sin Ln Exp Abs Min Max);
+    loops!(short: Sub Add Mul Div NegateIfLess Abs Min Max; long: Cos Sin Ln Exp);
 }

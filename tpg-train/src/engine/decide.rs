@@ -5,37 +5,59 @@
 //! computed only in the lanes where it could still win, which are few, because most best bids are millimetres or ticks.
 //! The winner is the same: the highest bid, of equal ones the last edge.
 
-use super::columns::Columns;
+use super::columns::{BLOCK, Block, Columns};
 use super::plan::{Plan, PlannedTeam};
-use super::policy::Destination;
-use pulp::Arch;
+use pulp::{Arch, Simd, WithSimd};
 use tpg_runtime::ops::{self, Maths};
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
 
 /// Below one lane in so many, lanes are handled one by one.
-const SPARSE: usize = 6;
+const SPARSE: usize = 16;
+/// The same for the nodes of a lazy bid.
+const SPARSE_NODES: usize = 6;
 
 /// Memory for decisions.
 #[derive(Debug)]
 pub(super) struct Decider<S> {
-    /// For each team, the lanes that reached it.
-    lists: Vec<Vec<u32>>,
+    lanes: usize,
+    /// For each destination, teams before actions, the lanes that reached it: a row, and how much of it is used.
+    lists: Vec<u32>,
+    lengths: Vec<usize>,
     /// The best bid so far in each lane, and the edge that made it.
-    best: Vec<S>,
-    winner: Vec<u32>,
+    best: Vec<Block<S>>,
+    winner: Vec<Block<u32>>,
     /// The lanes in which a lazy bid could win.
     open: Vec<u32>,
     actions: Vec<ActionId>,
     arch: Arch,
 }
 
+/// What [`Decider::decide`] does, compiled for each width of vectors.
+struct Decision<'a, S, M> {
+    decider: &'a mut Decider<S>,
+    plan: &'a Plan<S>,
+    columns: &'a mut Columns<S, M>,
+    all: usize,
+}
+
+impl<S: Scalar, M: Maths<S>> WithSimd for Decision<'_, S, M> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<V: Simd>(self, _: V) {
+        self.decider.decide_in_vectors(self.plan, self.columns, self.all);
+    }
+}
+
 impl<S: Scalar> Decider<S> {
     pub(super) fn new(lanes: usize) -> Self {
         Self {
+            lanes,
             lists: Vec::new(),
-            best: vec![S::ZERO; lanes],
-            winner: vec![0; lanes],
+            lengths: Vec::new(),
+            best: vec![[S::ZERO; BLOCK]; lanes.div_ceil(BLOCK)],
+            winner: vec![[0; BLOCK]; lanes.div_ceil(BLOCK)],
             open: Vec::with_capacity(lanes),
             actions: vec![ActionId(0); lanes],
             arch: Arch::new(),
@@ -43,127 +65,140 @@ impl<S: Scalar> Decider<S> {
     }
 
     pub(super) fn prepare(&mut self, plan: &Plan<S>) {
-        self.lists.resize_with(plan.teams.len().max(self.lists.len()), Vec::new);
+        self.lengths.clear();
+        self.lengths.resize(plan.destinations, 0);
+        self.lists.resize((plan.destinations * self.lanes).max(self.lists.len()), 0);
     }
 
-    /// The action of a lane, after [`decide`](Self::decide).
-    #[inline]
-    pub(super) fn action(&self, lane: usize) -> ActionId {
-        self.actions[lane]
+    /// The actions of the first `all` lanes.
+    pub(super) fn decide<M: Maths<S>>(
+        &mut self,
+        plan: &Plan<S>,
+        columns: &mut Columns<S, M>,
+        all: usize,
+    ) -> &[ActionId] {
+        self.arch.dispatch(Decision { decider: self, plan, columns, all });
+        &self.actions[..all]
     }
 
-    /// Decides in the first `all` lanes.
-    pub(super) fn decide<M: Maths<S>>(&mut self, plan: &Plan<S>, columns: &mut Columns<S, M>, all: usize) {
+    #[inline(always)]
+    fn decide_in_vectors<M: Maths<S>>(&mut self, plan: &Plan<S>, columns: &mut Columns<S, M>, all: usize) {
         columns.next_step();
-        self.lists[0].extend(0..all as u32);
+        for (slot, lane) in self.lists[..all].iter_mut().zip(0u32..) {
+            *slot = lane;
+        }
+        self.lengths[0] = all;
         for (place, team) in plan.teams.iter().enumerate() {
-            let mut list = std::mem::take(&mut self.lists[place]);
-            if !list.is_empty() {
-                for &node in &team.needs {
-                    columns.compute(plan, node, all);
-                }
-                if list.len() * SPARSE > all {
-                    self.ask_all(team, columns, all);
-                    self.ask_lazy(plan, team, columns, &list, all);
-                    for &lane in &list {
-                        self.send(lane, team.edges[self.winner[lane as usize] as usize].to);
-                    }
-                } else {
-                    for &lane in &list {
-                        let winner = ask_one(plan, team, columns, lane as usize);
-                        self.send(lane, team.edges[winner as usize].to);
-                    }
-                }
-                list.clear();
+            let length = std::mem::take(&mut self.lengths[place]);
+            if length == 0 {
+                continue;
             }
-            self.lists[place] = list;
-        }
-    }
-
-    #[inline]
-    fn send(&mut self, lane: u32, to: Destination) {
-        match to {
-            Destination::Team(team) => self.lists[team as usize].push(lane),
-            Destination::Action(action) => self.actions[lane as usize] = ActionId(action),
-        }
-    }
-
-    /// The winner of the eager edges in every lane, wanted or not: one pass over each bidder's column.
-    fn ask_all<M: Maths<S>>(&mut self, team: &PlannedTeam<S>, columns: &Columns<S, M>, all: usize) {
-        let best = &mut self.best[..all];
-        let winner = &mut self.winner[..all];
-        self.arch.dispatch(
-            #[inline(always)]
-            || {
-                for (place, &index) in team.eager.iter().enumerate() {
-                    let bids = columns.column(team.edges[index as usize].bid, all);
-                    keep_best(index, place == 0, bids, best, winner);
+            columns.compute(plan, &team.needs, all);
+            let (first, last) = (place * self.lanes, place * self.lanes + length);
+            if length * SPARSE > all {
+                self.ask_all(team, columns, all);
+                if !team.lazy.is_empty() {
+                    self.ask_lazy(plan, team, columns, first..last, all);
                 }
-            },
-        );
-        if team.eager.is_empty() {
-            best.fill(S::NEG_INFINITY);
-            winner.fill(0);
+                for slot in first..last {
+                    let lane = self.lists[slot];
+                    let winner = self.winner.as_flattened()[lane as usize];
+                    self.send(lane, team.to[winner as usize]);
+                }
+            } else {
+                for slot in first..last {
+                    let lane = self.lists[slot];
+                    let winner = ask_one(plan, team, columns, lane as usize);
+                    self.send(lane, team.to[winner as usize]);
+                }
+            }
+        }
+        for (action, place) in (0..).zip(plan.teams.len()..plan.destinations) {
+            let length = std::mem::take(&mut self.lengths[place]);
+            for &lane in &self.lists[place * self.lanes..][..length] {
+                self.actions[lane as usize] = ActionId(action);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn send(&mut self, lane: u32, to: u32) {
+        let length = &mut self.lengths[to as usize];
+        self.lists[to as usize * self.lanes + *length] = lane;
+        *length += 1;
+    }
+
+    /// The winner of the eager edges in every lane, wanted or not.
+    #[inline(always)]
+    fn ask_all<M: Maths<S>>(&mut self, team: &PlannedTeam<S>, columns: &Columns<S, M>, all: usize) {
+        let blocks = all.div_ceil(BLOCK);
+        for (block, (to_best, to_winner)) in self.best[..blocks].iter_mut().zip(&mut self.winner[..blocks]).enumerate()
+        {
+            let mut best = [S::NEG_INFINITY; BLOCK];
+            let mut winner = [0; BLOCK];
+            for edge in &team.eager {
+                let mut wins = [0; BLOCK];
+                for ((best, wins), &bid) in best.iter_mut().zip(&mut wins).zip(&columns.column(edge.bid)[block]) {
+                    // As `ops::bid`: a NaN is not above −∞.
+                    let bid = ops::max(bid, S::NEG_INFINITY);
+                    *wins = u32::from(bid >= *best).wrapping_neg();
+                    *best = ops::max(bid, *best);
+                }
+                // With masks: conditions become branches here.
+                for (winner, wins) in winner.iter_mut().zip(wins) {
+                    *winner ^= (*winner ^ edge.edge) & wins;
+                }
+            }
+            (*to_best, *to_winner) = (best, winner);
         }
     }
 
     /// The lazy edges, in the listed lanes where they can win.
+    #[inline(always)]
     fn ask_lazy<M: Maths<S>>(
         &mut self,
         plan: &Plan<S>,
         team: &PlannedTeam<S>,
         columns: &mut Columns<S, M>,
-        list: &[u32],
+        list: std::ops::Range<usize>,
         all: usize,
     ) {
+        let Self { lists, best, winner, open, .. } = self;
+        let (list, best, winner) = (&lists[list], best.as_flattened_mut(), winner.as_flattened_mut());
         for lazy in &team.lazy {
-            self.open.clear();
-            let (best, winner) = (&self.best, &self.winner);
-            self.open.extend(list.iter().copied().filter(|&lane| {
+            open.clear();
+            open.extend(list.iter().copied().filter(|&lane| {
                 let lane = lane as usize;
                 could_win(lazy.most, lazy.edge, best[lane], winner[lane])
             }));
-            if self.open.len() * SPARSE > all {
-                for &node in &lazy.needs {
-                    columns.compute(plan, node, all);
-                }
+            if open.len() * SPARSE_NODES > all {
+                columns.compute(plan, &lazy.needs, all);
             }
-            let node = team.edges[lazy.edge as usize].bid;
-            for &lane in &self.open {
+            for &lane in open.iter() {
                 let lane = lane as usize;
-                let bid = ops::bid(columns.value(plan, node, lane));
-                if could_win(bid, lazy.edge, self.best[lane], self.winner[lane]) {
-                    (self.best[lane], self.winner[lane]) = (bid, lazy.edge);
+                let bid = ops::bid(columns.value(plan, lazy.bid, lane));
+                if could_win(bid, lazy.edge, best[lane], winner[lane]) {
+                    (best[lane], winner[lane]) = (bid, lazy.edge);
                 }
             }
         }
-    }
-}
-
-/// Puts an edge's bids where they are not below the best so far. Always inlined, into a function that may use wide vectors.
-#[inline(always)]
-fn keep_best<S: Scalar>(edge: u32, first: bool, bids: &[S], best: &mut [S], winner: &mut [u32]) {
-    for ((best, winner), &bid) in best.iter_mut().zip(winner.iter_mut()).zip(bids) {
-        let bid = ops::bid(bid);
-        let wins = first | (bid >= *best);
-        *best = if wins { bid } else { *best };
-        *winner = if wins { edge } else { *winner };
     }
 }
 
 /// The winning edge in one lane.
+#[inline(always)]
 fn ask_one<S: Scalar, M: Maths<S>>(plan: &Plan<S>, team: &PlannedTeam<S>, columns: &Columns<S, M>, lane: usize) -> u32 {
     let mut best = S::NEG_INFINITY;
     let mut winner = 0;
-    for &index in &team.eager {
-        let bid = ops::bid(columns.get(team.edges[index as usize].bid, lane));
+    for edge in &team.eager {
+        let bid = ops::bid(columns.get(edge.bid, lane));
         if bid >= best {
-            (best, winner) = (bid, index);
+            (best, winner) = (bid, edge.edge);
         }
     }
     for lazy in &team.lazy {
         if could_win(lazy.most, lazy.edge, best, winner) {
-            let bid = ops::bid(columns.value(plan, team.edges[lazy.edge as usize].bid, lane));
+            let bid = ops::bid(columns.value(plan, lazy.bid, lane));
             if could_win(bid, lazy.edge, best, winner) {
                 (best, winner) = (bid, lazy.edge);
             }
@@ -173,7 +208,7 @@ fn ask_one<S: Scalar, M: Maths<S>>(plan: &Plan<S>, team: &PlannedTeam<S>, column
 }
 
 /// Whether a bid beats the best one so far: it is higher, or equal and of a later edge.
-#[inline]
+#[inline(always)]
 fn could_win<S: Scalar>(bid: S, edge: u32, best: S, winner: u32) -> bool {
     bid > best || (bid == best && edge >= winner)
 }

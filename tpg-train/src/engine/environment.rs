@@ -1,5 +1,6 @@
 //! What the engine asks of a problem.
 
+use super::episodes::{Episodes, OneByOne};
 use crate::random::{Purpose, Stream};
 use serde::{Serialize, de::DeserializeOwned};
 use std::fmt::Debug;
@@ -46,6 +47,13 @@ pub trait Environment<S: Scalar>: Sync {
     /// Starts an episode.
     fn start(&self, task: &Self::Task) -> Self::Episode;
 
+    /// The values of the flat state that stay what they are from an episode's start to its end; none by default.
+    ///
+    /// What programs compute from them alone is computed once an episode.
+    fn constants(&self) -> Vec<u16> {
+        Vec::new()
+    }
+
     /// Writes the values of the wanted sources to their places in the flat state.
     ///
     /// The episode is mutable so that it can keep what it computed; what it shows must not depend on that.
@@ -53,6 +61,14 @@ pub trait Environment<S: Scalar>: Sync {
 
     /// Does one action; `Some` when it ended the episode.
     fn step(&self, episode: &mut Self::Episode, action: ActionId) -> Option<Ending>;
+
+    /// Episodes side by side; the default takes one after the other.
+    fn lanes(&self) -> Box<dyn Episodes<S, Self::Task> + '_>
+    where
+        Self: Sized,
+    {
+        Box::new(OneByOne::new(self))
+    }
 
     /// A number that is equal at two moments of an episode exactly when everything but the time is equal there.
     ///
@@ -90,6 +106,13 @@ pub struct SourceSet(u64);
 impl SourceSet {
     /// Every source.
     pub const ALL: Self = Self(u64::MAX);
+    /// No source.
+    pub const NONE: Self = Self(0);
+
+    /// With the source at that place, too.
+    pub(crate) fn with(self, place: usize) -> Self {
+        Self(self.0 | 1 << place)
+    }
 
     /// The sources that the given inputs of the flat state lie in.
     pub fn of_inputs(sources: &[SourceDocument], inputs: impl Iterator<Item = u16>) -> Self {

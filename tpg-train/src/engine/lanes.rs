@@ -6,6 +6,7 @@
 use super::columns::Columns;
 use super::decide::Decider;
 use super::environment::{Ending, Environment};
+use super::episodes::Episodes;
 use super::history::History;
 use super::plan::Plan;
 use tpg_runtime::ops::Maths;
@@ -32,24 +33,18 @@ impl Default for Options {
 }
 
 /// Runs roots over tasks, one root after another, and keeps its memory between them.
-#[derive(Debug)]
 pub struct Lanes<'e, S: Scalar, M, E: Environment<S>> {
     environment: &'e E,
     options: Options,
+    constants: Vec<u16>,
     columns: Columns<S, M>,
     decider: Decider<S>,
-    state: Vec<S>,
-    running: Vec<Running<E::Episode>>,
+    episodes: Box<dyn Episodes<S, E::Task> + 'e>,
+    /// The place of each lane's task, and of its history: histories stay, lanes move.
+    running: Vec<(usize, usize)>,
     histories: Vec<History>,
+    ended: Vec<(usize, Ending)>,
     steps: u64,
-}
-
-#[derive(Debug)]
-struct Running<Episode> {
-    task: usize,
-    /// Where its keys are: histories stay, lanes move.
-    history: usize,
-    episode: Episode,
 }
 
 impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
@@ -62,11 +57,13 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
         Self {
             environment,
             options,
+            constants: environment.constants(),
             columns: Columns::new(options.lanes),
             decider: Decider::new(options.lanes),
-            state: Vec::new(),
+            episodes: environment.lanes(),
             running: Vec::new(),
             histories: vec![History::default(); options.lanes],
+            ended: Vec::new(),
             steps: 0,
         }
     }
@@ -88,93 +85,77 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
         tasks: &[E::Task],
         mut watch: impl FnMut(usize, ActionId),
     ) -> Vec<Ending> {
-        self.prepare(plan);
+        self.columns.prepare(plan, &self.constants);
+        self.decider.prepare(plan);
         let mut endings = vec![None; tasks.len()];
         let mut next = 0;
         while next < tasks.len().min(self.options.lanes) {
-            let running = self.begin(tasks, next, next);
-            self.running.push(running);
-            self.show(plan, next);
+            self.running.push((next, next));
+            self.begin(tasks, next);
             next += 1;
         }
         while !self.running.is_empty() {
-            self.decider.decide(plan, &mut self.columns, self.running.len());
-            self.steps += self.running.len() as u64;
-            // From the last lane down: closing up then only moves lanes that have had their step.
-            for lane in (0..self.running.len()).rev() {
-                let action = self.decider.action(lane);
-                watch(self.running[lane].task, action);
-                let Some(ending) = self.step(lane, action) else {
-                    self.show(plan, lane);
-                    continue;
-                };
-                endings[self.running[lane].task] = Some(ending);
+            self.episodes.observe(plan.wanted, &mut self.columns.view(&plan.places));
+            let actions = self.decider.decide(plan, &mut self.columns, self.running.len());
+            self.running.iter().zip(actions).for_each(|(&(task, _), &action)| watch(task, action));
+            self.steps += actions.len() as u64;
+            self.ended.clear();
+            self.episodes.step(actions, &mut self.ended);
+            self.end_cycles();
+            // From the last lane down: closing up then only moves lanes that go on.
+            while let Some((lane, ending)) = self.ended.pop() {
+                endings[self.running[lane].0] = Some(ending);
                 if next < tasks.len() {
-                    self.running[lane] = self.begin(tasks, next, self.running[lane].history);
+                    self.running[lane].0 = next;
+                    self.begin(tasks, lane);
                     next += 1;
-                    self.show(plan, lane);
                 } else {
-                    self.close_up(plan, lane);
+                    self.running.swap_remove(lane);
+                    self.episodes.close_up(lane);
+                    self.columns.forget();
                 }
             }
         }
         endings.into_iter().map(|ending| ending.expect("every task was begun and every lane ended")).collect()
     }
 
-    fn prepare(&mut self, plan: &Plan<S>) {
-        self.columns.prepare(plan);
-        self.decider.prepare(plan);
-        self.state.clear();
-        self.state.resize(plan.state_length, S::ZERO);
-    }
-
-    fn begin(&mut self, tasks: &[E::Task], task: usize, history: usize) -> Running<E::Episode> {
-        let episode = self.environment.start(&tasks[task]);
-        if let Some(key) = self.environment.key(&episode) {
+    /// Starts a lane's episode.
+    fn begin(&mut self, tasks: &[E::Task], lane: usize) {
+        let (task, history) = self.running[lane];
+        self.episodes.begin(lane, &tasks[task]);
+        self.columns.forget();
+        if let Some(&key) = self.episodes.keys().get(lane) {
             self.histories[history].reset(key);
         }
-        Running { task, history, episode }
     }
 
-    /// Puts what a lane's policy sees into the columns.
-    fn show(&mut self, plan: &Plan<S>, lane: usize) {
-        self.environment.observe(&mut self.running[lane].episode, plan.wanted, &mut self.state);
-        for &(input, node) in &plan.inputs {
-            self.columns.set(node, lane, self.state[usize::from(input)]);
+    /// Writes down where every lane is now, and ends what came back to where it was.
+    fn end_cycles(&mut self) {
+        let Self { episodes, running, histories, ended, options, .. } = self;
+        let keys = episodes.keys();
+        if keys.is_empty() {
+            return;
         }
-    }
-
-    fn close_up(&mut self, plan: &Plan<S>, lane: usize) {
-        self.running.swap_remove(lane);
-        let last = self.running.len();
-        if lane < last {
-            for &(_, node) in &plan.inputs {
-                let value = self.columns.get(node, last);
-                self.columns.set(node, lane, value);
-            }
+        let mut already = std::mem::take(ended).into_iter().peekable();
+        for (lane, (&key, &(_, history))) in keys.iter().zip(running.iter()).enumerate() {
+            let history = &mut histories[history];
+            let ending = already.next_if(|&(other, _)| other == lane).map(|(_, ending)| ending);
+            let repeat = match ending {
+                None if options.look_for_cycles => history.push_and_look(key),
+                None => {
+                    history.push(key);
+                    None
+                }
+                // An episode in a cycle never ends by itself, so only a time-out can hide an earlier repeat. One at the
+                // time-out itself counts as a cycle too: the set of visited keys would have seen it.
+                Some(ending) if !ending.success && ending.actions >= self.environment.time_limit() => {
+                    history.push(key);
+                    history.first_repeat().filter(|repeat| repeat.actions <= ending.actions)
+                }
+                Some(_) => None,
+            };
+            let cycle = repeat.and_then(|repeat| episodes.cycle(lane, repeat.key, repeat.actions));
+            ended.extend(cycle.or(ending).map(|ending| (lane, ending)));
         }
-    }
-
-    fn step(&mut self, lane: usize, action: ActionId) -> Option<Ending> {
-        let Running { history, episode, .. } = &mut self.running[lane];
-        let history = &mut self.histories[*history];
-        let ending = self.environment.step(episode, action);
-        let Some(key) = self.environment.key(episode) else { return ending };
-        let repeat = match ending {
-            None if self.options.look_for_cycles => history.push_and_look(key),
-            None => {
-                history.push(key);
-                None
-            }
-            // An episode in a cycle never ends by itself, so only a time-out can hide an earlier repeat. One at the
-            // time-out itself counts as a cycle too: the set of visited keys would have seen it.
-            Some(ending) if !ending.success && ending.actions >= self.environment.time_limit() => {
-                history.push(key);
-                history.first_repeat().filter(|repeat| repeat.actions <= ending.actions)
-            }
-            Some(_) => None,
-        };
-        let cycle = repeat.and_then(|repeat| self.environment.cycle(episode, repeat.key, repeat.actions));
-        cycle.or(ending)
     }
 }

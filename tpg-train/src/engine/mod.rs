@@ -6,6 +6,7 @@
 mod columns;
 mod decide;
 mod environment;
+mod episodes;
 mod evaluator;
 mod history;
 mod lanes;
@@ -14,7 +15,9 @@ mod plan;
 mod policy;
 mod single;
 
+pub use columns::{BLOCK, Block};
 pub use environment::{Ending, Environment, SourceSet};
+pub use episodes::{Episodes, View};
 pub use evaluator::{Answer, EvaluationError, Evaluator, LocalThreads, UnitKey, Work, WorkUnit};
 pub use history::{History, Repeat};
 pub use lanes::{Lanes, Options};

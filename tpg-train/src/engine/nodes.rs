@@ -113,6 +113,60 @@ impl<S: Scalar, M: Maths<S>> Arena<S, M> {
     }
 }
 
+/// A set of a plan's nodes: a bit for each.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct NodeSet(Vec<u64>);
+
+impl NodeSet {
+    /// Room for nodes below `nodes`.
+    pub(super) fn empty(nodes: usize) -> Self {
+        Self(vec![0; nodes.div_ceil(64)])
+    }
+
+    pub(super) fn insert(&mut self, node: NodeId) {
+        self.0[node.index() / 64] |= 1 << (node.0 % 64);
+    }
+
+    #[inline]
+    pub(super) fn contains(&self, node: NodeId) -> bool {
+        self.0[node.index() / 64] & (1 << (node.0 % 64)) != 0
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.0.iter().map(|word| word.count_ones() as usize).sum()
+    }
+
+    pub(super) fn clear(&mut self) {
+        self.0.fill(0);
+    }
+
+    /// Keeps what is in `other`, too.
+    #[inline(always)]
+    pub(super) fn keep(&mut self, other: &Self) {
+        for (word, other) in self.0.iter_mut().zip(&other.0) {
+            *word &= other;
+        }
+    }
+
+    /// Adds what is in `other`; `each` sees what is new, in ascending order.
+    #[inline(always)]
+    pub(super) fn add(&mut self, other: &Self, mut each: impl FnMut(NodeId)) {
+        for (place, (word, other)) in (0u32..).zip(self.0.iter_mut().zip(&other.0)) {
+            let mut new = other & !*word;
+            *word |= other;
+            while new != 0 {
+                each(NodeId(place * 64 + new.trailing_zeros()));
+                new &= new - 1;
+            }
+        }
+    }
+
+    /// Without what is in `other`.
+    pub(super) fn without(&self, other: &Self) -> Self {
+        Self(self.0.iter().zip(&other.0).map(|(word, other)| word & !other).collect())
+    }
+}
+
 /// Which lines can change register 0: liveness, backwards from the end.
 pub fn effective(registers: u16, lines: &[Line]) -> Vec<bool> {
     let mut live = vec![false; usize::from(registers)];

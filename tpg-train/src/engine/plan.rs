@@ -2,7 +2,7 @@
 
 use super::environment::SourceSet;
 use super::lanes::Options;
-use super::nodes::{Arena, Node, NodeId};
+use super::nodes::{Arena, Node, NodeId, NodeSet};
 use super::policy::{Destination, Policy};
 use tpg_codegen::graph::SourceDocument;
 use tpg_runtime::ops::{Instruction, Maths};
@@ -10,9 +10,17 @@ use tpg_runtime::scalar::Scalar;
 
 /// A bidder and what it bids for.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct PlannedEdge {
+struct PlannedEdge {
+    bid: NodeId,
+    to: Destination,
+}
+
+/// An edge that is always asked.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct EagerEdge {
+    /// Its place among the team's edges.
+    pub(super) edge: u32,
     pub(super) bid: NodeId,
-    pub(super) to: Destination,
 }
 
 /// An edge that is asked only where its bid could win.
@@ -20,19 +28,20 @@ pub(super) struct PlannedEdge {
 pub(super) struct LazyEdge<S> {
     /// Its place among the team's edges.
     pub(super) edge: u32,
+    pub(super) bid: NodeId,
     /// It never bids more.
     pub(super) most: S,
-    /// What it needs beside the eager edges' needs.
-    pub(super) needs: Vec<NodeId>,
+    pub(super) needs: NodeSet,
 }
 
-/// A team: its edges, and what its eager bids need, in an order in which it can be computed.
+/// A team: its edges, and the operations that its eager bids are made of.
 #[derive(Clone, Debug)]
 pub(super) struct PlannedTeam<S> {
-    pub(super) edges: Vec<PlannedEdge>,
-    /// Places of the edges that are always asked, ascending.
-    pub(super) eager: Vec<u32>,
-    pub(super) needs: Vec<NodeId>,
+    /// Where each edge leads: a place among the teams, or the number of teams and an action.
+    pub(super) to: Vec<u32>,
+    /// Ascending.
+    pub(super) eager: Vec<EagerEdge>,
+    pub(super) needs: NodeSet,
     pub(super) lazy: Vec<LazyEdge<S>>,
 }
 
@@ -41,10 +50,11 @@ pub(super) struct PlannedTeam<S> {
 pub struct Plan<S> {
     pub(super) nodes: Vec<Node<S>>,
     pub(super) teams: Vec<PlannedTeam<S>>,
-    /// The inputs read anywhere, with the node each one is.
-    pub(super) inputs: Vec<(u16, NodeId)>,
+    /// Teams, and actions up to the last that an edge leads to.
+    pub(super) destinations: usize,
+    /// For each value of the flat state the node that it is; `u32::MAX` where nothing reads it.
+    pub(super) places: Vec<u32>,
     pub(super) wanted: SourceSet,
-    pub(super) state_length: usize,
 }
 
 impl<S: Scalar> Plan<S> {
@@ -54,31 +64,33 @@ impl<S: Scalar> Plan<S> {
         let bids: Vec<NodeId> =
             policy.programs.iter().map(|program| arena.program(policy.registers, program)).collect();
         let facts = facts(arena.nodes(), options.lazy);
-        let teams = (policy.teams.iter())
+        let first_action = policy.teams.len() as u32;
+        let teams: Vec<_> = (policy.teams.iter())
             .map(|team| {
                 let mut edges: Vec<PlannedEdge> =
                     (team.iter()).map(|edge| PlannedEdge { bid: bids[edge.program as usize], to: edge.to }).collect();
                 if options.share {
                     drop_hopeless(&mut edges);
                 }
-                planned_team(arena.nodes(), &facts, edges)
+                planned_team(arena.nodes(), &facts, first_action, edges)
             })
             .collect();
-        let inputs: Vec<(u16, NodeId)> = (0u32..)
-            .zip(arena.nodes())
-            .filter_map(|(place, node)| match node {
-                Node::Input(input) => Some((*input, NodeId(place))),
-                _ => None,
-            })
-            .collect();
-        let wanted = SourceSet::of_inputs(sources, inputs.iter().map(|&(input, _)| input));
-        let state_length = sources.iter().map(|source| source.length as usize).sum();
-        Self { nodes: arena.nodes().to_vec(), teams, inputs, wanted, state_length }
+        let mut places = vec![u32::MAX; sources.iter().map(|source| source.length as usize).sum()];
+        for (place, node) in (0u32..).zip(arena.nodes()) {
+            if let Node::Input(input) = node {
+                places[usize::from(*input)] = place;
+            }
+        }
+        let read = (0u16..).zip(&places).filter(|(_, place)| **place != u32::MAX).map(|(input, _)| input);
+        let wanted = SourceSet::of_inputs(sources, read);
+        let last = teams.iter().flat_map(|team: &PlannedTeam<S>| &team.to).max();
+        let destinations = last.map_or(0, |&last| last + 1).max(first_action) as usize;
+        Self { nodes: arena.nodes().to_vec(), teams, destinations, places, wanted }
     }
 
     /// Values of the flat state.
     pub fn state_length(&self) -> usize {
-        self.state_length
+        self.places.len()
     }
 
     /// Distinct operations of the whole root.
@@ -102,22 +114,30 @@ fn drop_hopeless(edges: &mut Vec<PlannedEdge>) {
 /// A lazy edge needs no more nodes than these: in one lane they are computed without memory of what was computed.
 const FEW: usize = 8;
 
-fn planned_team<S: Scalar>(nodes: &[Node<S>], facts: &[Fact<S>], edges: Vec<PlannedEdge>) -> PlannedTeam<S> {
-    let all = || (0u32..).zip(&edges).map(|(place, edge)| (place, edge.bid));
+fn planned_team<S: Scalar>(
+    nodes: &[Node<S>],
+    facts: &[Fact<S>],
+    first_action: u32,
+    edges: Vec<PlannedEdge>,
+) -> PlannedTeam<S> {
     let bounded = |bid: NodeId| facts[bid.index()].most.filter(|_| facts[bid.index()].expensive);
     let (mut eager, mut lazy) = (Vec::new(), Vec::new());
-    let always = needs(nodes, all().map(|(_, bid)| bid).filter(|&bid| bounded(bid).is_none()).collect());
-    for (edge, bid) in all() {
-        let mut needs = needs(nodes, vec![bid]);
-        needs.retain(|node| !always.contains(node));
+    let always = needs(nodes, edges.iter().map(|edge| edge.bid).filter(|&bid| bounded(bid).is_none()));
+    for (edge, &PlannedEdge { bid, .. }) in (0u32..).zip(&edges) {
+        let needs = needs(nodes, [bid]);
+        let more = needs.without(&always).len();
         match bounded(bid) {
             // What the eager edges compute anyway costs nothing more.
-            Some(most) if !needs.is_empty() && needs.len() <= FEW => lazy.push(LazyEdge { edge, most, needs }),
-            _ => eager.push(edge),
+            Some(most) if more > 0 && more <= FEW => lazy.push(LazyEdge { edge, bid, most, needs }),
+            _ => eager.push(EagerEdge { edge, bid }),
         }
     }
-    let needs = needs(nodes, eager.iter().map(|&edge| edges[edge as usize].bid).collect());
-    PlannedTeam { edges, eager, needs, lazy }
+    let needs = needs(nodes, eager.iter().map(|edge| edge.bid));
+    let place = |edge: &PlannedEdge| match edge.to {
+        Destination::Team(team) => team,
+        Destination::Action(action) => first_action + u32::from(action),
+    };
+    PlannedTeam { to: edges.iter().map(place).collect(), eager, needs, lazy }
 }
 
 /// What is known of a node's value, whatever the inputs.
@@ -160,14 +180,16 @@ fn most<S: Scalar>(instruction: Instruction, a: Option<S>, b: Option<S>) -> Opti
 }
 
 /// The operations that some bids are made of.
-fn needs<S>(nodes: &[Node<S>], mut open: Vec<NodeId>) -> Vec<NodeId> {
-    let mut needed = vec![false; nodes.len()];
+fn needs<S>(nodes: &[Node<S>], bids: impl IntoIterator<Item = NodeId>) -> NodeSet {
+    let mut needed = NodeSet::empty(nodes.len());
+    let mut open: Vec<NodeId> = bids.into_iter().collect();
     while let Some(id) = open.pop() {
         if let Node::Operation(_, a, b) = &nodes[id.index()]
-            && !std::mem::replace(&mut needed[id.index()], true)
+            && !needed.contains(id)
         {
+            needed.insert(id);
             open.extend([*a, *b]);
         }
     }
-    (0u32..).zip(needed).filter(|(_, needed)| *needed).map(|(place, _)| NodeId(place)).collect()
+    needed
 }

@@ -19,7 +19,7 @@ impl<S: Scalar, M: Maths<S>> Single<S, M> {
     /// Of a plan.
     pub fn new(plan: Plan<S>) -> Self {
         let (mut columns, mut decider) = (Columns::new(1), Decider::new(1));
-        columns.prepare(&plan);
+        columns.prepare(&plan, &[]);
         decider.prepare(&plan);
         Self { plan, lane: RefCell::new((columns, decider)) }
     }
@@ -30,11 +30,14 @@ impl<S: Scalar, M: Maths<S>> Single<S, M> {
     /// If the state is shorter than [`Plan::state_length`].
     pub fn decide(&self, state: &[S]) -> ActionId {
         let (columns, decider) = &mut *self.lane.borrow_mut();
-        for &(input, node) in &self.plan.inputs {
-            columns.set(node, 0, state[usize::from(input)]);
+        let mut view = columns.view(&self.plan.places);
+        for (input, &value) in state[..self.plan.state_length()].iter().enumerate() {
+            if let Some([block, ..]) = view.column(input) {
+                block[0] = value;
+            }
         }
-        decider.decide(&self.plan, columns, 1);
-        decider.action(0)
+        let [action] = decider.decide(&self.plan, columns, 1) else { unreachable!("one lane has one action") };
+        *action
     }
 }
 

@@ -3,7 +3,9 @@
 //! Every value comes from the runtime's own functions on the same arguments, so it has the same bits as an observation
 //! made from scratch; a test walks both side by side.
 
-use crate::engine::{Ending, Environment, SourceSet};
+mod lanes;
+
+use crate::engine::{Ending, Environment, Episodes, SourceSet};
 use crate::random::Stream;
 use crate::targets::{self, Reach as Space, Set, Start, Task};
 use serde::{Deserialize, Serialize};
@@ -51,6 +53,8 @@ pub struct ArmProblem {
     pub sources: Vec<Source>,
     /// Score of a success; a failure scores −distance in mm.
     pub bonus: f64,
+    /// The most that a failure costs, mm. Infinite where the policy acts alone; less where another policy takes over.
+    pub hand_over_price: f64,
     /// Added to a success for each action that was not needed.
     pub per_unused_action: f64,
 }
@@ -66,6 +70,7 @@ impl ArmProblem {
             may_stop: true,
             sources,
             bonus: 10.0,
+            hand_over_price: f64::INFINITY,
             per_unused_action: 0.01,
         }
     }
@@ -98,12 +103,11 @@ pub struct ArmEnvironment<S> {
     moves: Vec<Move>,
     /// First place of each source in the flat state.
     places: Vec<usize>,
-    /// With every joint and the tip above this, nothing collides, mm.
-    free_above: S,
-    /// The same for the pose after any action of the shield.
-    free_after: S,
-    /// Sine of every tick of a turn; empty where sines are computed.
-    sines: Box<[S]>,
+    clearances: Clearances<S>,
+    /// How far an action of the shield moves any point of the arm at most, mm.
+    swing: S,
+    /// Sine of every tick of a turn, unless sines are computed.
+    sines: Option<Box<[S; TICKS_PER_TURN as usize]>>,
     /// Where training tasks come from.
     space: Option<Space>,
 }
@@ -157,11 +161,11 @@ impl<S: ArmScalar> ArmEnvironment<S> {
             description: *arm,
             tolerance: S::from_f64(problem.tolerance),
             problem,
-            free_above: S::from_f64(free_above(arm)),
-            free_after: S::from_f64(free_above(arm) + swing(arm)),
+            clearances: Clearances::of(arm),
+            swing: S::from_f64(swing(arm)),
             moves,
             places,
-            sines: (0..TICKS_PER_TURN).map(|ticks| Angle(ticks).direction().sin).collect(),
+            sines: Some(Box::new(std::array::from_fn(|ticks| Angle(ticks as i32).direction().sin))),
             space: None,
         }
     }
@@ -191,7 +195,7 @@ impl<S: ArmScalar> ArmEnvironment<S> {
 
     /// The same environment with sines by libm: for a benchmark of the tables, its results differ in the last bits.
     pub fn without_tables(self) -> Self {
-        Self { sines: Box::new([]), ..self }
+        Self { sines: None, ..self }
     }
 
     /// The arm in this environment's scalar.
@@ -209,35 +213,33 @@ impl<S: ArmScalar> ArmEnvironment<S> {
         &self.moves
     }
 
-    #[inline]
+    #[inline(always)]
     fn direction(&self, angle: Angle) -> Direction<S> {
-        if self.sines.is_empty() {
+        let Some(sines) = &self.sines else {
             let radians = S::from_i32(angle.0) * S::from_f64(core::f64::consts::TAU / f64::from(TICKS_PER_TURN));
             return S::direction_of(radians);
-        }
+        };
         let within = (TICKS_PER_TURN - 1) as usize;
         let ticks = angle.0 as usize & within;
         let ahead = (ticks + TICKS_PER_TURN as usize / 4) & within;
-        Direction { cos: self.sines[ahead], sin: self.sines[ticks] }
+        Direction { cos: sines[ahead], sin: sines[ticks] }
     }
 
-    #[inline]
+    #[inline(always)]
     fn plane(&self, pose: Pose) -> Plane<S> {
         let [upper_arm, forearm, hand] = link_angles(pose).map(|angle| self.direction(angle));
         Plane::new(&self.arm, Directions::of_links(upper_arm, forearm, hand))
     }
 
-    #[inline]
+    #[inline(always)]
     fn base(&self, pose: Pose) -> Direction<S> {
         self.direction(Angle(i32::from(pose.0[0]) - TICKS_PER_TURN / 2))
     }
 
     /// [`Source::ShieldCollision`], without a look where the arm is far from everything.
     fn shield(&self, episode: &ArmEpisode<S>) -> [S; shield::SHIELDED] {
-        let plane = &episode.plane;
-        let joints = [plane.bracket.z, plane.elbow.z, plane.wrist.z, plane.tip.z];
         let step = episode.shielded_step();
-        if episode.roughness == 1 && joints.iter().all(|&z| z > self.free_after) {
+        if episode.roughness == 1 && self.stands_clear(&episode.plane, self.swing) {
             return shield::limits(&self.arm, episode.pose, step);
         }
         shield::collision_with(&self.arm, episode.pose, step, |pose| {
@@ -245,23 +247,76 @@ impl<S: ArmScalar> ArmEnvironment<S> {
         })
     }
 
+    /// The arm comes to a pose, with its plane where that is another one.
+    fn arrive(&self, episode: &mut ArmEpisode<S>, pose: Pose, plane: Option<Plane<S>>) {
+        if pose.0[0] != episode.pose.0[0] {
+            episode.base = self.base(pose);
+        }
+        if let Some(plane) = plane {
+            episode.plane = plane;
+            episode.hand_polar = None;
+        }
+        episode.pose = pose;
+        episode.hand = episode.plane.hand_in_world(episode.base);
+    }
+
+    /// Whether the arm is certainly free, with `more` mm to spare: high enough over the table, and above the base or on one
+    /// side of it. Without a branch, for vectors.
+    #[inline(always)]
+    fn stands_clear(&self, plane: &Plane<S>, more: S) -> bool {
+        let Clearances { elbow, wrist, tip, top, side } = self.clearances;
+        let joints = [(plane.elbow, elbow + more), (plane.wrist, wrist + more), (plane.tip, tip + more)];
+        let (mut over_table, mut above, mut before, mut behind) = (plane.bracket.z > more, true, true, true);
+        for (joint, around) in joints {
+            over_table &= joint.z > around;
+            above &= joint.z > top + around;
+            before &= joint.x > side + around;
+            behind &= joint.x < -(side + around);
+        }
+        over_table & (above | before | behind)
+    }
+
     fn ending(&self, outcome: Outcome, actions: u32, distance: S) -> Ending {
         let error = distance.to_f64();
         let success = outcome == Outcome::Reached;
         let unused = f64::from(self.problem.max_actions.saturating_sub(actions));
-        let score = if success { unused * self.problem.per_unused_action + self.problem.bonus } else { -error };
+        let score = if success {
+            unused * self.problem.per_unused_action + self.problem.bonus
+        } else {
+            -error.min(self.problem.hand_over_price)
+        };
         Ending { outcome: outcome_number(outcome), success, score, error, actions }
     }
 }
 
-/// The top of the base, and how far a collision corner can lie below the joint it belongs to, rounded up.
-fn free_above(arm: &Arm<f64>) -> f64 {
-    let shapes = &arm.shapes;
-    let widest = |edges: [f64; 2]| edges[0].abs().max(edges[1].abs());
-    let hand = (shapes.hand_length - arm.links.hand).hypot(widest(shapes.hand_edges));
-    let forearm = shapes.forearm_overhang.hypot(widest(shapes.forearm_edges));
-    let top = shapes.base.iter().flat_map(|edge| edge.z).fold(0.0, f64::max);
-    top + hand.max(forearm) + 1.0
+/// How far the corners of the collision shapes lie from the joints that they belong to, and the extent of the base; mm,
+/// rounded up by enough for every rounding of the kinematics.
+#[derive(Clone, Copy, Debug)]
+struct Clearances<S> {
+    elbow: S,
+    wrist: S,
+    tip: S,
+    top: S,
+    side: S,
+}
+
+impl<S: ArmScalar> Clearances<S> {
+    fn of(arm: &Arm<f64>) -> Self {
+        let shapes = &arm.shapes;
+        let widest = |edges: [f64; 2]| edges[0].abs().max(edges[1].abs());
+        let (hand, forearm) = (widest(shapes.hand_edges), widest(shapes.forearm_edges));
+        let most =
+            |values: [[f64; 2]; 4]| values.as_flattened().iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+        let [elbow, wrist, tip] = [
+            forearm,
+            hand.max(forearm.hypot(shapes.forearm_overhang)),
+            hand.hypot(shapes.hand_length - arm.links.hand),
+        ]
+        .map(|radius| S::from_f64(radius + 1.0));
+        let [top, side] =
+            [shapes.base.map(|edge| edge.z), shapes.base.map(|edge| edge.x)].map(|ends| S::from_f64(most(ends)));
+        Self { elbow, wrist, tip, top, side }
+    }
 }
 
 /// How far an action of the shield moves any point of the arm at most, mm, rounded up.
@@ -369,6 +424,20 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
         }
     }
 
+    fn constants(&self) -> Vec<u16> {
+        let sources = self.problem.sources.iter().zip(&self.places);
+        let constant = sources.flat_map(|(source, &at)| match source {
+            Source::Target => at..at + source.length(),
+            Source::Servos => at + JOINTS..at + source.length(),
+            _ => at..at,
+        });
+        constant.map(|input| input as u16).collect()
+    }
+
+    fn lanes(&self) -> Box<dyn Episodes<S, ArmTask> + '_> {
+        Box::new(lanes::ArmLanes::new(self))
+    }
+
     fn observe(&self, episode: &mut ArmEpisode<S>, wanted: SourceSet, state: &mut [S]) {
         let mut seen = None;
         let mut errors: Option<ReachErrors<S>> = None;
@@ -432,21 +501,12 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
             }
             let plane = self.plane(moved);
             moved_plane = Some(plane);
-            let joints = [plane.bracket.z, plane.elbow.z, plane.wrist.z, plane.tip.z];
-            if joints.iter().all(|&z| z > self.free_above) { None } else { plane.collision(&self.arm.shapes) }
+            if self.stands_clear(&plane, S::ZERO) { None } else { plane.collision(&self.arm.shapes) }
         });
         episode.actions += 1;
         if step.pose != before {
             episode.collides = false;
-            episode.pose = step.pose;
-            if step.pose.0[0] != before.0[0] {
-                episode.base = self.base(step.pose);
-            }
-            if let Some(plane) = moved_plane {
-                episode.plane = plane;
-                episode.hand_polar = None;
-            }
-            episode.hand = episode.plane.hand_in_world(episode.base);
+            self.arrive(episode, step.pose, moved_plane);
         }
         let distance = kinematics::distance(episode.target, episode.hand);
         // The order of the runtime's episode; cycles are the engine's.

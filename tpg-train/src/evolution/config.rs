@@ -67,6 +67,14 @@ pub struct ProblemConfig {
     pub bonus_success: f64,
     /// Score of each action that a success did not need.
     pub coef_reward_multiplication: f64,
+    /// The most that a failure costs, mm: what handing over to another policy counts like.
+    #[serde(default = "unlimited")]
+    pub hand_over_price: f64,
+}
+
+/// A failure costs its whole distance.
+fn unlimited() -> f64 {
+    f64::INFINITY
 }
 
 /// Which actions no policy can choose. A part of the graph: without it, it is another policy.
@@ -344,6 +352,7 @@ impl Config {
             may_stop: self.problem.may_stop,
             sources: self.sources().into_iter().chain(self.problem.shield.source()).collect(),
             bonus: self.problem.bonus_success,
+            hand_over_price: self.problem.hand_over_price,
             per_unused_action: self.problem.coef_reward_multiplication,
         }
     }
@@ -403,6 +412,7 @@ impl Config {
         number("problem.tolerance", self.problem.tolerance, 1e-3, 1e3)?;
         number("problem.step", self.problem.step.into(), 1.0, 127.0)?;
         number("problem.bonusSuccess", self.problem.bonus_success, 0.0, 1e9)?;
+        number("problem.handOverPrice", self.problem.hand_over_price, 0.0, f64::INFINITY)?;
         number("problem.coefRewardMultiplication", self.problem.coef_reward_multiplication, 0.0, 1e3)?;
 
         let actions = match self.problem.environment {

@@ -9,7 +9,7 @@ use std::path::Path;
 use tpg_codegen::error::InputError;
 use tpg_codegen::graph::Graph;
 use tpg_runtime::arm::{Arm, Move, WIDOWX};
-use tpg_runtime::observation::{Observation, Source};
+use tpg_runtime::observation::{Observation, Source, TargetMemo};
 use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::Policy;
 
@@ -23,10 +23,11 @@ pub fn read_graph(path: &Path) -> Result<Graph, InputError> {
 
 /// A graph that drives the arm.
 #[derive(Debug)]
-pub struct GraphPolicy<S, M> {
+pub struct GraphPolicy<S: Copy, M> {
     arm: Arm<S>,
     single: Single<S, M>,
     binding: Binding,
+    memo: TargetMemo<S>,
     state: RefCell<Vec<S>>,
 }
 
@@ -39,7 +40,7 @@ impl<S: ArmScalar, M: Maths<S>> GraphPolicy<S, M> {
         let binding = Binding::of(file, graph)?;
         let plan = Plan::new::<M>(&Root::from(graph), &graph.to_document().sources, Options::default());
         let state = RefCell::new(vec![S::ZERO; binding.state_length()]);
-        Ok(Self { arm: S::arm(&WIDOWX), single: Single::new(plan), binding, state })
+        Ok(Self { arm: S::arm(&WIDOWX), single: Single::new(plan), binding, memo: TargetMemo::new(), state })
     }
 }
 
@@ -49,7 +50,7 @@ impl<S: ArmScalar, M: Maths<S>> Policy for GraphPolicy<S, M> {
 
     fn decide(&self, seen: &Observation<S>) -> Move {
         let mut state = self.state.borrow_mut();
-        Source::fill(self.binding.sources(), &self.arm, seen, &mut state);
+        Source::fill(self.binding.sources(), &self.arm, seen, &self.memo, &mut state);
         self.binding.wanted(self.single.decide(&state)).unwrap_or(Move::STOP)
     }
 }

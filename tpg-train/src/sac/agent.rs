@@ -15,7 +15,7 @@
 //! 4. the slow value network follows.
 
 use super::config::{Algorithm, Config, Learning};
-use super::nn::{Adam, Gaussian, Kernel, Mlp, Real, Samples, Shape, Tape};
+use super::nn::{Adam, Gaussian, Mlp, Real, Samples, Shape, Tape};
 use super::replay::ACTIONS;
 use crate::random::Stream;
 use serde::{Deserialize, Serialize};
@@ -113,7 +113,6 @@ pub struct Agent<T> {
     /// The optimiser of ln α.
     pub alpha_adam: Adam<T>,
     gaussian: Gaussian,
-    kernel: Kernel,
 }
 
 /// The space an update needs: made once, for one batch size.
@@ -124,6 +123,7 @@ pub struct Workspace<T> {
     value: Option<Tape<T>>,
     gradient: Vec<T>,
     by_q: [Vec<T>; 2],
+    /// By the critics' inputs, of which the actions are the last.
     by_input: [Vec<T>; 2],
     by_actions: Vec<T>,
     by_outputs: Vec<T>,
@@ -139,12 +139,12 @@ impl<T: Real> Agent<T> {
         let critic = Shape { inputs: inputs + ACTIONS, hidden: config.critic.hidden.clone(), outputs: 1, norm };
         let actor = Mlp::random(actor, random);
         let critics = [(); 2].map(|()| Mlp::random(critic.clone(), random));
-        let Learning { log_temperature, kernel, algorithm, .. } = config.learning;
+        let Learning { log_temperature, algorithm, .. } = config.learning;
         let value = (algorithm == Algorithm::ValueNetwork).then(|| {
             let shape = Shape { inputs, hidden: config.critic.hidden.clone(), outputs: 1, norm };
             Mlp::random(shape, random)
         });
-        Self::of_networks(actor, critics, value, gaussian, log_temperature, kernel)
+        Self::of_networks(actor, critics, value, gaussian, log_temperature)
     }
 
     /// An agent of given networks, with fresh optimisers and slow copies equal to what they follow. With a value
@@ -155,7 +155,6 @@ impl<T: Real> Agent<T> {
         value: Option<Mlp<T>>,
         gaussian: Gaussian,
         log_alpha: f64,
-        kernel: Kernel,
     ) -> Self {
         let bootstrap = match value {
             None => Bootstrap::SlowCritics(critics.clone()),
@@ -163,7 +162,7 @@ impl<T: Real> Agent<T> {
         };
         let critics = critics.map(Learner::new);
         let actor = Learner::new(actor);
-        Self { actor, critics, bootstrap, log_alpha: T::of(log_alpha), alpha_adam: Adam::new(1), gaussian, kernel }
+        Self { actor, critics, bootstrap, log_alpha: T::of(log_alpha), alpha_adam: Adam::new(1), gaussian }
     }
 
     /// The space for updates with `batch` samples.
@@ -180,7 +179,7 @@ impl<T: Real> Agent<T> {
             },
             gradient: vec![T::zero(); widest],
             by_q: [zeros(1), zeros(1)],
-            by_input: [zeros(critic.inputs), zeros(critic.inputs)],
+            by_input: [zeros(ACTIONS), zeros(ACTIONS)],
             by_actions: zeros(ACTIONS),
             by_outputs: zeros(2 * ACTIONS),
             wanted: zeros(1),
@@ -208,6 +207,7 @@ impl<T: Real> Agent<T> {
         let alpha = self.log_alpha.exponential();
         self.bootstrap_from_critics(space, batch, alpha);
         let critic_loss = self.update_critics(space, batch, rates.learning);
+        self.actor_answers(space, batch.states);
         let actor_loss = self.update_actor(space, batch, alpha, rates.learning);
         let mean_density = mean(&space.samples.log_densities);
         let slope = -(mean_density + T::of(rates.target_entropy));
@@ -228,7 +228,7 @@ impl<T: Real> Agent<T> {
         let entropy = -mean(&space.samples.log_densities).wide();
         if let (Bootstrap::Value { slow, .. }, Some(tape)) = (&self.bootstrap, &mut space.value) {
             tape.input_mut().copy_from_slice(batch.next);
-            slow.forward(tape, self.kernel);
+            slow.forward(tape);
             let returns = batch.rewards.iter().zip(batch.discounts).zip(tape.output());
             for (wanted, ((&reward, &discount), &value)) in space.wanted.iter_mut().zip(returns) {
                 *wanted = reward + discount * value;
@@ -243,10 +243,11 @@ impl<T: Real> Agent<T> {
 
     /// Moves the value network towards min Q(s, a) − ln π(a|s), with `next_noise` for a.
     fn update_value(&mut self, space: &mut Workspace<T>, batch: Experience<'_, T>, rate: f64) {
+        self.actor_answers(space, batch.states);
         self.judge_own_actions(space, batch.states, batch.next_noise);
         let (Bootstrap::Value { value, .. }, Some(tape)) = (&mut self.bootstrap, &mut space.value) else { return };
         tape.input_mut().copy_from_slice(batch.states);
-        value.network.forward(tape, self.kernel);
+        value.network.forward(tape);
         let scale = T::of(2.0 / space.wanted.len() as f64);
         let [first, second] = space.critics.each_ref().map(Tape::output);
         let wanted = first.iter().zip(second).zip(&space.samples.log_densities);
@@ -255,30 +256,32 @@ impl<T: Real> Agent<T> {
             *by_value = scale * (value - (least(first, second) - density));
         }
         let gradient = &mut space.gradient[..value.network.parameters().len()];
-        value.network.backward(tape, by_value, Some(gradient), None, self.kernel);
+        value.network.backward(tape, by_value, Some(gradient), None);
         value.descend(gradient, rate);
     }
 
-    /// Draws an action for each state, and lets the critics judge it.
-    fn judge_own_actions(&self, space: &mut Workspace<T>, states: &[T], noise: &[T]) {
+    fn actor_answers(&self, space: &mut Workspace<T>, states: &[T]) {
         space.actor.input_mut().copy_from_slice(states);
-        self.actor.network.forward(&mut space.actor, self.kernel);
+        self.actor.network.forward(&mut space.actor);
+    }
+
+    /// Draws an action for each state, which the actor has answered, and lets the critics judge it.
+    fn judge_own_actions(&self, space: &mut Workspace<T>, states: &[T], noise: &[T]) {
         self.gaussian.sample(space.actor.output(), noise, &mut space.samples);
         for (critic, tape) in self.critics.iter().zip(&mut space.critics) {
             join(tape.input_mut(), states, &space.samples.actions);
-            critic.network.forward(tape, self.kernel);
+            critic.network.forward(tape);
         }
     }
 
     /// What the critics shall answer, by their slow copies.
     fn bootstrap_from_critics(&self, space: &mut Workspace<T>, batch: Experience<'_, T>, alpha: T) {
         let Bootstrap::SlowCritics(slow) = &self.bootstrap else { return };
-        space.actor.input_mut().copy_from_slice(batch.next);
-        self.actor.network.forward(&mut space.actor, self.kernel);
+        self.actor_answers(space, batch.next);
         self.gaussian.sample(space.actor.output(), batch.next_noise, &mut space.samples);
         for (slow, tape) in slow.iter().zip(&mut space.critics) {
             join(tape.input_mut(), batch.next, &space.samples.actions);
-            slow.forward(tape, self.kernel);
+            slow.forward(tape);
         }
         let [first, second] = space.critics.each_ref().map(Tape::output);
         let values = first.iter().zip(second).zip(&space.samples.log_densities);
@@ -297,7 +300,7 @@ impl<T: Real> Agent<T> {
         let pairs = self.critics.iter_mut().zip(&mut space.critics).zip(&mut space.by_q);
         for ((critic, tape), by_q) in pairs {
             join(tape.input_mut(), batch.states, batch.actions);
-            critic.network.forward(tape, self.kernel);
+            critic.network.forward(tape);
             let mut squares = T::zero();
             for ((by_q, &q), &wanted) in by_q.iter_mut().zip(tape.output()).zip(&space.wanted) {
                 squares += (q - wanted) * (q - wanted);
@@ -305,12 +308,13 @@ impl<T: Real> Agent<T> {
             }
             loss += squares.wide() / space.wanted.len() as f64;
             let gradient = &mut space.gradient[..critic.network.parameters().len()];
-            critic.network.backward(tape, by_q, Some(gradient), None, self.kernel);
+            critic.network.backward(tape, by_q, Some(gradient), None);
             critic.descend(gradient, rate);
         }
         loss
     }
 
+    /// The actor has answered the states.
     fn update_actor(&mut self, space: &mut Workspace<T>, batch: Experience<'_, T>, alpha: T, rate: f64) -> f64 {
         self.judge_own_actions(space, batch.states, batch.noise);
         let size = space.wanted.len();
@@ -326,20 +330,16 @@ impl<T: Real> Agent<T> {
         }
         let critics = self.critics.iter().zip(&mut space.critics);
         for ((critic, tape), (by_q, by_input)) in critics.zip(space.by_q.iter().zip(&mut space.by_input)) {
-            critic.network.backward(tape, by_q, None, Some(by_input), self.kernel);
+            critic.network.backward(tape, by_q, None, Some(by_input));
         }
-        let inputs = self.actor.network.shape().inputs;
-        let columns = space.by_input.each_ref().map(|all| all.chunks_exact(inputs + ACTIONS));
-        let [first, second] = columns;
-        for ((by_actions, first), second) in space.by_actions.chunks_exact_mut(ACTIONS).zip(first).zip(second) {
-            for ((by_action, &first), &second) in by_actions.iter_mut().zip(&first[inputs..]).zip(&second[inputs..]) {
-                *by_action = first + second;
-            }
+        let [first, second] = &space.by_input;
+        for ((by_action, &first), &second) in space.by_actions.iter_mut().zip(first).zip(second) {
+            *by_action = first + second;
         }
         let (noise, by_outputs) = (batch.noise, &mut space.by_outputs);
         self.gaussian.backward(&space.samples, noise, &space.by_actions, alpha * share, by_outputs);
         let gradient = &mut space.gradient[..self.actor.network.parameters().len()];
-        self.actor.network.backward(&mut space.actor, by_outputs, Some(gradient), None, self.kernel);
+        self.actor.network.backward(&mut space.actor, by_outputs, Some(gradient), None);
         self.actor.descend(gradient, rate);
         (loss * share).wide()
     }
@@ -347,11 +347,6 @@ impl<T: Real> Agent<T> {
     /// The distribution behind the actor's outputs.
     pub fn gaussian(&self) -> Gaussian {
         self.gaussian
-    }
-
-    /// The matrix product in use.
-    pub fn kernel(&self) -> Kernel {
-        self.kernel
     }
 }
 

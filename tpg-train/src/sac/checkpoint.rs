@@ -9,7 +9,7 @@ use super::lanes::Lanes;
 use super::nn::{Adam, Gaussian, Mlp, Shape};
 use super::replay::{ACTIONS, Replay};
 use super::tensors::{Tensor, Tensors};
-use super::training::{Best, Recent, Training};
+use super::training::{Best, Point, Recent, Training};
 use crate::random::{Purpose, Stream};
 use crate::targets::{Reach, Set};
 use serde::{Deserialize, Serialize};
@@ -18,7 +18,7 @@ use tpg_codegen::error::{InputError, Place};
 use tpg_runtime::arm::{Pose, WIDOWX};
 
 const FORMAT: &str = "tpg-train sac checkpoint";
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 /// No checkpoint is larger, bytes: the largest replay buffer of the presets makes a tenth of it.
 const LIMIT: u64 = 4 << 30;
 
@@ -36,6 +36,7 @@ struct State {
     replayed: u64,
     adam_steps: Vec<u64>,
     best: Option<(f64, u64)>,
+    curve: Vec<Point>,
     recent: Recent,
     lanes: Vec<([i16; ACTIONS], [f64; 3], u32)>,
     /// The rows of the log so far.
@@ -47,7 +48,7 @@ struct State {
 /// # Errors
 /// If it cannot be written.
 pub fn save(path: &Path, training: &Training, log: &[serde_json::Value]) -> Result<(), InputError> {
-    let Training { config, seed, agent, replay, lanes, decisions, updates, best, recent, .. } = training;
+    let Training { config, seed, agent, replay, lanes, decisions, updates, best, curve, recent, .. } = training;
     let mut tensors = Tensors::default();
     let mut insert = |name: &str, values: &[f32]| {
         tensors.tensors.insert(name.to_owned(), Tensor::flat(values.to_vec()));
@@ -82,6 +83,7 @@ pub fn save(path: &Path, training: &Training, log: &[serde_json::Value]) -> Resu
         replayed,
         adam_steps,
         best: best.as_ref().map(|best| (best.score, best.decisions)),
+        curve: curve.clone(),
         recent: *recent,
         lanes: lanes.lanes.iter().map(|lane| (lane.pose.0, lane.target, lane.steps)).collect(),
         log: log.to_vec(),
@@ -201,6 +203,7 @@ fn restore(mut file: Tensors, config: &Config, seed: u64) -> Result<(Training, V
     training.decisions = state.decisions;
     training.updates = state.updates;
     training.best = best;
+    training.curve = state.curve;
     training.recent = state.recent;
     Ok((training, state.log))
 }

@@ -139,7 +139,11 @@ impl<'a> Run<'a> {
         self.save()?;
         self.progress.finish();
         let best = self.training.best().map_or(0.0, |best| best.score);
-        eprintln!("seed {}: {:.1} % of the validation episodes", self.args.seed, 100.0 * best);
+        let end = match self.training.flat() {
+            true => format!("; the curve was flat after {} decisions", self.training.decisions()),
+            false => String::new(),
+        };
+        eprintln!("seed {}: {:.1} % of the validation episodes{end}", self.args.seed, 100.0 * best);
         Ok(End::Finished)
     }
 

@@ -1,6 +1,6 @@
 //! The configuration of a training run, and the presets.
 
-use super::nn::{Kernel, Spread};
+use super::nn::Spread;
 use serde::{Deserialize, Serialize};
 use tpg_runtime::sac::{Actions, Mask};
 
@@ -156,8 +156,6 @@ pub struct Learning {
     pub log_temperature: f64,
     /// Adam's step for ln α. Only with a learned temperature.
     pub temperature_rate: f64,
-    /// Which matrix product.
-    pub kernel: Kernel,
 }
 
 /// How candidates are chosen: on validation tasks, never on test tasks.
@@ -168,6 +166,9 @@ pub struct Validation {
     pub every: u64,
     /// Episodes of each problem.
     pub episodes: usize,
+    /// A run ends early when its curve is flat: when over the last so many validations, against as many before them,
+    /// the mean success has not risen and the mean distance has not fallen. 0: never.
+    pub flat_after: usize,
 }
 
 impl Config {

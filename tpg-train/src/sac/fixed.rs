@@ -2,7 +2,7 @@
 
 use super::config::{Actor, Inputs};
 use super::lanes::ARM;
-use super::nn::{Kernel, Mlp, Tape};
+use super::nn::{Mlp, Tape};
 use super::policy::ActorPolicy;
 use super::replay::ACTIONS;
 use crate::targets::{Set, Start, tasks};
@@ -64,7 +64,7 @@ fn greatest_activations(network: &Mlp<f32>, actor: &Actor, seed: u64) -> Vec<f32
             loop {
                 let seen = *episode.observation();
                 actor.inputs.observe(&Frame::of(&ARM, &seen), tape.input_mut());
-                network.forward(&mut tape, Kernel::Portable);
+                network.forward(&mut tape);
                 for (layer, greatest) in greatest.iter_mut().enumerate() {
                     *greatest = tape.activations(layer).iter().copied().fold(*greatest, f32::max);
                 }

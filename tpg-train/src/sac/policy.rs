@@ -2,7 +2,7 @@
 
 use super::config::{Actor, Inputs};
 use super::lanes::{ARM, Discretiser};
-use super::nn::{Kernel, Mlp, Tape};
+use super::nn::{Mlp, Tape};
 use super::replay::ACTIONS;
 use std::cell::RefCell;
 use tpg_runtime::arm::Move;
@@ -10,9 +10,7 @@ use tpg_runtime::frame::Frame;
 use tpg_runtime::observation::Observation;
 use tpg_runtime::policy::Policy;
 
-/// An actor's mean action, in `f32`.
-///
-/// It computes by the portable kernel whatever it was trained with: its decisions are the same everywhere.
+/// An actor's mean action, in `f32`: the same on every machine, and the same as in its training.
 #[derive(Debug)]
 pub struct ActorPolicy<'a> {
     network: &'a Mlp<f32>,
@@ -37,7 +35,7 @@ impl<'a> ActorPolicy<'a> {
     pub fn preferences(&self, frame: &Frame<'_, f32>) -> [f32; ACTIONS] {
         let mut tape = self.tape.borrow_mut();
         self.inputs.observe(frame, tape.input_mut());
-        self.network.forward(&mut tape, Kernel::Portable);
+        self.network.forward(&mut tape);
         std::array::from_fn(|joint| tape.output()[joint])
     }
 }

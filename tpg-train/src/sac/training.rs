@@ -26,6 +26,8 @@ pub struct Training {
     pub(super) decisions: u64,
     pub(super) updates: u64,
     pub(super) best: Option<Best>,
+    /// What each validation so far found.
+    pub(super) curve: Vec<Point>,
     /// Of the updates since the last [`Training::take_progress`].
     pub(super) recent: Recent,
     space: Space,
@@ -40,6 +42,15 @@ pub struct Best {
     pub decisions: u64,
     /// Its actor.
     pub actor: Mlp<f32>,
+}
+
+/// What a validation found on the problem that counts.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Point {
+    /// The fraction of successes.
+    pub success: f64,
+    /// The mean final distance, mm.
+    pub distance_mm: f64,
 }
 
 /// Sums over updates and episodes, for the log.
@@ -100,7 +111,8 @@ impl Training {
     pub(super) fn of_parts(config: Config, seed: u64, agent: Agent<f32>, replay: Replay, lanes: Lanes) -> Self {
         let space = Space::new(&config, &agent);
         let recent = Recent::default();
-        Self { config, seed, agent, replay, lanes, decisions: 0, updates: 0, best: None, recent, space }
+        let curve = Vec::new();
+        Self { config, seed, agent, replay, lanes, decisions: 0, updates: 0, best: None, curve, recent, space }
     }
 
     /// What is trained.
@@ -118,9 +130,14 @@ impl Training {
         self.updates
     }
 
-    /// Whether the run has its decisions.
+    /// Whether the run is over: it has its decisions, or its curve is flat.
     pub fn finished(&self) -> bool {
-        self.decisions >= self.config.learning.decisions
+        self.decisions >= self.config.learning.decisions || self.flat()
+    }
+
+    /// Whether validations get no better: see [`Validation::flat_after`](super::config::Validation::flat_after).
+    pub fn flat(&self) -> bool {
+        flat(&self.curve, self.config.validation.flat_after)
     }
 
     /// The best candidate so far.
@@ -160,7 +177,7 @@ impl Training {
             space.samples.actions.clear();
             space.samples.actions.extend((0..ACTIONS * count).map(|_| (2.0 * random.unit() - 1.0) as f32));
         } else {
-            agent.actor.network.forward(&mut space.acting, agent.kernel());
+            agent.actor.network.forward(&mut space.acting);
             let noise = &mut space.noise[..ACTIONS * count];
             random.normals(noise);
             agent.gaussian().sample(space.acting.output(), noise, &mut space.samples);
@@ -231,18 +248,33 @@ impl Training {
         ActorPolicy::new(&self.agent.actor.network, &self.config.actor)
     }
 
-    /// Puts the actor as it stands to the validation tasks, and keeps it if it is the best so far. The last actor of a
-    /// finished run is kept whatever its score: its rate has fallen to almost nothing, and the best of many noisy scores
+    /// Puts the actor as it stands to the validation tasks, and keeps it if it is the best so far. Where the rate falls,
+    /// the last actor of a run is kept whatever its score: its rate is almost nothing, and the best of many noisy scores
     /// is mostly lucky (measured: chosen at 99.6 %, it did 98.5 % on fresh tasks, the last one 98.7 %).
     pub fn validate(&mut self, validation: &ValidationTasks) -> Vec<Trial> {
         let trials = validation.run(&self.policy());
-        let score = trials.iter().zip(&validation.weights).map(|(trial, weight)| trial.success_rate * weight).sum();
-        if self.finished() || self.best.as_ref().is_none_or(|best| score >= best.score) {
+        let weighted = |value: fn(&Trial) -> f64| -> f64 {
+            trials.iter().zip(&validation.weights).map(|(trial, weight)| value(trial) * weight).sum()
+        };
+        let (score, distance_mm) = (weighted(|trial| trial.success_rate), weighted(|trial| trial.mean_distance_mm));
+        self.curve.push(Point { success: score, distance_mm });
+        let learning = &self.config.learning;
+        let settled = self.decisions >= learning.decisions && learning.final_rate < 1.0;
+        if settled || self.best.as_ref().is_none_or(|best| score >= best.score) {
             let actor = self.agent.actor.network.clone();
             self.best = Some(Best { score, decisions: self.decisions, actor });
         }
         trials
     }
+}
+
+/// Whether the last `window` points are no better than the `window` before them, neither in success nor in distance.
+fn flat(curve: &[Point], window: usize) -> bool {
+    let Some(first) = curve.len().checked_sub(2 * window) else { return false };
+    let mean = |points: &[Point], value: fn(&Point) -> f64| points.iter().map(value).sum::<f64>() / window as f64;
+    let (before, last) = curve[first..].split_at(window);
+    let [success, distance] = [|point: &Point| point.success, |point: &Point| point.distance_mm];
+    window > 0 && mean(last, success) <= mean(before, success) && mean(last, distance) >= mean(before, distance)
 }
 
 impl Recent {
@@ -286,5 +318,25 @@ impl ValidationTasks {
     pub fn run(&self, policy: &ActorPolicy<'_>) -> Vec<Trial> {
         let trial = |(start, tasks): &(Start, Vec<Task>)| trial::run(&super::lanes::ARM, policy, *start, tasks);
         self.problems.iter().map(trial).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Point, flat};
+
+    fn curve(points: &[(f64, f64)]) -> Vec<Point> {
+        points.iter().map(|&(success, distance_mm)| Point { success, distance_mm }).collect()
+    }
+
+    #[test]
+    fn a_curve_is_flat_when_neither_success_nor_distance_gets_better() {
+        let rising = curve(&[(0.1, 90.0), (0.2, 80.0), (0.3, 80.0), (0.3, 80.0)]);
+        assert!(!flat(&rising, 2) && !flat(&rising[..3], 2) && !flat(&[], 2));
+        let nearer = curve(&[(0.0, 90.0), (0.0, 80.0), (0.0, 80.0), (0.0, 70.0)]);
+        assert!(!flat(&nearer, 2), "no success yet, but nearer");
+        let still = curve(&[(0.1, 9.0), (0.4, 40.0), (0.3, 30.0), (0.2, 40.0), (0.4, 31.0)]);
+        assert!(flat(&still, 2));
+        assert!(!flat(&still, 0), "never, when it is turned off");
     }
 }

@@ -90,19 +90,19 @@ fn wide(start: Start, tasks: &[Task]) -> Time {
     timing::of_policy_along(&ARM, &ActorPolicy::new(&weights, &actor), &network(), start, tasks)
 }
 
-fn fs() -> impl Policy<State = Observation<f32>, Action = Move> + Copy {
+fn fs() -> impl Policy<State = Observation<f32>, Action = Move> + Clone {
     let (sources, moves) = (&WidowxFsFast::SOURCES, &WidowxFsFast::MOVES);
-    ArmPolicy { policy: WidowxFsFast, arm: &ARM, sources, moves }
+    ArmPolicy::new(WidowxFsFast, &ARM, sources, moves)
 }
 
-fn rs() -> impl Policy<State = Observation<f32>, Action = Move> + Copy {
+fn rs() -> impl Policy<State = Observation<f32>, Action = Move> + Clone {
     let (sources, moves) = (&WidowxRsFast::SOURCES, &WidowxRsFast::MOVES);
-    ArmPolicy { policy: WidowxRsFast, arm: &ARM, sources, moves }
+    ArmPolicy::new(WidowxRsFast, &ARM, sources, moves)
 }
 
 fn parts<T, D>(start: Start, tasks: &[Task], tpg: T, settings: Settings<f32>, detector: &D) -> Times
 where
-    T: Policy<State = Observation<f32>, Action = Move> + Copy,
+    T: Policy<State = Observation<f32>, Action = Move> + Clone,
     D: CycleDetector + Clone,
 {
     Times {
@@ -110,11 +110,11 @@ where
         tpg_constant_time: match start {
             Start::Fs => {
                 let (sources, moves) = (&WidowxFs::SOURCES, &WidowxFs::MOVES);
-                timing::of_policy(&ARM, &ArmPolicy { policy: WidowxFs, arm: &ARM, sources, moves }, start, tasks)
+                timing::of_policy(&ARM, &ArmPolicy::new(WidowxFs, &ARM, sources, moves), start, tasks)
             }
             Start::Rs => {
                 let (sources, moves) = (&WidowxRs::SOURCES, &WidowxRs::MOVES);
-                timing::of_policy(&ARM, &ArmPolicy { policy: WidowxRs, arm: &ARM, sources, moves }, start, tasks)
+                timing::of_policy(&ARM, &ArmPolicy::new(WidowxRs, &ARM, sources, moves), start, tasks)
             }
         },
         sac: timing::of_policy(&ARM, &network(), start, tasks),
@@ -124,9 +124,9 @@ where
 
 fn variants<T>(start: Start, tasks: &[Task], tpg: T, settings: Settings<f32>) -> ([Time; 4], [Time; 2])
 where
-    T: Policy<State = Observation<f32>, Action = Move> + Copy,
+    T: Policy<State = Observation<f32>, Action = Move> + Clone,
 {
-    let hybrid = |settings| Hybrid { arm: &ARM, tpg, sac: network(), settings };
+    let hybrid = |settings| Hybrid { arm: &ARM, tpg: tpg.clone(), sac: network(), settings };
     let guards =
         Guard::ALL.map(|guard| timing::of_hybrid(&hybrid(Settings { guard, ..settings }), &Brent::new(), start, tasks));
     let exact = timing::of_hybrid(&hybrid(settings), &Visited::<4096>::new(), start, tasks);

@@ -6,11 +6,13 @@
 //! | [`timing`] | measured times |
 //! | [`compiled`] | the shipped policies as they are compiled |
 //! | [`mod@reference`] | the network that the paper measures against |
+//! | [`cortex_m4`] | instructions counted on the target |
 //! | [`ideas`] | what guards, hand-overs and detectors change, on validation episodes |
 //! | [`paper`] | the paper's figures, and its own policies run by us |
 //! | [`markdown`] | the text |
 
 pub mod compiled;
+pub mod cortex_m4;
 pub mod ideas;
 pub mod markdown;
 pub mod paper;
@@ -38,6 +40,9 @@ pub struct Table2Args {
     /// The folder of the committed test episodes
     #[arg(long, value_name = "DIR", default_value = "generated/test-targets")]
     pub targets: PathBuf,
+    /// Instructions counted on a Cortex-M4
+    #[arg(long, value_name = "TOML", default_value = "c-harness/costs.toml")]
+    pub counts: PathBuf,
     /// The paper's recorded policies; their rows are left out where the folder is missing
     #[arg(long, value_name = "DIR", env = "TPG_CONFORMANCE", default_value = "../shared/conformance")]
     pub conformance: PathBuf,
@@ -61,12 +66,14 @@ pub struct ProblemInputs {
     pub tpg: Vec<PathBuf>,
     /// Actors of several seeds.
     pub sac: Vec<PathBuf>,
+    /// A graph that was evolved with the hand-over priced in, if there is one.
+    pub priced: Option<PathBuf>,
 }
 
 impl ProblemInputs {
     fn beside(mut self, folder: &Path) -> Self {
         self.shipped = folder.join(self.shipped);
-        self.tpg.iter_mut().chain(&mut self.sac).for_each(|path| *path = folder.join(&*path));
+        self.tpg.iter_mut().chain(&mut self.sac).chain(&mut self.priced).for_each(|path| *path = folder.join(&*path));
         self
     }
 }
@@ -82,6 +89,7 @@ pub fn execute(args: &Table2Args) -> Result<(), InputError> {
         let line = error.span().map_or(0, |span| text[..span.start].lines().count().max(1));
         InputError::new(&name, Place::Line(line), error.message(), "[fs] and [rs] with shipped, tpg, sac")
     })?;
+    let counts = cortex_m4::Counts::read(&args.counts)?;
     let folder = args.inputs.parent().unwrap_or(Path::new(""));
     let mut problems = Vec::new();
     for (start, file, inputs) in [(Start::Fs, "fs.csv", inputs.fs), (Start::Rs, "rs.csv", inputs.rs)] {
@@ -100,7 +108,7 @@ pub fn execute(args: &Table2Args) -> Result<(), InputError> {
     if let Some(folder) = args.out.parent().filter(|folder| !folder.as_os_str().is_empty()) {
         make_folder(folder)?;
     }
-    write_atomically(&args.out, markdown::page(&problems).as_bytes())?;
+    write_atomically(&args.out, markdown::page(&problems, &counts).as_bytes())?;
     eprintln!("wrote {}", args.out.display());
     Ok(())
 }

@@ -16,6 +16,7 @@ use tpg_codegen::error::{InputError, Place};
 use tpg_codegen::graph::Graph;
 use tpg_codegen::size::{self, Target};
 use tpg_runtime::arm::WIDOWX;
+use tpg_runtime::observation::Straight;
 
 /// One row of the table. Rates lie in 0..1.
 #[derive(Clone, Debug, PartialEq)]
@@ -123,6 +124,10 @@ pub fn measure(start: Start, inputs: &ProblemInputs, tasks: &[Task]) -> Result<V
         rows.push(Row { time: Some(time), ..Row::of(name, &[trial]) });
     }
     let timed = &tasks[..TIMED.min(tasks.len())];
+    let straight = Straight::new(&arm);
+    let time = Some(timing::of_policy(&arm, &straight, start, timed));
+    rows.push(Row { time, ..Row::of("one goal, straight (`stance`)", &[run(&arm, &straight, start, tasks)]) });
+    let classical = rows.len();
 
     let shipped = Shipped::read(&inputs.shipped)?;
     let (file, graph) = &shipped.graph;
@@ -137,7 +142,9 @@ pub fn measure(start: Start, inputs: &ProblemInputs, tasks: &[Task]) -> Result<V
     let bytes = bytes.map(|graph| graph.map(|graph| graph + actor_bytes));
     rows.push(Row { bytes, ..Row::of_hybrids("**hybrid, shipped**", &[both]) });
     let compiled = super::compiled::times(start, timed);
-    for (row, time) in rows[2..].iter_mut().zip([None, Some(compiled.sac), Some(compiled.tpg), Some(compiled.hybrid)]) {
+    for (row, time) in
+        rows[classical..].iter_mut().zip([None, Some(compiled.sac), Some(compiled.tpg), Some(compiled.hybrid)])
+    {
         row.time = time;
     }
     rows.extend(of_seeds(start, inputs, &shipped, tasks)?);

@@ -1,6 +1,7 @@
 //! The Adam optimiser (Kingma and Ba 2015), as PyTorch computes it: β = (0.9, 0.999), ε = 1e-8.
 
 use super::Real;
+use pulp::Arch;
 
 const BETA: [f64; 2] = [0.9, 0.999];
 const EPSILON: f64 = 1e-8;
@@ -43,11 +44,17 @@ impl<T: Real> Adam<T> {
         let [new, new_square] = BETA.map(|beta| T::of(1.0 - beta));
         let epsilon = T::of(EPSILON);
         let moments = self.mean.iter_mut().zip(&mut self.square);
-        for ((parameter, &slope), (mean, square)) in parameters.iter_mut().zip(gradient).zip(moments) {
-            *mean = kept * *mean + new * slope;
-            *square = kept_square * *square + new_square * slope * slope;
-            *parameter -= rate * *mean / (square.root() * root + epsilon);
-        }
+        let all = parameters.iter_mut().zip(gradient).zip(moments);
+        Arch::new().dispatch(
+            #[inline(always)]
+            || {
+                for ((parameter, &slope), (mean, square)) in all {
+                    *mean = kept * *mean + new * slope;
+                    *square = kept_square * *square + new_square * slope * slope;
+                    *parameter -= rate * *mean / (square.root() * root + epsilon);
+                }
+            },
+        );
     }
 }
 

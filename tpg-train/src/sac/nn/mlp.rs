@@ -1,7 +1,9 @@
 //! A multi-layer perceptron with its parameters in one flat vector.
 
-use super::{Factor, Kernel, Real};
+use super::norm::{denormalise, normalise};
+use super::{Factor, Finish, Real, Scratch, multiply};
 use crate::random::Stream;
+use pulp::Arch;
 use serde::{Deserialize, Serialize};
 
 /// The sizes of a network: hidden layers are linear, ReLU and, with `norm`, LayerNorm, in this order; the last layer is
@@ -31,7 +33,7 @@ struct Layer {
 }
 
 impl Layer {
-    fn weight<'a, T>(&self, parameters: &'a [T]) -> Factor<'a, T> {
+    fn weight<'a, T: Real>(&self, parameters: &'a [T]) -> Factor<'a, T> {
         Factor::new(&parameters[self.weight..][..self.inputs * self.outputs], self.outputs, self.inputs)
     }
 
@@ -86,11 +88,12 @@ pub struct Tape<T> {
     inputs: Vec<Vec<T>>,
     /// Per hidden layer, the ReLU's output, where a LayerNorm follows.
     before_norm: Vec<Vec<T>>,
-    /// Per hidden layer and sample, 1/standard deviation, where a LayerNorm follows.
-    scale: Vec<Vec<T>>,
+    /// Per hidden layer and sample, mean and 1/standard deviation, where a LayerNorm follows.
+    moments: Vec<Vec<[T; 2]>>,
     output: Vec<T>,
     /// Gradients on their way back; swapped layer by layer.
     gradient: [Vec<T>; 2],
+    scratch: Scratch<T>,
 }
 
 impl<T: Real> Tape<T> {
@@ -103,9 +106,10 @@ impl<T: Real> Tape<T> {
             batch,
             inputs: [&shape.inputs].into_iter().chain(&shape.hidden).map(|&rows| zeros(rows)).collect(),
             before_norm: shape.hidden.iter().map(normed).collect(),
-            scale: shape.hidden.iter().map(|_| normed(&1)).collect(),
+            moments: shape.hidden.iter().map(|_| vec![[T::zero(); 2]; if shape.norm { batch } else { 0 }]).collect(),
             output: zeros(shape.outputs),
             gradient: [zeros(widest), zeros(widest)],
+            scratch: Scratch::default(),
         }
     }
 
@@ -127,8 +131,6 @@ impl<T: Real> Tape<T> {
         &self.output
     }
 }
-
-const EPSILON: f64 = 1e-5;
 
 impl<T: Real> Mlp<T> {
     /// Weights and biases uniform in ±1/√inputs, as PyTorch's `Linear` draws them; gains 1, shifts 0.
@@ -189,47 +191,41 @@ impl<T: Real> Mlp<T> {
     /// If the shapes differ.
     pub fn follow(&mut self, other: &Self, rate: T) {
         assert_eq!(self.shape, other.shape, "networks of different shapes");
-        for (own, &others) in self.parameters.iter_mut().zip(&other.parameters) {
-            *own += rate * (others - *own);
-        }
+        let pairs = self.parameters.iter_mut().zip(&other.parameters);
+        Arch::new().dispatch(
+            #[inline(always)]
+            || pairs.for_each(|(own, &others)| *own += rate * (others - *own)),
+        );
     }
 
     /// Computes the output of the batch in the tape's input, and keeps what [`backward`](Self::backward) needs.
     ///
     /// # Panics
     /// If the tape was made for another shape.
-    pub fn forward(&self, tape: &mut Tape<T>, kernel: Kernel) {
+    pub fn forward(&self, tape: &mut Tape<T>) {
         let last = self.shape.hidden.len();
+        let scratch = &mut tape.scratch;
         for (index, layer) in self.shape.layers().enumerate() {
             let (before, after) = tape.inputs.split_at_mut(index + 1);
             let input = Factor::new(&before[index], layer.inputs, tape.batch);
-            let bias = layer.bias(&self.parameters);
+            let (weight, bias) = (layer.weight(&self.parameters), layer.bias(&self.parameters));
             if index == last {
-                kernel.multiply(&mut tape.output, layer.weight(&self.parameters), input);
-                for column in tape.output.chunks_exact_mut(layer.outputs) {
-                    column.iter_mut().zip(bias).for_each(|(value, &bias)| *value += bias);
-                }
-                return;
+                return multiply(&mut tape.output, weight, input, Finish::Bias(bias), scratch);
             }
-            let out = if layer.norm.is_some() { &mut tape.before_norm[index] } else { &mut after[0] };
-            kernel.multiply(out, layer.weight(&self.parameters), input);
-            for column in out.chunks_exact_mut(layer.outputs) {
-                for (value, &bias) in column.iter_mut().zip(bias) {
-                    let sum = *value + bias;
-                    *value = if sum > T::zero() { sum } else { T::zero() };
-                }
-            }
-            if let Some(gain) = layer.norm {
-                let (gain, shift) = self.parameters[gain..][..2 * layer.outputs].split_at(layer.outputs);
-                normalise(&mut after[0], &mut tape.scale[index], &tape.before_norm[index], gain, shift);
-            }
+            let Some(gain) = layer.norm else {
+                multiply(&mut after[0], weight, input, Finish::Rectified(bias), scratch);
+                continue;
+            };
+            multiply(&mut tape.before_norm[index], weight, input, Finish::Rectified(bias), scratch);
+            let (gain, shift) = self.parameters[gain..][..2 * layer.outputs].split_at(layer.outputs);
+            normalise(&mut after[0], &mut tape.moments[index], &tape.before_norm[index], gain, shift);
         }
     }
 
     /// Carries the gradient of a loss by the output back through the batch that went [`forward`](Self::forward) last.
     ///
     /// `gradients`, where given, is overwritten with the gradient by the parameters (in their order, summed over the
-    /// batch); `by_input`, where given, with the gradient by the input.
+    /// batch); `by_input`, where given, with the gradient by the last inputs: as many as it has rows.
     ///
     /// # Panics
     /// If a size does not fit.
@@ -239,97 +235,67 @@ impl<T: Real> Mlp<T> {
         by_output: &[T],
         mut gradients: Option<&mut [T]>,
         by_input: Option<&mut [T]>,
-        kernel: Kernel,
     ) {
         assert_eq!(by_output.len(), self.shape.outputs * tape.batch, "a gradient of another size");
         let [current, next] = &mut tape.gradient;
         current[..by_output.len()].copy_from_slice(by_output);
-        let batch = tape.batch;
+        let (batch, scratch) = (tape.batch, &mut tape.scratch);
         for (index, layer) in self.shape.layers().enumerate().rev() {
-            let (current_size, next_size) = (layer.outputs * batch, layer.inputs * batch);
+            let gradient = &mut current[..layer.outputs * batch];
             if index < self.shape.hidden.len() {
-                let gradient = &mut current[..current_size];
-                let activations = if let Some(gain) = layer.norm {
+                let passed = if let Some(gain) = layer.norm {
                     let by_norm = gradients.as_deref_mut().map(|all| &mut all[gain..][..2 * layer.outputs]);
                     let gain = &self.parameters[gain..][..layer.outputs];
-                    denormalise(gradient, by_norm, &tape.before_norm[index], &tape.scale[index], gain);
+                    denormalise(gradient, by_norm, &tape.before_norm[index], &tape.moments[index], gain);
                     &tape.before_norm[index]
                 } else {
                     &tape.inputs[index + 1]
                 };
-                for (gradient, &value) in gradient.iter_mut().zip(activations) {
-                    *gradient = if value > T::zero() { *gradient } else { T::zero() };
-                }
+                mask(gradient, passed);
             }
-            let gradient = Factor::new(&current[..current_size], layer.outputs, batch);
+            let gradient = Factor::new(&*gradient, layer.outputs, batch);
             if let Some(all) = gradients.as_deref_mut() {
                 let input = Factor::new(&tape.inputs[index], layer.inputs, batch);
-                kernel.multiply(&mut all[layer.weight..layer.bias], gradient, input.transposed());
-                let by_bias = &mut all[layer.bias..][..layer.outputs];
-                by_bias.fill(T::zero());
-                for column in current[..current_size].chunks_exact(layer.outputs) {
-                    by_bias.iter_mut().zip(column).for_each(|(sum, &value)| *sum += value);
-                }
+                let by_weight = &mut all[layer.weight..layer.bias];
+                multiply(by_weight, gradient, input.transposed(), Finish::Plain, scratch);
+                sum_columns(&mut all[layer.bias..][..layer.outputs], gradient.values());
             }
-            if index > 0 || by_input.is_some() {
-                kernel.multiply(&mut next[..next_size], layer.weight(&self.parameters).transposed(), gradient);
+            if index > 0 {
+                let weight = layer.weight(&self.parameters).transposed();
+                multiply(&mut next[..layer.inputs * batch], weight, gradient, Finish::Plain, scratch);
                 std::mem::swap(current, next);
             }
         }
-        if let Some(by_input) = by_input {
-            by_input.copy_from_slice(&current[..self.shape.inputs * batch]);
+        if let (Some(by_input), Some(first)) = (by_input, self.shape.layers().next()) {
+            let rows = by_input.len() / batch;
+            let weights = &self.parameters[..first.bias][(first.inputs - rows) * first.outputs..];
+            let weight = Factor::new(weights, first.outputs, rows).transposed();
+            let gradient = Factor::new(&current[..first.outputs * batch], first.outputs, batch);
+            multiply(by_input, weight, gradient, Finish::Plain, scratch);
         }
     }
 }
 
-/// LayerNorm, column by column; leaves 1/standard deviation in `scale`.
-fn normalise<T: Real>(out: &mut [T], scale: &mut [T], values: &[T], gain: &[T], shift: &[T]) {
-    let size = gain.len();
-    let columns = out.chunks_exact_mut(size).zip(values.chunks_exact(size));
-    for ((out, values), scale) in columns.zip(scale) {
-        let (mean, inverse) = moments(values);
-        *scale = inverse;
-        for ((out, &value), (&gain, &shift)) in out.iter_mut().zip(values).zip(gain.iter().zip(shift)) {
-            *out = (value - mean) * inverse * gain + shift;
-        }
-    }
+/// Lets the gradient pass where a ReLU did.
+fn mask<T: Real>(gradient: &mut [T], passed: &[T]) {
+    let pairs = gradient.iter_mut().zip(passed);
+    Arch::new().dispatch(
+        #[inline(always)]
+        || pairs.for_each(|(gradient, &value)| *gradient = if value > T::zero() { *gradient } else { T::zero() }),
+    );
 }
 
-/// Mean and 1/√(variance + ε).
-fn moments<T: Real>(values: &[T]) -> (T, T) {
-    let count = T::of(values.len() as f64);
-    let mean = values.iter().fold(T::zero(), |sum, &value| sum + value) / count;
-    let variance = values.iter().fold(T::zero(), |sum, &value| sum + (value - mean) * (value - mean)) / count;
-    (mean, T::one() / (variance + T::of(EPSILON)).root())
-}
-
-/// Turns the gradient by LayerNorm's output into the one by its input, in place.
-fn denormalise<T: Real>(gradient: &mut [T], by_norm: Option<&mut [T]>, values: &[T], scale: &[T], gain: &[T]) {
-    let size = gain.len();
-    let count = T::of(size as f64);
-    let mut nothing = Vec::new();
-    let by_norm = by_norm.unwrap_or_else(|| {
-        nothing.resize(2 * size, T::zero());
-        &mut nothing
-    });
-    by_norm.fill(T::zero());
-    let (by_gain, by_shift) = by_norm.split_at_mut(size);
-    for ((gradient, values), &inverse) in gradient.chunks_exact_mut(size).zip(values.chunks_exact(size)).zip(scale) {
-        let (mean, _) = moments(values);
-        let (mut sum, mut along) = (T::zero(), T::zero());
-        for i in 0..size {
-            let normal = (values[i] - mean) * inverse;
-            by_gain[i] += gradient[i] * normal;
-            by_shift[i] += gradient[i];
-            gradient[i] *= gain[i];
-            sum += gradient[i];
-            along += gradient[i] * normal;
-        }
-        for (gradient, &value) in gradient.iter_mut().zip(values) {
-            let normal = (value - mean) * inverse;
-            *gradient = (*gradient - sum / count - normal * along / count) * inverse;
-        }
-    }
+/// `sums` := the sum of all columns, first to last.
+fn sum_columns<T: Real>(sums: &mut [T], columns: &[T]) {
+    Arch::new().dispatch(
+        #[inline(always)]
+        || {
+            sums.fill(T::zero());
+            for column in columns.chunks_exact(sums.len()) {
+                sums.iter_mut().zip(column).for_each(|(sum, &value)| *sum += value);
+            }
+        },
+    );
 }
 
 #[cfg(test)]
@@ -342,16 +308,16 @@ mod tests {
     }
 
     /// Σ c·out over a batch of 6, with fixed coefficients c.
-    fn loss(network: &Mlp<f64>, input: &[f64], coefficients: &[f64], kernel: Kernel) -> (f64, Tape<f64>) {
+    fn loss(network: &Mlp<f64>, input: &[f64], coefficients: &[f64]) -> (f64, Tape<f64>) {
         let mut tape = Tape::new(network.shape(), 6);
         tape.input_mut().copy_from_slice(input);
-        network.forward(&mut tape, kernel);
+        network.forward(&mut tape);
         (tape.output().iter().zip(coefficients).map(|(&out, &c)| out * c).sum(), tape)
     }
 
     #[test]
     fn gradients_equal_finite_differences() {
-        for (norm, kernel) in [(false, Kernel::Fast), (true, Kernel::Fast), (false, Kernel::Portable)] {
+        for norm in [false, true] {
             let mut random = Stream::new(1, 0, Purpose::Test, 20);
             let mut network = Mlp::<f64>::random(shape(norm), &mut random);
             for parameter in network.parameters_mut() {
@@ -359,17 +325,17 @@ mod tests {
             }
             let input: Vec<f64> = (0..7 * 6).map(|_| random.normal()).collect();
             let coefficients: Vec<f64> = (0..3 * 6).map(|_| random.normal()).collect();
-            let (_, mut tape) = loss(&network, &input, &coefficients, kernel);
+            let (_, mut tape) = loss(&network, &input, &coefficients);
             let mut by_parameters = vec![f64::NAN; network.parameters().len()];
             let mut by_input = vec![f64::NAN; input.len()];
-            network.backward(&mut tape, &coefficients, Some(&mut by_parameters), Some(&mut by_input), kernel);
+            network.backward(&mut tape, &coefficients, Some(&mut by_parameters), Some(&mut by_input));
             let step = 1e-6;
             let slope = |up: f64, down: f64| (up - down) / (2.0 * step);
             for (index, &gradient) in by_parameters.iter().enumerate() {
                 let at = |by: f64| {
                     let mut moved = network.clone();
                     moved.parameters_mut()[index] += by;
-                    loss(&moved, &input, &coefficients, kernel).0
+                    loss(&moved, &input, &coefficients).0
                 };
                 let slope = slope(at(step), at(-step));
                 assert!((gradient - slope).abs() < 1e-7 * (1.0 + slope.abs()), "parameter {index}: {gradient} {slope}");
@@ -378,7 +344,7 @@ mod tests {
                 let at = |by: f64| {
                     let mut moved = input.clone();
                     moved[index] += by;
-                    loss(&network, &moved, &coefficients, kernel).0
+                    loss(&network, &moved, &coefficients).0
                 };
                 let slope = slope(at(step), at(-step));
                 assert!((gradient - slope).abs() < 1e-7 * (1.0 + slope.abs()), "input {index}: {gradient} {slope}");
@@ -394,10 +360,10 @@ mod tests {
         let gradient = |wanted: bool| {
             let mut tape = Tape::new(network.shape(), 6);
             tape.input_mut().copy_from_slice(&input);
-            network.forward(&mut tape, Kernel::Fast);
+            network.forward(&mut tape);
             let (mut all, mut by_input) = (vec![0.0; network.parameters().len()], vec![0.0; input.len()]);
             let all = wanted.then_some(&mut all[..]);
-            network.backward(&mut tape, &[1.0; 18], all, Some(&mut by_input), Kernel::Fast);
+            network.backward(&mut tape, &[1.0; 18], all, Some(&mut by_input));
             by_input
         };
         assert_eq!(gradient(true), gradient(false));

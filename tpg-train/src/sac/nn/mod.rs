@@ -1,4 +1,4 @@
-//! Neural networks on nalgebra's matrix product: what a soft actor-critic needs and no more.
+//! Neural networks: what a soft actor-critic needs and no more.
 //!
 //! A batch is a matrix with one column a sample, so that a sample's values lie side by side. The parameters of a
 //! network are one flat vector: the optimiser, Polyak averaging and checkpoints see numbers, not layers.
@@ -8,26 +8,63 @@
 //!
 //! # The same bits
 //!
-//! [`Kernel::Fast`] is nalgebra's product by the crate `matrixmultiply`, which picks its kernel by the CPU it finds:
-//! with and without fused multiply-add the last bits differ. It gives the same bits for the same seed on CPUs of one
-//! family only. [`Kernel::Portable`] adds in one order without fusing: the same bits everywhere, at about a fifth of
-//! the speed. Everything else here is portable: transcendental functions come from the crate `libm`, not from the
-//! platform.
+//! Everything here gives the same bits on every machine: each sum has one order, whatever the width of the vectors that
+//! compute it ([`multiply`]); no multiplication is fused with an addition; transcendental functions come from the crate
+//! `libm`, not from the platform. Loops run in the widest vectors that the processor has: the crate `pulp` looks.
 
 mod adam;
 mod gaussian;
 mod mlp;
+mod norm;
 mod product;
 
 pub use adam::Adam;
 pub use gaussian::{Gaussian, Samples, Spread};
 pub use mlp::{Mlp, Shape, Tape};
-pub use product::{Factor, Kernel};
+pub use product::{Factor, Finish, Scratch, multiply};
 
-use nalgebra::RealField;
+use pulp::{Simd, bytemuck};
+use std::fmt::Debug;
+use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// `f32` or `f64`, with elementary functions that do not depend on the platform.
-pub trait Real: RealField + Copy + Default {
+/// `f32` or `f64`, with elementary functions that do not depend on the platform, and vectors of it.
+pub trait Real:
+    Copy
+    + Default
+    + Debug
+    + PartialOrd
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
+    + SubAssign
+    + MulAssign
+    + 'static
+{
+    /// As many of it as one register of that kind holds.
+    type Vector<S: Simd>: Copy;
+    /// How many that are.
+    fn lanes<S: Simd>() -> usize;
+    /// The same number in each lane.
+    fn splat<S: Simd>(simd: S, value: Self) -> Self::Vector<S>;
+    /// The sums, lane by lane.
+    fn plus<S: Simd>(simd: S, a: Self::Vector<S>, b: Self::Vector<S>) -> Self::Vector<S>;
+    /// The products, lane by lane.
+    fn times<S: Simd>(simd: S, a: Self::Vector<S>, b: Self::Vector<S>) -> Self::Vector<S>;
+    /// ReLU, lane by lane; not-a-number becomes zero.
+    fn rectify<S: Simd>(simd: S, values: Self::Vector<S>) -> Self::Vector<S>;
+    /// The whole vectors of a list.
+    fn vectors<S: Simd>(values: &[Self]) -> &[Self::Vector<S>];
+    /// The whole vectors of a list.
+    fn vectors_mut<S: Simd>(values: &mut [Self]) -> &mut [Self::Vector<S>];
+    /// A vector's lanes.
+    fn unpack<S: Simd>(vector: &Self::Vector<S>) -> &[Self];
+    /// 0.
+    fn zero() -> Self;
+    /// 1.
+    fn one() -> Self;
     /// The value nearest to `value`.
     fn of(value: f64) -> Self;
     /// The same number, exactly.
@@ -44,7 +81,70 @@ pub trait Real: RealField + Copy + Default {
     fn root(self) -> Self;
 }
 
+macro_rules! vectors {
+    (
+        $type:ty, $vector:ident, $lanes:ident, $splat:ident, $add:ident, $mul:ident, $above:ident, $select:ident,
+        $of:ident, $of_mut:ident
+    ) => {
+        type Vector<S: Simd> = S::$vector;
+
+        #[inline(always)]
+        fn lanes<S: Simd>() -> usize {
+            S::$lanes
+        }
+        #[inline(always)]
+        fn splat<S: Simd>(simd: S, value: Self) -> Self::Vector<S> {
+            simd.$splat(value)
+        }
+        #[inline(always)]
+        fn plus<S: Simd>(simd: S, a: Self::Vector<S>, b: Self::Vector<S>) -> Self::Vector<S> {
+            simd.$add(a, b)
+        }
+        #[inline(always)]
+        fn times<S: Simd>(simd: S, a: Self::Vector<S>, b: Self::Vector<S>) -> Self::Vector<S> {
+            simd.$mul(a, b)
+        }
+        #[inline(always)]
+        fn rectify<S: Simd>(simd: S, values: Self::Vector<S>) -> Self::Vector<S> {
+            let zero = simd.$splat(0.0);
+            simd.$select(simd.$above(values, zero), values, zero)
+        }
+        #[inline(always)]
+        fn vectors<S: Simd>(values: &[Self]) -> &[Self::Vector<S>] {
+            S::$of(values).0
+        }
+        #[inline(always)]
+        fn vectors_mut<S: Simd>(values: &mut [Self]) -> &mut [Self::Vector<S>] {
+            S::$of_mut(values).0
+        }
+        #[inline(always)]
+        fn unpack<S: Simd>(vector: &Self::Vector<S>) -> &[Self] {
+            bytemuck::cast_slice(std::slice::from_ref(vector))
+        }
+        #[inline(always)]
+        fn zero() -> Self {
+            0.0
+        }
+        #[inline(always)]
+        fn one() -> Self {
+            1.0
+        }
+    };
+}
+
 impl Real for f32 {
+    vectors!(
+        f32,
+        f32s,
+        F32_LANES,
+        splat_f32s,
+        add_f32s,
+        mul_f32s,
+        greater_than_f32s,
+        select_f32s,
+        as_simd_f32s,
+        as_mut_simd_f32s
+    );
     fn of(value: f64) -> Self {
         value as f32
     }
@@ -70,6 +170,18 @@ impl Real for f32 {
 }
 
 impl Real for f64 {
+    vectors!(
+        f64,
+        f64s,
+        F64_LANES,
+        splat_f64s,
+        add_f64s,
+        mul_f64s,
+        greater_than_f64s,
+        select_f64s,
+        as_simd_f64s,
+        as_mut_simd_f64s
+    );
     fn of(value: f64) -> Self {
         value
     }

@@ -1,31 +1,15 @@
-//! The matrix product, in two kernels.
+//! The matrix product, in one order of additions.
+//!
+//! Every element of a product is Σₖ aᵢₖ·bₖⱼ with k ascending from a sum of zero, each multiplication and each addition
+//! rounded by itself. Elements are computed side by side in vectors and registers, never one element's sum in parts, so
+//! that neither the width of the machine's vectors nor the size of a batch changes a bit. The one exception is a factor
+//! of a single row on the left of whole columns, which is a [`dot`] product of sixteen partial sums.
+//!
+//! The method is the usual one (Goto and van de Geijn 2008): panels of the left factor are copied side by side, a tile
+//! of the product stays in registers while a panel passes by.
 
 use super::Real;
-use nalgebra::{DMatrixView, DMatrixViewMut, Dyn};
-use pulp::Arch;
-
-/// Which matrix product a network computes with.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Kernel {
-    /// nalgebra's, by `matrixmultiply`: fast, and the same bits on CPUs of one family.
-    #[default]
-    Fast,
-    /// One order of additions, nothing fused: the same bits on every machine.
-    Portable,
-}
-
-impl<T: Real> Factor<'_, T> {
-    fn at(&self, row: usize, column: usize) -> T {
-        if self.transposed { self.values[row * self.rows + column] } else { self.values[column * self.rows + row] }
-    }
-
-    fn view(&self) -> DMatrixView<'_, T, Dyn, Dyn> {
-        let (rows, columns) = self.size();
-        let (row_stride, column_stride) = if self.transposed { (self.rows, 1) } else { (1, self.rows) };
-        DMatrixView::from_slice_with_strides(self.values, rows, columns, row_stride, column_stride)
-    }
-}
+use pulp::{Arch, Simd, WithSimd};
 
 /// A factor of a product: a column-major matrix, read as it is or transposed.
 #[derive(Clone, Copy, Debug)]
@@ -36,7 +20,7 @@ pub struct Factor<'a, T> {
     transposed: bool,
 }
 
-impl<'a, T> Factor<'a, T> {
+impl<'a, T: Copy> Factor<'a, T> {
     /// A column-major matrix of that size.
     ///
     /// # Panics
@@ -51,154 +35,449 @@ impl<'a, T> Factor<'a, T> {
         Self { transposed: !self.transposed, ..self }
     }
 
-    /// The same matrix without the exchange where it has one row or one column: memory does not tell them apart.
-    fn straightened(self) -> Self {
-        if self.transposed && (self.rows == 1 || self.columns == 1) {
-            Self { rows: self.columns, columns: self.rows, transposed: false, ..self }
-        } else {
-            self
-        }
+    /// The numbers as they lie in memory.
+    pub fn values(&self) -> &'a [T] {
+        self.values
     }
 
     fn size(&self) -> (usize, usize) {
         if self.transposed { (self.columns, self.rows) } else { (self.rows, self.columns) }
     }
+
+    fn at(&self, row: usize, column: usize) -> T {
+        if self.transposed { self.values[row * self.rows + column] } else { self.values[column * self.rows + row] }
+    }
 }
 
-impl Kernel {
-    /// `out` := `a`·`b`, `out` column-major.
-    ///
-    /// # Panics
-    /// If the sizes do not fit.
-    pub fn multiply<T: Real>(self, out: &mut [T], a: Factor<'_, T>, b: Factor<'_, T>) {
-        let ((rows, inner), (inner_b, columns)) = (a.size(), b.size());
+/// What happens to the elements of a product before they are stored.
+#[derive(Clone, Copy, Debug)]
+pub enum Finish<'a, T> {
+    /// Nothing.
+    Plain,
+    /// A row's bias is added.
+    Bias(&'a [T]),
+    /// A row's bias is added, and what is not above zero becomes zero (ReLU).
+    Rectified(&'a [T]),
+}
+
+impl<T: Real> Finish<'_, T> {
+    #[inline(always)]
+    fn scalar(self, row: usize, sum: T) -> T {
+        match self {
+            Self::Plain => sum,
+            Self::Bias(bias) => sum + bias[row],
+            Self::Rectified(bias) => rectified(sum + bias[row]),
+        }
+    }
+
+    /// The same for the rows from `first` on, one for each lane.
+    #[inline(always)]
+    fn vector<S: Simd>(self, simd: S, first: usize, sum: T::Vector<S>) -> T::Vector<S> {
+        let biased = |bias: &[T]| T::plus(simd, sum, T::vectors::<S>(&bias[first..][..T::lanes::<S>()])[0]);
+        match self {
+            Self::Plain => sum,
+            Self::Bias(bias) => biased(bias),
+            Self::Rectified(bias) => T::rectify(simd, biased(bias)),
+        }
+    }
+}
+
+/// ReLU; not-a-number becomes zero.
+#[inline(always)]
+pub(super) fn rectified<T: Real>(value: T) -> T {
+    if value > T::zero() { value } else { T::zero() }
+}
+
+/// The space that products need: grows to what the largest one asked for.
+#[derive(Clone, Debug, Default)]
+pub struct Scratch<T> {
+    /// Panels of the left factor: for each tile's rows, column after column.
+    panels: Vec<T>,
+    /// The right factor's last columns where they fill no tile, row by row.
+    rest: Vec<T>,
+}
+
+/// `out` := `a`·`b`, finished; `out` column-major.
+///
+/// # Panics
+/// If the sizes do not fit.
+pub fn multiply<T: Real>(
+    out: &mut [T],
+    a: Factor<'_, T>,
+    b: Factor<'_, T>,
+    finish: Finish<'_, T>,
+    scratch: &mut Scratch<T>,
+) {
+    Arch::new().dispatch(Product { out, a, b, finish, scratch });
+}
+
+struct Product<'a, T> {
+    out: &'a mut [T],
+    a: Factor<'a, T>,
+    b: Factor<'a, T>,
+    finish: Finish<'a, T>,
+    scratch: &'a mut Scratch<T>,
+}
+
+impl<T: Real> WithSimd for Product<'_, T> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let ((rows, inner), (inner_b, columns)) = (self.a.size(), self.b.size());
         assert_eq!(inner, inner_b, "factors that do not fit");
-        assert_eq!(out.len(), rows * columns, "a product of another size");
-        // Below six rows nalgebra falls back to one product of matrix and vector for each column.
-        if self == Self::Portable || rows.min(columns).min(inner) < 6 {
-            return portable(out, a, b);
+        assert_eq!(self.out.len(), rows * columns, "a product of another size");
+        if let Finish::Bias(bias) | Finish::Rectified(bias) = self.finish {
+            assert_eq!(bias.len(), rows, "a bias of another size");
         }
-        DMatrixViewMut::from_slice(out, rows, columns).gemm(T::one(), &a.view(), &b.view(), T::zero());
-    }
-}
-
-/// How many partial sums a dot product keeps: a fixed order that compilers turn into vector instructions.
-const LANES: usize = 8;
-
-/// Additions in the order of the inner index, on the widest vectors that the machine has: their width changes no bit.
-fn portable<T: Real>(out: &mut [T], a: Factor<'_, T>, b: Factor<'_, T>) {
-    let (rows, _) = a.size();
-    // A row is a column in memory: (a·b)ᵀ = bᵀ·aᵀ has longer inner loops.
-    let (a, b) = if rows == 1 { (b.transposed(), a.transposed()) } else { (a, b) };
-    let (a, b) = (a.straightened(), b.straightened());
-    Arch::new().dispatch(
-        #[inline(always)]
-        || by_columns(out, a, b),
-    );
-}
-
-#[inline(always)]
-fn by_columns<T: Real>(out: &mut [T], a: Factor<'_, T>, b: Factor<'_, T>) {
-    let ((rows, inner), _) = (a.size(), b.size());
-    for (j, column) in out.chunks_exact_mut(rows).enumerate() {
-        if !a.transposed {
-            let factors = (0..inner).map(|k| b.at(k, j));
-            column_of_columns(column, a.values, factors);
-        } else if !b.transposed {
-            let right = &b.values[j * inner..][..inner];
-            for (i, sum) in column.iter_mut().enumerate() {
-                *sum = dot(&a.values[i * inner..][..inner], right);
+        if rows == 1 && !self.b.transposed {
+            for (column, out) in self.b.values.chunks_exact(inner.max(1)).zip(self.out) {
+                *out = self.finish.scalar(0, dot(self.a.values, column));
             }
+        } else if columns == 1 && !self.a.transposed {
+            by_columns(simd, self.out, self.a.values, self.b.values, self.finish);
+        } else if rows == 1 && matches!(self.finish, Finish::Plain) {
+            // One row in memory is one column: (a·b)ᵀ = bᵀ·aᵀ.
+            by_columns(simd, self.out, self.b.values, self.a.values, self.finish);
+        } else if S::REGISTER_COUNT >= 32 {
+            self.by_tiles::<S, 2, 8>(simd);
         } else {
-            for (i, sum) in column.iter_mut().enumerate() {
-                *sum = (0..inner).fold(T::zero(), |sum, k| sum + a.at(i, k) * b.at(k, j));
+            self.by_tiles::<S, 2, 4>(simd);
+        }
+    }
+}
+
+impl<T: Real> Product<'_, T> {
+    /// Tiles of `M` vectors by `N` columns.
+    #[inline(always)]
+    fn by_tiles<S: Simd, const M: usize, const N: usize>(self, simd: S) {
+        let Self { out, a, b, finish, scratch } = self;
+        let ((rows, inner), (_, columns)) = (a.size(), b.size());
+        let height = M * T::lanes::<S>();
+        scratch.panels.resize(height * inner, T::zero());
+        let whole = columns - columns % N;
+        scratch.rest.clear();
+        if whole < columns {
+            let last = |k| (0..N).map(move |j| if whole + j < columns { b.at(k, whole + j) } else { T::zero() });
+            scratch.rest.extend((0..inner).flat_map(last));
+        }
+        for first in (0..rows).step_by(height) {
+            let panel = &mut scratch.panels[..];
+            pack(panel, a, first, height);
+            let panel = T::vectors::<S>(panel);
+            for column in (0..whole).step_by(N) {
+                let sums = if b.transposed {
+                    tile::<T, S, M, N>(simd, panel, b.values.chunks_exact(columns).map(|row| &row[column..][..N]))
+                } else {
+                    let values: [&[T]; N] = std::array::from_fn(|j| &b.values[(column + j) * inner..][..inner]);
+                    tile_of_columns::<T, S, M, N>(simd, panel, values)
+                };
+                store(simd, &mut out[column * rows..], rows, first, sums, N, finish);
+            }
+            if whole < columns {
+                let sums = tile::<T, S, M, N>(simd, panel, scratch.rest.chunks_exact(N));
+                store(simd, &mut out[whole * rows..], rows, first, sums, columns - whole, finish);
             }
         }
     }
 }
 
-/// Rows whose sums stay in registers while the columns pass by.
-const BLOCK: usize = 64;
-
-/// `out` := Σ column·factor over the columns in `values`.
+/// Copies `height` rows of a factor from row `first` on, column after column; zeros where there are no more rows.
 #[inline(always)]
-fn column_of_columns<T: Real>(out: &mut [T], values: &[T], factors: impl Iterator<Item = T> + Clone) {
-    let rows = out.len();
-    let mut blocks = out.chunks_exact_mut(BLOCK);
+fn pack<T: Real>(panel: &mut [T], a: Factor<'_, T>, first: usize, height: usize) {
+    let (rows, inner) = a.size();
+    let there = height.min(rows - first);
+    if there < height {
+        panel.fill(T::zero());
+    }
+    if a.transposed {
+        let columns = a.values[first * inner..].chunks_exact(inner.max(1));
+        for (row, values) in columns.take(there).enumerate() {
+            for (slots, &value) in panel.chunks_exact_mut(height).zip(values) {
+                slots[row] = value;
+            }
+        }
+    } else {
+        for (slots, column) in panel.chunks_exact_mut(height).zip(a.values.chunks_exact(rows)) {
+            slots[..there].copy_from_slice(&column[first..first + there]);
+        }
+    }
+}
+
+type Tile<T, S, const M: usize, const N: usize> = [[<T as Real>::Vector<S>; M]; N];
+
+/// The tile of a panel and the rows of `b`, `N` numbers each.
+#[inline(always)]
+fn tile<'a, T: Real, S: Simd, const M: usize, const N: usize>(
+    simd: S,
+    panel: &[T::Vector<S>],
+    b: impl Iterator<Item = &'a [T]>,
+) -> Tile<T, S, M, N> {
+    let mut sums = [[T::splat(simd, T::zero()); M]; N];
+    for (a, b) in panel.chunks_exact(M).zip(b) {
+        for j in 0..N {
+            let factor = T::splat(simd, b[j]);
+            for i in 0..M {
+                sums[j][i] = T::plus(simd, sums[j][i], T::times(simd, a[i], factor));
+            }
+        }
+    }
+    sums
+}
+
+/// The tile of a panel and whole columns of `b`.
+#[inline(always)]
+fn tile_of_columns<T: Real, S: Simd, const M: usize, const N: usize>(
+    simd: S,
+    panel: &[T::Vector<S>],
+    b: [&[T]; N],
+) -> Tile<T, S, M, N> {
+    let mut sums = [[T::splat(simd, T::zero()); M]; N];
+    let inner = b[0].len();
+    let b = b.map(|column| &column[..inner]);
+    for (k, a) in panel.chunks_exact(M).enumerate().take(inner) {
+        for j in 0..N {
+            let factor = T::splat(simd, b[j][k]);
+            for i in 0..M {
+                sums[j][i] = T::plus(simd, sums[j][i], T::times(simd, a[i], factor));
+            }
+        }
+    }
+    sums
+}
+
+/// Finishes a tile and puts its first `columns` columns into `out`, which begins with the first of them.
+#[inline(always)]
+fn store<T: Real, S: Simd, const M: usize, const N: usize>(
+    simd: S,
+    out: &mut [T],
+    rows: usize,
+    first: usize,
+    sums: Tile<T, S, M, N>,
+    columns: usize,
+    finish: Finish<'_, T>,
+) {
+    let lanes = T::lanes::<S>();
+    let whole = rows - first >= M * lanes;
+    for (column, sums) in out.chunks_exact_mut(rows).zip(sums).take(columns) {
+        if whole {
+            let slots = T::vectors_mut::<S>(&mut column[first..first + M * lanes]);
+            for i in 0..M {
+                slots[i] = finish.vector(simd, first + i * lanes, sums[i]);
+            }
+            continue;
+        }
+        for (i, &sum) in sums.iter().enumerate() {
+            let from = first + i * lanes;
+            if from < rows {
+                let sum = T::unpack::<S>(&sum);
+                for (row, (slot, &sum)) in column[from..].iter_mut().zip(sum).enumerate() {
+                    *slot = finish.scalar(from + row, sum);
+                }
+            }
+        }
+    }
+}
+
+/// A matrix times one column: the sums of many rows stay in registers while the matrix's columns pass by.
+#[inline(always)]
+fn by_columns<T: Real, S: Simd>(simd: S, out: &mut [T], a: &[T], b: &[T], finish: Finish<'_, T>) {
+    let lanes = T::lanes::<S>();
     let mut first = 0;
-    for block in &mut blocks {
-        let mut sums = [T::zero(); BLOCK];
-        for (column, factor) in values.chunks_exact(rows).zip(factors.clone()) {
-            for (sum, &value) in sums.iter_mut().zip(&column[first..first + BLOCK]) {
+    if S::REGISTER_COUNT >= 32 {
+        first = rows_of_vectors::<T, S, 16>(simd, out, a, b, finish, first, 16 * lanes);
+    }
+    first = rows_of_vectors::<T, S, 8>(simd, out, a, b, finish, first, 8 * lanes);
+    first = rows_of_vectors::<T, S, 2>(simd, out, a, b, finish, first, 2 * lanes);
+    let rows = out.len();
+    if first < rows {
+        let rest = &mut out[first..];
+        rest.fill(T::zero());
+        for (column, &factor) in a.chunks_exact(rows).zip(b) {
+            for (sum, &value) in rest.iter_mut().zip(&column[first..]) {
                 *sum += value * factor;
             }
         }
-        block.copy_from_slice(&sums);
-        first += BLOCK;
-    }
-    let rest = blocks.into_remainder();
-    rest.fill(T::zero());
-    for (column, factor) in values.chunks_exact(rows).zip(factors) {
-        for (sum, &value) in rest.iter_mut().zip(&column[first..]) {
-            *sum += value * factor;
+        for (row, sum) in rest.iter_mut().enumerate() {
+            *sum = finish.scalar(first + row, *sum);
         }
     }
 }
 
+/// Rows from `first` on, `M` vectors of them at once; answers the first row that is left.
+#[inline(always)]
+fn rows_of_vectors<T: Real, S: Simd, const M: usize>(
+    simd: S,
+    out: &mut [T],
+    a: &[T],
+    b: &[T],
+    finish: Finish<'_, T>,
+    mut first: usize,
+    height: usize,
+) -> usize {
+    let rows = out.len();
+    while rows - first >= height {
+        let mut sums = [T::splat(simd, T::zero()); M];
+        for (column, &factor) in a.chunks_exact(rows).zip(b) {
+            let (values, factor) = (T::vectors::<S>(&column[first..first + height]), T::splat(simd, factor));
+            for i in 0..M {
+                sums[i] = T::plus(simd, sums[i], T::times(simd, values[i], factor));
+            }
+        }
+        let slots = T::vectors_mut::<S>(&mut out[first..first + height]);
+        for i in 0..M {
+            slots[i] = finish.vector(simd, first + i * T::lanes::<S>(), sums[i]);
+        }
+        first += height;
+    }
+    first
+}
+
+/// How many partial sums a [`dot`] product and other [`sum`]s keep.
+const PARTS: usize = 16;
+
+/// A dot product, in the order of [`sum`].
 #[inline(always)]
 fn dot<T: Real>(a: &[T], b: &[T]) -> T {
-    let mut sums = [T::zero(); LANES];
-    let (a_lanes, b_lanes) = (a.chunks_exact(LANES), b.chunks_exact(LANES));
-    let rest = a_lanes.remainder().iter().zip(b_lanes.remainder()).fold(T::zero(), |sum, (&x, &y)| sum + x * y);
-    for (x, y) in a_lanes.zip(b_lanes) {
-        for lane in 0..LANES {
-            sums[lane] += x[lane] * y[lane];
+    sum([a, b], |[a, b]| a * b)
+}
+
+/// Σ of a term of each place in lists of one length: part i sums the places i, i + 16, …; then the parts are added in
+/// pairs, distance 8, 4, 2 and 1.
+#[inline(always)]
+pub(super) fn sum<T: Real, const N: usize>(lists: [&[T]; N], term: impl Fn([T; N]) -> T) -> T {
+    let count = lists[0].len();
+    let mut parts = [T::zero(); PARTS];
+    let chunks = lists.map(|list| list[..count].as_chunks::<PARTS>());
+    for chunk in 0..count / PARTS {
+        let chunk = chunks.map(|(chunks, _)| &chunks[chunk]);
+        for (part, slot) in parts.iter_mut().enumerate() {
+            *slot += term(chunk.map(|values| values[part]));
         }
     }
-    sums.into_iter().fold(rest, |sum, lane| sum + lane)
+    for (place, slot) in parts.iter_mut().enumerate().take(count % PARTS) {
+        *slot += term(chunks.map(|(_, rest)| rest[place]));
+    }
+    let mut half = PARTS / 2;
+    while half > 0 {
+        for part in 0..half {
+            parts[part] += parts[part + half];
+        }
+        half /= 2;
+    }
+    parts[0]
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::{Purpose, Stream};
+    use nalgebra::DMatrix;
 
-    /// A matrix of small whole numbers, so that every order of additions gives the same sum.
-    fn matrix(rows: usize, columns: usize, salt: usize) -> Vec<f32> {
-        (0..rows * columns).map(|i| ((i * 7 + salt) % 11) as f32 - 5.0).collect()
+    const SHAPES: [(usize, usize, usize); 9] = [
+        (1, 9, 17),
+        (9, 1, 17),
+        (64, 38, 33),
+        (7, 20, 6),
+        (3, 4, 5),
+        (8, 64, 1),
+        (300, 21, 1),
+        (1, 40, 40),
+        (40, 33, 8),
+    ];
+    const FLIPS: [(bool, bool); 4] = [(false, false), (true, false), (false, true), (true, true)];
+
+    fn normals(count: usize, salt: u64) -> Vec<f32> {
+        let mut numbers = vec![0.0; count];
+        Stream::new(salt, 0, Purpose::Test, 23).normals(&mut numbers);
+        numbers
     }
 
-    #[test]
-    fn both_kernels_multiply_all_shapes_either_way_round() {
-        for (rows, inner, columns) in [(1, 9, 17), (9, 1, 17), (64, 38, 33), (7, 20, 6), (3, 4, 5), (8, 64, 1)] {
-            for (flip_a, flip_b) in [(false, false), (true, false), (false, true), (true, true)] {
-                let (a, b) = (matrix(rows, inner, 1), matrix(inner, columns, 4));
-                let entry = |values: &[f32], flip: bool, (rows, columns): (usize, usize), i: usize, j: usize| {
-                    if flip { values[i * columns + j] } else { values[j * rows + i] }
-                };
-                let factor = |values, flip, (rows, columns)| {
-                    if flip {
-                        Factor::new(values, columns, rows).transposed()
-                    } else {
-                        Factor::new(values, rows, columns)
-                    }
-                };
-                let a_factor = factor(&a[..], flip_a, (rows, inner));
-                let b_factor = factor(&b[..], flip_b, (inner, columns));
-                for kernel in [Kernel::Fast, Kernel::Portable] {
+    /// A factor of that size in the reader's eyes, stored either way round.
+    fn factor<T: Real>(values: &[T], flip: bool, (rows, columns): (usize, usize)) -> Factor<'_, T> {
+        if flip { Factor::new(values, columns, rows).transposed() } else { Factor::new(values, rows, columns) }
+    }
+
+    /// Every shape either way round, with a bias and without: what is multiplied, and what came out on `arch`.
+    fn products<S: Simd>(simd: S) -> Vec<f32> {
+        let mut all = Vec::new();
+        let mut scratch = Scratch::default();
+        for (rows, inner, columns) in SHAPES {
+            let (a, b, bias) = (normals(rows * inner, 1), normals(inner * columns, 2), normals(rows, 3));
+            for (flip_a, flip_b) in FLIPS {
+                let (a, b) = (factor(&a, flip_a, (rows, inner)), factor(&b, flip_b, (inner, columns)));
+                for finish in [Finish::Plain, Finish::Bias(&bias), Finish::Rectified(&bias)] {
                     let mut out = vec![f32::NAN; rows * columns];
-                    kernel.multiply(&mut out, a_factor, b_factor);
-                    for i in 0..rows {
-                        for j in 0..columns {
-                            let sum: f32 = (0..inner)
-                                .map(|k| {
-                                    entry(&a, flip_a, (rows, inner), i, k) * entry(&b, flip_b, (inner, columns), k, j)
-                                })
-                                .sum();
-                            assert_eq!(out[j * rows + i], sum, "{kernel:?} {rows} {inner} {columns} at {i} {j}");
-                        }
-                    }
+                    Product { out: &mut out, a, b, finish, scratch: &mut scratch }.with_simd(simd);
+                    all.extend(out);
                 }
             }
         }
+        all
+    }
+
+    #[test]
+    fn every_width_of_vectors_gives_the_same_bits() {
+        let bits = |values: Vec<f32>| -> Vec<u32> { values.into_iter().map(f32::to_bits).collect() };
+        let scalar = bits(products(pulp::Scalar));
+        assert!(scalar == bits(products(pulp::Scalar128b)) && scalar == bits(products(pulp::Scalar512b)));
+        #[cfg(target_arch = "x86_64")]
+        {
+            let v3 = pulp::x86::V3::try_new().map(|v3| bits(products(v3)));
+            let v4 = pulp::x86::V4::try_new().map(|v4| bits(products(v4)));
+            assert!(v3.is_none_or(|v3| v3 == scalar), "AVX2");
+            assert!(v4.is_none_or(|v4| v4 == scalar), "AVX-512");
+        }
+    }
+
+    #[test]
+    fn products_are_nalgebras_but_for_rounding() {
+        for (rows, inner, columns) in SHAPES {
+            let (a, b) = (normals(rows * inner, 1), normals(inner * columns, 2));
+            let [wide_a, wide_b] = [&a, &b].map(|values| values.iter().map(|&v| f64::from(v)).collect::<Vec<_>>());
+            for (flip_a, flip_b) in FLIPS {
+                let matrix = |values: &[f64], flip: bool, (rows, columns): (usize, usize)| {
+                    if flip {
+                        DMatrix::from_column_slice(columns, rows, values).transpose()
+                    } else {
+                        DMatrix::from_column_slice(rows, columns, values)
+                    }
+                };
+                let expected = matrix(&wide_a, flip_a, (rows, inner)) * matrix(&wide_b, flip_b, (inner, columns));
+                let mut scratch = Scratch::default();
+                let mut out = vec![f64::NAN; rows * columns];
+                let (a, b) = (factor(&wide_a, flip_a, (rows, inner)), factor(&wide_b, flip_b, (inner, columns)));
+                multiply(&mut out, a, b, Finish::Plain, &mut scratch);
+                for (ours, theirs) in out.iter().zip(expected.as_slice()) {
+                    assert!((ours - theirs).abs() < 1e-13 * inner as f64, "{rows} {inner} {columns}: {ours} {theirs}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_batch_gives_each_sample_what_it_gets_alone() {
+        let (rows, inner, columns) = (70, 38, 19);
+        let (a, b, bias) = (normals(rows * inner, 1), normals(inner * columns, 2), normals(rows, 3));
+        let mut scratch = Scratch::default();
+        let mut together = vec![f32::NAN; rows * columns];
+        let a = Factor::new(&a, rows, inner);
+        multiply(&mut together, a, Factor::new(&b, inner, columns), Finish::Rectified(&bias), &mut scratch);
+        for (column, expected) in b.chunks(inner).zip(together.chunks(rows)) {
+            let mut alone = vec![f32::NAN; rows];
+            multiply(&mut alone, a, Factor::new(column, inner, 1), Finish::Rectified(&bias), &mut scratch);
+            assert_eq!(alone, expected);
+        }
+    }
+
+    #[test]
+    fn a_sum_has_the_documented_order() {
+        let numbers = normals(37, 5);
+        let mut parts = [0.0; 16];
+        numbers.iter().enumerate().for_each(|(i, number)| parts[i % 16] += number);
+        for distance in [8, 4, 2, 1] {
+            (0..distance).for_each(|i| parts[i] += parts[i + distance]);
+        }
+        assert_eq!(sum([&numbers[..]], |[number]| number), parts[0]);
     }
 }

@@ -1,0 +1,65 @@
+//! A graph that was trained under a shield is an ordinary graph: compiled, it decides as the interpreter does.
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+use tpg_codegen::emit::{Language, Options, Prefix, Profile};
+use tpg_codegen::engine::Engine;
+use tpg_codegen::graph::Graph;
+use tpg_codegen::verify::{self, Workshop};
+use tpg_runtime::observation::Source;
+use tpg_train::evolution::config::{Config, Shield};
+use tpg_train::evolution::presets::Preset;
+
+/// Three generations of a few roots on the arm.
+fn config() -> Config {
+    let mut config = Preset::find("best-rs").expect("it comes with the trainer").config().expect("it is accepted");
+    config.problem.shield = Shield::LimitsAndCollision;
+    (config.tpg.nb_roots, config.tpg.init_nb_roots) = (24, 40);
+    (config.learning.nb_iterations_per_policy_evaluation, config.learning.nb_generations) = (6, 3);
+    config.learning.ratio_deleted_roots = 0.7;
+    (config.selection.lexicase_survivors, config.selection.racing_episodes) = (3, 0);
+    (config.selection.validation_interval, config.selection.validation_episodes) = (3, 20);
+    (config.demes.count, config.pool.size, config.pool.share, config.curriculum.generations) = (1, 0, 0.0, 0);
+    config
+}
+
+fn train(config: &Path, folder: &Path, threads: &str) -> String {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_tpg-train"));
+    let command = command.args(["tpg", "--threads", threads, "--config"]).arg(config).arg("--out").arg(folder);
+    let output = command.output().expect("the program starts");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    fs::read_to_string(folder.join("graph.json")).expect("training leaves a graph")
+}
+
+#[test]
+fn a_graph_trained_under_a_shield_compiles_to_the_same_decisions() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("config.toml");
+    fs::write(&path, config().to_toml()).expect("it can be written");
+    let text = train(&path, &folder.path().join("one"), "1");
+    assert!(text == train(&path, &folder.path().join("two"), "2"), "another number of threads, another graph");
+
+    let graph = Graph::from_json("graph.json", &text).expect("a good one");
+    let shield = Source::ShieldCollision.name();
+    assert!(graph.sources().iter().any(|source| source.name == shield), "no {shield} in its sources");
+    if !xtask::tool("cc", "gcc", "a shielded graph, compiled") {
+        return;
+    }
+    let workshop = Workshop::new().expect("a temporary folder");
+    for profile in [Profile::Fast, Profile::Small, Profile::ConstantTime] {
+        for language in [Language::C, Language::Rust] {
+            let prefix: Prefix = "shielded".parse().expect("a name");
+            let options = Options { profile: Some(profile), ..Options::new(prefix) };
+            let program = match language {
+                Language::C => workshop.c(&graph, &options),
+                Language::Rust => workshop.rust(&graph, &options),
+            };
+            let mut program = program.expect("generated code compiles");
+            let compared = verify::compare(&graph, &mut [&mut program as &mut dyn Engine], 20_000, 1);
+            for comparison in compared.expect("the program answers") {
+                assert_eq!(comparison.differences, 0, "{}: {:?}", comparison.engine, comparison.first);
+            }
+        }
+    }
+}
