@@ -14,6 +14,7 @@ use tpg_codegen::graph::{Graph, ScalarType};
 use tpg_codegen::sample::{self, Constants, Shape};
 use tpg_codegen::verify;
 use tpg_runtime::ops::Instruction;
+use tpg_train::evolution::logs;
 
 const SIZES: [usize; 4] = [10, 100, 1_000, 10_000];
 /// Seconds.
@@ -108,10 +109,6 @@ fn row(name: &str, seconds: &[Option<f64>]) {
     println!("| {name} | {} |", cells.join(" | "));
 }
 
-/// CPU time of this process and of those that it waited for, where the system tells (Linux).
 fn cpu_seconds() -> f64 {
-    let stat = fs::read_to_string("/proc/self/stat").expect("Linux's account of this process");
-    // Fields 14 to 17, in ticks of 1/100 s; the second field, in brackets, may hold spaces.
-    let fields = stat.rsplit_once(')').expect("a name in brackets").1.split_whitespace().skip(11).take(4);
-    fields.map(|ticks| ticks.parse::<f64>().expect("a number of ticks") / 100.0).sum()
+    logs::cpu_seconds().expect("Linux's account of this process")
 }

@@ -57,12 +57,14 @@ static bool go_to(const float target[3], uint32_t *actions)
     tpg_observation_t seen;
     tpg_chosen_t chosen;
     int32_t cause;
+    uint32_t done;
     float distance;
 
     if ((tpg_observe(&arm, &pose, target, &seen) != TPG_OK) || (tpg_switch_init(&turn, &settings, &seen) != TPG_OK)) {
         return false;
     }
-    for (*actions = 0U; *actions < MAX_ACTIONS; (*actions)++) {
+    for (done = 0U; done < MAX_ACTIONS; done++) {
+        *actions = done;
         if (tpg_observation_distance(&seen, &distance) != TPG_OK) {
             return false;
         }
@@ -78,6 +80,7 @@ static bool go_to(const float target[3], uint32_t *actions)
             return false;
         }
     }
+    *actions = MAX_ACTIONS;
     return false;
 }
 

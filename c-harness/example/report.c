@@ -12,9 +12,8 @@ static void put(report_t *report, char c)
 
 void report_word(report_t *report, const char *word)
 {
-    while (*word != '\0') {
-        put(report, *word);
-        word++;
+    for (const char *at = word; *at != '\0'; at++) {
+        put(report, *at);
     }
 }
 
@@ -24,56 +23,55 @@ void report_begin(report_t *report, const char *word)
     report_word(report, word);
 }
 
-void report_unsigned(report_t *report, const char *name, uint32_t value)
-{
-    char digits[10];
-    uint32_t count = 0U;
+static const char figures[] = "0123456789abcdef";
 
+/* ` name=` */
+static void put_name(report_t *report, const char *name)
+{
     put(report, ' ');
     report_word(report, name);
     put(report, '=');
+}
+
+static void put_decimal(report_t *report, uint32_t value)
+{
+    char digits[10];
+    uint32_t count = 0U;
+    uint32_t rest = value;
+
     do {
-        digits[count] = (char)('0' + (int)(value % 10U));
-        value /= 10U;
+        digits[count] = figures[rest % 10U];
+        rest /= 10U;
         count++;
-    } while (value != 0U);
+    } while (rest != 0U);
     while (count > 0U) {
         count--;
         put(report, digits[count]);
     }
 }
 
+void report_unsigned(report_t *report, const char *name, uint32_t value)
+{
+    put_name(report, name);
+    put_decimal(report, value);
+}
+
 void report_number(report_t *report, const char *name, int32_t value)
 {
+    put_name(report, name);
     if (value < 0) {
-        put(report, ' ');
-        report_word(report, name);
-        report_word(report, "=-");
-        /* Behind the sign: the same digits without a name. */
-        char digits[10];
-        uint32_t rest = 0U - (uint32_t)value;
-        uint32_t count = 0U;
-        do {
-            digits[count] = (char)('0' + (int)(rest % 10U));
-            rest /= 10U;
-            count++;
-        } while (rest != 0U);
-        while (count > 0U) {
-            count--;
-            put(report, digits[count]);
-        }
+        put(report, '-');
+        put_decimal(report, 0U - (uint32_t)value);
     } else {
-        report_unsigned(report, name, (uint32_t)value);
+        put_decimal(report, (uint32_t)value);
     }
 }
 
 void report_hexadecimal(report_t *report, const char *name, uint64_t value)
 {
-    put(report, ' ');
-    report_word(report, name);
-    put(report, '=');
-    for (int shift = 60; shift >= 0; shift -= 4) {
-        put(report, "0123456789abcdef"[(value >> shift) & 15U]);
+    put_name(report, name);
+    for (uint32_t place = 0U; place < 16U; place++) {
+        put(report, figures[(uint32_t)(value >> (60U - (4U * place))) & 15U]);
     }
 }
 

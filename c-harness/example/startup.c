@@ -3,7 +3,13 @@
 
 #include <stdint.h>
 
-extern uint32_t _sidata[], _sdata[], _edata[], _sbss[], _ebss[], _estack[], _stack_limit[];
+extern uint32_t _sidata[];
+extern uint32_t _sdata[];
+extern uint32_t _edata[];
+extern uint32_t _sbss[];
+extern uint32_t _ebss[];
+extern uint32_t _estack[];
+extern uint32_t _stack_limit[];
 
 int main(void);
 void Reset_Handler(void);
@@ -33,26 +39,51 @@ __attribute__((naked)) void Reset_Handler(void)
 
 void start(void)
 {
-    uint32_t *from = _sidata;
+    const uint32_t *from = _sidata;
+    uint32_t *to = _sdata;
 
-    for (uint32_t *to = _sdata; to < _edata; to++) {
+    while (to < _edata) {
         *to = *from;
         from++;
+        to++;
     }
-    for (uint32_t *to = _sbss; to < _ebss; to++) {
+    to = _sbss;
+    while (to < _ebss) {
         *to = 0U;
+        to++;
     }
     platform_exit(main());
 }
 
-uint32_t platform_stack_used(void)
+/* Bytes of stack below an address that were written to since it was painted. */
+static uint32_t written_below(const uint32_t *top)
 {
     const uint32_t *at = _stack_limit;
 
-    while (*at == PAINT) {
+    while ((at < top) && (*at == PAINT)) {
         at++;
     }
-    return (uint32_t)((uintptr_t)_estack - (uintptr_t)at);
+    return (uint32_t)((uintptr_t)top - (uintptr_t)at);
+}
+
+uint32_t platform_stack_used(void)
+{
+    return written_below(_estack);
+}
+
+uint32_t platform_stack_of(void (*function)(void *argument), void *argument)
+{
+    uint32_t *at = _stack_limit;
+    const uint32_t *here;
+
+    /* What lies below the stack pointer is nobody's: no interrupt is on. */
+    __asm volatile("mov %0, sp" : "=r"(here));
+    while (at < here) {
+        *at = PAINT;
+        at++;
+    }
+    function(argument);
+    return written_below(here);
 }
 
 void fault(void)

@@ -21,6 +21,7 @@ static uint32_t scratch[WIDOWX_SAC_SCRATCH];
 static tpg_hybrid_t hybrid;
 static tpg_hybrid_episode_t hybrid_episode;
 static tpg_episode_t episode;
+static tpg_memo_t memo;
 static uint32_t overhead;
 
 static const uint8_t fs_sources[] = WIDOWX_FS_SOURCES;
@@ -65,9 +66,11 @@ typedef struct result {
 } result_t;
 
 /* FNV-1a over the motor positions of every step. */
-static uint64_t hashed(uint64_t hash, const tpg_pose_t *pose)
+static uint64_t hashed(uint64_t before, const tpg_pose_t *pose)
 {
-    for (size_t joint = 0U; joint < TPG_JOINTS; joint++) {
+    uint64_t hash = before;
+
+    for (size_t joint = 0U; joint < (size_t)TPG_JOINTS; joint++) {
         const uint32_t ticks = (uint16_t)pose->ticks[joint];
         hash = (hash ^ (ticks & 0xffU)) * 0x100000001b3U;
         hash = (hash ^ (ticks >> 8)) * 0x100000001b3U;
@@ -105,7 +108,7 @@ static bool single_step(const run_t *run, result_t *result)
 
     platform_count_from();
     if (run->controller == GRAPH) {
-        code = tpg_policy_decide(run->policy, &arm, &result->seen, &wanted);
+        code = tpg_policy_decide(run->policy, &arm, &result->seen, &memo, &wanted);
     } else {
         code = tpg_sac_decide(&sac, &arm, &result->seen, scratch, WIDOWX_SAC_SCRATCH, &wanted);
     }
@@ -116,7 +119,7 @@ static bool single_step(const run_t *run, result_t *result)
 
 static bool begin(const run_t *run, const tpg_problem_t *problem, result_t *result)
 {
-    static const result_t empty;
+    static const result_t empty = { 0 };
 
     *result = empty;
     result->poses = 0xcbf29ce484222325U;
@@ -124,7 +127,7 @@ static bool begin(const run_t *run, const tpg_problem_t *problem, result_t *resu
         return (tpg_hybrid_init(&hybrid, &arm, run->policy, &sac, run->settings, scratch, WIDOWX_SAC_SCRATCH) == TPG_OK)
             && (tpg_hybrid_episode_init(&hybrid_episode, &hybrid, problem) == TPG_OK);
     }
-    return (tpg_episode_init(&episode, &arm, problem) == TPG_OK)
+    return (tpg_memo_init(&memo) == TPG_OK) && (tpg_episode_init(&episode, &arm, problem) == TPG_OK)
         && (tpg_episode_observation(&episode, &result->seen) == TPG_OK);
 }
 
@@ -170,6 +173,43 @@ static void tell(const run_t *run, uint32_t index, const result_t *result)
     report_unsigned(&line, "instructions", result->instructions);
     report_unsigned(&line, "worst", result->worst);
     report_print(&line);
+}
+
+/* One decision of the hybrid as a function of an argument, whose stack can be measured. */
+static void hybrid_decides(void *chosen)
+{
+    if (tpg_hybrid_episode_decide(&hybrid_episode, chosen) != TPG_OK) {
+        platform_exit(4);
+    }
+}
+
+/* The most bytes of stack that a decision takes in some episodes. */
+static bool stack_of_decisions(const run_t *run)
+{
+    report_t line;
+    uint32_t deepest = 0U;
+
+    for (uint32_t index = 0U; index < 8U; index++) {
+        result_t result;
+
+        if (!begin(run, &run->problems[index], &result)) {
+            return false;
+        }
+        while (result.outcome == TPG_RUNNING) {
+            tpg_chosen_t chosen;
+            const uint32_t stack = platform_stack_of(hybrid_decides, &chosen);
+
+            deepest = (stack > deepest) ? stack : deepest;
+            if (tpg_hybrid_episode_act(&hybrid_episode, &chosen, &result.outcome) != TPG_OK) {
+                return false;
+            }
+        }
+    }
+    report_begin(&line, "decision ");
+    report_word(&line, run->set);
+    report_unsigned(&line, "stack", deepest);
+    report_print(&line);
+    return true;
 }
 
 /* What every controller pays beside its decision: seeing where the arm is, and telling the switch. */
@@ -222,7 +262,10 @@ int main(void)
         || (widowx_fs_selftest() != 0U) || (widowx_rs_selftest() != 0U) || !observing()) {
         return 2;
     }
-    for (size_t at = 0U; at < (sizeof runs / sizeof runs[0]); at++) {
+    for (size_t at = 0U; at < (sizeof(runs) / sizeof(runs[0])); at++) {
+        if ((runs[at].controller == HYBRID) && !stack_of_decisions(&runs[at])) {
+            return 3;
+        }
         for (uint32_t index = 0U; index < runs[at].count; index++) {
             result_t result;
             if (!drive(&runs[at], &runs[at].problems[index], &result)) {

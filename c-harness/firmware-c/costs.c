@@ -40,6 +40,7 @@ typedef struct variant {
 
 static tpg_arm_t arm;
 static tpg_episode_t episode;
+static tpg_memo_t memo;
 static float state[LONGEST_STATE];
 static uint32_t overhead;
 
@@ -76,7 +77,7 @@ static bool drive(const char *set, variant_t *variants, const uint8_t *sources, 
             uint16_t action = 0U;
 
             if ((tpg_episode_observation(&episode, &seen) != TPG_OK)
-                || (tpg_observation_state(&arm, &seen, sources, source_count, state, LONGEST_STATE) != TPG_OK)) {
+                || (tpg_observation_state(&arm, &seen, &memo, sources, source_count, state, LONGEST_STATE) != TPG_OK)) {
                 return false;
             }
             for (size_t at = 0U; at < 3U; at++) {
@@ -130,7 +131,7 @@ int main(void)
     (void)fs_settings;
     (void)rs_settings;
     overhead = cost(nothing, &ignored);
-    if (tpg_arm_init_widowx(&arm) != TPG_OK) {
+    if ((tpg_arm_init_widowx(&arm) != TPG_OK) || (tpg_memo_init(&memo) != TPG_OK)) {
         return 2;
     }
     if (!drive("fs", fs, fs_sources, FS_FAST_C_SOURCE_COUNT, fs_moves, FS_FAST_C_ACTIONS, fs_problems)

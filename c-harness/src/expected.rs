@@ -3,10 +3,11 @@
 use crate::Failure;
 use crate::line::Line;
 use crate::problems::{PARTS, Start};
+use crate::record::{Hash, code};
 use tpg_generated::{widowx_fs::WidowxFs, widowx_rs::WidowxRs, widowx_sac};
-use tpg_runtime::arm::{Arm, Collision, Invalid, Move, Pose, WIDOWX};
+use tpg_runtime::arm::{Arm, Move, Pose, WIDOWX};
 use tpg_runtime::cycle::Brent;
-use tpg_runtime::episode::{Episode, Outcome, Problem};
+use tpg_runtime::episode::{Episode, Problem};
 use tpg_runtime::hybrid::{Hybrid, HybridEpisode};
 use tpg_runtime::observation::{ArmPolicy, Observation};
 use tpg_runtime::policy::Policy;
@@ -16,20 +17,6 @@ const ARM: Arm<f32> = WIDOWX.to_f32();
 
 const NETWORK: FixedPolicy<'static, 64, 64> =
     FixedPolicy { arm: &ARM, network: &widowx_sac::NETWORK, decision: widowx_sac::DECISION };
-
-/// As `tpg_runtime.h` numbers them.
-fn code(outcome: Outcome) -> i32 {
-    match outcome {
-        Outcome::Reached => 1,
-        Outcome::Stop => 2,
-        Outcome::Cycle => 3,
-        Outcome::Timeout => 4,
-        Outcome::Invalid(Invalid::JointLimit(joint)) => 17 + i32::from(joint.0),
-        Outcome::Invalid(Invalid::Collision(Collision::Table)) => 21,
-        Outcome::Invalid(Invalid::Collision(Collision::HandCorner)) => 22,
-        Outcome::Invalid(Invalid::Collision(Collision::Base)) => 23,
-    }
-}
 
 /// The lines of every episode, in the firmwares' order.
 pub(crate) fn lines() -> Result<Vec<Line>, Failure> {
@@ -53,7 +40,7 @@ where
     let hybrid = Hybrid { arm: &ARM, tpg: graph, sac: NETWORK, settings: start.settings() };
     for (index, &problem) in problems.iter().enumerate() {
         let mut poses = Hash::new();
-        let summary = HybridEpisode::new(&hybrid, problem, Brent::new()).run(|_, pose| poses.add(pose));
+        let summary = HybridEpisode::new(&hybrid, problem, Brent::new()).run(|_, pose| poses.add_pose(pose));
         let counts = summary.counts;
         let who = [counts.tpg_actions, counts.sac_actions, counts.hand_overs.iter().sum()];
         let end = (code(summary.summary.outcome), summary.summary.actions, summary.summary.pose);
@@ -67,7 +54,7 @@ where
 {
     for (index, &problem) in problems.iter().take(PARTS).enumerate() {
         let mut poses = Hash::new();
-        let summary = Episode::new(&ARM, problem, Brent::new()).run(policy, |pose| poses.add(pose));
+        let summary = Episode::new(&ARM, problem, Brent::new()).run(policy, |pose| poses.add_pose(pose));
         lines.push(line(start, name, index, (code(summary.outcome), summary.actions, summary.pose), [0; 3], &poses));
     }
 }
@@ -81,19 +68,4 @@ fn line(start: Start, name: &str, index: usize, end: (i32, u32, Pose), who: [u32
         start.name(),
         poses.0
     ))
-}
-
-/// FNV-1a over the motor positions of every step.
-struct Hash(u64);
-
-impl Hash {
-    fn new() -> Self {
-        Self(0xcbf2_9ce4_8422_2325)
-    }
-
-    fn add(&mut self, Pose(ticks): Pose) {
-        for byte in ticks.into_iter().flat_map(i16::to_le_bytes) {
-            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
-        }
-    }
 }

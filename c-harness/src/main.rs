@@ -7,18 +7,23 @@
 //! | [`models`] | networks of every kind and size, to count |
 //! | [`emulate`] | QEMU |
 //! | [`expected`] | the host's trajectories |
+//! | [`record`] | how an episode is written down, here and in the firmware |
 //! | [`costs`] | instructions beside `costs.toml` |
 //! | [`symbols`] | what must not be in an image |
-//! | [`worst`] | the static worst case of a decision |
+//! | [`worst`], [`facts`] | the static worst case of a decision, and what it rests on |
+//! | [`lint`] | linters on the C that is not generated |
 //! | [`size`] | flash and RAM beside `sizes.toml` |
 
 mod build;
 mod costs;
 mod emulate;
 mod expected;
+mod facts;
 mod line;
+mod lint;
 mod models;
 mod problems;
+mod record;
 mod size;
 mod symbols;
 mod worst;
@@ -65,12 +70,18 @@ enum Check {
     },
     /// Flash and RAM of the control loop
     Size,
+    /// clang-tidy, and cppcheck with its MISRA addon, on the firmwares' and the example's C
+    Lint,
+    /// What makes up the static worst case of a decision; runs nothing
+    Worst,
 }
 
 fn main() -> ExitCode {
     let result = match Cli::parse().command {
         Check::Qemu { update } => qemu(update),
         Check::Size => size::check(),
+        Check::Lint => lint::sees_what_is_bad().and_then(|()| lint::check()),
+        Check::Worst => worst(),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
@@ -84,6 +95,8 @@ fn main() -> ExitCode {
 /// How a language's image is built.
 type Builder = fn(&str, Board) -> Result<Option<PathBuf>, Failure>;
 
+const LANGUAGES: [(&str, Builder); 2] = [("C", build::c), ("Rust", build::rust)];
+
 fn qemu(update: bool) -> Result<(), Failure> {
     if !xtask::tool("qemu-system-arm", "qemu-system-arm", "the firmwares under QEMU") {
         return Ok(());
@@ -95,7 +108,7 @@ fn qemu(update: bool) -> Result<(), Failure> {
     }
     let mut costs = Costs::new();
     let mut all = true;
-    for (language, builder) in [("C", build::c as Builder), ("Rust", build::rust as Builder)] {
+    for (language, builder) in LANGUAGES {
         let Some(image) = builder("control", Board::Mps2An386)? else {
             all = false;
             continue;
@@ -105,9 +118,7 @@ fn qemu(update: bool) -> Result<(), Failure> {
         compare(language, &expected, &lines)?;
         costs.add(language, &lines);
         stack(language, &lines)?;
-        if language == "Rust" {
-            worst::check(&image, &lines)?;
-        }
+        worst::check(language, &image, &lines)?;
         if let Some(image) = builder("costs", Board::Mps2An386)? {
             let lines = emulate::run(Board::Mps2An386, &image)?;
             if language == "Rust" {
@@ -124,6 +135,18 @@ fn qemu(update: bool) -> Result<(), Failure> {
     }
     let differences = costs.differences()?;
     if differences.is_empty() { Ok(()) } else { Err(Failure::new(differences.join("\n"))) }
+}
+
+/// The worst cases in parts.
+fn worst() -> Result<(), Failure> {
+    let mut failures = Vec::new();
+    for (language, builder) in LANGUAGES {
+        if let Some(image) = builder("control", Board::Mps2An386)? {
+            println!("\n{language}: {}", image.display());
+            failures.extend(worst::explain(language, &image).err().map(|Failure(message)| message));
+        }
+    }
+    if failures.is_empty() { Ok(()) } else { Err(Failure(failures.join("\n"))) }
 }
 
 /// The board with little memory runs the same episodes to the same ends.

@@ -2,6 +2,7 @@
 
 use crate::Failure;
 use crate::line::Line;
+use crate::record::Hash;
 use std::fmt::Write as _;
 use tpg_codegen::emit::File;
 use tpg_kernels::Kind;
@@ -56,21 +57,20 @@ pub(crate) fn compare(lines: &[Line]) -> Result<u64, Failure> {
         let model = Model::parse(&words).map_err(|error| Failure::new(format!("{name}: {error:?}")))?;
         let mut scratch = vec![0; model.scratch()];
         let mut state = 11u32;
-        let mut hash = 0xcbf2_9ce4_8422_2325u64;
+        let mut hash = Hash::new();
         for _ in 0..line.number("inputs") {
             let inputs: [i16; FEATURES] = std::array::from_fn(|_| {
                 state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
                 (state >> 16) as i16
             });
             for preference in model.preferences(&inputs, &mut scratch) {
-                hash = (hash ^ u64::from(preference as u32)).wrapping_mul(0x0000_0100_0000_01b3);
+                hash.add(u64::from(preference as u32));
             }
             count += 1;
         }
-        if line.values.get("hash") != Some(&format!("{hash:016x}")) {
-            return Err(Failure::new(format!(
-                "{name}: other preferences than on this machine ({hash:016x}): {line:?}"
-            )));
+        let hash = format!("{:016x}", hash.0);
+        if line.values.get("hash") != Some(&hash) {
+            return Err(Failure::new(format!("{name}: other preferences than on this machine ({hash}): {line:?}")));
         }
     }
     Ok(count)

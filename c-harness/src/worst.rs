@@ -1,54 +1,104 @@
 //! The worst case of one decision of the shipped hybrids, found without running it: instructions and stack.
 
 use crate::Failure;
+use crate::facts::{self, Facts};
 use crate::line::Line;
 use std::path::Path;
-use xtask::wcet::{Analyser, Bound, LoopBounds, disassemble};
+use xtask::wcet::{Analyser, Bound, Calls, Limit, Listing, LoopBounds, Share, Turns, disassemble};
 
-/// How often a loop turns at most, by a part of the name of the function that has it, and why.
-const LOOPS: [(&str, u64); 14] = [
-    ("tpg_kernels3dsp", 8),      // 64 columns, eight a turn
-    ("tpg_kernels6hidden", 16),  // 64 rows, four a block
-    ("tpg_kernels8portable", 1), // not reached: a parsed model's inputs are whole turns
-    ("pair_inputs", 10),         // 38 features, four a turn
-    ("split_inputs", 10),        // not reached: the shipped network has `i16` activations
-    ("quantise", 38),            // features
-    ("preferences", 2),          // hidden layers
-    ("memclr", 16),              // 64 words of scratch memory, four a turn
-    ("memcpy", 32),              // the greatest structure, four words a turn
-    ("Source", 4),               // sources of a graph; values of a source
-    ("nearest", 4),              // edges of the base
-    ("Iter", 4),                 // faces of the arm
-    ("hybrid_decide", 14),       // ways to hold joints
-    ("", 4),                     // joints
-];
+/// The facts about an image, by the names that its functions have there.
+struct Told {
+    listing: Listing,
+    loops: LoopBounds,
+    calls: Calls,
+    limits: Vec<Limit>,
+    /// Where decisions begin: what is counted, and what the stack is measured of.
+    roots: Vec<String>,
+    stack_roots: Vec<String>,
+}
 
-/// The worst case of every decision function in a Rust image.
-pub(crate) fn decisions(image: &Path) -> Result<Bound, Failure> {
-    let listing = disassemble(image).map_err(Failure::new)?;
-    let mut bounds = LoopBounds::new();
-    let mut decisions = Vec::new();
-    for function in listing.functions() {
-        if let Some((_, turns)) = LOOPS.iter().find(|(part, _)| function.name.contains(part)) {
-            bounds.insert(function.name.clone(), *turns);
+impl Told {
+    /// Reads an image. A fact that speaks of nothing in it is a failure: it would be believed and say nothing.
+    fn of(language: &str, image: &Path) -> Result<Self, Failure> {
+        let listing = disassemble(image).map_err(Failure::new)?;
+        let Facts { roots, stack_roots, loops, calls, limits } = facts::of(language);
+        let names = |part: &str| -> Result<Vec<String>, Failure> {
+            let all = listing.functions().iter().map(|function| function.name.clone());
+            let found: Vec<String> = all.filter(|name| name.contains(part)).collect();
+            if found.is_empty() { Err(Failure::at(image, format!("no function {part:?}"))) } else { Ok(found) }
+        };
+        let mut told = Self {
+            roots: names(roots)?,
+            stack_roots: names(stack_roots)?,
+            loops: LoopBounds::new(),
+            calls: Calls::new(),
+            limits: Vec::new(),
+            listing: listing.clone(),
+        };
+        for (part, turns) in loops {
+            for name in names(part)? {
+                told.loops.insert(name, Turns::Each(turns.clone()));
+            }
         }
-        if function.name.contains("hybrid_decide") {
-            decisions.push(function.name.clone());
+        for (part, callees) in calls {
+            for name in names(part)? {
+                told.calls.insert(name, callees.iter().map(|&callee| callee.to_owned()).collect());
+            }
         }
+        for (part, times) in limits {
+            for within in &told.roots {
+                for function in names(part)? {
+                    told.limits.push(Limit { within: within.clone(), function, times });
+                }
+            }
+        }
+        Ok(told)
     }
-    let mut analyser = Analyser::new(&listing, &bounds);
-    let mut worst = Bound { instructions: 0, stack: 0 };
-    for name in &decisions {
-        let bound = analyser.bound(name).map_err(Failure::new)?;
-        worst.instructions = worst.instructions.max(bound.instructions);
-        worst.stack = worst.stack.max(bound.stack);
+
+    fn analyser(&self) -> Analyser<'_> {
+        Analyser::new(&self.listing, &self.loops).calling(&self.calls).limited(&self.limits)
     }
-    if decisions.len() == 2 { Ok(worst) } else { Err(Failure::new(format!("decisions: {decisions:?}"))) }
+
+    /// The worst case of every decision.
+    fn bound(&self) -> Result<Bound, Failure> {
+        let mut analyser = self.analyser();
+        let mut worst = Bound { instructions: 0, stack: 0 };
+        for name in &self.roots {
+            worst.instructions = worst.instructions.max(analyser.bound(name).map_err(Failure::new)?.instructions);
+        }
+        for name in &self.stack_roots {
+            worst.stack = worst.stack.max(analyser.bound(name).map_err(Failure::new)?.stack);
+        }
+        Ok(worst)
+    }
+}
+
+/// Prints what makes a worst case up, and the loops with their bounds.
+pub(crate) fn explain(language: &str, image: &Path) -> Result<(), Failure> {
+    let told = Told::of(language, image)?;
+    let mut analyser = told.analyser();
+    for name in &told.roots {
+        for found in analyser.loops(name).map_err(Failure::new)? {
+            println!("{:>8x}: {:?} turns, {}", found.address, found.turns, found.function);
+        }
+        let share = analyser.explain(name).map_err(Failure::new)?;
+        tree(&share, share.each, 0);
+    }
+    Ok(())
+}
+
+/// Parts of a hundredth and more.
+fn tree(share: &Share, whole: u64, depth: usize) {
+    let total = share.runs * share.each;
+    if total * 100 >= whole {
+        println!("{total:>8} {:indent$}{} × {}, own {}", "", share.runs, share.function, share.own, indent = 2 * depth);
+        share.parts.iter().for_each(|part| tree(part, whole, depth + 1));
+    }
 }
 
 /// What was measured must not exceed the bound.
-pub(crate) fn check(image: &Path, lines: &[Line]) -> Result<(), Failure> {
-    let bound = decisions(image)?;
+pub(crate) fn check(language: &str, image: &Path, lines: &[Line]) -> Result<(), Failure> {
+    let bound = Told::of(language, image)?.bound()?;
     let of = |first: &str, last: &str, value: &str| {
         let matching = |line: &&Line| {
             line.words.first().is_some_and(|word| word == first) && line.words.last().is_some_and(|word| word == last)
@@ -58,7 +108,8 @@ pub(crate) fn check(image: &Path, lines: &[Line]) -> Result<(), Failure> {
     let (instructions, stack) =
         (of("episode", "hybrid", "worst"), of("decision", "fs", "stack").max(of("decision", "rs", "stack")));
     println!(
-        "Rust: a decision takes at most {} instructions (counted: {instructions}) and {} bytes of stack (painted: {stack})",
+        "{language}: a decision takes at most {} instructions (counted: {instructions}) and {} bytes of stack \
+         (painted: {stack})",
         bound.instructions, bound.stack
     );
     if instructions == 0 || stack == 0 || instructions > bound.instructions || stack > bound.stack {

@@ -3,7 +3,8 @@
 //! It does what the semantics say and nothing clever: every line of a program runs, introns too, in order, on registers
 //! that start at zero.
 
-use crate::graph::{Destination, Graph, MathsProvider, Operand, Program, Reg, ScalarType, TeamId};
+use crate::graph::{Destination, Graph, Operand, Program, Reg, TeamId};
+use crate::in_arithmetic_of;
 use std::marker::PhantomData;
 use tpg_runtime::ops::{self, Maths};
 use tpg_runtime::policy::{ActionId, Policy};
@@ -101,12 +102,7 @@ impl<S: Scalar, M: Maths<S>> Policy for Interpreter<'_, S, M> {
 /// If the states' length is no multiple of [`Graph::state_length`].
 pub fn actions(graph: &Graph, states: &[f64]) -> Vec<ActionId> {
     assert_eq!(states.len() % graph.state_length(), 0, "whole states");
-    match (graph.scalar(), graph.maths()) {
-        (ScalarType::F32, MathsProvider::Own) => actions_in::<f32, ops::Own>(graph, states),
-        (ScalarType::F32, MathsProvider::System) => actions_in::<f32, ops::System>(graph, states),
-        (ScalarType::F64, MathsProvider::Own) => actions_in::<f64, ops::Own>(graph, states),
-        (ScalarType::F64, MathsProvider::System) => actions_in::<f64, ops::System>(graph, states),
-    }
+    in_arithmetic_of!(graph, actions_in(graph, states))
 }
 
 fn actions_in<S: Scalar, M: Maths<S>>(graph: &Graph, states: &[f64]) -> Vec<ActionId> {

@@ -277,29 +277,42 @@ fn breadth_first(graph: &Graph) -> Vec<TeamId> {
     order
 }
 
+/// The teams, each after all that lead to it; of those that may come next, the one that was reached last does, so that
+/// teams of one branch stay together. Every team can be reached from the first.
+pub(crate) fn topological(teams: &[Team]) -> Vec<usize> {
+    let targets = |team: usize| {
+        teams[team].edges.iter().filter_map(|edge| if let Target::Team(to) = edge.to { Some(to) } else { None })
+    };
+    let mut entering = vec![0_usize; teams.len()];
+    for to in (0..teams.len()).flat_map(targets) {
+        entering[to] += 1;
+    }
+    let mut order = Vec::with_capacity(teams.len());
+    let mut ready = vec![0];
+    while let Some(team) = ready.pop() {
+        order.push(team);
+        for to in targets(team) {
+            entering[to] -= 1;
+            if entering[to] == 0 {
+                ready.push(to);
+            }
+        }
+    }
+    order
+}
+
 /// Teams on the longest walk from the first team.
 pub(crate) fn longest_walk(teams: &[Team]) -> usize {
     heaviest_walk(teams, |_| 1) as usize
 }
 
-/// The greatest sum of weights of the teams on a walk from the first. Breadth-first order is not topological, so teams are
-/// taken when all that lead to them have been.
+/// The greatest sum of weights of the teams on a walk from the first.
 pub(crate) fn heaviest_walk(teams: &[Team], weight: impl Fn(usize) -> u64) -> u64 {
-    let targets = |team: &Team| -> Vec<usize> {
-        team.edges.iter().filter_map(|edge| if let Target::Team(to) = edge.to { Some(to) } else { None }).collect()
-    };
-    let mut entering = vec![0_usize; teams.len()];
-    for to in teams.iter().flat_map(targets) {
-        entering[to] += 1;
-    }
     let mut walk: Vec<u64> = (0..teams.len()).map(&weight).collect();
-    let mut ready = vec![0];
-    while let Some(team) = ready.pop() {
-        for to in targets(&teams[team]) {
-            walk[to] = walk[to].max(walk[team] + weight(to));
-            entering[to] -= 1;
-            if entering[to] == 0 {
-                ready.push(to);
+    for team in topological(teams) {
+        for edge in &teams[team].edges {
+            if let Target::Team(to) = edge.to {
+                walk[to] = walk[to].max(walk[team] + weight(to));
             }
         }
     }

@@ -4,7 +4,7 @@ use tpg_codegen::graph::{Graph, MathsProvider, ScalarType};
 use tpg_codegen::ir::{Module, Node, NodeId, needed};
 use tpg_codegen::passes::arithmetic::is_transcendental;
 use tpg_codegen::passes::interval::Assumption;
-use tpg_codegen::passes::schedule::{Bid, Plan, Schedule, schedule};
+use tpg_codegen::passes::schedule::{Bid, Infinite, Plan, Schedule, Sparing, schedule};
 use tpg_codegen::passes::{estimate, optimise};
 use tpg_codegen::sample::{self, Shape};
 use tpg_codegen::states;
@@ -49,7 +49,7 @@ fn evaluate(graph: &Graph, nodes: &[Node], state: &[f64]) -> Vec<f64> {
 
 /// In the order in which they are looked at.
 fn bids(plan: &Plan) -> Vec<Bid> {
-    plan.eager.iter().copied().chain(plan.lazy.iter().map(|lazy| lazy.bid)).collect()
+    plan.bids().collect()
 }
 
 fn transcendental(nodes: &[Node], value: NodeId) -> bool {
@@ -65,12 +65,19 @@ fn a_plan_looks_at_every_bid_of_its_team_once() {
             assert_eq!(plan.label, team.label);
             assert_eq!(plan.targets, team.edges.iter().map(|edge| edge.to).collect::<Vec<_>>());
             let mut places: Vec<usize> = bids(plan).iter().map(|bid| bid.place).collect();
-            let mut before = None;
+            let mut before = plan.infinite.map(|infinite| infinite.place);
             for bid in bids(plan) {
                 assert_eq!(bid.in_turn, before.is_none_or(|before| before < bid.place), "graph {seed}: {plan:?}");
                 before = before.max(Some(bid.place));
             }
             assert!(plan.eager.is_sorted_by_key(|bid| bid.place), "graph {seed}: {plan:?}");
+            assert!(plan.eager_before.is_sorted_by_key(|bid| bid.place), "graph {seed}: {plan:?}");
+            let waits = |place: usize| plan.infinite.is_some_and(|infinite| place < infinite.place);
+            assert!(plan.eager_before.iter().all(|bid| waits(bid.place)), "graph {seed}: {plan:?}");
+            assert!(
+                plan.lazy.iter().all(|lazy| lazy.before_infinite == waits(lazy.bid.place)),
+                "graph {seed}: {plan:?}"
+            );
             places.sort_unstable();
             assert_eq!(places, (0..team.edges.len()).collect::<Vec<_>>(), "graph {seed}: {plan:?}");
         }
@@ -94,7 +101,7 @@ fn only_what_is_expensive_waits_and_only_for_what_is_cheap() {
 
 #[test]
 fn bids_are_the_modules_and_bounds_are_on_their_side_of_them() {
-    let (mut spared, mut certain) = (0, 0);
+    let (mut spared, mut certain, mut low, mut infinite) = (0, 0, 0, 0);
     for (seed, graph, module, schedule) in planned() {
         for state in states::sample(&graph, 200, seed).chunks_exact(graph.state_length()) {
             let of_module = evaluate(&graph, &module.nodes, state);
@@ -105,8 +112,21 @@ fn bids_are_the_modules_and_bounds_are_on_their_side_of_them() {
                     let [found, expected] = [values[bid.value.index()], of_module[bidder.value.index()]];
                     assert_eq!(found.to_bits(), expected.to_bits(), "graph {seed}, program {}", bidder.label);
                 }
+                if let Some(Infinite { place, argument, above }) = plan.infinite
+                    && values[argument.index()] > above
+                {
+                    let lazy = plan.lazy.iter().find(|lazy| lazy.bid.place == place).expect("it is among them");
+                    assert_eq!(values[lazy.bid.value.index()], f64::INFINITY, "graph {seed}: {plan:?}");
+                    infinite += 1;
+                }
                 for lazy in &plan.lazy {
                     let value = values[lazy.bid.value.index()];
+                    if let Some(Sparing { argument, at_most, below }) = lazy.sparing
+                        && values[argument.index()] <= at_most
+                    {
+                        assert!(value.is_nan() || value < below, "graph {seed}: {value} not below {below}");
+                        low += 1;
+                    }
                     if let Some(bound) = lazy.bound.map(|bound| values[bound.index()]) {
                         assert!(
                             value.is_nan() || bound.is_nan() || value <= bound,
@@ -125,4 +145,5 @@ fn bids_are_the_modules_and_bounds_are_on_their_side_of_them() {
         }
     }
     assert!(spared > 1000 && certain > 100, "{spared} finite bounds, {certain} certain bids");
+    assert!(low > 1000 && infinite > 100, "{low} low arguments, {infinite} infinite bids");
 }

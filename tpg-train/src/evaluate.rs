@@ -17,11 +17,12 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 use tpg_codegen::error::{InputError, Place};
-use tpg_codegen::graph::{Graph, MathsProvider, ScalarType};
+use tpg_codegen::graph::Graph;
+use tpg_codegen::in_arithmetic_of;
 use tpg_runtime::arm::{Arm, WIDOWX};
 use tpg_runtime::hybrid::{Cause, Guard};
 use tpg_runtime::observation::shield::{SHIELDED, STEP, action as action_of};
-use tpg_runtime::ops::{Maths, Own, System};
+use tpg_runtime::ops::Maths;
 
 /// Let a policy act and count how its episodes end.
 #[derive(Clone, Debug, Args)]
@@ -390,12 +391,7 @@ fn shielded_endings_of(
     shield: Shield,
     tasks: &[ArmTask],
 ) -> Result<Vec<Ending>, InputError> {
-    match (graph.scalar(), graph.maths()) {
-        (ScalarType::F32, MathsProvider::Own) => endings::<f32, Own>(file, graph, arm, problem, shield, tasks),
-        (ScalarType::F32, MathsProvider::System) => endings::<f32, System>(file, graph, arm, problem, shield, tasks),
-        (ScalarType::F64, MathsProvider::Own) => endings::<f64, Own>(file, graph, arm, problem, shield, tasks),
-        (ScalarType::F64, MathsProvider::System) => endings::<f64, System>(file, graph, arm, problem, shield, tasks),
-    }
+    in_arithmetic_of!(graph, endings(file, graph, arm, problem, shield, tasks))
 }
 
 fn read_tasks(arm: &Arm<f64>, path: &Path) -> Result<Vec<targets::Task>, InputError> {

@@ -24,13 +24,15 @@ pub(crate) fn all() -> bool {
     }
     run.firmware(&["qemu"]);
     run.firmware(&["size"]);
+    run.firmware(&["lint"]);
     run.finish()
 }
 
-/// Runs the lint of generated C; whether it passed.
+/// Runs the lint of generated C, and of the firmwares' own; whether it passed.
 pub(crate) fn lint() -> bool {
     let mut run = Run::new();
     run.tests("lint of generated C", cargo(&["test", "--package", "tpg-codegen", "--test", "c_lint", "--test", "eva"]));
+    run.firmware(&["lint"]);
     run.finish()
 }
 

@@ -41,7 +41,8 @@ enum Task {
     },
     /// Flash and RAM of the control loop on an STM32F405
     Size,
-    /// Only the lint of generated C: gcc, clang, clang-tidy, cppcheck with its MISRA addon, Frama-C EVA
+    /// Only the lint of C, generated and the firmwares' own: gcc, clang, clang-tidy, cppcheck with its MISRA addon, Frama-C
+    /// EVA
     Lint,
     /// The worst case of compiled code for a Cortex-M: instructions and stack
     Wcet(worst::WcetArgs),

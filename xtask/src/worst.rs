@@ -2,7 +2,7 @@
 
 use clap::Args;
 use std::path::PathBuf;
-use xtask::wcet::{Analyser, Listing, LoopBounds, disassemble};
+use xtask::wcet::{Analyser, Calls, Limit, Listing, LoopBounds, Refusal, Share, Turns, disassemble};
 
 /// Print the worst case of functions of a Cortex-M object or image: instructions and bytes of stack, callees included.
 #[derive(Clone, Debug, Args)]
@@ -11,9 +11,19 @@ pub(crate) struct WcetArgs {
     object: PathBuf,
     /// The functions; without one, every function of the object
     functions: Vec<String>,
-    /// No loop of this function turns more than N times
-    #[arg(long, value_name = "FUNCTION=N", value_parser = loop_bound)]
-    loop_bound: Vec<(String, u64)>,
+    /// No loop of this function turns more than N times; with several numbers, each of its loops, in the order of their
+    /// first instructions
+    #[arg(long, value_name = "FUNCTION=N[,N…]", value_parser = loop_bound)]
+    loop_bound: Vec<(String, Turns)>,
+    /// Calls through a register in this function reach these functions and no others
+    #[arg(long, value_name = "FUNCTION=CALLEE[,CALLEE…]", value_parser = calls)]
+    calls: Vec<(String, Vec<String>)>,
+    /// While FUNCTION runs once, CALLEE runs no more than N times, wherever it is called from
+    #[arg(long, value_name = "FUNCTION:CALLEE=N", value_parser = limit)]
+    at_most: Vec<Limit>,
+    /// Print what makes up each worst case, and every loop with its bound
+    #[arg(long)]
+    explain: bool,
     /// Fail where anything decides by data what runs: branches, predicated blocks, tables
     #[arg(long)]
     constant_time: bool,
@@ -36,7 +46,8 @@ impl WcetArgs {
 
     fn report(&self, listing: &Listing) -> bool {
         let bounds: LoopBounds = self.loop_bound.iter().cloned().collect();
-        let mut analyser = Analyser::new(listing, &bounds);
+        let calls: Calls = self.calls.iter().cloned().collect();
+        let mut analyser = Analyser::new(listing, &bounds).calling(&calls).limited(&self.at_most);
         let all = || listing.functions().iter().map(|function| function.name.clone()).collect();
         let names: Vec<String> = if self.functions.is_empty() { all() } else { self.functions.clone() };
         let mut good = true;
@@ -54,6 +65,11 @@ impl WcetArgs {
                     // Of all functions, some have none: their callers say whether that matters.
                     good &= self.functions.is_empty();
                 }
+            }
+            if self.explain
+                && let Err(refusal) = explain(&mut analyser, &name)
+            {
+                eprintln!("{name}: {refusal}");
             }
             if self.constant_time {
                 match analyser.decisions(&name) {
@@ -77,9 +93,52 @@ impl WcetArgs {
     }
 }
 
-fn loop_bound(text: &str) -> Result<(String, u64), String> {
-    let accepted = || format!("{text:?}; accepted: FUNCTION=N, N a whole number from 1");
-    let (function, number) = text.rsplit_once('=').ok_or_else(accepted)?;
-    let number: u64 = number.parse().ok().filter(|&number| number > 0).ok_or_else(accepted)?;
-    Ok((function.to_owned(), number))
+/// Prints the loops of a function and all that it calls, and then, where there is a bound, what makes it up.
+fn explain(analyser: &mut Analyser<'_>, name: &str) -> Result<(), Refusal> {
+    for found in analyser.loops(name)? {
+        let turns = found.turns.map_or("no bound".to_owned(), |turns| format!("{turns} turns"));
+        println!("  loop at {:#x}: {turns} ({})", found.address, found.function);
+    }
+    let share = analyser.explain(name)?;
+    tree(&share, share.each.max(1), 1);
+    Ok(())
+}
+
+/// Parts of a hundredth and more.
+fn tree(share: &Share, whole: u64, depth: usize) {
+    let total = share.runs * share.each;
+    println!("{:>8}{:indent$}{} × {} (own {})", total, "", share.runs, share.function, share.own, indent = 2 * depth);
+    for part in share.parts.iter().filter(|part| part.runs * part.each * 100 >= whole) {
+        tree(part, whole, depth + 1);
+    }
+}
+
+fn loop_bound(text: &str) -> Result<(String, Turns), String> {
+    let accepted = || format!("{text:?}; accepted: FUNCTION=N or FUNCTION=N,N,…, whole numbers from 1");
+    let (function, numbers) = text.rsplit_once('=').ok_or_else(accepted)?;
+    let number = |number: &str| number.parse().ok().filter(|&number| number > 0).ok_or_else(accepted);
+    let turns = match numbers.split(',').map(number).collect::<Result<Vec<u64>, _>>()?[..] {
+        [every] => Turns::Every(every),
+        ref each => Turns::Each(each.to_vec()),
+    };
+    Ok((function.to_owned(), turns))
+}
+
+fn calls(text: &str) -> Result<(String, Vec<String>), String> {
+    let accepted = || format!("{text:?}; accepted: FUNCTION=CALLEE or FUNCTION=CALLEE,CALLEE,…");
+    let (function, callees) = text.split_once('=').ok_or_else(accepted)?;
+    let callees: Vec<String> = callees.split(',').map(str::to_owned).collect();
+    if function.is_empty() || callees.iter().any(String::is_empty) {
+        Err(accepted())
+    } else {
+        Ok((function.to_owned(), callees))
+    }
+}
+
+fn limit(text: &str) -> Result<Limit, String> {
+    let accepted = || format!("{text:?}; accepted: FUNCTION:CALLEE=N, N a whole number from 0");
+    let (names, number) = text.rsplit_once('=').ok_or_else(accepted)?;
+    let (within, function) = names.split_once(':').ok_or_else(accepted)?;
+    let times = number.parse().map_err(|_| accepted())?;
+    Ok(Limit { within: within.to_owned(), function: function.to_owned(), times })
 }

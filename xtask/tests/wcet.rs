@@ -3,7 +3,7 @@
 use std::fs;
 use std::process::Command;
 use tempfile::TempDir;
-use xtask::wcet::{Analyser, Bound, Listing, LoopBounds, Refusal, disassemble};
+use xtask::wcet::{Analyser, Bound, Calls, Limit, Listing, LoopBounds, Refusal, Turns, disassemble};
 
 /// A listing as objdump prints it: `label:` begins a function, every other line is an instruction two bytes long.
 fn listing(text: &str) -> Listing {
@@ -71,7 +71,7 @@ fn loops_are_refused_without_a_bound() {
     let refusal = bound(text, "f").unwrap_err();
     assert_eq!(refusal, Refusal::Loop { function: "f".to_owned(), address: 2 });
     assert!(refusal.to_string().contains("--loop-bound f=N"), "{refusal}");
-    let bounds = LoopBounds::from([("f".to_owned(), 10)]);
+    let bounds = LoopBounds::from([("f".to_owned(), Turns::Every(10))]);
     let found = Analyser::new(&listing(text), &bounds).bound("f");
     assert_eq!(found, Ok(Bound { instructions: 1 + 10 * 2 + 1, stack: 0 }));
 }
@@ -157,6 +157,18 @@ root:                       @ push, mov, cmp, then 3 of the longer arm with the 
 2:  ldr r0, =0x12345678
     pop {r4, r5, r6, pc}
     .ltorg
+    .section .text.table, \"ax\"
+    .thumb_func
+    .global table
+table:                      @ tbb, and the longest of three ways: 3, with the return
+    tbb [pc, r0]
+3:  .byte (1f - 3b) / 2
+    .byte (2f - 3b) / 2
+    .byte (4f - 3b) / 2
+    .align 1
+1:  adds r0, #1
+2:  adds r0, #1
+4:  bx lr
     .section .text.lost, \"ax\"
     .thumb_func
     .global lost
@@ -184,6 +196,114 @@ fn assembled_code_is_read_with_its_relocations_and_data() {
     let mut analyser = Analyser::new(&listing, &bounds);
     assert_eq!(analyser.bound("leaf"), Ok(Bound { instructions: 4, stack: 16 }));
     assert_eq!(analyser.bound("root"), Ok(Bound { instructions: 8 + 4, stack: 16 + 16 }));
+    assert_eq!(analyser.bound("table"), Ok(Bound { instructions: 1 + 3, stack: 0 }));
     let refusal = analyser.bound("lost").unwrap_err().to_string();
     assert!(refusal.contains("calls sinf, which is not in the object"), "{refusal}");
+}
+
+/// What `f` calls through a register. A label is an instruction, too.
+const INDIRECT: &str = "
+    f:
+    push {r4, lr}
+    blx r3
+    pop {r4, pc}
+    g:
+    bx lr
+    h:
+    sub sp, #24
+    add r0, r1
+    add sp, #24
+    bx lr
+    t:
+    bx r3";
+
+#[test]
+fn calls_through_registers_reach_what_was_said() {
+    let listing = listing(INDIRECT);
+    let bounds = LoopBounds::new();
+    let names = |names: &[&str]| names.iter().map(|&name| name.to_owned()).collect::<Vec<_>>();
+    let calls = Calls::from([("f".to_owned(), names(&["g", "h"])), ("t".to_owned(), names(&["g"]))]);
+    let mut analyser = Analyser::new(&listing, &bounds).calling(&calls);
+    assert_eq!(analyser.bound("f"), Ok(Bound { instructions: 4 + 5, stack: 8 + 24 }), "the dearer one");
+    assert_eq!(analyser.bound("t"), Ok(Bound { instructions: 2 + 2, stack: 0 }), "a jump does not come back");
+
+    let refusal = Analyser::new(&listing, &bounds).bound("f").unwrap_err().to_string();
+    assert!(refusal.contains("--calls f=CALLEE"), "{refusal}");
+    let unknown = Calls::from([("f".to_owned(), names(&["elsewhere"]))]);
+    let refusal = Analyser::new(&listing, &bounds).calling(&unknown).bound("f").unwrap_err();
+    assert_eq!(refusal, Refusal::NoFunction { name: "elsewhere".to_owned() });
+    let needless = Calls::from([("g".to_owned(), names(&["h"]))]);
+    let refusal = Analyser::new(&listing, &bounds).calling(&needless).bound("g").unwrap_err();
+    assert_eq!(refusal, Refusal::NotIndirect { function: "g".to_owned() });
+    // A function that calls itself by way of a register.
+    let circle = Calls::from([("f".to_owned(), names(&["f"]))]);
+    let refusal = Analyser::new(&listing, &bounds).calling(&circle).bound("f").unwrap_err();
+    assert_eq!(refusal.to_string(), "recursion: f calls f");
+}
+
+/// Two loops of three and two instructions.
+const LOOPS: &str = "
+    f:
+    add r0, r1
+    subs r0, #1
+    bne.n 2 <f+0x2>
+    subs r2, #1
+    bne.n 8 <f+0x8>
+    bx lr";
+
+#[test]
+fn each_loop_is_bounded_for_itself() {
+    let listing = listing(LOOPS);
+    let of = |turns: &[u64]| {
+        let bounds = LoopBounds::from([("f".to_owned(), Turns::Each(turns.to_vec()))]);
+        Analyser::new(&listing, &bounds).bound("f").map(|bound| bound.instructions)
+    };
+    assert_eq!(of(&[10, 4]), Ok(1 + 10 * 3 + 4 * 2 + 1));
+    assert_eq!(of(&[10]), Err(Refusal::OtherLoops { function: "f".to_owned(), found: vec![2, 8], given: 1 }));
+    let bounds = LoopBounds::new();
+    let loops = Analyser::new(&listing, &bounds).loops("f").expect("known control flow");
+    let places: Vec<_> = loops.iter().map(|found| (found.address, found.entered_from.clone())).collect();
+    assert_eq!(places, [(2, vec![0]), (8, vec![6])]);
+}
+
+#[test]
+fn limits_count_a_function_no_more_than_it_runs() {
+    // f calls g twice and h once; h calls g as well.
+    let listing = listing(
+        "
+        f:
+        bl c <g>
+        bl c <g>
+        bl 12 <h>
+        bx lr
+        dummy:
+        g:
+        add r0, r1
+        bx lr
+        h:
+        bl c <g>
+        bx lr",
+    );
+    let bounds = LoopBounds::new();
+    let found = |limits: &[Limit]| {
+        let mut analyser = Analyser::new(&listing, &bounds).limited(limits);
+        let bound = analyser.bound("f")?;
+        let share = analyser.explain("f")?;
+        assert_eq!(share.each, bound.instructions);
+        let total = |share: &xtask::wcet::Share| {
+            fn sum(share: &xtask::wcet::Share) -> u64 {
+                share.own + share.parts.iter().map(sum).sum::<u64>()
+            }
+            sum(share)
+        };
+        assert_eq!(total(&share), bound.instructions, "the parts are the whole");
+        Ok::<u64, Refusal>(bound.instructions)
+    };
+    let limit =
+        |within: &str, function: &str, times| Limit { within: within.to_owned(), function: function.to_owned(), times };
+    assert_eq!(found(&[]), Ok(5 + 3 * 3 + 3));
+    assert_eq!(found(&[limit("f", "g", 1)]), Ok(5 + 3 + 3));
+    assert_eq!(found(&[limit("f", "g", 1), limit("f", "h", 0)]), Ok(5 + 3));
+    assert_eq!(found(&[limit("h", "g", 0)]), Ok(5 + 2 * 3 + 3));
+    assert_eq!(found(&[limit("f", "lost", 0)]), Err(Refusal::NoFunction { name: "lost".to_owned() }));
 }

@@ -1,17 +1,20 @@
 //! Drives the simulated arm to a list of targets and prints a line an episode, as `firmware-c/control.c` does: by the
-//! hybrid, and by each of its parts alone.
+//! hybrid, and by each of its parts alone. The graphs are of profile `fast`, as in C.
 
 #![no_std]
 #![no_main]
 
 mod platform;
+#[path = "../../src/record.rs"]
+mod record;
 mod report;
 
 use cortex_m_rt::entry;
 use platform::Counter;
+use record::{Hash, code};
 use report::Report;
-use tpg_generated::{widowx_fs::WidowxFs, widowx_fs_hybrid, widowx_rs::WidowxRs, widowx_rs_hybrid, widowx_sac};
-use tpg_runtime::arm::{Arm, Collision, Invalid, Move, Pose, WIDOWX};
+use tpg_generated::{widowx_fs_fast::WidowxFsFast, widowx_fs_hybrid, widowx_rs_fast::WidowxRsFast, widowx_rs_hybrid, widowx_sac};
+use tpg_runtime::arm::{Arm, Move, Pose, WIDOWX};
 use tpg_runtime::cycle::Brent;
 use tpg_runtime::episode::{Episode, Outcome, Problem};
 use tpg_runtime::hybrid::{Chosen, Driver, Hybrid, HybridEpisode, Settings, Switch};
@@ -30,22 +33,19 @@ struct Tally {
     actions: u32,
     instructions: u32,
     worst: u32,
-    poses: u64,
+    poses: Hash,
 }
 
 impl Tally {
     const fn new() -> Self {
-        Self { actions: 0, instructions: 0, worst: 0, poses: 0xcbf2_9ce4_8422_2325 }
+        Self { actions: 0, instructions: 0, worst: 0, poses: Hash::new() }
     }
 
-    fn add(&mut self, instructions: u32, Pose(ticks): Pose) {
+    fn add(&mut self, instructions: u32, pose: Pose) {
         self.actions += 1;
         self.instructions = self.instructions.wrapping_add(instructions);
         self.worst = self.worst.max(instructions);
-        // FNV-1a over the motor positions of every step.
-        for byte in ticks.into_iter().flat_map(i16::to_le_bytes) {
-            self.poses = (self.poses ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
-        }
+        self.poses.add_pose(pose);
     }
 
     fn tell(&self, line: Report, index: u32, outcome: Outcome, [graph, network, switches]: [u32; 3], pose: Pose) {
@@ -60,24 +60,10 @@ impl Tally {
             .number("shoulder", shoulder)
             .number("elbow", elbow)
             .number("wrist", wrist)
-            .hexadecimal("poses", self.poses)
+            .hexadecimal("poses", self.poses.0)
             .unsigned("instructions", self.instructions)
             .unsigned("worst", self.worst)
             .print();
-    }
-}
-
-/// As `tpg_runtime.h` numbers them.
-fn code(outcome: Outcome) -> i32 {
-    match outcome {
-        Outcome::Reached => 1,
-        Outcome::Stop => 2,
-        Outcome::Cycle => 3,
-        Outcome::Timeout => 4,
-        Outcome::Invalid(Invalid::JointLimit(joint)) => 17 + i32::from(joint.0),
-        Outcome::Invalid(Invalid::Collision(Collision::Table)) => 21,
-        Outcome::Invalid(Invalid::Collision(Collision::HandCorner)) => 22,
-        Outcome::Invalid(Invalid::Collision(Collision::Base)) => 23,
     }
 }
 
@@ -172,8 +158,8 @@ fn main() -> ! {
     let mut counter = Counter::new(peripherals.SYST);
     let model = Model::parse(&widowx_sac::MODEL).ok();
     let Some(network) = model.and_then(|model| Network::new(&ARM, model)) else { platform::exit(false) };
-    let fs = ArmPolicy::new(WidowxFs, &ARM, &WidowxFs::SOURCES, &WidowxFs::MOVES);
-    let rs = ArmPolicy::new(WidowxRs, &ARM, &WidowxRs::SOURCES, &WidowxRs::MOVES);
+    let fs = ArmPolicy::new(WidowxFsFast, &ARM, &WidowxFsFast::SOURCES, &WidowxFsFast::MOVES);
+    let rs = ArmPolicy::new(WidowxRsFast, &ARM, &WidowxRsFast::SOURCES, &WidowxRsFast::MOVES);
     around(&mut counter);
     hybrids(&mut counter, "fs", fs.clone(), network, widowx_fs_hybrid::SETTINGS, &FS_PROBLEMS);
     hybrids(&mut counter, "rs", rs.clone(), network, widowx_rs_hybrid::SETTINGS, &RS_PROBLEMS);

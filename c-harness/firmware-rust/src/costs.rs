@@ -4,12 +4,15 @@
 #![no_main]
 
 mod platform;
+#[path = "../../src/record.rs"]
+mod record;
 mod report;
 
 use core::hint::black_box;
 use cortex_m::singleton;
 use cortex_m_rt::entry;
 use platform::Counter;
+use record::Hash;
 use report::Report;
 use tpg_generated::widowx_sac;
 use tpg_runtime::arm::{Arm, Move, Pose, WIDOWX};
@@ -122,17 +125,17 @@ fn bits(name: &str, words: &'static [u32], scratch: &mut [u32]) {
     let Ok(model) = Model::parse(words) else { platform::exit(false) };
     let count = if words.len() > 10_000 { 100 } else { 1000 };
     let mut state = 11u32;
-    let mut hash = 0xcbf2_9ce4_8422_2325u64;
+    let mut hash = Hash::new();
     for _ in 0..count {
         let inputs: [i16; FEATURES] = core::array::from_fn(|_| {
             state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
             (state >> 16) as i16
         });
         for preference in model.preferences(&inputs, scratch) {
-            hash = (hash ^ u64::from(preference as u32)).wrapping_mul(0x0000_0100_0000_01b3);
+            hash.add(u64::from(preference as u32));
         }
     }
-    Report::new("bits ").word(name).unsigned("inputs", count).hexadecimal("hash", hash).print();
+    Report::new("bits ").word(name).unsigned("inputs", count).hexadecimal("hash", hash.0).print();
 }
 
 /// A layer in `f32`, sums in the order of the columns.

@@ -5,6 +5,7 @@ use crate::graph::{Graph, MathsProvider, ScalarType};
 use crate::ir::{Node, Target};
 use crate::passes::arithmetic::Arithmetic;
 use crate::passes::estimate;
+use crate::passes::schedule::Sparing;
 use tpg_runtime::ops::{Maths, Own, System};
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
@@ -92,24 +93,40 @@ fn winner<S: Scalar>(steps: &[Step], values: &[S], lowest: S, seen: &mut Cost<u6
     // and what it takes to know.
     let (mut best, mut top) = (lowest, lowest);
     let mut late: Option<(S, Work)> = None;
-    for &Step { bid, guard, certain, before, inside, .. } in steps {
-        add(seen, before);
+    let mut finite = None;
+    for &Step { bid, sparing, before_infinite, guard, certain, first, before, inside, .. } in steps {
+        add(seen, first);
         // The code compares places counted from 1: nobody's is below every bid's.
         let comes_after = winner.is_none_or(|winner| winner < bid.place);
         let beats = |value: S, best: S| value > best || (value >= best && (bid.in_turn || comes_after));
+        let value = values[bid.value.index()];
+        if let Guard::Infinite(above) = guard {
+            if value > S::from_f64(above) {
+                (best, top, winner) = (-S::NEG_INFINITY, -S::NEG_INFINITY, Some(bid.place));
+            }
+            continue;
+        }
+        let leads_infinitely = best >= -S::NEG_INFINITY && !comes_after;
+        let is_low = |Sparing { argument, at_most, below }: Sparing| {
+            values[argument.index()] <= S::from_f64(at_most) && best >= S::from_f64(below)
+        };
+        if (before_infinite && leads_infinitely) || sparing.is_some_and(is_low) {
+            continue;
+        }
+        add(seen, before);
         let spared = match guard {
-            Guard::None => false,
+            Guard::Infinite(_) | Guard::None => false,
+            Guard::Finite => !*finite.get_or_insert(best < -S::NEG_INFINITY),
             Guard::Bound(bound) => {
                 let bound = values[bound.index()];
                 best > bound || (!bid.in_turn && best >= bound && !comes_after)
             }
-            Guard::Place => best >= -S::NEG_INFINITY && !comes_after,
+            Guard::Place => leads_infinitely,
         };
         if spared {
             continue;
         }
         seen.bids += 1;
-        let value = values[bid.value.index()];
         if let (Some(certain), Guard::Bound(bound)) = (certain, guard)
             && beats(values[certain.index()], top)
         {

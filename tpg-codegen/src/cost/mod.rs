@@ -7,7 +7,7 @@ use crate::emit::{Language, Options, Profile, Style};
 use crate::graph::Graph;
 use crate::ir::{Module, Node, NodeId, heaviest_walk, needed};
 use crate::passes::arithmetic::is_transcendental;
-use crate::passes::schedule::{Bid, LazyBid, Plan, Schedule, schedule};
+use crate::passes::schedule::{Bid, Infinite, LazyBid, Plan, Schedule, Sparing, schedule};
 use crate::passes::{self, Removed};
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -43,7 +43,7 @@ impl Work {
 }
 
 /// When a bid is computed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 enum Guard {
     /// Always.
     None,
@@ -51,15 +51,25 @@ enum Guard {
     Bound(NodeId),
     /// Unless the best bid so far is infinite and has a higher place.
     Place,
+    /// Unless the best bid was infinite before the first of these.
+    Finite,
+    /// Never: it is infinite where its argument, the bid's value here, is above this, and that is asked first.
+    Infinite(f64),
 }
 
 /// A team looks at a bid.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 struct Step {
     bid: Bid,
+    /// Spares even the bound.
+    sparing: Option<Sparing>,
+    /// Whether an infinite bid of a higher place does, too.
+    before_infinite: bool,
     guard: Guard,
     /// Where this is above the best bid so far, the bid wins without being computed.
     certain: Option<NodeId>,
+    /// Done always.
+    first: Work,
     /// Done whatever the guard says.
     before: Work,
     /// Done where it lets pass.
@@ -69,10 +79,26 @@ struct Step {
 }
 
 impl Step {
+    /// All of its work, at most.
+    fn all(&self) -> Work {
+        self.first.plus(self.before).plus(self.inside).plus(self.again)
+    }
+
     /// A bid that is computed always, whatever the others bid.
     fn always(bid: Bid, inside: Work) -> Self {
         let nothing = Work::default();
-        Self { bid, guard: Guard::None, certain: None, before: nothing, inside, again: nothing }
+        let (sparing, guard, certain) = (None, Guard::None, None);
+        Self {
+            bid,
+            sparing,
+            before_infinite: false,
+            guard,
+            certain,
+            first: nothing,
+            before: nothing,
+            inside,
+            again: nothing,
+        }
     }
 }
 
@@ -139,18 +165,17 @@ impl Costs {
         };
         Cost {
             teams: self.module.depth as u64,
-            bids: heaviest(|_| 1),
-            operations: self.once.operations
-                + heaviest(|step| step.before.operations + step.inside.operations + step.again.operations),
-            maths_calls: self.once.maths_calls
-                + heaviest(|step| step.before.maths_calls + step.inside.maths_calls + step.again.maths_calls),
+            bids: heaviest(|step| u64::from(!matches!(step.guard, Guard::Infinite(_)))),
+            operations: self.once.operations + heaviest(|step| step.all().operations),
+            maths_calls: self.once.maths_calls + heaviest(|step| step.all().maths_calls),
         }
     }
 
     /// Operations as the code writes them down, all teams together.
     pub(crate) fn written(&self) -> u64 {
         let steps = self.teams.iter().flatten();
-        self.once.operations + steps.map(|step| step.before.operations + step.inside.operations).sum::<u64>()
+        self.once.operations
+            + steps.map(|step| step.first.operations + step.before.operations + step.inside.operations).sum::<u64>()
     }
 
     /// The optimised module that the code is made of.
@@ -170,44 +195,80 @@ fn in_order(module: &Module, step: impl Fn(Bid) -> Step) -> Vec<Vec<Step>> {
         .collect()
 }
 
-/// The steps of a plan. What was computed outside of a guard is there for later bids; in Rust, an unguarded bid has no
-/// braces around it.
+/// The steps of a plan.
 fn planned(nodes: &[Node], plan: &Plan, language: Language) -> Vec<Step> {
-    let mut computed = BTreeSet::new();
-    let mut missing = |value: NodeId, stays: bool| {
-        let missing = needed(nodes, value, |id| !computed.contains(&id));
-        let work = work(nodes, &missing);
-        if stays {
-            computed.extend(missing);
+    // With one way to go, no bid matters.
+    if plan.destinations().len() == 1 {
+        return Vec::new();
+    }
+    let mut known = Known { nodes, computed: BTreeSet::new() };
+    let nothing = Work::default();
+    let mut steps = Vec::new();
+    if let Some(Infinite { place, argument, above }) = plan.infinite {
+        let first = known.compute(argument);
+        let bid = Bid { place, value: argument, in_turn: true };
+        steps.push(Step { guard: Guard::Infinite(above), first, ..Step::always(bid, nothing) });
+    }
+    for &bid in &plan.eager {
+        steps.push(Step { first: known.compute(bid.value), ..Step::always(bid, nothing) });
+    }
+    let outside = known.computed.clone();
+    for &bid in &plan.eager_before {
+        steps.push(Step { guard: Guard::Finite, ..Step::always(bid, known.compute(bid.value)) });
+    }
+    known.computed = outside;
+    let mut again = nothing;
+    for lazy in &plan.lazy {
+        let step = Step { again, ..known.lazy(lazy, language) };
+        if step.certain.is_some() {
+            again = again.most(step.inside);
         }
+        steps.push(step);
+    }
+    steps
+}
+
+/// What a team has computed. What it computed outside of a guard is there for later bids; in Rust, an unguarded bid has no
+/// braces around it.
+struct Known<'a> {
+    nodes: &'a [Node],
+    computed: BTreeSet<NodeId>,
+}
+
+impl Known<'_> {
+    fn compute(&mut self, value: NodeId) -> Work {
+        let missing = needed(self.nodes, value, |id| !self.computed.contains(&id));
+        let work = work(self.nodes, &missing);
+        self.computed.extend(missing);
         work
-    };
-    let mut steps: Vec<Step> = (plan.eager.iter())
-        .map(|&bid| Step { before: missing(bid.value, true), ..Step::always(bid, Work::default()) })
-        .collect();
-    let mut again = Work::default();
-    steps.extend(plan.lazy.iter().map(|&LazyBid { bid, bound, certain }| {
+    }
+
+    fn lazy(&mut self, lazy: &LazyBid, language: Language) -> Step {
+        let LazyBid { bid, sparing, before_infinite, bound, .. } = *lazy;
         // Only C leaves it at what is certain.
-        let certain = certain.filter(|_| language == Language::C);
-        let before =
-            bound.into_iter().chain(certain).map(|bound| missing(bound, true)).fold(Work::default(), Work::plus);
+        let certain = lazy.certain.filter(|_| language == Language::C);
+        let first = sparing.map(|sparing| self.compute(sparing.argument)).unwrap_or_default();
+        let outside = self.computed.clone();
+        let bounds = bound.into_iter().chain(certain);
+        let before = bounds.map(|bound| self.compute(bound)).fold(Work::default(), Work::plus);
         let guard = match bound {
             Some(bound) => Guard::Bound(bound),
-            None if bid.in_turn => Guard::None,
+            None if bid.in_turn || before_infinite => Guard::None,
             None => Guard::Place,
         };
+        let behind_bounds = self.computed.clone();
         let inside = match certain {
             // In a function of its own, which computes all that it needs.
-            Some(_) => work(nodes, &needed(nodes, bid.value, |_| true)),
-            None => missing(bid.value, guard == Guard::None && language == Language::Rust),
+            Some(_) => work(self.nodes, &needed(self.nodes, bid.value, |_| true)),
+            None => self.compute(bid.value),
         };
-        let step = Step { bid, guard, certain, before, inside, again };
-        if certain.is_some() {
-            again = again.most(inside);
+        if sparing.is_some() || before_infinite {
+            self.computed = outside;
+        } else if !(guard == Guard::None && language == Language::Rust) {
+            self.computed = behind_bounds;
         }
-        step
-    }));
-    steps
+        Step { sparing, before_infinite, guard, certain, first, before, ..Step::always(bid, inside) }
+    }
 }
 
 fn work(nodes: &[Node], ids: &[NodeId]) -> Work {

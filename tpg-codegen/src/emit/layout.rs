@@ -19,6 +19,27 @@ pub(super) fn tidy(text: &str) -> String {
     out
 }
 
+/// Indents lines by the braces around them; a line holds whole statements, and a label begins its line.
+pub(super) fn indent(text: &str) -> String {
+    let mut out = String::with_capacity(text.len() * 2);
+    let mut depth = 0_usize;
+    for line in text.lines().map(str::trim) {
+        let closes = line.starts_with('}');
+        if closes {
+            depth -= 1;
+        }
+        if !line.is_empty() && !line.ends_with(':') {
+            out.push_str(&"    ".repeat(depth));
+        }
+        out.push_str(line);
+        out.push('\n');
+        let opened = line.matches('{').count();
+        let closed = line.matches('}').count() - usize::from(closes);
+        depth = depth + opened - closed;
+    }
+    out
+}
+
 /// A Rust array as rustfmt lays it out on lines indented by `indent`: on one line where it is short, short elements
 /// filled into lines, others a line each.
 pub(super) fn array(elements: &[String], indent: usize) -> String {
@@ -54,4 +75,17 @@ pub(super) fn array(elements: &[String], indent: usize) -> String {
     out.push_str(&" ".repeat(indent));
     out.push(']');
     out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::indent;
+
+    #[test]
+    fn lines_are_indented_by_the_braces_around_them() {
+        let text = "f(void)\n{\nteam_1:\n{\nif (a) {\n  b;\n} else if (c) {\nd;\n} else {\n\n/* e */\n}\n}\n}\n";
+        let expected = "f(void)\n{\nteam_1:\n    {\n        if (a) {\n            b;\n        } else if (c) {\n            d;\n        } else {\n\n            /* e */\n        }\n    }\n}\n";
+        assert_eq!(indent(text), expected);
+        assert_eq!(indent("const a[2] = { 1, 2 };\nb;\n"), "const a[2] = { 1, 2 };\nb;\n");
+    }
 }

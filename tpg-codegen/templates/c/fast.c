@@ -1,15 +1,14 @@
-{% for team in teams %}
-{% if !team.late.is_empty() %}
-/* What the edge at a place of team {{ team.label }} bids; others than these have been computed. */
-static {{ scalar }} {{ prefix }}_bid_{{ team.label }}(const {{ prefix }}_state_t *state, uint32_t edge, {{ scalar }} computed)
+{% for late in late %}
+/* What the edge at a place of team {{ late.label }} bids; others than these have been computed. */
+static {{ scalar }} {{ prefix }}_bid_{{ late.label }}(const {{ prefix }}_state_t *state, uint32_t edge, {{ scalar }} computed)
 {
     {{ scalar }} bid = computed;
-{%- if !team.late_reads_state %}
+{%- if !late.reads_state %}
 
     (void)state;
 {%- endif %}
 
-{% for bid in team.late %}    {% if !loop.first %}} else {% endif %}if (edge == {{ bid.rank }}) {
+{% for bid in late.bids %}    {% if !loop.first %}} else {% endif %}if (edge == {{ bid.rank }}) {
 {%- for statement in bid.statements %}
         {{ statement }}
 {%- endfor %}
@@ -20,88 +19,185 @@ static {{ scalar }} {{ prefix }}_bid_{{ team.label }}(const {{ prefix }}_state_t
     }
     return bid;
 }
-
+{% endfor %}
+{% if functions.len() > 1 %}
+/* Teams are numbered so that every one comes after all that lead to it; the actions follow them. */
+{% else %}
+/* Teams in an order in which every one comes after all that lead to it: control only goes forward. */
 {% endif %}
-static uint32_t {{ prefix }}_team_{{ team.label }}(const {{ prefix }}_state_t *state)
-{
-{%- if let Some(next) = team.next %}
-    static const {{ vertex }} next[{{ next.len() }}] = { {{ next.join(", ") }} };
+{% for function in functions %}
+{% if functions.len() > 1 -%}
+static uint32_t {{ prefix }}_walk_{{ loop.index0 }}(const {{ prefix }}_state_t *state, uint32_t start)
+{%- else -%}
+uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state)
 {%- endif %}
-    {{ scalar }} best = -{{ lowest }};
-    uint32_t {{ team.winner }} = {{ team.nobody }};
-{%- if !team.reads_state %}
+{
+    uint32_t vertex;
+{%- if !function.reads_state %}
 
     (void)state;
 {%- endif %}
-{%- for bid in team.eager %}
-{%- for statement in bid.statements %}
-    {{ statement }}
-{%- endfor %}
-    {{ team.winner }} = ({{ bid.value }} >= best) ? {{ bid.rank }} : {{ team.winner }};
-{%- if !bid.last %}
-    best = ({{ bid.value }} > best) ? {{ bid.value }} : best;
-{%- endif %}
-{%- endfor %}
-{%- for bid in team.lazy %}
-{%- for statement in bid.bound_statements %}
-    {{ statement }}
-{%- endfor %}
-{%- if let Some((low, high)) = bid.ends %}
-{%- if bid.first && !bid.last %}
-    {{ scalar }} top = best; /* who leads bids from best to this */
-{%- endif %}
-    if ({% if let Some(guard) = bid.guard %}{{ guard }}{% endif %}) {
-        if ({{ bid.sure }}) {
-{%- if !bid.last %}
-            best = {{ low }};
-            top = {{ high }};
-{%- endif %}
-            {{ team.winner }} = {{ bid.rank }};
-        } else {
-            const {{ scalar }} bid = {{ prefix }}_bid_{{ team.label }}(state, {{ bid.rank }}, best);
-{%- if bid.pending %}
-            const {{ scalar }} lead = {{ prefix }}_bid_{{ team.label }}(state, {{ team.winner }}, best);
-{%- if !bid.last %}
-
-            best = lead;
-{%- endif %}
-{%- endif %}
-
-            if ({{ bid.wins }}) {
-{%- if !bid.last %}
-                best = bid;
-{%- endif %}
-                {{ team.winner }} = {{ bid.rank }};
-            }
-{%- if !bid.last %}
-            top = best;
-{%- endif %}
-        }
+{% if !function.entries.is_empty() %}
+{% for entry in function.entries %}    {% if !loop.first %}} else {% endif %}if (start == {{ entry.number }}) {
+        goto team_{{ entry.label }};
+{% endfor %}    } else {
+        /* never: every team that may be asked for has a number */
     }
-{%- else %}
-    {% if let Some(guard) = bid.guard %}if ({{ guard }}) {% endif %}{
+{% endif %}
+{% for team in function.teams %}
+{%- if team.is_entered %}
+team_{{ team.label }}:
+{%- endif %}
+    {
+{%- if team.ways.len() > 1 %}
+        {{ scalar }} best = -{{ lowest }};
+        uint32_t {{ team.winner }} = {{ team.nobody }};
+{%- if let Some(infinite) = team.infinite %}
+{%- for statement in infinite.statements %}
+        {{ statement }}
+{%- endfor %}
+
+        if ({{ infinite.condition }}) {
+            best = {{ infinity }};
+            edge = {{ infinite.rank }};
+        }
+{%- endif %}
+{%- for bid in team.eager %}
 {%- for statement in bid.statements %}
         {{ statement }}
 {%- endfor %}
-{%- if bid.pending %}
 
-        if ({{ bid.top }} > best) {
-            best = {{ prefix }}_bid_{{ team.label }}(state, {{ team.winner }}, best);
-        }
-{%- endif %}
-        if ({{ bid.wins }}) {
+        if ({{ bid.value }} >= best) {
 {%- if !bid.last %}
             best = {{ bid.value }};
 {%- endif %}
             {{ team.winner }} = {{ bid.rank }};
         }
-{%- if bid.pending && !bid.last %}
-        top = best;
+{%- endfor %}
+{%- if !team.eager_before.is_empty() %}
+
+        if (best < {{ infinity }}) {
+{%- for bid in team.eager_before %}
+{%- for statement in bid.statements %}
+            {{ statement }}
+{%- endfor %}
+
+            if ({{ bid.value }} >= best) {
+{%- if bid.in_turn %}
+                best = {{ bid.value }};
+                {{ team.winner }} = {{ bid.rank }};
+{%- else %}
+                if (({{ bid.value }} > best) || (edge < {{ bid.rank }})) {
+                    best = {{ bid.value }};
+                    edge = {{ bid.rank }};
+                }
 {%- endif %}
-    }
+            }
+{%- endfor %}
+        }
+{%- endif %}
+{%- for bid in team.lazy %}
+{%- for statement in bid.before %}
+        {{ statement }}
+{%- endfor %}
+{%- if bid.first && !bid.last %}
+        {{ scalar }} top = best; /* who leads bids from best to this */
+{%- endif %}
+{%- if let Some(considered) = bid.considered %}
+
+        if ({{ considered }}) {
+{%- endif %}
+{%- for statement in bid.bound_statements %}
+        {{ statement }}
+{%- endfor %}
+{%- if let Some((low, high)) = bid.ends %}
+
+        if ({% if let Some(guard) = bid.guard %}{{ guard }}{% endif %}) {
+            if ({{ bid.sure }}) {
+{%- if !bid.last %}
+                best = {{ low }};
+                top = {{ high }};
+{%- endif %}
+                {{ team.winner }} = {{ bid.rank }};
+            } else {
+                const {{ scalar }} bid = {{ prefix }}_bid_{{ team.label }}(state, {{ bid.rank }}, best);
+{%- if bid.pending %}
+                const {{ scalar }} lead = {{ prefix }}_bid_{{ team.label }}(state, {{ team.winner }}, best);
+{%- if !bid.last %}
+
+                best = lead;
+{%- endif %}
+{%- endif %}
+
+                if ({{ bid.wins }}) {
+{%- if !bid.last %}
+                    best = bid;
+{%- endif %}
+                    {{ team.winner }} = {{ bid.rank }};
+                }
+{%- if !bid.last %}
+                top = best;
+{%- endif %}
+            }
+        }
+{%- else %}
+
+        {% if let Some(guard) = bid.guard %}if ({{ guard }}) {% endif %}{
+{%- for statement in bid.statements %}
+            {{ statement }}
+{%- endfor %}
+{%- if bid.pending %}
+
+            if ({{ bid.top }} > best) {
+                best = {{ prefix }}_bid_{{ team.label }}(state, {{ team.winner }}, best);
+            }
+{%- endif %}
+            if ({{ bid.wins }}) {
+{%- if !bid.last %}
+                best = {{ bid.value }};
+{%- endif %}
+                {{ team.winner }} = {{ bid.rank }};
+            }
+{%- if bid.pending && !bid.last %}
+            top = best;
+{%- endif %}
+        }
+{%- endif %}
+{%- if bid.considered.is_some() %}
+        }
 {%- endif %}
 {%- endfor %}
-    return {% if team.next.is_some() %}next[edge]{% else %}vertex{% endif %};
+
+{% for way in team.ways %}        {% if !loop.last %}{% if !loop.first %}} else {% endif %}if ({{ way.condition }}) {{ "{" }}{% else %}} else {{ "{" }}{% endif %}
+{%- if let Some(vertex) = way.vertex %}
+            vertex = {{ vertex }};
+{%- endif %}
+            goto {{ way.label }};
+{% endfor %}        }
+{%- else %}
+{%- for way in team.ways %}
+{%- if let Some(vertex) = way.vertex %}
+        vertex = {{ vertex }};
+{%- endif %}
+        goto {{ way.label }};
+{%- endfor %}
+{%- endif %}
+    }
+{% endfor %}
+decided:
+    return {% if functions.len() > 1 %}vertex{% else %}(uint16_t)vertex{% endif %};
 }
 {% endfor %}
-{{ walk }}
+{% if functions.len() > 1 %}
+uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state)
+{
+    uint32_t vertex = 0U;
+{% for function in functions %}
+    if (vertex < {{ function.end }}U) {
+        vertex = {{ prefix }}_walk_{{ loop.index0 }}(state, vertex);
+    }
+{%- endfor %}
+    vertex -= {{ upper }}_TEAMS;
+    return (uint16_t)vertex;
+}
+{% endif %}

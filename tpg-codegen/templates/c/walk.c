@@ -1,13 +1,13 @@
 {% if groups.len() > 1 %}
 {% for group in groups %}
-static uint32_t {{ prefix }}_walk_{{ loop.index0 }}({% if !argument.is_empty() %}{{ parameter }}, {% endif %}uint32_t vertex)
+static uint32_t {{ prefix }}_walk_{{ loop.index0 }}(uint32_t vertex)
 {
     uint32_t next;
 
     switch (vertex) {
 {%- for team in group %}
     case {{ team.vertex }}U:
-        next = {{ prefix }}_team_{{ team.label }}({{ argument }});
+        next = {{ prefix }}_team_{{ team.label }}();
         break;
 {%- endfor %}
     default:
@@ -19,7 +19,7 @@ static uint32_t {{ prefix }}_walk_{{ loop.index0 }}({% if !argument.is_empty() %
 {% endfor %}
 {% endif %}
 /* Teams are numbered from 0, which is the root; the actions follow them. */
-{{ result }} {{ entry }}({{ parameter }})
+int inferenceTPG(void)
 {
     uint32_t vertex = 0U;
     uint32_t hop;
@@ -29,7 +29,7 @@ static uint32_t {{ prefix }}_walk_{{ loop.index0 }}({% if !argument.is_empty() %
         switch (vertex / {{ group_size }}U) {
 {%- for group in groups %}
         case {{ loop.index0 }}U:
-            vertex = {{ prefix }}_walk_{{ loop.index0 }}({% if !argument.is_empty() %}{{ argument }}, {% endif %}vertex);
+            vertex = {{ prefix }}_walk_{{ loop.index0 }}(vertex);
             break;
 {%- endfor %}
 {%- else %}
@@ -37,7 +37,7 @@ static uint32_t {{ prefix }}_walk_{{ loop.index0 }}({% if !argument.is_empty() %
 {%- for group in groups %}
 {%- for team in group %}
         case {{ team.vertex }}U:
-            vertex = {{ prefix }}_team_{{ team.label }}({{ argument }});
+            vertex = {{ prefix }}_team_{{ team.label }}();
             break;
 {%- endfor %}
 {%- endfor %}
@@ -48,5 +48,5 @@ static uint32_t {{ prefix }}_walk_{{ loop.index0 }}({% if !argument.is_empty() %
         }
     }
     vertex -= {{ upper }}_TEAMS;
-    return ({{ result }})vertex;
+    return (int)vertex;
 }

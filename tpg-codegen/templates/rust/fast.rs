@@ -1,58 +1,81 @@
 {{ helpers }}
-{%- for team in teams %}
+{% for team in teams %}
 
-/// Where team {{ team.label }} leads.
-fn team_{{ team.label }}(s: &[{{ scalar }}; {{ state_length }}]) -> {{ vertex }} {
-    let mut best = {{ scalar }}::MIN;
-    let mut {{ team.winner }} = {{ team.nobody }};
+/// What team {{ team.label }} decides.
+{%- if many %}
+#[inline(never)]
+{%- endif %}
+fn team_{{ team.label }}(s: &[{{ scalar }}; {{ state_length }}]) -> u16 {
+{%- if team.ways.len() > 1 %}
+let mut best = {{ scalar }}::MIN;
+let mut {{ team.winner }} = {{ team.nobody }};
+{%- if let Some(infinite) = team.infinite %}
+{%- for statement in infinite.statements %}
+{{ statement }}
+{%- endfor %}
+if {{ infinite.condition }} {
+best = {{ scalar }}::INFINITY;
+edge = {{ infinite.rank }};
+}
+{%- endif %}
 {%- for bid in team.eager %}
 {%- for statement in bid.statements %}
-    {{ statement }}
+{{ statement }}
 {%- endfor %}
-    if {{ bid.wins }} {
-        {{ team.winner }} = {{ bid.rank }};
-    }
-    if {{ bid.value }} > best {
-        best = {{ bid.value }};
-    }
+if {{ bid.wins }} {
+best = {{ bid.value }};
+{{ team.winner }} = {{ bid.rank }};
+}
 {%- endfor %}
+{%- if !team.eager_before.is_empty() %}
+if best < {{ scalar }}::INFINITY {
+{%- for bid in team.eager_before %}
+{%- for statement in bid.statements %}
+{{ statement }}
+{%- endfor %}
+if {{ bid.wins }} {
+best = {{ bid.value }};
+{{ team.winner }} = {{ bid.rank }};
+}
+{%- endfor %}
+}
+{%- endif %}
 {%- for bid in team.lazy %}
+{%- for statement in bid.before %}
+{{ statement }}
+{%- endfor %}
+{%- if let Some(considered) = bid.considered %}
+if {{ considered }} {
+{%- endif %}
 {%- for statement in bid.bound_statements %}
-    {{ statement }}
+{{ statement }}
 {%- endfor %}
 {%- if let Some(guard) = bid.guard %}
-    if {{ guard }} {
+if {{ guard }} {
+{%- endif %}
 {%- for statement in bid.statements %}
-        {{ statement }}
+{{ statement }}
 {%- endfor %}
-        if {{ bid.wins }} {
-            {{ team.winner }} = {{ bid.rank }};
-        }
-        if {{ bid.value }} > best {
-            best = {{ bid.value }};
-        }
-    }
-{%- else %}
-{%- for statement in bid.statements %}
-    {{ statement }}
-{%- endfor %}
-    if {{ bid.wins }} {
-        {{ team.winner }} = {{ bid.rank }};
-    }
-    if {{ bid.value }} > best {
-        best = {{ bid.value }};
-    }
+if {{ bid.wins }} {
+best = {{ bid.value }};
+{{ team.winner }} = {{ bid.rank }};
+}
+{%- if bid.guard.is_some() %}
+}
+{%- endif %}
+{%- if bid.considered.is_some() %}
+}
 {%- endif %}
 {%- endfor %}
-{%- if let Some((places, last)) = team.next %}
-    match edge {
-{%- for (place, to) in places %}
-        {{ place }} => {{ to }},
+match {{ team.winner }} {
+{%- for (number, to) in team.ways %}
+{% if loop.last %}_{% else %}{{ number }}{% endif %} => {{ to }},
 {%- endfor %}
-        _ => {{ last }},
-    }
+}
 {%- else %}
-    vertex
+{%- for (_, to) in team.ways %}
+{{ to }}
+{%- endfor %}
 {%- endif %}
 }
 {%- endfor %}

@@ -20,11 +20,11 @@ fn exp(x: {{ scalar }}) -> {{ scalar }} {
     }
 }
 {% endif %}
-{% for name in circular %}
-/// The platform's. Not inlined: LLVM would compute it before it is known to matter.
+{% for name in plain %}
+/// Not inlined: LLVM would compute it before it is known to matter.
 #[inline(never)]
 fn {{ name }}(x: {{ scalar }}) -> {{ scalar }} {
-    System::{{ name }}(x)
+    {{ provider }}::{{ name }}(x)
 }
 {% endfor %}
 {% if let Some(estimate) = ln_estimate %}

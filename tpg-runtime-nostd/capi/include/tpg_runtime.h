@@ -148,6 +148,9 @@
 // Words of a tpg_hybrid_episode_t.
 #define TPG_HYBRID_EPISODE_WORDS 32
 
+// Words of a tpg_memo_t.
+#define TPG_MEMO_WORDS 12
+
 // The target: x, y, z in mm.
 #define TPG_SOURCE_TARGET 0
 
@@ -364,6 +367,14 @@ typedef struct {
   uint64_t opaque[TPG_HYBRID_EPISODE_WORDS];
 } tpg_hybrid_episode_t;
 
+// What was computed about a target, kept while decisions ask for the same one. It changes no result and saves most of the
+// cost of sources that take inverse tangents or collision tests. Opaque; initialised by tpg_memo_init. For one task at a
+// time.
+typedef struct {
+  // The library's.
+  uint64_t opaque[TPG_MEMO_WORDS];
+} tpg_memo_t;
+
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
@@ -458,6 +469,9 @@ int32_t tpg_hybrid_episode_act(tpg_hybrid_episode_t *episode, const tpg_chosen_t
 // Who acted how often.
 int32_t tpg_hybrid_episode_counts(const tpg_hybrid_episode_t *episode, tpg_counts_t *counts);
 
+// Empties a memo: before its first use, and after the arm that it was used with was initialised anew.
+int32_t tpg_memo_init(tpg_memo_t *memo);
+
 // What is seen at a pose, with the target's x, y, z in mm.
 int32_t tpg_observe(const tpg_arm_t *arm, const tpg_pose_t *pose, const float *target, tpg_observation_t *observation);
 
@@ -466,17 +480,23 @@ int32_t tpg_observation_distance(const tpg_observation_t *observation, float *di
 
 // Writes the values of `count` sources (TPG_SOURCE codes), one after another, into `state`: a generated policy's own
 // structure, say. TPG_LENGTH where `length` floats are too few, TPG_ARGUMENT for an unknown source.
+//
+// `memo` is NULL, or keeps from call to call what depends on the target alone.
 int32_t tpg_observation_state(const tpg_arm_t *arm,
                               const tpg_observation_t *observation,
+                              tpg_memo_t *memo,
                               const uint8_t *sources,
                               size_t count,
                               float *state,
                               size_t length);
 
 // The move that a generated policy decides for.
+//
+// `memo` is NULL, or keeps from call to call what depends on the target alone.
 int32_t tpg_policy_decide(const tpg_policy_t *policy,
                           const tpg_arm_t *arm,
                           const tpg_observation_t *observation,
+                          tpg_memo_t *memo,
                           tpg_move_t *wanted);
 
 // Checks a model of `words` 32-bit words and borrows it: it must stay where it is and as it is, in flash say, for as long

@@ -167,11 +167,8 @@ pub unsafe extern "C" fn tpg_arm_init(arm: *mut tpg_arm_t, description: *const t
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_arm_home(arm: *const tpg_arm_t, pose: *mut tpg_pose_t) -> i32 {
     // SAFETY: the header's contract.
-    code::of(unsafe { memory::content(arm) }.and_then(|arm| {
-        // SAFETY: the header's contract.
-        *unsafe { memory::write(pose) }? = tpg_pose_t { ticks: arm.home.0 };
-        Ok(())
-    }))
+    let (arm, pose) = unsafe { (memory::content(arm), memory::write(pose)) };
+    code::answer(arm.map(|arm| tpg_pose_t { ticks: arm.home.0 }), pose)
 }
 
 /// Forward kinematics: where the hand's tip is at a pose; x, y, z in mm.
@@ -180,10 +177,7 @@ pub unsafe extern "C" fn tpg_arm_hand(arm: *const tpg_arm_t, pose: *const tpg_po
     // SAFETY: the header's contract.
     let (arm, pose, hand) =
         unsafe { (memory::content(arm), memory::read(pose), memory::write(hand.cast::<[f32; 3]>())) };
-    code::of(arm.and_then(|arm| {
-        *hand? = kinematics::hand(arm, Pose(pose?.ticks));
-        Ok(())
-    }))
+    code::answer(arm.and_then(|arm| Ok(kinematics::hand(arm, Pose(pose?.ticks)))), hand)
 }
 
 /// Whether the arm collides at a pose: TPG_VALID or one of a code of TPG_COLLISION.
@@ -191,10 +185,8 @@ pub unsafe extern "C" fn tpg_arm_hand(arm: *const tpg_arm_t, pose: *const tpg_po
 pub unsafe extern "C" fn tpg_arm_collision(arm: *const tpg_arm_t, pose: *const tpg_pose_t, collision: *mut i32) -> i32 {
     // SAFETY: the header's contract.
     let (arm, pose, collision) = unsafe { (memory::content(arm), memory::read(pose), memory::write(collision)) };
-    code::of(arm.and_then(|arm| {
-        *collision? = collision_code(Plane::at(arm, Pose(pose?.ticks)).collision(&arm.shapes));
-        Ok(())
-    }))
+    let found = |arm: &Arm<f32>| Ok(Plane::at(arm, Pose(pose?.ticks)).collision(&arm.shapes));
+    code::answer(arm.and_then(found).map(collision_code), collision)
 }
 
 /// Tries a move: the pose afterwards, and TPG_VALID, or a code of TPG_LIMIT or TPG_COLLISION.

@@ -25,6 +25,15 @@ pub const TPG_MODEL_LAYERS: i32 = 9;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Refusal(pub i32);
 
+/// Writes what a function found where the caller wants it; the code.
+#[inline(always)]
+pub fn answer<T>(found: Result<T, Refusal>, to: Result<&mut T, Refusal>) -> i32 {
+    of(found.and_then(|found| {
+        *to? = found;
+        Ok(())
+    }))
+}
+
 /// The code of a result.
 #[inline(always)]
 pub fn of(result: Result<(), Refusal>) -> i32 {

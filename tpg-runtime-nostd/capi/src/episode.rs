@@ -53,21 +53,38 @@ pub struct tpg_episode_t {
 }
 
 /// An episode and whether it is over.
-#[derive(Clone, Debug)]
-pub struct Content {
-    pub(crate) episode: Episode<'static, f32, Brent>,
+pub struct Running<E> {
+    pub(crate) episode: E,
     over: bool,
+}
+
+impl<E> Running<E> {
+    /// At its start.
+    pub(crate) fn new(episode: E) -> Self {
+        Self { episode, over: false }
+    }
+
+    /// Does an action; how that ends the episode, as a code.
+    #[inline(always)]
+    pub(crate) fn act(&mut self, action: impl FnOnce(&mut E) -> Option<Outcome>) -> Result<i32, Refusal> {
+        if self.over {
+            return Err(Refusal(TPG_STATE));
+        }
+        let end = action(&mut self.episode);
+        self.over = end.is_some();
+        Ok(outcome_code(end))
+    }
 }
 
 const _: () = assert!(memory::fits::<tpg_episode_t>());
 
 // SAFETY: it fits, and any bytes are an array of integers.
 unsafe impl Opaque for tpg_episode_t {
-    type Content = Content;
+    type Content = Running<Episode<'static, f32, Brent>>;
     const TAG: u32 = 0x4550_4901;
 }
 
-pub(crate) fn outcome_code(outcome: Option<Outcome>) -> i32 {
+fn outcome_code(outcome: Option<Outcome>) -> i32 {
     match outcome {
         None => TPG_RUNNING,
         Some(Outcome::Reached) => TPG_REACHED,
@@ -88,9 +105,9 @@ pub unsafe extern "C" fn tpg_episode_init(
     // SAFETY: the header's contract; the caller keeps the arm for as long as the episode lives.
     let (arm, problem) = unsafe { (memory::content::<'static, _>(arm), memory::read(problem)) };
     code::of(arm.and_then(|arm: &'static Arm<f32>| {
-        let content = Content { episode: Episode::new(arm, problem?.get(), Brent::new()), over: false };
+        let running = Running::new(Episode::new(arm, problem?.get(), Brent::new()));
         // SAFETY: the header's contract.
-        unsafe { memory::initialise(episode, content) }
+        unsafe { memory::initialise(episode, running) }
     }))
 }
 
@@ -102,10 +119,7 @@ pub unsafe extern "C" fn tpg_episode_observation(
 ) -> i32 {
     // SAFETY: the header's contract.
     let (content, observation) = unsafe { (memory::content(episode), memory::write(observation)) };
-    code::of(content.and_then(|content| {
-        *observation? = tpg_observation_t::of(content.episode.observation());
-        Ok(())
-    }))
+    code::answer(content.map(|content| tpg_observation_t::of(content.episode.observation())), observation)
 }
 
 /// Actions done so far.
@@ -113,10 +127,7 @@ pub unsafe extern "C" fn tpg_episode_observation(
 pub unsafe extern "C" fn tpg_episode_actions(episode: *const tpg_episode_t, actions: *mut u32) -> i32 {
     // SAFETY: the header's contract.
     let (content, actions) = unsafe { (memory::content(episode), memory::write(actions)) };
-    code::of(content.and_then(|content| {
-        *actions? = content.episode.actions();
-        Ok(())
-    }))
+    code::answer(content.map(|content| content.episode.actions()), actions)
 }
 
 /// Does one action. `outcome` is TPG_RUNNING, or how the episode ended: TPG_REACHED, TPG_STOP, TPG_CYCLE, TPG_TIMEOUT, or
@@ -131,13 +142,9 @@ pub unsafe extern "C" fn tpg_episode_advance(
     let (content, wanted, outcome) =
         unsafe { (memory::content_mut(episode), memory::read(wanted), memory::write(outcome)) };
     code::of(content.and_then(|content| {
+        // Nothing is done where its result has no place.
         let (wanted, outcome) = (wanted?, outcome?);
-        if content.over {
-            return Err(Refusal(TPG_STATE));
-        }
-        let end = content.episode.advance(Move(wanted.ticks));
-        content.over = end.is_some();
-        *outcome = outcome_code(end);
+        *outcome = content.act(|episode| episode.advance(Move(wanted.ticks)))?;
         Ok(())
     }))
 }

@@ -1,8 +1,8 @@
 //! A generated policy and a network that share an arm.
 
 use crate::arm::{tpg_arm_t, tpg_move_t};
-use crate::code::{self, Refusal, TPG_ARGUMENT, TPG_LENGTH, TPG_STATE};
-use crate::episode::{outcome_code, tpg_problem_t};
+use crate::code::{self, Refusal, TPG_ARGUMENT, TPG_LENGTH};
+use crate::episode::{Running, tpg_problem_t};
 use crate::memory::{self, Opaque};
 use crate::observation::tpg_observation_t;
 use crate::policy::{Checked, tpg_policy_t};
@@ -208,10 +208,7 @@ pub struct tpg_hybrid_episode_t {
 }
 
 /// What lies in a tpg_hybrid_episode_t.
-pub struct Simulated {
-    episode: HybridEpisode<'static, f32, Graph, Network, Brent>,
-    over: bool,
-}
+pub struct Simulated(Running<HybridEpisode<'static, f32, Graph, Network, Brent>>);
 
 const _: () = assert!(memory::fits::<tpg_hybrid_episode_t>());
 
@@ -293,7 +290,8 @@ pub unsafe extern "C" fn tpg_hybrid_decide(
         (memory::content(hybrid), memory::content_mut(switch_), memory::read(observation), memory::write(chosen))
     };
     code::of(hybrid.and_then(|Both(hybrid)| {
-        *chosen? = tpg_chosen_t::of(hybrid.decide(switch?, &seen?.get()));
+        let chosen = chosen?;
+        *chosen = tpg_chosen_t::of(hybrid.decide(switch?, &seen?.get()));
         Ok(())
     }))
 }
@@ -322,10 +320,7 @@ pub unsafe extern "C" fn tpg_switch_acted(
 pub unsafe extern "C" fn tpg_switch_counts(switch_: *const tpg_switch_t, counts: *mut tpg_counts_t) -> i32 {
     // SAFETY: the header's contract.
     let (switch, counts) = unsafe { (memory::content(switch_), memory::write(counts)) };
-    code::of(switch.and_then(|switch| {
-        *counts? = tpg_counts_t::of(switch.counts());
-        Ok(())
-    }))
+    code::answer(switch.map(|switch| tpg_counts_t::of(switch.counts())), counts)
 }
 
 /// Puts the simulated arm at a problem's start. `hybrid` must stay where it is for as long as the episode is used.
@@ -338,7 +333,7 @@ pub unsafe extern "C" fn tpg_hybrid_episode_init(
     // SAFETY: the header's contract; the caller keeps the hybrid for as long as the episode lives.
     let (hybrid, problem) = unsafe { (memory::content::<'static, tpg_hybrid_t>(hybrid), memory::read(problem)) };
     code::of(hybrid.and_then(|Both(hybrid)| {
-        let simulated = Simulated { episode: HybridEpisode::new(hybrid, problem?.get(), Brent::new()), over: false };
+        let simulated = Simulated(Running::new(HybridEpisode::new(hybrid, problem?.get(), Brent::new())));
         // SAFETY: the header's contract.
         unsafe { memory::initialise(episode, simulated) }
     }))
@@ -352,10 +347,8 @@ pub unsafe extern "C" fn tpg_hybrid_episode_observation(
 ) -> i32 {
     // SAFETY: the header's contract.
     let (content, observation) = unsafe { (memory::content(episode), memory::write(observation)) };
-    code::of(content.and_then(|content| {
-        *observation? = tpg_observation_t::of(content.episode.observation());
-        Ok(())
-    }))
+    let seen = content.map(|Simulated(running)| tpg_observation_t::of(running.episode.observation()));
+    code::answer(seen, observation)
 }
 
 /// Decides on one action, without doing it.
@@ -366,8 +359,10 @@ pub unsafe extern "C" fn tpg_hybrid_episode_decide(
 ) -> i32 {
     // SAFETY: the header's contract.
     let (content, chosen) = unsafe { (memory::content_mut(episode), memory::write(chosen)) };
-    code::of(content.and_then(|content| {
-        *chosen? = tpg_chosen_t::of(content.episode.decide());
+    code::of(content.and_then(|Simulated(running)| {
+        // Nothing is decided where the result has no place.
+        let chosen = chosen?;
+        *chosen = tpg_chosen_t::of(running.episode.decide());
         Ok(())
     }))
 }
@@ -382,14 +377,9 @@ pub unsafe extern "C" fn tpg_hybrid_episode_act(
     // SAFETY: the header's contract.
     let (content, chosen, outcome) =
         unsafe { (memory::content_mut(episode), memory::read(chosen), memory::write(outcome)) };
-    code::of(content.and_then(|content| {
+    code::of(content.and_then(|Simulated(running)| {
         let (chosen, outcome) = (chosen?.get()?, outcome?);
-        if content.over {
-            return Err(Refusal(TPG_STATE));
-        }
-        let end = content.episode.act(chosen);
-        content.over = end.is_some();
-        *outcome = outcome_code(end);
+        *outcome = running.act(|episode| episode.act(chosen))?;
         Ok(())
     }))
 }
@@ -402,8 +392,5 @@ pub unsafe extern "C" fn tpg_hybrid_episode_counts(
 ) -> i32 {
     // SAFETY: the header's contract.
     let (content, counts) = unsafe { (memory::content(episode), memory::write(counts)) };
-    code::of(content.and_then(|content| {
-        *counts? = tpg_counts_t::of(content.episode.switch().counts());
-        Ok(())
-    }))
+    code::answer(content.map(|Simulated(running)| tpg_counts_t::of(running.episode.switch().counts())), counts)
 }

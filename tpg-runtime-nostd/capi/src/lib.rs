@@ -10,6 +10,7 @@
 //! | [`memory`] | pointers from C, checked; opaque structures |
 //! | [`arm`] | the arm, forward kinematics, collisions, one step |
 //! | [`observation`] | what a policy sees, and a graph's sources |
+//! | [`memo`] | what sources are made of that depends on the target alone |
 //! | [`policy`] | the hook for generated code |
 //! | [`sac`] | a network in integers |
 //! | [`hybrid`] | a generated policy and a network that share an arm |
@@ -22,6 +23,7 @@ pub mod arm;
 pub mod code;
 pub mod episode;
 pub mod hybrid;
+pub mod memo;
 pub mod memory;
 pub mod observation;
 pub mod policy;

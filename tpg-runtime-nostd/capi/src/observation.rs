@@ -2,6 +2,7 @@
 
 use crate::arm::{tpg_arm_t, tpg_pose_t};
 use crate::code::{self, Refusal, TPG_ARGUMENT, TPG_LENGTH};
+use crate::memo::{self, tpg_memo_t};
 use crate::memory;
 use crate::policy::TPG_STATE_LENGTH;
 use tpg_runtime::arm::{Arm, Pose};
@@ -78,14 +79,8 @@ pub(crate) fn source(number: u8) -> Result<Source, Refusal> {
 /// Writes the values of sources, one after another; stops where `state` is full. All at once: they share what they are
 /// made of.
 pub(crate) fn fill(arm: &Arm<f32>, seen: &Observation<f32>, memo: &TargetMemo<f32>, numbers: &[u8], state: &mut [f32]) {
-    let mut sources = [Source::Target; TPG_STATE_LENGTH];
-    let mut count = 0;
-    for (slot, &number) in sources.iter_mut().zip(numbers) {
-        let Some(&source) = Source::ALL.get(usize::from(number)) else { break };
-        *slot = source;
-        count += 1;
-    }
-    Source::fill(sources.get(..count).unwrap_or(&[]), arm, seen, memo, state);
+    let sources = numbers.iter().map_while(|&number| Source::ALL.get(usize::from(number)).copied());
+    Source::fill_each(sources, arm, seen, memo, state);
 }
 
 /// What is seen at a pose, with the target's x, y, z in mm.
@@ -97,14 +92,12 @@ pub unsafe extern "C" fn tpg_observe(
     observation: *mut tpg_observation_t,
 ) -> i32 {
     // SAFETY: the header's contract.
-    let (arm, pose, target) =
-        unsafe { (memory::content(arm), memory::read(pose), memory::read(target.cast::<[f32; 3]>())) };
-    code::of(arm.and_then(|arm| {
-        let seen = Observation::at(arm, Pose(pose?.ticks), *target?);
-        // SAFETY: the header's contract.
-        *unsafe { memory::write(observation) }? = tpg_observation_t::of(&seen);
-        Ok(())
-    }))
+    let (arm, pose, target, observation) = unsafe {
+        let target = memory::read(target.cast::<[f32; 3]>());
+        (memory::content(arm), memory::read(pose), target, memory::write(observation))
+    };
+    let seen = arm.and_then(|arm| Ok(Observation::at(arm, Pose(pose?.ticks), *target?)));
+    code::answer(seen.map(|seen| tpg_observation_t::of(&seen)), observation)
 }
 
 /// Hand to target, mm.
@@ -112,18 +105,18 @@ pub unsafe extern "C" fn tpg_observe(
 pub unsafe extern "C" fn tpg_observation_distance(observation: *const tpg_observation_t, distance: *mut f32) -> i32 {
     // SAFETY: the header's contract.
     let (seen, distance) = unsafe { (memory::read(observation), memory::write(distance)) };
-    code::of(seen.and_then(|seen| {
-        *distance? = seen.get().distance();
-        Ok(())
-    }))
+    code::answer(seen.map(|seen| seen.get().distance()), distance)
 }
 
 /// Writes the values of `count` sources (TPG_SOURCE codes), one after another, into `state`: a generated policy's own
 /// structure, say. TPG_LENGTH where `length` floats are too few, TPG_ARGUMENT for an unknown source.
+///
+/// `memo` is NULL, or keeps from call to call what depends on the target alone.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_observation_state(
     arm: *const tpg_arm_t,
     observation: *const tpg_observation_t,
+    memo: *mut tpg_memo_t,
     sources: *const u8,
     count: usize,
     state: *mut f32,
@@ -147,7 +140,7 @@ pub unsafe extern "C" fn tpg_observation_state(
         if state.len() < wanted || sources.len() > TPG_STATE_LENGTH {
             return Err(Refusal(TPG_LENGTH));
         }
-        fill(arm, &seen, &TargetMemo::new(), sources, state);
-        Ok(())
+        // SAFETY: the header's contract.
+        unsafe { memo::with(memo, arm, |memo| fill(arm, &seen, memo, sources, state)) }
     }))
 }

@@ -2,6 +2,7 @@
 
 use crate::arm::{tpg_arm_t, tpg_move_t};
 use crate::code::{self, Refusal, TPG_LENGTH, TPG_NULL};
+use crate::memo::{self, tpg_memo_t};
 use crate::memory;
 use crate::observation::{fill, source, tpg_observation_t};
 use tpg_runtime::arm::{Arm, Move};
@@ -65,21 +66,26 @@ impl<'a> Checked<'a> {
 }
 
 /// The move that a generated policy decides for.
+///
+/// `memo` is NULL, or keeps from call to call what depends on the target alone.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_policy_decide(
     policy: *const tpg_policy_t,
     arm: *const tpg_arm_t,
     observation: *const tpg_observation_t,
+    memo: *mut tpg_memo_t,
     wanted: *mut tpg_move_t,
 ) -> i32 {
     // SAFETY: the header's contract.
     let (policy, arm, seen, wanted) =
         unsafe { (memory::read(policy), memory::content(arm), memory::read(observation), memory::write(wanted)) };
-    code::of(policy.and_then(|policy| {
+    let decided = policy.and_then(|policy| {
         // SAFETY: the header's contract.
         let policy = unsafe { Checked::new(policy) }?;
-        let Move(ticks) = policy.decide(arm?, &seen?.get(), &TargetMemo::new());
-        *wanted? = tpg_move_t { ticks };
-        Ok(())
-    }))
+        let (arm, seen) = (arm?, seen?.get());
+        // SAFETY: the header's contract.
+        let Move(ticks) = unsafe { memo::with(memo, arm, |memo| policy.decide(arm, &seen, memo)) }?;
+        Ok(tpg_move_t { ticks })
+    });
+    code::answer(decided, wanted)
 }

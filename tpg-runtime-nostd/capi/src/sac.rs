@@ -56,10 +56,7 @@ pub unsafe extern "C" fn tpg_sac_init(sac: *mut tpg_sac_t, model: *const u32, wo
 pub unsafe extern "C" fn tpg_sac_scratch(sac: *const tpg_sac_t, words: *mut usize) -> i32 {
     // SAFETY: the header's contract.
     let (model, words) = unsafe { (memory::content(sac), memory::write(words)) };
-    code::of(model.and_then(|model| {
-        *words? = model.scratch();
-        Ok(())
-    }))
+    code::answer(model.map(Model::scratch), words)
 }
 
 /// The move that a network decides for. `scratch` is overwritten; TPG_LENGTH where `words` are too few.
@@ -82,13 +79,13 @@ pub unsafe extern "C" fn tpg_sac_decide(
             memory::write(wanted),
         )
     };
-    code::of(model.and_then(|model| {
-        let (arm, seen, scratch, wanted) = (arm?, seen?, scratch?, wanted?);
+    let decided = model.and_then(|model| {
+        let (arm, seen, scratch) = (arm?, seen?, scratch?);
         if scratch.len() < model.scratch() {
             return Err(Refusal(TPG_LENGTH));
         }
         let Move(ticks) = model.decide(arm, &seen.get(), scratch);
-        *wanted = tpg_move_t { ticks };
-        Ok(())
-    }))
+        Ok(tpg_move_t { ticks })
+    });
+    code::answer(decided, wanted)
 }

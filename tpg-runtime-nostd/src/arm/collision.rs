@@ -32,8 +32,8 @@ impl<S: Scalar> Plane<S> {
         if clear_of_base(&faces, shapes) {
             return None;
         }
-        let hits = |edge: BaseEdge<S>| faces.iter().any(|&(p, q)| meets(p, q, edge));
-        let base = shapes.base.iter().any(|&edge| hits(edge) || hits(edge.mirrored()));
+        let faces = faces.map(|(p, q)| Face::new(p, q));
+        let base = shapes.base.iter().any(|&edge| meets(&faces, edge) || meets(&faces, edge.mirrored()));
         base.then_some(Collision::Base)
     }
 
@@ -91,24 +91,41 @@ fn across<S: Scalar>(origin: Point<S>, aside: Direction<S>, by: S) -> Point<S> {
     Point { x: origin.x + aside.cos * by, z: origin.z + aside.sin * by }
 }
 
-/// Whether the segment `p`–`q` meets an axis-aligned edge; touching counts, and so does an undefined crossing.
-fn meets<S: Scalar>(p: Point<S>, q: Point<S>, edge: BaseEdge<S>) -> bool {
-    let (p_x, p_z) = (p.x, p.z);
-    let (q_x, q_z) = (q.x, q.z);
+/// A segment with what every edge asks of it: computed once, not for each of the eight.
+struct Face<S> {
+    /// Where it begins and ends, the lesser one first.
+    x: [S; 2],
+    z: [S; 2],
+    /// The line through it. Undefined where it is upright.
+    slope: S,
+    intercept: S,
+}
+
+impl<S: Scalar> Face<S> {
+    fn new(p: Point<S>, q: Point<S>) -> Self {
+        let slope = (q.z - p.z) / (q.x - p.x);
+        Self { x: sorted([p.x, q.x]), z: sorted([p.z, q.z]), slope, intercept: p.z - slope * p.x }
+    }
+}
+
+/// Whether a face meets an axis-aligned edge; touching counts, and so does an undefined crossing.
+fn meets<S: Scalar>(faces: &[Face<S>; 4], edge: BaseEdge<S>) -> bool {
     let x = sorted(edge.x);
     let z = sorted(edge.z);
-    if disjoint(sorted([p_x, q_x]), x) || disjoint(sorted([p_z, q_z]), z) {
-        return false;
-    }
     let horizontal = z[0] == z[1];
-    if p_x == q_x {
-        return horizontal || p_x == x[0];
-    }
-    let slope = (q_z - p_z) / (q_x - p_x);
-    let intercept = p_z - slope * p_x;
-    let (crossing, bounds) = if horizontal { ((z[0] - intercept) / slope, x) } else { (slope * x[0] + intercept, z) };
-    // A NaN crossing (a segment along the edge) is neither above nor below: it is a hit, as in the artifact.
-    !(crossing > bounds[1] || crossing < bounds[0])
+    faces.iter().any(|face| {
+        if disjoint(face.x, x) || disjoint(face.z, z) {
+            return false;
+        }
+        if face.x[0] == face.x[1] {
+            return horizontal || face.x[0] == x[0];
+        }
+        let Face { slope, intercept, .. } = *face;
+        let (crossing, bounds) =
+            if horizontal { ((z[0] - intercept) / slope, x) } else { (slope * x[0] + intercept, z) };
+        // A NaN crossing (a segment along the edge) is neither above nor below: it is a hit, as in the artifact.
+        !(crossing > bounds[1] || crossing < bounds[0])
+    })
 }
 
 fn sorted<S: Scalar>([a, b]: [S; 2]) -> [S; 2] {

@@ -48,6 +48,7 @@
 //! ```
 
 mod episode;
+mod part;
 mod switch;
 
 pub use episode::{HybridEpisode, HybridSummary};
@@ -58,6 +59,7 @@ use crate::cycle::CycleDetector;
 use crate::kinematics::Lattice;
 use crate::observation::Observation;
 use crate::policy::Policy;
+use part::valid_part;
 
 /// For [`Settings::hand_back_after`]: the network keeps the arm until the episode ends.
 pub const NEVER: u32 = u32::MAX;
@@ -85,7 +87,7 @@ pub enum Guard {
     /// Nor the graph's that collide: one collision test an action of the graph.
     Collisions,
     /// Nor the network's: where its action would be invalid it holds joints, or lets the graph act once, or rests. From a
-    /// free pose no invalid action is ever executed. One collision test an action, up to 16 where the network's would be
+    /// free pose no invalid action is ever executed. One collision test an action, up to 9 where the network's would be
     /// invalid.
     Both,
 }
@@ -141,23 +143,25 @@ where
 {
     /// The next action and whose it is. A guard may hand over here: then both policies are asked, once each.
     pub fn decide<D: CycleDetector>(&self, switch: &mut Switch<S, D>, seen: &Observation<S>) -> Chosen {
-        if switch.driver() == Driver::Tpg {
-            let wanted = self.tpg.decide(seen);
-            if self.settings.guard.refuses(self.arm, seen.pose, wanted).is_none() {
+        let guard = self.settings.guard;
+        let graph = || Some(self.tpg.decide(seen)).filter(|&wanted| guard.refuses(self.arm, seen.pose, wanted).is_none());
+        let graph_drives = switch.driver() == Driver::Tpg;
+        if graph_drives {
+            if let Some(wanted) = graph() {
                 return Chosen { driver: Driver::Tpg, wanted };
             }
             switch.refused();
         }
         let wanted = self.sac.decide(seen);
-        if self.settings.guard != Guard::Both {
+        if guard != Guard::Both {
             return Chosen { driver: Driver::Sac, wanted };
         }
         if let Some(wanted) = valid_part(self.arm, seen.pose, wanted) {
             return Chosen { driver: Driver::Sac, wanted };
         }
-        let wanted = self.tpg.decide(seen);
-        match self.settings.guard.refuses(self.arm, seen.pose, wanted) {
-            None if wanted != Move::STOP => Chosen { driver: Driver::Tpg, wanted },
+        // Refused once, it would be refused again.
+        match if graph_drives { None } else { graph() } {
+            Some(wanted) if wanted != Move::STOP => Chosen { driver: Driver::Tpg, wanted },
             _ => Chosen { driver: Driver::Sac, wanted: Move::STOP },
         }
     }
@@ -166,25 +170,4 @@ where
 /// Whether more than the base moves. The base alone changes nothing in the arm's plane, where collisions are.
 fn moves_in_plane(Move([_, plane @ ..]): Move) -> bool {
     plane.iter().any(|&delta| delta != 0)
-}
-
-/// Joints that are held, as bits from the base on: fewer first, and of as many those nearer to the hand.
-const HELD: [u8; 14] =
-    [0b1000, 0b0100, 0b0010, 0b0001, 0b1100, 0b1010, 0b0110, 0b1001, 0b0101, 0b0011, 0b1110, 0b1101, 0b1011, 0b0111];
-
-/// The move, or where it is invalid the first valid one with fewer joints that moves at all.
-fn valid_part<S: Lattice>(arm: &Arm<S>, pose: Pose, wanted: Move) -> Option<Move> {
-    let valid = |wanted| arm.step(pose, wanted).invalid.is_none();
-    if valid(wanted) {
-        return Some(wanted);
-    }
-    let fewer = HELD.into_iter().map(|held| {
-        let Move(mut deltas) = wanted;
-        for (joint, delta) in deltas.iter_mut().enumerate() {
-            *delta = if held >> joint & 1 == 1 { 0 } else { *delta };
-        }
-        Move(deltas)
-    });
-    let mut moving = fewer.filter(|&fewer| fewer != Move::STOP && fewer != wanted);
-    moving.find(|&fewer| valid(fewer))
 }

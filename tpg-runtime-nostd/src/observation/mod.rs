@@ -130,9 +130,21 @@ impl Source {
         memo: &TargetMemo<S>,
         state: &mut [S],
     ) {
+        Self::fill_each(sources.iter().copied(), arm, seen, memo, state);
+    }
+
+    /// [`fill`](Self::fill) for sources that do not lie in an array.
+    #[inline]
+    pub fn fill_each<S: Lattice>(
+        sources: impl Iterator<Item = Self>,
+        arm: &Arm<S>,
+        seen: &Observation<S>,
+        memo: &TargetMemo<S>,
+        state: &mut [S],
+    ) {
         let mut parts = Parts::new(arm, seen, memo);
         let mut rest = state;
-        for &source in sources {
+        for source in sources {
             parts.write(source, rest);
             let length = source.length().min(rest.len());
             rest = &mut rest[length..];

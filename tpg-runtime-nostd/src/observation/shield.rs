@@ -31,7 +31,7 @@ fn bounds<S: Lattice>(step: i8, allowed: impl Fn(Move) -> bool) -> [S; SHIELDED]
 
 /// The action at a place of the shield, of `step` ticks.
 pub const fn action(place: u8, step: i8) -> Move {
-    Move::single(Joint(place / 2), if place % 2 == 0 { step } else { -step })
+    Move::single(Joint(place / 2), if place.is_multiple_of(2) { step } else { -step })
 }
 
 /// Whether every joint stays in its range.
@@ -69,6 +69,7 @@ pub fn collision_with<S: Lattice>(
 }
 
 /// [`Source::ShieldCollision`](super::Source::ShieldCollision).
+#[inline(never)] // dear, and few graphs have it: a static bound can leave it out
 pub fn collision<S: Lattice>(arm: &Arm<S>, pose: Pose) -> [S; SHIELDED] {
     collision_with(arm, pose, STEP, |pose| Plane::at(arm, pose).collision(&arm.shapes).is_some())
 }

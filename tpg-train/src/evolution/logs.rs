@@ -40,11 +40,11 @@ pub fn write(folder: &Path, rows: &[Row]) -> Result<(), InputError> {
     write_atomically(&folder.join("generations.jsonl"), json.as_bytes())
 }
 
-/// Seconds of CPU time of this process so far, where the system tells (Linux).
+/// Seconds of CPU time so far of this process and of those that it waited for, where the system tells (Linux).
 pub fn cpu_seconds() -> Option<f64> {
     let stat = fs::read_to_string("/proc/self/stat").ok()?;
-    // Fields 14 and 15, in ticks of 1/100 s; the second field, in brackets, may hold spaces.
-    let mut fields = stat.rsplit_once(')')?.1.split_whitespace().skip(11);
-    let ticks: u64 = fields.next()?.parse::<u64>().ok()? + fields.next()?.parse::<u64>().ok()?;
-    Some(ticks as f64 / 100.0)
+    // Fields 14 to 17, in ticks of 1/100 s; the second field, in brackets, may hold spaces.
+    let fields = stat.rsplit_once(')')?.1.split_whitespace().skip(11).take(4);
+    let ticks: Option<Vec<u64>> = fields.map(|field| field.parse().ok()).collect();
+    Some(ticks?.iter().sum::<u64>() as f64 / 100.0)
 }

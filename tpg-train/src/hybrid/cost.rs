@@ -7,13 +7,14 @@ use crate::environments::ArmScalar;
 use std::hint::black_box;
 use std::time::Instant;
 use tpg_codegen::error::InputError;
-use tpg_codegen::graph::{Graph, MathsProvider, ScalarType};
+use tpg_codegen::graph::Graph;
+use tpg_codegen::in_arithmetic_of;
 use tpg_runtime::arm::{Move, WIDOWX};
 use tpg_runtime::cycle::Brent;
 use tpg_runtime::episode::Episode;
 use tpg_runtime::hybrid::Guard;
 use tpg_runtime::observation::Observation;
-use tpg_runtime::ops::{Maths, Own, System};
+use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::Policy;
 
 /// Nanoseconds of one decision.
@@ -63,12 +64,7 @@ impl Costs {
 }
 
 fn of_graph(file: &str, graph: &Graph, study: &Study) -> Result<f64, InputError> {
-    match (graph.scalar(), graph.maths()) {
-        (ScalarType::F32, MathsProvider::Own) => of::<f32, Own>(file, graph, study),
-        (ScalarType::F32, MathsProvider::System) => of::<f32, System>(file, graph, study),
-        (ScalarType::F64, MathsProvider::Own) => of::<f64, Own>(file, graph, study),
-        (ScalarType::F64, MathsProvider::System) => of::<f64, System>(file, graph, study),
-    }
+    in_arithmetic_of!(graph, of(file, graph, study))
 }
 
 fn of<S: ArmScalar, M: Maths<S>>(file: &str, graph: &Graph, study: &Study) -> Result<f64, InputError> {

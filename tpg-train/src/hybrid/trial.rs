@@ -8,12 +8,13 @@ use crate::targets::{Start, Task};
 use crate::trial::{self, Trial};
 use serde::Serialize;
 use tpg_codegen::error::InputError;
-use tpg_codegen::graph::{Graph, MathsProvider, ScalarType};
+use tpg_codegen::graph::Graph;
+use tpg_codegen::in_arithmetic_of;
 use tpg_runtime::arm::{Move, WIDOWX};
 use tpg_runtime::cycle::{Brent, CycleDetector, Visited};
 use tpg_runtime::hybrid::{CAUSES, Hybrid, HybridEpisode, HybridSummary};
 use tpg_runtime::observation::Observation;
-use tpg_runtime::ops::{Maths, Own, System};
+use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::Policy;
 
 /// What came of many episodes of a hybrid.
@@ -47,12 +48,7 @@ pub fn run(
     start: Start,
     tasks: &[Task],
 ) -> Result<HybridTrial, InputError> {
-    match (graph.scalar(), graph.maths()) {
-        (ScalarType::F32, MathsProvider::Own) => of::<f32, Own>(file, graph, actor, setting, start, tasks),
-        (ScalarType::F32, MathsProvider::System) => of::<f32, System>(file, graph, actor, setting, start, tasks),
-        (ScalarType::F64, MathsProvider::Own) => of::<f64, Own>(file, graph, actor, setting, start, tasks),
-        (ScalarType::F64, MathsProvider::System) => of::<f64, System>(file, graph, actor, setting, start, tasks),
-    }
+    in_arithmetic_of!(graph, of(file, graph, actor, setting, start, tasks))
 }
 
 fn of<S: ArmScalar, M: Maths<S>>(
@@ -75,12 +71,7 @@ fn of<S: ArmScalar, M: Maths<S>>(
 /// # Errors
 /// If the graph is none for the arm; `file` names it.
 pub fn graph_alone(file: &str, graph: &Graph, start: Start, tasks: &[Task]) -> Result<Trial, InputError> {
-    match (graph.scalar(), graph.maths()) {
-        (ScalarType::F32, MathsProvider::Own) => alone::<f32, Own>(file, graph, start, tasks),
-        (ScalarType::F32, MathsProvider::System) => alone::<f32, System>(file, graph, start, tasks),
-        (ScalarType::F64, MathsProvider::Own) => alone::<f64, Own>(file, graph, start, tasks),
-        (ScalarType::F64, MathsProvider::System) => alone::<f64, System>(file, graph, start, tasks),
-    }
+    in_arithmetic_of!(graph, alone(file, graph, start, tasks))
 }
 
 fn alone<S: ArmScalar, M: Maths<S>>(

@@ -10,9 +10,10 @@ use crate::sac::policy::ActorPolicy;
 use crate::targets::{self, Set, TOLERANCE, Task};
 use crate::trial;
 use tpg_codegen::error::InputError;
-use tpg_codegen::graph::{Graph, MathsProvider, ScalarType};
+use tpg_codegen::graph::Graph;
+use tpg_codegen::in_arithmetic_of;
 use tpg_runtime::arm::{Arm, Pose, WIDOWX};
-use tpg_runtime::ops::{Maths, Own, System};
+use tpg_runtime::ops::Maths;
 
 /// Trajectories that are kept: the first episodes that succeed, and the first that fail.
 const KEPT: [usize; 2] = [3, 3];
@@ -86,12 +87,7 @@ pub(super) fn test(run: &Run, episodes: usize, seed: u64) -> Result<Option<Teste
             let chosen = chosen(&endings);
             let chosen: Vec<(usize, ArmTask, Ending)> =
                 chosen.into_iter().map(|place| (place, tasks[place], endings[place])).collect();
-            let walks = match (graph.scalar(), graph.maths()) {
-                (ScalarType::F32, MathsProvider::Own) => walks::<f32, Own>(run, graph, &arm, &problem, &chosen),
-                (ScalarType::F32, MathsProvider::System) => walks::<f32, System>(run, graph, &arm, &problem, &chosen),
-                (ScalarType::F64, MathsProvider::Own) => walks::<f64, Own>(run, graph, &arm, &problem, &chosen),
-                (ScalarType::F64, MathsProvider::System) => walks::<f64, System>(run, graph, &arm, &problem, &chosen),
-            }?;
+            let walks = in_arithmetic_of!(graph, walks(run, graph, &arm, &problem, &chosen))?;
             Ok(Some(Tested::new(arm, problem.tolerance, &endings, walks)))
         }
         Kind::Sac { start, network, contract } => {

@@ -1,9 +1,10 @@
 //! A function with all that it calls.
 
+use super::facts::{Calls, Limit, LoopBounds, Turns};
 use super::flow::Flow;
 use super::instruction::is_decision;
 use super::listing::Listing;
-use super::longest::{Endless, longest};
+use super::longest::{Endless, Header, headers, longest};
 use super::refusal::Refusal;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -16,9 +17,6 @@ pub struct Bound {
     pub stack: u64,
 }
 
-/// How often a loop turns at most, by function: every loop of it.
-pub type LoopBounds = BTreeMap<String, u64>;
-
 /// An instruction that decides by data what runs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Site {
@@ -30,19 +28,77 @@ pub struct Site {
     pub text: String,
 }
 
+/// A loop and its bound.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Loop {
+    /// The function.
+    pub function: String,
+    /// Where it begins.
+    pub address: u64,
+    /// How often control comes there at most each time that the loop is entered, where a bound was given.
+    pub turns: Option<u64>,
+    /// The addresses of the instructions outside that lead there.
+    pub entered_from: Vec<u64>,
+}
+
+/// What a function adds to a worst case.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Share {
+    /// The function.
+    pub function: String,
+    /// How often it runs on the longest path.
+    pub runs: u64,
+    /// Instructions of its own in all these runs.
+    pub own: u64,
+    /// Instructions of one run with all that it calls, without what a [`Limit`] counts elsewhere.
+    pub each: u64,
+    /// What it calls, the dearest first.
+    pub parts: Vec<Share>,
+}
+
+/// Functions that are counted elsewhere, by a limit.
+type Elsewhere = BTreeSet<usize>;
+
+/// One function's worst case with its parts.
+#[derive(Clone, Debug)]
+struct Known {
+    instructions: u64,
+    own: u64,
+    /// How often it calls what, and what that counts as there.
+    calls: Vec<(usize, u64, Elsewhere)>,
+}
+
+static NO_CALLS: Calls = Calls::new();
+
 /// Finds bounds in a listing; what was found is kept.
 #[derive(Debug)]
 pub struct Analyser<'a> {
     listing: &'a Listing,
     bounds: &'a LoopBounds,
-    known: BTreeMap<usize, Bound>,
-    open: Vec<usize>,
+    calls: &'a Calls,
+    limits: &'a [Limit],
+    flows: BTreeMap<usize, Flow>,
+    known: BTreeMap<(usize, Elsewhere), Known>,
+    stacks: BTreeMap<usize, u64>,
 }
 
 impl<'a> Analyser<'a> {
     /// Of a listing, with bounds for loops that have none themselves.
     pub fn new(listing: &'a Listing, bounds: &'a LoopBounds) -> Self {
-        Self { listing, bounds, known: BTreeMap::new(), open: Vec::new() }
+        let (flows, known, stacks) = (BTreeMap::new(), BTreeMap::new(), BTreeMap::new());
+        Self { listing, bounds, calls: &NO_CALLS, limits: &[], flows, known, stacks }
+    }
+
+    /// With what calls through registers reach.
+    #[must_use]
+    pub fn calling(self, calls: &'a Calls) -> Self {
+        Self { calls, ..self }
+    }
+
+    /// With limits on how often functions run.
+    #[must_use]
+    pub fn limited(self, limits: &'a [Limit]) -> Self {
+        Self { limits, ..self }
     }
 
     /// The worst case of a function.
@@ -50,7 +106,40 @@ impl<'a> Analyser<'a> {
     /// # Errors
     /// Why there is none.
     pub fn bound(&mut self, name: &str) -> Result<Bound, Refusal> {
-        self.of(self.place(name)?)
+        let place = self.place(name)?;
+        let stack = self.stack(place, &mut Vec::new())?;
+        Ok(Bound { instructions: self.of(place, &Elsewhere::new())?.instructions, stack })
+    }
+
+    /// What makes up the worst case of a function.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn explain(&mut self, name: &str) -> Result<Share, Refusal> {
+        let place = self.place(name)?;
+        self.stack(place, &mut Vec::new())?;
+        self.share(place, 1, &Elsewhere::new())
+    }
+
+    /// Every loop of a function and all that it calls.
+    ///
+    /// # Errors
+    /// Why there is no bound.
+    pub fn loops(&mut self, name: &str) -> Result<Vec<Loop>, Refusal> {
+        let mut loops = Vec::new();
+        for place in self.reached(name)? {
+            let headers = self.headers(place)?;
+            let turns = self.turns(place, &headers)?;
+            let function = &self.listing.functions()[place];
+            let address = |node: usize| function.lines[node].address;
+            loops.extend(headers.into_iter().map(|header| Loop {
+                function: function.name.clone(),
+                address: address(header.node),
+                turns: turns.get(&header.node).copied(),
+                entered_from: header.entered_from.into_iter().map(address).collect(),
+            }));
+        }
+        Ok(loops)
     }
 
     /// Every instruction that decides by data what runs, in a function and all that it calls.
@@ -70,7 +159,7 @@ impl<'a> Analyser<'a> {
                 text: line.text(),
             };
             sites.extend(decisions.map(site));
-            let flow = Flow::of(self.listing, function)?;
+            let flow = Flow::of(self.listing, function, self.calls)?;
             open.extend(flow.calls.into_iter().flatten().filter(|&callee| seen.insert(callee)));
         }
         Ok(sites)
@@ -80,43 +169,156 @@ impl<'a> Analyser<'a> {
         self.listing.named(name).ok_or_else(|| Refusal::NoFunction { name: name.to_owned() })
     }
 
-    fn of(&mut self, place: usize) -> Result<Bound, Refusal> {
-        if let Some(&bound) = self.known.get(&place) {
-            return Ok(bound);
+    fn name(&self, place: usize) -> &str {
+        &self.listing.functions()[place].name
+    }
+
+    /// A function and all that it may call.
+    fn reached(&mut self, name: &str) -> Result<BTreeSet<usize>, Refusal> {
+        let mut open = vec![self.place(name)?];
+        let mut seen: BTreeSet<usize> = open.iter().copied().collect();
+        while let Some(place) = open.pop() {
+            open.extend(self.flow(place)?.callees().into_iter().filter(|&callee| seen.insert(callee)));
         }
-        let listing = self.listing;
-        let function = &listing.functions()[place];
-        if let Some(first) = self.open.iter().position(|&open| open == place) {
-            let circle = self.open[first..].iter().chain([&place]);
-            let functions = circle.map(|&place| listing.functions()[place].name.clone()).collect();
-            return Err(Refusal::Recursion { functions });
+        Ok(seen)
+    }
+
+    fn flow(&mut self, place: usize) -> Result<&Flow, Refusal> {
+        if !self.flows.contains_key(&place) {
+            let function = &self.listing.functions()[place];
+            let flow = Flow::of(self.listing, function, self.calls)?;
+            if flow.next.is_empty() {
+                return Err(Refusal::NoFunction { name: function.name.clone() });
+            }
+            self.flows.insert(place, flow);
         }
-        self.open.push(place);
-        let flow = Flow::of(listing, function)?;
-        let mut costs = Vec::with_capacity(flow.calls.len());
+        Ok(&self.flows[&place])
+    }
+
+    /// Bytes of stack; the walk that also finds recursion.
+    fn stack(&mut self, place: usize, open: &mut Vec<usize>) -> Result<u64, Refusal> {
+        if let Some(&stack) = self.stacks.get(&place) {
+            return Ok(stack);
+        }
+        if let Some(first) = open.iter().position(|&other| other == place) {
+            let circle = open[first..].iter().chain([&place]);
+            return Err(Refusal::Recursion { functions: circle.map(|&place| self.name(place).to_owned()).collect() });
+        }
+        open.push(place);
+        let (frame, callees) = self.flow(place).map(|flow| (flow.frame, flow.callees()))?;
         let mut deepest = 0;
-        for call in &flow.calls {
-            let callee = call.map_or(Ok(Bound { instructions: 0, stack: 0 }), |callee| self.of(callee))?;
-            costs.push(1 + callee.instructions);
-            deepest = deepest.max(callee.stack);
+        for callee in callees {
+            deepest = deepest.max(self.stack(callee, open)?);
         }
-        self.open.pop();
-        let turns = self.bounds.get(&function.name).copied();
-        let endless = |endless| match endless {
+        open.pop();
+        self.stacks.insert(place, frame + deepest);
+        Ok(frame + deepest)
+    }
+
+    fn headers(&mut self, place: usize) -> Result<Vec<Header>, Refusal> {
+        headers(&self.flow(place)?.next, 0).map_err(|endless| self.endless(place, endless))
+    }
+
+    /// The bounds of a function's loops, by their headers.
+    fn turns(&self, place: usize, headers: &[Header]) -> Result<BTreeMap<usize, u64>, Refusal> {
+        let name = self.name(place);
+        let nodes = headers.iter().map(|header| header.node);
+        Ok(match self.bounds.get(name) {
+            None => BTreeMap::new(),
+            Some(Turns::Every(turns)) => nodes.map(|node| (node, *turns)).collect(),
+            Some(Turns::Each(turns)) if turns.len() == headers.len() => nodes.zip(turns.iter().copied()).collect(),
+            Some(Turns::Each(turns)) => {
+                let lines = &self.listing.functions()[place].lines;
+                let found = nodes.map(|node| lines[node].address).collect();
+                return Err(Refusal::OtherLoops { function: name.to_owned(), found, given: turns.len() });
+            }
+        })
+    }
+
+    fn endless(&self, place: usize, endless: Endless) -> Refusal {
+        let function = &self.listing.functions()[place];
+        let at = |node: usize| (function.name.clone(), function.lines[node].address);
+        match endless {
             Endless::Loop(node) => {
-                Refusal::Loop { function: function.name.clone(), address: function.lines[node].address }
+                let (function, address) = at(node);
+                Refusal::Loop { function, address }
             }
             Endless::Tangled(node) => {
-                Refusal::TangledLoop { function: function.name.clone(), address: function.lines[node].address }
+                let (function, address) = at(node);
+                Refusal::TangledLoop { function, address }
             }
-        };
-        if flow.next.is_empty() {
-            return Err(Refusal::NoFunction { name: function.name.clone() });
         }
-        let found = longest(&flow.next, &costs, 0, turns).map_err(endless)?;
-        let instructions = found.into_iter().flatten().max().unwrap_or(0);
-        let bound = Bound { instructions, stack: flow.frame + deepest };
-        self.known.insert(place, bound);
-        Ok(bound)
+    }
+
+    /// The functions that limits of this one speak of and that are not counted elsewhere already.
+    fn limits(&self, place: usize, elsewhere: &Elsewhere) -> Result<Vec<(usize, u64)>, Refusal> {
+        let here = self.limits.iter().filter(|limit| limit.within == self.name(place));
+        let mut limits = Vec::new();
+        for limit in here {
+            let function = self.place(&limit.function)?;
+            if !elsewhere.contains(&function) {
+                limits.push((function, limit.times));
+            }
+        }
+        Ok(limits)
+    }
+
+    fn of(&mut self, place: usize, elsewhere: &Elsewhere) -> Result<Known, Refusal> {
+        if elsewhere.contains(&place) {
+            return Ok(Known { instructions: 0, own: 0, calls: vec![] });
+        }
+        let key = (place, elsewhere.clone());
+        if let Some(known) = self.known.get(&key) {
+            return Ok(known.clone());
+        }
+        let limits = self.limits(place, elsewhere)?;
+        let without: Elsewhere =
+            elsewhere.iter().copied().chain(limits.iter().map(|&(function, _)| function)).collect();
+        let headers = self.headers(place)?;
+        let turns = self.turns(place, &headers)?;
+        let flow = self.flow(place)?.clone();
+        let mut costs = Vec::with_capacity(flow.calls.len());
+        let mut dearest = Vec::with_capacity(flow.calls.len());
+        for callees in &flow.calls {
+            let mut most = None;
+            for &callee in callees {
+                let instructions = self.of(callee, &without)?.instructions;
+                if most.is_none_or(|(_, other)| other < instructions) {
+                    most = Some((callee, instructions));
+                }
+            }
+            costs.push(1 + most.map_or(0, |(_, instructions)| instructions));
+            dearest.push(most.map(|(callee, _)| callee));
+        }
+        let found = longest(&flow.next, &costs, 0, &turns).map_err(|endless| self.endless(place, endless))?;
+        let mut calls: BTreeMap<usize, u64> = BTreeMap::new();
+        for (callee, &visits) in dearest.into_iter().zip(&found.visits) {
+            if let Some(callee) = callee.filter(|callee| visits > 0 && !without.contains(callee)) {
+                *calls.entry(callee).or_default() += visits;
+            }
+        }
+        let mut known = Known {
+            instructions: found.cost,
+            own: found.visits.iter().sum(),
+            calls: calls.into_iter().map(|(callee, times)| (callee, times, without.clone())).collect(),
+        };
+        for &(function, times) in &limits {
+            // What this one calls of the others is counted with them.
+            let others: Elsewhere = without.iter().copied().filter(|&other| other != function).collect();
+            known.instructions += times * self.of(function, &others)?.instructions;
+            known.calls.push((function, times, others));
+        }
+        self.known.insert(key, known.clone());
+        Ok(known)
+    }
+
+    fn share(&mut self, place: usize, runs: u64, elsewhere: &Elsewhere) -> Result<Share, Refusal> {
+        let Known { instructions, own, calls } = self.of(place, elsewhere)?;
+        let mut parts = Vec::with_capacity(calls.len());
+        for (callee, times, elsewhere) in calls {
+            parts.push(self.share(callee, runs * times, &elsewhere)?);
+        }
+        parts.sort_by_key(|part| std::cmp::Reverse(part.runs * part.each));
+        Ok(Share { function: self.name(place).to_owned(), runs, own: runs * own, each: instructions, parts })
     }
 }

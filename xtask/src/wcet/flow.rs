@@ -1,36 +1,45 @@
 //! The control flow of one function.
 
+use super::facts::Calls;
 use super::instruction::{Kind, Stack, kind, stack};
 use super::listing::{Function, Line, Listing};
 use super::refusal::Refusal;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A function as a graph: its instructions are the nodes.
 #[derive(Clone, Debug)]
 pub(super) struct Flow {
     /// The instructions that may follow each.
     pub(super) next: Vec<Vec<usize>>,
-    /// The function that each calls, a call at the end included: its place in the listing.
-    pub(super) calls: Vec<Option<usize>>,
+    /// The functions that each may call, a call at the end included: their places in the listing.
+    pub(super) calls: Vec<Vec<usize>>,
     /// Bytes of stack of the function itself.
     pub(super) frame: u64,
 }
 
 impl Flow {
     /// Of a function of a listing. What cannot be reached (padding before data) is left out.
-    pub(super) fn of(listing: &Listing, function: &Function) -> Result<Self, Refusal> {
+    pub(super) fn of(listing: &Listing, function: &Function, through: &Calls) -> Result<Self, Refusal> {
         let place: BTreeMap<u64, usize> = (function.lines.iter().map(|line| line.address)).zip(0..).collect();
         let count = function.lines.len();
-        let mut flow = Self { next: vec![Vec::new(); count], calls: vec![None; count], frame: 0 };
+        let mut flow = Self { next: vec![Vec::new(); count], calls: vec![Vec::new(); count], frame: 0 };
         let mut open: Vec<usize> = (0..count.min(1)).collect();
         let mut seen = vec![false; count];
         while let Some(index) = open.pop() {
             if !std::mem::replace(&mut seen[index], true) {
-                flow.add(listing, function, &place, index)?;
+                flow.add(listing, function, &place, through, index)?;
                 open.extend(&flow.next[index]);
             }
         }
+        if through.contains_key(&function.name) && !function.lines.iter().any(goes_by_register) {
+            return Err(Refusal::NotIndirect { function: function.name.clone() });
+        }
         Ok(flow)
+    }
+
+    /// Every function that it may call.
+    pub(super) fn callees(&self) -> BTreeSet<usize> {
+        self.calls.iter().flatten().copied().collect()
     }
 
     /// Adds an instruction.
@@ -39,6 +48,7 @@ impl Flow {
         listing: &Listing,
         function: &Function,
         place: &BTreeMap<u64, usize>,
+        through: &Calls,
         index: usize,
     ) -> Result<(), Refusal> {
         let line = &function.lines[index];
@@ -58,12 +68,12 @@ impl Flow {
                     To::Here(address) => {
                         self.next[index].push(*place.get(&address).ok_or_else(|| astray(function, line))?);
                     }
-                    To::Function(callee) => self.calls[index] = Some(callee),
+                    To::Function(callee) => self.calls[index] = vec![callee],
                 }
             }
             Kind::Call => {
                 self.calls[index] = match target(listing, function, line)? {
-                    To::Function(callee) => Some(callee),
+                    To::Function(callee) => vec![callee],
                     To::Here(_) => return Err(astray(function, line)),
                 };
                 // What follows no instruction is never come back to: the callee does not return.
@@ -71,8 +81,25 @@ impl Flow {
             }
             Kind::Return { conditional } => goes_on = conditional,
             Kind::Trap => goes_on = false,
-            Kind::Indirect => return Err(Refusal::Indirect { function: name(), address, text }),
-            Kind::JumpTable => return Err(Refusal::JumpTable { function: name(), address, text }),
+            Kind::Indirect { goes_on: and_on } => {
+                let Some(callees) = through.get(&function.name) else {
+                    return Err(Refusal::Indirect { function: name(), address, text });
+                };
+                for callee in callees {
+                    let place = listing.named(callee).ok_or_else(|| Refusal::NoFunction { name: callee.clone() })?;
+                    self.calls[index].push(place);
+                }
+                goes_on = and_on;
+            }
+            Kind::JumpTable => {
+                let targets = table(function, line).ok_or(Refusal::JumpTable { function: name(), address, text })?;
+                for target in targets {
+                    self.next[index].push(*place.get(&target).ok_or_else(|| astray(function, line))?);
+                }
+                self.next[index].sort_unstable();
+                self.next[index].dedup();
+                goes_on = false;
+            }
         }
         if goes_on {
             self.next[index].push(follower(function, index).ok_or_else(|| astray(function, line))?);
@@ -81,10 +108,33 @@ impl Flow {
     }
 }
 
+fn goes_by_register(line: &Line) -> bool {
+    matches!(kind(line), Kind::Indirect { .. })
+}
+
 /// The instruction right behind another, without data between them.
 fn follower(function: &Function, index: usize) -> Option<usize> {
     let [here, next] = [function.lines.get(index)?, function.lines.get(index + 1)?];
     (next.address - here.address <= 4).then_some(index + 1)
+}
+
+/// Where a `tbb` or `tbh` may lead: every entry of the table behind it. What else lies there is taken for entries, too:
+/// that adds ways, or leads astray.
+fn table(function: &Function, line: &Line) -> Option<Vec<u64>> {
+    let width = match line.mnemonic.as_str() {
+        "tbb" => 1,
+        "tbh" => 2,
+        _ => return None,
+    };
+    if !line.operands.starts_with("[pc,") {
+        return None;
+    }
+    let base = line.address + 4;
+    let bytes: Vec<u8> = (base..).map_while(|address| function.data.get(&address).copied()).collect();
+    let entries = bytes.chunks_exact(width).map(|entry| entry.iter().rfold(0, |sum, &byte| sum << 8 | u64::from(byte)));
+    // An entry of 0 would lead into the table: it is what aligns the code behind it.
+    let targets: Vec<u64> = entries.filter(|&entry| entry > 0).map(|entry| base + 2 * entry).collect();
+    (!targets.is_empty()).then_some(targets)
 }
 
 enum To {

@@ -21,8 +21,11 @@ pub enum Kind {
     },
     /// Nowhere: an undefined instruction ends the run.
     Trap,
-    /// To where a register says.
-    Indirect,
+    /// To where a register says; on, too, where `goes_on`: a call, or a jump with a condition.
+    Indirect {
+        /// Whether the next instruction may follow.
+        goes_on: bool,
+    },
     /// To where a table says.
     JumpTable,
 }
@@ -49,10 +52,10 @@ pub fn kind(line: &Line) -> Kind {
         return Kind::Call;
     }
     if is(name, "blx").is_some() {
-        return Kind::Indirect;
+        return Kind::Indirect { goes_on: true };
     }
     if let Some(conditional) = is(name, "bx") {
-        return if operands == "lr" { Kind::Return { conditional } } else { Kind::Indirect };
+        return if operands == "lr" { Kind::Return { conditional } } else { Kind::Indirect { goes_on: conditional } };
     }
     if let Some(conditional) = loads_many(name)
         && operands.contains("pc}")
@@ -77,7 +80,7 @@ pub fn is_decision(line: &Line) -> bool {
     let conditional = matches!(kind(line), Kind::Branch { conditional: true } | Kind::Return { conditional: true });
     let block =
         bare(&line.mnemonic).strip_prefix("it").is_some_and(|rest| rest.chars().all(|c| matches!(c, 't' | 'e')));
-    conditional || block || matches!(kind(line), Kind::JumpTable | Kind::Indirect)
+    conditional || block || matches!(kind(line), Kind::JumpTable | Kind::Indirect { .. })
 }
 
 /// How the stack pointer moves.
@@ -215,8 +218,8 @@ mod tests {
         assert_eq!(kind(&line("bxne lr")), Kind::Return { conditional: true });
         assert_eq!(kind(&line("popeq {r4, pc}")), Kind::Return { conditional: true });
         assert_eq!(kind(&line("udf #254")), Kind::Trap);
-        for indirect in ["blx r3", "bx r3"] {
-            assert_eq!(kind(&line(indirect)), Kind::Indirect, "{indirect}");
+        for (indirect, goes_on) in [("blx r3", true), ("bx r3", false), ("bxne r3", true)] {
+            assert_eq!(kind(&line(indirect)), Kind::Indirect { goes_on }, "{indirect}");
         }
         for table in ["tbb [pc, r0]", "tbh [pc, r0, lsl #1]", "ldr.w pc, [r1, r0, lsl #2]", "mov pc, r0", "add pc, r1"]
         {

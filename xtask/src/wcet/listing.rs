@@ -25,7 +25,7 @@ impl Line {
     }
 }
 
-/// A function: its instructions in order; data between them is left out.
+/// A function: its instructions in order, and data between them.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Function {
     /// Its name.
@@ -36,6 +36,8 @@ pub struct Function {
     pub address: u64,
     /// Its instructions.
     pub lines: Vec<Line>,
+    /// The bytes between them that are none: constants, tables.
+    pub data: BTreeMap<u64, u8>,
 }
 
 /// All functions of an object.
@@ -55,9 +57,11 @@ impl Listing {
             if let Some(name) = line.strip_prefix("Disassembly of section ") {
                 section = name.trim_end_matches(':').to_owned();
             } else if let Some((address, name)) = header(line) {
-                listing.begin(Function { name, section: section.clone(), address, lines: Vec::new() });
-            } else if let (Some(function), Some(line)) = (listing.functions.last_mut(), instruction(line)) {
-                function.lines.push(line);
+                let section = section.clone();
+                listing.begin(Function { name, section, address, lines: Vec::new(), data: BTreeMap::new() });
+            } else if let Some(function) = listing.functions.last_mut() {
+                function.lines.extend(instruction(line));
+                function.data.extend(data(line).into_iter().flatten());
             }
         }
         listing
@@ -92,7 +96,7 @@ impl Listing {
 /// When `arm-none-eabi-objdump` is missing or finds nothing to read.
 pub fn disassemble(object: &Path) -> io::Result<Listing> {
     let program = "arm-none-eabi-objdump";
-    let output = Command::new(program).args(["-d", "-r", "--no-show-raw-insn", "-w"]).arg(object).output();
+    let output = Command::new(program).args(["-d", "-r", "-z", "--no-show-raw-insn", "-w"]).arg(object).output();
     let output = output.map_err(|error| io::Error::new(error.kind(), format!("{program}: {error}")))?;
     if !output.status.success() {
         return Err(io::Error::other(String::from_utf8_lossy(&output.stderr).trim().to_owned()));
@@ -120,4 +124,19 @@ fn instruction(line: &str) -> Option<Line> {
     let relocation = fields.find(|field| field.contains(": R_ARM_THM_"));
     let symbol = relocation.and_then(|_| fields.next()).map(str::to_owned);
     is_code.then(|| Line { address, mnemonic: mnemonic.to_owned(), operands: operands.to_owned(), symbol })
+}
+
+/// The bytes of a line of data, `12: .short 0x0302` with tabs between, at their addresses.
+fn data(line: &str) -> Option<impl Iterator<Item = (u64, u8)> + use<>> {
+    let (address, rest) = line.split_once(':')?;
+    let address = u64::from_str_radix(address.trim(), 16).ok()?;
+    let mut fields = rest.trim_start().split('\t').map(str::trim);
+    let count = match fields.next()? {
+        ".byte" => 1,
+        ".short" => 2,
+        ".word" => 4,
+        _ => return None,
+    };
+    let value = u32::from_str_radix(fields.next()?.strip_prefix("0x")?, 16).ok()?;
+    Some((address..).zip(value.to_le_bytes()).take(count))
 }

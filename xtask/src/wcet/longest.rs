@@ -1,86 +1,155 @@
 //! The longest path through a graph whose loops have bounds.
 //!
-//! A loop is a strongly connected part with one entry. Between two times that control comes to the entry, it takes at most
-//! the longest path from there back; a loop that turns at most n times costs n − 1 of those and then the longest path from
-//! the entry to where it is left. Loops inside are found by cutting the ways back to the entry.
+//! A loop is a strongly connected part with one entry, its header. Between two times that control comes to the header, it
+//! takes at most the longest path from there back; a loop that turns at most n times costs n − 1 of those and then the
+//! longest path from the header to where it is left. Loops inside are found by cutting the ways back to the header.
+
+use super::path::{Paths, Step};
+use std::collections::BTreeMap;
 
 /// Why there is none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Endless {
-    /// A loop at this node without a bound.
+    /// A loop with this header without a bound.
     Loop(usize),
     /// A loop at this node that has several entries.
     Tangled(usize),
 }
 
-/// For each node that can be reached, the most that a path from `entry` costs up to it, the node included.
+/// The longest path: what it costs, and how often it comes to each node.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Longest {
+    pub(super) cost: u64,
+    pub(super) visits: Vec<u64>,
+}
+
+/// Finds it, from `entry` on. `turns` says how often the loop of a header turns at most.
 pub(super) fn longest(
     next: &[Vec<usize>],
     cost: &[u64],
     entry: usize,
-    turns: Option<u64>,
-) -> Result<Vec<Option<u64>>, Endless> {
-    // A node before the first, so that a loop may begin there.
-    let next: Vec<Vec<usize>> = next.iter().cloned().chain([vec![entry]]).collect();
-    let cost: Vec<u64> = cost.iter().copied().chain([0]).collect();
-    let graph = Graph { next: &next, cost: &cost, turns };
-    let mut found = walk(&graph, &vec![true; next.len()], next.len() - 1)?;
-    found.pop();
-    Ok(found)
+    turns: &BTreeMap<usize, u64>,
+) -> Result<Longest, Endless> {
+    let mut search = Search::new(next, cost, entry, Some(turns));
+    let found = search.walk(&vec![true; next.len() + 1], next.len())?;
+    let longest = found.into_iter().flatten().max_by_key(|reach| reach.cost);
+    let Reach { cost, path } = longest.unwrap_or(Reach { cost: 0, path: None });
+    let mut visits = search.paths.visits(path, next.len() + 1);
+    visits.pop();
+    Ok(Longest { cost, visits })
 }
 
-struct Graph<'a> {
-    next: &'a [Vec<usize>],
-    cost: &'a [u64],
-    turns: Option<u64>,
+/// A loop: the node that it begins at, and those outside of it that lead there.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Header {
+    pub(super) node: usize,
+    pub(super) entered_from: Vec<usize>,
 }
 
-/// In the part of the graph that is `inside`, without ways back to `entry`.
-fn walk(graph: &Graph<'_>, inside: &[bool], entry: usize) -> Result<Vec<Option<u64>>, Endless> {
-    let parts = components(graph, inside, entry);
-    let mut part_of = vec![usize::MAX; graph.next.len()];
-    for (number, part) in parts.iter().enumerate() {
-        part.iter().for_each(|&node| part_of[node] = number);
-    }
-    let mut found: Vec<Option<u64>> = vec![None; graph.next.len()];
-    // The most that a path costs before it comes to a node.
-    let mut before: Vec<Option<u64>> = vec![None; graph.next.len()];
-    before[entry] = Some(0);
-    // Components come last first.
-    for part in parts.iter().rev() {
-        let alone = part[0];
-        let is_loop = part.len() > 1 || graph.next[alone].iter().any(|&to| to == alone && to != entry);
-        if is_loop {
-            let mut entries = part.iter().copied().filter(|&node| before[node].is_some());
-            let (Some(header), None) = (entries.next(), entries.next()) else {
-                return Err(Endless::Tangled(alone));
-            };
-            let turns = graph.turns.ok_or(Endless::Loop(header))?;
-            let mut body = vec![false; graph.next.len()];
-            part.iter().for_each(|&node| body[node] = true);
-            let within = walk(graph, &body, header)?;
-            let latches = part.iter().filter(|&&node| graph.next[node].contains(&header));
-            let turn = latches.filter_map(|&node| within[node]).max().unwrap_or(0);
-            let base = before[header].unwrap_or(0) + turns.saturating_sub(1) * turn;
-            part.iter().for_each(|&node| found[node] = within[node].map(|cost| base + cost));
-        } else {
-            found[alone] = before[alone].map(|before| before + graph.cost[alone]);
+/// All loops, in the order of the nodes.
+pub(super) fn headers(next: &[Vec<usize>], entry: usize) -> Result<Vec<Header>, Endless> {
+    let cost = vec![0; next.len()];
+    let mut search = Search::new(next, &cost, entry, None);
+    search.walk(&vec![true; next.len() + 1], next.len())?;
+    search.headers.sort_unstable();
+    Ok(search.headers)
+}
+
+/// The longest way to a node, the node included.
+#[derive(Clone, Copy)]
+struct Reach {
+    cost: u64,
+    path: Option<Step>,
+}
+
+struct Search<'a> {
+    next: Vec<Vec<usize>>,
+    cost: Vec<u64>,
+    /// Without it one turn each: to see which loops there are.
+    turns: Option<&'a BTreeMap<usize, u64>>,
+    headers: Vec<Header>,
+    paths: Paths,
+}
+
+impl<'a> Search<'a> {
+    fn new(next: &[Vec<usize>], cost: &[u64], entry: usize, turns: Option<&'a BTreeMap<usize, u64>>) -> Self {
+        Self {
+            // A node before the first, so that a loop may begin there.
+            next: next.iter().cloned().chain([vec![entry]]).collect(),
+            cost: cost.iter().copied().chain([0]).collect(),
+            turns,
+            headers: Vec::new(),
+            paths: Paths::default(),
         }
-        for &node in part {
-            for &to in graph.next[node].iter().filter(|&&to| inside[to] && to != entry) {
-                if part_of[to] != part_of[node] {
-                    before[to] = before[to].max(found[node]);
+    }
+
+    /// In the part of the graph that is `inside`, without ways back to `entry`.
+    fn walk(&mut self, inside: &[bool], entry: usize) -> Result<Vec<Option<Reach>>, Endless> {
+        let parts = components(&self.next, inside, entry);
+        let mut part_of = vec![usize::MAX; self.next.len()];
+        for (number, part) in parts.iter().enumerate() {
+            part.iter().for_each(|&node| part_of[node] = number);
+        }
+        let mut found: Vec<Option<Reach>> = vec![None; self.next.len()];
+        // The longest way before a node.
+        let mut before: Vec<Option<Reach>> = vec![None; self.next.len()];
+        before[entry] = Some(Reach { cost: 0, path: None });
+        // Components come last first.
+        for part in parts.iter().rev() {
+            let alone = part[0];
+            if part.len() > 1 || self.next[alone].iter().any(|&to| to == alone && to != entry) {
+                self.turn(part, &before, &mut found)?;
+            } else if let Some(Reach { cost, path }) = before[alone] {
+                let path = Some(self.paths.then(path, alone));
+                found[alone] = Some(Reach { cost: cost + self.cost[alone], path });
+            }
+            for &node in part {
+                let Some(reach) = found[node] else { continue };
+                for &to in self.next[node].iter().filter(|&&to| inside[to] && to != entry) {
+                    if part_of[to] != part_of[node] && before[to].is_none_or(|other| other.cost < reach.cost) {
+                        before[to] = Some(reach);
+                    }
                 }
             }
         }
+        Ok(found)
     }
-    Ok(found)
+
+    /// A loop.
+    fn turn(&mut self, part: &[usize], before: &[Option<Reach>], found: &mut [Option<Reach>]) -> Result<(), Endless> {
+        let mut entries = part.iter().copied().filter(|&node| before[node].is_some());
+        let (Some(header), None) = (entries.next(), entries.next()) else {
+            return Err(Endless::Tangled(part[0]));
+        };
+        let turns = match self.turns {
+            Some(turns) => *turns.get(&header).ok_or(Endless::Loop(header))?,
+            None => 1,
+        };
+        let mut body = vec![false; self.next.len()];
+        part.iter().for_each(|&node| body[node] = true);
+        // Not the node before the first, which is no instruction.
+        let outside = (0..self.next.len() - 1).filter(|&node| !body[node] && self.next[node].contains(&header));
+        self.headers.push(Header { node: header, entered_from: outside.collect() });
+        let within = self.walk(&body, header)?;
+        let latches = part.iter().filter(|&&node| self.next[node].contains(&header));
+        let turn = latches.filter_map(|&node| within[node]).max_by_key(|reach| reach.cost);
+        let Reach { cost, path } = before[header].unwrap_or(Reach { cost: 0, path: None });
+        let again = turns.saturating_sub(1);
+        let turn = turn.unwrap_or(Reach { cost: 0, path: None });
+        let base = cost + again * turn.cost;
+        let path = self.paths.repeat(path, turn.path, again);
+        for &node in part {
+            found[node] =
+                within[node].map(|reach| Reach { cost: base + reach.cost, path: self.paths.join(path, reach.path) });
+        }
+        Ok(())
+    }
 }
 
 /// The strongly connected parts that can be reached from `entry` (Tarjan), each after those that it leads to. Without
 /// recursion: functions have thousands of instructions.
-fn components(graph: &Graph<'_>, inside: &[bool], entry: usize) -> Vec<Vec<usize>> {
-    let count = graph.next.len();
+fn components(next: &[Vec<usize>], inside: &[bool], entry: usize) -> Vec<Vec<usize>> {
+    let count = next.len();
     let (mut number, mut low) = (vec![usize::MAX; count], vec![0; count]);
     let mut on_stack = vec![false; count];
     let (mut stack, mut parts, mut counter) = (Vec::new(), Vec::new(), 0);
@@ -93,7 +162,7 @@ fn components(graph: &Graph<'_>, inside: &[bool], entry: usize) -> Vec<Vec<usize
             stack.push(node);
             on_stack[node] = true;
         }
-        match graph.next[node].get(edge) {
+        match next[node].get(edge) {
             Some(&to) => {
                 open.push((node, edge + 1));
                 if to == entry || !inside[to] {
@@ -129,12 +198,23 @@ fn components(graph: &Graph<'_>, inside: &[bool], entry: usize) -> Vec<Vec<usize
 
 #[cfg(test)]
 mod tests {
-    use super::{Endless, longest};
+    use super::{Endless, Header, headers, longest};
+    use std::collections::BTreeMap;
 
+    fn graph(next: &[&[usize]]) -> Vec<Vec<usize>> {
+        next.iter().map(|to| to.to_vec()).collect()
+    }
+
+    /// With every loop turning as often, or with none bounded.
     fn most(next: &[&[usize]], turns: Option<u64>) -> Result<u64, Endless> {
-        let next: Vec<Vec<usize>> = next.iter().map(|to| to.to_vec()).collect();
-        let cost = vec![1; next.len()];
-        longest(&next, &cost, 0, turns).map(|found| found.into_iter().flatten().max().unwrap_or(0))
+        let next = graph(next);
+        let headers = if turns.is_some() { headers(&next, 0)? } else { vec![] };
+        let turns: BTreeMap<usize, u64> =
+            headers.into_iter().map(|header| header.node).zip(turns.into_iter().cycle()).collect();
+        longest(&next, &vec![1; next.len()], 0, &turns).map(|found| {
+            assert_eq!(found.cost, found.visits.iter().sum::<u64>(), "every node costs 1");
+            found.cost
+        })
     }
 
     #[test]
@@ -160,6 +240,17 @@ mod tests {
         // 1 to 3 is the outer loop, 2 turns on itself.
         let nested: &[&[usize]] = &[&[1], &[2], &[2, 3], &[1, 4], &[]];
         assert_eq!(most(nested, Some(5)), Ok(1 + 5 * (1 + 5 + 1) + 1));
+    }
+
+    #[test]
+    fn each_loop_has_its_own_bound() {
+        let next = graph(&[&[1], &[2], &[2, 3], &[1, 4], &[]]);
+        let expected = vec![Header { node: 1, entered_from: vec![0] }, Header { node: 2, entered_from: vec![1] }];
+        assert_eq!(headers(&next, 0), Ok(expected));
+        let turns = BTreeMap::from([(1, 3), (2, 7)]);
+        let found = longest(&next, &[1, 10, 100, 1000, 1], 0, &turns).expect("bounded");
+        assert_eq!(found.visits, [1, 3, 21, 3, 1]);
+        assert_eq!(found.cost, 1 + 3 * (10 + 7 * 100 + 1000) + 1);
     }
 
     #[test]

@@ -24,6 +24,15 @@ pub enum Refusal {
         /// Where the loop begins.
         address: u64,
     },
+    /// Bounds for another number of loops than there are.
+    OtherLoops {
+        /// The function.
+        function: String,
+        /// Where its loops begin.
+        found: Vec<u64>,
+        /// How many bounds were given.
+        given: usize,
+    },
     /// A loop with several entries: no bound can be given for it.
     TangledLoop {
         /// The function.
@@ -45,7 +54,12 @@ pub enum Refusal {
         /// The instruction.
         text: String,
     },
-    /// A jump through a table.
+    /// A function that was said to call through a register, but does not.
+    NotIndirect {
+        /// The function.
+        function: String,
+    },
+    /// A jump through a table that cannot be read.
     JumpTable {
         /// The function.
         function: String,
@@ -89,15 +103,36 @@ impl std::fmt::Display for Refusal {
                 "{function} has a loop at {address:#x}: without a bound it has no worst case; accepted: straight code, or \
                  --loop-bound {function}=N where no loop of it turns more than N times"
             ),
+            Self::OtherLoops { function, found, given } => {
+                let places: Vec<String> = found.iter().map(|address| format!("{address:#x}")).collect();
+                write!(
+                    f,
+                    "{function} has {} loops (at {}), bounds were given for {given}: one for each is accepted, in this \
+                     order",
+                    found.len(),
+                    places.join(", ")
+                )
+            }
             Self::TangledLoop { function, address } => {
                 write!(f, "{function} has a loop with several entries at {address:#x}: its turns cannot be bounded")
             }
             Self::Recursion { functions } => write!(f, "recursion: {}", functions.join(" calls ")),
             Self::Indirect { function, address, text } => {
-                write!(f, "{function} goes where a register says at {address:#x} ({text}): where to is not known here")
+                write!(
+                    f,
+                    "{function} goes where a register says at {address:#x} ({text}): where to is not known here; \
+                     accepted: --calls {function}=CALLEE,… with every function that it may reach"
+                )
+            }
+            Self::NotIndirect { function } => {
+                write!(f, "{function} calls nothing through a register, so --calls {function}=… says nothing")
             }
             Self::JumpTable { function, address, text } => {
-                write!(f, "{function} jumps through a table at {address:#x} ({text}): -fno-jump-tables avoids them")
+                write!(
+                    f,
+                    "{function} jumps through a table at {address:#x} ({text}) that does not lie behind it: \
+                     -fno-jump-tables avoids them"
+                )
             }
             Self::DynamicStack { function, address, text } => {
                 write!(f, "{function} moves its stack pointer by what only the run knows at {address:#x} ({text})")

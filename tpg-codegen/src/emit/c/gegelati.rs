@@ -3,7 +3,6 @@
 
 use super::expression::Printer;
 use super::{vertex, walk};
-use crate::emit::Style;
 use crate::ir::{Bidder, Module, Node, NodeId};
 use askama::Template;
 
@@ -45,7 +44,7 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module, upper: &str) -> Str
                 next: team.edges.iter().map(|edge| vertex(module, edge.to)).collect::<Vec<_>>().join(", "),
             })
             .collect(),
-        walk: walk::render(printer, module, upper, Style::Gegelati),
+        walk: walk::render(printer, module, upper),
     };
     gegelati.render().expect("the template renders")
 }

@@ -1,11 +1,10 @@
-//! The walk from the root to an action, where teams are functions: a bounded loop around a switch.
+//! The walk from the root to an action in GEGELATI's shape: a bounded loop around a switch.
 //!
 //! Compilers put a function with one caller into that caller, so one switch over thousands of teams becomes one function
 //! of thousands of blocks, and some of their passes take more than linear time in those. Many teams are therefore split
 //! over several switches: 10,000 teams compile in a fifth of the time.
 
 use super::expression::Printer;
-use crate::emit::Style;
 use crate::ir::Module;
 use askama::Template;
 
@@ -17,11 +16,6 @@ const GROUP: usize = 64;
 struct Walk<'a> {
     prefix: &'a str,
     upper: &'a str,
-    entry: String,
-    result: &'a str,
-    /// The parameter and the argument that carry the state; the argument is empty where globals do.
-    parameter: String,
-    argument: &'a str,
     groups: Vec<&'a [Case]>,
     group_size: usize,
 }
@@ -31,16 +25,11 @@ struct Case {
     label: u32,
 }
 
-/// Renders the entry point of a style.
-pub(super) fn render(printer: &Printer<'_>, module: &Module, upper: &str, style: Style) -> String {
-    let prefix = printer.prefix;
-    let (entry, result, parameter, argument) = match style {
-        Style::Pure => (format!("{prefix}_infer"), "uint16_t", format!("const {prefix}_state_t *state"), "state"),
-        Style::Gegelati => ("inferenceTPG".to_owned(), "int", "void".to_owned(), ""),
-    };
+/// Renders GEGELATI's entry point.
+pub(super) fn render(printer: &Printer<'_>, module: &Module, upper: &str) -> String {
     let cases: Vec<Case> =
         module.teams.iter().enumerate().map(|(vertex, team)| Case { vertex, label: team.label }).collect();
     let groups = cases.chunks(GROUP).collect();
-    let walk = Walk { prefix, upper, entry, result, parameter, argument, groups, group_size: GROUP };
+    let walk = Walk { prefix: printer.prefix, upper, groups, group_size: GROUP };
     walk.render().expect("the template renders")
 }

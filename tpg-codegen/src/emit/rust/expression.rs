@@ -9,7 +9,8 @@ use tpg_runtime::ops::Instruction;
 pub(super) struct Printer<'a> {
     pub(super) graph: &'a Graph,
     pub(super) nodes: &'a [Node],
-    /// Whether the platform's maths goes through helpers that answer the simple cases themselves and are not inlined.
+    /// Whether sines, cosines, logarithms and exponentials go through helpers that are not inlined; those answer the simple
+    /// cases of the platform's themselves.
     pub(super) short_cuts: bool,
 }
 
@@ -59,9 +60,7 @@ impl Printer<'_> {
             Instruction::NegateIfLess | Instruction::Min | Instruction::Max => {
                 format!("ops::{}({arguments})", instruction.name())
             }
-            Instruction::Cos | Instruction::Sin | Instruction::Ln | Instruction::Exp
-                if self.short_cuts && self.graph.maths() == MathsProvider::System =>
-            {
+            Instruction::Cos | Instruction::Sin | Instruction::Ln | Instruction::Exp if self.short_cuts => {
                 format!("{}({arguments})", instruction.name())
             }
             Instruction::Cos | Instruction::Sin | Instruction::Ln | Instruction::Exp => {

@@ -1,5 +1,5 @@
-//! The profile `fast`: a function for each team. Cheap bids are computed without a condition; the others only where a
-//! bound says that they can still win.
+//! The profile `fast`: a function for each team, which ends by calling the next: a jump, where a compiler optimises. Cheap
+//! bids are computed; the others only where a bound says that they can still win.
 //!
 //! The best bid starts at the lowest finite number, and a NaN is never as high: so only bids above −∞ win, and where there
 //! is none, nobody wins, which is how the team's last edge does. No bid needs a test for NaN.
@@ -8,40 +8,52 @@
 //! where x is NaN. Where what is best is no constant, it does not.
 
 use super::expression::{Printer, literal};
-use super::{Parts, helpers, vertex, vertex_type};
-use crate::ir::{Module, NodeId, needed};
-use crate::passes::schedule::{Bid, LazyBid, Plan, Schedule};
+use super::{Parts, helpers};
+use crate::emit::layout;
+use crate::ir::{Module, NodeId, Target, needed};
+use crate::passes::schedule::{Bid, Infinite, LazyBid, Plan, Schedule, Sparing};
 use askama::Template;
 use std::collections::BTreeSet;
+
+/// Beyond so many teams, each stays a function: LLVM would put all that have one caller into it, and takes more than linear
+/// time for what comes of it.
+const MANY: usize = 64;
 
 #[derive(Template)]
 #[template(path = "rust/fast.rs", escape = "none")]
 struct Fast<'a> {
     scalar: &'a str,
     state_length: usize,
-    vertex: &'a str,
+    many: bool,
     teams: Vec<TeamView>,
     helpers: String,
 }
 
-#[derive(Template)]
-#[template(path = "rust/fast_body.rs", escape = "none")]
-struct Body<'a> {
-    teams: &'a [TeamView],
-}
-
 struct TeamView {
     label: u32,
-    /// Where the edges lead, and where the last of them does: only where winners are known by their place.
-    next: Option<(Vec<(usize, usize)>, usize)>,
-    /// The variable that holds the winner: its place, or where it leads.
+    /// The variable that holds the winner: the way it goes, or its place.
     winner: &'static str,
     nobody: usize,
+    infinite: Option<InfiniteView>,
     eager: Vec<BidView>,
+    eager_before: Vec<BidView>,
     lazy: Vec<BidView>,
+    /// Where the edges lead, by way or place; the last is where nobody's win leads.
+    ways: Vec<(usize, String)>,
 }
 
+/// What is asked first.
+struct InfiniteView {
+    statements: Vec<String>,
+    condition: String,
+    rank: usize,
+}
+
+#[derive(Default)]
 struct BidView {
+    before: Vec<String>,
+    /// Whether to look at it at all.
+    considered: Option<String>,
     bound_statements: Vec<String>,
     guard: Option<String>,
     statements: Vec<String>,
@@ -54,49 +66,92 @@ struct BidView {
 pub(super) fn render(printer: &Printer<'_>, module: &Module, schedule: &Schedule) -> Parts {
     let teams: Vec<TeamView> =
         schedule.plans.iter().map(|plan| TeamPrinter::new(printer, module, plan).view()).collect();
-    let body = Body { teams: &teams }.render().expect("the template renders");
+    let body = format!("        ActionId(team_{}(s))", schedule.plans[0].label);
     let fast = Fast {
         scalar: printer.graph.scalar().name(),
         state_length: printer.graph.state_length(),
-        vertex: vertex_type(printer.graph, module),
+        many: teams.len() > MANY,
         teams,
         helpers: helpers::render(printer),
     };
-    Parts { body, items: fast.render().expect("the template renders") }
+    Parts { body, items: layout::indent(&fast.render().expect("the template renders")) }
 }
 
 struct TeamPrinter<'a> {
     printer: &'a Printer<'a>,
     module: &'a Module,
     plan: &'a Plan,
-    /// Whether every bid is looked at in turn: then, where the winner leads is enough to know.
+    /// Where edges lead, each once; the last is where the last edge does.
+    targets: Vec<Target>,
+    /// Whether every bid is looked at in turn: then, the way that the winner goes is enough to know.
     in_turn: bool,
     computed: BTreeSet<NodeId>,
 }
 
 impl<'a> TeamPrinter<'a> {
     fn new(printer: &'a Printer<'a>, module: &'a Module, plan: &'a Plan) -> Self {
-        let in_turn = plan.eager.iter().chain(plan.lazy.iter().map(|lazy| &lazy.bid)).all(|bid| bid.in_turn);
-        Self { printer, module, plan, in_turn, computed: BTreeSet::new() }
+        let in_turn = plan.infinite.is_none() && plan.bids().all(|bid| bid.in_turn);
+        Self { printer, module, plan, targets: plan.destinations(), in_turn, computed: BTreeSet::new() }
     }
 
     fn view(mut self) -> TeamView {
-        let eager = self.plan.eager.iter().map(|bid| self.eager(bid)).collect();
-        let lazy = self.plan.lazy.iter().map(|lazy| self.lazy(lazy)).collect();
-        let targets: Vec<usize> = self.plan.targets.iter().map(|&to| vertex(self.module, to)).collect();
-        let last = targets[targets.len() - 1];
+        let (mut eager, mut eager_before, mut lazy) = (Vec::new(), Vec::new(), Vec::new());
+        let mut infinite = None;
+        // With one way to go, no bid matters.
+        if self.targets.len() > 1 {
+            infinite = self.plan.infinite.as_ref().map(|infinite| self.infinite(infinite));
+            eager.extend(self.plan.eager.iter().map(|bid| self.eager(bid)));
+            eager_before = self.in_braces(|team| team.plan.eager_before.iter().map(|bid| team.eager(bid)).collect());
+            lazy.extend(self.plan.lazy.iter().map(|lazy| self.lazy(lazy)));
+        }
+        let last = self.way(self.targets[self.targets.len() - 1]);
+        let ways = if self.in_turn || self.targets.len() == 1 {
+            (1..).zip(self.targets.iter().map(|&target| self.way(target))).collect()
+        } else {
+            let places = self.plan.targets.iter().map(|&target| self.way(target)).chain([last.clone()]);
+            (1..).zip(places).filter(|&(place, ref way)| place > self.plan.targets.len() || *way != last).collect()
+        };
         TeamView {
             label: self.plan.label,
-            winner: if self.in_turn { "vertex" } else { "edge" },
-            nobody: if self.in_turn { last } else { 0 },
-            next: (!self.in_turn).then(|| ((1..targets.len()).zip(targets.iter().copied()).collect(), last)),
+            winner: if self.in_turn { "way" } else { "edge" },
+            nobody: if self.in_turn { self.targets.len() } else { 0 },
+            infinite,
             eager,
+            eager_before,
             lazy,
+            ways,
+        }
+    }
+
+    /// What is decided there.
+    fn way(&self, target: Target) -> String {
+        match target {
+            Target::Team(team) => format!("team_{}(s)", self.module.teams[team].label),
+            Target::Action(action) => action.0.to_string(),
         }
     }
 
     fn rank(&self, bid: &Bid) -> usize {
-        if self.in_turn { vertex(self.module, self.plan.targets[bid.place]) } else { bid.place + 1 }
+        let target = self.plan.targets[bid.place];
+        match self.targets.iter().position(|&other| self.in_turn && other == target) {
+            Some(way) => way + 1,
+            None => bid.place + 1,
+        }
+    }
+
+    /// What is computed meanwhile is not there afterwards.
+    fn in_braces<T>(&mut self, print: impl FnOnce(&mut Self) -> T) -> T {
+        let outside = self.computed.clone();
+        let printed = print(self);
+        self.computed = outside;
+        printed
+    }
+
+    fn infinite(&mut self, infinite: &Infinite) -> InfiniteView {
+        let statements = self.statements(infinite.argument, true);
+        let argument = self.printer.value(infinite.argument);
+        let condition = format!("{argument} > {}", literal(self.printer.graph.scalar(), infinite.above));
+        InfiniteView { statements, condition, rank: infinite.place + 1 }
     }
 
     fn eager(&mut self, bid: &Bid) -> BidView {
@@ -106,17 +161,35 @@ impl<'a> TeamPrinter<'a> {
             statements.push(format!("let zero = core::hint::black_box({value});"));
             value = "zero".to_owned();
         }
-        BidView {
-            bound_statements: Vec::new(),
-            guard: None,
-            statements,
-            wins: format!("{value} >= best"),
-            value,
-            rank: self.rank(bid),
-        }
+        let rank = self.rank(bid);
+        BidView { statements, wins: wins(bid, &value, rank), value, rank, ..BidView::default() }
     }
 
     fn lazy(&mut self, lazy: &LazyBid) -> BidView {
+        let before = lazy.sparing.map(|sparing| self.statements(sparing.argument, true)).unwrap_or_default();
+        let considered = self.considered(lazy);
+        let view = match considered {
+            Some(_) => self.in_braces(|team| team.looked_at(lazy, false)),
+            None => self.looked_at(lazy, true),
+        };
+        BidView { before, considered, ..view }
+    }
+
+    /// What must hold for a bid to be worth its bound.
+    fn considered(&self, lazy: &LazyBid) -> Option<String> {
+        let number = |value: f64| literal(self.printer.graph.scalar(), value);
+        let before = (lazy.before_infinite)
+            .then(|| format!("best < {} || edge < {}", number(f64::INFINITY), self.rank(&lazy.bid)));
+        let spared = lazy.sparing.map(|Sparing { argument, at_most, below }| {
+            format!("!({} <= {} && best >= {})", self.printer.value(argument), number(at_most), number(below))
+        });
+        match (before, spared) {
+            (Some(before), Some(spared)) => Some(format!("({before}) && {spared}")),
+            (before, spared) => before.or(spared),
+        }
+    }
+
+    fn looked_at(&mut self, lazy: &LazyBid, stays: bool) -> BidView {
         let LazyBid { bid, bound, .. } = lazy;
         let rank = self.rank(bid);
         let bound_statements = bound.map(|bound| self.statements(bound, true)).unwrap_or_default();
@@ -128,22 +201,25 @@ impl<'a> TeamPrinter<'a> {
                 Some(if bid.in_turn {
                     format!("!(best > {bound})")
                 } else {
-                    format!("!(best > {bound} || (best >= {bound} && edge > {rank}))")
+                    format!("!(best > {bound} || (best >= {bound} && edge >= {rank}))")
                 })
             }
-            // Nothing is higher than infinity; in turn, what is as high wins.
-            None if bid.in_turn => None,
+            // Nothing is higher than infinity; in turn, what is as high wins; and it may have been asked already.
+            None if bid.in_turn || lazy.before_infinite => None,
             None => Some(format!("best < {infinity} || edge < {rank}")),
         };
         // Where nothing guards it, it is computed for whatever follows.
-        let statements = self.statements(bid.value, guard.is_none());
+        let statements = self.statements(bid.value, guard.is_none() && stays);
         let value = self.printer.value(bid.value);
-        let wins = if bid.in_turn {
-            format!("{value} >= best")
-        } else {
-            format!("{value} > best || ({value} >= best && edge < {rank})")
-        };
-        BidView { bound_statements, guard, statements, value, rank, wins }
+        BidView {
+            bound_statements,
+            guard,
+            statements,
+            wins: wins(bid, &value, rank),
+            value,
+            rank,
+            ..BidView::default()
+        }
     }
 
     /// What must still be computed for a value; later bids can use it where it `stays`.
@@ -154,5 +230,14 @@ impl<'a> TeamPrinter<'a> {
             self.computed.extend(missing);
         }
         statements
+    }
+}
+
+/// Whether a bid makes it the leader.
+fn wins(bid: &Bid, value: &str, rank: usize) -> String {
+    if bid.in_turn {
+        format!("{value} >= best")
+    } else {
+        format!("{value} >= best && ({value} > best || edge < {rank})")
     }
 }

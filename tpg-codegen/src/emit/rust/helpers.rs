@@ -17,8 +17,9 @@ struct Helpers<'a> {
     short_exp: bool,
     infinite_above: String,
     zero_below: String,
-    /// Those of sine and cosine that are called.
-    circular: Vec<&'static str>,
+    provider: &'a str,
+    /// The functions that are called as they are.
+    plain: Vec<&'static str>,
     signed: &'a str,
     unsigned: &'a str,
     ln_estimate: Option<LnEstimate>,
@@ -58,9 +59,11 @@ pub(super) fn render(printer: &Printer<'_>) -> String {
         short_exp: short && uses(Instruction::Exp),
         infinite_above: number(infinite_above),
         zero_below: number(zero_below),
-        circular: [Instruction::Sin, Instruction::Cos]
+        provider: printer.provider(),
+        plain: [Instruction::Sin, Instruction::Cos, Instruction::Ln, Instruction::Exp]
             .into_iter()
-            .filter(|&instruction| short && uses(instruction))
+            .filter(|&instruction| printer.short_cuts && uses(instruction))
+            .filter(|instruction| !short || matches!(instruction, Instruction::Sin | Instruction::Cos))
             .map(Instruction::name)
             .collect(),
         signed: if single { "i32" } else { "i64" },

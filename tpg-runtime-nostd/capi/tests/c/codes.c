@@ -49,6 +49,14 @@ static const uint8_t unknown[1] = { 200 };
 static const tpg_move_t moves[2] = { { { 3, 0, 0, 0 } }, { { -3, 0, 0, 0 } } };
 static const tpg_policy_t policy = { turn_base, sources, 1U, moves, 2U };
 
+/* The arm of tpg_arm_init_widowx. */
+static const tpg_arm_description_t widowx = {
+    { { 2048, 2048, 2048, 2048 } }, { 512, 256 }, { 2, 1025, 1025, 1025 }, { 4094, 3071, 3071, 3071 },
+    125.0F, 142.0F, 49.0F, 142.0F, 155.0F, 160.0F, { 24.0F, -32.0F }, 10.0F, { 18.0F, -18.0F },
+    { { { 68.0F, 90.0F }, { 9.0F, 9.0F } }, { { 68.0F, 68.0F }, { 9.0F, 95.0F } },
+      { { 15.0F, 68.0F }, { 95.0F, 95.0F } }, { { 15.0F, 15.0F }, { 95.0F, 151.0F } } },
+};
+
 static void arm_and_observation(void)
 {
     static tpg_arm_t arm;
@@ -63,12 +71,6 @@ static void arm_and_observation(void)
     float state[3];
     float distance;
     int32_t code;
-    const tpg_arm_description_t widowx = {
-        { { 2048, 2048, 2048, 2048 } }, { 512, 256 }, { 2, 1025, 1025, 1025 }, { 4094, 3071, 3071, 3071 },
-        125.0F, 142.0F, 49.0F, 142.0F, 155.0F, 160.0F, { 24.0F, -32.0F }, 10.0F, { 18.0F, -18.0F },
-        { { { 68.0F, 90.0F }, { 9.0F, 9.0F } }, { { 68.0F, 68.0F }, { 9.0F, 95.0F } },
-          { { 15.0F, 68.0F }, { 95.0F, 95.0F } }, { { 15.0F, 15.0F }, { 95.0F, 151.0F } } },
-    };
     tpg_arm_description_t bad = widowx;
 
     CHECK(tpg_version() == TPG_VERSION);
@@ -111,12 +113,49 @@ static void arm_and_observation(void)
     CHECK(tpg_observation_distance(&seen, &distance) == TPG_OK);
     CHECK(fabsf(distance - sqrtf(725.0F)) < 0.01F);
     CHECK(tpg_observation_distance(NULL, &distance) == TPG_NULL);
-    CHECK(tpg_observation_state(&arm, &seen, sources, 1U, state, 3U) == TPG_OK);
+    CHECK(tpg_observation_state(&arm, &seen, NULL, sources, 1U, state, 3U) == TPG_OK);
     CHECK(state[1] == seen.difference[1]);
-    CHECK(tpg_observation_state(&arm, &seen, sources, 1U, state, 2U) == TPG_LENGTH);
-    CHECK(tpg_observation_state(&arm, &seen, unknown, 1U, state, 3U) == TPG_ARGUMENT);
-    CHECK(tpg_observation_state(&arm, &seen, sources, SIZE_MAX, state, 3U) == TPG_LENGTH);
-    CHECK(tpg_observation_state(&arm, &seen, NULL, 1U, state, 3U) == TPG_NULL);
+    CHECK(tpg_observation_state(&arm, &seen, NULL, sources, 1U, state, 2U) == TPG_LENGTH);
+    CHECK(tpg_observation_state(&arm, &seen, NULL, unknown, 1U, state, 3U) == TPG_ARGUMENT);
+    CHECK(tpg_observation_state(&arm, &seen, NULL, sources, SIZE_MAX, state, 3U) == TPG_LENGTH);
+    CHECK(tpg_observation_state(&arm, &seen, NULL, NULL, 1U, state, 3U) == TPG_NULL);
+}
+
+/* A memo changes nothing but the time it takes. */
+static void memos(void)
+{
+    static tpg_arm_t arm;
+    static tpg_arm_t shorter;
+    static tpg_memo_t memo;
+    static const uint8_t stance[] = { TPG_SOURCE_STANCE };
+    static const float targets[2][3] = { { -250.0F, 239.0F, 267.0F }, { 195.0F, 350.0F, 284.0F } };
+    tpg_arm_description_t description = widowx;
+    tpg_pose_t pose;
+    tpg_observation_t seen;
+    tpg_move_t wanted;
+    float kept[4];
+    float anew[4];
+
+    description.forearm = 120.0F;
+    CHECK(tpg_arm_init_widowx(&arm) == TPG_OK);
+    CHECK(tpg_arm_init(&shorter, &description) == TPG_OK);
+    CHECK(tpg_arm_home(&arm, &pose) == TPG_OK);
+    CHECK(tpg_observe(&arm, &pose, targets[0], &seen) == TPG_OK);
+    CHECK(tpg_memo_init(NULL) == TPG_NULL);
+    CHECK(tpg_memo_init(MISALIGNED(tpg_memo_t)) == TPG_MISALIGNED);
+    CHECK(tpg_observation_state(&arm, &seen, &memo, stance, 1U, kept, 4U) == TPG_STATE);
+    CHECK(tpg_policy_decide(&policy, &arm, &seen, &memo, &wanted) == TPG_STATE);
+    CHECK(tpg_policy_decide(&policy, &arm, &seen, MISALIGNED(tpg_memo_t), &wanted) == TPG_MISALIGNED);
+    CHECK(tpg_memo_init(&memo) == TPG_OK);
+    CHECK(tpg_policy_decide(&policy, &arm, &seen, &memo, &wanted) == TPG_OK);
+    for (size_t round = 0U; round < 8U; round++) {
+        const tpg_arm_t *which = ((round & 4U) == 0U) ? &arm : &shorter;
+
+        CHECK(tpg_observe(which, &pose, targets[(round >> 1) & 1U], &seen) == TPG_OK);
+        CHECK(tpg_observation_state(which, &seen, &memo, stance, 1U, kept, 4U) == TPG_OK);
+        CHECK(tpg_observation_state(which, &seen, NULL, stance, 1U, anew, 4U) == TPG_OK);
+        CHECK(memcmp(kept, anew, sizeof kept) == 0);
+    }
 }
 
 static void policies(void)
@@ -136,23 +175,23 @@ static void policies(void)
     CHECK(tpg_arm_init_widowx(&arm) == TPG_OK);
     CHECK(tpg_arm_home(&arm, &pose) == TPG_OK);
     CHECK(tpg_observe(&arm, &pose, target, &seen) == TPG_OK);
-    CHECK(tpg_policy_decide(&policy, &arm, &seen, &wanted) == TPG_OK);
+    CHECK(tpg_policy_decide(&policy, &arm, &seen, NULL, &wanted) == TPG_OK);
     CHECK(wanted.ticks[0] == 3);
-    CHECK(tpg_policy_decide(NULL, &arm, &seen, &wanted) == TPG_NULL);
-    CHECK(tpg_policy_decide(&policy, &arm, &seen, NULL) == TPG_NULL);
+    CHECK(tpg_policy_decide(NULL, &arm, &seen, NULL, &wanted) == TPG_NULL);
+    CHECK(tpg_policy_decide(&policy, &arm, &seen, NULL, NULL) == TPG_NULL);
     other.infer = NULL;
-    CHECK(tpg_policy_decide(&other, &arm, &seen, &wanted) == TPG_NULL);
+    CHECK(tpg_policy_decide(&other, &arm, &seen, NULL, &wanted) == TPG_NULL);
     other.infer = never_moves;
-    CHECK(tpg_policy_decide(&other, &arm, &seen, &wanted) == TPG_OK);
+    CHECK(tpg_policy_decide(&other, &arm, &seen, NULL, &wanted) == TPG_OK);
     CHECK((wanted.ticks[0] == 0) && (wanted.ticks[3] == 0));
     other.sources = unknown;
-    CHECK(tpg_policy_decide(&other, &arm, &seen, &wanted) == TPG_ARGUMENT);
+    CHECK(tpg_policy_decide(&other, &arm, &seen, NULL, &wanted) == TPG_ARGUMENT);
     other.sources = too_many;
     other.source_count = 9U;
-    CHECK(tpg_policy_decide(&other, &arm, &seen, &wanted) == TPG_LENGTH);
+    CHECK(tpg_policy_decide(&other, &arm, &seen, NULL, &wanted) == TPG_LENGTH);
     other = policy;
     other.moves = NULL;
-    CHECK(tpg_policy_decide(&other, &arm, &seen, &wanted) == TPG_NULL);
+    CHECK(tpg_policy_decide(&other, &arm, &seen, NULL, &wanted) == TPG_NULL);
 
     CHECK(tpg_sac_init(&sac, model, MODEL_WORDS) == TPG_OK);
     CHECK(tpg_sac_init(NULL, model, MODEL_WORDS) == TPG_NULL);
@@ -191,7 +230,7 @@ static void episodes(void)
     CHECK(tpg_episode_init(&episode, &arm, &problem) == TPG_OK);
     while (outcome == TPG_RUNNING) {
         CHECK(tpg_episode_observation(&episode, &seen) == TPG_OK);
-        CHECK(tpg_policy_decide(&policy, &arm, &seen, &wanted) == TPG_OK);
+        CHECK(tpg_policy_decide(&policy, &arm, &seen, NULL, &wanted) == TPG_OK);
         CHECK(tpg_episode_advance(&episode, &wanted, &outcome) == TPG_OK);
     }
     CHECK(outcome == TPG_REACHED);
@@ -264,6 +303,7 @@ static void hybrids(void)
 int main(void)
 {
     arm_and_observation();
+    memos();
     policies();
     episodes();
     hybrids();

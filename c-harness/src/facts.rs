@@ -1,0 +1,97 @@
+//! What the analyser is told about the firmwares, each with its reason: whoever signs a bound signs these.
+//!
+//! Functions are named by a part of their name, their loops by their order in the code. A fact about a function that is not
+//! there, or that has another number of loops, is a failure.
+
+use tpg_generated::widowx_fs_fast::WidowxFsFast;
+use tpg_generated::widowx_rs_fast::WidowxRsFast;
+use tpg_runtime::sac::FEATURES;
+
+/// All about one image.
+pub(crate) struct Facts {
+    /// What one decision is.
+    pub(crate) roots: &'static str,
+    /// What the painted stack is that of.
+    pub(crate) stack_roots: &'static str,
+    /// A part of a function's name, and the turns of its loops.
+    pub(crate) loops: Vec<(&'static str, Vec<u64>)>,
+    /// A part of a function's name, and what its calls through registers reach.
+    pub(crate) calls: Vec<(&'static str, &'static [&'static str])>,
+    /// While one decision runs, functions with this part in their name run no more than so many times.
+    pub(crate) limits: Vec<(&'static str, u64)>,
+}
+
+/// An inference looks at its loop's condition once for each team on the longest walk, and once more to leave it.
+const fn teams(depth: usize) -> u64 {
+    depth as u64 + 1
+}
+
+/// The shipped network has 64 columns in its hidden layers: eight a turn.
+const COLUMNS: u64 = 64 / 8;
+/// And 64 rows: four a block.
+const BLOCKS: u64 = 64 / 4;
+/// Features as words: four a turn, and one more for the rest.
+const FOURS: u64 = FEATURES as u64 / 4 + 1;
+
+/// What both images have: the library's functions.
+fn common() -> Facts {
+    let kernels = ["3dsp10w16a16_raw", "3dsp10w8a8_pairs", "3dsp10w8a8_split", "3dsp11w8a16_pairs", "3dsp11w8a16_split"];
+    let more = ["3dsp12w16a16_pairs", "3dsp12w16a16_split", "3dsp8w8a8_raw", "3dsp9w8a16_raw"];
+    let mut loops: Vec<_> = kernels.into_iter().chain(more).map(|name| (name, vec![COLUMNS])).collect();
+    loops.extend([
+        // One loop for each form of a kernel; a layer turns one of them.
+        ("tpg_kernels6hidden", vec![BLOCKS; 5]),
+        // Columns of the portable form, four a turn: there, but not reached (see the limits).
+        ("8portable10accumulate", vec![FOURS; 3]),
+        ("11pair_inputs", vec![FOURS]),
+        ("12split_inputs", vec![FOURS]),
+        ("5fixed8quantise", vec![FEATURES as u64]),
+        // Four edges of the base, two sides of a part of the arm.
+        ("9clearance7nearest", vec![4, 2]),
+        // The eight actions of a shield: there, but not reached.
+        ("6shield9collision", vec![8]),
+    ]);
+    let limits = vec![
+        // The shipped graphs have no shield among their sources.
+        ("6shield9collision", 0),
+        // A parsed model's layers are whole turns, for which the kernels do not turn to the portable form.
+        ("8portable10accumulate", 0),
+        // Two hidden layers.
+        ("tpg_kernels6hidden", 2),
+        // A stance is kept while the target stays: at most the four candidates of one.
+        ("6stance9candidate", 4),
+        // Those four, the guard's own test of the graph's move, and of the network's move and its parts the eight that
+        // differ in the arm's plane.
+        ("kinematics..Plane$LT$S$GT$$GT$9collision", 4 + 1 + 8),
+    ];
+    Facts { roots: "", stack_roots: "", loops, calls: vec![], limits }
+}
+
+/// The facts about a language's control program.
+pub(crate) fn of(language: &str) -> Facts {
+    let mut facts = common();
+    if language == "C" {
+        facts.roots = "tpg_hybrid_episode_decide";
+        facts.stack_roots = "hybrid_decides";
+        facts.loops.extend([
+            ("widowx_fs_infer", vec![teams(WidowxFsFast::DEPTH)]),
+            ("widowx_rs_infer", vec![teams(WidowxRsFast::DEPTH)]),
+            // Two sources at most.
+            ("16tpg_runtime_capi11observation4fill", vec![2]),
+            // Ways to hold joints.
+            ("6hybrid23Hybrid$LT$S$C$T$C$P$GT$6decide17", vec![14]),
+            // The state, 48 floats, four words a turn; nothing greater is cleared.
+            ("__aeabi_memclr4", vec![12; 2]),
+            // The features, 38 floats, are the most that is copied.
+            ("__aeabi_memcpy4", vec![FOURS]),
+            ("3mem6memcpy", vec![FOURS; 4]),
+        ]);
+        // The hook calls what the policies of control.c name; a decision asks the graph once.
+        facts.calls.push(("6hybrid23Hybrid$LT$S$C$T$C$P$GT$6decide28_", &["fs_infer", "rs_infer"]));
+        facts.limits.push(("6hybrid23Hybrid$LT$S$C$T$C$P$GT$6decide28_", 1));
+    } else {
+        facts.roots = "hybrid_decide";
+        facts.stack_roots = "hybrid_decide";
+    }
+    facts
+}

@@ -1,0 +1,95 @@
+//! clang-tidy, and cppcheck with its MISRA addon, on the firmwares' and the example's own C. What may deviate, and why, is
+//! in `misra-deviations.txt`; generated C and the library's header have tests of their own.
+
+use crate::Failure;
+use crate::build;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use xtask::library;
+
+/// The files of each program: rules about a whole program need to see one, and no more.
+const PROGRAMS: [&[&str]; 4] = [
+    &["example/main.c", "example/startup.c", "example/qemu.c", "example/report.c"],
+    &["firmware-c/control.c", "example/startup.c", "example/qemu.c", "example/report.c"],
+    &["firmware-c/costs.c", "example/startup.c", "example/qemu.c", "example/report.c"],
+    &["firmware-c/control.c", "firmware-c/host.c", "example/report.c"],
+];
+
+/// Two parameters of one type are what coordinates need. A linker script's symbols begin with an underscore.
+const TIDY: &str = "-*,bugprone-*,cert-*,clang-analyzer-*,-bugprone-easily-swappable-parameters,\
+                    -bugprone-reserved-identifier,-cert-dcl37-c,-cert-dcl51-cpp";
+
+/// Where headers are: the example's, generated ones, the library's.
+struct Headers([PathBuf; 3]);
+
+impl Headers {
+    fn includes(&self) -> Vec<String> {
+        self.0.iter().map(|folder| format!("-I{}", folder.display())).collect()
+    }
+}
+
+/// Lints every program.
+pub(crate) fn check() -> Result<(), Failure> {
+    let top = library::top();
+    let headers =
+        Headers([top.join("c-harness/example"), build::generated_c()?, top.join("tpg-runtime-nostd/capi/include")]);
+    if xtask::tool("clang-tidy", "clang-tidy", "clang-tidy on the firmwares' C") {
+        for files in PROGRAMS {
+            clean(tidy().args(files).args(["--", "-std=gnu11", "-ffp-contract=off"]).args(headers.includes()))?;
+        }
+        println!("clang-tidy: nothing");
+    }
+    if xtask::tool("cppcheck", "cppcheck", "cppcheck and its MISRA addon on the firmwares' C") {
+        for files in PROGRAMS {
+            clean(cppcheck(&headers).args(files))?;
+        }
+        println!("cppcheck and its MISRA addon: nothing but what misra-deviations.txt explains");
+    }
+    Ok(())
+}
+
+fn command(program: &str) -> Command {
+    let mut command = Command::new(program);
+    command.current_dir(library::top().join("c-harness"));
+    command
+}
+
+fn tidy() -> Command {
+    let mut command = command("clang-tidy");
+    command.args(["--quiet", "--warnings-as-errors=*"]).arg(format!("--checks={TIDY}"));
+    command
+}
+
+fn cppcheck(headers: &Headers) -> Command {
+    let mut command = command("cppcheck");
+    command.args(["--std=c11", "--enable=all", "--addon=misra", "--quiet", "--error-exitcode=1"]);
+    command.args(["--suppressions-list=misra-deviations.txt"]).args(headers.includes());
+    let Headers([_, generated, library]) = headers;
+    for folder in [generated, library] {
+        command.arg(format!("--suppress=*:{}/*", folder.display()));
+    }
+    command
+}
+
+/// Whether a linter finds nothing.
+fn clean(command: &mut Command) -> Result<(), Failure> {
+    library::output(command).map(|_| ()).map_err(|error| Failure::new(format!("{error:?}")))
+}
+
+/// A file that both linters must complain about: what finds nothing anywhere proves nothing.
+pub(crate) fn sees_what_is_bad() -> Result<(), Failure> {
+    let bad = build::room()?.join("bad.c");
+    let text = "int main(void)\n{\n    int *p = 0;\n    return *p + 010;\n}\n";
+    std::fs::write(&bad, text).map_err(|error| Failure::at(&bad, error))?;
+    let path: &Path = &bad;
+    let headers = Headers([(); 3].map(|()| PathBuf::from("none")));
+    for (program, command) in [
+        ("clang-tidy", tidy().arg(path).args(["--", "-std=c99"])),
+        ("cppcheck", cppcheck(&headers).arg(path)),
+    ] {
+        if xtask::exists(program) && clean(command).is_ok() {
+            return Err(Failure::at(path, format!("{program} finds nothing wrong with it")));
+        }
+    }
+    Ok(())
+}

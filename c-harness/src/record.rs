@@ -1,0 +1,40 @@
+//! How an episode is written down, on the host and in the firmware alike: its outcome as `tpg_runtime.h` numbers it, and a
+//! hash of every motor position.
+#![allow(dead_code, reason = "each of the programs that include this file uses a part")]
+
+use tpg_runtime::arm::{Collision, Invalid, Pose};
+use tpg_runtime::episode::Outcome;
+
+/// As `tpg_runtime.h` numbers them.
+pub(crate) fn code(outcome: Outcome) -> i32 {
+    match outcome {
+        Outcome::Reached => 1,
+        Outcome::Stop => 2,
+        Outcome::Cycle => 3,
+        Outcome::Timeout => 4,
+        Outcome::Invalid(Invalid::JointLimit(joint)) => 17 + i32::from(joint.0),
+        Outcome::Invalid(Invalid::Collision(Collision::Table)) => 21,
+        Outcome::Invalid(Invalid::Collision(Collision::HandCorner)) => 22,
+        Outcome::Invalid(Invalid::Collision(Collision::Base)) => 23,
+    }
+}
+
+/// FNV-1a.
+pub(crate) struct Hash(pub(crate) u64);
+
+impl Hash {
+    /// Of nothing.
+    pub(crate) const fn new() -> Self {
+        Self(0xcbf2_9ce4_8422_2325)
+    }
+
+    /// Adds a number.
+    pub(crate) fn add(&mut self, number: u64) {
+        self.0 = (self.0 ^ number).wrapping_mul(0x0000_0100_0000_01b3);
+    }
+
+    /// Adds motor positions, byte by byte.
+    pub(crate) fn add_pose(&mut self, Pose(ticks): Pose) {
+        ticks.into_iter().flat_map(i16::to_le_bytes).for_each(|byte| self.add(u64::from(byte)));
+    }
+}
