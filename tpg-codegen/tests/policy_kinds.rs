@@ -1,10 +1,10 @@
 //! Networks of every kind as Rust: what `tpg-codegen policy` writes compiles, which proves that nothing can overflow, and
 //! holds the words that C gets, too.
 
-#[allow(unreachable_pub, reason = "as it stands in a library")]
+#[allow(unreachable_pub, reason = "made for users' crates")]
 #[path = "fixtures/policy-kinds/w16a16.rs"]
 mod w16a16;
-#[allow(unreachable_pub, reason = "as it stands in a library")]
+#[allow(unreachable_pub, reason = "made for users' crates")]
 #[path = "fixtures/policy-kinds/w8a8.rs"]
 mod w8a8;
 

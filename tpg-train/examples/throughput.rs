@@ -111,6 +111,7 @@ fn table<S: ArmScalar, M: Maths<S>>(
     println!("  {:44} {:>9} {:>9} {:>12} {:>8}", "", "CPU s", "wall s", "M steps/CPU s", "");
     let all = Options::default();
     let no_tables = environment.clone().without_tables();
+    let no_vectors = environment.clone().without_vectors();
     let rows = [
         ("everything on, 112 lanes, 1 thread", environment, all, 1),
         ("2 threads", environment, all, 2),
@@ -119,6 +120,7 @@ fn table<S: ArmScalar, M: Maths<S>>(
         ("1 lane", environment, Options { lanes: 1, ..all }, 1),
         ("every bid computed", environment, Options { lazy: false, ..all }, 1),
         ("no sharing of values", environment, Options { share: false, ..all }, 1),
+        ("the arm one lane at a time", &no_vectors, all, 1),
         ("sines by libm instead of tables", &no_tables, all, 1),
         ("cycles noticed at the time-out only", environment, Options { look_for_cycles: false, ..all }, 1),
     ];

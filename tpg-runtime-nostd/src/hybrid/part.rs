@@ -67,7 +67,7 @@ mod tests {
             Move(deltas)
         });
         let moving = fewer.filter(|&fewer| fewer != Move::STOP && fewer != wanted);
-        std::iter::once(wanted).chain(moving).find(|&part| valid(part))
+        core::iter::once(wanted).chain(moving).find(|&part| valid(part))
     }
 
     proptest! {

@@ -1,39 +1,44 @@
 //! From the root to an action, in every lane at once.
 //!
-//! Teams are visited in an order in which edges lead forwards, each with the list of lanes that reached it. A team first
-//! asks its eager edges. A bid that is bounded (a sine is at most 1) and costs a transcendental function is *lazy*: it is
-//! computed only in the lanes where it could still win, which are few, because most best bids are millimetres or ticks.
-//! The winner is the same: the highest bid, of equal ones the last edge.
+//! Each lane is at a place: a team at first, an action in the end. Teams are visited in an order in which edges lead
+//! forwards, and move the lanes that are with them. A team first asks its eager edges. A bid that is bounded (a sine is at
+//! most 1) and costs a transcendental function is *lazy*: it is computed only in the lanes where it could still win, which
+//! are few, because most best bids are millimetres or ticks. The winner is the same: the highest bid, of equal ones the
+//! last edge.
+//!
+//! Everything from [`Decider::decide`] on is one function, compiled for each width of vectors; its loops have masks for
+//! conditions, which the compiler would make branches of.
 
 use super::columns::{BLOCK, Block, Columns};
-use super::plan::{Plan, PlannedTeam};
+use super::plan::{Code, LazyEdge, Plan, PlannedTeam};
 use pulp::{Arch, Simd, WithSimd};
 use tpg_runtime::ops::{self, Maths};
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
 
-/// Below one lane in so many, lanes are handled one by one.
+/// Up to one lane in so many, lanes are handled one by one.
 const SPARSE: usize = 16;
 /// The same for the nodes of a lazy bid.
 const SPARSE_NODES: usize = 6;
+/// The place of lanes that are not used.
+const NOWHERE: u32 = u32::MAX;
 
 /// Memory for decisions.
 #[derive(Debug)]
 pub(super) struct Decider<S> {
-    lanes: usize,
-    /// For each destination, teams before actions, the lanes that reached it: a row, and how much of it is used.
-    lists: Vec<u32>,
-    lengths: Vec<usize>,
-    /// The best bid so far in each lane, and the edge that made it.
+    /// Where each lane is, as [`Code::to`] counts places.
+    at: Vec<Block<u32>>,
+    /// Teams that lanes may be at.
+    reached: Vec<bool>,
+    /// The best bid so far in each lane, and the code of the edge that made it.
     best: Vec<Block<S>>,
     winner: Vec<Block<u32>>,
-    /// The lanes in which a lazy bid could win.
-    open: Vec<u32>,
+    /// All ones in the lanes in which a lazy bid could win.
+    open: Vec<Block<u32>>,
     actions: Vec<ActionId>,
     arch: Arch,
 }
 
-/// What [`Decider::decide`] does, compiled for each width of vectors.
 struct Decision<'a, S, M> {
     decider: &'a mut Decider<S>,
     plan: &'a Plan<S>,
@@ -46,28 +51,28 @@ impl<S: Scalar, M: Maths<S>> WithSimd for Decision<'_, S, M> {
 
     #[inline(always)]
     fn with_simd<V: Simd>(self, _: V) {
-        self.decider.decide_in_vectors(self.plan, self.columns, self.all);
+        let Self { decider, plan, columns, all } = self;
+        decider.decide_in_vectors(plan, columns, all);
     }
 }
 
 impl<S: Scalar> Decider<S> {
     pub(super) fn new(lanes: usize) -> Self {
+        let blocks = lanes.div_ceil(BLOCK);
         Self {
-            lanes,
-            lists: Vec::new(),
-            lengths: Vec::new(),
-            best: vec![[S::ZERO; BLOCK]; lanes.div_ceil(BLOCK)],
-            winner: vec![[0; BLOCK]; lanes.div_ceil(BLOCK)],
-            open: Vec::with_capacity(lanes),
+            at: vec![[NOWHERE; BLOCK]; blocks],
+            reached: Vec::new(),
+            best: vec![[S::ZERO; BLOCK]; blocks],
+            winner: vec![[0; BLOCK]; blocks],
+            open: vec![[0; BLOCK]; blocks],
             actions: vec![ActionId(0); lanes],
             arch: Arch::new(),
         }
     }
 
     pub(super) fn prepare(&mut self, plan: &Plan<S>) {
-        self.lengths.clear();
-        self.lengths.resize(plan.destinations, 0);
-        self.lists.resize((plan.destinations * self.lanes).max(self.lists.len()), 0);
+        self.reached.clear();
+        self.reached.resize(plan.teams.len(), false);
     }
 
     /// The actions of the first `all` lanes.
@@ -84,102 +89,97 @@ impl<S: Scalar> Decider<S> {
     #[inline(always)]
     fn decide_in_vectors<M: Maths<S>>(&mut self, plan: &Plan<S>, columns: &mut Columns<S, M>, all: usize) {
         columns.next_step();
-        for (slot, lane) in self.lists[..all].iter_mut().zip(0u32..) {
-            *slot = lane;
-        }
-        self.lengths[0] = all;
-        for (place, team) in plan.teams.iter().enumerate() {
-            let length = std::mem::take(&mut self.lengths[place]);
-            if length == 0 {
+        let used = all.div_ceil(BLOCK);
+        let at = self.at[..used].as_flattened_mut();
+        at[..all].fill(0);
+        at[all..].fill(NOWHERE);
+        self.reached[0] = true;
+        for (place, team) in (0u32..).zip(&plan.teams) {
+            if !std::mem::take(&mut self.reached[place as usize]) {
+                continue;
+            }
+            let here: u32 = self.at[..used].as_flattened().iter().map(|&at| u32::from(at == place)).sum();
+            if here == 0 {
                 continue;
             }
             columns.compute(plan, &team.needs, all);
-            let (first, last) = (place * self.lanes, place * self.lanes + length);
-            if length * SPARSE > all {
-                self.ask_all(team, columns, all);
-                if !team.lazy.is_empty() {
-                    self.ask_lazy(plan, team, columns, first..last, all);
+            if here as usize * SPARSE > all && all > 1 {
+                self.ask_all(team, columns, used);
+                for lazy in &team.lazy {
+                    self.ask_lazy(plan, place, lazy, columns, all);
                 }
-                for slot in first..last {
-                    let lane = self.lists[slot];
-                    let winner = self.winner.as_flattened()[lane as usize];
-                    self.send(lane, team.to[winner as usize]);
+                let winners = self.winner[..used].as_flattened();
+                for (at, &winner) in self.at[..used].as_flattened_mut().iter_mut().zip(winners) {
+                    let here = all_ones(*at == place);
+                    *at ^= (*at ^ Code(winner).to()) & here;
                 }
             } else {
-                for slot in first..last {
-                    let lane = self.lists[slot];
-                    let winner = ask_one(plan, team, columns, lane as usize);
-                    self.send(lane, team.to[winner as usize]);
+                for (lane, at) in self.at.as_flattened_mut()[..all].iter_mut().enumerate() {
+                    if *at == place {
+                        *at = ask_one(plan, team, columns, lane).to();
+                    }
                 }
             }
-        }
-        for (action, place) in (0..).zip(plan.teams.len()..plan.destinations) {
-            let length = std::mem::take(&mut self.lengths[place]);
-            for &lane in &self.lists[place * self.lanes..][..length] {
-                self.actions[lane as usize] = ActionId(action);
+            for &next in &team.next {
+                self.reached[next as usize] = true;
             }
         }
-    }
-
-    #[inline(always)]
-    fn send(&mut self, lane: u32, to: u32) {
-        let length = &mut self.lengths[to as usize];
-        self.lists[to as usize * self.lanes + *length] = lane;
-        *length += 1;
+        for (action, &at) in self.actions[..all].iter_mut().zip(self.at.as_flattened()) {
+            *action = plan.actions[at as usize - plan.teams.len()];
+        }
     }
 
     /// The winner of the eager edges in every lane, wanted or not.
     #[inline(always)]
-    fn ask_all<M: Maths<S>>(&mut self, team: &PlannedTeam<S>, columns: &Columns<S, M>, all: usize) {
-        let blocks = all.div_ceil(BLOCK);
-        for (block, (to_best, to_winner)) in self.best[..blocks].iter_mut().zip(&mut self.winner[..blocks]).enumerate()
-        {
+    fn ask_all<M: Maths<S>>(&mut self, team: &PlannedTeam<S>, columns: &Columns<S, M>, used: usize) {
+        for (block, (to_best, to_winner)) in self.best[..used].iter_mut().zip(&mut self.winner[..used]).enumerate() {
             let mut best = [S::NEG_INFINITY; BLOCK];
-            let mut winner = [0; BLOCK];
+            let mut winner = [team.first.0; BLOCK];
             for edge in &team.eager {
                 let mut wins = [0; BLOCK];
                 for ((best, wins), &bid) in best.iter_mut().zip(&mut wins).zip(&columns.column(edge.bid)[block]) {
                     // As `ops::bid`: a NaN is not above −∞.
                     let bid = ops::max(bid, S::NEG_INFINITY);
-                    *wins = u32::from(bid >= *best).wrapping_neg();
+                    *wins = all_ones(bid >= *best);
                     *best = ops::max(bid, *best);
                 }
-                // With masks: conditions become branches here.
                 for (winner, wins) in winner.iter_mut().zip(wins) {
-                    *winner ^= (*winner ^ edge.edge) & wins;
+                    *winner ^= (*winner ^ edge.code.0) & wins;
                 }
             }
             (*to_best, *to_winner) = (best, winner);
         }
     }
 
-    /// The lazy edges, in the listed lanes where they can win.
+    /// A lazy edge, in the team's lanes where it can win.
     #[inline(always)]
     fn ask_lazy<M: Maths<S>>(
         &mut self,
         plan: &Plan<S>,
-        team: &PlannedTeam<S>,
+        place: u32,
+        lazy: &LazyEdge<S>,
         columns: &mut Columns<S, M>,
-        list: std::ops::Range<usize>,
         all: usize,
     ) {
-        let Self { lists, best, winner, open, .. } = self;
-        let (list, best, winner) = (&lists[list], best.as_flattened_mut(), winner.as_flattened_mut());
-        for lazy in &team.lazy {
-            open.clear();
-            open.extend(list.iter().copied().filter(|&lane| {
-                let lane = lane as usize;
-                could_win(lazy.most, lazy.edge, best[lane], winner[lane])
-            }));
-            if open.len() * SPARSE_NODES > all {
-                columns.compute(plan, &lazy.needs, all);
-            }
-            for &lane in open.iter() {
-                let lane = lane as usize;
-                let bid = ops::bid(columns.value(plan, lazy.bid, lane));
-                if could_win(bid, lazy.edge, best[lane], winner[lane]) {
-                    (best[lane], winner[lane]) = (bid, lazy.edge);
-                }
+        let used = all.div_ceil(BLOCK);
+        let (at, open) = (self.at[..used].as_flattened(), self.open[..used].as_flattened_mut());
+        let (best, winner) = (self.best[..used].as_flattened_mut(), self.winner[..used].as_flattened_mut());
+        let mut count = 0;
+        for (((open, &at), &best), &winner) in open.iter_mut().zip(at).zip(&*best).zip(&*winner) {
+            let could = (at == place) & could_win(lazy.most, lazy.code, best, Code(winner));
+            *open = all_ones(could);
+            count += u32::from(could);
+        }
+        if count == 0 {
+            return;
+        }
+        if count as usize * SPARSE_NODES > all {
+            columns.compute(plan, &lazy.needs, all);
+        }
+        for (lane, _) in open.iter().enumerate().filter(|&(_, &open)| open != 0) {
+            let bid = ops::bid(columns.value(plan, lazy.bid, lane));
+            if could_win(bid, lazy.code, best[lane], Code(winner[lane])) {
+                (best[lane], winner[lane]) = (bid, lazy.code.0);
             }
         }
     }
@@ -187,20 +187,25 @@ impl<S: Scalar> Decider<S> {
 
 /// The winning edge in one lane.
 #[inline(always)]
-fn ask_one<S: Scalar, M: Maths<S>>(plan: &Plan<S>, team: &PlannedTeam<S>, columns: &Columns<S, M>, lane: usize) -> u32 {
+fn ask_one<S: Scalar, M: Maths<S>>(
+    plan: &Plan<S>,
+    team: &PlannedTeam<S>,
+    columns: &Columns<S, M>,
+    lane: usize,
+) -> Code {
     let mut best = S::NEG_INFINITY;
-    let mut winner = 0;
+    let mut winner = team.first;
     for edge in &team.eager {
         let bid = ops::bid(columns.get(edge.bid, lane));
         if bid >= best {
-            (best, winner) = (bid, edge.edge);
+            (best, winner) = (bid, edge.code);
         }
     }
     for lazy in &team.lazy {
-        if could_win(lazy.most, lazy.edge, best, winner) {
+        if could_win(lazy.most, lazy.code, best, winner) {
             let bid = ops::bid(columns.value(plan, lazy.bid, lane));
-            if could_win(bid, lazy.edge, best, winner) {
-                (best, winner) = (bid, lazy.edge);
+            if could_win(bid, lazy.code, best, winner) {
+                (best, winner) = (bid, lazy.code);
             }
         }
     }
@@ -209,6 +214,12 @@ fn ask_one<S: Scalar, M: Maths<S>>(plan: &Plan<S>, team: &PlannedTeam<S>, column
 
 /// Whether a bid beats the best one so far: it is higher, or equal and of a later edge.
 #[inline(always)]
-fn could_win<S: Scalar>(bid: S, edge: u32, best: S, winner: u32) -> bool {
-    bid > best || (bid == best && edge >= winner)
+fn could_win<S: Scalar>(bid: S, edge: Code, best: S, winner: Code) -> bool {
+    (bid > best) | ((bid == best) & (edge >= winner))
+}
+
+/// A mask.
+#[inline(always)]
+fn all_ones(condition: bool) -> u32 {
+    u32::from(condition).wrapping_neg()
 }

@@ -48,7 +48,7 @@ impl<S> View<'_, S> {
 }
 
 /// One episode after the other.
-pub(super) struct OneByOne<'e, S, E: Environment<S>>
+pub(crate) struct OneByOne<'e, S, E: Environment<S>>
 where
     S: Scalar,
 {
@@ -59,7 +59,7 @@ where
 }
 
 impl<'e, S: Scalar, E: Environment<S>> OneByOne<'e, S, E> {
-    pub(super) fn new(environment: &'e E) -> Self {
+    pub(crate) fn new(environment: &'e E) -> Self {
         let length = environment.sources().iter().map(|source| source.length as usize).sum();
         Self { environment, episodes: Vec::new(), keys: Vec::new(), state: vec![S::ZERO; length] }
     }

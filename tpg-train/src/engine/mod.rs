@@ -17,6 +17,7 @@ mod single;
 
 pub use columns::{BLOCK, Block};
 pub use environment::{Ending, Environment, SourceSet};
+pub(crate) use episodes::OneByOne;
 pub use episodes::{Episodes, View};
 pub use evaluator::{Answer, EvaluationError, Evaluator, LocalThreads, UnitKey, Work, WorkUnit};
 pub use history::{History, Repeat};

@@ -3,9 +3,11 @@
 use super::environment::SourceSet;
 use super::lanes::Options;
 use super::nodes::{Arena, Node, NodeId, NodeSet};
-use super::policy::{Destination, Policy};
+use super::policy::{Destination, Edge, Policy};
+use std::collections::BTreeSet;
 use tpg_codegen::graph::SourceDocument;
 use tpg_runtime::ops::{Instruction, Maths};
+use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
 
 /// A bidder and what it bids for.
@@ -15,19 +17,39 @@ struct PlannedEdge {
     to: Destination,
 }
 
+/// An edge of a team: its place there in the upper half, where it leads in the lower.
+///
+/// Of edges of one team the later has the greater code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Code(pub(super) u32);
+
+impl Code {
+    fn new(edge: u32, to: u32) -> Self {
+        assert!(
+            edge < 1 << 16 && to < 1 << 16,
+            "the engine takes graphs of fewer than 2¹⁶ teams, actions and edges of a team"
+        );
+        Self(edge << 16 | to)
+    }
+
+    /// Where it leads: a place among the teams, or the number of teams and a place among the plan's actions.
+    #[inline(always)]
+    pub(super) fn to(self) -> u32 {
+        self.0 & 0xffff
+    }
+}
+
 /// An edge that is always asked.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct EagerEdge {
-    /// Its place among the team's edges.
-    pub(super) edge: u32,
+    pub(super) code: Code,
     pub(super) bid: NodeId,
 }
 
 /// An edge that is asked only where its bid could win.
 #[derive(Clone, Debug)]
 pub(super) struct LazyEdge<S> {
-    /// Its place among the team's edges.
-    pub(super) edge: u32,
+    pub(super) code: Code,
     pub(super) bid: NodeId,
     /// It never bids more.
     pub(super) most: S,
@@ -37,12 +59,13 @@ pub(super) struct LazyEdge<S> {
 /// A team: its edges, and the operations that its eager bids are made of.
 #[derive(Clone, Debug)]
 pub(super) struct PlannedTeam<S> {
-    /// Where each edge leads: a place among the teams, or the number of teams and an action.
-    pub(super) to: Vec<u32>,
-    /// Ascending.
+    pub(super) first: Code,
+    /// In the order of the team's edges.
     pub(super) eager: Vec<EagerEdge>,
     pub(super) needs: NodeSet,
     pub(super) lazy: Vec<LazyEdge<S>>,
+    /// The teams that edges lead to.
+    pub(super) next: Vec<u32>,
 }
 
 /// A root, ready to be evaluated.
@@ -50,8 +73,8 @@ pub(super) struct PlannedTeam<S> {
 pub struct Plan<S> {
     pub(super) nodes: Vec<Node<S>>,
     pub(super) teams: Vec<PlannedTeam<S>>,
-    /// Teams, and actions up to the last that an edge leads to.
-    pub(super) destinations: usize,
+    /// The actions that edges lead to.
+    pub(super) actions: Vec<ActionId>,
     /// For each value of the flat state the node that it is; `u32::MAX` where nothing reads it.
     pub(super) places: Vec<u32>,
     pub(super) wanted: SourceSet,
@@ -64,15 +87,15 @@ impl<S: Scalar> Plan<S> {
         let bids: Vec<NodeId> =
             policy.programs.iter().map(|program| arena.program(policy.registers, program)).collect();
         let facts = facts(arena.nodes(), options.lazy);
-        let first_action = policy.teams.len() as u32;
-        let teams: Vec<_> = (policy.teams.iter())
+        let actions = actions(policy);
+        let teams = (policy.teams.iter())
             .map(|team| {
                 let mut edges: Vec<PlannedEdge> =
                     (team.iter()).map(|edge| PlannedEdge { bid: bids[edge.program as usize], to: edge.to }).collect();
                 if options.share {
                     drop_hopeless(&mut edges);
                 }
-                planned_team(arena.nodes(), &facts, first_action, edges)
+                planned_team(arena.nodes(), &facts, &edges, |to| place(policy, &actions, to))
             })
             .collect();
         let mut places = vec![u32::MAX; sources.iter().map(|source| source.length as usize).sum()];
@@ -83,9 +106,7 @@ impl<S: Scalar> Plan<S> {
         }
         let read = (0u16..).zip(&places).filter(|(_, place)| **place != u32::MAX).map(|(input, _)| input);
         let wanted = SourceSet::of_inputs(sources, read);
-        let last = teams.iter().flat_map(|team: &PlannedTeam<S>| &team.to).max();
-        let destinations = last.map_or(0, |&last| last + 1).max(first_action) as usize;
-        Self { nodes: arena.nodes().to_vec(), teams, destinations, places, wanted }
+        Self { nodes: arena.nodes().to_vec(), teams, actions, places, wanted }
     }
 
     /// Values of the flat state.
@@ -117,27 +138,46 @@ const FEW: usize = 8;
 fn planned_team<S: Scalar>(
     nodes: &[Node<S>],
     facts: &[Fact<S>],
-    first_action: u32,
-    edges: Vec<PlannedEdge>,
+    edges: &[PlannedEdge],
+    place: impl Fn(Destination) -> u32,
 ) -> PlannedTeam<S> {
     let bounded = |bid: NodeId| facts[bid.index()].most.filter(|_| facts[bid.index()].expensive);
     let (mut eager, mut lazy) = (Vec::new(), Vec::new());
     let always = needs(nodes, edges.iter().map(|edge| edge.bid).filter(|&bid| bounded(bid).is_none()));
-    for (edge, &PlannedEdge { bid, .. }) in (0u32..).zip(&edges) {
+    let codes: Vec<Code> = (0u32..).zip(edges).map(|(edge, planned)| Code::new(edge, place(planned.to))).collect();
+    for (&code, &PlannedEdge { bid, .. }) in codes.iter().zip(edges) {
         let needs = needs(nodes, [bid]);
         let more = needs.without(&always).len();
         match bounded(bid) {
             // What the eager edges compute anyway costs nothing more.
-            Some(most) if more > 0 && more <= FEW => lazy.push(LazyEdge { edge, bid, most, needs }),
-            _ => eager.push(EagerEdge { edge, bid }),
+            Some(most) if more > 0 && more <= FEW => lazy.push(LazyEdge { code, bid, most, needs }),
+            _ => eager.push(EagerEdge { code, bid }),
         }
     }
     let needs = needs(nodes, eager.iter().map(|edge| edge.bid));
-    let place = |edge: &PlannedEdge| match edge.to {
-        Destination::Team(team) => team,
-        Destination::Action(action) => first_action + u32::from(action),
+    let next = edges.iter().filter(|edge| matches!(edge.to, Destination::Team(_))).map(|edge| place(edge.to)).collect();
+    PlannedTeam { first: codes.first().copied().unwrap_or(Code(0)), eager, needs, lazy, next }
+}
+
+/// The actions that edges lead to, ascending.
+fn actions(policy: &Policy) -> Vec<ActionId> {
+    let action = |edge: &Edge| match edge.to {
+        Destination::Team(_) => None,
+        Destination::Action(action) => Some(action),
     };
-    PlannedTeam { to: edges.iter().map(place).collect(), eager, needs, lazy }
+    let actions: BTreeSet<u16> = policy.teams.iter().flatten().filter_map(action).collect();
+    actions.into_iter().map(ActionId).collect()
+}
+
+/// Where a destination is, as in [`Code::to`].
+fn place(policy: &Policy, actions: &[ActionId], to: Destination) -> u32 {
+    match to {
+        Destination::Team(team) => team,
+        Destination::Action(action) => {
+            let place = actions.iter().position(|&known| known == ActionId(action)).expect("the policy's own action");
+            (policy.teams.len() + place) as u32
+        }
+    }
 }
 
 /// What is known of a node's value, whatever the inputs.

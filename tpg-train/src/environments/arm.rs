@@ -5,7 +5,7 @@
 
 mod lanes;
 
-use crate::engine::{Ending, Environment, Episodes, SourceSet};
+use crate::engine::{Ending, Environment, Episodes, OneByOne, SourceSet};
 use crate::random::Stream;
 use crate::targets::{self, Reach as Space, Set, Start, Task};
 use serde::{Deserialize, Serialize};
@@ -106,10 +106,29 @@ pub struct ArmEnvironment<S> {
     clearances: Clearances<S>,
     /// How far an action of the shield moves any point of the arm at most, mm.
     swing: S,
-    /// Sine of every tick of a turn, unless sines are computed.
-    sines: Option<Box<[S; TICKS_PER_TURN as usize]>>,
+    /// Left out where sines are computed.
+    sines: Option<Box<Sines<S>>>,
+    /// Whether lanes do their usual steps all at once.
+    vectors: bool,
     /// Where training tasks come from.
     space: Option<Space>,
+}
+
+/// Sine of every tick of a turn.
+type Sines<S> = [S; TICKS_PER_TURN as usize];
+
+#[inline(always)]
+fn look_up<S: ArmScalar>(sines: &Sines<S>, angle: Angle) -> Direction<S> {
+    let within = (TICKS_PER_TURN - 1) as usize;
+    let ticks = angle.0 as usize & within;
+    let ahead = (ticks + TICKS_PER_TURN as usize / 4) & within;
+    Direction { cos: sines[ahead], sin: sines[ticks] }
+}
+
+/// The base's angle; 0 at motor position 2048.
+#[inline(always)]
+fn base_angle(pose: Pose) -> Angle {
+    Angle(i32::from(pose.0[0]) - TICKS_PER_TURN / 2)
 }
 
 /// An episode under way, and what of it need not be computed again.
@@ -166,6 +185,7 @@ impl<S: ArmScalar> ArmEnvironment<S> {
             moves,
             places,
             sines: Some(Box::new(std::array::from_fn(|ticks| Angle(ticks as i32).direction().sin))),
+            vectors: true,
             space: None,
         }
     }
@@ -198,6 +218,11 @@ impl<S: ArmScalar> ArmEnvironment<S> {
         Self { sines: None, ..self }
     }
 
+    /// The same environment, one lane at a time: for a benchmark of the vectors.
+    pub fn without_vectors(self) -> Self {
+        Self { vectors: false, ..self }
+    }
+
     /// The arm in this environment's scalar.
     pub fn arm(&self) -> &Arm<S> {
         &self.arm
@@ -219,10 +244,7 @@ impl<S: ArmScalar> ArmEnvironment<S> {
             let radians = S::from_i32(angle.0) * S::from_f64(core::f64::consts::TAU / f64::from(TICKS_PER_TURN));
             return S::direction_of(radians);
         };
-        let within = (TICKS_PER_TURN - 1) as usize;
-        let ticks = angle.0 as usize & within;
-        let ahead = (ticks + TICKS_PER_TURN as usize / 4) & within;
-        Direction { cos: sines[ahead], sin: sines[ticks] }
+        look_up(sines, angle)
     }
 
     #[inline(always)]
@@ -233,7 +255,7 @@ impl<S: ArmScalar> ArmEnvironment<S> {
 
     #[inline(always)]
     fn base(&self, pose: Pose) -> Direction<S> {
-        self.direction(Angle(i32::from(pose.0[0]) - TICKS_PER_TURN / 2))
+        self.direction(base_angle(pose))
     }
 
     /// [`Source::ShieldCollision`], without a look where the arm is far from everything.
@@ -435,7 +457,7 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
     }
 
     fn lanes(&self) -> Box<dyn Episodes<S, ArmTask> + '_> {
-        Box::new(lanes::ArmLanes::new(self))
+        if self.vectors { Box::new(lanes::ArmLanes::new(self)) } else { Box::new(OneByOne::new(self)) }
     }
 
     fn observe(&self, episode: &mut ArmEpisode<S>, wanted: SourceSet, state: &mut [S]) {

@@ -5,11 +5,11 @@
 //! [`ArmEnvironment::step`], which alone knows the rules. What programs read most is shown in vectors as well, the rest by
 //! [`ArmEnvironment::observe`].
 
-use super::{ArmEnvironment, ArmEpisode, ArmScalar, ArmTask};
+use super::{ArmEnvironment, ArmEpisode, ArmScalar, ArmTask, base_angle, look_up};
 use crate::engine::{BLOCK, Block, Ending, Environment, Episodes, SourceSet, View};
 use pulp::{Arch, Simd, WithSimd};
 use tpg_runtime::arm::{JOINTS, Move, Pose};
-use tpg_runtime::kinematics::difference;
+use tpg_runtime::kinematics::{Angle, Direction, Directions, Plane, difference, link_angles};
 use tpg_runtime::observation::Source;
 use tpg_runtime::policy::ActionId;
 
@@ -24,7 +24,9 @@ struct Group<S> {
     roughness: Block<i32>,
     /// Actions before the last one that is allowed; from 0 on, steps are not usual.
     left: Block<i32>,
-    /// Whether this action was not usual.
+    /// The ticks before this action.
+    before: [Block<i32>; JOINTS],
+    /// Whether this action was not a usual one.
     other: Block<bool>,
 }
 
@@ -115,47 +117,77 @@ impl<S: ArmScalar> WithSimd for Usual<'_, S> {
                     steps[lane] = step;
                 }
             }
-            usual(self.environment, group, keys, &steps);
+            match &self.environment.sines {
+                Some(sines) => usual(
+                    self.environment,
+                    group,
+                    keys,
+                    &steps,
+                    #[inline(always)]
+                    |angle| look_up(sines, angle),
+                ),
+                None => usual(self.environment, group, keys, &steps, |angle| self.environment.direction(angle)),
+            }
         }
     }
 }
 
+/// Each loop has a body without branches and reads single values of arrays: then it becomes vectors.
 #[inline(always)]
+#[expect(
+    clippy::needless_range_loop,
+    reason = "several arrays at the same place, and copies of arrays would stay copies"
+)]
 fn usual<S: ArmScalar>(
     environment: &ArmEnvironment<S>,
     group: &mut Group<S>,
     keys: &mut Block<u64>,
     steps: &[Block<i32>; JOINTS],
+    direction: impl Fn(Angle) -> Direction<S>,
 ) {
-    let ranges = environment.arm.ranges.map(|range| [i32::from(range.min), i32::from(range.max)]);
-    let mut now = group.clone();
-    for lane in 0..BLOCK {
-        let mut to = [0; JOINTS];
-        let (mut inside, mut moving) = (true, false);
-        for joint in 0..JOINTS {
-            let step = steps[joint][lane] * now.roughness[lane];
+    let mut ticks = group.ticks;
+    let (mut inside, mut moved) = ([true; BLOCK], [0; BLOCK]);
+    for joint in 0..JOINTS {
+        let range = environment.arm.ranges[joint];
+        for lane in 0..BLOCK {
+            let step = steps[joint][lane] * group.roughness[lane];
             let step = step.clamp(i32::from(i8::MIN), i32::from(i8::MAX));
-            to[joint] = now.ticks[joint][lane] + step;
-            inside &= (to[joint] >= ranges[joint][0]) & (to[joint] <= ranges[joint][1]);
-            moving |= step != 0;
+            let to = ticks[joint][lane] + step;
+            ticks[joint][lane] = to;
+            inside[lane] &= (to >= i32::from(range.min)) & (to <= i32::from(range.max));
+            moved[lane] |= step;
         }
-        let pose = Pose(to.map(|ticks| ticks as i16));
-        let plane = environment.plane(pose);
-        let hand = plane.hand_in_world(environment.base(pose));
-        let [x, y, z] = difference(now.target.map(|target| target[lane]), hand);
-        let far = x * x + y * y + z * z > now.far[lane];
-        let usual = inside & moving & far & environment.stands_clear(&plane, S::ZERO) & (now.left[lane] > 0);
-        for joint in 0..JOINTS {
-            now.ticks[joint][lane] = if usual { to[joint] } else { now.ticks[joint][lane] };
-        }
-        for axis in 0..3 {
-            now.hand[axis][lane] = if usual { hand[axis] } else { now.hand[axis][lane] };
-        }
-        now.left[lane] -= i32::from(usual);
-        now.other[lane] = !usual;
-        keys[lane] = pose.packed();
     }
-    *group = now;
+    let pose = |lane: usize| Pose([0, 1, 2, 3].map(|joint: usize| ticks[joint][lane] as i16));
+    let (mut cosines, mut sines) = ([[S::ZERO; BLOCK]; JOINTS], [[S::ZERO; BLOCK]; JOINTS]);
+    for lane in 0..BLOCK {
+        let [upper_arm, forearm, hand] = link_angles(pose(lane));
+        let angles = [base_angle(pose(lane)), upper_arm, forearm, hand];
+        for part in 0..JOINTS {
+            let Direction { cos, sin } = direction(angles[part]);
+            cosines[part][lane] = cos;
+            sines[part][lane] = sin;
+        }
+    }
+    let mut hands = group.hand;
+    for lane in 0..BLOCK {
+        let part = |part: usize| Direction { cos: cosines[part][lane], sin: sines[part][lane] };
+        let plane = Plane::new(&environment.arm, Directions::of_links(part(1), part(2), part(3)));
+        let hand = plane.hand_in_world(part(0));
+        let target = [group.target[0][lane], group.target[1][lane], group.target[2][lane]];
+        let [x, y, z] = difference(target, hand);
+        let far = x * x + y * y + z * z > group.far[lane];
+        for axis in 0..3 {
+            hands[axis][lane] = hand[axis];
+        }
+        let clear = environment.stands_clear(&plane, S::ZERO);
+        group.other[lane] = !(inside[lane] & (moved[lane] != 0) & far & clear & (group.left[lane] > 0));
+    }
+    for lane in 0..BLOCK {
+        keys[lane] = pose(lane).packed();
+        group.left[lane] -= 1;
+    }
+    (group.before, group.ticks, group.hand) = (group.ticks, ticks, hands);
 }
 
 impl<S: ArmScalar> Episodes<S, ArmTask> for ArmLanes<'_, S> {
@@ -169,6 +201,7 @@ impl<S: ArmScalar> Episodes<S, ArmTask> for ArmLanes<'_, S> {
                 far: [S::ZERO; BLOCK],
                 roughness: [1; BLOCK],
                 left: [0; BLOCK],
+                before: [[0; BLOCK]; JOINTS],
                 other: [false; BLOCK],
             });
             self.keys.push([0; BLOCK]);
@@ -190,6 +223,11 @@ impl<S: ArmScalar> Episodes<S, ArmTask> for ArmLanes<'_, S> {
                 continue;
             }
             let environment = self.environment;
+            let group = &mut self.groups[lane / BLOCK];
+            for (ticks, before) in group.ticks.iter_mut().zip(group.before) {
+                ticks[lane % BLOCK] = before[lane % BLOCK];
+            }
+            group.left[lane % BLOCK] += 1;
             let episode = self.caught_up(lane);
             let ending = environment.step(episode, action);
             let key = episode.pose.packed();
