@@ -71,7 +71,9 @@ void report_hexadecimal(report_t *report, const char *name, uint64_t value)
 {
     put_name(report, name);
     for (uint32_t place = 0U; place < 16U; place++) {
-        put(report, figures[(uint32_t)(value >> (60U - (4U * place))) & 15U]);
+        const uint32_t bits = 60U - (4U * place);
+
+        put(report, figures[(value >> bits) & 15U]);
     }
 }
 

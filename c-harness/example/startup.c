@@ -73,7 +73,8 @@ uint32_t platform_stack_used(void)
 
 uint32_t platform_stack_of(void (*function)(void *argument), void *argument)
 {
-    uint32_t *at = _stack_limit;
+    /* Volatile: as a call of memset, this would paint over its own return address. */
+    volatile uint32_t *at = _stack_limit;
     const uint32_t *here;
 
     /* What lies below the stack pointer is nobody's: no interrupt is on. */

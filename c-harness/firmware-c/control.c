@@ -175,12 +175,17 @@ static void tell(const run_t *run, uint32_t index, const result_t *result)
     report_print(&line);
 }
 
+typedef struct decision {
+    tpg_chosen_t chosen;
+    int32_t code;
+} decision_t;
+
 /* One decision of the hybrid as a function of an argument, whose stack can be measured. */
-static void hybrid_decides(void *chosen)
+static void hybrid_decides(void *argument)
 {
-    if (tpg_hybrid_episode_decide(&hybrid_episode, chosen) != TPG_OK) {
-        platform_exit(4);
-    }
+    decision_t *decision = argument;
+
+    decision->code = tpg_hybrid_episode_decide(&hybrid_episode, &decision->chosen);
 }
 
 /* The most bytes of stack that a decision takes in some episodes. */
@@ -196,11 +201,12 @@ static bool stack_of_decisions(const run_t *run)
             return false;
         }
         while (result.outcome == TPG_RUNNING) {
-            tpg_chosen_t chosen;
-            const uint32_t stack = platform_stack_of(hybrid_decides, &chosen);
+            decision_t decision;
+            const uint32_t stack = platform_stack_of(hybrid_decides, &decision);
 
             deepest = (stack > deepest) ? stack : deepest;
-            if (tpg_hybrid_episode_act(&hybrid_episode, &chosen, &result.outcome) != TPG_OK) {
+            if ((decision.code != TPG_OK)
+                || (tpg_hybrid_episode_act(&hybrid_episode, &decision.chosen, &result.outcome) != TPG_OK)) {
                 return false;
             }
         }

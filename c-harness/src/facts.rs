@@ -3,8 +3,6 @@
 //! Functions are named by a part of their name, their loops by their order in the code. A fact about a function that is not
 //! there, or that has another number of loops, is a failure.
 
-use tpg_generated::widowx_fs_fast::WidowxFsFast;
-use tpg_generated::widowx_rs_fast::WidowxRsFast;
 use tpg_runtime::sac::FEATURES;
 
 /// All about one image.
@@ -21,11 +19,6 @@ pub(crate) struct Facts {
     pub(crate) limits: Vec<(&'static str, u64)>,
 }
 
-/// An inference looks at its loop's condition once for each team on the longest walk, and once more to leave it.
-const fn teams(depth: usize) -> u64 {
-    depth as u64 + 1
-}
-
 /// The shipped network has 64 columns in its hidden layers: eight a turn.
 const COLUMNS: u64 = 64 / 8;
 /// And 64 rows: four a block.
@@ -35,7 +28,8 @@ const FOURS: u64 = FEATURES as u64 / 4 + 1;
 
 /// What both images have: the library's functions.
 fn common() -> Facts {
-    let kernels = ["3dsp10w16a16_raw", "3dsp10w8a8_pairs", "3dsp10w8a8_split", "3dsp11w8a16_pairs", "3dsp11w8a16_split"];
+    let kernels =
+        ["3dsp10w16a16_raw", "3dsp10w8a8_pairs", "3dsp10w8a8_split", "3dsp11w8a16_pairs", "3dsp11w8a16_split"];
     let more = ["3dsp12w16a16_pairs", "3dsp12w16a16_split", "3dsp8w8a8_raw", "3dsp9w8a16_raw"];
     let mut loops: Vec<_> = kernels.into_iter().chain(more).map(|name| (name, vec![COLUMNS])).collect();
     loops.extend([
@@ -46,10 +40,13 @@ fn common() -> Facts {
         ("11pair_inputs", vec![FOURS]),
         ("12split_inputs", vec![FOURS]),
         ("5fixed8quantise", vec![FEATURES as u64]),
-        // Four edges of the base, two sides of a part of the arm.
-        ("9clearance7nearest", vec![4, 2]),
         // The eight actions of a shield: there, but not reached.
         ("6shield9collision", vec![8]),
+        // What is cleared or copied has at most 64 words, or 32: four words a turn, but one where it is not aligned, and
+        // up to three and four bytes before and behind.
+        ("__aeabi_memclr4", vec![16, 4]),
+        ("__aeabi_memcpy4", vec![8]),
+        ("3mem6memcpy", vec![4, 8, 4, 32]),
     ]);
     let limits = vec![
         // The shipped graphs have no shield among their sources.
@@ -74,17 +71,10 @@ pub(crate) fn of(language: &str) -> Facts {
         facts.roots = "tpg_hybrid_episode_decide";
         facts.stack_roots = "hybrid_decides";
         facts.loops.extend([
-            ("widowx_fs_infer", vec![teams(WidowxFsFast::DEPTH)]),
-            ("widowx_rs_infer", vec![teams(WidowxRsFast::DEPTH)]),
             // Two sources at most.
             ("16tpg_runtime_capi11observation4fill", vec![2]),
-            // Ways to hold joints.
-            ("6hybrid23Hybrid$LT$S$C$T$C$P$GT$6decide17", vec![14]),
-            // The state, 48 floats, four words a turn; nothing greater is cleared.
-            ("__aeabi_memclr4", vec![12; 2]),
-            // The features, 38 floats, are the most that is copied.
-            ("__aeabi_memcpy4", vec![FOURS]),
-            ("3mem6memcpy", vec![FOURS; 4]),
+            // Four edges of the base, two sides of a part of the arm.
+            ("9clearance7nearest", vec![4, 2]),
         ]);
         // The hook calls what the policies of control.c name; a decision asks the graph once.
         facts.calls.push(("6hybrid23Hybrid$LT$S$C$T$C$P$GT$6decide28_", &["fs_infer", "rs_infer"]));
@@ -92,6 +82,14 @@ pub(crate) fn of(language: &str) -> Facts {
     } else {
         facts.roots = "hybrid_decide";
         facts.stack_roots = "hybrid_decide";
+        // A decision asks the graph once.
+        facts.limits.push(("Source$GT$9fill_each", 1));
+        facts.loops.extend([
+            // Two sources at most.
+            ("Source$GT$9fill_each", vec![2]),
+            // Four edges of the base; the sides are not a loop here.
+            ("9clearance7nearest", vec![4]),
+        ]);
     }
     facts
 }

@@ -32,10 +32,19 @@ impl Headers {
 pub(crate) fn check() -> Result<(), Failure> {
     let top = library::top();
     let headers =
-        Headers([top.join("c-harness/example"), build::generated_c()?, top.join("tpg-runtime-nostd/capi/include")]);
-    if xtask::tool("clang-tidy", "clang-tidy", "clang-tidy on the firmwares' C") {
+        Headers([PathBuf::from("example"), build::generated_c()?, top.join("tpg-runtime-nostd/capi/include")]);
+    let what = "clang-tidy on the firmwares' C";
+    if xtask::tool("clang-tidy", "clang-tidy", what)
+        && xtask::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", &format!("{what}: newlib's headers"))
+    {
+        let newlib = library::output(Command::new("arm-none-eabi-gcc").arg("-print-file-name=libc.a"))
+            .map_err(|error| Failure::new(format!("{error:?}")))?;
+        let folder = Path::new(newlib.trim()).parent().unwrap_or(Path::new("/"));
+        let arm = [format!("--target={}", build::TARGET), format!("-I{}/../include", folder.display())];
         for files in PROGRAMS {
-            clean(tidy().args(files).args(["--", "-std=gnu11", "-ffp-contract=off"]).args(headers.includes()))?;
+            let core: &[String] = if files.contains(&"firmware-c/host.c") { &[] } else { &arm };
+            let options = ["--", "-std=gnu11", "-ffp-contract=off"];
+            clean(tidy().args(files).args(options).args(core).args(headers.includes()))?;
         }
         println!("clang-tidy: nothing");
     }
@@ -83,10 +92,9 @@ pub(crate) fn sees_what_is_bad() -> Result<(), Failure> {
     std::fs::write(&bad, text).map_err(|error| Failure::at(&bad, error))?;
     let path: &Path = &bad;
     let headers = Headers([(); 3].map(|()| PathBuf::from("none")));
-    for (program, command) in [
-        ("clang-tidy", tidy().arg(path).args(["--", "-std=c99"])),
-        ("cppcheck", cppcheck(&headers).arg(path)),
-    ] {
+    for (program, command) in
+        [("clang-tidy", tidy().arg(path).args(["--", "-std=c99"])), ("cppcheck", cppcheck(&headers).arg(path))]
+    {
         if xtask::exists(program) && clean(command).is_ok() {
             return Err(Failure::at(path, format!("{program} finds nothing wrong with it")));
         }

@@ -37,865 +37,1735 @@ static float widowx_fs_max(float a, float b)
     return (a > b) ? a : b;
 }
 
-static uint32_t widowx_fs_team_0(const widowx_fs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 31U;
-    vertex = (107.35707F >= best) ? 1U : vertex;
-    best = (107.35707F > best) ? 107.35707F : best;
-    const float v4 = state->polar[2] - 0.7582224F;
-    vertex = (v4 >= best) ? 35U : vertex;
-    best = (v4 > best) ? v4 : best;
-    const float v8 = 0.0F - state->polar[1];
-    vertex = (v8 >= best) ? 2U : vertex;
-    best = (v8 > best) ? v8 : best;
-    const float v12 = v4 / 0.0F;
-    const float v13 = v12 / 0.0F;
-    vertex = (v13 >= best) ? 35U : vertex;
-    best = (v13 > best) ? v13 : best;
-    const float v10 = state->polar[0] - 0.7582224F;
-    vertex = (v10 >= best) ? 31U : vertex;
-    return vertex;
-}
+/* Teams in an order in which every one comes after all that lead to it: control only goes forward. */
 
-static uint32_t widowx_fs_team_1(const widowx_fs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 4U;
-    vertex = (1.6245565F >= best) ? 3U : vertex;
-    best = (1.6245565F > best) ? 1.6245565F : best;
-    const float v15 = 0.0F * state->polar[2];
-    vertex = (v15 >= best) ? 31U : vertex;
-    best = (v15 > best) ? v15 : best;
-    const float v16 = widowx_fs_negate_if_less(state->polar[0], 0.0F);
-    vertex = (v16 >= best) ? 31U : vertex;
-    best = (v16 > best) ? v16 : best;
-    const float v8 = 0.0F - state->polar[1];
-    vertex = (v8 >= best) ? 2U : vertex;
-    best = (v8 > best) ? v8 : best;
-    const float v18 = state->polar[0] * (-107.57004F);
-    vertex = (v18 >= best) ? 32U : vertex;
-    best = (v18 > best) ? v18 : best;
-    const float v10 = state->polar[0] - 0.7582224F;
-    vertex = (v10 >= best) ? 31U : vertex;
-    best = (v10 > best) ? v10 : best;
-    const float v20 = state->polar[1] * (-176.74728F);
-    const float v22 = v20 + (-0.52844894F);
-    vertex = (v22 >= best) ? 4U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_fs_team_9(const widowx_fs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 35U;
-    const float v20 = state->polar[1] * (-176.74728F);
-    const float v22 = v20 + (-0.52844894F);
-    vertex = (v22 >= best) ? 5U : vertex;
-    best = (v22 > best) ? v22 : best;
-    const float v4 = state->polar[2] - 0.7582224F;
-    vertex = (v4 >= best) ? 35U : vertex;
-    best = (v4 > best) ? v4 : best;
-    vertex = (20.1483F >= best) ? 6U : vertex;
-    best = (20.1483F > best) ? 20.1483F : best;
-    const float v23 = state->polar[2] + v4;
-    vertex = (v23 >= best) ? 35U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_fs_team_7(const widowx_fs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 35U;
-    const float v32 = 0.7582224F * state->polar[0];
-    vertex = (v32 >= best) ? 31U : vertex;
-    best = (v32 > best) ? v32 : best;
-    const float v18 = state->polar[0] * (-107.57004F);
-    vertex = (v18 >= best) ? 32U : vertex;
-    best = (v18 > best) ? v18 : best;
-    const float v34 = 42.029076F / state->polar[1];
-    vertex = (v34 >= best) ? 34U : vertex;
-    best = (v34 > best) ? v34 : best;
-    const float v20 = state->polar[1] * (-176.74728F);
-    const float v22 = v20 + (-0.52844894F);
-    vertex = (v22 >= best) ? 4U : vertex;
-    best = (v22 > best) ? v22 : best;
-    vertex = (3.135279F >= best) ? 7U : vertex;
-    best = (3.135279F > best) ? 3.135279F : best;
-    const float v10 = state->polar[0] - 0.7582224F;
-    vertex = (v10 >= best) ? 31U : vertex;
-    best = (v10 > best) ? v10 : best;
-    const float v4 = state->polar[2] - 0.7582224F;
-    const float v12 = v4 / 0.0F;
-    vertex = (v12 >= best) ? 35U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_fs_team_10(const widowx_fs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 32U;
-    const float v20 = state->polar[1] * (-176.74728F);
-    const float v22 = v20 + (-0.52844894F);
-    vertex = (v22 >= best) ? 5U : vertex;
-    best = (v22 > best) ? v22 : best;
-    const float v46 = (-107.57004F) / state->polar[2];
-    vertex = (v46 >= best) ? 8U : vertex;
-    best = (v46 > best) ? v46 : best;
-    const float v4 = state->polar[2] - 0.7582224F;
-    vertex = (v4 >= best) ? 35U : vertex;
-    best = (v4 > best) ? v4 : best;
-    const float v10 = state->polar[0] - 0.7582224F;
-    vertex = (v10 >= best) ? 31U : vertex;
-    best = (v10 > best) ? v10 : best;
-    const float v18 = state->polar[0] * (-107.57004F);
-    vertex = (v18 >= best) ? 32U : vertex;
-    best = (v18 > best) ? v18 : best;
-    const float v47 = 0.0F / state->polar[1];
-    vertex = (v47 >= best) ? 32U : vertex;
-    best = (v47 > best) ? v47 : best;
-    vertex = (20.1483F >= best) ? 6U : vertex;
-    best = (20.1483F > best) ? 20.1483F : best;
-    const float v45 = state->polar[0] * (-79.08088F);
-    vertex = (v45 >= best) ? 32U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_fs_team_12(const widowx_fs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 7U;
-    const float v49 = (-117.26495F) - state->polar[2];
-    vertex = (v49 >= best) ? 9U : vertex;
-    best = (v49 > best) ? v49 : best;
-    const float v50 = state->polar[0] + (-117.26495F);
-    vertex = (v50 >= best) ? 35U : vertex;
-    best = (v50 > best) ? v50 : best;
-    const float v10 = state->polar[0] - 0.7582224F;
-    vertex = (v10 >= best) ? 31U : vertex;
-    best = (v10 > best) ? v10 : best;
-    const float v18 = state->polar[0] * (-107.57004F);
-    vertex = (v18 >= best) ? 10U : vertex;
-    best = (v18 > best) ? v18 : best;
-    const float v4 = state->polar[2] - 0.7582224F;
-    vertex = (v4 >= best) ? 35U : vertex;
-    best = (v4 > best) ? v4 : best;
-    vertex = (26.139645F >= best) ? 7U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_fs_team_11(const widowx_fs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 31U;
-    const float v4 = state->polar[2] - 0.7582224F;
-    vertex = (v4 >= best) ? 35U : vertex;
-    best = (v4 > best) ? v4 : best;
-    const float v52 = state->polar[2] - 0.75724316F;
-    vertex = (v52 >= best) ? 35U : vertex;
-    best = (v52 > best) ? v52 : best;
-    const float v43 = state->polar[2] + (-117.26495F);
-    vertex = (v43 >= best) ? 35U : vertex;
-    best = (v43 > best) ? v43 : best;
-    vertex = (1.6245565F >= best) ? 11U : vertex;
-    best = (1.6245565F > best) ? 1.6245565F : best;
-    const float v54 = state->polar[0] - 0.7258825F;
-    vertex = (v54 >= best) ? 31U : vertex;
-    best = (v54 > best) ? v54 : best;
-    const float v45 = state->polar[0] * (-79.08088F);
-    vertex = (v45 >= best) ? 32U : vertex;
-    best = (v45 > best) ? v45 : best;
-    const float v18 = state->polar[0] * (-107.57004F);
-    vertex = (v18 >= best) ? 12U : vertex;
-    best = (v18 > best) ? v18 : best;
-    const float v10 = state->polar[0] - 0.7582224F;
-    vertex = (v10 >= best) ? 31U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_fs_team_13(const widowx_fs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 31U;
-    const float v4 = state->polar[2] - 0.7582224F;
-    vertex = (v4 >= best) ? 35U : vertex;
-    best = (v4 > best) ? v4 : best;
-    const float v18 = state->polar[0] * (-107.57004F);
-    vertex = (v18 >= best) ? 12U : vertex;
-    best = (v18 > best) ? v18 : best;
-    const float v10 = state->polar[0] - 0.7582224F;
-    vertex = (v10 >= best) ? 31U : vertex;
-    best = (v10 > best) ? v10 : best;
-    vertex = (1.6245565F >= best) ? 13U : vertex;
-    best = (1.6245565F > best) ? 1.6245565F : best;
-    const float v27 = state->polar[1] / state->polar[1];
-    vertex = (v27 >= best) ? 14U : vertex;
-    best = (v27 > best) ? v27 : best;
-    const float v28 = widowx_fs_max(0.0F, state->polar[0]);
-    const float v29 = state->polar[1] - v28;
-    vertex = (v29 >= best) ? 34U : vertex;
-    best = (v29 > best) ? v29 : best;
-    const float v31 = state->polar[0] - 1.0168722F;
-    vertex = (v31 >= best) ? 31U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_fs_team_23(const widowx_fs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 17U;
-    const float v4 = state->polar[2] - 0.7582224F;
-    vertex = (v4 >= best) ? 35U : vertex;
-    best = (v4 > best) ? v4 : best;
-    const float v69 = widowx_fs_negate_if_less(state->polar[1], 229.17769F);
-    vertex = (v69 >= best) ? 15U : vertex;
-    best = (v69 > best) ? v69 : best;
-    const volatile float constant = 0.0F;
-    const float zero = constant;
-    vertex = (zero >= best) ? 16U : vertex;
-    best = (zero > best) ? zero : best;
-    const float v70 = state->polar[1] * (-107.57004F);
-    vertex = (v70 >= best) ? 17U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_fs_team_20(const widowx_fs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 31U;
-    vertex = (10.629795F >= best) ? 15U : vertex;
-    best = (10.629795F > best) ? 10.629795F : best;
-    const float v80 = widowx_fs_min(state->polar[2], 110.01199F);
-    vertex = (v80 >= best) ? 18U : vertex;
-    best = (v80 > best) ? v80 : best;
-    const float v10 = state->polar[0] - 0.7582224F;
-    vertex = (v10 >= best) ? 31U : vertex;
-    best = (v10 > best) ? v10 : best;
-    const float v18 = state->polar[0] * (-107.57004F);
-    vertex = (v18 >= best) ? 32U : vertex;
-    best = (v18 > best) ? v18 : best;
-    const float v45 = state->polar[0] * (-79.08088F);
-    vertex = (v45 >= best) ? 32U : vertex;
-    best = (v45 > best) ? v45 : best;
-    const float v48 = (-107.57004F) / state->polar[0];
-    vertex = (v48 >= best) ? 19U : vertex;
-    best = (v48 > best) ? v48 : best;
-    const float v4 = state->polar[2] - 0.7582224F;
-    vertex = (v4 >= best) ? 31U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_fs_team_36(const widowx_fs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 34U;
-    vertex = (2.5843248F >= best) ? 14U : vertex;
-    best = (2.5843248F > best) ? 2.5843248F : best;
-    const float v18 = state->polar[0] * (-107.57004F);
-    vertex = (v18 >= best) ? 32U : vertex;
-    best = (v18 > best) ? v18 : best;
-    const float v10 = state->polar[0] - 0.7582224F;
-    vertex = (v10 >= best) ? 31U : vertex;
-    best = (v10 > best) ? v10 : best;
-    vertex = (state->polar[1] >= best) ? 34U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_fs_team_15(const widowx_fs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 20U;
-    const float v48 = (-107.57004F) / state->polar[0];
-    vertex = (v48 >= best) ? 8U : vertex;
-    best = (v48 > best) ? v48 : best;
-    const float v4 = state->polar[2] - 0.7582224F;
-    const float v61 = widowx_fs_max(state->polar[2], v4);
-    vertex = (v61 >= best) ? 35U : vertex;
-    best = (v61 > best) ? v61 : best;
-    vertex = (v4 >= best) ? 33U : vertex;
-    best = (v4 > best) ? v4 : best;
-    vertex = (INFINITY >= best) ? 20U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_fs_team_30(const widowx_fs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 32U;
-    const float v45 = state->polar[0] * (-79.08088F);
-    vertex = (v45 >= best) ? 32U : vertex;
-    best = (v45 > best) ? v45 : best;
-    const float v64 = state->polar[0] - 0.6354382F;
-    vertex = (v64 >= best) ? 31U : vertex;
-    best = (v64 > best) ? v64 : best;
-    const float v65 = state->polar[0] + (-5.963282F);
-    vertex = (v65 >= best) ? 35U : vertex;
-    best = (v65 > best) ? v65 : best;
-    const float v10 = state->polar[0] - 0.7582224F;
-    vertex = (v10 >= best) ? 31U : vertex;
-    best = (v10 > best) ? v10 : best;
-    const volatile float constant = 0.0F;
-    const float zero = constant;
-    vertex = (zero >= best) ? 21U : vertex;
-    best = (zero > best) ? zero : best;
-    const float v41 = state->polar[2] * (-176.74728F);
-    vertex = (v41 >= best) ? 22U : vertex;
-    best = (v41 > best) ? v41 : best;
-    const float v48 = (-107.57004F) / state->polar[0];
-    vertex = (v48 >= best) ? 19U : vertex;
-    best = (v48 > best) ? v48 : best;
-    const float v18 = state->polar[0] * (-107.57004F);
-    vertex = (v18 >= best) ? 32U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_fs_team_14(const widowx_fs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 11U;
-    const float v4 = state->polar[2] - 0.7582224F;
-    vertex = (v4 >= best) ? 35U : vertex;
-    best = (v4 > best) ? v4 : best;
-    const float v18 = state->polar[0] * (-107.57004F);
-    vertex = (v18 >= best) ? 12U : vertex;
-    best = (v18 > best) ? v18 : best;
-    const float v55 = state->polar[1] / 0.0F;
-    vertex = (v55 >= best) ? 16U : vertex;
-    best = (v55 > best) ? v55 : best;
-    vertex = (1.6245565F >= best) ? 11U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_fs_team_39(const widowx_fs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 36U;
-    const float v58 = widowx_fs_max(state->polar[1], 0.0F);
-    const float v59 = fabsf(v58);
-    vertex = (v59 >= best) ? 37U : vertex;
-    best = (v59 > best) ? v59 : best;
-    const float v60 = widowx_fs_min(state->polar[0], state->polar[1]);
-    vertex = (v60 >= best) ? 31U : vertex;
-    best = (v60 > best) ? v60 : best;
-    const volatile float constant = 0.0F;
-    const float zero = constant;
-    vertex = (zero >= best) ? 36U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_fs_team_38(const widowx_fs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 19U;
-    const float v40 = state->polar[0] / 0.6354382F;
-    vertex = (v40 >= best) ? 31U : vertex;
-    best = (v40 > best) ? v40 : best;
-    const float v10 = state->polar[0] - 0.7582224F;
-    vertex = (v10 >= best) ? 31U : vertex;
-    best = (v10 > best) ? v10 : best;
-    const float v41 = state->polar[2] * (-176.74728F);
-    const float v42 = v41 / state->polar[1];
-    vertex = (v42 >= best) ? 22U : vertex;
-    best = (v42 > best) ? v42 : best;
-    vertex = (2.5843248F >= best) ? 14U : vertex;
-    best = (2.5843248F > best) ? 2.5843248F : best;
-    const float v43 = state->polar[2] + (-117.26495F);
-    vertex = (v43 >= best) ? 32U : vertex;
-    best = (v43 > best) ? v43 : best;
-    vertex = (state->polar[0] >= best) ? 31U : vertex;
-    best = (state->polar[0] > best) ? state->polar[0] : best;
-    const float v18 = state->polar[0] * (-107.57004F);
-    vertex = (v18 >= best) ? 19U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_fs_team_24(const widowx_fs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 32U;
-    const float v4 = state->polar[2] - 0.7582224F;
-    vertex = (v4 >= best) ? 23U : vertex;
-    best = (v4 > best) ? v4 : best;
-    const float v69 = widowx_fs_negate_if_less(state->polar[1], 229.17769F);
-    vertex = (v69 >= best) ? 15U : vertex;
-    best = (v69 > best) ? v69 : best;
-    const float v43 = state->polar[2] + (-117.26495F);
-    vertex = (v43 >= best) ? 32U : vertex;
-    best = (v43 > best) ? v43 : best;
-    const float v28 = widowx_fs_max(0.0F, state->polar[0]);
-    const float v29 = state->polar[1] - v28;
-    vertex = (v29 >= best) ? 34U : vertex;
-    best = (v29 > best) ? v29 : best;
-    const float v10 = state->polar[0] - 0.7582224F;
-    vertex = (v10 >= best) ? 31U : vertex;
-    best = (v10 > best) ? v10 : best;
-    const float v48 = (-107.57004F) / state->polar[0];
-    vertex = (v48 >= best) ? 19U : vertex;
-    best = (v48 > best) ? v48 : best;
-    vertex = (10.629795F >= best) ? 15U : vertex;
-    best = (10.629795F > best) ? 10.629795F : best;
-    const float v45 = state->polar[0] * (-79.08088F);
-    vertex = (v45 >= best) ? 32U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_fs_team_37(const widowx_fs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 34U;
-    const float v45 = state->polar[0] * (-79.08088F);
-    vertex = (v45 >= best) ? 32U : vertex;
-    best = (v45 > best) ? v45 : best;
-    const float v64 = state->polar[0] - 0.6354382F;
-    vertex = (v64 >= best) ? 31U : vertex;
-    best = (v64 > best) ? v64 : best;
-    const float v18 = state->polar[0] * (-107.57004F);
-    vertex = (v18 >= best) ? 19U : vertex;
-    best = (v18 > best) ? v18 : best;
-    const float v43 = state->polar[2] + (-117.26495F);
-    vertex = (v43 >= best) ? 32U : vertex;
-    best = (v43 > best) ? v43 : best;
-    const volatile float constant = 0.0F;
-    const float zero = constant;
-    vertex = (zero >= best) ? 34U : vertex;
-    best = (zero > best) ? zero : best;
-    const float v72 = state->polar[0] * 0.87870044F;
-    vertex = (v72 >= best) ? 22U : vertex;
-    best = (v72 > best) ? v72 : best;
-    const float v28 = widowx_fs_max(0.0F, state->polar[0]);
-    const float v29 = state->polar[1] - v28;
-    vertex = (v29 >= best) ? 34U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_fs_team_21(const widowx_fs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 19U;
-    const float v85 = widowx_fs_negate_if_less(state->polar[1], (-1.1606317F));
-    vertex = (v85 >= best) ? 24U : vertex;
-    best = (v85 > best) ? v85 : best;
-    vertex = (15.754999F >= best) ? 25U : vertex;
-    best = (15.754999F > best) ? 15.754999F : best;
-    const float v70 = state->polar[1] * (-107.57004F);
-    vertex = (v70 >= best) ? 17U : vertex;
-    best = (v70 > best) ? v70 : best;
-    const float v10 = state->polar[0] - 0.7582224F;
-    vertex = (v10 >= best) ? 31U : vertex;
-    best = (v10 > best) ? v10 : best;
-    const float v18 = state->polar[0] * (-107.57004F);
-    vertex = (v18 >= best) ? 19U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_fs_team_42(const widowx_fs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 32U;
-    const float v47 = 0.0F / state->polar[1];
-    vertex = (v47 >= best) ? 32U : vertex;
-    best = (v47 > best) ? v47 : best;
-    vertex = (state->polar[0] >= best) ? 31U : vertex;
-    best = (state->polar[0] > best) ? state->polar[0] : best;
-    const float v7 = widowx_fs_min((-8.893463F), state->polar[1]);
-    vertex = (v7 >= best) ? 31U : vertex;
-    best = (v7 > best) ? v7 : best;
-    vertex = (state->polar[1] >= best) ? 34U : vertex;
-    best = (state->polar[1] > best) ? state->polar[1] : best;
-    const float v18 = state->polar[0] * (-107.57004F);
-    vertex = (v18 >= best) ? 32U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_fs_team_17(const widowx_fs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 31U;
-    const float v57 = state->polar[2] - (-6.7057414F);
-    vertex = (v57 >= best) ? 33U : vertex;
-    best = (v57 > best) ? v57 : best;
-    vertex = (6.543999F >= best) ? 38U : vertex;
-    best = (6.543999F > best) ? 6.543999F : best;
-    const float v55 = state->polar[1] / 0.0F;
-    vertex = (v55 >= best) ? 16U : vertex;
-    best = (v55 > best) ? v55 : best;
-    const float v45 = state->polar[0] * (-79.08088F);
-    vertex = (v45 >= best) ? 32U : vertex;
-    best = (v45 > best) ? v45 : best;
-    const float v48 = (-107.57004F) / state->polar[0];
-    vertex = (v48 >= best) ? 19U : vertex;
-    best = (v48 > best) ? v48 : best;
-    const float v4 = state->polar[2] - 0.7582224F;
-    vertex = (v4 >= best) ? 33U : vertex;
-    best = (v4 > best) ? v4 : best;
-    const float v18 = state->polar[0] * (-107.57004F);
-    vertex = (v18 >= best) ? 32U : vertex;
-    best = (v18 > best) ? v18 : best;
-    const float v10 = state->polar[0] - 0.7582224F;
-    vertex = (v10 >= best) ? 31U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_fs_team_31(const widowx_fs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 19U;
-    const float v82 = 0.0F - state->polar[0];
-    const float v83 = 2.710111F / v82;
-    vertex = (v83 >= best) ? 32U : vertex;
-    best = (v83 > best) ? v83 : best;
-    const volatile float constant = 0.0F;
-    const float zero = constant;
-    vertex = (zero >= best) ? 31U : vertex;
-    best = (zero > best) ? zero : best;
-    const float v27 = state->polar[1] / state->polar[1];
-    vertex = (v27 >= best) ? 14U : vertex;
-    best = (v27 > best) ? v27 : best;
-    const float v41 = state->polar[2] * (-176.74728F);
-    const float v42 = v41 / state->polar[1];
-    vertex = (v42 >= best) ? 22U : vertex;
-    best = (v42 > best) ? v42 : best;
-    const float v64 = state->polar[0] - 0.6354382F;
-    vertex = (v64 >= best) ? 26U : vertex;
-    best = (v64 > best) ? v64 : best;
-    const float v10 = state->polar[0] - 0.7582224F;
-    vertex = (v10 >= best) ? 31U : vertex;
-    best = (v10 > best) ? v10 : best;
-    const float v18 = state->polar[0] * (-107.57004F);
-    vertex = (v18 >= best) ? 19U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_fs_team_41(const widowx_fs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 32U;
-    const volatile float constant = 0.0F;
-    const float zero = constant;
-    vertex = (zero >= best) ? 34U : vertex;
-    best = (zero > best) ? zero : best;
-    const float v10 = state->polar[0] - 0.7582224F;
-    vertex = (v10 >= best) ? 31U : vertex;
-    best = (v10 > best) ? v10 : best;
-    const float v67 = state->polar[1] * (-55.687565F);
-    vertex = (v67 >= best) ? 36U : vertex;
-    best = (v67 > best) ? v67 : best;
-    const float v18 = state->polar[0] * (-107.57004F);
-    vertex = (v18 >= best) ? 32U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_fs_team_27(const widowx_fs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 12U;
-    const float v48 = (-107.57004F) / state->polar[0];
-    vertex = (v48 >= best) ? 19U : vertex;
-    best = (v48 > best) ? v48 : best;
-    const float v10 = state->polar[0] - 0.7582224F;
-    vertex = (v10 >= best) ? 31U : vertex;
-    best = (v10 > best) ? v10 : best;
-    const float v86 = (-79.08088F) - state->polar[0];
-    vertex = (v86 >= best) ? 27U : vertex;
-    best = (v86 > best) ? v86 : best;
-    const float v45 = state->polar[0] * (-79.08088F);
-    vertex = (v45 >= best) ? 32U : vertex;
-    best = (v45 > best) ? v45 : best;
-    const float v47 = 0.0F / state->polar[1];
-    vertex = (v47 >= best) ? 32U : vertex;
-    best = (v47 > best) ? v47 : best;
-    const float v4 = state->polar[2] - 0.7582224F;
-    vertex = (v4 >= best) ? 28U : vertex;
-    best = (v4 > best) ? v4 : best;
-    vertex = (13.937786F >= best) ? 15U : vertex;
-    best = (13.937786F > best) ? 13.937786F : best;
-    const float v18 = state->polar[0] * (-107.57004F);
-    vertex = (v18 >= best) ? 12U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_fs_team_22(const widowx_fs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 19U;
-    const float v48 = (-107.57004F) / state->polar[0];
-    vertex = (v48 >= best) ? 19U : vertex;
-    best = (v48 > best) ? v48 : best;
-    const float v10 = state->polar[0] - 0.7582224F;
-    vertex = (v10 >= best) ? 31U : vertex;
-    best = (v10 > best) ? v10 : best;
-    vertex = (15.754999F >= best) ? 25U : vertex;
-    best = (15.754999F > best) ? 15.754999F : best;
-    const float v45 = state->polar[0] * (-79.08088F);
-    vertex = (v45 >= best) ? 32U : vertex;
-    best = (v45 > best) ? v45 : best;
-    const float v43 = state->polar[2] + (-117.26495F);
-    vertex = (v43 >= best) ? 32U : vertex;
-    best = (v43 > best) ? v43 : best;
-    const float v18 = state->polar[0] * (-107.57004F);
-    vertex = (v18 >= best) ? 19U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_fs_team_32(const widowx_fs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 32U;
-    const float v72 = state->polar[0] * 0.87870044F;
-    vertex = (v72 >= best) ? 31U : vertex;
-    best = (v72 > best) ? v72 : best;
-    const float v73 = state->polar[2] * state->polar[0];
-    const float v74 = v73 - state->polar[0];
-    const float v75 = 2.710111F / v74;
-    vertex = (v75 >= best) ? 32U : vertex;
-    best = (v75 > best) ? v75 : best;
-    const float v76 = state->polar[0] + (-107.57004F);
-    vertex = (v76 >= best) ? 32U : vertex;
-    best = (v76 > best) ? v76 : best;
-    const volatile float constant = 0.0F;
-    const float zero = constant;
-    vertex = (zero >= best) ? 34U : vertex;
-    best = (zero > best) ? zero : best;
-    const float v27 = state->polar[1] / state->polar[1];
-    vertex = (v27 >= best) ? 14U : vertex;
-    best = (v27 > best) ? v27 : best;
-    const float v41 = state->polar[2] * (-176.74728F);
-    const float v42 = v41 / state->polar[1];
-    vertex = (v42 >= best) ? 22U : vertex;
-    best = (v42 > best) ? v42 : best;
-    const float v10 = state->polar[0] - 0.7582224F;
-    vertex = (v10 >= best) ? 14U : vertex;
-    best = (v10 > best) ? v10 : best;
-    const float v64 = state->polar[0] - 0.6354382F;
-    vertex = (v64 >= best) ? 26U : vertex;
-    best = (v64 > best) ? v64 : best;
-    const float v18 = state->polar[0] * (-107.57004F);
-    vertex = (v18 >= best) ? 32U : vertex;
-    best = (v18 > best) ? v18 : best;
-    const float v78 = state->polar[0] * 0.18706028F;
-    vertex = (v78 >= best) ? 32U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_fs_team_34(const widowx_fs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 32U;
-    const float v45 = state->polar[0] * (-79.08088F);
-    vertex = (v45 >= best) ? 32U : vertex;
-    best = (v45 > best) ? v45 : best;
-    const float v64 = state->polar[0] - 0.6354382F;
-    vertex = (v64 >= best) ? 31U : vertex;
-    best = (v64 > best) ? v64 : best;
-    vertex = (15.754999F >= best) ? 29U : vertex;
-    best = (15.754999F > best) ? 15.754999F : best;
-    const float v18 = state->polar[0] * (-107.57004F);
-    vertex = (v18 >= best) ? 19U : vertex;
-    best = (v18 > best) ? v18 : best;
-    const float v43 = state->polar[2] + (-117.26495F);
-    vertex = (v43 >= best) ? 32U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_fs_team_40(const widowx_fs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 31U;
-    vertex = (state->polar[2] >= best) ? 31U : vertex;
-    best = (state->polar[2] > best) ? state->polar[2] : best;
-    vertex = (10.629795F >= best) ? 22U : vertex;
-    best = (10.629795F > best) ? 10.629795F : best;
-    const float v28 = widowx_fs_max(0.0F, state->polar[0]);
-    const float v29 = state->polar[1] - v28;
-    vertex = (v29 >= best) ? 34U : vertex;
-    best = (v29 > best) ? v29 : best;
-    const float v18 = state->polar[0] * (-107.57004F);
-    vertex = (v18 >= best) ? 32U : vertex;
-    best = (v18 > best) ? v18 : best;
-    const float v10 = state->polar[0] - 0.7582224F;
-    vertex = (v10 >= best) ? 31U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_fs_team_28(const widowx_fs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 32U;
-    const float v48 = (-107.57004F) / state->polar[0];
-    vertex = (v48 >= best) ? 19U : vertex;
-    best = (v48 > best) ? v48 : best;
-    const float v4 = state->polar[2] - 0.7582224F;
-    vertex = (v4 >= best) ? 35U : vertex;
-    best = (v4 > best) ? v4 : best;
-    const float v70 = state->polar[1] * (-107.57004F);
-    vertex = (v70 >= best) ? 17U : vertex;
-    best = (v70 > best) ? v70 : best;
-    const float v64 = state->polar[0] - 0.6354382F;
-    vertex = (v64 >= best) ? 30U : vertex;
-    best = (v64 > best) ? v64 : best;
-    const float v18 = state->polar[0] * (-107.57004F);
-    vertex = (v18 >= best) ? 27U : vertex;
-    best = (v18 > best) ? v18 : best;
-    const float v82 = 0.0F - state->polar[0];
-    const float v83 = 2.710111F / v82;
-    vertex = (v83 >= best) ? 32U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_fs_team_35(const widowx_fs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 32U;
-    vertex = (83.54613F >= best) ? 22U : vertex;
-    best = (83.54613F > best) ? 83.54613F : best;
-    const float v10 = state->polar[0] - 0.7582224F;
-    vertex = (v10 >= best) ? 31U : vertex;
-    best = (v10 > best) ? v10 : best;
-    const float v18 = state->polar[0] * (-107.57004F);
-    vertex = (v18 >= best) ? 32U : vertex;
-    best = (v18 > best) ? v18 : best;
-    const float v73 = state->polar[2] * state->polar[0];
-    const float v74 = v73 - state->polar[0];
-    const float v75 = 2.710111F / v74;
-    vertex = (v75 >= best) ? 32U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_fs_team_29(const widowx_fs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 17U;
-    const float v48 = (-107.57004F) / state->polar[0];
-    vertex = (v48 >= best) ? 19U : vertex;
-    best = (v48 > best) ? v48 : best;
-    const float v4 = state->polar[2] - 0.7582224F;
-    vertex = (v4 >= best) ? 31U : vertex;
-    best = (v4 > best) ? v4 : best;
-    vertex = (10.629795F >= best) ? 15U : vertex;
-    best = (10.629795F > best) ? 10.629795F : best;
-    const float v45 = state->polar[0] * (-79.08088F);
-    vertex = (v45 >= best) ? 35U : vertex;
-    best = (v45 > best) ? v45 : best;
-    const float v10 = state->polar[0] - 0.7582224F;
-    vertex = (v10 >= best) ? 31U : vertex;
-    best = (v10 > best) ? v10 : best;
-    const float v18 = state->polar[0] * (-107.57004F);
-    vertex = (v18 >= best) ? 12U : vertex;
-    best = (v18 > best) ? v18 : best;
-    const float v70 = state->polar[1] * (-107.57004F);
-    vertex = (v70 >= best) ? 17U : vertex;
-    return vertex;
-}
-
-/* Teams are numbered from 0, which is the root; the actions follow them. */
 uint16_t widowx_fs_infer(const widowx_fs_state_t *state)
 {
-    uint32_t vertex = 0U;
-    uint32_t hop;
+    uint32_t vertex;
 
-    for (hop = 0U; (hop < WIDOWX_FS_DEPTH) && (vertex < WIDOWX_FS_TEAMS); hop++) {
-        switch (vertex) {
-        case 0U:
-            vertex = widowx_fs_team_0(state);
-            break;
-        case 1U:
-            vertex = widowx_fs_team_1(state);
-            break;
-        case 2U:
-            vertex = widowx_fs_team_9(state);
-            break;
-        case 3U:
-            vertex = widowx_fs_team_7(state);
-            break;
-        case 4U:
-            vertex = widowx_fs_team_10(state);
-            break;
-        case 5U:
-            vertex = widowx_fs_team_12(state);
-            break;
-        case 6U:
-            vertex = widowx_fs_team_11(state);
-            break;
-        case 7U:
-            vertex = widowx_fs_team_13(state);
-            break;
-        case 8U:
-            vertex = widowx_fs_team_23(state);
-            break;
-        case 9U:
-            vertex = widowx_fs_team_20(state);
-            break;
-        case 10U:
-            vertex = widowx_fs_team_36(state);
-            break;
-        case 11U:
-            vertex = widowx_fs_team_15(state);
-            break;
-        case 12U:
-            vertex = widowx_fs_team_30(state);
-            break;
-        case 13U:
-            vertex = widowx_fs_team_14(state);
-            break;
-        case 14U:
-            vertex = widowx_fs_team_39(state);
-            break;
-        case 15U:
-            vertex = widowx_fs_team_38(state);
-            break;
-        case 16U:
-            vertex = widowx_fs_team_24(state);
-            break;
-        case 17U:
-            vertex = widowx_fs_team_37(state);
-            break;
-        case 18U:
-            vertex = widowx_fs_team_21(state);
-            break;
-        case 19U:
-            vertex = widowx_fs_team_42(state);
-            break;
-        case 20U:
-            vertex = widowx_fs_team_17(state);
-            break;
-        case 21U:
-            vertex = widowx_fs_team_31(state);
-            break;
-        case 22U:
-            vertex = widowx_fs_team_41(state);
-            break;
-        case 23U:
-            vertex = widowx_fs_team_27(state);
-            break;
-        case 24U:
-            vertex = widowx_fs_team_22(state);
-            break;
-        case 25U:
-            vertex = widowx_fs_team_32(state);
-            break;
-        case 26U:
-            vertex = widowx_fs_team_34(state);
-            break;
-        case 27U:
-            vertex = widowx_fs_team_40(state);
-            break;
-        case 28U:
-            vertex = widowx_fs_team_28(state);
-            break;
-        case 29U:
-            vertex = widowx_fs_team_35(state);
-            break;
-        case 30U:
-            vertex = widowx_fs_team_29(state);
-            break;
-        default:
-            vertex = WIDOWX_FS_TEAMS; /* never: every team has its case */
-            break;
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 4U;
+
+        if (107.35707F >= best) {
+            best = 107.35707F;
+            way = 1U;
+        }
+        const float v4 = state->polar[2] - 0.7582224F;
+
+        if (v4 >= best) {
+            best = v4;
+            way = 3U;
+        }
+        const float v8 = 0.0F - state->polar[1];
+
+        if (v8 >= best) {
+            best = v8;
+            way = 2U;
+        }
+        const float v12 = v4 / 0.0F;
+        const float v13 = v12 / 0.0F;
+
+        if (v13 >= best) {
+            best = v13;
+            way = 3U;
+        }
+        const float v10 = state->polar[0] - 0.7582224F;
+
+        if (v10 >= best) {
+            way = 4U;
+        }
+
+        if (way == 1U) {
+            goto team_1;
+        } else if (way == 2U) {
+            goto team_9;
+        } else if (way == 3U) {
+            vertex = 4U;
+            goto decided;
+        } else {
+            vertex = 0U;
+            goto decided;
         }
     }
-    vertex -= WIDOWX_FS_TEAMS;
+
+team_1:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 5U;
+
+        if (1.6245565F >= best) {
+            best = 1.6245565F;
+            way = 1U;
+        }
+        const float v15 = 0.0F * state->polar[2];
+
+        if (v15 >= best) {
+            best = v15;
+            way = 4U;
+        }
+        const float v16 = widowx_fs_negate_if_less(state->polar[0], 0.0F);
+
+        if (v16 >= best) {
+            best = v16;
+            way = 4U;
+        }
+        const float v8 = 0.0F - state->polar[1];
+
+        if (v8 >= best) {
+            best = v8;
+            way = 2U;
+        }
+        const float v18 = state->polar[0] * (-107.57004F);
+
+        if (v18 >= best) {
+            best = v18;
+            way = 3U;
+        }
+        const float v10 = state->polar[0] - 0.7582224F;
+
+        if (v10 >= best) {
+            best = v10;
+            way = 4U;
+        }
+        const float v20 = state->polar[1] * (-176.74728F);
+        const float v22 = v20 + (-0.52844894F);
+
+        if (v22 >= best) {
+            way = 5U;
+        }
+
+        if (way == 1U) {
+            goto team_7;
+        } else if (way == 2U) {
+            goto team_9;
+        } else if (way == 3U) {
+            vertex = 1U;
+            goto decided;
+        } else if (way == 4U) {
+            vertex = 0U;
+            goto decided;
+        } else {
+            goto team_10;
+        }
+    }
+
+team_9:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 3U;
+        const float v20 = state->polar[1] * (-176.74728F);
+        const float v22 = v20 + (-0.52844894F);
+
+        if (v22 >= best) {
+            best = v22;
+            way = 1U;
+        }
+        const float v4 = state->polar[2] - 0.7582224F;
+
+        if (v4 >= best) {
+            best = v4;
+            way = 3U;
+        }
+
+        if (20.1483F >= best) {
+            best = 20.1483F;
+            way = 2U;
+        }
+        const float v23 = state->polar[2] + v4;
+
+        if (v23 >= best) {
+            way = 3U;
+        }
+
+        if (way == 1U) {
+            goto team_12;
+        } else if (way == 2U) {
+            goto team_11;
+        } else {
+            vertex = 4U;
+            goto decided;
+        }
+    }
+
+team_7:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 6U;
+        const float v32 = 0.7582224F * state->polar[0];
+
+        if (v32 >= best) {
+            best = v32;
+            way = 5U;
+        }
+        const float v18 = state->polar[0] * (-107.57004F);
+
+        if (v18 >= best) {
+            best = v18;
+            way = 1U;
+        }
+        const float v34 = 42.029076F / state->polar[1];
+
+        if (v34 >= best) {
+            best = v34;
+            way = 2U;
+        }
+        const float v20 = state->polar[1] * (-176.74728F);
+        const float v22 = v20 + (-0.52844894F);
+
+        if (v22 >= best) {
+            best = v22;
+            way = 3U;
+        }
+
+        if (3.135279F >= best) {
+            best = 3.135279F;
+            way = 4U;
+        }
+        const float v10 = state->polar[0] - 0.7582224F;
+
+        if (v10 >= best) {
+            best = v10;
+            way = 5U;
+        }
+        const float v4 = state->polar[2] - 0.7582224F;
+        const float v12 = v4 / 0.0F;
+
+        if (v12 >= best) {
+            way = 6U;
+        }
+
+        if (way == 1U) {
+            vertex = 1U;
+            goto decided;
+        } else if (way == 2U) {
+            vertex = 3U;
+            goto decided;
+        } else if (way == 3U) {
+            goto team_10;
+        } else if (way == 4U) {
+            goto team_13;
+        } else if (way == 5U) {
+            vertex = 0U;
+            goto decided;
+        } else {
+            vertex = 4U;
+            goto decided;
+        }
+    }
+
+team_10:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 6U;
+        const float v20 = state->polar[1] * (-176.74728F);
+        const float v22 = v20 + (-0.52844894F);
+
+        if (v22 >= best) {
+            best = v22;
+            way = 1U;
+        }
+        const float v46 = (-107.57004F) / state->polar[2];
+
+        if (v46 >= best) {
+            best = v46;
+            way = 2U;
+        }
+        const float v4 = state->polar[2] - 0.7582224F;
+
+        if (v4 >= best) {
+            best = v4;
+            way = 3U;
+        }
+        const float v10 = state->polar[0] - 0.7582224F;
+
+        if (v10 >= best) {
+            best = v10;
+            way = 4U;
+        }
+        const float v18 = state->polar[0] * (-107.57004F);
+
+        if (v18 >= best) {
+            best = v18;
+            way = 6U;
+        }
+        const float v47 = 0.0F / state->polar[1];
+
+        if (v47 >= best) {
+            best = v47;
+            way = 6U;
+        }
+
+        if (20.1483F >= best) {
+            best = 20.1483F;
+            way = 5U;
+        }
+        const float v45 = state->polar[0] * (-79.08088F);
+
+        if (v45 >= best) {
+            way = 6U;
+        }
+
+        if (way == 1U) {
+            goto team_12;
+        } else if (way == 2U) {
+            goto team_23;
+        } else if (way == 3U) {
+            vertex = 4U;
+            goto decided;
+        } else if (way == 4U) {
+            vertex = 0U;
+            goto decided;
+        } else if (way == 5U) {
+            goto team_11;
+        } else {
+            vertex = 1U;
+            goto decided;
+        }
+    }
+
+team_11:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 5U;
+        const float v4 = state->polar[2] - 0.7582224F;
+
+        if (v4 >= best) {
+            best = v4;
+            way = 1U;
+        }
+        const float v52 = state->polar[2] - 0.75724316F;
+
+        if (v52 >= best) {
+            best = v52;
+            way = 1U;
+        }
+        const float v43 = state->polar[2] + (-117.26495F);
+
+        if (v43 >= best) {
+            best = v43;
+            way = 1U;
+        }
+
+        if (1.6245565F >= best) {
+            best = 1.6245565F;
+            way = 2U;
+        }
+        const float v54 = state->polar[0] - 0.7258825F;
+
+        if (v54 >= best) {
+            best = v54;
+            way = 5U;
+        }
+        const float v45 = state->polar[0] * (-79.08088F);
+
+        if (v45 >= best) {
+            best = v45;
+            way = 3U;
+        }
+        const float v18 = state->polar[0] * (-107.57004F);
+
+        if (v18 >= best) {
+            best = v18;
+            way = 4U;
+        }
+        const float v10 = state->polar[0] - 0.7582224F;
+
+        if (v10 >= best) {
+            way = 5U;
+        }
+
+        if (way == 1U) {
+            vertex = 4U;
+            goto decided;
+        } else if (way == 2U) {
+            goto team_15;
+        } else if (way == 3U) {
+            vertex = 1U;
+            goto decided;
+        } else if (way == 4U) {
+            goto team_30;
+        } else {
+            vertex = 0U;
+            goto decided;
+        }
+    }
+
+team_12:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 5U;
+        const float v49 = (-117.26495F) - state->polar[2];
+
+        if (v49 >= best) {
+            best = v49;
+            way = 1U;
+        }
+        const float v50 = state->polar[0] + (-117.26495F);
+
+        if (v50 >= best) {
+            best = v50;
+            way = 4U;
+        }
+        const float v10 = state->polar[0] - 0.7582224F;
+
+        if (v10 >= best) {
+            best = v10;
+            way = 2U;
+        }
+        const float v18 = state->polar[0] * (-107.57004F);
+
+        if (v18 >= best) {
+            best = v18;
+            way = 3U;
+        }
+        const float v4 = state->polar[2] - 0.7582224F;
+
+        if (v4 >= best) {
+            best = v4;
+            way = 4U;
+        }
+
+        if (26.139645F >= best) {
+            way = 5U;
+        }
+
+        if (way == 1U) {
+            goto team_20;
+        } else if (way == 2U) {
+            vertex = 0U;
+            goto decided;
+        } else if (way == 3U) {
+            goto team_36;
+        } else if (way == 4U) {
+            vertex = 4U;
+            goto decided;
+        } else {
+            goto team_13;
+        }
+    }
+
+team_13:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 6U;
+        const float v4 = state->polar[2] - 0.7582224F;
+
+        if (v4 >= best) {
+            best = v4;
+            way = 1U;
+        }
+        const float v18 = state->polar[0] * (-107.57004F);
+
+        if (v18 >= best) {
+            best = v18;
+            way = 2U;
+        }
+        const float v10 = state->polar[0] - 0.7582224F;
+
+        if (v10 >= best) {
+            best = v10;
+            way = 6U;
+        }
+
+        if (1.6245565F >= best) {
+            best = 1.6245565F;
+            way = 3U;
+        }
+        const float v27 = state->polar[1] / state->polar[1];
+
+        if (v27 >= best) {
+            best = v27;
+            way = 4U;
+        }
+        const float v28 = widowx_fs_max(0.0F, state->polar[0]);
+        const float v29 = state->polar[1] - v28;
+
+        if (v29 >= best) {
+            best = v29;
+            way = 5U;
+        }
+        const float v31 = state->polar[0] - 1.0168722F;
+
+        if (v31 >= best) {
+            way = 6U;
+        }
+
+        if (way == 1U) {
+            vertex = 4U;
+            goto decided;
+        } else if (way == 2U) {
+            goto team_30;
+        } else if (way == 3U) {
+            goto team_14;
+        } else if (way == 4U) {
+            goto team_39;
+        } else if (way == 5U) {
+            vertex = 3U;
+            goto decided;
+        } else {
+            vertex = 0U;
+            goto decided;
+        }
+    }
+
+team_14:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 4U;
+        const float v4 = state->polar[2] - 0.7582224F;
+
+        if (v4 >= best) {
+            best = v4;
+            way = 1U;
+        }
+        const float v18 = state->polar[0] * (-107.57004F);
+
+        if (v18 >= best) {
+            best = v18;
+            way = 2U;
+        }
+        const float v55 = state->polar[1] / 0.0F;
+
+        if (v55 >= best) {
+            best = v55;
+            way = 3U;
+        }
+
+        if (1.6245565F >= best) {
+            way = 4U;
+        }
+
+        if (way == 1U) {
+            vertex = 4U;
+            goto decided;
+        } else if (way == 2U) {
+            goto team_30;
+        } else if (way == 3U) {
+            goto team_24;
+        } else {
+            goto team_15;
+        }
+    }
+
+team_15:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 4U;
+        const float v48 = (-107.57004F) / state->polar[0];
+
+        if (v48 >= best) {
+            best = v48;
+            way = 1U;
+        }
+        const float v4 = state->polar[2] - 0.7582224F;
+        const float v61 = widowx_fs_max(state->polar[2], v4);
+
+        if (v61 >= best) {
+            best = v61;
+            way = 2U;
+        }
+
+        if (v4 >= best) {
+            best = v4;
+            way = 3U;
+        }
+
+        if (INFINITY >= best) {
+            way = 4U;
+        }
+
+        if (way == 1U) {
+            goto team_23;
+        } else if (way == 2U) {
+            vertex = 4U;
+            goto decided;
+        } else if (way == 3U) {
+            vertex = 2U;
+            goto decided;
+        } else {
+            goto team_17;
+        }
+    }
+
+team_17:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 6U;
+        const float v57 = state->polar[2] - (-6.7057414F);
+
+        if (v57 >= best) {
+            best = v57;
+            way = 4U;
+        }
+
+        if (6.543999F >= best) {
+            best = 6.543999F;
+            way = 1U;
+        }
+        const float v55 = state->polar[1] / 0.0F;
+
+        if (v55 >= best) {
+            best = v55;
+            way = 2U;
+        }
+        const float v45 = state->polar[0] * (-79.08088F);
+
+        if (v45 >= best) {
+            best = v45;
+            way = 5U;
+        }
+        const float v48 = (-107.57004F) / state->polar[0];
+
+        if (v48 >= best) {
+            best = v48;
+            way = 3U;
+        }
+        const float v4 = state->polar[2] - 0.7582224F;
+
+        if (v4 >= best) {
+            best = v4;
+            way = 4U;
+        }
+        const float v18 = state->polar[0] * (-107.57004F);
+
+        if (v18 >= best) {
+            best = v18;
+            way = 5U;
+        }
+        const float v10 = state->polar[0] - 0.7582224F;
+
+        if (v10 >= best) {
+            way = 6U;
+        }
+
+        if (way == 1U) {
+            vertex = 7U;
+            goto decided;
+        } else if (way == 2U) {
+            goto team_24;
+        } else if (way == 3U) {
+            goto team_42;
+        } else if (way == 4U) {
+            vertex = 2U;
+            goto decided;
+        } else if (way == 5U) {
+            vertex = 1U;
+            goto decided;
+        } else {
+            vertex = 0U;
+            goto decided;
+        }
+    }
+
+team_23:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 4U;
+        const float v4 = state->polar[2] - 0.7582224F;
+
+        if (v4 >= best) {
+            best = v4;
+            way = 1U;
+        }
+        const float v69 = widowx_fs_negate_if_less(state->polar[1], 229.17769F);
+
+        if (v69 >= best) {
+            best = v69;
+            way = 2U;
+        }
+        const volatile float constant = 0.0F;
+        const float zero = constant;
+
+        if (zero >= best) {
+            best = zero;
+            way = 3U;
+        }
+        const float v70 = state->polar[1] * (-107.57004F);
+
+        if (v70 >= best) {
+            way = 4U;
+        }
+
+        if (way == 1U) {
+            vertex = 4U;
+            goto decided;
+        } else if (way == 2U) {
+            goto team_38;
+        } else if (way == 3U) {
+            goto team_24;
+        } else {
+            goto team_37;
+        }
+    }
+
+team_24:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 6U;
+        const float v4 = state->polar[2] - 0.7582224F;
+
+        if (v4 >= best) {
+            best = v4;
+            way = 1U;
+        }
+        const float v69 = widowx_fs_negate_if_less(state->polar[1], 229.17769F);
+
+        if (v69 >= best) {
+            best = v69;
+            way = 5U;
+        }
+        const float v43 = state->polar[2] + (-117.26495F);
+
+        if (v43 >= best) {
+            best = v43;
+            way = 6U;
+        }
+        const float v28 = widowx_fs_max(0.0F, state->polar[0]);
+        const float v29 = state->polar[1] - v28;
+
+        if (v29 >= best) {
+            best = v29;
+            way = 2U;
+        }
+        const float v10 = state->polar[0] - 0.7582224F;
+
+        if (v10 >= best) {
+            best = v10;
+            way = 3U;
+        }
+        const float v48 = (-107.57004F) / state->polar[0];
+
+        if (v48 >= best) {
+            best = v48;
+            way = 4U;
+        }
+
+        if (10.629795F >= best) {
+            best = 10.629795F;
+            way = 5U;
+        }
+        const float v45 = state->polar[0] * (-79.08088F);
+
+        if (v45 >= best) {
+            way = 6U;
+        }
+
+        if (way == 1U) {
+            goto team_27;
+        } else if (way == 2U) {
+            vertex = 3U;
+            goto decided;
+        } else if (way == 3U) {
+            vertex = 0U;
+            goto decided;
+        } else if (way == 4U) {
+            goto team_42;
+        } else if (way == 5U) {
+            goto team_38;
+        } else {
+            vertex = 1U;
+            goto decided;
+        }
+    }
+
+team_27:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 7U;
+        const float v48 = (-107.57004F) / state->polar[0];
+
+        if (v48 >= best) {
+            best = v48;
+            way = 1U;
+        }
+        const float v10 = state->polar[0] - 0.7582224F;
+
+        if (v10 >= best) {
+            best = v10;
+            way = 2U;
+        }
+        const float v86 = (-79.08088F) - state->polar[0];
+
+        if (v86 >= best) {
+            best = v86;
+            way = 3U;
+        }
+        const float v45 = state->polar[0] * (-79.08088F);
+
+        if (v45 >= best) {
+            best = v45;
+            way = 4U;
+        }
+        const float v47 = 0.0F / state->polar[1];
+
+        if (v47 >= best) {
+            best = v47;
+            way = 4U;
+        }
+        const float v4 = state->polar[2] - 0.7582224F;
+
+        if (v4 >= best) {
+            best = v4;
+            way = 5U;
+        }
+
+        if (13.937786F >= best) {
+            best = 13.937786F;
+            way = 6U;
+        }
+        const float v18 = state->polar[0] * (-107.57004F);
+
+        if (v18 >= best) {
+            way = 7U;
+        }
+
+        if (way == 1U) {
+            goto team_42;
+        } else if (way == 2U) {
+            vertex = 0U;
+            goto decided;
+        } else if (way == 3U) {
+            goto team_40;
+        } else if (way == 4U) {
+            vertex = 1U;
+            goto decided;
+        } else if (way == 5U) {
+            goto team_28;
+        } else if (way == 6U) {
+            goto team_38;
+        } else {
+            goto team_30;
+        }
+    }
+
+team_28:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 6U;
+        const float v48 = (-107.57004F) / state->polar[0];
+
+        if (v48 >= best) {
+            best = v48;
+            way = 1U;
+        }
+        const float v4 = state->polar[2] - 0.7582224F;
+
+        if (v4 >= best) {
+            best = v4;
+            way = 2U;
+        }
+        const float v70 = state->polar[1] * (-107.57004F);
+
+        if (v70 >= best) {
+            best = v70;
+            way = 3U;
+        }
+        const float v64 = state->polar[0] - 0.6354382F;
+
+        if (v64 >= best) {
+            best = v64;
+            way = 4U;
+        }
+        const float v18 = state->polar[0] * (-107.57004F);
+
+        if (v18 >= best) {
+            best = v18;
+            way = 5U;
+        }
+        const float v82 = 0.0F - state->polar[0];
+        const float v83 = 2.710111F / v82;
+
+        if (v83 >= best) {
+            way = 6U;
+        }
+
+        if (way == 1U) {
+            goto team_42;
+        } else if (way == 2U) {
+            vertex = 4U;
+            goto decided;
+        } else if (way == 3U) {
+            goto team_37;
+        } else if (way == 4U) {
+            goto team_29;
+        } else if (way == 5U) {
+            goto team_40;
+        } else {
+            vertex = 1U;
+            goto decided;
+        }
+    }
+
+team_40:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 4U;
+
+        if (state->polar[2] >= best) {
+            best = state->polar[2];
+            way = 4U;
+        }
+
+        if (10.629795F >= best) {
+            best = 10.629795F;
+            way = 1U;
+        }
+        const float v28 = widowx_fs_max(0.0F, state->polar[0]);
+        const float v29 = state->polar[1] - v28;
+
+        if (v29 >= best) {
+            best = v29;
+            way = 2U;
+        }
+        const float v18 = state->polar[0] * (-107.57004F);
+
+        if (v18 >= best) {
+            best = v18;
+            way = 3U;
+        }
+        const float v10 = state->polar[0] - 0.7582224F;
+
+        if (v10 >= best) {
+            way = 4U;
+        }
+
+        if (way == 1U) {
+            goto team_41;
+        } else if (way == 2U) {
+            vertex = 3U;
+            goto decided;
+        } else if (way == 3U) {
+            vertex = 1U;
+            goto decided;
+        } else {
+            vertex = 0U;
+            goto decided;
+        }
+    }
+
+team_29:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 6U;
+        const float v48 = (-107.57004F) / state->polar[0];
+
+        if (v48 >= best) {
+            best = v48;
+            way = 1U;
+        }
+        const float v4 = state->polar[2] - 0.7582224F;
+
+        if (v4 >= best) {
+            best = v4;
+            way = 4U;
+        }
+
+        if (10.629795F >= best) {
+            best = 10.629795F;
+            way = 2U;
+        }
+        const float v45 = state->polar[0] * (-79.08088F);
+
+        if (v45 >= best) {
+            best = v45;
+            way = 3U;
+        }
+        const float v10 = state->polar[0] - 0.7582224F;
+
+        if (v10 >= best) {
+            best = v10;
+            way = 4U;
+        }
+        const float v18 = state->polar[0] * (-107.57004F);
+
+        if (v18 >= best) {
+            best = v18;
+            way = 5U;
+        }
+        const float v70 = state->polar[1] * (-107.57004F);
+
+        if (v70 >= best) {
+            way = 6U;
+        }
+
+        if (way == 1U) {
+            goto team_42;
+        } else if (way == 2U) {
+            goto team_38;
+        } else if (way == 3U) {
+            vertex = 4U;
+            goto decided;
+        } else if (way == 4U) {
+            vertex = 0U;
+            goto decided;
+        } else if (way == 5U) {
+            goto team_30;
+        } else {
+            goto team_37;
+        }
+    }
+
+team_30:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 6U;
+        const float v45 = state->polar[0] * (-79.08088F);
+
+        if (v45 >= best) {
+            best = v45;
+            way = 6U;
+        }
+        const float v64 = state->polar[0] - 0.6354382F;
+
+        if (v64 >= best) {
+            best = v64;
+            way = 2U;
+        }
+        const float v65 = state->polar[0] + (-5.963282F);
+
+        if (v65 >= best) {
+            best = v65;
+            way = 1U;
+        }
+        const float v10 = state->polar[0] - 0.7582224F;
+
+        if (v10 >= best) {
+            best = v10;
+            way = 2U;
+        }
+        const volatile float constant = 0.0F;
+        const float zero = constant;
+
+        if (zero >= best) {
+            best = zero;
+            way = 3U;
+        }
+        const float v41 = state->polar[2] * (-176.74728F);
+
+        if (v41 >= best) {
+            best = v41;
+            way = 4U;
+        }
+        const float v48 = (-107.57004F) / state->polar[0];
+
+        if (v48 >= best) {
+            best = v48;
+            way = 5U;
+        }
+        const float v18 = state->polar[0] * (-107.57004F);
+
+        if (v18 >= best) {
+            way = 6U;
+        }
+
+        if (way == 1U) {
+            vertex = 4U;
+            goto decided;
+        } else if (way == 2U) {
+            vertex = 0U;
+            goto decided;
+        } else if (way == 3U) {
+            goto team_31;
+        } else if (way == 4U) {
+            goto team_41;
+        } else if (way == 5U) {
+            goto team_42;
+        } else {
+            vertex = 1U;
+            goto decided;
+        }
+    }
+
+team_31:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 6U;
+        const float v82 = 0.0F - state->polar[0];
+        const float v83 = 2.710111F / v82;
+
+        if (v83 >= best) {
+            best = v83;
+            way = 1U;
+        }
+        const volatile float constant = 0.0F;
+        const float zero = constant;
+
+        if (zero >= best) {
+            best = zero;
+            way = 5U;
+        }
+        const float v27 = state->polar[1] / state->polar[1];
+
+        if (v27 >= best) {
+            best = v27;
+            way = 2U;
+        }
+        const float v41 = state->polar[2] * (-176.74728F);
+        const float v42 = v41 / state->polar[1];
+
+        if (v42 >= best) {
+            best = v42;
+            way = 3U;
+        }
+        const float v64 = state->polar[0] - 0.6354382F;
+
+        if (v64 >= best) {
+            best = v64;
+            way = 4U;
+        }
+        const float v10 = state->polar[0] - 0.7582224F;
+
+        if (v10 >= best) {
+            best = v10;
+            way = 5U;
+        }
+        const float v18 = state->polar[0] * (-107.57004F);
+
+        if (v18 >= best) {
+            way = 6U;
+        }
+
+        if (way == 1U) {
+            vertex = 1U;
+            goto decided;
+        } else if (way == 2U) {
+            goto team_39;
+        } else if (way == 3U) {
+            goto team_41;
+        } else if (way == 4U) {
+            goto team_34;
+        } else if (way == 5U) {
+            vertex = 0U;
+            goto decided;
+        } else {
+            goto team_42;
+        }
+    }
+
+team_36:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 4U;
+
+        if (2.5843248F >= best) {
+            best = 2.5843248F;
+            way = 1U;
+        }
+        const float v18 = state->polar[0] * (-107.57004F);
+
+        if (v18 >= best) {
+            best = v18;
+            way = 2U;
+        }
+        const float v10 = state->polar[0] - 0.7582224F;
+
+        if (v10 >= best) {
+            best = v10;
+            way = 3U;
+        }
+
+        if (state->polar[1] >= best) {
+            way = 4U;
+        }
+
+        if (way == 1U) {
+            goto team_39;
+        } else if (way == 2U) {
+            vertex = 1U;
+            goto decided;
+        } else if (way == 3U) {
+            vertex = 0U;
+            goto decided;
+        } else {
+            vertex = 3U;
+            goto decided;
+        }
+    }
+
+team_20:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 5U;
+
+        if (10.629795F >= best) {
+            best = 10.629795F;
+            way = 1U;
+        }
+        const float v80 = widowx_fs_min(state->polar[2], 110.01199F);
+
+        if (v80 >= best) {
+            best = v80;
+            way = 2U;
+        }
+        const float v10 = state->polar[0] - 0.7582224F;
+
+        if (v10 >= best) {
+            best = v10;
+            way = 5U;
+        }
+        const float v18 = state->polar[0] * (-107.57004F);
+
+        if (v18 >= best) {
+            best = v18;
+            way = 3U;
+        }
+        const float v45 = state->polar[0] * (-79.08088F);
+
+        if (v45 >= best) {
+            best = v45;
+            way = 3U;
+        }
+        const float v48 = (-107.57004F) / state->polar[0];
+
+        if (v48 >= best) {
+            best = v48;
+            way = 4U;
+        }
+        const float v4 = state->polar[2] - 0.7582224F;
+
+        if (v4 >= best) {
+            way = 5U;
+        }
+
+        if (way == 1U) {
+            goto team_38;
+        } else if (way == 2U) {
+            goto team_21;
+        } else if (way == 3U) {
+            vertex = 1U;
+            goto decided;
+        } else if (way == 4U) {
+            goto team_42;
+        } else {
+            vertex = 0U;
+            goto decided;
+        }
+    }
+
+team_21:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 5U;
+        const float v85 = widowx_fs_negate_if_less(state->polar[1], (-1.1606317F));
+
+        if (v85 >= best) {
+            best = v85;
+            way = 1U;
+        }
+
+        if (15.754999F >= best) {
+            best = 15.754999F;
+            way = 2U;
+        }
+        const float v70 = state->polar[1] * (-107.57004F);
+
+        if (v70 >= best) {
+            best = v70;
+            way = 3U;
+        }
+        const float v10 = state->polar[0] - 0.7582224F;
+
+        if (v10 >= best) {
+            best = v10;
+            way = 4U;
+        }
+        const float v18 = state->polar[0] * (-107.57004F);
+
+        if (v18 >= best) {
+            way = 5U;
+        }
+
+        if (way == 1U) {
+            goto team_22;
+        } else if (way == 2U) {
+            goto team_32;
+        } else if (way == 3U) {
+            goto team_37;
+        } else if (way == 4U) {
+            vertex = 0U;
+            goto decided;
+        } else {
+            goto team_42;
+        }
+    }
+
+team_37:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 5U;
+        const float v45 = state->polar[0] * (-79.08088F);
+
+        if (v45 >= best) {
+            best = v45;
+            way = 3U;
+        }
+        const float v64 = state->polar[0] - 0.6354382F;
+
+        if (v64 >= best) {
+            best = v64;
+            way = 1U;
+        }
+        const float v18 = state->polar[0] * (-107.57004F);
+
+        if (v18 >= best) {
+            best = v18;
+            way = 2U;
+        }
+        const float v43 = state->polar[2] + (-117.26495F);
+
+        if (v43 >= best) {
+            best = v43;
+            way = 3U;
+        }
+        const volatile float constant = 0.0F;
+        const float zero = constant;
+
+        if (zero >= best) {
+            best = zero;
+            way = 5U;
+        }
+        const float v72 = state->polar[0] * 0.87870044F;
+
+        if (v72 >= best) {
+            best = v72;
+            way = 4U;
+        }
+        const float v28 = widowx_fs_max(0.0F, state->polar[0]);
+        const float v29 = state->polar[1] - v28;
+
+        if (v29 >= best) {
+            way = 5U;
+        }
+
+        if (way == 1U) {
+            vertex = 0U;
+            goto decided;
+        } else if (way == 2U) {
+            goto team_42;
+        } else if (way == 3U) {
+            vertex = 1U;
+            goto decided;
+        } else if (way == 4U) {
+            goto team_41;
+        } else {
+            vertex = 3U;
+            goto decided;
+        }
+    }
+
+team_22:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 4U;
+        const float v48 = (-107.57004F) / state->polar[0];
+
+        if (v48 >= best) {
+            best = v48;
+            way = 4U;
+        }
+        const float v10 = state->polar[0] - 0.7582224F;
+
+        if (v10 >= best) {
+            best = v10;
+            way = 1U;
+        }
+
+        if (15.754999F >= best) {
+            best = 15.754999F;
+            way = 2U;
+        }
+        const float v45 = state->polar[0] * (-79.08088F);
+
+        if (v45 >= best) {
+            best = v45;
+            way = 3U;
+        }
+        const float v43 = state->polar[2] + (-117.26495F);
+
+        if (v43 >= best) {
+            best = v43;
+            way = 3U;
+        }
+        const float v18 = state->polar[0] * (-107.57004F);
+
+        if (v18 >= best) {
+            way = 4U;
+        }
+
+        if (way == 1U) {
+            vertex = 0U;
+            goto decided;
+        } else if (way == 2U) {
+            goto team_32;
+        } else if (way == 3U) {
+            vertex = 1U;
+            goto decided;
+        } else {
+            goto team_42;
+        }
+    }
+
+team_32:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 6U;
+        const float v72 = state->polar[0] * 0.87870044F;
+
+        if (v72 >= best) {
+            best = v72;
+            way = 1U;
+        }
+        const float v73 = state->polar[2] * state->polar[0];
+        const float v74 = v73 - state->polar[0];
+        const float v75 = 2.710111F / v74;
+
+        if (v75 >= best) {
+            best = v75;
+            way = 6U;
+        }
+        const float v76 = state->polar[0] + (-107.57004F);
+
+        if (v76 >= best) {
+            best = v76;
+            way = 6U;
+        }
+        const volatile float constant = 0.0F;
+        const float zero = constant;
+
+        if (zero >= best) {
+            best = zero;
+            way = 2U;
+        }
+        const float v27 = state->polar[1] / state->polar[1];
+
+        if (v27 >= best) {
+            best = v27;
+            way = 4U;
+        }
+        const float v41 = state->polar[2] * (-176.74728F);
+        const float v42 = v41 / state->polar[1];
+
+        if (v42 >= best) {
+            best = v42;
+            way = 3U;
+        }
+        const float v10 = state->polar[0] - 0.7582224F;
+
+        if (v10 >= best) {
+            best = v10;
+            way = 4U;
+        }
+        const float v64 = state->polar[0] - 0.6354382F;
+
+        if (v64 >= best) {
+            best = v64;
+            way = 5U;
+        }
+        const float v18 = state->polar[0] * (-107.57004F);
+
+        if (v18 >= best) {
+            best = v18;
+            way = 6U;
+        }
+        const float v78 = state->polar[0] * 0.18706028F;
+
+        if (v78 >= best) {
+            way = 6U;
+        }
+
+        if (way == 1U) {
+            vertex = 0U;
+            goto decided;
+        } else if (way == 2U) {
+            vertex = 3U;
+            goto decided;
+        } else if (way == 3U) {
+            goto team_41;
+        } else if (way == 4U) {
+            goto team_39;
+        } else if (way == 5U) {
+            goto team_34;
+        } else {
+            vertex = 1U;
+            goto decided;
+        }
+    }
+
+team_34:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 4U;
+        const float v45 = state->polar[0] * (-79.08088F);
+
+        if (v45 >= best) {
+            best = v45;
+            way = 4U;
+        }
+        const float v64 = state->polar[0] - 0.6354382F;
+
+        if (v64 >= best) {
+            best = v64;
+            way = 1U;
+        }
+
+        if (15.754999F >= best) {
+            best = 15.754999F;
+            way = 2U;
+        }
+        const float v18 = state->polar[0] * (-107.57004F);
+
+        if (v18 >= best) {
+            best = v18;
+            way = 3U;
+        }
+        const float v43 = state->polar[2] + (-117.26495F);
+
+        if (v43 >= best) {
+            way = 4U;
+        }
+
+        if (way == 1U) {
+            vertex = 0U;
+            goto decided;
+        } else if (way == 2U) {
+            goto team_35;
+        } else if (way == 3U) {
+            goto team_42;
+        } else {
+            vertex = 1U;
+            goto decided;
+        }
+    }
+
+team_35:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 3U;
+
+        if (83.54613F >= best) {
+            best = 83.54613F;
+            way = 1U;
+        }
+        const float v10 = state->polar[0] - 0.7582224F;
+
+        if (v10 >= best) {
+            best = v10;
+            way = 2U;
+        }
+        const float v18 = state->polar[0] * (-107.57004F);
+
+        if (v18 >= best) {
+            best = v18;
+            way = 3U;
+        }
+        const float v73 = state->polar[2] * state->polar[0];
+        const float v74 = v73 - state->polar[0];
+        const float v75 = 2.710111F / v74;
+
+        if (v75 >= best) {
+            way = 3U;
+        }
+
+        if (way == 1U) {
+            goto team_41;
+        } else if (way == 2U) {
+            vertex = 0U;
+            goto decided;
+        } else {
+            vertex = 1U;
+            goto decided;
+        }
+    }
+
+team_38:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 5U;
+        const float v40 = state->polar[0] / 0.6354382F;
+
+        if (v40 >= best) {
+            best = v40;
+            way = 4U;
+        }
+        const float v10 = state->polar[0] - 0.7582224F;
+
+        if (v10 >= best) {
+            best = v10;
+            way = 4U;
+        }
+        const float v41 = state->polar[2] * (-176.74728F);
+        const float v42 = v41 / state->polar[1];
+
+        if (v42 >= best) {
+            best = v42;
+            way = 1U;
+        }
+
+        if (2.5843248F >= best) {
+            best = 2.5843248F;
+            way = 2U;
+        }
+        const float v43 = state->polar[2] + (-117.26495F);
+
+        if (v43 >= best) {
+            best = v43;
+            way = 3U;
+        }
+
+        if (state->polar[0] >= best) {
+            best = state->polar[0];
+            way = 4U;
+        }
+        const float v18 = state->polar[0] * (-107.57004F);
+
+        if (v18 >= best) {
+            way = 5U;
+        }
+
+        if (way == 1U) {
+            goto team_41;
+        } else if (way == 2U) {
+            goto team_39;
+        } else if (way == 3U) {
+            vertex = 1U;
+            goto decided;
+        } else if (way == 4U) {
+            vertex = 0U;
+            goto decided;
+        } else {
+            goto team_42;
+        }
+    }
+
+team_42:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 3U;
+        const float v47 = 0.0F / state->polar[1];
+
+        if (v47 >= best) {
+            best = v47;
+            way = 3U;
+        }
+
+        if (state->polar[0] >= best) {
+            best = state->polar[0];
+            way = 1U;
+        }
+        const float v7 = widowx_fs_min((-8.893463F), state->polar[1]);
+
+        if (v7 >= best) {
+            best = v7;
+            way = 1U;
+        }
+
+        if (state->polar[1] >= best) {
+            best = state->polar[1];
+            way = 2U;
+        }
+        const float v18 = state->polar[0] * (-107.57004F);
+
+        if (v18 >= best) {
+            way = 3U;
+        }
+
+        if (way == 1U) {
+            vertex = 0U;
+            goto decided;
+        } else if (way == 2U) {
+            vertex = 3U;
+            goto decided;
+        } else {
+            vertex = 1U;
+            goto decided;
+        }
+    }
+
+team_39:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 3U;
+        const float v58 = widowx_fs_max(state->polar[1], 0.0F);
+        const float v59 = fabsf(v58);
+
+        if (v59 >= best) {
+            best = v59;
+            way = 1U;
+        }
+        const float v60 = widowx_fs_min(state->polar[0], state->polar[1]);
+
+        if (v60 >= best) {
+            best = v60;
+            way = 2U;
+        }
+        const volatile float constant = 0.0F;
+        const float zero = constant;
+
+        if (zero >= best) {
+            way = 3U;
+        }
+
+        if (way == 1U) {
+            vertex = 6U;
+            goto decided;
+        } else if (way == 2U) {
+            vertex = 0U;
+            goto decided;
+        } else {
+            vertex = 5U;
+            goto decided;
+        }
+    }
+
+team_41:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 4U;
+        const volatile float constant = 0.0F;
+        const float zero = constant;
+
+        if (zero >= best) {
+            best = zero;
+            way = 1U;
+        }
+        const float v10 = state->polar[0] - 0.7582224F;
+
+        if (v10 >= best) {
+            best = v10;
+            way = 2U;
+        }
+        const float v67 = state->polar[1] * (-55.687565F);
+
+        if (v67 >= best) {
+            best = v67;
+            way = 3U;
+        }
+        const float v18 = state->polar[0] * (-107.57004F);
+
+        if (v18 >= best) {
+            way = 4U;
+        }
+
+        if (way == 1U) {
+            vertex = 3U;
+            goto decided;
+        } else if (way == 2U) {
+            vertex = 0U;
+            goto decided;
+        } else if (way == 3U) {
+            vertex = 5U;
+            goto decided;
+        } else {
+            vertex = 1U;
+            goto decided;
+        }
+    }
+
+decided:
     return (uint16_t)vertex;
 }
+
 #ifndef WIDOWX_FS_NO_SELFTEST
 
 uint32_t widowx_fs_selftest(void)

@@ -370,15 +370,32 @@ impl Policy for WidowxFs {
         let best = ops::challenge(best, (ops::bid(v18), 12));
         let best = ops::challenge(best, (ops::bid(v70), 17));
         let t30 = best.1;
-        let next = [
+
+        // An action leads to itself; what fills the array up to a power of two is never come to.
+        let next: [u8; 64] = [
             t0, t1, t2, t3, t4, t5, t6, t7, t8, t9, t10, t11, t12, t13, t14, t15, t16, t17, t18,
-            t19, t20, t21, t22, t23, t24, t25, t26, t27, t28, t29, t30,
+            t19, t20, t21, t22, t23, t24, t25, t26, t27, t28, t29, t30, 31, 32, 33, 34, 35, 36, 37,
+            38, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
         ];
-        let mut vertex = 0_u8;
-        for _ in 0..Self::DEPTH {
-            // An action is past the end: it leads to itself.
-            vertex = next.get(vertex as usize).copied().unwrap_or(vertex);
-        }
+        // The longest walk decides 18 times; a shorter one waits at its action. No loop, and no end to check.
+        let vertex = next[0];
+        let vertex = next[(vertex & 63) as usize];
+        let vertex = next[(vertex & 63) as usize];
+        let vertex = next[(vertex & 63) as usize];
+        let vertex = next[(vertex & 63) as usize];
+        let vertex = next[(vertex & 63) as usize];
+        let vertex = next[(vertex & 63) as usize];
+        let vertex = next[(vertex & 63) as usize];
+        let vertex = next[(vertex & 63) as usize];
+        let vertex = next[(vertex & 63) as usize];
+        let vertex = next[(vertex & 63) as usize];
+        let vertex = next[(vertex & 63) as usize];
+        let vertex = next[(vertex & 63) as usize];
+        let vertex = next[(vertex & 63) as usize];
+        let vertex = next[(vertex & 63) as usize];
+        let vertex = next[(vertex & 63) as usize];
+        let vertex = next[(vertex & 63) as usize];
+        let vertex = next[(vertex & 63) as usize];
         ActionId(vertex.wrapping_sub(31) as u16)
     }
 }

@@ -66,1569 +66,1337 @@ impl Policy for WidowxFsFast {
     type Action = ActionId;
 
     fn decide(&self, s: &[f32; 3]) -> ActionId {
-        let mut vertex = 0;
-        for _ in 0..Self::DEPTH {
-            vertex = match vertex {
-                0 => team_0(s),
-                1 => team_1(s),
-                2 => team_9(s),
-                3 => team_7(s),
-                4 => team_10(s),
-                5 => team_12(s),
-                6 => team_11(s),
-                7 => team_13(s),
-                8 => team_23(s),
-                9 => team_20(s),
-                10 => team_36(s),
-                11 => team_15(s),
-                12 => team_30(s),
-                13 => team_14(s),
-                14 => team_39(s),
-                15 => team_38(s),
-                16 => team_24(s),
-                17 => team_37(s),
-                18 => team_21(s),
-                19 => team_42(s),
-                20 => team_17(s),
-                21 => team_31(s),
-                22 => team_41(s),
-                23 => team_27(s),
-                24 => team_22(s),
-                25 => team_32(s),
-                26 => team_34(s),
-                27 => team_40(s),
-                28 => team_28(s),
-                29 => team_35(s),
-                30 => team_29(s),
-                _ => break,
-            };
-        }
-        ActionId(vertex.wrapping_sub(31) as u16)
+        ActionId(team_0(s))
     }
 }
 
-/// Where team 0 leads.
-fn team_0(s: &[f32; 3]) -> u8 {
+/// What team 0 decides.
+fn team_0(s: &[f32; 3]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 31;
+    let mut way = 4;
     if 107.35707_f32 >= best {
-        vertex = 1;
-    }
-    if 107.35707_f32 > best {
         best = 107.35707_f32;
+        way = 1;
     }
     let v4 = s[2] - 0.7582224_f32;
     if v4 >= best {
-        vertex = 35;
-    }
-    if v4 > best {
         best = v4;
+        way = 3;
     }
     let v8 = 0.0_f32 - s[1];
     if v8 >= best {
-        vertex = 2;
-    }
-    if v8 > best {
         best = v8;
+        way = 2;
     }
     let v12 = v4 / 0.0_f32;
     let v13 = v12 / 0.0_f32;
     if v13 >= best {
-        vertex = 35;
-    }
-    if v13 > best {
         best = v13;
+        way = 3;
     }
     let v10 = s[0] - 0.7582224_f32;
     if v10 >= best {
-        vertex = 31;
-    }
-    if v10 > best {
         best = v10;
+        way = 4;
     }
-    vertex
+    match way {
+        1 => team_1(s),
+        2 => team_9(s),
+        3 => 4,
+        _ => 0,
+    }
 }
 
-/// Where team 1 leads.
-fn team_1(s: &[f32; 3]) -> u8 {
+/// What team 1 decides.
+fn team_1(s: &[f32; 3]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 4;
+    let mut way = 5;
     if 1.6245565_f32 >= best {
-        vertex = 3;
-    }
-    if 1.6245565_f32 > best {
         best = 1.6245565_f32;
+        way = 1;
     }
     let v15 = 0.0_f32 * s[2];
     if v15 >= best {
-        vertex = 31;
-    }
-    if v15 > best {
         best = v15;
+        way = 4;
     }
     let v16 = ops::negate_if_less(s[0], 0.0_f32);
     if v16 >= best {
-        vertex = 31;
-    }
-    if v16 > best {
         best = v16;
+        way = 4;
     }
     let v8 = 0.0_f32 - s[1];
     if v8 >= best {
-        vertex = 2;
-    }
-    if v8 > best {
         best = v8;
+        way = 2;
     }
     let v18 = s[0] * -107.57004_f32;
     if v18 >= best {
-        vertex = 32;
-    }
-    if v18 > best {
         best = v18;
+        way = 3;
     }
     let v10 = s[0] - 0.7582224_f32;
     if v10 >= best {
-        vertex = 31;
-    }
-    if v10 > best {
         best = v10;
+        way = 4;
     }
     let v20 = s[1] * -176.74728_f32;
     let v22 = v20 + -0.52844894_f32;
     if v22 >= best {
-        vertex = 4;
-    }
-    if v22 > best {
         best = v22;
+        way = 5;
     }
-    vertex
+    match way {
+        1 => team_7(s),
+        2 => team_9(s),
+        3 => 1,
+        4 => 0,
+        _ => team_10(s),
+    }
 }
 
-/// Where team 9 leads.
-fn team_9(s: &[f32; 3]) -> u8 {
+/// What team 9 decides.
+fn team_9(s: &[f32; 3]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 35;
+    let mut way = 3;
     let v20 = s[1] * -176.74728_f32;
     let v22 = v20 + -0.52844894_f32;
     if v22 >= best {
-        vertex = 5;
-    }
-    if v22 > best {
         best = v22;
+        way = 1;
     }
     let v4 = s[2] - 0.7582224_f32;
     if v4 >= best {
-        vertex = 35;
-    }
-    if v4 > best {
         best = v4;
+        way = 3;
     }
     if 20.1483_f32 >= best {
-        vertex = 6;
-    }
-    if 20.1483_f32 > best {
         best = 20.1483_f32;
+        way = 2;
     }
     let v23 = s[2] + v4;
     if v23 >= best {
-        vertex = 35;
-    }
-    if v23 > best {
         best = v23;
+        way = 3;
     }
-    vertex
+    match way {
+        1 => team_12(s),
+        2 => team_11(s),
+        _ => 4,
+    }
 }
 
-/// Where team 7 leads.
-fn team_7(s: &[f32; 3]) -> u8 {
+/// What team 7 decides.
+fn team_7(s: &[f32; 3]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 35;
+    let mut way = 6;
     let v32 = 0.7582224_f32 * s[0];
     if v32 >= best {
-        vertex = 31;
-    }
-    if v32 > best {
         best = v32;
+        way = 5;
     }
     let v18 = s[0] * -107.57004_f32;
     if v18 >= best {
-        vertex = 32;
-    }
-    if v18 > best {
         best = v18;
+        way = 1;
     }
     let v34 = 42.029076_f32 / s[1];
     if v34 >= best {
-        vertex = 34;
-    }
-    if v34 > best {
         best = v34;
+        way = 2;
     }
     let v20 = s[1] * -176.74728_f32;
     let v22 = v20 + -0.52844894_f32;
     if v22 >= best {
-        vertex = 4;
-    }
-    if v22 > best {
         best = v22;
+        way = 3;
     }
     if 3.135279_f32 >= best {
-        vertex = 7;
-    }
-    if 3.135279_f32 > best {
         best = 3.135279_f32;
+        way = 4;
     }
     let v10 = s[0] - 0.7582224_f32;
     if v10 >= best {
-        vertex = 31;
-    }
-    if v10 > best {
         best = v10;
+        way = 5;
     }
     let v4 = s[2] - 0.7582224_f32;
     let v12 = v4 / 0.0_f32;
     if v12 >= best {
-        vertex = 35;
-    }
-    if v12 > best {
         best = v12;
+        way = 6;
     }
-    vertex
+    match way {
+        1 => 1,
+        2 => 3,
+        3 => team_10(s),
+        4 => team_13(s),
+        5 => 0,
+        _ => 4,
+    }
 }
 
-/// Where team 10 leads.
-fn team_10(s: &[f32; 3]) -> u8 {
+/// What team 10 decides.
+fn team_10(s: &[f32; 3]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 32;
+    let mut way = 6;
     let v20 = s[1] * -176.74728_f32;
     let v22 = v20 + -0.52844894_f32;
     if v22 >= best {
-        vertex = 5;
-    }
-    if v22 > best {
         best = v22;
+        way = 1;
     }
     let v46 = -107.57004_f32 / s[2];
     if v46 >= best {
-        vertex = 8;
-    }
-    if v46 > best {
         best = v46;
+        way = 2;
     }
     let v4 = s[2] - 0.7582224_f32;
     if v4 >= best {
-        vertex = 35;
-    }
-    if v4 > best {
         best = v4;
+        way = 3;
     }
     let v10 = s[0] - 0.7582224_f32;
     if v10 >= best {
-        vertex = 31;
-    }
-    if v10 > best {
         best = v10;
+        way = 4;
     }
     let v18 = s[0] * -107.57004_f32;
     if v18 >= best {
-        vertex = 32;
-    }
-    if v18 > best {
         best = v18;
+        way = 6;
     }
     let v47 = 0.0_f32 / s[1];
     if v47 >= best {
-        vertex = 32;
-    }
-    if v47 > best {
         best = v47;
+        way = 6;
     }
     if 20.1483_f32 >= best {
-        vertex = 6;
-    }
-    if 20.1483_f32 > best {
         best = 20.1483_f32;
+        way = 5;
     }
     let v45 = s[0] * -79.08088_f32;
     if v45 >= best {
-        vertex = 32;
-    }
-    if v45 > best {
         best = v45;
+        way = 6;
     }
-    vertex
+    match way {
+        1 => team_12(s),
+        2 => team_23(s),
+        3 => 4,
+        4 => 0,
+        5 => team_11(s),
+        _ => 1,
+    }
 }
 
-/// Where team 12 leads.
-fn team_12(s: &[f32; 3]) -> u8 {
+/// What team 12 decides.
+fn team_12(s: &[f32; 3]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 7;
+    let mut way = 5;
     let v49 = -117.26495_f32 - s[2];
     if v49 >= best {
-        vertex = 9;
-    }
-    if v49 > best {
         best = v49;
+        way = 1;
     }
     let v50 = s[0] + -117.26495_f32;
     if v50 >= best {
-        vertex = 35;
-    }
-    if v50 > best {
         best = v50;
+        way = 4;
     }
     let v10 = s[0] - 0.7582224_f32;
     if v10 >= best {
-        vertex = 31;
-    }
-    if v10 > best {
         best = v10;
+        way = 2;
     }
     let v18 = s[0] * -107.57004_f32;
     if v18 >= best {
-        vertex = 10;
-    }
-    if v18 > best {
         best = v18;
+        way = 3;
     }
     let v4 = s[2] - 0.7582224_f32;
     if v4 >= best {
-        vertex = 35;
-    }
-    if v4 > best {
         best = v4;
+        way = 4;
     }
     if 26.139645_f32 >= best {
-        vertex = 7;
-    }
-    if 26.139645_f32 > best {
         best = 26.139645_f32;
+        way = 5;
     }
-    vertex
+    match way {
+        1 => team_20(s),
+        2 => 0,
+        3 => team_36(s),
+        4 => 4,
+        _ => team_13(s),
+    }
 }
 
-/// Where team 11 leads.
-fn team_11(s: &[f32; 3]) -> u8 {
+/// What team 11 decides.
+fn team_11(s: &[f32; 3]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 31;
+    let mut way = 5;
     let v4 = s[2] - 0.7582224_f32;
     if v4 >= best {
-        vertex = 35;
-    }
-    if v4 > best {
         best = v4;
+        way = 1;
     }
     let v52 = s[2] - 0.75724316_f32;
     if v52 >= best {
-        vertex = 35;
-    }
-    if v52 > best {
         best = v52;
+        way = 1;
     }
     let v43 = s[2] + -117.26495_f32;
     if v43 >= best {
-        vertex = 35;
-    }
-    if v43 > best {
         best = v43;
+        way = 1;
     }
     if 1.6245565_f32 >= best {
-        vertex = 11;
-    }
-    if 1.6245565_f32 > best {
         best = 1.6245565_f32;
+        way = 2;
     }
     let v54 = s[0] - 0.7258825_f32;
     if v54 >= best {
-        vertex = 31;
-    }
-    if v54 > best {
         best = v54;
+        way = 5;
     }
     let v45 = s[0] * -79.08088_f32;
     if v45 >= best {
-        vertex = 32;
-    }
-    if v45 > best {
         best = v45;
+        way = 3;
     }
     let v18 = s[0] * -107.57004_f32;
     if v18 >= best {
-        vertex = 12;
-    }
-    if v18 > best {
         best = v18;
+        way = 4;
     }
     let v10 = s[0] - 0.7582224_f32;
     if v10 >= best {
-        vertex = 31;
-    }
-    if v10 > best {
         best = v10;
+        way = 5;
     }
-    vertex
+    match way {
+        1 => 4,
+        2 => team_15(s),
+        3 => 1,
+        4 => team_30(s),
+        _ => 0,
+    }
 }
 
-/// Where team 13 leads.
-fn team_13(s: &[f32; 3]) -> u8 {
+/// What team 13 decides.
+fn team_13(s: &[f32; 3]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 31;
+    let mut way = 6;
     let v4 = s[2] - 0.7582224_f32;
     if v4 >= best {
-        vertex = 35;
-    }
-    if v4 > best {
         best = v4;
+        way = 1;
     }
     let v18 = s[0] * -107.57004_f32;
     if v18 >= best {
-        vertex = 12;
-    }
-    if v18 > best {
         best = v18;
+        way = 2;
     }
     let v10 = s[0] - 0.7582224_f32;
     if v10 >= best {
-        vertex = 31;
-    }
-    if v10 > best {
         best = v10;
+        way = 6;
     }
     if 1.6245565_f32 >= best {
-        vertex = 13;
-    }
-    if 1.6245565_f32 > best {
         best = 1.6245565_f32;
+        way = 3;
     }
     let v27 = s[1] / s[1];
     if v27 >= best {
-        vertex = 14;
-    }
-    if v27 > best {
         best = v27;
+        way = 4;
     }
     let v28 = ops::max(0.0_f32, s[0]);
     let v29 = s[1] - v28;
     if v29 >= best {
-        vertex = 34;
-    }
-    if v29 > best {
         best = v29;
+        way = 5;
     }
     let v31 = s[0] - 1.0168722_f32;
     if v31 >= best {
-        vertex = 31;
-    }
-    if v31 > best {
         best = v31;
+        way = 6;
     }
-    vertex
+    match way {
+        1 => 4,
+        2 => team_30(s),
+        3 => team_14(s),
+        4 => team_39(s),
+        5 => 3,
+        _ => 0,
+    }
 }
 
-/// Where team 23 leads.
-fn team_23(s: &[f32; 3]) -> u8 {
+/// What team 23 decides.
+fn team_23(s: &[f32; 3]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 17;
+    let mut way = 4;
     let v4 = s[2] - 0.7582224_f32;
     if v4 >= best {
-        vertex = 35;
-    }
-    if v4 > best {
         best = v4;
+        way = 1;
     }
     let v69 = ops::negate_if_less(s[1], 229.17769_f32);
     if v69 >= best {
-        vertex = 15;
-    }
-    if v69 > best {
         best = v69;
+        way = 2;
     }
     let zero = core::hint::black_box(0.0_f32);
     if zero >= best {
-        vertex = 16;
-    }
-    if zero > best {
         best = zero;
+        way = 3;
     }
     let v70 = s[1] * -107.57004_f32;
     if v70 >= best {
-        vertex = 17;
-    }
-    if v70 > best {
         best = v70;
+        way = 4;
     }
-    vertex
+    match way {
+        1 => 4,
+        2 => team_38(s),
+        3 => team_24(s),
+        _ => team_37(s),
+    }
 }
 
-/// Where team 20 leads.
-fn team_20(s: &[f32; 3]) -> u8 {
+/// What team 20 decides.
+fn team_20(s: &[f32; 3]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 31;
+    let mut way = 5;
     if 10.629795_f32 >= best {
-        vertex = 15;
-    }
-    if 10.629795_f32 > best {
         best = 10.629795_f32;
+        way = 1;
     }
     let v80 = ops::min(s[2], 110.01199_f32);
     if v80 >= best {
-        vertex = 18;
-    }
-    if v80 > best {
         best = v80;
+        way = 2;
     }
     let v10 = s[0] - 0.7582224_f32;
     if v10 >= best {
-        vertex = 31;
-    }
-    if v10 > best {
         best = v10;
+        way = 5;
     }
     let v18 = s[0] * -107.57004_f32;
     if v18 >= best {
-        vertex = 32;
-    }
-    if v18 > best {
         best = v18;
+        way = 3;
     }
     let v45 = s[0] * -79.08088_f32;
     if v45 >= best {
-        vertex = 32;
-    }
-    if v45 > best {
         best = v45;
+        way = 3;
     }
     let v48 = -107.57004_f32 / s[0];
     if v48 >= best {
-        vertex = 19;
-    }
-    if v48 > best {
         best = v48;
+        way = 4;
     }
     let v4 = s[2] - 0.7582224_f32;
     if v4 >= best {
-        vertex = 31;
-    }
-    if v4 > best {
         best = v4;
+        way = 5;
     }
-    vertex
+    match way {
+        1 => team_38(s),
+        2 => team_21(s),
+        3 => 1,
+        4 => team_42(s),
+        _ => 0,
+    }
 }
 
-/// Where team 36 leads.
-fn team_36(s: &[f32; 3]) -> u8 {
+/// What team 36 decides.
+fn team_36(s: &[f32; 3]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 34;
+    let mut way = 4;
     if 2.5843248_f32 >= best {
-        vertex = 14;
-    }
-    if 2.5843248_f32 > best {
         best = 2.5843248_f32;
+        way = 1;
     }
     let v18 = s[0] * -107.57004_f32;
     if v18 >= best {
-        vertex = 32;
-    }
-    if v18 > best {
         best = v18;
+        way = 2;
     }
     let v10 = s[0] - 0.7582224_f32;
     if v10 >= best {
-        vertex = 31;
-    }
-    if v10 > best {
         best = v10;
+        way = 3;
     }
     if s[1] >= best {
-        vertex = 34;
-    }
-    if s[1] > best {
         best = s[1];
+        way = 4;
     }
-    vertex
+    match way {
+        1 => team_39(s),
+        2 => 1,
+        3 => 0,
+        _ => 3,
+    }
 }
 
-/// Where team 15 leads.
-fn team_15(s: &[f32; 3]) -> u8 {
+/// What team 15 decides.
+fn team_15(s: &[f32; 3]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 20;
+    let mut way = 4;
     let v48 = -107.57004_f32 / s[0];
     if v48 >= best {
-        vertex = 8;
-    }
-    if v48 > best {
         best = v48;
+        way = 1;
     }
     let v4 = s[2] - 0.7582224_f32;
     let v61 = ops::max(s[2], v4);
     if v61 >= best {
-        vertex = 35;
-    }
-    if v61 > best {
         best = v61;
+        way = 2;
     }
     if v4 >= best {
-        vertex = 33;
-    }
-    if v4 > best {
         best = v4;
+        way = 3;
     }
     if f32::INFINITY >= best {
-        vertex = 20;
-    }
-    if f32::INFINITY > best {
         best = f32::INFINITY;
+        way = 4;
     }
-    vertex
+    match way {
+        1 => team_23(s),
+        2 => 4,
+        3 => 2,
+        _ => team_17(s),
+    }
 }
 
-/// Where team 30 leads.
-fn team_30(s: &[f32; 3]) -> u8 {
+/// What team 30 decides.
+fn team_30(s: &[f32; 3]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 32;
+    let mut way = 6;
     let v45 = s[0] * -79.08088_f32;
     if v45 >= best {
-        vertex = 32;
-    }
-    if v45 > best {
         best = v45;
+        way = 6;
     }
     let v64 = s[0] - 0.6354382_f32;
     if v64 >= best {
-        vertex = 31;
-    }
-    if v64 > best {
         best = v64;
+        way = 2;
     }
     let v65 = s[0] + -5.963282_f32;
     if v65 >= best {
-        vertex = 35;
-    }
-    if v65 > best {
         best = v65;
+        way = 1;
     }
     let v10 = s[0] - 0.7582224_f32;
     if v10 >= best {
-        vertex = 31;
-    }
-    if v10 > best {
         best = v10;
+        way = 2;
     }
     let zero = core::hint::black_box(0.0_f32);
     if zero >= best {
-        vertex = 21;
-    }
-    if zero > best {
         best = zero;
+        way = 3;
     }
     let v41 = s[2] * -176.74728_f32;
     if v41 >= best {
-        vertex = 22;
-    }
-    if v41 > best {
         best = v41;
+        way = 4;
     }
     let v48 = -107.57004_f32 / s[0];
     if v48 >= best {
-        vertex = 19;
-    }
-    if v48 > best {
         best = v48;
+        way = 5;
     }
     let v18 = s[0] * -107.57004_f32;
     if v18 >= best {
-        vertex = 32;
-    }
-    if v18 > best {
         best = v18;
+        way = 6;
     }
-    vertex
+    match way {
+        1 => 4,
+        2 => 0,
+        3 => team_31(s),
+        4 => team_41(s),
+        5 => team_42(s),
+        _ => 1,
+    }
 }
 
-/// Where team 14 leads.
-fn team_14(s: &[f32; 3]) -> u8 {
+/// What team 14 decides.
+fn team_14(s: &[f32; 3]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 11;
+    let mut way = 4;
     let v4 = s[2] - 0.7582224_f32;
     if v4 >= best {
-        vertex = 35;
-    }
-    if v4 > best {
         best = v4;
+        way = 1;
     }
     let v18 = s[0] * -107.57004_f32;
     if v18 >= best {
-        vertex = 12;
-    }
-    if v18 > best {
         best = v18;
+        way = 2;
     }
     let v55 = s[1] / 0.0_f32;
     if v55 >= best {
-        vertex = 16;
-    }
-    if v55 > best {
         best = v55;
+        way = 3;
     }
     if 1.6245565_f32 >= best {
-        vertex = 11;
-    }
-    if 1.6245565_f32 > best {
         best = 1.6245565_f32;
+        way = 4;
     }
-    vertex
+    match way {
+        1 => 4,
+        2 => team_30(s),
+        3 => team_24(s),
+        _ => team_15(s),
+    }
 }
 
-/// Where team 39 leads.
-fn team_39(s: &[f32; 3]) -> u8 {
+/// What team 39 decides.
+fn team_39(s: &[f32; 3]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 36;
+    let mut way = 3;
     let v58 = ops::max(s[1], 0.0_f32);
     let v59 = f32::abs(v58);
     if v59 >= best {
-        vertex = 37;
-    }
-    if v59 > best {
         best = v59;
+        way = 1;
     }
     let v60 = ops::min(s[0], s[1]);
     if v60 >= best {
-        vertex = 31;
-    }
-    if v60 > best {
         best = v60;
+        way = 2;
     }
     let zero = core::hint::black_box(0.0_f32);
     if zero >= best {
-        vertex = 36;
-    }
-    if zero > best {
         best = zero;
+        way = 3;
     }
-    vertex
+    match way {
+        1 => 6,
+        2 => 0,
+        _ => 5,
+    }
 }
 
-/// Where team 38 leads.
-fn team_38(s: &[f32; 3]) -> u8 {
+/// What team 38 decides.
+fn team_38(s: &[f32; 3]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 19;
+    let mut way = 5;
     let v40 = s[0] / 0.6354382_f32;
     if v40 >= best {
-        vertex = 31;
-    }
-    if v40 > best {
         best = v40;
+        way = 4;
     }
     let v10 = s[0] - 0.7582224_f32;
     if v10 >= best {
-        vertex = 31;
-    }
-    if v10 > best {
         best = v10;
+        way = 4;
     }
     let v41 = s[2] * -176.74728_f32;
     let v42 = v41 / s[1];
     if v42 >= best {
-        vertex = 22;
-    }
-    if v42 > best {
         best = v42;
+        way = 1;
     }
     if 2.5843248_f32 >= best {
-        vertex = 14;
-    }
-    if 2.5843248_f32 > best {
         best = 2.5843248_f32;
+        way = 2;
     }
     let v43 = s[2] + -117.26495_f32;
     if v43 >= best {
-        vertex = 32;
-    }
-    if v43 > best {
         best = v43;
+        way = 3;
     }
     if s[0] >= best {
-        vertex = 31;
-    }
-    if s[0] > best {
         best = s[0];
+        way = 4;
     }
     let v18 = s[0] * -107.57004_f32;
     if v18 >= best {
-        vertex = 19;
-    }
-    if v18 > best {
         best = v18;
+        way = 5;
     }
-    vertex
+    match way {
+        1 => team_41(s),
+        2 => team_39(s),
+        3 => 1,
+        4 => 0,
+        _ => team_42(s),
+    }
 }
 
-/// Where team 24 leads.
-fn team_24(s: &[f32; 3]) -> u8 {
+/// What team 24 decides.
+fn team_24(s: &[f32; 3]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 32;
+    let mut way = 6;
     let v4 = s[2] - 0.7582224_f32;
     if v4 >= best {
-        vertex = 23;
-    }
-    if v4 > best {
         best = v4;
+        way = 1;
     }
     let v69 = ops::negate_if_less(s[1], 229.17769_f32);
     if v69 >= best {
-        vertex = 15;
-    }
-    if v69 > best {
         best = v69;
+        way = 5;
     }
     let v43 = s[2] + -117.26495_f32;
     if v43 >= best {
-        vertex = 32;
-    }
-    if v43 > best {
         best = v43;
+        way = 6;
     }
     let v28 = ops::max(0.0_f32, s[0]);
     let v29 = s[1] - v28;
     if v29 >= best {
-        vertex = 34;
-    }
-    if v29 > best {
         best = v29;
+        way = 2;
     }
     let v10 = s[0] - 0.7582224_f32;
     if v10 >= best {
-        vertex = 31;
-    }
-    if v10 > best {
         best = v10;
+        way = 3;
     }
     let v48 = -107.57004_f32 / s[0];
     if v48 >= best {
-        vertex = 19;
-    }
-    if v48 > best {
         best = v48;
+        way = 4;
     }
     if 10.629795_f32 >= best {
-        vertex = 15;
-    }
-    if 10.629795_f32 > best {
         best = 10.629795_f32;
+        way = 5;
     }
     let v45 = s[0] * -79.08088_f32;
     if v45 >= best {
-        vertex = 32;
-    }
-    if v45 > best {
         best = v45;
+        way = 6;
     }
-    vertex
+    match way {
+        1 => team_27(s),
+        2 => 3,
+        3 => 0,
+        4 => team_42(s),
+        5 => team_38(s),
+        _ => 1,
+    }
 }
 
-/// Where team 37 leads.
-fn team_37(s: &[f32; 3]) -> u8 {
+/// What team 37 decides.
+fn team_37(s: &[f32; 3]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 34;
+    let mut way = 5;
     let v45 = s[0] * -79.08088_f32;
     if v45 >= best {
-        vertex = 32;
-    }
-    if v45 > best {
         best = v45;
+        way = 3;
     }
     let v64 = s[0] - 0.6354382_f32;
     if v64 >= best {
-        vertex = 31;
-    }
-    if v64 > best {
         best = v64;
+        way = 1;
     }
     let v18 = s[0] * -107.57004_f32;
     if v18 >= best {
-        vertex = 19;
-    }
-    if v18 > best {
         best = v18;
+        way = 2;
     }
     let v43 = s[2] + -117.26495_f32;
     if v43 >= best {
-        vertex = 32;
-    }
-    if v43 > best {
         best = v43;
+        way = 3;
     }
     let zero = core::hint::black_box(0.0_f32);
     if zero >= best {
-        vertex = 34;
-    }
-    if zero > best {
         best = zero;
+        way = 5;
     }
     let v72 = s[0] * 0.87870044_f32;
     if v72 >= best {
-        vertex = 22;
-    }
-    if v72 > best {
         best = v72;
+        way = 4;
     }
     let v28 = ops::max(0.0_f32, s[0]);
     let v29 = s[1] - v28;
     if v29 >= best {
-        vertex = 34;
-    }
-    if v29 > best {
         best = v29;
+        way = 5;
     }
-    vertex
+    match way {
+        1 => 0,
+        2 => team_42(s),
+        3 => 1,
+        4 => team_41(s),
+        _ => 3,
+    }
 }
 
-/// Where team 21 leads.
-fn team_21(s: &[f32; 3]) -> u8 {
+/// What team 21 decides.
+fn team_21(s: &[f32; 3]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 19;
+    let mut way = 5;
     let v85 = ops::negate_if_less(s[1], -1.1606317_f32);
     if v85 >= best {
-        vertex = 24;
-    }
-    if v85 > best {
         best = v85;
+        way = 1;
     }
     if 15.754999_f32 >= best {
-        vertex = 25;
-    }
-    if 15.754999_f32 > best {
         best = 15.754999_f32;
+        way = 2;
     }
     let v70 = s[1] * -107.57004_f32;
     if v70 >= best {
-        vertex = 17;
-    }
-    if v70 > best {
         best = v70;
+        way = 3;
     }
     let v10 = s[0] - 0.7582224_f32;
     if v10 >= best {
-        vertex = 31;
-    }
-    if v10 > best {
         best = v10;
+        way = 4;
     }
     let v18 = s[0] * -107.57004_f32;
     if v18 >= best {
-        vertex = 19;
-    }
-    if v18 > best {
         best = v18;
+        way = 5;
     }
-    vertex
+    match way {
+        1 => team_22(s),
+        2 => team_32(s),
+        3 => team_37(s),
+        4 => 0,
+        _ => team_42(s),
+    }
 }
 
-/// Where team 42 leads.
-fn team_42(s: &[f32; 3]) -> u8 {
+/// What team 42 decides.
+fn team_42(s: &[f32; 3]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 32;
+    let mut way = 3;
     let v47 = 0.0_f32 / s[1];
     if v47 >= best {
-        vertex = 32;
-    }
-    if v47 > best {
         best = v47;
+        way = 3;
     }
     if s[0] >= best {
-        vertex = 31;
-    }
-    if s[0] > best {
         best = s[0];
+        way = 1;
     }
     let v7 = ops::min(-8.893463_f32, s[1]);
     if v7 >= best {
-        vertex = 31;
-    }
-    if v7 > best {
         best = v7;
+        way = 1;
     }
     if s[1] >= best {
-        vertex = 34;
-    }
-    if s[1] > best {
         best = s[1];
+        way = 2;
     }
     let v18 = s[0] * -107.57004_f32;
     if v18 >= best {
-        vertex = 32;
-    }
-    if v18 > best {
         best = v18;
+        way = 3;
     }
-    vertex
+    match way {
+        1 => 0,
+        2 => 3,
+        _ => 1,
+    }
 }
 
-/// Where team 17 leads.
-fn team_17(s: &[f32; 3]) -> u8 {
+/// What team 17 decides.
+fn team_17(s: &[f32; 3]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 31;
+    let mut way = 6;
     let v57 = s[2] - -6.7057414_f32;
     if v57 >= best {
-        vertex = 33;
-    }
-    if v57 > best {
         best = v57;
+        way = 4;
     }
     if 6.543999_f32 >= best {
-        vertex = 38;
-    }
-    if 6.543999_f32 > best {
         best = 6.543999_f32;
+        way = 1;
     }
     let v55 = s[1] / 0.0_f32;
     if v55 >= best {
-        vertex = 16;
-    }
-    if v55 > best {
         best = v55;
+        way = 2;
     }
     let v45 = s[0] * -79.08088_f32;
     if v45 >= best {
-        vertex = 32;
-    }
-    if v45 > best {
         best = v45;
+        way = 5;
     }
     let v48 = -107.57004_f32 / s[0];
     if v48 >= best {
-        vertex = 19;
-    }
-    if v48 > best {
         best = v48;
+        way = 3;
     }
     let v4 = s[2] - 0.7582224_f32;
     if v4 >= best {
-        vertex = 33;
-    }
-    if v4 > best {
         best = v4;
+        way = 4;
     }
     let v18 = s[0] * -107.57004_f32;
     if v18 >= best {
-        vertex = 32;
-    }
-    if v18 > best {
         best = v18;
+        way = 5;
     }
     let v10 = s[0] - 0.7582224_f32;
     if v10 >= best {
-        vertex = 31;
-    }
-    if v10 > best {
         best = v10;
+        way = 6;
     }
-    vertex
+    match way {
+        1 => 7,
+        2 => team_24(s),
+        3 => team_42(s),
+        4 => 2,
+        5 => 1,
+        _ => 0,
+    }
 }
 
-/// Where team 31 leads.
-fn team_31(s: &[f32; 3]) -> u8 {
+/// What team 31 decides.
+fn team_31(s: &[f32; 3]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 19;
+    let mut way = 6;
     let v82 = 0.0_f32 - s[0];
     let v83 = 2.710111_f32 / v82;
     if v83 >= best {
-        vertex = 32;
-    }
-    if v83 > best {
         best = v83;
+        way = 1;
     }
     let zero = core::hint::black_box(0.0_f32);
     if zero >= best {
-        vertex = 31;
-    }
-    if zero > best {
         best = zero;
+        way = 5;
     }
     let v27 = s[1] / s[1];
     if v27 >= best {
-        vertex = 14;
-    }
-    if v27 > best {
         best = v27;
+        way = 2;
     }
     let v41 = s[2] * -176.74728_f32;
     let v42 = v41 / s[1];
     if v42 >= best {
-        vertex = 22;
-    }
-    if v42 > best {
         best = v42;
+        way = 3;
     }
     let v64 = s[0] - 0.6354382_f32;
     if v64 >= best {
-        vertex = 26;
-    }
-    if v64 > best {
         best = v64;
+        way = 4;
     }
     let v10 = s[0] - 0.7582224_f32;
     if v10 >= best {
-        vertex = 31;
-    }
-    if v10 > best {
         best = v10;
+        way = 5;
     }
     let v18 = s[0] * -107.57004_f32;
     if v18 >= best {
-        vertex = 19;
-    }
-    if v18 > best {
         best = v18;
+        way = 6;
     }
-    vertex
+    match way {
+        1 => 1,
+        2 => team_39(s),
+        3 => team_41(s),
+        4 => team_34(s),
+        5 => 0,
+        _ => team_42(s),
+    }
 }
 
-/// Where team 41 leads.
-fn team_41(s: &[f32; 3]) -> u8 {
+/// What team 41 decides.
+fn team_41(s: &[f32; 3]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 32;
+    let mut way = 4;
     let zero = core::hint::black_box(0.0_f32);
     if zero >= best {
-        vertex = 34;
-    }
-    if zero > best {
         best = zero;
+        way = 1;
     }
     let v10 = s[0] - 0.7582224_f32;
     if v10 >= best {
-        vertex = 31;
-    }
-    if v10 > best {
         best = v10;
+        way = 2;
     }
     let v67 = s[1] * -55.687565_f32;
     if v67 >= best {
-        vertex = 36;
-    }
-    if v67 > best {
         best = v67;
+        way = 3;
     }
     let v18 = s[0] * -107.57004_f32;
     if v18 >= best {
-        vertex = 32;
-    }
-    if v18 > best {
         best = v18;
+        way = 4;
     }
-    vertex
+    match way {
+        1 => 3,
+        2 => 0,
+        3 => 5,
+        _ => 1,
+    }
 }
 
-/// Where team 27 leads.
-fn team_27(s: &[f32; 3]) -> u8 {
+/// What team 27 decides.
+fn team_27(s: &[f32; 3]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 12;
+    let mut way = 7;
     let v48 = -107.57004_f32 / s[0];
     if v48 >= best {
-        vertex = 19;
-    }
-    if v48 > best {
         best = v48;
+        way = 1;
     }
     let v10 = s[0] - 0.7582224_f32;
     if v10 >= best {
-        vertex = 31;
-    }
-    if v10 > best {
         best = v10;
+        way = 2;
     }
     let v86 = -79.08088_f32 - s[0];
     if v86 >= best {
-        vertex = 27;
-    }
-    if v86 > best {
         best = v86;
+        way = 3;
     }
     let v45 = s[0] * -79.08088_f32;
     if v45 >= best {
-        vertex = 32;
-    }
-    if v45 > best {
         best = v45;
+        way = 4;
     }
     let v47 = 0.0_f32 / s[1];
     if v47 >= best {
-        vertex = 32;
-    }
-    if v47 > best {
         best = v47;
+        way = 4;
     }
     let v4 = s[2] - 0.7582224_f32;
     if v4 >= best {
-        vertex = 28;
-    }
-    if v4 > best {
         best = v4;
+        way = 5;
     }
     if 13.937786_f32 >= best {
-        vertex = 15;
-    }
-    if 13.937786_f32 > best {
         best = 13.937786_f32;
+        way = 6;
     }
     let v18 = s[0] * -107.57004_f32;
     if v18 >= best {
-        vertex = 12;
-    }
-    if v18 > best {
         best = v18;
+        way = 7;
     }
-    vertex
+    match way {
+        1 => team_42(s),
+        2 => 0,
+        3 => team_40(s),
+        4 => 1,
+        5 => team_28(s),
+        6 => team_38(s),
+        _ => team_30(s),
+    }
 }
 
-/// Where team 22 leads.
-fn team_22(s: &[f32; 3]) -> u8 {
+/// What team 22 decides.
+fn team_22(s: &[f32; 3]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 19;
+    let mut way = 4;
     let v48 = -107.57004_f32 / s[0];
     if v48 >= best {
-        vertex = 19;
-    }
-    if v48 > best {
         best = v48;
+        way = 4;
     }
     let v10 = s[0] - 0.7582224_f32;
     if v10 >= best {
-        vertex = 31;
-    }
-    if v10 > best {
         best = v10;
+        way = 1;
     }
     if 15.754999_f32 >= best {
-        vertex = 25;
-    }
-    if 15.754999_f32 > best {
         best = 15.754999_f32;
+        way = 2;
     }
     let v45 = s[0] * -79.08088_f32;
     if v45 >= best {
-        vertex = 32;
-    }
-    if v45 > best {
         best = v45;
+        way = 3;
     }
     let v43 = s[2] + -117.26495_f32;
     if v43 >= best {
-        vertex = 32;
-    }
-    if v43 > best {
         best = v43;
+        way = 3;
     }
     let v18 = s[0] * -107.57004_f32;
     if v18 >= best {
-        vertex = 19;
-    }
-    if v18 > best {
         best = v18;
+        way = 4;
     }
-    vertex
+    match way {
+        1 => 0,
+        2 => team_32(s),
+        3 => 1,
+        _ => team_42(s),
+    }
 }
 
-/// Where team 32 leads.
-fn team_32(s: &[f32; 3]) -> u8 {
+/// What team 32 decides.
+fn team_32(s: &[f32; 3]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 32;
+    let mut way = 6;
     let v72 = s[0] * 0.87870044_f32;
     if v72 >= best {
-        vertex = 31;
-    }
-    if v72 > best {
         best = v72;
+        way = 1;
     }
     let v73 = s[2] * s[0];
     let v74 = v73 - s[0];
     let v75 = 2.710111_f32 / v74;
     if v75 >= best {
-        vertex = 32;
-    }
-    if v75 > best {
         best = v75;
+        way = 6;
     }
     let v76 = s[0] + -107.57004_f32;
     if v76 >= best {
-        vertex = 32;
-    }
-    if v76 > best {
         best = v76;
+        way = 6;
     }
     let zero = core::hint::black_box(0.0_f32);
     if zero >= best {
-        vertex = 34;
-    }
-    if zero > best {
         best = zero;
+        way = 2;
     }
     let v27 = s[1] / s[1];
     if v27 >= best {
-        vertex = 14;
-    }
-    if v27 > best {
         best = v27;
+        way = 4;
     }
     let v41 = s[2] * -176.74728_f32;
     let v42 = v41 / s[1];
     if v42 >= best {
-        vertex = 22;
-    }
-    if v42 > best {
         best = v42;
+        way = 3;
     }
     let v10 = s[0] - 0.7582224_f32;
     if v10 >= best {
-        vertex = 14;
-    }
-    if v10 > best {
         best = v10;
+        way = 4;
     }
     let v64 = s[0] - 0.6354382_f32;
     if v64 >= best {
-        vertex = 26;
-    }
-    if v64 > best {
         best = v64;
+        way = 5;
     }
     let v18 = s[0] * -107.57004_f32;
     if v18 >= best {
-        vertex = 32;
-    }
-    if v18 > best {
         best = v18;
+        way = 6;
     }
     let v78 = s[0] * 0.18706028_f32;
     if v78 >= best {
-        vertex = 32;
-    }
-    if v78 > best {
         best = v78;
+        way = 6;
     }
-    vertex
+    match way {
+        1 => 0,
+        2 => 3,
+        3 => team_41(s),
+        4 => team_39(s),
+        5 => team_34(s),
+        _ => 1,
+    }
 }
 
-/// Where team 34 leads.
-fn team_34(s: &[f32; 3]) -> u8 {
+/// What team 34 decides.
+fn team_34(s: &[f32; 3]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 32;
+    let mut way = 4;
     let v45 = s[0] * -79.08088_f32;
     if v45 >= best {
-        vertex = 32;
-    }
-    if v45 > best {
         best = v45;
+        way = 4;
     }
     let v64 = s[0] - 0.6354382_f32;
     if v64 >= best {
-        vertex = 31;
-    }
-    if v64 > best {
         best = v64;
+        way = 1;
     }
     if 15.754999_f32 >= best {
-        vertex = 29;
-    }
-    if 15.754999_f32 > best {
         best = 15.754999_f32;
+        way = 2;
     }
     let v18 = s[0] * -107.57004_f32;
     if v18 >= best {
-        vertex = 19;
-    }
-    if v18 > best {
         best = v18;
+        way = 3;
     }
     let v43 = s[2] + -117.26495_f32;
     if v43 >= best {
-        vertex = 32;
-    }
-    if v43 > best {
         best = v43;
+        way = 4;
     }
-    vertex
+    match way {
+        1 => 0,
+        2 => team_35(s),
+        3 => team_42(s),
+        _ => 1,
+    }
 }
 
-/// Where team 40 leads.
-fn team_40(s: &[f32; 3]) -> u8 {
+/// What team 40 decides.
+fn team_40(s: &[f32; 3]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 31;
+    let mut way = 4;
     if s[2] >= best {
-        vertex = 31;
-    }
-    if s[2] > best {
         best = s[2];
+        way = 4;
     }
     if 10.629795_f32 >= best {
-        vertex = 22;
-    }
-    if 10.629795_f32 > best {
         best = 10.629795_f32;
+        way = 1;
     }
     let v28 = ops::max(0.0_f32, s[0]);
     let v29 = s[1] - v28;
     if v29 >= best {
-        vertex = 34;
-    }
-    if v29 > best {
         best = v29;
+        way = 2;
     }
     let v18 = s[0] * -107.57004_f32;
     if v18 >= best {
-        vertex = 32;
-    }
-    if v18 > best {
         best = v18;
+        way = 3;
     }
     let v10 = s[0] - 0.7582224_f32;
     if v10 >= best {
-        vertex = 31;
-    }
-    if v10 > best {
         best = v10;
+        way = 4;
     }
-    vertex
+    match way {
+        1 => team_41(s),
+        2 => 3,
+        3 => 1,
+        _ => 0,
+    }
 }
 
-/// Where team 28 leads.
-fn team_28(s: &[f32; 3]) -> u8 {
+/// What team 28 decides.
+fn team_28(s: &[f32; 3]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 32;
+    let mut way = 6;
     let v48 = -107.57004_f32 / s[0];
     if v48 >= best {
-        vertex = 19;
-    }
-    if v48 > best {
         best = v48;
+        way = 1;
     }
     let v4 = s[2] - 0.7582224_f32;
     if v4 >= best {
-        vertex = 35;
-    }
-    if v4 > best {
         best = v4;
+        way = 2;
     }
     let v70 = s[1] * -107.57004_f32;
     if v70 >= best {
-        vertex = 17;
-    }
-    if v70 > best {
         best = v70;
+        way = 3;
     }
     let v64 = s[0] - 0.6354382_f32;
     if v64 >= best {
-        vertex = 30;
-    }
-    if v64 > best {
         best = v64;
+        way = 4;
     }
     let v18 = s[0] * -107.57004_f32;
     if v18 >= best {
-        vertex = 27;
-    }
-    if v18 > best {
         best = v18;
+        way = 5;
     }
     let v82 = 0.0_f32 - s[0];
     let v83 = 2.710111_f32 / v82;
     if v83 >= best {
-        vertex = 32;
-    }
-    if v83 > best {
         best = v83;
+        way = 6;
     }
-    vertex
+    match way {
+        1 => team_42(s),
+        2 => 4,
+        3 => team_37(s),
+        4 => team_29(s),
+        5 => team_40(s),
+        _ => 1,
+    }
 }
 
-/// Where team 35 leads.
-fn team_35(s: &[f32; 3]) -> u8 {
+/// What team 35 decides.
+fn team_35(s: &[f32; 3]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 32;
+    let mut way = 3;
     if 83.54613_f32 >= best {
-        vertex = 22;
-    }
-    if 83.54613_f32 > best {
         best = 83.54613_f32;
+        way = 1;
     }
     let v10 = s[0] - 0.7582224_f32;
     if v10 >= best {
-        vertex = 31;
-    }
-    if v10 > best {
         best = v10;
+        way = 2;
     }
     let v18 = s[0] * -107.57004_f32;
     if v18 >= best {
-        vertex = 32;
-    }
-    if v18 > best {
         best = v18;
+        way = 3;
     }
     let v73 = s[2] * s[0];
     let v74 = v73 - s[0];
     let v75 = 2.710111_f32 / v74;
     if v75 >= best {
-        vertex = 32;
-    }
-    if v75 > best {
         best = v75;
+        way = 3;
     }
-    vertex
+    match way {
+        1 => team_41(s),
+        2 => 0,
+        _ => 1,
+    }
 }
 
-/// Where team 29 leads.
-fn team_29(s: &[f32; 3]) -> u8 {
+/// What team 29 decides.
+fn team_29(s: &[f32; 3]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 17;
+    let mut way = 6;
     let v48 = -107.57004_f32 / s[0];
     if v48 >= best {
-        vertex = 19;
-    }
-    if v48 > best {
         best = v48;
+        way = 1;
     }
     let v4 = s[2] - 0.7582224_f32;
     if v4 >= best {
-        vertex = 31;
-    }
-    if v4 > best {
         best = v4;
+        way = 4;
     }
     if 10.629795_f32 >= best {
-        vertex = 15;
-    }
-    if 10.629795_f32 > best {
         best = 10.629795_f32;
+        way = 2;
     }
     let v45 = s[0] * -79.08088_f32;
     if v45 >= best {
-        vertex = 35;
-    }
-    if v45 > best {
         best = v45;
+        way = 3;
     }
     let v10 = s[0] - 0.7582224_f32;
     if v10 >= best {
-        vertex = 31;
-    }
-    if v10 > best {
         best = v10;
+        way = 4;
     }
     let v18 = s[0] * -107.57004_f32;
     if v18 >= best {
-        vertex = 12;
-    }
-    if v18 > best {
         best = v18;
+        way = 5;
     }
     let v70 = s[1] * -107.57004_f32;
     if v70 >= best {
-        vertex = 17;
-    }
-    if v70 > best {
         best = v70;
+        way = 6;
     }
-    vertex
+    match way {
+        1 => team_42(s),
+        2 => team_38(s),
+        3 => 4,
+        4 => 0,
+        5 => team_30(s),
+        _ => team_37(s),
+    }
 }

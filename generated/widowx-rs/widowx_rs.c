@@ -37,935 +37,1946 @@ static float widowx_rs_max(float a, float b)
     return (a > b) ? a : b;
 }
 
-static uint32_t widowx_rs_team_0(const widowx_rs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 32U;
-    const float v5 = state->stance[1] / 9.539528F;
-    vertex = (v5 >= best) ? 35U : vertex;
-    best = (v5 > best) ? v5 : best;
-    const float v2 = state->stance[0] / 0.0F;
-    vertex = (v2 >= best) ? 1U : vertex;
-    best = (v2 > best) ? v2 : best;
-    const float v6 = state->stance[1] - 9.539528F;
-    vertex = (v6 >= best) ? 2U : vertex;
-    best = (v6 > best) ? v6 : best;
-    const float v8 = fabsf(state->stance[2]);
-    vertex = (v8 >= best) ? 3U : vertex;
-    best = (v8 > best) ? v8 : best;
-    const float v11 = 164.8815F * state->stance[3];
-    vertex = (v11 >= best) ? 36U : vertex;
-    best = (v11 > best) ? v11 : best;
-    const volatile float constant = 0.0F;
-    const float zero = constant;
-    vertex = (zero >= best) ? 32U : vertex;
-    return vertex;
-}
+/* Teams in an order in which every one comes after all that lead to it: control only goes forward. */
 
-static uint32_t widowx_rs_team_7(const widowx_rs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 6U;
-    const float v24 = (-3.3748567F) - state->floor[0];
-    vertex = (v24 >= best) ? 36U : vertex;
-    best = (v24 > best) ? v24 : best;
-    const float v6 = state->stance[1] - 9.539528F;
-    vertex = (v6 >= best) ? 2U : vertex;
-    best = (v6 > best) ? v6 : best;
-    const float v26 = (-10.533181F) - state->floor[0];
-    vertex = (v26 >= best) ? 4U : vertex;
-    best = (v26 > best) ? v26 : best;
-    const float v29 = 0.0F - state->floor[0];
-    vertex = (v29 >= best) ? 31U : vertex;
-    best = (v29 > best) ? v29 : best;
-    const float v22 = widowx_rs_max((-161.71835F), state->stance[2]);
-    vertex = (v22 >= best) ? 34U : vertex;
-    best = (v22 > best) ? v22 : best;
-    const volatile float constant = 0.0F;
-    const float zero = constant;
-    vertex = (zero >= best) ? 35U : vertex;
-    best = (zero > best) ? zero : best;
-    const float v17 = (-3.3748567F) - state->stance[0];
-    const float v30 = v17 * state->floor[0];
-    vertex = (v30 >= best) ? 31U : vertex;
-    best = (v30 > best) ? v30 : best;
-    const float v28 = state->stance[3] * (-6.3484564F);
-    vertex = (v28 >= best) ? 5U : vertex;
-    best = (v28 > best) ? v28 : best;
-    const float v31 = state->stance[3] / state->floor[0];
-    vertex = (v31 >= best) ? 6U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_rs_team_44(const widowx_rs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 32U;
-    const float v17 = (-3.3748567F) - state->stance[0];
-    vertex = (v17 >= best) ? 31U : vertex;
-    best = (v17 > best) ? v17 : best;
-    const float v2 = state->stance[0] / 0.0F;
-    vertex = (v2 >= best) ? 30U : vertex;
-    best = (v2 > best) ? v2 : best;
-    vertex = (state->floor[0] >= best) ? 32U : vertex;
-    best = (state->floor[0] > best) ? state->floor[0] : best;
-    vertex = (9.506875F >= best) ? 32U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_rs_team_5(const widowx_rs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 36U;
-    const float v28 = state->stance[3] * (-6.3484564F);
-    vertex = (v28 >= best) ? 5U : vertex;
-    best = (v28 > best) ? v28 : best;
-    const float v34 = widowx_rs_max(state->stance[2], (-3.385455F));
-    vertex = (v34 >= best) ? 36U : vertex;
-    best = (v34 > best) ? v34 : best;
-    const float v2 = state->stance[0] / 0.0F;
-    vertex = (v2 >= best) ? 1U : vertex;
-    best = (v2 > best) ? v2 : best;
-    const float v17 = (-3.3748567F) - state->stance[0];
-    const float v30 = v17 * state->floor[0];
-    vertex = (v30 >= best) ? 31U : vertex;
-    best = (v30 > best) ? v30 : best;
-    const float v35 = (-6.3484564F) - state->stance[3];
-    vertex = (v35 >= best) ? 5U : vertex;
-    best = (v35 > best) ? v35 : best;
-    const volatile float constant = 0.0F;
-    const float zero = constant;
-    vertex = (zero >= best) ? 2U : vertex;
-    best = (zero > best) ? zero : best;
-    const float v24 = (-3.3748567F) - state->floor[0];
-    vertex = (v24 >= best) ? 36U : vertex;
-    best = (v24 > best) ? v24 : best;
-    const float v11 = 164.8815F * state->stance[3];
-    vertex = (v11 >= best) ? 36U : vertex;
-    best = (v11 > best) ? v11 : best;
-    const float v13 = state->stance[1] / 11.184899F;
-    vertex = (v13 >= best) ? 36U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_rs_team_11(const widowx_rs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 37U;
-    const float v13 = state->stance[1] / 11.184899F;
-    vertex = (v13 >= best) ? 34U : vertex;
-    best = (v13 > best) ? v13 : best;
-    const float v15 = state->stance[1] / 0.0F;
-    vertex = (v15 >= best) ? 6U : vertex;
-    best = (v15 > best) ? v15 : best;
-    const float v11 = 164.8815F * state->stance[3];
-    vertex = (v11 >= best) ? 36U : vertex;
-    best = (v11 > best) ? v11 : best;
-    vertex = (24.873356F >= best) ? 7U : vertex;
-    best = (24.873356F > best) ? 24.873356F : best;
-    const float v17 = (-3.3748567F) - state->stance[0];
-    vertex = (v17 >= best) ? 31U : vertex;
-    best = (v17 > best) ? v17 : best;
-    const float v20 = 0.0F + state->stance[3];
-    vertex = (v20 >= best) ? 37U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_rs_team_10(const widowx_rs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 6U;
-    const float v13 = state->stance[1] / 11.184899F;
-    vertex = (v13 >= best) ? 34U : vertex;
-    best = (v13 > best) ? v13 : best;
-    const float v63 = state->stance[1] - 9.689877F;
-    vertex = (v63 >= best) ? 8U : vertex;
-    best = (v63 > best) ? v63 : best;
-    vertex = (24.873356F >= best) ? 7U : vertex;
-    best = (24.873356F > best) ? 24.873356F : best;
-    const float v43 = fabsf(state->floor[0]);
-    const float v44 = state->stance[0] / v43;
-    vertex = (v44 >= best) ? 30U : vertex;
-    best = (v44 > best) ? v44 : best;
-    const float v17 = (-3.3748567F) - state->stance[0];
-    vertex = (v17 >= best) ? 9U : vertex;
-    best = (v17 > best) ? v17 : best;
-    const float v29 = 0.0F - state->floor[0];
-    vertex = (v29 >= best) ? 31U : vertex;
-    best = (v29 > best) ? v29 : best;
-    const float v15 = state->stance[1] / 0.0F;
-    vertex = (v15 >= best) ? 6U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_rs_team_13(const widowx_rs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 31U;
-    vertex = (22.918602F >= best) ? 10U : vertex;
-    best = (22.918602F > best) ? 22.918602F : best;
-    const float v48 = fabsf(state->stance[3]);
-    vertex = (v48 >= best) ? 8U : vertex;
-    best = (v48 > best) ? v48 : best;
-    const float v11 = 164.8815F * state->stance[3];
-    vertex = (v11 >= best) ? 36U : vertex;
-    best = (v11 > best) ? v11 : best;
-    const float v36 = state->stance[1] + 9.539528F;
-    vertex = (v36 >= best) ? 11U : vertex;
-    best = (v36 > best) ? v36 : best;
-    const float v50 = state->stance[0] / 11.077008F;
-    vertex = (v50 >= best) ? 12U : vertex;
-    best = (v50 > best) ? v50 : best;
-    const float v2 = state->stance[0] / 0.0F;
-    vertex = (v2 >= best) ? 13U : vertex;
-    best = (v2 > best) ? v2 : best;
-    const float v43 = fabsf(state->floor[0]);
-    const float v44 = state->stance[0] / v43;
-    vertex = (v44 >= best) ? 14U : vertex;
-    best = (v44 > best) ? v44 : best;
-    const float v17 = (-3.3748567F) - state->stance[0];
-    vertex = (v17 >= best) ? 9U : vertex;
-    best = (v17 > best) ? v17 : best;
-    const float v37 = widowx_rs_min(v17, state->floor[0]);
-    vertex = (v37 >= best) ? 31U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_rs_team_12(const widowx_rs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 31U;
-    const float v11 = 164.8815F * state->stance[3];
-    vertex = (v11 >= best) ? 36U : vertex;
-    best = (v11 > best) ? v11 : best;
-    const float v15 = state->stance[1] / 0.0F;
-    vertex = (v15 >= best) ? 15U : vertex;
-    best = (v15 > best) ? v15 : best;
-    const float v43 = fabsf(state->floor[0]);
-    const float v58 = state->stance[1] / v43;
-    vertex = (v58 >= best) ? 30U : vertex;
-    best = (v58 > best) ? v58 : best;
-    const float v17 = (-3.3748567F) - state->stance[0];
-    vertex = (v17 >= best) ? 9U : vertex;
-    best = (v17 > best) ? v17 : best;
-    const float v52 = widowx_rs_negate_if_less(state->stance[1], (-26.200392F));
-    vertex = (v52 >= best) ? 33U : vertex;
-    best = (v52 > best) ? v52 : best;
-    const float v5 = state->stance[1] / 9.539528F;
-    vertex = (v5 >= best) ? 2U : vertex;
-    best = (v5 > best) ? v5 : best;
-    vertex = (11.302588F >= best) ? 16U : vertex;
-    best = (11.302588F > best) ? 11.302588F : best;
-    const float v29 = 0.0F - state->floor[0];
-    vertex = (v29 >= best) ? 31U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_rs_team_32(const widowx_rs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 2U;
-    const float v17 = (-3.3748567F) - state->stance[0];
-    vertex = (v17 >= best) ? 17U : vertex;
-    best = (v17 > best) ? v17 : best;
-    vertex = (22.918602F >= best) ? 37U : vertex;
-    best = (22.918602F > best) ? 22.918602F : best;
-    const float v2 = state->stance[0] / 0.0F;
-    vertex = (v2 >= best) ? 30U : vertex;
-    best = (v2 > best) ? v2 : best;
-    const float v8 = fabsf(state->stance[2]);
-    vertex = (v8 >= best) ? 18U : vertex;
-    best = (v8 > best) ? v8 : best;
-    const float v36 = state->stance[1] + 9.539528F;
-    vertex = (v36 >= best) ? 2U : vertex;
-    best = (v36 > best) ? v36 : best;
-    const float v57 = state->stance[3] / 15.430052F;
-    vertex = (v57 >= best) ? 36U : vertex;
-    best = (v57 > best) ? v57 : best;
-    const float v5 = state->stance[1] / 9.539528F;
-    vertex = (v5 >= best) ? 2U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_rs_team_45(const widowx_rs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 31U;
-    const float v52 = widowx_rs_negate_if_less(state->stance[1], (-26.200392F));
-    vertex = (v52 >= best) ? 33U : vertex;
-    best = (v52 > best) ? v52 : best;
-    const float v53 = widowx_rs_max(state->floor[0], state->stance[1]);
-    const float v54 = widowx_rs_max(v53, state->floor[0]);
-    vertex = (v54 >= best) ? 31U : vertex;
-    best = (v54 > best) ? v54 : best;
-    const float v2 = state->stance[0] / 0.0F;
-    vertex = (v2 >= best) ? 30U : vertex;
-    best = (v2 > best) ? v2 : best;
-    const float v29 = 0.0F - state->floor[0];
-    vertex = (v29 >= best) ? 31U : vertex;
-    best = (v29 > best) ? v29 : best;
-    const float v5 = state->stance[1] / 9.539528F;
-    vertex = (v5 >= best) ? 35U : vertex;
-    best = (v5 > best) ? v5 : best;
-    vertex = (4.372006F >= best) ? 31U : vertex;
-    best = (4.372006F > best) ? 4.372006F : best;
-    const float v55 = widowx_rs_min(state->stance[2], state->stance[3]);
-    vertex = (v55 >= best) ? 31U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_rs_team_41(const widowx_rs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 30U;
-    const float v38 = widowx_rs_max(state->stance[2], state->floor[0]);
-    vertex = (v38 >= best) ? 31U : vertex;
-    best = (v38 > best) ? v38 : best;
-    const float v39 = widowx_rs_max(state->floor[0], 0.0F);
-    vertex = (v39 >= best) ? 19U : vertex;
-    best = (v39 > best) ? v39 : best;
-    const float v40 = state->floor[0] / 0.0F;
-    const float v42 = v40 * (-72.49379F);
-    vertex = (v42 >= best) ? 31U : vertex;
-    best = (v42 > best) ? v42 : best;
-    const float v5 = state->stance[1] / 9.539528F;
-    vertex = (v5 >= best) ? 2U : vertex;
-    best = (v5 > best) ? v5 : best;
-    const float v43 = fabsf(state->floor[0]);
-    const float v44 = state->stance[0] / v43;
-    vertex = (v44 >= best) ? 30U : vertex;
-    best = (v44 > best) ? v44 : best;
-    vertex = (10.948133F >= best) ? 16U : vertex;
-    best = (10.948133F > best) ? 10.948133F : best;
-    const float v2 = state->stance[0] / 0.0F;
-    vertex = (v2 >= best) ? 30U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_rs_team_14(const widowx_rs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 15U;
-    const float v13 = state->stance[1] / 11.184899F;
-    vertex = (v13 >= best) ? 34U : vertex;
-    best = (v13 > best) ? v13 : best;
-    vertex = (11.302588F >= best) ? 16U : vertex;
-    best = (11.302588F > best) ? 11.302588F : best;
-    const float v29 = 0.0F - state->floor[0];
-    vertex = (v29 >= best) ? 31U : vertex;
-    best = (v29 > best) ? v29 : best;
-    const float v75 = (-3.5602038F) - state->stance[0];
-    vertex = (v75 >= best) ? 31U : vertex;
-    best = (v75 > best) ? v75 : best;
-    const float v46 = state->stance[1] * state->floor[0];
-    vertex = (v46 >= best) ? 31U : vertex;
-    best = (v46 > best) ? v46 : best;
-    const float v17 = (-3.3748567F) - state->stance[0];
-    vertex = (v17 >= best) ? 31U : vertex;
-    best = (v17 > best) ? v17 : best;
-    const float v11 = 164.8815F * state->stance[3];
-    vertex = (v11 >= best) ? 36U : vertex;
-    best = (v11 > best) ? v11 : best;
-    const float v15 = state->stance[1] / 0.0F;
-    vertex = (v15 >= best) ? 15U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_rs_team_22(const widowx_rs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 35U;
-    const float v17 = (-3.3748567F) - state->stance[0];
-    const float v37 = widowx_rs_min(v17, state->floor[0]);
-    vertex = (v37 >= best) ? 31U : vertex;
-    best = (v37 > best) ? v37 : best;
-    const float v8 = fabsf(state->stance[2]);
-    vertex = (v8 >= best) ? 20U : vertex;
-    best = (v8 > best) ? v8 : best;
-    const float v76 = state->floor[0] * state->floor[0];
-    vertex = (v76 >= best) ? 8U : vertex;
-    best = (v76 > best) ? v76 : best;
-    vertex = (v17 >= best) ? 31U : vertex;
-    best = (v17 > best) ? v17 : best;
-    const float v40 = state->floor[0] / 0.0F;
-    const float v42 = v40 * (-72.49379F);
-    vertex = (v42 >= best) ? 33U : vertex;
-    best = (v42 > best) ? v42 : best;
-    vertex = (22.918602F >= best) ? 37U : vertex;
-    best = (22.918602F > best) ? 22.918602F : best;
-    const float v2 = state->stance[0] / 0.0F;
-    vertex = (v2 >= best) ? 13U : vertex;
-    best = (v2 > best) ? v2 : best;
-    const float v11 = 164.8815F * state->stance[3];
-    vertex = (v11 >= best) ? 36U : vertex;
-    best = (v11 > best) ? v11 : best;
-    const float v79 = state->stance[0] + state->floor[0];
-    const float v80 = v79 / 9.539528F;
-    vertex = (v80 >= best) ? 37U : vertex;
-    best = (v80 > best) ? v80 : best;
-    const float v71 = state->stance[1] - state->floor[0];
-    vertex = (v71 >= best) ? 35U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_rs_team_23(const widowx_rs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 34U;
-    const float v73 = state->stance[1] / 6.928064F;
-    vertex = (v73 >= best) ? 21U : vertex;
-    best = (v73 > best) ? v73 : best;
-    const float v57 = state->stance[3] / 15.430052F;
-    vertex = (v57 >= best) ? 33U : vertex;
-    best = (v57 > best) ? v57 : best;
-    const float v43 = fabsf(state->floor[0]);
-    const float v44 = state->stance[0] / v43;
-    vertex = (v44 >= best) ? 30U : vertex;
-    best = (v44 > best) ? v44 : best;
-    const float v8 = fabsf(state->stance[2]);
-    vertex = (v8 >= best) ? 22U : vertex;
-    best = (v8 > best) ? v8 : best;
-    vertex = (22.918602F >= best) ? 37U : vertex;
-    best = (22.918602F > best) ? 22.918602F : best;
-    const float v5 = state->stance[1] / 9.539528F;
-    vertex = (v5 >= best) ? 2U : vertex;
-    best = (v5 > best) ? v5 : best;
-    const float v22 = widowx_rs_max((-161.71835F), state->stance[2]);
-    vertex = (v22 >= best) ? 34U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_rs_team_35(const widowx_rs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 35U;
-    const float v17 = (-3.3748567F) - state->stance[0];
-    const float v37 = widowx_rs_min(v17, state->floor[0]);
-    vertex = (v37 >= best) ? 31U : vertex;
-    best = (v37 > best) ? v37 : best;
-    const float v81 = widowx_rs_negate_if_less((-3.3748567F), state->stance[0]);
-    vertex = (v81 >= best) ? 31U : vertex;
-    best = (v81 > best) ? v81 : best;
-    const float v67 = state->stance[2] + state->stance[2];
-    vertex = (v67 >= best) ? 23U : vertex;
-    best = (v67 > best) ? v67 : best;
-    const float v8 = fabsf(state->stance[2]);
-    vertex = (v8 >= best) ? 24U : vertex;
-    best = (v8 > best) ? v8 : best;
-    const float v2 = state->stance[0] / 0.0F;
-    vertex = (v2 >= best) ? 30U : vertex;
-    best = (v2 > best) ? v2 : best;
-    const float v5 = state->stance[1] / 9.539528F;
-    vertex = (v5 >= best) ? 2U : vertex;
-    best = (v5 > best) ? v5 : best;
-    const volatile float constant = 0.0F;
-    const float zero = constant;
-    vertex = (zero >= best) ? 35U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_rs_team_16(const widowx_rs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 25U;
-    const float v43 = fabsf(state->floor[0]);
-    vertex = (v43 >= best) ? 19U : vertex;
-    best = (v43 > best) ? v43 : best;
-    const float v40 = state->floor[0] / 0.0F;
-    const float v42 = v40 * (-72.49379F);
-    vertex = (v42 >= best) ? 33U : vertex;
-    best = (v42 > best) ? v42 : best;
-    const float v71 = state->stance[1] - state->floor[0];
-    vertex = (v71 >= best) ? 35U : vertex;
-    best = (v71 > best) ? v71 : best;
-    vertex = (22.918602F >= best) ? 10U : vertex;
-    best = (22.918602F > best) ? 22.918602F : best;
-    const float v46 = state->stance[1] * state->floor[0];
-    vertex = (v46 >= best) ? 8U : vertex;
-    best = (v46 > best) ? v46 : best;
-    const float v8 = fabsf(state->stance[2]);
-    vertex = (v8 >= best) ? 20U : vertex;
-    best = (v8 > best) ? v8 : best;
-    const float v11 = 164.8815F * state->stance[3];
-    vertex = (v11 >= best) ? 36U : vertex;
-    best = (v11 > best) ? v11 : best;
-    const float v2 = state->stance[0] / 0.0F;
-    vertex = (v2 >= best) ? 25U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_rs_team_43(const widowx_rs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 33U;
-    const float v5 = state->stance[1] / 9.539528F;
-    vertex = (v5 >= best) ? 35U : vertex;
-    best = (v5 > best) ? v5 : best;
-    const float v2 = state->stance[0] / 0.0F;
-    vertex = (v2 >= best) ? 30U : vertex;
-    best = (v2 > best) ? v2 : best;
-    const float v55 = widowx_rs_min(state->stance[2], state->stance[3]);
-    vertex = (v55 >= best) ? 31U : vertex;
-    best = (v55 > best) ? v55 : best;
-    const float v70 = widowx_rs_max(state->stance[0], 0.0F);
-    vertex = (v70 >= best) ? 33U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_rs_team_38(const widowx_rs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 2U;
-    const float v67 = state->stance[2] + state->stance[2];
-    vertex = (v67 >= best) ? 23U : vertex;
-    best = (v67 > best) ? v67 : best;
-    const float v5 = state->stance[1] / 9.539528F;
-    vertex = (v5 >= best) ? 2U : vertex;
-    best = (v5 > best) ? v5 : best;
-    const float v48 = fabsf(state->stance[3]);
-    vertex = (v48 >= best) ? 24U : vertex;
-    best = (v48 > best) ? v48 : best;
-    const float v69 = widowx_rs_min(state->stance[2], 213.59233F);
-    vertex = (v69 >= best) ? 37U : vertex;
-    best = (v69 > best) ? v69 : best;
-    const float v43 = fabsf(state->floor[0]);
-    const float v58 = state->stance[1] / v43;
-    vertex = (v58 >= best) ? 30U : vertex;
-    best = (v58 > best) ? v58 : best;
-    vertex = (4.372006F >= best) ? 31U : vertex;
-    best = (4.372006F > best) ? 4.372006F : best;
-    const float v17 = (-3.3748567F) - state->stance[0];
-    vertex = (v17 >= best) ? 31U : vertex;
-    best = (v17 > best) ? v17 : best;
-    const float v8 = fabsf(state->stance[2]);
-    vertex = (v8 >= best) ? 16U : vertex;
-    best = (v8 > best) ? v8 : best;
-    const float v36 = state->stance[1] + 9.539528F;
-    vertex = (v36 >= best) ? 2U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_rs_team_33(const widowx_rs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 35U;
-    const float v43 = fabsf(state->floor[0]);
-    const float v82 = state->stance[2] / v43;
-    vertex = (v82 >= best) ? 30U : vertex;
-    best = (v82 > best) ? v82 : best;
-    const float v83 = state->floor[0] - (-22.172918F);
-    const float v84 = 9.539528F + v83;
-    vertex = (v84 >= best) ? 26U : vertex;
-    best = (v84 > best) ? v84 : best;
-    const float v85 = widowx_rs_max(state->stance[2], 99.64715F);
-    vertex = (v85 >= best) ? 10U : vertex;
-    best = (v85 > best) ? v85 : best;
-    const float v17 = (-3.3748567F) - state->stance[0];
-    vertex = (v17 >= best) ? 9U : vertex;
-    best = (v17 > best) ? v17 : best;
-    const float v87 = (-72.89382F) / state->floor[0];
-    vertex = (v87 >= best) ? 35U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_rs_team_42(const widowx_rs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 16U;
-    const float v2 = state->stance[0] / 0.0F;
-    vertex = (v2 >= best) ? 30U : vertex;
-    best = (v2 > best) ? v2 : best;
-    const float v55 = widowx_rs_min(state->stance[2], state->stance[3]);
-    vertex = (v55 >= best) ? 31U : vertex;
-    best = (v55 > best) ? v55 : best;
-    const float v17 = (-3.3748567F) - state->stance[0];
-    vertex = (v17 >= best) ? 31U : vertex;
-    best = (v17 > best) ? v17 : best;
-    const float v5 = state->stance[1] / 9.539528F;
-    vertex = (v5 >= best) ? 2U : vertex;
-    best = (v5 > best) ? v5 : best;
-    const volatile float constant = 0.0F;
-    const float zero = constant;
-    vertex = (zero >= best) ? 37U : vertex;
-    best = (zero > best) ? zero : best;
-    const float v8 = fabsf(state->stance[2]);
-    vertex = (v8 >= best) ? 16U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_rs_team_30(const widowx_rs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 2U;
-    const float v43 = fabsf(state->floor[0]);
-    const float v44 = state->stance[0] / v43;
-    vertex = (v44 >= best) ? 30U : vertex;
-    best = (v44 > best) ? v44 : best;
-    const float v79 = state->stance[0] + state->floor[0];
-    const float v80 = v79 / 9.539528F;
-    vertex = (v80 >= best) ? 37U : vertex;
-    best = (v80 > best) ? v80 : best;
-    const float v91 = state->stance[1] / state->floor[0];
-    vertex = (v91 >= best) ? 21U : vertex;
-    best = (v91 > best) ? v91 : best;
-    const float v66 = state->stance[2] - 99.64715F;
-    vertex = (v66 >= best) ? 17U : vertex;
-    best = (v66 > best) ? v66 : best;
-    const float v2 = state->stance[0] / 0.0F;
-    vertex = (v2 >= best) ? 30U : vertex;
-    best = (v2 > best) ? v2 : best;
-    const float v8 = fabsf(state->stance[2]);
-    vertex = (v8 >= best) ? 18U : vertex;
-    best = (v8 > best) ? v8 : best;
-    const volatile float constant = 0.0F;
-    const float zero = constant;
-    vertex = (zero >= best) ? 35U : vertex;
-    best = (zero > best) ? zero : best;
-    const float v17 = (-3.3748567F) - state->stance[0];
-    vertex = (v17 >= best) ? 9U : vertex;
-    best = (v17 > best) ? v17 : best;
-    const float v40 = state->floor[0] / 0.0F;
-    const float v42 = v40 * (-72.49379F);
-    vertex = (v42 >= best) ? 27U : vertex;
-    best = (v42 > best) ? v42 : best;
-    const float v5 = state->stance[1] / 9.539528F;
-    vertex = (v5 >= best) ? 2U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_rs_team_37(const widowx_rs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 31U;
-    const float v2 = state->stance[0] / 0.0F;
-    vertex = (v2 >= best) ? 30U : vertex;
-    best = (v2 > best) ? v2 : best;
-    const float v5 = state->stance[1] / 9.539528F;
-    vertex = (v5 >= best) ? 2U : vertex;
-    best = (v5 > best) ? v5 : best;
-    vertex = (4.372006F >= best) ? 31U : vertex;
-    best = (4.372006F > best) ? 4.372006F : best;
-    const float v17 = (-3.3748567F) - state->stance[0];
-    vertex = (v17 >= best) ? 31U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_rs_team_24(const widowx_rs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 30U;
-    const float v17 = (-3.3748567F) - state->stance[0];
-    vertex = (v17 >= best) ? 17U : vertex;
-    best = (v17 > best) ? v17 : best;
-    vertex = (22.918602F >= best) ? 37U : vertex;
-    best = (22.918602F > best) ? 22.918602F : best;
-    const float v8 = fabsf(state->stance[2]);
-    vertex = (v8 >= best) ? 18U : vertex;
-    best = (v8 > best) ? v8 : best;
-    const float v57 = state->stance[3] / 15.430052F;
-    vertex = (v57 >= best) ? 33U : vertex;
-    best = (v57 > best) ? v57 : best;
-    const float v36 = state->stance[1] + 9.539528F;
-    vertex = (v36 >= best) ? 2U : vertex;
-    best = (v36 > best) ? v36 : best;
-    const float v2 = state->stance[0] / 0.0F;
-    vertex = (v2 >= best) ? 30U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_rs_team_40(const widowx_rs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 33U;
-    const float v5 = state->stance[1] / 9.539528F;
-    vertex = (v5 >= best) ? 35U : vertex;
-    best = (v5 > best) ? v5 : best;
-    const float v2 = state->stance[0] / 0.0F;
-    vertex = (v2 >= best) ? 30U : vertex;
-    best = (v2 > best) ? v2 : best;
-    const float v17 = (-3.3748567F) - state->stance[0];
-    vertex = (v17 >= best) ? 31U : vertex;
-    best = (v17 > best) ? v17 : best;
-    const float v90 = fabsf(state->stance[0]);
-    vertex = (v90 >= best) ? 31U : vertex;
-    best = (v90 > best) ? v90 : best;
-    const float v55 = widowx_rs_min(state->stance[2], state->stance[3]);
-    vertex = (v55 >= best) ? 31U : vertex;
-    best = (v55 > best) ? v55 : best;
-    const volatile float constant = 0.0F;
-    const float zero = constant;
-    vertex = (zero >= best) ? 33U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_rs_team_39(const widowx_rs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 30U;
-    const float v5 = state->stance[1] / 9.539528F;
-    vertex = (v5 >= best) ? 35U : vertex;
-    best = (v5 > best) ? v5 : best;
-    const float v17 = (-3.3748567F) - state->stance[0];
-    vertex = (v17 >= best) ? 31U : vertex;
-    best = (v17 > best) ? v17 : best;
-    const float v60 = state->stance[0] / 17.709658F;
-    vertex = (v60 >= best) ? 30U : vertex;
-    best = (v60 > best) ? v60 : best;
-    const float v55 = widowx_rs_min(state->stance[2], state->stance[3]);
-    vertex = (v55 >= best) ? 31U : vertex;
-    best = (v55 > best) ? v55 : best;
-    const float v61 = 0.0F * state->stance[2];
-    vertex = (v61 >= best) ? 32U : vertex;
-    best = (v61 > best) ? v61 : best;
-    const float v8 = fabsf(state->stance[2]);
-    vertex = (v8 >= best) ? 16U : vertex;
-    best = (v8 > best) ? v8 : best;
-    const float v43 = fabsf(state->floor[0]);
-    const float v44 = state->stance[0] / v43;
-    vertex = (v44 >= best) ? 30U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_rs_team_17(const widowx_rs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 2U;
-    const float v8 = fabsf(state->stance[2]);
-    vertex = (v8 >= best) ? 14U : vertex;
-    best = (v8 > best) ? v8 : best;
-    const float v5 = state->stance[1] / 9.539528F;
-    vertex = (v5 >= best) ? 35U : vertex;
-    best = (v5 > best) ? v5 : best;
-    const float v17 = (-3.3748567F) - state->stance[0];
-    const float v37 = widowx_rs_min(v17, state->floor[0]);
-    vertex = (v37 >= best) ? 31U : vertex;
-    best = (v37 > best) ? v37 : best;
-    vertex = (22.918602F >= best) ? 37U : vertex;
-    best = (22.918602F > best) ? 22.918602F : best;
-    const float v2 = state->stance[0] / 0.0F;
-    vertex = (v2 >= best) ? 13U : vertex;
-    best = (v2 > best) ? v2 : best;
-    const float v76 = state->floor[0] * state->floor[0];
-    vertex = (v76 >= best) ? 28U : vertex;
-    best = (v76 > best) ? v76 : best;
-    const float v55 = widowx_rs_min(state->stance[2], state->stance[3]);
-    vertex = (v55 >= best) ? 31U : vertex;
-    best = (v55 > best) ? v55 : best;
-    const float v78 = state->stance[1] / (-9.539528F);
-    vertex = (v78 >= best) ? 2U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_rs_team_34(const widowx_rs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 14U;
-    const float v89 = state->floor[0] * (-4.136917F);
-    vertex = (v89 >= best) ? 30U : vertex;
-    best = (v89 > best) ? v89 : best;
-    const float v5 = state->stance[1] / 9.539528F;
-    vertex = (v5 >= best) ? 2U : vertex;
-    best = (v5 > best) ? v5 : best;
-    const volatile float constant = 0.0F;
-    const float zero = constant;
-    vertex = (zero >= best) ? 31U : vertex;
-    best = (zero > best) ? zero : best;
-    const float v40 = state->floor[0] / 0.0F;
-    const float v42 = v40 * (-72.49379F);
-    vertex = (v42 >= best) ? 31U : vertex;
-    best = (v42 > best) ? v42 : best;
-    const float v43 = fabsf(state->floor[0]);
-    vertex = (v43 >= best) ? 29U : vertex;
-    best = (v43 > best) ? v43 : best;
-    const float v2 = state->stance[0] / 0.0F;
-    vertex = (v2 >= best) ? 30U : vertex;
-    best = (v2 > best) ? v2 : best;
-    const float v36 = state->stance[1] + 9.539528F;
-    vertex = (v36 >= best) ? 2U : vertex;
-    best = (v36 > best) ? v36 : best;
-    const float v44 = state->stance[0] / v43;
-    vertex = (v44 >= best) ? 14U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_rs_team_31(const widowx_rs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 26U;
-    vertex = (7.3802834F >= best) ? 35U : vertex;
-    best = (7.3802834F > best) ? 7.3802834F : best;
-    const float v8 = fabsf(state->stance[2]);
-    vertex = (v8 >= best) ? 17U : vertex;
-    best = (v8 > best) ? v8 : best;
-    const float v2 = state->stance[0] / 0.0F;
-    vertex = (v2 >= best) ? 30U : vertex;
-    best = (v2 > best) ? v2 : best;
-    const float v36 = state->stance[1] + 9.539528F;
-    vertex = (v36 >= best) ? 26U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_rs_team_18(const widowx_rs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 31U;
-    vertex = (22.918602F >= best) ? 37U : vertex;
-    best = (22.918602F > best) ? 22.918602F : best;
-    const float v5 = state->stance[1] / 9.539528F;
-    vertex = (v5 >= best) ? 33U : vertex;
-    best = (v5 > best) ? v5 : best;
-    const float v17 = (-3.3748567F) - state->stance[0];
-    const float v37 = widowx_rs_min(v17, state->floor[0]);
-    vertex = (v37 >= best) ? 31U : vertex;
-    best = (v37 > best) ? v37 : best;
-    const float v2 = state->stance[0] / 0.0F;
-    vertex = (v2 >= best) ? 13U : vertex;
-    best = (v2 > best) ? v2 : best;
-    const float v76 = state->floor[0] * state->floor[0];
-    vertex = (v76 >= best) ? 8U : vertex;
-    best = (v76 > best) ? v76 : best;
-    const float v55 = widowx_rs_min(state->stance[2], state->stance[3]);
-    vertex = (v55 >= best) ? 31U : vertex;
-    best = (v55 > best) ? v55 : best;
-    const float v78 = state->stance[1] / (-9.539528F);
-    vertex = (v78 >= best) ? 2U : vertex;
-    best = (v78 > best) ? v78 : best;
-    const float v43 = fabsf(state->floor[0]);
-    const float v44 = state->stance[0] / v43;
-    vertex = (v44 >= best) ? 18U : vertex;
-    best = (v44 > best) ? v44 : best;
-    const float v8 = fabsf(state->stance[2]);
-    vertex = (v8 >= best) ? 20U : vertex;
-    best = (v8 > best) ? v8 : best;
-    vertex = (v17 >= best) ? 31U : vertex;
-    return vertex;
-}
-
-static uint32_t widowx_rs_team_36(const widowx_rs_state_t *state)
-{
-    float best = -FLT_MAX;
-    uint32_t vertex = 31U;
-    const float v5 = state->stance[1] / 9.539528F;
-    vertex = (v5 >= best) ? 35U : vertex;
-    best = (v5 > best) ? v5 : best;
-    const volatile float constant = 0.0F;
-    const float zero = constant;
-    vertex = (zero >= best) ? 33U : vertex;
-    best = (zero > best) ? zero : best;
-    const float v2 = state->stance[0] / 0.0F;
-    vertex = (v2 >= best) ? 30U : vertex;
-    best = (v2 > best) ? v2 : best;
-    const float v55 = widowx_rs_min(state->stance[2], state->stance[3]);
-    vertex = (v55 >= best) ? 31U : vertex;
-    return vertex;
-}
-
-/* Teams are numbered from 0, which is the root; the actions follow them. */
 uint16_t widowx_rs_infer(const widowx_rs_state_t *state)
 {
-    uint32_t vertex = 0U;
-    uint32_t hop;
+    uint32_t vertex;
 
-    for (hop = 0U; (hop < WIDOWX_RS_DEPTH) && (vertex < WIDOWX_RS_TEAMS); hop++) {
-        switch (vertex) {
-        case 0U:
-            vertex = widowx_rs_team_0(state);
-            break;
-        case 1U:
-            vertex = widowx_rs_team_7(state);
-            break;
-        case 2U:
-            vertex = widowx_rs_team_44(state);
-            break;
-        case 3U:
-            vertex = widowx_rs_team_5(state);
-            break;
-        case 4U:
-            vertex = widowx_rs_team_11(state);
-            break;
-        case 5U:
-            vertex = widowx_rs_team_10(state);
-            break;
-        case 6U:
-            vertex = widowx_rs_team_13(state);
-            break;
-        case 7U:
-            vertex = widowx_rs_team_12(state);
-            break;
-        case 8U:
-            vertex = widowx_rs_team_32(state);
-            break;
-        case 9U:
-            vertex = widowx_rs_team_45(state);
-            break;
-        case 10U:
-            vertex = widowx_rs_team_41(state);
-            break;
-        case 11U:
-            vertex = widowx_rs_team_14(state);
-            break;
-        case 12U:
-            vertex = widowx_rs_team_22(state);
-            break;
-        case 13U:
-            vertex = widowx_rs_team_23(state);
-            break;
-        case 14U:
-            vertex = widowx_rs_team_35(state);
-            break;
-        case 15U:
-            vertex = widowx_rs_team_16(state);
-            break;
-        case 16U:
-            vertex = widowx_rs_team_43(state);
-            break;
-        case 17U:
-            vertex = widowx_rs_team_38(state);
-            break;
-        case 18U:
-            vertex = widowx_rs_team_33(state);
-            break;
-        case 19U:
-            vertex = widowx_rs_team_42(state);
-            break;
-        case 20U:
-            vertex = widowx_rs_team_30(state);
-            break;
-        case 21U:
-            vertex = widowx_rs_team_37(state);
-            break;
-        case 22U:
-            vertex = widowx_rs_team_24(state);
-            break;
-        case 23U:
-            vertex = widowx_rs_team_40(state);
-            break;
-        case 24U:
-            vertex = widowx_rs_team_39(state);
-            break;
-        case 25U:
-            vertex = widowx_rs_team_17(state);
-            break;
-        case 26U:
-            vertex = widowx_rs_team_34(state);
-            break;
-        case 27U:
-            vertex = widowx_rs_team_31(state);
-            break;
-        case 28U:
-            vertex = widowx_rs_team_18(state);
-            break;
-        case 29U:
-            vertex = widowx_rs_team_36(state);
-            break;
-        default:
-            vertex = WIDOWX_RS_TEAMS; /* never: every team has its case */
-            break;
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 6U;
+        const float v5 = state->stance[1] / 9.539528F;
+
+        if (v5 >= best) {
+            best = v5;
+            way = 1U;
+        }
+        const float v2 = state->stance[0] / 0.0F;
+
+        if (v2 >= best) {
+            best = v2;
+            way = 2U;
+        }
+        const float v6 = state->stance[1] - 9.539528F;
+
+        if (v6 >= best) {
+            best = v6;
+            way = 3U;
+        }
+        const float v8 = fabsf(state->stance[2]);
+
+        if (v8 >= best) {
+            best = v8;
+            way = 4U;
+        }
+        const float v11 = 164.8815F * state->stance[3];
+
+        if (v11 >= best) {
+            best = v11;
+            way = 5U;
+        }
+        const volatile float constant = 0.0F;
+        const float zero = constant;
+
+        if (zero >= best) {
+            way = 6U;
+        }
+
+        if (way == 1U) {
+            vertex = 5U;
+            goto decided;
+        } else if (way == 2U) {
+            goto team_7;
+        } else if (way == 3U) {
+            goto team_44;
+        } else if (way == 4U) {
+            goto team_5;
+        } else if (way == 5U) {
+            vertex = 6U;
+            goto decided;
+        } else {
+            vertex = 2U;
+            goto decided;
         }
     }
-    vertex -= WIDOWX_RS_TEAMS;
+
+team_5:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 5U;
+        const float v28 = state->stance[3] * (-6.3484564F);
+
+        if (v28 >= best) {
+            best = v28;
+            way = 3U;
+        }
+        const float v34 = widowx_rs_max(state->stance[2], (-3.385455F));
+
+        if (v34 >= best) {
+            best = v34;
+            way = 5U;
+        }
+        const float v2 = state->stance[0] / 0.0F;
+
+        if (v2 >= best) {
+            best = v2;
+            way = 1U;
+        }
+        const float v17 = (-3.3748567F) - state->stance[0];
+        const float v30 = v17 * state->floor[0];
+
+        if (v30 >= best) {
+            best = v30;
+            way = 2U;
+        }
+        const float v35 = (-6.3484564F) - state->stance[3];
+
+        if (v35 >= best) {
+            best = v35;
+            way = 3U;
+        }
+        const volatile float constant = 0.0F;
+        const float zero = constant;
+
+        if (zero >= best) {
+            best = zero;
+            way = 4U;
+        }
+        const float v24 = (-3.3748567F) - state->floor[0];
+
+        if (v24 >= best) {
+            best = v24;
+            way = 5U;
+        }
+        const float v11 = 164.8815F * state->stance[3];
+
+        if (v11 >= best) {
+            best = v11;
+            way = 5U;
+        }
+        const float v13 = state->stance[1] / 11.184899F;
+
+        if (v13 >= best) {
+            way = 5U;
+        }
+
+        if (way == 1U) {
+            goto team_7;
+        } else if (way == 2U) {
+            vertex = 1U;
+            goto decided;
+        } else if (way == 3U) {
+            goto team_10;
+        } else if (way == 4U) {
+            goto team_44;
+        } else {
+            vertex = 6U;
+            goto decided;
+        }
+    }
+
+team_7:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 8U;
+        const float v24 = (-3.3748567F) - state->floor[0];
+
+        if (v24 >= best) {
+            best = v24;
+            way = 1U;
+        }
+        const float v6 = state->stance[1] - 9.539528F;
+
+        if (v6 >= best) {
+            best = v6;
+            way = 2U;
+        }
+        const float v26 = (-10.533181F) - state->floor[0];
+
+        if (v26 >= best) {
+            best = v26;
+            way = 3U;
+        }
+        const float v29 = 0.0F - state->floor[0];
+
+        if (v29 >= best) {
+            best = v29;
+            way = 6U;
+        }
+        const float v22 = widowx_rs_max((-161.71835F), state->stance[2]);
+
+        if (v22 >= best) {
+            best = v22;
+            way = 4U;
+        }
+        const volatile float constant = 0.0F;
+        const float zero = constant;
+
+        if (zero >= best) {
+            best = zero;
+            way = 5U;
+        }
+        const float v17 = (-3.3748567F) - state->stance[0];
+        const float v30 = v17 * state->floor[0];
+
+        if (v30 >= best) {
+            best = v30;
+            way = 6U;
+        }
+        const float v28 = state->stance[3] * (-6.3484564F);
+
+        if (v28 >= best) {
+            best = v28;
+            way = 7U;
+        }
+        const float v31 = state->stance[3] / state->floor[0];
+
+        if (v31 >= best) {
+            way = 8U;
+        }
+
+        if (way == 1U) {
+            vertex = 6U;
+            goto decided;
+        } else if (way == 2U) {
+            goto team_44;
+        } else if (way == 3U) {
+            goto team_11;
+        } else if (way == 4U) {
+            vertex = 4U;
+            goto decided;
+        } else if (way == 5U) {
+            vertex = 5U;
+            goto decided;
+        } else if (way == 6U) {
+            vertex = 1U;
+            goto decided;
+        } else if (way == 7U) {
+            goto team_10;
+        } else {
+            goto team_13;
+        }
+    }
+
+team_10:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 7U;
+        const float v13 = state->stance[1] / 11.184899F;
+
+        if (v13 >= best) {
+            best = v13;
+            way = 1U;
+        }
+        const float v63 = state->stance[1] - 9.689877F;
+
+        if (v63 >= best) {
+            best = v63;
+            way = 2U;
+        }
+
+        if (24.873356F >= best) {
+            best = 24.873356F;
+            way = 3U;
+        }
+        const float v43 = fabsf(state->floor[0]);
+        const float v44 = state->stance[0] / v43;
+
+        if (v44 >= best) {
+            best = v44;
+            way = 4U;
+        }
+        const float v17 = (-3.3748567F) - state->stance[0];
+
+        if (v17 >= best) {
+            best = v17;
+            way = 5U;
+        }
+        const float v29 = 0.0F - state->floor[0];
+
+        if (v29 >= best) {
+            best = v29;
+            way = 6U;
+        }
+        const float v15 = state->stance[1] / 0.0F;
+
+        if (v15 >= best) {
+            way = 7U;
+        }
+
+        if (way == 1U) {
+            vertex = 4U;
+            goto decided;
+        } else if (way == 2U) {
+            goto team_32;
+        } else if (way == 3U) {
+            goto team_12;
+        } else if (way == 4U) {
+            vertex = 0U;
+            goto decided;
+        } else if (way == 5U) {
+            goto team_45;
+        } else if (way == 6U) {
+            vertex = 1U;
+            goto decided;
+        } else {
+            goto team_13;
+        }
+    }
+
+team_11:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 6U;
+        const float v13 = state->stance[1] / 11.184899F;
+
+        if (v13 >= best) {
+            best = v13;
+            way = 1U;
+        }
+        const float v15 = state->stance[1] / 0.0F;
+
+        if (v15 >= best) {
+            best = v15;
+            way = 2U;
+        }
+        const float v11 = 164.8815F * state->stance[3];
+
+        if (v11 >= best) {
+            best = v11;
+            way = 3U;
+        }
+
+        if (24.873356F >= best) {
+            best = 24.873356F;
+            way = 4U;
+        }
+        const float v17 = (-3.3748567F) - state->stance[0];
+
+        if (v17 >= best) {
+            best = v17;
+            way = 5U;
+        }
+        const float v20 = 0.0F + state->stance[3];
+
+        if (v20 >= best) {
+            way = 6U;
+        }
+
+        if (way == 1U) {
+            vertex = 4U;
+            goto decided;
+        } else if (way == 2U) {
+            goto team_13;
+        } else if (way == 3U) {
+            vertex = 6U;
+            goto decided;
+        } else if (way == 4U) {
+            goto team_12;
+        } else if (way == 5U) {
+            vertex = 1U;
+            goto decided;
+        } else {
+            vertex = 7U;
+            goto decided;
+        }
+    }
+
+team_12:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 8U;
+        const float v11 = 164.8815F * state->stance[3];
+
+        if (v11 >= best) {
+            best = v11;
+            way = 1U;
+        }
+        const float v15 = state->stance[1] / 0.0F;
+
+        if (v15 >= best) {
+            best = v15;
+            way = 2U;
+        }
+        const float v43 = fabsf(state->floor[0]);
+        const float v58 = state->stance[1] / v43;
+
+        if (v58 >= best) {
+            best = v58;
+            way = 3U;
+        }
+        const float v17 = (-3.3748567F) - state->stance[0];
+
+        if (v17 >= best) {
+            best = v17;
+            way = 4U;
+        }
+        const float v52 = widowx_rs_negate_if_less(state->stance[1], (-26.200392F));
+
+        if (v52 >= best) {
+            best = v52;
+            way = 5U;
+        }
+        const float v5 = state->stance[1] / 9.539528F;
+
+        if (v5 >= best) {
+            best = v5;
+            way = 6U;
+        }
+
+        if (11.302588F >= best) {
+            best = 11.302588F;
+            way = 7U;
+        }
+        const float v29 = 0.0F - state->floor[0];
+
+        if (v29 >= best) {
+            way = 8U;
+        }
+
+        if (way == 1U) {
+            vertex = 6U;
+            goto decided;
+        } else if (way == 2U) {
+            goto team_16;
+        } else if (way == 3U) {
+            vertex = 0U;
+            goto decided;
+        } else if (way == 4U) {
+            goto team_45;
+        } else if (way == 5U) {
+            vertex = 3U;
+            goto decided;
+        } else if (way == 6U) {
+            goto team_44;
+        } else if (way == 7U) {
+            goto team_43;
+        } else {
+            vertex = 1U;
+            goto decided;
+        }
+    }
+
+team_13:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 9U;
+
+        if (22.918602F >= best) {
+            best = 22.918602F;
+            way = 1U;
+        }
+        const float v48 = fabsf(state->stance[3]);
+
+        if (v48 >= best) {
+            best = v48;
+            way = 2U;
+        }
+        const float v11 = 164.8815F * state->stance[3];
+
+        if (v11 >= best) {
+            best = v11;
+            way = 3U;
+        }
+        const float v36 = state->stance[1] + 9.539528F;
+
+        if (v36 >= best) {
+            best = v36;
+            way = 4U;
+        }
+        const float v50 = state->stance[0] / 11.077008F;
+
+        if (v50 >= best) {
+            best = v50;
+            way = 5U;
+        }
+        const float v2 = state->stance[0] / 0.0F;
+
+        if (v2 >= best) {
+            best = v2;
+            way = 6U;
+        }
+        const float v43 = fabsf(state->floor[0]);
+        const float v44 = state->stance[0] / v43;
+
+        if (v44 >= best) {
+            best = v44;
+            way = 7U;
+        }
+        const float v17 = (-3.3748567F) - state->stance[0];
+
+        if (v17 >= best) {
+            best = v17;
+            way = 8U;
+        }
+        const float v37 = widowx_rs_min(v17, state->floor[0]);
+
+        if (v37 >= best) {
+            way = 9U;
+        }
+
+        if (way == 1U) {
+            goto team_41;
+        } else if (way == 2U) {
+            goto team_32;
+        } else if (way == 3U) {
+            vertex = 6U;
+            goto decided;
+        } else if (way == 4U) {
+            goto team_14;
+        } else if (way == 5U) {
+            goto team_22;
+        } else if (way == 6U) {
+            goto team_23;
+        } else if (way == 7U) {
+            goto team_35;
+        } else if (way == 8U) {
+            goto team_45;
+        } else {
+            vertex = 1U;
+            goto decided;
+        }
+    }
+
+team_22:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 8U;
+        const float v17 = (-3.3748567F) - state->stance[0];
+        const float v37 = widowx_rs_min(v17, state->floor[0]);
+
+        if (v37 >= best) {
+            best = v37;
+            way = 3U;
+        }
+        const float v8 = fabsf(state->stance[2]);
+
+        if (v8 >= best) {
+            best = v8;
+            way = 1U;
+        }
+        const float v76 = state->floor[0] * state->floor[0];
+
+        if (v76 >= best) {
+            best = v76;
+            way = 2U;
+        }
+
+        if (v17 >= best) {
+            best = v17;
+            way = 3U;
+        }
+        const float v40 = state->floor[0] / 0.0F;
+        const float v42 = v40 * (-72.49379F);
+
+        if (v42 >= best) {
+            best = v42;
+            way = 4U;
+        }
+
+        if (22.918602F >= best) {
+            best = 22.918602F;
+            way = 7U;
+        }
+        const float v2 = state->stance[0] / 0.0F;
+
+        if (v2 >= best) {
+            best = v2;
+            way = 5U;
+        }
+        const float v11 = 164.8815F * state->stance[3];
+
+        if (v11 >= best) {
+            best = v11;
+            way = 6U;
+        }
+        const float v79 = state->stance[0] + state->floor[0];
+        const float v80 = v79 / 9.539528F;
+
+        if (v80 >= best) {
+            best = v80;
+            way = 7U;
+        }
+        const float v71 = state->stance[1] - state->floor[0];
+
+        if (v71 >= best) {
+            way = 8U;
+        }
+
+        if (way == 1U) {
+            goto team_30;
+        } else if (way == 2U) {
+            goto team_32;
+        } else if (way == 3U) {
+            vertex = 1U;
+            goto decided;
+        } else if (way == 4U) {
+            vertex = 3U;
+            goto decided;
+        } else if (way == 5U) {
+            goto team_23;
+        } else if (way == 6U) {
+            vertex = 6U;
+            goto decided;
+        } else if (way == 7U) {
+            vertex = 7U;
+            goto decided;
+        } else {
+            vertex = 5U;
+            goto decided;
+        }
+    }
+
+team_14:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 5U;
+        const float v13 = state->stance[1] / 11.184899F;
+
+        if (v13 >= best) {
+            best = v13;
+            way = 1U;
+        }
+
+        if (11.302588F >= best) {
+            best = 11.302588F;
+            way = 2U;
+        }
+        const float v29 = 0.0F - state->floor[0];
+
+        if (v29 >= best) {
+            best = v29;
+            way = 3U;
+        }
+        const float v75 = (-3.5602038F) - state->stance[0];
+
+        if (v75 >= best) {
+            best = v75;
+            way = 3U;
+        }
+        const float v46 = state->stance[1] * state->floor[0];
+
+        if (v46 >= best) {
+            best = v46;
+            way = 3U;
+        }
+        const float v17 = (-3.3748567F) - state->stance[0];
+
+        if (v17 >= best) {
+            best = v17;
+            way = 3U;
+        }
+        const float v11 = 164.8815F * state->stance[3];
+
+        if (v11 >= best) {
+            best = v11;
+            way = 4U;
+        }
+        const float v15 = state->stance[1] / 0.0F;
+
+        if (v15 >= best) {
+            way = 5U;
+        }
+
+        if (way == 1U) {
+            vertex = 4U;
+            goto decided;
+        } else if (way == 2U) {
+            goto team_43;
+        } else if (way == 3U) {
+            vertex = 1U;
+            goto decided;
+        } else if (way == 4U) {
+            vertex = 6U;
+            goto decided;
+        } else {
+            goto team_16;
+        }
+    }
+
+team_16:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 8U;
+        const float v43 = fabsf(state->floor[0]);
+
+        if (v43 >= best) {
+            best = v43;
+            way = 1U;
+        }
+        const float v40 = state->floor[0] / 0.0F;
+        const float v42 = v40 * (-72.49379F);
+
+        if (v42 >= best) {
+            best = v42;
+            way = 2U;
+        }
+        const float v71 = state->stance[1] - state->floor[0];
+
+        if (v71 >= best) {
+            best = v71;
+            way = 3U;
+        }
+
+        if (22.918602F >= best) {
+            best = 22.918602F;
+            way = 4U;
+        }
+        const float v46 = state->stance[1] * state->floor[0];
+
+        if (v46 >= best) {
+            best = v46;
+            way = 5U;
+        }
+        const float v8 = fabsf(state->stance[2]);
+
+        if (v8 >= best) {
+            best = v8;
+            way = 6U;
+        }
+        const float v11 = 164.8815F * state->stance[3];
+
+        if (v11 >= best) {
+            best = v11;
+            way = 7U;
+        }
+        const float v2 = state->stance[0] / 0.0F;
+
+        if (v2 >= best) {
+            way = 8U;
+        }
+
+        if (way == 1U) {
+            goto team_42;
+        } else if (way == 2U) {
+            vertex = 3U;
+            goto decided;
+        } else if (way == 3U) {
+            vertex = 5U;
+            goto decided;
+        } else if (way == 4U) {
+            goto team_41;
+        } else if (way == 5U) {
+            goto team_32;
+        } else if (way == 6U) {
+            goto team_30;
+        } else if (way == 7U) {
+            vertex = 6U;
+            goto decided;
+        } else {
+            goto team_17;
+        }
+    }
+
+team_17:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 7U;
+        const float v8 = fabsf(state->stance[2]);
+
+        if (v8 >= best) {
+            best = v8;
+            way = 1U;
+        }
+        const float v5 = state->stance[1] / 9.539528F;
+
+        if (v5 >= best) {
+            best = v5;
+            way = 2U;
+        }
+        const float v17 = (-3.3748567F) - state->stance[0];
+        const float v37 = widowx_rs_min(v17, state->floor[0]);
+
+        if (v37 >= best) {
+            best = v37;
+            way = 6U;
+        }
+
+        if (22.918602F >= best) {
+            best = 22.918602F;
+            way = 3U;
+        }
+        const float v2 = state->stance[0] / 0.0F;
+
+        if (v2 >= best) {
+            best = v2;
+            way = 4U;
+        }
+        const float v76 = state->floor[0] * state->floor[0];
+
+        if (v76 >= best) {
+            best = v76;
+            way = 5U;
+        }
+        const float v55 = widowx_rs_min(state->stance[2], state->stance[3]);
+
+        if (v55 >= best) {
+            best = v55;
+            way = 6U;
+        }
+        const float v78 = state->stance[1] / (-9.539528F);
+
+        if (v78 >= best) {
+            way = 7U;
+        }
+
+        if (way == 1U) {
+            goto team_35;
+        } else if (way == 2U) {
+            vertex = 5U;
+            goto decided;
+        } else if (way == 3U) {
+            vertex = 7U;
+            goto decided;
+        } else if (way == 4U) {
+            goto team_23;
+        } else if (way == 5U) {
+            goto team_18;
+        } else if (way == 6U) {
+            vertex = 1U;
+            goto decided;
+        } else {
+            goto team_44;
+        }
+    }
+
+team_18:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 8U;
+
+        if (22.918602F >= best) {
+            best = 22.918602F;
+            way = 1U;
+        }
+        const float v5 = state->stance[1] / 9.539528F;
+
+        if (v5 >= best) {
+            best = v5;
+            way = 2U;
+        }
+        const float v17 = (-3.3748567F) - state->stance[0];
+        const float v37 = widowx_rs_min(v17, state->floor[0]);
+
+        if (v37 >= best) {
+            best = v37;
+            way = 8U;
+        }
+        const float v2 = state->stance[0] / 0.0F;
+
+        if (v2 >= best) {
+            best = v2;
+            way = 3U;
+        }
+        const float v76 = state->floor[0] * state->floor[0];
+
+        if (v76 >= best) {
+            best = v76;
+            way = 4U;
+        }
+        const float v55 = widowx_rs_min(state->stance[2], state->stance[3]);
+
+        if (v55 >= best) {
+            best = v55;
+            way = 8U;
+        }
+        const float v78 = state->stance[1] / (-9.539528F);
+
+        if (v78 >= best) {
+            best = v78;
+            way = 5U;
+        }
+        const float v43 = fabsf(state->floor[0]);
+        const float v44 = state->stance[0] / v43;
+
+        if (v44 >= best) {
+            best = v44;
+            way = 6U;
+        }
+        const float v8 = fabsf(state->stance[2]);
+
+        if (v8 >= best) {
+            best = v8;
+            way = 7U;
+        }
+
+        if (v17 >= best) {
+            way = 8U;
+        }
+
+        if (way == 1U) {
+            vertex = 7U;
+            goto decided;
+        } else if (way == 2U) {
+            vertex = 3U;
+            goto decided;
+        } else if (way == 3U) {
+            goto team_23;
+        } else if (way == 4U) {
+            goto team_32;
+        } else if (way == 5U) {
+            goto team_44;
+        } else if (way == 6U) {
+            goto team_33;
+        } else if (way == 7U) {
+            goto team_30;
+        } else {
+            vertex = 1U;
+            goto decided;
+        }
+    }
+
+team_30:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 9U;
+        const float v43 = fabsf(state->floor[0]);
+        const float v44 = state->stance[0] / v43;
+
+        if (v44 >= best) {
+            best = v44;
+            way = 4U;
+        }
+        const float v79 = state->stance[0] + state->floor[0];
+        const float v80 = v79 / 9.539528F;
+
+        if (v80 >= best) {
+            best = v80;
+            way = 1U;
+        }
+        const float v91 = state->stance[1] / state->floor[0];
+
+        if (v91 >= best) {
+            best = v91;
+            way = 2U;
+        }
+        const float v66 = state->stance[2] - 99.64715F;
+
+        if (v66 >= best) {
+            best = v66;
+            way = 3U;
+        }
+        const float v2 = state->stance[0] / 0.0F;
+
+        if (v2 >= best) {
+            best = v2;
+            way = 4U;
+        }
+        const float v8 = fabsf(state->stance[2]);
+
+        if (v8 >= best) {
+            best = v8;
+            way = 5U;
+        }
+        const volatile float constant = 0.0F;
+        const float zero = constant;
+
+        if (zero >= best) {
+            best = zero;
+            way = 6U;
+        }
+        const float v17 = (-3.3748567F) - state->stance[0];
+
+        if (v17 >= best) {
+            best = v17;
+            way = 7U;
+        }
+        const float v40 = state->floor[0] / 0.0F;
+        const float v42 = v40 * (-72.49379F);
+
+        if (v42 >= best) {
+            best = v42;
+            way = 8U;
+        }
+        const float v5 = state->stance[1] / 9.539528F;
+
+        if (v5 >= best) {
+            way = 9U;
+        }
+
+        if (way == 1U) {
+            vertex = 7U;
+            goto decided;
+        } else if (way == 2U) {
+            goto team_37;
+        } else if (way == 3U) {
+            goto team_38;
+        } else if (way == 4U) {
+            vertex = 0U;
+            goto decided;
+        } else if (way == 5U) {
+            goto team_33;
+        } else if (way == 6U) {
+            vertex = 5U;
+            goto decided;
+        } else if (way == 7U) {
+            goto team_45;
+        } else if (way == 8U) {
+            goto team_31;
+        } else {
+            goto team_44;
+        }
+    }
+
+team_31:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 4U;
+
+        if (7.3802834F >= best) {
+            best = 7.3802834F;
+            way = 1U;
+        }
+        const float v8 = fabsf(state->stance[2]);
+
+        if (v8 >= best) {
+            best = v8;
+            way = 2U;
+        }
+        const float v2 = state->stance[0] / 0.0F;
+
+        if (v2 >= best) {
+            best = v2;
+            way = 3U;
+        }
+        const float v36 = state->stance[1] + 9.539528F;
+
+        if (v36 >= best) {
+            way = 4U;
+        }
+
+        if (way == 1U) {
+            vertex = 5U;
+            goto decided;
+        } else if (way == 2U) {
+            goto team_38;
+        } else if (way == 3U) {
+            vertex = 0U;
+            goto decided;
+        } else {
+            goto team_34;
+        }
+    }
+
+team_32:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 6U;
+        const float v17 = (-3.3748567F) - state->stance[0];
+
+        if (v17 >= best) {
+            best = v17;
+            way = 1U;
+        }
+
+        if (22.918602F >= best) {
+            best = 22.918602F;
+            way = 2U;
+        }
+        const float v2 = state->stance[0] / 0.0F;
+
+        if (v2 >= best) {
+            best = v2;
+            way = 3U;
+        }
+        const float v8 = fabsf(state->stance[2]);
+
+        if (v8 >= best) {
+            best = v8;
+            way = 4U;
+        }
+        const float v36 = state->stance[1] + 9.539528F;
+
+        if (v36 >= best) {
+            best = v36;
+            way = 6U;
+        }
+        const float v57 = state->stance[3] / 15.430052F;
+
+        if (v57 >= best) {
+            best = v57;
+            way = 5U;
+        }
+        const float v5 = state->stance[1] / 9.539528F;
+
+        if (v5 >= best) {
+            way = 6U;
+        }
+
+        if (way == 1U) {
+            goto team_38;
+        } else if (way == 2U) {
+            vertex = 7U;
+            goto decided;
+        } else if (way == 3U) {
+            vertex = 0U;
+            goto decided;
+        } else if (way == 4U) {
+            goto team_33;
+        } else if (way == 5U) {
+            vertex = 6U;
+            goto decided;
+        } else {
+            goto team_44;
+        }
+    }
+
+team_23:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 7U;
+        const float v73 = state->stance[1] / 6.928064F;
+
+        if (v73 >= best) {
+            best = v73;
+            way = 1U;
+        }
+        const float v57 = state->stance[3] / 15.430052F;
+
+        if (v57 >= best) {
+            best = v57;
+            way = 2U;
+        }
+        const float v43 = fabsf(state->floor[0]);
+        const float v44 = state->stance[0] / v43;
+
+        if (v44 >= best) {
+            best = v44;
+            way = 3U;
+        }
+        const float v8 = fabsf(state->stance[2]);
+
+        if (v8 >= best) {
+            best = v8;
+            way = 4U;
+        }
+
+        if (22.918602F >= best) {
+            best = 22.918602F;
+            way = 5U;
+        }
+        const float v5 = state->stance[1] / 9.539528F;
+
+        if (v5 >= best) {
+            best = v5;
+            way = 6U;
+        }
+        const float v22 = widowx_rs_max((-161.71835F), state->stance[2]);
+
+        if (v22 >= best) {
+            way = 7U;
+        }
+
+        if (way == 1U) {
+            goto team_37;
+        } else if (way == 2U) {
+            vertex = 3U;
+            goto decided;
+        } else if (way == 3U) {
+            vertex = 0U;
+            goto decided;
+        } else if (way == 4U) {
+            goto team_24;
+        } else if (way == 5U) {
+            vertex = 7U;
+            goto decided;
+        } else if (way == 6U) {
+            goto team_44;
+        } else {
+            vertex = 4U;
+            goto decided;
+        }
+    }
+
+team_24:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 6U;
+        const float v17 = (-3.3748567F) - state->stance[0];
+
+        if (v17 >= best) {
+            best = v17;
+            way = 1U;
+        }
+
+        if (22.918602F >= best) {
+            best = 22.918602F;
+            way = 2U;
+        }
+        const float v8 = fabsf(state->stance[2]);
+
+        if (v8 >= best) {
+            best = v8;
+            way = 3U;
+        }
+        const float v57 = state->stance[3] / 15.430052F;
+
+        if (v57 >= best) {
+            best = v57;
+            way = 4U;
+        }
+        const float v36 = state->stance[1] + 9.539528F;
+
+        if (v36 >= best) {
+            best = v36;
+            way = 5U;
+        }
+        const float v2 = state->stance[0] / 0.0F;
+
+        if (v2 >= best) {
+            way = 6U;
+        }
+
+        if (way == 1U) {
+            goto team_38;
+        } else if (way == 2U) {
+            vertex = 7U;
+            goto decided;
+        } else if (way == 3U) {
+            goto team_33;
+        } else if (way == 4U) {
+            vertex = 3U;
+            goto decided;
+        } else if (way == 5U) {
+            goto team_44;
+        } else {
+            vertex = 0U;
+            goto decided;
+        }
+    }
+
+team_33:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 5U;
+        const float v43 = fabsf(state->floor[0]);
+        const float v82 = state->stance[2] / v43;
+
+        if (v82 >= best) {
+            best = v82;
+            way = 1U;
+        }
+        const float v83 = state->floor[0] - (-22.172918F);
+        const float v84 = 9.539528F + v83;
+
+        if (v84 >= best) {
+            best = v84;
+            way = 2U;
+        }
+        const float v85 = widowx_rs_max(state->stance[2], 99.64715F);
+
+        if (v85 >= best) {
+            best = v85;
+            way = 3U;
+        }
+        const float v17 = (-3.3748567F) - state->stance[0];
+
+        if (v17 >= best) {
+            best = v17;
+            way = 4U;
+        }
+        const float v87 = (-72.89382F) / state->floor[0];
+
+        if (v87 >= best) {
+            way = 5U;
+        }
+
+        if (way == 1U) {
+            vertex = 0U;
+            goto decided;
+        } else if (way == 2U) {
+            goto team_34;
+        } else if (way == 3U) {
+            goto team_41;
+        } else if (way == 4U) {
+            goto team_45;
+        } else {
+            vertex = 5U;
+            goto decided;
+        }
+    }
+
+team_45:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 4U;
+        const float v52 = widowx_rs_negate_if_less(state->stance[1], (-26.200392F));
+
+        if (v52 >= best) {
+            best = v52;
+            way = 1U;
+        }
+        const float v53 = widowx_rs_max(state->floor[0], state->stance[1]);
+        const float v54 = widowx_rs_max(v53, state->floor[0]);
+
+        if (v54 >= best) {
+            best = v54;
+            way = 4U;
+        }
+        const float v2 = state->stance[0] / 0.0F;
+
+        if (v2 >= best) {
+            best = v2;
+            way = 2U;
+        }
+        const float v29 = 0.0F - state->floor[0];
+
+        if (v29 >= best) {
+            best = v29;
+            way = 4U;
+        }
+        const float v5 = state->stance[1] / 9.539528F;
+
+        if (v5 >= best) {
+            best = v5;
+            way = 3U;
+        }
+
+        if (4.372006F >= best) {
+            best = 4.372006F;
+            way = 4U;
+        }
+        const float v55 = widowx_rs_min(state->stance[2], state->stance[3]);
+
+        if (v55 >= best) {
+            way = 4U;
+        }
+
+        if (way == 1U) {
+            vertex = 3U;
+            goto decided;
+        } else if (way == 2U) {
+            vertex = 0U;
+            goto decided;
+        } else if (way == 3U) {
+            vertex = 5U;
+            goto decided;
+        } else {
+            vertex = 1U;
+            goto decided;
+        }
+    }
+
+team_41:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 5U;
+        const float v38 = widowx_rs_max(state->stance[2], state->floor[0]);
+
+        if (v38 >= best) {
+            best = v38;
+            way = 2U;
+        }
+        const float v39 = widowx_rs_max(state->floor[0], 0.0F);
+
+        if (v39 >= best) {
+            best = v39;
+            way = 1U;
+        }
+        const float v40 = state->floor[0] / 0.0F;
+        const float v42 = v40 * (-72.49379F);
+
+        if (v42 >= best) {
+            best = v42;
+            way = 2U;
+        }
+        const float v5 = state->stance[1] / 9.539528F;
+
+        if (v5 >= best) {
+            best = v5;
+            way = 3U;
+        }
+        const float v43 = fabsf(state->floor[0]);
+        const float v44 = state->stance[0] / v43;
+
+        if (v44 >= best) {
+            best = v44;
+            way = 5U;
+        }
+
+        if (10.948133F >= best) {
+            best = 10.948133F;
+            way = 4U;
+        }
+        const float v2 = state->stance[0] / 0.0F;
+
+        if (v2 >= best) {
+            way = 5U;
+        }
+
+        if (way == 1U) {
+            goto team_42;
+        } else if (way == 2U) {
+            vertex = 1U;
+            goto decided;
+        } else if (way == 3U) {
+            goto team_44;
+        } else if (way == 4U) {
+            goto team_43;
+        } else {
+            vertex = 0U;
+            goto decided;
+        }
+    }
+
+team_42:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 5U;
+        const float v2 = state->stance[0] / 0.0F;
+
+        if (v2 >= best) {
+            best = v2;
+            way = 1U;
+        }
+        const float v55 = widowx_rs_min(state->stance[2], state->stance[3]);
+
+        if (v55 >= best) {
+            best = v55;
+            way = 2U;
+        }
+        const float v17 = (-3.3748567F) - state->stance[0];
+
+        if (v17 >= best) {
+            best = v17;
+            way = 2U;
+        }
+        const float v5 = state->stance[1] / 9.539528F;
+
+        if (v5 >= best) {
+            best = v5;
+            way = 3U;
+        }
+        const volatile float constant = 0.0F;
+        const float zero = constant;
+
+        if (zero >= best) {
+            best = zero;
+            way = 4U;
+        }
+        const float v8 = fabsf(state->stance[2]);
+
+        if (v8 >= best) {
+            way = 5U;
+        }
+
+        if (way == 1U) {
+            vertex = 0U;
+            goto decided;
+        } else if (way == 2U) {
+            vertex = 1U;
+            goto decided;
+        } else if (way == 3U) {
+            goto team_44;
+        } else if (way == 4U) {
+            vertex = 7U;
+            goto decided;
+        } else {
+            goto team_43;
+        }
+    }
+
+team_34:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 5U;
+        const float v89 = state->floor[0] * (-4.136917F);
+
+        if (v89 >= best) {
+            best = v89;
+            way = 3U;
+        }
+        const float v5 = state->stance[1] / 9.539528F;
+
+        if (v5 >= best) {
+            best = v5;
+            way = 4U;
+        }
+        const volatile float constant = 0.0F;
+        const float zero = constant;
+
+        if (zero >= best) {
+            best = zero;
+            way = 1U;
+        }
+        const float v40 = state->floor[0] / 0.0F;
+        const float v42 = v40 * (-72.49379F);
+
+        if (v42 >= best) {
+            best = v42;
+            way = 1U;
+        }
+        const float v43 = fabsf(state->floor[0]);
+
+        if (v43 >= best) {
+            best = v43;
+            way = 2U;
+        }
+        const float v2 = state->stance[0] / 0.0F;
+
+        if (v2 >= best) {
+            best = v2;
+            way = 3U;
+        }
+        const float v36 = state->stance[1] + 9.539528F;
+
+        if (v36 >= best) {
+            best = v36;
+            way = 4U;
+        }
+        const float v44 = state->stance[0] / v43;
+
+        if (v44 >= best) {
+            way = 5U;
+        }
+
+        if (way == 1U) {
+            vertex = 1U;
+            goto decided;
+        } else if (way == 2U) {
+            goto team_36;
+        } else if (way == 3U) {
+            vertex = 0U;
+            goto decided;
+        } else if (way == 4U) {
+            goto team_44;
+        } else {
+            goto team_35;
+        }
+    }
+
+team_35:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 6U;
+        const float v17 = (-3.3748567F) - state->stance[0];
+        const float v37 = widowx_rs_min(v17, state->floor[0]);
+
+        if (v37 >= best) {
+            best = v37;
+            way = 1U;
+        }
+        const float v81 = widowx_rs_negate_if_less((-3.3748567F), state->stance[0]);
+
+        if (v81 >= best) {
+            best = v81;
+            way = 1U;
+        }
+        const float v67 = state->stance[2] + state->stance[2];
+
+        if (v67 >= best) {
+            best = v67;
+            way = 2U;
+        }
+        const float v8 = fabsf(state->stance[2]);
+
+        if (v8 >= best) {
+            best = v8;
+            way = 3U;
+        }
+        const float v2 = state->stance[0] / 0.0F;
+
+        if (v2 >= best) {
+            best = v2;
+            way = 4U;
+        }
+        const float v5 = state->stance[1] / 9.539528F;
+
+        if (v5 >= best) {
+            best = v5;
+            way = 5U;
+        }
+        const volatile float constant = 0.0F;
+        const float zero = constant;
+
+        if (zero >= best) {
+            way = 6U;
+        }
+
+        if (way == 1U) {
+            vertex = 1U;
+            goto decided;
+        } else if (way == 2U) {
+            goto team_40;
+        } else if (way == 3U) {
+            goto team_39;
+        } else if (way == 4U) {
+            vertex = 0U;
+            goto decided;
+        } else if (way == 5U) {
+            goto team_44;
+        } else {
+            vertex = 5U;
+            goto decided;
+        }
+    }
+
+team_36:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 4U;
+        const float v5 = state->stance[1] / 9.539528F;
+
+        if (v5 >= best) {
+            best = v5;
+            way = 1U;
+        }
+        const volatile float constant = 0.0F;
+        const float zero = constant;
+
+        if (zero >= best) {
+            best = zero;
+            way = 2U;
+        }
+        const float v2 = state->stance[0] / 0.0F;
+
+        if (v2 >= best) {
+            best = v2;
+            way = 3U;
+        }
+        const float v55 = widowx_rs_min(state->stance[2], state->stance[3]);
+
+        if (v55 >= best) {
+            way = 4U;
+        }
+
+        if (way == 1U) {
+            vertex = 5U;
+            goto decided;
+        } else if (way == 2U) {
+            vertex = 3U;
+            goto decided;
+        } else if (way == 3U) {
+            vertex = 0U;
+            goto decided;
+        } else {
+            vertex = 1U;
+            goto decided;
+        }
+    }
+
+team_38:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 7U;
+        const float v67 = state->stance[2] + state->stance[2];
+
+        if (v67 >= best) {
+            best = v67;
+            way = 1U;
+        }
+        const float v5 = state->stance[1] / 9.539528F;
+
+        if (v5 >= best) {
+            best = v5;
+            way = 7U;
+        }
+        const float v48 = fabsf(state->stance[3]);
+
+        if (v48 >= best) {
+            best = v48;
+            way = 2U;
+        }
+        const float v69 = widowx_rs_min(state->stance[2], 213.59233F);
+
+        if (v69 >= best) {
+            best = v69;
+            way = 3U;
+        }
+        const float v43 = fabsf(state->floor[0]);
+        const float v58 = state->stance[1] / v43;
+
+        if (v58 >= best) {
+            best = v58;
+            way = 4U;
+        }
+
+        if (4.372006F >= best) {
+            best = 4.372006F;
+            way = 5U;
+        }
+        const float v17 = (-3.3748567F) - state->stance[0];
+
+        if (v17 >= best) {
+            best = v17;
+            way = 5U;
+        }
+        const float v8 = fabsf(state->stance[2]);
+
+        if (v8 >= best) {
+            best = v8;
+            way = 6U;
+        }
+        const float v36 = state->stance[1] + 9.539528F;
+
+        if (v36 >= best) {
+            way = 7U;
+        }
+
+        if (way == 1U) {
+            goto team_40;
+        } else if (way == 2U) {
+            goto team_39;
+        } else if (way == 3U) {
+            vertex = 7U;
+            goto decided;
+        } else if (way == 4U) {
+            vertex = 0U;
+            goto decided;
+        } else if (way == 5U) {
+            vertex = 1U;
+            goto decided;
+        } else if (way == 6U) {
+            goto team_43;
+        } else {
+            goto team_44;
+        }
+    }
+
+team_39:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 5U;
+        const float v5 = state->stance[1] / 9.539528F;
+
+        if (v5 >= best) {
+            best = v5;
+            way = 1U;
+        }
+        const float v17 = (-3.3748567F) - state->stance[0];
+
+        if (v17 >= best) {
+            best = v17;
+            way = 2U;
+        }
+        const float v60 = state->stance[0] / 17.709658F;
+
+        if (v60 >= best) {
+            best = v60;
+            way = 5U;
+        }
+        const float v55 = widowx_rs_min(state->stance[2], state->stance[3]);
+
+        if (v55 >= best) {
+            best = v55;
+            way = 2U;
+        }
+        const float v61 = 0.0F * state->stance[2];
+
+        if (v61 >= best) {
+            best = v61;
+            way = 3U;
+        }
+        const float v8 = fabsf(state->stance[2]);
+
+        if (v8 >= best) {
+            best = v8;
+            way = 4U;
+        }
+        const float v43 = fabsf(state->floor[0]);
+        const float v44 = state->stance[0] / v43;
+
+        if (v44 >= best) {
+            way = 5U;
+        }
+
+        if (way == 1U) {
+            vertex = 5U;
+            goto decided;
+        } else if (way == 2U) {
+            vertex = 1U;
+            goto decided;
+        } else if (way == 3U) {
+            vertex = 2U;
+            goto decided;
+        } else if (way == 4U) {
+            goto team_43;
+        } else {
+            vertex = 0U;
+            goto decided;
+        }
+    }
+
+team_43:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 4U;
+        const float v5 = state->stance[1] / 9.539528F;
+
+        if (v5 >= best) {
+            best = v5;
+            way = 1U;
+        }
+        const float v2 = state->stance[0] / 0.0F;
+
+        if (v2 >= best) {
+            best = v2;
+            way = 2U;
+        }
+        const float v55 = widowx_rs_min(state->stance[2], state->stance[3]);
+
+        if (v55 >= best) {
+            best = v55;
+            way = 3U;
+        }
+        const float v70 = widowx_rs_max(state->stance[0], 0.0F);
+
+        if (v70 >= best) {
+            way = 4U;
+        }
+
+        if (way == 1U) {
+            vertex = 5U;
+            goto decided;
+        } else if (way == 2U) {
+            vertex = 0U;
+            goto decided;
+        } else if (way == 3U) {
+            vertex = 1U;
+            goto decided;
+        } else {
+            vertex = 3U;
+            goto decided;
+        }
+    }
+
+team_40:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 4U;
+        const float v5 = state->stance[1] / 9.539528F;
+
+        if (v5 >= best) {
+            best = v5;
+            way = 1U;
+        }
+        const float v2 = state->stance[0] / 0.0F;
+
+        if (v2 >= best) {
+            best = v2;
+            way = 2U;
+        }
+        const float v17 = (-3.3748567F) - state->stance[0];
+
+        if (v17 >= best) {
+            best = v17;
+            way = 3U;
+        }
+        const float v90 = fabsf(state->stance[0]);
+
+        if (v90 >= best) {
+            best = v90;
+            way = 3U;
+        }
+        const float v55 = widowx_rs_min(state->stance[2], state->stance[3]);
+
+        if (v55 >= best) {
+            best = v55;
+            way = 3U;
+        }
+        const volatile float constant = 0.0F;
+        const float zero = constant;
+
+        if (zero >= best) {
+            way = 4U;
+        }
+
+        if (way == 1U) {
+            vertex = 5U;
+            goto decided;
+        } else if (way == 2U) {
+            vertex = 0U;
+            goto decided;
+        } else if (way == 3U) {
+            vertex = 1U;
+            goto decided;
+        } else {
+            vertex = 3U;
+            goto decided;
+        }
+    }
+
+team_37:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 3U;
+        const float v2 = state->stance[0] / 0.0F;
+
+        if (v2 >= best) {
+            best = v2;
+            way = 1U;
+        }
+        const float v5 = state->stance[1] / 9.539528F;
+
+        if (v5 >= best) {
+            best = v5;
+            way = 2U;
+        }
+
+        if (4.372006F >= best) {
+            best = 4.372006F;
+            way = 3U;
+        }
+        const float v17 = (-3.3748567F) - state->stance[0];
+
+        if (v17 >= best) {
+            way = 3U;
+        }
+
+        if (way == 1U) {
+            vertex = 0U;
+            goto decided;
+        } else if (way == 2U) {
+            goto team_44;
+        } else {
+            vertex = 1U;
+            goto decided;
+        }
+    }
+
+team_44:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 3U;
+        const float v17 = (-3.3748567F) - state->stance[0];
+
+        if (v17 >= best) {
+            best = v17;
+            way = 1U;
+        }
+        const float v2 = state->stance[0] / 0.0F;
+
+        if (v2 >= best) {
+            best = v2;
+            way = 2U;
+        }
+
+        if (state->floor[0] >= best) {
+            best = state->floor[0];
+            way = 3U;
+        }
+
+        if (9.506875F >= best) {
+            way = 3U;
+        }
+
+        if (way == 1U) {
+            vertex = 1U;
+            goto decided;
+        } else if (way == 2U) {
+            vertex = 0U;
+            goto decided;
+        } else {
+            vertex = 2U;
+            goto decided;
+        }
+    }
+
+decided:
     return (uint16_t)vertex;
 }
+
 #ifndef WIDOWX_RS_NO_SELFTEST
 
 uint32_t widowx_rs_selftest(void)

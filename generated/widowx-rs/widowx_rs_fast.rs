@@ -67,1726 +67,1477 @@ impl Policy for WidowxRsFast {
     type Action = ActionId;
 
     fn decide(&self, s: &[f32; 5]) -> ActionId {
-        let mut vertex = 0;
-        for _ in 0..Self::DEPTH {
-            vertex = match vertex {
-                0 => team_0(s),
-                1 => team_7(s),
-                2 => team_44(s),
-                3 => team_5(s),
-                4 => team_11(s),
-                5 => team_10(s),
-                6 => team_13(s),
-                7 => team_12(s),
-                8 => team_32(s),
-                9 => team_45(s),
-                10 => team_41(s),
-                11 => team_14(s),
-                12 => team_22(s),
-                13 => team_23(s),
-                14 => team_35(s),
-                15 => team_16(s),
-                16 => team_43(s),
-                17 => team_38(s),
-                18 => team_33(s),
-                19 => team_42(s),
-                20 => team_30(s),
-                21 => team_37(s),
-                22 => team_24(s),
-                23 => team_40(s),
-                24 => team_39(s),
-                25 => team_17(s),
-                26 => team_34(s),
-                27 => team_31(s),
-                28 => team_18(s),
-                29 => team_36(s),
-                _ => break,
-            };
-        }
-        ActionId(vertex.wrapping_sub(30) as u16)
+        ActionId(team_0(s))
     }
 }
 
-/// Where team 0 leads.
-fn team_0(s: &[f32; 5]) -> u8 {
+/// What team 0 decides.
+fn team_0(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 32;
+    let mut way = 6;
     let v5 = s[1] / 9.539528_f32;
     if v5 >= best {
-        vertex = 35;
-    }
-    if v5 > best {
         best = v5;
+        way = 1;
     }
     let v2 = s[0] / 0.0_f32;
     if v2 >= best {
-        vertex = 1;
-    }
-    if v2 > best {
         best = v2;
+        way = 2;
     }
     let v6 = s[1] - 9.539528_f32;
     if v6 >= best {
-        vertex = 2;
-    }
-    if v6 > best {
         best = v6;
+        way = 3;
     }
     let v8 = f32::abs(s[2]);
     if v8 >= best {
-        vertex = 3;
-    }
-    if v8 > best {
         best = v8;
+        way = 4;
     }
     let v11 = 164.8815_f32 * s[3];
     if v11 >= best {
-        vertex = 36;
-    }
-    if v11 > best {
         best = v11;
+        way = 5;
     }
     let zero = core::hint::black_box(0.0_f32);
     if zero >= best {
-        vertex = 32;
-    }
-    if zero > best {
         best = zero;
+        way = 6;
     }
-    vertex
+    match way {
+        1 => 5,
+        2 => team_7(s),
+        3 => team_44(s),
+        4 => team_5(s),
+        5 => 6,
+        _ => 2,
+    }
 }
 
-/// Where team 7 leads.
-fn team_7(s: &[f32; 5]) -> u8 {
+/// What team 7 decides.
+fn team_7(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 6;
+    let mut way = 8;
     let v24 = -3.3748567_f32 - s[4];
     if v24 >= best {
-        vertex = 36;
-    }
-    if v24 > best {
         best = v24;
+        way = 1;
     }
     let v6 = s[1] - 9.539528_f32;
     if v6 >= best {
-        vertex = 2;
-    }
-    if v6 > best {
         best = v6;
+        way = 2;
     }
     let v26 = -10.533181_f32 - s[4];
     if v26 >= best {
-        vertex = 4;
-    }
-    if v26 > best {
         best = v26;
+        way = 3;
     }
     let v29 = 0.0_f32 - s[4];
     if v29 >= best {
-        vertex = 31;
-    }
-    if v29 > best {
         best = v29;
+        way = 6;
     }
     let v22 = ops::max(-161.71835_f32, s[2]);
     if v22 >= best {
-        vertex = 34;
-    }
-    if v22 > best {
         best = v22;
+        way = 4;
     }
     let zero = core::hint::black_box(0.0_f32);
     if zero >= best {
-        vertex = 35;
-    }
-    if zero > best {
         best = zero;
+        way = 5;
     }
     let v17 = -3.3748567_f32 - s[0];
     let v30 = v17 * s[4];
     if v30 >= best {
-        vertex = 31;
-    }
-    if v30 > best {
         best = v30;
+        way = 6;
     }
     let v28 = s[3] * -6.3484564_f32;
     if v28 >= best {
-        vertex = 5;
-    }
-    if v28 > best {
         best = v28;
+        way = 7;
     }
     let v31 = s[3] / s[4];
     if v31 >= best {
-        vertex = 6;
-    }
-    if v31 > best {
         best = v31;
+        way = 8;
     }
-    vertex
+    match way {
+        1 => 6,
+        2 => team_44(s),
+        3 => team_11(s),
+        4 => 4,
+        5 => 5,
+        6 => 1,
+        7 => team_10(s),
+        _ => team_13(s),
+    }
 }
 
-/// Where team 44 leads.
-fn team_44(s: &[f32; 5]) -> u8 {
+/// What team 44 decides.
+fn team_44(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 32;
+    let mut way = 3;
     let v17 = -3.3748567_f32 - s[0];
     if v17 >= best {
-        vertex = 31;
-    }
-    if v17 > best {
         best = v17;
+        way = 1;
     }
     let v2 = s[0] / 0.0_f32;
     if v2 >= best {
-        vertex = 30;
-    }
-    if v2 > best {
         best = v2;
+        way = 2;
     }
     if s[4] >= best {
-        vertex = 32;
-    }
-    if s[4] > best {
         best = s[4];
+        way = 3;
     }
     if 9.506875_f32 >= best {
-        vertex = 32;
-    }
-    if 9.506875_f32 > best {
         best = 9.506875_f32;
+        way = 3;
     }
-    vertex
+    match way {
+        1 => 1,
+        2 => 0,
+        _ => 2,
+    }
 }
 
-/// Where team 5 leads.
-fn team_5(s: &[f32; 5]) -> u8 {
+/// What team 5 decides.
+fn team_5(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 36;
+    let mut way = 5;
     let v28 = s[3] * -6.3484564_f32;
     if v28 >= best {
-        vertex = 5;
-    }
-    if v28 > best {
         best = v28;
+        way = 3;
     }
     let v34 = ops::max(s[2], -3.385455_f32);
     if v34 >= best {
-        vertex = 36;
-    }
-    if v34 > best {
         best = v34;
+        way = 5;
     }
     let v2 = s[0] / 0.0_f32;
     if v2 >= best {
-        vertex = 1;
-    }
-    if v2 > best {
         best = v2;
+        way = 1;
     }
     let v17 = -3.3748567_f32 - s[0];
     let v30 = v17 * s[4];
     if v30 >= best {
-        vertex = 31;
-    }
-    if v30 > best {
         best = v30;
+        way = 2;
     }
     let v35 = -6.3484564_f32 - s[3];
     if v35 >= best {
-        vertex = 5;
-    }
-    if v35 > best {
         best = v35;
+        way = 3;
     }
     let zero = core::hint::black_box(0.0_f32);
     if zero >= best {
-        vertex = 2;
-    }
-    if zero > best {
         best = zero;
+        way = 4;
     }
     let v24 = -3.3748567_f32 - s[4];
     if v24 >= best {
-        vertex = 36;
-    }
-    if v24 > best {
         best = v24;
+        way = 5;
     }
     let v11 = 164.8815_f32 * s[3];
     if v11 >= best {
-        vertex = 36;
-    }
-    if v11 > best {
         best = v11;
+        way = 5;
     }
     let v13 = s[1] / 11.184899_f32;
     if v13 >= best {
-        vertex = 36;
-    }
-    if v13 > best {
         best = v13;
+        way = 5;
     }
-    vertex
+    match way {
+        1 => team_7(s),
+        2 => 1,
+        3 => team_10(s),
+        4 => team_44(s),
+        _ => 6,
+    }
 }
 
-/// Where team 11 leads.
-fn team_11(s: &[f32; 5]) -> u8 {
+/// What team 11 decides.
+fn team_11(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 37;
+    let mut way = 6;
     let v13 = s[1] / 11.184899_f32;
     if v13 >= best {
-        vertex = 34;
-    }
-    if v13 > best {
         best = v13;
+        way = 1;
     }
     let v15 = s[1] / 0.0_f32;
     if v15 >= best {
-        vertex = 6;
-    }
-    if v15 > best {
         best = v15;
+        way = 2;
     }
     let v11 = 164.8815_f32 * s[3];
     if v11 >= best {
-        vertex = 36;
-    }
-    if v11 > best {
         best = v11;
+        way = 3;
     }
     if 24.873356_f32 >= best {
-        vertex = 7;
-    }
-    if 24.873356_f32 > best {
         best = 24.873356_f32;
+        way = 4;
     }
     let v17 = -3.3748567_f32 - s[0];
     if v17 >= best {
-        vertex = 31;
-    }
-    if v17 > best {
         best = v17;
+        way = 5;
     }
     let v20 = 0.0_f32 + s[3];
     if v20 >= best {
-        vertex = 37;
-    }
-    if v20 > best {
         best = v20;
+        way = 6;
     }
-    vertex
+    match way {
+        1 => 4,
+        2 => team_13(s),
+        3 => 6,
+        4 => team_12(s),
+        5 => 1,
+        _ => 7,
+    }
 }
 
-/// Where team 10 leads.
-fn team_10(s: &[f32; 5]) -> u8 {
+/// What team 10 decides.
+fn team_10(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 6;
+    let mut way = 7;
     let v13 = s[1] / 11.184899_f32;
     if v13 >= best {
-        vertex = 34;
-    }
-    if v13 > best {
         best = v13;
+        way = 1;
     }
     let v63 = s[1] - 9.689877_f32;
     if v63 >= best {
-        vertex = 8;
-    }
-    if v63 > best {
         best = v63;
+        way = 2;
     }
     if 24.873356_f32 >= best {
-        vertex = 7;
-    }
-    if 24.873356_f32 > best {
         best = 24.873356_f32;
+        way = 3;
     }
     let v43 = f32::abs(s[4]);
     let v44 = s[0] / v43;
     if v44 >= best {
-        vertex = 30;
-    }
-    if v44 > best {
         best = v44;
+        way = 4;
     }
     let v17 = -3.3748567_f32 - s[0];
     if v17 >= best {
-        vertex = 9;
-    }
-    if v17 > best {
         best = v17;
+        way = 5;
     }
     let v29 = 0.0_f32 - s[4];
     if v29 >= best {
-        vertex = 31;
-    }
-    if v29 > best {
         best = v29;
+        way = 6;
     }
     let v15 = s[1] / 0.0_f32;
     if v15 >= best {
-        vertex = 6;
-    }
-    if v15 > best {
         best = v15;
+        way = 7;
     }
-    vertex
+    match way {
+        1 => 4,
+        2 => team_32(s),
+        3 => team_12(s),
+        4 => 0,
+        5 => team_45(s),
+        6 => 1,
+        _ => team_13(s),
+    }
 }
 
-/// Where team 13 leads.
-fn team_13(s: &[f32; 5]) -> u8 {
+/// What team 13 decides.
+fn team_13(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 31;
+    let mut way = 9;
     if 22.918602_f32 >= best {
-        vertex = 10;
-    }
-    if 22.918602_f32 > best {
         best = 22.918602_f32;
+        way = 1;
     }
     let v48 = f32::abs(s[3]);
     if v48 >= best {
-        vertex = 8;
-    }
-    if v48 > best {
         best = v48;
+        way = 2;
     }
     let v11 = 164.8815_f32 * s[3];
     if v11 >= best {
-        vertex = 36;
-    }
-    if v11 > best {
         best = v11;
+        way = 3;
     }
     let v36 = s[1] + 9.539528_f32;
     if v36 >= best {
-        vertex = 11;
-    }
-    if v36 > best {
         best = v36;
+        way = 4;
     }
     let v50 = s[0] / 11.077008_f32;
     if v50 >= best {
-        vertex = 12;
-    }
-    if v50 > best {
         best = v50;
+        way = 5;
     }
     let v2 = s[0] / 0.0_f32;
     if v2 >= best {
-        vertex = 13;
-    }
-    if v2 > best {
         best = v2;
+        way = 6;
     }
     let v43 = f32::abs(s[4]);
     let v44 = s[0] / v43;
     if v44 >= best {
-        vertex = 14;
-    }
-    if v44 > best {
         best = v44;
+        way = 7;
     }
     let v17 = -3.3748567_f32 - s[0];
     if v17 >= best {
-        vertex = 9;
-    }
-    if v17 > best {
         best = v17;
+        way = 8;
     }
     let v37 = ops::min(v17, s[4]);
     if v37 >= best {
-        vertex = 31;
-    }
-    if v37 > best {
         best = v37;
+        way = 9;
     }
-    vertex
+    match way {
+        1 => team_41(s),
+        2 => team_32(s),
+        3 => 6,
+        4 => team_14(s),
+        5 => team_22(s),
+        6 => team_23(s),
+        7 => team_35(s),
+        8 => team_45(s),
+        _ => 1,
+    }
 }
 
-/// Where team 12 leads.
-fn team_12(s: &[f32; 5]) -> u8 {
+/// What team 12 decides.
+fn team_12(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 31;
+    let mut way = 8;
     let v11 = 164.8815_f32 * s[3];
     if v11 >= best {
-        vertex = 36;
-    }
-    if v11 > best {
         best = v11;
+        way = 1;
     }
     let v15 = s[1] / 0.0_f32;
     if v15 >= best {
-        vertex = 15;
-    }
-    if v15 > best {
         best = v15;
+        way = 2;
     }
     let v43 = f32::abs(s[4]);
     let v58 = s[1] / v43;
     if v58 >= best {
-        vertex = 30;
-    }
-    if v58 > best {
         best = v58;
+        way = 3;
     }
     let v17 = -3.3748567_f32 - s[0];
     if v17 >= best {
-        vertex = 9;
-    }
-    if v17 > best {
         best = v17;
+        way = 4;
     }
     let v52 = ops::negate_if_less(s[1], -26.200392_f32);
     if v52 >= best {
-        vertex = 33;
-    }
-    if v52 > best {
         best = v52;
+        way = 5;
     }
     let v5 = s[1] / 9.539528_f32;
     if v5 >= best {
-        vertex = 2;
-    }
-    if v5 > best {
         best = v5;
+        way = 6;
     }
     if 11.302588_f32 >= best {
-        vertex = 16;
-    }
-    if 11.302588_f32 > best {
         best = 11.302588_f32;
+        way = 7;
     }
     let v29 = 0.0_f32 - s[4];
     if v29 >= best {
-        vertex = 31;
-    }
-    if v29 > best {
         best = v29;
+        way = 8;
     }
-    vertex
+    match way {
+        1 => 6,
+        2 => team_16(s),
+        3 => 0,
+        4 => team_45(s),
+        5 => 3,
+        6 => team_44(s),
+        7 => team_43(s),
+        _ => 1,
+    }
 }
 
-/// Where team 32 leads.
-fn team_32(s: &[f32; 5]) -> u8 {
+/// What team 32 decides.
+fn team_32(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 2;
+    let mut way = 6;
     let v17 = -3.3748567_f32 - s[0];
     if v17 >= best {
-        vertex = 17;
-    }
-    if v17 > best {
         best = v17;
+        way = 1;
     }
     if 22.918602_f32 >= best {
-        vertex = 37;
-    }
-    if 22.918602_f32 > best {
         best = 22.918602_f32;
+        way = 2;
     }
     let v2 = s[0] / 0.0_f32;
     if v2 >= best {
-        vertex = 30;
-    }
-    if v2 > best {
         best = v2;
+        way = 3;
     }
     let v8 = f32::abs(s[2]);
     if v8 >= best {
-        vertex = 18;
-    }
-    if v8 > best {
         best = v8;
+        way = 4;
     }
     let v36 = s[1] + 9.539528_f32;
     if v36 >= best {
-        vertex = 2;
-    }
-    if v36 > best {
         best = v36;
+        way = 6;
     }
     let v57 = s[3] / 15.430052_f32;
     if v57 >= best {
-        vertex = 36;
-    }
-    if v57 > best {
         best = v57;
+        way = 5;
     }
     let v5 = s[1] / 9.539528_f32;
     if v5 >= best {
-        vertex = 2;
-    }
-    if v5 > best {
         best = v5;
+        way = 6;
     }
-    vertex
+    match way {
+        1 => team_38(s),
+        2 => 7,
+        3 => 0,
+        4 => team_33(s),
+        5 => 6,
+        _ => team_44(s),
+    }
 }
 
-/// Where team 45 leads.
-fn team_45(s: &[f32; 5]) -> u8 {
+/// What team 45 decides.
+fn team_45(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 31;
+    let mut way = 4;
     let v52 = ops::negate_if_less(s[1], -26.200392_f32);
     if v52 >= best {
-        vertex = 33;
-    }
-    if v52 > best {
         best = v52;
+        way = 1;
     }
     let v53 = ops::max(s[4], s[1]);
     let v54 = ops::max(v53, s[4]);
     if v54 >= best {
-        vertex = 31;
-    }
-    if v54 > best {
         best = v54;
+        way = 4;
     }
     let v2 = s[0] / 0.0_f32;
     if v2 >= best {
-        vertex = 30;
-    }
-    if v2 > best {
         best = v2;
+        way = 2;
     }
     let v29 = 0.0_f32 - s[4];
     if v29 >= best {
-        vertex = 31;
-    }
-    if v29 > best {
         best = v29;
+        way = 4;
     }
     let v5 = s[1] / 9.539528_f32;
     if v5 >= best {
-        vertex = 35;
-    }
-    if v5 > best {
         best = v5;
+        way = 3;
     }
     if 4.372006_f32 >= best {
-        vertex = 31;
-    }
-    if 4.372006_f32 > best {
         best = 4.372006_f32;
+        way = 4;
     }
     let v55 = ops::min(s[2], s[3]);
     if v55 >= best {
-        vertex = 31;
-    }
-    if v55 > best {
         best = v55;
+        way = 4;
     }
-    vertex
+    match way {
+        1 => 3,
+        2 => 0,
+        3 => 5,
+        _ => 1,
+    }
 }
 
-/// Where team 41 leads.
-fn team_41(s: &[f32; 5]) -> u8 {
+/// What team 41 decides.
+fn team_41(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 30;
+    let mut way = 5;
     let v38 = ops::max(s[2], s[4]);
     if v38 >= best {
-        vertex = 31;
-    }
-    if v38 > best {
         best = v38;
+        way = 2;
     }
     let v39 = ops::max(s[4], 0.0_f32);
     if v39 >= best {
-        vertex = 19;
-    }
-    if v39 > best {
         best = v39;
+        way = 1;
     }
     let v40 = s[4] / 0.0_f32;
     let v42 = v40 * -72.49379_f32;
     if v42 >= best {
-        vertex = 31;
-    }
-    if v42 > best {
         best = v42;
+        way = 2;
     }
     let v5 = s[1] / 9.539528_f32;
     if v5 >= best {
-        vertex = 2;
-    }
-    if v5 > best {
         best = v5;
+        way = 3;
     }
     let v43 = f32::abs(s[4]);
     let v44 = s[0] / v43;
     if v44 >= best {
-        vertex = 30;
-    }
-    if v44 > best {
         best = v44;
+        way = 5;
     }
     if 10.948133_f32 >= best {
-        vertex = 16;
-    }
-    if 10.948133_f32 > best {
         best = 10.948133_f32;
+        way = 4;
     }
     let v2 = s[0] / 0.0_f32;
     if v2 >= best {
-        vertex = 30;
-    }
-    if v2 > best {
         best = v2;
+        way = 5;
     }
-    vertex
+    match way {
+        1 => team_42(s),
+        2 => 1,
+        3 => team_44(s),
+        4 => team_43(s),
+        _ => 0,
+    }
 }
 
-/// Where team 14 leads.
-fn team_14(s: &[f32; 5]) -> u8 {
+/// What team 14 decides.
+fn team_14(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 15;
+    let mut way = 5;
     let v13 = s[1] / 11.184899_f32;
     if v13 >= best {
-        vertex = 34;
-    }
-    if v13 > best {
         best = v13;
+        way = 1;
     }
     if 11.302588_f32 >= best {
-        vertex = 16;
-    }
-    if 11.302588_f32 > best {
         best = 11.302588_f32;
+        way = 2;
     }
     let v29 = 0.0_f32 - s[4];
     if v29 >= best {
-        vertex = 31;
-    }
-    if v29 > best {
         best = v29;
+        way = 3;
     }
     let v75 = -3.5602038_f32 - s[0];
     if v75 >= best {
-        vertex = 31;
-    }
-    if v75 > best {
         best = v75;
+        way = 3;
     }
     let v46 = s[1] * s[4];
     if v46 >= best {
-        vertex = 31;
-    }
-    if v46 > best {
         best = v46;
+        way = 3;
     }
     let v17 = -3.3748567_f32 - s[0];
     if v17 >= best {
-        vertex = 31;
-    }
-    if v17 > best {
         best = v17;
+        way = 3;
     }
     let v11 = 164.8815_f32 * s[3];
     if v11 >= best {
-        vertex = 36;
-    }
-    if v11 > best {
         best = v11;
+        way = 4;
     }
     let v15 = s[1] / 0.0_f32;
     if v15 >= best {
-        vertex = 15;
-    }
-    if v15 > best {
         best = v15;
+        way = 5;
     }
-    vertex
+    match way {
+        1 => 4,
+        2 => team_43(s),
+        3 => 1,
+        4 => 6,
+        _ => team_16(s),
+    }
 }
 
-/// Where team 22 leads.
-fn team_22(s: &[f32; 5]) -> u8 {
+/// What team 22 decides.
+fn team_22(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 35;
+    let mut way = 8;
     let v17 = -3.3748567_f32 - s[0];
     let v37 = ops::min(v17, s[4]);
     if v37 >= best {
-        vertex = 31;
-    }
-    if v37 > best {
         best = v37;
+        way = 3;
     }
     let v8 = f32::abs(s[2]);
     if v8 >= best {
-        vertex = 20;
-    }
-    if v8 > best {
         best = v8;
+        way = 1;
     }
     let v76 = s[4] * s[4];
     if v76 >= best {
-        vertex = 8;
-    }
-    if v76 > best {
         best = v76;
+        way = 2;
     }
     if v17 >= best {
-        vertex = 31;
-    }
-    if v17 > best {
         best = v17;
+        way = 3;
     }
     let v40 = s[4] / 0.0_f32;
     let v42 = v40 * -72.49379_f32;
     if v42 >= best {
-        vertex = 33;
-    }
-    if v42 > best {
         best = v42;
+        way = 4;
     }
     if 22.918602_f32 >= best {
-        vertex = 37;
-    }
-    if 22.918602_f32 > best {
         best = 22.918602_f32;
+        way = 7;
     }
     let v2 = s[0] / 0.0_f32;
     if v2 >= best {
-        vertex = 13;
-    }
-    if v2 > best {
         best = v2;
+        way = 5;
     }
     let v11 = 164.8815_f32 * s[3];
     if v11 >= best {
-        vertex = 36;
-    }
-    if v11 > best {
         best = v11;
+        way = 6;
     }
     let v79 = s[0] + s[4];
     let v80 = v79 / 9.539528_f32;
     if v80 >= best {
-        vertex = 37;
-    }
-    if v80 > best {
         best = v80;
+        way = 7;
     }
     let v71 = s[1] - s[4];
     if v71 >= best {
-        vertex = 35;
-    }
-    if v71 > best {
         best = v71;
+        way = 8;
     }
-    vertex
+    match way {
+        1 => team_30(s),
+        2 => team_32(s),
+        3 => 1,
+        4 => 3,
+        5 => team_23(s),
+        6 => 6,
+        7 => 7,
+        _ => 5,
+    }
 }
 
-/// Where team 23 leads.
-fn team_23(s: &[f32; 5]) -> u8 {
+/// What team 23 decides.
+fn team_23(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 34;
+    let mut way = 7;
     let v73 = s[1] / 6.928064_f32;
     if v73 >= best {
-        vertex = 21;
-    }
-    if v73 > best {
         best = v73;
+        way = 1;
     }
     let v57 = s[3] / 15.430052_f32;
     if v57 >= best {
-        vertex = 33;
-    }
-    if v57 > best {
         best = v57;
+        way = 2;
     }
     let v43 = f32::abs(s[4]);
     let v44 = s[0] / v43;
     if v44 >= best {
-        vertex = 30;
-    }
-    if v44 > best {
         best = v44;
+        way = 3;
     }
     let v8 = f32::abs(s[2]);
     if v8 >= best {
-        vertex = 22;
-    }
-    if v8 > best {
         best = v8;
+        way = 4;
     }
     if 22.918602_f32 >= best {
-        vertex = 37;
-    }
-    if 22.918602_f32 > best {
         best = 22.918602_f32;
+        way = 5;
     }
     let v5 = s[1] / 9.539528_f32;
     if v5 >= best {
-        vertex = 2;
-    }
-    if v5 > best {
         best = v5;
+        way = 6;
     }
     let v22 = ops::max(-161.71835_f32, s[2]);
     if v22 >= best {
-        vertex = 34;
-    }
-    if v22 > best {
         best = v22;
+        way = 7;
     }
-    vertex
+    match way {
+        1 => team_37(s),
+        2 => 3,
+        3 => 0,
+        4 => team_24(s),
+        5 => 7,
+        6 => team_44(s),
+        _ => 4,
+    }
 }
 
-/// Where team 35 leads.
-fn team_35(s: &[f32; 5]) -> u8 {
+/// What team 35 decides.
+fn team_35(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 35;
+    let mut way = 6;
     let v17 = -3.3748567_f32 - s[0];
     let v37 = ops::min(v17, s[4]);
     if v37 >= best {
-        vertex = 31;
-    }
-    if v37 > best {
         best = v37;
+        way = 1;
     }
     let v81 = ops::negate_if_less(-3.3748567_f32, s[0]);
     if v81 >= best {
-        vertex = 31;
-    }
-    if v81 > best {
         best = v81;
+        way = 1;
     }
     let v67 = s[2] + s[2];
     if v67 >= best {
-        vertex = 23;
-    }
-    if v67 > best {
         best = v67;
+        way = 2;
     }
     let v8 = f32::abs(s[2]);
     if v8 >= best {
-        vertex = 24;
-    }
-    if v8 > best {
         best = v8;
+        way = 3;
     }
     let v2 = s[0] / 0.0_f32;
     if v2 >= best {
-        vertex = 30;
-    }
-    if v2 > best {
         best = v2;
+        way = 4;
     }
     let v5 = s[1] / 9.539528_f32;
     if v5 >= best {
-        vertex = 2;
-    }
-    if v5 > best {
         best = v5;
+        way = 5;
     }
     let zero = core::hint::black_box(0.0_f32);
     if zero >= best {
-        vertex = 35;
-    }
-    if zero > best {
         best = zero;
+        way = 6;
     }
-    vertex
+    match way {
+        1 => 1,
+        2 => team_40(s),
+        3 => team_39(s),
+        4 => 0,
+        5 => team_44(s),
+        _ => 5,
+    }
 }
 
-/// Where team 16 leads.
-fn team_16(s: &[f32; 5]) -> u8 {
+/// What team 16 decides.
+fn team_16(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 25;
+    let mut way = 8;
     let v43 = f32::abs(s[4]);
     if v43 >= best {
-        vertex = 19;
-    }
-    if v43 > best {
         best = v43;
+        way = 1;
     }
     let v40 = s[4] / 0.0_f32;
     let v42 = v40 * -72.49379_f32;
     if v42 >= best {
-        vertex = 33;
-    }
-    if v42 > best {
         best = v42;
+        way = 2;
     }
     let v71 = s[1] - s[4];
     if v71 >= best {
-        vertex = 35;
-    }
-    if v71 > best {
         best = v71;
+        way = 3;
     }
     if 22.918602_f32 >= best {
-        vertex = 10;
-    }
-    if 22.918602_f32 > best {
         best = 22.918602_f32;
+        way = 4;
     }
     let v46 = s[1] * s[4];
     if v46 >= best {
-        vertex = 8;
-    }
-    if v46 > best {
         best = v46;
+        way = 5;
     }
     let v8 = f32::abs(s[2]);
     if v8 >= best {
-        vertex = 20;
-    }
-    if v8 > best {
         best = v8;
+        way = 6;
     }
     let v11 = 164.8815_f32 * s[3];
     if v11 >= best {
-        vertex = 36;
-    }
-    if v11 > best {
         best = v11;
+        way = 7;
     }
     let v2 = s[0] / 0.0_f32;
     if v2 >= best {
-        vertex = 25;
-    }
-    if v2 > best {
         best = v2;
+        way = 8;
     }
-    vertex
+    match way {
+        1 => team_42(s),
+        2 => 3,
+        3 => 5,
+        4 => team_41(s),
+        5 => team_32(s),
+        6 => team_30(s),
+        7 => 6,
+        _ => team_17(s),
+    }
 }
 
-/// Where team 43 leads.
-fn team_43(s: &[f32; 5]) -> u8 {
+/// What team 43 decides.
+fn team_43(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 33;
+    let mut way = 4;
     let v5 = s[1] / 9.539528_f32;
     if v5 >= best {
-        vertex = 35;
-    }
-    if v5 > best {
         best = v5;
+        way = 1;
     }
     let v2 = s[0] / 0.0_f32;
     if v2 >= best {
-        vertex = 30;
-    }
-    if v2 > best {
         best = v2;
+        way = 2;
     }
     let v55 = ops::min(s[2], s[3]);
     if v55 >= best {
-        vertex = 31;
-    }
-    if v55 > best {
         best = v55;
+        way = 3;
     }
     let v70 = ops::max(s[0], 0.0_f32);
     if v70 >= best {
-        vertex = 33;
-    }
-    if v70 > best {
         best = v70;
+        way = 4;
     }
-    vertex
+    match way {
+        1 => 5,
+        2 => 0,
+        3 => 1,
+        _ => 3,
+    }
 }
 
-/// Where team 38 leads.
-fn team_38(s: &[f32; 5]) -> u8 {
+/// What team 38 decides.
+fn team_38(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 2;
+    let mut way = 7;
     let v67 = s[2] + s[2];
     if v67 >= best {
-        vertex = 23;
-    }
-    if v67 > best {
         best = v67;
+        way = 1;
     }
     let v5 = s[1] / 9.539528_f32;
     if v5 >= best {
-        vertex = 2;
-    }
-    if v5 > best {
         best = v5;
+        way = 7;
     }
     let v48 = f32::abs(s[3]);
     if v48 >= best {
-        vertex = 24;
-    }
-    if v48 > best {
         best = v48;
+        way = 2;
     }
     let v69 = ops::min(s[2], 213.59233_f32);
     if v69 >= best {
-        vertex = 37;
-    }
-    if v69 > best {
         best = v69;
+        way = 3;
     }
     let v43 = f32::abs(s[4]);
     let v58 = s[1] / v43;
     if v58 >= best {
-        vertex = 30;
-    }
-    if v58 > best {
         best = v58;
+        way = 4;
     }
     if 4.372006_f32 >= best {
-        vertex = 31;
-    }
-    if 4.372006_f32 > best {
         best = 4.372006_f32;
+        way = 5;
     }
     let v17 = -3.3748567_f32 - s[0];
     if v17 >= best {
-        vertex = 31;
-    }
-    if v17 > best {
         best = v17;
+        way = 5;
     }
     let v8 = f32::abs(s[2]);
     if v8 >= best {
-        vertex = 16;
-    }
-    if v8 > best {
         best = v8;
+        way = 6;
     }
     let v36 = s[1] + 9.539528_f32;
     if v36 >= best {
-        vertex = 2;
-    }
-    if v36 > best {
         best = v36;
+        way = 7;
     }
-    vertex
+    match way {
+        1 => team_40(s),
+        2 => team_39(s),
+        3 => 7,
+        4 => 0,
+        5 => 1,
+        6 => team_43(s),
+        _ => team_44(s),
+    }
 }
 
-/// Where team 33 leads.
-fn team_33(s: &[f32; 5]) -> u8 {
+/// What team 33 decides.
+fn team_33(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 35;
+    let mut way = 5;
     let v43 = f32::abs(s[4]);
     let v82 = s[2] / v43;
     if v82 >= best {
-        vertex = 30;
-    }
-    if v82 > best {
         best = v82;
+        way = 1;
     }
     let v83 = s[4] - -22.172918_f32;
     let v84 = 9.539528_f32 + v83;
     if v84 >= best {
-        vertex = 26;
-    }
-    if v84 > best {
         best = v84;
+        way = 2;
     }
     let v85 = ops::max(s[2], 99.64715_f32);
     if v85 >= best {
-        vertex = 10;
-    }
-    if v85 > best {
         best = v85;
+        way = 3;
     }
     let v17 = -3.3748567_f32 - s[0];
     if v17 >= best {
-        vertex = 9;
-    }
-    if v17 > best {
         best = v17;
+        way = 4;
     }
     let v87 = -72.89382_f32 / s[4];
     if v87 >= best {
-        vertex = 35;
-    }
-    if v87 > best {
         best = v87;
+        way = 5;
     }
-    vertex
+    match way {
+        1 => 0,
+        2 => team_34(s),
+        3 => team_41(s),
+        4 => team_45(s),
+        _ => 5,
+    }
 }
 
-/// Where team 42 leads.
-fn team_42(s: &[f32; 5]) -> u8 {
+/// What team 42 decides.
+fn team_42(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 16;
+    let mut way = 5;
     let v2 = s[0] / 0.0_f32;
     if v2 >= best {
-        vertex = 30;
-    }
-    if v2 > best {
         best = v2;
+        way = 1;
     }
     let v55 = ops::min(s[2], s[3]);
     if v55 >= best {
-        vertex = 31;
-    }
-    if v55 > best {
         best = v55;
+        way = 2;
     }
     let v17 = -3.3748567_f32 - s[0];
     if v17 >= best {
-        vertex = 31;
-    }
-    if v17 > best {
         best = v17;
+        way = 2;
     }
     let v5 = s[1] / 9.539528_f32;
     if v5 >= best {
-        vertex = 2;
-    }
-    if v5 > best {
         best = v5;
+        way = 3;
     }
     let zero = core::hint::black_box(0.0_f32);
     if zero >= best {
-        vertex = 37;
-    }
-    if zero > best {
         best = zero;
+        way = 4;
     }
     let v8 = f32::abs(s[2]);
     if v8 >= best {
-        vertex = 16;
-    }
-    if v8 > best {
         best = v8;
+        way = 5;
     }
-    vertex
+    match way {
+        1 => 0,
+        2 => 1,
+        3 => team_44(s),
+        4 => 7,
+        _ => team_43(s),
+    }
 }
 
-/// Where team 30 leads.
-fn team_30(s: &[f32; 5]) -> u8 {
+/// What team 30 decides.
+fn team_30(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 2;
+    let mut way = 9;
     let v43 = f32::abs(s[4]);
     let v44 = s[0] / v43;
     if v44 >= best {
-        vertex = 30;
-    }
-    if v44 > best {
         best = v44;
+        way = 4;
     }
     let v79 = s[0] + s[4];
     let v80 = v79 / 9.539528_f32;
     if v80 >= best {
-        vertex = 37;
-    }
-    if v80 > best {
         best = v80;
+        way = 1;
     }
     let v91 = s[1] / s[4];
     if v91 >= best {
-        vertex = 21;
-    }
-    if v91 > best {
         best = v91;
+        way = 2;
     }
     let v66 = s[2] - 99.64715_f32;
     if v66 >= best {
-        vertex = 17;
-    }
-    if v66 > best {
         best = v66;
+        way = 3;
     }
     let v2 = s[0] / 0.0_f32;
     if v2 >= best {
-        vertex = 30;
-    }
-    if v2 > best {
         best = v2;
+        way = 4;
     }
     let v8 = f32::abs(s[2]);
     if v8 >= best {
-        vertex = 18;
-    }
-    if v8 > best {
         best = v8;
+        way = 5;
     }
     let zero = core::hint::black_box(0.0_f32);
     if zero >= best {
-        vertex = 35;
-    }
-    if zero > best {
         best = zero;
+        way = 6;
     }
     let v17 = -3.3748567_f32 - s[0];
     if v17 >= best {
-        vertex = 9;
-    }
-    if v17 > best {
         best = v17;
+        way = 7;
     }
     let v40 = s[4] / 0.0_f32;
     let v42 = v40 * -72.49379_f32;
     if v42 >= best {
-        vertex = 27;
-    }
-    if v42 > best {
         best = v42;
+        way = 8;
     }
     let v5 = s[1] / 9.539528_f32;
     if v5 >= best {
-        vertex = 2;
-    }
-    if v5 > best {
         best = v5;
+        way = 9;
     }
-    vertex
+    match way {
+        1 => 7,
+        2 => team_37(s),
+        3 => team_38(s),
+        4 => 0,
+        5 => team_33(s),
+        6 => 5,
+        7 => team_45(s),
+        8 => team_31(s),
+        _ => team_44(s),
+    }
 }
 
-/// Where team 37 leads.
-fn team_37(s: &[f32; 5]) -> u8 {
+/// What team 37 decides.
+fn team_37(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 31;
+    let mut way = 3;
     let v2 = s[0] / 0.0_f32;
     if v2 >= best {
-        vertex = 30;
-    }
-    if v2 > best {
         best = v2;
+        way = 1;
     }
     let v5 = s[1] / 9.539528_f32;
     if v5 >= best {
-        vertex = 2;
-    }
-    if v5 > best {
         best = v5;
+        way = 2;
     }
     if 4.372006_f32 >= best {
-        vertex = 31;
-    }
-    if 4.372006_f32 > best {
         best = 4.372006_f32;
+        way = 3;
     }
     let v17 = -3.3748567_f32 - s[0];
     if v17 >= best {
-        vertex = 31;
-    }
-    if v17 > best {
         best = v17;
+        way = 3;
     }
-    vertex
+    match way {
+        1 => 0,
+        2 => team_44(s),
+        _ => 1,
+    }
 }
 
-/// Where team 24 leads.
-fn team_24(s: &[f32; 5]) -> u8 {
+/// What team 24 decides.
+fn team_24(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 30;
+    let mut way = 6;
     let v17 = -3.3748567_f32 - s[0];
     if v17 >= best {
-        vertex = 17;
-    }
-    if v17 > best {
         best = v17;
+        way = 1;
     }
     if 22.918602_f32 >= best {
-        vertex = 37;
-    }
-    if 22.918602_f32 > best {
         best = 22.918602_f32;
+        way = 2;
     }
     let v8 = f32::abs(s[2]);
     if v8 >= best {
-        vertex = 18;
-    }
-    if v8 > best {
         best = v8;
+        way = 3;
     }
     let v57 = s[3] / 15.430052_f32;
     if v57 >= best {
-        vertex = 33;
-    }
-    if v57 > best {
         best = v57;
+        way = 4;
     }
     let v36 = s[1] + 9.539528_f32;
     if v36 >= best {
-        vertex = 2;
-    }
-    if v36 > best {
         best = v36;
+        way = 5;
     }
     let v2 = s[0] / 0.0_f32;
     if v2 >= best {
-        vertex = 30;
-    }
-    if v2 > best {
         best = v2;
+        way = 6;
     }
-    vertex
+    match way {
+        1 => team_38(s),
+        2 => 7,
+        3 => team_33(s),
+        4 => 3,
+        5 => team_44(s),
+        _ => 0,
+    }
 }
 
-/// Where team 40 leads.
-fn team_40(s: &[f32; 5]) -> u8 {
+/// What team 40 decides.
+fn team_40(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 33;
+    let mut way = 4;
     let v5 = s[1] / 9.539528_f32;
     if v5 >= best {
-        vertex = 35;
-    }
-    if v5 > best {
         best = v5;
+        way = 1;
     }
     let v2 = s[0] / 0.0_f32;
     if v2 >= best {
-        vertex = 30;
-    }
-    if v2 > best {
         best = v2;
+        way = 2;
     }
     let v17 = -3.3748567_f32 - s[0];
     if v17 >= best {
-        vertex = 31;
-    }
-    if v17 > best {
         best = v17;
+        way = 3;
     }
     let v90 = f32::abs(s[0]);
     if v90 >= best {
-        vertex = 31;
-    }
-    if v90 > best {
         best = v90;
+        way = 3;
     }
     let v55 = ops::min(s[2], s[3]);
     if v55 >= best {
-        vertex = 31;
-    }
-    if v55 > best {
         best = v55;
+        way = 3;
     }
     let zero = core::hint::black_box(0.0_f32);
     if zero >= best {
-        vertex = 33;
-    }
-    if zero > best {
         best = zero;
+        way = 4;
     }
-    vertex
+    match way {
+        1 => 5,
+        2 => 0,
+        3 => 1,
+        _ => 3,
+    }
 }
 
-/// Where team 39 leads.
-fn team_39(s: &[f32; 5]) -> u8 {
+/// What team 39 decides.
+fn team_39(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 30;
+    let mut way = 5;
     let v5 = s[1] / 9.539528_f32;
     if v5 >= best {
-        vertex = 35;
-    }
-    if v5 > best {
         best = v5;
+        way = 1;
     }
     let v17 = -3.3748567_f32 - s[0];
     if v17 >= best {
-        vertex = 31;
-    }
-    if v17 > best {
         best = v17;
+        way = 2;
     }
     let v60 = s[0] / 17.709658_f32;
     if v60 >= best {
-        vertex = 30;
-    }
-    if v60 > best {
         best = v60;
+        way = 5;
     }
     let v55 = ops::min(s[2], s[3]);
     if v55 >= best {
-        vertex = 31;
-    }
-    if v55 > best {
         best = v55;
+        way = 2;
     }
     let v61 = 0.0_f32 * s[2];
     if v61 >= best {
-        vertex = 32;
-    }
-    if v61 > best {
         best = v61;
+        way = 3;
     }
     let v8 = f32::abs(s[2]);
     if v8 >= best {
-        vertex = 16;
-    }
-    if v8 > best {
         best = v8;
+        way = 4;
     }
     let v43 = f32::abs(s[4]);
     let v44 = s[0] / v43;
     if v44 >= best {
-        vertex = 30;
-    }
-    if v44 > best {
         best = v44;
+        way = 5;
     }
-    vertex
+    match way {
+        1 => 5,
+        2 => 1,
+        3 => 2,
+        4 => team_43(s),
+        _ => 0,
+    }
 }
 
-/// Where team 17 leads.
-fn team_17(s: &[f32; 5]) -> u8 {
+/// What team 17 decides.
+fn team_17(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 2;
+    let mut way = 7;
     let v8 = f32::abs(s[2]);
     if v8 >= best {
-        vertex = 14;
-    }
-    if v8 > best {
         best = v8;
+        way = 1;
     }
     let v5 = s[1] / 9.539528_f32;
     if v5 >= best {
-        vertex = 35;
-    }
-    if v5 > best {
         best = v5;
+        way = 2;
     }
     let v17 = -3.3748567_f32 - s[0];
     let v37 = ops::min(v17, s[4]);
     if v37 >= best {
-        vertex = 31;
-    }
-    if v37 > best {
         best = v37;
+        way = 6;
     }
     if 22.918602_f32 >= best {
-        vertex = 37;
-    }
-    if 22.918602_f32 > best {
         best = 22.918602_f32;
+        way = 3;
     }
     let v2 = s[0] / 0.0_f32;
     if v2 >= best {
-        vertex = 13;
-    }
-    if v2 > best {
         best = v2;
+        way = 4;
     }
     let v76 = s[4] * s[4];
     if v76 >= best {
-        vertex = 28;
-    }
-    if v76 > best {
         best = v76;
+        way = 5;
     }
     let v55 = ops::min(s[2], s[3]);
     if v55 >= best {
-        vertex = 31;
-    }
-    if v55 > best {
         best = v55;
+        way = 6;
     }
     let v78 = s[1] / -9.539528_f32;
     if v78 >= best {
-        vertex = 2;
-    }
-    if v78 > best {
         best = v78;
+        way = 7;
     }
-    vertex
+    match way {
+        1 => team_35(s),
+        2 => 5,
+        3 => 7,
+        4 => team_23(s),
+        5 => team_18(s),
+        6 => 1,
+        _ => team_44(s),
+    }
 }
 
-/// Where team 34 leads.
-fn team_34(s: &[f32; 5]) -> u8 {
+/// What team 34 decides.
+fn team_34(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 14;
+    let mut way = 5;
     let v89 = s[4] * -4.136917_f32;
     if v89 >= best {
-        vertex = 30;
-    }
-    if v89 > best {
         best = v89;
+        way = 3;
     }
     let v5 = s[1] / 9.539528_f32;
     if v5 >= best {
-        vertex = 2;
-    }
-    if v5 > best {
         best = v5;
+        way = 4;
     }
     let zero = core::hint::black_box(0.0_f32);
     if zero >= best {
-        vertex = 31;
-    }
-    if zero > best {
         best = zero;
+        way = 1;
     }
     let v40 = s[4] / 0.0_f32;
     let v42 = v40 * -72.49379_f32;
     if v42 >= best {
-        vertex = 31;
-    }
-    if v42 > best {
         best = v42;
+        way = 1;
     }
     let v43 = f32::abs(s[4]);
     if v43 >= best {
-        vertex = 29;
-    }
-    if v43 > best {
         best = v43;
+        way = 2;
     }
     let v2 = s[0] / 0.0_f32;
     if v2 >= best {
-        vertex = 30;
-    }
-    if v2 > best {
         best = v2;
+        way = 3;
     }
     let v36 = s[1] + 9.539528_f32;
     if v36 >= best {
-        vertex = 2;
-    }
-    if v36 > best {
         best = v36;
+        way = 4;
     }
     let v44 = s[0] / v43;
     if v44 >= best {
-        vertex = 14;
-    }
-    if v44 > best {
         best = v44;
+        way = 5;
     }
-    vertex
+    match way {
+        1 => 1,
+        2 => team_36(s),
+        3 => 0,
+        4 => team_44(s),
+        _ => team_35(s),
+    }
 }
 
-/// Where team 31 leads.
-fn team_31(s: &[f32; 5]) -> u8 {
+/// What team 31 decides.
+fn team_31(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 26;
+    let mut way = 4;
     if 7.3802834_f32 >= best {
-        vertex = 35;
-    }
-    if 7.3802834_f32 > best {
         best = 7.3802834_f32;
+        way = 1;
     }
     let v8 = f32::abs(s[2]);
     if v8 >= best {
-        vertex = 17;
-    }
-    if v8 > best {
         best = v8;
+        way = 2;
     }
     let v2 = s[0] / 0.0_f32;
     if v2 >= best {
-        vertex = 30;
-    }
-    if v2 > best {
         best = v2;
+        way = 3;
     }
     let v36 = s[1] + 9.539528_f32;
     if v36 >= best {
-        vertex = 26;
-    }
-    if v36 > best {
         best = v36;
+        way = 4;
     }
-    vertex
+    match way {
+        1 => 5,
+        2 => team_38(s),
+        3 => 0,
+        _ => team_34(s),
+    }
 }
 
-/// Where team 18 leads.
-fn team_18(s: &[f32; 5]) -> u8 {
+/// What team 18 decides.
+fn team_18(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 31;
+    let mut way = 8;
     if 22.918602_f32 >= best {
-        vertex = 37;
-    }
-    if 22.918602_f32 > best {
         best = 22.918602_f32;
+        way = 1;
     }
     let v5 = s[1] / 9.539528_f32;
     if v5 >= best {
-        vertex = 33;
-    }
-    if v5 > best {
         best = v5;
+        way = 2;
     }
     let v17 = -3.3748567_f32 - s[0];
     let v37 = ops::min(v17, s[4]);
     if v37 >= best {
-        vertex = 31;
-    }
-    if v37 > best {
         best = v37;
+        way = 8;
     }
     let v2 = s[0] / 0.0_f32;
     if v2 >= best {
-        vertex = 13;
-    }
-    if v2 > best {
         best = v2;
+        way = 3;
     }
     let v76 = s[4] * s[4];
     if v76 >= best {
-        vertex = 8;
-    }
-    if v76 > best {
         best = v76;
+        way = 4;
     }
     let v55 = ops::min(s[2], s[3]);
     if v55 >= best {
-        vertex = 31;
-    }
-    if v55 > best {
         best = v55;
+        way = 8;
     }
     let v78 = s[1] / -9.539528_f32;
     if v78 >= best {
-        vertex = 2;
-    }
-    if v78 > best {
         best = v78;
+        way = 5;
     }
     let v43 = f32::abs(s[4]);
     let v44 = s[0] / v43;
     if v44 >= best {
-        vertex = 18;
-    }
-    if v44 > best {
         best = v44;
+        way = 6;
     }
     let v8 = f32::abs(s[2]);
     if v8 >= best {
-        vertex = 20;
-    }
-    if v8 > best {
         best = v8;
+        way = 7;
     }
     if v17 >= best {
-        vertex = 31;
-    }
-    if v17 > best {
         best = v17;
+        way = 8;
     }
-    vertex
+    match way {
+        1 => 7,
+        2 => 3,
+        3 => team_23(s),
+        4 => team_32(s),
+        5 => team_44(s),
+        6 => team_33(s),
+        7 => team_30(s),
+        _ => 1,
+    }
 }
 
-/// Where team 36 leads.
-fn team_36(s: &[f32; 5]) -> u8 {
+/// What team 36 decides.
+fn team_36(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
-    let mut vertex = 31;
+    let mut way = 4;
     let v5 = s[1] / 9.539528_f32;
     if v5 >= best {
-        vertex = 35;
-    }
-    if v5 > best {
         best = v5;
+        way = 1;
     }
     let zero = core::hint::black_box(0.0_f32);
     if zero >= best {
-        vertex = 33;
-    }
-    if zero > best {
         best = zero;
+        way = 2;
     }
     let v2 = s[0] / 0.0_f32;
     if v2 >= best {
-        vertex = 30;
-    }
-    if v2 > best {
         best = v2;
+        way = 3;
     }
     let v55 = ops::min(s[2], s[3]);
     if v55 >= best {
-        vertex = 31;
-    }
-    if v55 > best {
         best = v55;
+        way = 4;
     }
-    vertex
+    match way {
+        1 => 5,
+        2 => 3,
+        3 => 0,
+        _ => 1,
+    }
 }

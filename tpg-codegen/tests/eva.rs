@@ -45,9 +45,10 @@ fn driver(graph: &Graph, bad_index: bool) -> String {
 /// Has EVA look at every team and every program for itself.
 fn split(path: &Path) {
     let mut text = fs::read_to_string(path).expect("generated");
-    for (line, by) in
-        [("    const uint32_t begin = programs[program];", "program"), ("        const uint32_t end = teams[vertex + 1U];", "vertex")]
-    {
+    for (line, by) in [
+        ("    const uint32_t begin = programs[program];", "program"),
+        ("        const uint32_t end = teams[vertex + 1U];", "vertex"),
+    ] {
         assert_eq!(text.matches(line).count(), 1, "the evaluator has another shape: {line}");
         text = text.replace(line, &format!("//@ split {by};\n{line}"));
     }

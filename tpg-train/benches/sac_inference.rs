@@ -1,13 +1,14 @@
 //! Time of one inference of an actor, batch 1, beside PyTorch's on the same core in the same run.
 //!
-//! `cargo bench -p tpg-train --bench sac_inference`. PyTorch is found in the Python that `TPG_PYTHON` names (default
-//! `python3`); `pip install torch` puts it there. Without it that half is skipped, loudly.
+//! `cargo bench -p tpg-train --bench sac_inference`. Where PyTorch comes from: `pytorch/mod.rs`. Ours and PyTorch's take
+//! turns; a figure is the median of many bursts of about half a millisecond, which a busy machine seldom interrupts.
 //!
 //! The network alone is timed, from its inputs to its preferences, and for the shipped one also what stands before it:
 //! the features of an observation.
 
+mod pytorch;
+
 use std::hint::black_box;
-use std::process::Command;
 use std::time::Instant;
 use tpg_generated::widowx_sac;
 use tpg_runtime::arm::{Arm, Pose, WIDOWX};
@@ -21,22 +22,21 @@ use tpg_train::random::{Purpose, Stream};
 use tpg_train::sac::nn::{Mlp, Shape, Tape};
 
 const ARM: Arm<f32> = WIDOWX.to_f32();
-const ROUNDS: usize = 25;
-const REPEATS: u32 = 20_000;
+const BURSTS: usize = 401;
+const TURNS: usize = 3;
 
-/// The median of some rounds, in ns for one call.
+/// The median of some bursts, in ns for one call.
 fn nanoseconds(mut call: impl FnMut()) -> f64 {
-    let mut rounds: Vec<f64> = (0..ROUNDS)
-        .map(|_| {
-            let began = Instant::now();
-            for _ in 0..REPEATS {
-                call();
-            }
-            began.elapsed().as_secs_f64() * 1e9 / f64::from(REPEATS)
-        })
-        .collect();
-    rounds.sort_by(f64::total_cmp);
-    rounds[ROUNDS / 2]
+    let mut burst = |repeats: u32| {
+        let began = Instant::now();
+        for _ in 0..repeats {
+            call();
+        }
+        began.elapsed().as_secs_f64() * 1e9 / f64::from(repeats)
+    };
+    let one = (0..9).map(|_| burst(100)).fold(f64::MAX, f64::min);
+    let repeats = (5e5 / one).clamp(1.0, 1e6) as u32;
+    pytorch::median((0..BURSTS).map(|_| burst(repeats)).collect())
 }
 
 fn float(inputs: usize, units: usize) -> f64 {
@@ -88,14 +88,32 @@ fn main() {
     if std::env::args().any(|argument| argument == "--test") {
         return;
     }
-    println!("one inference, batch 1; ns, median of {ROUNDS} rounds of {REPEATS}");
+    println!("one inference, batch 1; ns, median of {BURSTS} bursts");
+    let python = pytorch::python();
     for (inputs, units) in [(13, 256), (38, 256), (38, 64), (38, 16)] {
-        println!("f32, {inputs}-{units}-{units}-4: {:.0}", float(inputs, units));
+        let (mut ours, mut eager, mut script) = (Vec::new(), Vec::new(), Vec::new());
+        for _ in 0..TURNS {
+            ours.push(float(inputs, units));
+            if let Some(python) = &python {
+                let sizes = [inputs, units].map(|size| size.to_string());
+                let numbers = pytorch::numbers(python, "sac_inference.py", &sizes);
+                eager.push(numbers[0]);
+                script.push(numbers[1]);
+            }
+        }
+        let ours = pytorch::median(ours);
+        print!("f32, {inputs}-{units}-{units}-4: {ours:.0}");
+        if !eager.is_empty() {
+            let [eager, script] = [eager, script].map(pytorch::median);
+            let [by_eager, by_script] = [eager / ours, script / ours];
+            print!("; PyTorch eager {eager:.0}, {by_eager:.1} times; TorchScript {script:.0}, {by_script:.1} times");
+        }
+        println!();
     }
     let large = Network { first: layer(), second: layer::<256, 256>(), last: layer() };
     println!("integers, 38-256-256-4: {:.0}", integers(&large));
     let words: [u32; Network::<256, 256>::WORDS] = large.pack(&widowx_sac::DECISION);
-    let form = tpg_kernels::FORM;
+    let form = tpg_kernels::form();
     println!("integers, 38-256-256-4, packed, {form}: {:.0}", packed(&words));
     println!("integers, 38-64-64-4 (widowx-sac): {:.0}", integers(&widowx_sac::NETWORK));
     println!("integers, 38-64-64-4 (widowx-sac), packed, {form}: {:.0}", packed(&widowx_sac::MODEL));
@@ -112,11 +130,4 @@ fn main() {
         black_box(policy.decide(black_box(&seen)));
     });
     println!("widowx-sac from the observation to the move: {decision:.0}");
-
-    let python = std::env::var("TPG_PYTHON").unwrap_or_else(|_| "python3".to_owned());
-    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/benches/sac_inference.py");
-    let done = Command::new(&python).arg(script).status();
-    if !done.is_ok_and(|status| status.success()) {
-        println!("SKIPPED: PyTorch. {python} has none; `pip install torch`, or name another Python in TPG_PYTHON.");
-    }
 }

@@ -1,5 +1,8 @@
-"""CPU time of one whole update of a soft actor-critic in PyTorch on one thread; called by the bench sac_update."""
+"""CPU milliseconds of one whole update of a soft actor-critic in PyTorch on one thread: sac_update.py ACTOR CRITIC.
 
+Called by the bench sac_update."""
+
+import sys
 import time
 
 import torch
@@ -74,6 +77,5 @@ def measure(actor_width, critic_width):
     return (time.process_time() - began) * 1e3 / UPDATES
 
 
-for widths in [(256, 256), (64, 128), (64, 64), (16, 64)]:
-    print("PyTorch %s, actor %d-%d critics %d-%d: %.2f" % (
-        torch.__version__, widths[0], widths[0], widths[1], widths[1], measure(*widths)), flush=True)
+if __name__ == "__main__":
+    print(measure(int(sys.argv[1]), int(sys.argv[2])))

@@ -1,9 +1,10 @@
 //! CPU time of one whole update of the soft actor-critic, batch 256, beside PyTorch's on the same core in the same run.
 //!
-//! `cargo bench -p tpg-train --bench sac_update`. PyTorch is found in the Python that `TPG_PYTHON` names (default
-//! `python3`); `pip install torch` puts it there. Without it that half is skipped, loudly.
+//! `cargo bench -p tpg-train --bench sac_update`. Where PyTorch comes from: `pytorch/mod.rs`. Ours and PyTorch's take turns,
+//! so that neighbours on the machine disturb both alike; a figure is the median of the rounds.
 
-use std::process::Command;
+mod pytorch;
+
 use std::time::Instant;
 use tpg_train::evolution::logs::cpu_seconds;
 use tpg_train::random::{Purpose, Stream};
@@ -14,6 +15,7 @@ use tpg_train::sac::replay::ACTIONS;
 
 const SIZES: [(usize, usize); 4] = [(256, 256), (64, 128), (64, 64), (16, 64)];
 const UPDATES: u32 = 300;
+const ROUNDS: usize = 3;
 
 fn milliseconds(actor: usize, critic: usize) -> f64 {
     let mut config = Config::preset("best-rs").expect("a preset");
@@ -64,14 +66,26 @@ fn main() {
     if std::env::args().any(|argument| argument == "--test") {
         return;
     }
-    println!("one update, batch 256, 38 inputs; ms of CPU time on one thread");
+    println!("one update, batch 256, 38 inputs; ms of CPU time on one thread, median of {ROUNDS} rounds");
+    let python = pytorch::python();
     for (actor, critic) in SIZES {
-        println!("actor {actor}-{actor} critics {critic}-{critic}: {:.2}", milliseconds(actor, critic));
-    }
-    let python = std::env::var("TPG_PYTHON").unwrap_or_else(|_| "python3".to_owned());
-    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/benches/sac_update.py");
-    let done = Command::new(&python).arg(script).status();
-    if !done.is_ok_and(|status| status.success()) {
-        println!("SKIPPED: PyTorch. {python} has none; `pip install torch`, or name another Python in TPG_PYTHON.");
+        let (mut ours, mut theirs) = (Vec::new(), Vec::new());
+        for _ in 0..ROUNDS {
+            ours.push(milliseconds(actor, critic));
+            if let Some(python) = &python {
+                let widths = [actor, critic].map(|width| width.to_string());
+                theirs.extend(pytorch::numbers(python, "sac_update.py", &widths));
+            }
+        }
+        let ours = pytorch::median(ours);
+        print!("actor {actor}-{actor} critics {critic}-{critic}: {ours:.2}");
+        match theirs.is_empty() {
+            true => println!(),
+            false => println!(
+                ", PyTorch {0:.2}, {1:.1} times",
+                pytorch::median(theirs.clone()),
+                pytorch::median(theirs) / ours
+            ),
+        }
     }
 }

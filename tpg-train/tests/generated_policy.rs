@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::path::PathBuf;
-use tpg_codegen::policy::QuantisedPolicy;
+use tpg_codegen::policy::{QuantisedPolicy, to_words};
 use tpg_generated::widowx_sac::{DECISION, NETWORK};
 use tpg_runtime::arm::{Arm, Pose, WIDOWX};
 use tpg_runtime::frame::Frame;
@@ -10,6 +10,7 @@ use tpg_runtime::observation::Observation;
 use tpg_runtime::policy::Policy;
 use tpg_runtime::sac::features;
 use tpg_runtime::sac::fixed::{FixedPolicy, quantise};
+use tpg_runtime::sac::packed::{Kind, Model};
 use tpg_train::hybrid::setting::HybridFile;
 use tpg_train::random::{Purpose, Stream};
 use tpg_train::sac::evaluate::{QuantiseArgs, quantise as quantise_file, trial_of};
@@ -27,12 +28,44 @@ fn policy() -> QuantisedPolicy {
     QuantisedPolicy::from_json("policy.q.json", &text).expect("a good file")
 }
 
+fn args(out: PathBuf, kind: Kind) -> QuantiseArgs {
+    QuantiseArgs { policy: generated("policy.safetensors"), out, rust: None, kind, report: None, seed: 1 }
+}
+
+#[test]
+fn every_kind_answers_packed_as_its_file_for_a_million_observations_and_succeeds() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let policies = Kind::ALL.map(|kind| {
+        let path = folder.path().join(kind.name()).with_extension("json");
+        quantise_file(&args(path.clone(), kind)).expect("the committed weights");
+        for (start, least) in [(Start::Fs, 0.98), (Start::Rs, 0.96)] {
+            let tasks = tasks(&WIDOWX, 78, Set::Validation, start, 200);
+            let trial = trial_of(&path.display().to_string(), start, &tasks).expect("a good file");
+            assert!(trial.success_rate >= least, "{kind:?} {start:?}: {:.3}", trial.success_rate);
+        }
+        let text = fs::read_to_string(path).expect("it was just written");
+        QuantisedPolicy::from_json("policy.q.json", &text).expect("a good file")
+    });
+    let words = policies.each_ref().map(|policy| to_words(policy, false).expect("it packs"));
+    let models = words.each_ref().map(|words| Model::parse(words).expect("what was packed"));
+    let mut random = Stream::new(4, 0, Purpose::Test, 40);
+    let mut scratch = [0; 64];
+    for number in 0..1_000_000 {
+        let pose = Pose(ARM.ranges.map(|range| random.between(range.min.into(), range.max.into()) as i16));
+        let target: [f32; 3] = std::array::from_fn(|_| (random.unit() * 1000.0 - 400.0) as f32);
+        let features = quantise(&features(&Frame::at(&ARM, pose, target)));
+        for (policy, model) in policies.iter().zip(&models) {
+            let answer = model.preferences(&features, &mut scratch);
+            assert_eq!(answer, policy.preferences(&features), "{}, observation {number}", policy.kind);
+        }
+    }
+}
+
 #[test]
 fn made_again_from_the_weights_it_has_the_same_bytes() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let [json, rust] = ["policy.q.json", "policy.rs"].map(|name| folder.path().join(name));
-    let args =
-        QuantiseArgs { policy: generated("policy.safetensors"), out: json.clone(), rust: Some(rust.clone()), seed: 1 };
+    let args = QuantiseArgs { rust: Some(rust.clone()), ..args(json.clone(), Kind::W8A16) };
     quantise_file(&args).expect("the committed weights");
     for (name, made) in [("policy.q.json", json), ("policy.rs", rust)] {
         let (made, committed) = (fs::read(made), fs::read(generated(name)));

@@ -20,7 +20,7 @@ pub(super) struct PolicyArgs {
     /// The name of the C array and of the files [default: from the file's name]
     #[arg(long, value_name = "NAME")]
     prefix: Option<Prefix>,
-    /// In C, 16 bits a weight instead of 8: nearly twice the flash, a third fewer instructions, the same answers
+    /// In C, room for 16 bits a weight where they have 8: nearly twice the flash, a third fewer instructions, the same answers
     #[arg(long)]
     wide: bool,
     /// The folder to write to, made where it does not exist

@@ -1,7 +1,16 @@
 //! Networks in integers: `policy.q.json`, made from a trained actor's weights.
 //!
-//! The arithmetic is `tpg_runtime::sac::fixed`'s, which this module calls: `i8` weights with a scale for each row, `i16`
-//! activations, `i32` accumulators that are proven not to overflow, one rounding rule.
+//! The arithmetic is `tpg_runtime::sac::fixed`'s, which this module calls: weights with a scale for each row, `i32`
+//! accumulators that are proven not to overflow, one rounding rule. The [kind](Kind) says how many bits weights and
+//! activations have:
+//!
+//! | kind | weights | hidden activations | features |
+//! | --- | --- | --- | --- |
+//! | `w8a16` | −128 to 127 | 0 to 32767 | multiples of 1/4096 |
+//! | `w16a16` | −32768 to 32767 | 0 to 32767 | multiples of 1/4096 |
+//! | `w8a8` | −127 to 127 | 0 to 127 | multiples of 1/32, −127 to 127 |
+//!
+//! The last layer of a `w8a8` network is `w8a16`: it is small, and its preferences would be coarse.
 
 mod emit;
 mod model;
@@ -13,8 +22,10 @@ pub use quantise::{FloatLayer, QuantiseError, quantise};
 
 use crate::error::{InputError, Place};
 use serde::{Deserialize, Serialize};
+use tpg_kernels::clip_to_i8;
 use tpg_runtime::arm::JOINTS;
-use tpg_runtime::sac::fixed::{FEATURE_ONE, HIDDEN, LAST, PREFERENCE_ONE, Rescale, accumulate, worst_accumulator};
+use tpg_runtime::sac::fixed::{FEATURE_ONE, HIDDEN, LAST, PREFERENCE_ONE, Rescale, accumulate};
+use tpg_runtime::sac::packed::{Kind, LayerRows, Weights};
 use tpg_runtime::sac::{Actions, FEATURE_NAMES, Mask};
 
 /// The value of [`QuantisedPolicy::format`].
@@ -48,8 +59,24 @@ pub struct QuantisedPolicy {
     pub mask: String,
     /// Whether the arm may rest.
     pub may_rest: bool,
+    /// The name of its [`Kind`]; left out of a file where it is `w8a16`.
+    #[serde(default = "usual_kind", skip_serializing_if = "is_usual_kind")]
+    pub kind: String,
     /// First to last; all but the last have a ReLU behind them.
     pub layers: Vec<QuantisedLayer>,
+}
+
+fn usual_kind() -> String {
+    Kind::W8A16.name().to_owned()
+}
+
+fn is_usual_kind(kind: &str) -> bool {
+    kind == Kind::W8A16.name()
+}
+
+/// The kind of one of `layers` layers: the last one's activations have 16 bits.
+fn layer_kind(kind: Kind, index: usize, layers: usize) -> Kind {
+    if kind == Kind::W8A8 && index + 1 == layers { Kind::W8A16 } else { kind }
 }
 
 /// One layer in integers.
@@ -61,7 +88,7 @@ pub struct QuantisedLayer {
     /// Values out.
     pub outputs: usize,
     /// Row-major, outputs × inputs.
-    pub weights: Vec<i8>,
+    pub weights: Vec<i16>,
     /// In units of the accumulators.
     pub bias: Vec<i32>,
     /// What an accumulator is multiplied by, for each row.
@@ -71,18 +98,23 @@ pub struct QuantisedLayer {
 }
 
 impl QuantisedLayer {
-    /// The outputs, clipped to `low` from below.
-    pub fn forward(&self, inputs: &[i16], low: i16) -> Vec<i16> {
+    /// The outputs, clipped to `low` from below and to `high` from above.
+    pub fn forward(&self, inputs: &[i16], low: i16, high: i16) -> Vec<i16> {
         let rows = self.weights.chunks_exact(self.inputs).zip(&self.bias).zip(self.factor.iter().zip(&self.shift));
         rows.map(|((weights, &bias), (&factor, &shift))| {
-            Rescale { factor, shift }.apply(accumulate(bias, weights, inputs), low)
+            Rescale { factor, shift }.apply(accumulate(bias, weights, inputs), low).min(high)
         })
         .collect()
     }
 
-    /// Bytes of its constants on a target.
-    pub fn bytes(&self) -> usize {
-        self.weights.len() + 4 * self.bias.len() + 2 * self.factor.len() + self.shift.len()
+    /// How each row's accumulators become outputs.
+    pub fn rescales(&self) -> Vec<Rescale> {
+        self.factor.iter().zip(&self.shift).map(|(&factor, &shift)| Rescale { factor, shift }).collect()
+    }
+
+    fn bytes(&self, kind: Kind) -> usize {
+        let of_a_weight = if kind == Kind::W16A16 { 2 } else { 1 };
+        of_a_weight * self.weights.len() + 4 * self.bias.len() + 2 * self.factor.len() + self.shift.len()
     }
 }
 
@@ -96,6 +128,7 @@ impl QuantisedPolicy {
         actions: Actions,
         mask: Mask,
         may_rest: bool,
+        kind: Kind,
         layers: Vec<QuantisedLayer>,
     ) -> Result<Self, InputError> {
         let policy = Self {
@@ -109,6 +142,7 @@ impl QuantisedPolicy {
             actions: actions.name().to_owned(),
             mask: mask.name().to_owned(),
             may_rest,
+            kind: kind.name().to_owned(),
             layers,
         };
         policy.check("<quantised>")?;
@@ -155,6 +189,10 @@ impl QuantisedPolicy {
             let found = format!("{:?}, {:?}", self.actions, self.mask);
             return refuse("$.actions".to_owned(), found, "fine or coarse, none or joint-limits".to_owned());
         }
+        let Some(kind) = Kind::from_name(&self.kind) else {
+            let accepted = Kind::ALL.map(Kind::name).join(", ");
+            return refuse("$.kind".to_owned(), format!("{:?}", self.kind), accepted);
+        };
         let mut inputs = FEATURE_NAMES.len();
         for (index, layer) in self.layers.iter().enumerate() {
             let path = |field: &str| format!("$.layers[{index}].{field}");
@@ -167,8 +205,16 @@ impl QuantisedPolicy {
                     format!("the sizes of what is there, {lengths:?}"),
                 );
             }
-            for (row, weights) in layer.weights.chunks_exact(layer.inputs).enumerate() {
-                let worst = worst_accumulator(layer.bias[row], weights);
+            let kind = layer_kind(kind, index, self.layers.len());
+            let (least, greatest) = kind.weights();
+            if let Some(weight) = layer.weights.iter().find(|weight| !(least..=greatest).contains(weight)) {
+                return refuse(path("weights"), weight.to_string(), format!("{least} to {greatest}, as {}", self.kind));
+            }
+            let rescale = layer.rescales();
+            let weights = Weights::I16(&layer.weights);
+            let rows = LayerRows { inputs: layer.inputs, kind, weights, bias: &layer.bias, rescale: &rescale };
+            for row in 0..layer.outputs {
+                let worst = rows.worst_accumulator(row);
                 if worst > i64::from(i32::MAX) {
                     let found = format!("row {row} can reach {worst}");
                     return refuse(path("weights"), found, format!("accumulators up to {}", i32::MAX));
@@ -186,18 +232,36 @@ impl QuantisedPolicy {
         Ok(())
     }
 
+    /// How many bits weights and activations have.
+    pub fn kind(&self) -> Kind {
+        Kind::from_name(&self.kind).unwrap_or(Kind::W8A16)
+    }
+
+    /// The same of each layer.
+    pub fn layer_kinds(&self) -> Vec<Kind> {
+        (0..self.layers.len()).map(|index| layer_kind(self.kind(), index, self.layers.len())).collect()
+    }
+
     /// The preferences, in multiples of 1/2048, for features in multiples of 1/4096.
     pub fn preferences(&self, features: &[i16]) -> [i32; JOINTS] {
+        let kinds = self.layer_kinds();
         let mut values = features.to_vec();
+        if kinds.first() == Some(&Kind::W8A8) {
+            values.iter_mut().for_each(|value| *value = clip_to_i8(*value));
+        }
         for (index, layer) in self.layers.iter().enumerate() {
-            values = layer.forward(&values, if index + 1 == self.layers.len() { LAST } else { HIDDEN });
+            let (low, high) = match kinds.get(index + 1) {
+                Some(next) => (HIDDEN, next.activation()),
+                None => (LAST, i16::MAX),
+            };
+            values = layer.forward(&values, low, high);
         }
         std::array::from_fn(|joint| values.get(joint).copied().map_or(0, i32::from))
     }
 
     /// Bytes of its constants on a target.
     pub fn bytes(&self) -> usize {
-        self.layers.iter().map(QuantisedLayer::bytes).sum()
+        self.layers.iter().zip(self.layer_kinds()).map(|(layer, kind)| layer.bytes(kind)).sum()
     }
 
     /// Multiplications of a weight that one decision costs.

@@ -1,12 +1,11 @@
 //! A policy in integers as one array of words, and C that holds it.
 
-use super::{QuantisedLayer, QuantisedPolicy};
+use super::QuantisedPolicy;
 use crate::emit::{File, Prefix};
 use crate::error::{InputError, Place};
 use askama::Template;
-use tpg_kernels::Kind;
 use tpg_runtime::sac::fixed::{FixedDecision, Rescale};
-use tpg_runtime::sac::packed::{self, LayerRows, Model, Weights};
+use tpg_runtime::sac::packed::{self, Kind, LayerRows, Model, Weights};
 use tpg_runtime::sac::{Actions, Mask};
 
 #[derive(Template)]
@@ -28,11 +27,12 @@ struct Header<'a> {
     scratch: usize,
 }
 
-/// The policy as `tpg_runtime::sac::packed` reads it; `wide` with 16 bits a weight: more flash, fewer instructions, the
-/// same answers.
+/// The policy as `tpg_runtime::sac::packed` reads it; `wide` with 16 bits a weight even where they have 8: more flash,
+/// fewer instructions, the same answers.
 ///
 /// # Errors
-/// If it has more or wider layers than the runtime takes, or a rescale that is no multiplier of 32 bits.
+/// If it has more or wider layers than the runtime takes, a rescale that is no multiplier of 32 bits, or activations of
+/// 8 bits where `wide` is asked for.
 pub fn to_words(policy: &QuantisedPolicy, wide: bool) -> Result<Vec<u32>, InputError> {
     let refuse = |found: String, accepted: &str| {
         InputError::new("policy.q.json", Place::Path("$.layers".to_owned()), found, accepted)
@@ -40,15 +40,19 @@ pub fn to_words(policy: &QuantisedPolicy, wide: bool) -> Result<Vec<u32>, InputE
     let actions = Actions::from_name(&policy.actions).unwrap_or(Actions::Fine);
     let mask = Mask::from_name(&policy.mask).unwrap_or(Mask::None);
     let decision = FixedDecision::new(actions, mask, policy.may_rest);
-    let rescales: Vec<Vec<Rescale>> = policy.layers.iter().map(rescales).collect();
-    let kind = if wide { Kind::W16A16 } else { Kind::W8A16 };
+    let rescales: Vec<Vec<Rescale>> = policy.layers.iter().map(|layer| layer.rescales()).collect();
+    if wide && policy.kind() == Kind::W8A8 {
+        let place = Place::Path("$.kind".to_owned());
+        return Err(InputError::new("policy.q.json", place, "w8a8 to be made wide", "w8a16 or w16a16"));
+    }
     let mut sizes = Vec::new();
     let mut rows = Vec::new();
-    for (layer, rescale) in policy.layers.iter().zip(&rescales) {
+    for ((layer, rescale), kind) in policy.layers.iter().zip(&rescales).zip(policy.layer_kinds()) {
+        let kind = if wide { Kind::W16A16 } else { kind };
         if let Some(at) = rescale.iter().find(|rescale| rescale.multiplier().is_none()) {
             return Err(refuse(format!("{at:?}"), "factor / 2^shift below 1/2, and exact in 32 bits"));
         }
-        let weights = Weights::I8(&layer.weights);
+        let weights = Weights::I16(&layer.weights);
         sizes.push((layer.inputs, layer.outputs, kind));
         rows.push(LayerRows { inputs: layer.inputs, kind, weights, bias: &layer.bias, rescale });
     }
@@ -59,10 +63,6 @@ pub fn to_words(policy: &QuantisedPolicy, wide: bool) -> Result<Vec<u32>, InputE
         return Err(refuse(found, &accepted));
     }
     Ok(words)
-}
-
-fn rescales(layer: &QuantisedLayer) -> Vec<Rescale> {
-    layer.factor.iter().zip(&layer.shift).map(|(&factor, &shift)| Rescale { factor, shift }).collect()
 }
 
 /// `PREFIX.h` and `PREFIX.c`: the words as a constant array, for `tpg_sac_init`.
@@ -105,7 +105,7 @@ mod tests {
     use crate::policy::{FloatLayer, quantise};
     use tpg_runtime::sac::FEATURES;
 
-    fn policy() -> QuantisedPolicy {
+    fn policy(kind: Kind) -> QuantisedPolicy {
         let mut state = 7u32;
         let mut number = move || {
             state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
@@ -118,14 +118,14 @@ mod tests {
                 bias: (0..outputs).map(|_| number()).collect(),
             })
             .into();
-        let quantised = quantise(&layers, &[2.0, 2.0]).expect("ordinary numbers");
-        QuantisedPolicy::new("0".repeat(64), Actions::Coarse, Mask::None, true, quantised).expect("sound")
+        let quantised = quantise(&layers, &[2.0, 2.0], kind).expect("ordinary numbers");
+        QuantisedPolicy::new("0".repeat(64), Actions::Coarse, Mask::None, true, kind, quantised).expect("sound")
     }
 
     #[test]
     fn the_words_answer_what_the_policy_does() {
-        let policy = policy();
-        for wide in [false, true] {
+        for (kind, wide) in [(Kind::W8A16, false), (Kind::W8A16, true), (Kind::W16A16, false), (Kind::W8A8, false)] {
+            let policy = policy(kind);
             let words = to_words(&policy, wide).expect("it packs");
             let model = Model::parse(&words).expect("what was packed");
             assert_eq!(*model.decision(), FixedDecision::new(Actions::Coarse, Mask::None, true));
@@ -140,7 +140,7 @@ mod tests {
 
     #[test]
     fn c_holds_the_words() {
-        let policy = policy();
+        let policy = policy(Kind::W8A16);
         let [header, source] = &to_c(&policy, &"arm_net".parse().expect("a prefix"), false).expect("it packs")[..]
         else {
             panic!("two files")
@@ -156,9 +156,11 @@ mod tests {
 
     #[test]
     fn what_the_runtime_cannot_pack_is_refused() {
-        let mut policy = policy();
+        let mut policy = policy(Kind::W8A16);
         policy.layers[1].shift[0] = 3;
         policy.layers[1].factor[0] = 20_000;
         assert!(to_words(&policy, false).expect_err("no multiplier").to_string().contains("20000"));
+        let narrow = super::tests::policy(Kind::W8A8);
+        assert!(to_words(&narrow, true).expect_err("8 bits cannot be made 16").to_string().contains("w8a8"));
     }
 }

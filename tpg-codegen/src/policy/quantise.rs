@@ -1,11 +1,16 @@
 //! From a trained network's numbers to integers.
 //!
-//! Each row of weights has a scale of its own: its greatest magnitude becomes 127. Each hidden layer has one scale: twice
-//! the greatest activation that calibration saw becomes 32767, so that an activation may double before it is clipped.
+//! Each row of weights has a scale of its own. With 8 bits its greatest magnitude becomes 127; with 16 bits it becomes as
+//! great as 32767 and the accumulator allow: 32768 times the sum of magnitudes, and the bias, must fit 31 bits.
+//!
+//! Each hidden layer has one scale. With 16 bits twice the greatest activation that calibration saw becomes 32767, so
+//! that an activation may double before it is clipped; with 8 bits, which leave no room, the greatest becomes 127.
+//!
 //! Weights and biases are rounded to nearest, halves away from zero.
 
-use super::QuantisedLayer;
+use super::{QuantisedLayer, layer_kind};
 use tpg_runtime::sac::fixed::{FEATURE_ONE, PREFERENCE_ONE};
+use tpg_runtime::sac::packed::Kind;
 
 /// A linear layer in floating point.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,47 +59,79 @@ pub enum QuantiseError {
 ///
 /// # Panics
 /// If `greatest` does not hold one number for each hidden layer.
-pub fn quantise(layers: &[FloatLayer], greatest: &[f32]) -> Result<Vec<QuantisedLayer>, QuantiseError> {
+pub fn quantise(layers: &[FloatLayer], greatest: &[f32], kind: Kind) -> Result<Vec<QuantisedLayer>, QuantiseError> {
     assert_eq!(greatest.len() + 1, layers.len(), "one activation for each hidden layer");
-    let mut input_one = f64::from(FEATURE_ONE);
+    let layer_kind = |index| layer_kind(kind, index, layers.len());
+    let mut input_one = match layer_kind(0) {
+        Kind::W8A16 | Kind::W16A16 => f64::from(FEATURE_ONE),
+        Kind::W8A8 => f64::from(FEATURE_ONE) / 128.0, // `clip_to_i8`
+    };
     let mut quantised = Vec::with_capacity(layers.len());
     for (index, layer) in layers.iter().enumerate() {
         let output_one = match greatest.get(index) {
             Some(&greatest) if greatest > 0.0 && greatest.is_finite() => {
-                f64::from(i16::MAX) / (2.0 * f64::from(greatest))
+                let next = layer_kind(index + 1);
+                let room = if next == Kind::W8A8 { 1.0 } else { 2.0 };
+                let wanted = f64::from(next.activation()) / (room * f64::from(greatest));
+                // What an accumulator is multiplied by must be below 1/2 (`Rescale::multiplier`).
+                let finest = scales(layer, layer_kind(index), input_one).fold(f64::MAX, f64::min);
+                wanted.min(0.499 * input_one * finest)
             }
             Some(_) => return Err(QuantiseError::Silent { layer: index }),
             None => f64::from(PREFERENCE_ONE),
         };
-        quantised.push(rows(index, layer, input_one, output_one)?);
+        quantised.push(rows(index, layer, layer_kind(index), [input_one, output_one])?);
         input_one = output_one;
     }
     Ok(quantised)
 }
 
-fn rows(index: usize, layer: &FloatLayer, input_one: f64, output_one: f64) -> Result<QuantisedLayer, QuantiseError> {
+fn rows(
+    index: usize,
+    layer: &FloatLayer,
+    kind: Kind,
+    [input_one, output_one]: [f64; 2],
+) -> Result<QuantisedLayer, QuantiseError> {
     let (inputs, outputs) = (layer.inputs, layer.bias.len());
     let mut quantised =
         QuantisedLayer { inputs, outputs, weights: vec![], bias: vec![], factor: vec![], shift: vec![] };
-    for (row, (weights, &bias)) in layer.weights.chunks_exact(inputs).zip(&layer.bias).enumerate() {
+    let scales = scales(layer, kind, input_one);
+    for (row, ((weights, &bias), weight_one)) in
+        layer.weights.chunks_exact(inputs).zip(&layer.bias).zip(scales).enumerate()
+    {
         if weights.iter().chain([&bias]).any(|value| !value.is_finite()) {
             return Err(QuantiseError::NotFinite { layer: index, row });
         }
-        let greatest = weights.iter().fold(0.0f64, |greatest, &weight| greatest.max(f64::from(weight.abs())));
-        // A row without weights answers its bias: any scale will do.
-        let weight_one = if greatest > 0.0 { 127.0 / greatest } else { 1.0 };
         let accumulator_one = input_one * weight_one;
         let bias = (f64::from(bias) * accumulator_one).round();
         if bias.abs() > f64::from(i32::MAX) {
             return Err(QuantiseError::Bias { layer: index, row, bias });
         }
         let (factor, shift) = factor_and_shift(output_one / accumulator_one);
-        quantised.weights.extend(weights.iter().map(|&weight| (f64::from(weight) * weight_one).round() as i8));
+        quantised.weights.extend(weights.iter().map(|&weight| (f64::from(weight) * weight_one).round() as i16));
         quantised.bias.push(bias as i32);
         quantised.factor.push(factor);
         quantised.shift.push(shift);
     }
     Ok(quantised)
+}
+
+/// What a weight of 1 becomes, row by row.
+fn scales(layer: &FloatLayer, kind: Kind, input_one: f64) -> impl Iterator<Item = f64> {
+    layer.weights.chunks_exact(layer.inputs).zip(&layer.bias).map(move |(weights, &bias)| {
+        let magnitudes = weights.iter().map(|&weight| f64::from(weight.abs()));
+        let greatest = magnitudes.clone().fold(0.0, f64::max);
+        if greatest == 0.0 {
+            1.0 // a row without weights answers its bias: any scale will do
+        } else if kind == Kind::W16A16 {
+            // In units of 32768: what the accumulator holds, less what rounding may add to weights and bias.
+            let most = 65_534.0 - weights.len() as f64 / 2.0;
+            let wanted = magnitudes.sum::<f64>() + f64::from(bias.abs()) * input_one / 32_768.0;
+            (f64::from(i16::MAX) / greatest).min(most / wanted)
+        } else {
+            127.0 / greatest
+        }
+    })
 }
 
 /// The ratio as factor/2^shift: 15 bits of it where the shift has room.
@@ -151,19 +188,41 @@ mod tests {
             (0..200).map(|n| (0..FEATURES).map(|i| ((n * 37 + i * 11) % 41) as f32 / 20.0 - 1.0).collect()).collect();
         let seen = inputs.iter().map(|input| float(&layers, input).1);
         let greatest = seen.reduce(|a, b| a.iter().zip(&b).map(|(a, b)| a.max(*b)).collect()).expect("inputs");
-        let quantised = quantise(&layers, &greatest).expect("ordinary numbers");
-        let policy = QuantisedPolicy::new(String::new(), Actions::Fine, Mask::None, false, quantised).expect("sound");
+        // Half a step of an 8-bit weight is 0.4 % of the row's greatest: some hundredths over three layers; features in
+        // steps of 1/32 and activations of 7 bits are some times as coarse.
+        for (kind, bound) in [(Kind::W8A16, 0.03), (Kind::W16A16, 0.001), (Kind::W8A8, 0.15)] {
+            let quantised = quantise(&layers, &greatest, kind).expect("ordinary numbers");
+            let policy = QuantisedPolicy::new(String::new(), Actions::Fine, Mask::None, false, kind, quantised);
+            let policy = policy.expect("sound");
+            let worst = worst_difference(&policy, &layers, &inputs);
+            assert!(worst < bound, "{kind:?}: {worst}");
+            assert_eq!(policy.to_json().contains("kind"), kind != Kind::W8A16);
+            assert_eq!(QuantisedPolicy::from_json("text", &policy.to_json()), Ok(policy));
+        }
+    }
+
+    fn worst_difference(policy: &QuantisedPolicy, layers: &[FloatLayer], inputs: &[Vec<f32>]) -> f32 {
         let mut worst = 0.0f32;
-        for input in &inputs {
-            let (wanted, _) = float(&layers, input);
+        for input in inputs {
+            let (wanted, _) = float(layers, input);
             let features: Vec<i16> = input.iter().map(|value| (value * 4096.0).round() as i16).collect();
             for (integer, wanted) in policy.preferences(&features).into_iter().zip(wanted) {
                 worst = worst.max((integer as f32 / 2048.0 - wanted).abs());
             }
         }
-        // Half a step of a weight is 0.4 % of the row's greatest: some hundredths over three layers.
-        assert!(worst < 0.03, "{worst}");
-        assert_eq!(QuantisedPolicy::from_json("text", &policy.to_json()), Ok(policy));
+        worst
+    }
+
+    #[test]
+    fn sixteen_bits_use_the_accumulator_and_never_overflow_it() {
+        let mut layers = example();
+        layers[0].weights[..FEATURES].fill(0.5); // no accumulator but for much smaller weights
+        layers[0].bias[1] = 1000.0;
+        let quantised = quantise(&layers, &[1.0, 1.0], Kind::W16A16).expect("ordinary numbers");
+        let policy = QuantisedPolicy::new(String::new(), Actions::Fine, Mask::None, false, Kind::W16A16, quantised);
+        let layer = &policy.expect("sound").layers[0];
+        let sum: i32 = layer.weights[..FEATURES].iter().map(|&weight| i32::from(weight).abs()).sum();
+        assert!((64_000..=65_535).contains(&sum), "{sum}");
     }
 
     #[test]
@@ -179,18 +238,21 @@ mod tests {
     fn numbers_that_do_not_fit_are_refused() {
         let mut layers = example();
         layers[1].bias[2] = f32::NAN;
-        assert_eq!(quantise(&layers, &[1.0, 1.0]), Err(QuantiseError::NotFinite { layer: 1, row: 2 }));
+        assert_eq!(quantise(&layers, &[1.0, 1.0], Kind::W8A16), Err(QuantiseError::NotFinite { layer: 1, row: 2 }));
         let mut layers = example();
         layers[0].bias[3] = 1e9;
-        assert!(matches!(quantise(&layers, &[1.0, 1.0]), Err(QuantiseError::Bias { layer: 0, row: 3, .. })));
-        assert_eq!(quantise(&example(), &[1.0, 0.0]), Err(QuantiseError::Silent { layer: 1 }));
+        assert!(matches!(
+            quantise(&layers, &[1.0, 1.0], Kind::W8A16),
+            Err(QuantiseError::Bias { layer: 0, row: 3, .. })
+        ));
+        assert_eq!(quantise(&example(), &[1.0, 0.0], Kind::W8A16), Err(QuantiseError::Silent { layer: 1 }));
     }
 
     #[test]
     fn a_file_that_could_overflow_is_refused() {
-        let quantised = quantise(&example(), &[1.0, 1.0]).expect("ordinary numbers");
-        let mut policy =
-            QuantisedPolicy::new(String::new(), Actions::Fine, Mask::None, false, quantised).expect("sound");
+        let quantised = quantise(&example(), &[1.0, 1.0], Kind::W8A16).expect("ordinary numbers");
+        let mut policy = QuantisedPolicy::new(String::new(), Actions::Fine, Mask::None, false, Kind::W8A16, quantised)
+            .expect("sound");
         policy.layers[0].bias[1] = i32::MAX;
         let error = QuantisedPolicy::from_json("q.json", &policy.to_json()).expect_err("an overflow");
         assert!(error.to_string().contains("layers[0]"), "{error}");
@@ -198,6 +260,14 @@ mod tests {
         policy.layers[1].shift[0] = 99;
         assert!(QuantisedPolicy::from_json("q.json", &policy.to_json()).is_err());
         policy.layers[1].shift[0] = 9;
+        policy.layers[1].weights[0] = 128;
+        let error = QuantisedPolicy::from_json("q.json", &policy.to_json()).expect_err("no weight of 8 bits");
+        assert!(error.to_string().contains("128"), "{error}");
+        policy.layers[1].weights[0] = 0;
+        policy.kind = "w4a4".to_owned();
+        let error = QuantisedPolicy::from_json("q.json", &policy.to_json()).expect_err("no such kind");
+        assert!(error.to_string().contains("w16a16"), "{error}");
+        policy.kind = "w8a16".to_owned();
         policy.layers[1].weights.pop();
         assert!(QuantisedPolicy::from_json("q.json", &policy.to_json()).is_err());
     }

@@ -191,11 +191,13 @@ decided:
 {% if functions.len() > 1 %}
 uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state)
 {
-    uint32_t vertex = 0U;
+    uint32_t vertex = {{ prefix }}_walk_0(state, 0U);
 {% for function in functions %}
+{%- if !loop.first %}
     if (vertex < {{ function.end }}U) {
         vertex = {{ prefix }}_walk_{{ loop.index0 }}(state, vertex);
     }
+{%- endif %}
 {%- endfor %}
     vertex -= {{ upper }}_TEAMS;
     return (uint16_t)vertex;

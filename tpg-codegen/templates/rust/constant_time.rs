@@ -11,10 +11,12 @@
 {%- endfor %}
         let t{{ loop.index0 }} = best.1;
 {%- endfor %}
-        let next = {{ layout::array(next, 8) }};
-        let mut vertex = 0_{{ vertex }};
-        for _ in 0..Self::DEPTH {
-            // An action is past the end: it leads to itself.
-            vertex = next.get(vertex as usize).copied().unwrap_or(vertex);
-        }
+
+        // An action leads to itself; what fills the array up to a power of two is never come to.
+        let next: [{{ vertex }}; {{ size }}] = {{ layout::array(next, 8) }};
+        // The longest walk decides {{ depth }} times; a shorter one waits at its action. No loop, and no end to check.
+        let vertex = next[0];
+{%- for _ in 1..depth %}
+        let vertex = next[(vertex & {{ size - 1 }}) as usize];
+{%- endfor %}
         ActionId(vertex.wrapping_sub({{ teams.len() }}) as u16)

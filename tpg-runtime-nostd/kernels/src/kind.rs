@@ -42,6 +42,37 @@ impl Kind {
         }
     }
 
+    /// Its name in files and on command lines: bits of a weight, bits of an activation.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::W8A16 => "w8a16",
+            Self::W16A16 => "w16a16",
+            Self::W8A8 => "w8a8",
+        }
+    }
+
+    /// The kind of that [`name`](Self::name).
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|kind| kind.name() == name)
+    }
+
+    /// The smallest and the greatest weight.
+    pub const fn weights(self) -> (i16, i16) {
+        match self {
+            Self::W8A16 => (i8::MIN as i16, i8::MAX as i16),
+            Self::W16A16 => (i16::MIN, i16::MAX),
+            Self::W8A8 => (-i8::MAX as i16, i8::MAX as i16),
+        }
+    }
+
+    /// The greatest activation, behind a ReLU.
+    pub const fn activation(self) -> i16 {
+        match self {
+            Self::W8A16 | Self::W16A16 => i16::MAX,
+            Self::W8A8 => i8::MAX as i16,
+        }
+    }
+
     /// The kind of that [`code`](Self::code).
     pub const fn from_code(code: u32) -> Option<Self> {
         match code {

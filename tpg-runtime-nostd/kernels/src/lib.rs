@@ -16,11 +16,12 @@
 //! | form | where | module |
 //! | --- | --- | --- |
 //! | SMLAD, by inline assembly | `thumbv7em-*` | `dsp` |
+//! | AVX2 | `x86_64` that has it, looked for once | `avx2` |
 //! | SSE2 | `x86_64` | `sse2` |
 //! | plain Rust | everywhere else; always there to compare with | [`portable`] |
 //!
-//! This is the one crate under `tpg-runtime` with `unsafe` code: calls of assembly and of SSE2, behind functions that
-//! check their preconditions.
+//! This is the one crate under `tpg-runtime` with `unsafe` code: calls of assembly, SSE2 and AVX2, behind functions
+//! that check their preconditions.
 
 #![no_std]
 
@@ -29,6 +30,8 @@ mod kind;
 pub mod portable;
 mod root;
 
+#[cfg(target_arch = "x86_64")]
+mod avx2;
 #[cfg(tpg_dsp)]
 mod dsp;
 #[cfg(target_arch = "x86_64")]
@@ -45,14 +48,13 @@ use portable as chosen;
 #[cfg(target_arch = "x86_64")]
 use sse2 as chosen;
 
-/// The name of the form that this build uses.
-pub const FORM: &str = if cfg!(tpg_dsp) {
-    "SMLAD"
-} else if cfg!(target_arch = "x86_64") {
-    "SSE2"
-} else {
-    "portable"
-};
+/// The name of the form that hidden layers use here.
+pub fn form() -> &'static str {
+    #[cfg(target_arch = "x86_64")]
+    return if avx2::is_there() { "AVX2" } else { "SSE2" };
+    #[cfg(not(target_arch = "x86_64"))]
+    if cfg!(tpg_dsp) { "SMLAD" } else { "portable" }
+}
 
 /// A hidden layer: its outputs behind their ReLU, as the next layer's inputs.
 ///
@@ -60,6 +62,10 @@ pub const FORM: &str = if cfg!(tpg_dsp) {
 /// into `outputs`, or an incomplete block, is left out.
 #[inline(never)] // its loop is not its caller's: a static bound multiplies nested ones
 pub fn hidden(kind: Kind, form: Form, blocks: &[u32], inputs: &[u32], outputs: &mut [u32]) {
+    #[cfg(target_arch = "x86_64")]
+    if avx2::hidden(kind, form, blocks, inputs, outputs) {
+        return;
+    }
     let blocks = blocks.chunks_exact(kind.block(inputs.len()));
     for (block, outputs) in blocks.zip(outputs.as_chunks_mut::<2>().0) {
         *outputs = chosen::hidden(kind, form, block, inputs);
@@ -104,6 +110,26 @@ mod tests {
                     chosen::hidden(kind, form, block, inputs), portable::hidden(kind, form, block, inputs)
                 );
             }
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn a_layer_is_its_portable_blocks(
+            (kind, columns, layer) in (prop::sample::select(&Kind::ALL[..]), 0usize..5, 0usize..5)
+                .prop_flat_map(|(kind, eights, blocks)| {
+                    let inputs = eights * 4;
+                    (Just(kind), Just(inputs), words(inputs + blocks * kind.block(inputs)))
+                }),
+            pairs in any::<bool>(),
+        ) {
+            let (inputs, blocks) = layer.split_at(columns);
+            let form = if pairs { Form::Pairs } else { Form::Split };
+            let each = blocks.chunks_exact(kind.block(columns));
+            let expected: Vec<u32> = each.flat_map(|block| portable::hidden(kind, form, block, inputs)).collect();
+            let mut outputs = std::vec![0; expected.len()];
+            hidden(kind, form, blocks, inputs, &mut outputs);
+            prop_assert_eq!(outputs, expected, "{}", super::form());
         }
     }
 

@@ -53,7 +53,7 @@ pub fn accumulate(kind: Kind, block: &[u32], inputs: &[u32]) -> [i32; ROWS] {
 
 /// Accumulators times their multipliers; zeros for a block without multipliers.
 #[inline(always)]
-pub(crate) fn rescale(kind: Kind, block: &[u32], inputs: &[u32], accumulators: [i32; ROWS]) -> [i32; ROWS] {
+pub fn rescale(kind: Kind, block: &[u32], inputs: &[u32], accumulators: [i32; ROWS]) -> [i32; ROWS] {
     let after = kind.block(inputs.len()) - ROWS;
     let Some(multipliers) = block.get(after..).and_then(|rest| rest.first_chunk::<ROWS>()) else { return [0; ROWS] };
     let mut outputs = accumulators;

@@ -144,7 +144,8 @@ where
     /// The next action and whose it is. A guard may hand over here: then both policies are asked, once each.
     pub fn decide<D: CycleDetector>(&self, switch: &mut Switch<S, D>, seen: &Observation<S>) -> Chosen {
         let guard = self.settings.guard;
-        let graph = || Some(self.tpg.decide(seen)).filter(|&wanted| guard.refuses(self.arm, seen.pose, wanted).is_none());
+        let graph =
+            || Some(self.tpg.decide(seen)).filter(|&wanted| guard.refuses(self.arm, seen.pose, wanted).is_none());
         let graph_drives = switch.driver() == Driver::Tpg;
         if graph_drives {
             if let Some(wanted) = graph() {

@@ -67,7 +67,7 @@ mod tests {
             Move(deltas)
         });
         let moving = fewer.filter(|&fewer| fewer != Move::STOP && fewer != wanted);
-        std::iter::once(wanted).chain(moving).find(|&part| valid(part))
+        core::iter::once(wanted).chain(moving).find(|&part| valid(part))
     }
 
     proptest! {
@@ -76,7 +76,7 @@ mod tests {
         /// Near limits, table and base, from valid poses and others.
         #[test]
         fn it_is_the_first_valid_part(
-            base in prop_oneof![0i16..8, 4088..4096],
+            base in prop_oneof![0i16..8, 4088i16..4096],
             plane in prop_oneof![
                 prop::array::uniform3(1020i16..3076),
                 prop::array::uniform3(prop_oneof![1020i16..1032, 3064i16..3076, 1020i16..3076]),

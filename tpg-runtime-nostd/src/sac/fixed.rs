@@ -60,8 +60,8 @@ pub const LAST: i16 = -i16::MAX;
 
 /// The exact sum of products of one row. It wraps where a row is not [sound](Layer::is_sound).
 #[inline]
-pub fn accumulate(bias: i32, weights: &[i8], inputs: &[i16]) -> i32 {
-    let products = weights.iter().zip(inputs).map(|(&weight, &input)| i32::from(weight) * i32::from(input));
+pub fn accumulate<W: Copy + Into<i32>>(bias: i32, weights: &[W], inputs: &[i16]) -> i32 {
+    let products = weights.iter().zip(inputs).map(|(&weight, &input)| weight.into().wrapping_mul(i32::from(input)));
     products.fold(bias, i32::wrapping_add)
 }
 

@@ -22,12 +22,13 @@ use crate::arm::{Arm, JOINTS, Move};
 use crate::frame::Frame;
 use crate::observation::Observation;
 use crate::policy::Policy;
-use tpg_kernels::{COLUMNS, Form, Kind, ROWS};
+use tpg_kernels::{COLUMNS, Form, ROWS};
 
 mod crc;
 mod pack;
 
 pub use pack::{LayerRows, Weights, pack, words};
+pub use tpg_kernels::Kind;
 
 /// "TPGS" in memory.
 pub const MAGIC: u32 = u32::from_le_bytes(*b"TPGS");

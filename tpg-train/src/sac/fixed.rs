@@ -15,6 +15,7 @@ use tpg_runtime::frame::Frame;
 use tpg_runtime::observation::Observation;
 use tpg_runtime::policy::Policy;
 use tpg_runtime::sac::fixed::{FixedDecision, quantise as quantise_features};
+use tpg_runtime::sac::packed::Kind;
 use tpg_runtime::sac::{Actions, Mask, features};
 
 /// Calibration episodes of each start: training tasks, never validation or test tasks.
@@ -29,6 +30,7 @@ pub fn quantise_actor(
     network: &Mlp<f32>,
     actor: &Actor,
     source_sha256: String,
+    kind: Kind,
     seed: u64,
 ) -> Result<QuantisedPolicy, InputError> {
     let refuse = |found: String, accepted: &str| InputError::new(file, Place::Whole, found, accepted);
@@ -48,9 +50,9 @@ pub fn quantise_actor(
         layers.push(FloatLayer { inputs, weights, bias });
         inputs = outputs;
     }
-    let layers = quantise(&layers, &greatest_activations(network, actor, seed))
+    let layers = quantise(&layers, &greatest_activations(network, actor, seed), kind)
         .map_err(|error| refuse(error.to_string(), "a network whose numbers fit"))?;
-    QuantisedPolicy::new(source_sha256, actor.actions, actor.mask, actor.may_rest, layers)
+    QuantisedPolicy::new(source_sha256, actor.actions, actor.mask, actor.may_rest, kind, layers)
 }
 
 /// The greatest activation behind each hidden layer, over the calibration episodes.

@@ -10,6 +10,7 @@
 //! | [`training`] | the loop |
 //! | [`weights`] | `policy.safetensors` and its contract |
 //! | [`fixed`] | a trained actor in integers |
+//! | [`comparison`] | how well integers do beside floating point |
 //! | [`evaluate`] | `tpg-train eval --policy` and `tpg-train quantise` |
 //! | [`import`] | actors of Stable-Baselines3 and CleanRL |
 //! | [`checkpoint`] | a run under way as a file |
@@ -19,6 +20,7 @@
 pub mod agent;
 pub mod checkpoint;
 pub mod command;
+pub mod comparison;
 pub mod config;
 pub mod evaluate;
 pub mod fixed;

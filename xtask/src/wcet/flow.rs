@@ -130,7 +130,11 @@ fn table(function: &Function, line: &Line) -> Option<Vec<u64>> {
         return None;
     }
     let base = line.address + 4;
-    let bytes: Vec<u8> = (base..).map_while(|address| function.data.get(&address).copied()).collect();
+    let mut bytes: Vec<u8> = (base..).map_while(|address| function.data.get(&address).copied()).collect();
+    // What aligns the code behind it: a nop. As entries it would lead into the table, or 97 KB away.
+    while bytes.len().is_multiple_of(2) && bytes.ends_with(&[0x00, 0xbf]) {
+        bytes.truncate(bytes.len() - 2);
+    }
     let entries = bytes.chunks_exact(width).map(|entry| entry.iter().rfold(0, |sum, &byte| sum << 8 | u64::from(byte)));
     // An entry of 0 would lead into the table: it is what aligns the code behind it.
     let targets: Vec<u64> = entries.filter(|&entry| entry > 0).map(|entry| base + 2 * entry).collect();

@@ -18,8 +18,10 @@ use crate::passes::schedule::{Bid, Infinite, LazyBid, Plan, Schedule, Sparing};
 use askama::Template;
 use std::collections::BTreeSet;
 
-/// Teams of one function.
+/// Teams of one function, where all are in it.
 const TEAMS: usize = 64;
+/// Teams of one function, where there are more.
+const SOME_TEAMS: usize = 32;
 
 #[derive(Template)]
 #[template(path = "c/fast.c", escape = "none")]
@@ -133,7 +135,8 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module, schedule: &Schedule
         places[team] = place;
     }
     let mut late = Vec::new();
-    let functions = (order.chunks(TEAMS).zip((0..).step_by(TEAMS)))
+    let several = if order.len() <= TEAMS { TEAMS } else { SOME_TEAMS };
+    let functions = (order.chunks(several).zip((0..).step_by(several)))
         .map(|(teams, start)| {
             let whole = teams.len() == order.len();
             let span = Span { places: &places, start, end: start + teams.len(), whole };

@@ -1,5 +1,6 @@
-//! The profile `constant-time`: every distinct operation once, then every team's choice by selects, then a bounded chase
-//! from the root to an action. The time does not depend on the state.
+//! The profile `constant-time`: every distinct operation once, then every team's choice by selects, then a chase of fixed
+//! length from the root to an action. There is no branch; LLVM may make instructions that run or not, in the same time (on a
+//! Cortex-M4, IT blocks).
 
 use super::expression::Printer;
 use super::{Parts, vertex, vertex_type};
@@ -12,9 +13,11 @@ use askama::Template;
 struct ConstantTime<'a> {
     statements: Vec<String>,
     teams: Vec<TeamView>,
-    /// The names of the teams' choices.
+    /// The names of the teams' choices, and the actions; then, whatever makes a place of every number of so many bits.
     next: Vec<String>,
+    size: usize,
     vertex: &'a str,
+    depth: usize,
 }
 
 struct TeamView {
@@ -31,11 +34,19 @@ struct EdgeView {
 /// Renders the profile.
 pub(super) fn render(printer: &Printer<'_>, module: &Module) -> Parts {
     let computed = (0..).map(NodeId).zip(&module.nodes).filter(|(_, node)| node.is_computed());
+    let used = module.teams.len() + printer.graph.actions().len();
+    let size = used.next_power_of_two();
     let constant_time = ConstantTime {
         statements: computed.map(|(id, _)| printer.statement(id)).collect(),
         teams: module.teams.iter().map(|team| team_view(printer, module, team)).collect(),
-        next: (0..module.teams.len()).map(|team| format!("t{team}")).collect(),
+        next: (0..module.teams.len())
+            .map(|team| format!("t{team}"))
+            .chain((module.teams.len()..used).map(|action| action.to_string()))
+            .chain((used..size).map(|_| "0".to_owned()))
+            .collect(),
+        size,
         vertex: vertex_type(printer.graph, module),
+        depth: module.depth,
     };
     Parts { body: constant_time.render().expect("the template renders"), items: String::new() }
 }

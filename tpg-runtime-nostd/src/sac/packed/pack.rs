@@ -9,9 +9,9 @@ use tpg_kernels::{Kind, ROWS};
 /// A layer's weights, row by row.
 #[derive(Clone, Copy, Debug)]
 pub enum Weights<'a> {
-    /// For the kinds with `i8` weights.
+    /// In 8 bits: right for every kind.
     I8(&'a [i8]),
-    /// For the kind with `i16` weights.
+    /// In 16 bits: right for every kind that [has room](Kind::weights) for them.
     I16(&'a [i16]),
 }
 
@@ -42,34 +42,49 @@ impl LayerRows<'_> {
     }
 
     const fn fits(&self) -> bool {
-        let count = match (self.kind, self.weights) {
-            // `i8` weights in words for `i16` ones: more flash, fewer instructions, the same answers.
-            (Kind::W8A16 | Kind::W8A8 | Kind::W16A16, Weights::I8(weights)) => weights.len(),
-            (Kind::W16A16, Weights::I16(weights)) => weights.len(),
-            _ => return false,
+        let count = match self.weights {
+            Weights::I8(weights) => weights.len(),
+            Weights::I16(weights) => weights.len(),
         };
         let outputs = self.bias.len();
         let sizes = self.inputs >= 1 && self.inputs <= WIDTH && outputs >= 1 && outputs <= WIDTH;
         sizes && count == self.inputs * outputs && self.rescale.len() == outputs
     }
 
-    /// Whether no input can overflow an accumulator: 256 · the sum of products for `i8` activations.
+    /// The greatest magnitude that a row's accumulator can take, for any inputs: 256 · the sum of products for `i8`
+    /// activations, which lie in ±127; the sum for `i16` ones.
+    ///
+    /// # Panics
+    /// If there is no such row or not a weight for each of its columns.
+    pub const fn worst_accumulator(&self, row: usize) -> i64 {
+        let (greatest, scale) = match self.kind {
+            Kind::W8A8 => (127, 256),
+            Kind::W8A16 | Kind::W16A16 => (32_768, 1),
+        };
+        let mut worst = self.bias[row].unsigned_abs() as i64;
+        let mut column = 0;
+        while column < self.inputs {
+            worst += self.weight(row, column).unsigned_abs() as i64 * greatest;
+            column += 1;
+        }
+        worst * scale
+    }
+
+    /// Whether every weight is one of its kind and no input can overflow an accumulator.
     const fn is_sound(&self) -> bool {
+        let (least, greatest) = self.kind.weights();
         let mut row = 0;
         while row < self.bias.len() {
-            let mut worst = self.bias[row].unsigned_abs() as i64;
+            if self.worst_accumulator(row) > i32::MAX as i64 {
+                return false;
+            }
             let mut column = 0;
             while column < self.inputs {
-                let weight = self.weight(row, column).unsigned_abs() as i64;
-                if matches!(self.kind, Kind::W8A8) && weight > 127 {
+                let weight = self.weight(row, column);
+                if weight < least as i32 || weight > greatest as i32 {
                     return false;
                 }
-                worst += weight * if matches!(self.kind, Kind::W8A8) { 127 } else { 32_768 };
                 column += 1;
-            }
-            let scale = if matches!(self.kind, Kind::W8A8) { 256 } else { 1 };
-            if worst * scale > i32::MAX as i64 {
-                return false;
             }
             row += 1;
         }

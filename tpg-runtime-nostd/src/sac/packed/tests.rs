@@ -2,6 +2,7 @@ use super::*;
 use crate::arm::{Pose, WIDOWX};
 use crate::sac::fixed::{FixedPolicy, quantise};
 use proptest::prelude::*;
+use tpg_kernels::portable;
 
 extern crate std;
 use std::vec;
@@ -186,6 +187,56 @@ fn a_million_observations_answer_the_same_packed_and_not() {
         let values = quantise(&features(&Frame::of(&ARM, &seen)));
         assert_eq!(model.preferences(&values, &mut scratch), network.preferences(&values));
         assert_eq!(packed.decide(&seen), plain.decide(&seen));
+    }
+}
+
+impl Model<'_> {
+    /// [`preferences`](Model::preferences) by the kernels in plain Rust.
+    fn portable_preferences(&self, inputs: &[i16]) -> [i32; JOINTS] {
+        let hidden = &self.hidden[..self.count];
+        let mut from = vec![0; hidden.first().unwrap_or(&self.last).inputs];
+        match hidden.first().unwrap_or(&self.last).kind.form() {
+            Form::Pairs => tpg_kernels::pair_inputs(inputs, &mut from),
+            Form::Split => tpg_kernels::split_inputs(inputs, &mut from),
+        }
+        for (index, layer) in hidden.iter().enumerate() {
+            let form = hidden.get(index + 1).unwrap_or(&self.last).kind.form();
+            let blocks = layer.blocks.chunks_exact(layer.kind.block(from.len()));
+            from = blocks.flat_map(|block| portable::hidden(layer.kind, form, block, &from)).collect();
+        }
+        let sums = portable::accumulate(self.last.kind, self.last.blocks, &from);
+        portable::rescale(self.last.kind, self.last.blocks, &from, sums)
+            .map(|preference| preference.clamp(i32::from(LAST), i32::from(i16::MAX)))
+    }
+}
+
+#[test]
+fn a_million_observations_answer_the_same_in_every_kind_and_form() {
+    let mut numbers = Numbers(8);
+    for kind in Kind::ALL {
+        let sizes = [(FEATURES, 16), (16, 12), (12, JOINTS)];
+        let layers = sizes.map(|(inputs, outputs)| Random::new(inputs, outputs, kind, &mut numbers));
+        let words = packed(&layers);
+        let model = Model::parse(&words).expect("what was packed");
+        let mut scratch = vec![0; model.scratch()];
+        for number in 0..1_000_000 {
+            let mut joint = |low: i32, high: i32| (low + (numbers.next() % (high - low + 1) as u32) as i32) as i16;
+            let pose = Pose([joint(2, 4094), joint(1025, 3071), joint(1025, 3071), joint(1025, 3071)]);
+            let target = [0; 3].map(|_: i32| numbers.below(45_000) as f32 / 100.0);
+            let inputs = quantise(&features(&Frame::at(&ARM, pose, target)));
+            let answer = model.preferences(&inputs, &mut scratch);
+            assert_eq!(answer, model.portable_preferences(&inputs), "{kind:?}, {number}: {}", tpg_kernels::form());
+            let mut values = inputs.to_vec();
+            if kind == Kind::W8A8 {
+                values.iter_mut().for_each(|value| *value = tpg_kernels::clip_to_i8(*value));
+            }
+            for (index, layer) in layers.iter().enumerate() {
+                let last = index + 1 == layers.len();
+                let high = if last { i16::MAX } else { kind.activation() };
+                values = layer.outputs(&values, if last { LAST } else { 0 }, high);
+            }
+            assert!(answer.iter().zip(&values).all(|(a, b)| *a == i32::from(*b)), "{kind:?}, {number}");
+        }
     }
 }
 

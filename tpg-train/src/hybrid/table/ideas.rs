@@ -2,6 +2,7 @@
 
 use super::ProblemInputs;
 use super::rows::{Row, Shipped};
+use crate::hybrid::graph::read_graph;
 use crate::hybrid::setting::{Detector, HandBack, Setting};
 use crate::hybrid::trial;
 use crate::targets::{Set, Start, tasks};
@@ -46,6 +47,15 @@ pub fn measure(start: Start, inputs: &ProblemInputs) -> Result<Vec<Row>, InputEr
     ];
     for (name, setting) in settings {
         rows.push(Row::of_hybrids(&name, &[trial::run(file, graph, &shipped.actor, &setting, start, &tasks)?]));
+    }
+    if let Some(path) = &inputs.priced {
+        let (file, priced) = (path.display().to_string(), read_graph(path)?);
+        let together = trial::run(&file, &priced, &shipped.actor, &shipped.setting, start, &tasks)?;
+        rows.push(Row::of(
+            "a graph with the hand-over priced in, alone",
+            &[trial::graph_alone(&file, &priced, start, &tasks)?],
+        ));
+        rows.push(Row::of_hybrids("the same in the shipped setting", &[together]));
     }
     Ok(rows)
 }

@@ -66,12 +66,14 @@ pub struct ProblemInputs {
     pub tpg: Vec<PathBuf>,
     /// Actors of several seeds.
     pub sac: Vec<PathBuf>,
+    /// A graph that was evolved with the hand-over priced in, if there is one.
+    pub priced: Option<PathBuf>,
 }
 
 impl ProblemInputs {
     fn beside(mut self, folder: &Path) -> Self {
         self.shipped = folder.join(self.shipped);
-        self.tpg.iter_mut().chain(&mut self.sac).for_each(|path| *path = folder.join(&*path));
+        self.tpg.iter_mut().chain(&mut self.sac).chain(&mut self.priced).for_each(|path| *path = folder.join(&*path));
         self
     }
 }

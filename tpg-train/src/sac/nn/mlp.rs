@@ -21,7 +21,7 @@ pub struct Shape {
 }
 
 /// Where one layer's parameters lie in the flat vector.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 struct Layer {
     inputs: usize,
     outputs: usize,
@@ -43,11 +43,11 @@ impl Layer {
 }
 
 impl Shape {
-    fn layers(&self) -> impl DoubleEndedIterator<Item = Layer> + ExactSizeIterator {
+    fn layers(&self) -> Vec<Layer> {
         let mut at = 0;
         let mut inputs = self.inputs;
         let sizes = self.hidden.iter().chain([&self.outputs]).enumerate();
-        let layers: Vec<Layer> = sizes
+        sizes
             .map(|(index, &outputs)| {
                 let (weight, bias) = (at, at + inputs * outputs);
                 at = bias + outputs;
@@ -57,8 +57,7 @@ impl Shape {
                 inputs = outputs;
                 layer
             })
-            .collect();
-        layers.into_iter()
+            .collect()
     }
 
     /// How many parameters a network of this shape has.
@@ -68,7 +67,7 @@ impl Shape {
 
     /// How many multiplications of a weight one sample costs.
     pub fn multiplications(&self) -> usize {
-        self.layers().map(|layer| layer.inputs * layer.outputs).sum()
+        self.layers().iter().map(|layer| layer.inputs * layer.outputs).sum()
     }
 }
 
@@ -77,6 +76,7 @@ impl Shape {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mlp<T> {
     shape: Shape,
+    layers: Vec<Layer>,
     parameters: Vec<T>,
 }
 
@@ -136,7 +136,8 @@ impl<T: Real> Mlp<T> {
     /// Weights and biases uniform in ±1/√inputs, as PyTorch's `Linear` draws them; gains 1, shifts 0.
     pub fn random(shape: Shape, random: &mut Stream) -> Self {
         let mut parameters = vec![T::zero(); shape.parameters()];
-        for layer in shape.layers() {
+        let layers = shape.layers();
+        for layer in &layers {
             let bound = 1.0 / (layer.inputs as f64).sqrt();
             for parameter in &mut parameters[layer.weight..layer.bias + layer.outputs] {
                 *parameter = T::of((2.0 * random.unit() - 1.0) * bound);
@@ -145,12 +146,12 @@ impl<T: Real> Mlp<T> {
                 parameters[gain..][..layer.outputs].fill(T::one());
             }
         }
-        Self { shape, parameters }
+        Self { shape, layers, parameters }
     }
 
     /// A network of given parameters; `None` if their number is not the shape's.
     pub fn from_parameters(shape: Shape, parameters: Vec<T>) -> Option<Self> {
-        (parameters.len() == shape.parameters()).then_some(Self { shape, parameters })
+        (parameters.len() == shape.parameters()).then(|| Self { layers: shape.layers(), shape, parameters })
     }
 
     /// The sizes.
@@ -170,18 +171,18 @@ impl<T: Real> Mlp<T> {
 
     /// Weights (row-major, outputs × inputs) and bias of each layer, first to last.
     pub fn weights(&self) -> Vec<(Vec<T>, Vec<T>)> {
-        let row_major = |layer: Layer| {
+        let row_major = |layer: &Layer| {
             let weights = &self.parameters[layer.weight..][..layer.inputs * layer.outputs];
             let rows = 0..layer.outputs;
-            let row = |o: usize| (0..layer.inputs).map(move |i| weights[i * layer.outputs + o]);
+            let row = |o: usize| weights.iter().skip(o).step_by(layer.outputs).copied();
             (rows.flat_map(row).collect(), layer.bias(&self.parameters).to_vec())
         };
-        self.shape.layers().map(row_major).collect()
+        self.layers.iter().map(row_major).collect()
     }
 
     /// Gain and shift of the LayerNorm behind a hidden layer.
     pub fn norm(&self, layer: usize) -> Option<(&[T], &[T])> {
-        let Layer { norm, outputs, .. } = self.shape.layers().nth(layer)?;
+        let &Layer { norm, outputs, .. } = self.layers.get(layer)?;
         Some(self.parameters[norm?..][..2 * outputs].split_at(outputs))
     }
 
@@ -205,7 +206,7 @@ impl<T: Real> Mlp<T> {
     pub fn forward(&self, tape: &mut Tape<T>) {
         let last = self.shape.hidden.len();
         let scratch = &mut tape.scratch;
-        for (index, layer) in self.shape.layers().enumerate() {
+        for (index, layer) in self.layers.iter().enumerate() {
             let (before, after) = tape.inputs.split_at_mut(index + 1);
             let input = Factor::new(&before[index], layer.inputs, tape.batch);
             let (weight, bias) = (layer.weight(&self.parameters), layer.bias(&self.parameters));
@@ -240,7 +241,7 @@ impl<T: Real> Mlp<T> {
         let [current, next] = &mut tape.gradient;
         current[..by_output.len()].copy_from_slice(by_output);
         let (batch, scratch) = (tape.batch, &mut tape.scratch);
-        for (index, layer) in self.shape.layers().enumerate().rev() {
+        for (index, layer) in self.layers.iter().enumerate().rev() {
             let gradient = &mut current[..layer.outputs * batch];
             if index < self.shape.hidden.len() {
                 let passed = if let Some(gain) = layer.norm {
@@ -266,7 +267,7 @@ impl<T: Real> Mlp<T> {
                 std::mem::swap(current, next);
             }
         }
-        if let (Some(by_input), Some(first)) = (by_input, self.shape.layers().next()) {
+        if let (Some(by_input), Some(first)) = (by_input, self.layers.first()) {
             let rows = by_input.len() / batch;
             let weights = &self.parameters[..first.bias][(first.inputs - rows) * first.outputs..];
             let weight = Factor::new(weights, first.outputs, rows).transposed();

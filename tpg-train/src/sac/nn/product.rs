@@ -290,17 +290,28 @@ fn by_columns<T: Real, S: Simd>(simd: S, out: &mut [T], a: &[T], b: &[T], finish
     first = rows_of_vectors::<T, S, 8>(simd, out, a, b, finish, first, 8 * lanes);
     first = rows_of_vectors::<T, S, 2>(simd, out, a, b, finish, first, 2 * lanes);
     let rows = out.len();
-    if first < rows {
-        let rest = &mut out[first..];
-        rest.fill(T::zero());
-        for (column, &factor) in a.chunks_exact(rows).zip(b) {
-            for (sum, &value) in rest.iter_mut().zip(&column[first..]) {
-                *sum += value * factor;
-            }
+    while rows - first >= 4 {
+        few_rows::<T, 4>(out, a, b, finish, first);
+        first += 4;
+    }
+    while first < rows {
+        few_rows::<T, 1>(out, a, b, finish, first);
+        first += 1;
+    }
+}
+
+/// `N` rows from `first` on.
+#[inline(always)]
+fn few_rows<T: Real, const N: usize>(out: &mut [T], a: &[T], b: &[T], finish: Finish<'_, T>, first: usize) {
+    let mut sums = [T::zero(); N];
+    for (column, &factor) in a.chunks_exact(out.len()).zip(b) {
+        let values = &column[first..first + N];
+        for i in 0..N {
+            sums[i] += values[i] * factor;
         }
-        for (row, sum) in rest.iter_mut().enumerate() {
-            *sum = finish.scalar(first + row, *sum);
-        }
+    }
+    for (i, sum) in sums.into_iter().enumerate() {
+        out[first + i] = finish.scalar(first + i, sum);
     }
 }
 

@@ -1,0 +1,116 @@
+//! An actor in integers beside the same in floating point: what `tpg-train quantise --report` writes.
+
+use super::config::Actor;
+use super::fixed::FixedActor;
+use super::lanes::ARM;
+use super::nn::Mlp;
+use super::policy::ActorPolicy;
+use crate::targets::{Set, Start, tasks};
+use crate::trial::{self, Trial};
+use serde::Serialize;
+use std::cell::Cell;
+use std::fmt;
+use tpg_codegen::error::InputError;
+use tpg_codegen::policy::QuantisedPolicy;
+use tpg_runtime::arm::{JOINTS, Move, WIDOWX};
+use tpg_runtime::observation::Observation;
+use tpg_runtime::policy::Policy;
+
+/// Episodes of each start: validation tasks, which neither training nor tests see.
+const EPISODES: usize = 1000;
+const SEED: u64 = 1_000;
+
+/// Size, cost and quality.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Comparison {
+    /// How many bits weights and activations have.
+    pub kind: String,
+    /// Of its constants.
+    pub bytes: usize,
+    /// Multiplications of a weight that one decision costs.
+    pub multiplications: usize,
+    /// On each start.
+    pub starts: Vec<OnStart>,
+}
+
+/// What came of the episodes of one start.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct OnStart {
+    /// Observations on the way of the policy in floating point.
+    pub observations: u64,
+    /// The fraction of them for which both make the same move of all motors.
+    pub same_move: f64,
+    /// The fraction of them, motor by motor, where the motor does the same.
+    pub same_motor: f64,
+    /// In floating point.
+    pub float: Trial,
+    /// In integers.
+    pub fixed: Trial,
+}
+
+/// A policy that another one watches.
+struct Watched<'a> {
+    float: &'a ActorPolicy<'a>,
+    fixed: &'a FixedActor,
+    /// Observations, same moves, same motors.
+    counts: Cell<[u64; 3]>,
+}
+
+impl Policy for Watched<'_> {
+    type State = Observation<f32>;
+    type Action = Move;
+
+    fn decide(&self, seen: &Observation<f32>) -> Move {
+        let (chosen, other) = (self.float.decide(seen), self.fixed.decide(seen));
+        let motors = chosen.0.iter().zip(&other.0).filter(|(chosen, other)| chosen == other).count() as u64;
+        let [observations, moves, same] = self.counts.get();
+        self.counts.set([observations + 1, moves + u64::from(chosen == other), same + motors]);
+        chosen
+    }
+}
+
+impl Comparison {
+    /// Of an actor and its integers.
+    ///
+    /// # Errors
+    /// As [`FixedActor::new`].
+    pub fn new(network: &Mlp<f32>, actor: &Actor, policy: &QuantisedPolicy) -> Result<Self, InputError> {
+        let (float, fixed) = (ActorPolicy::new(network, actor), FixedActor::new(policy.clone())?);
+        let starts = [Start::Fs, Start::Rs].map(|start| {
+            let tasks = tasks(&WIDOWX, SEED, Set::Validation, start, EPISODES);
+            let watched = Watched { float: &float, fixed: &fixed, counts: Cell::default() };
+            let by_float = trial::run(&ARM, &watched, start, &tasks);
+            let [observations, moves, motors] = watched.counts.get();
+            OnStart {
+                observations,
+                same_move: moves as f64 / observations as f64,
+                same_motor: motors as f64 / (observations * JOINTS as u64) as f64,
+                float: by_float,
+                fixed: trial::run(&ARM, &fixed, start, &tasks),
+            }
+        });
+        Ok(Self {
+            kind: policy.kind.clone(),
+            bytes: policy.bytes(),
+            multiplications: policy.multiplications(),
+            starts: starts.into(),
+        })
+    }
+}
+
+impl fmt::Display for Comparison {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let percent = |fraction: f64| 100.0 * fraction;
+        let lines = self.starts.iter().map(|on| {
+            format!(
+                "{:?}: success {:.1} % in floating point, {:.1} % in integers; the same move {:.1} %, motor {:.1} %",
+                on.float.problem,
+                percent(on.float.success_rate),
+                percent(on.fixed.success_rate),
+                percent(on.same_move),
+                percent(on.same_motor)
+            )
+        });
+        f.write_str(&lines.collect::<Vec<_>>().join("\n"))
+    }
+}
