@@ -134,7 +134,7 @@ impl<S: ArmScalar> WithSimd for Usual<'_, S> {
 
 /// Each loop has a body without branches and reads single values of arrays: then it becomes vectors.
 #[inline(always)]
-#[expect(
+#[allow(
     clippy::needless_range_loop,
     reason = "several arrays at the same place, and copies of arrays would stay copies"
 )]
