@@ -88,7 +88,7 @@ impl<'e, S: ArmScalar> ArmLanes<'e, S> {
         let tolerance = self.environment.tolerance * S::from_i32(i32::from(episode.roughness));
         // Wide enough for every rounding. An arm that collides where it stands is never usual.
         let far = tolerance * tolerance * S::from_f64(1.01);
-        group.far[lane] = if episode.collides { S::ZERO / S::ZERO } else { far };
+        group.far[lane] = if episode.collides { S::from_f64(f64::NAN) } else { far };
         group.roughness[lane] = i32::from(episode.roughness as i8);
         group.left[lane] = self.environment.problem.max_actions as i32 - 1 - episode.actions as i32;
     }
@@ -288,7 +288,7 @@ impl<S: ArmScalar> Episodes<S, ArmTask> for ArmLanes<'_, S> {
             to.roughness[lane] = from.roughness[last];
             to.left[lane] = from.left[last];
         }
-        if last % BLOCK == 0 {
+        if last.is_multiple_of(BLOCK) {
             self.groups.truncate(last / BLOCK);
             self.keys.truncate(last / BLOCK);
         }
