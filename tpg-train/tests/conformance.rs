@@ -130,6 +130,16 @@ fn traced_policies_through_the_interpreter() {
 }
 
 #[test]
+fn final_policies_through_the_trainers_engine() {
+    replay_final("final_policies_through_the_trainers_engine", EngineArg::Trainer);
+}
+
+#[test]
+fn traced_policies_through_the_trainers_engine() {
+    replay_traced("traced_policies_through_the_trainers_engine", EngineArg::Trainer);
+}
+
+#[test]
 fn final_policies_through_generated_c() {
     replay_final("final_policies_through_generated_c", EngineArg::C);
 }

@@ -19,7 +19,7 @@ use tpg_runtime::arm::{Arm, Move, Pose, WIDOWX};
 use tpg_runtime::cycle::Brent;
 use tpg_runtime::episode::{Episode, Problem};
 use tpg_runtime::frame::{Clearance, Frame};
-use tpg_runtime::observation::{Observation, Source, TargetMemo};
+use tpg_runtime::observation::{Observation, Source, Straight, TargetMemo};
 use tpg_runtime::policy::{ActionId, Policy};
 use tpg_runtime::sac::packed::Model;
 use tpg_runtime::sac::{FEATURES, features, fixed};
@@ -95,6 +95,23 @@ fn profiles<A, B, C, const N: usize>(
     for (tally, name) in tallies.iter().zip(names) {
         tally.tell(name);
     }
+}
+
+/// The classical yardstick: straight to the target's stance.
+fn straight(counter: &mut Counter, name: &str, problems: &[Problem<f32>]) {
+    let policy = Straight::new(&ARM);
+    let mut tally = Tally::default();
+    for &problem in problems.iter().take(PARTS) {
+        let mut episode = Episode::new(&ARM, problem, Brent::new());
+        loop {
+            let (wanted, instructions) = counter.measure(|| policy.decide(black_box(episode.observation())));
+            tally.add(instructions);
+            if episode.advance(wanted).is_some() {
+                break;
+            }
+        }
+    }
+    tally.tell(name);
 }
 
 /// A stream of numbers without a pattern.
@@ -218,6 +235,8 @@ fn main() -> ! {
         &rs_fast_rust::RsFastRust::MOVES,
         &RS_PROBLEMS,
     );
+    straight(&mut counter, "fs straight", &FS_PROBLEMS);
+    straight(&mut counter, "rs straight", &RS_PROBLEMS);
     parts(&mut counter, &RS_PROBLEMS);
     let Some(scratch) = singleton!(: [u32; 512] = [0; 512]) else { platform::exit(false) };
     network(&mut counter, "layers shipped (i8, i16 activations)", &widowx_sac::MODEL, scratch);

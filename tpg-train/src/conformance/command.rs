@@ -8,6 +8,7 @@ use super::episode::Rules;
 use super::replay::{self, Comparison, Done};
 use super::sac;
 use crate::cli::{CliError, Verdict};
+use crate::engine::single;
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 use std::io::{self, Write};
@@ -99,6 +100,8 @@ impl Problem {
 pub enum EngineArg {
     /// The interpreter of tpg-codegen.
     Interpreter,
+    /// The trainer's own engine, one state at a time.
+    Trainer,
     /// Generated C, compiled with the host's C compiler.
     C,
     /// Generated Rust, compiled with rustc.
@@ -116,6 +119,7 @@ impl EngineArg {
         let workshop = || Workshop::new().map_err(CliError::other);
         Ok(match self {
             Self::Interpreter => Box::new(Reference::new(graph)),
+            Self::Trainer => single(graph),
             Self::C => Box::new(workshop()?.c(graph, &options).map_err(CliError::other)?),
             Self::Rust => Box::new(workshop()?.rust(graph, &options).map_err(CliError::other)?),
         })

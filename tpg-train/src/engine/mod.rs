@@ -25,4 +25,4 @@ pub use lanes::{Lanes, Options};
 pub use nodes::{Arena, Node, NodeId, effective};
 pub use plan::Plan;
 pub use policy::{Destination, Edge, Line, Operand, Policy, bounded};
-pub use single::Single;
+pub use single::{Single, single};

@@ -2,8 +2,14 @@
 
 use super::columns::Columns;
 use super::decide::Decider;
+use super::lanes::Options;
 use super::plan::Plan;
+use super::policy::Policy;
 use std::cell::RefCell;
+use std::io;
+use tpg_codegen::engine::Engine;
+use tpg_codegen::graph::Graph;
+use tpg_codegen::in_arithmetic_of;
 use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
@@ -41,11 +47,32 @@ impl<S: Scalar, M: Maths<S>> Single<S, M> {
     }
 }
 
+impl<S: Scalar, M: Maths<S>> Engine for Single<S, M> {
+    fn name(&self) -> &str {
+        "trainer"
+    }
+
+    fn decide(&mut self, states: &[f64], actions: &mut Vec<ActionId>) -> io::Result<()> {
+        for state in states.chunks_exact(self.plan.state_length()) {
+            let state: Vec<S> = state.iter().map(|&value| S::from_f64(value)).collect();
+            actions.push(Single::decide(self, &state));
+        }
+        Ok(())
+    }
+}
+
+/// A graph in its own arithmetic, as anything that decides like it.
+pub fn single(graph: &Graph) -> Box<dyn Engine> {
+    fn of<S: Scalar, M: Maths<S> + 'static>(graph: &Graph) -> Box<dyn Engine> {
+        let plan = Plan::new::<M>(&Policy::from(graph), &graph.to_document().sources, Options::default());
+        Box::new(Single::<S, M>::new(plan))
+    }
+    in_arithmetic_of!(graph, of(graph))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::engine::{Options, Policy};
-    use tpg_codegen::graph::Graph;
     use tpg_codegen::{interpret, states};
     use tpg_runtime::ops::Own;
 

@@ -105,6 +105,9 @@ pub fn graph_bytes(graph: &Graph) -> Option<[usize; 2]> {
     Some([of(Profile::Fast)?, of(Profile::Small)?])
 }
 
+/// The name of the classical policy that fits a microcontroller.
+pub const STRAIGHT: &str = "one goal, straight (`stance`)";
+
 /// Tasks whose states are timed.
 const TIMED: usize = 100;
 /// The planner is slow: fewer.
@@ -126,7 +129,7 @@ pub fn measure(start: Start, inputs: &ProblemInputs, tasks: &[Task]) -> Result<V
     let timed = &tasks[..TIMED.min(tasks.len())];
     let straight = Straight::new(&arm);
     let time = Some(timing::of_policy(&arm, &straight, start, timed));
-    rows.push(Row { time, ..Row::of("one goal, straight (`stance`)", &[run(&arm, &straight, start, tasks)]) });
+    rows.push(Row { time, ..Row::of(STRAIGHT, &[run(&arm, &straight, start, tasks)]) });
     let classical = rows.len();
 
     let shipped = Shipped::read(&inputs.shipped)?;
