@@ -20,12 +20,14 @@ pub(crate) fn is_there() -> bool {
 /// A hidden layer, as [`crate::hidden`]; `false` where the machine has no AVX2 or blocks or columns do not come in pairs.
 #[expect(unsafe_code, reason = "a call of functions that need AVX2")]
 pub(crate) fn hidden(kind: Kind, form: Form, blocks: &[u32], inputs: &[u32], outputs: &mut [u32]) -> bool {
-    let pair = 2 * kind.block(inputs.len());
+    let block = kind.block(inputs.len());
+    // Said so that the compiler sees it too: chunks of no words would be a way to panic.
+    let Some(pair) = block.checked_mul(2).filter(|&pair| pair > 0) else { return false };
     if !is_there() || !inputs.len().is_multiple_of(4) || !blocks.len().is_multiple_of(pair) {
         return false;
     }
     for (blocks, outputs) in blocks.chunks_exact(pair).zip(outputs.as_chunks_mut::<4>().0) {
-        let (upper, lower) = blocks.split_at(pair / 2);
+        let Some((upper, lower)) = blocks.split_at_checked(block) else { continue };
         // SAFETY: AVX2 was found.
         *outputs = unsafe { two_blocks(kind, form, [upper, lower], inputs) };
     }
