@@ -218,7 +218,7 @@ fn restarts_keep_the_best_and_go_on_where_they_stopped() {
     let place = tempfile::tempdir().expect("a temporary folder");
     let config = place.path().join("config.toml");
     let mut short = small_config();
-    (short.learning.nb_generations, short.selection.validation_interval) = (6, 2);
+    (short.learning.nb_generations, short.selection.validation_interval, short.curriculum.generations) = (6, 2, 3);
     fs::write(&config, short.to_toml()).expect("it can be written");
     let (all, stopped) = (place.path().join("all"), place.path().join("stopped"));
     assert!(train(&all, &config, &["--seeds", "1..4"]).status().expect("it runs").success());
