@@ -10,7 +10,7 @@
 //! | [`record`] | how an episode is written down, here and in the firmware |
 //! | [`costs`] | instructions beside `costs.toml` |
 //! | [`symbols`] | what must not be in an image |
-//! | [`worst`], [`facts`] | the static worst case of a decision, and what it rests on |
+//! | [`mod@worst`], [`facts`] | the static worst case of a decision, and what it rests on |
 //! | [`lint`] | linters on the C that is not generated |
 //! | [`size`] | flash and RAM beside `sizes.toml` |
 
