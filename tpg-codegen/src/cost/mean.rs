@@ -1,12 +1,13 @@
 //! What decisions cost on average: the generated code's steps, counted state by state.
 
 use super::{Cost, Costs, Guard, Step, Work};
-use crate::graph::{Graph, MathsProvider, ScalarType};
+use crate::graph::{Graph, ScalarType};
+use crate::in_arithmetic_of;
 use crate::ir::{Node, Target};
 use crate::passes::arithmetic::Arithmetic;
 use crate::passes::estimate;
 use crate::passes::schedule::Sparing;
-use tpg_runtime::ops::{Maths, Own, System};
+use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
 
@@ -22,12 +23,7 @@ impl Costs {
     /// The mean, and the action of every state, by which tests know that the right steps were counted.
     pub(super) fn count(&self, graph: &Graph, states: &[f64]) -> (Cost<f64>, Vec<ActionId>) {
         assert_eq!(states.len() % graph.state_length(), 0, "whole states");
-        match (graph.scalar(), graph.maths()) {
-            (ScalarType::F32, MathsProvider::Own) => self.count_in::<f32, Own>(graph, states),
-            (ScalarType::F32, MathsProvider::System) => self.count_in::<f32, System>(graph, states),
-            (ScalarType::F64, MathsProvider::Own) => self.count_in::<f64, Own>(graph, states),
-            (ScalarType::F64, MathsProvider::System) => self.count_in::<f64, System>(graph, states),
-        }
+        in_arithmetic_of!(graph, self.count_in(graph, states))
     }
 
     fn count_in<S: Scalar, M: Maths<S>>(&self, graph: &Graph, states: &[f64]) -> (Cost<f64>, Vec<ActionId>) {
