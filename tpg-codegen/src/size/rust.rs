@@ -35,8 +35,7 @@ impl RustForCortexM4 {
         }
         let library = ["--crate-type=rlib", "--crate-name=libm", "libm.rs"];
         compile(folder.path(), level, &library)?;
-        let runtime =
-            ["--crate-type=rlib", "--crate-name=tpg_runtime", "--extern=libm=liblibm.rlib", "runtime/lib.rs"];
+        let runtime = ["--crate-type=rlib", "--crate-name=tpg_runtime", "--extern=libm=liblibm.rlib", "runtime/lib.rs"];
         compile(folder.path(), level, &runtime)?;
         Ok(Self { folder })
     }

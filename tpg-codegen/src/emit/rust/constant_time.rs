@@ -71,7 +71,9 @@ fn key_value(printer: &Printer<'_>, bid: NodeId) -> String {
     let value = printer.value(bid);
     match (printer.nodes[bid.index()].as_constant(), printer.graph.scalar()) {
         (None, _) => format!("ct.key({value});"),
-        (Some(bid), ScalarType::F32) => format!("{}_i32; // {value}", ct::ConstantTime::<f32>::default().key(bid as f32)),
+        (Some(bid), ScalarType::F32) => {
+            format!("{}_i32; // {value}", ct::ConstantTime::<f32>::default().key(bid as f32))
+        }
         (Some(bid), ScalarType::F64) => format!("{}_i64; // {value}", ct::ConstantTime::<f64>::default().key(bid)),
     }
 }
