@@ -103,8 +103,7 @@ impl Ratios {
     /// `None` without a row that has both.
     fn of(rows: &[&Row], yardstick: Variant, variant: Variant) -> Option<Self> {
         let (top, bottom) = (column(yardstick), column(variant));
-        let ratios: Vec<f64> =
-            rows.iter().filter_map(|row| Some(row.numbers[top]? / row.numbers[bottom]?)).collect();
+        let ratios: Vec<f64> = rows.iter().filter_map(|row| Some(row.numbers[top]? / row.numbers[bottom]?)).collect();
         let mean = (ratios.iter().map(|ratio| ratio.ln()).sum::<f64>() / ratios.len() as f64).exp();
         let least = ratios.iter().copied().reduce(f64::min)?;
         let most = ratios.iter().copied().reduce(f64::max)?;

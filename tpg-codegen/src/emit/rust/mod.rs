@@ -61,7 +61,7 @@ pub(super) fn emit(graph: &Graph, options: &Options) -> Vec<File> {
     let printer = Printer { graph, nodes: &module.nodes, short_cuts: false, branch_free: false };
     let (title, parts, costs) = match options.profile_in(Language::Rust) {
         Profile::Fast => {
-            let schedule = schedule::schedule(graph, module);
+            let schedule = schedule::schedule(graph, module, options.recorded());
             let printer = Printer { graph, nodes: &schedule.nodes, short_cuts: true, ..printer };
             let costs = Costs::scheduled(module.clone(), &schedule, Language::Rust);
             ("expensive bids are computed only where they can win", fast::render(&printer, module, &schedule), costs)
