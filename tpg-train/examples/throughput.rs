@@ -1,14 +1,15 @@
 //! Environment steps per CPU-second, and what each idea of the engine is worth.
 //!
-//! `cargo run --release -p tpg-train --example throughput -- [--quick] [--once] [RUN|GRAPH]...`
+//! `cargo run --release -p tpg-train --example throughput -- [--quick] [--once] [--fs] [RUN|GRAPH]...`
 //!
 //! Without arguments: generation 0 of the paper's problem. A run's folder: the generation after its checkpoint, exactly as
-//! training would evaluate it. A graph: 1,000 episodes of the problem that its arm's sources ask for, random start. Times
-//! are CPU times of this process (Linux), and the least of three passes; `--once` makes one, `--quick` measures the first
-//! row only.
+//! training would evaluate it. A graph (`graph.json`, or a `.dot` of the paper's artifact): 1,000 episodes, random start,
+//! or fixed start after `--fs`. Times are CPU times of this process (Linux), and the least of three passes; `--once` makes
+//! one, `--quick` measures the first row only.
 
 use std::path::Path;
 use tpg_codegen::graph::{Graph, MathsProvider, ScalarType};
+use tpg_codegen::import::{self, Profile};
 use tpg_runtime::arm::WIDOWX;
 use tpg_runtime::ops::{Maths, Own, System};
 use tpg_train::engine::{Environment, Evaluator, LocalThreads, Options, Policy, UnitKey, Work, WorkUnit};
@@ -34,6 +35,7 @@ struct Extent {
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (flags, names): (Vec<String>, Vec<String>) = std::env::args().skip(1).partition(|name| name.starts_with("--"));
     let given = |name: &str| flags.iter().any(|flag| flag == name);
+    let start = if given("--fs") { Start::Fs } else { Start::Rs };
     let extent =
         Extent { rows: if given("--quick") { 1 } else { usize::MAX }, passes: if given("--once") { 1 } else { 3 } };
     if names.is_empty() {
@@ -49,12 +51,14 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                 ScalarType::F64 => return Err("only runs in f32".into()),
             }
         } else {
-            let graph = Graph::from_json(name, &std::fs::read_to_string(name)?)?;
+            let path = Path::new(name);
+            let profile = path.extension().is_some_and(|extension| extension == "dot").then_some(Profile::Ecta24);
+            let graph = import::load(path, profile, None)?;
             match (graph.scalar(), graph.maths()) {
-                (ScalarType::F32, MathsProvider::Own) => one::<f32, Own>(name, &graph, extent)?,
-                (ScalarType::F32, MathsProvider::System) => one::<f32, System>(name, &graph, extent)?,
-                (ScalarType::F64, MathsProvider::Own) => one::<f64, Own>(name, &graph, extent)?,
-                (ScalarType::F64, MathsProvider::System) => one::<f64, System>(name, &graph, extent)?,
+                (ScalarType::F32, MathsProvider::Own) => one::<f32, Own>(name, &graph, start, extent)?,
+                (ScalarType::F32, MathsProvider::System) => one::<f32, System>(name, &graph, start, extent)?,
+                (ScalarType::F64, MathsProvider::Own) => one::<f64, Own>(name, &graph, start, extent)?,
+                (ScalarType::F64, MathsProvider::System) => one::<f64, System>(name, &graph, start, extent)?,
             }
         }
     }
@@ -92,10 +96,15 @@ fn population(
 }
 
 /// A graph on a thousand episodes.
-fn one<S: ArmScalar, M: Maths<S>>(name: &str, graph: &Graph, extent: Extent) -> Result<(), Box<dyn std::error::Error>> {
-    let problem = ArmProblem::new(Start::Rs, Vec::new());
+fn one<S: ArmScalar, M: Maths<S>>(
+    name: &str,
+    graph: &Graph,
+    start: Start,
+    extent: Extent,
+) -> Result<(), Box<dyn std::error::Error>> {
+    let problem = ArmProblem::new(start, Vec::new());
     let environment = ArmEnvironment::<S>::for_graph(name, graph, &WIDOWX, problem)?;
-    let tasks = tasks(&WIDOWX, 3, Set::Training, Start::Rs, 1000).into_iter().map(ArmTask::from).collect();
+    let tasks = tasks(&WIDOWX, 3, Set::Training, start, 1000).into_iter().map(ArmTask::from).collect();
     let unit = WorkUnit { key: UnitKey { seed: 0, generation: 0, root: 0 }, policy: Policy::from(graph) };
     table::<S, M>(name, &environment, &Work { tasks, units: vec![unit] }, extent)
 }

@@ -3,7 +3,9 @@
 //! Every value comes from the runtime's own functions on the same arguments, so it has the same bits as an observation
 //! made from scratch; a test walks both side by side.
 
+mod group;
 mod lanes;
+mod usual;
 
 use crate::engine::{Ending, Environment, Episodes, OneByOne, SourceSet};
 use crate::random::Stream;

@@ -206,6 +206,9 @@ pub struct LearningParameters {
     pub max_nb_actions_per_eval: u32,
     /// Part of `nbRoots` that is deleted in a generation.
     pub ratio_deleted_roots: f64,
+    /// Whether a first population larger than `nbRoots` is cut to the survivors of `nbRoots` at once. In GEGELATI it only
+    /// loses as many roots as any other, and has children when fewer than `nbRoots` are left.
+    pub cut_first_population: bool,
     /// Generations.
     pub nb_generations: u64,
     /// After this many episodes a root's score is final.
@@ -384,10 +387,16 @@ impl Config {
         self.language.instructions.iter().filter_map(|name| Instruction::from_name(name)).collect()
     }
 
-    /// Roots that survive a generation, at least 1.
-    pub fn survivors(&self) -> usize {
+    /// Roots that survive a generation that begins with that many, at least 1.
+    pub fn survivors_of(&self, roots: usize) -> usize {
         let deleted = (self.learning.ratio_deleted_roots * self.tpg.nb_roots as f64).floor() as usize;
-        self.tpg.nb_roots.saturating_sub(deleted).max(1)
+        let roots = if self.learning.cut_first_population { roots.min(self.tpg.nb_roots) } else { roots };
+        roots.saturating_sub(deleted).max(1)
+    }
+
+    /// Roots that survive a generation of `nbRoots`.
+    pub fn survivors(&self) -> usize {
+        self.survivors_of(self.tpg.nb_roots)
     }
 
     fn check(&self, error: &dyn Fn(&str, String, String) -> InputError) -> Result<(), InputError> {

@@ -224,10 +224,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>, V: Evaluator<E::Task>> Evolu
         for deme in 0..state.demes.len() {
             let of_deme: Vec<&Evaluated> = evaluated.iter().filter(|root| root.deme == deme).collect();
             let candidates = candidates(state, evaluated, scores, Some(deme));
-            let deleted = (self.config.learning.ratio_deleted_roots * self.config.tpg.nb_roots as f64).floor() as usize;
-            // The first population may be larger than all later ones: it is cut to the same survivors.
-            let extra = candidates.len().saturating_sub(self.config.tpg.nb_roots);
-            let count = candidates.len().saturating_sub(deleted + extra).max(1);
+            let count = self.config.survivors_of(candidates.len());
             let index = (deme as u64) << 40;
             let mut stream = Stream::new(state.seed, state.generation, Purpose::Lexicase, index);
             let kept: BTreeSet<TeamId> = survivors(&candidates, count, &self.config.selection, &mut stream)
@@ -267,11 +264,17 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>, V: Evaluator<E::Task>> Evolu
         }
     }
 
-    /// Evaluates the survivors on the selection set; success and error of the best there.
+    /// Evaluates the best survivors on the selection set; success and error of the best there.
+    ///
+    /// At most as many as survive a generation of `nbRoots`: a shrinking first population is larger.
     fn validate(&self, state: &mut State<E::Task>) -> Result<(f64, f64), EvaluationError> {
         let mut units = Vec::new();
         for (deme, population) in state.demes.iter().enumerate() {
-            for &team in population.records.keys() {
+            let mut means: Vec<f64> = population.records.values().map(|record| record.mean).collect();
+            means.sort_by(|a, b| b.total_cmp(a));
+            let least = means.get(self.config.survivors() - 1).copied().unwrap_or(f64::NEG_INFINITY);
+            let of_the_best = population.records.iter().filter(|(_, record)| record.mean >= least);
+            for (&team, _) in of_the_best {
                 let key = UnitKey { seed: state.seed, generation: state.generation, root: root_number(deme, team) };
                 units.push(WorkUnit { key, policy: population.genome.policy(team, &self.vocabulary) });
             }

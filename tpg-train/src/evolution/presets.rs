@@ -102,4 +102,19 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn a_large_first_population_shrinks_as_in_gegelati_or_at_once() {
+        let config = |name: &str| super::Preset::find(name).expect("it is there").config().expect("it is accepted");
+        let at_once = config("paper-fs");
+        assert_eq!(at_once.survivors(), 8, "352 of 360 are deleted");
+        assert_eq!(at_once.survivors_of(at_once.tpg.init_nb_roots), 8);
+        let mut gegelati = at_once;
+        gegelati.learning.cut_first_population = false;
+        let sizes: Vec<usize> = std::iter::successors(Some(gegelati.tpg.init_nb_roots), |&roots| {
+            (roots > gegelati.tpg.nb_roots).then(|| gegelati.survivors_of(roots))
+        })
+        .collect();
+        assert_eq!((sizes.len() - 1, sizes[1], sizes[sizes.len() - 1]), (20, 6848, 160), "352 of them a generation");
+    }
 }

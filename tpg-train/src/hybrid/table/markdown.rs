@@ -2,6 +2,7 @@
 
 use super::compiled::Costs;
 use super::cortex_m4::{Count, Counts};
+use super::learned::LearnedRow;
 use super::paper::{self, Measured};
 use super::rows::{Row, STRAIGHT};
 use super::timing::Time;
@@ -21,6 +22,8 @@ pub struct Problem {
     pub costs: Costs,
     /// Ideas, on validation episodes.
     pub ideas: Vec<Row>,
+    /// Policies of other learning problems.
+    pub learned: Vec<LearnedRow>,
     /// The paper's policies, where they are at hand.
     pub paper: Option<Vec<Measured>>,
 }
@@ -80,6 +83,12 @@ pub fn page(problems: &[Problem], counts: &Counts) -> String {
         text += &ideas(&problem.ideas);
     }
     text += FAILED;
+    text += "\n## What was taught\n\n";
+    text += TAUGHT;
+    for problem in problems {
+        text += &format!("\n{}:\n\n", capital(problem.name()));
+        text += &learned(&problem.learned);
+    }
     text += "\n## The paper\n\n";
     text += PAPER;
     for problem in problems {
@@ -307,6 +316,34 @@ fn of_paper(rows: &[Measured]) -> String {
     text
 }
 
+fn learned(rows: &[LearnedRow]) -> String {
+    let mut text = header(&[
+        "policy (trainings)",
+        "success %",
+        "collision %",
+        "distance mm",
+        "actions",
+        "success %, paper's targets",
+        "distance mm, paper's targets",
+    ]);
+    for LearnedRow { test, paper } in rows {
+        let many = test.policies > 1;
+        let of_paper = |of: fn(&Row) -> Spread, factor: f64| {
+            paper.as_ref().map_or("–".to_owned(), |row| number(of(row), factor, 1, many))
+        };
+        text += &line(&[
+            format!("{} ({})", test.name, test.policies),
+            number(test.success, 100.0, 1, many),
+            number(test.collision, 100.0, 1, many),
+            number(test.distance, 1.0, 1, many),
+            number(test.actions, 1.0, 0, many),
+            of_paper(|row| row.success, 100.0),
+            of_paper(|row| row.distance, 1.0),
+        ]);
+    }
+    text
+}
+
 const PLANNER: &str = "**Beside the classical planner.** It solves nearly everything, and no learned policy here is better at \
 that. Its simple form, straight to the nearest goal, does as well as the network at fixed start and collides more often at \
 random start; the form that looks ahead costs many times the hybrid, a list of goal poses in memory, and a worst action far \
@@ -335,6 +372,13 @@ What did not help, or not enough:
 
 Not tried: a network trained on the states where graphs give up. These graphs fail in one or two episodes of a hundred, and the
 hybrid in none or one of a thousand.
+";
+
+const TAUGHT: &str = "Rows of several trainings are means ± standard deviations over seeds; none of them was chosen among others. *The \
+paper's targets* are 60 of the recorded ones. A policy alone, no guard; a graph under a shield and a network with a mask say \
+so. The paper's learning problem: its 13 values, its score or reward, its action set, its budget; `paper-*` differs from its \
+tools where `tpg-train/README.md` says. *Without a planner in the reward*: our 38 features, and a reward that knows \
+distances only. The planner, the memoryless inverse kinematics and the closed form learned nothing.
 ";
 
 const PAPER: &str = "As printed, and what the artifact's own files give (population standard deviation over seeds). Its rows \

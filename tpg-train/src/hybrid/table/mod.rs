@@ -7,6 +7,7 @@
 //! | [`compiled`] | the shipped policies as they are compiled |
 //! | [`mod@reference`] | the network that the paper measures against |
 //! | [`cortex_m4`] | instructions counted on the target |
+//! | [`learned`] | policies that were taught something else |
 //! | [`ideas`] | what guards, hand-overs and detectors change, on validation episodes |
 //! | [`paper`] | the paper's figures, and its own policies run by us |
 //! | [`markdown`] | the text |
@@ -14,6 +15,7 @@
 pub mod compiled;
 pub mod cortex_m4;
 pub mod ideas;
+pub mod learned;
 pub mod markdown;
 pub mod paper;
 pub mod reference;
@@ -68,12 +70,17 @@ pub struct ProblemInputs {
     pub sac: Vec<PathBuf>,
     /// A graph that was evolved with the hand-over priced in, if there is one.
     pub priced: Option<PathBuf>,
+    /// Policies of other learning problems, and ours beside them.
+    #[serde(default)]
+    pub learned: Vec<learned::Learned>,
 }
 
 impl ProblemInputs {
     fn beside(mut self, folder: &Path) -> Self {
         self.shipped = folder.join(self.shipped);
-        self.tpg.iter_mut().chain(&mut self.sac).chain(&mut self.priced).for_each(|path| *path = folder.join(&*path));
+        let learned = self.learned.iter_mut().flat_map(|learned| learned.tpg.iter_mut().chain(&mut learned.sac));
+        let paths = self.tpg.iter_mut().chain(&mut self.sac).chain(&mut self.priced).chain(learned);
+        paths.for_each(|path| *path = folder.join(&*path));
         self
     }
 }
@@ -102,6 +109,7 @@ pub fn execute(args: &Table2Args) -> Result<(), InputError> {
             rows: rows::measure(start, &inputs, &tasks)?,
             costs: compiled::measure(start, &tasks),
             ideas: ideas::measure(start, &inputs)?,
+            learned: learned::measure(start, &inputs, &tasks, &args.conformance)?,
             paper: paper::measured(start, &args.conformance, &inputs)?,
         });
     }

@@ -1,0 +1,106 @@
+//! The usual step of many arms: done by the same functions as any step, one lane beside the other.
+
+use super::group::Group;
+use super::{ArmEnvironment, ArmScalar, base_angle, look_up};
+use crate::engine::{BLOCK, Block};
+use pulp::{Simd, WithSimd};
+use tpg_runtime::arm::{JOINTS, Pose};
+use tpg_runtime::kinematics::{Angle, Direction, Directions, Plane, difference, link_angles};
+use tpg_runtime::policy::ActionId;
+
+/// The usual steps.
+pub(super) struct Usual<'a, S> {
+    pub(super) environment: &'a ArmEnvironment<S>,
+    /// What each action moves, and at last what an action moves that does not exist.
+    pub(super) moves: &'a [[i32; JOINTS]],
+    pub(super) groups: &'a mut [Group<S>],
+    pub(super) keys: &'a mut [Block<u64>],
+    pub(super) actions: &'a [ActionId],
+}
+
+impl<S: ArmScalar> WithSimd for Usual<'_, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<V: Simd>(self, _: V) {
+        let nothing = self.moves.len() - 1;
+        for ((group, keys), actions) in self.groups.iter_mut().zip(self.keys).zip(self.actions.chunks(BLOCK)) {
+            let mut steps = [[0; BLOCK]; JOINTS];
+            for (lane, action) in actions.iter().enumerate() {
+                let step = self.moves[usize::from(action.0).min(nothing)];
+                for (steps, step) in steps.iter_mut().zip(step) {
+                    steps[lane] = step;
+                }
+            }
+            match &self.environment.sines {
+                Some(sines) => usual(
+                    self.environment,
+                    group,
+                    keys,
+                    &steps,
+                    #[inline(always)]
+                    |angle| look_up(sines, angle),
+                ),
+                None => usual(self.environment, group, keys, &steps, |angle| self.environment.direction(angle)),
+            }
+        }
+    }
+}
+
+/// Each loop has a body without branches and reads single values of arrays: then it becomes vectors.
+#[inline(always)]
+#[allow(
+    clippy::needless_range_loop,
+    reason = "several arrays at the same place, and copies of arrays would stay copies"
+)]
+fn usual<S: ArmScalar>(
+    environment: &ArmEnvironment<S>,
+    group: &mut Group<S>,
+    keys: &mut Block<u64>,
+    steps: &[Block<i32>; JOINTS],
+    direction: impl Fn(Angle) -> Direction<S>,
+) {
+    let mut ticks = group.ticks;
+    let (mut inside, mut moved) = ([true; BLOCK], [0; BLOCK]);
+    for joint in 0..JOINTS {
+        let range = environment.arm.ranges[joint];
+        for lane in 0..BLOCK {
+            let step = steps[joint][lane] * group.roughness[lane];
+            let step = step.clamp(i32::from(i8::MIN), i32::from(i8::MAX));
+            let to = ticks[joint][lane] + step;
+            ticks[joint][lane] = to;
+            inside[lane] &= (to >= i32::from(range.min)) & (to <= i32::from(range.max));
+            moved[lane] |= step;
+        }
+    }
+    let pose = |lane: usize| Pose([0, 1, 2, 3].map(|joint: usize| ticks[joint][lane] as i16));
+    let (mut cosines, mut sines) = ([[S::ZERO; BLOCK]; JOINTS], [[S::ZERO; BLOCK]; JOINTS]);
+    for lane in 0..BLOCK {
+        let [upper_arm, forearm, hand] = link_angles(pose(lane));
+        let angles = [base_angle(pose(lane)), upper_arm, forearm, hand];
+        for part in 0..JOINTS {
+            let Direction { cos, sin } = direction(angles[part]);
+            cosines[part][lane] = cos;
+            sines[part][lane] = sin;
+        }
+    }
+    let mut hands = group.hand;
+    for lane in 0..BLOCK {
+        let part = |part: usize| Direction { cos: cosines[part][lane], sin: sines[part][lane] };
+        let plane = Plane::new(&environment.arm, Directions::of_links(part(1), part(2), part(3)));
+        let hand = plane.hand_in_world(part(0));
+        let target = [group.target[0][lane], group.target[1][lane], group.target[2][lane]];
+        let [x, y, z] = difference(target, hand);
+        let far = x * x + y * y + z * z > group.far[lane];
+        for axis in 0..3 {
+            hands[axis][lane] = hand[axis];
+        }
+        let clear = environment.stands_clear(&plane, S::ZERO);
+        group.other[lane] = !(inside[lane] & (moved[lane] != 0) & far & clear & (group.left[lane] > 0));
+    }
+    for lane in 0..BLOCK {
+        keys[lane] = pose(lane).packed();
+        group.left[lane] -= 1;
+    }
+    (group.before, group.ticks, group.hand) = (group.ticks, ticks, hands);
+}

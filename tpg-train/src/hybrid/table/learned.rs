@@ -1,0 +1,91 @@
+//! Policies that differ in what they were taught: the paper's learning problem, rewards without a planner, ours.
+
+use super::ProblemInputs;
+use super::rows::{Row, STRAIGHT};
+use crate::conformance::data;
+use crate::hybrid::actor::Actor;
+use crate::hybrid::graph::read_graph;
+use crate::hybrid::trial;
+use crate::planner::{Choice, Planner};
+use crate::targets::{Start, Task};
+use crate::trial::{Trial, run};
+use serde::Deserialize;
+use std::path::{Path, PathBuf};
+use tpg_codegen::error::InputError;
+use tpg_runtime::arm::WIDOWX;
+use tpg_runtime::observation::Straight;
+
+/// Trainings that differ in their seed alone: `[[fs.learned]]` and `[[rs.learned]]`.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Learned {
+    /// What was trained.
+    pub name: String,
+    /// Graphs.
+    #[serde(default)]
+    pub tpg: Vec<PathBuf>,
+    /// Actors.
+    #[serde(default)]
+    pub sac: Vec<PathBuf>,
+}
+
+/// The same policies on two sets of tasks.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LearnedRow {
+    /// On the committed test episodes.
+    pub test: Row,
+    /// On the paper's recorded targets, where they are at hand.
+    pub paper: Option<Row>,
+}
+
+/// A row for each kind of training, and the classical policies.
+///
+/// # Errors
+/// Files that are no policies, or a folder that is not the paper's.
+pub fn measure(
+    start: Start,
+    inputs: &ProblemInputs,
+    tasks: &[Task],
+    conformance: &Path,
+) -> Result<Vec<LearnedRow>, InputError> {
+    let recorded = recorded(start, conformance)?;
+    let mut rows = Vec::new();
+    for learned in &inputs.learned {
+        let row = |tasks: &[Task]| Ok(Row::of(&learned.name, &trials(learned, start, tasks)?));
+        rows.push(LearnedRow { test: row(tasks)?, paper: recorded.as_deref().map(row).transpose()? });
+    }
+    let of = |name: &str, trial: &dyn Fn(&[Task]) -> Trial| {
+        let row = |tasks: &[Task]| Row::of(name, &[trial(tasks)]);
+        LearnedRow { test: row(tasks), paper: recorded.as_deref().map(row) }
+    };
+    let arm = WIDOWX.to_f32();
+    rows.push(of(STRAIGHT, &|tasks| run(&arm, &Straight::new(&arm), start, tasks)));
+    for (name, choice) in [
+        ("memoryless inverse kinematics: nearest goal, straight", Choice::Nearest),
+        ("classical planner", Choice::NearestFree),
+    ] {
+        let planner = Planner::new(&WIDOWX, choice);
+        rows.push(of(name, &|tasks| run(&WIDOWX, &planner, start, tasks)));
+    }
+    Ok(rows)
+}
+
+fn trials(learned: &Learned, start: Start, tasks: &[Task]) -> Result<Vec<Trial>, InputError> {
+    let graphs = learned.tpg.iter().map(|path| {
+        let file = path.display().to_string();
+        trial::graph_alone(&file, &read_graph(path)?, start, tasks)
+    });
+    let arm = WIDOWX.to_f32();
+    let actors = learned.sac.iter().map(|path| Ok(run(&arm, &*Actor::read(path)?.policy(), start, tasks)));
+    graphs.chain(actors).collect()
+}
+
+/// The paper's targets; `None` where the folder is missing.
+fn recorded(start: Start, folder: &Path) -> Result<Option<Vec<Task>>, InputError> {
+    if !folder.is_dir() {
+        return Ok(None);
+    }
+    let name = if start == Start::Fs { "targets_fs.csv" } else { "targets_rs.csv" };
+    let tasks = data::tasks(&folder.join(name))?;
+    Ok(Some(tasks.into_values().map(|task| Task { start: task.start, target: task.target }).collect()))
+}
