@@ -56,7 +56,7 @@ fn main() {
         }
         eprintln!("{}", subject.name);
     }
-    if let Some(mut criterion) = criterion {
+    if let Some(criterion) = criterion {
         criterion.final_summary();
     }
     for table in [Some(times), counting.then_some(counts)].into_iter().flatten() {
