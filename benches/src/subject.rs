@@ -21,11 +21,24 @@ use tpg_train::targets::{self, Start};
 /// States of a subject: enough that no branch predictor learns them by heart.
 pub const STATES: usize = 8192;
 
+/// Where a policy comes from: policies of a kind are summed up together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// The paper's, as evolution left it.
+    Trained,
+    /// The paper's, from which its authors took what no episode visits.
+    Pruned,
+    /// This project's.
+    Own,
+}
+
 /// A policy and what it decides on.
 #[derive(Debug)]
 pub struct Subject {
     /// What it is called in the table.
     pub name: String,
+    /// Where it comes from.
+    pub kind: Kind,
     /// The policy.
     pub graph: Graph,
     /// Flat states, in the order of the episodes.
@@ -56,7 +69,7 @@ pub fn own() -> Vec<Subject> {
                 ScalarType::F32 => episodes(&graph, &WIDOWX.to_f32(), &tasks, start),
                 ScalarType::F64 => episodes(&graph, &WIDOWX, &tasks, start),
             };
-            Subject { name: name.to_owned(), graph, states }
+            Subject { name: name.to_owned(), kind: Kind::Own, graph, states }
         })
         .into()
 }
@@ -149,5 +162,6 @@ fn recorded(folder: &Path, path: &Path) -> Subject {
             binding.push_state(&seen, &mut states);
         }
     }
-    Subject { name, graph, states }
+    let kind = if name.ends_with(".cleaned") { Kind::Pruned } else { Kind::Trained };
+    Subject { name, kind, graph, states }
 }

@@ -1,5 +1,7 @@
-//! What was measured, as a table: a row for each subject, a column for each variant.
+//! What was measured, as tables: a row for each subject and a column for each variant; then, what each kind of subjects
+//! comes to.
 
+use crate::subject::{Kind, Subject};
 use crate::variant::Variant;
 use std::fmt::Write as _;
 
@@ -7,7 +9,14 @@ use std::fmt::Write as _;
 #[derive(Clone, Debug, Default)]
 pub struct Table {
     title: String,
-    rows: Vec<(String, Vec<Option<f64>>)>,
+    rows: Vec<Row>,
+}
+
+#[derive(Clone, Debug)]
+struct Row {
+    name: String,
+    kind: Kind,
+    numbers: [Option<f64>; Variant::ALL.len()],
 }
 
 impl Table {
@@ -17,14 +26,16 @@ impl Table {
     }
 
     /// Notes a number.
-    pub fn note(&mut self, subject: &str, variant: Variant, number: f64) {
-        let column = Variant::ALL.iter().position(|&other| other == variant).expect("one of all");
-        if !self.rows.iter().any(|(name, _)| name == subject) {
-            self.rows.push((subject.to_owned(), vec![None; Variant::ALL.len()]));
-        }
-        if let Some((_, numbers)) = self.rows.iter_mut().find(|(name, _)| name == subject) {
-            numbers[column] = Some(number);
-        }
+    pub fn note(&mut self, subject: &Subject, variant: Variant, number: f64) {
+        self.note_named(&subject.name, subject.kind, variant, number);
+    }
+
+    fn note_named(&mut self, name: &str, kind: Kind, variant: Variant, number: f64) {
+        let place = self.rows.iter().position(|row| row.name == name).unwrap_or_else(|| {
+            self.rows.push(Row { name: name.to_owned(), kind, numbers: [None; Variant::ALL.len()] });
+            self.rows.len() - 1
+        });
+        self.rows[place].numbers[column(variant)] = Some(number);
     }
 
     /// The numbers, and how many times each variant has the yardstick's: the first column's number over its own.
@@ -34,7 +45,7 @@ impl Table {
             let _ = write!(text, " {name} |");
         }
         let _ = writeln!(text, "\n|{}", " --- |".repeat(1 + Variant::ALL.len()));
-        for (name, numbers) in &self.rows {
+        for Row { name, numbers, .. } in &self.rows {
             let _ = write!(text, "| {name} |");
             for number in numbers {
                 let ratio = numbers[0].zip(*number).map(|(yardstick, number)| yardstick / number);
@@ -43,37 +54,74 @@ impl Table {
             }
             text.push('\n');
         }
-        let _ = write!(text, "| geometric mean of the ratios, worst to best |");
-        for column in 0..Variant::ALL.len() {
-            let cell = self.ratios(column).map_or("–".to_owned(), |Ratios { mean, least, greatest }| {
-                format!("**{mean:.2}** ({least:.2} to {greatest:.2})")
-            });
-            let _ = write!(text, " {cell} |");
-        }
-        text.push('\n');
         text
     }
 
-    /// How a variant compares with the yardstick; `None` without a subject that has both.
-    fn ratios(&self, column: usize) -> Option<Ratios> {
-        let ratios: Vec<f64> =
-            self.rows.iter().filter_map(|(_, numbers)| Some(numbers[0]? / numbers[column]?)).collect();
-        let mean = (ratios.iter().map(|ratio| ratio.ln()).sum::<f64>() / ratios.len() as f64).exp();
-        let least = ratios.iter().copied().reduce(f64::min)?;
-        let greatest = ratios.iter().copied().reduce(f64::max)?;
-        Some(Ratios { mean, least, greatest })
+    /// How many times a variant's numbers go into the yardstick's, by kind of policy: the geometric mean, least to most.
+    pub fn summary(&self, yardstick: Variant) -> String {
+        let others = Variant::ALL.iter().filter(|&&variant| variant != yardstick);
+        let mut text = format!("\n{}: {} over\n\n| policies |", self.title, yardstick.name());
+        for variant in others.clone() {
+            let _ = write!(text, " {} |", variant.name());
+        }
+        let _ = writeln!(text, "\n|{}", " --- |".repeat(Variant::ALL.len()));
+        let paper = |kind| kind != Kind::Own;
+        let groups: [(&str, &dyn Fn(Kind) -> bool); 4] = [
+            ("of the paper, as trained", &|kind| kind == Kind::Trained),
+            ("of the paper, pruned", &|kind| kind == Kind::Pruned),
+            ("of the paper", &paper),
+            ("this project's", &|kind| kind == Kind::Own),
+        ];
+        for (name, belongs) in groups {
+            let rows: Vec<&Row> = self.rows.iter().filter(|row| belongs(row.kind)).collect();
+            if rows.is_empty() {
+                continue;
+            }
+            let _ = write!(text, "| {} {name} |", rows.len());
+            for &variant in others.clone() {
+                let cell = Ratios::of(&rows, yardstick, variant).map_or("–".to_owned(), |ratios| ratios.to_string());
+                let _ = write!(text, " {cell} |");
+            }
+            text.push('\n');
+        }
+        text
     }
 }
 
+fn column(variant: Variant) -> usize {
+    Variant::ALL.iter().position(|&other| other == variant).expect("one of all")
+}
+
+/// How many times one variant's numbers go into another's.
 struct Ratios {
     mean: f64,
     least: f64,
-    greatest: f64,
+    most: f64,
+}
+
+impl Ratios {
+    /// `None` without a row that has both.
+    fn of(rows: &[&Row], yardstick: Variant, variant: Variant) -> Option<Self> {
+        let (top, bottom) = (column(yardstick), column(variant));
+        let ratios: Vec<f64> = rows.iter().filter_map(|row| Some(row.numbers[top]? / row.numbers[bottom]?)).collect();
+        let mean = (ratios.iter().map(|ratio| ratio.ln()).sum::<f64>() / ratios.len() as f64).exp();
+        let least = ratios.iter().copied().reduce(f64::min)?;
+        let most = ratios.iter().copied().reduce(f64::max)?;
+        Some(Self { mean, least, most })
+    }
+}
+
+impl std::fmt::Display for Ratios {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { mean, least, most } = self;
+        write!(f, "**{mean:.2}** ({least:.2} to {most:.2})")
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::Table;
+    use crate::subject::Kind;
     use crate::variant::Variant;
     use tpg_codegen::emit::{Language, Profile};
 
@@ -82,11 +130,13 @@ mod tests {
         let fast = Variant::Generated(Language::C, Profile::Fast);
         let mut table = Table::new("nanoseconds");
         for (name, gegelati, number) in [("a", 20.0, 10.0), ("b", 80.0, 10.0)] {
-            table.note(name, Variant::Gegelati, gegelati);
-            table.note(name, fast, number);
+            table.note_named(name, Kind::Own, Variant::Gegelati, gegelati);
+            table.note_named(name, Kind::Own, fast, number);
         }
         let text = table.render();
         assert!(text.contains("| a | 20.0 (1.00) | – | 10.0 (2.00) |"), "{text}");
-        assert!(text.contains("**4.00** (2.00 to 8.00)"), "{text}");
+        let text = table.summary(Variant::Gegelati);
+        assert!(text.contains("| 2 this project's | – | **4.00** (2.00 to 8.00) |"), "{text}");
+        assert!(table.summary(fast).contains("**0.25** (0.12 to 0.50)"));
     }
 }

@@ -9,6 +9,7 @@ use tpg_codegen::graph::Graph;
 use tpg_codegen::passes;
 use tpg_codegen::passes::interval::Assumption;
 use tpg_codegen::sample::{self, Shape};
+use tpg_codegen::states::StateSet;
 use tpg_codegen::verify::{self, Workshop};
 
 /// A kind of graphs.
@@ -35,23 +36,34 @@ fn count() -> usize {
     std::env::var("TPG_RANDOM_GRAPHS").map_or(60, |text| text.parse().expect("TPG_RANDOM_GRAPHS is a number"))
 }
 
+/// Every profile, and `fast` once more in the order of recorded wins.
+const FORMS: usize = Profile::ALL.len() + 1;
+
+fn forms(graph: &Graph, number: usize) -> [Options; FORMS] {
+    let form = |name: &str, profile: Profile, trace: Option<StateSet>| {
+        let options = Options::new(format!("p{number}_{name}").parse().expect("a prefix"));
+        Options { profile: Some(profile), trace, ..options }
+    };
+    [
+        form("fast", Profile::Fast, None),
+        form("small", Profile::Small, None),
+        form("constant_time", Profile::ConstantTime, None),
+        form("by_wins", Profile::Fast, Some(StateSet::sampled(graph, 50, number as u64))),
+    ]
+}
+
 fn assert_equal(language: Language, kind: Kind, seeds: std::ops::Range<u64>) {
     let seeds: Vec<u64> = seeds.collect();
     for seeds in seeds.chunks(kind.batch) {
         let graphs: Vec<Graph> = seeds.iter().map(|&seed| sample::graph(&(kind.shape)(seed), seed)).collect();
-        let policies: Vec<(&Graph, Options)> = (graphs.iter().zip(0..))
-            .flat_map(|(graph, number)| Profile::ALL.map(|profile| (graph, number, profile)))
-            .map(|(graph, number, profile): (&Graph, usize, Profile)| {
-                let prefix = format!("p{number}_{}", profile.name().replace('-', "_"));
-                let options = Options::new(prefix.parse().expect("a prefix"));
-                (graph, Options { profile: Some(profile), ..options })
-            })
+        let policies: Vec<(&Graph, Options)> = (graphs.iter().enumerate())
+            .flat_map(|(number, graph)| forms(graph, number).map(|options| (graph, options)))
             .collect();
         let workshop = Workshop::new().expect("a temporary folder");
         let batch = workshop.batch(language, &policies).expect("generated code compiles");
         for (place, (graph, options)) in policies.iter().enumerate() {
             let mut process = batch.start(place, graph).expect("the program starts");
-            let seed = seeds[place / Profile::ALL.len()];
+            let seed = seeds[place / FORMS];
             let comparisons = verify::compare(graph, &mut [&mut process], kind.states, seed).expect("it runs");
             let [comparison] = &comparisons[..] else { panic!("one engine, one comparison") };
             assert_eq!(comparison.states, kind.states);

@@ -44,6 +44,20 @@ fn sizes_come_from_the_compiler() {
     }
 }
 
+/// The toolchain of this project has the target.
+#[test]
+fn the_rust_has_a_size_on_a_cortex_m4() {
+    let folder = folder();
+    let report = json(&folder, &["--target", "thumbv7em"]);
+    let sizes = report["rust_sizes"].as_array().expect("sizes");
+    let profiles: Vec<&str> = sizes.iter().filter_map(|size| size["profile"].as_str()).collect();
+    assert_eq!(profiles, ["fast", "small", "constant-time"]);
+    for size in sizes {
+        assert!(size["flash"].as_u64().is_some_and(|flash| (300..20_000).contains(&flash)), "{size}");
+    }
+    assert_eq!(json(&folder, &["--target", "host"])["rust_sizes"], Value::Array(Vec::new()));
+}
+
 /// The counts by hand are in `cost`.
 #[test]
 fn costs_are_those_of_the_header() {
@@ -105,4 +119,5 @@ fn without_a_cross_compiler_it_is_an_estimate_and_says_so() {
         assert_eq!((&size["estimated"], &size["stack"]), (&Value::from(true), &Value::Null));
         assert!(size["flash"].as_u64().is_some_and(|flash| (200..20_000).contains(&flash)), "{size}");
     }
+    assert!(run(&[]).contains("\nbytes of the Rust: not known: "));
 }

@@ -4,11 +4,12 @@
 //! or network: the very text of this crate, not a copy that could differ.
 
 /// File names, relative to a crate's `src`, and their text. `lib.rs` comes first.
-pub const FILES: [(&str, &str); 11] = [
+pub const FILES: [(&str, &str); 12] = [
     ("lib.rs", LIB),
     ("arm/pose.rs", include_str!("arm/pose.rs")),
     ("observation/source.rs", include_str!("observation/source.rs")),
     ("ops/mod.rs", include_str!("ops/mod.rs")),
+    ("ops/constant_time.rs", include_str!("ops/constant_time.rs")),
     ("ops/instruction.rs", include_str!("ops/instruction.rs")),
     ("ops/maths.rs", include_str!("ops/maths.rs")),
     ("ops/own/mod.rs", include_str!("ops/own/mod.rs")),

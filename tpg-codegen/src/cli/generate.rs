@@ -82,8 +82,9 @@ impl GenerateArgs {
         };
         let prefix = self.prefix.clone().unwrap_or_else(|| Prefix::of_file(&self.graph.graph));
         let assumption = if self.assume_ranges { Assumption::DeclaredRanges } else { Assumption::Nothing };
-        let options =
-            Options { style: self.style, profile: self.profile, assumption, conversion, ..Options::new(prefix) };
+        let trace = self.states.recorded(&graph)?;
+        let (style, profile) = (self.style, self.profile);
+        let options = Options { style, profile, assumption, conversion, trace, ..Options::new(prefix) };
         if let Some(path) = &self.explain {
             let text = explain::explain(&graph, &options);
             if path == Path::new("-") {

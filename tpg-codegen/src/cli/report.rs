@@ -37,7 +37,8 @@ impl ReportArgs {
             Ok(chosen) => chosen,
             Err(verdict) => return Ok(verdict),
         };
-        let options = Options { conversion, ..Options::new(Prefix::of_file(&self.graph.graph)) };
+        let trace = self.states.recorded(&graph)?;
+        let options = Options { conversion, trace, ..Options::new(Prefix::of_file(&self.graph.graph)) };
         let targets = self.target.map_or(Target::ALL.to_vec(), |target| vec![target]);
         let report = report::report(&graph, &options, &targets, &self.states.load(&graph)?);
         if self.json {

@@ -16,8 +16,9 @@ const SEED: u64 = 1;
 /// The states that a policy is measured over.
 #[derive(Clone, Debug, Args)]
 pub(super) struct StatesArgs {
-    /// Recorded states to measure over: CSV with a column for every value of the state, named as in target[0]
-    /// [default: 20000 states sampled in the declared ranges]
+    /// Recorded states: CSV with a column for every value of the state, named as in target[0]. Agreement and means are
+    /// measured over them, and the profile fast looks first at the bids that win most often along them [default: 20000
+    /// states sampled in the declared ranges, and no such order]
     #[arg(long, value_name = "FILE")]
     trace: Option<PathBuf>,
 }
@@ -28,6 +29,11 @@ impl StatesArgs {
             Some(path) => StateSet::recorded(graph, path),
             None => Ok(StateSet::sampled(graph, STATES, SEED)),
         }
+    }
+
+    /// Only what was recorded.
+    pub(super) fn recorded(&self, graph: &Graph) -> Result<Option<StateSet>, InputError> {
+        self.trace.as_ref().map(|path| StateSet::recorded(graph, path)).transpose()
     }
 }
 

@@ -1,11 +1,11 @@
 //! What decisions cost on average: the generated code's steps, counted state by state.
 
 use super::{Cost, Costs, Guard, Step, Work};
-use crate::graph::{Graph, ScalarType};
+use crate::graph::Graph;
 use crate::in_arithmetic_of;
-use crate::ir::{Node, Target};
+use crate::ir::Target;
 use crate::passes::arithmetic::Arithmetic;
-use crate::passes::estimate;
+use crate::passes::evaluate::evaluate;
 use crate::passes::schedule::Sparing;
 use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::ActionId;
@@ -33,7 +33,7 @@ impl Costs {
         let mut values = vec![S::ZERO; self.nodes.len()];
         let actions = (states.chunks_exact(graph.state_length()))
             .map(|state| {
-                self.evaluate::<S, M>(graph.scalar(), state, &mut values);
+                evaluate::<S, M>(graph.scalar(), &self.nodes, state, &mut values);
                 self.walk(&values, lowest, &mut total)
             })
             .collect::<Vec<_>>();
@@ -42,20 +42,6 @@ impl Costs {
         let mean =
             Cost { teams: mean(teams), bids: mean(bids), operations: mean(operations), maths_calls: mean(maths_calls) };
         (mean, actions)
-    }
-
-    /// Every node's value, whether the code would compute it or not: counting comes after.
-    fn evaluate<S: Scalar, M: Maths<S>>(&self, scalar: ScalarType, state: &[f64], values: &mut [S]) {
-        for (index, node) in self.nodes.iter().enumerate() {
-            values[index] = match *node {
-                Node::Constant(bits) => S::from_f64(f64::from_bits(bits)),
-                Node::Input(input) => S::from_f64(state[input.index()]),
-                Node::Operation(instruction, [a, b]) => instruction.apply::<S, M>(values[a.index()], values[b.index()]),
-                Node::Upper(instruction, value) => {
-                    S::from_f64(estimate::upper(scalar, instruction, values[value.index()].to_f64()))
-                }
-            };
-        }
     }
 
     fn walk<S: Scalar>(&self, values: &[S], lowest: S, total: &mut Cost<u64>) -> ActionId {

@@ -125,7 +125,7 @@ impl Costs {
         let (module, removed) = passes::optimise(graph, options.assumption);
         let costs = match options.shape(language, &module) {
             Profile::Fast => {
-                let schedule = schedule(graph, &module);
+                let schedule = schedule(graph, &module, options.recorded());
                 Self::scheduled(module, &schedule, language)
             }
             Profile::Small => Self::bid_by_bid(module),

@@ -1,6 +1,6 @@
 //! What every generated file says of itself: where it comes from, never when or where it was made.
 
-use super::{Language, Options, Style};
+use super::{Language, Options, Profile, Style};
 use crate::conversion::Conversion;
 use crate::graph::Graph;
 use crate::ir::{Module, Node};
@@ -36,6 +36,11 @@ pub(super) fn lines(graph: &Graph, module: &Module, options: &Options, language:
         ),
         format!("Computes in {} with {} maths.", graph.scalar().name(), graph.maths().name()),
     ];
+    let by_wins = options.style == Style::Pure && options.profile_in(language) == Profile::Fast;
+    if let Some(trace) = options.trace.as_ref().filter(|_| by_wins) {
+        lines.push("Looks first at the bids that win most often along".to_owned());
+        lines.push(format!("{}.", trace.origin));
+    }
     if let Some(Conversion { from, maths, agreement, .. }) = &options.conversion {
         lines.push(format!(
             "The graph says {} with {} maths, so this is not the graph, only near it:",

@@ -12,6 +12,7 @@ use crate::conversion::Conversion;
 use crate::graph::Graph;
 use crate::ir::Module;
 use crate::passes::interval::Assumption;
+use crate::states::StateSet;
 
 /// A language to emit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, clap::ValueEnum)]
@@ -78,17 +79,31 @@ pub struct Options {
     pub assumption: Assumption,
     /// What the graph was before its scalar type was changed, where it was.
     pub conversion: Option<Conversion>,
+    /// Recorded states: [`Profile::Fast`] looks first at the bids that win most often along them.
+    pub trace: Option<StateSet>,
 }
 
 impl Options {
     /// The default options.
     pub fn new(prefix: Prefix) -> Self {
-        Self { prefix, style: Style::Pure, profile: None, assumption: Assumption::Nothing, conversion: None }
+        Self {
+            prefix,
+            style: Style::Pure,
+            profile: None,
+            assumption: Assumption::Nothing,
+            conversion: None,
+            trace: None,
+        }
     }
 
     /// The profile in a language.
     pub fn profile_in(&self, language: Language) -> Profile {
         self.profile.unwrap_or(Profile::default_of(language))
+    }
+
+    /// Flat states that were recorded; none where nothing was.
+    pub(crate) fn recorded(&self) -> &[f64] {
+        self.trace.as_ref().map_or(&[], |trace| &trace.states)
     }
 
     /// The profile whose shape code takes. Where passes find that no bid matters there is nothing to make small or

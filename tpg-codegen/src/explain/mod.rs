@@ -98,7 +98,7 @@ impl<'a> Explanation<'a> {
 
     /// Bound-guarded evaluation, which only the profile fast does.
     fn guards(&self, out: &mut String) -> fmt::Result {
-        let schedule = schedule(self.graph, &self.module);
+        let schedule = schedule(self.graph, &self.module, &[]);
         let lazy = schedule.plans.iter().flat_map(|plan| &plan.lazy);
         let guarded = lazy.filter(|lazy| lazy.bound.is_some()).count();
         let edges: usize = self.module.teams.iter().map(|team| team.edges.len()).sum();

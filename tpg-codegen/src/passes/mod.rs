@@ -14,11 +14,13 @@ pub mod bytecode;
 mod collect;
 mod duplicates;
 pub mod estimate;
+pub(crate) mod evaluate;
 mod fold;
 mod hopeless;
 pub mod interval;
 pub mod schedule;
 mod teams;
+pub mod wins;
 
 use crate::graph::Graph;
 use crate::ir::{Module, Node};

@@ -10,8 +10,10 @@ use super::arithmetic::Arithmetic;
 use super::bound::{Bounds, beyond_exponentials, is_worth_sparing};
 use super::collect;
 use super::interval::{self, Assumption, Interval};
+use super::wins::Wins;
 use crate::graph::{Graph, ScalarType};
-use crate::ir::{Module, Node, NodeId, Target, Team, Values};
+use crate::ir::{Module, Node, NodeId, Target, Values};
+use std::cmp::Reverse;
 use tpg_runtime::ops::Instruction;
 
 /// A bid of a team.
@@ -110,16 +112,20 @@ pub struct Schedule {
 /// Above this, a bid is worth a test that may spare it.
 const CHEAP: u32 = 8;
 
-/// Plans every team.
-pub fn schedule(graph: &Graph, module: &Module) -> Schedule {
+/// Plans every team; where flat states are recorded, by how often bids win along them.
+///
+/// # Panics
+/// If the states' length is no multiple of [`Graph::state_length`].
+pub fn schedule(graph: &Graph, module: &Module, recorded: &[f64]) -> Schedule {
+    let wins = &Wins::count(graph, module, recorded);
     let arithmetic = Arithmetic { scalar: graph.scalar(), maths: graph.maths() };
     let intervals = interval::analyse(graph, module, Assumption::Nothing);
     let cheap = cheap_nodes(module);
     let mut values = Values::of(module.nodes.clone());
     let mut bounds = Bounds::new(arithmetic, &intervals, &cheap, &mut values);
     let expected = interval::analyse(graph, module, Assumption::DeclaredRanges);
-    let planner = Planner { module, scalar: graph.scalar(), cheap: &cheap, expected: &expected };
-    let mut plans: Vec<Plan> = module.teams.iter().map(|team| planner.plan(team, &mut bounds)).collect();
+    let planner = Planner { module, scalar: graph.scalar(), wins, cheap: &cheap, expected: &expected };
+    let mut plans: Vec<Plan> = (0..module.teams.len()).map(|team| planner.plan(team, &mut bounds)).collect();
     let mut nodes = values.into_nodes();
     // Parts of bounds that came to nothing.
     let mut roots = Vec::new();
@@ -160,13 +166,15 @@ pub fn cost(instruction: Instruction) -> u32 {
 struct Planner<'a> {
     module: &'a Module,
     scalar: ScalarType,
+    wins: &'a Wins,
     cheap: &'a [bool],
     /// What values are where inputs lie in their declared ranges. Only for what is likely: nothing relies on it.
     expected: &'a [Interval],
 }
 
 impl Planner<'_> {
-    fn plan(&self, team: &Team, bounds: &mut Bounds<'_>) -> Plan {
+    fn plan(&self, number: usize, bounds: &mut Bounds<'_>) -> Plan {
+        let team = &self.module.teams[number];
         let value = |place: usize| self.module.bidders[team.edges[place].bidder].value;
         let total = |place: usize| -> u32 {
             (self.module.operations_of(value(place)).iter())
@@ -179,8 +187,10 @@ impl Planner<'_> {
         };
         let (eager, mut lazy): (Vec<usize>, Vec<usize>) =
             (0..team.edges.len()).partition(|&place| self.cheap[value(place).index()] || total(place) <= CHEAP);
-        // What has no bound comes first: a higher best bid does not spare it, but spares the others. Then the cheaper ones.
-        lazy.sort_by_key(|&place| (bounds.upper(value(place)).is_some(), total(place), place));
+        // What has no bound comes first: a higher best bid does not spare it, but spares the others. Then the likelier
+        // winners, then the cheaper bids.
+        let wins = |place: usize| Reverse(self.wins.of(number, place));
+        lazy.sort_by_key(|&place| (bounds.upper(value(place)).is_some(), wins(place), total(place), place));
         let likely = lazy.iter().filter_map(|&place| self.infinite(place, value(place)));
         let infinite = likely.max_by_key(|infinite| infinite.place).filter(|infinite| infinite.place > 0);
         let is_before = |place: usize| infinite.is_some_and(|infinite| place < infinite.place);

@@ -8,7 +8,7 @@ use crate::emit::{Language, Options, Profile, Style};
 use crate::graph::{Graph, Input, MathsProvider, ScalarType};
 use crate::ir::{Module, Node, effective_lines};
 use crate::passes::Removed;
-use crate::size::{self, Size, Stack, Target};
+use crate::size::{self, RustForCortexM4, Size, Stack, Target};
 use crate::states::StateSet;
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -38,6 +38,8 @@ pub struct Report {
     pub costs: Vec<ShapeCost>,
     /// What the C takes on each target.
     pub sizes: Vec<ShapeSize>,
+    /// What the Rust takes on a Cortex-M4F.
+    pub rust_sizes: Vec<RustSize>,
 }
 
 /// How big a graph is. Only what the root leads to counts.
@@ -136,6 +138,17 @@ pub struct ShapeSize {
     pub unavailable: Option<String>,
 }
 
+/// What the Rust of one profile takes on a Cortex-M4F.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct RustSize {
+    /// The profile.
+    pub profile: Shape,
+    /// Bytes of flash.
+    pub flash: Option<u64>,
+    /// Why they are not known.
+    pub unavailable: Option<String>,
+}
+
 /// Puts a report together; means are taken over `set`.
 pub fn report(graph: &Graph, options: &Options, targets: &[Target], set: &StateSet) -> Report {
     let (optimised, removed) = Costs::of(graph, Language::C, &Shape::Fast.options(options));
@@ -159,6 +172,7 @@ pub fn report(graph: &Graph, options: &Options, targets: &[Target], set: &StateS
         states: set.origin.clone(),
         costs: costs.to_vec(),
         sizes,
+        rust_sizes: if targets.contains(&Target::CortexM4) { rust_sizes(graph, options) } else { Vec::new() },
     }
 }
 
@@ -226,6 +240,21 @@ fn size_of(graph: &Graph, options: &Options, target: Target, profile: Shape) -> 
         },
         Err(error) => ShapeSize { unavailable: Some(error.to_string()), ..none },
     }
+}
+
+fn rust_sizes(graph: &Graph, options: &Options) -> Vec<RustSize> {
+    // As the C: for the least flash.
+    let compiler = RustForCortexM4::new("s").map_err(|error| error.to_string());
+    let size = |profile: &Shape| {
+        let compiler = compiler.as_ref().map_err(Clone::clone)?;
+        compiler.size(graph, &profile.options(options), "s").map_err(|error| error.to_string())
+    };
+    (Shape::ALL.iter().filter(|shape| shape.options(options).style == Style::Pure))
+        .map(|profile| match size(profile) {
+            Ok(size) => RustSize { profile: *profile, flash: Some(size.flash()), unavailable: None },
+            Err(error) => RustSize { profile: *profile, flash: None, unavailable: Some(error) },
+        })
+        .collect()
 }
 
 #[cfg(test)]

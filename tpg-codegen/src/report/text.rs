@@ -94,12 +94,17 @@ impl Report {
                 writeln!(f, "\nbytes on {}, compiled with -Os, without the libraries that are called", target.name())?
             }
         }
-        writeln!(f, "{:<16}{:>9}{:>9}{:>9}", "", "flash", "RAM", "stack")?;
+        let rust = if target == Target::CortexM4 { &self.rust_sizes[..] } else { &[] };
+        let head = if rust.iter().any(|size| size.flash.is_some()) { "flash, Rust" } else { "" };
+        writeln!(f, "{}", format!("{:<16}{:>9}{:>9}{:>9}{head:>14}", "", "flash", "RAM", "stack").trim_end())?;
         for size in sizes {
             let number = |number: Option<u64>| number.map_or_else(|| "?".to_owned(), |number| number.to_string());
             let stack = size.stack.as_ref();
             write!(f, "{:<16}{:>9}{:>9}", size.profile.name(), number(size.flash), number(size.ram))?;
             write!(f, "{:>9}", number(stack.map(|stack| stack.bytes)))?;
+            if let Some(flash) = rust.iter().find(|rust| rust.profile == size.profile).and_then(|rust| rust.flash) {
+                write!(f, "{flash:>14}")?;
+            }
             let without = stack.map(|stack| stack.without.join(", ")).filter(|names| !names.is_empty());
             let note = size
                 .unavailable
@@ -107,6 +112,9 @@ impl Report {
                 .filter(|_| !size.estimated)
                 .or(without.map(|names| format!("and that of {names}")));
             writeln!(f, "{}", note.map_or_else(String::new, |note| format!("  {note}")))?;
+        }
+        if let Some(why) = rust.iter().find_map(|size| size.unavailable.as_ref()) {
+            writeln!(f, "bytes of the Rust: not known: {}", why.lines().next().unwrap_or(""))?;
         }
         Ok(())
     }

@@ -1,9 +1,11 @@
-//! How big generated C is once compiled: without its self-test, without the libraries it calls.
+//! How big generated code is once compiled: without its self-test, without the libraries it calls.
 
 mod estimate;
+mod rust;
 mod stack;
 
 pub use estimate::flash as estimated_flash;
+pub use rust::RustForCortexM4;
 pub use stack::Stack;
 
 use crate::emit::{self, Language, Options, Style};

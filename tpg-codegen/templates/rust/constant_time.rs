@@ -1,18 +1,24 @@
+        let ct = ConstantTime::<{{ scalar }}>::default();
 {%- for statement in statements %}
         {{ statement }}
+{%- endfor %}
+
+        // What is bid, as integers in the same order.
+{%- for bid in keys %}
+        let {{ bid.name }} = {{ bid.value }}
 {%- endfor %}
 
         // Where each team leads: teams are numbered from 0, the root, and the actions follow them.
 {%- for team in teams %}
         // Team {{ team.label }}
-        let best = (ops::bid({{ team.first.bid }}), {{ team.first.to }}_{{ vertex }});
+        let best = ({{ team.first.key }}, {{ team.first.to }});
 {%- for edge in team.others %}
-        let best = ops::challenge(best, (ops::bid({{ edge.bid }}), {{ edge.to }}));
+        let best = ct.challenge(best, ({{ edge.key }}, {{ edge.to }}));
 {%- endfor %}
-        let t{{ loop.index0 }} = best.1;
+        let t{{ loop.index0 }} = best.1{% if vertex != "u32" %} as {{ vertex }}{% endif %};
 {%- endfor %}
 
-        // An action leads to itself; what fills the array up to a power of two is never come to.
+        // An action leads to itself, and so does what fills the array up to a power of two: it is never come to.
         let next: [{{ vertex }}; {{ size }}] = {{ layout::array(next, 8) }};
         // The longest walk decides {{ depth }} times; a shorter one waits at its action. No loop, and no end to check.
         let vertex = next[0];

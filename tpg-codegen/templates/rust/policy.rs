@@ -13,9 +13,9 @@
 use tpg_runtime::arm::Move;
 use tpg_runtime::observation::Source;
 {% endif -%}
-{% if let Some(imports) = imports -%}
-use tpg_runtime::{{ imports }};
-{% endif -%}
+{% for import in imports -%}
+use tpg_runtime::{{ import }};
+{% endfor -%}
 use tpg_runtime::policy::{ActionId, Policy};
 
 /// A tangled program graph: {{ title }}.

@@ -3,6 +3,7 @@
 //! Programs compute in `f32` or `f64`; every result is the IEEE-754 one. Infinities and NaN flow freely: nothing is
 //! protected, as in GEGELATI. A comparison with NaN is false.
 
+pub mod constant_time;
 mod instruction;
 mod maths;
 pub mod own;

@@ -87,7 +87,7 @@ pub(super) fn emit(graph: &Graph, options: &Options) -> Vec<File> {
     } else {
         match options.shape(Language::C, &module) {
             Profile::Fast => {
-                let schedule = schedule::schedule(graph, &module);
+                let schedule = schedule::schedule(graph, &module, options.recorded());
                 let printer = Printer { nodes: &schedule.nodes, short_cuts: true, ..printer };
                 let costs = Costs::scheduled(module.clone(), &schedule, Language::C);
                 (helpers::render(&printer, false), fast::render(&printer, &module, &schedule, &upper), costs)

@@ -12,6 +12,8 @@ pub(super) struct Printer<'a> {
     /// Whether sines, cosines, logarithms and exponentials go through helpers that are not inlined; those answer the simple
     /// cases of the platform's themselves.
     pub(super) short_cuts: bool,
+    /// Whether nothing may be a condition: what has one in it goes through `ct`, a `ConstantTime`.
+    pub(super) branch_free: bool,
 }
 
 impl Printer<'_> {
@@ -37,6 +39,11 @@ impl Printer<'_> {
         }
     }
 
+    /// Whether `ct` has the maths.
+    fn masked_maths(&self) -> bool {
+        self.branch_free && self.graph.maths() == MathsProvider::Own && self.graph.scalar() == ScalarType::F32
+    }
+
     fn operation(&self, id: NodeId) -> String {
         let node = self.nodes[id.index()];
         let operands: Vec<String> = node.operands().iter().map(|&operand| self.value(operand)).collect();
@@ -58,7 +65,10 @@ impl Printer<'_> {
             Instruction::Mul => infix(" * "),
             Instruction::Div => infix(" / "),
             Instruction::NegateIfLess | Instruction::Min | Instruction::Max => {
-                format!("ops::{}({arguments})", instruction.name())
+                format!("{}{}({arguments})", if self.branch_free { "ct." } else { "ops::" }, instruction.name())
+            }
+            Instruction::Cos | Instruction::Sin | Instruction::Ln | Instruction::Exp if self.masked_maths() => {
+                format!("ct.{}({arguments})", instruction.name())
             }
             Instruction::Cos | Instruction::Sin | Instruction::Ln | Instruction::Exp if self.short_cuts => {
                 format!("{}({arguments})", instruction.name())

@@ -22,7 +22,7 @@ struct Policy<'a> {
     title: &'a str,
     scalar: &'a str,
     /// What is used of the runtime's instructions.
-    imports: Option<String>,
+    imports: Vec<String>,
     state_length: usize,
     sources: Vec<SourceView>,
     actions: Vec<String>,
@@ -58,11 +58,11 @@ struct Parts {
 pub(super) fn emit(graph: &Graph, options: &Options) -> Vec<File> {
     let module = &passes::optimise(graph, options.assumption).0;
     let name = options.prefix.camel();
-    let printer = Printer { graph, nodes: &module.nodes, short_cuts: false };
+    let printer = Printer { graph, nodes: &module.nodes, short_cuts: false, branch_free: false };
     let (title, parts, costs) = match options.profile_in(Language::Rust) {
         Profile::Fast => {
-            let schedule = schedule::schedule(graph, module);
-            let printer = Printer { graph, nodes: &schedule.nodes, short_cuts: true };
+            let schedule = schedule::schedule(graph, module, options.recorded());
+            let printer = Printer { graph, nodes: &schedule.nodes, short_cuts: true, ..printer };
             let costs = Costs::scheduled(module.clone(), &schedule, Language::Rust);
             ("expensive bids are computed only where they can win", fast::render(&printer, module, &schedule), costs)
         }
@@ -70,6 +70,7 @@ pub(super) fn emit(graph: &Graph, options: &Options) -> Vec<File> {
             ("tables and one small evaluator", small::render(&printer, module), Costs::bid_by_bid(module.clone()))
         }
         Profile::ConstantTime => {
+            let printer = Printer { branch_free: true, ..printer };
             let costs = Costs::everything(module.clone());
             ("branch-free, the same time for every state", constant_time::render(&printer, module), costs)
         }
@@ -94,15 +95,17 @@ pub(super) fn emit(graph: &Graph, options: &Options) -> Vec<File> {
 }
 
 /// What the parts name of `tpg_runtime::ops`.
-fn imports(printer: &Printer<'_>, parts: &Parts) -> Option<String> {
+fn imports(printer: &Printer<'_>, parts: &Parts) -> Vec<String> {
     let names = |name: &str| parts.body.contains(name) || parts.items.contains(name);
     let provider = printer.provider();
-    match (names("ops::"), names(&format!("{provider}::"))) {
+    let masks = names("ConstantTime::").then(|| "ops::constant_time::ConstantTime".to_owned());
+    let others = match (names("ops::"), names(&format!("{provider}::"))) {
         (true, true) => Some(format!("ops::{{self, Maths, {provider}}}")),
         (true, false) => Some("ops".to_owned()),
         (false, true) => Some(format!("ops::{{Maths, {provider}}}")),
         (false, false) => None,
-    }
+    };
+    masks.into_iter().chain(others).collect()
 }
 
 /// Teams are numbered from 0, the actions after them.

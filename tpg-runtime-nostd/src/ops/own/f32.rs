@@ -1,5 +1,7 @@
 //! The kernels in `f32`. No operation is wider than `f32` and `u64`: a Cortex-M4F runs all of it in hardware.
 
+/// The place of the top bit.
+const TOP: u32 = 31;
 /// Everything but the sign.
 const MAGNITUDE: u32 = 0x7fff_ffff;
 const SIGN: u32 = 0x8000_0000;
@@ -11,8 +13,8 @@ const MINUS_INFINITY: u32 = 0xff80_0000;
 const NAN: u32 = 0x7fc0_0000;
 
 /// `floor(2/π · 2^(8i + 5)) mod 2³²`: a window on the bits of 2/π for every byte of the exponent, so that no word needs
-/// to be shifted after loading.
-const TWO_OVER_PI: [u32; 25] = [
+/// to be shifted after loading. The zeros are never read: they make a place of every number of five bits and 8.
+const TWO_OVER_PI: [u32; 40] = [
     0x0000_0014,
     0x0000_145f,
     0x0014_5f30,
@@ -38,6 +40,21 @@ const TWO_OVER_PI: [u32; 25] = [
     0xb327_8872,
     0x2788_7208,
     0x8872_083f,
+    0,
+    0,
+    0,
+    0,
+    0,
+    0,
+    0,
+    0,
+    0,
+    0,
+    0,
+    0,
+    0,
+    0,
+    0,
 ];
 
 /// `floor(π/2 · 2³¹)`.
@@ -55,8 +72,13 @@ const LN_2_LOW: f32 = 1.4286068e-6;
 /// Sine of `x` radians: off by at most 8.8e-8, and by at most 1.5 ulp, for every finite `x`; odd, and never beyond ±1.
 #[inline]
 pub fn sin(x: f32) -> f32 {
+    sin_by(TOP, x)
+}
+
+#[inline(always)]
+pub(in crate::ops) fn sin_by(top: u32, x: f32) -> f32 {
     let bits = x.to_bits();
-    let of_magnitude = circle(bits & MAGNITUDE, 0x2000_0000);
+    let of_magnitude = circle(top, bits & MAGNITUDE, 0x2000_0000);
     f32::from_bits(of_magnitude ^ (bits & SIGN))
 }
 
@@ -64,12 +86,19 @@ pub fn sin(x: f32) -> f32 {
 /// beyond ±1.
 #[inline]
 pub fn cos(x: f32) -> f32 {
-    f32::from_bits(circle(x.to_bits() & MAGNITUDE, 0x6000_0000))
+    cos_by(TOP, x)
 }
 
-/// All ones where the top bit is set, else 0. Masks rather than conditions, where a compiler would branch.
-fn mask(bits: u32) -> u32 {
-    0_u32.wrapping_sub(bits >> 31)
+#[inline(always)]
+pub(in crate::ops) fn cos_by(top: u32, x: f32) -> f32 {
+    f32::from_bits(circle(top, x.to_bits() & MAGNITUDE, 0x6000_0000))
+}
+
+/// All ones where the top bit is set, else 0. Masks rather than conditions, where a compiler would branch. `top` is
+/// [`TOP`], which a caller may hide from the compiler: see [`constant_time`](crate::ops::constant_time).
+#[inline(always)]
+fn mask(top: u32, bits: u32) -> u32 {
+    bits.cast_signed().wrapping_shr(top).cast_unsigned()
 }
 
 /// `a` where the mask is all ones, `b` where it is 0.
@@ -81,11 +110,12 @@ fn choose(mask: u32, a: u32, b: u32) -> u32 {
 ///
 /// With an eighth of a turn added, the quadrant nearest to the angle is in the top two bits of the sum.
 #[inline]
-fn circle(magnitude: u32, offset: u32) -> u32 {
+fn circle(top: u32, magnitude: u32, offset: u32) -> u32 {
     // a = mantissa · 2^(8·byte + 125 − 150). Everything below ¼ is taken for something in [¼, ½): only the quadrant of
     // such an angle is used, and that is right.
-    // (Saturating rather than masked, so that the compiler sees the index in its range and leaves out the check.)
-    let exponent = (magnitude >> 23).saturating_sub(125);
+    // (The last mask is for the compiler, which sees the index in its range and leaves out the check.)
+    let above = (magnitude >> 23).wrapping_sub(125);
+    let exponent = above & !mask(top, above) & 0xff;
     let byte = (exponent >> 3) as usize;
     let mantissa = u64::from(((magnitude & FRACTION) | LEAST_NORMAL) << (exponent & 7));
 
@@ -99,7 +129,7 @@ fn circle(magnitude: u32, offset: u32) -> u32 {
     // The quadrant, and the signed distance from its middle with its sign taken off. (Ones' complement: a unit is lost.)
     let turn = ((angle >> 32) as u32).wrapping_add(offset);
     let distance = (turn & 0x3fff_ffff).wrapping_sub(0x2000_0000);
-    let negative = mask(distance);
+    let negative = mask(top, distance);
     let distance_high = u64::from(distance ^ negative);
     let distance_low = u64::from((angle as u32) ^ negative);
 
@@ -112,12 +142,12 @@ fn circle(magnitude: u32, offset: u32) -> u32 {
     let reduced = (upper + lower).to_bits() | (distance & SIGN);
 
     // What is below ¾ needs no reduction, and must not lose its own bits to one.
-    let small = mask(magnitude.wrapping_sub(0x3f40_0000));
+    let small = mask(top, magnitude.wrapping_sub(0x3f40_0000));
     let r = f32::from_bits(choose(small, magnitude, reduced));
 
     // Odd quadrants are the cosine's.
     let odd = (turn >> 30) & 1;
-    let base = if odd == 1 { 1.0 } else { r };
+    let base = f32::from_bits(choose(mask(top, turn << 1), 1.0_f32.to_bits(), r.to_bits()));
     let [c0, c1, c2, c3] = CIRCLE[odd as usize];
     let s = r * r;
     let p = c3 * s;
@@ -141,11 +171,16 @@ fn circle(magnitude: u32, offset: u32) -> u32 {
 /// Natural logarithm: off by at most 0.96 ulp; of ±0 it is −∞, of a negative number NaN.
 #[inline]
 pub fn ln(x: f32) -> f32 {
+    ln_by(TOP, x)
+}
+
+#[inline(always)]
+pub(in crate::ops) fn ln_by(top: u32, x: f32) -> f32 {
     let bits = x.to_bits();
 
     // x = m · 2^exponent with √½ ≤ m < √2, a subnormal number being scaled up first.
     let scaled = (x * 8388608.0).to_bits();
-    let small = mask(bits.wrapping_sub(LEAST_NORMAL));
+    let small = mask(top, bits.wrapping_sub(LEAST_NORMAL));
     let normal = choose(small, scaled, bits);
     let bias = 127 + (23 & small) as i32;
     let shifted = normal.wrapping_add(0x3f80_0000 - 0x3f35_04f3);
@@ -172,23 +207,29 @@ pub fn ln(x: f32) -> f32 {
 
     // What is not in 1..INFINITY: infinity and NaN stay, zeros and what is negative have values of their own.
     let before = bits.wrapping_sub(1);
-    let special = mask(before | (INFINITY - 2).wrapping_sub(before));
-    let zero = mask((bits & MAGNITUDE).wrapping_sub(1));
-    let limit = choose(zero, MINUS_INFINITY, bits | (mask(bits) & NAN));
+    let special = mask(top, before | (INFINITY - 2).wrapping_sub(before));
+    let zero = mask(top, (bits & MAGNITUDE).wrapping_sub(1));
+    let limit = choose(zero, MINUS_INFINITY, bits | (mask(top, bits) & NAN));
     f32::from_bits(choose(special, limit, value))
 }
 
 /// `eˣ`: off by at most 1 ulp, subnormal results included; +∞ from 88.722_84 on, 0 below −103.972_08.
 #[inline]
 pub fn exp(x: f32) -> f32 {
+    exp_by(TOP, x)
+}
+
+#[inline(always)]
+pub(in crate::ops) fn exp_by(top: u32, x: f32) -> f32 {
     // 1.5 · 2²³: adding it leaves the nearest integer in the low bits of the sum.
     const ROUND: f32 = 12582912.0;
     const ROUND_BITS: u32 = 0x4b40_0000;
+    const LIMIT: u32 = 0x42d0_0000; // 104
 
     // Beyond ±104 nothing changes any more; NaN is put back at the end.
     let bits = x.to_bits();
     let magnitude = bits & MAGNITUDE;
-    let limited = if magnitude < 0x42d0_0000 { magnitude } else { 0x42d0_0000 };
+    let limited = choose(mask(top, magnitude.wrapping_sub(LIMIT)), magnitude, LIMIT);
     let a = f32::from_bits(limited | (bits & SIGN));
 
     // x = n·ln 2 + r with |r| ≤ ½ ln 2.
@@ -220,6 +261,6 @@ pub fn exp(x: f32) -> f32 {
     let value = p * f32::from_bits(half << 23);
     let value = value * f32::from_bits(biased.wrapping_sub(half) << 23);
 
-    let not_a_number = mask(INFINITY.wrapping_sub(magnitude));
+    let not_a_number = mask(top, INFINITY.wrapping_sub(magnitude));
     f32::from_bits(value.to_bits() | (not_a_number & NAN))
 }

@@ -1,185 +1,13 @@
-//! The profile `fast`: control goes from team to team, always forward, without a loop and without a table. Cheap bids are
-//! computed; the others only where a bound says that they can still win.
-//!
-//! Compilers share what a team computes with the teams behind it, for all are in one function. Where there are many, they
-//! are in several: some passes of compilers take more than linear time in the size of a function.
-//!
-//! The best bid starts at the lowest finite number, and a NaN is never as high: so only bids above −∞ win, and where there
-//! is none, nobody wins, which is how the team's last edge does. No bid needs a test for NaN.
-//!
-//! A bid of 0 is read from a volatile variable: clang takes `(v > 0) ? v : 0` of a `v = max(0, x)` for v, which it is not
-//! where x is NaN. Where what is best is no constant, it does not.
+//! One team: what is asked of its bids, in order, and where its winner goes.
 
-use super::expression::Printer;
-use crate::emit::layout;
-use crate::graph::ScalarType;
-use crate::ir::{Module, Node, NodeId, Target, needed, topological};
-use crate::passes::schedule::{Bid, Infinite, LazyBid, Plan, Schedule, Sparing};
-use askama::Template;
+use super::Span;
+use super::view::{EagerView, InfiniteView, LateTeamView, LateView, LazyView, TeamView, WayView};
+use crate::emit::c::expression::Printer;
+use crate::ir::{Module, Node, NodeId, Target, needed};
+use crate::passes::schedule::{Bid, Infinite, LazyBid, Plan, Sparing};
 use std::collections::BTreeSet;
 
-/// Teams of one function, where all are in it.
-const TEAMS: usize = 64;
-/// Teams of one function, where there are more.
-const SOME_TEAMS: usize = 32;
-
-#[derive(Template)]
-#[template(path = "c/fast.c", escape = "none")]
-struct Fast<'a> {
-    prefix: &'a str,
-    upper: &'a str,
-    scalar: &'a str,
-    lowest: &'a str,
-    infinity: String,
-    /// For teams with bids that may lead without having been computed.
-    late: Vec<LateTeamView>,
-    functions: Vec<FunctionView>,
-}
-
-/// The bids of a team that may lead without having been computed.
-struct LateTeamView {
-    label: u32,
-    bids: Vec<LateView>,
-    reads_state: bool,
-}
-
-/// Some teams, one after another.
-struct FunctionView {
-    /// How to come to a team from another function; none where there is only one.
-    entries: Vec<EntryView>,
-    teams: Vec<TeamView>,
-    /// The number after its last team's.
-    end: usize,
-    reads_state: bool,
-}
-
-struct EntryView {
-    number: String,
-    label: u32,
-}
-
-struct TeamView {
-    label: u32,
-    /// Whether control comes to it from elsewhere: not to the root.
-    is_entered: bool,
-    /// The variable that holds the winner: the way it goes, or its place.
-    winner: &'static str,
-    nobody: String,
-    /// What is asked first: the condition under which a bid is infinite, and its rank.
-    infinite: Option<InfiniteView>,
-    eager: Vec<EagerView>,
-    eager_before: Vec<EagerView>,
-    lazy: Vec<LazyView>,
-    /// Where the edges lead; the last is where nobody's win leads.
-    ways: Vec<WayView>,
-}
-
-struct WayView {
-    condition: String,
-    /// What is decided, where control leaves the function.
-    vertex: Option<String>,
-    label: String,
-}
-
-struct InfiniteView {
-    statements: Vec<String>,
-    condition: String,
-    rank: String,
-}
-
-struct EagerView {
-    statements: Vec<String>,
-    value: String,
-    rank: String,
-    in_turn: bool,
-    /// Whether no bid follows: then, what is best does not matter any more.
-    last: bool,
-}
-
-/// A bid that may lead without having been computed.
-struct LateView {
-    rank: String,
-    statements: Vec<String>,
-    value: String,
-}
-
-struct LazyView {
-    before: Vec<String>,
-    /// Whether to look at it at all.
-    considered: Option<String>,
-    bound_statements: Vec<String>,
-    /// The ends of what it can be, where it need not be computed to win.
-    ends: Option<(String, String)>,
-    /// Certain to win.
-    sure: String,
-    /// What is the highest that the leader can bid.
-    top: &'static str,
-    /// Whether the leader may not have been computed yet.
-    pending: bool,
-    /// Whether this is the first that can win without being computed.
-    first: bool,
-    /// None where it must be looked at whatever the others bid.
-    guard: Option<String>,
-    statements: Vec<String>,
-    value: String,
-    rank: String,
-    wins: String,
-    last: bool,
-}
-
-/// Renders the body.
-pub(super) fn render(printer: &Printer<'_>, module: &Module, schedule: &Schedule, upper: &str) -> String {
-    let order = topological(&module.teams);
-    let mut places = vec![0; order.len()];
-    for (place, &team) in order.iter().enumerate() {
-        places[team] = place;
-    }
-    let mut late = Vec::new();
-    let several = if order.len() <= TEAMS { TEAMS } else { SOME_TEAMS };
-    let functions = (order.chunks(several).zip((0..).step_by(several)))
-        .map(|(teams, start)| {
-            let whole = teams.len() == order.len();
-            let span = Span { places: &places, start, end: start + teams.len(), whole };
-            let mut reads_state = false;
-            let entries = teams
-                .iter()
-                .filter(|_| !whole)
-                .map(|&team| EntryView { number: format!("{}U", places[team]), label: module.teams[team].label });
-            let entries = entries.collect();
-            let teams = teams.iter().map(|&team| {
-                let mut printed = TeamPrinter::new(printer, module, &schedule.plans[team], &span);
-                let view = printed.view(!whole || team != 0);
-                reads_state |= printed.reads_state;
-                late.extend(printed.late_team());
-                view
-            });
-            let teams = teams.collect();
-            FunctionView { entries, teams, end: span.end, reads_state }
-        })
-        .collect();
-    let fast = Fast {
-        prefix: printer.prefix,
-        upper,
-        scalar: printer.scalar(),
-        lowest: if printer.graph.scalar() == ScalarType::F32 { "FLT_MAX" } else { "DBL_MAX" },
-        infinity: printer.constant(f64::INFINITY),
-        late,
-        functions,
-    };
-    layout::indent(&fast.render().expect("the template renders"))
-}
-
-/// The teams of a function.
-struct Span<'a> {
-    /// Every team's place in the order.
-    places: &'a [usize],
-    start: usize,
-    end: usize,
-    /// Whether these are all teams there are.
-    whole: bool,
-}
-
-struct TeamPrinter<'a> {
+pub(super) struct TeamPrinter<'a> {
     printer: &'a Printer<'a>,
     module: &'a Module,
     plan: &'a Plan,
@@ -189,13 +17,13 @@ struct TeamPrinter<'a> {
     /// Whether every bid is looked at in turn: then, the way that the winner goes is enough to know.
     in_turn: bool,
     computed: BTreeSet<NodeId>,
-    reads_state: bool,
+    pub(super) reads_state: bool,
     /// Whether the leader may be a bid that was not computed.
     pending: bool,
 }
 
 impl<'a> TeamPrinter<'a> {
-    fn new(printer: &'a Printer<'a>, module: &'a Module, plan: &'a Plan, span: &'a Span<'a>) -> Self {
+    pub(super) fn new(printer: &'a Printer<'a>, module: &'a Module, plan: &'a Plan, span: &'a Span<'a>) -> Self {
         let in_turn = plan.infinite.is_none() && plan.bids().all(|bid| bid.in_turn);
         let in_turn = in_turn && plan.lazy.iter().all(|lazy| lazy.certain.is_none());
         let targets = plan.destinations();
@@ -203,7 +31,7 @@ impl<'a> TeamPrinter<'a> {
         Self { printer, module, plan, span, targets, in_turn, computed, reads_state, pending }
     }
 
-    fn view(&mut self, is_entered: bool) -> TeamView {
+    pub(super) fn view(&mut self, is_entered: bool) -> TeamView {
         let (mut eager, mut eager_before, mut lazy) = (Vec::new(), Vec::new(), Vec::new());
         let mut infinite = None;
         // With one way to go, no bid matters.
@@ -381,11 +209,13 @@ impl<'a> TeamPrinter<'a> {
     }
 
     /// The bids that may lead without having been computed, each with all that it needs.
-    fn late_team(&self) -> Option<LateTeamView> {
+    pub(super) fn late_team(&self) -> Option<LateTeamView> {
+        let mut reads_state = false;
         let bids: Vec<LateView> = (self.plan.lazy.iter().filter(|lazy| lazy.certain.is_some()))
             .map(|lazy| {
                 let value = lazy.bid.value;
                 let needed = needed(self.printer.nodes, value, |_| true);
+                reads_state |= self.reads_input(value, &needed);
                 LateView {
                     rank: self.rank(&lazy.bid),
                     statements: needed.iter().map(|&id| self.printer.statement(id)).collect(),
@@ -393,8 +223,6 @@ impl<'a> TeamPrinter<'a> {
                 }
             })
             .collect();
-        let reads = |text: &String| text.contains("state->");
-        let reads_state = bids.iter().any(|bid| reads(&bid.value) || bid.statements.iter().any(reads));
         (self.targets.len() > 1 && !bids.is_empty()).then_some(LateTeamView {
             label: self.plan.label,
             bids,
@@ -405,14 +233,18 @@ impl<'a> TeamPrinter<'a> {
     /// What must still be computed for a value; later bids can use it where it `stays`.
     fn statements(&mut self, value: NodeId, stays: bool) -> Vec<String> {
         let missing = needed(self.printer.nodes, value, |id| !self.computed.contains(&id));
-        let nodes = self.printer.nodes;
-        let is_input = |id: NodeId| matches!(nodes[id.index()], Node::Input(_));
-        self.reads_state |=
-            is_input(value) || missing.iter().any(|id| nodes[id.index()].operands().iter().any(|&id| is_input(id)));
+        self.reads_state |= self.reads_input(value, &missing);
         let statements = missing.iter().map(|&id| self.printer.statement(id)).collect();
         if stays {
             self.computed.extend(missing);
         }
         statements
+    }
+
+    /// Whether an input is a value, or an operand of what is computed for it.
+    fn reads_input(&self, value: NodeId, computed: &[NodeId]) -> bool {
+        let nodes = self.printer.nodes;
+        let is_input = |id: NodeId| matches!(nodes[id.index()], Node::Input(_));
+        is_input(value) || computed.iter().any(|id| nodes[id.index()].operands().iter().any(|&id| is_input(id)))
     }
 }

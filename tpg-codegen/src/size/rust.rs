@@ -1,0 +1,94 @@
+//! How big generated Rust is on a Cortex-M4F, where the Rust compiler has that target.
+
+use super::{Size, measure};
+use crate::emit::{self, Language, Options};
+use crate::graph::Graph;
+use crate::verify::{self, BuildError};
+use std::path::Path;
+use std::process::Command;
+use std::{fs, io};
+use tempfile::TempDir;
+use tpg_runtime::standalone;
+
+const TARGET: &str = "thumbv7em-none-eabihf";
+
+/// The Rust compiler for a Cortex-M4F, with what generated Rust stands on.
+#[derive(Debug)]
+pub struct RustForCortexM4 {
+    folder: TempDir,
+}
+
+impl RustForCortexM4 {
+    /// Compiles the runtime's part, at an `opt-level`: `3`, `s` and the like.
+    ///
+    /// # Errors
+    /// When there is no compiler, or it lacks the target.
+    pub fn new(level: &str) -> io::Result<Self> {
+        let folder = TempDir::new()?;
+        let place = |name: &str| folder.path().join(name);
+        // The runtime names the crate libm, a library that is called and not part of a policy: its symbols are enough.
+        fs::write(place("libm.rs"), libm())?;
+        for (name, text) in standalone::FILES {
+            let path = place("runtime").join(name);
+            fs::create_dir_all(path.parent().unwrap_or(folder.path()))?;
+            fs::write(path, text.replace("extern crate std;\n", ""))?;
+        }
+        let library = ["--crate-type=rlib", "--crate-name=libm", "libm.rs"];
+        compile(folder.path(), level, &library)?;
+        let runtime = ["--crate-type=rlib", "--crate-name=tpg_runtime", "--extern=libm=liblibm.rlib", "runtime/lib.rs"];
+        compile(folder.path(), level, &runtime)?;
+        Ok(Self { folder })
+    }
+
+    /// The object file of a policy: one function, `PREFIX_infer`, with C's calling convention, and what it calls.
+    ///
+    /// # Errors
+    /// When the compiler refuses.
+    pub fn object(&self, graph: &Graph, options: &Options, level: &str) -> io::Result<Vec<u8>> {
+        let prefix = options.prefix.lower();
+        let folder = self.folder.path();
+        for file in emit::emit(graph, Language::Rust, options) {
+            fs::write(folder.join(format!("policy_{}", file.name)), file.text)?;
+        }
+        let (scalar, length, name) = (graph.scalar().name(), graph.state_length(), options.prefix.camel());
+        let library = format!(
+            "#![no_std]\n#[path = \"policy_{prefix}.rs\"]\nmod policy;\n\
+             use tpg_runtime::policy::{{ActionId, Policy}};\n\
+             #[unsafe(no_mangle)]\npub extern \"C\" fn {prefix}_infer(state: &[{scalar}; {length}]) -> u16 {{\n    \
+             let ActionId(action) = policy::{name}.decide(state);\n    action\n}}\n"
+        );
+        fs::write(folder.join("lib.rs"), library)?;
+        let object = ["--crate-type=lib", "--crate-name=policy_object", "--emit=obj", "-o", "policy.o", "-L", "."];
+        compile(folder, level, &[&object[..], &["--extern=tpg_runtime=libtpg_runtime.rlib", "lib.rs"]].concat())?;
+        fs::read(folder.join("policy.o"))
+    }
+
+    /// The bytes of [`object`](Self::object).
+    ///
+    /// # Errors
+    /// As it.
+    pub fn size(&self, graph: &Graph, options: &Options, level: &str) -> io::Result<Size> {
+        measure(&self.object(graph, options, level)?)
+    }
+}
+
+/// Declares what the runtime calls of the crate libm.
+fn libm() -> String {
+    let functions = |scalar: &str, names: [&str; 4]| {
+        names.map(|name| format!("#[inline(never)]\npub fn {name}(x: {scalar}) -> {scalar} {{\n    x\n}}\n")).concat()
+    };
+    let single = functions("f32", ["sinf", "cosf", "logf", "expf"]);
+    format!("#![no_std]\n{single}{}", functions("f64", ["sin", "cos", "log", "exp"]))
+}
+
+fn compile(folder: &Path, level: &str, arguments: &[&str]) -> io::Result<()> {
+    let mut command: Command = verify::rustc(folder);
+    command.arg(format!("--target={TARGET}")).args(["-Ctarget-cpu=cortex-m4", "-Coverflow-checks=off"]);
+    command.arg(format!("-Copt-level={level}")).args(arguments);
+    verify::compile("Rust", command).map_err(|error| match error {
+        BuildError::Refused { message, .. } if message.contains("E0463") => {
+            io::Error::other(format!("the Rust compiler lacks a target: rustup target add {TARGET}"))
+        }
+        error => io::Error::other(error),
+    })
+}

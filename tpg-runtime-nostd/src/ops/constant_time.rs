@@ -1,0 +1,188 @@
+//! Instructions and teams' choices without a condition: on integers, by masks.
+//!
+//! A mask is all ones or 0: a sign, shifted over all bits. Compilers know that, and make a condition of it again (LLVM, on
+//! a Cortex-M, a predicated block); so how far to shift is hidden from them, once a decision.
+//!
+//! The functions are those of [`ops`](super) for every operand, NaN and infinities too.
+
+use super::own;
+use core::hint::black_box;
+use core::marker::PhantomData;
+
+/// Computes in `S`, `f32` or `f64`.
+#[derive(Clone, Copy, Debug)]
+pub struct ConstantTime<S> {
+    /// The place of the top bit.
+    top: u32,
+    scalar: PhantomData<S>,
+}
+
+macro_rules! constant_time {
+    ($scalar:ident, $key:ident, $infinity:expr) => {
+        impl Default for ConstantTime<$scalar> {
+            #[inline(always)]
+            fn default() -> Self {
+                Self { top: black_box($key::BITS - 1), scalar: PhantomData }
+            }
+        }
+
+        impl ConstantTime<$scalar> {
+            /// [`Instruction::Min`](super::Instruction::Min).
+            #[inline(always)]
+            pub fn min(self, a: $scalar, b: $scalar) -> $scalar {
+                Self::choose(self.less(a, b), a, b)
+            }
+
+            /// [`Instruction::Max`](super::Instruction::Max).
+            #[inline(always)]
+            pub fn max(self, a: $scalar, b: $scalar) -> $scalar {
+                Self::choose(self.less(b, a), a, b)
+            }
+
+            /// [`Instruction::NegateIfLess`](super::Instruction::NegateIfLess).
+            #[inline(always)]
+            pub fn negate_if_less(self, a: $scalar, b: $scalar) -> $scalar {
+                let sign = self.less(a, b) & $key::MIN;
+                $scalar::from_bits(a.to_bits() ^ sign.cast_unsigned())
+            }
+
+            /// A bid as an integer in the order of bids; a NaN counts as −∞.
+            #[inline(always)]
+            pub fn key(self, bid: $scalar) -> $key {
+                let unordered = self.is_nan(bid);
+                (self.order(bid) & !unordered).wrapping_sub($infinity & unordered)
+            }
+
+            /// Lets a challenger bid against the best so far: it wins when its bid is as high. `.1` is where the bidder
+            /// leads.
+            #[inline(always)]
+            pub fn challenge(self, best: ($key, u32), challenger: ($key, u32)) -> ($key, u32) {
+                let lower = self.below(challenger.0, best.0);
+                let key = challenger.0 ^ ((challenger.0 ^ best.0) & lower);
+                let to = challenger.1 ^ ((challenger.1 ^ best.1) & lower.cast_unsigned() as u32);
+                (key, to)
+            }
+
+            /// All ones where a < b; a NaN is below nothing.
+            #[inline(always)]
+            fn less(self, a: $scalar, b: $scalar) -> $key {
+                self.below(self.order(a), self.order(b)) & !(self.is_nan(a) | self.is_nan(b))
+            }
+
+            /// All ones where a < b. Saturated, the sign of a difference is right.
+            #[inline(always)]
+            fn below(self, a: $key, b: $key) -> $key {
+                self.mask(a.saturating_sub(b))
+            }
+
+            /// An integer in the order of the numbers, 0 for −0.
+            #[inline(always)]
+            fn order(self, x: $scalar) -> $key {
+                let bits = x.to_bits().cast_signed();
+                let negative = self.mask(bits);
+                ((bits & $key::MAX) ^ negative).wrapping_sub(negative)
+            }
+
+            #[inline(always)]
+            fn is_nan(self, x: $scalar) -> $key {
+                self.mask($infinity.wrapping_sub(x.to_bits().cast_signed() & $key::MAX))
+            }
+
+            /// All ones where x is negative, else 0.
+            #[inline(always)]
+            fn mask(self, x: $key) -> $key {
+                x.wrapping_shr(self.top)
+            }
+
+            /// a where the mask is all ones, b where it is 0.
+            #[inline(always)]
+            fn choose(mask: $key, a: $scalar, b: $scalar) -> $scalar {
+                let (a, b) = (a.to_bits(), b.to_bits());
+                $scalar::from_bits(b ^ ((a ^ b) & mask.cast_unsigned()))
+            }
+        }
+    };
+}
+
+constant_time!(f32, i32, 0x7f80_0000_i32);
+constant_time!(f64, i64, 0x7ff0_0000_0000_0000_i64);
+
+/// Own maths; the kernels of [`own::f32`], which make masks, too.
+impl ConstantTime<f32> {
+    /// Sine of `x` radians.
+    #[inline(always)]
+    pub fn sin(self, x: f32) -> f32 {
+        own::f32::sin_by(self.top, x)
+    }
+
+    /// Cosine of `x` radians.
+    #[inline(always)]
+    pub fn cos(self, x: f32) -> f32 {
+        own::f32::cos_by(self.top, x)
+    }
+
+    /// Natural logarithm.
+    #[inline(always)]
+    pub fn ln(self, x: f32) -> f32 {
+        own::f32::ln_by(self.top, x)
+    }
+
+    /// Exponential.
+    #[inline(always)]
+    pub fn exp(self, x: f32) -> f32 {
+        own::f32::exp_by(self.top, x)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ConstantTime;
+    use crate::ops;
+    use proptest::prelude::*;
+
+    macro_rules! as_ops {
+        ($name:ident, $scalar:ident, $bits:ident, $special:expr) => {
+            #[test]
+            fn $name() {
+                let special: [$scalar; _] = $special;
+                let any = prop_oneof![proptest::sample::select(special.to_vec()), any::<$bits>().prop_map($scalar::from_bits)];
+                proptest!(ProptestConfig::with_cases(20_000), |(a in any.clone(), b in any)| {
+                    let ct = ConstantTime::<$scalar>::default();
+                    prop_assert_eq!(ct.min(a, b).to_bits(), ops::min(a, b).to_bits());
+                    prop_assert_eq!(ct.max(a, b).to_bits(), ops::max(a, b).to_bits());
+                    prop_assert_eq!(ct.negate_if_less(a, b).to_bits(), ops::negate_if_less(a, b).to_bits());
+                    let (_, to) = ct.challenge((ct.key(a), 1), (ct.key(b), 2));
+                    prop_assert_eq!(to, ops::challenge((ops::bid(a), 1), (ops::bid(b), 2)).1);
+                });
+            }
+        };
+    }
+
+    const SPECIAL: [f32; 12] = [
+        0.0,
+        -0.0,
+        1.0,
+        -1.0,
+        f32::MIN_POSITIVE,
+        1e-45,
+        -1e-45,
+        f32::MAX,
+        f32::MIN,
+        f32::INFINITY,
+        f32::NEG_INFINITY,
+        f32::NAN,
+    ];
+
+    as_ops!(f32_is_as_ops, f32, u32, SPECIAL);
+    as_ops!(f64_is_as_ops, f64, u64, SPECIAL.map(f64::from));
+
+    #[test]
+    fn own_maths_is_the_same() {
+        let ct = ConstantTime::<f32>::default();
+        for x in (0..=u32::MAX).step_by(9973).map(f32::from_bits).chain(SPECIAL) {
+            let own = [ops::own::f32::sin, ops::own::f32::cos, ops::own::f32::ln, ops::own::f32::exp];
+            let masked = [ct.sin(x), ct.cos(x), ct.ln(x), ct.exp(x)];
+            assert_eq!(masked.map(f32::to_bits), own.map(|kernel| kernel(x).to_bits()), "{x:e}");
+        }
+    }
+}
