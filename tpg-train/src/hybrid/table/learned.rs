@@ -54,18 +54,15 @@ pub fn measure(
     let recorded = recorded(start, conformance)?;
     let mut rows = Vec::new();
     for learned in &inputs.learned {
-        let mut add = |name: &str, of: &dyn Fn(&[Task]) -> Result<Vec<[f64; 4]>, InputError>| {
-            let row = |tasks: &[Task]| Ok::<_, InputError>(Row::of_values(name, &of(tasks)?));
-            rows.push(LearnedRow { test: row(tasks)?, paper: recorded.as_deref().map(row).transpose()? });
-            Ok::<_, InputError>(())
-        };
         if !learned.sac.is_empty() {
-            add(&learned.name, &|tasks| actors(&learned.sac, start, tasks))?;
+            let row = |tasks: &[Task]| actors(learned, start, tasks);
+            rows.push(LearnedRow { test: row(tasks)?, paper: recorded.as_deref().map(row).transpose()? });
         }
         if !learned.tpg.is_empty() {
-            add(&learned.name, &|tasks| graphs(&learned.tpg, Shield::None, start, tasks))?;
-            let name = format!("{}, shielded", learned.name);
-            add(&name, &|tasks| graphs(&learned.tpg, Shield::LimitsAndCollision, start, tasks))?;
+            for shield in [Shield::None, Shield::LimitsAndCollision] {
+                let row = |tasks: &[Task]| graphs(learned, shield, start, tasks);
+                rows.push(LearnedRow { test: row(tasks)?, paper: recorded.as_deref().map(row).transpose()? });
+            }
         }
     }
     let of = |name: &str, trial: &dyn Fn(&[Task]) -> Trial| {
@@ -84,7 +81,7 @@ pub fn measure(
     Ok(rows)
 }
 
-fn graphs(paths: &[PathBuf], shield: Shield, start: Start, tasks: &[Task]) -> Result<Vec<[f64; 4]>, InputError> {
+fn graphs(learned: &Learned, shield: Shield, start: Start, tasks: &[Task]) -> Result<Row, InputError> {
     let tasks: Vec<ArmTask> = tasks.iter().copied().map(ArmTask::from).collect();
     let values = |path: &PathBuf| {
         let (file, graph) = (path.display().to_string(), read_graph(path)?);
@@ -93,15 +90,16 @@ fn graphs(paths: &[PathBuf], shield: Shield, start: Start, tasks: &[Task]) -> Re
         let report = Report::new(start, &file, shield, None, &endings, &OUTCOMES, 0.0);
         Ok([report.success_rate, report.collision_rate, report.mean_distance_mm, report.mean_actions])
     };
-    paths.iter().map(values).collect()
+    let values: Result<Vec<_>, InputError> = learned.tpg.iter().map(values).collect();
+    let shielded = if shield == Shield::None { "" } else { ", shielded" };
+    Ok(Row::of_values(&format!("{}{shielded}", learned.name), &values?))
 }
 
-fn actors(paths: &[PathBuf], start: Start, tasks: &[Task]) -> Result<Vec<[f64; 4]>, InputError> {
-    let values = |path: &PathBuf| {
-        let trial = run(&WIDOWX.to_f32(), &*Actor::read(path)?.policy(), start, tasks);
-        Ok([trial.success_rate, trial.collision_rate, trial.mean_distance_mm, trial.mean_actions])
-    };
-    paths.iter().map(values).collect()
+fn actors(learned: &Learned, start: Start, tasks: &[Task]) -> Result<Row, InputError> {
+    let arm = WIDOWX.to_f32();
+    let trial = |path: &PathBuf| Ok(run(&arm, &*Actor::read(path)?.policy(), start, tasks));
+    let trials: Result<Vec<_>, InputError> = learned.sac.iter().map(trial).collect();
+    Ok(Row::of(&learned.name, &trials?))
 }
 
 /// The paper's targets; `None` where the folder is missing.
