@@ -383,7 +383,10 @@ pub fn endings_of(
 }
 
 /// [`endings_of`] under a shield that the graph has not.
-fn shielded_endings_of(
+///
+/// # Errors
+/// As [`endings_of`].
+pub fn shielded_endings_of(
     file: &str,
     graph: &Graph,
     arm: &Arm<f64>,

@@ -27,7 +27,7 @@ pub struct TpgArgs {
     /// A configuration (`tpg-train config` prints commented ones)
     #[arg(long, value_name = "FILE", conflicts_with = "preset")]
     pub config: Option<PathBuf>,
-    /// A configuration that comes with the trainer: kelly, paper-fs, paper-rs, best-fs, best-rs
+    /// A configuration that comes with the trainer: kelly, paper-fs, paper-rs, best-fs, polar-fs, best-rs
     #[arg(long, value_name = "NAME")]
     pub preset: Option<String>,
     /// The folder of the run

@@ -9,7 +9,7 @@ use tpg_codegen::error::{InputError, Place};
 /// Print a commented configuration.
 #[derive(Clone, Debug, Args)]
 pub struct ConfigArgs {
-    /// kelly, paper-fs, paper-rs, best-fs or best-rs; widowx for the section that describes the arm
+    /// kelly, paper-fs, paper-rs, best-fs, polar-fs or best-rs; widowx for the section that describes the arm
     #[arg(value_name = "NAME", default_value = "best-rs")]
     pub name: String,
     /// Only the names, with what they are
@@ -51,7 +51,7 @@ pub struct Preset {
 }
 
 /// Every preset.
-pub const PRESETS: [Preset; 5] = [
+pub const PRESETS: [Preset; 6] = [
     Preset {
         name: "kelly",
         about: "Kelly's parameters, GEGELATI's defaults, on the paper's fixed-start problem",
@@ -68,6 +68,11 @@ pub const PRESETS: [Preset; 5] = [
         text: include_str!("presets/paper-rs.toml"),
     },
     Preset { name: "best-fs", about: "ours, fixed start", text: include_str!("presets/best-fs.toml") },
+    Preset {
+        name: "polar-fs",
+        about: "ours, fixed start, that knows less of the arm than best-fs",
+        text: include_str!("presets/polar-fs.toml"),
+    },
     Preset { name: "best-rs", about: "ours, random start", text: include_str!("presets/best-rs.toml") },
 ];
 

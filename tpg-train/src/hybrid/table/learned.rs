@@ -3,9 +3,12 @@
 use super::ProblemInputs;
 use super::rows::{Row, STRAIGHT};
 use crate::conformance::data;
+use crate::environments::arm::OUTCOMES;
+use crate::environments::{ArmProblem, ArmTask};
+use crate::evaluate::{Report, shielded_endings_of};
+use crate::evolution::config::Shield;
 use crate::hybrid::actor::Actor;
 use crate::hybrid::graph::read_graph;
-use crate::hybrid::trial;
 use crate::planner::{Choice, Planner};
 use crate::targets::{Start, Task};
 use crate::trial::{Trial, run};
@@ -51,8 +54,16 @@ pub fn measure(
     let recorded = recorded(start, conformance)?;
     let mut rows = Vec::new();
     for learned in &inputs.learned {
-        let row = |tasks: &[Task]| Ok(Row::of(&learned.name, &trials(learned, start, tasks)?));
-        rows.push(LearnedRow { test: row(tasks)?, paper: recorded.as_deref().map(row).transpose()? });
+        if !learned.sac.is_empty() {
+            let row = |tasks: &[Task]| actors(learned, start, tasks);
+            rows.push(LearnedRow { test: row(tasks)?, paper: recorded.as_deref().map(row).transpose()? });
+        }
+        if !learned.tpg.is_empty() {
+            for shield in [Shield::None, Shield::LimitsAndCollision] {
+                let row = |tasks: &[Task]| graphs(learned, shield, start, tasks);
+                rows.push(LearnedRow { test: row(tasks)?, paper: recorded.as_deref().map(row).transpose()? });
+            }
+        }
     }
     let of = |name: &str, trial: &dyn Fn(&[Task]) -> Trial| {
         let row = |tasks: &[Task]| Row::of(name, &[trial(tasks)]);
@@ -70,14 +81,25 @@ pub fn measure(
     Ok(rows)
 }
 
-fn trials(learned: &Learned, start: Start, tasks: &[Task]) -> Result<Vec<Trial>, InputError> {
-    let graphs = learned.tpg.iter().map(|path| {
-        let file = path.display().to_string();
-        trial::graph_alone(&file, &read_graph(path)?, start, tasks)
-    });
+fn graphs(learned: &Learned, shield: Shield, start: Start, tasks: &[Task]) -> Result<Row, InputError> {
+    let tasks: Vec<ArmTask> = tasks.iter().copied().map(ArmTask::from).collect();
+    let values = |path: &PathBuf| {
+        let (file, graph) = (path.display().to_string(), read_graph(path)?);
+        let problem = ArmProblem::new(start, Vec::new());
+        let endings = shielded_endings_of(&file, &graph, &WIDOWX, problem, shield, &tasks)?;
+        let report = Report::new(start, &file, shield, None, &endings, &OUTCOMES, 0.0);
+        Ok([report.success_rate, report.collision_rate, report.mean_distance_mm, report.mean_actions])
+    };
+    let values: Result<Vec<_>, InputError> = learned.tpg.iter().map(values).collect();
+    let shielded = if shield == Shield::None { "" } else { ", shielded" };
+    Ok(Row::of_values(&format!("{}{shielded}", learned.name), &values?))
+}
+
+fn actors(learned: &Learned, start: Start, tasks: &[Task]) -> Result<Row, InputError> {
     let arm = WIDOWX.to_f32();
-    let actors = learned.sac.iter().map(|path| Ok(run(&arm, &*Actor::read(path)?.policy(), start, tasks)));
-    graphs.chain(actors).collect()
+    let trial = |path: &PathBuf| Ok(run(&arm, &*Actor::read(path)?.policy(), start, tasks));
+    let trials: Result<Vec<_>, InputError> = learned.sac.iter().map(trial).collect();
+    Ok(Row::of(&learned.name, &trials?))
 }
 
 /// The paper's targets; `None` where the folder is missing.

@@ -44,14 +44,22 @@ pub struct Row {
 impl Row {
     /// Of some trials.
     pub fn of(name: &str, trials: &[Trial]) -> Self {
-        let spread = |value: fn(&Trial) -> f64| Spread::of(&trials.iter().map(value).collect::<Vec<_>>());
+        let values =
+            |trial: &Trial| [trial.success_rate, trial.collision_rate, trial.mean_distance_mm, trial.mean_actions];
+        Self::of_values(name, &trials.iter().map(values).collect::<Vec<_>>())
+    }
+
+    /// Of some policies: part of the episodes that succeeded and that collided, mean distance in mm and number of actions.
+    pub fn of_values(name: &str, policies: &[[f64; 4]]) -> Self {
+        let [success, collision, distance, actions] =
+            [0, 1, 2, 3].map(|place| Spread::of(&policies.iter().map(|values| values[place]).collect::<Vec<_>>()));
         Self {
             name: name.to_owned(),
-            policies: trials.len(),
-            success: spread(|trial| trial.success_rate),
-            collision: spread(|trial| trial.collision_rate),
-            distance: spread(|trial| trial.mean_distance_mm),
-            actions: spread(|trial| trial.mean_actions),
+            policies: policies.len(),
+            success,
+            collision,
+            distance,
+            actions,
             by_graph: None,
             time: None,
             bytes: None,
