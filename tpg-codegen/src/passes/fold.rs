@@ -2,9 +2,13 @@
 //!
 //! What is used: an operation on constants is a constant; `x − 0 = x` and `x + (−0) = x`, also for x = −0; `1·x = x`,
 //! `x / 1 = x`; division by a power of two is multiplication by its reciprocal; `min(x, x)`, `max(x, x)` and
-//! `negate_if_less(x, x)` are x, for NaN too, as the comparison is false; with a NaN, an operation is NaN or one of its
+//! `negate_if_less(x, x)` are x, for NaN too, as the comparison is false; a minimum with an operand that was in it already is
+//! that minimum, but `min(min(x, y), x) = min(y, x)`, and so for the maximum; with a NaN, an operation is NaN or one of its
 //! operands; `||x|| = |x|`; sums and products commute (the
 //! payload of a NaN aside, which no comparison sees), so their operands are sorted and equal ones meet.
+//!
+//! That of minima is more than thrift: LLVM 22 takes `min(min(c, x), c)` with a constant c for `min(c, x)`, which it is not
+//! where x is NaN.
 //!
 //! What is not: `x + 0` (−0 becomes 0), `0·x` and `x − x` (NaN for an infinite x), any reassociation.
 
@@ -72,6 +76,18 @@ pub(super) fn operation(
             commutative(values, Instruction::Mul, a, factor)
         }
         Instruction::Min | Instruction::Max | Instruction::NegateIfLess if a == b => a,
+        Instruction::Min | Instruction::Max => {
+            let same = |operand| match values.node(operand) {
+                Node::Operation(inner, operands) if inner == instruction => Some(operands),
+                _ => None,
+            };
+            match (same(a), same(b)) {
+                (Some([_, y]), _) if b == y => a,
+                (Some([x, y]), _) if b == x => operation(values, arithmetic, instruction, [y, x]),
+                (_, Some(inner)) if inner.contains(&a) => b,
+                _ => values.intern(Node::Operation(instruction, operands)),
+            }
+        }
         Instruction::Abs if matches!(values.node(a), Node::Operation(Instruction::Abs, _)) => a,
         Instruction::Add | Instruction::Mul => commutative(values, instruction, a, b),
         _ => values.intern(Node::Operation(instruction, operands)),
@@ -140,6 +156,40 @@ mod tests {
                 let found = value(&values, id, input);
                 let equal = expected.to_bits() == found.to_bits() || (expected.is_nan() && found.is_nan());
                 assert!(equal, "{instruction:?} {input}: {expected} but {found}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_minimum_of_a_minimum_and_its_operand_is_one_minimum_bit_for_bit() {
+        for instruction in [Instruction::Min, Instruction::Max] {
+            for constant in VALUES {
+                // Inner and outer operands either way round, the outer one the input or the constant.
+                for way in 0..8 {
+                    let [inner_swapped, outer_swapped, of_constant] = [1, 2, 4].map(|bit| way & bit != 0);
+                    let mut values = Values::default();
+                    let x = values.intern(Node::Input(Input(0)));
+                    let c = values.intern(Node::constant(constant));
+                    let order = |swapped: bool, [a, b]: [NodeId; 2]| if swapped { [b, a] } else { [a, b] };
+                    let inner = operation(&mut values, F64, instruction, order(inner_swapped, [x, c]));
+                    let other = if of_constant { c } else { x };
+                    let id = operation(&mut values, F64, instruction, order(outer_swapped, [inner, other]));
+                    let depth = |id| match values.node(id) {
+                        Node::Operation(_, operands) => Some(operands),
+                        _ => None,
+                    };
+                    assert!(depth(id).into_iter().flatten().all(|operand| depth(operand).is_none()), "one is enough");
+                    for input in VALUES {
+                        let of = |[a, b]: [f64; 2]| F64.evaluate(instruction, a, b).expect("own maths");
+                        let order = |swapped: bool, [a, b]: [f64; 2]| if swapped { [b, a] } else { [a, b] };
+                        let inner = of(order(inner_swapped, [input, constant]));
+                        let other = if of_constant { constant } else { input };
+                        let expected = of(order(outer_swapped, [inner, other]));
+                        let found = value(&values, id, input);
+                        let equal = expected.to_bits() == found.to_bits() || (expected.is_nan() && found.is_nan());
+                        assert!(equal, "{instruction:?} of {input} and {constant}, way {way}: {expected} but {found}");
+                    }
+                }
             }
         }
     }
