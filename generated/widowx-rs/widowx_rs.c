@@ -2,7 +2,7 @@
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix widowx_rs --profile fast
  * Graph SHA-256: 4c66c6b65c6c713d5ad1fe31be297b7d3fcebbf6d3d7971a9a27b9132c25b11f
- * 30 teams (16 on the longest walk), 210 edges, 156 programs, 58 distinct operations.
+ * 30 teams (16 on the longest walk), 210 edges, 156 programs, 57 distinct operations.
  * Computes in f32 with own maths.
  */
 #include "widowx_rs.h"
@@ -269,10 +269,10 @@ team_10:
             best = v13;
             way = 1U;
         }
-        const float v63 = state->stance[1] - 9.689877F;
+        const float v62 = state->stance[1] - 9.689877F;
 
-        if (v63 >= best) {
-            best = v63;
+        if (v62 >= best) {
+            best = v62;
             way = 2U;
         }
 
@@ -400,10 +400,10 @@ team_12:
             way = 2U;
         }
         const float v43 = fabsf(state->floor[0]);
-        const float v58 = state->stance[1] / v43;
+        const float v57 = state->stance[1] / v43;
 
-        if (v58 >= best) {
-            best = v58;
+        if (v57 >= best) {
+            best = v57;
             way = 3U;
         }
         const float v17 = (-3.3748567F) - state->stance[0];
@@ -556,10 +556,10 @@ team_22:
             best = v8;
             way = 1U;
         }
-        const float v76 = state->floor[0] * state->floor[0];
+        const float v75 = state->floor[0] * state->floor[0];
 
-        if (v76 >= best) {
-            best = v76;
+        if (v75 >= best) {
+            best = v75;
             way = 2U;
         }
 
@@ -591,16 +591,16 @@ team_22:
             best = v11;
             way = 6U;
         }
-        const float v79 = state->stance[0] + state->floor[0];
-        const float v80 = v79 / 9.539528F;
+        const float v78 = state->stance[0] + state->floor[0];
+        const float v79 = v78 / 9.539528F;
 
-        if (v80 >= best) {
-            best = v80;
+        if (v79 >= best) {
+            best = v79;
             way = 7U;
         }
-        const float v71 = state->stance[1] - state->floor[0];
+        const float v70 = state->stance[1] - state->floor[0];
 
-        if (v71 >= best) {
+        if (v70 >= best) {
             way = 8U;
         }
 
@@ -649,10 +649,10 @@ team_14:
             best = v29;
             way = 3U;
         }
-        const float v75 = (-3.5602038F) - state->stance[0];
+        const float v74 = (-3.5602038F) - state->stance[0];
 
-        if (v75 >= best) {
-            best = v75;
+        if (v74 >= best) {
+            best = v74;
             way = 3U;
         }
         const float v46 = state->stance[1] * state->floor[0];
@@ -712,10 +712,10 @@ team_16:
             best = v42;
             way = 2U;
         }
-        const float v71 = state->stance[1] - state->floor[0];
+        const float v70 = state->stance[1] - state->floor[0];
 
-        if (v71 >= best) {
-            best = v71;
+        if (v70 >= best) {
+            best = v70;
             way = 3U;
         }
 
@@ -803,21 +803,21 @@ team_17:
             best = v2;
             way = 4U;
         }
-        const float v76 = state->floor[0] * state->floor[0];
+        const float v75 = state->floor[0] * state->floor[0];
 
-        if (v76 >= best) {
-            best = v76;
+        if (v75 >= best) {
+            best = v75;
             way = 5U;
         }
-        const float v55 = widowx_rs_min(state->stance[2], state->stance[3]);
+        const float v54 = widowx_rs_min(state->stance[2], state->stance[3]);
 
-        if (v55 >= best) {
-            best = v55;
+        if (v54 >= best) {
+            best = v54;
             way = 6U;
         }
-        const float v78 = state->stance[1] / (-9.539528F);
+        const float v77 = state->stance[1] / (-9.539528F);
 
-        if (v78 >= best) {
+        if (v77 >= best) {
             way = 7U;
         }
 
@@ -869,22 +869,22 @@ team_18:
             best = v2;
             way = 3U;
         }
-        const float v76 = state->floor[0] * state->floor[0];
+        const float v75 = state->floor[0] * state->floor[0];
 
-        if (v76 >= best) {
-            best = v76;
+        if (v75 >= best) {
+            best = v75;
             way = 4U;
         }
-        const float v55 = widowx_rs_min(state->stance[2], state->stance[3]);
+        const float v54 = widowx_rs_min(state->stance[2], state->stance[3]);
 
-        if (v55 >= best) {
-            best = v55;
+        if (v54 >= best) {
+            best = v54;
             way = 8U;
         }
-        const float v78 = state->stance[1] / (-9.539528F);
+        const float v77 = state->stance[1] / (-9.539528F);
 
-        if (v78 >= best) {
-            best = v78;
+        if (v77 >= best) {
+            best = v77;
             way = 5U;
         }
         const float v43 = fabsf(state->floor[0]);
@@ -938,23 +938,23 @@ team_30:
             best = v44;
             way = 4U;
         }
-        const float v79 = state->stance[0] + state->floor[0];
-        const float v80 = v79 / 9.539528F;
+        const float v78 = state->stance[0] + state->floor[0];
+        const float v79 = v78 / 9.539528F;
 
-        if (v80 >= best) {
-            best = v80;
+        if (v79 >= best) {
+            best = v79;
             way = 1U;
         }
-        const float v91 = state->stance[1] / state->floor[0];
+        const float v90 = state->stance[1] / state->floor[0];
 
-        if (v91 >= best) {
-            best = v91;
+        if (v90 >= best) {
+            best = v90;
             way = 2U;
         }
-        const float v66 = state->stance[2] - 99.64715F;
+        const float v65 = state->stance[2] - 99.64715F;
 
-        if (v66 >= best) {
-            best = v66;
+        if (v65 >= best) {
+            best = v65;
             way = 3U;
         }
         const float v2 = state->stance[0] / 0.0F;
@@ -1092,10 +1092,10 @@ team_32:
             best = v36;
             way = 6U;
         }
-        const float v57 = state->stance[3] / 15.430052F;
+        const float v56 = state->stance[3] / 15.430052F;
 
-        if (v57 >= best) {
-            best = v57;
+        if (v56 >= best) {
+            best = v56;
             way = 5U;
         }
         const float v5 = state->stance[1] / 9.539528F;
@@ -1126,16 +1126,16 @@ team_23:
     {
         float best = -FLT_MAX;
         uint32_t way = 7U;
-        const float v73 = state->stance[1] / 6.928064F;
+        const float v72 = state->stance[1] / 6.928064F;
 
-        if (v73 >= best) {
-            best = v73;
+        if (v72 >= best) {
+            best = v72;
             way = 1U;
         }
-        const float v57 = state->stance[3] / 15.430052F;
+        const float v56 = state->stance[3] / 15.430052F;
 
-        if (v57 >= best) {
-            best = v57;
+        if (v56 >= best) {
+            best = v56;
             way = 2U;
         }
         const float v43 = fabsf(state->floor[0]);
@@ -1210,10 +1210,10 @@ team_24:
             best = v8;
             way = 3U;
         }
-        const float v57 = state->stance[3] / 15.430052F;
+        const float v56 = state->stance[3] / 15.430052F;
 
-        if (v57 >= best) {
-            best = v57;
+        if (v56 >= best) {
+            best = v56;
             way = 4U;
         }
         const float v36 = state->stance[1] + 9.539528F;
@@ -1251,23 +1251,23 @@ team_33:
         float best = -FLT_MAX;
         uint32_t way = 5U;
         const float v43 = fabsf(state->floor[0]);
-        const float v82 = state->stance[2] / v43;
+        const float v81 = state->stance[2] / v43;
 
-        if (v82 >= best) {
-            best = v82;
+        if (v81 >= best) {
+            best = v81;
             way = 1U;
         }
-        const float v83 = state->floor[0] - (-22.172918F);
-        const float v84 = 9.539528F + v83;
+        const float v82 = state->floor[0] - (-22.172918F);
+        const float v83 = 9.539528F + v82;
+
+        if (v83 >= best) {
+            best = v83;
+            way = 2U;
+        }
+        const float v84 = widowx_rs_max(state->stance[2], 99.64715F);
 
         if (v84 >= best) {
             best = v84;
-            way = 2U;
-        }
-        const float v85 = widowx_rs_max(state->stance[2], 99.64715F);
-
-        if (v85 >= best) {
-            best = v85;
             way = 3U;
         }
         const float v17 = (-3.3748567F) - state->stance[0];
@@ -1276,9 +1276,9 @@ team_33:
             best = v17;
             way = 4U;
         }
-        const float v87 = (-72.89382F) / state->floor[0];
+        const float v86 = (-72.89382F) / state->floor[0];
 
-        if (v87 >= best) {
+        if (v86 >= best) {
             way = 5U;
         }
 
@@ -1307,11 +1307,10 @@ team_45:
             best = v52;
             way = 1U;
         }
-        const float v53 = widowx_rs_max(state->floor[0], state->stance[1]);
-        const float v54 = widowx_rs_max(v53, state->floor[0]);
+        const float v53 = widowx_rs_max(state->stance[1], state->floor[0]);
 
-        if (v54 >= best) {
-            best = v54;
+        if (v53 >= best) {
+            best = v53;
             way = 4U;
         }
         const float v2 = state->stance[0] / 0.0F;
@@ -1337,9 +1336,9 @@ team_45:
             best = 4.372006F;
             way = 4U;
         }
-        const float v55 = widowx_rs_min(state->stance[2], state->stance[3]);
+        const float v54 = widowx_rs_min(state->stance[2], state->stance[3]);
 
-        if (v55 >= best) {
+        if (v54 >= best) {
             way = 4U;
         }
 
@@ -1430,10 +1429,10 @@ team_42:
             best = v2;
             way = 1U;
         }
-        const float v55 = widowx_rs_min(state->stance[2], state->stance[3]);
+        const float v54 = widowx_rs_min(state->stance[2], state->stance[3]);
 
-        if (v55 >= best) {
-            best = v55;
+        if (v54 >= best) {
+            best = v54;
             way = 2U;
         }
         const float v17 = (-3.3748567F) - state->stance[0];
@@ -1481,10 +1480,10 @@ team_34:
     {
         float best = -FLT_MAX;
         uint32_t way = 5U;
-        const float v89 = state->floor[0] * (-4.136917F);
+        const float v88 = state->floor[0] * (-4.136917F);
 
-        if (v89 >= best) {
-            best = v89;
+        if (v88 >= best) {
+            best = v88;
             way = 3U;
         }
         const float v5 = state->stance[1] / 9.539528F;
@@ -1557,16 +1556,16 @@ team_35:
             best = v37;
             way = 1U;
         }
-        const float v81 = widowx_rs_negate_if_less((-3.3748567F), state->stance[0]);
+        const float v80 = widowx_rs_negate_if_less((-3.3748567F), state->stance[0]);
 
-        if (v81 >= best) {
-            best = v81;
+        if (v80 >= best) {
+            best = v80;
             way = 1U;
         }
-        const float v67 = state->stance[2] + state->stance[2];
+        const float v66 = state->stance[2] + state->stance[2];
 
-        if (v67 >= best) {
-            best = v67;
+        if (v66 >= best) {
+            best = v66;
             way = 2U;
         }
         const float v8 = fabsf(state->stance[2]);
@@ -1635,9 +1634,9 @@ team_36:
             best = v2;
             way = 3U;
         }
-        const float v55 = widowx_rs_min(state->stance[2], state->stance[3]);
+        const float v54 = widowx_rs_min(state->stance[2], state->stance[3]);
 
-        if (v55 >= best) {
+        if (v54 >= best) {
             way = 4U;
         }
 
@@ -1660,10 +1659,10 @@ team_38:
     {
         float best = -FLT_MAX;
         uint32_t way = 7U;
-        const float v67 = state->stance[2] + state->stance[2];
+        const float v66 = state->stance[2] + state->stance[2];
 
-        if (v67 >= best) {
-            best = v67;
+        if (v66 >= best) {
+            best = v66;
             way = 1U;
         }
         const float v5 = state->stance[1] / 9.539528F;
@@ -1678,17 +1677,17 @@ team_38:
             best = v48;
             way = 2U;
         }
-        const float v69 = widowx_rs_min(state->stance[2], 213.59233F);
+        const float v68 = widowx_rs_min(state->stance[2], 213.59233F);
 
-        if (v69 >= best) {
-            best = v69;
+        if (v68 >= best) {
+            best = v68;
             way = 3U;
         }
         const float v43 = fabsf(state->floor[0]);
-        const float v58 = state->stance[1] / v43;
+        const float v57 = state->stance[1] / v43;
 
-        if (v58 >= best) {
-            best = v58;
+        if (v57 >= best) {
+            best = v57;
             way = 4U;
         }
 
@@ -1750,22 +1749,22 @@ team_39:
             best = v17;
             way = 2U;
         }
-        const float v60 = state->stance[0] / 17.709658F;
+        const float v59 = state->stance[0] / 17.709658F;
+
+        if (v59 >= best) {
+            best = v59;
+            way = 5U;
+        }
+        const float v54 = widowx_rs_min(state->stance[2], state->stance[3]);
+
+        if (v54 >= best) {
+            best = v54;
+            way = 2U;
+        }
+        const float v60 = 0.0F * state->stance[2];
 
         if (v60 >= best) {
             best = v60;
-            way = 5U;
-        }
-        const float v55 = widowx_rs_min(state->stance[2], state->stance[3]);
-
-        if (v55 >= best) {
-            best = v55;
-            way = 2U;
-        }
-        const float v61 = 0.0F * state->stance[2];
-
-        if (v61 >= best) {
-            best = v61;
             way = 3U;
         }
         const float v8 = fabsf(state->stance[2]);
@@ -1814,15 +1813,15 @@ team_43:
             best = v2;
             way = 2U;
         }
-        const float v55 = widowx_rs_min(state->stance[2], state->stance[3]);
+        const float v54 = widowx_rs_min(state->stance[2], state->stance[3]);
 
-        if (v55 >= best) {
-            best = v55;
+        if (v54 >= best) {
+            best = v54;
             way = 3U;
         }
-        const float v70 = widowx_rs_max(state->stance[0], 0.0F);
+        const float v69 = widowx_rs_max(state->stance[0], 0.0F);
 
-        if (v70 >= best) {
+        if (v69 >= best) {
             way = 4U;
         }
 
@@ -1863,16 +1862,16 @@ team_40:
             best = v17;
             way = 3U;
         }
-        const float v90 = fabsf(state->stance[0]);
+        const float v89 = fabsf(state->stance[0]);
 
-        if (v90 >= best) {
-            best = v90;
+        if (v89 >= best) {
+            best = v89;
             way = 3U;
         }
-        const float v55 = widowx_rs_min(state->stance[2], state->stance[3]);
+        const float v54 = widowx_rs_min(state->stance[2], state->stance[3]);
 
-        if (v55 >= best) {
-            best = v55;
+        if (v54 >= best) {
+            best = v54;
             way = 3U;
         }
         const volatile float constant = 0.0F;

@@ -1,7 +1,7 @@
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix widowx_rs --profile constant-time
 //! Graph SHA-256: 4c66c6b65c6c713d5ad1fe31be297b7d3fcebbf6d3d7971a9a27b9132c25b11f
-//! 30 teams (16 on the longest walk), 210 edges, 156 programs, 58 distinct operations.
+//! 30 teams (16 on the longest walk), 210 edges, 156 programs, 57 distinct operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
 #![allow(
@@ -44,7 +44,7 @@ impl WidowxRs {
     /// Bids that one decision looks at, at most.
     pub const WORST_BIDS: usize = 210;
     /// Operations of one decision, at most.
-    pub const WORST_OPERATIONS: usize = 58;
+    pub const WORST_OPERATIONS: usize = 57;
     /// Sines, cosines, logarithms and exponentials among them, at most.
     pub const WORST_MATHS_CALLS: usize = 0;
     /// The arm's sources that make up a state, in order.
@@ -98,34 +98,33 @@ impl Policy for WidowxRs {
         let v48 = f32::abs(s[3]);
         let v50 = s[0] / 11.077008_f32;
         let v52 = ct.negate_if_less(s[1], -26.200392_f32);
-        let v53 = ct.max(s[4], s[1]);
-        let v54 = ct.max(v53, s[4]);
-        let v55 = ct.min(s[2], s[3]);
-        let v57 = s[3] / 15.430052_f32;
-        let v58 = s[1] / v43;
-        let v60 = s[0] / 17.709658_f32;
-        let v61 = 0.0_f32 * s[2];
-        let v63 = s[1] - 9.689877_f32;
-        let v66 = s[2] - 99.64715_f32;
-        let v67 = s[2] + s[2];
-        let v69 = ct.min(s[2], 213.59233_f32);
-        let v70 = ct.max(s[0], 0.0_f32);
-        let v71 = s[1] - s[4];
-        let v73 = s[1] / 6.928064_f32;
-        let v75 = -3.5602038_f32 - s[0];
-        let v76 = s[4] * s[4];
-        let v78 = s[1] / -9.539528_f32;
-        let v79 = s[0] + s[4];
-        let v80 = v79 / 9.539528_f32;
-        let v81 = ct.negate_if_less(-3.3748567_f32, s[0]);
-        let v82 = s[2] / v43;
-        let v83 = s[4] - -22.172918_f32;
-        let v84 = 9.539528_f32 + v83;
-        let v85 = ct.max(s[2], 99.64715_f32);
-        let v87 = -72.89382_f32 / s[4];
-        let v89 = s[4] * -4.136917_f32;
-        let v90 = f32::abs(s[0]);
-        let v91 = s[1] / s[4];
+        let v53 = ct.max(s[1], s[4]);
+        let v54 = ct.min(s[2], s[3]);
+        let v56 = s[3] / 15.430052_f32;
+        let v57 = s[1] / v43;
+        let v59 = s[0] / 17.709658_f32;
+        let v60 = 0.0_f32 * s[2];
+        let v62 = s[1] - 9.689877_f32;
+        let v65 = s[2] - 99.64715_f32;
+        let v66 = s[2] + s[2];
+        let v68 = ct.min(s[2], 213.59233_f32);
+        let v69 = ct.max(s[0], 0.0_f32);
+        let v70 = s[1] - s[4];
+        let v72 = s[1] / 6.928064_f32;
+        let v74 = -3.5602038_f32 - s[0];
+        let v75 = s[4] * s[4];
+        let v77 = s[1] / -9.539528_f32;
+        let v78 = s[0] + s[4];
+        let v79 = v78 / 9.539528_f32;
+        let v80 = ct.negate_if_less(-3.3748567_f32, s[0]);
+        let v81 = s[2] / v43;
+        let v82 = s[4] - -22.172918_f32;
+        let v83 = 9.539528_f32 + v82;
+        let v84 = ct.max(s[2], 99.64715_f32);
+        let v86 = -72.89382_f32 / s[4];
+        let v88 = s[4] * -4.136917_f32;
+        let v89 = f32::abs(s[0]);
+        let v90 = s[1] / s[4];
 
         // What is bid, as integers in the same order.
         let k0 = 0_i32; // 0.0_f32
@@ -165,32 +164,32 @@ impl Policy for WidowxRs {
         let k48 = ct.key(v48);
         let k50 = ct.key(v50);
         let k52 = ct.key(v52);
+        let k53 = ct.key(v53);
         let k54 = ct.key(v54);
-        let k55 = ct.key(v55);
+        let k56 = ct.key(v56);
         let k57 = ct.key(v57);
-        let k58 = ct.key(v58);
+        let k59 = ct.key(v59);
         let k60 = ct.key(v60);
-        let k61 = ct.key(v61);
-        let k63 = ct.key(v63);
+        let k62 = ct.key(v62);
+        let k65 = ct.key(v65);
         let k66 = ct.key(v66);
-        let k67 = ct.key(v67);
+        let k68 = ct.key(v68);
         let k69 = ct.key(v69);
         let k70 = ct.key(v70);
-        let k71 = ct.key(v71);
-        let k73 = ct.key(v73);
+        let k72 = ct.key(v72);
+        let k74 = ct.key(v74);
         let k75 = ct.key(v75);
-        let k76 = ct.key(v76);
-        let k78 = ct.key(v78);
+        let k77 = ct.key(v77);
+        let k79 = ct.key(v79);
         let k80 = ct.key(v80);
         let k81 = ct.key(v81);
-        let k82 = ct.key(v82);
+        let k83 = ct.key(v83);
         let k84 = ct.key(v84);
-        let k85 = ct.key(v85);
-        let k87 = ct.key(v87);
+        let k86 = ct.key(v86);
+        let k88 = ct.key(v88);
         let k89 = ct.key(v89);
         let k90 = ct.key(v90);
-        let k91 = ct.key(v91);
-        let k92 = 1089219400_i32; // 7.3802834_f32
+        let k91 = 1089219400_i32; // 7.3802834_f32
 
         // Where each team leads: teams are numbered from 0, the root, and the actions follow them.
         // Team 0
@@ -239,7 +238,7 @@ impl Policy for WidowxRs {
         let t4 = best.1 as u8;
         // Team 10
         let best = (k13, 34);
-        let best = ct.challenge(best, (k63, 8));
+        let best = ct.challenge(best, (k62, 8));
         let best = ct.challenge(best, (k18, 7));
         let best = ct.challenge(best, (k44, 30));
         let best = ct.challenge(best, (k17, 9));
@@ -260,7 +259,7 @@ impl Policy for WidowxRs {
         // Team 12
         let best = (k11, 36);
         let best = ct.challenge(best, (k15, 15));
-        let best = ct.challenge(best, (k58, 30));
+        let best = ct.challenge(best, (k57, 30));
         let best = ct.challenge(best, (k17, 9));
         let best = ct.challenge(best, (k52, 33));
         let best = ct.challenge(best, (k5, 2));
@@ -273,17 +272,17 @@ impl Policy for WidowxRs {
         let best = ct.challenge(best, (k2, 30));
         let best = ct.challenge(best, (k8, 18));
         let best = ct.challenge(best, (k36, 2));
-        let best = ct.challenge(best, (k57, 36));
+        let best = ct.challenge(best, (k56, 36));
         let best = ct.challenge(best, (k5, 2));
         let t8 = best.1 as u8;
         // Team 45
         let best = (k52, 33);
-        let best = ct.challenge(best, (k54, 31));
+        let best = ct.challenge(best, (k53, 31));
         let best = ct.challenge(best, (k2, 30));
         let best = ct.challenge(best, (k29, 31));
         let best = ct.challenge(best, (k5, 35));
         let best = ct.challenge(best, (k19, 31));
-        let best = ct.challenge(best, (k55, 31));
+        let best = ct.challenge(best, (k54, 31));
         let t9 = best.1 as u8;
         // Team 41
         let best = (k38, 31);
@@ -298,7 +297,7 @@ impl Policy for WidowxRs {
         let best = (k13, 34);
         let best = ct.challenge(best, (k14, 16));
         let best = ct.challenge(best, (k29, 31));
-        let best = ct.challenge(best, (k75, 31));
+        let best = ct.challenge(best, (k74, 31));
         let best = ct.challenge(best, (k46, 31));
         let best = ct.challenge(best, (k17, 31));
         let best = ct.challenge(best, (k11, 36));
@@ -307,18 +306,18 @@ impl Policy for WidowxRs {
         // Team 22
         let best = (k37, 31);
         let best = ct.challenge(best, (k8, 20));
-        let best = ct.challenge(best, (k76, 8));
+        let best = ct.challenge(best, (k75, 8));
         let best = ct.challenge(best, (k17, 31));
         let best = ct.challenge(best, (k42, 33));
         let best = ct.challenge(best, (k47, 37));
         let best = ct.challenge(best, (k2, 13));
         let best = ct.challenge(best, (k11, 36));
-        let best = ct.challenge(best, (k80, 37));
-        let best = ct.challenge(best, (k71, 35));
+        let best = ct.challenge(best, (k79, 37));
+        let best = ct.challenge(best, (k70, 35));
         let t12 = best.1 as u8;
         // Team 23
-        let best = (k73, 21);
-        let best = ct.challenge(best, (k57, 33));
+        let best = (k72, 21);
+        let best = ct.challenge(best, (k56, 33));
         let best = ct.challenge(best, (k44, 30));
         let best = ct.challenge(best, (k8, 22));
         let best = ct.challenge(best, (k47, 37));
@@ -327,8 +326,8 @@ impl Policy for WidowxRs {
         let t13 = best.1 as u8;
         // Team 35
         let best = (k37, 31);
-        let best = ct.challenge(best, (k81, 31));
-        let best = ct.challenge(best, (k67, 23));
+        let best = ct.challenge(best, (k80, 31));
+        let best = ct.challenge(best, (k66, 23));
         let best = ct.challenge(best, (k8, 24));
         let best = ct.challenge(best, (k2, 30));
         let best = ct.challenge(best, (k5, 2));
@@ -337,7 +336,7 @@ impl Policy for WidowxRs {
         // Team 16
         let best = (k43, 19);
         let best = ct.challenge(best, (k42, 33));
-        let best = ct.challenge(best, (k71, 35));
+        let best = ct.challenge(best, (k70, 35));
         let best = ct.challenge(best, (k47, 10));
         let best = ct.challenge(best, (k46, 8));
         let best = ct.challenge(best, (k8, 20));
@@ -347,30 +346,30 @@ impl Policy for WidowxRs {
         // Team 43
         let best = (k5, 35);
         let best = ct.challenge(best, (k2, 30));
-        let best = ct.challenge(best, (k55, 31));
-        let best = ct.challenge(best, (k70, 33));
+        let best = ct.challenge(best, (k54, 31));
+        let best = ct.challenge(best, (k69, 33));
         let t16 = best.1 as u8;
         // Team 38
-        let best = (k67, 23);
+        let best = (k66, 23);
         let best = ct.challenge(best, (k5, 2));
         let best = ct.challenge(best, (k48, 24));
-        let best = ct.challenge(best, (k69, 37));
-        let best = ct.challenge(best, (k58, 30));
+        let best = ct.challenge(best, (k68, 37));
+        let best = ct.challenge(best, (k57, 30));
         let best = ct.challenge(best, (k19, 31));
         let best = ct.challenge(best, (k17, 31));
         let best = ct.challenge(best, (k8, 16));
         let best = ct.challenge(best, (k36, 2));
         let t17 = best.1 as u8;
         // Team 33
-        let best = (k82, 30);
-        let best = ct.challenge(best, (k84, 26));
-        let best = ct.challenge(best, (k85, 10));
+        let best = (k81, 30);
+        let best = ct.challenge(best, (k83, 26));
+        let best = ct.challenge(best, (k84, 10));
         let best = ct.challenge(best, (k17, 9));
-        let best = ct.challenge(best, (k87, 35));
+        let best = ct.challenge(best, (k86, 35));
         let t18 = best.1 as u8;
         // Team 42
         let best = (k2, 30);
-        let best = ct.challenge(best, (k55, 31));
+        let best = ct.challenge(best, (k54, 31));
         let best = ct.challenge(best, (k17, 31));
         let best = ct.challenge(best, (k5, 2));
         let best = ct.challenge(best, (k0, 37));
@@ -378,9 +377,9 @@ impl Policy for WidowxRs {
         let t19 = best.1 as u8;
         // Team 30
         let best = (k44, 30);
-        let best = ct.challenge(best, (k80, 37));
-        let best = ct.challenge(best, (k91, 21));
-        let best = ct.challenge(best, (k66, 17));
+        let best = ct.challenge(best, (k79, 37));
+        let best = ct.challenge(best, (k90, 21));
+        let best = ct.challenge(best, (k65, 17));
         let best = ct.challenge(best, (k2, 30));
         let best = ct.challenge(best, (k8, 18));
         let best = ct.challenge(best, (k0, 35));
@@ -398,7 +397,7 @@ impl Policy for WidowxRs {
         let best = (k17, 17);
         let best = ct.challenge(best, (k47, 37));
         let best = ct.challenge(best, (k8, 18));
-        let best = ct.challenge(best, (k57, 33));
+        let best = ct.challenge(best, (k56, 33));
         let best = ct.challenge(best, (k36, 2));
         let best = ct.challenge(best, (k2, 30));
         let t22 = best.1 as u8;
@@ -406,16 +405,16 @@ impl Policy for WidowxRs {
         let best = (k5, 35);
         let best = ct.challenge(best, (k2, 30));
         let best = ct.challenge(best, (k17, 31));
-        let best = ct.challenge(best, (k90, 31));
-        let best = ct.challenge(best, (k55, 31));
+        let best = ct.challenge(best, (k89, 31));
+        let best = ct.challenge(best, (k54, 31));
         let best = ct.challenge(best, (k0, 33));
         let t23 = best.1 as u8;
         // Team 39
         let best = (k5, 35);
         let best = ct.challenge(best, (k17, 31));
-        let best = ct.challenge(best, (k60, 30));
-        let best = ct.challenge(best, (k55, 31));
-        let best = ct.challenge(best, (k61, 32));
+        let best = ct.challenge(best, (k59, 30));
+        let best = ct.challenge(best, (k54, 31));
+        let best = ct.challenge(best, (k60, 32));
         let best = ct.challenge(best, (k8, 16));
         let best = ct.challenge(best, (k44, 30));
         let t24 = best.1 as u8;
@@ -425,12 +424,12 @@ impl Policy for WidowxRs {
         let best = ct.challenge(best, (k37, 31));
         let best = ct.challenge(best, (k47, 37));
         let best = ct.challenge(best, (k2, 13));
-        let best = ct.challenge(best, (k76, 28));
-        let best = ct.challenge(best, (k55, 31));
-        let best = ct.challenge(best, (k78, 2));
+        let best = ct.challenge(best, (k75, 28));
+        let best = ct.challenge(best, (k54, 31));
+        let best = ct.challenge(best, (k77, 2));
         let t25 = best.1 as u8;
         // Team 34
-        let best = (k89, 30);
+        let best = (k88, 30);
         let best = ct.challenge(best, (k5, 2));
         let best = ct.challenge(best, (k0, 31));
         let best = ct.challenge(best, (k42, 31));
@@ -440,7 +439,7 @@ impl Policy for WidowxRs {
         let best = ct.challenge(best, (k44, 14));
         let t26 = best.1 as u8;
         // Team 31
-        let best = (k92, 35);
+        let best = (k91, 35);
         let best = ct.challenge(best, (k8, 17));
         let best = ct.challenge(best, (k2, 30));
         let best = ct.challenge(best, (k36, 26));
@@ -450,9 +449,9 @@ impl Policy for WidowxRs {
         let best = ct.challenge(best, (k5, 33));
         let best = ct.challenge(best, (k37, 31));
         let best = ct.challenge(best, (k2, 13));
-        let best = ct.challenge(best, (k76, 8));
-        let best = ct.challenge(best, (k55, 31));
-        let best = ct.challenge(best, (k78, 2));
+        let best = ct.challenge(best, (k75, 8));
+        let best = ct.challenge(best, (k54, 31));
+        let best = ct.challenge(best, (k77, 2));
         let best = ct.challenge(best, (k44, 18));
         let best = ct.challenge(best, (k8, 20));
         let best = ct.challenge(best, (k17, 31));
@@ -461,7 +460,7 @@ impl Policy for WidowxRs {
         let best = (k5, 35);
         let best = ct.challenge(best, (k0, 33));
         let best = ct.challenge(best, (k2, 30));
-        let best = ct.challenge(best, (k55, 31));
+        let best = ct.challenge(best, (k54, 31));
         let t29 = best.1 as u8;
 
         // An action leads to itself, and so does what fills the array up to a power of two: it is never come to.

@@ -1,7 +1,7 @@
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix widowx_rs_fast --profile fast
 //! Graph SHA-256: 4c66c6b65c6c713d5ad1fe31be297b7d3fcebbf6d3d7971a9a27b9132c25b11f
-//! 30 teams (16 on the longest walk), 210 edges, 156 programs, 58 distinct operations.
+//! 30 teams (16 on the longest walk), 210 edges, 156 programs, 57 distinct operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
 #![allow(
@@ -317,9 +317,9 @@ fn team_10(s: &[f32; 5]) -> u16 {
         best = v13;
         way = 1;
     }
-    let v63 = s[1] - 9.689877_f32;
-    if v63 >= best {
-        best = v63;
+    let v62 = s[1] - 9.689877_f32;
+    if v62 >= best {
+        best = v62;
         way = 2;
     }
     if 24.873356_f32 >= best {
@@ -435,9 +435,9 @@ fn team_12(s: &[f32; 5]) -> u16 {
         way = 2;
     }
     let v43 = f32::abs(s[4]);
-    let v58 = s[1] / v43;
-    if v58 >= best {
-        best = v58;
+    let v57 = s[1] / v43;
+    if v57 >= best {
+        best = v57;
         way = 3;
     }
     let v17 = -3.3748567_f32 - s[0];
@@ -504,9 +504,9 @@ fn team_32(s: &[f32; 5]) -> u16 {
         best = v36;
         way = 6;
     }
-    let v57 = s[3] / 15.430052_f32;
-    if v57 >= best {
-        best = v57;
+    let v56 = s[3] / 15.430052_f32;
+    if v56 >= best {
+        best = v56;
         way = 5;
     }
     let v5 = s[1] / 9.539528_f32;
@@ -533,10 +533,9 @@ fn team_45(s: &[f32; 5]) -> u16 {
         best = v52;
         way = 1;
     }
-    let v53 = ops::max(s[4], s[1]);
-    let v54 = ops::max(v53, s[4]);
-    if v54 >= best {
-        best = v54;
+    let v53 = ops::max(s[1], s[4]);
+    if v53 >= best {
+        best = v53;
         way = 4;
     }
     let v2 = s[0] / 0.0_f32;
@@ -558,9 +557,9 @@ fn team_45(s: &[f32; 5]) -> u16 {
         best = 4.372006_f32;
         way = 4;
     }
-    let v55 = ops::min(s[2], s[3]);
-    if v55 >= best {
-        best = v55;
+    let v54 = ops::min(s[2], s[3]);
+    if v54 >= best {
+        best = v54;
         way = 4;
     }
     match way {
@@ -638,9 +637,9 @@ fn team_14(s: &[f32; 5]) -> u16 {
         best = v29;
         way = 3;
     }
-    let v75 = -3.5602038_f32 - s[0];
-    if v75 >= best {
-        best = v75;
+    let v74 = -3.5602038_f32 - s[0];
+    if v74 >= best {
+        best = v74;
         way = 3;
     }
     let v46 = s[1] * s[4];
@@ -687,9 +686,9 @@ fn team_22(s: &[f32; 5]) -> u16 {
         best = v8;
         way = 1;
     }
-    let v76 = s[4] * s[4];
-    if v76 >= best {
-        best = v76;
+    let v75 = s[4] * s[4];
+    if v75 >= best {
+        best = v75;
         way = 2;
     }
     if v17 >= best {
@@ -716,15 +715,15 @@ fn team_22(s: &[f32; 5]) -> u16 {
         best = v11;
         way = 6;
     }
-    let v79 = s[0] + s[4];
-    let v80 = v79 / 9.539528_f32;
-    if v80 >= best {
-        best = v80;
+    let v78 = s[0] + s[4];
+    let v79 = v78 / 9.539528_f32;
+    if v79 >= best {
+        best = v79;
         way = 7;
     }
-    let v71 = s[1] - s[4];
-    if v71 >= best {
-        best = v71;
+    let v70 = s[1] - s[4];
+    if v70 >= best {
+        best = v70;
         way = 8;
     }
     match way {
@@ -743,14 +742,14 @@ fn team_22(s: &[f32; 5]) -> u16 {
 fn team_23(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
     let mut way = 7;
-    let v73 = s[1] / 6.928064_f32;
-    if v73 >= best {
-        best = v73;
+    let v72 = s[1] / 6.928064_f32;
+    if v72 >= best {
+        best = v72;
         way = 1;
     }
-    let v57 = s[3] / 15.430052_f32;
-    if v57 >= best {
-        best = v57;
+    let v56 = s[3] / 15.430052_f32;
+    if v56 >= best {
+        best = v56;
         way = 2;
     }
     let v43 = f32::abs(s[4]);
@@ -799,14 +798,14 @@ fn team_35(s: &[f32; 5]) -> u16 {
         best = v37;
         way = 1;
     }
-    let v81 = ops::negate_if_less(-3.3748567_f32, s[0]);
-    if v81 >= best {
-        best = v81;
+    let v80 = ops::negate_if_less(-3.3748567_f32, s[0]);
+    if v80 >= best {
+        best = v80;
         way = 1;
     }
-    let v67 = s[2] + s[2];
-    if v67 >= best {
-        best = v67;
+    let v66 = s[2] + s[2];
+    if v66 >= best {
+        best = v66;
         way = 2;
     }
     let v8 = f32::abs(s[2]);
@@ -854,9 +853,9 @@ fn team_16(s: &[f32; 5]) -> u16 {
         best = v42;
         way = 2;
     }
-    let v71 = s[1] - s[4];
-    if v71 >= best {
-        best = v71;
+    let v70 = s[1] - s[4];
+    if v70 >= best {
+        best = v70;
         way = 3;
     }
     if 22.918602_f32 >= best {
@@ -909,14 +908,14 @@ fn team_43(s: &[f32; 5]) -> u16 {
         best = v2;
         way = 2;
     }
-    let v55 = ops::min(s[2], s[3]);
-    if v55 >= best {
-        best = v55;
+    let v54 = ops::min(s[2], s[3]);
+    if v54 >= best {
+        best = v54;
         way = 3;
     }
-    let v70 = ops::max(s[0], 0.0_f32);
-    if v70 >= best {
-        best = v70;
+    let v69 = ops::max(s[0], 0.0_f32);
+    if v69 >= best {
+        best = v69;
         way = 4;
     }
     match way {
@@ -931,9 +930,9 @@ fn team_43(s: &[f32; 5]) -> u16 {
 fn team_38(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
     let mut way = 7;
-    let v67 = s[2] + s[2];
-    if v67 >= best {
-        best = v67;
+    let v66 = s[2] + s[2];
+    if v66 >= best {
+        best = v66;
         way = 1;
     }
     let v5 = s[1] / 9.539528_f32;
@@ -946,15 +945,15 @@ fn team_38(s: &[f32; 5]) -> u16 {
         best = v48;
         way = 2;
     }
-    let v69 = ops::min(s[2], 213.59233_f32);
-    if v69 >= best {
-        best = v69;
+    let v68 = ops::min(s[2], 213.59233_f32);
+    if v68 >= best {
+        best = v68;
         way = 3;
     }
     let v43 = f32::abs(s[4]);
-    let v58 = s[1] / v43;
-    if v58 >= best {
-        best = v58;
+    let v57 = s[1] / v43;
+    if v57 >= best {
+        best = v57;
         way = 4;
     }
     if 4.372006_f32 >= best {
@@ -992,20 +991,20 @@ fn team_33(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
     let mut way = 5;
     let v43 = f32::abs(s[4]);
-    let v82 = s[2] / v43;
-    if v82 >= best {
-        best = v82;
+    let v81 = s[2] / v43;
+    if v81 >= best {
+        best = v81;
         way = 1;
     }
-    let v83 = s[4] - -22.172918_f32;
-    let v84 = 9.539528_f32 + v83;
-    if v84 >= best {
-        best = v84;
+    let v82 = s[4] - -22.172918_f32;
+    let v83 = 9.539528_f32 + v82;
+    if v83 >= best {
+        best = v83;
         way = 2;
     }
-    let v85 = ops::max(s[2], 99.64715_f32);
-    if v85 >= best {
-        best = v85;
+    let v84 = ops::max(s[2], 99.64715_f32);
+    if v84 >= best {
+        best = v84;
         way = 3;
     }
     let v17 = -3.3748567_f32 - s[0];
@@ -1013,9 +1012,9 @@ fn team_33(s: &[f32; 5]) -> u16 {
         best = v17;
         way = 4;
     }
-    let v87 = -72.89382_f32 / s[4];
-    if v87 >= best {
-        best = v87;
+    let v86 = -72.89382_f32 / s[4];
+    if v86 >= best {
+        best = v86;
         way = 5;
     }
     match way {
@@ -1036,9 +1035,9 @@ fn team_42(s: &[f32; 5]) -> u16 {
         best = v2;
         way = 1;
     }
-    let v55 = ops::min(s[2], s[3]);
-    if v55 >= best {
-        best = v55;
+    let v54 = ops::min(s[2], s[3]);
+    if v54 >= best {
+        best = v54;
         way = 2;
     }
     let v17 = -3.3748567_f32 - s[0];
@@ -1080,20 +1079,20 @@ fn team_30(s: &[f32; 5]) -> u16 {
         best = v44;
         way = 4;
     }
-    let v79 = s[0] + s[4];
-    let v80 = v79 / 9.539528_f32;
-    if v80 >= best {
-        best = v80;
+    let v78 = s[0] + s[4];
+    let v79 = v78 / 9.539528_f32;
+    if v79 >= best {
+        best = v79;
         way = 1;
     }
-    let v91 = s[1] / s[4];
-    if v91 >= best {
-        best = v91;
+    let v90 = s[1] / s[4];
+    if v90 >= best {
+        best = v90;
         way = 2;
     }
-    let v66 = s[2] - 99.64715_f32;
-    if v66 >= best {
-        best = v66;
+    let v65 = s[2] - 99.64715_f32;
+    if v65 >= best {
+        best = v65;
         way = 3;
     }
     let v2 = s[0] / 0.0_f32;
@@ -1188,9 +1187,9 @@ fn team_24(s: &[f32; 5]) -> u16 {
         best = v8;
         way = 3;
     }
-    let v57 = s[3] / 15.430052_f32;
-    if v57 >= best {
-        best = v57;
+    let v56 = s[3] / 15.430052_f32;
+    if v56 >= best {
+        best = v56;
         way = 4;
     }
     let v36 = s[1] + 9.539528_f32;
@@ -1232,14 +1231,14 @@ fn team_40(s: &[f32; 5]) -> u16 {
         best = v17;
         way = 3;
     }
-    let v90 = f32::abs(s[0]);
-    if v90 >= best {
-        best = v90;
+    let v89 = f32::abs(s[0]);
+    if v89 >= best {
+        best = v89;
         way = 3;
     }
-    let v55 = ops::min(s[2], s[3]);
-    if v55 >= best {
-        best = v55;
+    let v54 = ops::min(s[2], s[3]);
+    if v54 >= best {
+        best = v54;
         way = 3;
     }
     let zero = core::hint::black_box(0.0_f32);
@@ -1269,19 +1268,19 @@ fn team_39(s: &[f32; 5]) -> u16 {
         best = v17;
         way = 2;
     }
-    let v60 = s[0] / 17.709658_f32;
-    if v60 >= best {
-        best = v60;
+    let v59 = s[0] / 17.709658_f32;
+    if v59 >= best {
+        best = v59;
         way = 5;
     }
-    let v55 = ops::min(s[2], s[3]);
-    if v55 >= best {
-        best = v55;
+    let v54 = ops::min(s[2], s[3]);
+    if v54 >= best {
+        best = v54;
         way = 2;
     }
-    let v61 = 0.0_f32 * s[2];
-    if v61 >= best {
-        best = v61;
+    let v60 = 0.0_f32 * s[2];
+    if v60 >= best {
+        best = v60;
         way = 3;
     }
     let v8 = f32::abs(s[2]);
@@ -1333,19 +1332,19 @@ fn team_17(s: &[f32; 5]) -> u16 {
         best = v2;
         way = 4;
     }
-    let v76 = s[4] * s[4];
-    if v76 >= best {
-        best = v76;
+    let v75 = s[4] * s[4];
+    if v75 >= best {
+        best = v75;
         way = 5;
     }
-    let v55 = ops::min(s[2], s[3]);
-    if v55 >= best {
-        best = v55;
+    let v54 = ops::min(s[2], s[3]);
+    if v54 >= best {
+        best = v54;
         way = 6;
     }
-    let v78 = s[1] / -9.539528_f32;
-    if v78 >= best {
-        best = v78;
+    let v77 = s[1] / -9.539528_f32;
+    if v77 >= best {
+        best = v77;
         way = 7;
     }
     match way {
@@ -1363,9 +1362,9 @@ fn team_17(s: &[f32; 5]) -> u16 {
 fn team_34(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
     let mut way = 5;
-    let v89 = s[4] * -4.136917_f32;
-    if v89 >= best {
-        best = v89;
+    let v88 = s[4] * -4.136917_f32;
+    if v88 >= best {
+        best = v88;
         way = 3;
     }
     let v5 = s[1] / 9.539528_f32;
@@ -1468,19 +1467,19 @@ fn team_18(s: &[f32; 5]) -> u16 {
         best = v2;
         way = 3;
     }
-    let v76 = s[4] * s[4];
-    if v76 >= best {
-        best = v76;
+    let v75 = s[4] * s[4];
+    if v75 >= best {
+        best = v75;
         way = 4;
     }
-    let v55 = ops::min(s[2], s[3]);
-    if v55 >= best {
-        best = v55;
+    let v54 = ops::min(s[2], s[3]);
+    if v54 >= best {
+        best = v54;
         way = 8;
     }
-    let v78 = s[1] / -9.539528_f32;
-    if v78 >= best {
-        best = v78;
+    let v77 = s[1] / -9.539528_f32;
+    if v77 >= best {
+        best = v77;
         way = 5;
     }
     let v43 = f32::abs(s[4]);
@@ -1529,9 +1528,9 @@ fn team_36(s: &[f32; 5]) -> u16 {
         best = v2;
         way = 3;
     }
-    let v55 = ops::min(s[2], s[3]);
-    if v55 >= best {
-        best = v55;
+    let v54 = ops::min(s[2], s[3]);
+    if v54 >= best {
+        best = v54;
         way = 4;
     }
     match way {
