@@ -10,13 +10,7 @@ static {{ key }} {{ prefix }}_order({{ scalar }} x)
 /* All ones where a < b, else 0: the borrow of a - b. */
 static {{ key }} {{ prefix }}_below({{ key }} a, {{ key }} b)
 {
-{%- if f64 %}
     return 0U - (((~a & b) | (~(a ^ b) & (a - b))) >> {{ top }});
-{%- else %}
-    const uint64_t difference = (uint64_t)a - b;
-    const uint64_t borrow = difference >> 32;
-    return (uint32_t)borrow;
-{%- endif %}
 }
 
 /* All ones where x is NaN, whose key is beyond those of the infinities. */

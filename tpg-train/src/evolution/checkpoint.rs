@@ -44,7 +44,7 @@ pub fn open<Task: DeserializeOwned>(path: &Path) -> Result<(Config, State<Task>)
     let file = path.display().to_string();
     let text = read_text(path, "a checkpoint")?;
     let checkpoint: Checkpoint<Task> = parse(&file, &text)?;
-    let config = Config::from_toml(&format!("{file}, config"), &checkpoint.config)?;
+    let config = Config::of_run(&format!("{file}, config"), &checkpoint.config)?;
     Ok((config, checkpoint.state))
 }
 

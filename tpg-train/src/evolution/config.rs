@@ -321,15 +321,24 @@ impl Config {
     /// # Errors
     /// An unknown key, a value out of range or a contradiction, with its line and what is accepted.
     pub fn from_toml(file: &str, text: &str) -> Result<Self, InputError> {
-        let config: Self = toml::from_str(text).map_err(|error| {
-            let place = error.span().map_or(Place::Whole, |span| Place::Line(line_of(text, span.start)));
-            InputError::new(file, place, error.message().trim(), "what `tpg-train config` prints")
-        })?;
+        let config = Self::of_run(file, text)?;
         config.check(&|key, found, accepted| {
             let place = line_of_key(text, key).map_or(Place::Path(key.to_owned()), Place::Line);
             InputError::new(file, place, format!("{key} = {found}"), accepted)
         })?;
         Ok(config)
+    }
+
+    /// Reads a run's own configuration: with `--generations` it can be one that no file may have, such as a run that ends
+    /// before its curriculum.
+    ///
+    /// # Errors
+    /// An unknown key or a value of another type, with its line.
+    pub fn of_run(file: &str, text: &str) -> Result<Self, InputError> {
+        toml::from_str(text).map_err(|error| {
+            let place = error.span().map_or(Place::Whole, |span| Place::Line(line_of(text, span.start)));
+            InputError::new(file, place, error.message().trim(), "what `tpg-train config` prints")
+        })
     }
 
     /// The configuration as TOML, without comments: what a run directory and a checkpoint keep.

@@ -132,7 +132,7 @@ fn named(mut group: Group) -> Group {
 }
 
 fn tpg(folder: &Path, name: String, config: &str) -> Result<Run, InputError> {
-    let config = Config::from_toml(&folder.join("config.toml").display().to_string(), config)?;
+    let config = Config::of_run(&folder.join("config.toml").display().to_string(), config)?;
     let rows: Vec<Row> = lines(&folder.join("generations.jsonl"))?;
     let path = folder.join("graph.json");
     let graph = Graph::from_json(&path.display().to_string(), &read_text(&path, "the graph of a run")?)?;
