@@ -374,11 +374,10 @@ Not tried: a network trained on the states where graphs give up. These graphs fa
 hybrid in none or one of a thousand.
 ";
 
-const TAUGHT: &str = "Rows of several trainings are means ± standard deviations over seeds; none of them was chosen among others. *The \
-paper's targets* are 60 of the recorded ones. A policy alone, no guard; a graph under a shield and a network with a mask say \
-so. The paper's learning problem: its 13 values, its score or reward, its action set, its budget; `paper-*` differs from its \
-tools where `tpg-train/README.md` says. *Without a planner in the reward*: our 38 features, and a reward that knows \
-distances only. The planner, the memoryless inverse kinematics and the closed form learned nothing.
+const TAUGHT: &str = "Rows of several trainings are means ± standard deviations over seeds. *The \
+paper's targets* are 60 of the recorded ones. A policy alone, no guard; the networks hold a joint that would leave its \
+range (their mask), the graphs do so where *shielded*. The paper's learning problem: its 13 values, its score, its action \
+set, its budget; `paper-*` differs from its tools where `tpg-train/README.md` says. The planner, the memoryless inverse kinematics and the closed form learned nothing.
 ";
 
 const PAPER: &str = "As printed, and what the artifact's own files give (population standard deviation over seeds). Its rows \
