@@ -42,6 +42,9 @@ static float widowx_fs_max(float a, float b)
 uint16_t widowx_fs_infer(const widowx_fs_state_t *state)
 {
     uint32_t vertex;
+    float v12;
+    float v29;
+    float v48;
 
     {
         float best = -FLT_MAX;
@@ -63,7 +66,7 @@ uint16_t widowx_fs_infer(const widowx_fs_state_t *state)
             best = v8;
             way = 2U;
         }
-        const float v12 = v4 / 0.0F;
+        v12 = v4 / 0.0F;
         const float v13 = v12 / 0.0F;
 
         if (v13 >= best) {
@@ -228,8 +231,6 @@ team_7:
             best = v10;
             way = 5U;
         }
-        const float v4 = state->polar[2] - 0.7582224F;
-        const float v12 = v4 / 0.0F;
 
         if (v12 >= best) {
             way = 6U;
@@ -479,7 +480,7 @@ team_13:
             way = 4U;
         }
         const float v28 = widowx_fs_max(0.0F, state->polar[0]);
-        const float v29 = state->polar[1] - v28;
+        v29 = state->polar[1] - v28;
 
         if (v29 >= best) {
             best = v29;
@@ -552,7 +553,7 @@ team_15:
     {
         float best = -FLT_MAX;
         uint32_t way = 4U;
-        const float v48 = (-107.57004F) / state->polar[0];
+        v48 = (-107.57004F) / state->polar[0];
 
         if (v48 >= best) {
             best = v48;
@@ -615,7 +616,6 @@ team_17:
             best = v45;
             way = 5U;
         }
-        const float v48 = (-107.57004F) / state->polar[0];
 
         if (v48 >= best) {
             best = v48;
@@ -722,7 +722,7 @@ team_24:
             way = 6U;
         }
         const float v28 = widowx_fs_max(0.0F, state->polar[0]);
-        const float v29 = state->polar[1] - v28;
+        v29 = state->polar[1] - v28;
 
         if (v29 >= best) {
             best = v29;
@@ -734,7 +734,7 @@ team_24:
             best = v10;
             way = 3U;
         }
-        const float v48 = (-107.57004F) / state->polar[0];
+        v48 = (-107.57004F) / state->polar[0];
 
         if (v48 >= best) {
             best = v48;
@@ -773,7 +773,6 @@ team_27:
     {
         float best = -FLT_MAX;
         uint32_t way = 7U;
-        const float v48 = (-107.57004F) / state->polar[0];
 
         if (v48 >= best) {
             best = v48;
@@ -843,7 +842,6 @@ team_28:
     {
         float best = -FLT_MAX;
         uint32_t way = 6U;
-        const float v48 = (-107.57004F) / state->polar[0];
 
         if (v48 >= best) {
             best = v48;
@@ -911,8 +909,6 @@ team_40:
             best = 10.629795F;
             way = 1U;
         }
-        const float v28 = widowx_fs_max(0.0F, state->polar[0]);
-        const float v29 = state->polar[1] - v28;
 
         if (v29 >= best) {
             best = v29;
@@ -948,7 +944,6 @@ team_29:
     {
         float best = -FLT_MAX;
         uint32_t way = 6U;
-        const float v48 = (-107.57004F) / state->polar[0];
 
         if (v48 >= best) {
             best = v48;
@@ -1047,7 +1042,7 @@ team_30:
             best = v41;
             way = 4U;
         }
-        const float v48 = (-107.57004F) / state->polar[0];
+        v48 = (-107.57004F) / state->polar[0];
 
         if (v48 >= best) {
             best = v48;
@@ -1216,7 +1211,7 @@ team_20:
             best = v45;
             way = 3U;
         }
-        const float v48 = (-107.57004F) / state->polar[0];
+        v48 = (-107.57004F) / state->polar[0];
 
         if (v48 >= best) {
             best = v48;
@@ -1332,7 +1327,7 @@ team_37:
             way = 4U;
         }
         const float v28 = widowx_fs_max(0.0F, state->polar[0]);
-        const float v29 = state->polar[1] - v28;
+        v29 = state->polar[1] - v28;
 
         if (v29 >= best) {
             way = 5U;
@@ -1358,7 +1353,6 @@ team_22:
     {
         float best = -FLT_MAX;
         uint32_t way = 4U;
-        const float v48 = (-107.57004F) / state->polar[0];
 
         if (v48 >= best) {
             best = v48;

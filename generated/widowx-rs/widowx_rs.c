@@ -42,17 +42,24 @@ static float widowx_rs_max(float a, float b)
 uint16_t widowx_rs_infer(const widowx_rs_state_t *state)
 {
     uint32_t vertex;
+    float v2;
+    float v5;
+    float v15;
+    float v37;
+    float v42;
+    float v56;
+    float v77;
 
     {
         float best = -FLT_MAX;
         uint32_t way = 6U;
-        const float v5 = state->stance[1] / 9.539528F;
+        v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             best = v5;
             way = 1U;
         }
-        const float v2 = state->stance[0] / 0.0F;
+        v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
@@ -117,7 +124,6 @@ team_5:
             best = v34;
             way = 5U;
         }
-        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
@@ -299,7 +305,7 @@ team_10:
             best = v29;
             way = 6U;
         }
-        const float v15 = state->stance[1] / 0.0F;
+        v15 = state->stance[1] / 0.0F;
 
         if (v15 >= best) {
             way = 7U;
@@ -335,7 +341,7 @@ team_11:
             best = v13;
             way = 1U;
         }
-        const float v15 = state->stance[1] / 0.0F;
+        v15 = state->stance[1] / 0.0F;
 
         if (v15 >= best) {
             best = v15;
@@ -393,7 +399,6 @@ team_12:
             best = v11;
             way = 1U;
         }
-        const float v15 = state->stance[1] / 0.0F;
 
         if (v15 >= best) {
             best = v15;
@@ -418,7 +423,6 @@ team_12:
             best = v52;
             way = 5U;
         }
-        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             best = v5;
@@ -491,7 +495,6 @@ team_13:
             best = v50;
             way = 5U;
         }
-        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
@@ -510,7 +513,7 @@ team_13:
             best = v17;
             way = 8U;
         }
-        const float v37 = widowx_rs_min(v17, state->floor[0]);
+        v37 = widowx_rs_min(v17, state->floor[0]);
 
         if (v37 >= best) {
             way = 9U;
@@ -543,8 +546,6 @@ team_22:
     {
         float best = -FLT_MAX;
         uint32_t way = 8U;
-        const float v17 = (-3.3748567F) - state->stance[0];
-        const float v37 = widowx_rs_min(v17, state->floor[0]);
 
         if (v37 >= best) {
             best = v37;
@@ -562,13 +563,14 @@ team_22:
             best = v75;
             way = 2U;
         }
+        const float v17 = (-3.3748567F) - state->stance[0];
 
         if (v17 >= best) {
             best = v17;
             way = 3U;
         }
         const float v40 = state->floor[0] / 0.0F;
-        const float v42 = v40 * (-72.49379F);
+        v42 = v40 * (-72.49379F);
 
         if (v42 >= best) {
             best = v42;
@@ -579,7 +581,6 @@ team_22:
             best = 22.918602F;
             way = 7U;
         }
-        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
@@ -673,7 +674,7 @@ team_14:
             best = v11;
             way = 4U;
         }
-        const float v15 = state->stance[1] / 0.0F;
+        v15 = state->stance[1] / 0.0F;
 
         if (v15 >= best) {
             way = 5U;
@@ -706,7 +707,7 @@ team_16:
             way = 1U;
         }
         const float v40 = state->floor[0] / 0.0F;
-        const float v42 = v40 * (-72.49379F);
+        v42 = v40 * (-72.49379F);
 
         if (v42 >= best) {
             best = v42;
@@ -741,7 +742,6 @@ team_16:
             best = v11;
             way = 7U;
         }
-        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             way = 8U;
@@ -779,14 +779,13 @@ team_17:
             best = v8;
             way = 1U;
         }
-        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             best = v5;
             way = 2U;
         }
         const float v17 = (-3.3748567F) - state->stance[0];
-        const float v37 = widowx_rs_min(v17, state->floor[0]);
+        v37 = widowx_rs_min(v17, state->floor[0]);
 
         if (v37 >= best) {
             best = v37;
@@ -797,7 +796,6 @@ team_17:
             best = 22.918602F;
             way = 3U;
         }
-        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
@@ -815,7 +813,7 @@ team_17:
             best = v54;
             way = 6U;
         }
-        const float v77 = state->stance[1] / (-9.539528F);
+        v77 = state->stance[1] / (-9.539528F);
 
         if (v77 >= best) {
             way = 7U;
@@ -850,20 +848,16 @@ team_18:
             best = 22.918602F;
             way = 1U;
         }
-        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             best = v5;
             way = 2U;
         }
-        const float v17 = (-3.3748567F) - state->stance[0];
-        const float v37 = widowx_rs_min(v17, state->floor[0]);
 
         if (v37 >= best) {
             best = v37;
             way = 8U;
         }
-        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
@@ -881,7 +875,6 @@ team_18:
             best = v54;
             way = 8U;
         }
-        const float v77 = state->stance[1] / (-9.539528F);
 
         if (v77 >= best) {
             best = v77;
@@ -900,6 +893,7 @@ team_18:
             best = v8;
             way = 7U;
         }
+        const float v17 = (-3.3748567F) - state->stance[0];
 
         if (v17 >= best) {
             way = 8U;
@@ -957,7 +951,6 @@ team_30:
             best = v65;
             way = 3U;
         }
-        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
@@ -982,14 +975,11 @@ team_30:
             best = v17;
             way = 7U;
         }
-        const float v40 = state->floor[0] / 0.0F;
-        const float v42 = v40 * (-72.49379F);
 
         if (v42 >= best) {
             best = v42;
             way = 8U;
         }
-        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             way = 9U;
@@ -1034,7 +1024,6 @@ team_31:
             best = v8;
             way = 2U;
         }
-        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
@@ -1074,7 +1063,6 @@ team_32:
             best = 22.918602F;
             way = 2U;
         }
-        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
@@ -1092,13 +1080,12 @@ team_32:
             best = v36;
             way = 6U;
         }
-        const float v56 = state->stance[3] / 15.430052F;
+        v56 = state->stance[3] / 15.430052F;
 
         if (v56 >= best) {
             best = v56;
             way = 5U;
         }
-        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             way = 6U;
@@ -1132,7 +1119,7 @@ team_23:
             best = v72;
             way = 1U;
         }
-        const float v56 = state->stance[3] / 15.430052F;
+        v56 = state->stance[3] / 15.430052F;
 
         if (v56 >= best) {
             best = v56;
@@ -1156,7 +1143,6 @@ team_23:
             best = 22.918602F;
             way = 5U;
         }
-        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             best = v5;
@@ -1210,7 +1196,6 @@ team_24:
             best = v8;
             way = 3U;
         }
-        const float v56 = state->stance[3] / 15.430052F;
 
         if (v56 >= best) {
             best = v56;
@@ -1222,7 +1207,6 @@ team_24:
             best = v36;
             way = 5U;
         }
-        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             way = 6U;
@@ -1313,7 +1297,6 @@ team_45:
             best = v53;
             way = 4U;
         }
-        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
@@ -1325,7 +1308,6 @@ team_45:
             best = v29;
             way = 4U;
         }
-        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             best = v5;
@@ -1374,13 +1356,12 @@ team_41:
             way = 1U;
         }
         const float v40 = state->floor[0] / 0.0F;
-        const float v42 = v40 * (-72.49379F);
+        v42 = v40 * (-72.49379F);
 
         if (v42 >= best) {
             best = v42;
             way = 2U;
         }
-        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             best = v5;
@@ -1398,7 +1379,6 @@ team_41:
             best = 10.948133F;
             way = 4U;
         }
-        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             way = 5U;
@@ -1423,7 +1403,6 @@ team_42:
     {
         float best = -FLT_MAX;
         uint32_t way = 5U;
-        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
@@ -1441,7 +1420,6 @@ team_42:
             best = v17;
             way = 2U;
         }
-        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             best = v5;
@@ -1486,7 +1464,6 @@ team_34:
             best = v88;
             way = 3U;
         }
-        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             best = v5;
@@ -1500,7 +1477,7 @@ team_34:
             way = 1U;
         }
         const float v40 = state->floor[0] / 0.0F;
-        const float v42 = v40 * (-72.49379F);
+        v42 = v40 * (-72.49379F);
 
         if (v42 >= best) {
             best = v42;
@@ -1512,7 +1489,6 @@ team_34:
             best = v43;
             way = 2U;
         }
-        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
@@ -1550,7 +1526,7 @@ team_35:
         float best = -FLT_MAX;
         uint32_t way = 6U;
         const float v17 = (-3.3748567F) - state->stance[0];
-        const float v37 = widowx_rs_min(v17, state->floor[0]);
+        v37 = widowx_rs_min(v17, state->floor[0]);
 
         if (v37 >= best) {
             best = v37;
@@ -1574,13 +1550,11 @@ team_35:
             best = v8;
             way = 3U;
         }
-        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
             way = 4U;
         }
-        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             best = v5;
@@ -1615,7 +1589,6 @@ team_36:
     {
         float best = -FLT_MAX;
         uint32_t way = 4U;
-        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             best = v5;
@@ -1628,7 +1601,6 @@ team_36:
             best = zero;
             way = 2U;
         }
-        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
@@ -1665,7 +1637,6 @@ team_38:
             best = v66;
             way = 1U;
         }
-        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             best = v5;
@@ -1737,7 +1708,6 @@ team_39:
     {
         float best = -FLT_MAX;
         uint32_t way = 5U;
-        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             best = v5;
@@ -1801,13 +1771,11 @@ team_43:
     {
         float best = -FLT_MAX;
         uint32_t way = 4U;
-        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             best = v5;
             way = 1U;
         }
-        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
@@ -1844,13 +1812,11 @@ team_40:
     {
         float best = -FLT_MAX;
         uint32_t way = 4U;
-        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             best = v5;
             way = 1U;
         }
-        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
@@ -1900,13 +1866,11 @@ team_37:
     {
         float best = -FLT_MAX;
         uint32_t way = 3U;
-        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
             way = 1U;
         }
-        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             best = v5;
@@ -1944,7 +1908,6 @@ team_44:
             best = v17;
             way = 1U;
         }
-        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;

@@ -11,9 +11,10 @@ use std::process::Command;
 use tempfile::TempDir;
 use tpg_codegen::emit::{self, Language, Profile, Style};
 use tpg_codegen::graph::{Graph, MathsProvider, ScalarType};
-use tpg_codegen::sample::{self, Shape};
+use tpg_codegen::sample::{self, Constants, Shape};
 use tpg_codegen::size::RustForCortexM4;
 use tpg_codegen::{import, interpret, states};
+use tpg_runtime::ops::Instruction;
 use xtask::wcet::{Analyser, LoopBounds, disassemble};
 
 const STATES: usize = 10_000;
@@ -36,7 +37,32 @@ fn graphs() -> Vec<(String, Graph)> {
         (format!("random {seed}"), sample::graph(&shape, seed))
     });
     let all = ("every instruction".to_owned(), fixture(ScalarType::F32, MathsProvider::Own));
-    own.into_iter().chain([all]).chain(random).collect()
+    own.into_iter().chain([all, ("many teams".to_owned(), many_teams())]).chain(random).collect()
+}
+
+/// So many that they are in several functions.
+fn many_teams() -> Graph {
+    // Without constants and divisions no bid is known beforehand: passes find little to leave out.
+    let names = ["add", "sub", "mul", "negate_if_less", "cos"];
+    let shape = Shape {
+        teams: 100,
+        edges: 2..=4,
+        lines: 6..=12,
+        registers: 3,
+        scalar: ScalarType::F32,
+        maths: MathsProvider::Own,
+        instructions: names.iter().copied().filter_map(Instruction::from_name).collect(),
+        constants: Constants::None,
+        chain: true,
+        ..Shape::default()
+    };
+    let graph = sample::graph(&shape, 1);
+    for language in [Language::C, Language::Rust] {
+        let options = shaped("ct", (Style::Pure, Some(Profile::ConstantTime)));
+        let functions = emit::emit(&graph, language, &options).iter().any(|file| file.text.contains("teams_1("));
+        assert!(functions, "{language:?}");
+    }
+    graph
 }
 
 fn tools(what: &str, programs: &[(&str, &str)]) -> bool {

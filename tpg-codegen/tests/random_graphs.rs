@@ -2,7 +2,7 @@
 //!
 //! The graphs hold ties, shared and empty programs, constants of every kind; the states hold NaN, infinities, denormals.
 //! `TPG_RANDOM_GRAPHS` says how many graphs, and there are ten times as many small ones, where a difference has fewer places
-//! to hide (in Rust, a quarter of both: its compiler takes longer).
+//! to hide (in Rust, a quarter of both: its compiler takes longer), and some of more teams than a function has.
 
 use tpg_codegen::emit::{Language, Options, Profile};
 use tpg_codegen::graph::Graph;
@@ -24,6 +24,13 @@ struct Kind {
 
 const LARGE: Kind = Kind { shape: Shape::random, batch: 60, states: 2000 };
 const SMALL: Kind = Kind { shape: small, batch: 200, states: 600 };
+
+const MANY: Kind = Kind { shape: many, batch: 4, states: 600 };
+
+/// More teams than a function has.
+fn many(seed: u64) -> Shape {
+    Shape { teams: 65 + seed as usize % 50, edges: 1..=4, ..Shape::random(seed) }
+}
 
 /// A few teams with a few bids each.
 fn small(seed: u64) -> Shape {
@@ -76,12 +83,14 @@ fn assert_equal(language: Language, kind: Kind, seeds: std::ops::Range<u64>) {
 fn c_in_every_profile_acts_like_the_interpreter() {
     assert_equal(Language::C, LARGE, 0..count() as u64);
     assert_equal(Language::C, SMALL, 2_000_000..2_000_000 + count() as u64 * 10);
+    assert_equal(Language::C, MANY, 4_000_000..4_000_000 + count() as u64 / 5);
 }
 
 #[test]
 fn rust_in_every_profile_acts_like_the_interpreter() {
     assert_equal(Language::Rust, LARGE, 1_000_000..1_000_000 + count() as u64 / 4);
     assert_equal(Language::Rust, SMALL, 3_000_000..3_000_000 + count() as u64 * 10 / 4);
+    assert_equal(Language::Rust, MANY, 5_000_000..5_000_000 + count() as u64 / 15);
 }
 
 #[test]

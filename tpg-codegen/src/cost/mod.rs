@@ -5,8 +5,10 @@ mod mean;
 
 use crate::emit::{Language, Options, Profile, Style};
 use crate::graph::Graph;
-use crate::ir::{Module, Node, NodeId, heaviest_walk, needed};
+use crate::ir::{Module, Node, NodeId, heaviest_walk, needed, topological};
 use crate::passes::arithmetic::is_transcendental;
+use crate::passes::available::Available;
+use crate::passes::functions;
 use crate::passes::schedule::{Bid, Infinite, LazyBid, Plan, Schedule, Sparing, schedule};
 use crate::passes::{self, Removed};
 use serde::Serialize;
@@ -144,16 +146,23 @@ impl Costs {
         Self { nodes: module.nodes.clone(), once: Work::default(), teams, all_teams: false, module }
     }
 
-    /// Everything is computed once, whatever the state: constant time.
+    /// Everything is computed, whatever the state: constant time.
     pub fn everything(module: Module) -> Self {
         let teams = in_order(&module, |bid| Step::always(bid, Work::default()));
-        let all: Vec<NodeId> = (0..).map(NodeId).take(module.nodes.len()).collect();
-        Self { nodes: module.nodes.clone(), once: work(&module.nodes, &all), teams, all_teams: true, module }
+        let functions = functions::of(&module);
+        let once = functions.iter().map(|function| work(&module.nodes, &function.operations));
+        let once = once.fold(Work::default(), Work::plus);
+        Self { nodes: module.nodes.clone(), once, teams, all_teams: true, module }
     }
 
     /// What a schedule says, as a language's emitter writes it.
     pub fn scheduled(module: Module, schedule: &Schedule, language: Language) -> Self {
-        let teams = schedule.plans.iter().map(|plan| planned(&schedule.nodes, plan, language)).collect();
+        let order = topological(&module.teams);
+        let available = Available::analyse(schedule, &order, functions::together(order.len()));
+        // Only C hands values on from team to team.
+        let there = |team| if language == Language::C { available.on_entry(team).clone() } else { BTreeSet::new() };
+        let plans = schedule.plans.iter().enumerate();
+        let teams = plans.map(|(team, plan)| planned(&schedule.nodes, plan, language, there(team))).collect();
         Self { nodes: schedule.nodes.clone(), once: Work::default(), teams, all_teams: false, module }
     }
 
@@ -195,13 +204,13 @@ fn in_order(module: &Module, step: impl Fn(Bid) -> Step) -> Vec<Vec<Step>> {
         .collect()
 }
 
-/// The steps of a plan.
-fn planned(nodes: &[Node], plan: &Plan, language: Language) -> Vec<Step> {
+/// The steps of a plan, where some values are computed already.
+fn planned(nodes: &[Node], plan: &Plan, language: Language, computed: BTreeSet<NodeId>) -> Vec<Step> {
     // With one way to go, no bid matters.
     if plan.destinations().len() == 1 {
         return Vec::new();
     }
-    let mut known = Known { nodes, computed: BTreeSet::new() };
+    let mut known = Known { nodes, computed };
     let nothing = Work::default();
     let mut steps = Vec::new();
     if let Some(Infinite { place, argument, above }) = plan.infinite {
@@ -271,8 +280,9 @@ impl Known<'_> {
     }
 }
 
-fn work(nodes: &[Node], ids: &[NodeId]) -> Work {
-    let nodes = || ids.iter().map(|id| nodes[id.index()]);
+fn work<'a>(nodes: &[Node], ids: impl IntoIterator<Item = &'a NodeId, IntoIter: Clone>) -> Work {
+    let ids = ids.into_iter();
+    let nodes = || ids.clone().map(|id| nodes[id.index()]);
     Work {
         operations: nodes().filter(Node::is_computed).count() as u64,
         maths_calls: nodes()

@@ -41,7 +41,7 @@ pub(super) fn indent(text: &str) -> String {
 }
 
 /// A Rust array as rustfmt lays it out on lines indented by `indent`: on one line where it is short, short elements
-/// filled into lines, others a line each.
+/// filled into lines, others, and what is more than a name or a number, a line each.
 pub(super) fn array(elements: &[String], indent: usize) -> String {
     const ONE_LINE: usize = 60;
     const SHORT: usize = 10;
@@ -52,7 +52,7 @@ pub(super) fn array(elements: &[String], indent: usize) -> String {
         return format!("[{flat}]");
     }
     let inner = indent + 4;
-    let fill = elements.iter().all(|element| element.len() <= SHORT);
+    let fill = elements.iter().all(|element| element.len() <= SHORT && !element.contains([' ', '(']));
     let mut out = String::from("[");
     let mut column = usize::MAX;
     // All of them on a line of their own may take that, too.

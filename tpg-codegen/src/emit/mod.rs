@@ -4,6 +4,7 @@ mod banner;
 mod c;
 mod layout;
 mod name;
+mod questions;
 mod rust;
 
 pub use name::Prefix;

@@ -4,7 +4,9 @@ mod formula;
 
 use crate::emit::Options;
 use crate::graph::Graph;
-use crate::ir::{Module, Target, effective_lines};
+use crate::ir::{Module, Target, effective_lines, topological};
+use crate::passes::available::Available;
+use crate::passes::functions;
 use crate::passes::schedule::schedule;
 use crate::passes::{self, Log};
 use formula::Formulas;
@@ -96,7 +98,7 @@ impl<'a> Explanation<'a> {
         list(out, "teams", unreachable_teams.iter().map(u32::to_string))
     }
 
-    /// Bound-guarded evaluation, which only the profile fast does.
+    /// Bound-guarded evaluation and values that teams hand on, which only the profile fast does.
     fn guards(&self, out: &mut String) -> fmt::Result {
         let schedule = schedule(self.graph, &self.module, &[]);
         let lazy = schedule.plans.iter().flat_map(|plan| &plan.lazy);
@@ -104,6 +106,10 @@ impl<'a> Explanation<'a> {
         let edges: usize = self.module.teams.iter().map(|team| team.edges.len()).sum();
         let what = format!("of {edges} bids are computed only where a bound says that they can win (profile fast)");
         section(out, "lazy bids", guarded, &what)?;
+        let order = topological(&self.module.teams);
+        let available = Available::analyse(&schedule, &order, functions::together(order.len()));
+        let what = "operations are computed already where a team needs them, by those before it (profile fast in C)";
+        section(out, "shared values", available.saved(), what)?;
         let teams = self.module.teams.len();
         let operations = self.module.nodes.iter().filter(|node| node.is_computed()).count();
         let programs = self.module.bidders.len();

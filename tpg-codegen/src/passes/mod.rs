@@ -3,12 +3,14 @@
 //! Every pass is exact, for every state there is, NaN and infinities included: the compiled policy takes the
 //! interpreter's action. Two of them need no module here, for [`Module::lower`] does them by the way it works:
 //! **reachability** (teams are found from the root) and **intron removal** (lines that do not reach register 0 leave no
-//! node); and so is **value numbering**: equal expressions are one node, whichever programs compute them.
+//! node); and so is **value numbering**: equal expressions are one node, whichever programs compute them. What of them is
+//! computed already where a team decides, [`available`] finds.
 //!
 //! With [`Assumption::DeclaredRanges`] the passes believe the ranges that the graph declares. Then, and only then, a state
 //! outside of them may get another action (still one of the graph's, and nothing undefined).
 
 pub mod arithmetic;
+pub mod available;
 pub mod bound;
 pub mod bytecode;
 mod collect;
@@ -16,6 +18,7 @@ mod duplicates;
 pub mod estimate;
 pub(crate) mod evaluate;
 mod fold;
+pub(crate) mod functions;
 mod hopeless;
 pub mod interval;
 pub mod schedule;

@@ -1,34 +1,32 @@
+{% for function in functions %}
+{%- if functions.len() > 1 %}
+/* Some of the teams. */
+static void {{ prefix }}_teams_{{ loop.index0 }}(const {{ prefix }}_state_t *state, {{ vertex }} *next)
+{
+    {{ key }} best;
+    uint32_t to;{{ function }}
+}
+
+{% endif %}
+{%- endfor %}
 uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state)
 {
     {{ vertex }} next[{{ upper }}_TEAMS + {{ upper }}_ACTIONS];
+{%- if functions.len() == 1 %}
     {{ key }} best;
     uint32_t to;
+{%- endif %}
     uint32_t vertex;
-{%- if !reads_state %}
-
-    (void)state;
-{%- endif %}
-{%- for statement in statements %}
-    {{ statement }}
-{%- endfor %}
-
-    /* What is bid, as integers in the same order. */
-{%- for bid in keys %}
-    const {{ key }} {{ bid.name }} = {{ prefix }}_key({{ bid.value }});
-{%- endfor %}
-
-    /* Where each team leads: teams are numbered from 0, the root, and the actions follow them. */
-{%- for team in teams %}
-    /* Team {{ team.label }} */
-{%- for edge in team.edges %}
-{%- if loop.first %}
-    best = {{ edge.key }};
-    to = {{ edge.to }};
+{%- for function in functions %}
+{%- if functions.len() == 1 -%}
+{{ function }}
 {%- else %}
-    {{ prefix }}_challenge(&best, &to, {{ edge.key }}, {{ edge.to }});
+{%- if loop.first %}
+
+    /* What teams of several functions need, each computes. */
 {%- endif %}
-{%- endfor %}
-    next[{{ loop.index0 }}] = ({{ vertex }})to;
+    {{ prefix }}_teams_{{ loop.index0 }}(state, next);
+{%- endif %}
 {%- endfor %}
 
     /* An action leads to itself. */

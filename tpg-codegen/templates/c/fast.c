@@ -33,6 +33,9 @@ uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state)
 {%- endif %}
 {
     uint32_t vertex;
+{%- for value in function.shared %}
+    {{ scalar }} {{ value }};
+{%- endfor %}
 {%- if !function.reads_state %}
 
     (void)state;

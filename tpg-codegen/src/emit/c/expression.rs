@@ -1,5 +1,6 @@
 //! Nodes as C expressions.
 
+use crate::emit::questions::Words;
 use crate::graph::{Graph, Input, MathsProvider, ScalarType};
 use crate::ir::{Node, NodeId};
 use tpg_runtime::ops::Instruction;
@@ -16,6 +17,16 @@ pub(super) struct Printer<'a> {
     pub(super) short_cuts: bool,
 }
 
+impl Words for Printer<'_> {
+    fn value(&self, id: NodeId) -> String {
+        Printer::value(self, id)
+    }
+
+    fn number(&self, value: f64) -> String {
+        self.constant(value)
+    }
+}
+
 impl Printer<'_> {
     /// The graph's scalar type.
     pub(super) fn scalar(&self) -> &'static str {
@@ -28,6 +39,11 @@ impl Printer<'_> {
     /// The statement that computes a node.
     pub(super) fn statement(&self, id: NodeId) -> String {
         format!("const {} v{} = {};", self.scalar(), id.0, self.operation(id))
+    }
+
+    /// The same, where a variable stands for it in several teams.
+    pub(super) fn assignment(&self, id: NodeId) -> String {
+        format!("v{} = {};", id.0, self.operation(id))
     }
 
     /// A node where it is used: a number, an input, or the name of what was computed.

@@ -1,5 +1,6 @@
 //! Nodes as Rust expressions.
 
+use crate::emit::questions::Words;
 use crate::graph::{Graph, MathsProvider, ScalarType};
 use crate::ir::{Node, NodeId};
 use tpg_runtime::ops::Instruction;
@@ -14,6 +15,16 @@ pub(super) struct Printer<'a> {
     pub(super) short_cuts: bool,
     /// Whether nothing may be a condition: what has one in it goes through `ct`, a `ConstantTime`.
     pub(super) branch_free: bool,
+}
+
+impl Words for Printer<'_> {
+    fn value(&self, id: NodeId) -> String {
+        Printer::value(self, id)
+    }
+
+    fn number(&self, value: f64) -> String {
+        literal(self.graph.scalar(), value)
+    }
 }
 
 impl Printer<'_> {

@@ -4,14 +4,17 @@
 //! The best bid starts at the lowest finite number, and a NaN is never as high: so only bids above −∞ win, and where there
 //! is none, nobody wins, which is how the team's last edge does. No bid needs a test for NaN.
 //!
+//! What a team has computed, it does not hand on to the next (as [C does](crate::passes::available)): with arguments for
+//! that, most policies took more instructions.
+//!
 //! A bid of 0 goes through `black_box`: LLVM 22 takes `if v > 0 { v } else { 0 }` of a `v = max(0, x)` for v, which it is not
 //! where x is NaN. Where what is best is no constant, it does not.
 
 use super::expression::{Printer, literal};
 use super::{Parts, helpers};
-use crate::emit::layout;
+use crate::emit::{layout, questions};
 use crate::ir::{Module, NodeId, Target, needed};
-use crate::passes::schedule::{Bid, Infinite, LazyBid, Plan, Schedule, Sparing};
+use crate::passes::schedule::{Bid, Infinite, LazyBid, Plan, Schedule};
 use askama::Template;
 use std::collections::BTreeSet;
 
@@ -162,12 +165,18 @@ impl<'a> TeamPrinter<'a> {
             value = "zero".to_owned();
         }
         let rank = self.rank(bid);
-        BidView { statements, wins: wins(bid, &value, rank), value, rank, ..BidView::default() }
+        BidView {
+            statements,
+            wins: questions::wins(bid, &rank.to_string(), &value, "best"),
+            value,
+            rank,
+            ..BidView::default()
+        }
     }
 
     fn lazy(&mut self, lazy: &LazyBid) -> BidView {
         let before = lazy.sparing.map(|sparing| self.statements(sparing.argument, true)).unwrap_or_default();
-        let considered = self.considered(lazy);
+        let considered = questions::considered(self.printer, lazy, &self.rank(&lazy.bid).to_string());
         let view = match considered {
             Some(_) => self.in_braces(|team| team.looked_at(lazy, false)),
             None => self.looked_at(lazy, true),
@@ -175,39 +184,11 @@ impl<'a> TeamPrinter<'a> {
         BidView { before, considered, ..view }
     }
 
-    /// What must hold for a bid to be worth its bound.
-    fn considered(&self, lazy: &LazyBid) -> Option<String> {
-        let number = |value: f64| literal(self.printer.graph.scalar(), value);
-        let before = (lazy.before_infinite)
-            .then(|| format!("best < {} || edge < {}", number(f64::INFINITY), self.rank(&lazy.bid)));
-        let spared = lazy.sparing.map(|Sparing { argument, at_most, below }| {
-            format!("!({} <= {} && best >= {})", self.printer.value(argument), number(at_most), number(below))
-        });
-        match (before, spared) {
-            (Some(before), Some(spared)) => Some(format!("({before}) && {spared}")),
-            (before, spared) => before.or(spared),
-        }
-    }
-
     fn looked_at(&mut self, lazy: &LazyBid, stays: bool) -> BidView {
         let LazyBid { bid, bound, .. } = lazy;
         let rank = self.rank(bid);
         let bound_statements = bound.map(|bound| self.statements(bound, true)).unwrap_or_default();
-        let infinity = literal(self.printer.graph.scalar(), f64::INFINITY);
-        let guard = match bound {
-            // Also where the bound is NaN and says nothing.
-            Some(bound) => {
-                let bound = self.printer.value(*bound);
-                Some(if bid.in_turn {
-                    format!("!(best > {bound})")
-                } else {
-                    format!("!(best > {bound} || (best >= {bound} && edge >= {rank}))")
-                })
-            }
-            // Nothing is higher than infinity; in turn, what is as high wins; and it may have been asked already.
-            None if bid.in_turn || lazy.before_infinite => None,
-            None => Some(format!("best < {infinity} || edge < {rank}")),
-        };
+        let guard = questions::guard(self.printer, lazy, &rank.to_string());
         // Where nothing guards it, it is computed for whatever follows.
         let statements = self.statements(bid.value, guard.is_none() && stays);
         let value = self.printer.value(bid.value);
@@ -215,7 +196,7 @@ impl<'a> TeamPrinter<'a> {
             bound_statements,
             guard,
             statements,
-            wins: wins(bid, &value, rank),
+            wins: questions::wins(bid, &rank.to_string(), &value, "best"),
             value,
             rank,
             ..BidView::default()
@@ -230,14 +211,5 @@ impl<'a> TeamPrinter<'a> {
             self.computed.extend(missing);
         }
         statements
-    }
-}
-
-/// Whether a bid makes it the leader.
-fn wins(bid: &Bid, value: &str, rank: usize) -> String {
-    if bid.in_turn {
-        format!("{value} >= best")
-    } else {
-        format!("{value} >= best && ({value} > best || edge < {rank})")
     }
 }

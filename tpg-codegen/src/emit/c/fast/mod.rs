@@ -1,8 +1,8 @@
 //! The profile `fast`: control goes from team to team, always forward, without a loop and without a table. Cheap bids are
 //! computed; the others only where a bound says that they can still win.
 //!
-//! Compilers share what a team computes with the teams behind it, for all are in one function. Where there are many, they
-//! are in several: some passes of compilers take more than linear time in the size of a function.
+//! What a team computes whatever it decides, the teams behind it [read](crate::passes::available) from variables of the
+//! function. Where there are many teams, they are in several functions.
 //!
 //! The best bid starts at the lowest finite number, and a NaN is never as high: so only bids above −∞ win, and where there
 //! is none, nobody wins, which is how the team's last edge does. No bid needs a test for NaN.
@@ -16,16 +16,14 @@ mod view;
 use super::expression::Printer;
 use crate::emit::layout;
 use crate::graph::ScalarType;
-use crate::ir::{Module, topological};
+use crate::ir::{Module, NodeId, topological};
+use crate::passes::available::Available;
+use crate::passes::functions;
 use crate::passes::schedule::Schedule;
 use askama::Template;
+use std::collections::BTreeSet;
 use team::TeamPrinter;
 use view::{EntryView, FunctionView, LateTeamView};
-
-/// Teams of one function, where all are in it.
-const TEAMS: usize = 64;
-/// Teams of one function, where there are more.
-const SOME_TEAMS: usize = 32;
 
 #[derive(Template)]
 #[template(path = "c/fast.c", escape = "none")]
@@ -48,26 +46,28 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module, schedule: &Schedule
         places[team] = place;
     }
     let mut late = Vec::new();
-    let several = if order.len() <= TEAMS { TEAMS } else { SOME_TEAMS };
-    let functions = (order.chunks(several).zip((0..).step_by(several)))
+    let together = functions::together(order.len());
+    let available = Available::analyse(schedule, &order, together);
+    let functions = (order.chunks(together).zip((0..).step_by(together)))
         .map(|(teams, start)| {
             let whole = teams.len() == order.len();
-            let span = Span { places: &places, start, end: start + teams.len(), whole };
+            let shared = teams.iter().flat_map(|&team| available.read(team)).copied().collect();
+            let span = Span { places: &places, start, end: start + teams.len(), whole, shared };
             let mut reads_state = false;
-            let entries = teams
-                .iter()
-                .filter(|_| !whole)
-                .map(|&team| EntryView { number: format!("{}U", places[team]), label: module.teams[team].label });
-            let entries = entries.collect();
+            let entries = (teams.iter().filter(|&&team| available.is_entry(team)).filter(|_| !whole))
+                .map(|&team| EntryView { number: format!("{}U", places[team]), label: module.teams[team].label })
+                .collect();
             let teams = teams.iter().map(|&team| {
-                let mut printed = TeamPrinter::new(printer, module, &schedule.plans[team], &span);
+                let mut printed =
+                    TeamPrinter::new(printer, module, &schedule.plans[team], &span, available.on_entry(team).clone());
                 let view = printed.view(!whole || team != 0);
                 reads_state |= printed.reads_state;
                 late.extend(printed.late_team());
                 view
             });
             let teams = teams.collect();
-            FunctionView { entries, teams, end: span.end, reads_state }
+            let shared = span.shared.iter().map(|&id| printer.value(id)).collect();
+            FunctionView { shared, entries, teams, end: span.end, reads_state }
         })
         .collect();
     let fast = Fast {
@@ -90,4 +90,6 @@ struct Span<'a> {
     end: usize,
     /// Whether these are all teams there are.
     whole: bool,
+    /// Values that a team reads from those before it.
+    shared: BTreeSet<NodeId>,
 }

@@ -3,8 +3,9 @@
 use super::Span;
 use super::view::{EagerView, InfiniteView, LateTeamView, LateView, LazyView, TeamView, WayView};
 use crate::emit::c::expression::Printer;
+use crate::emit::questions;
 use crate::ir::{Module, Node, NodeId, Target, needed};
-use crate::passes::schedule::{Bid, Infinite, LazyBid, Plan, Sparing};
+use crate::passes::schedule::{Bid, Infinite, LazyBid, Plan};
 use std::collections::BTreeSet;
 
 pub(super) struct TeamPrinter<'a> {
@@ -16,6 +17,7 @@ pub(super) struct TeamPrinter<'a> {
     targets: Vec<Target>,
     /// Whether every bid is looked at in turn: then, the way that the winner goes is enough to know.
     in_turn: bool,
+    /// Values that are there, at first what the teams before have left.
     computed: BTreeSet<NodeId>,
     pub(super) reads_state: bool,
     /// Whether the leader may be a bid that was not computed.
@@ -23,11 +25,17 @@ pub(super) struct TeamPrinter<'a> {
 }
 
 impl<'a> TeamPrinter<'a> {
-    pub(super) fn new(printer: &'a Printer<'a>, module: &'a Module, plan: &'a Plan, span: &'a Span<'a>) -> Self {
+    pub(super) fn new(
+        printer: &'a Printer<'a>,
+        module: &'a Module,
+        plan: &'a Plan,
+        span: &'a Span<'a>,
+        computed: BTreeSet<NodeId>,
+    ) -> Self {
         let in_turn = plan.infinite.is_none() && plan.bids().all(|bid| bid.in_turn);
         let in_turn = in_turn && plan.lazy.iter().all(|lazy| lazy.certain.is_none());
         let targets = plan.destinations();
-        let (computed, reads_state, pending) = (BTreeSet::new(), false, false);
+        let (reads_state, pending) = (false, false);
         Self { printer, module, plan, span, targets, in_turn, computed, reads_state, pending }
     }
 
@@ -72,7 +80,7 @@ impl<'a> TeamPrinter<'a> {
                 .collect();
             if let [place] = &places[..] { place.clone() } else { format!("({})", places.join(") || (")) }
         };
-        let Span { places, start, end, whole } = *self.span;
+        let Span { places, start, end, whole, .. } = *self.span;
         let (vertex, label) = match target {
             Target::Team(team) if (start..end).contains(&places[team]) => {
                 (None, format!("team_{}", self.module.teams[team].label))
@@ -125,29 +133,13 @@ impl<'a> TeamPrinter<'a> {
 
     fn lazy(&mut self, lazy: &LazyBid) -> LazyView {
         let before = lazy.sparing.map(|sparing| self.statements(sparing.argument, true)).unwrap_or_default();
-        let considered = self.considered(lazy);
+        let considered = questions::considered(self.printer, lazy, &self.rank(&lazy.bid));
         let mut view = match considered {
             Some(_) => self.in_braces(|team| team.looked_at(lazy, considered)),
             None => self.looked_at(lazy, None),
         };
         view.before = before;
         view
-    }
-
-    /// What must hold for a bid to be worth its bound.
-    fn considered(&mut self, lazy: &LazyBid) -> Option<String> {
-        let before = lazy.before_infinite.then(|| {
-            let infinity = self.printer.constant(f64::INFINITY);
-            format!("(best < {infinity}) || (edge < {})", self.rank(&lazy.bid))
-        });
-        let spared = lazy.sparing.map(|Sparing { argument, at_most, below }| {
-            let [at_most, below] = [at_most, below].map(|number| self.printer.constant(number));
-            format!("!(({} <= {at_most}) && (best >= {below}))", self.printer.value(argument))
-        });
-        match (before, spared) {
-            (Some(before), Some(spared)) => Some(format!("({before}) && {spared}")),
-            (before, spared) => before.or(spared),
-        }
     }
 
     fn looked_at(&mut self, lazy: &LazyBid, considered: Option<String>) -> LazyView {
@@ -157,30 +149,16 @@ impl<'a> TeamPrinter<'a> {
         bound_statements.extend(certain.iter().flat_map(|&certain| self.statements(certain, true)));
         let pending = self.pending;
         let top = if pending { "top" } else { "best" };
-        let sure = certain.map(|certain| self.wins(bid, &rank, &self.printer.value(certain), top));
+        let sure = certain.map(|certain| questions::wins(bid, &rank, &self.printer.value(certain), top));
         let ends = certain.zip(*bound).map(|(low, high)| (self.printer.value(low), self.printer.value(high)));
         self.pending |= certain.is_some();
-        let infinity = self.printer.constant(f64::INFINITY);
-        let guard = match bound {
-            // Also where the bound is NaN and says nothing.
-            Some(bound) => {
-                let bound = self.printer.value(*bound);
-                Some(if bid.in_turn {
-                    format!("!(best > {bound})")
-                } else {
-                    format!("!((best > {bound}) || ((best >= {bound}) && (edge >= {rank})))")
-                })
-            }
-            // Nothing is higher than infinity; in turn, what is as high wins; and it may have been asked already.
-            None if bid.in_turn || lazy.before_infinite => None,
-            None => Some(format!("(best < {infinity}) || (edge < {rank})")),
-        };
+        let guard = questions::guard(self.printer, lazy, &rank);
         let (statements, value) = if certain.is_some() {
             (Vec::new(), "bid".to_owned())
         } else {
             (self.statements(bid.value, false), self.printer.value(bid.value))
         };
-        let wins = self.wins(bid, &rank, &value, if certain.is_some() && pending { "lead" } else { "best" });
+        let wins = questions::wins(bid, &rank, &value, if certain.is_some() && pending { "lead" } else { "best" });
         LazyView {
             before: Vec::new(),
             considered,
@@ -196,15 +174,6 @@ impl<'a> TeamPrinter<'a> {
             rank,
             wins,
             last: false,
-        }
-    }
-
-    /// Whether a value of a bid makes it the leader.
-    fn wins(&self, bid: &Bid, rank: &str, value: &str, best: &str) -> String {
-        if bid.in_turn {
-            format!("{value} >= {best}")
-        } else {
-            format!("({value} >= {best}) && (({value} > {best}) || (edge < {rank}))")
         }
     }
 
@@ -234,7 +203,10 @@ impl<'a> TeamPrinter<'a> {
     fn statements(&mut self, value: NodeId, stays: bool) -> Vec<String> {
         let missing = needed(self.printer.nodes, value, |id| !self.computed.contains(&id));
         self.reads_state |= self.reads_input(value, &missing);
-        let statements = missing.iter().map(|&id| self.printer.statement(id)).collect();
+        let statement = |&id: &NodeId| {
+            if self.span.shared.contains(&id) { self.printer.assignment(id) } else { self.printer.statement(id) }
+        };
+        let statements = missing.iter().map(statement).collect();
         if stays {
             self.computed.extend(missing);
         }

@@ -9,6 +9,8 @@ pub(super) struct LateTeamView {
 
 /// Some teams, one after another.
 pub(super) struct FunctionView {
+    /// Variables for what several teams read.
+    pub(super) shared: Vec<String>,
     /// How to come to a team from another function; none where there is only one.
     pub(super) entries: Vec<EntryView>,
     pub(super) teams: Vec<TeamView>,

@@ -1,0 +1,20 @@
+
+        let ct = ConstantTime::<{{ scalar }}>::default();
+{%- for statement in statements %}
+        {{ statement }}
+{%- endfor %}
+
+        // What is bid, as integers in the same order.
+{%- for bid in keys %}
+        let {{ bid.name }} = {{ bid.value }}
+{%- endfor %}
+
+        // Where each team leads: teams are numbered from 0, the root, and the actions follow them.
+{%- for team in teams %}
+        // Team {{ team.label }}
+        let best = ({{ team.first.key }}, {{ team.first.to }});
+{%- for edge in team.others %}
+        let best = ct.challenge(best, ({{ edge.key }}, {{ edge.to }}));
+{%- endfor %}
+        let t{{ team.number }} = best.1{% if vertex != "u32" %} as {{ vertex }}{% endif %};
+{%- endfor %}
