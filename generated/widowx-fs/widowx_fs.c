@@ -42,9 +42,6 @@ static float widowx_fs_max(float a, float b)
 uint16_t widowx_fs_infer(const widowx_fs_state_t *state)
 {
     uint32_t vertex;
-    float v12;
-    float v29;
-    float v48;
 
     {
         float best = -FLT_MAX;
@@ -66,7 +63,7 @@ uint16_t widowx_fs_infer(const widowx_fs_state_t *state)
             best = v8;
             way = 2U;
         }
-        v12 = v4 / 0.0F;
+        const float v12 = v4 / 0.0F;
         const float v13 = v12 / 0.0F;
 
         if (v13 >= best) {
@@ -231,6 +228,8 @@ team_7:
             best = v10;
             way = 5U;
         }
+        const float v4 = state->polar[2] - 0.7582224F;
+        const float v12 = v4 / 0.0F;
 
         if (v12 >= best) {
             way = 6U;
@@ -480,7 +479,7 @@ team_13:
             way = 4U;
         }
         const float v28 = widowx_fs_max(0.0F, state->polar[0]);
-        v29 = state->polar[1] - v28;
+        const float v29 = state->polar[1] - v28;
 
         if (v29 >= best) {
             best = v29;
@@ -553,7 +552,7 @@ team_15:
     {
         float best = -FLT_MAX;
         uint32_t way = 4U;
-        v48 = (-107.57004F) / state->polar[0];
+        const float v48 = (-107.57004F) / state->polar[0];
 
         if (v48 >= best) {
             best = v48;
@@ -616,6 +615,7 @@ team_17:
             best = v45;
             way = 5U;
         }
+        const float v48 = (-107.57004F) / state->polar[0];
 
         if (v48 >= best) {
             best = v48;
@@ -722,7 +722,7 @@ team_24:
             way = 6U;
         }
         const float v28 = widowx_fs_max(0.0F, state->polar[0]);
-        v29 = state->polar[1] - v28;
+        const float v29 = state->polar[1] - v28;
 
         if (v29 >= best) {
             best = v29;
@@ -734,7 +734,7 @@ team_24:
             best = v10;
             way = 3U;
         }
-        v48 = (-107.57004F) / state->polar[0];
+        const float v48 = (-107.57004F) / state->polar[0];
 
         if (v48 >= best) {
             best = v48;
@@ -773,6 +773,7 @@ team_27:
     {
         float best = -FLT_MAX;
         uint32_t way = 7U;
+        const float v48 = (-107.57004F) / state->polar[0];
 
         if (v48 >= best) {
             best = v48;
@@ -842,6 +843,7 @@ team_28:
     {
         float best = -FLT_MAX;
         uint32_t way = 6U;
+        const float v48 = (-107.57004F) / state->polar[0];
 
         if (v48 >= best) {
             best = v48;
@@ -909,6 +911,8 @@ team_40:
             best = 10.629795F;
             way = 1U;
         }
+        const float v28 = widowx_fs_max(0.0F, state->polar[0]);
+        const float v29 = state->polar[1] - v28;
 
         if (v29 >= best) {
             best = v29;
@@ -944,6 +948,7 @@ team_29:
     {
         float best = -FLT_MAX;
         uint32_t way = 6U;
+        const float v48 = (-107.57004F) / state->polar[0];
 
         if (v48 >= best) {
             best = v48;
@@ -1042,7 +1047,7 @@ team_30:
             best = v41;
             way = 4U;
         }
-        v48 = (-107.57004F) / state->polar[0];
+        const float v48 = (-107.57004F) / state->polar[0];
 
         if (v48 >= best) {
             best = v48;
@@ -1211,7 +1216,7 @@ team_20:
             best = v45;
             way = 3U;
         }
-        v48 = (-107.57004F) / state->polar[0];
+        const float v48 = (-107.57004F) / state->polar[0];
 
         if (v48 >= best) {
             best = v48;
@@ -1327,7 +1332,7 @@ team_37:
             way = 4U;
         }
         const float v28 = widowx_fs_max(0.0F, state->polar[0]);
-        v29 = state->polar[1] - v28;
+        const float v29 = state->polar[1] - v28;
 
         if (v29 >= best) {
             way = 5U;
@@ -1353,6 +1358,7 @@ team_22:
     {
         float best = -FLT_MAX;
         uint32_t way = 4U;
+        const float v48 = (-107.57004F) / state->polar[0];
 
         if (v48 >= best) {
             best = v48;

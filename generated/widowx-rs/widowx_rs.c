@@ -42,24 +42,17 @@ static float widowx_rs_max(float a, float b)
 uint16_t widowx_rs_infer(const widowx_rs_state_t *state)
 {
     uint32_t vertex;
-    float v2;
-    float v5;
-    float v15;
-    float v37;
-    float v42;
-    float v56;
-    float v77;
 
     {
         float best = -FLT_MAX;
         uint32_t way = 6U;
-        v5 = state->stance[1] / 9.539528F;
+        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             best = v5;
             way = 1U;
         }
-        v2 = state->stance[0] / 0.0F;
+        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
@@ -124,6 +117,7 @@ team_5:
             best = v34;
             way = 5U;
         }
+        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
@@ -305,7 +299,7 @@ team_10:
             best = v29;
             way = 6U;
         }
-        v15 = state->stance[1] / 0.0F;
+        const float v15 = state->stance[1] / 0.0F;
 
         if (v15 >= best) {
             way = 7U;
@@ -341,7 +335,7 @@ team_11:
             best = v13;
             way = 1U;
         }
-        v15 = state->stance[1] / 0.0F;
+        const float v15 = state->stance[1] / 0.0F;
 
         if (v15 >= best) {
             best = v15;
@@ -399,6 +393,7 @@ team_12:
             best = v11;
             way = 1U;
         }
+        const float v15 = state->stance[1] / 0.0F;
 
         if (v15 >= best) {
             best = v15;
@@ -423,6 +418,7 @@ team_12:
             best = v52;
             way = 5U;
         }
+        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             best = v5;
@@ -495,6 +491,7 @@ team_13:
             best = v50;
             way = 5U;
         }
+        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
@@ -513,7 +510,7 @@ team_13:
             best = v17;
             way = 8U;
         }
-        v37 = widowx_rs_min(v17, state->floor[0]);
+        const float v37 = widowx_rs_min(v17, state->floor[0]);
 
         if (v37 >= best) {
             way = 9U;
@@ -546,6 +543,8 @@ team_22:
     {
         float best = -FLT_MAX;
         uint32_t way = 8U;
+        const float v17 = (-3.3748567F) - state->stance[0];
+        const float v37 = widowx_rs_min(v17, state->floor[0]);
 
         if (v37 >= best) {
             best = v37;
@@ -563,14 +562,13 @@ team_22:
             best = v75;
             way = 2U;
         }
-        const float v17 = (-3.3748567F) - state->stance[0];
 
         if (v17 >= best) {
             best = v17;
             way = 3U;
         }
         const float v40 = state->floor[0] / 0.0F;
-        v42 = v40 * (-72.49379F);
+        const float v42 = v40 * (-72.49379F);
 
         if (v42 >= best) {
             best = v42;
@@ -581,6 +579,7 @@ team_22:
             best = 22.918602F;
             way = 7U;
         }
+        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
@@ -674,7 +673,7 @@ team_14:
             best = v11;
             way = 4U;
         }
-        v15 = state->stance[1] / 0.0F;
+        const float v15 = state->stance[1] / 0.0F;
 
         if (v15 >= best) {
             way = 5U;
@@ -707,7 +706,7 @@ team_16:
             way = 1U;
         }
         const float v40 = state->floor[0] / 0.0F;
-        v42 = v40 * (-72.49379F);
+        const float v42 = v40 * (-72.49379F);
 
         if (v42 >= best) {
             best = v42;
@@ -742,6 +741,7 @@ team_16:
             best = v11;
             way = 7U;
         }
+        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             way = 8U;
@@ -779,13 +779,14 @@ team_17:
             best = v8;
             way = 1U;
         }
+        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             best = v5;
             way = 2U;
         }
         const float v17 = (-3.3748567F) - state->stance[0];
-        v37 = widowx_rs_min(v17, state->floor[0]);
+        const float v37 = widowx_rs_min(v17, state->floor[0]);
 
         if (v37 >= best) {
             best = v37;
@@ -796,6 +797,7 @@ team_17:
             best = 22.918602F;
             way = 3U;
         }
+        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
@@ -813,7 +815,7 @@ team_17:
             best = v54;
             way = 6U;
         }
-        v77 = state->stance[1] / (-9.539528F);
+        const float v77 = state->stance[1] / (-9.539528F);
 
         if (v77 >= best) {
             way = 7U;
@@ -848,16 +850,20 @@ team_18:
             best = 22.918602F;
             way = 1U;
         }
+        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             best = v5;
             way = 2U;
         }
+        const float v17 = (-3.3748567F) - state->stance[0];
+        const float v37 = widowx_rs_min(v17, state->floor[0]);
 
         if (v37 >= best) {
             best = v37;
             way = 8U;
         }
+        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
@@ -875,6 +881,7 @@ team_18:
             best = v54;
             way = 8U;
         }
+        const float v77 = state->stance[1] / (-9.539528F);
 
         if (v77 >= best) {
             best = v77;
@@ -893,7 +900,6 @@ team_18:
             best = v8;
             way = 7U;
         }
-        const float v17 = (-3.3748567F) - state->stance[0];
 
         if (v17 >= best) {
             way = 8U;
@@ -951,6 +957,7 @@ team_30:
             best = v65;
             way = 3U;
         }
+        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
@@ -975,11 +982,14 @@ team_30:
             best = v17;
             way = 7U;
         }
+        const float v40 = state->floor[0] / 0.0F;
+        const float v42 = v40 * (-72.49379F);
 
         if (v42 >= best) {
             best = v42;
             way = 8U;
         }
+        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             way = 9U;
@@ -1024,6 +1034,7 @@ team_31:
             best = v8;
             way = 2U;
         }
+        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
@@ -1063,6 +1074,7 @@ team_32:
             best = 22.918602F;
             way = 2U;
         }
+        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
@@ -1080,12 +1092,13 @@ team_32:
             best = v36;
             way = 6U;
         }
-        v56 = state->stance[3] / 15.430052F;
+        const float v56 = state->stance[3] / 15.430052F;
 
         if (v56 >= best) {
             best = v56;
             way = 5U;
         }
+        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             way = 6U;
@@ -1119,7 +1132,7 @@ team_23:
             best = v72;
             way = 1U;
         }
-        v56 = state->stance[3] / 15.430052F;
+        const float v56 = state->stance[3] / 15.430052F;
 
         if (v56 >= best) {
             best = v56;
@@ -1143,6 +1156,7 @@ team_23:
             best = 22.918602F;
             way = 5U;
         }
+        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             best = v5;
@@ -1196,6 +1210,7 @@ team_24:
             best = v8;
             way = 3U;
         }
+        const float v56 = state->stance[3] / 15.430052F;
 
         if (v56 >= best) {
             best = v56;
@@ -1207,6 +1222,7 @@ team_24:
             best = v36;
             way = 5U;
         }
+        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             way = 6U;
@@ -1297,6 +1313,7 @@ team_45:
             best = v53;
             way = 4U;
         }
+        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
@@ -1308,6 +1325,7 @@ team_45:
             best = v29;
             way = 4U;
         }
+        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             best = v5;
@@ -1356,12 +1374,13 @@ team_41:
             way = 1U;
         }
         const float v40 = state->floor[0] / 0.0F;
-        v42 = v40 * (-72.49379F);
+        const float v42 = v40 * (-72.49379F);
 
         if (v42 >= best) {
             best = v42;
             way = 2U;
         }
+        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             best = v5;
@@ -1379,6 +1398,7 @@ team_41:
             best = 10.948133F;
             way = 4U;
         }
+        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             way = 5U;
@@ -1403,6 +1423,7 @@ team_42:
     {
         float best = -FLT_MAX;
         uint32_t way = 5U;
+        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
@@ -1420,6 +1441,7 @@ team_42:
             best = v17;
             way = 2U;
         }
+        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             best = v5;
@@ -1464,6 +1486,7 @@ team_34:
             best = v88;
             way = 3U;
         }
+        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             best = v5;
@@ -1477,7 +1500,7 @@ team_34:
             way = 1U;
         }
         const float v40 = state->floor[0] / 0.0F;
-        v42 = v40 * (-72.49379F);
+        const float v42 = v40 * (-72.49379F);
 
         if (v42 >= best) {
             best = v42;
@@ -1489,6 +1512,7 @@ team_34:
             best = v43;
             way = 2U;
         }
+        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
@@ -1526,7 +1550,7 @@ team_35:
         float best = -FLT_MAX;
         uint32_t way = 6U;
         const float v17 = (-3.3748567F) - state->stance[0];
-        v37 = widowx_rs_min(v17, state->floor[0]);
+        const float v37 = widowx_rs_min(v17, state->floor[0]);
 
         if (v37 >= best) {
             best = v37;
@@ -1550,11 +1574,13 @@ team_35:
             best = v8;
             way = 3U;
         }
+        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
             way = 4U;
         }
+        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             best = v5;
@@ -1589,6 +1615,7 @@ team_36:
     {
         float best = -FLT_MAX;
         uint32_t way = 4U;
+        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             best = v5;
@@ -1601,6 +1628,7 @@ team_36:
             best = zero;
             way = 2U;
         }
+        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
@@ -1637,6 +1665,7 @@ team_38:
             best = v66;
             way = 1U;
         }
+        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             best = v5;
@@ -1708,6 +1737,7 @@ team_39:
     {
         float best = -FLT_MAX;
         uint32_t way = 5U;
+        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             best = v5;
@@ -1771,11 +1801,13 @@ team_43:
     {
         float best = -FLT_MAX;
         uint32_t way = 4U;
+        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             best = v5;
             way = 1U;
         }
+        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
@@ -1812,11 +1844,13 @@ team_40:
     {
         float best = -FLT_MAX;
         uint32_t way = 4U;
+        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             best = v5;
             way = 1U;
         }
+        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
@@ -1866,11 +1900,13 @@ team_37:
     {
         float best = -FLT_MAX;
         uint32_t way = 3U;
+        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;
             way = 1U;
         }
+        const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
             best = v5;
@@ -1908,6 +1944,7 @@ team_44:
             best = v17;
             way = 1U;
         }
+        const float v2 = state->stance[0] / 0.0F;
 
         if (v2 >= best) {
             best = v2;

@@ -30,7 +30,7 @@ extern "C" {
 #define WIDOWX_RS_DEPTH 16U
 /* At most, in one inference: bids looked at, operations, and sines, cosines, logarithms and exponentials among those. */
 #define WIDOWX_RS_WORST_BIDS 118U
-#define WIDOWX_RS_WORST_OPERATIONS 99U
+#define WIDOWX_RS_WORST_OPERATIONS 118U
 #define WIDOWX_RS_WORST_MATHS_CALLS 0U
 
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */

@@ -9,9 +9,9 @@ use super::schedule::{LazyBid, Plan, Schedule, cost};
 use crate::ir::{Node, NodeId, Target, needed};
 use std::collections::BTreeSet;
 
-/// In additions, as [`cost`] counts. Measured with GCC, which finds by itself much of what teams of a function share: with
-/// every value kept, policies need up to 2 % more instructions on x86-64, up to 4 % fewer; with these, up to 0.4 % more, 4 % fewer.
-const WORTH_KEEPING: u32 = 3;
+/// In additions, as [`cost`] counts: an estimate of an exponential or a logarithm, or some operations. GCC finds by itself much
+/// of what teams of a function share, and to keep cheap values, too, cost as much as it gained.
+const WORTH_KEEPING: u32 = 6;
 
 /// What teams find computed, and what of it they read.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -172,20 +172,20 @@ mod tests {
         ids.map(NodeId).into()
     }
 
-    /// Two inputs, their quotient, its sine, the sine's bound, and the quotient's double.
+    /// Two inputs, an estimate, its sine, the sine's bound, and the estimate's double.
     fn nodes() -> Vec<Node> {
         let operation = |instruction, a, b| Node::Operation(instruction, [NodeId(a), NodeId(b)]);
         vec![
             Node::Input(Input(0)),
             Node::Input(Input(1)),
-            operation(Instruction::Div, 0, 1),
+            Node::Upper(Instruction::Exp, NodeId(0)),
             operation(Instruction::Sin, 2, 2),
             operation(Instruction::Abs, 2, 2),
             operation(Instruction::Add, 2, 2),
         ]
     }
 
-    /// The root leads to both others, the second also to the third. The quotient is computed in the root, the sine perhaps; the
+    /// The root leads to both others, the second also to the third. The estimate is computed in the root, the sine perhaps; the
     /// double in the second only.
     fn two_ways(spared: bool) -> Schedule {
         let sparing = spared.then_some(Sparing { argument: NodeId(2), at_most: 1.0, below: 1.0 });
@@ -276,6 +276,6 @@ mod tests {
             graphs += 1;
             saved += available.saved();
         }
-        assert!(graphs > 200 && saved > 50, "{graphs} graphs, {saved} operations saved");
+        assert!(graphs > 200 && saved > 0, "{graphs} graphs, {saved} operations saved");
     }
 }
