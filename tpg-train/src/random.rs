@@ -48,6 +48,8 @@ pub enum Purpose {
     Replay = 25,
     /// The noise of the actions inside one update.
     Update = 26,
+    /// The noise of a policy that draws its actions, in one test episode.
+    Draws = 27,
 }
 
 /// A stream of random numbers.

@@ -68,6 +68,36 @@ where
     Episode::new(arm, task.problem(start), Brent::new()).run(policy, each)
 }
 
+/// Runs one episode of a policy that draws its actions: neither rest nor a pose that comes again ends it. `each` sees the
+/// pose after every action.
+pub fn watch_drawn<S: Lattice>(
+    arm: &Arm<S>,
+    mut decide: impl FnMut(&Observation<S>) -> Move,
+    start: Start,
+    task: &Task,
+    mut each: impl FnMut(Pose),
+) -> Summary<S> {
+    let problem: Problem<S> = task.problem(start);
+    let mut seen = Observation::at(arm, problem.start, problem.target);
+    let mut actions = 0;
+    loop {
+        let step = arm.step(seen.pose, decide(&seen));
+        seen = Observation::at(arm, step.pose, problem.target);
+        actions += 1;
+        each(seen.pose);
+        let outcome = if let Some(invalid) = step.invalid {
+            Outcome::Invalid(invalid)
+        } else if seen.distance() < problem.tolerance {
+            Outcome::Reached
+        } else if actions >= problem.max_actions {
+            Outcome::Timeout
+        } else {
+            continue;
+        };
+        return Summary { outcome, actions, pose: seen.pose, distance: seen.distance() };
+    }
+}
+
 /// As [`run`], but an invalid action ends nothing: what can move moves, or the arm stays, and the episode goes on. An
 /// episode counts as a collision if its last action was invalid, as in the paper. A policy that stands still where its
 /// action is refused has come to its end: a cycle.

@@ -3,21 +3,26 @@
 //! Every value comes from the runtime's own functions on the same arguments, so it has the same bits as an observation
 //! made from scratch; a test walks both side by side.
 
+mod clearance;
+mod episode;
 mod group;
 mod lanes;
+mod problem;
 mod usual;
+
+pub use episode::ArmEpisode;
+pub use problem::{ArmProblem, ArmTask, OUTCOMES, outcome_number};
 
 use crate::engine::{Ending, Environment, Episodes, OneByOne, SourceSet};
 use crate::random::Stream;
-use crate::targets::{self, Reach as Space, Set, Start, Task};
-use serde::{Deserialize, Serialize};
+use crate::targets::{self, Reach as Space, Set};
+use clearance::{Clearances, swing};
 use tpg_codegen::error::{InputError, Place};
 use tpg_codegen::graph::{ActionDocument, Graph, SourceDocument};
-use tpg_runtime::arm::{Arm, Collision, Invalid, JOINTS, Joint, Move, Pose, TICKS_PER_TURN};
+use tpg_runtime::arm::{Arm, JOINTS, Joint, Move, Pose, TICKS_PER_TURN};
 use tpg_runtime::episode::Outcome;
-use tpg_runtime::frame::Frame;
-use tpg_runtime::kinematics::{self, Angle, Direction, Directions, Lattice, Plane, Vector, link_angles};
-use tpg_runtime::observation::{Aim, Observation, Reach, ReachErrors, ReachTarget, Source, Stance, derived, shield};
+use tpg_runtime::kinematics::{self, Angle, Direction, Directions, Lattice, Plane, link_angles};
+use tpg_runtime::observation::{Observation, ReachErrors, Source, derived, shield};
 use tpg_runtime::policy::ActionId;
 
 /// The scalars that an arm exists in.
@@ -35,63 +40,6 @@ impl ArmScalar for f32 {
 impl ArmScalar for f64 {
     fn arm(arm: &Arm<f64>) -> Arm<f64> {
         *arm
-    }
-}
-
-/// What is asked of the arm, and how it is scored.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ArmProblem {
-    /// Where episodes start.
-    pub start: Start,
-    /// An episode succeeds nearer than this, mm.
-    pub tolerance: f64,
-    /// After this many actions it is over.
-    pub max_actions: u32,
-    /// Ticks that an action moves one joint.
-    pub step: i8,
-    /// Whether there is an action that does nothing (and so ends the episode).
-    pub may_stop: bool,
-    /// What a policy sees.
-    pub sources: Vec<Source>,
-    /// Score of a success; a failure scores −distance in mm.
-    pub bonus: f64,
-    /// The most that a failure costs, mm. Infinite where the policy acts alone; less where another policy takes over.
-    pub hand_over_price: f64,
-    /// Added to a success for each action that was not needed.
-    pub per_unused_action: f64,
-}
-
-impl ArmProblem {
-    /// The project's problem: actions of 3 ticks, 3 mm, the paper's score, with those sources.
-    pub fn new(start: Start, sources: Vec<Source>) -> Self {
-        Self {
-            start,
-            tolerance: targets::TOLERANCE,
-            max_actions: start.max_actions(),
-            step: 3,
-            may_stop: true,
-            sources,
-            bonus: 10.0,
-            hand_over_price: f64::INFINITY,
-            per_unused_action: 0.01,
-        }
-    }
-}
-
-/// One episode's task.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct ArmTask {
-    /// Where the arm starts, ticks.
-    pub start: [i16; JOINTS],
-    /// Where the hand shall go, mm.
-    pub target: [f64; 3],
-    /// So many times larger than the problem's are steps and tolerance: 1, or more early in a curriculum.
-    pub roughness: u8,
-}
-
-impl From<Task> for ArmTask {
-    fn from(task: Task) -> Self {
-        Self { start: task.start.0, target: task.target, roughness: 1 }
     }
 }
 
@@ -131,26 +79,6 @@ fn look_up<S: ArmScalar>(sines: &Sines<S>, angle: Angle) -> Direction<S> {
 #[inline(always)]
 fn base_angle(pose: Pose) -> Angle {
     Angle(i32::from(pose.0[0]) - TICKS_PER_TURN / 2)
-}
-
-/// An episode under way, and what of it need not be computed again.
-#[derive(Clone, Debug)]
-pub struct ArmEpisode<S> {
-    pose: Pose,
-    target: Vector<S>,
-    roughness: u8,
-    plane: Plane<S>,
-    base: Direction<S>,
-    hand: Vector<S>,
-    collides: bool,
-    actions: u32,
-    aim: Option<Aim<S>>,
-    /// Elevation and reach of the hand; forgotten when the plane moves.
-    hand_polar: Option<[S; 2]>,
-    reach_target: Option<ReachTarget<S>>,
-    stance: Option<Stance<S>>,
-    /// For the wrist position beside it.
-    reach: Option<(i16, Reach<S>)>,
 }
 
 impl<S: ArmScalar> ArmEnvironment<S> {
@@ -263,7 +191,7 @@ impl<S: ArmScalar> ArmEnvironment<S> {
     /// [`Source::ShieldCollision`], without a look where the arm is far from everything.
     fn shield(&self, episode: &ArmEpisode<S>) -> [S; shield::SHIELDED] {
         let step = episode.shielded_step();
-        if episode.roughness == 1 && self.stands_clear(&episode.plane, self.swing) {
+        if episode.roughness == 1 && self.clearances.leaves_free(&episode.plane, self.swing) {
             return shield::limits(&self.arm, episode.pose, step);
         }
         shield::collision_with(&self.arm, episode.pose, step, |pose| {
@@ -284,22 +212,6 @@ impl<S: ArmScalar> ArmEnvironment<S> {
         episode.hand = episode.plane.hand_in_world(episode.base);
     }
 
-    /// Whether the arm is certainly free, with `more` mm to spare: high enough over the table, and above the base or on one
-    /// side of it. Without a branch, for vectors.
-    #[inline(always)]
-    fn stands_clear(&self, plane: &Plane<S>, more: S) -> bool {
-        let Clearances { elbow, wrist, tip, top, side } = self.clearances;
-        let joints = [(plane.elbow, elbow + more), (plane.wrist, wrist + more), (plane.tip, tip + more)];
-        let (mut over_table, mut above, mut before, mut behind) = (plane.bracket.z > more, true, true, true);
-        for (joint, around) in joints {
-            over_table &= joint.z > around;
-            above &= joint.z > top + around;
-            before &= joint.x > side + around;
-            behind &= joint.x < -(side + around);
-        }
-        over_table & (above | before | behind)
-    }
-
     fn ending(&self, outcome: Outcome, actions: u32, distance: S) -> Ending {
         let error = distance.to_f64();
         let success = outcome == Outcome::Reached;
@@ -310,59 +222,6 @@ impl<S: ArmScalar> ArmEnvironment<S> {
             -error.min(self.problem.hand_over_price)
         };
         Ending { outcome: outcome_number(outcome), success, score, error, actions }
-    }
-}
-
-/// How far the corners of the collision shapes lie from the joints that they belong to, and the extent of the base; mm,
-/// rounded up by enough for every rounding of the kinematics.
-#[derive(Clone, Copy, Debug)]
-struct Clearances<S> {
-    elbow: S,
-    wrist: S,
-    tip: S,
-    top: S,
-    side: S,
-}
-
-impl<S: ArmScalar> Clearances<S> {
-    fn of(arm: &Arm<f64>) -> Self {
-        let shapes = &arm.shapes;
-        let widest = |edges: [f64; 2]| edges[0].abs().max(edges[1].abs());
-        let (hand, forearm) = (widest(shapes.hand_edges), widest(shapes.forearm_edges));
-        let most =
-            |values: [[f64; 2]; 4]| values.as_flattened().iter().fold(0.0, |most: f64, value| most.max(value.abs()));
-        let [elbow, wrist, tip] = [
-            forearm,
-            hand.max(forearm.hypot(shapes.forearm_overhang)),
-            hand.hypot(shapes.hand_length - arm.links.hand),
-        ]
-        .map(|radius| S::from_f64(radius + 1.0));
-        let [top, side] =
-            [shapes.base.map(|edge| edge.z), shapes.base.map(|edge| edge.x)].map(|ends| S::from_f64(most(ends)));
-        Self { elbow, wrist, tip, top, side }
-    }
-}
-
-/// How far an action of the shield moves any point of the arm at most, mm, rounded up.
-fn swing(arm: &Arm<f64>) -> f64 {
-    let links = &arm.links;
-    let length = links.upper_arm + links.elbow_offset + links.forearm + links.hand;
-    length * f64::from(shield::STEP) * std::f64::consts::TAU / f64::from(TICKS_PER_TURN) + 1.0
-}
-
-/// Names of the outcomes, as `eval --json` counts them.
-pub const OUTCOMES: [&str; 7] = ["reached", "cycle", "stop", "joint_limit", "table", "base", "timeout"];
-
-/// Place of an outcome in [`OUTCOMES`].
-pub fn outcome_number(outcome: Outcome) -> u8 {
-    match outcome {
-        Outcome::Reached => 0,
-        Outcome::Cycle => 1,
-        Outcome::Stop => 2,
-        Outcome::Invalid(Invalid::JointLimit(_)) => 3,
-        Outcome::Invalid(Invalid::Collision(Collision::Table | Collision::HandCorner)) => 4,
-        Outcome::Invalid(Invalid::Collision(Collision::Base)) => 5,
-        Outcome::Timeout => 6,
     }
 }
 
@@ -525,7 +384,7 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
             }
             let plane = self.plane(moved);
             moved_plane = Some(plane);
-            if self.stands_clear(&plane, S::ZERO) { None } else { plane.collision(&self.arm.shapes) }
+            if self.clearances.leaves_free(&plane, S::ZERO) { None } else { plane.collision(&self.arm.shapes) }
         });
         episode.actions += 1;
         if step.pose != before {
@@ -556,42 +415,5 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
         let pose = Pose::from_packed(key);
         let hand = self.plane(pose).hand_in_world(self.base(pose));
         Some(self.ending(Outcome::Cycle, actions, kinematics::distance(episode.target, hand)))
-    }
-}
-
-impl<S: Lattice> ArmEpisode<S> {
-    /// The pose.
-    pub fn pose(&self) -> Pose {
-        self.pose
-    }
-
-    /// The shield of a rougher episode refuses its own steps.
-    fn shielded_step(&self) -> i8 {
-        shield::STEP.saturating_mul(self.roughness as i8)
-    }
-
-    fn frame<'a>(&self, arm: &'a Arm<S>) -> Frame<'a, S> {
-        Frame::with_directions(arm, self.pose, self.target, self.base, self.plane)
-    }
-
-    fn aim(&mut self, arm: &Arm<S>) -> Aim<S> {
-        *self.aim.get_or_insert_with(|| Aim::at(arm, self.target))
-    }
-
-    fn hand_polar(&mut self, frame: &Frame<'_, S>) -> [S; 2] {
-        *self.hand_polar.get_or_insert_with(|| [frame.hand_elevation(), frame.hand_reach()])
-    }
-
-    fn stance(&mut self, arm: &Arm<S>) -> &Stance<S> {
-        self.stance.get_or_insert_with(|| Stance::at(arm, self.target))
-    }
-
-    fn reach(&mut self, arm: &Arm<S>) -> &Reach<S> {
-        let [.., wrist] = self.pose.0;
-        if self.reach.is_none_or(|(at, _)| at != wrist) {
-            self.reach = None;
-        }
-        let target = self.reach_target.get_or_insert_with(|| ReachTarget::at(arm, self.target));
-        &self.reach.get_or_insert_with(|| (wrist, target.keeping_wrist(arm, wrist))).1
     }
 }

@@ -3,9 +3,12 @@
 use crate::files::read_text;
 use crate::sac::config::Actor as ActorConfig;
 use crate::sac::fixed::FixedActor;
+use crate::sac::lanes::ARM;
 use crate::sac::nn::Mlp;
 use crate::sac::policy::ActorPolicy;
 use crate::sac::weights;
+use crate::targets::{Start, Task};
+use crate::trial::{self, Trial};
 use std::path::Path;
 use tpg_codegen::error::InputError;
 use tpg_codegen::policy::QuantisedPolicy;
@@ -54,7 +57,15 @@ impl Actor {
         }
     }
 
-    /// It, ready to decide.
+    /// One episode of each task, decided as the actor does outside of training.
+    pub fn trial(&self, start: Start, tasks: &[Task]) -> Trial {
+        match self {
+            Self::Float(actor) => ActorPolicy::new(&actor.0, &actor.1).trial(start, tasks),
+            Self::Fixed(actor, _) => trial::run(&ARM, actor.as_ref(), start, tasks),
+        }
+    }
+
+    /// It, ready to decide by its mean.
     pub fn policy(&self) -> Box<DynPolicy<'_>> {
         match self {
             Self::Float(actor) => Box::new(ActorPolicy::new(&actor.0, &actor.1)),

@@ -5,10 +5,8 @@ use crate::engine::{Ending, Environment, Lanes, Options, Plan, Policy};
 use crate::environments::arm::{OUTCOMES, outcome_number};
 use crate::environments::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
 use crate::evaluate::endings_of;
-use crate::sac::lanes::ARM;
 use crate::sac::policy::ActorPolicy;
-use crate::targets::{self, Set, TOLERANCE, Task};
-use crate::trial;
+use crate::targets::{self, Set, TOLERANCE};
 use tpg_codegen::error::InputError;
 use tpg_codegen::graph::Graph;
 use tpg_codegen::in_arithmetic_of;
@@ -93,16 +91,16 @@ pub(super) fn test(run: &Run, episodes: usize, seed: u64) -> Result<Option<Teste
         Kind::Sac { start, network, contract } => {
             let tasks = targets::tasks(&WIDOWX, seed, Set::Test, *start, episodes);
             let policy = ActorPolicy::new(network, &contract.actor);
-            let watch = |task: &Task| {
-                let mut poses = vec![task.start];
-                let summary = trial::watch(&ARM, &policy, *start, task, |pose| poses.push(pose));
+            let watch = |place: usize| {
+                let mut poses = vec![tasks[place].start];
+                let summary = policy.watch(*start, place, &tasks[place], |pose| poses.push(pose));
                 let outcome = outcome_number(summary.outcome);
                 let (actions, error) = (summary.actions, f64::from(summary.distance));
                 (Ending { outcome, success: outcome == 0, score: -error, error, actions }, poses)
             };
-            let endings: Vec<Ending> = tasks.iter().map(|task| watch(task).0).collect();
+            let endings: Vec<Ending> = (0..tasks.len()).map(|place| watch(place).0).collect();
             let walks = (chosen(&endings).into_iter())
-                .map(|place| walk(place, tasks[place].target, watch(&tasks[place]).1, endings[place]))
+                .map(|place| walk(place, tasks[place].target, watch(place).1, endings[place]))
                 .collect();
             Ok(Some(Tested::new(WIDOWX, TOLERANCE, &endings, walks)))
         }

@@ -1,6 +1,7 @@
 //! The configuration of a training run, and the presets.
 
 use super::nn::Spread;
+use crate::targets::TOLERANCE;
 use serde::{Deserialize, Serialize};
 use tpg_runtime::sac::{Actions, Mask};
 
@@ -48,6 +49,20 @@ pub struct Task {
     pub repeat_most: u32,
     /// Whether an invalid step ends an episode. The paper's training went on after it.
     pub invalid_ends: bool,
+    /// Ticks of a coarse action in training. Tests always move by 3.
+    #[serde(default = "ticks")]
+    pub step: i8,
+    /// In training an episode succeeds nearer than this, mm. In tests it is 3 mm.
+    #[serde(default = "tolerance")]
+    pub tolerance: f64,
+}
+
+fn ticks() -> i8 {
+    3
+}
+
+fn tolerance() -> f64 {
+    TOLERANCE
 }
 
 /// What an actor sees.
@@ -82,6 +97,26 @@ pub struct Actor {
     pub mask: Mask,
     /// Whether the arm may rest; otherwise the strongest preference moves.
     pub may_rest: bool,
+    /// How it decides outside of training.
+    #[serde(default, skip_serializing_if = "Decides::is_by_mean")]
+    pub decides: Decides,
+}
+
+/// How an actor decides outside of training.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Decides {
+    /// By the mean of its distribution: always the same in the same state.
+    #[default]
+    ByMean,
+    /// By a draw, as in training: the paper's tests. In a hybrid and in integers it decides by the mean.
+    ByDraw,
+}
+
+impl Decides {
+    fn is_by_mean(&self) -> bool {
+        *self == Self::ByMean
+    }
 }
 
 /// The critics.
@@ -190,6 +225,18 @@ impl Config {
             (share, "task.fixed_start_share", format!("{}", task.fixed_start_share), "0 to 1"),
             (task.max_steps > 0, "task.max_steps", format!("{}", task.max_steps), "1 or more"),
             (task.repeat_per_mm > 0.0, "task.repeat_per_mm", format!("{}", task.repeat_per_mm), "more than 0"),
+            (
+                task.step == ticks() || task.step > 0 && actor.actions == Actions::Coarse,
+                "task.step",
+                format!("{}", task.step),
+                "3; with coarse actions, 1 to 127",
+            ),
+            (
+                task.tolerance > 0.0 && task.tolerance.is_finite(),
+                "task.tolerance",
+                format!("{}", task.tolerance),
+                "more than 0",
+            ),
             (task.repeat_most > 0, "task.repeat_most", format!("{}", task.repeat_most), "1 or more"),
             (widths(&actor.hidden), "actor.hidden", format!("{:?}", actor.hidden), "up to 8 layers of 1 to 4096 units"),
             (

@@ -36,7 +36,7 @@ pub fn trial_of(policy: &str, start: Start, tasks: &[Task]) -> Result<Trial, Inp
         Ok(trial::run(&ARM, &FixedActor::new(fixed)?, start, tasks))
     } else {
         let (network, contract) = weights::read(path)?;
-        Ok(trial::run(&ARM, &ActorPolicy::new(&network, &contract.actor), start, tasks))
+        Ok(ActorPolicy::new(&network, &contract.actor).trial(start, tasks))
     }
 }
 

@@ -11,7 +11,7 @@
 //! mean, so the command line must; sizes that do not fit what it says are refused. Hidden layers have a ReLU behind them
 //! (the default of both).
 
-use super::config::{Actor, Inputs};
+use super::config::{Actor, Decides, Inputs};
 use super::nn::{Mlp, Shape, Spread};
 use super::replay::ACTIONS;
 use super::tensors::{Tensor, Tensors};
@@ -80,6 +80,7 @@ pub fn import(args: &ImportArgs) -> Result<(), InputError> {
         actions: args.actions,
         mask: args.mask,
         may_rest: args.may_rest,
+        decides: Decides::ByMean,
     };
     let provenance = Provenance {
         tool: format!("{trainer}, imported by tpg-train {}", env!("CARGO_PKG_VERSION")),

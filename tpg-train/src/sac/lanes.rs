@@ -4,8 +4,8 @@ use super::config::{Config, Inputs, Reward};
 use super::replay::ACTIONS;
 use crate::ik;
 use crate::random::{Purpose, Stream};
-use crate::targets::{Reach, Start, TOLERANCE};
-use tpg_runtime::arm::{Arm, Pose, WIDOWX};
+use crate::targets::{Reach, Start};
+use tpg_runtime::arm::{Arm, Move, Pose, WIDOWX};
 use tpg_runtime::frame::Frame;
 use tpg_runtime::kinematics;
 use tpg_runtime::sac::{Actions, Decision, FEATURES, TRAINED_COARSE, TRAINED_FINE, features};
@@ -65,7 +65,7 @@ impl Discretiser {
     }
 
     /// The move for preferences before the tanh.
-    pub fn decide(&self, preferences: [f32; ACTIONS], pose: Pose) -> tpg_runtime::arm::Move {
+    pub fn decide(&self, preferences: [f32; ACTIONS], pose: Pose) -> Move {
         match self {
             Self::Fine(decision) => decision.decide(preferences, pose, &ARM.ranges),
             Self::Coarse(decision) => decision.decide(preferences, pose, &ARM.ranges),
@@ -190,7 +190,9 @@ impl Lanes {
         let (distance_before, to_goal_before) = (lane.distance, lane.steps_to_goal);
         let (mut steps, mut end, mut invalid) = (0, None, false);
         while steps < repeats && end.is_none() {
-            let step = ARM.step(lane.pose, self.discretiser.decide(preferences, lane.pose));
+            let wanted = self.discretiser.decide(preferences, lane.pose);
+            let wanted = if task.step == 3 { wanted } else { Move(wanted.0.map(|ticks| ticks.signum() * task.step)) };
+            let step = ARM.step(lane.pose, wanted);
             lane.pose = step.pose;
             lane.distance = distance(lane.pose, lane.target);
             steps += 1;
@@ -198,7 +200,7 @@ impl Lanes {
             invalid = step.invalid.is_some();
             if invalid && task.invalid_ends {
                 end = Some(End::Invalid);
-            } else if f64::from(lane.distance) < TOLERANCE {
+            } else if f64::from(lane.distance) < task.tolerance {
                 end = Some(End::Reached);
             } else if lane.steps >= task.max_steps {
                 end = Some(End::Cut);
@@ -235,4 +237,24 @@ fn steps_to_goal(pose: Pose, goals: &[[i16; ACTIONS]]) -> f32 {
     };
     let least = goals.iter().map(cost).min().unwrap_or(0);
     (least as f32 / 300.0).min(1000.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sac::config::Config;
+    use crate::targets::Set;
+
+    #[test]
+    fn training_moves_by_the_step_of_its_task() {
+        for (preset, ticks) in [("paper-fs", 3), ("paper-rs", 5)] {
+            let config = Config::preset(preset).expect("a preset");
+            let mut lanes = Lanes::new(&config, 1, Reach::sample(&WIDOWX, 1, Set::Training));
+            let before = lanes.lanes[0].pose;
+            lanes.act(0, [0.3, -0.4, 0.0, 5.0]); // under a third after the tanh; above; zero; above
+            let moved: Vec<i16> =
+                lanes.lanes[0].pose.0.iter().zip(before.0).map(|(after, before)| after - before).collect();
+            assert_eq!(moved, [0, -ticks, 0, ticks], "{preset}");
+        }
+    }
 }

@@ -1,21 +1,27 @@
 //! A trained actor as a policy of the arm.
 
-use super::config::{Actor, Inputs};
+use super::config::{Actor, Decides, Inputs};
 use super::lanes::{ARM, Discretiser};
-use super::nn::{Mlp, Tape};
+use super::nn::{Gaussian, Mlp, Samples, Tape};
 use super::replay::ACTIONS;
+use crate::random::{Purpose, Stream};
+use crate::targets::{Start, Task};
+use crate::trial::{self, Trial};
 use std::cell::RefCell;
-use tpg_runtime::arm::Move;
+use tpg_runtime::arm::{Move, Pose};
+use tpg_runtime::episode::Summary;
 use tpg_runtime::frame::Frame;
 use tpg_runtime::observation::Observation;
 use tpg_runtime::policy::Policy;
 
-/// An actor's mean action, in `f32`: the same on every machine, and the same as in its training.
+/// An actor, in `f32`: the same on every machine, and the same as in its training. As a [`Policy`] it decides by its mean.
 #[derive(Debug)]
 pub struct ActorPolicy<'a> {
     network: &'a Mlp<f32>,
     inputs: Inputs,
     discretiser: Discretiser,
+    gaussian: Gaussian,
+    decides: Decides,
     tape: RefCell<Tape<f32>>,
 }
 
@@ -28,7 +34,43 @@ impl<'a> ActorPolicy<'a> {
         assert_eq!(network.shape().inputs, actor.inputs.count(), "an actor of other inputs");
         assert!(network.shape().outputs >= ACTIONS, "an actor of other outputs");
         let tape = RefCell::new(Tape::new(network.shape(), 1));
-        Self { network, inputs: actor.inputs, discretiser: Discretiser::new(actor), tape }
+        let gaussian = Gaussian { actions: ACTIONS, spread: actor.spread };
+        let discretiser = Discretiser::new(actor);
+        Self { network, inputs: actor.inputs, discretiser, gaussian, decides: actor.decides, tape }
+    }
+
+    /// One episode of each task, decided as the actor does outside of training.
+    ///
+    /// # Panics
+    /// If it draws its actions and its network answers no spread.
+    pub fn trial(&self, start: Start, tasks: &[Task]) -> Trial {
+        let episode = |(place, task)| self.watch(start, place, task, |_pose| ());
+        trial::summarise(start, &tasks.iter().enumerate().map(episode).collect::<Vec<_>>())
+    }
+
+    /// The episode at that place of a list; `each` sees the pose after every action.
+    ///
+    /// # Panics
+    /// As [`trial`](Self::trial).
+    pub fn watch(&self, start: Start, place: usize, task: &Task, each: impl FnMut(Pose)) -> Summary<f32> {
+        match self.decides {
+            Decides::ByMean => trial::watch(&ARM, self, start, task, each),
+            Decides::ByDraw => {
+                let mut random = Stream::new(0, place as u64, Purpose::Draws, 0);
+                trial::watch_drawn(&ARM, |seen| self.draw(seen, &mut random), start, task, each)
+            }
+        }
+    }
+
+    fn draw(&self, seen: &Observation<f32>, random: &mut Stream) -> Move {
+        let mut tape = self.tape.borrow_mut();
+        self.inputs.observe(&Frame::of(&ARM, seen), tape.input_mut());
+        self.network.forward(&mut tape);
+        let (mut noise, mut samples) = ([0.0; ACTIONS], Samples::default());
+        random.normals(&mut noise);
+        self.gaussian.sample(tape.output(), &noise, &mut samples);
+        let preferences = std::array::from_fn(|joint| libm::atanhf(samples.actions[joint]));
+        self.discretiser.decide(preferences, seen.pose)
     }
 
     /// The means before the tanh.
@@ -46,5 +88,31 @@ impl Policy for ActorPolicy<'_> {
 
     fn decide(&self, seen: &Observation<f32>) -> Move {
         self.discretiser.decide(self.preferences(&Frame::of(&ARM, seen)), seen.pose)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sac::config::Config;
+    use crate::sac::nn::Shape;
+    use crate::targets::{Set, tasks};
+    use tpg_runtime::arm::WIDOWX;
+
+    #[test]
+    fn a_policy_that_draws_is_not_stopped_by_rest_and_draws_the_same_again() {
+        let mut actor = Config::preset("paper-fs").expect("a preset").actor;
+        let shape = Shape { inputs: 13, hidden: vec![8], outputs: 2 * ACTIONS, norm: false };
+        let network = Mlp::random(shape, &mut Stream::new(3, 0, Purpose::Test, 0));
+        let tasks = tasks(&WIDOWX, 3, Set::Validation, Start::Fs, 8);
+        let trial = |actor: &Actor| ActorPolicy::new(&network, actor).trial(Start::Fs, &tasks);
+        let drawn = trial(&actor);
+        assert_eq!(drawn, trial(&actor));
+        assert_eq!((drawn.failures.stop, drawn.failures.cycle), (0, 0));
+        actor.decides = Decides::ByMean;
+        let by_mean = trial(&actor);
+        assert_eq!(by_mean, trial::run(&ARM, &ActorPolicy::new(&network, &actor), Start::Fs, &tasks));
+        assert!(by_mean.failures.stop > 0, "a network that has not learned rests somewhere: {by_mean:?}");
+        assert!(drawn.mean_actions > by_mean.mean_actions);
     }
 }

@@ -11,7 +11,7 @@ use super::policy::ActorPolicy;
 use super::replay::{ACTIONS, Batch, Replay, Transition};
 use crate::random::{Purpose, Stream};
 use crate::targets::{Reach, Set, Start, Task, tasks};
-use crate::trial::{self, Trial};
+use crate::trial::Trial;
 use serde::{Deserialize, Serialize};
 use tpg_runtime::arm::WIDOWX;
 
@@ -316,7 +316,7 @@ impl ValidationTasks {
 
     /// Runs a policy on all of them.
     pub fn run(&self, policy: &ActorPolicy<'_>) -> Vec<Trial> {
-        let trial = |(start, tasks): &(Start, Vec<Task>)| trial::run(&super::lanes::ARM, policy, *start, tasks);
+        let trial = |(start, tasks): &(Start, Vec<Task>)| policy.trial(*start, tasks);
         self.problems.iter().map(trial).collect()
     }
 }

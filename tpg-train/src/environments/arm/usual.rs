@@ -95,7 +95,7 @@ fn usual<S: ArmScalar>(
         for axis in 0..3 {
             hands[axis][lane] = hand[axis];
         }
-        let clear = environment.stands_clear(&plane, S::ZERO);
+        let clear = environment.clearances.leaves_free(&plane, S::ZERO);
         group.other[lane] = !(inside[lane] & (moved[lane] != 0) & far & clear & (group.left[lane] > 0));
     }
     for lane in 0..BLOCK {

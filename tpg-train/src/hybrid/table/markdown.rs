@@ -107,13 +107,12 @@ fn capital(name: &str) -> String {
     letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }
 
-fn line(cells: &[String]) -> String {
-    format!("| {} |\n", cells.join(" | "))
-}
-
-fn header(names: &[&str]) -> String {
-    let rule: Vec<String> = (0..names.len()).map(|place| if place == 0 { "---" } else { "--:" }.to_owned()).collect();
-    line(&names.iter().map(|&name| name.to_owned()).collect::<Vec<_>>()) + &line(&rule)
+/// A table: the first column is text, the others are numbers.
+fn grid<const N: usize>(names: [&str; N], rows: impl IntoIterator<Item = [String; N]>) -> String {
+    let line = |cells: [String; N]| format!("| {} |\n", cells.join(" | "));
+    let rule = std::array::from_fn(|place| if place == 0 { "---" } else { "--:" }.to_owned());
+    let head = [names.map(str::to_owned), rule];
+    head.into_iter().chain(rows).map(line).collect()
 }
 
 fn number(spread: Spread, factor: f64, digits: usize, many: bool) -> String {
@@ -134,7 +133,7 @@ fn thousands(value: f64) -> String {
 }
 
 fn table(rows: &[Row]) -> String {
-    let mut text = header(&[
+    let names = [
         "policy",
         "success %",
         "collision %",
@@ -144,27 +143,44 @@ fn table(rows: &[Row]) -> String {
         "ns an action",
         "worst ns",
         "bytes, fast · small",
-    ]);
-    for row in rows {
+    ];
+    let cells = |row: &Row| {
         let many = row.policies > 1;
         let name = if many { format!("{} ({})", row.name, row.policies) } else { row.name.clone() };
         let time = |part: fn(&Time) -> f64| row.time.as_ref().map_or("–".to_owned(), |time| thousands(part(time)));
-        text += &line(&[
+        let bytes = row.bytes.map_or("–".to_owned(), |[fast, small]| {
+            let fast_text = thousands(fast as f64);
+            if fast == small { fast_text } else { format!("{fast_text} · {}", thousands(small as f64)) }
+        });
+        let [success, collision, distance, actions] = outcome(row, 2);
+        [
             name,
-            number(row.success, 100.0, 1, many),
-            number(row.collision, 100.0, 1, many),
-            number(row.distance, 1.0, 2, many),
-            number(row.actions, 1.0, 0, many),
-            row.by_graph.map_or("–".to_owned(), |ratio| number(ratio, 100.0, 0, many)),
+            success,
+            collision,
+            distance,
+            actions,
+            by_graph(row),
             time(|time| time.mean),
             time(|time| time.worst),
-            row.bytes.map_or("–".to_owned(), |[fast, small]| {
-                let fast_text = thousands(fast as f64);
-                if fast == small { fast_text } else { format!("{fast_text} · {}", thousands(small as f64)) }
-            }),
-        ]);
-    }
-    text
+            bytes,
+        ]
+    };
+    grid(names, rows.iter().map(cells))
+}
+
+/// Success and collisions in %, distance in mm with so many digits, and actions.
+fn outcome(row: &Row, digits: usize) -> [String; 4] {
+    let many = row.policies > 1;
+    [
+        number(row.success, 100.0, 1, many),
+        number(row.collision, 100.0, 1, many),
+        number(row.distance, 1.0, digits, many),
+        number(row.actions, 1.0, 0, many),
+    ]
+}
+
+fn by_graph(row: &Row) -> String {
+    row.by_graph.map_or("–".to_owned(), |ratio| number(ratio, 100.0, 0, row.policies > 1))
 }
 
 fn costs(problem: &Problem) -> String {
@@ -229,30 +245,33 @@ fn on_target(problems: &[Problem], counts: &Counts) -> String {
         "**On a Cortex-M4** (`cargo xtask qemu`: both firmwares, 100 to 200 test targets, every instruction counted; \
                     kinematics are in *network* and *graph*, the simulated arm is not):\n\n"
             .to_owned();
-    text +=
-        &header(&["instructions", "C, mean action", "C, worst", "Rust, mean action", "Rust, worst", "C, an episode"]);
-    for problem in problems {
-        for (part, row) in [
+    let parts = problems.iter().flat_map(|problem| {
+        [
             ("hybrid", "**hybrid, shipped**"),
             ("graph", "TPG, shipped"),
             ("network", "SAC, shipped"),
             ("straight", STRAIGHT),
-        ] {
-            let [c, rust] = ["C", "Rust"].map(|language| counts.part(language, problem.start, part));
-            let cell = |count: Option<Count>, of: fn(&Count) -> f64| {
-                count.map_or("–".to_owned(), |count| thousands(of(&count)))
-            };
-            let actions = problem.rows.iter().find(|known| known.name == row).map_or(0.0, |row| row.actions.mean);
-            text += &line(&[
-                format!("{}, {part}", problem.name()),
-                cell(c, Count::mean),
-                cell(c, |count| count.worst as f64),
-                cell(rust, Count::mean),
-                cell(rust, |count| count.worst as f64),
-                c.map_or("–".to_owned(), |count| thousands(count.mean() * actions)),
-            ]);
-        }
-    }
+        ]
+        .map(|(part, row)| (problem, part, row))
+    });
+    let cells = parts.map(|(problem, part, row)| {
+        let [c, rust] = ["C", "Rust"].map(|language| counts.part(language, problem.start, part));
+        let cell =
+            |count: Option<Count>, of: fn(&Count) -> f64| count.map_or("–".to_owned(), |count| thousands(of(&count)));
+        let actions = problem.rows.iter().find(|known| known.name == row).map_or(0.0, |row| row.actions.mean);
+        [
+            format!("{}, {part}", problem.name()),
+            cell(c, Count::mean),
+            cell(c, |count| count.worst as f64),
+            cell(rust, Count::mean),
+            cell(rust, |count| count.worst as f64),
+            c.map_or("–".to_owned(), |count| thousands(count.mean() * actions)),
+        ]
+    });
+    text += &grid(
+        ["instructions", "C, mean action", "C, worst", "Rust, mean action", "Rust, worst", "C, an episode"],
+        cells,
+    );
     let layers = ["f32", "i8"].map(|kind| counts.named(&format!("Rust layers 13-256-256-4 {kind}")));
     if let [Some(single), Some(integers)] = layers {
         text += &format!(
@@ -270,22 +289,15 @@ fn signed(ns: f64) -> String {
 }
 
 fn ideas(rows: &[Row]) -> String {
-    let mut text = header(&["policy", "success %", "collision %", "distance mm", "actions", "by graph %"]);
-    for row in rows {
-        text += &line(&[
-            row.name.clone(),
-            number(row.success, 100.0, 1, false),
-            number(row.collision, 100.0, 1, false),
-            number(row.distance, 1.0, 2, false),
-            number(row.actions, 1.0, 0, false),
-            row.by_graph.map_or("–".to_owned(), |ratio| number(ratio, 100.0, 0, false)),
-        ]);
-    }
-    text
+    let cells = |row: &Row| {
+        let [success, collision, distance, actions] = outcome(row, 2);
+        [row.name.clone(), success, collision, distance, actions, by_graph(row)]
+    };
+    grid(["policy", "success %", "collision %", "distance mm", "actions", "by graph %"], rows.iter().map(cells))
 }
 
 fn printed(problem: &Problem) -> String {
-    let mut text = header(&[
+    let names = [
         "policy",
         "distance mm, printed",
         "from its files",
@@ -293,31 +305,30 @@ fn printed(problem: &Problem) -> String {
         "from its files",
         "collision %, printed",
         "from its files",
-    ]);
-    for row in paper::printed(problem.start) {
+    ];
+    let cells = |row: &paper::Printed| {
         let [distance, success, collision] = row.printed.map(|value| value.to_string());
         let [d, s, c] = row.recomputed.map(str::to_owned);
-        text += &line(&[row.name.to_owned(), distance, d, success, s, collision, c]);
-    }
-    text
+        [row.name.to_owned(), distance, d, success, s, collision, c]
+    };
+    grid(names, paper::printed(problem.start).iter().map(cells))
 }
 
 fn of_paper(rows: &[Measured]) -> String {
-    let mut text = header(&["policies", "success %", "collision %", "distance mm", "actions"]);
-    for row in rows {
-        text += &line(&[
+    let cells = |row: &Measured| {
+        [
             format!("{} ({})", row.name, row.policies),
             number(row.success, 100.0, 1, true),
             number(row.collision, 100.0, 1, true),
             number(row.distance, 1.0, 1, true),
             number(row.actions, 1.0, 0, true),
-        ]);
-    }
-    text
+        ]
+    };
+    grid(["policies", "success %", "collision %", "distance mm", "actions"], rows.iter().map(cells))
 }
 
 fn learned(rows: &[LearnedRow]) -> String {
-    let mut text = header(&[
+    let names = [
         "policy (trainings)",
         "success %",
         "collision %",
@@ -325,23 +336,17 @@ fn learned(rows: &[LearnedRow]) -> String {
         "actions",
         "success %, paper's targets",
         "distance mm, paper's targets",
-    ]);
-    for LearnedRow { test, paper } in rows {
-        let many = test.policies > 1;
+    ];
+    let cells = |LearnedRow { test, paper }: &LearnedRow| {
         let of_paper = |of: fn(&Row) -> Spread, factor: f64| {
-            paper.as_ref().map_or("–".to_owned(), |row| number(of(row), factor, 1, many))
+            paper.as_ref().map_or("–".to_owned(), |row| number(of(row), factor, 1, test.policies > 1))
         };
-        text += &line(&[
-            format!("{} ({})", test.name, test.policies),
-            number(test.success, 100.0, 1, many),
-            number(test.collision, 100.0, 1, many),
-            number(test.distance, 1.0, 1, many),
-            number(test.actions, 1.0, 0, many),
-            of_paper(|row| row.success, 100.0),
-            of_paper(|row| row.distance, 1.0),
-        ]);
-    }
-    text
+        let [success, collision, distance, actions] = outcome(test, 1);
+        let name = format!("{} ({})", test.name, test.policies);
+        let [by_success, by_distance] = [of_paper(|row| row.success, 100.0), of_paper(|row| row.distance, 1.0)];
+        [name, success, collision, distance, actions, by_success, by_distance]
+    };
+    grid(names, rows.iter().map(cells))
 }
 
 const PLANNER: &str = "**Beside the classical planner.** It solves nearly everything, and no learned policy here is better at \

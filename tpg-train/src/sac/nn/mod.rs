@@ -17,6 +17,7 @@ mod gaussian;
 mod mlp;
 mod norm;
 mod product;
+mod sum;
 
 pub use adam::Adam;
 pub use gaussian::{Gaussian, Samples, Spread};

@@ -1,7 +1,7 @@
 //! LayerNorm, with gain and shift, and its gradient.
 
 use super::Real;
-use super::product::sum;
+use super::sum::sum;
 use pulp::Arch;
 
 const EPSILON: f64 = 1e-5;

@@ -4,11 +4,12 @@
 //! rounded by itself. Elements are computed side by side in vectors and registers, never one element's sum in parts, so
 //! that neither the width of the machine's vectors nor the size of a batch changes a bit. The one exception is a factor
 //! of a single row on the left of whole columns, which is a [`dot`] product of sixteen partial sums.
-//!
-//! The method is the usual one (Goto and van de Geijn 2008): panels of the left factor are copied side by side, a tile
-//! of the product stays in registers while a panel passes by.
+
+mod columns;
+mod tiles;
 
 use super::Real;
+use super::sum::dot;
 use pulp::{Arch, Simd, WithSimd};
 
 /// A factor of a product: a column-major matrix, read as it is or transposed.
@@ -135,248 +136,16 @@ impl<T: Real> WithSimd for Product<'_, T> {
                 *out = self.finish.scalar(0, dot(self.a.values, column));
             }
         } else if columns == 1 && !self.a.transposed {
-            by_columns(simd, self.out, self.a.values, self.b.values, self.finish);
+            columns::by_columns(simd, self.out, self.a.values, self.b.values, self.finish);
         } else if rows == 1 && matches!(self.finish, Finish::Plain) {
             // One row in memory is one column: (a·b)ᵀ = bᵀ·aᵀ.
-            by_columns(simd, self.out, self.b.values, self.a.values, self.finish);
+            columns::by_columns(simd, self.out, self.b.values, self.a.values, self.finish);
         } else if S::REGISTER_COUNT >= 32 {
             self.by_tiles::<S, 2, 8>(simd);
         } else {
             self.by_tiles::<S, 2, 4>(simd);
         }
     }
-}
-
-impl<T: Real> Product<'_, T> {
-    /// Tiles of `M` vectors by `N` columns.
-    #[inline(always)]
-    fn by_tiles<S: Simd, const M: usize, const N: usize>(self, simd: S) {
-        let Self { out, a, b, finish, scratch } = self;
-        let ((rows, inner), (_, columns)) = (a.size(), b.size());
-        let height = M * T::lanes::<S>();
-        scratch.panels.resize(height * inner, T::zero());
-        let whole = columns - columns % N;
-        scratch.rest.clear();
-        if whole < columns {
-            let last = |k| (0..N).map(move |j| if whole + j < columns { b.at(k, whole + j) } else { T::zero() });
-            scratch.rest.extend((0..inner).flat_map(last));
-        }
-        for first in (0..rows).step_by(height) {
-            let panel = &mut scratch.panels[..];
-            pack(panel, a, first, height);
-            let panel = T::vectors::<S>(panel);
-            for column in (0..whole).step_by(N) {
-                let sums = if b.transposed {
-                    tile::<T, S, M, N>(simd, panel, b.values.chunks_exact(columns).map(|row| &row[column..][..N]))
-                } else {
-                    let values: [&[T]; N] = std::array::from_fn(|j| &b.values[(column + j) * inner..][..inner]);
-                    tile_of_columns::<T, S, M, N>(simd, panel, values)
-                };
-                store(simd, &mut out[column * rows..], rows, first, sums, N, finish);
-            }
-            if whole < columns {
-                let sums = tile::<T, S, M, N>(simd, panel, scratch.rest.chunks_exact(N));
-                store(simd, &mut out[whole * rows..], rows, first, sums, columns - whole, finish);
-            }
-        }
-    }
-}
-
-/// Copies `height` rows of a factor from row `first` on, column after column; zeros where there are no more rows.
-#[inline(always)]
-fn pack<T: Real>(panel: &mut [T], a: Factor<'_, T>, first: usize, height: usize) {
-    let (rows, inner) = a.size();
-    let there = height.min(rows - first);
-    if there < height {
-        panel.fill(T::zero());
-    }
-    if a.transposed {
-        let columns = a.values[first * inner..].chunks_exact(inner.max(1));
-        for (row, values) in columns.take(there).enumerate() {
-            for (slots, &value) in panel.chunks_exact_mut(height).zip(values) {
-                slots[row] = value;
-            }
-        }
-    } else {
-        for (slots, column) in panel.chunks_exact_mut(height).zip(a.values.chunks_exact(rows)) {
-            slots[..there].copy_from_slice(&column[first..first + there]);
-        }
-    }
-}
-
-type Tile<T, S, const M: usize, const N: usize> = [[<T as Real>::Vector<S>; M]; N];
-
-/// The tile of a panel and the rows of `b`, `N` numbers each.
-#[inline(always)]
-fn tile<'a, T: Real, S: Simd, const M: usize, const N: usize>(
-    simd: S,
-    panel: &[T::Vector<S>],
-    b: impl Iterator<Item = &'a [T]>,
-) -> Tile<T, S, M, N> {
-    let mut sums = [[T::splat(simd, T::zero()); M]; N];
-    for (a, b) in panel.chunks_exact(M).zip(b) {
-        for j in 0..N {
-            let factor = T::splat(simd, b[j]);
-            for i in 0..M {
-                sums[j][i] = T::plus(simd, sums[j][i], T::times(simd, a[i], factor));
-            }
-        }
-    }
-    sums
-}
-
-/// The tile of a panel and whole columns of `b`.
-#[inline(always)]
-fn tile_of_columns<T: Real, S: Simd, const M: usize, const N: usize>(
-    simd: S,
-    panel: &[T::Vector<S>],
-    b: [&[T]; N],
-) -> Tile<T, S, M, N> {
-    let mut sums = [[T::splat(simd, T::zero()); M]; N];
-    let inner = b[0].len();
-    let b = b.map(|column| &column[..inner]);
-    for (k, a) in panel.chunks_exact(M).enumerate().take(inner) {
-        for j in 0..N {
-            let factor = T::splat(simd, b[j][k]);
-            for i in 0..M {
-                sums[j][i] = T::plus(simd, sums[j][i], T::times(simd, a[i], factor));
-            }
-        }
-    }
-    sums
-}
-
-/// Finishes a tile and puts its first `columns` columns into `out`, which begins with the first of them.
-#[inline(always)]
-fn store<T: Real, S: Simd, const M: usize, const N: usize>(
-    simd: S,
-    out: &mut [T],
-    rows: usize,
-    first: usize,
-    sums: Tile<T, S, M, N>,
-    columns: usize,
-    finish: Finish<'_, T>,
-) {
-    let lanes = T::lanes::<S>();
-    let whole = rows - first >= M * lanes;
-    for (column, sums) in out.chunks_exact_mut(rows).zip(sums).take(columns) {
-        if whole {
-            let slots = T::vectors_mut::<S>(&mut column[first..first + M * lanes]);
-            for i in 0..M {
-                slots[i] = finish.vector(simd, first + i * lanes, sums[i]);
-            }
-            continue;
-        }
-        for (i, &sum) in sums.iter().enumerate() {
-            let from = first + i * lanes;
-            if from < rows {
-                let sum = T::unpack::<S>(&sum);
-                for (row, (slot, &sum)) in column[from..].iter_mut().zip(sum).enumerate() {
-                    *slot = finish.scalar(from + row, sum);
-                }
-            }
-        }
-    }
-}
-
-/// A matrix times one column: the sums of many rows stay in registers while the matrix's columns pass by.
-#[inline(always)]
-fn by_columns<T: Real, S: Simd>(simd: S, out: &mut [T], a: &[T], b: &[T], finish: Finish<'_, T>) {
-    let lanes = T::lanes::<S>();
-    let mut first = 0;
-    if S::REGISTER_COUNT >= 32 {
-        first = rows_of_vectors::<T, S, 16>(simd, out, a, b, finish, first, 16 * lanes);
-    }
-    first = rows_of_vectors::<T, S, 8>(simd, out, a, b, finish, first, 8 * lanes);
-    first = rows_of_vectors::<T, S, 2>(simd, out, a, b, finish, first, 2 * lanes);
-    let rows = out.len();
-    while rows - first >= 4 {
-        few_rows::<T, 4>(out, a, b, finish, first);
-        first += 4;
-    }
-    while first < rows {
-        few_rows::<T, 1>(out, a, b, finish, first);
-        first += 1;
-    }
-}
-
-/// `N` rows from `first` on.
-#[inline(always)]
-fn few_rows<T: Real, const N: usize>(out: &mut [T], a: &[T], b: &[T], finish: Finish<'_, T>, first: usize) {
-    let mut sums = [T::zero(); N];
-    for (column, &factor) in a.chunks_exact(out.len()).zip(b) {
-        let values = &column[first..first + N];
-        for i in 0..N {
-            sums[i] += values[i] * factor;
-        }
-    }
-    for (i, sum) in sums.into_iter().enumerate() {
-        out[first + i] = finish.scalar(first + i, sum);
-    }
-}
-
-/// Rows from `first` on, `M` vectors of them at once; answers the first row that is left.
-#[inline(always)]
-fn rows_of_vectors<T: Real, S: Simd, const M: usize>(
-    simd: S,
-    out: &mut [T],
-    a: &[T],
-    b: &[T],
-    finish: Finish<'_, T>,
-    mut first: usize,
-    height: usize,
-) -> usize {
-    let rows = out.len();
-    while rows - first >= height {
-        let mut sums = [T::splat(simd, T::zero()); M];
-        for (column, &factor) in a.chunks_exact(rows).zip(b) {
-            let (values, factor) = (T::vectors::<S>(&column[first..first + height]), T::splat(simd, factor));
-            for i in 0..M {
-                sums[i] = T::plus(simd, sums[i], T::times(simd, values[i], factor));
-            }
-        }
-        let slots = T::vectors_mut::<S>(&mut out[first..first + height]);
-        for i in 0..M {
-            slots[i] = finish.vector(simd, first + i * T::lanes::<S>(), sums[i]);
-        }
-        first += height;
-    }
-    first
-}
-
-/// How many partial sums a [`dot`] product and other [`sum`]s keep.
-const PARTS: usize = 16;
-
-/// A dot product, in the order of [`sum`].
-#[inline(always)]
-fn dot<T: Real>(a: &[T], b: &[T]) -> T {
-    sum([a, b], |[a, b]| a * b)
-}
-
-/// Σ of a term of each place in lists of one length: part i sums the places i, i + 16, …; then the parts are added in
-/// pairs, distance 8, 4, 2 and 1.
-#[inline(always)]
-pub(super) fn sum<T: Real, const N: usize>(lists: [&[T]; N], term: impl Fn([T; N]) -> T) -> T {
-    let count = lists[0].len();
-    let mut parts = [T::zero(); PARTS];
-    let chunks = lists.map(|list| list[..count].as_chunks::<PARTS>());
-    for chunk in 0..count / PARTS {
-        let chunk = chunks.map(|(chunks, _)| &chunks[chunk]);
-        for (part, slot) in parts.iter_mut().enumerate() {
-            *slot += term(chunk.map(|values| values[part]));
-        }
-    }
-    for (place, slot) in parts.iter_mut().enumerate().take(count % PARTS) {
-        *slot += term(chunks.map(|(_, rest)| rest[place]));
-    }
-    let mut half = PARTS / 2;
-    while half > 0 {
-        for part in 0..half {
-            parts[part] += parts[part + half];
-        }
-        half /= 2;
-    }
-    parts[0]
 }
 
 #[cfg(test)]
@@ -479,16 +248,5 @@ mod tests {
             multiply(&mut alone, a, Factor::new(column, inner, 1), Finish::Rectified(&bias), &mut scratch);
             assert_eq!(alone, expected);
         }
-    }
-
-    #[test]
-    fn a_sum_has_the_documented_order() {
-        let numbers = normals(37, 5);
-        let mut parts = [0.0; 16];
-        numbers.iter().enumerate().for_each(|(i, number)| parts[i % 16] += number);
-        for distance in [8, 4, 2, 1] {
-            (0..distance).for_each(|i| parts[i] += parts[i + distance]);
-        }
-        assert_eq!(sum([&numbers[..]], |[number]| number), parts[0]);
     }
 }

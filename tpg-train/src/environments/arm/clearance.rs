@@ -1,0 +1,60 @@
+//! Whether the arm is far from everything, known without a look at its collision shapes.
+
+use super::ArmScalar;
+use tpg_runtime::arm::{Arm, TICKS_PER_TURN};
+use tpg_runtime::kinematics::Plane;
+use tpg_runtime::observation::shield;
+
+/// How far the corners of the collision shapes lie from the joints that they belong to, and the extent of the base; mm,
+/// rounded up by enough for every rounding of the kinematics.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Clearances<S> {
+    elbow: S,
+    wrist: S,
+    tip: S,
+    top: S,
+    side: S,
+}
+
+impl<S: ArmScalar> Clearances<S> {
+    /// Of an arm.
+    pub(super) fn of(arm: &Arm<f64>) -> Self {
+        let shapes = &arm.shapes;
+        let widest = |edges: [f64; 2]| edges[0].abs().max(edges[1].abs());
+        let (hand, forearm) = (widest(shapes.hand_edges), widest(shapes.forearm_edges));
+        let most =
+            |values: [[f64; 2]; 4]| values.as_flattened().iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+        let [elbow, wrist, tip] = [
+            forearm,
+            hand.max(forearm.hypot(shapes.forearm_overhang)),
+            hand.hypot(shapes.hand_length - arm.links.hand),
+        ]
+        .map(|radius| S::from_f64(radius + 1.0));
+        let [top, side] =
+            [shapes.base.map(|edge| edge.z), shapes.base.map(|edge| edge.x)].map(|ends| S::from_f64(most(ends)));
+        Self { elbow, wrist, tip, top, side }
+    }
+
+    /// Whether the arm is certainly free, with `more` mm to spare: high enough over the table, and above the base or on one
+    /// side of it. Without a branch, for vectors.
+    #[inline(always)]
+    pub(super) fn leaves_free(&self, plane: &Plane<S>, more: S) -> bool {
+        let Clearances { elbow, wrist, tip, top, side } = *self;
+        let joints = [(plane.elbow, elbow + more), (plane.wrist, wrist + more), (plane.tip, tip + more)];
+        let (mut over_table, mut above, mut before, mut behind) = (plane.bracket.z > more, true, true, true);
+        for (joint, around) in joints {
+            over_table &= joint.z > around;
+            above &= joint.z > top + around;
+            before &= joint.x > side + around;
+            behind &= joint.x < -(side + around);
+        }
+        over_table & (above | before | behind)
+    }
+}
+
+/// How far an action of the shield moves any point of the arm at most, mm, rounded up.
+pub(super) fn swing(arm: &Arm<f64>) -> f64 {
+    let links = &arm.links;
+    let length = links.upper_arm + links.elbow_offset + links.forearm + links.hand;
+    length * f64::from(shield::STEP) * std::f64::consts::TAU / f64::from(TICKS_PER_TURN) + 1.0
+}

@@ -1,0 +1,63 @@
+//! An episode of the arm, and what of it is kept from step to step.
+
+use tpg_runtime::arm::{Arm, Pose};
+use tpg_runtime::frame::Frame;
+use tpg_runtime::kinematics::{Direction, Lattice, Plane, Vector};
+use tpg_runtime::observation::{Aim, Reach, ReachTarget, Stance, shield};
+
+/// An episode under way, and what of it need not be computed again.
+#[derive(Clone, Debug)]
+pub struct ArmEpisode<S> {
+    pub(super) pose: Pose,
+    pub(super) target: Vector<S>,
+    pub(super) roughness: u8,
+    pub(super) plane: Plane<S>,
+    pub(super) base: Direction<S>,
+    pub(super) hand: Vector<S>,
+    pub(super) collides: bool,
+    pub(super) actions: u32,
+    pub(super) aim: Option<Aim<S>>,
+    /// Elevation and reach of the hand; forgotten when the plane moves.
+    pub(super) hand_polar: Option<[S; 2]>,
+    pub(super) reach_target: Option<ReachTarget<S>>,
+    pub(super) stance: Option<Stance<S>>,
+    /// For the wrist position beside it.
+    pub(super) reach: Option<(i16, Reach<S>)>,
+}
+
+impl<S: Lattice> ArmEpisode<S> {
+    /// The pose.
+    pub fn pose(&self) -> Pose {
+        self.pose
+    }
+
+    /// The shield of a rougher episode refuses its own steps.
+    pub(super) fn shielded_step(&self) -> i8 {
+        shield::STEP.saturating_mul(self.roughness as i8)
+    }
+
+    pub(super) fn frame<'a>(&self, arm: &'a Arm<S>) -> Frame<'a, S> {
+        Frame::with_directions(arm, self.pose, self.target, self.base, self.plane)
+    }
+
+    pub(super) fn aim(&mut self, arm: &Arm<S>) -> Aim<S> {
+        *self.aim.get_or_insert_with(|| Aim::at(arm, self.target))
+    }
+
+    pub(super) fn hand_polar(&mut self, frame: &Frame<'_, S>) -> [S; 2] {
+        *self.hand_polar.get_or_insert_with(|| [frame.hand_elevation(), frame.hand_reach()])
+    }
+
+    pub(super) fn stance(&mut self, arm: &Arm<S>) -> &Stance<S> {
+        self.stance.get_or_insert_with(|| Stance::at(arm, self.target))
+    }
+
+    pub(super) fn reach(&mut self, arm: &Arm<S>) -> &Reach<S> {
+        let [.., wrist] = self.pose.0;
+        if self.reach.is_none_or(|(at, _)| at != wrist) {
+            self.reach = None;
+        }
+        let target = self.reach_target.get_or_insert_with(|| ReachTarget::at(arm, self.target));
+        &self.reach.get_or_insert_with(|| (wrist, target.keeping_wrist(arm, wrist))).1
+    }
+}

@@ -1,0 +1,70 @@
+//! A matrix times one column.
+
+use super::Finish;
+use crate::sac::nn::Real;
+use pulp::Simd;
+
+/// The sums of many rows stay in registers while the matrix's columns pass by.
+#[inline(always)]
+pub(super) fn by_columns<T: Real, S: Simd>(simd: S, out: &mut [T], a: &[T], b: &[T], finish: Finish<'_, T>) {
+    let lanes = T::lanes::<S>();
+    let mut first = 0;
+    if S::REGISTER_COUNT >= 32 {
+        first = rows_of_vectors::<T, S, 16>(simd, out, a, b, finish, first, 16 * lanes);
+    }
+    first = rows_of_vectors::<T, S, 8>(simd, out, a, b, finish, first, 8 * lanes);
+    first = rows_of_vectors::<T, S, 2>(simd, out, a, b, finish, first, 2 * lanes);
+    let rows = out.len();
+    while rows - first >= 4 {
+        few_rows::<T, 4>(out, a, b, finish, first);
+        first += 4;
+    }
+    while first < rows {
+        few_rows::<T, 1>(out, a, b, finish, first);
+        first += 1;
+    }
+}
+
+/// `N` rows from `first` on.
+#[inline(always)]
+fn few_rows<T: Real, const N: usize>(out: &mut [T], a: &[T], b: &[T], finish: Finish<'_, T>, first: usize) {
+    let mut sums = [T::zero(); N];
+    for (column, &factor) in a.chunks_exact(out.len()).zip(b) {
+        let values = &column[first..first + N];
+        for i in 0..N {
+            sums[i] += values[i] * factor;
+        }
+    }
+    for (i, sum) in sums.into_iter().enumerate() {
+        out[first + i] = finish.scalar(first + i, sum);
+    }
+}
+
+/// Rows from `first` on, `M` vectors of them at once; answers the first row that is left.
+#[inline(always)]
+fn rows_of_vectors<T: Real, S: Simd, const M: usize>(
+    simd: S,
+    out: &mut [T],
+    a: &[T],
+    b: &[T],
+    finish: Finish<'_, T>,
+    mut first: usize,
+    height: usize,
+) -> usize {
+    let rows = out.len();
+    while rows - first >= height {
+        let mut sums = [T::splat(simd, T::zero()); M];
+        for (column, &factor) in a.chunks_exact(rows).zip(b) {
+            let (values, factor) = (T::vectors::<S>(&column[first..first + height]), T::splat(simd, factor));
+            for i in 0..M {
+                sums[i] = T::plus(simd, sums[i], T::times(simd, values[i], factor));
+            }
+        }
+        let slots = T::vectors_mut::<S>(&mut out[first..first + height]);
+        for i in 0..M {
+            slots[i] = finish.vector(simd, first + i * T::lanes::<S>(), sums[i]);
+        }
+        first += height;
+    }
+    first
+}
