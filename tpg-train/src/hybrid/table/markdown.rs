@@ -380,9 +380,10 @@ hybrid in none or one of a thousand.
 ";
 
 const TAUGHT: &str = "Rows of several trainings are means ± standard deviations over seeds. *The \
-paper's targets* are 60 of the recorded ones. A policy alone, no guard; the networks hold a joint that would leave its \
-range (their mask), the graphs do so where *shielded*. The paper's learning problem: its 13 values, its score, its action \
-set, its budget; `paper-*` differs from its tools where `tpg-train/README.md` says. The planner, the memoryless inverse kinematics and the closed form learned nothing.
+paper's targets* are 60 of the recorded ones. A policy alone, no guard; networks with 38 features hold a joint that would leave \
+its range (their mask), graphs do so where *shielded*. The paper's learning problem: its 13 values, its score or reward, its \
+action set, its budget; its networks draw their actions, as in its tests. `paper-*` differs from its tools where \
+`tpg-train/README.md` says, which also has the paper's figures beside these. The planner, the memoryless inverse kinematics and the closed form learned nothing.
 ";
 
 const PAPER: &str = "As printed, and what the artifact's own files give (population standard deviation over seeds). Its rows \
