@@ -2,7 +2,7 @@
 
 use crate::targets::{Start, Task};
 use serde::Serialize;
-use tpg_runtime::arm::{Arm, Collision, Invalid, Move, Pose};
+use tpg_runtime::arm::{Arm, Collision, Invalid, Move, Pose, Step};
 use tpg_runtime::cycle::{Brent, CycleDetector};
 use tpg_runtime::episode::{Episode, Outcome, Problem, Summary};
 use tpg_runtime::kinematics::Lattice;
@@ -72,30 +72,17 @@ where
 /// pose after every action.
 pub fn watch_drawn<S: Lattice>(
     arm: &Arm<S>,
-    mut decide: impl FnMut(&Observation<S>) -> Move,
+    decide: impl FnMut(&Observation<S>) -> Move,
     start: Start,
     task: &Task,
     mut each: impl FnMut(Pose),
 ) -> Summary<S> {
     let problem: Problem<S> = task.problem(start);
-    let mut seen = Observation::at(arm, problem.start, problem.target);
-    let mut actions = 0;
-    loop {
-        let step = arm.step(seen.pose, decide(&seen));
-        seen = Observation::at(arm, step.pose, problem.target);
-        actions += 1;
-        each(seen.pose);
-        let outcome = if let Some(invalid) = step.invalid {
-            Outcome::Invalid(invalid)
-        } else if seen.distance() < problem.tolerance {
-            Outcome::Reached
-        } else if actions >= problem.max_actions {
-            Outcome::Timeout
-        } else {
-            continue;
-        };
-        return Summary { outcome, actions, pose: seen.pose, distance: seen.distance() };
-    }
+    walk(arm, &problem, decide, |step, reached, in_time| {
+        each(step.pose);
+        let invalid = step.invalid.map(Outcome::Invalid);
+        invalid.or(reached.then_some(Outcome::Reached)).or((!in_time).then_some(Outcome::Timeout))
+    })
 }
 
 /// As [`run`], but an invalid action ends nothing: what can move moves, or the arm stays, and the episode goes on. An
@@ -110,25 +97,45 @@ where
         let problem: Problem<S> = task.problem(start);
         let mut detector = Brent::new();
         detector.reset(problem.start);
-        let mut seen = Observation::at(arm, problem.start, problem.target);
-        let mut actions = 0;
-        loop {
-            let step = arm.step(seen.pose, policy.decide(&seen));
-            seen = Observation::at(arm, step.pose, problem.target);
-            actions += 1;
-            let outcome = if seen.distance() < problem.tolerance {
-                Outcome::Reached
-            } else if detector.repeats(step.pose) {
-                step.invalid.map_or(Outcome::Cycle, Outcome::Invalid)
-            } else if actions >= problem.max_actions {
-                step.invalid.map_or(Outcome::Timeout, Outcome::Invalid)
-            } else {
-                continue;
-            };
-            return Summary { outcome, actions, pose: seen.pose, distance: seen.distance() };
-        }
+        walk(
+            arm,
+            &problem,
+            |seen| policy.decide(seen),
+            |step, reached, in_time| {
+                let failed = |otherwise| Some(step.invalid.map_or(otherwise, Outcome::Invalid));
+                if reached {
+                    Some(Outcome::Reached)
+                } else if detector.repeats(step.pose) {
+                    failed(Outcome::Cycle)
+                } else if in_time {
+                    None
+                } else {
+                    failed(Outcome::Timeout)
+                }
+            },
+        )
     };
     summarise(start, &tasks.iter().map(episode).collect::<Vec<_>>())
+}
+
+/// Acts until an outcome is found for a step, given whether it reached the target, and whether another action is allowed.
+fn walk<S: Lattice>(
+    arm: &Arm<S>,
+    problem: &Problem<S>,
+    mut decide: impl FnMut(&Observation<S>) -> Move,
+    mut outcome: impl FnMut(&Step, bool, bool) -> Option<Outcome>,
+) -> Summary<S> {
+    let mut seen = Observation::at(arm, problem.start, problem.target);
+    let mut actions = 0;
+    loop {
+        let step = arm.step(seen.pose, decide(&seen));
+        seen = Observation::at(arm, step.pose, problem.target);
+        actions += 1;
+        let reached = seen.distance() < problem.tolerance;
+        if let Some(outcome) = outcome(&step, reached, actions < problem.max_actions) {
+            return Summary { outcome, actions, pose: seen.pose, distance: seen.distance() };
+        }
+    }
 }
 
 /// What came of these episodes.

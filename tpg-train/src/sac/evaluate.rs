@@ -1,11 +1,10 @@
 //! `tpg-train eval --policy` and `tpg-train quantise`.
 
 use super::comparison::Comparison;
-use super::fixed::{FixedActor, quantise_actor};
-use super::lanes::ARM;
-use super::policy::ActorPolicy;
+use super::fixed::quantise_actor;
 use super::weights;
-use crate::files::{read_text, write_atomically};
+use crate::files::write_atomically;
+use crate::hybrid::actor::Actor;
 use crate::planner::{Choice, Planner};
 use crate::targets::{Start, Task};
 use crate::trial::{self, Trial};
@@ -14,7 +13,7 @@ use sha2::{Digest, Sha256};
 use std::fs;
 use std::path::{Path, PathBuf};
 use tpg_codegen::error::{InputError, Place};
-use tpg_codegen::policy::{QuantisedPolicy, to_rust};
+use tpg_codegen::policy::to_rust;
 use tpg_runtime::arm::WIDOWX;
 use tpg_runtime::sac::packed::Kind;
 
@@ -23,20 +22,14 @@ use tpg_runtime::sac::packed::Kind;
 /// # Errors
 /// If there is no such policy.
 pub fn trial_of(policy: &str, start: Start, tasks: &[Task]) -> Result<Trial, InputError> {
-    let path = Path::new(policy);
     let choice = match policy {
         "planner" => Some(Choice::NearestFree),
         "nearest-goal" => Some(Choice::Nearest),
         _ => None,
     };
-    if let Some(choice) = choice {
-        Ok(trial::run(&WIDOWX, &Planner::new(&WIDOWX, choice), start, tasks))
-    } else if path.extension().is_some_and(|extension| extension == "json") {
-        let fixed = QuantisedPolicy::from_json(policy, &read_text(path, "a policy.q.json")?)?;
-        Ok(trial::run(&ARM, &FixedActor::new(fixed)?, start, tasks))
-    } else {
-        let (network, contract) = weights::read(path)?;
-        Ok(ActorPolicy::new(&network, &contract.actor).trial(start, tasks))
+    match choice {
+        Some(choice) => Ok(trial::run(&WIDOWX, &Planner::new(&WIDOWX, choice), start, tasks)),
+        None => Ok(Actor::read(Path::new(policy))?.trial(start, tasks)),
     }
 }
 
