@@ -268,8 +268,10 @@ impl<T: Real> Agent<T> {
     /// Draws an action for each state, which the actor has answered, and lets the critics judge it.
     fn judge_own_actions(&self, space: &mut Workspace<T>, states: &[T], noise: &[T]) {
         self.gaussian.sample(space.actor.output(), noise, &mut space.samples);
+        let [first, second] = &mut space.critics;
+        join(first.input_mut(), states, &space.samples.actions);
+        second.input_mut().copy_from_slice(first.input_mut());
         for (critic, tape) in self.critics.iter().zip(&mut space.critics) {
-            join(tape.input_mut(), states, &space.samples.actions);
             critic.network.forward(tape);
         }
     }
@@ -279,11 +281,14 @@ impl<T: Real> Agent<T> {
         let Bootstrap::SlowCritics(slow) = &self.bootstrap else { return };
         self.actor_answers(space, batch.next);
         self.gaussian.sample(space.actor.output(), batch.next_noise, &mut space.samples);
-        for (slow, tape) in slow.iter().zip(&mut space.critics) {
-            join(tape.input_mut(), batch.next, &space.samples.actions);
+        // One tape for both, so that it stays near the processor.
+        let [tape, _] = &mut space.critics;
+        join(tape.input_mut(), batch.next, &space.samples.actions);
+        for (slow, by_q) in slow.iter().zip(&mut space.by_q) {
             slow.forward(tape);
+            by_q.copy_from_slice(tape.output());
         }
-        let [first, second] = space.critics.each_ref().map(Tape::output);
+        let [first, second] = &space.by_q;
         let values = first.iter().zip(second).zip(&space.samples.log_densities);
         let returns = batch.rewards.iter().zip(batch.discounts);
         for ((wanted, ((&first, &second), &density)), (&reward, &discount)) in
@@ -297,9 +302,10 @@ impl<T: Real> Agent<T> {
     fn update_critics(&mut self, space: &mut Workspace<T>, batch: Experience<'_, T>, rate: f64) -> f64 {
         let scale = T::of(2.0 / space.wanted.len() as f64);
         let mut loss = 0.0;
-        let pairs = self.critics.iter_mut().zip(&mut space.critics).zip(&mut space.by_q);
-        for ((critic, tape), by_q) in pairs {
-            join(tape.input_mut(), batch.states, batch.actions);
+        // One tape for both, so that it stays near the processor.
+        let ([tape, _], [by_q, _]) = (&mut space.critics, &mut space.by_q);
+        join(tape.input_mut(), batch.states, batch.actions);
+        for critic in &mut self.critics {
             critic.network.forward(tape);
             let mut squares = T::zero();
             for ((by_q, &q), &wanted) in by_q.iter_mut().zip(tape.output()).zip(&space.wanted) {
@@ -350,7 +356,7 @@ impl<T: Real> Agent<T> {
     }
 }
 
-/// Columns of states over columns of actions.
+/// What a critic reads: columns of states over columns of actions.
 fn join<T: Real>(input: &mut [T], states: &[T], actions: &[T]) {
     let rows = input.len() * ACTIONS / actions.len();
     let inputs = rows - ACTIONS;

@@ -63,7 +63,7 @@ impl Gaussian {
         samples.sigma.clear();
         for (output, noise) in outputs.chunks_exact(2 * self.actions).zip(noise.chunks_exact(self.actions)) {
             let (means, spreads) = output.split_at(self.actions);
-            let mut log_density = T::zero();
+            let (mut log_density, mut product) = (T::zero(), T::one());
             for ((&mean, &spread), &noise) in means.iter().zip(spreads).zip(noise) {
                 let inside = low < spread && spread < high;
                 let clipped = if spread > high {
@@ -78,12 +78,18 @@ impl Gaussian {
                     Spread::Sigma => (clipped, clipped.logarithm()),
                 };
                 let u = mean + sigma * noise;
-                samples.actions.push(u.squashed());
+                // With e = exp(−2|u|): |tanh u| = (1 − e)/(1 + e), softplus(−2u) = max(−2u, 0) + ln(1 + e). One logarithm of
+                // the product of all 1 + e, which are at most 2, does for a sample.
+                let (magnitude, over) = if u > T::zero() { (u, T::zero()) } else { (-u, -two * u) };
+                let e = (-two * magnitude).exponential();
+                let squashed = (T::one() - e) / (T::one() + e);
+                samples.actions.push(if u > T::zero() { squashed } else { -squashed });
                 samples.sigma.push(if inside { sigma } else { -sigma });
-                let room = two * (T::of(std::f64::consts::LN_2) - u - softplus(-two * u));
+                product = product * (T::one() + e);
+                let room = two * (T::of(std::f64::consts::LN_2) - u - over);
                 log_density += -noise * noise / two - log_sigma - constant - room;
             }
-            samples.log_densities.push(log_density);
+            samples.log_densities.push(log_density + two * product.logarithm());
         }
     }
 
@@ -122,12 +128,6 @@ impl Gaussian {
             }
         }
     }
-}
-
-/// ln(1 + eˣ) without overflow.
-fn softplus<T: Real>(x: T) -> T {
-    let (high, magnitude) = if x > T::zero() { (x, x) } else { (T::zero(), -x) };
-    high + (-magnitude).exponential().log_of_next()
 }
 
 #[cfg(test)]

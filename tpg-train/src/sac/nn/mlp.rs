@@ -1,6 +1,7 @@
 //! A multi-layer perceptron with its parameters in one flat vector.
 
 use super::norm::{denormalise, normalise};
+use super::product::passing;
 use super::{Factor, Finish, Real, Scratch, multiply};
 use crate::random::Stream;
 use pulp::Arch;
@@ -243,27 +244,29 @@ impl<T: Real> Mlp<T> {
         let (batch, scratch) = (tape.batch, &mut tape.scratch);
         for (index, layer) in self.layers.iter().enumerate().rev() {
             let gradient = &mut current[..layer.outputs * batch];
-            if index < self.shape.hidden.len() {
-                let passed = if let Some(gain) = layer.norm {
-                    let by_norm = gradients.as_deref_mut().map(|all| &mut all[gain..][..2 * layer.outputs]);
-                    let gain = &self.parameters[gain..][..layer.outputs];
-                    denormalise(gradient, by_norm, &tape.before_norm[index], &tape.moments[index], gain);
-                    &tape.before_norm[index]
-                } else {
-                    &tape.inputs[index + 1]
-                };
-                mask(gradient, passed);
+            if let Some(gain) = layer.norm {
+                let by_norm = gradients.as_deref_mut().map(|all| &mut all[gain..][..2 * layer.outputs]);
+                let gain = &self.parameters[gain..][..layer.outputs];
+                let rectified = &tape.before_norm[index];
+                denormalise(gradient, by_norm, rectified, &tape.moments[index], gain);
+                mask(gradient, rectified);
             }
-            let gradient = Factor::new(&*gradient, layer.outputs, batch);
+            let mut gradient = Factor::new(&*gradient, layer.outputs, batch);
             if let Some(all) = gradients.as_deref_mut() {
                 let input = Factor::new(&tape.inputs[index], layer.inputs, batch);
                 let by_weight = &mut all[layer.weight..layer.bias];
                 multiply(by_weight, gradient, input.transposed(), Finish::Plain, scratch);
                 sum_columns(&mut all[layer.bias..][..layer.outputs], gradient.values());
+            } else {
+                // A loss by which no parameter is moved may leave samples out: each is judged by one of two critics.
+                gradient = gradient.sparse();
             }
-            if index > 0 {
+            if let Some(before) = index.checked_sub(1) {
+                // Without a LayerNorm between, what goes back passes the ReLU of the layer before at once.
+                let normed = self.layers[before].norm.is_some();
+                let finish = if normed { Finish::Plain } else { Finish::Where(&tape.inputs[index]) };
                 let weight = layer.weight(&self.parameters).transposed();
-                multiply(&mut next[..layer.inputs * batch], weight, gradient, Finish::Plain, scratch);
+                multiply(&mut next[..layer.inputs * batch], weight, gradient, finish, scratch);
                 std::mem::swap(current, next);
             }
         }
@@ -271,7 +274,7 @@ impl<T: Real> Mlp<T> {
             let rows = by_input.len() / batch;
             let weights = &self.parameters[..first.bias][(first.inputs - rows) * first.outputs..];
             let weight = Factor::new(weights, first.outputs, rows).transposed();
-            let gradient = Factor::new(&current[..first.outputs * batch], first.outputs, batch);
+            let gradient = Factor::new(&current[..first.outputs * batch], first.outputs, batch).sparse();
             multiply(by_input, weight, gradient, Finish::Plain, scratch);
         }
     }
@@ -282,7 +285,7 @@ fn mask<T: Real>(gradient: &mut [T], passed: &[T]) {
     let pairs = gradient.iter_mut().zip(passed);
     Arch::new().dispatch(
         #[inline(always)]
-        || pairs.for_each(|(gradient, &value)| *gradient = if value > T::zero() { *gradient } else { T::zero() }),
+        || pairs.for_each(|(gradient, &passed)| *gradient = passing(*gradient, passed)),
     );
 }
 

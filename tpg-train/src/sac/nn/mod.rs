@@ -56,6 +56,8 @@ pub trait Real:
     fn times<S: Simd>(simd: S, a: Self::Vector<S>, b: Self::Vector<S>) -> Self::Vector<S>;
     /// ReLU, lane by lane; not-a-number becomes zero.
     fn rectify<S: Simd>(simd: S, values: Self::Vector<S>) -> Self::Vector<S>;
+    /// Gradients where a ReLU's output lets them pass, zeros elsewhere, lane by lane.
+    fn pass<S: Simd>(simd: S, gradients: Self::Vector<S>, passed: Self::Vector<S>) -> Self::Vector<S>;
     /// The whole vectors of a list.
     fn vectors<S: Simd>(values: &[Self]) -> &[Self::Vector<S>];
     /// The whole vectors of a list.
@@ -72,12 +74,8 @@ pub trait Real:
     fn wide(self) -> f64;
     /// e to this power.
     fn exponential(self) -> Self;
-    /// The natural logarithm of one more than this.
-    fn log_of_next(self) -> Self;
     /// The natural logarithm.
     fn logarithm(self) -> Self;
-    /// The hyperbolic tangent.
-    fn squashed(self) -> Self;
     /// The correctly rounded square root.
     fn root(self) -> Self;
 }
@@ -109,6 +107,11 @@ macro_rules! vectors {
         fn rectify<S: Simd>(simd: S, values: Self::Vector<S>) -> Self::Vector<S> {
             let zero = simd.$splat(0.0);
             simd.$select(simd.$above(values, zero), values, zero)
+        }
+        #[inline(always)]
+        fn pass<S: Simd>(simd: S, gradients: Self::Vector<S>, passed: Self::Vector<S>) -> Self::Vector<S> {
+            let zero = simd.$splat(0.0);
+            simd.$select(simd.$above(passed, zero), gradients, zero)
         }
         #[inline(always)]
         fn vectors<S: Simd>(values: &[Self]) -> &[Self::Vector<S>] {
@@ -155,14 +158,8 @@ impl Real for f32 {
     fn exponential(self) -> Self {
         libm::expf(self)
     }
-    fn log_of_next(self) -> Self {
-        libm::log1pf(self)
-    }
     fn logarithm(self) -> Self {
         libm::logf(self)
-    }
-    fn squashed(self) -> Self {
-        libm::tanhf(self)
     }
     #[inline(always)]
     fn root(self) -> Self {
@@ -192,14 +189,8 @@ impl Real for f64 {
     fn exponential(self) -> Self {
         libm::exp(self)
     }
-    fn log_of_next(self) -> Self {
-        libm::log1p(self)
-    }
     fn logarithm(self) -> Self {
         libm::log(self)
-    }
-    fn squashed(self) -> Self {
-        libm::tanh(self)
     }
     #[inline(always)]
     fn root(self) -> Self {

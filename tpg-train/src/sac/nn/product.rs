@@ -7,6 +7,7 @@
 
 mod columns;
 mod tiles;
+mod zeros;
 
 use super::Real;
 use super::sum::dot;
@@ -19,6 +20,7 @@ pub struct Factor<'a, T> {
     rows: usize,
     columns: usize,
     transposed: bool,
+    sparse: bool,
 }
 
 impl<'a, T: Copy> Factor<'a, T> {
@@ -28,12 +30,18 @@ impl<'a, T: Copy> Factor<'a, T> {
     /// If `values` does not hold exactly `rows`·`columns` numbers.
     pub fn new(values: &'a [T], rows: usize, columns: usize) -> Self {
         assert_eq!(values.len(), rows * columns, "a matrix of another size");
-        Self { values, rows, columns, transposed: false }
+        Self { values, rows, columns, transposed: false, sparse: false }
     }
 
     /// The same numbers with rows and columns exchanged.
     pub fn transposed(self) -> Self {
         Self { transposed: !self.transposed, ..self }
+    }
+
+    /// The same matrix, on the right of a product: columns that are all zeros are looked for, and not multiplied. That changes
+    /// no bit as long as the left factor is finite.
+    pub fn sparse(self) -> Self {
+        Self { sparse: true, ..self }
     }
 
     /// The numbers as they lie in memory.
@@ -43,10 +51,6 @@ impl<'a, T: Copy> Factor<'a, T> {
 
     fn size(&self) -> (usize, usize) {
         if self.transposed { (self.columns, self.rows) } else { (self.rows, self.columns) }
-    }
-
-    fn at(&self, row: usize, column: usize) -> T {
-        if self.transposed { self.values[row * self.rows + column] } else { self.values[column * self.rows + row] }
     }
 }
 
@@ -59,26 +63,32 @@ pub enum Finish<'a, T> {
     Bias(&'a [T]),
     /// A row's bias is added, and what is not above zero becomes zero (ReLU).
     Rectified(&'a [T]),
+    /// What is not above zero in this matrix, of the product's size, becomes zero: a gradient where a ReLU let nothing
+    /// pass.
+    Where(&'a [T]),
 }
 
 impl<T: Real> Finish<'_, T> {
+    /// Of the element in that row, which lies at `place` in the product.
     #[inline(always)]
-    fn scalar(self, row: usize, sum: T) -> T {
+    fn scalar(self, row: usize, place: usize, sum: T) -> T {
         match self {
             Self::Plain => sum,
             Self::Bias(bias) => sum + bias[row],
             Self::Rectified(bias) => rectified(sum + bias[row]),
+            Self::Where(passed) => passing(sum, passed[place]),
         }
     }
 
-    /// The same for the rows from `first` on, one for each lane.
+    /// The same for as many rows as there are lanes, from that row and place on.
     #[inline(always)]
-    fn vector<S: Simd>(self, simd: S, first: usize, sum: T::Vector<S>) -> T::Vector<S> {
-        let biased = |bias: &[T]| T::plus(simd, sum, T::vectors::<S>(&bias[first..][..T::lanes::<S>()])[0]);
+    fn vector<S: Simd>(self, simd: S, row: usize, place: usize, sum: T::Vector<S>) -> T::Vector<S> {
+        let load = |values: &[T], first: usize| T::vectors::<S>(&values[first..][..T::lanes::<S>()])[0];
         match self {
             Self::Plain => sum,
-            Self::Bias(bias) => biased(bias),
-            Self::Rectified(bias) => T::rectify(simd, biased(bias)),
+            Self::Bias(bias) => T::plus(simd, sum, load(bias, row)),
+            Self::Rectified(bias) => T::rectify(simd, T::plus(simd, sum, load(bias, row))),
+            Self::Where(passed) => T::pass(simd, sum, load(passed, place)),
         }
     }
 }
@@ -89,6 +99,12 @@ pub(super) fn rectified<T: Real>(value: T) -> T {
     if value > T::zero() { value } else { T::zero() }
 }
 
+/// A gradient where a ReLU's output lets it pass, zero elsewhere.
+#[inline(always)]
+pub(super) fn passing<T: Real>(gradient: T, passed: T) -> T {
+    if passed > T::zero() { gradient } else { T::zero() }
+}
+
 /// The space that products need: grows to what the largest one asked for.
 #[derive(Clone, Debug, Default)]
 pub struct Scratch<T> {
@@ -96,6 +112,11 @@ pub struct Scratch<T> {
     panels: Vec<T>,
     /// The right factor's last columns where they fill no tile, row by row.
     rest: Vec<T>,
+    /// A tile, column by column.
+    sums: Vec<T>,
+    /// The right factor's columns that are not all zeros: which, and side by side.
+    kept: Vec<usize>,
+    gathered: Vec<T>,
 }
 
 /// `out` := `a`·`b`, finished; `out` column-major.
@@ -131,9 +152,12 @@ impl<T: Real> WithSimd for Product<'_, T> {
         if let Finish::Bias(bias) | Finish::Rectified(bias) = self.finish {
             assert_eq!(bias.len(), rows, "a bias of another size");
         }
+        if let Finish::Where(passed) = self.finish {
+            assert_eq!(passed.len(), self.out.len(), "a mask of another size");
+        }
         if rows == 1 && !self.b.transposed {
-            for (column, out) in self.b.values.chunks_exact(inner.max(1)).zip(self.out) {
-                *out = self.finish.scalar(0, dot(self.a.values, column));
+            for (place, column) in self.b.values.chunks_exact(inner.max(1)).enumerate() {
+                self.out[place] = self.finish.scalar(0, place, dot(self.a.values, column));
             }
         } else if columns == 1 && !self.a.transposed {
             columns::by_columns(simd, self.out, self.a.values, self.b.values, self.finish);
@@ -141,9 +165,9 @@ impl<T: Real> WithSimd for Product<'_, T> {
             // One row in memory is one column: (a·b)ᵀ = bᵀ·aᵀ.
             columns::by_columns(simd, self.out, self.b.values, self.a.values, self.finish);
         } else if S::REGISTER_COUNT >= 32 {
-            self.by_tiles::<S, 2, 8>(simd);
+            self.by_tiles_of_samples::<S, 1, 16>(simd);
         } else {
-            self.by_tiles::<S, 2, 4>(simd);
+            self.by_tiles_of_samples::<S, 2, 4>(simd);
         }
     }
 }
@@ -178,15 +202,16 @@ mod tests {
         if flip { Factor::new(values, columns, rows).transposed() } else { Factor::new(values, rows, columns) }
     }
 
-    /// Every shape either way round, with a bias and without: what is multiplied, and what came out on `arch`.
+    /// Every shape either way round, finished in every way: what is multiplied, and what came out on `arch`.
     fn products<S: Simd>(simd: S) -> Vec<f32> {
         let mut all = Vec::new();
         let mut scratch = Scratch::default();
         for (rows, inner, columns) in SHAPES {
             let (a, b, bias) = (normals(rows * inner, 1), normals(inner * columns, 2), normals(rows, 3));
+            let passed = normals(rows * columns, 4);
             for (flip_a, flip_b) in FLIPS {
                 let (a, b) = (factor(&a, flip_a, (rows, inner)), factor(&b, flip_b, (inner, columns)));
-                for finish in [Finish::Plain, Finish::Bias(&bias), Finish::Rectified(&bias)] {
+                for finish in [Finish::Plain, Finish::Bias(&bias), Finish::Rectified(&bias), Finish::Where(&passed)] {
                     let mut out = vec![f32::NAN; rows * columns];
                     Product { out: &mut out, a, b, finish, scratch: &mut scratch }.with_simd(simd);
                     all.extend(out);
@@ -207,6 +232,53 @@ mod tests {
             let v4 = pulp::x86::V4::try_new().map(|v4| bits(products(v4)));
             assert!(v3.is_none_or(|v3| v3 == scalar), "AVX2");
             assert!(v4.is_none_or(|v4| v4 == scalar), "AVX-512");
+        }
+    }
+
+    /// A product whose right factor has columns of zeros: first and last, in between, most of them, all of them, none.
+    fn sparse_products<S: Simd>(simd: S, sparse: bool) -> Vec<u32> {
+        let (rows, inner, columns) = (37, 20, 70);
+        let (a, passed) = (normals(rows * inner, 1), normals(rows * columns, 4));
+        let kept: [fn(usize) -> bool; 5] = [|c| (9..60).contains(&c), |c| c % 3 == 1, |c| c == 41, |_| false, |_| true];
+        let mut scratch = Scratch::default();
+        let mut all = Vec::new();
+        for kept in kept {
+            let mut b = normals(inner * columns, 2);
+            let zeros = b.chunks_exact_mut(inner).enumerate().filter(|&(column, _)| !kept(column));
+            zeros.for_each(|(_, column)| column.fill(0.0));
+            let b = Factor::new(&b, inner, columns);
+            for finish in [Finish::Plain, Finish::Bias(&normals(rows, 3)), Finish::Where(&passed)] {
+                let mut out = vec![f32::NAN; rows * columns];
+                let (a, b) = (Factor::new(&a, rows, inner), if sparse { b.sparse() } else { b });
+                Product { out: &mut out, a, b, finish, scratch: &mut scratch }.with_simd(simd);
+                all.extend(out.into_iter().map(f32::to_bits));
+            }
+        }
+        all
+    }
+
+    #[test]
+    fn columns_of_zeros_are_left_out_without_changing_a_bit() {
+        let dense = sparse_products(pulp::Scalar, false);
+        assert!(dense == sparse_products(pulp::Scalar, true) && dense == sparse_products(pulp::Scalar512b, true));
+        #[cfg(target_arch = "x86_64")]
+        {
+            assert!(pulp::x86::V3::try_new().is_none_or(|v3| dense == sparse_products(v3, true)), "AVX2");
+            assert!(pulp::x86::V4::try_new().is_none_or(|v4| dense == sparse_products(v4, true)), "AVX-512");
+        }
+    }
+
+    #[test]
+    fn a_gradient_passes_where_a_relu_did() {
+        let (rows, inner, columns) = (19, 7, 23);
+        let (a, b, passed) = (normals(rows * inner, 1), normals(inner * columns, 2), normals(rows * columns, 4));
+        let (a, b) = (Factor::new(&a, rows, inner), Factor::new(&b, inner, columns));
+        let mut scratch = Scratch::default();
+        let [mut plain, mut masked] = [(); 2].map(|()| vec![f32::NAN; rows * columns]);
+        multiply(&mut plain, a, b, Finish::Plain, &mut scratch);
+        multiply(&mut masked, a, b, Finish::Where(&passed), &mut scratch);
+        for ((masked, plain), passed) in masked.into_iter().zip(plain).zip(passed) {
+            assert_eq!(masked, if passed > 0.0 { plain } else { 0.0 });
         }
     }
 

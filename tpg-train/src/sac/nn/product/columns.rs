@@ -36,7 +36,7 @@ fn few_rows<T: Real, const N: usize>(out: &mut [T], a: &[T], b: &[T], finish: Fi
         }
     }
     for (i, sum) in sums.into_iter().enumerate() {
-        out[first + i] = finish.scalar(first + i, sum);
+        out[first + i] = finish.scalar(first + i, first + i, sum);
     }
 }
 
@@ -62,7 +62,8 @@ fn rows_of_vectors<T: Real, S: Simd, const M: usize>(
         }
         let slots = T::vectors_mut::<S>(&mut out[first..first + height]);
         for i in 0..M {
-            slots[i] = finish.vector(simd, first + i * T::lanes::<S>(), sums[i]);
+            let row = first + i * T::lanes::<S>();
+            slots[i] = finish.vector(simd, row, row, sums[i]);
         }
         first += height;
     }

@@ -1,53 +1,104 @@
 //! A product tile by tile (Goto and van de Geijn 2008): panels of the left factor are copied side by side, a tile of the
 //! product stays in registers while a panel passes by.
 
-use super::{Factor, Finish, Product};
+use super::{Factor, Finish, Product, Scratch};
 use crate::sac::nn::Real;
 use pulp::Simd;
 
+/// Columns of a tile where the widest one does not fit any more, and where that does not fit either.
+const NARROW: usize = 8;
+const LAST: usize = 4;
+
 impl<T: Real> Product<'_, T> {
-    /// Tiles of `M` vectors by `N` columns.
+    /// Tiles of `M` vectors by `N` columns, and narrower ones for the columns that are left.
     #[inline(always)]
     pub(super) fn by_tiles<S: Simd, const M: usize, const N: usize>(self, simd: S) {
-        let Self { out, a, b, finish, scratch } = self;
+        let Self { out, a, b, finish, scratch: Scratch { panels, rest, sums, .. } } = self;
         let ((rows, inner), (_, columns)) = (a.size(), b.size());
         let height = M * T::lanes::<S>();
-        scratch.panels.resize(height * inner, T::zero());
-        let whole = columns - columns % N;
-        scratch.rest.clear();
-        if whole < columns {
-            let last = |k| (0..N).map(move |j| if whole + j < columns { b.at(k, whole + j) } else { T::zero() });
-            scratch.rest.extend((0..inner).flat_map(last));
-        }
+        panels.resize(rows.next_multiple_of(height) * inner, T::zero());
         for first in (0..rows).step_by(height) {
-            let panel = &mut scratch.panels[..];
-            pack(panel, a, first, height);
-            let panel = T::vectors::<S>(panel);
-            for column in (0..whole).step_by(N) {
-                let sums = if b.transposed {
-                    tile::<T, S, M, N>(simd, panel, b.values.chunks_exact(columns).map(|row| &row[column..][..N]))
+            pack::<T, S, M>(&mut panels[first * inner..][..height * inner], a, first);
+        }
+        let panels = Panels::<T, S, M> { vectors: T::vectors::<S>(panels), rows, inner };
+        sums.resize(height * N, T::zero());
+        let mut first = panels.times_whole::<N>(simd, out, b, 0, finish, sums);
+        if N > NARROW {
+            first = panels.times_whole::<NARROW>(simd, out, b, first, finish, sums);
+        }
+        for first in (first..columns).step_by(LAST) {
+            let here = first..columns.min(first + LAST);
+            rest.clear();
+            rest.resize(inner * LAST, T::zero());
+            for (k, slots) in rest.chunks_exact_mut(LAST).enumerate() {
+                if b.transposed {
+                    slots[..here.len()].copy_from_slice(&b.values[k * columns..][here.clone()]);
                 } else {
-                    let values: [&[T]; N] = std::array::from_fn(|j| &b.values[(column + j) * inner..][..inner]);
-                    tile_of_columns::<T, S, M, N>(simd, panel, values)
-                };
-                store(simd, &mut out[column * rows..], rows, first, sums, N, finish);
+                    slots.iter_mut().zip(here.clone()).for_each(|(slot, column)| *slot = b.values[column * inner + k]);
+                }
             }
-            if whole < columns {
-                let sums = tile::<T, S, M, N>(simd, panel, scratch.rest.chunks_exact(N));
-                store(simd, &mut out[whole * rows..], rows, first, sums, columns - whole, finish);
+            for (panel, row) in panels.each() {
+                tile::<T, S, M, LAST>(simd, panel, rest.chunks_exact(LAST), sums);
+                store::<T, S, M>(simd, &mut out[..here.end * rows], (rows, row), first, sums, finish);
             }
         }
     }
 }
 
-/// Copies `height` rows of a factor from row `first` on, column after column; zeros where there are no more rows.
+/// A left factor, `M` vectors of rows in a panel.
+struct Panels<'a, T: Real, S: Simd, const M: usize> {
+    vectors: &'a [T::Vector<S>],
+    rows: usize,
+    inner: usize,
+}
+
+impl<T: Real, S: Simd, const M: usize> Panels<'_, T, S, M> {
+    /// Each panel and its first row.
+    #[inline(always)]
+    fn each(&self) -> impl Iterator<Item = (&[T::Vector<S>], usize)> {
+        let size = M * self.inner;
+        let firsts = (0..self.rows).step_by(M * T::lanes::<S>());
+        firsts.enumerate().map(move |(index, first)| (&self.vectors[index * size..][..size], first))
+    }
+
+    /// The product's columns from `first` on, as far as they fill tiles of `N`; answers the first one that is left.
+    #[inline(always)]
+    fn times_whole<const N: usize>(
+        &self,
+        simd: S,
+        out: &mut [T],
+        b: Factor<'_, T>,
+        first: usize,
+        finish: Finish<'_, T>,
+        sums: &mut [T],
+    ) -> usize {
+        let (inner, columns) = b.size();
+        let end = columns - (columns - first) % N;
+        for first in (first..end).step_by(N) {
+            for (panel, row) in self.each() {
+                if b.transposed {
+                    let rows = b.values.chunks_exact(columns).map(|row| &row[first..][..N]);
+                    tile::<T, S, M, N>(simd, panel, rows, sums);
+                } else {
+                    tile_of_columns::<T, S, M, N>(simd, panel, &b.values[first * inner..][..N * inner], inner, sums);
+                }
+                store::<T, S, M>(simd, &mut out[..(first + N) * self.rows], (self.rows, row), first, sums, finish);
+            }
+        }
+        end
+    }
+}
+
+/// Copies `M` vectors of a factor's rows from row `first` on, column after column; zeros where there are no more rows.
 #[inline(always)]
-fn pack<T: Real>(panel: &mut [T], a: Factor<'_, T>, first: usize, height: usize) {
+fn pack<T: Real, S: Simd, const M: usize>(panel: &mut [T], a: Factor<'_, T>, first: usize) {
     let (rows, inner) = a.size();
+    let height = M * T::lanes::<S>();
     let there = height.min(rows - first);
     if there < height {
         panel.fill(T::zero());
     }
+    let slots = panel.chunks_exact_mut(height);
     if a.transposed {
         let columns = a.values[first * inner..].chunks_exact(inner.max(1));
         for (row, values) in columns.take(there).enumerate() {
@@ -55,82 +106,126 @@ fn pack<T: Real>(panel: &mut [T], a: Factor<'_, T>, first: usize, height: usize)
                 slots[row] = value;
             }
         }
+    } else if there < height {
+        for (slots, column) in slots.zip(a.values.chunks_exact(rows)) {
+            slots[..there].copy_from_slice(&column[first..]);
+        }
     } else {
-        for (slots, column) in panel.chunks_exact_mut(height).zip(a.values.chunks_exact(rows)) {
-            slots[..there].copy_from_slice(&column[first..first + there]);
+        // Vectors of a known number, no call for each column.
+        for (slots, column) in slots.zip(a.values.chunks_exact(rows)) {
+            let (slots, values) = (T::vectors_mut::<S>(slots), T::vectors::<S>(&column[first..first + height]));
+            for i in 0..M {
+                slots[i] = values[i];
+            }
         }
     }
 }
 
-type Tile<T, S, const M: usize, const N: usize> = [[<T as Real>::Vector<S>; M]; N];
-
-/// The tile of a panel and the rows of `b`, `N` numbers each.
+/// The tile of a panel and the rows of `b`, `N` numbers each, into `sums`, column by column.
 #[inline(always)]
 fn tile<'a, T: Real, S: Simd, const M: usize, const N: usize>(
     simd: S,
     panel: &[T::Vector<S>],
     b: impl Iterator<Item = &'a [T]>,
-) -> Tile<T, S, M, N> {
-    let mut sums = [[T::splat(simd, T::zero()); M]; N];
+    sums: &mut [T],
+) {
+    let mut tile = [[T::splat(simd, T::zero()); M]; N];
     for (a, b) in panel.chunks_exact(M).zip(b) {
         for j in 0..N {
             let factor = T::splat(simd, b[j]);
             for i in 0..M {
-                sums[j][i] = T::plus(simd, sums[j][i], T::times(simd, a[i], factor));
+                tile[j][i] = T::plus(simd, tile[j][i], T::times(simd, a[i], factor));
             }
         }
     }
-    sums
+    leave::<T, S, M, N>(tile, sums);
 }
 
-/// The tile of a panel and whole columns of `b`.
+/// The tile of a panel and `N` whole columns of `b`, `inner` numbers each, into `sums`, column by column.
 #[inline(always)]
 fn tile_of_columns<T: Real, S: Simd, const M: usize, const N: usize>(
     simd: S,
     panel: &[T::Vector<S>],
-    b: [&[T]; N],
-) -> Tile<T, S, M, N> {
-    let mut sums = [[T::splat(simd, T::zero()); M]; N];
-    let inner = b[0].len();
-    let b = b.map(|column| &column[..inner]);
+    b: &[T],
+    inner: usize,
+    sums: &mut [T],
+) {
+    let mut tile = [[T::splat(simd, T::zero()); M]; N];
+    let b: [&[T]; N] = std::array::from_fn(|j| &b[j * inner..][..inner]);
     for (k, a) in panel.chunks_exact(M).enumerate().take(inner) {
         for j in 0..N {
             let factor = T::splat(simd, b[j][k]);
             for i in 0..M {
-                sums[j][i] = T::plus(simd, sums[j][i], T::times(simd, a[i], factor));
+                tile[j][i] = T::plus(simd, tile[j][i], T::times(simd, a[i], factor));
             }
         }
     }
-    sums
+    leave::<T, S, M, N>(tile, sums);
 }
 
-/// Finishes a tile and puts its first `columns` columns into `out`, which begins with the first of them.
+/// Leaves a tile in memory. It is in registers until then, for nothing else asks where it lies.
 #[inline(always)]
-fn store<T: Real, S: Simd, const M: usize, const N: usize>(
+fn leave<T: Real, S: Simd, const M: usize, const N: usize>(tile: [[T::Vector<S>; M]; N], sums: &mut [T]) {
+    let slots = &mut T::vectors_mut::<S>(sums)[..M * N];
+    for j in 0..N {
+        for i in 0..M {
+            slots[j * M + i] = tile[j][i];
+        }
+    }
+}
+
+/// Finishes a tile of `M` vectors of rows and puts it into a product of so many rows, from that row and column on, as far as
+/// `out` goes.
+#[inline(always)]
+fn store<T: Real, S: Simd, const M: usize>(
     simd: S,
     out: &mut [T],
-    rows: usize,
-    first: usize,
-    sums: Tile<T, S, M, N>,
-    columns: usize,
+    (rows, row): (usize, usize),
+    column: usize,
+    sums: &[T],
     finish: Finish<'_, T>,
 ) {
-    let lanes = T::lanes::<S>();
-    let whole = rows - first >= M * lanes;
-    for (column, sums) in out.chunks_exact_mut(rows).zip(sums).take(columns) {
-        if whole {
-            let slots = T::vectors_mut::<S>(&mut column[first..first + M * lanes]);
-            for i in 0..M {
-                slots[i] = finish.vector(simd, first + i * lanes, sums[i]);
+    let height = M * T::lanes::<S>();
+    let here = row..rows.min(row + height);
+    let columns = out[column * rows..].chunks_exact_mut(rows).zip(sums.chunks_exact(height)).enumerate();
+    let columns = columns.map(|(j, (out, sums))| ((column + j) * rows + row, &mut out[here.clone()], sums));
+    if here.len() < height {
+        for (first, out, sums) in columns {
+            for (i, (out, &sum)) in out.iter_mut().zip(sums).enumerate() {
+                *out = finish.scalar(row + i, first + i, sum);
             }
-            continue;
         }
-        for (i, &sum) in sums.iter().enumerate() {
-            let from = first + i * lanes;
-            if from < rows {
-                let sum = T::unpack::<S>(&sum);
-                for (row, (slot, &sum)) in column[from..].iter_mut().zip(sum).enumerate() {
-                    *slot = finish.scalar(from + row, sum);
+        return;
+    }
+    let columns = columns.map(|(first, out, sums)| (first, T::vectors_mut::<S>(out), T::vectors::<S>(sums)));
+    // One loop for each way to finish, so that none of them asks which it is.
+    match finish {
+        Finish::Plain => {
+            for (_, out, sums) in columns {
+                out.copy_from_slice(sums);
+            }
+        }
+        Finish::Bias(bias) => {
+            let bias = T::vectors::<S>(&bias[here.clone()]);
+            for (_, out, sums) in columns {
+                for i in 0..M {
+                    out[i] = T::plus(simd, sums[i], bias[i]);
+                }
+            }
+        }
+        Finish::Rectified(bias) => {
+            let bias = T::vectors::<S>(&bias[here.clone()]);
+            for (_, out, sums) in columns {
+                for i in 0..M {
+                    out[i] = T::rectify(simd, T::plus(simd, sums[i], bias[i]));
+                }
+            }
+        }
+        Finish::Where(passed) => {
+            for (first, out, sums) in columns {
+                let passed = T::vectors::<S>(&passed[first..][..height]);
+                for i in 0..M {
+                    out[i] = T::pass(simd, sums[i], passed[i]);
                 }
             }
         }

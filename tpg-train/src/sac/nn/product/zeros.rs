@@ -1,0 +1,59 @@
+//! Columns of zeros on the right of a product: samples that a loss does not depend on, as the half of a batch for which
+//! the other critic has the smaller opinion.
+
+use super::{Factor, Finish, Product};
+use crate::sac::nn::Real;
+use pulp::Simd;
+
+impl<T: Real> Product<'_, T> {
+    /// As [`by_tiles`](Self::by_tiles), without multiplying columns of zeros on the right where that factor is
+    /// [`sparse`](Factor::sparse) and they are enough to save a tile.
+    #[inline(always)]
+    pub(super) fn by_tiles_of_samples<S: Simd, const M: usize, const N: usize>(self, simd: S) {
+        let Self { out, a, b, finish, scratch } = self;
+        let ((rows, _), (inner, columns)) = (a.size(), b.size());
+        let (mut kept, mut gathered) = (std::mem::take(&mut scratch.kept), std::mem::take(&mut scratch.gathered));
+        let may = b.sparse && !b.transposed && matches!(finish, Finish::Plain | Finish::Where(_));
+        let some = may && keep(&mut kept, b, N);
+        if some {
+            gathered.clear();
+            kept.iter().for_each(|&column| gathered.extend_from_slice(&b.values[column * inner..][..inner]));
+        }
+        Product {
+            out: if some { &mut out[..rows * kept.len()] } else { &mut *out },
+            b: if some { Factor::new(&gathered, inner, kept.len()) } else { b },
+            finish: if some { Finish::Plain } else { finish },
+            a,
+            scratch,
+        }
+        .by_tiles::<S, M, N>(simd);
+        if some {
+            spread(out, rows, columns, &kept);
+            if let Finish::Where(passed) = finish {
+                out.iter_mut().zip(passed).for_each(|(out, &passed)| *out = super::passing(*out, passed));
+            }
+        }
+        (scratch.kept, scratch.gathered) = (kept, gathered);
+    }
+}
+
+/// Lists the columns that are not all zeros; answers whether at least `least` others are.
+fn keep<T: Real>(kept: &mut Vec<usize>, b: Factor<'_, T>, least: usize) -> bool {
+    let (inner, columns) = b.size();
+    kept.clear();
+    let column = |index: &usize| &b.values[index * inner..][..inner];
+    kept.extend((0..columns).filter(|index| column(index).iter().any(|&value| value != T::zero())));
+    columns - kept.len() >= least
+}
+
+/// Moves the columns that lie side by side in front to where they belong, with zeros between them.
+fn spread<T: Real>(out: &mut [T], rows: usize, columns: usize, kept: &[usize]) {
+    // Last to first: none moves to the left, so that none is written over before it has moved.
+    let mut end = columns;
+    for (from, &column) in kept.iter().enumerate().rev() {
+        out[(column + 1) * rows..end * rows].fill(T::zero());
+        out.copy_within(from * rows..(from + 1) * rows, column * rows);
+        end = column;
+    }
+    out[..end * rows].fill(T::zero());
+}
