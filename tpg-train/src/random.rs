@@ -50,6 +50,8 @@ pub enum Purpose {
     Update = 26,
     /// The noise of a policy that draws its actions, in one test episode.
     Draws = 27,
+    /// The tasks on which an actor under training is watched for failures.
+    Retry = 28,
 }
 
 /// A stream of random numbers.

@@ -11,14 +11,14 @@ use super::replay::{ACTIONS, Replay};
 use super::tensors::{Tensor, Tensors};
 use super::training::{Best, Point, Recent, Training};
 use crate::random::{Purpose, Stream};
-use crate::targets::{Reach, Set};
+use crate::targets::{Reach, Set, Task};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 use tpg_codegen::error::{InputError, Place};
 use tpg_runtime::arm::{Pose, WIDOWX};
 
 const FORMAT: &str = "tpg-train sac checkpoint";
-const VERSION: u32 = 2;
+const VERSION: u32 = 3;
 /// No checkpoint is larger, bytes: the largest replay buffer of the presets makes a tenth of it.
 const LIMIT: u64 = 4 << 30;
 
@@ -39,6 +39,7 @@ struct State {
     curve: Vec<Point>,
     recent: Recent,
     lanes: Vec<([i16; ACTIONS], [f64; 3], u32)>,
+    failures: Vec<([i16; ACTIONS], [f64; 3])>,
     /// The rows of the log so far.
     log: Vec<serde_json::Value>,
 }
@@ -48,7 +49,8 @@ struct State {
 /// # Errors
 /// If it cannot be written.
 pub fn save(path: &Path, training: &Training, log: &[serde_json::Value]) -> Result<(), InputError> {
-    let Training { config, seed, agent, replay, lanes, decisions, updates, best, curve, recent, .. } = training;
+    let Training { config, seed, agent, average, replay, lanes, decisions, updates, best, curve, recent, .. } =
+        training;
     let mut tensors = Tensors::default();
     let mut insert = |name: &str, values: &[f32]| {
         tensors.tensors.insert(name.to_owned(), Tensor::flat(values.to_vec()));
@@ -63,6 +65,9 @@ pub fn save(path: &Path, training: &Training, log: &[serde_json::Value]) -> Resu
     }
     for (name, network) in followers(agent) {
         insert(name, network.parameters());
+    }
+    if let Some(average) = average {
+        insert("average", average.parameters());
     }
     let (steps, mean, square) = agent.alpha_adam.state();
     adam_steps.push(steps);
@@ -86,6 +91,7 @@ pub fn save(path: &Path, training: &Training, log: &[serde_json::Value]) -> Resu
         curve: curve.clone(),
         recent: *recent,
         lanes: lanes.lanes.iter().map(|lane| (lane.pose.0, lane.target, lane.steps)).collect(),
+        failures: lanes.failures.places.iter().map(|task| (task.start.0, task.target)).collect(),
         log: log.to_vec(),
     };
     tensors.text = Some(serde_json::to_string(&state).expect("plain data"));
@@ -179,11 +185,11 @@ fn restore(mut file: Tensors, config: &Config, seed: u64) -> Result<(Training, V
             *follower = network(name, &follower.shape().clone())?;
         }
     }
+    let actor = agent.actor.network.shape().clone();
+    let average = config.learning.average.map(|_| network("average", &actor)).transpose()?;
     let best = match state.best {
         None => None,
-        Some((score, decisions)) => {
-            Some(Best { score, decisions, actor: network("best", &agent.actor.network.shape().clone())? })
-        }
+        Some((score, decisions)) => Some(Best { score, decisions, actor: network("best", &actor)? }),
     };
     let temperature = take("temperature", Some(3))?;
     agent.log_alpha = temperature[0];
@@ -198,8 +204,11 @@ fn restore(mut file: Tensors, config: &Config, seed: u64) -> Result<(Training, V
         let accepted = config.learning.lanes.to_string();
         return Err(refuse("metadata.tpg.lanes", lanes.len().to_string(), &accepted));
     }
-    let lanes = Lanes::resume(config, seed, Reach::sample(&WIDOWX, seed, Set::Training), state.episodes, &lanes);
+    let mut lanes = Lanes::resume(config, seed, Reach::sample(&WIDOWX, seed, Set::Training), state.episodes, &lanes);
+    let failures = state.failures.into_iter().map(|(pose, target)| Task { start: Pose(pose), target });
+    lanes.failures.places = failures.collect();
     let mut training = Training::of_parts(config.clone(), seed, agent, replay, lanes);
+    training.average = average;
     training.decisions = state.decisions;
     training.updates = state.updates;
     training.best = best;
@@ -221,6 +230,9 @@ mod tests {
         config.learning.batch = 16;
         config.learning.replay = 300; // less than there will be transitions: the ring must turn
         config.learning.decisions = 1000;
+        if let Some(retry) = &mut config.retry {
+            (retry.every, retry.random_starts, retry.fixed_starts, retry.remembered) = (150, 12, 4, 30);
+        }
         config
     }
 
@@ -247,6 +259,7 @@ mod tests {
                 std::fs::read(path).expect("it was just written")
             };
             assert!(undisturbed.updates() > 40);
+            assert_eq!(undisturbed.lanes.failures.places.len(), config.retry.map_or(0, |retry| retry.remembered));
             assert!(bytes(&undisturbed) == bytes(&resumed), "{preset}: the checkpoints at the end differ");
         }
     }

@@ -31,6 +31,9 @@ pub struct Config {
     pub reward: Reward,
     /// How it learns.
     pub learning: Learning,
+    /// Episodes that begin where the actor failed; without it, none does.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub retry: Option<Retry>,
     /// How candidates are chosen.
     pub validation: Validation,
 }
@@ -191,6 +194,26 @@ pub struct Learning {
     pub log_temperature: f64,
     /// Adam's step for ln α. Only with a learned temperature.
     pub temperature_rate: f64,
+    /// The actor that is validated and kept is an average: after each update it follows the one that learns by this fraction.
+    /// Without it, the two are one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub average: Option<f64>,
+}
+
+/// Episodes that begin where the actor failed.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Retry {
+    /// The fraction of training episodes that begin there, once a failure is known.
+    pub share: f64,
+    /// Decisions between two looks for failures.
+    pub every: u64,
+    /// Fresh training tasks from home in each look.
+    pub fixed_starts: usize,
+    /// Fresh training tasks from anywhere in each look.
+    pub random_starts: usize,
+    /// Places remembered: the latest so many.
+    pub remembered: usize,
 }
 
 /// How candidates are chosen: on validation tasks, never on test tasks.
@@ -218,8 +241,10 @@ impl Config {
     /// # Errors
     /// If a value would make training impossible.
     pub fn check(&self) -> Result<(), String> {
-        let Self { task, actor, critic, learning, validation, .. } = self;
+        let Self { task, actor, critic, learning, retry, validation, .. } = self;
         let share = (0.0..=1.0).contains(&task.fixed_start_share);
+        let average = learning.average.unwrap_or(1.0);
+        let (retries, retry_every) = retry.map_or((0.0, 1), |retry| (retry.share, retry.every));
         let widths = |hidden: &[usize]| hidden.iter().all(|width| (1..=4096).contains(width)) && hidden.len() <= 8;
         let checks = [
             (share, "task.fixed_start_share", format!("{}", task.fixed_start_share), "0 to 1"),
@@ -255,6 +280,9 @@ impl Config {
                 "1 or more",
             ),
             (learning.random_decisions > 0, "learning.random_decisions", "0".to_owned(), "1 or more"),
+            (average > 0.0 && average <= 1.0, "learning.average", format!("{average}"), "more than 0, up to 1"),
+            ((0.0..=1.0).contains(&retries), "retry.share", format!("{retries}"), "0 to 1"),
+            (retry_every > 0, "retry.every", "0".to_owned(), "1 or more"),
             (validation.every > 0, "validation.every", "0".to_owned(), "1 or more"),
             (validation.episodes > 0, "validation.episodes", "0".to_owned(), "1 or more"),
         ];
@@ -301,6 +329,8 @@ mod tests {
     #[test]
     fn a_value_that_cannot_work_is_named() {
         let mut config = Config::preset("best-fs").expect("a preset");
+        config.learning.average = Some(0.0);
+        assert_eq!(config.check(), Err("learning.average = 0; accepted: more than 0, up to 1".to_owned()));
         config.learning.lanes = 0;
         assert_eq!(config.check(), Err("learning.lanes = 0; accepted: 1 or more".to_owned()));
     }

@@ -1,6 +1,8 @@
 //! The arm in parallel lanes: episodes that never stop beginning, and what each decision earns.
 
-use super::config::{Config, Inputs, Reward};
+use super::config::{Config, Inputs, Retry, Reward};
+use super::failures::Failures;
+use super::policy::ActorPolicy;
 use super::replay::ACTIONS;
 use crate::ik;
 use crate::random::{Purpose, Stream};
@@ -122,6 +124,9 @@ pub struct Lanes {
     pub lanes: Vec<Lane>,
     /// Episodes ever begun.
     pub episodes: u64,
+    /// Where some of the episodes begin again.
+    pub failures: Failures,
+    retried: f64,
 }
 
 impl Lanes {
@@ -147,21 +152,41 @@ impl Lanes {
 
     fn empty(config: &Config, seed: u64, reach: Reach, episodes: u64) -> Self {
         let discretiser = Discretiser::new(&config.actor);
-        Self { seed, reach, task: config.task, reward: config.reward, discretiser, lanes: Vec::new(), episodes }
+        let retried = config.retry.map_or(0.0, |retry| retry.share);
+        let (task, reward, failures) = (config.task, config.reward, Failures::default());
+        Self { seed, reach, task, reward, discretiser, lanes: Vec::new(), episodes, failures, retried }
     }
 
-    /// A new episode. A target for which no goal is known, where the reward needs one, is drawn again.
+    /// A new episode, in part of them where the actor failed. A target for which no goal is known, where the reward needs
+    /// one, is drawn again.
     fn begin(&mut self) -> Lane {
         let mut random = Stream::new(self.seed, self.episodes, Purpose::Reset, 0);
         self.episodes += 1;
+        if !self.failures.places.is_empty() && random.chance(self.retried) {
+            let again = self.failures.draw(&mut random).map(|task| self.lane(task.start, task.target, 0));
+            let hard = |lane: &Lane| self.can_begin(lane) && f64::from(lane.distance) > self.task.tolerance;
+            if let Some(lane) = again.filter(hard) {
+                return lane;
+            }
+        }
         let start = if random.chance(self.task.fixed_start_share) { Start::Fs } else { Start::Rs };
         loop {
             let task = self.reach.task(start, &mut random);
             let lane = self.lane(task.start, task.target, 0);
-            if !(self.knows_goals() && lane.goals.is_empty()) {
+            if self.can_begin(&lane) {
                 return lane;
             }
         }
+    }
+
+    /// Whether a goal is known where the reward needs one.
+    fn can_begin(&self, lane: &Lane) -> bool {
+        !(self.knows_goals() && lane.goals.is_empty())
+    }
+
+    /// Looks where a policy fails; `at` is how far the run has come.
+    pub fn look_for_failures(&mut self, policy: &ActorPolicy<'_>, retry: &Retry, at: u64) {
+        self.failures.look(policy, &self.reach, retry, self.seed, at);
     }
 
     fn knows_goals(&self) -> bool {

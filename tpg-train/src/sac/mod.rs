@@ -6,6 +6,7 @@
 //! | [`agent`] | actor, critics, temperature and one update |
 //! | [`replay`] | the transitions that updates draw from |
 //! | [`lanes`] | the arm in parallel lanes, rewards included |
+//! | [`failures`] | where the actor fails, for episodes to begin there again |
 //! | [`config`] | presets and their TOML |
 //! | [`training`] | the loop |
 //! | [`weights`] | `policy.safetensors` and its contract |
@@ -23,6 +24,7 @@ pub mod command;
 pub mod comparison;
 pub mod config;
 pub mod evaluate;
+pub mod failures;
 pub mod fixed;
 pub mod import;
 pub mod lanes;

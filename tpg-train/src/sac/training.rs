@@ -21,6 +21,8 @@ pub struct Training {
     pub(super) config: Config,
     pub(super) seed: u64,
     pub(super) agent: Agent<f32>,
+    /// The actor that is validated and kept, where it is an average of the one that learns.
+    pub(super) average: Option<Mlp<f32>>,
     pub(super) replay: Replay,
     pub(super) lanes: Lanes,
     pub(super) decisions: u64,
@@ -112,7 +114,8 @@ impl Training {
         let space = Space::new(&config, &agent);
         let recent = Recent::default();
         let curve = Vec::new();
-        Self { config, seed, agent, replay, lanes, decisions: 0, updates: 0, best: None, curve, recent, space }
+        let average = config.learning.average.map(|_| agent.actor.network.clone());
+        Self { config, seed, agent, average, replay, lanes, decisions: 0, updates: 0, best: None, curve, recent, space }
     }
 
     /// What is trained.
@@ -160,6 +163,12 @@ impl Training {
         let due = (self.decisions - learning.random_decisions) / learning.decisions_per_update;
         while self.updates < due {
             self.update();
+        }
+        if let Some(retry) = self.config.retry
+            && self.decisions % retry.every < self.config.learning.lanes as u64
+        {
+            let policy = ActorPolicy::new(actor(&self.average, &self.agent), &self.config.actor);
+            self.lanes.look_for_failures(&policy, &retry, self.decisions);
         }
     }
 
@@ -240,12 +249,15 @@ impl Training {
         };
         let report = self.agent.update(&mut space.update, experience, &rates);
         self.updates += 1;
+        if let (Some(average), Some(rate)) = (&mut self.average, learning.average) {
+            average.follow(&self.agent.actor.network, rate as f32);
+        }
         self.recent.add(report);
     }
 
     /// The policy as it stands.
     pub fn policy(&self) -> ActorPolicy<'_> {
-        ActorPolicy::new(&self.agent.actor.network, &self.config.actor)
+        ActorPolicy::new(actor(&self.average, &self.agent), &self.config.actor)
     }
 
     /// Puts the actor as it stands to the validation tasks, and keeps it if it is the best so far. Where the rate falls,
@@ -261,11 +273,16 @@ impl Training {
         let learning = &self.config.learning;
         let settled = self.decisions >= learning.decisions && learning.final_rate < 1.0;
         if settled || self.best.as_ref().is_none_or(|best| score >= best.score) {
-            let actor = self.agent.actor.network.clone();
+            let actor = actor(&self.average, &self.agent).clone();
             self.best = Some(Best { score, decisions: self.decisions, actor });
         }
         trials
     }
+}
+
+/// The actor as it stands: the average, where there is one.
+fn actor<'a>(average: &'a Option<Mlp<f32>>, agent: &'a Agent<f32>) -> &'a Mlp<f32> {
+    average.as_ref().unwrap_or(&agent.actor.network)
 }
 
 /// Whether the last `window` points are no better than the `window` before them, neither in success nor in distance.
