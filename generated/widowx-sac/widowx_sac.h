@@ -1,6 +1,6 @@
 /*
  * Made by tpg-codegen 0.1.0 from a network in integers; do not edit.
- * Weights' SHA-256: 532a27a206a1b4a1da3ad8b4d929f12115e48b4a083e6ef9042c7549e22edcf8
+ * Weights' SHA-256: 86b07b4f7e22d70e1aa1f8caa90e6425ebe378bfd20ef6c864f5c9656deaa1b9
  * 3 layers, 6784 multiplications a decision, 8012 bytes.
  * Actions: fine; mask: joint-limits.
  */
