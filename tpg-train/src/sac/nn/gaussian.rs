@@ -85,7 +85,7 @@ impl Gaussian {
                 let squashed = (T::one() - e) / (T::one() + e);
                 samples.actions.push(if u > T::zero() { squashed } else { -squashed });
                 samples.sigma.push(if inside { sigma } else { -sigma });
-                product = product * (T::one() + e);
+                product *= T::one() + e;
                 let room = two * (T::of(std::f64::consts::LN_2) - u - over);
                 log_density += -noise * noise / two - log_sigma - constant - room;
             }

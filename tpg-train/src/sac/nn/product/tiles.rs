@@ -114,9 +114,7 @@ fn pack<T: Real, S: Simd, const M: usize>(panel: &mut [T], a: Factor<'_, T>, fir
         // Vectors of a known number, no call for each column.
         for (slots, column) in slots.zip(a.values.chunks_exact(rows)) {
             let (slots, values) = (T::vectors_mut::<S>(slots), T::vectors::<S>(&column[first..first + height]));
-            for i in 0..M {
-                slots[i] = values[i];
-            }
+            slots[..M].copy_from_slice(&values[..M]);
         }
     }
 }
