@@ -209,7 +209,11 @@ impl<T: Real> Mlp<T> {
         let scratch = &mut tape.scratch;
         for (index, layer) in self.layers.iter().enumerate() {
             let (before, after) = tape.inputs.split_at_mut(index + 1);
-            let input = Factor::new(&before[index], layer.inputs, tape.batch);
+            let mut input = Factor::new(&before[index], layer.inputs, tape.batch);
+            if index > 0 {
+                // What a ReLU let nothing pass of is zero: about half of it.
+                input = input.sparse();
+            }
             let (weight, bias) = (layer.weight(&self.parameters), layer.bias(&self.parameters));
             if index == last {
                 return multiply(&mut tape.output, weight, input, Finish::Bias(bias), scratch);

@@ -38,8 +38,8 @@ impl<'a, T: Copy> Factor<'a, T> {
         Self { transposed: !self.transposed, ..self }
     }
 
-    /// The same matrix, on the right of a product: columns that are all zeros are looked for, and not multiplied. That changes
-    /// no bit as long as the left factor is finite.
+    /// The same matrix, on the right of a product, as one with many zeros: columns that are all zeros, and zeros of a single
+    /// column, are looked for and not multiplied. That changes no bit as long as the left factor is finite.
     pub fn sparse(self) -> Self {
         Self { sparse: true, ..self }
     }
@@ -160,10 +160,16 @@ impl<T: Real> WithSimd for Product<'_, T> {
                 self.out[place] = self.finish.scalar(0, place, dot(self.a.values, column));
             }
         } else if columns == 1 && !self.a.transposed {
-            columns::by_columns(simd, self.out, self.a.values, self.b.values, self.finish);
+            let Self { out, a, b, finish, scratch } = self;
+            if b.sparse {
+                columns::by_columns_of_sparse(simd, out, a.values, b.values, finish, &mut scratch.kept);
+            } else {
+                columns::by_columns(simd, out, a.values.chunks_exact(rows).zip(b.values.iter().copied()), finish);
+            }
         } else if rows == 1 && matches!(self.finish, Finish::Plain) {
             // One row in memory is one column: (a·b)ᵀ = bᵀ·aᵀ.
-            columns::by_columns(simd, self.out, self.b.values, self.a.values, self.finish);
+            let pairs = self.b.values.chunks_exact(columns).zip(self.a.values.iter().copied());
+            columns::by_columns(simd, self.out, pairs, self.finish);
         } else if S::REGISTER_COUNT >= 32 {
             self.by_tiles_of_samples::<S, 1, 16>(simd);
         } else {
@@ -265,6 +271,25 @@ mod tests {
         {
             assert!(pulp::x86::V3::try_new().is_none_or(|v3| dense == sparse_products(v3, true)), "AVX2");
             assert!(pulp::x86::V4::try_new().is_none_or(|v4| dense == sparse_products(v4, true)), "AVX-512");
+        }
+    }
+
+    #[test]
+    fn zeros_of_a_single_column_are_left_out_without_changing_a_bit() {
+        let (rows, inner) = (301, 40);
+        let (a, bias, mut b) = (normals(rows * inner, 1), normals(rows, 3), normals(inner, 2));
+        for zeros in [0, 17, inner] {
+            b.iter_mut().step_by(2).take(zeros).for_each(|value| *value = 0.0);
+            let (a, b) = (Factor::new(&a, rows, inner), Factor::new(&b, inner, 1));
+            let product = |b, simd: fn(Product<'_, f32>)| {
+                let mut out = vec![f32::NAN; rows];
+                let scratch = &mut Scratch::default();
+                simd(Product { out: &mut out, a, b, finish: Finish::Rectified(&bias), scratch });
+                out.into_iter().map(f32::to_bits).collect::<Vec<_>>()
+            };
+            let dense = product(b, |product| product.with_simd(pulp::Scalar));
+            assert!(dense == product(b.sparse(), |product| product.with_simd(pulp::Scalar)), "{zeros} zeros, plain");
+            assert!(dense == product(b.sparse(), |product| Arch::new().dispatch(product)), "{zeros} zeros, vectors");
         }
     }
 

@@ -4,32 +4,71 @@ use super::Finish;
 use crate::sac::nn::Real;
 use pulp::Simd;
 
-/// The sums of many rows stay in registers while the matrix's columns pass by.
+/// Rows from which on leaving columns out is worth looking for zeros: a matrix of as many columns does not fit into the
+/// nearest cache.
+const MANY: usize = 128;
+
+/// As [`by_columns`], without the columns that a zero is multiplied with; `kept` is space for which they are not.
 #[inline(always)]
-pub(super) fn by_columns<T: Real, S: Simd>(simd: S, out: &mut [T], a: &[T], b: &[T], finish: Finish<'_, T>) {
+pub(super) fn by_columns_of_sparse<T: Real, S: Simd>(
+    simd: S,
+    out: &mut [T],
+    a: &[T],
+    b: &[T],
+    finish: Finish<'_, T>,
+    kept: &mut Vec<usize>,
+) {
+    let rows = out.len();
+    if rows < MANY {
+        return by_columns(simd, out, a.chunks_exact(rows).zip(b.iter().copied()), finish);
+    }
+    // Every index is written and the next one over it where its number is zero: no branch that depends on the numbers.
+    kept.resize(b.len(), 0);
+    let mut count = 0;
+    for (index, &value) in b.iter().enumerate() {
+        kept[count] = index;
+        count += usize::from(value != T::zero());
+    }
+    let columns = kept[..count].iter().map(|&index| (&a[index * rows..][..rows], b[index]));
+    by_columns(simd, out, columns, finish);
+}
+
+/// The sums of many rows stay in registers while the matrix's columns, each with its factor, pass by.
+#[inline(always)]
+pub(super) fn by_columns<'a, T: Real, S: Simd>(
+    simd: S,
+    out: &mut [T],
+    columns: impl Iterator<Item = (&'a [T], T)> + Clone,
+    finish: Finish<'_, T>,
+) {
     let lanes = T::lanes::<S>();
     let mut first = 0;
     if S::REGISTER_COUNT >= 32 {
-        first = rows_of_vectors::<T, S, 16>(simd, out, a, b, finish, first, 16 * lanes);
+        first = rows_of_vectors::<T, S, 16>(simd, out, columns.clone(), finish, first, 16 * lanes);
     }
-    first = rows_of_vectors::<T, S, 8>(simd, out, a, b, finish, first, 8 * lanes);
-    first = rows_of_vectors::<T, S, 2>(simd, out, a, b, finish, first, 2 * lanes);
+    first = rows_of_vectors::<T, S, 8>(simd, out, columns.clone(), finish, first, 8 * lanes);
+    first = rows_of_vectors::<T, S, 2>(simd, out, columns.clone(), finish, first, 2 * lanes);
     let rows = out.len();
     while rows - first >= 4 {
-        few_rows::<T, 4>(out, a, b, finish, first);
+        few_rows::<T, 4>(out, columns.clone(), finish, first);
         first += 4;
     }
     while first < rows {
-        few_rows::<T, 1>(out, a, b, finish, first);
+        few_rows::<T, 1>(out, columns.clone(), finish, first);
         first += 1;
     }
 }
 
 /// `N` rows from `first` on.
 #[inline(always)]
-fn few_rows<T: Real, const N: usize>(out: &mut [T], a: &[T], b: &[T], finish: Finish<'_, T>, first: usize) {
+fn few_rows<'a, T: Real, const N: usize>(
+    out: &mut [T],
+    columns: impl Iterator<Item = (&'a [T], T)>,
+    finish: Finish<'_, T>,
+    first: usize,
+) {
     let mut sums = [T::zero(); N];
-    for (column, &factor) in a.chunks_exact(out.len()).zip(b) {
+    for (column, factor) in columns {
         let values = &column[first..first + N];
         for i in 0..N {
             sums[i] += values[i] * factor;
@@ -42,11 +81,10 @@ fn few_rows<T: Real, const N: usize>(out: &mut [T], a: &[T], b: &[T], finish: Fi
 
 /// Rows from `first` on, `M` vectors of them at once; answers the first row that is left.
 #[inline(always)]
-fn rows_of_vectors<T: Real, S: Simd, const M: usize>(
+fn rows_of_vectors<'a, T: Real, S: Simd, const M: usize>(
     simd: S,
     out: &mut [T],
-    a: &[T],
-    b: &[T],
+    columns: impl Iterator<Item = (&'a [T], T)> + Clone,
     finish: Finish<'_, T>,
     mut first: usize,
     height: usize,
@@ -54,7 +92,7 @@ fn rows_of_vectors<T: Real, S: Simd, const M: usize>(
     let rows = out.len();
     while rows - first >= height {
         let mut sums = [T::splat(simd, T::zero()); M];
-        for (column, &factor) in a.chunks_exact(rows).zip(b) {
+        for (column, factor) in columns.clone() {
             let (values, factor) = (T::vectors::<S>(&column[first..first + height]), T::splat(simd, factor));
             for i in 0..M {
                 sums[i] = T::plus(simd, sums[i], T::times(simd, values[i], factor));
