@@ -19,7 +19,7 @@ use tpg_runtime::arm::{Pose, WIDOWX};
 
 const FORMAT: &str = "tpg-train sac checkpoint";
 const VERSION: u32 = 3;
-/// No checkpoint is larger, bytes: the largest replay buffer of the presets makes a tenth of it.
+/// No checkpoint is larger, bytes: the largest replay buffer of the presets makes a sixth of it.
 const LIMIT: u64 = 4 << 30;
 
 /// Everything but the numbers of networks and buffer.

@@ -1,7 +1,7 @@
 //! Where the actor as it stands fails: training episodes begin there again.
 //!
 //! Failures are rare, so episodes drawn at random hardly ever show them; and most are cycles, which the noise of training
-//! leaves and the actor without noise does not, so that the critics never see what is wrong with them. Now and then the actor
+//! leaves and the actor without noise does not: the critics hardly see what is wrong with them. Now and then the actor
 //! is put to fresh training tasks, as it decides outside of training, and three places of each failed episode are remembered:
 //! its start, its middle and the last place but one (in a cycle: within it; before an invalid action: just before).
 

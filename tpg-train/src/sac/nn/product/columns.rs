@@ -4,11 +4,10 @@ use super::Finish;
 use crate::sac::nn::Real;
 use pulp::Simd;
 
-/// Rows from which on leaving columns out is worth looking for zeros: a matrix of as many columns does not fit into the
-/// nearest cache.
+/// From so many rows on, a column costs more than to look whether it is multiplied with a zero.
 const MANY: usize = 128;
 
-/// As [`by_columns`], without the columns that a zero is multiplied with; `kept` is space for which they are not.
+/// As [`by_columns`], without the columns that a zero is multiplied with; `kept` is space for the indices of the others.
 #[inline(always)]
 pub(super) fn by_columns_of_sparse<T: Real, S: Simd>(
     simd: S,
