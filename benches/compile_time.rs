@@ -10,9 +10,9 @@ use std::process::Command;
 use std::{env, fs};
 use tempfile::TempDir;
 use tpg_codegen::emit::{self, Language, Options, Profile, Style};
-use tpg_codegen::graph::{Graph, ScalarType};
-use tpg_codegen::sample::{self, Constants, Shape};
 use tpg_codegen::verify;
+use tpg_graph::sample::{self, Constants, Shape};
+use tpg_graph::{Graph, ScalarType};
 use tpg_runtime::ops::Instruction;
 use tpg_train::evolution::logs;
 

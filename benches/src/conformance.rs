@@ -9,9 +9,9 @@ use std::process::ExitCode;
 use tpg_benches::subject::{self, Subject};
 use tpg_benches::variant::Variant;
 use tpg_codegen::emit::Language;
-use tpg_codegen::engine::Engine;
-use tpg_codegen::interpret;
 use tpg_codegen::verify::{self, BuildError, Process, Workshop};
+use tpg_graph::engine::Engine;
+use tpg_graph::interpret;
 
 fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
     let words: Vec<String> = env::args().skip(1).collect();

@@ -6,8 +6,8 @@ use std::io::{self, Write as _};
 use std::path::Path;
 use std::{env, fs};
 use tpg_benches::program::hash_of;
-use tpg_codegen::graph::{Graph, ScalarType};
-use tpg_codegen::{import, interpret};
+use tpg_graph::{Graph, ScalarType};
+use tpg_graph::{import, interpret};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let words: Vec<String> = env::args().skip(1).collect();

@@ -11,8 +11,9 @@ use std::time::Duration;
 use std::{env, fs};
 use tempfile::TempDir;
 use tpg_codegen::emit::{self, Language, Options, Style};
-use tpg_codegen::graph::ScalarType;
-use tpg_codegen::{interpret, verify};
+use tpg_codegen::verify;
+use tpg_graph::ScalarType;
+use tpg_graph::interpret;
 
 #[derive(Template)]
 #[template(path = "main.c", escape = "none")]

@@ -2,10 +2,10 @@
 
 use std::path::{Path, PathBuf};
 use std::{env, fs};
-use tpg_codegen::engine::Reference;
-use tpg_codegen::graph::{Graph, ScalarType};
-use tpg_codegen::import::{self, Profile};
-use tpg_codegen::interpret;
+use tpg_graph::engine::Reference;
+use tpg_graph::import::{self, Profile};
+use tpg_graph::interpret;
+use tpg_graph::{Graph, ScalarType};
 use tpg_runtime::arm::{Arm, WIDOWX};
 use tpg_runtime::cycle::Brent;
 use tpg_runtime::episode::Episode;
@@ -137,7 +137,7 @@ fn recorded(folder: &Path, path: &Path) -> Subject {
         _ => (Problem::Fs, "targets_fs.csv"),
     };
     let tolerance = if name.contains("range0.03") { 0.03 } else { 3.0 };
-    let read = || -> Result<_, tpg_codegen::error::InputError> {
+    let read = || -> Result<_, tpg_graph::error::InputError> {
         let graph = import::load(path, Some(Profile::Ecta24), None)?;
         let tasks = data::tasks(&folder.join(targets))?;
         let ends = path.with_file_name(format!("{}.ends.csv", name.trim_end_matches(".cleaned")));

@@ -8,8 +8,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use tpg_codegen::emit::{self, File, Language, Options, Prefix, Profile};
-use tpg_codegen::graph::Graph;
 use tpg_codegen::policy::{QuantisedPolicy, to_c};
+use tpg_graph::Graph;
 use xtask::library::{self, Missing};
 
 /// The target of both boards.

@@ -3,12 +3,12 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use tpg_codegen::emit::{self, Language, Options, Prefix, Profile};
-use tpg_codegen::graph::Graph;
-use tpg_codegen::{interpret, states};
 use tpg_generated::widowx_fs::WidowxFs;
 use tpg_generated::widowx_fs_fast::WidowxFsFast;
 use tpg_generated::widowx_rs::WidowxRs;
 use tpg_generated::widowx_rs_fast::WidowxRsFast;
+use tpg_graph::Graph;
+use tpg_graph::{interpret, states};
 use tpg_runtime::policy::{ActionId, Policy};
 
 fn folder(name: &str) -> PathBuf {

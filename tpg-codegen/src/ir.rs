@@ -5,8 +5,8 @@
 //! node, whichever program computes them. Nothing is folded or reassociated here: every node is an operation that the
 //! interpreter does too, on the same operands.
 
-use crate::graph::{Destination, Graph, Input, Operand, Program, TeamId};
 use std::collections::{BTreeMap, BTreeSet};
+use tpg_graph::{Destination, Graph, Input, Operand, Program, TeamId};
 use tpg_runtime::ops::Instruction;
 use tpg_runtime::policy::ActionId;
 

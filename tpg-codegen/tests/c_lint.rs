@@ -9,8 +9,8 @@ use std::path::Path;
 use std::process::Command;
 use tempfile::TempDir;
 use tpg_codegen::emit::{Language, Style};
-use tpg_codegen::graph::Graph;
-use tpg_codegen::sample::{self, Constants, Shape};
+use tpg_graph::Graph;
+use tpg_graph::sample::{self, Constants, Shape};
 
 const WARNINGS: [&str; 13] = [
     "-O2",

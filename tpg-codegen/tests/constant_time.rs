@@ -10,10 +10,10 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use tempfile::TempDir;
 use tpg_codegen::emit::{self, Language, Profile, Style};
-use tpg_codegen::graph::{Graph, MathsProvider, ScalarType};
-use tpg_codegen::sample::{self, Constants, Shape};
 use tpg_codegen::size::RustForCortexM4;
-use tpg_codegen::{import, interpret, states};
+use tpg_graph::sample::{self, Constants, Shape};
+use tpg_graph::{Graph, MathsProvider, ScalarType};
+use tpg_graph::{import, interpret, states};
 use tpg_runtime::ops::Instruction;
 use xtask::wcet::{Analyser, LoopBounds, disassemble};
 

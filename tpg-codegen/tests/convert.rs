@@ -4,8 +4,8 @@ use assert_cmd::Command;
 use std::fs;
 use std::path::Path;
 use tempfile::TempDir;
-use tpg_codegen::graph::{self, Graph};
-use tpg_codegen::sample::{self, Shape};
+use tpg_graph::Graph;
+use tpg_graph::sample::{self, Shape};
 
 fn tool() -> Command {
     Command::cargo_bin("tpg-codegen").expect("the program is built")
@@ -57,7 +57,7 @@ fn stdin_to_stdout() {
 
 #[test]
 fn the_schema() {
-    tool().arg("schema").assert().success().stdout(graph::schema());
+    tool().arg("schema").assert().success().stdout(tpg_graph::schema());
 }
 
 #[test]

@@ -4,8 +4,8 @@ mod common;
 
 use common::{SHAPES, Shape, fixture, shaped};
 use object::{Object as _, ObjectSymbol as _};
-use tpg_codegen::graph::{Graph, MathsProvider, ScalarType};
 use tpg_codegen::size::{self, Target};
+use tpg_graph::{Graph, MathsProvider, ScalarType};
 
 /// What the object file asks others for, but for GEGELATI's own inputs.
 fn undefined(graph: &Graph, shape: Shape) -> Vec<String> {

@@ -17,7 +17,7 @@ use std::path::Path;
 use std::process::Command;
 use tempfile::TempDir;
 use tpg_codegen::emit::{Language, Profile, Style};
-use tpg_codegen::graph::Graph;
+use tpg_graph::Graph;
 
 /// A program that asks for the action of every state at once.
 fn driver(graph: &Graph, bad_index: bool) -> String {

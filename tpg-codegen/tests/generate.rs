@@ -4,10 +4,10 @@ use assert_cmd::Command;
 use std::fs;
 use std::path::Path;
 use tempfile::TempDir;
-use tpg_codegen::conversion;
-use tpg_codegen::graph::{Graph, MathsProvider, ScalarType};
-use tpg_codegen::sample::{self, Shape};
-use tpg_codegen::states::StateSet;
+use tpg_graph::conversion;
+use tpg_graph::sample::{self, Shape};
+use tpg_graph::states::StateSet;
+use tpg_graph::{Graph, MathsProvider, ScalarType};
 
 fn tool(folder: &Path) -> Command {
     let mut command = Command::cargo_bin("tpg-codegen").expect("the program is built");

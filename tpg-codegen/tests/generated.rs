@@ -6,8 +6,8 @@ use common::{COMBINATIONS, emit_into, fixture, options, run, shaped};
 use std::process::Command;
 use tempfile::TempDir;
 use tpg_codegen::emit::{self, Language, Profile, Style};
-use tpg_codegen::graph::{Document, Graph, MathsProvider, ScalarType};
-use tpg_codegen::sample::{self, Shape};
+use tpg_graph::sample::{self, Shape};
+use tpg_graph::{Document, Graph, MathsProvider, ScalarType};
 
 fn text(graph: &Graph, language: Language, style: Style, file: &str) -> String {
     let files = emit::emit(graph, language, &options("arm", style));

@@ -1,13 +1,13 @@
 //! What the fast profile relies on: its plans look at every bid once, and what they spare cannot win.
 
-use tpg_codegen::graph::{Graph, MathsProvider, ScalarType};
 use tpg_codegen::ir::{Module, Node, NodeId, needed};
 use tpg_codegen::passes::arithmetic::is_transcendental;
 use tpg_codegen::passes::interval::Assumption;
 use tpg_codegen::passes::schedule::{Bid, Infinite, Plan, Schedule, Sparing, schedule};
 use tpg_codegen::passes::{estimate, optimise};
-use tpg_codegen::sample::{self, Shape};
-use tpg_codegen::states;
+use tpg_graph::sample::{self, Shape};
+use tpg_graph::states;
+use tpg_graph::{Graph, MathsProvider, ScalarType};
 use tpg_runtime::ops::{Instruction, Maths, Own, System};
 use tpg_runtime::scalar::Scalar;
 

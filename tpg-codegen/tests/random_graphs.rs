@@ -5,12 +5,12 @@
 //! to hide (in Rust, a quarter of both: its compiler takes longer), and some of more teams than a function has.
 
 use tpg_codegen::emit::{Language, Options, Profile};
-use tpg_codegen::graph::Graph;
 use tpg_codegen::passes;
 use tpg_codegen::passes::interval::Assumption;
-use tpg_codegen::sample::{self, Shape};
-use tpg_codegen::states::StateSet;
 use tpg_codegen::verify::{self, Workshop};
+use tpg_graph::Graph;
+use tpg_graph::sample::{self, Shape};
+use tpg_graph::states::StateSet;
 
 /// A kind of graphs.
 #[derive(Clone, Copy)]

@@ -7,9 +7,9 @@ use common::{SHAPES, emit_into, run, shaped};
 use std::process::Command;
 use tempfile::TempDir;
 use tpg_codegen::emit::{Language, Profile};
-use tpg_codegen::graph::{Document, Graph, ScalarType};
-use tpg_codegen::sample::{self, Constants, Shape};
-use tpg_codegen::{interpret, states};
+use tpg_graph::sample::{self, Constants, Shape};
+use tpg_graph::{Document, Graph, ScalarType};
+use tpg_graph::{interpret, states};
 use tpg_runtime::ops::Instruction;
 
 const TEAMS: usize = 10_000;

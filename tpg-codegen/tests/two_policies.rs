@@ -7,9 +7,9 @@ use std::fs;
 use std::process::Command;
 use tempfile::TempDir;
 use tpg_codegen::emit::{Language, Style};
-use tpg_codegen::graph::{Document, Graph, MathsProvider, ScalarType};
 use tpg_codegen::verify::{self, Workshop};
-use tpg_codegen::{interpret, states};
+use tpg_graph::{Document, Graph, MathsProvider, ScalarType};
+use tpg_graph::{interpret, states};
 use tpg_runtime::standalone;
 
 /// The fixture, and one like it that decides differently.

@@ -1,10 +1,10 @@
 //! Generated code acts like the interpreter: compiled and run.
 
 use tpg_codegen::emit::{Options, Profile, Style};
-use tpg_codegen::engine::Engine;
-use tpg_codegen::graph::{Document, Graph, MathsProvider, ScalarType};
-use tpg_codegen::sample::{self, Shape};
 use tpg_codegen::verify::{self, Workshop};
+use tpg_graph::engine::Engine;
+use tpg_graph::sample::{self, Shape};
+use tpg_graph::{Document, Graph, MathsProvider, ScalarType};
 
 fn fixture(scalar: ScalarType, maths: MathsProvider) -> Graph {
     let text = include_str!("fixtures/all_instructions.json");

@@ -14,7 +14,7 @@ use crate::sac::import::{ImportArgs, import};
 use crate::targets::{TargetsArgs, print_targets};
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
-use tpg_codegen::error::InputError;
+use tpg_graph::error::InputError;
 
 /// Trains robot-arm policies, and replays the recorded episodes of the paper's own.
 ///

@@ -2,9 +2,9 @@
 
 use std::fs;
 use std::path::Path;
-use tpg_codegen::error::InputError;
-use tpg_codegen::output::UNFINISHED;
-pub use tpg_codegen::output::write_atomically;
+use tpg_graph::error::InputError;
+use tpg_graph::output::UNFINISHED;
+pub use tpg_graph::output::write_atomically;
 
 /// Makes a folder with all above it.
 ///

@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 use std::fs;
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
-use tpg_codegen::error::InputError;
+use tpg_graph::error::InputError;
 use tpg_runtime::arm::{Arm, JOINTS, Pose, WIDOWX};
 use tpg_runtime::episode::Problem;
 use tpg_runtime::frame::Clearance;

@@ -3,7 +3,7 @@
 mod support;
 
 use std::path::Path;
-use tpg_codegen::import::{self, Profile};
+use tpg_graph::import::{self, Profile};
 use tpg_runtime::arm::WIDOWX;
 use tpg_train::conformance::binding::Binding;
 use tpg_train::conformance::chain::Chain;

@@ -1,8 +1,8 @@
 //! The engine gives the interpreter's answers, step for step, whatever it is told about lanes, sharing and threads.
 
-use tpg_codegen::graph::{Graph, Provenance, ScalarType};
-use tpg_codegen::interpret::Interpreter;
 use tpg_codegen::passes::{interval::Assumption, optimise};
+use tpg_graph::interpret::Interpreter;
+use tpg_graph::{Graph, Provenance, ScalarType};
 use tpg_runtime::arm::{Arm, Collision, Invalid, Move, WIDOWX};
 use tpg_runtime::cycle::Visited;
 use tpg_runtime::episode::{Episode, Outcome, Summary};

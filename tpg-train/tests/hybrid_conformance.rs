@@ -5,7 +5,7 @@ mod support;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::path::Path;
-use tpg_codegen::import::{self, Profile};
+use tpg_graph::import::{self, Profile};
 use tpg_runtime::arm::{Move, WIDOWX};
 use tpg_runtime::hybrid::{Guard, Hybrid, Settings};
 use tpg_runtime::observation::Observation;
@@ -25,7 +25,7 @@ const SAC_SEEDS: u32 = 3;
 struct Recorded {
     tasks: ByRow<Task>,
     ends: Vec<HybridEnd>,
-    graphs: Vec<tpg_codegen::graph::Graph>,
+    graphs: Vec<tpg_graph::Graph>,
     actors: Vec<RecordedActor>,
     rules: Rules,
 }

@@ -1,12 +1,12 @@
 //! `tpg-codegen convert`: a graph from one format to another.
 
 use super::{CliError, GraphArgs, Verdict};
-use crate::error::{InputError, Place};
-use crate::graph::Graph;
-use crate::{export, output};
 use clap::Args;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use tpg_graph::Graph;
+use tpg_graph::error::{InputError, Place};
+use tpg_graph::{export, output};
 
 /// Convert a graph to graph.json, or to a GEGELATI .dot file and its sidecar.
 #[derive(Clone, Debug, Args)]

@@ -3,14 +3,15 @@
 use super::scalar::{Chosen, ScalarArgs, StatesArgs};
 use super::{CliError, GraphArgs, Verdict, verify};
 use crate::emit::{self, File, Language, Options, Prefix, Profile, Style};
-use crate::graph::Graph;
 use crate::passes::interval::Assumption;
 use crate::size::Target;
-use crate::{explain, output, size};
+use crate::{explain, size};
 use clap::{Args, ValueEnum};
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use tpg_graph::Graph;
+use tpg_graph::output;
 
 /// States compared after generating; `verify` compares more.
 const STATES: usize = 10_000;

@@ -10,13 +10,13 @@ mod verify;
 
 pub use generate::GenerateArgs;
 
-use crate::error::InputError;
-use crate::graph::Graph;
-use crate::import;
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use std::ffi::OsString;
 use std::path::PathBuf;
 use std::process::ExitCode;
+use tpg_graph::Graph;
+use tpg_graph::error::InputError;
+use tpg_graph::import;
 
 /// Compiles tangled program graphs into C and no_std Rust, and proves the result equal to the graph.
 ///

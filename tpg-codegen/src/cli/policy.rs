@@ -2,12 +2,12 @@
 
 use super::{CliError, Verdict};
 use crate::emit::Prefix;
-use crate::error::InputError;
-use crate::output;
 use crate::policy::{QuantisedPolicy, to_c, to_rust};
 use clap::{Args, ValueEnum};
 use std::fs;
 use std::path::PathBuf;
+use tpg_graph::error::InputError;
+use tpg_graph::output;
 
 /// Write a network in integers as constants of C and Rust.
 #[derive(Clone, Debug, Args)]

@@ -1,12 +1,12 @@
 //! Options that several commands share: the scalar type, and the states to measure over.
 
 use super::{CliError, GraphArgs, Verdict};
-use crate::conversion::{self, Conversion};
-use crate::error::InputError;
-use crate::graph::{Graph, ScalarType};
-use crate::states::StateSet;
 use clap::Args;
 use std::path::PathBuf;
+use tpg_graph::conversion::{self, Conversion};
+use tpg_graph::error::InputError;
+use tpg_graph::states::StateSet;
+use tpg_graph::{Graph, ScalarType};
 
 /// States that are measured over where none are recorded.
 const STATES: usize = 20_000;

@@ -1,7 +1,6 @@
 //! `tpg-codegen schema`: what a graph.json is.
 
 use super::{CliError, Verdict};
-use crate::graph;
 use clap::Args;
 use std::io::{self, Write};
 
@@ -12,7 +11,7 @@ pub(super) struct SchemaArgs {}
 impl SchemaArgs {
     pub(super) fn run(&self) -> Result<Verdict, CliError> {
         let mut out = io::stdout().lock();
-        out.write_all(graph::schema().as_bytes()).and_then(|()| out.flush()).map_err(CliError::other)?;
+        out.write_all(tpg_graph::schema().as_bytes()).and_then(|()| out.flush()).map_err(CliError::other)?;
         Ok(Verdict::Good)
     }
 }

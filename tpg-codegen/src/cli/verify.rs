@@ -2,10 +2,10 @@
 
 use super::{CliError, GraphArgs, Verdict};
 use crate::emit::{Options, Prefix, Profile, Style};
-use crate::engine::Engine;
-use crate::graph::Graph;
 use crate::verify::{self, Comparison, Workshop};
 use clap::Args;
+use tpg_graph::Graph;
+use tpg_graph::engine::Engine;
 
 /// Compile the generated code and compare it with the interpreter.
 #[derive(Clone, Debug, Args)]

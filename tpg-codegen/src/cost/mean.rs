@@ -1,12 +1,12 @@
 //! What decisions cost on average: the generated code's steps, counted state by state.
 
 use super::{Cost, Costs, Guard, Step, Work};
-use crate::graph::Graph;
-use crate::in_arithmetic_of;
 use crate::ir::Target;
 use crate::passes::arithmetic::Arithmetic;
 use crate::passes::evaluate::evaluate;
 use crate::passes::schedule::Sparing;
+use tpg_graph::Graph;
+use tpg_graph::in_arithmetic_of;
 use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
@@ -141,9 +141,9 @@ fn add(total: &mut Cost<u64>, work: Work) {
 mod tests {
     use super::super::Costs;
     use crate::emit::{Language, Options, Profile, Style};
-    use crate::graph::Graph;
-    use crate::sample::{self, Shape};
-    use crate::{interpret, states};
+    use tpg_graph::Graph;
+    use tpg_graph::sample::{self, Shape};
+    use tpg_graph::{interpret, states};
 
     fn shapes() -> impl Iterator<Item = (Language, Options)> {
         let options = Options::new("arm".parse().expect("a prefix"));

@@ -4,7 +4,6 @@
 mod mean;
 
 use crate::emit::{Language, Options, Profile, Style};
-use crate::graph::Graph;
 use crate::ir::{Module, Node, NodeId, heaviest_walk, needed, topological};
 use crate::passes::arithmetic::is_transcendental;
 use crate::passes::available::Available;
@@ -13,6 +12,7 @@ use crate::passes::schedule::{Bid, Infinite, LazyBid, Plan, Schedule, Sparing, s
 use crate::passes::{self, Removed};
 use serde::Serialize;
 use std::collections::BTreeSet;
+use tpg_graph::Graph;
 
 /// What one decision costs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]

@@ -1,10 +1,10 @@
 //! What every generated file says of itself: where it comes from, never when or where it was made.
 
 use super::{Language, Options, Profile, Style};
-use crate::conversion::Conversion;
-use crate::graph::Graph;
 use crate::ir::{Module, Node};
 use crate::passes::interval::Assumption;
+use tpg_graph::Graph;
+use tpg_graph::conversion::Conversion;
 
 /// The banner's lines, without comment marks.
 pub(super) fn lines(graph: &Graph, module: &Module, options: &Options, language: Language) -> Vec<String> {

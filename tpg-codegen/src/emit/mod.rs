@@ -9,11 +9,11 @@ mod rust;
 
 pub use name::Prefix;
 
-use crate::conversion::Conversion;
-use crate::graph::Graph;
 use crate::ir::Module;
 use crate::passes::interval::Assumption;
-use crate::states::StateSet;
+use tpg_graph::Graph;
+use tpg_graph::conversion::Conversion;
+use tpg_graph::states::StateSet;
 
 /// A language to emit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, clap::ValueEnum)]

@@ -1,8 +1,8 @@
 //! Nodes as people write them: infix, with no more brackets than the order of operations needs.
 
-use crate::graph::{Graph, ScalarType};
 use crate::ir::{Module, Node, NodeId};
 use std::collections::BTreeMap;
+use tpg_graph::{Graph, ScalarType};
 use tpg_runtime::ops::Instruction;
 
 /// The formulas of a team's bids. What occurs more than once has a name, so that no formula is longer than its program.
@@ -110,8 +110,8 @@ fn leaf(graph: &Graph, node: Node) -> Option<Term> {
 #[cfg(test)]
 mod tests {
     use super::Formulas;
-    use crate::graph::{Graph, Input};
     use crate::ir::{Module, Node, NodeId, Values};
+    use tpg_graph::{Graph, Input};
     use tpg_runtime::ops::Instruction::{self, Abs, Add, Div, Exp, Max, Mul, Sub};
 
     fn formulas(

@@ -3,7 +3,6 @@
 mod formula;
 
 use crate::emit::Options;
-use crate::graph::Graph;
 use crate::ir::{Module, Target, effective_lines, topological};
 use crate::passes::available::Available;
 use crate::passes::functions;
@@ -12,6 +11,7 @@ use crate::passes::{self, Log};
 use formula::Formulas;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::{self, Write as _};
+use tpg_graph::Graph;
 use tpg_runtime::ops::Instruction;
 
 /// Columns of a line.

@@ -1,6 +1,6 @@
 //! Arithmetic at compile time that is the target's, bit for bit.
 
-use crate::graph::{MathsProvider, ScalarType};
+use tpg_graph::{MathsProvider, ScalarType};
 use tpg_runtime::ops::{Instruction, Maths, Own};
 use tpg_runtime::scalar::Scalar;
 
@@ -88,7 +88,7 @@ where
 #[cfg(test)]
 mod tests {
     use super::Arithmetic;
-    use crate::graph::{MathsProvider, ScalarType};
+    use tpg_graph::{MathsProvider, ScalarType};
     use tpg_runtime::ops::Instruction;
 
     const ALL: [Arithmetic; 4] = [

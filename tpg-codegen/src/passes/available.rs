@@ -146,13 +146,13 @@ fn operations(nodes: &[Node], values: impl Iterator<Item = NodeId>) -> BTreeSet<
 #[cfg(test)]
 mod tests {
     use super::{Available, is_worth_keeping, unconditional};
-    use crate::graph::{ActionId, Input};
     use crate::ir::{Node, NodeId, Target, topological};
     use crate::passes::interval::Assumption;
     use crate::passes::optimise;
     use crate::passes::schedule::{Bid, LazyBid, Plan, Schedule, Sparing, schedule};
-    use crate::sample::{self, Shape};
     use std::collections::BTreeSet;
+    use tpg_graph::sample::{self, Shape};
+    use tpg_graph::{ActionId, Input};
     use tpg_runtime::ops::Instruction;
 
     const NONE: Plan = Plan {

@@ -9,8 +9,8 @@ use super::arithmetic::{Arithmetic, is_transcendental};
 use super::estimate;
 use super::fold;
 use super::interval::Interval;
-use crate::graph::{MathsProvider, ScalarType};
 use crate::ir::{Node, NodeId, Values};
+use tpg_graph::{MathsProvider, ScalarType};
 use tpg_runtime::ops::Instruction;
 
 /// What is known of a value in terms of cheap nodes. Nodes named here are bounds wherever they are not NaN.

@@ -1,8 +1,8 @@
 //! A module as tables: what the profile `small` runs.
 
-use crate::graph::Graph;
 use crate::ir::{Module, Node, NodeId, Target};
 use std::collections::{BTreeMap, BTreeSet};
+use tpg_graph::Graph;
 use tpg_runtime::ops::Instruction;
 
 /// The tables.
@@ -115,12 +115,12 @@ fn constants(module: &Module) -> Vec<u64> {
 #[cfg(test)]
 mod tests {
     use super::{Bytecode, encode, number};
-    use crate::graph::{Graph, MathsProvider, ScalarType};
     use crate::passes::arithmetic::Arithmetic;
     use crate::passes::interval::Assumption;
     use crate::passes::optimise;
-    use crate::sample::{self, Shape};
-    use crate::{interpret, states};
+    use tpg_graph::sample::{self, Shape};
+    use tpg_graph::{Graph, MathsProvider, ScalarType};
+    use tpg_graph::{interpret, states};
     use tpg_runtime::ops::{Instruction, bid};
 
     /// Runs the tables as their fields say, knowing nothing of the module.

@@ -40,8 +40,8 @@ pub(super) fn keep(nodes: &mut Vec<Node>, roots: Vec<&mut NodeId>) {
 #[cfg(test)]
 mod tests {
     use super::run;
-    use crate::graph::Input;
     use crate::ir::{Bidder, Module, Node, NodeId};
+    use tpg_graph::Input;
     use tpg_runtime::ops::Instruction;
 
     #[test]

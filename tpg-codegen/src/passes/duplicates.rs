@@ -31,9 +31,9 @@ pub(super) fn run(module: &mut Module) -> Vec<DuplicateBid> {
 #[cfg(test)]
 mod tests {
     use super::run;
-    use crate::graph::{ActionId, Input};
     use crate::ir::{Bidder, Edge, Module, Node, NodeId, Target, Team};
     use crate::passes::DuplicateBid;
+    use tpg_graph::{ActionId, Input};
 
     #[test]
     fn the_last_of_equal_bids_stays_in_its_place() {

@@ -5,7 +5,7 @@
 //!
 //! An estimate that is NaN says nothing. It is NaN wherever the function is.
 
-use crate::graph::ScalarType;
+use tpg_graph::ScalarType;
 use tpg_runtime::ops::Instruction;
 
 /// The numbers that estimates are made with, in a scalar type. All are exact in it.
@@ -101,7 +101,7 @@ pub fn upper(scalar: ScalarType, instruction: Instruction, x: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::{EXP_LEAST, LN_LESS, of, upper};
-    use crate::graph::ScalarType;
+    use tpg_graph::ScalarType;
     use tpg_runtime::ops::{Instruction, Maths, Own, System};
     use tpg_runtime::scalar::Scalar;
 

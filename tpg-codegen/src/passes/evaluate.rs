@@ -1,8 +1,8 @@
 //! The values of nodes for a state.
 
 use super::estimate;
-use crate::graph::ScalarType;
 use crate::ir::Node;
+use tpg_graph::ScalarType;
 use tpg_runtime::ops::Maths;
 use tpg_runtime::scalar::Scalar;
 

@@ -101,9 +101,9 @@ fn commutative(values: &mut Values, instruction: Instruction, a: NodeId, b: Node
 #[cfg(test)]
 mod tests {
     use super::{operation, run};
-    use crate::graph::{Input, MathsProvider, ScalarType};
     use crate::ir::{Bidder, Module, Node, NodeId, Values};
     use crate::passes::arithmetic::Arithmetic;
+    use tpg_graph::{Input, MathsProvider, ScalarType};
     use tpg_runtime::ops::Instruction;
 
     const F64: Arithmetic = Arithmetic { scalar: ScalarType::F64, maths: MathsProvider::Own };

@@ -28,10 +28,10 @@ pub(super) fn run(module: &mut Module, intervals: &[Interval]) -> Vec<HopelessBi
 #[cfg(test)]
 mod tests {
     use super::run;
-    use crate::graph::{ActionId, Input};
     use crate::ir::{Bidder, Edge, Module, Node, NodeId, Target, Team};
     use crate::passes::HopelessBid;
     use crate::passes::interval::Interval;
+    use tpg_graph::{ActionId, Input};
 
     #[test]
     fn only_bids_that_are_always_lower_go() {

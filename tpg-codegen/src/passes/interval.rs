@@ -5,8 +5,8 @@
 //! depend on the provider; those are widened by more than any provider is off.
 
 use super::arithmetic::Arithmetic;
-use crate::graph::{Graph, ScalarType};
 use crate::ir::{Module, Node};
+use tpg_graph::{Graph, ScalarType};
 use tpg_runtime::ops::Instruction;
 
 /// Every value lies in `low..=high` or is NaN, and NaN only where `nan` says so.
@@ -196,9 +196,9 @@ fn widened_down(arithmetic: Arithmetic, value: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::{Interval, apply};
-    use crate::graph::{MathsProvider, ScalarType};
     use crate::passes::arithmetic::Arithmetic;
     use proptest::prelude::*;
+    use tpg_graph::{MathsProvider, ScalarType};
     use tpg_runtime::ops::Instruction;
 
     fn end() -> impl Strategy<Value = f64> {

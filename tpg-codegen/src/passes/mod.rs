@@ -25,11 +25,11 @@ pub mod schedule;
 mod teams;
 pub mod wins;
 
-use crate::graph::Graph;
 use crate::ir::{Module, Node};
 use arithmetic::Arithmetic;
 use interval::Assumption;
 use serde::Serialize;
+use tpg_graph::Graph;
 
 /// What the passes removed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]

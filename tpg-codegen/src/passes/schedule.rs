@@ -11,9 +11,9 @@ use super::bound::{Bounds, beyond_exponentials, is_worth_sparing};
 use super::collect;
 use super::interval::{self, Assumption, Interval};
 use super::wins::Wins;
-use crate::graph::{Graph, ScalarType};
 use crate::ir::{Module, Node, NodeId, Target, Values};
 use std::cmp::Reverse;
+use tpg_graph::{Graph, ScalarType};
 use tpg_runtime::ops::Instruction;
 
 /// A bid of a team.

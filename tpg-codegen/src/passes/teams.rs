@@ -132,9 +132,9 @@ fn renumber(module: &mut Module) {
 #[cfg(test)]
 mod tests {
     use super::{Removed, run};
-    use crate::graph::{ActionId, Input};
     use crate::ir::{Bidder, Edge, Module, Node, NodeId, Target, Team};
     use crate::passes::TwinTeam;
+    use tpg_graph::{ActionId, Input};
 
     #[test]
     fn teams_without_a_choice_and_twins_go() {

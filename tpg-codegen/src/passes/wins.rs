@@ -4,9 +4,9 @@
 //! To ask first for the team that a winner leads to most often, too, was measured and gains nothing.
 
 use super::evaluate::evaluate;
-use crate::graph::Graph;
-use crate::in_arithmetic_of;
 use crate::ir::{Module, Target};
+use tpg_graph::Graph;
+use tpg_graph::in_arithmetic_of;
 use tpg_runtime::ops::{self, Maths};
 use tpg_runtime::scalar::Scalar;
 
@@ -55,9 +55,9 @@ fn count_in<S: Scalar, M: Maths<S>>(graph: &Graph, module: &Module, states: &[f6
 mod tests {
     use super::Wins;
     use crate::ir::{Module, Target};
-    use crate::sample::{self, Shape};
-    use crate::{interpret, states};
     use std::collections::BTreeMap;
+    use tpg_graph::sample::{self, Shape};
+    use tpg_graph::{interpret, states};
 
     /// Every walk ends with a win that leads to its action.
     #[test]

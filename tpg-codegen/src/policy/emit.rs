@@ -1,8 +1,8 @@
 //! A policy in integers as Rust constants for `tpg_runtime::sac`.
 
 use super::{QuantisedLayer, QuantisedPolicy, to_words};
-use crate::error::{InputError, Place};
 use askama::Template;
+use tpg_graph::error::{InputError, Place};
 use tpg_runtime::sac::packed::{Kind, Model};
 
 #[derive(Template)]

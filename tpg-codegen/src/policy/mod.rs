@@ -20,8 +20,8 @@ pub use emit::to_rust;
 pub use model::{to_c, to_words};
 pub use quantise::{FloatLayer, QuantiseError, quantise};
 
-use crate::error::{InputError, Place};
 use serde::{Deserialize, Serialize};
+use tpg_graph::error::{InputError, Place};
 use tpg_kernels::clip_to_i8;
 use tpg_runtime::arm::JOINTS;
 use tpg_runtime::sac::fixed::{FEATURE_ONE, HIDDEN, LAST, PREFERENCE_ONE, Rescale, accumulate};

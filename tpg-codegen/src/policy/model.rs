@@ -2,8 +2,8 @@
 
 use super::QuantisedPolicy;
 use crate::emit::{File, Prefix};
-use crate::error::{InputError, Place};
 use askama::Template;
+use tpg_graph::error::{InputError, Place};
 use tpg_runtime::sac::fixed::{FixedDecision, Rescale};
 use tpg_runtime::sac::packed::{self, Kind, LayerRows, Model, Weights};
 use tpg_runtime::sac::{Actions, Mask};

@@ -2,16 +2,16 @@
 
 mod text;
 
-use crate::conversion::Conversion;
 use crate::cost::{Cost, Costs};
 use crate::emit::{Language, Options, Profile, Style};
-use crate::graph::{Graph, Input, MathsProvider, ScalarType};
 use crate::ir::{Module, Node, effective_lines};
 use crate::passes::Removed;
 use crate::size::{self, RustForCortexM4, Size, Stack, Target};
-use crate::states::StateSet;
 use serde::Serialize;
 use std::collections::BTreeSet;
+use tpg_graph::conversion::Conversion;
+use tpg_graph::states::StateSet;
+use tpg_graph::{Graph, Input, MathsProvider, ScalarType};
 
 /// The report.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -209,7 +209,7 @@ fn dead_inputs(graph: &Graph, optimised: &Module) -> Vec<String> {
         .iter()
         .filter_map(|node| if let Node::Input(input) = *node { Some(input) } else { None })
         .collect();
-    let inputs = (0..graph.state_length()).map(|place| Input(place as u16));
+    let inputs = graph.inputs();
     inputs.filter(|input| !read.contains(input)).map(|input| graph.input_name(input)).collect()
 }
 
@@ -261,8 +261,8 @@ fn rust_sizes(graph: &Graph, options: &Options) -> Vec<RustSize> {
 mod tests {
     use super::{Shape, report};
     use crate::emit::Options;
-    use crate::graph::Graph;
-    use crate::states::StateSet;
+    use tpg_graph::Graph;
+    use tpg_graph::states::StateSet;
 
     fn fixture() -> Graph {
         Graph::from_json("fixture", include_str!("../../tests/fixtures/all_instructions.json")).expect("a valid graph")

@@ -1,11 +1,11 @@
 //! The report for people.
 
 use super::{GraphCounts, Report, ShapeSize};
-use crate::error::counted;
-use crate::graph::MathsProvider;
 use crate::passes::Removed;
 use crate::size::Target;
 use std::fmt;
+use tpg_graph::MathsProvider;
+use tpg_graph::error::counted;
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

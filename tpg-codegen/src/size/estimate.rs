@@ -2,10 +2,10 @@
 
 use crate::cost::Costs;
 use crate::emit::{Language, Options, Profile, Style};
-use crate::graph::{Graph, MathsProvider, ScalarType};
 use crate::ir::{Module, Node};
 use crate::passes::bytecode;
 use std::collections::BTreeSet;
+use tpg_graph::{Graph, MathsProvider, ScalarType};
 use tpg_runtime::ops::Instruction;
 
 /// Bytes for each of what code is made of, fitted to what `arm-none-eabi-gcc` 12.2 made of random graphs.
@@ -80,9 +80,9 @@ fn tables(graph: &Graph, module: &Module) -> u64 {
 mod tests {
     use super::flash;
     use crate::emit::{Options, Profile, Style};
-    use crate::graph::{MathsProvider, ScalarType};
-    use crate::sample::{self, Shape};
     use crate::size::{Target, compile_c, measure};
+    use tpg_graph::sample::{self, Shape};
+    use tpg_graph::{MathsProvider, ScalarType};
 
     #[test]
     fn an_estimate_is_near_what_the_compiler_makes() {

@@ -9,7 +9,6 @@ pub use rust::RustForCortexM4;
 pub use stack::Stack;
 
 use crate::emit::{self, Language, Options, Style};
-use crate::graph::Graph;
 use crate::verify;
 use object::{Object as _, ObjectSection as _, SectionKind};
 use serde::Serialize;
@@ -18,6 +17,7 @@ use std::fs;
 use std::io;
 use std::process::Command;
 use tempfile::TempDir;
+use tpg_graph::Graph;
 
 /// Where the code is to run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, clap::ValueEnum)]

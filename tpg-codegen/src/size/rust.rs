@@ -2,12 +2,12 @@
 
 use super::{Size, measure};
 use crate::emit::{self, Language, Options};
-use crate::graph::Graph;
 use crate::verify::{self, BuildError};
 use std::path::Path;
 use std::process::Command;
 use std::{fs, io};
 use tempfile::TempDir;
+use tpg_graph::Graph;
 use tpg_runtime::standalone;
 
 const TARGET: &str = "thumbv7em-none-eabihf";

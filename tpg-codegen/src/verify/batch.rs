@@ -3,10 +3,10 @@
 use super::build::{BuildError, Workshop, c_command, compile, runtime_library, rustc};
 use super::process::{self, Process};
 use crate::emit::{self, Language, Options};
-use crate::graph::{Graph, ScalarType};
 use askama::Template;
 use std::path::PathBuf;
 use std::{fs, io};
+use tpg_graph::{Graph, ScalarType};
 
 #[derive(Template)]
 #[template(path = "c/batch.c", escape = "none")]

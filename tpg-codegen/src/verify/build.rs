@@ -2,13 +2,13 @@
 
 use super::Process;
 use crate::emit::{self, File, Language, Options, Style};
-use crate::graph::{Graph, ScalarType};
 use askama::Template;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::{env, fs, io};
 use tempfile::TempDir;
+use tpg_graph::{Graph, ScalarType};
 use tpg_runtime::standalone;
 
 /// The program around generated C.

@@ -9,11 +9,11 @@ pub(crate) use build::c_compiler;
 pub use build::{BuildError, Workshop, c_command, compile, runtime_library, rustc};
 pub use process::Process;
 
-use crate::engine::{Engine, Reference};
-use crate::graph::Graph;
-use crate::states;
 use serde::Serialize;
 use std::io;
+use tpg_graph::Graph;
+use tpg_graph::engine::{Engine, Reference};
+use tpg_graph::states;
 use tpg_runtime::policy::ActionId;
 
 /// States that are decided at a time: bounds memory, not results.

@@ -3,11 +3,11 @@
 //! A batch goes in as a little-endian `u32` count and the states' values in the graph's scalar type, native byte order;
 //! out come as many native `u16` actions.
 
-use crate::engine::Engine;
-use crate::graph::{Graph, ScalarType};
 use std::io::{self, BufReader, BufWriter, Read, Write};
 use std::path::Path;
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+use tpg_graph::engine::Engine;
+use tpg_graph::{Graph, ScalarType};
 use tpg_runtime::policy::ActionId;
 
 /// States in one exchange: both sides hold a whole batch, so that neither waits for the other's full pipe.

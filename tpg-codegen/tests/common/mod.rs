@@ -4,7 +4,7 @@
 use std::path::Path;
 use std::process::Command;
 use tpg_codegen::emit::{self, File, Language, Options, Profile, Style};
-use tpg_codegen::graph::{Document, Graph, MathsProvider, ScalarType};
+use tpg_graph::{Document, Graph, MathsProvider, ScalarType};
 
 /// Every scalar with every maths.
 pub(crate) const COMBINATIONS: [(ScalarType, MathsProvider); 4] = [

@@ -4,7 +4,7 @@ use super::torch_random::TorchRandom;
 use serde::Deserialize;
 use std::fs;
 use std::path::Path;
-use tpg_codegen::error::{InputError, Place};
+use tpg_graph::error::{InputError, Place};
 use tpg_runtime::arm::{JOINTS, Move};
 use tpg_runtime::observation::Observation;
 

@@ -1,7 +1,7 @@
 //! A graph in terms of the arm: which parts of the observation its state is made of, and what its actions move.
 
-use tpg_codegen::error::{InputError, Place};
-use tpg_codegen::graph::{Graph, ScalarType};
+use tpg_graph::error::{InputError, Place};
+use tpg_graph::{Graph, ScalarType};
 use tpg_runtime::arm::{Move, WIDOWX};
 use tpg_runtime::observation::{Observation, Source, TargetMemo};
 use tpg_runtime::policy::ActionId;

@@ -14,10 +14,10 @@ use serde::Serialize;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use tpg_codegen::emit::{Options, Prefix};
-use tpg_codegen::engine::{Engine, Reference};
-use tpg_codegen::graph::Graph;
-use tpg_codegen::import;
 use tpg_codegen::verify::Workshop;
+use tpg_graph::Graph;
+use tpg_graph::engine::{Engine, Reference};
+use tpg_graph::import;
 use tpg_runtime::arm::WIDOWX;
 
 /// Replay recorded episodes and count what is exact.

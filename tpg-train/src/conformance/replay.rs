@@ -9,7 +9,7 @@ use super::data::{ByRow, End, Task};
 use super::episode::{EndState, Episode, Rules};
 use serde::Serialize;
 use std::io;
-use tpg_codegen::engine::Engine;
+use tpg_graph::engine::Engine;
 use tpg_runtime::arm::Pose;
 use tpg_runtime::policy::ActionId;
 
@@ -206,8 +206,8 @@ mod tests {
     use crate::conformance::data::{ByRow, Task};
     use crate::conformance::episode::Rules;
     use std::io;
-    use tpg_codegen::engine::Engine;
-    use tpg_codegen::graph::ScalarType;
+    use tpg_graph::ScalarType;
+    use tpg_graph::engine::Engine;
     use tpg_runtime::arm::{Joint, Move, Pose, WIDOWX};
     use tpg_runtime::observation::Source;
     use tpg_runtime::policy::ActionId;

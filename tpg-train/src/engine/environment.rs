@@ -4,7 +4,7 @@ use super::episodes::{Episodes, OneByOne};
 use crate::random::{Purpose, Stream};
 use serde::{Serialize, de::DeserializeOwned};
 use std::fmt::Debug;
-use tpg_codegen::graph::{ActionDocument, SourceDocument};
+use tpg_graph::{ActionDocument, SourceDocument};
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
 
@@ -137,7 +137,7 @@ impl SourceSet {
 #[cfg(test)]
 mod tests {
     use super::SourceSet;
-    use tpg_codegen::graph::SourceDocument;
+    use tpg_graph::SourceDocument;
 
     #[test]
     fn an_input_belongs_to_the_source_it_lies_in() {

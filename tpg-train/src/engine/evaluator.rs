@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::marker::PhantomData;
 use std::sync::atomic::{AtomicU64, Ordering};
-use tpg_codegen::graph::SourceDocument;
+use tpg_graph::SourceDocument;
 use tpg_runtime::ops::Maths;
 use tpg_runtime::scalar::Scalar;
 

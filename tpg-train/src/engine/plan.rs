@@ -5,7 +5,7 @@ use super::lanes::Options;
 use super::nodes::{Arena, Node, NodeId, NodeSet};
 use super::policy::{Destination, Edge, Policy};
 use std::collections::BTreeSet;
-use tpg_codegen::graph::SourceDocument;
+use tpg_graph::SourceDocument;
 use tpg_runtime::ops::{Instruction, Maths};
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;

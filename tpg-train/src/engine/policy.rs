@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use tpg_codegen::graph::{self, Graph};
+use tpg_graph::Graph;
 use tpg_runtime::ops::Instruction;
 
 /// Where an instruction reads.
@@ -117,21 +117,21 @@ pub fn bounded(bound: u16) -> Line {
 
 impl From<&Graph> for Policy {
     fn from(graph: &Graph) -> Self {
-        let operand = |operand: graph::Operand| match operand {
-            graph::Operand::Register(register) => Operand::Register(register.index() as u16),
-            graph::Operand::Input(input) => Operand::Input(input.index() as u16),
-            graph::Operand::Constant(value) => Operand::Constant(value),
+        let operand = |operand: tpg_graph::Operand| match operand {
+            tpg_graph::Operand::Register(register) => Operand::Register(register.index() as u16),
+            tpg_graph::Operand::Input(input) => Operand::Input(input.index() as u16),
+            tpg_graph::Operand::Constant(value) => Operand::Constant(value),
         };
-        let line = |line: &graph::Line| Line {
+        let line = |line: &tpg_graph::Line| Line {
             to: line.to.index() as u16,
             instruction: line.instruction,
             operands: line.operands.map(operand),
         };
-        let edge = |edge: &graph::Edge| Edge {
+        let edge = |edge: &tpg_graph::Edge| Edge {
             program: edge.program.index() as u32,
             to: match edge.to {
-                graph::Destination::Team(team) => Destination::Team(team.index() as u32),
-                graph::Destination::Action(action) => Destination::Action(action.0),
+                tpg_graph::Destination::Team(team) => Destination::Team(team.index() as u32),
+                tpg_graph::Destination::Action(action) => Destination::Action(action.0),
             },
         };
         let teams = graph.teams().iter().map(|team| team.edges.iter().map(edge).collect()).collect();

@@ -7,9 +7,9 @@ use super::plan::Plan;
 use super::policy::Policy;
 use std::cell::RefCell;
 use std::io;
-use tpg_codegen::engine::Engine;
-use tpg_codegen::graph::Graph;
-use tpg_codegen::in_arithmetic_of;
+use tpg_graph::Graph;
+use tpg_graph::engine::Engine;
+use tpg_graph::in_arithmetic_of;
 use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
@@ -73,7 +73,7 @@ pub fn single(graph: &Graph) -> Box<dyn Engine> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tpg_codegen::{interpret, states};
+    use tpg_graph::{interpret, states};
     use tpg_runtime::ops::Own;
 
     #[test]

@@ -3,7 +3,7 @@
 use crate::engine::{Ending, Environment, SourceSet};
 use crate::random::Stream;
 use core::f64::consts::{PI, TAU};
-use tpg_codegen::graph::{ActionDocument, SourceDocument};
+use tpg_graph::{ActionDocument, SourceDocument};
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
 

@@ -9,7 +9,7 @@ use super::vocabulary::Vocabulary;
 use crate::engine::{Line, Operand};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, VecDeque};
-use tpg_codegen::graph::ScalarType;
+use tpg_graph::ScalarType;
 use tpg_runtime::ops::{Maths, Own};
 use tpg_runtime::scalar::Scalar;
 

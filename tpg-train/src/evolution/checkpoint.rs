@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize, de::DeserializeOwned};
 use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
-use tpg_codegen::error::{InputError, Place};
+use tpg_graph::error::{InputError, Place};
 
 /// The value of [`Checkpoint::format`].
 const FORMAT: &str = "tpg-train checkpoint";

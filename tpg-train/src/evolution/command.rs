@@ -14,8 +14,8 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 use std::time::Duration;
-use tpg_codegen::error::{InputError, Place};
-use tpg_codegen::graph::ScalarType;
+use tpg_graph::ScalarType;
+use tpg_graph::error::{InputError, Place};
 use tpg_runtime::ops::{Maths, Own};
 
 /// Evolve a tangled program graph.

@@ -3,8 +3,8 @@
 use super::vocabulary::Vocabulary;
 use crate::engine::{Destination, Operand, Policy, effective};
 use std::collections::BTreeMap;
-use tpg_codegen::error::InputError;
-use tpg_codegen::graph::{
+use tpg_graph::error::InputError;
+use tpg_graph::{
     ActionDocument, Document, EdgeDocument, FORMAT, Graph, LineDocument, MathsProvider, OperandDocument,
     ProgramDocument, Provenance, ScalarType, SourceDocument, TeamDocument, VERSION,
 };

@@ -6,7 +6,7 @@ use crate::files::write_atomically;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
-use tpg_codegen::error::InputError;
+use tpg_graph::error::InputError;
 
 /// Writes `generations.csv` and `generations.jsonl`.
 ///

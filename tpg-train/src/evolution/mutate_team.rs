@@ -209,7 +209,7 @@ mod tests {
     use crate::evolution::presets::Preset;
     use crate::evolution::vocabulary::Vocabulary;
     use crate::random::{Purpose, Stream};
-    use tpg_codegen::graph::{ScalarType, SourceDocument};
+    use tpg_graph::{ScalarType, SourceDocument};
 
     fn config() -> Config {
         let mut config = Preset::find("paper-fs").expect("it is there").config().expect("it is accepted");

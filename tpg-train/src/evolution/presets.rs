@@ -4,7 +4,7 @@ use super::config::Config;
 use crate::environments::description::WIDOWX_TOML;
 use clap::Args;
 use std::io::Write as _;
-use tpg_codegen::error::{InputError, Place};
+use tpg_graph::error::{InputError, Place};
 
 /// Print a commented configuration.
 #[derive(Clone, Debug, Args)]

@@ -14,8 +14,8 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
-use tpg_codegen::error::{InputError, Place};
-use tpg_codegen::graph::{Graph, Provenance};
+use tpg_graph::error::{InputError, Place};
+use tpg_graph::{Graph, Provenance};
 use tpg_runtime::ops::Maths;
 use tpg_runtime::scalar::Scalar;
 

@@ -2,7 +2,7 @@
 
 use crate::engine::Operand;
 use serde::{Deserialize, Serialize};
-use tpg_codegen::graph::{ScalarType, SourceDocument};
+use tpg_graph::{ScalarType, SourceDocument};
 use tpg_runtime::observation::shield::SHIELDED;
 use tpg_runtime::ops::Instruction;
 

@@ -3,7 +3,7 @@
 use crate::files::{read_text, write_atomically};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
-use tpg_codegen::error::{InputError, Place};
+use tpg_graph::error::{InputError, Place};
 use tpg_runtime::hybrid::{Guard, NEVER, Settings};
 use tpg_runtime::scalar::Scalar;
 

@@ -2,7 +2,7 @@
 
 use crate::picture::{Figure, Point, Svg};
 use std::collections::BTreeMap;
-use tpg_codegen::graph::{Destination, Graph};
+use tpg_graph::{Destination, Graph};
 
 const WIDTH: f64 = 960.0;
 const LAYER: f64 = 84.0;

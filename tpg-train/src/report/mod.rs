@@ -18,7 +18,7 @@ use runs::{Group, Kind};
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use test::Tested;
-use tpg_codegen::error::InputError;
+use tpg_graph::error::InputError;
 
 /// Show runs in one HTML file.
 ///

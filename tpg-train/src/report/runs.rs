@@ -10,8 +10,8 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
-use tpg_codegen::error::{InputError, Place};
-use tpg_codegen::graph::Graph;
+use tpg_graph::Graph;
+use tpg_graph::error::{InputError, Place};
 
 /// Runs with the same configuration.
 #[derive(Debug)]

@@ -14,7 +14,7 @@ use crate::random::{Purpose, Stream};
 use crate::targets::{Reach, Set, Task};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
-use tpg_codegen::error::{InputError, Place};
+use tpg_graph::error::{InputError, Place};
 use tpg_runtime::arm::{Pose, WIDOWX};
 
 const FORMAT: &str = "tpg-train sac checkpoint";

@@ -20,7 +20,7 @@ use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
-use tpg_codegen::error::{InputError, Place};
+use tpg_graph::error::{InputError, Place};
 
 /// Train a soft actor-critic.
 #[derive(Clone, Debug, Args)]

@@ -12,8 +12,8 @@ use clap::Args;
 use sha2::{Digest, Sha256};
 use std::fs;
 use std::path::{Path, PathBuf};
-use tpg_codegen::error::{InputError, Place};
 use tpg_codegen::policy::to_rust;
+use tpg_graph::error::{InputError, Place};
 use tpg_runtime::arm::WIDOWX;
 use tpg_runtime::sac::packed::Kind;
 

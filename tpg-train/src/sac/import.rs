@@ -18,7 +18,7 @@ use super::tensors::{Tensor, Tensors};
 use super::weights::{Provenance, to_tensors};
 use clap::Args;
 use std::path::{Path, PathBuf};
-use tpg_codegen::error::{InputError, Place};
+use tpg_graph::error::{InputError, Place};
 use tpg_runtime::sac::{Actions, Mask};
 
 /// No actor file is larger, bytes.

@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, HashMap};
 use std::fs::File;
 use std::io::Read as _;
 use std::path::Path;
-use tpg_codegen::error::{InputError, Place};
+use tpg_graph::error::{InputError, Place};
 
 /// The metadata key that holds the JSON text. One key alone: several would be written in no fixed order.
 const KEY: &str = "tpg";

@@ -11,7 +11,7 @@ use super::replay::ACTIONS;
 use super::tensors::{Tensor, Tensors};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
-use tpg_codegen::error::{InputError, Place};
+use tpg_graph::error::{InputError, Place};
 use tpg_runtime::sac::FEATURE_NAMES;
 
 /// The value of [`Contract::format`].

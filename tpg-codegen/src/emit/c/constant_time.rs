@@ -4,10 +4,10 @@
 
 use super::expression::Printer;
 use super::vertex;
-use crate::graph::ScalarType;
 use crate::ir::{Module, Node, NodeId};
 use crate::passes::functions::{self, Function};
 use askama::Template;
+use tpg_graph::ScalarType;
 use tpg_runtime::ops::Instruction;
 
 #[derive(Template)]

@@ -1,8 +1,8 @@
 //! Nodes as C expressions.
 
 use crate::emit::questions::Words;
-use crate::graph::{Graph, Input, MathsProvider, ScalarType};
 use crate::ir::{Node, NodeId};
+use tpg_graph::{Graph, Input, MathsProvider, ScalarType};
 use tpg_runtime::ops::Instruction;
 
 /// Writes nodes.

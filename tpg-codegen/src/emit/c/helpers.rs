@@ -2,11 +2,11 @@
 
 use super::constant_time;
 use super::expression::{Printer, literal};
-use crate::graph::{MathsProvider, ScalarType};
 use crate::ir::Node;
 use crate::passes::{bound, estimate};
 use askama::Template;
 use std::collections::BTreeSet;
+use tpg_graph::{MathsProvider, ScalarType};
 use tpg_runtime::ops::Instruction;
 
 #[derive(Template)]

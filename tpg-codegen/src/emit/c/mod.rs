@@ -10,13 +10,13 @@ mod walk;
 
 use super::{File, Language, Options, Profile, Style, banner, layout};
 use crate::cost::{Cost, Costs};
-use crate::graph::{Graph, MathsProvider, ScalarType};
-use crate::interpret;
 use crate::ir::{Module, Target};
 use crate::passes::{self, schedule};
-use crate::states;
 use askama::Template;
 use expression::{Printer, literal};
+use tpg_graph::interpret;
+use tpg_graph::states;
+use tpg_graph::{Graph, MathsProvider, ScalarType};
 
 /// States in the self-test.
 const VECTORS: usize = 16;
@@ -171,7 +171,7 @@ fn comment(text: &str) -> String {
     text.chars().map(|c| if c.is_control() || c == '*' || c == '/' { ' ' } else { c }).collect()
 }
 
-fn source_view(source: &crate::graph::Source) -> SourceView {
+fn source_view(source: &tpg_graph::Source) -> SourceView {
     SourceView {
         name: source.name.clone(),
         length: source.ranges.len(),

@@ -49,7 +49,7 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module, upper: &str) -> Str
     let graph = printer.graph;
     let Bytecode { code, programs, bidders, targets, teams, constants, first_result, frame, operand_bits, used } =
         bytecode::encode(graph, module);
-    let f64 = graph.scalar() == crate::graph::ScalarType::F64;
+    let f64 = graph.scalar() == tpg_graph::ScalarType::F64;
     let small = Small {
         prefix: printer.prefix,
         upper,

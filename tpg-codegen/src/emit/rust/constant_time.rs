@@ -6,11 +6,11 @@
 use super::expression::Printer;
 use super::{Parts, vertex, vertex_type};
 use crate::emit::layout;
-use crate::graph::ScalarType;
 use crate::ir::{Module, NodeId};
 use crate::passes::functions::{self, Function};
 use askama::Template;
 use std::ops::Range;
+use tpg_graph::ScalarType;
 use tpg_runtime::ops::constant_time as ct;
 
 /// All teams in one function.

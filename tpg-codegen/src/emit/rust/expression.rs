@@ -1,8 +1,8 @@
 //! Nodes as Rust expressions.
 
 use crate::emit::questions::Words;
-use crate::graph::{Graph, MathsProvider, ScalarType};
 use crate::ir::{Node, NodeId};
+use tpg_graph::{Graph, MathsProvider, ScalarType};
 use tpg_runtime::ops::Instruction;
 
 /// Writes nodes.

@@ -1,11 +1,11 @@
 //! The functions that expressions of the profile `fast` call.
 
 use super::expression::{Printer, literal};
-use crate::graph::{MathsProvider, ScalarType};
 use crate::ir::Node;
 use crate::passes::{bound, estimate};
 use askama::Template;
 use std::collections::BTreeSet;
+use tpg_graph::{MathsProvider, ScalarType};
 use tpg_runtime::ops::Instruction;
 
 #[derive(Template)]

@@ -8,11 +8,11 @@ mod small;
 
 use super::{File, Language, Options, Profile, banner, layout};
 use crate::cost::{Cost, Costs};
-use crate::graph::Graph;
 use crate::ir::{Module, Target};
 use crate::passes::{self, schedule};
 use askama::Template;
 use expression::Printer;
+use tpg_graph::Graph;
 
 #[derive(Template)]
 #[template(path = "rust/policy.rs", escape = "none")]

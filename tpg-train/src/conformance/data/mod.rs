@@ -8,7 +8,7 @@ use super::episode::EndState;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use table::{Column, Row, Table};
-use tpg_codegen::error::InputError;
+use tpg_graph::error::InputError;
 use tpg_runtime::arm::{Collision, Pose};
 use tpg_runtime::kinematics::Vector;
 

@@ -8,7 +8,7 @@ use std::io::{self, Read};
 use std::ops::RangeInclusive;
 use std::path::Path;
 use std::str::FromStr;
-use tpg_codegen::error::{InputError, Place};
+use tpg_graph::error::{InputError, Place};
 
 const GZIP: [u8; 2] = [0x1f, 0x8b];
 

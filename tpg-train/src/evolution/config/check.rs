@@ -1,7 +1,7 @@
 //! What a configuration may say.
 
 use super::{Config, EnvironmentName, Shield};
-use tpg_codegen::error::InputError;
+use tpg_graph::error::InputError;
 use tpg_runtime::observation::Source;
 use tpg_runtime::observation::shield::STEP;
 use tpg_runtime::ops::Instruction;

@@ -5,7 +5,7 @@ use crate::targets::Start;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::Path;
-use tpg_codegen::error::{InputError, Place};
+use tpg_graph::error::{InputError, Place};
 
 /// One thing that was counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]

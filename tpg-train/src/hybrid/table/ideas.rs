@@ -6,7 +6,7 @@ use crate::hybrid::graph::read_graph;
 use crate::hybrid::setting::{Detector, HandBack, Setting};
 use crate::hybrid::trial;
 use crate::targets::{Set, Start, tasks};
-use tpg_codegen::error::InputError;
+use tpg_graph::error::InputError;
 use tpg_runtime::arm::WIDOWX;
 use tpg_runtime::hybrid::Guard;
 

@@ -14,7 +14,7 @@ use crate::targets::{Start, Task};
 use crate::trial::{Trial, run};
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
-use tpg_codegen::error::InputError;
+use tpg_graph::error::InputError;
 use tpg_runtime::arm::WIDOWX;
 use tpg_runtime::observation::Straight;
 

@@ -27,7 +27,7 @@ use crate::targets::{self, Start};
 use clap::Args;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
-use tpg_codegen::error::{InputError, Place};
+use tpg_graph::error::{InputError, Place};
 use tpg_runtime::arm::WIDOWX;
 
 /// Measure every kind of policy and write docs/results.md.

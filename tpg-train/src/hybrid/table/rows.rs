@@ -12,9 +12,9 @@ use crate::targets::{Start, Task};
 use crate::trial::{Trial, run, run_allowing_collisions};
 use std::path::{Path, PathBuf};
 use tpg_codegen::emit::{Options, Prefix, Profile};
-use tpg_codegen::error::{InputError, Place};
-use tpg_codegen::graph::Graph;
 use tpg_codegen::size::{self, Target};
+use tpg_graph::Graph;
+use tpg_graph::error::{InputError, Place};
 use tpg_runtime::arm::WIDOWX;
 use tpg_runtime::observation::Straight;
 

@@ -15,7 +15,6 @@ mod view;
 
 use super::expression::Printer;
 use crate::emit::layout;
-use crate::graph::ScalarType;
 use crate::ir::{Module, NodeId, topological};
 use crate::passes::available::Available;
 use crate::passes::functions;
@@ -23,6 +22,7 @@ use crate::passes::schedule::Schedule;
 use askama::Template;
 use std::collections::BTreeSet;
 use team::TeamPrinter;
+use tpg_graph::ScalarType;
 use view::{EntryView, FunctionView, LateTeamView};
 
 #[derive(Template)]

@@ -1,0 +1,104 @@
+//! A graph in another scalar type, and how often it still takes the same action: never silent.
+
+use crate::error::InputError;
+use crate::interpret;
+use crate::model::{Document, Graph, MathsProvider, ScalarType};
+use crate::states::StateSet;
+use serde::Serialize;
+use std::fmt;
+
+/// How often two policies take the same action.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Agreement {
+    /// States compared.
+    pub states: usize,
+    /// States on which both take the same action.
+    pub equal: usize,
+    /// Where the states come from.
+    pub origin: String,
+}
+
+/// What a graph was before its scalar type was changed.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Conversion {
+    /// The type that the graph says.
+    pub from: ScalarType,
+    /// The maths that the graph says.
+    pub maths: MathsProvider,
+    /// The SHA-256 of the graph as it was.
+    pub sha256: String,
+    /// How often the converted graph acts as the graph does.
+    pub agreement: Agreement,
+}
+
+/// The graph in `scalar`, with own maths in `f32`, where that is not what it computes in already.
+///
+/// # Errors
+/// A constant that the type cannot hold.
+pub fn convert(
+    graph: &Graph,
+    scalar: ScalarType,
+    file: &str,
+    set: &StateSet,
+) -> Result<(Graph, Conversion), InputError> {
+    let maths = if scalar == ScalarType::F32 { MathsProvider::Own } else { graph.maths() };
+    let converted = Graph::from_document(file, Document { scalar, maths, ..graph.to_document() })?;
+    let pairs = interpret::actions(graph, &set.states).into_iter().zip(interpret::actions(&converted, &set.states));
+    let equal = pairs.filter(|(before, after)| before == after).count();
+    let agreement = Agreement { states: set.states.len() / graph.state_length(), equal, origin: set.origin.clone() };
+    let conversion = Conversion { from: graph.scalar(), maths: graph.maths(), sha256: graph.sha256(), agreement };
+    Ok((converted, conversion))
+}
+
+impl Agreement {
+    /// In thousandths of a per cent, rounded down: 100 % means every state.
+    fn thousandths(&self) -> usize {
+        self.equal * 100_000 / self.states.max(1)
+    }
+
+    /// Whether it is at least `percent`.
+    pub fn reaches(&self, percent: f64) -> bool {
+        self.equal as f64 * 100.0 >= percent * self.states as f64
+    }
+}
+
+impl fmt::Display for Agreement {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { states, equal, origin } = self;
+        let thousandths = self.thousandths();
+        write!(f, "{equal} of {states} actions equal ({}.{:03} %): {origin}", thousandths / 1000, thousandths % 1000)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Agreement, convert};
+    use crate::model::{MathsProvider, ScalarType};
+    use crate::sample::{self, Shape};
+    use crate::states::StateSet;
+
+    #[test]
+    fn a_per_cent_is_never_rounded_up() {
+        let agreement = |equal| Agreement { states: 300_000, equal, origin: "here".to_owned() };
+        assert_eq!(agreement(300_000).to_string(), "300000 of 300000 actions equal (100.000 %): here");
+        assert_eq!(agreement(299_999).to_string(), "299999 of 300000 actions equal (99.999 %): here");
+        assert!(agreement(299_999).reaches(99.999) && !agreement(299_999).reaches(100.0));
+        assert!(agreement(300_000).reaches(100.0));
+    }
+
+    #[test]
+    fn f32_brings_its_own_maths_and_what_differs_is_counted() {
+        let mut differences = 0;
+        for seed in 0..20 {
+            let shape = Shape { maths: MathsProvider::System, scalar: ScalarType::F64, ..Shape::default() };
+            let graph = sample::graph(&shape, seed);
+            let set = StateSet::sampled(&graph, 2000, 1);
+            let (converted, conversion) = convert(&graph, ScalarType::F32, "x.json", &set).expect("f32 holds it");
+            assert_eq!((converted.scalar(), converted.maths()), (ScalarType::F32, MathsProvider::Own));
+            assert_eq!(conversion.agreement.states, 2000);
+            assert_eq!(conversion.sha256, graph.sha256());
+            differences += 2000 - conversion.agreement.equal;
+        }
+        assert!(differences > 0, "random graphs notice a change of arithmetic somewhere");
+    }
+}

@@ -1,0 +1,42 @@
+//! Anything that decides like a graph: the interpreter, or a program made from generated code.
+
+use crate::interpret;
+use crate::model::Graph;
+use std::io;
+use tpg_runtime::policy::ActionId;
+
+/// Decides for many states at once.
+pub trait Engine {
+    /// What it is called in reports.
+    fn name(&self) -> &str;
+
+    /// Appends the action of each of the flat `states`, which are exact in the graph's scalar type.
+    ///
+    /// # Errors
+    /// Where the engine is a process: that it died.
+    fn decide(&mut self, states: &[f64], actions: &mut Vec<ActionId>) -> io::Result<()>;
+}
+
+/// The [interpreter](crate::interpret) as an engine.
+#[derive(Clone, Copy, Debug)]
+pub struct Reference<'g> {
+    graph: &'g Graph,
+}
+
+impl<'g> Reference<'g> {
+    /// Interprets `graph` in its own scalar type and maths.
+    pub fn new(graph: &'g Graph) -> Self {
+        Self { graph }
+    }
+}
+
+impl Engine for Reference<'_> {
+    fn name(&self) -> &str {
+        "interpreter"
+    }
+
+    fn decide(&mut self, states: &[f64], actions: &mut Vec<ActionId>) -> io::Result<()> {
+        actions.extend(interpret::actions(self.graph, states));
+        Ok(())
+    }
+}

@@ -1,0 +1,87 @@
+//! What is wrong with an input, said so that its author can mend it.
+
+use std::fmt;
+use std::path::Path;
+
+/// A place in an input file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// The file as a whole.
+    Whole,
+    /// A line of a text file, counted from 1.
+    Line(usize),
+    /// A line and column, both counted from 1.
+    Column(usize, usize),
+    /// A path into a JSON or TOML document: `$.teams[3].edges[1].program`.
+    Path(String),
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Whole => Ok(()),
+            Self::Line(line) => write!(f, "line {line}: "),
+            Self::Column(line, column) => write!(f, "line {line}, column {column}: "),
+            Self::Path(path) => write!(f, "{path}: "),
+        }
+    }
+}
+
+/// An input that is refused: where, what was found, and what is accepted instead.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{file}: {place}{found}; accepted: {accepted}")]
+pub struct InputError {
+    /// The file's name, `<stdin>` for standard input.
+    pub file: String,
+    /// Where in the file.
+    pub place: Place,
+    /// What is there.
+    pub found: String,
+    /// What would be accepted there.
+    pub accepted: String,
+}
+
+impl InputError {
+    /// Puts an error together.
+    pub fn new(file: impl Into<String>, place: Place, found: impl Into<String>, accepted: impl Into<String>) -> Self {
+        Self { file: file.into(), place, found: found.into(), accepted: accepted.into() }
+    }
+
+    /// A file that cannot be read or written.
+    pub fn io(path: &Path, error: &std::io::Error, accepted: impl Into<String>) -> Self {
+        Self::new(path.display().to_string(), Place::Whole, error.to_string(), accepted)
+    }
+}
+
+/// Takes a message of serde's apart: what was found, and what it expected instead, in words of the file.
+///
+/// Positions at the end (`at line 3 column 7`) go to what was found, in brackets.
+pub fn serde_message(message: &str) -> (String, Option<&str>) {
+    let (message, position) = match message.rsplit_once(" at line ") {
+        Some((message, position)) => (message, format!(" (line {})", position.replace(" column", ", column"))),
+        None => (message, String::new()),
+    };
+    match message.split_once(", expected ") {
+        Some((found, accepted)) => (format!("{found}{position}"), Some(plain(accepted))),
+        None => (format!("{message}{position}"), None),
+    }
+}
+
+/// What a type of Rust's takes, for people who write files.
+fn plain(expected: &str) -> &str {
+    match expected {
+        "u32" => "a whole number, 0 to 4294967295",
+        "u64" => "a whole number, 0 to 18446744073709551615",
+        "i8" => "a whole number, -128 to 127",
+        "f64" => "a number",
+        "a sequence" => "a list",
+        "a map" => "an object",
+        _ if expected.starts_with("struct ") => "an object",
+        _ => expected,
+    }
+}
+
+/// `1 edge`, `2 edges`.
+pub fn counted(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}

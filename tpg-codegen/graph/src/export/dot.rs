@@ -1,0 +1,179 @@
+//! GEGELATI's `.dot` format.
+//!
+//! With its [sidecar](super::sidecar) the text reads back as the same graph: nodes keep their numbers and stand in the
+//! graph's order. Programs therefore come before the edges, where GEGELATI's own exporter mixes the two; its reader takes
+//! both.
+
+use crate::model::{Destination, Graph, Input, Line, Operand, Program};
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+/// The text of the `.dot` file.
+pub fn text(graph: &Graph) -> String {
+    Writer::new(graph).text()
+}
+
+struct Writer<'g> {
+    graph: &'g Graph,
+    constants: Vec<Constants>,
+    /// Whether all constants are integers of 32 bits, which GEGELATI 1 has; others only GEGELATI 2 has.
+    integers: bool,
+    /// How many constants each program has: as many as the one with the most needs.
+    count: usize,
+    /// How many operands each line has: as many as the widest instruction of the set reads.
+    operands: usize,
+    /// Source and location of every input.
+    inputs: Vec<(usize, usize)>,
+    out: String,
+}
+
+impl<'g> Writer<'g> {
+    fn new(graph: &'g Graph) -> Self {
+        let constants: Vec<Constants> = graph.programs().iter().map(Constants::of).collect();
+        let count = constants.iter().map(|constants| constants.values.len()).max().unwrap_or(0);
+        let first_source = if count == 0 { 1 } else { 2 };
+        Self {
+            graph,
+            integers: constants.iter().flat_map(|constants| &constants.values).all(|&value| is_integer(value)),
+            constants,
+            count,
+            operands: graph.instructions().iter().map(|instruction| instruction.arity()).max().unwrap_or(1),
+            inputs: (first_source..)
+                .zip(graph.sources())
+                .flat_map(|(number, source)| (0..source.ranges.len()).map(move |location| (number, location)))
+                .collect(),
+            out: String::new(),
+        }
+    }
+
+    fn text(mut self) -> String {
+        let graph = self.graph;
+        self.put(format_args!("// File exported with tpg-codegen v{}\n", env!("CARGO_PKG_VERSION")));
+        self.put(format_args!("digraph{{\n"));
+        self.put(format_args!("\tgraph[pad = \"0.212, 0.055\" bgcolor = lightgray]\n"));
+        self.put(format_args!("\tnode[shape=circle style = filled label = \"\"]\n"));
+        let root = graph.team(graph.root()).label;
+        for team in graph.teams() {
+            let colour = if team.label == root { "#1199bb" } else { "#66ddff" };
+            self.put(format_args!("\t\tT{} [fillcolor=\"{colour}\"]\n", team.label));
+        }
+        for (index, program) in graph.programs().iter().enumerate() {
+            self.program(index, program);
+        }
+        self.edges();
+        self.put(format_args!("\t\t{{ rank= same T{root} }}\n}}\n"));
+        self.out
+    }
+
+    fn put(&mut self, text: std::fmt::Arguments<'_>) {
+        self.out.write_fmt(text).expect("writing to a string never fails");
+    }
+
+    fn program(&mut self, index: usize, program: &Program) {
+        let label = program.label;
+        let values = self.constants[index].values.iter().copied().chain(std::iter::repeat(0.0)).take(self.count);
+        let list: String = match self.integers {
+            true => values.map(|value| format!("{value}|")).collect(),
+            false => values.map(|value| format!("{value:?}|")).collect(),
+        };
+        let (integers, reals) =
+            if self.integers { (list, String::new()) } else { (String::new(), format!(" //{list}")) };
+        self.put(format_args!("\t\tP{label} [fillcolor=\"#cccccc\" shape=point] //{integers}\n"));
+        self.put(format_args!("\t\tI{label} [shape=box style=invis label=\""));
+        for line in &program.lines {
+            self.line(index, line);
+        }
+        self.put(format_args!("\"]{reals}\n"));
+        self.put(format_args!("\t\tP{label} -> I{label}[style=invis]\n"));
+    }
+
+    fn line(&mut self, program: usize, line: &Line) {
+        let number = self.graph.instructions().iter().position(|&instruction| instruction == line.instruction);
+        let number = number.expect("a validated graph declares its instructions");
+        self.put(format_args!("{number}|{}", line.to.index()));
+        let read = line.operands.iter().take(line.instruction.arity()).map(|&operand| match operand {
+            Operand::Register(register) => (0, register.index()),
+            Operand::Constant(value) => (1, self.constants[program].places[&value.to_bits()]),
+            Operand::Input(Input(place)) => self.inputs[usize::from(place)],
+        });
+        let operands: Vec<(usize, usize)> = read.chain(std::iter::repeat((0, 0))).take(self.operands).collect();
+        for (place, (source, location)) in operands.into_iter().enumerate() {
+            let mark = if place == 0 { '&' } else { '#' };
+            self.put(format_args!("{mark}{source}|{location}"));
+        }
+        self.put(format_args!("&#92;n"));
+    }
+
+    /// A program's first edge says where it leads, the others only that it bids there.
+    fn edges(&mut self) {
+        let graph = self.graph;
+        let mut led = vec![false; graph.programs().len()];
+        let mut action_nodes = 0;
+        for team in graph.teams() {
+            for edge in &team.edges {
+                let program = graph.program(edge.program).label;
+                if std::mem::replace(&mut led[edge.program.index()], true) {
+                    self.put(format_args!("\t\tT{} -> P{program}\n", team.label));
+                    continue;
+                }
+                match edge.to {
+                    Destination::Team(to) => {
+                        let to = graph.team(to).label;
+                        self.put(format_args!("\t\tT{} -> P{program} -> T{to}\n", team.label));
+                    }
+                    Destination::Action(action) => {
+                        self.put(format_args!(
+                            "\t\tA{action_nodes} [fillcolor=\"#ff3366\" shape=box margin=0.03 width=0 height=0 label=\"{}\"]\n",
+                            action.0
+                        ));
+                        self.put(format_args!("\t\tT{} -> P{program} -> A{action_nodes}\n", team.label));
+                        action_nodes += 1;
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The constants of one program: each once, in the order in which its lines read them.
+struct Constants {
+    values: Vec<f64>,
+    /// By bits, since −0 is another constant than 0.
+    places: BTreeMap<u64, usize>,
+}
+
+impl Constants {
+    fn of(program: &Program) -> Self {
+        let mut constants = Self { values: Vec::new(), places: BTreeMap::new() };
+        let read = program.lines.iter().flat_map(|line| &line.operands[..line.instruction.arity()]);
+        for operand in read {
+            if let Operand::Constant(value) = *operand {
+                constants.places.entry(value.to_bits()).or_insert_with(|| {
+                    constants.values.push(value);
+                    constants.values.len() - 1
+                });
+            }
+        }
+        constants
+    }
+}
+
+/// Whether `value` is an integer of 32 bits; −0 is none.
+fn is_integer(value: f64) -> bool {
+    f64::from(value as i32).to_bits() == value.to_bits()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_integer;
+
+    #[test]
+    fn integers_of_32_bits() {
+        for value in [0.0, -1.0, 2147483647.0, -2147483648.0] {
+            assert!(is_integer(value), "{value}");
+        }
+        for value in [-0.0, 0.5, 2147483648.0, -2147483649.0, 1e300] {
+            assert!(!is_integer(value), "{value}");
+        }
+    }
+}

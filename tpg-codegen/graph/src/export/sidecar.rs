@@ -1,0 +1,48 @@
+//! The sidecar of a `.dot` file: everything of a graph that the `.dot` leaves out.
+
+use crate::model::{ActionDocument, Graph, SourceDocument};
+use std::fmt::Write as _;
+
+/// The text of the sidecar, with which [`dot`](super::dot) reads back as the same graph.
+pub fn text(graph: &Graph) -> String {
+    let document = graph.to_document();
+    let instructions: Vec<String> = document.instructions.iter().map(|name| string(name)).collect();
+    let provenance = serde_json::to_string(&document.provenance).expect("provenance has only strings as keys");
+    let mut out = String::from("# What the .dot file next to this one leaves out.\n\n");
+    let mut put = |text: std::fmt::Arguments<'_>| out.write_fmt(text).expect("writing to a string never fails");
+    put(format_args!("scalar = \"{}\"\n", document.scalar.name()));
+    put(format_args!("maths = \"{}\"\n", document.maths.name()));
+    put(format_args!("registers = {}\n\n", document.registers));
+    put(format_args!("# In the order of the environment.\nsources = [\n"));
+    document.sources.iter().for_each(|each| put(format_args!("    {},\n", source(each))));
+    put(format_args!("]\n\n# In the order of their numbers.\ninstructions = [{}]\n\n", instructions.join(", ")));
+    put(format_args!("# By the labels of their nodes.\nactions = [\n"));
+    document.actions.iter().for_each(|each| put(format_args!("    {},\n", action(each))));
+    put(format_args!("]\n\n# Where the graph comes from, as in graph.json.\nprovenance = {}\n", string(&provenance)));
+    out
+}
+
+fn source(source: &SourceDocument) -> String {
+    let range = |[min, max]: &[f64; 2]| format!("[{min:?}, {max:?}]");
+    let ranges = match source.ranges.as_slice() {
+        [first, others @ ..] if others.iter().all(|other| range(other) == range(first)) => {
+            format!("range = {}", range(first))
+        }
+        ranges => format!("ranges = [{}]", ranges.iter().map(range).collect::<Vec<_>>().join(", ")),
+    };
+    let (name, unit) = (string(&source.name), string(&source.unit));
+    format!("{{ name = {name}, length = {}, unit = {unit}, {ranges} }}", source.length)
+}
+
+fn action(action: &ActionDocument) -> String {
+    let name = string(&action.name);
+    match action.moves {
+        Some(moves) => format!("{{ id = {}, name = {name}, move = {moves:?} }}", action.id),
+        None => format!("{{ id = {}, name = {name} }}", action.id),
+    }
+}
+
+/// A string as TOML quotes it.
+fn string(text: &str) -> String {
+    toml::Value::from(text).to_string()
+}

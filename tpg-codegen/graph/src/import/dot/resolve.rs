@@ -1,0 +1,221 @@
+//! From statements to a document: numbers of the file become names and ids.
+
+use super::Fault;
+use super::declared::{Declared, Rank};
+use super::lines::{Lines, ProgramLines, TeamLines};
+use super::program::Meaning;
+use super::statement::{Kind, Located, Node, Statement, Target};
+use crate::error::{InputError, counted};
+use crate::import::sidecar::Sidecar;
+use crate::model::{Document, EdgeDocument, ProgramDocument, TeamDocument};
+use std::collections::BTreeMap;
+use tpg_runtime::ops::Instruction;
+
+/// Makes a document of the statements of a whole file, and remembers where its things stand.
+pub(super) fn document(file: &str, statements: &[Located], sidecar: &Sidecar) -> Result<(Document, Lines), InputError> {
+    let resolver =
+        Resolver { file, document: sidecar.document(), statements, declared: Declared::collect(file, statements)? };
+    resolver.is_something()?;
+    resolver.links()?;
+    let mut lines = Lines::default();
+    let teams = resolver.teams(&mut lines)?;
+    let programs = resolver.programs(&mut lines)?;
+    let root = resolver.root(&teams, &mut lines)?;
+    let mut provenance = resolver.document.provenance.clone();
+    if let (false, Some((tool, version))) = (sidecar.has_provenance(), resolver.declared.exporter) {
+        provenance.tool = Some(tool.to_owned());
+        provenance.version = Some(version.to_owned());
+    }
+    Ok((Document { root, teams, programs, provenance, ..resolver.document.clone() }, lines))
+}
+
+/// Where a program leads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Destination {
+    Team(u32),
+    Action(u32),
+}
+
+struct Resolver<'s> {
+    file: &'s str,
+    /// What the sidecar says.
+    document: &'s Document,
+    statements: &'s [Located],
+    declared: Declared<'s>,
+}
+
+impl Resolver<'_> {
+    fn error(&self, line: usize, found: impl Into<String>, accepted: impl Into<String>) -> InputError {
+        Fault::new(found, accepted).on(self.file, line)
+    }
+
+    fn is_something(&self) -> Result<(), InputError> {
+        let missing =
+            |what: &str| Err(self.error(self.declared.close, format!("a graph without {what}"), "at least one"));
+        match (self.declared.teams.items(), self.declared.programs.items()) {
+            ([], _) => missing("teams"),
+            (_, []) => missing("programs"),
+            _ => Ok(()),
+        }
+    }
+
+    /// Links say nothing new, but what they name must exist.
+    fn links(&self) -> Result<(), InputError> {
+        for Located { line, statement } in self.statements {
+            if let Statement::Link { program } = statement {
+                self.program_exists(*line, *program)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn program_exists(&self, line: usize, program: u32) -> Result<(), InputError> {
+        match self.declared.programs.place(program) {
+            Some(_) => Ok(()),
+            None => {
+                Err(self.error(line, format!("P{program}, which does not exist"), "a program that the file declares"))
+            }
+        }
+    }
+
+    /// The teams with their edges, each team's in file order, which decides ties.
+    fn teams(&self, lines: &mut Lines) -> Result<Vec<TeamDocument>, InputError> {
+        let destinations = self.destinations()?;
+        let mut teams = Vec::new();
+        for team in self.declared.teams.items() {
+            teams.push(TeamDocument { id: team.number, edges: Vec::new() });
+            lines.teams.push(TeamLines { node: team.line, edges: Vec::new() });
+        }
+        for Located { line, statement } in self.statements {
+            let &Statement::Edge { team, program, .. } = statement else { continue };
+            let Some(place) = self.declared.teams.place(team) else {
+                return Err(self.no_team(*line, team));
+            };
+            self.program_exists(*line, program)?;
+            let Some((destination, _)) = destinations.get(&program) else {
+                let found = format!("T{team} -> P{program}, and no edge that says where P{program} leads");
+                return Err(self.error(*line, found, format!("T{team} -> P{program} -> a team or an action")));
+            };
+            let (team, action) = match *destination {
+                Destination::Team(team) => (Some(team), None),
+                Destination::Action(action) => (None, Some(action)),
+            };
+            teams[place].edges.push(EdgeDocument { program, team, action });
+            lines.teams[place].edges.push(*line);
+        }
+        Ok(teams)
+    }
+
+    /// Where each program leads, and the line that says so. GEGELATI clones a program before it changes where it leads, so
+    /// an edge that names no destination can mean only one.
+    fn destinations(&self) -> Result<BTreeMap<u32, (Destination, usize)>, InputError> {
+        let mut destinations = BTreeMap::new();
+        for Located { line, statement } in self.statements {
+            let &Statement::Edge { program, to, .. } = statement else { continue };
+            let Some(destination) = self.destination(*line, to)? else { continue };
+            let (first, first_line) = *destinations.entry(program).or_insert((destination, *line));
+            if first != destination {
+                let name = |destination| match destination {
+                    Destination::Team(team) => format!("T{team}"),
+                    Destination::Action(action) => format!("action {action}"),
+                };
+                let found =
+                    format!("P{program} leads to {}, and on line {first_line} to {}", name(destination), name(first));
+                return Err(self.error(*line, found, "one destination for each program"));
+            }
+        }
+        Ok(destinations)
+    }
+
+    fn destination(&self, line: usize, to: Target) -> Result<Option<Destination>, InputError> {
+        match to {
+            Target::OfProgram => Ok(None),
+            Target::Team(team) if self.declared.teams.place(team).is_some() => Ok(Some(Destination::Team(team))),
+            Target::Team(team) => Err(self.no_team(line, team)),
+            Target::ActionNode(node) => match self.declared.actions.get(node) {
+                Some(&action) => Ok(Some(Destination::Action(action))),
+                None => {
+                    let found = format!("A{node}, which does not exist");
+                    Err(self.error(line, found, "an action that the file declares"))
+                }
+            },
+        }
+    }
+
+    fn no_team(&self, line: usize, team: u32) -> InputError {
+        self.error(line, format!("T{team}, which does not exist"), "a team that the file declares")
+    }
+
+    fn programs(&self, lines: &mut Lines) -> Result<Vec<ProgramDocument>, InputError> {
+        let instructions: Vec<Instruction> =
+            self.document.instructions.iter().filter_map(|name| Instruction::from_name(name)).collect();
+        let mut programs = Vec::new();
+        let mut constants_of_first = None;
+        for node in self.declared.programs.items() {
+            let number = node.number;
+            let Some(content) = self.declared.lines.get(number) else {
+                let accepted = format!("`I{number} [… label=\"…\"]`, with an empty label for no lines");
+                return Err(self.error(node.line, format!("P{number} without its lines I{number}"), accepted));
+            };
+            let (constants, line) = match (node.constants, content.constants) {
+                (integers, []) => (integers, node.line),
+                ([], reals) => (reals, content.line),
+                _ => {
+                    let accepted = format!("constants in one place, on line {} or here", node.line);
+                    return Err(self.error(content.line, format!("constants of P{number} a second time"), accepted));
+                }
+            };
+            // How many there are decides what the source numbers mean, for all programs alike.
+            let (first, first_line) = *constants_of_first.get_or_insert((constants.len(), line));
+            if constants.len() != first {
+                let accepted = format!("as many in each program: {first} on line {first_line}");
+                return Err(self.error(line, counted(constants.len(), "constant"), accepted));
+            }
+            let meaning = Meaning { document: self.document, instructions: &instructions, constants };
+            let document = meaning.lines(content.lines).map_err(|fault| fault.on(self.file, content.line))?;
+            programs.push(ProgramDocument { id: number, lines: document });
+            lines.programs.push(ProgramLines { node: node.line, lines: content.line });
+        }
+        Ok(programs)
+    }
+
+    /// The root is what the file says it is, where it says so (a sub-graph's export does not), and must be the one team
+    /// that no edge leads to; whether there is one such team, the graph's validation finds.
+    fn root(&self, teams: &[TeamDocument], lines: &mut Lines) -> Result<u32, InputError> {
+        let mut entered = vec![false; teams.len()];
+        for edge in teams.iter().flat_map(|team| &team.edges) {
+            if let Some(place) = edge.team.and_then(|team| self.declared.teams.place(team)) {
+                entered[place] = true;
+            }
+        }
+        let mut free = (0..teams.len()).filter(|&place| !entered[place]);
+        let (first, second) = (free.next(), free.next());
+        let Some(rank) = &self.declared.rank else {
+            let root = first.unwrap_or(0);
+            lines.root = lines.teams[root].node;
+            return Ok(teams[root].id);
+        };
+        lines.root = rank.line;
+        let root = self.ranked(rank)?;
+        match (first, second) {
+            (Some(only), None) if teams[only].id != root => {
+                let found = format!("T{root} as the root, and edges that lead to it");
+                Err(self.error(rank.line, found, format!("T{}, the one team that no edge leads to", teams[only].id)))
+            }
+            _ => Ok(root),
+        }
+    }
+
+    fn ranked(&self, rank: &Rank<'_>) -> Result<u32, InputError> {
+        match *rank.roots {
+            [Node { kind: Kind::Team, number }] if self.declared.teams.place(number).is_some() => Ok(number),
+            [Node { kind: Kind::Team, number }] => Err(self.no_team(rank.line, number)),
+            [] => Err(self.error(rank.line, "no root", "one team")),
+            [node] => Err(self.error(rank.line, format!("{node} as the root"), "a team")),
+            ref roots => {
+                let names: Vec<String> = roots.iter().map(Node::to_string).collect();
+                Err(self.error(rank.line, format!("{} roots: {}", roots.len(), names.join(" ")), "one team"))
+            }
+        }
+    }
+}

@@ -1,0 +1,181 @@
+//! The sidecar: a TOML file that says what a `.dot` file leaves out.
+
+use crate::error::{InputError, Place, serde_message};
+use crate::model::{
+    ActionDocument, Document, FORMAT, MAX_NUMBERED, MathsProvider, Provenance, ScalarType, SourceDocument, VERSION,
+};
+use serde::Deserialize;
+use std::ops::Range;
+use toml::de::{DeTable, DeValue};
+
+/// What a `.dot` file leaves out: everything of a `graph.json` but teams and programs, with its names and meanings.
+///
+/// ```
+/// use tpg_graph::import::Sidecar;
+///
+/// let text = r#"
+///     scalar = "f64"              # what programs compute in: "f32" or "f64"
+///     maths = "system"            # who computes sin, cos, ln, exp: "own" or "system"
+///     registers = 8
+///     sources = [                 # in the order of the environment, without the registers and program constants
+///         { name = "position", length = 3, unit = "mm", range = [-600, 600] },
+///         { name = "motors", length = 2, unit = "ticks", ranges = [[0, 4095], [512, 512]] },
+///     ]
+///     instructions = ["sub", "add", "mul", "cos"]     # in the order of their numbers in the file
+///     actions = [                 # by the label of their nodes; "move" only for a policy of the arm
+///         { id = 0, name = "left", move = [-3, 0, 0, 0] },
+///         { id = 1, name = "right", move = [3, 0, 0, 0] },
+///     ]
+/// "#;
+/// let sidecar = Sidecar::from_toml("arm.toml", text)?;
+/// assert_eq!(sidecar.document().sources[0].ranges, [[-600.0, 600.0]; 3]);
+/// # Ok::<(), tpg_graph::error::InputError>(())
+/// ```
+///
+/// `provenance`, where given, is the JSON text of that field of `graph.json`: exports carry it there.
+#[derive(Clone, Debug)]
+pub struct Sidecar {
+    file: String,
+    text: String,
+    document: Document,
+    has_provenance: bool,
+}
+
+/// The file as it is written.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Described {
+    scalar: ScalarType,
+    maths: MathsProvider,
+    registers: u32,
+    sources: Vec<DescribedSource>,
+    instructions: Vec<String>,
+    actions: Vec<ActionDocument>,
+    provenance: Option<String>,
+}
+
+/// A source, with one range for all its values or one for each.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct DescribedSource {
+    name: String,
+    length: u32,
+    unit: String,
+    range: Option<[f64; 2]>,
+    ranges: Option<Vec<[f64; 2]>>,
+}
+
+impl Sidecar {
+    /// Reads and validates a sidecar. `file` is what messages call it.
+    ///
+    /// # Errors
+    /// Whatever is wrong with it, by line and column.
+    pub fn from_toml(file: &str, text: &str) -> Result<Self, InputError> {
+        let described: Described = toml::from_str(text).map_err(|error| {
+            let place = error.span().map_or(Place::Whole, |span| place_of(text, &span));
+            let (found, accepted) = serde_message(error.message());
+            InputError::new(
+                file,
+                place,
+                found,
+                accepted.unwrap_or("the fields that a sidecar has; see sidecar.example.toml"),
+            )
+        })?;
+        let has_provenance = described.provenance.is_some();
+        let mut sidecar =
+            Self { file: file.to_owned(), text: text.to_owned(), document: Document::default(), has_provenance };
+        sidecar.document = sidecar.document_of(described)?;
+        let checked = sidecar.document.check_declarations(file);
+        checked.map_err(|error| sidecar.place_error(error))?;
+        Ok(sidecar)
+    }
+
+    /// What the sidecar says, as a document that lacks root, teams and programs.
+    pub fn document(&self) -> &Document {
+        &self.document
+    }
+
+    /// Whether it says where the graph comes from.
+    pub fn has_provenance(&self) -> bool {
+        self.has_provenance
+    }
+
+    /// An error of this sidecar's document, moved from its JSON path to the place in the TOML text.
+    pub(super) fn place_error(&self, error: InputError) -> InputError {
+        match &error.place {
+            Place::Path(path) => InputError { file: self.file.clone(), place: self.place(path), ..error },
+            _ => error,
+        }
+    }
+
+    fn error(&self, path: &str, found: impl Into<String>, accepted: &str) -> InputError {
+        InputError::new(&self.file, self.place(path), found, accepted)
+    }
+
+    fn document_of(&self, described: Described) -> Result<Document, InputError> {
+        let mut sources = Vec::new();
+        for (index, source) in described.sources.into_iter().enumerate() {
+            let path = format!("$.sources[{index}]");
+            let DescribedSource { name, length, unit, range, ranges } = source;
+            if length as usize > MAX_NUMBERED {
+                return Err(self.error(&format!("{path}.length"), length.to_string(), "1 to 65536"));
+            }
+            let ranges = match (range, ranges) {
+                (Some(range), None) => vec![range; length as usize],
+                (None, Some(ranges)) => ranges,
+                (Some(_), Some(_)) => return Err(self.error(&path, "both \"range\" and \"ranges\"", "one of the two")),
+                (None, None) => {
+                    let accepted = "\"range\" for all its values, or \"ranges\" with one for each";
+                    return Err(self.error(&path, "a source without range", accepted));
+                }
+            };
+            sources.push(SourceDocument { name, length, unit, ranges });
+        }
+        let provenance = match described.provenance {
+            None => Provenance::default(),
+            Some(json) => serde_json::from_str(&json).map_err(|error| {
+                self.error("$.provenance", error.to_string(), "the field \"provenance\" of a graph.json, as text")
+            })?,
+        };
+        Ok(Document {
+            format: FORMAT.to_owned(),
+            version: VERSION,
+            scalar: described.scalar,
+            maths: described.maths,
+            registers: described.registers,
+            sources,
+            instructions: described.instructions,
+            actions: described.actions,
+            provenance,
+            ..Document::default()
+        })
+    }
+
+    /// Where the text says what a JSON path names, or the nearest thing around it that the text has.
+    fn place(&self, path: &str) -> Place {
+        let Ok(table) = DeTable::parse(&self.text) else { return Place::Whole };
+        let mut steps = path.trim_start_matches('$').split(['.', '[']).filter(|step| !step.is_empty());
+        let first = steps.next().and_then(|key| table.get_ref().iter().find(|(name, _)| name.get_ref() == key));
+        let Some((_, mut value)) = first else { return Place::Whole };
+        for step in steps {
+            let next = match value.get_ref() {
+                DeValue::Table(table) => table.iter().find(|(name, _)| name.get_ref() == step).map(|(_, value)| value),
+                DeValue::Array(array) => {
+                    step.trim_end_matches(']').parse().ok().and_then(|index: usize| array.get(index))
+                }
+                _ => None,
+            };
+            match next {
+                Some(next) => value = next,
+                None => break,
+            }
+        }
+        place_of(&self.text, &value.span())
+    }
+}
+
+fn place_of(text: &str, span: &Range<usize>) -> Place {
+    let before = text.get(..span.start).unwrap_or(text);
+    let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+    Place::Column(before.matches('\n').count() + 1, before[line_start..].chars().count() + 1)
+}

@@ -1,0 +1,42 @@
+//! Tangled program graphs as data: the model, its file formats, and the interpreter that defines what a graph decides.
+//!
+//! A [`Graph`] is validated once, when it is read; every other crate of the workspace relies on that and never checks again.
+//!
+//! ```
+//! use tpg_graph::sample::{self, Shape};
+//! use tpg_graph::{Graph, interpret, states};
+//!
+//! let graph = sample::graph(&Shape::default(), 7);
+//! let again = Graph::from_json("graph.json", &graph.to_json())?;
+//! let states = states::sample(&graph, 100, 1);
+//! assert_eq!(interpret::actions(&graph, &states), interpret::actions(&again, &states));
+//! # Ok::<(), tpg_graph::error::InputError>(())
+//! ```
+//!
+//! # Map
+//!
+//! | module | subject |
+//! | --- | --- |
+//! | (root) | [`Graph`], its parts, and [`Document`], its form in `graph.json` |
+//! | [`import`], [`export`] | GEGELATI's `.dot` with its sidecar, both ways |
+//! | [`interpret`] | the reference interpreter |
+//! | [`in_arithmetic_of`] | calls a generic function in the arithmetic that a graph names |
+//! | [`conversion`] | a graph in another scalar type, and how often it still takes the same action |
+//! | [`engine`] | anything that decides like a graph |
+//! | [`states`], [`trace`], [`sample`] | drawn states, recorded states, random graphs |
+//! | [`error`], [`output`] | errors with file, place, found and accepted; files written whole or not at all |
+
+mod arithmetic;
+pub mod conversion;
+pub mod engine;
+pub mod error;
+pub mod export;
+pub mod import;
+pub mod interpret;
+mod model;
+pub mod output;
+pub mod sample;
+pub mod states;
+pub mod trace;
+
+pub use model::*;

@@ -1,0 +1,534 @@
+//! From document to graph and back. Everything that can be wrong with a graph is found here, once.
+
+use super::document::{
+    ActionDocument, Document, EdgeDocument, FORMAT, LineDocument, OperandDocument, ProgramDocument, SourceDocument,
+    TeamDocument, VERSION,
+};
+use super::{
+    Action, ActionId, Destination, Edge, Graph, Input, Line, Operand, Program, ProgramId, Range, Reg, Source, Team,
+    TeamId, name,
+};
+use crate::error::{InputError, Place, counted, serde_message};
+use std::collections::BTreeMap;
+use tpg_runtime::arm::Move;
+use tpg_runtime::ops::Instruction;
+
+/// What is accepted where nothing more exact can be said.
+const SCHEMA: &str = "what `tpg-codegen schema` describes";
+/// Most registers a program can have, as GEGELATI's line format.
+const MAX_REGISTERS: u32 = 256;
+/// Most values a state can have, and most actions: both are numbered in 16 bits.
+pub const MAX_NUMBERED: usize = 1 << 16;
+
+impl Graph {
+    /// Reads `graph.json`.
+    ///
+    /// # Errors
+    /// Whatever is wrong with it, by line and column for JSON itself, by JSON path for what it says.
+    pub fn from_json(file: &str, text: &str) -> Result<Self, InputError> {
+        let mut deserializer = serde_json::Deserializer::from_str(text);
+        let document: Document = serde_path_to_error::deserialize(&mut deserializer).map_err(|error| {
+            let path = match error.path().to_string().as_str() {
+                "." => "$".to_owned(),
+                path => format!("$.{path}"),
+            };
+            json_error(file, text, path, error.inner())
+        })?;
+        deserializer.end().map_err(|error| not_json(file, &error))?;
+        Self::from_document(file, document)
+    }
+
+    /// Validates a document.
+    ///
+    /// # Errors
+    /// The first thing that is wrong, by JSON path.
+    pub fn from_document(file: &str, document: Document) -> Result<Self, InputError> {
+        Validator { file, document: &document }.graph()
+    }
+
+    /// The graph as a document.
+    pub fn to_document(&self) -> Document {
+        let operand = |operand: &Operand| match *operand {
+            Operand::Register(reg) => OperandDocument::Place(format!("r{}", reg.0)),
+            Operand::Input(input) => OperandDocument::Place(self.input_name(input)),
+            Operand::Constant(value) => OperandDocument::Constant(value),
+        };
+        let edge = |edge: &Edge| {
+            let (team, action) = match edge.to {
+                Destination::Team(id) => (Some(self.team(id).label), None),
+                Destination::Action(id) => (None, Some(u32::from(id.0))),
+            };
+            EdgeDocument { program: self.program(edge.program).label, team, action }
+        };
+        let line = |line: &Line| LineDocument {
+            to: u32::from(line.to.0),
+            op: line.instruction.name().to_owned(),
+            args: line.operands.iter().take(line.instruction.arity()).map(operand).collect(),
+        };
+        Document {
+            format: FORMAT.to_owned(),
+            version: VERSION,
+            scalar: self.scalar,
+            maths: self.maths,
+            registers: u32::from(self.registers),
+            sources: self.sources.iter().map(source_document).collect(),
+            instructions: self.instructions.iter().map(|i| i.name().to_owned()).collect(),
+            actions: (0..).zip(&self.actions).map(|(id, action)| action_document(id, action)).collect(),
+            root: self.team(self.root).label,
+            teams: (self.teams.iter())
+                .map(|team| TeamDocument { id: team.label, edges: team.edges.iter().map(edge).collect() })
+                .collect(),
+            programs: (self.programs.iter())
+                .map(|program| ProgramDocument { id: program.label, lines: program.lines.iter().map(line).collect() })
+                .collect(),
+            provenance: self.provenance.clone(),
+        }
+    }
+}
+
+impl Document {
+    /// Checks everything but root, teams and programs.
+    pub(crate) fn check_declarations(&self, file: &str) -> Result<(), InputError> {
+        let validator = Validator { file, document: self };
+        validator.header()?;
+        validator.sources()?;
+        validator.instructions()?;
+        validator.actions()
+    }
+}
+
+fn source_document(source: &Source) -> SourceDocument {
+    SourceDocument {
+        name: source.name.clone(),
+        length: source.ranges.len() as u32,
+        unit: source.unit.clone(),
+        ranges: source.ranges.iter().map(|range| [range.min, range.max]).collect(),
+    }
+}
+
+fn action_document(id: u32, action: &Action) -> ActionDocument {
+    ActionDocument { id, name: action.name.clone(), moves: action.moves.map(|Move(ticks)| ticks) }
+}
+
+/// What keeps the text from being a document: by path where it is JSON, else by line and column.
+///
+/// Another version may have any fields, so that the version is the first thing to be said.
+fn json_error(file: &str, text: &str, path: String, error: &serde_json::Error) -> InputError {
+    #[derive(serde::Deserialize)]
+    struct Header {
+        version: u64,
+    }
+    if let Ok(Header { version }) = serde_json::from_str(text)
+        && version != u64::from(VERSION)
+    {
+        return other_version(file, version);
+    }
+    let message = error.to_string();
+    let (found, accepted) = serde_message(&message);
+    if error.is_data() {
+        return InputError::new(file, Place::Path(path), found, accepted.unwrap_or(SCHEMA));
+    }
+    if message.starts_with("number out of range") {
+        return InputError::new(file, Place::Path(path), found, format!("a magnitude of at most {:e}", f64::MAX));
+    }
+    not_json(file, error)
+}
+
+fn other_version(file: &str, version: u64) -> InputError {
+    let accepted = format!("{VERSION}, the version this tool knows");
+    InputError::new(file, Place::Path("$.version".to_owned()), version.to_string(), accepted)
+}
+
+fn not_json(file: &str, error: &serde_json::Error) -> InputError {
+    let place = Place::Column(error.line(), error.column());
+    let message = error.to_string();
+    let message = message.rsplit_once(" at line ").map_or(message.as_str(), |(message, _)| message);
+    let found = if error.is_eof() { "the file ends here, unfinished" } else { message };
+    InputError::new(file, place, format!("not JSON: {found}"), SCHEMA)
+}
+
+struct Validator<'a> {
+    file: &'a str,
+    document: &'a Document,
+}
+
+/// The graph's named things by what the file calls them.
+struct Names<'a> {
+    /// First input of each source, and its length.
+    sources: BTreeMap<&'a str, (usize, usize)>,
+    teams: BTreeMap<u32, TeamId>,
+    programs: BTreeMap<u32, ProgramId>,
+    instructions: Vec<Instruction>,
+}
+
+impl Validator<'_> {
+    fn error(&self, path: impl Into<String>, found: impl Into<String>, accepted: impl Into<String>) -> InputError {
+        InputError::new(self.file, Place::Path(path.into()), found, accepted)
+    }
+
+    fn graph(&self) -> Result<Graph, InputError> {
+        self.header()?;
+        let names = Names {
+            sources: self.sources()?,
+            instructions: self.instructions()?,
+            teams: self.numbered("teams", self.document.teams.iter().map(|team| team.id), TeamId)?,
+            programs: self.numbered("programs", self.document.programs.iter().map(|p| p.id), ProgramId)?,
+        };
+        self.actions()?;
+        let teams = self.teams(&names)?;
+        self.one_destination_each(&teams)?;
+        let root = self.root(&names, &teams)?;
+        self.acyclic(&teams)?;
+        let programs = self.programs(&names)?;
+        Ok(Graph {
+            scalar: self.document.scalar,
+            maths: self.document.maths,
+            registers: self.document.registers as u16,
+            sources: self.document.sources.iter().map(source).collect(),
+            instructions: names.instructions,
+            actions: self.document.actions.iter().map(action).collect(),
+            root,
+            teams,
+            programs,
+            provenance: self.document.provenance.clone(),
+        })
+    }
+
+    fn header(&self) -> Result<(), InputError> {
+        let Document { format, version, registers, .. } = self.document;
+        if format != FORMAT {
+            return Err(self.error("$.format", format!("{format:?}"), format!("{FORMAT:?}")));
+        }
+        if *version != VERSION {
+            return Err(other_version(self.file, u64::from(*version)));
+        }
+        if !(1..=MAX_REGISTERS).contains(registers) {
+            return Err(self.error("$.registers", registers.to_string(), format!("1 to {MAX_REGISTERS}")));
+        }
+        Ok(())
+    }
+
+    fn sources(&self) -> Result<BTreeMap<&str, (usize, usize)>, InputError> {
+        let mut places = BTreeMap::new();
+        let mut first = 0;
+        for (index, source) in self.document.sources.iter().enumerate() {
+            let path = format!("$.sources[{index}]");
+            if !name::is_source(&source.name) {
+                return Err(self.error(format!("{path}.name"), format!("{:?}", source.name), name::SOURCE));
+            }
+            if !name::is_text(&source.unit) {
+                return Err(self.error(format!("{path}.unit"), format!("{:?}", source.unit), name::TEXT));
+            }
+            let length = source.length as usize;
+            if source.ranges.len() != length || length == 0 {
+                let found = format!("{} for a length of {length}", counted(source.ranges.len(), "range"));
+                return Err(self.error(format!("{path}.ranges"), found, "one range for each value, at least one"));
+            }
+            for (place, [min, max]) in source.ranges.iter().enumerate() {
+                let exact = |value: &f64| value.is_finite() && self.document.scalar.round(*value) == *value;
+                if !(min <= max && exact(min) && exact(max)) {
+                    let found = format!("[{min}, {max}]");
+                    let scalar = self.document.scalar.name();
+                    let accepted = format!("[lowest, highest], finite and exact in {scalar}");
+                    return Err(self.error(format!("{path}.ranges[{place}]"), found, accepted));
+                }
+            }
+            if places.insert(source.name.as_str(), (first, length)).is_some() {
+                let found = format!("{:?} a second time", source.name);
+                return Err(self.error(format!("{path}.name"), found, "a name that no other source has"));
+            }
+            first += length;
+        }
+        if first == 0 || first > MAX_NUMBERED {
+            return Err(self.error("$.sources", format!("{first} values"), format!("1 to {MAX_NUMBERED} values")));
+        }
+        Ok(places)
+    }
+
+    fn instructions(&self) -> Result<Vec<Instruction>, InputError> {
+        let mut set = Vec::new();
+        for (index, name) in self.document.instructions.iter().enumerate() {
+            let path = format!("$.instructions[{index}]");
+            let instruction = Instruction::from_name(name)
+                .ok_or_else(|| self.error(&path, format!("unknown instruction {name:?}"), known_instructions()))?;
+            if set.contains(&instruction) {
+                return Err(self.error(path, format!("{name:?} a second time"), "each instruction once"));
+            }
+            set.push(instruction);
+        }
+        if set.is_empty() {
+            return Err(self.error("$.instructions", "an empty list", known_instructions()));
+        }
+        Ok(set)
+    }
+
+    fn numbered<Id>(
+        &self,
+        list: &str,
+        ids: impl Iterator<Item = u32>,
+        new: impl Fn(u32) -> Id,
+    ) -> Result<BTreeMap<u32, Id>, InputError> {
+        let mut by_id = BTreeMap::new();
+        for (index, id) in (0u32..).zip(ids) {
+            if by_id.insert(id, new(index)).is_some() {
+                let path = format!("$.{list}[{index}].id");
+                return Err(self.error(path, format!("{id} a second time"), "an id that no other one of the list has"));
+            }
+        }
+        if by_id.is_empty() {
+            return Err(self.error(format!("$.{list}"), "an empty list", "at least one"));
+        }
+        Ok(by_id)
+    }
+
+    fn actions(&self) -> Result<(), InputError> {
+        let actions = &self.document.actions;
+        for (index, action) in actions.iter().enumerate() {
+            if action.id as usize != index {
+                let path = format!("$.actions[{index}].id");
+                return Err(self.error(path, action.id.to_string(), format!("{index}, its place in the list")));
+            }
+            if !name::is_text(&action.name) {
+                let path = format!("$.actions[{index}].name");
+                return Err(self.error(path, format!("{:?}", action.name), name::TEXT));
+            }
+        }
+        if actions.is_empty() || actions.len() > MAX_NUMBERED {
+            return Err(self.error("$.actions", format!("{} actions", actions.len()), format!("1 to {MAX_NUMBERED}")));
+        }
+        Ok(())
+    }
+
+    fn teams(&self, names: &Names<'_>) -> Result<Vec<Team>, InputError> {
+        let mut teams = Vec::new();
+        for (index, team) in self.document.teams.iter().enumerate() {
+            if team.edges.is_empty() {
+                let path = format!("$.teams[{index}].edges");
+                return Err(self.error(path, format!("team {} without edges", team.id), "at least one edge"));
+            }
+            let edges = (team.edges.iter().enumerate())
+                .map(|(place, edge)| self.edge(&format!("$.teams[{index}].edges[{place}]"), edge, names))
+                .collect::<Result<_, _>>()?;
+            teams.push(Team { label: team.id, edges });
+        }
+        Ok(teams)
+    }
+
+    fn edge(&self, path: &str, edge: &EdgeDocument, names: &Names<'_>) -> Result<Edge, InputError> {
+        let program = *names.programs.get(&edge.program).ok_or_else(|| {
+            let found = format!("program {}, which does not exist", edge.program);
+            self.error(format!("{path}.program"), found, "the id of a program")
+        })?;
+        let to = match (edge.team, edge.action) {
+            (Some(team), None) => Destination::Team(*names.teams.get(&team).ok_or_else(|| {
+                let found = format!("team {team}, which does not exist");
+                self.error(format!("{path}.team"), found, "the id of a team")
+            })?),
+            (None, Some(action)) if (action as usize) < self.document.actions.len() => {
+                Destination::Action(ActionId(action as u16))
+            }
+            (None, Some(action)) => {
+                let accepted = format!("0 to {}", self.document.actions.len() - 1);
+                return Err(self.error(format!("{path}.action"), format!("action {action}"), accepted));
+            }
+            (Some(_), Some(_)) => {
+                return Err(self.error(path, "two destinations", "either \"team\" or \"action\""));
+            }
+            (None, None) => return Err(self.error(path, "no destination", "either \"team\" or \"action\"")),
+        };
+        Ok(Edge { program, to })
+    }
+
+    /// A program bids for one thing: GEGELATI clones a program before it gives it another destination, and `.dot` cannot
+    /// say anything else.
+    fn one_destination_each(&self, teams: &[Team]) -> Result<(), InputError> {
+        let mut destination = BTreeMap::new();
+        for (index, team) in teams.iter().enumerate() {
+            for (place, edge) in team.edges.iter().enumerate() {
+                if *destination.entry(edge.program).or_insert(edge.to) != edge.to {
+                    let program = self.document.programs[edge.program.index()].id;
+                    return Err(self.error(
+                        format!("$.teams[{index}].edges[{place}]"),
+                        format!("a second destination for program {program}"),
+                        "one destination for each program: give the copy an id of its own",
+                    ));
+                }
+            }
+        }
+        let unused = (0u32..).zip(&self.document.programs).find(|(id, _)| !destination.contains_key(&ProgramId(*id)));
+        match unused {
+            Some((index, program)) => Err(self.error(
+                format!("$.programs[{index}]"),
+                format!("program {}, which no edge uses", program.id),
+                "programs that bid for something",
+            )),
+            None => Ok(()),
+        }
+    }
+
+    /// The one team that no edge leads to must be the declared root; with [`acyclic`](Self::acyclic) that makes every
+    /// team reachable.
+    fn root(&self, names: &Names<'_>, teams: &[Team]) -> Result<TeamId, InputError> {
+        let declared = self.document.root;
+        let root = *names.teams.get(&declared).ok_or_else(|| {
+            self.error("$.root", format!("team {declared}, which does not exist"), "the id of a team")
+        })?;
+        let mut entered = vec![false; teams.len()];
+        for edge in teams.iter().flat_map(|team| &team.edges) {
+            if let Destination::Team(team) = edge.to {
+                entered[team.index()] = true;
+            }
+        }
+        if entered[root.index()] {
+            let found = format!("no root: edges lead to team {declared}");
+            return Err(self.error("$.root", found, "the one team that no edge leads to"));
+        }
+        match (0u32..).zip(&entered).find(|&(index, &entered)| !entered && TeamId(index) != root) {
+            Some((index, _)) => {
+                let other = teams[index as usize].label;
+                let found = format!("a second root: no edge leads to team {other} (the root is {declared})");
+                Err(self.error(format!("$.teams[{index}]"), found, "exactly one team that no edge leads to"))
+            }
+            None => Ok(root),
+        }
+    }
+
+    /// Depth-first search with its own stack: a graph may be deeper than the machine's.
+    fn acyclic(&self, teams: &[Team]) -> Result<(), InputError> {
+        #[derive(Clone, Copy, PartialEq)]
+        enum Mark {
+            New,
+            Open,
+            Done,
+        }
+        let mut marks = vec![Mark::New; teams.len()];
+        for start in 0..teams.len() {
+            if marks[start] != Mark::New {
+                continue;
+            }
+            marks[start] = Mark::Open;
+            let mut path = vec![(start, 0)];
+            while let Some((team, next)) = path.last_mut() {
+                let Some(edge) = teams[*team].edges.get(*next) else {
+                    marks[*team] = Mark::Done;
+                    path.pop();
+                    continue;
+                };
+                let place = format!("$.teams[{team}].edges[{next}]");
+                *next += 1;
+                let Destination::Team(to) = edge.to else { continue };
+                match marks[to.index()] {
+                    Mark::Done => {}
+                    Mark::New => {
+                        marks[to.index()] = Mark::Open;
+                        path.push((to.index(), 0));
+                    }
+                    Mark::Open => {
+                        let from = path.iter().position(|&(team, _)| team == to.index()).unwrap_or(0);
+                        let cycle: Vec<String> = (path[from..].iter().map(|&(team, _)| team).chain([to.index()]))
+                            .map(|team| teams[team].label.to_string())
+                            .collect();
+                        let found = format!("a cycle: team {}", cycle.join(" → "));
+                        return Err(self.error(place, found, "edges that never lead back"));
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn programs(&self, names: &Names<'_>) -> Result<Vec<Program>, InputError> {
+        let mut programs = Vec::new();
+        for (index, program) in self.document.programs.iter().enumerate() {
+            let lines = (program.lines.iter().enumerate())
+                .map(|(place, line)| self.line(&format!("$.programs[{index}].lines[{place}]"), line, names))
+                .collect::<Result<_, _>>()?;
+            programs.push(Program { label: program.id, lines });
+        }
+        Ok(programs)
+    }
+
+    fn line(&self, path: &str, line: &LineDocument, names: &Names<'_>) -> Result<Line, InputError> {
+        let to = self.register(&format!("{path}.to"), Some(line.to), &line.to.to_string())?;
+        let declared = |i: &Instruction| names.instructions.contains(i);
+        let instruction = Instruction::from_name(&line.op).filter(declared).ok_or_else(|| {
+            let accepted = format!("one of the declared instructions: {}", self.document.instructions.join(", "));
+            self.error(format!("{path}.op"), format!("instruction {:?}", line.op), accepted)
+        })?;
+        let operands: Vec<Operand> = (line.args.iter().enumerate())
+            .map(|(place, operand)| self.operand(&format!("{path}.args[{place}]"), operand, names))
+            .collect::<Result<_, _>>()?;
+        let operands = match (instruction.arity(), operands.as_slice()) {
+            (1, &[a]) => [a, a],
+            (2, &[a, b]) => [a, b],
+            (arity, found) => {
+                let found = format!("{} of {:?}", counted(found.len(), "operand"), line.op);
+                return Err(self.error(format!("{path}.args"), found, arity.to_string()));
+            }
+        };
+        Ok(Line { to, instruction, operands })
+    }
+
+    /// `None` is a number that does not fit, written as `found`.
+    fn register(&self, path: &str, register: Option<u32>, found: &str) -> Result<Reg, InputError> {
+        match register {
+            Some(register) if register < self.document.registers => Ok(Reg(register as u16)),
+            _ => {
+                let accepted = format!("register 0 to {}", self.document.registers - 1);
+                Err(self.error(path, format!("register {found}"), accepted))
+            }
+        }
+    }
+
+    fn operand(&self, path: &str, operand: &OperandDocument, names: &Names<'_>) -> Result<Operand, InputError> {
+        let place = match operand {
+            OperandDocument::Constant(value) => return self.constant(path, *value),
+            OperandDocument::Place(place) => place,
+        };
+        if name::is_register(place) {
+            let number = &place[1..];
+            return self.register(path, number.parse().ok(), number).map(Operand::Register);
+        }
+        let accepted = || "a number, a register \"r0\", or a value of a source \"name[0]\"";
+        let (name, index) = (place.strip_suffix(']').and_then(|place| place.split_once('[')))
+            .ok_or_else(|| self.error(path, format!("{place:?}"), accepted()))?;
+        let &(first, length) = names.sources.get(name).ok_or_else(|| {
+            let known: Vec<&str> = names.sources.keys().copied().collect();
+            self.error(path, format!("unknown source {name:?}"), format!("one of {}", known.join(", ")))
+        })?;
+        match index.parse::<usize>() {
+            Ok(offset) if offset < length && name::is_number(index) => {
+                Ok(Operand::Input(Input((first + offset) as u16)))
+            }
+            _ => Err(self.error(path, format!("{place:?}"), format!("{name}[0] to {name}[{}]", length - 1))),
+        }
+    }
+
+    fn constant(&self, path: &str, value: f64) -> Result<Operand, InputError> {
+        let scalar = self.document.scalar;
+        let rounded = scalar.round(value);
+        if rounded.is_finite() {
+            Ok(Operand::Constant(rounded))
+        } else {
+            let found = format!("the constant {value:e}, which does not fit {}", scalar.name());
+            let largest = match scalar {
+                super::ScalarType::F32 => f64::from(f32::MAX),
+                super::ScalarType::F64 => f64::MAX,
+            };
+            Err(self.error(path, found, format!("a magnitude of at most {largest:e}")))
+        }
+    }
+}
+
+fn source(source: &SourceDocument) -> Source {
+    let ranges = source.ranges.iter().map(|&[min, max]| Range { min, max }).collect();
+    Source { name: source.name.clone(), unit: source.unit.clone(), ranges }
+}
+
+fn action(action: &ActionDocument) -> Action {
+    Action { name: action.name.clone(), moves: action.moves.map(Move) }
+}
+
+fn known_instructions() -> String {
+    Instruction::ALL.map(Instruction::name).join(", ")
+}

@@ -1,0 +1,312 @@
+//! Random valid graphs, for tests and benchmarks: the same shape and seed always give the same graph.
+//!
+//! They hold on purpose what is rare in trained graphs and easily got wrong: equal bids, programs that several teams share,
+//! programs without lines, constants of every kind, introns, ids in no order, a root that is not the first team.
+//!
+//! ```
+//! use tpg_graph::sample::{self, Shape};
+//!
+//! let graph = sample::graph(&Shape::default(), 7);
+//! assert_eq!(graph, sample::graph(&Shape::default(), 7));
+//! assert_ne!(graph, sample::graph(&Shape::default(), 8));
+//! ```
+
+use crate::model::{
+    ActionDocument, Document, EdgeDocument, FORMAT, Graph, LineDocument, MathsProvider, OperandDocument,
+    ProgramDocument, Provenance, ScalarType, SourceDocument, TeamDocument, VERSION,
+};
+use rand::seq::SliceRandom;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use std::ops::RangeInclusive;
+use tpg_runtime::ops::Instruction;
+
+/// What graphs look like.
+#[derive(Clone, Debug)]
+pub struct Shape {
+    /// How many teams.
+    pub teams: usize,
+    /// How many edges a team has, where it does not need more to reach other teams.
+    pub edges: RangeInclusive<usize>,
+    /// How many lines a program has.
+    pub lines: RangeInclusive<usize>,
+    /// How many registers.
+    pub registers: u32,
+    /// The length of each source.
+    pub sources: Vec<u32>,
+    /// How many actions.
+    pub actions: u32,
+    /// The instruction set.
+    pub instructions: Vec<Instruction>,
+    /// What programs compute in.
+    pub scalar: ScalarType,
+    /// Who computes sin, cos, ln and exp.
+    pub maths: MathsProvider,
+    /// Which constants programs read.
+    pub constants: Constants,
+    /// Teams form one chain, as deep as a graph can be.
+    pub chain: bool,
+}
+
+/// Which constants programs read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Constants {
+    /// None.
+    None,
+    /// Integers of 32 bits.
+    Integers,
+    /// Any finite numbers, whole ones, tiny ones and −0 among them.
+    Reals,
+}
+
+impl Default for Shape {
+    /// A graph about as large as the paper's, with every instruction.
+    fn default() -> Self {
+        Self {
+            teams: 20,
+            edges: 2..=10,
+            lines: 0..=8,
+            registers: 8,
+            sources: vec![3, 3, 4],
+            actions: 9,
+            instructions: Instruction::ALL.to_vec(),
+            scalar: ScalarType::F64,
+            maths: MathsProvider::Own,
+            constants: Constants::Reals,
+            chain: false,
+        }
+    }
+}
+
+impl Shape {
+    /// A shape drawn at random: small graphs of every kind.
+    pub fn random(seed: u64) -> Self {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let mut instructions = Instruction::ALL.to_vec();
+        instructions.shuffle(&mut random);
+        instructions.truncate(random.random_range(1..=Instruction::ALL.len()));
+        let constants = [Constants::None, Constants::Integers, Constants::Reals];
+        Self {
+            teams: random.random_range(1..=30),
+            edges: 1..=random.random_range(1..=12),
+            lines: 0..=random.random_range(0..=10),
+            registers: random.random_range(1..=12),
+            sources: (0..random.random_range(1..=4)).map(|_| random.random_range(1..=6)).collect(),
+            actions: random.random_range(1..=9),
+            instructions,
+            scalar: if random.random() { ScalarType::F32 } else { ScalarType::F64 },
+            maths: if random.random() { MathsProvider::Own } else { MathsProvider::System },
+            constants: constants[random.random_range(0..constants.len())],
+            chain: random.random_ratio(1, 4),
+        }
+    }
+}
+
+/// A graph of that shape.
+///
+/// # Panics
+/// If the shape allows no graph: no teams, edges, registers, values, actions or instructions.
+pub fn graph(shape: &Shape, seed: u64) -> Graph {
+    let document = Sampler { shape, random: ChaCha8Rng::seed_from_u64(seed), programs: Vec::new() }.document(seed);
+    Graph::from_document("<sample>", document).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Where a program leads: to a team by its place, or to an action.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Destination {
+    Team(usize),
+    Action(u32),
+}
+
+/// Teams are numbered from the root down while edges are drawn, so that every edge leads to a higher number.
+struct Sampler<'s> {
+    shape: &'s Shape,
+    random: ChaCha8Rng,
+    programs: Vec<(Destination, Vec<LineDocument>)>,
+}
+
+impl Sampler<'_> {
+    fn document(mut self, seed: u64) -> Document {
+        let shape = self.shape;
+        let edges = self.edges();
+        let team_ids = self.ids(shape.teams);
+        let program_ids = self.ids(self.programs.len());
+        let edge = |&program: &usize| {
+            let (team, action) = match self.programs[program].0 {
+                Destination::Team(team) => (Some(team_ids[team]), None),
+                Destination::Action(action) => (None, Some(action)),
+            };
+            EdgeDocument { program: program_ids[program], team, action }
+        };
+        let mut teams: Vec<TeamDocument> = (team_ids.iter().zip(&edges))
+            .map(|(&id, edges)| TeamDocument { id, edges: edges.iter().map(edge).collect() })
+            .collect();
+        let mut programs: Vec<ProgramDocument> =
+            (program_ids.iter().zip(self.programs)).map(|(&id, (_, lines))| ProgramDocument { id, lines }).collect();
+        teams.shuffle(&mut self.random);
+        programs.shuffle(&mut self.random);
+        Document {
+            format: FORMAT.to_owned(),
+            version: VERSION,
+            scalar: shape.scalar,
+            maths: shape.maths,
+            registers: shape.registers,
+            sources: (0..).zip(&shape.sources).map(|(index, &length)| source(index, length)).collect(),
+            instructions: shape.instructions.iter().map(|instruction| instruction.name().to_owned()).collect(),
+            actions: (0..shape.actions).map(action).collect(),
+            root: team_ids[0],
+            teams,
+            programs,
+            provenance: Provenance {
+                tool: Some("tpg-codegen sample".to_owned()),
+                seed: Some(seed),
+                note: Some("Random: \"valid\", without meaning.\nNot trained.".to_owned()),
+                ..Provenance::default()
+            },
+        }
+    }
+
+    /// The programs of each team's edges, in order. Every team but the root gets an edge from one above it.
+    fn edges(&mut self) -> Vec<Vec<usize>> {
+        let mut edges: Vec<Vec<usize>> = vec![Vec::new(); self.shape.teams];
+        for team in 1..self.shape.teams {
+            let above = if self.shape.chain { team - 1 } else { self.random.random_range(0..team) };
+            let program = self.program(Destination::Team(team));
+            edges[above].push(program);
+        }
+        for (team, edges) in edges.iter_mut().enumerate() {
+            let wanted = self.random.random_range(self.shape.edges.clone()).max(1);
+            while edges.len() < wanted {
+                edges.push(self.bidder(team));
+            }
+            edges.shuffle(&mut self.random);
+        }
+        edges
+    }
+
+    /// A program that may bid in a team: one of another team, a copy of another's lines, or a new one.
+    fn bidder(&mut self, team: usize) -> usize {
+        let other = self.random.random_range(0..=self.programs.len());
+        let destination = self.destination(team);
+        match (self.programs.get(other).cloned(), self.random.random_range(0..4)) {
+            (Some((to, _)), 0) if may_lead(team, to) => other,
+            (Some((_, lines)), 1) => self.add(destination, lines),
+            _ => self.program(destination),
+        }
+    }
+
+    fn destination(&mut self, from: usize) -> Destination {
+        let below = from + 1..self.shape.teams;
+        if !self.shape.chain && !below.is_empty() && self.random.random_ratio(1, 3) {
+            Destination::Team(self.random.random_range(below))
+        } else {
+            Destination::Action(self.random.random_range(0..self.shape.actions))
+        }
+    }
+
+    fn program(&mut self, to: Destination) -> usize {
+        let count = self.random.random_range(self.shape.lines.clone());
+        let lines = (0..count).map(|_| self.line()).collect();
+        self.add(to, lines)
+    }
+
+    fn add(&mut self, to: Destination, lines: Vec<LineDocument>) -> usize {
+        self.programs.push((to, lines));
+        self.programs.len() - 1
+    }
+
+    fn line(&mut self) -> LineDocument {
+        let instruction = self.shape.instructions[self.random.random_range(0..self.shape.instructions.len())];
+        let args = (0..instruction.arity()).map(|_| self.operand()).collect();
+        // Every other line computes the bid, so that bids depend on inputs more often than not.
+        let to = if self.random.random() { 0 } else { self.random.random_range(0..self.shape.registers) };
+        LineDocument { to, op: instruction.name().to_owned(), args }
+    }
+
+    fn operand(&mut self) -> OperandDocument {
+        match (self.random.random_range(0..8), self.shape.constants) {
+            (0, Constants::Integers | Constants::Reals) => OperandDocument::Constant(self.constant()),
+            (1..=3, _) => OperandDocument::Place(format!("r{}", self.random.random_range(0..self.shape.registers))),
+            _ => {
+                let source = self.random.random_range(0..self.shape.sources.len());
+                let place = self.random.random_range(0..self.shape.sources[source]);
+                OperandDocument::Place(format!("s{source}[{place}]"))
+            }
+        }
+    }
+
+    fn constant(&mut self) -> f64 {
+        let kinds = if self.shape.constants == Constants::Reals { 6 } else { 2 };
+        let value = match self.random.random_range(0..kinds) {
+            0 => f64::from(self.random.random_range(-10..=10)),
+            1 => f64::from(self.random.random::<i32>()),
+            2 => -0.0,
+            3 => 1e-40, // a denormal of f32
+            4 => self.random.random_range(-3e38..3e38),
+            _ => self.random.random_range(-1.0..1.0),
+        };
+        self.shape.scalar.round(value)
+    }
+
+    /// Ids in no order, with gaps, none twice.
+    fn ids(&mut self, count: usize) -> Vec<u32> {
+        let mut ids: Vec<u32> = (0..count as u32).map(|place| place * 3 + self.random.random_range(0..3)).collect();
+        ids.shuffle(&mut self.random);
+        ids
+    }
+}
+
+fn may_lead(from: usize, to: Destination) -> bool {
+    match to {
+        Destination::Team(to) => to > from,
+        Destination::Action(_) => true,
+    }
+}
+
+fn source(index: usize, length: u32) -> SourceDocument {
+    // Ranges of different kinds: symmetric, from zero, and one value that never changes.
+    let ranges = (0..length).map(|place| match (index + place as usize) % 4 {
+        0 | 1 => [-600.0, 600.0],
+        2 => [0.0, 4095.0],
+        _ => [512.0, 512.0],
+    });
+    SourceDocument { name: format!("s{index}"), length, unit: "mm".to_owned(), ranges: ranges.collect() }
+}
+
+fn action(id: u32) -> ActionDocument {
+    ActionDocument { id, name: format!("action {id}"), moves: None }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Operand;
+
+    #[test]
+    fn every_shape_gives_a_graph() {
+        for seed in 0..500 {
+            let shape = Shape::random(seed);
+            assert_eq!(graph(&shape, seed).teams().len(), shape.teams);
+        }
+    }
+
+    #[test]
+    fn a_default_graph_has_what_is_easily_got_wrong() {
+        let graph = graph(&Shape::default(), 1);
+        let edges = || graph.teams().iter().flat_map(|team| &team.edges);
+        let programs = graph.programs();
+        assert!(edges().count() > programs.len(), "a program that several teams share");
+        assert!(programs.iter().any(|program| program.lines.is_empty()), "a program without lines");
+        let twin = |index: usize| programs[..index].iter().any(|program| program.lines == programs[index].lines);
+        assert!((0..programs.len()).any(|index| !programs[index].lines.is_empty() && twin(index)), "equal bids");
+        let operands = || programs.iter().flat_map(|program| &program.lines).flat_map(|line| line.operands);
+        assert!(operands().any(|operand| matches!(operand, Operand::Constant(_))), "constants");
+        assert_ne!(graph.root().index(), 0);
+    }
+
+    #[test]
+    fn a_large_chain_is_no_trouble() {
+        let shape = Shape { teams: 10_000, edges: 2..=4, chain: true, ..Shape::default() };
+        assert_eq!(graph(&shape, 1).teams().len(), 10_000);
+    }
+}

@@ -1,0 +1,125 @@
+//! States to compare implementations on, the same for the same graph and seed.
+//!
+//! Most lie in the declared ranges, some on their ends, some hold what no sensor should deliver: NaN, infinities,
+//! denormals, any bits at all. Implementations must agree on every one.
+
+use crate::error::InputError;
+use crate::model::{Graph, Range};
+use crate::trace;
+use rand::{Rng, RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use sha2::{Digest, Sha256};
+use std::path::Path;
+
+/// Flat states, one after another, each of [`Graph::state_length`] values exact in the graph's scalar type.
+pub fn sample(graph: &Graph, count: usize, seed: u64) -> Vec<f64> {
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    let ranges: Vec<Range> = graph.state_ranges().collect();
+    let mut states = Vec::with_capacity(count * ranges.len());
+    for _ in 0..count {
+        let kind = Kind::draw(&mut random);
+        states.extend(ranges.iter().map(|range| graph.scalar().round(kind.value(*range, &mut random))));
+    }
+    states
+}
+
+/// Flat states inside the declared ranges: what the embedded self-test uses.
+pub fn sample_in_range(graph: &Graph, count: usize, seed: u64) -> Vec<f64> {
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    let ranges: Vec<Range> = graph.state_ranges().collect();
+    (0..count * ranges.len())
+        .map(|place| Kind::InRange.value(ranges[place % ranges.len()], &mut random))
+        .map(|value| graph.scalar().round(value))
+        .collect()
+}
+
+/// How the values of one state are drawn.
+#[derive(Clone, Copy)]
+enum Kind {
+    /// Uniform in their ranges.
+    InRange,
+    /// Whole numbers in their ranges, where equal bids are likeliest.
+    Whole,
+    /// In range or on its ends, or zero.
+    Boundary,
+    /// In range, one in eight special.
+    Special,
+    /// Any bits.
+    Anything,
+}
+
+const SPECIAL: [f64; 12] = [
+    f64::NAN,
+    f64::INFINITY,
+    f64::NEG_INFINITY,
+    0.0,
+    -0.0,
+    f64::MIN_POSITIVE / 4.0,
+    -f64::MIN_POSITIVE / 4.0,
+    1e-40, // a denormal of f32
+    f64::MAX,
+    f64::MIN,
+    1.0,
+    1e30,
+];
+
+impl Kind {
+    fn draw(random: &mut impl Rng) -> Self {
+        match random.random_range(0..10) {
+            0..4 => Self::InRange,
+            4..6 => Self::Whole,
+            6..8 => Self::Boundary,
+            8 => Self::Special,
+            _ => Self::Anything,
+        }
+    }
+
+    fn value(self, Range { min, max }: Range, random: &mut impl Rng) -> f64 {
+        // 53 bits give every multiple of 2⁻⁵³ in [0, 1).
+        let unit = (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
+        let inside = (min + unit * (max - min)).clamp(min, max);
+        match self {
+            Self::InRange => inside,
+            Self::Whole => inside.round().clamp(min, max),
+            Self::Boundary => match random.random_range(0..6) {
+                0 => min,
+                1 => max,
+                2 => 0.0,
+                _ => inside,
+            },
+            Self::Special if random.random_range(0..8) == 0 => SPECIAL[random.random_range(0..SPECIAL.len())],
+            Self::Special => inside,
+            // Half of all doubles are beyond f32, so draw the bits of both types.
+            Self::Anything if random.random_bool(0.5) => f64::from(f32::from_bits(random.next_u32())),
+            Self::Anything => f64::from_bits(random.next_u64()),
+        }
+    }
+}
+
+/// States to measure something over, and where they come from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StateSet {
+    /// Flat states, one after another.
+    pub states: Vec<f64>,
+    /// Where they come from, for people, without a path or a time.
+    pub origin: String,
+}
+
+impl StateSet {
+    /// States inside the declared ranges.
+    pub fn sampled(graph: &Graph, count: usize, seed: u64) -> Self {
+        let origin = format!("{count} states sampled uniformly in the declared ranges, seed {seed}");
+        Self { states: sample_in_range(graph, count, seed), origin }
+    }
+
+    /// Recorded states: see [`trace`].
+    ///
+    /// # Errors
+    /// Whatever is wrong with the file.
+    pub fn recorded(graph: &Graph, path: &Path) -> Result<Self, InputError> {
+        let (states, text) = trace::load(path, graph)?;
+        let count = states.len() / graph.state_length();
+        let hash = Sha256::digest(text).iter().take(8).fold(String::new(), |hex, byte| format!("{hex}{byte:02x}"));
+        Ok(Self { states, origin: format!("{count} recorded states, SHA-256 {hash}...") })
+    }
+}

@@ -1,0 +1,350 @@
+//! What is refused, and what is said of it: file, place, what was found, what is accepted.
+//!
+//! The messages are snapshots, to be read by whoever changes one.
+
+use std::fmt::Write as _;
+use tpg_graph::Graph;
+use tpg_graph::error::{InputError, Place};
+use tpg_graph::import::{self, Sidecar};
+
+/// What each case makes of a good text: every pair of a text and what stands there instead.
+type Case<'c> = (&'c str, &'c [(&'c str, &'c str)]);
+
+/// Applies each case to `good` and lists what `read` says of it.
+fn messages(good: &str, cases: &[Case<'_>], read: impl Fn(&str) -> Result<Graph, InputError>) -> String {
+    read(good).unwrap_or_else(|error| panic!("the good text: {error}"));
+    let mut list = String::new();
+    for (name, changes) in cases {
+        let bad = changes.iter().fold(good.to_owned(), |text, (from, to)| {
+            assert_eq!(text.matches(from).count(), 1, "{name}: {from:?} must stand in the text once");
+            text.replace(from, to)
+        });
+        let error = read(&bad).expect_err(name);
+        assert_complete(name, &error);
+        writeln!(list, "{name}:\n  {error}").expect("a string can be written to");
+    }
+    list
+}
+
+/// An error says everything, on one line. Only of a file as a whole there is no place to tell.
+fn assert_complete(name: &str, error: &InputError) {
+    let InputError { file, found, accepted, .. } = error;
+    assert!([file, found, accepted].iter().all(|part| !part.is_empty()), "{name}: {error:?}");
+    assert!(!error.to_string().contains('\n'), "{name}: {error}");
+}
+
+const JSON: &str = r#"{
+  "format": "tpg-graph", "version": 1, "scalar": "f32", "maths": "own", "registers": 4,
+  "sources": [
+    {"name":"target","length":2,"unit":"mm","ranges":[[-1.0,1.0],[0.0,4095.0]]},
+    {"name":"motors","length":1,"unit":"ticks","ranges":[[0.0,8.0]]}
+  ],
+  "instructions": ["add","cos"],
+  "actions": [{"id":0,"name":"left"},{"id":1,"name":"right","move":[3,0,0,0]}],
+  "root": 7,
+  "teams": [
+    {"id":7,"edges":[{"program":1,"action":0},{"program":2,"team":9}]},
+    {"id":9,"edges":[{"program":3,"action":1}]}
+  ],
+  "programs": [
+    {"id":1,"lines":[{"to":3,"op":"add","args":["r0","motors[0]"]},{"to":0,"op":"cos","args":[0.5]}]},
+    {"id":2,"lines":[]},
+    {"id":3,"lines":[]}
+  ]
+}
+"#;
+
+#[test]
+fn json() {
+    let cases: &[Case<'_>] = &[
+        ("not JSON", &[("\"root\": 7,", "\"root\": seven,")]),
+        ("truncated", &[("{\"id\":2,\"lines\":[]},\n    {\"id\":3,\"lines\":[]}\n  ]\n}\n", "{\"id\":2,\"li")]),
+        ("something after the end", &[("  ]\n}\n", "  ]\n}\n{}\n")]),
+        ("another version", &[("\"version\": 1", "\"version\": 2")]),
+        ("another version with other fields", &[("\"version\": 1", "\"version\": 2, \"memory\": []")]),
+        ("another format", &[("tpg-graph", "tpg-tree")]),
+        ("a field that is not known", &[("\"root\": 7", "\"rot\": 7")]),
+        ("a field that lacks", &[("  \"root\": 7,\n", "")]),
+        ("a field a second time", &[("\"root\": 7", "\"root\": 7, \"root\": 9")]),
+        ("a value of another type", &[("\"root\": 7", "\"root\": \"seven\"")]),
+        ("an unknown scalar", &[("f32", "f16")]),
+        ("no registers", &[("\"registers\": 4", "\"registers\": 0")]),
+        ("too many registers", &[("\"registers\": 4", "\"registers\": 257")]),
+        ("an unknown instruction in the set", &[("[\"add\",\"cos\"]", "[\"add\",\"cosine\",\"cos\"]")]),
+        ("an instruction twice in the set", &[("[\"add\",\"cos\"]", "[\"add\",\"cos\",\"add\"]")]),
+        ("an unknown instruction", &[("\"op\":\"cos\"", "\"op\":\"tan\"")]),
+        ("an instruction outside the set", &[("\"op\":\"cos\"", "\"op\":\"sin\"")]),
+        ("too few operands", &[("[\"r0\",\"motors[0]\"]", "[\"r0\"]")]),
+        ("too many operands", &[("[0.5]", "[0.5, 0.5]")]),
+        ("a register out of range", &[("\"to\":3", "\"to\":4")]),
+        ("a register out of range as an operand", &[("\"r0\"", "\"r4\"")]),
+        ("a register out of any range", &[("\"r0\"", "\"r99999999999999999999\"")]),
+        ("an unknown source", &[("motors[0]", "motor[0]")]),
+        ("a source out of range", &[("motors[0]", "motors[1]")]),
+        ("a source with a sign", &[("motors[0]", "motors[+0]")]),
+        ("an operand that is none", &[("motors[0]", "motors")]),
+        ("an operand of another type", &[("\"motors[0]\"", "true")]),
+        ("a constant that does not fit f32", &[("[0.5]", "[1e39]")]),
+        ("a constant that does not fit f64", &[("[0.5]", "[1e309]")]),
+        ("a source named like a register", &[("\"target\"", "\"r2\"")]),
+        ("a source named like a keyword", &[("\"target\"", "\"double\"")]),
+        ("a source twice", &[("\"target\"", "\"motors\"")]),
+        ("a unit that ends a comment", &[("\"mm\"", "\"*/ m\"")]),
+        ("a source of another length", &[("\"length\":2", "\"length\":3")]),
+        ("a range upside down", &[("[-1.0,1.0]", "[1.0,-1.0]")]),
+        ("a range that f32 cannot say", &[("[-1.0,1.0]", "[-0.1,1.0]")]),
+        (
+            "no sources",
+            &[(
+                "    {\"name\":\"target\",\"length\":2,\"unit\":\"mm\",\"ranges\":[[-1.0,1.0],[0.0,4095.0]]},\n    {\"name\":\"motors\",\"length\":1,\"unit\":\"ticks\",\"ranges\":[[0.0,8.0]]}\n",
+                "",
+            )],
+        ),
+        ("an action with another id", &[("\"id\":1,\"name\":\"right\"", "\"id\":2,\"name\":\"right\"")]),
+        ("an action that moves too little", &[("[3,0,0,0]", "[3,0,0]")]),
+        ("an edge to a team that lacks", &[("\"team\":9", "\"team\":8")]),
+        ("an edge to an action that lacks", &[("\"action\":1", "\"action\":2")]),
+        ("an edge of a program that lacks", &[("\"program\":3", "\"program\":4")]),
+        ("an edge to nowhere", &[(",\"team\":9", "")]),
+        ("an edge to two places", &[("\"team\":9", "\"team\":9,\"action\":0")]),
+        ("a team without edges", &[("[{\"program\":3,\"action\":1}]", "[]")]),
+        (
+            "no teams",
+            &[(
+                "    {\"id\":7,\"edges\":[{\"program\":1,\"action\":0},{\"program\":2,\"team\":9}]},\n    {\"id\":9,\"edges\":[{\"program\":3,\"action\":1}]}\n",
+                "",
+            )],
+        ),
+        ("a cycle", &[("\"program\":3,\"action\":1", "\"program\":3,\"team\":9")]),
+        (
+            "a cycle of two",
+            &[
+                ("\"program\":3,\"action\":1}", "\"program\":3,\"team\":8}"),
+                (
+                    "]}\n  ],\n  \"programs\"",
+                    "]},\n    {\"id\":8,\"edges\":[{\"program\":4,\"team\":9}]}\n  ],\n  \"programs\"",
+                ),
+                ("{\"id\":3,\"lines\":[]}", "{\"id\":3,\"lines\":[]},{\"id\":4,\"lines\":[]}"),
+            ],
+        ),
+        ("a root that lacks", &[("\"root\": 7", "\"root\": 8")]),
+        ("no root", &[("\"program\":3,\"action\":1", "\"program\":3,\"team\":7")]),
+        ("two roots", &[(",{\"program\":2,\"team\":9}", ",{\"program\":2,\"action\":0}")]),
+        ("two destinations of a program", &[("\"program\":3,\"action\":1", "\"program\":1,\"action\":1")]),
+        (
+            "a program that no edge uses",
+            &[
+                (",{\"program\":2,\"team\":9}", ",{\"program\":3,\"team\":9}"),
+                ("{\"program\":3,\"action\":1}", "{\"program\":1,\"action\":0}"),
+            ],
+        ),
+        ("a team twice", &[("{\"id\":9", "{\"id\":7")]),
+        ("a program twice", &[("{\"id\":3", "{\"id\":1")]),
+    ];
+    insta::assert_snapshot!("json", messages(JSON, cases, |text| import::from_text("x.json", text, None)));
+}
+
+const DOT: &str = r##"// File exported with GEGELATI v1.3.1
+digraph{
+	graph[pad = "0.212, 0.055" bgcolor = lightgray]
+	node[shape=circle style = filled label = ""]
+		T7 [fillcolor="#1199bb"]
+		T9 [fillcolor="#66ddff"]
+		P1 [fillcolor="#cccccc" shape=point] //5|6|
+		I1 [shape=box style=invis label="0|3&0|0#3|0&#92;n1|0&1|0#0|0&#92;n"]
+		P1 -> I1[style=invis]
+		A0 [fillcolor="#ff3366" shape=box margin=0.03 width=0 height=0 label="0"]
+		T7 -> P1 -> A0
+		P2 [fillcolor="#cccccc" shape=point] //7|8|
+		I2 [shape=box style=invis label=""]
+		P2 -> I2[style=invis]
+		T7 -> P2 -> T9
+		P3 [fillcolor="#cccccc" shape=point] //9|0|
+		I3 [shape=box style=invis label=""]
+		P3 -> I3[style=invis]
+		A1 [fillcolor="#ff3366" shape=box margin=0.03 width=0 height=0 label="1"]
+		T9 -> P3 -> A1
+		T9 -> P1
+		{ rank= same T7 }
+}
+"##;
+
+const SIDECAR: &str = r#"scalar = "f32"
+maths = "own"
+registers = 4
+sources = [
+    { name = "target", length = 2, unit = "mm", ranges = [[-1, 1], [0, 4095]] },
+    { name = "motors", length = 1, unit = "ticks", range = [0, 8] },
+]
+instructions = ["add", "cos"]
+actions = [
+    { id = 0, name = "left" },
+    { id = 1, name = "right", move = [3, 0, 0, 0] },
+]
+"#;
+
+fn read_dot(text: &str) -> Result<Graph, InputError> {
+    import::from_text("x.dot", text, Some(&Sidecar::from_toml("x.toml", SIDECAR).expect("a good sidecar")))
+}
+
+#[test]
+fn dot() {
+    let cases: &[Case<'_>] = &[
+        ("truncated between lines", &[("\t\tT9 -> P3 -> A1\n\t\tT9 -> P1\n\t\t{ rank= same T7 }\n}\n", "")]),
+        (
+            "truncated in a line",
+            &[(
+                "box margin=0.03 width=0 height=0 label=\"1\"]\n\t\tT9 -> P3 -> A1\n\t\tT9 -> P1\n\t\t{ rank= same T7 }\n}\n",
+                "box mar",
+            )],
+        ),
+        ("a label without end", &[("\"]\n\t\tP1 -> I1[style=invis]\n", "")]),
+        ("truncated before its graph", &[("digraph{\n", "")]),
+        ("something after the end", &[("T7 }\n}\n", "T7 }\n}\nT1 []\n")]),
+        ("an unknown statement", &[("{ rank= same T7 }", "subgraph cluster_0 {")]),
+        ("another character", &[("T9 -> P1\n", "T9 -> P1;\n")]),
+        ("an edge of GEGELATI 2's action programs", &[("T9 -> P1\n", "A0 -> P1\n")]),
+        ("an action program of GEGELATI 2", &[("shape=point] //9", "shape=point label=\"1\"] //9")]),
+        ("an action of GEGELATI 2", &[("label=\"1\"", "label=\"0-1\"")]),
+        ("an edge between teams", &[("T9 -> P1\n", "T9 -> T7\n")]),
+        ("a number that does not fit", &[("T9 -> P1\n", "T9 -> P4294967296\n")]),
+        ("a node without label", &[(" label=\"1\"", "")]),
+        ("attributes without end", &[("label=\"1\"]", "label=\"1\"")]),
+        ("a link to another program's lines", &[("P2 -> I2", "P2 -> I3")]),
+        ("a link of a program that lacks", &[("P2 -> I2[", "P4 -> I4[")]),
+        ("a program without lines", &[("\t\tI2 [shape=box style=invis label=\"\"]\n", "")]),
+        ("a line without end", &[("0|0&#92;n\"", "0|0\"")]),
+        ("a line that is none", &[("0|3&0|0#3|0&", "0|3&0|0#3&")]),
+        ("a line with a name", &[("0|3&0|0#3|0&", "add|3&0|0#3|0&")]),
+        ("an unknown instruction", &[("0|3&0|0#3|0&", "2|3&0|0#3|0&")]),
+        ("a register out of range", &[("0|3&0|0#3|0&", "0|4&0|0#3|0&")]),
+        ("a source out of range", &[("0|3&0|0#3|0&", "0|3&0|0#4|0&")]),
+        ("too few operands", &[("0|3&0|0#3|0&", "0|3&0|0&")]),
+        ("a constant that is no integer", &[("//9|", "//9.5|")]),
+        ("a constant that does not fit", &[("//9|", "//2147483648|")]),
+        ("a constant without end", &[("//9|0|", "//9|0")]),
+        ("another number of constants", &[("//9|0|", "//9|")]),
+        ("constants in two places", &[("label=\"\"]\n\t\tP2", "label=\"\"] //0.5|0.5|\n\t\tP2")]),
+        (
+            "a real constant that does not fit f32",
+            &[
+                ("//5|6|", "//"),
+                ("n\"]\n", "n\"] //1e39|1|\n"),
+                ("//7|8|", "//"),
+                ("label=\"\"]\n\t\tP2", "label=\"\"] //1|1|\n\t\tP2"),
+                ("//9|0|", "//"),
+                ("label=\"\"]\n\t\tP3", "label=\"\"] //1|1|\n\t\tP3"),
+            ],
+        ),
+        ("an edge to a team that lacks", &[("P2 -> T9", "P2 -> T8")]),
+        ("an edge of a team that lacks", &[("T9 -> P1\n", "T8 -> P1\n")]),
+        ("an edge to an action that lacks", &[("P3 -> A1", "P3 -> A2")]),
+        ("an edge of a program that lacks", &[("T9 -> P1\n", "T9 -> P4\n")]),
+        ("an action out of range", &[("label=\"1\"", "label=\"2\"")]),
+        ("a program that never leads anywhere", &[("T7 -> P1 -> A0", "T7 -> P1")]),
+        ("two destinations of a program", &[("T9 -> P1\n", "T9 -> P1 -> A1\n")]),
+        ("a program that no edge uses", &[("T9 -> P3 -> A1\n", "\n")]),
+        ("a team without edges", &[("T9 -> P3 -> A1\n", "T7 -> P3 -> A1\n"), ("T9 -> P1\n", "\n")]),
+        ("a cycle", &[("T9 -> P3 -> A1", "T9 -> P3 -> T9")]),
+        ("no root", &[("T9 -> P3 -> A1", "T9 -> P3 -> T7")]),
+        ("two roots", &[("P2 -> T9", "P2 -> A0")]),
+        ("two roots named", &[("same T7", "same T7 T9")]),
+        ("no root named", &[("same T7", "same ")]),
+        ("another root named", &[("same T7", "same T9")]),
+        ("a root named that lacks", &[("same T7", "same T8")]),
+        ("an action as the root", &[("same T7", "same A0")]),
+        ("roots named twice", &[("\t\t{ rank= same T7 }\n", "\t\t{ rank= same T7 }\n\t\t{ rank= same T7 }\n")]),
+        ("a team twice", &[("T9 [", "T7 [")]),
+        ("a program twice", &[("P3 [", "P1 [")]),
+        ("lines twice", &[("I3 [", "I1 [")]),
+        ("an action's node twice", &[("A1 [", "A0 [")]),
+    ];
+    insta::assert_snapshot!("dot", messages(DOT, cases, read_dot));
+    insta::assert_snapshot!("dot_empty", read_dot("digraph{\n}\n").expect_err("nothing in it").to_string());
+    for (name, changes) in cases {
+        let bad = changes.iter().fold(DOT.to_owned(), |text, (from, to)| text.replace(from, to));
+        assert!(matches!(read_dot(&bad).expect_err(name).place, Place::Line(_)), "{name}");
+    }
+}
+
+/// Where the file ends, or what is missing in it, must never be a panic: every prefix is read, and every text without one
+/// of its lines.
+#[test]
+fn parts_of_a_file_are_errors_or_graphs() {
+    for (text, read) in [(DOT, read_dot as fn(&str) -> _), (JSON, |text: &str| import::from_text("x", text, None))] {
+        let whole = text.trim_end().len();
+        for end in 0..whole {
+            read(&text[..end]).expect_err("a part of a file");
+        }
+        let lines: Vec<&str> = text.lines().collect();
+        for without in 0..lines.len() {
+            let rest = [&lines[..without], &lines[without + 1..]].concat().join("\n");
+            if let Err(error) = read(&rest) {
+                assert_complete(&rest, &error);
+            }
+        }
+    }
+}
+
+#[test]
+fn sidecar() {
+    let cases: &[Case<'_>] = &[
+        ("not TOML", &[("registers = 4", "registers: 4")]),
+        (
+            "truncated",
+            &[(
+                "actions = [\n    { id = 0, name = \"left\" },\n    { id = 1, name = \"right\", move = [3, 0, 0, 0] },\n]\n",
+                "actions = [\n    { id",
+            )],
+        ),
+        ("a field that is not known", &[("registers = 4", "regs = 4")]),
+        ("a field that lacks", &[("registers = 4\n", "")]),
+        ("a field of a source that is not known", &[("range = [0, 8]", "range = [0, 8], scale = 2")]),
+        ("a value of another type", &[("registers = 4", "registers = \"four\"")]),
+        ("a value out of range", &[("registers = 4", "registers = -4")]),
+        ("too many registers", &[("registers = 4", "registers = 257")]),
+        ("an unknown instruction", &[("\"cos\"", "\"cosine\"")]),
+        ("both range and ranges", &[("range = [0, 8]", "range = [0, 8], ranges = [[0, 8]]")]),
+        ("neither range nor ranges", &[(", range = [0, 8]", "")]),
+        ("too few ranges", &[("[[-1, 1], [0, 4095]]", "[[-1, 1]]")]),
+        ("an infinite range", &[("[0, 8]", "[0, inf]")]),
+        ("a range that f32 cannot say", &[("[-1, 1]", "[-1, 0.1]")]),
+        ("a source too long", &[("length = 1", "length = 4000000000")]),
+        ("a source named like a keyword", &[("\"target\"", "\"float\"")]),
+        ("an action with another id", &[("id = 1", "id = 2")]),
+        ("an action's move that does not fit", &[("[3, 0, 0, 0]", "[300, 0, 0, 0]")]),
+        ("provenance that is no JSON", &[("registers = 4", "registers = 4\nprovenance = 'me'")]),
+        ("provenance with another field", &[("registers = 4", "registers = 4\nprovenance = '{\"author\":1}'")]),
+    ];
+    let read = |text: &str| import::from_text("x.dot", DOT, Some(&Sidecar::from_toml("x.toml", text)?));
+    insta::assert_snapshot!("sidecar", messages(SIDECAR, cases, read));
+}
+
+#[test]
+fn whole_files() {
+    let sidecar = Sidecar::from_toml("x.toml", SIDECAR).expect("a good sidecar");
+    let mut list = String::new();
+    for (name, text, description) in [
+        ("empty", "", None),
+        ("empty with a sidecar", "", Some(&sidecar)),
+        ("blank", " \n\t\n", None),
+        ("something else", "hello", None),
+        ("a JSON list", "[1, 2]", None),
+        ("a .dot without description", DOT, None),
+        ("JSON with a description", JSON, Some(&sidecar)),
+    ] {
+        let error = import::from_text("x", text, description).expect_err(name);
+        assert_complete(name, &error);
+        writeln!(list, "{name}:\n  {error}").expect("a string can be written to");
+    }
+    insta::assert_snapshot!("whole_files", list);
+}
+
+/// Editors on Windows write a mark at the start and two characters at each line's end.
+#[test]
+fn files_of_windows_are_as_good() {
+    let windows = |text: &str| format!("\u{feff}{}", text.replace('\n', "\r\n"));
+    assert_eq!(read_dot(&windows(DOT)), read_dot(DOT));
+    let read = |text: &str| import::from_text("x.json", text, None);
+    assert_eq!(read(&windows(JSON)), read(JSON));
+}

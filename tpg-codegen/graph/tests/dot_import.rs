@@ -1,0 +1,136 @@
+//! GEGELATI's `.dot` files become graphs.
+
+use std::path::PathBuf;
+use tpg_graph::error::InputError;
+use tpg_graph::export;
+use tpg_graph::import::{self, Profile, Sidecar};
+use tpg_graph::{Destination, Graph, Line, Operand};
+use tpg_runtime::ops::Instruction;
+
+const SIDECAR: &str = r#"
+scalar = "f64"
+maths = "system"
+registers = 4
+sources = [
+    { name = "target", length = 3, unit = "mm", range = [-600, 600] },
+    { name = "motors", length = 2, unit = "ticks", ranges = [[0, 4095], [512, 512]] },
+]
+instructions = ["sub", "cos"]
+actions = [{ id = 0, name = "left" }, { id = 1, name = "right" }]
+"#;
+
+fn read(text: &str) -> Result<Graph, InputError> {
+    import::from_text("x.dot", text, Some(&Sidecar::from_toml("x.toml", SIDECAR)?))
+}
+
+fn graph(text: &str) -> Graph {
+    read(text).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Two teams, a shared program whose destination a later line says, an unused operand, a location to wrap.
+const SMALL: &str = r##"// File exported with GEGELATI v1.3.1
+// On the 2024-07-06 16:48:11
+// With the File::TPGGraphDotExporter
+digraph{
+	graph[pad = "0.212, 0.055" bgcolor = lightgray]
+	node[shape=circle style = filled label = ""]
+		T70 [fillcolor="#66ddff"]
+		T5 [fillcolor="#1199bb"]
+		P3 [fillcolor="#cccccc" shape=point] //
+		I3 [shape=box style=invis label="0|1&2|3#0|6&#92;n1|0&1|4#9|9&#92;n"]
+		P3 -> I3[style=invis]
+		T5 -> P3
+		P1 [fillcolor="#cccccc" shape=point] //
+		I1 [shape=box style=invis label=""]
+		P1 -> I1[style=invis]
+		A900 [fillcolor="#ff3366" shape=box margin=0.03 width=0 height=0 label="1"]
+		T70 -> P3 -> A900
+		T5 -> P1 -> T70
+		A901 [fillcolor="#ff3366" shape=box margin=0.03 width=0 height=0 label="1"]
+		T70 -> P3 -> A901
+		{ rank= same T5 }
+}
+"##;
+
+#[test]
+fn numbers_become_names() {
+    let graph = graph(SMALL);
+    let labels: Vec<u32> = graph.teams().iter().map(|team| team.label).collect();
+    assert_eq!(labels, [70, 5]);
+    assert_eq!(graph.team(graph.root()).label, 5);
+    let edges: Vec<(u32, Destination)> = (graph.teams().iter().flat_map(|team| &team.edges))
+        .map(|edge| (graph.program(edge.program).label, edge.to))
+        .collect();
+    let [(3, Destination::Action(right)), (3, again), (3, shared), (1, Destination::Team(inner))] = edges[..] else {
+        panic!("{edges:?}")
+    };
+    assert_eq!((right.0, again, shared), (1, Destination::Action(right), Destination::Action(right)));
+    assert_eq!(graph.team(inner).label, 70);
+    let [minus, cosine] = graph.programs()[0].lines[..] else { panic!("two lines") };
+    assert_eq!(written(&graph, &minus), (Instruction::Sub, 1, vec!["motors[1]".to_owned(), "r2".to_owned()]));
+    assert_eq!(written(&graph, &cosine), (Instruction::Cos, 0, vec!["target[1]".to_owned()]));
+    assert!(graph.programs()[1].lines.is_empty());
+    assert_eq!(graph.provenance().tool.as_deref(), Some("GEGELATI"));
+    assert_eq!(graph.provenance().version.as_deref(), Some("1.3.1"));
+}
+
+fn written(graph: &Graph, line: &Line) -> (Instruction, usize, Vec<String>) {
+    let operands = line.operands[..line.instruction.arity()].iter().map(|operand| match *operand {
+        Operand::Register(register) => format!("r{}", register.index()),
+        Operand::Input(input) => graph.input_name(input),
+        Operand::Constant(value) => format!("{value:?}"),
+    });
+    (line.instruction, line.to.index(), operands.collect())
+}
+
+/// Constants take source 1 and push the environment's sources up by one.
+#[test]
+fn constants_of_gegelati_1_and_2() {
+    let program = |p: &str, i: &str| {
+        format!(
+            "digraph{{\nT0 [a=b]\nP0 [a=b] //{p}\nI0 [label=\"0|0&1|4#2|1&#92;n0|0&1|0#3|0&#92;n\"] //{i}\n\
+             A0 [label=\"0\"]\nT0 -> P0 -> A0\n}}\n"
+        )
+    };
+    for (p, i, constants) in [("7|-3|9|", "", ["-3.0", "7.0"]), ("", "0.63|-0.40|1e-3|", ["-0.4", "0.63"])] {
+        let graph = graph(&program(p, i));
+        let lines = &graph.programs()[0].lines;
+        assert_eq!(written(&graph, &lines[0]).2, [constants[0], "target[1]"]);
+        assert_eq!(written(&graph, &lines[1]).2, [constants[1], "motors[0]"]);
+    }
+}
+
+/// GEGELATI's own reader breaks at 4,096 characters.
+#[test]
+fn a_line_may_be_long() {
+    let label = "0|1&2|3#0|6&#92;n".repeat(100_000);
+    let long = SMALL.replace("label=\"\"]\n\t\tP1", &format!("label=\"{label}\"]\n\t\tP1"));
+    assert_eq!(graph(&long).programs()[1].lines.len(), 100_000);
+}
+
+/// The authors' graphs carry no licence and are not part of this project; where they lie is `TPG_CONFORMANCE`.
+#[test]
+fn the_papers_graphs() {
+    let folder = std::env::var_os("TPG_CONFORMANCE").map_or_else(
+        || PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/conformance")),
+        PathBuf::from,
+    );
+    if !folder.is_dir() {
+        xtask::skip(&format!("the paper's graphs: no folder {}", folder.display()));
+        return;
+    }
+    let mut read = 0;
+    for part in ["tpg", "tpg_traced"] {
+        for entry in folder.join(part).read_dir().expect("a folder of graphs") {
+            let path = entry.expect("an entry").path();
+            if path.extension().is_some_and(|extension| extension == "dot") {
+                let graph = import::load(&path, Some(Profile::Ecta24), None).unwrap_or_else(|error| panic!("{error}"));
+                assert_eq!(graph.state_length(), 15);
+                let sidecar = Sidecar::from_toml("x.toml", &export::sidecar::text(&graph)).expect("a sidecar");
+                assert_eq!(import::from_text("x.dot", &export::dot::text(&graph), Some(&sidecar)), Ok(graph));
+                read += 1;
+            }
+        }
+    }
+    assert_eq!(read, 26);
+}
