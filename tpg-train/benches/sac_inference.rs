@@ -10,7 +10,9 @@ mod pytorch;
 
 use std::hint::black_box;
 use std::time::Instant;
+use tpg_engine::random::{Purpose, Stream};
 use tpg_generated::widowx_sac;
+use tpg_nn::{Mlp, Shape, Tape};
 use tpg_runtime::arm::{Arm, Pose, WIDOWX};
 use tpg_runtime::frame::Frame;
 use tpg_runtime::observation::Observation;
@@ -18,8 +20,6 @@ use tpg_runtime::policy::Policy as _;
 use tpg_runtime::sac::fixed::{FixedPolicy, Layer, Network, Rescale, quantise};
 use tpg_runtime::sac::packed::Model;
 use tpg_runtime::sac::{FEATURES, features};
-use tpg_train::random::{Purpose, Stream};
-use tpg_train::sac::nn::{Mlp, Shape, Tape};
 
 const ARM: Arm<f32> = WIDOWX.to_f32();
 const BURSTS: usize = 401;
@@ -42,7 +42,7 @@ fn nanoseconds(mut call: impl FnMut()) -> f64 {
 fn float(inputs: usize, units: usize) -> f64 {
     let shape = Shape { inputs, hidden: vec![units; 2], outputs: 4, norm: false };
     let mut random = Stream::new(1, 0, Purpose::Test, 0);
-    let network = Mlp::<f32>::random(shape.clone(), &mut random);
+    let network = Mlp::<f32>::random(shape.clone(), || random.unit());
     let mut tape = Tape::new(&shape, 1);
     random.normals(tape.input_mut());
     nanoseconds(|| {

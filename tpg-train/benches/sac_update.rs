@@ -6,11 +6,11 @@
 mod pytorch;
 
 use std::time::Instant;
+use tpg_engine::random::{Purpose, Stream};
+use tpg_nn::{Gaussian, Spread};
 use tpg_train::evolution::logs::cpu_seconds;
-use tpg_train::random::{Purpose, Stream};
 use tpg_train::sac::agent::{Agent, Experience, Rates};
 use tpg_train::sac::config::Config;
-use tpg_train::sac::nn::{Gaussian, Spread};
 use tpg_train::sac::replay::ACTIONS;
 
 const SIZES: [(usize, usize); 4] = [(256, 256), (64, 128), (64, 64), (16, 64)];

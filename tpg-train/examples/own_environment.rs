@@ -2,11 +2,11 @@
 //!
 //! `cargo run --release -p tpg-train --example own_environment -- RUN`, which takes seconds, and then
 //! `cargo run --release -p tpg-codegen -- RUN/graph.json --lang c --prefix cart -o RUN`.
+use tpg_engine::random::Stream;
+use tpg_engine::{Ending, Environment, LocalThreads, Options, SourceSet};
 use tpg_graph::{ActionDocument, SourceDocument};
 use tpg_runtime::{ops::Own, policy::ActionId};
-use tpg_train::engine::{Ending, Environment, LocalThreads, Options, SourceSet};
 use tpg_train::evolution::{config::EnvironmentName, presets::Preset, run::RunOptions, run::run};
-use tpg_train::random::Stream;
 
 pub(crate) struct Cart;
 

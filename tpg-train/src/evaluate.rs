@@ -4,7 +4,6 @@ mod report;
 
 pub use report::Report;
 
-use crate::engine::{Ending, Environment, Lanes, Options, Plan, Policy};
 use crate::environments::{ArmDescription, ArmEnvironment, ArmProblem, ArmScalar, ArmTask, arm::OUTCOMES};
 use crate::evolution::config::Config;
 use crate::evolution::config::Shield;
@@ -18,6 +17,7 @@ use serde::Deserialize as _;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
+use tpg_engine::{Ending, Environment, Lanes, Options, Plan, Policy};
 use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::in_arithmetic_of;

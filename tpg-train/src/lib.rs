@@ -5,7 +5,6 @@
 //! | module | subject |
 //! | --- | --- |
 //! | [`cli`] | the program `tpg-train`: its commands and exit codes |
-//! | [`engine`] | many episodes of many roots: the [`Environment`](engine::Environment) and [`Evaluator`](engine::Evaluator) traits |
 //! | [`environments`] | the arm and a pendulum |
 //! | [`evolution`] | tangled program graphs: genome, mutation, selection, runs |
 //! | [`sac`] | soft actor-critic |
@@ -17,14 +16,12 @@
 //! | [`ik`] | goals of the inverse kinematics, for training only |
 //! | [`planner`] | classical yardsticks that learn nothing |
 //! | [`picture`] | SVG, plots and the page that holds them |
-//! | [`random`] | one stream of random numbers for every purpose |
 //! | [`files`] | files that are whole or not there |
 //! | [`report`] | runs in one HTML file |
 //! | [`conformance`] | recorded trajectories, replayed in the paper's arithmetic |
 
 pub mod cli;
 pub mod conformance;
-pub mod engine;
 pub mod environments;
 pub mod evaluate;
 pub mod evolution;
@@ -34,7 +31,6 @@ pub mod ik;
 pub mod interrupt;
 pub mod picture;
 pub mod planner;
-pub mod random;
 pub mod report;
 pub mod sac;
 pub mod targets;

@@ -9,11 +9,11 @@
 //! the stream's key.
 
 use crate::evolution::config::Config;
-use crate::random::{Purpose, Stream};
 use serde::{Deserialize, Serialize};
 use std::fs;
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
+use tpg_engine::random::{Purpose, Stream};
 use tpg_graph::error::InputError;
 use tpg_runtime::arm::{Arm, JOINTS, Pose, WIDOWX};
 use tpg_runtime::episode::Problem;

@@ -1,6 +1,11 @@
 //! The engine gives the interpreter's answers, step for step, whatever it is told about lanes, sharing and threads.
 
 use tpg_codegen::passes::{interval::Assumption, optimise};
+use tpg_engine::random::{Purpose, Stream};
+use tpg_engine::{
+    Destination, Edge, Ending, Environment, Evaluator, Lanes, Line, LocalThreads, Operand, Options, Plan, Policy,
+    UnitKey, Work, WorkUnit,
+};
 use tpg_graph::interpret::Interpreter;
 use tpg_graph::{Graph, Provenance, ScalarType};
 use tpg_runtime::arm::{Arm, Collision, Invalid, Move, WIDOWX};
@@ -11,10 +16,6 @@ use tpg_runtime::observation::shield::{ALLOWED, SHIELDED};
 use tpg_runtime::observation::{Observation, Source, TargetMemo};
 use tpg_runtime::ops::{Instruction, Maths, Own};
 use tpg_runtime::policy::{ActionId, Policy as _};
-use tpg_train::engine::{
-    Destination, Edge, Ending, Environment, Evaluator, Lanes, Line, LocalThreads, Operand, Options, Plan, Policy,
-    UnitKey, Work, WorkUnit,
-};
 use tpg_train::environments::description::WIDOWX_TOML;
 use tpg_train::environments::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
 use tpg_train::evolution::archive::Archive;
@@ -25,7 +26,6 @@ use tpg_train::evolution::mutate_program::ProgramMutator;
 use tpg_train::evolution::mutate_team::{Moment, populate, random_population};
 use tpg_train::evolution::presets::Preset;
 use tpg_train::evolution::vocabulary::Vocabulary;
-use tpg_train::random::{Purpose, Stream};
 use tpg_train::targets::{Set, Start, tasks};
 
 /// A configuration in which everything can happen: every source, every instruction, literals, program constants.

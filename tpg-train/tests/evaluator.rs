@@ -4,10 +4,8 @@ use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
+use tpg_engine::{Answer, Environment, EvaluationError, Evaluator, LocalThreads, Options, UnitKey, Work, WorkUnit};
 use tpg_runtime::ops::Own;
-use tpg_train::engine::{
-    Answer, Environment, EvaluationError, Evaluator, LocalThreads, Options, UnitKey, Work, WorkUnit,
-};
 use tpg_train::environments::{ArmEnvironment, ArmTask};
 use tpg_train::evolution::config::Config;
 use tpg_train::evolution::presets::Preset;

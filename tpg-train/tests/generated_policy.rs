@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 use tpg_codegen::policy::{QuantisedPolicy, to_words};
+use tpg_engine::random::{Purpose, Stream};
 use tpg_generated::widowx_sac::{DECISION, NETWORK};
 use tpg_runtime::arm::{Arm, Pose, WIDOWX};
 use tpg_runtime::frame::Frame;
@@ -12,7 +13,6 @@ use tpg_runtime::sac::features;
 use tpg_runtime::sac::fixed::{FixedPolicy, quantise};
 use tpg_runtime::sac::packed::{Kind, Model};
 use tpg_train::hybrid::setting::HybridFile;
-use tpg_train::random::{Purpose, Stream};
 use tpg_train::sac::evaluate::{QuantiseArgs, quantise as quantise_file, trial_of};
 use tpg_train::sac::fixed::FixedActor;
 use tpg_train::targets::{Set, Start, tasks};

@@ -3,9 +3,9 @@
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
+use tpg_nn::Tape;
 use tpg_train::sac::config::Inputs;
 use tpg_train::sac::import::{ImportArgs, from_tensors, import};
-use tpg_train::sac::nn::Tape;
 use tpg_train::sac::tensors::{Tensor, Tensors};
 use tpg_train::sac::weights;
 

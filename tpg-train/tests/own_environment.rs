@@ -10,9 +10,9 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 use tpg_codegen::emit::{self, Language, Prefix};
+use tpg_engine::{Environment, Lanes, Options, Plan, Policy};
 use tpg_graph::Graph;
 use tpg_runtime::ops::Own;
-use tpg_train::engine::{Environment, Lanes, Options, Plan, Policy};
 
 const STARTS: i16 = 33;
 

@@ -5,10 +5,10 @@ use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
+use tpg_engine::random::{Purpose, Stream};
 use tpg_train::environments::description::WIDOWX_TOML;
 use tpg_train::evolution::config::Config;
 use tpg_train::evolution::presets::Preset;
-use tpg_train::random::{Purpose, Stream};
 
 /// A run is killed so often.
 const KILLS: usize = 20;

@@ -1,8 +1,8 @@
 //! Two whole updates of the soft actor-critic against numbers that PyTorch made.
 
 use serde::Deserialize;
+use tpg_nn::{Gaussian, Mlp, Real, Shape, Spread};
 use tpg_train::sac::agent::{Agent, Bootstrap, Experience, Rates};
-use tpg_train::sac::nn::{Gaussian, Mlp, Real, Shape, Spread};
 
 #[derive(Deserialize)]
 struct Fixture {

@@ -13,10 +13,10 @@ mod usual;
 pub use episode::ArmEpisode;
 pub use problem::{ArmProblem, ArmTask, OUTCOMES, outcome_number};
 
-use crate::engine::{Ending, Environment, Episodes, OneByOne, SourceSet};
-use crate::random::Stream;
 use crate::targets::{self, Reach as Space, Set};
 use clearance::{Clearances, swing};
+use tpg_engine::random::Stream;
+use tpg_engine::{Ending, Environment, Episodes, OneByOne, SourceSet};
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::{ActionDocument, Graph, SourceDocument};
 use tpg_runtime::arm::{Arm, JOINTS, Joint, Move, Pose, TICKS_PER_TURN};

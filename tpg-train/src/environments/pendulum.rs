@@ -1,8 +1,8 @@
 //! A classic control task: swing a pendulum up with too weak a motor, and keep it up.
 
-use crate::engine::{Ending, Environment, SourceSet};
-use crate::random::Stream;
 use core::f64::consts::{PI, TAU};
+use tpg_engine::random::Stream;
+use tpg_engine::{Ending, Environment, SourceSet};
 use tpg_graph::{ActionDocument, SourceDocument};
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;

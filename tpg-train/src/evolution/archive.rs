@@ -6,9 +6,9 @@
 
 use super::genome::{Program, ProgramId};
 use super::vocabulary::Vocabulary;
-use crate::engine::{Line, Operand};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, VecDeque};
+use tpg_engine::{Line, Operand};
 use tpg_graph::ScalarType;
 use tpg_runtime::ops::{Maths, Own};
 use tpg_runtime::scalar::Scalar;

@@ -1,8 +1,8 @@
 //! From a policy of the engine to a graph that can be written, compiled and run anywhere.
 
 use super::vocabulary::Vocabulary;
-use crate::engine::{Destination, Operand, Policy, effective};
 use std::collections::BTreeMap;
+use tpg_engine::{Destination, Operand, Policy, effective};
 use tpg_graph::error::InputError;
 use tpg_graph::{
     ActionDocument, Document, EdgeDocument, FORMAT, Graph, LineDocument, MathsProvider, OperandDocument,

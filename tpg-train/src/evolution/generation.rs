@@ -8,13 +8,13 @@ use super::mutate_team::{Moment, populate, random_population};
 use super::select::{Candidate, ranked, survivors};
 use super::state::{Best, Record, Row, State};
 use super::vocabulary::Vocabulary;
-use crate::engine::{
+use std::collections::{BTreeMap, BTreeSet};
+use std::marker::PhantomData;
+use tpg_engine::random::{Purpose, Stream};
+use tpg_engine::{
     Ending, Environment, EvaluationError, Evaluator, Lanes, Options, Plan, Policy, SourceSet, UnitKey, Work, WorkUnit,
     bounded,
 };
-use crate::random::{Purpose, Stream};
-use std::collections::{BTreeMap, BTreeSet};
-use std::marker::PhantomData;
 use tpg_runtime::ops::Maths;
 use tpg_runtime::scalar::Scalar;
 

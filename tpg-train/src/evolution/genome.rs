@@ -1,9 +1,9 @@
 //! The genome: teams and programs in one arena; a root is a team that no edge leads to.
 
 use super::vocabulary::{Gene, InstructionIndex, OPERANDS, Vocabulary};
-use crate::engine::{self, Line, Policy, effective};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
+use tpg_engine::{self, Line, Policy, effective};
 
 /// A team's number. Numbers only grow: none is ever given twice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -221,10 +221,10 @@ impl Genome {
                     programs.len() as u32 - 1
                 });
                 let to = match edge.to {
-                    Destination::Team(team) => engine::Destination::Team(place(team)),
-                    Destination::Action(action) => engine::Destination::Action(action),
+                    Destination::Team(team) => tpg_engine::Destination::Team(place(team)),
+                    Destination::Action(action) => tpg_engine::Destination::Action(action),
                 };
-                engine::Edge { program, to }
+                tpg_engine::Edge { program, to }
             });
             teams.push(edges.collect());
         }

@@ -3,7 +3,7 @@
 use super::config::{Literals, ProgramParameters};
 use super::genome::{GenomeLine, Program};
 use super::vocabulary::{Gene, Kind, OPERANDS, Vocabulary};
-use crate::random::Stream;
+use tpg_engine::random::Stream;
 
 /// What a mutation needs to know.
 #[derive(Clone, Copy, Debug)]

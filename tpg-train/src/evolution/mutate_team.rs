@@ -4,8 +4,8 @@ use super::archive::Archive;
 use super::config::TpgParameters;
 use super::genome::{Destination, Edge, Genome, Program, ProgramId, Team, TeamId};
 use super::mutate_program::ProgramMutator;
-use crate::random::{Purpose, Stream};
 use std::collections::BTreeMap;
+use tpg_engine::random::{Purpose, Stream};
 
 /// Which population, and when: the first half of every stream's address.
 #[derive(Clone, Copy, Debug)]
@@ -208,7 +208,7 @@ mod tests {
     use crate::evolution::mutate_program::ProgramMutator;
     use crate::evolution::presets::Preset;
     use crate::evolution::vocabulary::Vocabulary;
-    use crate::random::{Purpose, Stream};
+    use tpg_engine::random::{Purpose, Stream};
     use tpg_graph::{ScalarType, SourceDocument};
 
     fn config() -> Config {

@@ -1,7 +1,7 @@
 //! Who survives a generation.
 
 use super::config::{SelectionConfig, SelectionMethod};
-use crate::random::Stream;
+use tpg_engine::random::Stream;
 
 /// A root that was evaluated.
 #[derive(Clone, Debug)]
@@ -102,7 +102,7 @@ fn lexicase(candidates: &[Candidate<'_>], among: &[usize], tolerance: f64, strea
 mod tests {
     use super::{Candidate, survivors};
     use crate::evolution::config::{SelectionConfig, SelectionMethod};
-    use crate::random::{Purpose, Stream};
+    use tpg_engine::random::{Purpose, Stream};
 
     fn config(method: SelectionMethod, lexicase_survivors: usize) -> SelectionConfig {
         SelectionConfig {

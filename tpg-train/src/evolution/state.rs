@@ -2,9 +2,9 @@
 
 use super::archive::Archive;
 use super::genome::{Genome, TeamId};
-use crate::engine::Policy;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, VecDeque};
+use tpg_engine::Policy;
 
 /// How a root did so far (`learn/evaluationResult.h`): the mean over all of its episodes, and how many they were.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]

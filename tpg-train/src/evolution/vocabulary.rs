@@ -1,7 +1,7 @@
 //! What programs can be written with: instructions, registers and sources, numbered as GEGELATI numbers them.
 
-use crate::engine::Operand;
 use serde::{Deserialize, Serialize};
+use tpg_engine::Operand;
 use tpg_graph::{ScalarType, SourceDocument};
 use tpg_runtime::observation::shield::SHIELDED;
 use tpg_runtime::ops::Instruction;

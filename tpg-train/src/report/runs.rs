@@ -3,7 +3,6 @@
 use crate::evolution::config::{Config, EnvironmentName};
 use crate::evolution::state::Row;
 use crate::files::read_text;
-use crate::sac::nn::Mlp;
 use crate::sac::weights::{self, Contract};
 use crate::targets::Start;
 use serde_json::Value;
@@ -12,6 +11,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
+use tpg_nn::Mlp;
 
 /// Runs with the same configuration.
 #[derive(Debug)]

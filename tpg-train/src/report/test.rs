@@ -1,12 +1,12 @@
 //! What a run trained, put to the test episodes.
 
 use super::runs::{Kind, Run};
-use crate::engine::{Ending, Environment, Lanes, Options, Plan, Policy};
 use crate::environments::arm::{OUTCOMES, outcome_number};
 use crate::environments::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
 use crate::evaluate::endings_of;
 use crate::sac::policy::ActorPolicy;
 use crate::targets::{self, Set, TOLERANCE};
+use tpg_engine::{Ending, Environment, Lanes, Options, Plan, Policy};
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
 use tpg_graph::in_arithmetic_of;

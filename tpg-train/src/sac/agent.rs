@@ -15,10 +15,10 @@
 //! 4. the slow value network follows.
 
 use super::config::{Algorithm, Config, Learning};
-use super::nn::{Adam, Gaussian, Mlp, Real, Samples, Shape, Tape};
 use super::replay::ACTIONS;
-use crate::random::Stream;
 use serde::{Deserialize, Serialize};
+use tpg_engine::random::Stream;
+use tpg_nn::{Adam, Gaussian, Mlp, Real, Samples, Shape, Tape};
 
 /// The step sizes and constants of an update.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -137,12 +137,12 @@ impl<T: Real> Agent<T> {
         let (inputs, norm) = (config.actor.inputs.count(), config.actor.layer_norm);
         let actor = Shape { inputs, hidden: config.actor.hidden.clone(), outputs: 2 * gaussian.actions, norm };
         let critic = Shape { inputs: inputs + ACTIONS, hidden: config.critic.hidden.clone(), outputs: 1, norm };
-        let actor = Mlp::random(actor, random);
-        let critics = [(); 2].map(|()| Mlp::random(critic.clone(), random));
+        let actor = Mlp::random(actor, || random.unit());
+        let critics = [(); 2].map(|()| Mlp::random(critic.clone(), || random.unit()));
         let Learning { log_temperature, algorithm, .. } = config.learning;
         let value = (algorithm == Algorithm::ValueNetwork).then(|| {
             let shape = Shape { inputs, hidden: config.critic.hidden.clone(), outputs: 1, norm };
-            Mlp::random(shape, random)
+            Mlp::random(shape, || random.unit())
         });
         Self::of_networks(actor, critics, value, gaussian, log_temperature)
     }

@@ -6,15 +6,15 @@
 use super::agent::{Agent, Bootstrap, Learner};
 use super::config::Config;
 use super::lanes::Lanes;
-use super::nn::{Adam, Gaussian, Mlp, Shape};
 use super::replay::{ACTIONS, Replay};
 use super::tensors::{Tensor, Tensors};
 use super::training::{Best, Point, Recent, Training};
-use crate::random::{Purpose, Stream};
 use crate::targets::{Reach, Set, Task};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
+use tpg_engine::random::{Purpose, Stream};
 use tpg_graph::error::{InputError, Place};
+use tpg_nn::{Adam, Gaussian, Mlp, Shape};
 use tpg_runtime::arm::{Pose, WIDOWX};
 
 const FORMAT: &str = "tpg-train sac checkpoint";

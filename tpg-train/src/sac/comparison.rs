@@ -3,7 +3,6 @@
 use super::config::Actor;
 use super::fixed::FixedActor;
 use super::lanes::ARM;
-use super::nn::Mlp;
 use super::policy::ActorPolicy;
 use crate::targets::{Set, Start, tasks};
 use crate::trial::{self, Trial};
@@ -12,6 +11,7 @@ use std::cell::Cell;
 use std::fmt;
 use tpg_codegen::policy::QuantisedPolicy;
 use tpg_graph::error::InputError;
+use tpg_nn::Mlp;
 use tpg_runtime::arm::{JOINTS, Move, WIDOWX};
 use tpg_runtime::observation::Observation;
 use tpg_runtime::policy::Policy;

@@ -7,8 +7,8 @@
 
 use super::config::Retry;
 use super::policy::ActorPolicy;
-use crate::random::{Purpose, Stream};
 use crate::targets::{Reach, Start, Task};
+use tpg_engine::random::{Purpose, Stream};
 use tpg_runtime::arm::Pose;
 use tpg_runtime::episode::Outcome;
 
@@ -55,8 +55,8 @@ mod tests {
     use super::*;
     use crate::sac::config::Config;
     use crate::sac::lanes::Lanes;
-    use crate::sac::nn::{Mlp, Shape};
     use crate::targets::Set;
+    use tpg_nn::{Mlp, Shape};
     use tpg_runtime::arm::WIDOWX;
 
     const RETRY: Retry = Retry { share: 1.0, every: 1, fixed_starts: 5, random_starts: 9, remembered: 20 };
@@ -64,7 +64,8 @@ mod tests {
     /// What two looks at a network that has learned nothing find.
     fn found(config: &Config, reach: &Reach) -> Failures {
         let shape = Shape { inputs: config.actor.inputs.count(), hidden: vec![8], outputs: 8, norm: false };
-        let network = Mlp::random(shape, &mut Stream::new(3, 0, Purpose::Test, 0));
+        let mut random = Stream::new(3, 0, Purpose::Test, 0);
+        let network = Mlp::random(shape, || random.unit());
         let policy = ActorPolicy::new(&network, &config.actor);
         let mut failures = Failures::default();
         for at in [100, 200] {

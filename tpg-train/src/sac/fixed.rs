@@ -2,12 +2,12 @@
 
 use super::config::{Actor, Inputs};
 use super::lanes::ARM;
-use super::nn::{Mlp, Tape};
 use super::policy::ActorPolicy;
 use super::replay::ACTIONS;
 use crate::targets::{Set, Start, tasks};
 use tpg_codegen::policy::{FloatLayer, QuantisedPolicy, quantise};
 use tpg_graph::error::{InputError, Place};
+use tpg_nn::{Mlp, Tape};
 use tpg_runtime::arm::{Move, WIDOWX};
 use tpg_runtime::cycle::Brent;
 use tpg_runtime::episode::Episode;

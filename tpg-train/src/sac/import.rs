@@ -12,13 +12,13 @@
 //! (the default of both).
 
 use super::config::{Actor, Decides, Inputs};
-use super::nn::{Mlp, Shape, Spread};
 use super::replay::ACTIONS;
 use super::tensors::{Tensor, Tensors};
 use super::weights::{Provenance, to_tensors};
 use clap::Args;
 use std::path::{Path, PathBuf};
 use tpg_graph::error::{InputError, Place};
+use tpg_nn::{Mlp, Shape, Spread};
 use tpg_runtime::sac::{Actions, Mask};
 
 /// No actor file is larger, bytes.

@@ -2,7 +2,6 @@
 //!
 //! | module | subject |
 //! | --- | --- |
-//! | [`nn`] | networks, optimiser, squashed Gaussian |
 //! | [`agent`] | actor, critics, temperature and one update |
 //! | [`replay`] | the transitions that updates draw from |
 //! | [`lanes`] | the arm in parallel lanes, rewards included |
@@ -28,7 +27,6 @@ pub mod failures;
 pub mod fixed;
 pub mod import;
 pub mod lanes;
-pub mod nn;
 pub mod policy;
 pub mod replay;
 pub mod tensors;

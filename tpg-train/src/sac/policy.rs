@@ -2,12 +2,12 @@
 
 use super::config::{Actor, Decides, Inputs};
 use super::lanes::{ARM, Discretiser};
-use super::nn::{Gaussian, Mlp, Samples, Tape};
 use super::replay::ACTIONS;
-use crate::random::{Purpose, Stream};
 use crate::targets::{Start, Task};
 use crate::trial::{self, Trial};
 use std::cell::RefCell;
+use tpg_engine::random::{Purpose, Stream};
+use tpg_nn::{Gaussian, Mlp, Samples, Tape};
 use tpg_runtime::arm::{Move, Pose};
 use tpg_runtime::episode::Summary;
 use tpg_runtime::frame::Frame;
@@ -95,15 +95,16 @@ impl Policy for ActorPolicy<'_> {
 mod tests {
     use super::*;
     use crate::sac::config::Config;
-    use crate::sac::nn::Shape;
     use crate::targets::{Set, tasks};
+    use tpg_nn::Shape;
     use tpg_runtime::arm::WIDOWX;
 
     #[test]
     fn a_policy_that_draws_is_not_stopped_by_rest_and_draws_the_same_again() {
         let mut actor = Config::preset("paper-fs").expect("a preset").actor;
         let shape = Shape { inputs: 13, hidden: vec![8], outputs: 2 * ACTIONS, norm: false };
-        let network = Mlp::random(shape, &mut Stream::new(3, 0, Purpose::Test, 0));
+        let mut random = Stream::new(3, 0, Purpose::Test, 0);
+        let network = Mlp::random(shape, || random.unit());
         let tasks = tasks(&WIDOWX, 3, Set::Validation, Start::Fs, 8);
         let trial = |actor: &Actor| ActorPolicy::new(&network, actor).trial(Start::Fs, &tasks);
         let drawn = trial(&actor);

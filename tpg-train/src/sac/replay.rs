@@ -1,6 +1,6 @@
 //! The replay buffer: the last so many transitions.
 
-use crate::random::Stream;
+use tpg_engine::random::Stream;
 
 /// Components of an action.
 pub const ACTIONS: usize = tpg_runtime::arm::JOINTS;
@@ -143,7 +143,7 @@ impl Replay {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::random::Purpose;
+    use tpg_engine::random::Purpose;
 
     fn push(buffer: &mut Replay, value: f32) {
         let (state, next) = ([value; 3], [value + 0.5; 3]);

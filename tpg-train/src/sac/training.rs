@@ -6,13 +6,13 @@
 use super::agent::{Agent, Experience, Rates, Report, Workspace};
 use super::config::{Algorithm, Config};
 use super::lanes::{End, Lanes};
-use super::nn::{Gaussian, Mlp, Samples, Tape};
 use super::policy::ActorPolicy;
 use super::replay::{ACTIONS, Batch, Replay, Transition};
-use crate::random::{Purpose, Stream};
 use crate::targets::{Reach, Set, Start, Task, tasks};
 use crate::trial::Trial;
 use serde::{Deserialize, Serialize};
+use tpg_engine::random::{Purpose, Stream};
+use tpg_nn::{Gaussian, Mlp, Samples, Tape};
 use tpg_runtime::arm::WIDOWX;
 
 /// A training run under way.

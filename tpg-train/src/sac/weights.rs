@@ -6,12 +6,12 @@
 //! [`Contract`] as JSON: what goes in, in which order, and what comes out.
 
 use super::config::{Actor, Inputs};
-use super::nn::{Mlp, Shape};
 use super::replay::ACTIONS;
 use super::tensors::{Tensor, Tensors};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 use tpg_graph::error::{InputError, Place};
+use tpg_nn::{Mlp, Shape};
 use tpg_runtime::sac::FEATURE_NAMES;
 
 /// The value of [`Contract::format`].
@@ -209,8 +209,8 @@ fn from_tensors(mut file: Tensors) -> Result<(Mlp<f32>, Contract), Refusal> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::random::{Purpose, Stream};
     use crate::sac::config::Config;
+    use tpg_engine::random::{Purpose, Stream};
 
     fn example(preset: &str) -> (Mlp<f32>, Tensors) {
         let actor = Config::preset(preset).expect("a preset").actor;
@@ -220,7 +220,8 @@ mod tests {
             outputs: 2 * ACTIONS,
             norm: actor.layer_norm,
         };
-        let mut network = Mlp::random(shape, &mut Stream::new(1, 0, Purpose::Test, 30));
+        let mut random = Stream::new(1, 0, Purpose::Test, 30);
+        let mut network = Mlp::random(shape, || random.unit());
         for (index, parameter) in network.parameters_mut().iter_mut().enumerate() {
             *parameter += index as f32 * 1e-6;
         }

@@ -1,7 +1,7 @@
 //! The columns of neighbouring lanes.
 
-use crate::engine::{BLOCK, Block};
 use std::array::from_fn;
+use tpg_engine::{BLOCK, Block};
 use tpg_runtime::arm::{JOINTS, Pose};
 
 /// What a usual step needs of one lane.

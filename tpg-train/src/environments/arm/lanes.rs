@@ -8,8 +8,8 @@
 use super::group::{Group, Lane};
 use super::usual::Usual;
 use super::{ArmEnvironment, ArmEpisode, ArmScalar, ArmTask};
-use crate::engine::{BLOCK, Block, Ending, Environment, Episodes, SourceSet, View};
 use pulp::Arch;
+use tpg_engine::{BLOCK, Block, Ending, Environment, Episodes, SourceSet, View};
 use tpg_runtime::arm::{JOINTS, Move};
 use tpg_runtime::observation::Source;
 use tpg_runtime::policy::ActionId;

@@ -2,8 +2,8 @@
 
 use super::group::Group;
 use super::{ArmEnvironment, ArmScalar, base_angle, look_up};
-use crate::engine::{BLOCK, Block};
 use pulp::{Simd, WithSimd};
+use tpg_engine::{BLOCK, Block};
 use tpg_runtime::arm::{JOINTS, Pose};
 use tpg_runtime::kinematics::{Angle, Direction, Directions, Plane, difference, link_angles};
 use tpg_runtime::policy::ActionId;

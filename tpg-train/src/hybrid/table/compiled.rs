@@ -2,17 +2,17 @@
 
 use super::reference::Reference;
 use super::timing::{self, Time};
-use crate::random::{Purpose, Stream};
 use crate::sac::config::Config;
 use crate::sac::lanes::ARM;
-use crate::sac::nn::{Mlp, Shape};
 use crate::sac::policy::ActorPolicy;
 use crate::targets::{Start, Task};
+use tpg_engine::random::{Purpose, Stream};
 use tpg_generated::widowx_fs::WidowxFs;
 use tpg_generated::widowx_fs_fast::WidowxFsFast;
 use tpg_generated::widowx_rs::WidowxRs;
 use tpg_generated::widowx_rs_fast::WidowxRsFast;
 use tpg_generated::{widowx_fs_hybrid, widowx_rs_hybrid, widowx_sac};
+use tpg_nn::{Mlp, Shape};
 use tpg_runtime::arm::{JOINTS, Move};
 use tpg_runtime::cycle::{Brent, CycleDetector, Visited};
 use tpg_runtime::hybrid::{Guard, Hybrid, Settings};
@@ -86,7 +86,8 @@ fn wide(start: Start, tasks: &[Task]) -> Time {
         outputs: 2 * JOINTS,
         norm: actor.layer_norm,
     };
-    let weights = Mlp::random(shape, &mut Stream::new(1, 0, Purpose::Weights, 0));
+    let mut random = Stream::new(1, 0, Purpose::Weights, 0);
+    let weights = Mlp::random(shape, || random.unit());
     timing::of_policy_along(&ARM, &ActorPolicy::new(&weights, &actor), &network(), start, tasks)
 }
 

@@ -1,8 +1,8 @@
 //! The network that the paper measures against, 13-256-256-4 in `f32` with LayerNorm, written to be quick: rows in eight
 //! partial sums, which compilers turn into vector instructions. What its weights are does not change its time.
 
-use crate::random::{Purpose, Stream};
 use std::cell::RefCell;
+use tpg_engine::random::{Purpose, Stream};
 use tpg_runtime::arm::{JOINTS, Move};
 use tpg_runtime::observation::Observation;
 use tpg_runtime::policy::Policy;

@@ -9,8 +9,8 @@
 //! Everything from [`Decider::decide`] on is one function, compiled for each width of vectors; its loops have masks for
 //! conditions, which the compiler would make branches of.
 
-use super::columns::{BLOCK, Block, Columns};
-use super::plan::{Code, LazyEdge, Plan, PlannedTeam};
+use crate::columns::{BLOCK, Block, Columns};
+use crate::plan::{Code, LazyEdge, Plan, PlannedTeam};
 use pulp::{Arch, Simd, WithSimd};
 use tpg_runtime::ops::{self, Maths};
 use tpg_runtime::policy::ActionId;

@@ -13,12 +13,12 @@ mod lanes;
 mod nodes;
 mod plan;
 mod policy;
+pub mod random;
 mod single;
 
 pub use columns::{BLOCK, Block};
 pub use environment::{Ending, Environment, SourceSet};
-pub(crate) use episodes::OneByOne;
-pub use episodes::{Episodes, View};
+pub use episodes::{Episodes, OneByOne, View};
 pub use evaluator::{Answer, EvaluationError, Evaluator, LocalThreads, UnitKey, Work, WorkUnit};
 pub use history::{History, Repeat};
 pub use lanes::{Lanes, Options};

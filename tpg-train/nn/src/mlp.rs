@@ -3,7 +3,6 @@
 use super::norm::{denormalise, normalise};
 use super::product::passing;
 use super::{Factor, Finish, Real, Scratch, multiply};
-use crate::random::Stream;
 use pulp::Arch;
 use serde::{Deserialize, Serialize};
 
@@ -135,13 +134,13 @@ impl<T: Real> Tape<T> {
 
 impl<T: Real> Mlp<T> {
     /// Weights and biases uniform in ±1/√inputs, as PyTorch's `Linear` draws them; gains 1, shifts 0.
-    pub fn random(shape: Shape, random: &mut Stream) -> Self {
+    pub fn random(shape: Shape, mut unit: impl FnMut() -> f64) -> Self {
         let mut parameters = vec![T::zero(); shape.parameters()];
         let layers = shape.layers();
         for layer in &layers {
             let bound = 1.0 / (layer.inputs as f64).sqrt();
             for parameter in &mut parameters[layer.weight..layer.bias + layer.outputs] {
-                *parameter = T::of((2.0 * random.unit() - 1.0) * bound);
+                *parameter = T::of((2.0 * unit() - 1.0) * bound);
             }
             if let Some(gain) = layer.norm {
                 parameters[gain..][..layer.outputs].fill(T::one());
@@ -309,7 +308,7 @@ fn sum_columns<T: Real>(sums: &mut [T], columns: &[T]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::random::Purpose;
+    use tpg_engine::random::{Purpose, Stream};
 
     fn shape(norm: bool) -> Shape {
         Shape { inputs: 7, hidden: vec![9, 8], outputs: 3, norm }
@@ -327,7 +326,7 @@ mod tests {
     fn gradients_equal_finite_differences() {
         for norm in [false, true] {
             let mut random = Stream::new(1, 0, Purpose::Test, 20);
-            let mut network = Mlp::<f64>::random(shape(norm), &mut random);
+            let mut network = Mlp::<f64>::random(shape(norm), || random.unit());
             for parameter in network.parameters_mut() {
                 *parameter += 0.1 * random.normal(); // gains and shifts too shall be ordinary numbers
             }
@@ -363,7 +362,7 @@ mod tests {
     #[test]
     fn the_gradient_by_the_input_does_not_need_the_one_by_the_parameters() {
         let mut random = Stream::new(1, 0, Purpose::Test, 21);
-        let network = Mlp::<f32>::random(shape(true), &mut random);
+        let network = Mlp::<f32>::random(shape(true), || random.unit());
         let input: Vec<f32> = (0..7 * 6).map(|_| random.normal() as f32).collect();
         let gradient = |wanted: bool| {
             let mut tape = Tape::new(network.shape(), 6);

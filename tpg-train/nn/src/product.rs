@@ -181,8 +181,8 @@ impl<T: Real> WithSimd for Product<'_, T> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::random::{Purpose, Stream};
     use nalgebra::DMatrix;
+    use tpg_engine::random::{Purpose, Stream};
 
     const SHAPES: [(usize, usize, usize); 9] = [
         (1, 9, 17),

@@ -1,7 +1,7 @@
 //! A matrix times one column.
 
 use super::Finish;
-use crate::sac::nn::Real;
+use crate::Real;
 use pulp::Simd;
 
 /// From so many rows on, a column costs more than to look whether it is multiplied with a zero.

@@ -3,12 +3,12 @@
 //! Each node has a column with one value for each lane, so that an instruction is one loop over lanes which the compiler
 //! turns into vector instructions. Lanes whose episode ended take the next task; at the end they are closed up.
 
-use super::columns::Columns;
-use super::decide::Decider;
-use super::environment::{Ending, Environment};
-use super::episodes::Episodes;
-use super::history::History;
-use super::plan::Plan;
+use crate::columns::Columns;
+use crate::decide::Decider;
+use crate::environment::{Ending, Environment};
+use crate::episodes::Episodes;
+use crate::history::History;
+use crate::plan::Plan;
 use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;

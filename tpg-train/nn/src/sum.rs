@@ -40,7 +40,7 @@ pub(super) fn sum<T: Real, const N: usize>(lists: [&[T]; N], term: impl Fn([T; N
 #[cfg(test)]
 mod tests {
     use super::sum;
-    use crate::random::{Purpose, Stream};
+    use tpg_engine::random::{Purpose, Stream};
 
     #[test]
     fn a_sum_has_the_documented_order() {

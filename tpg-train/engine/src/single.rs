@@ -1,10 +1,10 @@
 //! One state at a time: for who must act between two decisions, as a hybrid does.
 
-use super::columns::Columns;
-use super::decide::Decider;
-use super::lanes::Options;
-use super::plan::Plan;
-use super::policy::Policy;
+use crate::columns::Columns;
+use crate::decide::Decider;
+use crate::lanes::Options;
+use crate::plan::Plan;
+use crate::policy::Policy;
 use std::cell::RefCell;
 use std::io;
 use tpg_graph::Graph;
@@ -72,25 +72,18 @@ pub fn single(graph: &Graph) -> Box<dyn Engine> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use super::single;
+    use tpg_graph::sample::{self, Shape};
     use tpg_graph::{interpret, states};
-    use tpg_runtime::ops::Own;
 
     #[test]
     fn it_acts_like_the_interpreter() {
-        for text in [
-            include_str!("../../../generated/widowx-fs/graph.json"),
-            include_str!("../../../generated/widowx-rs/graph.json"),
-        ] {
-            let graph = Graph::from_json("graph.json", text).expect("a committed graph");
-            let sources: Vec<_> = graph.to_document().sources;
-            let single = Single::<f32, Own>::new(Plan::new::<Own>(&Policy::from(&graph), &sources, Options::default()));
-            let states = states::sample(&graph, 20_000, 5);
-            let expected = interpret::actions(&graph, &states);
-            for (state, expected) in states.chunks_exact(graph.state_length()).zip(expected) {
-                let state: Vec<f32> = state.iter().map(|&value| value as f32).collect();
-                assert_eq!(single.decide(&state), expected, "{state:?}");
-            }
+        for seed in 0..40 {
+            let graph = sample::graph(&Shape::random(seed), seed);
+            let states = states::sample(&graph, 1000, seed);
+            let mut actions = Vec::new();
+            single(&graph).decide(&states, &mut actions).expect("no process, no error");
+            assert_eq!(actions, interpret::actions(&graph, &states), "graph {seed}");
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Episodes side by side: what the lanes need of an environment, all at once.
 
-use super::columns::{BLOCK, Block};
-use super::environment::{Ending, Environment, SourceSet};
+use crate::columns::{BLOCK, Block};
+use crate::environment::{Ending, Environment, SourceSet};
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
 
@@ -48,7 +48,7 @@ impl<S> View<'_, S> {
 }
 
 /// One episode after the other.
-pub(crate) struct OneByOne<'e, S, E: Environment<S>>
+pub struct OneByOne<'e, S, E: Environment<S>>
 where
     S: Scalar,
 {
@@ -59,7 +59,8 @@ where
 }
 
 impl<'e, S: Scalar, E: Environment<S>> OneByOne<'e, S, E> {
-    pub(crate) fn new(environment: &'e E) -> Self {
+    /// No episodes yet.
+    pub fn new(environment: &'e E) -> Self {
         let length = environment.sources().iter().map(|source| source.length as usize).sum();
         Self { environment, episodes: Vec::new(), keys: Vec::new(), state: vec![S::ZERO; length] }
     }

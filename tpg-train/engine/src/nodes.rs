@@ -4,7 +4,7 @@
 //! not reach that register (in evolved graphs four lines of five) never enters the arena, and what many programs
 //! compute is computed once. Nodes are in an order in which operands come first.
 
-use super::policy::{Line, Operand};
+use crate::policy::{Line, Operand};
 use std::collections::HashMap;
 use std::marker::PhantomData;
 use tpg_runtime::ops::{Instruction, Maths};
@@ -190,7 +190,7 @@ pub fn effective(registers: u16, lines: &[Line]) -> Vec<bool> {
 #[cfg(test)]
 mod tests {
     use super::{Arena, Node, effective};
-    use crate::engine::policy::{Line, Operand};
+    use crate::policy::{Line, Operand};
     use tpg_runtime::ops::{Instruction, Own};
 
     fn line(to: u16, instruction: Instruction, a: Operand, b: Operand) -> Line {

@@ -1,9 +1,9 @@
 //! Where roots are evaluated: behind a trait, so that evolution never knows.
 
-use super::environment::{Ending, Environment};
-use super::lanes::{Lanes, Options};
-use super::plan::Plan;
-use super::policy::Policy;
+use crate::environment::{Ending, Environment};
+use crate::lanes::{Lanes, Options};
+use crate::plan::Plan;
+use crate::policy::Policy;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::marker::PhantomData;

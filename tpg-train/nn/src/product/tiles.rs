@@ -2,7 +2,7 @@
 //! product stays in registers while a panel passes by.
 
 use super::{Factor, Finish, Product, Scratch};
-use crate::sac::nn::Real;
+use crate::Real;
 use pulp::Simd;
 
 /// Columns of a tile where the widest one does not fit any more, and where that does not fit either.

@@ -2,7 +2,7 @@
 //! the other critic has the smaller opinion.
 
 use super::{Factor, Finish, Product};
-use crate::sac::nn::Real;
+use crate::Real;
 use pulp::Simd;
 
 impl<T: Real> Product<'_, T> {

@@ -5,9 +5,9 @@
 //! `inline(always)` here becomes part of [`Decider::decide`](super::decide::Decider::decide), which is compiled for the
 //! widest vectors that the processor has.
 
-use super::episodes::View;
-use super::nodes::{Node, NodeId, NodeSet};
-use super::plan::Plan;
+use crate::episodes::View;
+use crate::nodes::{Node, NodeId, NodeSet};
+use crate::plan::Plan;
 use std::marker::PhantomData;
 use tpg_runtime::ops::{Instruction, Maths};
 use tpg_runtime::scalar::Scalar;

@@ -1,6 +1,6 @@
 //! What the engine asks of a problem.
 
-use super::episodes::{Episodes, OneByOne};
+use crate::episodes::{Episodes, OneByOne};
 use crate::random::{Purpose, Stream};
 use serde::{Serialize, de::DeserializeOwned};
 use std::fmt::Debug;
@@ -110,7 +110,8 @@ impl SourceSet {
     pub const NONE: Self = Self(0);
 
     /// With the source at that place, too.
-    pub(crate) fn with(self, place: usize) -> Self {
+    #[must_use]
+    pub fn with(self, place: usize) -> Self {
         Self(self.0 | 1 << place)
     }
 
@@ -136,7 +137,7 @@ impl SourceSet {
 
 #[cfg(test)]
 mod tests {
-    use super::SourceSet;
+    use crate::SourceSet;
     use tpg_graph::SourceDocument;
 
     #[test]

@@ -133,7 +133,7 @@ impl Gaussian {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::random::{Purpose, Stream};
+    use tpg_engine::random::{Purpose, Stream};
 
     /// Σ c·a + w·ln π, over a batch.
     fn loss(gaussian: Gaussian, outputs: &[f64], noise: &[f64], c: &[f64], w: f64) -> f64 {
