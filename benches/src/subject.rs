@@ -6,17 +6,17 @@ use tpg_graph::engine::Reference;
 use tpg_graph::import::{self, Profile};
 use tpg_graph::interpret;
 use tpg_graph::{Graph, ScalarType};
+use tpg_paper::chain::Chain;
+use tpg_paper::episode::Rules;
+use tpg_paper::replay_command::Problem;
+use tpg_paper::{data, replay};
+use tpg_problems::arm::binding::Binding;
+use tpg_problems::arm::targets::{self, Start};
 use tpg_runtime::arm::{Arm, WIDOWX};
 use tpg_runtime::cycle::Brent;
 use tpg_runtime::episode::Episode;
 use tpg_runtime::kinematics::Lattice;
 use tpg_runtime::observation::{Observation, Source, TargetMemo};
-use tpg_train::conformance::binding::Binding;
-use tpg_train::conformance::chain::Chain;
-use tpg_train::conformance::command::Problem;
-use tpg_train::conformance::episode::Rules;
-use tpg_train::conformance::{data, replay};
-use tpg_train::targets::{self, Start};
 
 /// States of a subject: enough that no branch predictor learns them by heart.
 pub const STATES: usize = 8192;

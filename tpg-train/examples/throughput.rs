@@ -12,9 +12,10 @@ use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{Environment, Evaluator, LocalThreads, Options, Policy, UnitKey, Work, WorkUnit};
 use tpg_graph::import::{self, Profile};
 use tpg_graph::{Graph, MathsProvider, ScalarType};
+use tpg_problems::arm::targets::{Set, Start, tasks};
+use tpg_problems::arm::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
 use tpg_runtime::arm::WIDOWX;
 use tpg_runtime::ops::{Maths, Own, System};
-use tpg_train::environments::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
 use tpg_train::evolution::checkpoint;
 use tpg_train::evolution::config::Config;
 use tpg_train::evolution::logs::cpu_seconds;
@@ -22,7 +23,6 @@ use tpg_train::evolution::mutate_program::ProgramMutator;
 use tpg_train::evolution::mutate_team::{Moment, populate, random_population};
 use tpg_train::evolution::presets::Preset;
 use tpg_train::evolution::state::State;
-use tpg_train::targets::{Set, Start, tasks};
 
 /// How much is measured.
 #[derive(Clone, Copy)]

@@ -4,14 +4,12 @@ mod report;
 
 pub use report::Report;
 
-use crate::environments::{ArmDescription, ArmEnvironment, ArmProblem, ArmScalar, ArmTask, arm::OUTCOMES};
 use crate::evolution::config::Config;
 use crate::evolution::config::Shield;
 use crate::hybrid::actor::Actor;
 use crate::hybrid::graph::read_graph;
 use crate::hybrid::setting::{Detector, HandBack, HybridFile, Setting};
 use crate::hybrid::trial;
-use crate::targets::{self, Set, Start};
 use clap::Args;
 use serde::Deserialize as _;
 use std::io::Write as _;
@@ -21,6 +19,8 @@ use tpg_engine::{Ending, Environment, Lanes, Options, Plan, Policy};
 use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::in_arithmetic_of;
+use tpg_problems::arm::targets::{self, Set, Start};
+use tpg_problems::arm::{ArmDescription, ArmEnvironment, ArmProblem, ArmScalar, ArmTask, environment::OUTCOMES};
 use tpg_runtime::arm::{Arm, WIDOWX};
 use tpg_runtime::hybrid::Guard;
 use tpg_runtime::observation::shield::{SHIELDED, STEP, action as action_of};
@@ -82,7 +82,7 @@ pub fn eval(args: &EvalArgs) -> Result<(), InputError> {
     let config = args.config.as_deref().map(Config::read).transpose()?;
     let arm = arm_for(args, config.as_ref())?;
     let (tasks, seed) = match &args.targets {
-        Some(path) => (read_tasks(&arm, path)?, None),
+        Some(path) => (targets::read_csv(&arm, path)?, None),
         None => (targets::tasks(&arm, args.seed, Set::Test, args.problem, args.episodes), Some(args.seed)),
     };
     let report = match (&args.hybrid, &args.tpg, &args.policy) {
@@ -229,20 +229,6 @@ pub fn shielded_endings_of(
     tasks: &[ArmTask],
 ) -> Result<Vec<Ending>, InputError> {
     in_arithmetic_of!(graph, endings(file, graph, arm, problem, shield, tasks))
-}
-
-fn read_tasks(arm: &Arm<f64>, path: &Path) -> Result<Vec<targets::Task>, InputError> {
-    targets::read_csv(arm, path).map_err(input_error)
-}
-
-/// What is wrong with a file of episodes, as this program says it.
-pub fn input_error(error: targets::Error) -> InputError {
-    match error {
-        targets::Error::Io { path, source } => InputError::io(&path, &source, "a file of episodes"),
-        targets::Error::Content { path, line, found, accepted } => {
-            InputError::new(path.display().to_string(), Place::Line(line as usize), found, accepted)
-        }
-    }
 }
 
 fn endings<S: ArmScalar, M: Maths<S>>(

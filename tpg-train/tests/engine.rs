@@ -8,6 +8,9 @@ use tpg_engine::{
 };
 use tpg_graph::interpret::Interpreter;
 use tpg_graph::{Graph, Provenance, ScalarType};
+use tpg_problems::arm::description::WIDOWX_TOML;
+use tpg_problems::arm::targets::{Set, Start, tasks};
+use tpg_problems::arm::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
 use tpg_runtime::arm::{Arm, Collision, Invalid, Move, WIDOWX};
 use tpg_runtime::cycle::Visited;
 use tpg_runtime::episode::{Episode, Outcome, Summary};
@@ -16,8 +19,6 @@ use tpg_runtime::observation::shield::{ALLOWED, SHIELDED};
 use tpg_runtime::observation::{Observation, Source, TargetMemo};
 use tpg_runtime::ops::{Instruction, Maths, Own};
 use tpg_runtime::policy::{ActionId, Policy as _};
-use tpg_train::environments::description::WIDOWX_TOML;
-use tpg_train::environments::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
 use tpg_train::evolution::archive::Archive;
 use tpg_train::evolution::command::arm_environment;
 use tpg_train::evolution::config::{Config, Shield};
@@ -26,7 +27,6 @@ use tpg_train::evolution::mutate_program::ProgramMutator;
 use tpg_train::evolution::mutate_team::{Moment, populate, random_population};
 use tpg_train::evolution::presets::Preset;
 use tpg_train::evolution::vocabulary::Vocabulary;
-use tpg_train::targets::{Set, Start, tasks};
 
 /// A configuration in which everything can happen: every source, every instruction, literals, program constants.
 fn config(scalar: ScalarType) -> Config {

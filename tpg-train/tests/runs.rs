@@ -6,7 +6,7 @@ use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 use tpg_engine::random::{Purpose, Stream};
-use tpg_train::environments::description::WIDOWX_TOML;
+use tpg_problems::arm::description::WIDOWX_TOML;
 use tpg_train::evolution::config::Config;
 use tpg_train::evolution::presets::Preset;
 

@@ -24,9 +24,11 @@
 //! | [`conversion`] | a graph in another scalar type, and how often it still takes the same action |
 //! | [`engine`] | anything that decides like a graph |
 //! | [`states`], [`trace`], [`sample`] | drawn states, recorded states, random graphs |
+//! | [`command`] | exit statuses of command-line programs |
 //! | [`error`], [`output`] | errors with file, place, found and accepted; files written whole or not at all |
 
 mod arithmetic;
+pub mod command;
 pub mod conversion;
 pub mod engine;
 pub mod error;

@@ -2,11 +2,11 @@
 
 use crate::evolution::config::Shield;
 use crate::hybrid::trial::HybridTrial;
-use crate::targets::Start;
-use crate::trial::{Failures, Trial};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use tpg_engine::Ending;
+use tpg_problems::arm::targets::Start;
+use tpg_problems::arm::trial::{Failures, Trial};
 use tpg_runtime::hybrid::Cause;
 
 /// What `eval --json` prints. Rates are between 0 and 1.

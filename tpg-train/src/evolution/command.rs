@@ -4,10 +4,8 @@ use super::config::{Config, EnvironmentName};
 use super::presets::{PRESETS, Preset};
 use super::run::{RunEnd, RunError, RunOptions, run};
 use super::state::Best;
-use crate::environments::{ArmEnvironment, ArmScalar, Pendulum};
 use crate::files::{make_folder, read_text, write_atomically};
 use crate::interrupt;
-use crate::targets::Start;
 use clap::Args;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -15,7 +13,11 @@ use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 use tpg_engine::{Environment, LocalThreads, Options};
 use tpg_graph::ScalarType;
+use tpg_graph::command::Verdict;
 use tpg_graph::error::{InputError, Place};
+use tpg_problems::Pendulum;
+use tpg_problems::arm::targets::Start;
+use tpg_problems::arm::{ArmEnvironment, ArmScalar};
 use tpg_runtime::ops::{Maths, Own};
 
 /// Evolve a tangled program graph.
@@ -71,20 +73,11 @@ fn seeds(text: &str) -> Result<Seeds, String> {
     parse().filter(|seeds| seeds.first < seeds.end).ok_or_else(|| "two seeds A..B with A below B, as 1..9".to_owned())
 }
 
-/// How the command ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum End {
-    /// Every run is finished.
-    Finished,
-    /// Ctrl-C: every run can be resumed.
-    Interrupted,
-}
-
 /// Trains.
 ///
 /// # Errors
 /// A bad configuration, a folder with another run, files that cannot be written.
-pub fn execute(args: &TpgArgs) -> Result<End, RunError> {
+pub fn execute(args: &TpgArgs) -> Result<Verdict, RunError> {
     let config = configuration(args)?;
     let stop = interrupt::watch();
     match config.language.scalar {
@@ -131,7 +124,7 @@ pub fn arm_environment<S: ArmScalar>(config: &Config) -> ArmEnvironment<S> {
     ArmEnvironment::new(&config.arm(), config.arm_problem())
 }
 
-fn with_scalar<S: ArmScalar>(args: &TpgArgs, config: &Config, stop: &AtomicBool) -> Result<End, RunError>
+fn with_scalar<S: ArmScalar>(args: &TpgArgs, config: &Config, stop: &AtomicBool) -> Result<Verdict, RunError>
 where
     Own: Maths<S>,
 {
@@ -153,7 +146,7 @@ fn restarts<S: ArmScalar, E: Environment<S>>(
     config: &Config,
     environment: &E,
     stop: &AtomicBool,
-) -> Result<End, RunError>
+) -> Result<Verdict, RunError>
 where
     Own: Maths<S>,
 {
@@ -168,9 +161,9 @@ where
         return match one(args.seed, args.out.clone())? {
             RunEnd::Finished(best) => {
                 eprintln!("{}", told(args.seed, &best));
-                Ok(End::Finished)
+                Ok(Verdict::Good)
             }
-            RunEnd::Interrupted => Ok(End::Interrupted),
+            RunEnd::Interrupted => Ok(Verdict::Interrupted),
         };
     };
     make_folder(&args.out)?;
@@ -182,11 +175,11 @@ where
                 eprintln!("{}", told(seed, &best));
                 finished.push((seed, best));
             }
-            RunEnd::Interrupted => return Ok(End::Interrupted),
+            RunEnd::Interrupted => return Ok(Verdict::Interrupted),
         }
         keep_best(&args.out, &finished)?;
     }
-    Ok(End::Finished)
+    Ok(Verdict::Good)
 }
 
 /// Writes `restarts.csv`, and the best seed's graph as `graph.json`.

@@ -6,13 +6,13 @@
 mod check;
 
 use super::vocabulary::Vocabulary;
-use crate::environments::{ArmDescription, ArmProblem};
 use crate::files::read_text;
-use crate::targets::Start;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::{ScalarType, SourceDocument};
+use tpg_problems::arm::targets::Start;
+use tpg_problems::arm::{ArmDescription, ArmProblem};
 use tpg_runtime::arm::{Arm, WIDOWX};
 use tpg_runtime::observation::Source;
 use tpg_runtime::ops::Instruction;

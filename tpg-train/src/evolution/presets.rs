@@ -1,10 +1,10 @@
 //! The configurations that come with the trainer, with a comment for every parameter.
 
 use super::config::Config;
-use crate::environments::description::WIDOWX_TOML;
 use clap::Args;
 use std::io::Write as _;
 use tpg_graph::error::{InputError, Place};
+use tpg_problems::arm::description::WIDOWX_TOML;
 
 /// Print a commented configuration.
 #[derive(Clone, Debug, Args)]

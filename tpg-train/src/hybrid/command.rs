@@ -11,9 +11,7 @@ use super::graph::read_graph;
 use super::report;
 use super::setting::{Detector, HybridFile};
 use super::study::{Cell, Study, settings, to_csv};
-use crate::evolution::command::End;
 use crate::files::{make_folder, read_text, write_atomically};
-use crate::targets::{Set, Start, tasks};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
@@ -23,7 +21,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use tpg_graph::command::Verdict;
 use tpg_graph::error::{InputError, Place};
+use tpg_problems::arm::targets::{Set, Start, tasks};
 use tpg_runtime::arm::WIDOWX;
 use tpg_runtime::hybrid::Guard;
 
@@ -121,7 +121,7 @@ impl Input {
 ///
 /// # Errors
 /// Files that are no policies, a folder with another study, files that cannot be written.
-pub fn execute(args: &HybridArgs) -> Result<End, InputError> {
+pub fn execute(args: &HybridArgs) -> Result<Verdict, InputError> {
     let inputs = |paths: &[PathBuf]| paths.iter().map(|path| Input::of(path)).collect::<Result<Vec<_>, _>>();
     let asked = Asked {
         problem: args.problem,
@@ -150,12 +150,12 @@ pub fn execute(args: &HybridArgs) -> Result<End, InputError> {
     progress.set_style(style.expect("a template that is right"));
     let costs = Costs::measure(&study)?;
     let Some(cells) = pool.install(|| study.run(&args.out.join("cells.csv"), &progress, &stop))? else {
-        return Ok(End::Interrupted);
+        return Ok(Verdict::Interrupted);
     };
     let alone = pool.install(|| alone(&study))?;
     progress.finish_and_clear();
     finish(args, &study, &costs, &cells, &alone)?;
-    Ok(End::Finished)
+    Ok(Verdict::Good)
 }
 
 fn open_folder(args: &HybridArgs, asked: &Asked) -> Result<(), InputError> {
@@ -186,7 +186,7 @@ fn alone(study: &Study) -> Result<Vec<Alone>, InputError> {
             } else {
                 let (file, actor) = &study.sacs[place];
                 let arm = WIDOWX.to_f32();
-                (file, crate::trial::run(&arm, &*actor.policy(), study.start, &study.tasks))
+                (file, tpg_problems::arm::trial::run(&arm, &*actor.policy(), study.start, &study.tasks))
             };
             Ok(Alone {
                 kind,

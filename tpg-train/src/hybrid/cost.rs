@@ -3,12 +3,12 @@
 use super::actor::Narrowed;
 use super::graph::GraphPolicy;
 use super::study::{Cell, Study};
-use crate::environments::ArmScalar;
 use std::hint::black_box;
 use std::time::Instant;
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
 use tpg_graph::in_arithmetic_of;
+use tpg_problems::arm::ArmScalar;
 use tpg_runtime::arm::{Move, WIDOWX};
 use tpg_runtime::cycle::Brent;
 use tpg_runtime::episode::Episode;

@@ -13,7 +13,6 @@
 //! | [`choice`] | means over pairs, Pareto front, the setting to take |
 //! | [`report`] | the study as a page |
 //! | [`command`] | `tpg-train hybrid` |
-//! | [`table`] | `tpg-train table2` |
 
 pub mod actor;
 pub mod choice;
@@ -23,5 +22,4 @@ pub mod graph;
 pub mod report;
 pub mod setting;
 pub mod study;
-pub mod table;
 pub mod trial;

@@ -5,7 +5,7 @@ use super::command::Alone;
 use super::setting::shown;
 use super::study::{Cell, HAND_BACKS, SEPARATIONS};
 use crate::picture::{Axis, Colour, Figure, FiveNumbers, Page, Plot, Section, Table};
-use crate::targets::Start;
+use tpg_problems::arm::targets::Start;
 
 /// The page.
 pub fn page(start: Start, cells: &[Cell], summaries: &[Summary], alone: &[Alone]) -> String {

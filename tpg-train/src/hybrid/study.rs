@@ -4,7 +4,6 @@ use super::actor::Actor;
 use super::setting::{Detector, HandBack, Setting};
 use super::trial;
 use crate::files::write_atomically;
-use crate::targets::{Start, Task};
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -15,6 +14,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
+use tpg_problems::arm::targets::{Start, Task};
 use tpg_runtime::hybrid::Guard;
 
 /// The paper's values of `nbItGoBackTPG`, and ours: never.

@@ -3,13 +3,13 @@
 use super::actor::{Actor, Narrowed};
 use super::graph::GraphPolicy;
 use super::setting::{Detector, Setting};
-use crate::environments::ArmScalar;
-use crate::targets::{Start, Task};
-use crate::trial::{self, Trial};
 use serde::Serialize;
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
 use tpg_graph::in_arithmetic_of;
+use tpg_problems::arm::ArmScalar;
+use tpg_problems::arm::targets::{Start, Task};
+use tpg_problems::arm::trial::{self, Trial};
 use tpg_runtime::arm::{Move, WIDOWX};
 use tpg_runtime::cycle::{Brent, CycleDetector, Visited};
 use tpg_runtime::hybrid::{CAUSES, Hybrid, HybridEpisode, HybridSummary};

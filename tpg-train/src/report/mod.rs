@@ -35,7 +35,7 @@ pub struct ReportArgs {
     #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub episodes: u32,
     /// The seed of the test episodes
-    #[arg(long, value_name = "S", default_value_t = crate::targets::TEST_SEED)]
+    #[arg(long, value_name = "S", default_value_t = tpg_problems::arm::targets::TEST_SEED)]
     pub seed: u64,
 }
 

@@ -4,7 +4,6 @@ use crate::evolution::config::{Config, EnvironmentName};
 use crate::evolution::state::Row;
 use crate::files::read_text;
 use crate::sac::weights::{self, Contract};
-use crate::targets::Start;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fs;
@@ -12,6 +11,7 @@ use std::path::{Path, PathBuf};
 use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
 use tpg_nn::Mlp;
+use tpg_problems::arm::targets::Start;
 
 /// Runs with the same configuration.
 #[derive(Debug)]

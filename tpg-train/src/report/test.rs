@@ -1,15 +1,15 @@
 //! What a run trained, put to the test episodes.
 
 use super::runs::{Kind, Run};
-use crate::environments::arm::{OUTCOMES, outcome_number};
-use crate::environments::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
 use crate::evaluate::endings_of;
 use crate::sac::policy::ActorPolicy;
-use crate::targets::{self, Set, TOLERANCE};
 use tpg_engine::{Ending, Environment, Lanes, Options, Plan, Policy};
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
 use tpg_graph::in_arithmetic_of;
+use tpg_problems::arm::environment::{OUTCOMES, outcome_number};
+use tpg_problems::arm::targets::{self, Set, TOLERANCE};
+use tpg_problems::arm::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
 use tpg_runtime::arm::{Arm, Pose, WIDOWX};
 use tpg_runtime::ops::Maths;
 

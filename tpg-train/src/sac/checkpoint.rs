@@ -9,12 +9,12 @@ use super::lanes::Lanes;
 use super::replay::{ACTIONS, Replay};
 use super::tensors::{Tensor, Tensors};
 use super::training::{Best, Point, Recent, Training};
-use crate::targets::{Reach, Set, Task};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_graph::error::{InputError, Place};
 use tpg_nn::{Adam, Gaussian, Mlp, Shape};
+use tpg_problems::arm::targets::{Reach, Set, Task};
 use tpg_runtime::arm::{Pose, WIDOWX};
 
 const FORMAT: &str = "tpg-train sac checkpoint";

@@ -8,19 +8,19 @@ use super::checkpoint;
 use super::config::{Config, PRESETS};
 use super::training::{Recent, Training, ValidationTasks};
 use super::weights::{Provenance, to_tensors};
-use crate::evolution::command::End;
 use crate::evolution::logs::cpu_seconds;
 use crate::files::{make_folder, read_text, write_atomically};
 use crate::interrupt;
-use crate::targets::Start;
-use crate::trial::Trial;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
+use tpg_graph::command::Verdict;
 use tpg_graph::error::{InputError, Place};
+use tpg_problems::arm::targets::Start;
+use tpg_problems::arm::trial::Trial;
 
 /// Train a soft actor-critic.
 #[derive(Clone, Debug, Args)]
@@ -55,7 +55,7 @@ pub struct SacArgs {
 ///
 /// # Errors
 /// A bad configuration, a folder with another run, files that cannot be written.
-pub fn execute(args: &SacArgs) -> Result<End, InputError> {
+pub fn execute(args: &SacArgs) -> Result<Verdict, InputError> {
     let (name, config) = configuration(args)?;
     let stop = interrupt::watch();
     Run::begin(args, name, config)?.finish(&stop)
@@ -117,7 +117,7 @@ impl<'a> Run<'a> {
         Ok(Self { args, name, training, validation, log, progress, began: Instant::now() })
     }
 
-    fn finish(mut self, stop: &AtomicBool) -> Result<End, InputError> {
+    fn finish(mut self, stop: &AtomicBool) -> Result<Verdict, InputError> {
         let every = self.training.config().validation.every;
         let mut saved = Instant::now();
         while !self.training.finished() {
@@ -133,7 +133,7 @@ impl<'a> Run<'a> {
                 saved = Instant::now();
             }
             if stopped {
-                return Ok(End::Interrupted);
+                return Ok(Verdict::Interrupted);
             }
         }
         self.save()?;
@@ -144,7 +144,7 @@ impl<'a> Run<'a> {
             false => String::new(),
         };
         eprintln!("seed {}: {:.1} % of the validation episodes{end}", self.args.seed, 100.0 * best);
-        Ok(End::Finished)
+        Ok(Verdict::Good)
     }
 
     fn validate(&mut self) -> Result<(), InputError> {

@@ -1,8 +1,8 @@
 //! The configuration of a training run, and the presets.
 
-use crate::targets::TOLERANCE;
 use serde::{Deserialize, Serialize};
 use tpg_nn::Spread;
+use tpg_problems::arm::targets::TOLERANCE;
 use tpg_runtime::sac::{Actions, Mask};
 
 /// The presets: name and TOML text, which says what every value means.

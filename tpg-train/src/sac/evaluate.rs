@@ -5,15 +5,15 @@ use super::fixed::quantise_actor;
 use super::weights;
 use crate::files::write_atomically;
 use crate::hybrid::actor::Actor;
-use crate::planner::{Choice, Planner};
-use crate::targets::{Start, Task};
-use crate::trial::{self, Trial};
 use clap::Args;
 use sha2::{Digest, Sha256};
 use std::fs;
 use std::path::{Path, PathBuf};
 use tpg_codegen::policy::to_rust;
 use tpg_graph::error::{InputError, Place};
+use tpg_problems::arm::planner::{Choice, Planner};
+use tpg_problems::arm::targets::{Start, Task};
+use tpg_problems::arm::trial::{self, Trial};
 use tpg_runtime::arm::WIDOWX;
 use tpg_runtime::sac::packed::Kind;
 

@@ -7,8 +7,8 @@
 
 use super::config::Retry;
 use super::policy::ActorPolicy;
-use crate::targets::{Reach, Start, Task};
 use tpg_engine::random::{Purpose, Stream};
+use tpg_problems::arm::targets::{Reach, Start, Task};
 use tpg_runtime::arm::Pose;
 use tpg_runtime::episode::Outcome;
 
@@ -55,8 +55,8 @@ mod tests {
     use super::*;
     use crate::sac::config::Config;
     use crate::sac::lanes::Lanes;
-    use crate::targets::Set;
     use tpg_nn::{Mlp, Shape};
+    use tpg_problems::arm::targets::Set;
     use tpg_runtime::arm::WIDOWX;
 
     const RETRY: Retry = Retry { share: 1.0, every: 1, fixed_starts: 5, random_starts: 9, remembered: 20 };

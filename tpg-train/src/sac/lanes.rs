@@ -4,9 +4,9 @@ use super::config::{Config, Inputs, Retry, Reward};
 use super::failures::Failures;
 use super::policy::ActorPolicy;
 use super::replay::ACTIONS;
-use crate::ik;
-use crate::targets::{Reach, Start};
 use tpg_engine::random::{Purpose, Stream};
+use tpg_problems::arm::ik;
+use tpg_problems::arm::targets::{Reach, Start};
 use tpg_runtime::arm::{Arm, Move, Pose, WIDOWX};
 use tpg_runtime::frame::Frame;
 use tpg_runtime::kinematics;
@@ -268,7 +268,7 @@ fn steps_to_goal(pose: Pose, goals: &[[i16; ACTIONS]]) -> f32 {
 mod tests {
     use super::*;
     use crate::sac::config::Config;
-    use crate::targets::Set;
+    use tpg_problems::arm::targets::Set;
 
     #[test]
     fn training_moves_by_the_step_of_its_task() {

@@ -3,11 +3,11 @@
 use super::config::{Actor, Decides, Inputs};
 use super::lanes::{ARM, Discretiser};
 use super::replay::ACTIONS;
-use crate::targets::{Start, Task};
-use crate::trial::{self, Trial};
 use std::cell::RefCell;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_nn::{Gaussian, Mlp, Samples, Tape};
+use tpg_problems::arm::targets::{Start, Task};
+use tpg_problems::arm::trial::{self, Trial};
 use tpg_runtime::arm::{Move, Pose};
 use tpg_runtime::episode::Summary;
 use tpg_runtime::frame::Frame;
@@ -95,8 +95,8 @@ impl Policy for ActorPolicy<'_> {
 mod tests {
     use super::*;
     use crate::sac::config::Config;
-    use crate::targets::{Set, tasks};
     use tpg_nn::Shape;
+    use tpg_problems::arm::targets::{Set, tasks};
     use tpg_runtime::arm::WIDOWX;
 
     #[test]

@@ -1,0 +1,35 @@
+//! The command line of `tpg-paper`: results on stdout, everything else on stderr.
+
+use crate::replay_command::ReplayArgs;
+use crate::table::{Table2Args, execute as execute_table2};
+use clap::{Parser, Subcommand};
+use std::process::ExitCode;
+use tpg_graph::command::{CommandError, Verdict, exit_code};
+
+/// Replays the paper's recorded episodes, and measures its policies and ours side by side.
+///
+/// Exit status: 0 good, 1 a check failed, 2 bad input.
+#[derive(Debug, Parser)]
+#[command(version)]
+pub struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Replay recorded episodes and count what is exact
+    Replay(ReplayArgs),
+    /// Measure every kind of policy and write docs/results.md
+    Table2(Table2Args),
+}
+
+impl Cli {
+    /// Runs the command; errors go to stderr.
+    pub fn run(self) -> ExitCode {
+        exit_code(match self.command {
+            Command::Replay(args) => args.run(),
+            Command::Table2(args) => execute_table2(&args).map(|()| Verdict::Good).map_err(CommandError::from),
+        })
+    }
+}

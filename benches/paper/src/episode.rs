@@ -1,0 +1,177 @@
+//! An episode as the paper's artifact kept its books (`armlearn-wrapper`, `ArmLearnWrapper.cpp`, `doActions`).
+//!
+//! It differs from the project's own episode ([`tpg_runtime::episode`]): a pose that repeats ends the episode only after
+//! one more action, the start does not count as visited, and whatever ended it, the hand's final distance decides alone
+//! about success.
+
+use super::chain::Chain;
+use super::plane;
+use std::collections::HashSet;
+use tpg_runtime::arm::{Move, Pose};
+use tpg_runtime::kinematics::Vector;
+use tpg_runtime::observation::Observation;
+
+/// Score for each action left when the target is reached (`coefRewardMultiplication`).
+const SCORE_PER_ACTION_LEFT: f64 = 0.01;
+/// Score for reaching it (`bonusSuccess`, which the paper omits).
+const SCORE_FOR_SUCCESS: f64 = 10.0;
+
+/// What all episodes of a run have in common.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rules {
+    /// After this many actions an episode is over.
+    pub max_actions: u32,
+    /// The hand is at its target when it is nearer than this, mm.
+    pub tolerance: f64,
+}
+
+/// How an episode ended, in the numbers that the artifact recorded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct EndState {
+    /// 1000 · score, truncated.
+    pub score_x1000: i64,
+    /// The final distance of hand and target in µm, truncated.
+    pub distance_um: i64,
+    /// Whether the hand ended at its target.
+    pub success: bool,
+    /// Whether the last action was invalid.
+    pub collision: bool,
+    /// Actions done.
+    pub actions: u32,
+}
+
+/// An episode under way.
+#[derive(Clone, Debug)]
+pub struct Episode<'a> {
+    chain: &'a Chain,
+    rules: Rules,
+    observation: Observation<f64>,
+    visited: HashSet<Pose>,
+    actions: u32,
+    moving: bool,
+    cycling: bool,
+    collided: bool,
+}
+
+impl<'a> Episode<'a> {
+    /// Puts the arm at its start.
+    pub fn new(chain: &'a Chain, rules: Rules, start: Pose, target: Vector<f64>) -> Self {
+        Self {
+            chain,
+            rules,
+            observation: Observation::new(chain.arm(), start, chain.hand(start), target),
+            visited: HashSet::new(),
+            actions: 0,
+            moving: true,
+            cycling: false,
+            collided: false,
+        }
+    }
+
+    /// What the policy sees now.
+    pub fn observation(&self) -> &Observation<f64> {
+        &self.observation
+    }
+
+    /// Does one action; whether it was the last.
+    pub fn advance(&mut self, wanted: Move) -> bool {
+        let arm = self.chain.arm();
+        let step = arm.step_with(self.observation.pose, wanted, |pose| plane::collision(arm, pose));
+        self.collided = step.invalid.is_some();
+        self.moving = wanted != Move::STOP && !self.collided;
+        self.observation = Observation::new(arm, step.pose, self.chain.hand(step.pose), self.observation.target);
+        self.actions += 1;
+        let over = !self.moving || self.cycling || self.succeeded() || self.actions >= self.rules.max_actions;
+        // Noticed only now: the action after the one that closes the cycle is still done.
+        self.cycling |= !self.visited.insert(step.pose);
+        over
+    }
+
+    fn succeeded(&self) -> bool {
+        self.observation.distance() < self.rules.tolerance
+    }
+
+    /// The episode's books as they stand.
+    pub fn end_state(&self) -> EndState {
+        EndState::of(self.rules, self.observation.distance(), self.collided, self.actions)
+    }
+}
+
+impl EndState {
+    /// The books of an episode that ended so far from its target, mm, after so many actions.
+    pub fn of(rules: Rules, distance: f64, collision: bool, actions: u32) -> Self {
+        let success = distance < rules.tolerance;
+        let score = if success {
+            let left = f64::from(rules.max_actions) - f64::from(actions);
+            left * SCORE_PER_ACTION_LEFT + SCORE_FOR_SUCCESS
+        } else {
+            -distance
+        };
+        Self { score_x1000: thousandths(score), distance_um: thousandths(distance), success, collision, actions }
+    }
+}
+
+/// As the artifact wrote numbers: multiplied, then truncated towards zero.
+fn thousandths(value: f64) -> i64 {
+    (1000.0 * value) as i64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{EndState, Episode, Rules};
+    use crate::chain::Chain;
+    use tpg_runtime::arm::{Joint, Move, WIDOWX};
+
+    const RULES: Rules = Rules { max_actions: 1710, tolerance: 3.0 };
+    const FAR: [f64; 3] = [0.0, 0.0, 1000.0];
+
+    fn forwards(joint: u8) -> Move {
+        Move::single(Joint(joint), 3)
+    }
+
+    fn backwards(joint: u8) -> Move {
+        Move::single(Joint(joint), -3)
+    }
+
+    /// The actions that an episode takes until it is over, of those offered.
+    fn run(rules: Rules, target: [f64; 3], moves: impl IntoIterator<Item = Move>) -> EndState {
+        let chain = Chain::new(WIDOWX);
+        let mut episode = Episode::new(&chain, rules, WIDOWX.home, target);
+        assert!(moves.into_iter().any(|wanted| episode.advance(wanted)), "the episode is not over");
+        episode.end_state()
+    }
+
+    #[test]
+    fn stopping_ends_it_and_counts() {
+        let end = run(RULES, FAR, [forwards(0), Move::STOP]);
+        assert_eq!((end.actions, end.success, end.collision), (2, false, false));
+        assert_eq!(end.score_x1000, -end.distance_um);
+    }
+
+    #[test]
+    fn a_joint_limit_ends_it_as_a_collision() {
+        // 682 steps of 3 ticks lead from 2048 to 4094 exactly; the next one is refused.
+        let end = run(RULES, FAR, std::iter::repeat(forwards(0)));
+        assert_eq!((end.actions, end.collision), (683, true));
+    }
+
+    #[test]
+    fn a_repeat_allows_one_more_action_and_the_start_is_not_remembered() {
+        // Back to the start (not remembered), away to the first pose (a repeat), and one more.
+        let moves = [forwards(0), backwards(0)].into_iter().cycle();
+        assert_eq!(run(RULES, FAR, moves).actions, 4);
+    }
+
+    #[test]
+    fn time_runs_out() {
+        let end = run(Rules { max_actions: 5, ..RULES }, FAR, std::iter::repeat(forwards(0)));
+        assert_eq!((end.actions, end.success), (5, false));
+    }
+
+    #[test]
+    fn a_success_scores_the_actions_left() {
+        // The target lies 3.1 mm aside of the hand, and a step of the base moves it by 1.6 mm.
+        let end = run(RULES, [-3.1, 346.0, 267.0], [forwards(0)]);
+        assert_eq!((end.actions, end.success, end.score_x1000), (1, true, 27_090));
+    }
+}

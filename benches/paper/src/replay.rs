@@ -1,0 +1,284 @@
+//! All recorded episodes of a policy at once, in lockstep, compared with what was recorded.
+//!
+//! Whoever decides is an [`Engine`]: it is asked for the actions of all episodes under way together, so that an engine in
+//! another process costs one exchange for each step, not one for each episode.
+
+use super::chain::Chain;
+use super::data::{ByRow, End, Task};
+use super::episode::{EndState, Episode, Rules};
+use serde::Serialize;
+use std::io;
+use tpg_graph::engine::Engine;
+use tpg_problems::arm::binding::Binding;
+use tpg_runtime::arm::Pose;
+use tpg_runtime::policy::ActionId;
+
+/// An episode, done.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Done {
+    /// The pose after each action.
+    pub poses: Vec<Pose>,
+    /// How it ended.
+    pub end: EndState,
+}
+
+/// Why a replay broke off.
+#[derive(Debug, thiserror::Error)]
+pub enum ReplayError {
+    /// The engine failed.
+    #[error("the engine {engine} failed: {error}")]
+    Engine {
+        /// Its name.
+        engine: String,
+        /// What happened.
+        error: io::Error,
+    },
+    /// The engine answered something that no policy can.
+    #[error("the engine {engine} answered {found} where {expected}")]
+    Answer {
+        /// Its name.
+        engine: String,
+        /// What it answered.
+        found: String,
+        /// What it was asked.
+        expected: String,
+    },
+}
+
+/// One episode on its way.
+struct Lane<'a> {
+    row: u32,
+    episode: Episode<'a>,
+    poses: Vec<Pose>,
+    over: bool,
+}
+
+/// Lets an engine do every task, all in lockstep.
+///
+/// # Errors
+/// When the engine fails.
+pub fn run(
+    chain: &Chain,
+    rules: Rules,
+    tasks: &ByRow<Task>,
+    binding: &Binding,
+    engine: &mut dyn Engine,
+) -> Result<ByRow<Done>, ReplayError> {
+    let mut lanes: Vec<Lane<'_>> = (tasks.iter())
+        .map(|(&row, task)| Lane {
+            row,
+            episode: Episode::new(chain, rules, task.start, task.target),
+            poses: Vec::new(),
+            over: false,
+        })
+        .collect();
+    let (mut states, mut actions) = (Vec::new(), Vec::new());
+    loop {
+        let mut live: Vec<&mut Lane<'_>> = lanes.iter_mut().filter(|lane| !lane.over).collect();
+        if live.is_empty() {
+            break;
+        }
+        states.clear();
+        live.iter().for_each(|lane| binding.push_state(lane.episode.observation(), &mut states));
+        actions.clear();
+        ask(engine, &states, live.len(), &mut actions)?;
+        for (lane, &action) in live.iter_mut().zip(&actions) {
+            let wanted = binding.wanted(action).ok_or_else(|| ReplayError::Answer {
+                engine: engine.name().to_owned(),
+                found: format!("action {}", action.0),
+                expected: "the policy has no such action".to_owned(),
+            })?;
+            lane.over = lane.episode.advance(wanted);
+            lane.poses.push(lane.episode.observation().pose);
+        }
+    }
+    Ok(lanes.into_iter().map(|lane| (lane.row, Done { poses: lane.poses, end: lane.episode.end_state() })).collect())
+}
+
+fn ask(engine: &mut dyn Engine, states: &[f64], count: usize, actions: &mut Vec<ActionId>) -> Result<(), ReplayError> {
+    match engine.decide(states, actions) {
+        Ok(()) if actions.len() == count => Ok(()),
+        Ok(()) => Err(ReplayError::Answer {
+            engine: engine.name().to_owned(),
+            found: format!("{} actions", actions.len()),
+            expected: format!("{count} states were given"),
+        }),
+        Err(error) => Err(ReplayError::Engine { engine: engine.name().to_owned(), error }),
+    }
+}
+
+/// How much of a recorded file came out the same.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Comparison {
+    /// What was compared: `ends` or `trace`.
+    pub kind: &'static str,
+    /// Recorded episodes.
+    pub rows: usize,
+    /// Those that came out the same, entirely.
+    pub exact_rows: usize,
+    /// Recorded steps; none in end states.
+    pub steps: usize,
+    /// Those after which the arm was at the recorded pose.
+    pub exact_steps: usize,
+    /// The first row that differs, described.
+    pub first_difference: Option<String>,
+}
+
+impl Comparison {
+    fn new(kind: &'static str) -> Self {
+        Self { kind, rows: 0, exact_rows: 0, steps: 0, exact_steps: 0, first_difference: None }
+    }
+
+    /// Whether everything came out the same.
+    pub fn is_exact(&self) -> bool {
+        self.exact_rows == self.rows && self.exact_steps == self.steps
+    }
+
+    fn add_row(&mut self, difference: Option<String>) {
+        self.rows += 1;
+        match difference {
+            None => self.exact_rows += 1,
+            Some(difference) => {
+                self.first_difference.get_or_insert(difference);
+            }
+        }
+    }
+}
+
+/// Compares end states, every recorded column.
+pub fn compare_ends(recorded: &ByRow<End>, done: &ByRow<Done>) -> Comparison {
+    let mut comparison = Comparison::new("ends");
+    for (row, end) in recorded {
+        comparison.add_row(match done.get(row) {
+            None => Some(format!("row {row} was not replayed")),
+            Some(done) => end_difference(end, &done.end).map(|difference| format!("row {row}: {difference}")),
+        });
+    }
+    comparison
+}
+
+fn end_difference(recorded: &End, replayed: &EndState) -> Option<String> {
+    let state = &recorded.state;
+    let columns = [
+        ("score_x1000", state.score_x1000, replayed.score_x1000),
+        ("distance_um", state.distance_um, replayed.distance_um),
+        ("success", state.success.into(), replayed.success.into()),
+        ("collision", state.collision.into(), replayed.collision.into()),
+        ("nb_actions", state.actions.into(), replayed.actions.into()),
+    ];
+    // Every action of a replayed graph is the TPG's.
+    let tpg_actions = recorded.tpg_actions.map(|n| ("nb_tpg_actions", i64::from(n), i64::from(replayed.actions)));
+    let differences: Vec<String> = (columns.into_iter().chain(tpg_actions))
+        .filter(|(_, recorded, replayed)| recorded != replayed)
+        .map(|(name, recorded, replayed)| format!("{name} {replayed} instead of {recorded}"))
+        .collect();
+    (!differences.is_empty()).then(|| differences.join(", "))
+}
+
+/// Compares traces, every recorded step.
+pub fn compare_traces(recorded: &ByRow<Vec<Pose>>, done: &ByRow<Done>) -> Comparison {
+    let mut comparison = Comparison::new("trace");
+    for (row, trace) in recorded {
+        let replayed = done.get(row).map_or(&[][..], |done| &done.poses);
+        comparison.steps += trace.len();
+        comparison.exact_steps += trace.iter().zip(replayed).filter(|(a, b)| a == b).count();
+        let difference = trace_difference(trace, replayed);
+        comparison.add_row(difference.map(|difference| format!("row {row}: {difference}")));
+    }
+    comparison
+}
+
+fn trace_difference(recorded: &[Pose], replayed: &[Pose]) -> Option<String> {
+    let steps = (1..).zip(recorded.iter().zip(replayed));
+    let differs = steps.into_iter().find(|(_, (recorded, replayed))| recorded != replayed);
+    if let Some((step, (recorded, replayed))) = differs {
+        return Some(format!("step {step}: pose {:?} instead of {:?}", replayed.0, recorded.0));
+    }
+    let lengths = (recorded.len(), replayed.len());
+    (lengths.0 != lengths.1).then(|| format!("{} steps instead of {}", lengths.1, lengths.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ReplayError, run};
+    use crate::chain::Chain;
+    use crate::data::{ByRow, Task};
+    use crate::episode::Rules;
+    use std::io;
+    use tpg_graph::ScalarType;
+    use tpg_graph::engine::Engine;
+    use tpg_problems::arm::binding::Binding;
+    use tpg_runtime::arm::{Joint, Move, Pose, WIDOWX};
+    use tpg_runtime::observation::Source;
+    use tpg_runtime::policy::ActionId;
+
+    /// Decides by a function of the whole batch, and remembers the sizes of the batches.
+    struct Scripted<F> {
+        decide: F,
+        batches: Vec<usize>,
+    }
+
+    impl<F: FnMut(&[f64]) -> io::Result<Vec<u16>>> Engine for Scripted<F> {
+        fn name(&self) -> &str {
+            "script"
+        }
+
+        fn decide(&mut self, states: &[f64], actions: &mut Vec<ActionId>) -> io::Result<()> {
+            self.batches.push(states.len() / 6);
+            actions.extend((self.decide)(states)?.into_iter().map(ActionId));
+            Ok(())
+        }
+    }
+
+    fn scripted<F: FnMut(&[f64]) -> io::Result<Vec<u16>>>(decide: F) -> Scripted<F> {
+        Scripted { decide, batches: Vec::new() }
+    }
+
+    /// Three arms, 1, 2 and 3 steps below the base's limit.
+    fn tasks() -> ByRow<Task> {
+        let task = |n: i16| Task { start: Pose([4094 - 3 * n, 2048, 2048, 2048]), target: [0.0, 0.0, 1000.0] };
+        [(5, task(1)), (6, task(2)), (9, task(3))].into_iter().collect()
+    }
+
+    fn replay(engine: &mut dyn Engine) -> Result<ByRow<super::Done>, ReplayError> {
+        let moves = vec![Move::single(Joint(0), 3), Move::STOP];
+        let binding = Binding::new(ScalarType::F64, vec![Source::Servos], moves);
+        let rules = Rules { max_actions: 100, tolerance: 3.0 };
+        run(&Chain::new(WIDOWX), rules, &tasks(), &binding, engine)
+    }
+
+    #[test]
+    fn rows_run_in_lockstep_until_each_is_over() {
+        let mut engine = scripted(|states: &[f64]| Ok(vec![0; states.len() / 6]));
+        let done = replay(&mut engine).unwrap();
+        assert_eq!(engine.batches, [3, 3, 2, 1]);
+        let actions: Vec<(u32, u32)> = done.iter().map(|(&row, done)| (row, done.end.actions)).collect();
+        assert_eq!(actions, [(5, 2), (6, 3), (9, 4)]);
+        assert!(done.values().all(|done| done.end.collision && done.poses.len() == done.end.actions as usize));
+    }
+
+    #[test]
+    fn each_row_gets_the_answer_to_its_own_state() {
+        // Only the arm that starts highest stops; it is over at once.
+        let mut engine = scripted(|states: &[f64]| {
+            Ok(states
+                .chunks(6)
+                .map(|servos| u16::from(servos == [4091.0, 2048.0, 2048.0, 2048.0, 512.0, 256.0]))
+                .collect())
+        });
+        let done = replay(&mut engine).unwrap();
+        let ends: Vec<(i16, u32)> = done.values().map(|done| (done.poses[0].0[0], done.end.actions)).collect();
+        assert_eq!(ends, [(4091, 1), (4091, 2), (4088, 3)]);
+    }
+
+    #[test]
+    fn an_engine_that_fails_or_answers_nonsense_is_named() {
+        let error = |engine: &mut dyn Engine| replay(engine).unwrap_err().to_string();
+        let dead = error(&mut scripted(|_: &[f64]| Err(io::Error::other("it died"))));
+        assert_eq!(dead, "the engine script failed: it died");
+        let few = error(&mut scripted(|_: &[f64]| Ok(vec![0, 0])));
+        assert_eq!(few, "the engine script answered 2 actions where 3 states were given");
+        let unknown = error(&mut scripted(|_: &[f64]| Ok(vec![0, 2, 0])));
+        assert_eq!(unknown, "the engine script answered action 2 where the policy has no such action");
+    }
+}

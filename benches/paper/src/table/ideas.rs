@@ -1,0 +1,61 @@
+//! What guards, hand-overs for good and detectors change, with the shipped graph and actor, on validation episodes.
+
+use super::ProblemInputs;
+use super::rows::{Row, Shipped};
+use tpg_graph::error::InputError;
+use tpg_problems::arm::targets::{Set, Start, tasks};
+use tpg_runtime::arm::WIDOWX;
+use tpg_runtime::hybrid::Guard;
+use tpg_train::hybrid::graph::read_graph;
+use tpg_train::hybrid::setting::{Detector, HandBack, Setting};
+use tpg_train::hybrid::trial;
+
+/// The seed of the episodes: neither training nor the choice of what is shipped read them.
+const SEED: u64 = 11;
+const EPISODES: usize = 1000;
+
+/// A row for each idea.
+///
+/// # Errors
+/// Files that are no policies.
+pub fn measure(start: Start, inputs: &ProblemInputs) -> Result<Vec<Row>, InputError> {
+    let shipped = Shipped::read(&inputs.shipped)?;
+    let tasks = tasks(&WIDOWX, SEED, Set::Validation, start, EPISODES);
+    let (file, graph) = &shipped.graph;
+    let paper = if start == Start::Fs { Setting::PAPER_FS } else { Setting::PAPER_RS };
+    let for_good = Setting { hand_back_after: HandBack::NEVER, ..paper };
+    let never_far = Setting { separation_mm: f64::INFINITY, ..for_good };
+    let guard = |setting, guard| Setting { guard, ..setting };
+    let brent = |setting| Setting { detector: Detector::Brent, ..setting };
+    let settings = [
+        ("the paper's setting".to_owned(), paper),
+        ("and a guard for joint limits".to_owned(), guard(paper, Guard::JointLimits)),
+        ("and for collisions".to_owned(), guard(paper, Guard::Collisions)),
+        ("that, Brent instead of the exact set".to_owned(), brent(guard(paper, Guard::Collisions))),
+        ("for good, no guard".to_owned(), for_good),
+        ("for good, guard for joint limits".to_owned(), guard(for_good, Guard::JointLimits)),
+        ("for good, guard for collisions".to_owned(), guard(for_good, Guard::Collisions)),
+        ("and of the network".to_owned(), guard(for_good, Guard::Both)),
+        ("that, never because of the distance".to_owned(), guard(never_far, Guard::Both)),
+        ("that, Brent instead of the exact set".to_owned(), brent(guard(never_far, Guard::Both))),
+        (format!("shipped: {}", shipped.setting.sentence()), shipped.setting),
+    ];
+    let arm = WIDOWX.to_f32();
+    let mut rows = vec![
+        Row::of("the graph alone", &[trial::graph_alone(file, graph, start, &tasks)?]),
+        Row::of("the actor alone", &[tpg_problems::arm::trial::run(&arm, &*shipped.actor.policy(), start, &tasks)]),
+    ];
+    for (name, setting) in settings {
+        rows.push(Row::of_hybrids(&name, &[trial::run(file, graph, &shipped.actor, &setting, start, &tasks)?]));
+    }
+    if let Some(path) = &inputs.priced {
+        let (file, priced) = (path.display().to_string(), read_graph(path)?);
+        let together = trial::run(&file, &priced, &shipped.actor, &shipped.setting, start, &tasks)?;
+        rows.push(Row::of(
+            "a graph with the hand-over priced in, alone",
+            &[trial::graph_alone(&file, &priced, start, &tasks)?],
+        ));
+        rows.push(Row::of_hybrids("the same in the shipped setting", &[together]));
+    }
+    Ok(rows)
+}

@@ -1,0 +1,126 @@
+//! `tpg-paper table2`: the paper's table 2 with our policies in it, and the rest of `docs/results.md`.
+//!
+//! | module | subject |
+//! | --- | --- |
+//! | [`rows`] | every policy on the committed test episodes |
+//! | [`timing`] | measured times |
+//! | [`compiled`] | the shipped policies as they are compiled |
+//! | [`mod@reference`] | the network that the paper measures against |
+//! | [`cortex_m4`] | instructions counted on the target |
+//! | [`learned`] | policies that were taught something else |
+//! | [`ideas`] | what guards, hand-overs and detectors change, on validation episodes |
+//! | [`paper`] | the paper's figures, and its own policies run by us |
+//! | [`markdown`] | the text |
+
+pub mod compiled;
+pub mod cortex_m4;
+pub mod ideas;
+pub mod learned;
+pub mod markdown;
+pub mod paper;
+pub mod reference;
+pub mod rows;
+pub mod timing;
+
+use clap::Args;
+use serde::Deserialize;
+use std::path::{Path, PathBuf};
+use tpg_graph::error::{InputError, Place};
+use tpg_problems::arm::targets::{self, Start};
+use tpg_runtime::arm::WIDOWX;
+use tpg_train::files::{make_folder, read_text, write_atomically};
+
+/// Measure every kind of policy and write docs/results.md.
+#[derive(Clone, Debug, Args)]
+pub struct Table2Args {
+    /// Which policies: a TOML file; paths in it are relative to it
+    #[arg(long, value_name = "TOML", default_value = "docs/results.toml")]
+    pub inputs: PathBuf,
+    /// The file to write
+    #[arg(long, value_name = "MD", default_value = "docs/results.md")]
+    pub out: PathBuf,
+    /// The folder of the committed test episodes
+    #[arg(long, value_name = "DIR", default_value = "generated/test-targets")]
+    pub targets: PathBuf,
+    /// Instructions counted on a Cortex-M4
+    #[arg(long, value_name = "TOML", default_value = "c-harness/costs.toml")]
+    pub counts: PathBuf,
+    /// The folder of the paper's recorded policies; without it their rows are left out
+    #[arg(long, value_name = "DIR", env = "TPG_CONFORMANCE")]
+    pub conformance: Option<PathBuf>,
+}
+
+/// `docs/results.toml`.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct InputsFile {
+    fs: ProblemInputs,
+    rs: ProblemInputs,
+}
+
+/// The policies of one problem.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ProblemInputs {
+    /// The shipped hybrid's `hybrid.toml`.
+    pub shipped: PathBuf,
+    /// Graphs of several seeds.
+    pub tpg: Vec<PathBuf>,
+    /// Actors of several seeds.
+    pub sac: Vec<PathBuf>,
+    /// A graph that was evolved with the hand-over priced in, if there is one.
+    pub priced: Option<PathBuf>,
+    /// Policies of other learning problems, and ours beside them.
+    #[serde(default)]
+    pub learned: Vec<learned::Learned>,
+}
+
+impl ProblemInputs {
+    fn beside(mut self, folder: &Path) -> Self {
+        self.shipped = folder.join(self.shipped);
+        let learned = self.learned.iter_mut().flat_map(|learned| learned.tpg.iter_mut().chain(&mut learned.sac));
+        let paths = self.tpg.iter_mut().chain(&mut self.sac).chain(&mut self.priced).chain(learned);
+        paths.for_each(|path| *path = folder.join(&*path));
+        self
+    }
+}
+
+/// Measures and writes.
+///
+/// # Errors
+/// Files that are not what they should be, or a file that cannot be written.
+pub fn execute(args: &Table2Args) -> Result<(), InputError> {
+    let name = args.inputs.display().to_string();
+    let text = read_text(&args.inputs, "a list of policies")?;
+    let inputs: InputsFile = toml::from_str(&text).map_err(|error| {
+        let line = error.span().map_or(0, |span| text[..span.start].lines().count().max(1));
+        InputError::new(&name, Place::Line(line), error.message(), "[fs] and [rs] with shipped, tpg, sac")
+    })?;
+    let conformance = args.conformance.as_deref();
+    if conformance.is_none() {
+        eprintln!("no --conformance: without the rows of the paper's own policies");
+    }
+    let counts = cortex_m4::Counts::read(&args.counts)?;
+    let folder = args.inputs.parent().unwrap_or(Path::new(""));
+    let mut problems = Vec::new();
+    for (start, file, inputs) in [(Start::Fs, "fs.csv", inputs.fs), (Start::Rs, "rs.csv", inputs.rs)] {
+        let tasks = targets::read_csv(&WIDOWX, &args.targets.join(file))?;
+        let inputs = inputs.beside(folder);
+        eprintln!("{file}: {} test episodes", tasks.len());
+        problems.push(markdown::Problem {
+            start,
+            episodes: tasks.len(),
+            rows: rows::measure(start, &inputs, &tasks)?,
+            costs: compiled::measure(start, &tasks),
+            ideas: ideas::measure(start, &inputs)?,
+            learned: learned::measure(start, &inputs, &tasks, conformance)?,
+            paper: paper::measured(start, conformance, &inputs)?,
+        });
+    }
+    if let Some(folder) = args.out.parent().filter(|folder| !folder.as_os_str().is_empty()) {
+        make_folder(folder)?;
+    }
+    write_atomically(&args.out, markdown::page(&problems, &counts).as_bytes())?;
+    eprintln!("wrote {}", args.out.display());
+    Ok(())
+}

@@ -1,0 +1,191 @@
+//! Every policy on the committed test episodes.
+
+use super::ProblemInputs;
+use super::timing::{self, Time};
+use std::path::{Path, PathBuf};
+use tpg_codegen::emit::{Options, Prefix, Profile};
+use tpg_codegen::size::{self, Target};
+use tpg_graph::Graph;
+use tpg_graph::error::{InputError, Place};
+use tpg_problems::arm::planner::{Choice, Planner};
+use tpg_problems::arm::targets::{Start, Task};
+use tpg_problems::arm::trial::{Trial, run, run_allowing_collisions};
+use tpg_runtime::arm::WIDOWX;
+use tpg_runtime::observation::Straight;
+use tpg_train::hybrid::actor::Actor;
+use tpg_train::hybrid::choice::Spread;
+use tpg_train::hybrid::graph::read_graph;
+use tpg_train::hybrid::setting::{HybridFile, Setting};
+use tpg_train::hybrid::trial::{self, HybridTrial};
+
+/// One row of the table. Rates lie in 0..1.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// The policy.
+    pub name: String,
+    /// How many of its kind the means are of.
+    pub policies: usize,
+    /// Part of the episodes that reached their target.
+    pub success: Spread,
+    /// Part of the episodes that an invalid action ended.
+    pub collision: Spread,
+    /// At the end, mm.
+    pub distance: Spread,
+    /// Of an episode.
+    pub actions: Spread,
+    /// Part of the actions that the graph chose, where there is a choice.
+    pub by_graph: Option<Spread>,
+    /// Measured on this machine.
+    pub time: Option<Time>,
+    /// Of the model on a Cortex-M4F: with the graph's C in profile `fast`, and in profile `small`.
+    pub bytes: Option<[usize; 2]>,
+}
+
+impl Row {
+    /// Of some trials.
+    pub fn of(name: &str, trials: &[Trial]) -> Self {
+        let values =
+            |trial: &Trial| [trial.success_rate, trial.collision_rate, trial.mean_distance_mm, trial.mean_actions];
+        Self::of_values(name, &trials.iter().map(values).collect::<Vec<_>>())
+    }
+
+    /// Of some policies: part of the episodes that succeeded and that collided, mean distance in mm and number of actions.
+    pub fn of_values(name: &str, policies: &[[f64; 4]]) -> Self {
+        let [success, collision, distance, actions] =
+            [0, 1, 2, 3].map(|place| Spread::of(&policies.iter().map(|values| values[place]).collect::<Vec<_>>()));
+        Self {
+            name: name.to_owned(),
+            policies: policies.len(),
+            success,
+            collision,
+            distance,
+            actions,
+            by_graph: None,
+            time: None,
+            bytes: None,
+        }
+    }
+
+    /// Of hybrids.
+    pub fn of_hybrids(name: &str, hybrids: &[HybridTrial]) -> Self {
+        let trials: Vec<Trial> = hybrids.iter().map(|hybrid| hybrid.trial.clone()).collect();
+        let ratios: Vec<f64> = hybrids.iter().map(|hybrid| hybrid.tpg_action_ratio).collect();
+        Self { by_graph: Some(Spread::of(&ratios)), ..Self::of(name, &trials) }
+    }
+}
+
+/// A shipped hybrid, read.
+#[derive(Debug)]
+pub struct Shipped {
+    /// The graph's file, and the graph.
+    pub graph: (String, Graph),
+    /// The actor.
+    pub actor: Actor,
+    /// How they share the arm.
+    pub setting: Setting,
+}
+
+impl Shipped {
+    /// Reads a `hybrid.toml` and what it names.
+    ///
+    /// # Errors
+    /// If any of it is not what it should be.
+    pub fn read(path: &Path) -> Result<Self, InputError> {
+        let file = HybridFile::read(path)?;
+        let setting = file.setting().map_err(|(key, found, accepted)| {
+            InputError::new(path.display().to_string(), Place::Path(key), found, accepted)
+        })?;
+        let beside = |name: &str| path.parent().unwrap_or(Path::new("")).join(name);
+        let graph = beside(&file.graph);
+        let actor = Actor::read(&beside(&file.actor))?;
+        Ok(Self { graph: (graph.display().to_string(), read_graph(&graph)?), actor, setting })
+    }
+}
+
+/// Bytes of a graph's C on a Cortex-M4F, compiled for size: profile `fast` and profile `small`; nothing where the compiler
+/// is missing.
+pub fn graph_bytes(graph: &Graph) -> Option<[usize; 2]> {
+    let of = |profile| {
+        let options = Options { profile: Some(profile), ..Options::new("policy".parse::<Prefix>().ok()?) };
+        let size = size::compile_c(graph, &options, Target::CortexM4).and_then(|object| size::measure(&object)).ok()?;
+        Some((size.code + size.constants + size.data) as usize)
+    };
+    Some([of(Profile::Fast)?, of(Profile::Small)?])
+}
+
+/// The name of the classical policy that fits a microcontroller.
+pub const STRAIGHT: &str = "one goal, straight (`stance`)";
+
+/// Tasks whose states are timed.
+const TIMED: usize = 100;
+/// The planner is slow: fewer.
+const TIMED_PLANNER: usize = 20;
+
+/// The rows of one problem.
+///
+/// # Errors
+/// Files that are no policies.
+pub fn measure(start: Start, inputs: &ProblemInputs, tasks: &[Task]) -> Result<Vec<Row>, InputError> {
+    let arm = WIDOWX.to_f32();
+    let mut rows = Vec::new();
+    for (name, choice) in [("classical planner", Choice::NearestFree), ("nearest goal, straight", Choice::Nearest)] {
+        let planner = Planner::new(&WIDOWX, choice);
+        let trial = run(&WIDOWX, &planner, start, tasks);
+        let time = timing::of_policy(&WIDOWX, &planner, start, &tasks[..TIMED_PLANNER.min(tasks.len())]);
+        rows.push(Row { time: Some(time), ..Row::of(name, &[trial]) });
+    }
+    let timed = &tasks[..TIMED.min(tasks.len())];
+    let straight = Straight::new(&arm);
+    let time = Some(timing::of_policy(&arm, &straight, start, timed));
+    rows.push(Row { time, ..Row::of(STRAIGHT, &[run(&arm, &straight, start, tasks)]) });
+    let classical = rows.len();
+
+    let shipped = Shipped::read(&inputs.shipped)?;
+    let (file, graph) = &shipped.graph;
+    let actor = shipped.actor.policy();
+    let actor_bytes = shipped.actor.bytes();
+    let actor_row = |name: &str, trial: Trial| Row { bytes: Some([actor_bytes; 2]), ..Row::of(name, &[trial]) };
+    rows.push(actor_row("SAC, shipped, collisions allowed", run_allowing_collisions(&arm, &*actor, start, tasks)));
+    rows.push(actor_row("SAC, shipped", run(&arm, &*actor, start, tasks)));
+    let bytes = graph_bytes(graph);
+    rows.push(Row { bytes, ..Row::of("TPG, shipped", &[trial::graph_alone(file, graph, start, tasks)?]) });
+    let both = trial::run(file, graph, &shipped.actor, &shipped.setting, start, tasks)?;
+    let bytes = bytes.map(|graph| graph.map(|graph| graph + actor_bytes));
+    rows.push(Row { bytes, ..Row::of_hybrids("**hybrid, shipped**", &[both]) });
+    let compiled = super::compiled::times(start, timed);
+    for (row, time) in
+        rows[classical..].iter_mut().zip([None, Some(compiled.sac), Some(compiled.tpg), Some(compiled.hybrid)])
+    {
+        row.time = time;
+    }
+    rows.extend(of_seeds(start, inputs, &shipped, tasks)?);
+    Ok(rows)
+}
+
+/// Means over seeds: what to expect of another training, not of a chosen one.
+fn of_seeds(start: Start, inputs: &ProblemInputs, shipped: &Shipped, tasks: &[Task]) -> Result<Vec<Row>, InputError> {
+    let arm = WIDOWX.to_f32();
+    let read = |path: &PathBuf| Ok((path.display().to_string(), read_graph(path)?));
+    let graphs = inputs.tpg.iter().map(read).collect::<Result<Vec<(String, Graph)>, InputError>>()?;
+    let actors = inputs.sac.iter().map(|path| Actor::read(path)).collect::<Result<Vec<_>, _>>()?;
+    let of_actors = |run: &dyn Fn(&Actor) -> Trial| actors.iter().map(run).collect::<Vec<_>>();
+    let allowed = of_actors(&|actor| run_allowing_collisions(&arm, &*actor.policy(), start, tasks));
+    let ending = of_actors(&|actor| run(&arm, &*actor.policy(), start, tasks));
+    let alone = graphs.iter().map(|(file, graph)| trial::graph_alone(file, graph, start, tasks));
+    let alone = alone.collect::<Result<Vec<_>, _>>()?;
+    let mut together = Vec::new();
+    for (file, graph) in &graphs {
+        for actor in &actors {
+            together.push(trial::run(file, graph, actor, &shipped.setting, start, tasks)?);
+        }
+    }
+    let mut rows = vec![
+        Row::of("SAC, all seeds, collisions allowed", &allowed),
+        Row::of("SAC, all seeds", &ending),
+        Row::of("TPG, all seeds", &alone),
+        Row::of_hybrids("hybrid, all pairs", &together),
+    ];
+    // What there is only one of stands above already.
+    rows.retain(|row| row.policies > 1);
+    Ok(rows)
+}

@@ -1,0 +1,185 @@
+//! The paper's recorded policies and poses, replayed: everything must come out the same, row by row and step by step.
+
+mod support;
+
+use std::path::Path;
+use tpg_graph::import::{self, Profile};
+use tpg_paper::chain::Chain;
+use tpg_paper::episode::Rules;
+use tpg_paper::fk::{self, Exactness, Nearness};
+use tpg_paper::replay_command::{EngineArg, Problem};
+use tpg_paper::{data, replay};
+use tpg_problems::arm::binding::Binding;
+use tpg_runtime::arm::WIDOWX;
+
+/// The hand's error bounds that `tpg_runtime::kinematics` states, mm.
+const F64_BOUND: f64 = 5e-13;
+const F32_BOUND: f64 = 1.1e-4;
+
+/// A recorded policy.
+struct Case {
+    /// The graph, without `.dot`.
+    graph: String,
+    /// What its recorded files begin with.
+    recorded: String,
+    problem: Problem,
+    tolerance: f64,
+    /// What comes after `recorded` in the name of its step trace.
+    trace: Option<&'static str>,
+}
+
+/// The policies of the paper's table 2, as trained and as pruned by the authors.
+fn final_policies() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for (problem, name) in [(Problem::Fs, "fs"), (Problem::Rs, "rs")] {
+        for seed in 0..5 {
+            for suffix in ["", ".cleaned"] {
+                let recorded = format!("tpg/{name}_final_s{seed}");
+                let trace = [0, 2].contains(&seed).then_some(".trace_derived.csv.gz");
+                cases.push(Case { graph: format!("{recorded}{suffix}"), recorded, problem, tolerance: 3.0, trace });
+            }
+        }
+    }
+    cases
+}
+
+/// The policies that the authors recorded with every step.
+fn traced_policies() -> Vec<Case> {
+    let names = [
+        ("fs_init7200_150gen_s0", 3.0),
+        ("fs_init7200_150gen_s1", 3.0),
+        ("fs_init7200_150gen_s2", 3.0),
+        ("fs_init180_150gen_s1", 3.0),
+        ("fs_360R180S_range0.03_s0", 0.03),
+        ("fs_5000R20S_range0.03_s0", 0.03),
+    ];
+    let case = |(name, tolerance)| {
+        let recorded = format!("tpg_traced/{name}");
+        let trace = Some(".trace.csv.gz");
+        Case { graph: recorded.clone(), recorded, problem: Problem::Fs, tolerance, trace }
+    };
+    names.into_iter().map(case).collect()
+}
+
+/// What was compared over several policies.
+#[derive(Debug, Default, PartialEq, Eq)]
+struct Totals {
+    graphs: usize,
+    end_rows: usize,
+    trace_rows: usize,
+    steps: usize,
+}
+
+fn replay_all(folder: &Path, cases: &[Case], engine: EngineArg) -> Totals {
+    let chain = Chain::new(WIDOWX);
+    let mut totals = Totals::default();
+    let mut differences = Vec::new();
+    for case in cases {
+        let targets = match case.problem {
+            Problem::Fs => "targets_fs.csv",
+            Problem::Rs => "targets_rs.csv",
+        };
+        let tasks = data::tasks(&folder.join(targets)).unwrap();
+        let file = folder.join(format!("{}.dot", case.graph));
+        let graph = import::load(&file, Some(Profile::Ecta24), None).unwrap();
+        let binding = Binding::of(&case.graph, &graph).unwrap();
+        let ends = data::ends(&folder.join(format!("{}.ends.csv", case.recorded)), &tasks).unwrap();
+        let rules = Rules { max_actions: case.problem.max_actions(), tolerance: case.tolerance };
+        let mut engine = engine.start(&file, &graph).unwrap();
+        let done = replay::run(&chain, rules, &tasks, &binding, engine.as_mut()).unwrap();
+
+        let mut comparisons = vec![replay::compare_ends(&ends, &done)];
+        totals.graphs += 1;
+        totals.end_rows += comparisons[0].exact_rows;
+        if let Some(suffix) = case.trace {
+            let traces = data::traces(&folder.join(format!("{}{suffix}", case.recorded)), &tasks).unwrap();
+            let comparison = replay::compare_traces(&traces, &done);
+            totals.trace_rows += comparison.exact_rows;
+            totals.steps += comparison.exact_steps;
+            comparisons.push(comparison);
+        }
+        let inexact = comparisons.into_iter().filter(|comparison| !comparison.is_exact());
+        differences.extend(inexact.map(|comparison| format!("{}: {comparison:?}", case.graph)));
+    }
+    assert!(differences.is_empty(), "{}", differences.join("\n"));
+    totals
+}
+
+/// 20 graphs with 60 rows each; traces of 8 of them, 181,914 steps, each replayed with two graphs.
+fn replay_final(test: &str, engine: EngineArg) {
+    let Some(folder) = support::folder(test) else { return };
+    let totals = replay_all(&folder, &final_policies(), engine);
+    assert_eq!(totals, Totals { graphs: 20, end_rows: 1_200, trace_rows: 480, steps: 2 * 181_914 });
+}
+
+/// 6 graphs with 60 rows each and all their steps.
+fn replay_traced(test: &str, engine: EngineArg) {
+    let Some(folder) = support::folder(test) else { return };
+    let totals = replay_all(&folder, &traced_policies(), engine);
+    assert_eq!(totals, Totals { graphs: 6, end_rows: 360, trace_rows: 360, steps: 223_121 });
+}
+
+#[test]
+fn final_policies_through_the_interpreter() {
+    replay_final("final_policies_through_the_interpreter", EngineArg::Interpreter);
+}
+
+#[test]
+fn traced_policies_through_the_interpreter() {
+    replay_traced("traced_policies_through_the_interpreter", EngineArg::Interpreter);
+}
+
+#[test]
+fn final_policies_through_the_trainers_engine() {
+    replay_final("final_policies_through_the_trainers_engine", EngineArg::Trainer);
+}
+
+#[test]
+fn traced_policies_through_the_trainers_engine() {
+    replay_traced("traced_policies_through_the_trainers_engine", EngineArg::Trainer);
+}
+
+#[test]
+fn final_policies_through_generated_c() {
+    replay_final("final_policies_through_generated_c", EngineArg::C);
+}
+
+#[test]
+fn traced_policies_through_generated_c() {
+    replay_traced("traced_policies_through_generated_c", EngineArg::C);
+}
+
+#[test]
+fn final_policies_through_generated_rust() {
+    replay_final("final_policies_through_generated_rust", EngineArg::Rust);
+}
+
+#[test]
+fn traced_policies_through_generated_rust() {
+    replay_traced("traced_policies_through_generated_rust", EngineArg::Rust);
+}
+
+#[test]
+fn recorded_poses_come_out_to_the_bit() {
+    let Some(folder) = support::folder("recorded_poses_come_out_to_the_bit") else { return };
+    let recorded = data::reference_poses(&folder.join("fk_collision.csv")).unwrap();
+    let exactness = fk::exactness(&Chain::new(WIDOWX), &recorded);
+    assert_eq!(exactness, Exactness { poses: 1_000, exact_hands: 1_000, exact_collisions: 1_000 });
+}
+
+#[test]
+fn recorded_poses_are_near_on_the_lattice() {
+    let Some(folder) = support::folder("recorded_poses_are_near_on_the_lattice") else { return };
+    let recorded = data::reference_poses(&folder.join("fk_collision.csv")).unwrap();
+    let chain = Chain::new(WIDOWX);
+    let in_f64 = fk::nearness(&chain, &WIDOWX, recorded.iter().copied());
+    let in_f32 = fk::nearness(&chain, &WIDOWX.to_f32(), recorded);
+    for (name, bound, Nearness { poses, worst, differences }) in
+        [("f64", F64_BOUND, in_f64), ("f32", F32_BOUND, in_f32)]
+    {
+        println!("{name}: worst error {worst:e} mm, {} collision answers differ", differences.len());
+        assert_eq!(poses, 1_000);
+        assert!(worst <= bound, "{name}: {worst:e} mm");
+        assert_eq!(differences, []);
+    }
+}

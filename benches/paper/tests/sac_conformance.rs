@@ -1,0 +1,88 @@
+//! The paper's trained actors, replayed with PyTorch's random numbers: every row and every step.
+
+mod support;
+
+use std::collections::BTreeMap;
+use std::fs;
+use tpg_paper::actor::RecordedActor;
+use tpg_paper::chain::Chain;
+use tpg_paper::replay_command::Problem;
+use tpg_paper::sac::{Rules, run};
+use tpg_paper::torch_random::TorchRandom;
+use tpg_paper::{data, replay};
+use tpg_runtime::arm::{Pose, WIDOWX};
+use tpg_runtime::observation::Observation;
+
+const PROBLEMS: [(&str, Problem); 2] = [("fs", Problem::Fs), ("rs", Problem::Rs)];
+const SEEDS: u32 = 3;
+
+#[test]
+fn random_numbers_are_pytorchs() {
+    let Some(folder) = support::folder("random_numbers_are_pytorchs") else { return };
+    let text = fs::read_to_string(folder.join("rng_torch_normal4.json")).expect("a recorded file");
+    let recorded: BTreeMap<u64, Vec<[f64; 4]>> = serde_json::from_str(&text).expect("draws by seed");
+    assert!(!recorded.is_empty());
+    for (seed, draws) in recorded {
+        let mut random = TorchRandom::new(seed);
+        for (number, draw) in draws.into_iter().enumerate() {
+            for wanted in draw {
+                assert_eq!(random.normal(), wanted as f32, "seed {seed}, draw {number}");
+            }
+        }
+    }
+}
+
+#[test]
+fn actors_answer_what_was_recorded() {
+    let Some(folder) = support::folder("actors_answer_what_was_recorded") else { return };
+    let chain = Chain::new(WIDOWX);
+    for (name, _) in PROBLEMS {
+        for seed in 0..SEEDS {
+            let file = |suffix: &str| folder.join(format!("sac/{name}_s{seed}.{suffix}"));
+            let actor = RecordedActor::read(&file("actor.f32"), &file("json")).expect("a recorded actor");
+            assert_eq!(actor.checks().len(), 40);
+            for check in actor.checks() {
+                let pose = Pose(check.motors);
+                let seen = Observation::new(&WIDOWX, pose, chain.hand(pose), check.target);
+                let state = actor.state(&seen);
+                let (mean, spread) = actor.forward(&check.state);
+                let pairs = (state.into_iter().chain(mean).chain(spread))
+                    .zip(check.state.into_iter().chain(check.mu).chain(check.sigma));
+                for (ours, recorded) in pairs {
+                    assert!((ours - recorded).abs() < 1e-5, "{name} {seed}: {ours} {recorded}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn stochastic_episodes_come_out_the_same() {
+    let Some(folder) = support::folder("stochastic_episodes_come_out_the_same") else { return };
+    let chain = Chain::new(WIDOWX);
+    let (mut rows, mut steps) = (0, 0);
+    for (name, problem) in PROBLEMS {
+        let tasks = data::tasks(&folder.join(format!("targets_{name}.csv"))).expect("recorded targets");
+        for seed in 0..SEEDS {
+            for (mode, end_at_collision) in [("kill", true), ("nokill", false)] {
+                let file = |suffix: &str| folder.join(format!("sac/{name}_s{seed}.{suffix}"));
+                let actor = RecordedActor::read(&file("actor.f32"), &file("json")).expect("a recorded actor");
+                let rules = Rules { max_actions: problem.max_actor_actions(), tolerance: 3.0, end_at_collision };
+                let done = run(&chain, rules, &tasks, &actor);
+                let mut ends = data::ends(&file(&format!("{mode}.ends.csv")), &tasks).expect("recorded ends");
+                for end in ends.values_mut() {
+                    assert!(end.tpg_actions.is_none_or(|actions| actions == 0), "no action is a TPG's");
+                    end.tpg_actions = None;
+                }
+                let traces = data::traces(&file(&format!("{mode}.trace.csv.gz")), &tasks).expect("a recorded trace");
+                let (of_ends, of_traces) = (replay::compare_ends(&ends, &done), replay::compare_traces(&traces, &done));
+                for comparison in [&of_ends, &of_traces] {
+                    assert!(comparison.is_exact(), "{name} {seed} {mode}: {comparison:?}");
+                }
+                rows += of_ends.rows;
+                steps += of_traces.steps;
+            }
+        }
+    }
+    assert_eq!((rows, steps), (720, 637_942), "all that was recorded");
+}

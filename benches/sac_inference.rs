@@ -1,0 +1,133 @@
+//! Time of one inference of an actor, batch 1, beside PyTorch's on the same core in the same run.
+//!
+//! `cargo bench -p tpg-benches --bench sac_inference`. Where PyTorch comes from: `pytorch/mod.rs`. Ours and PyTorch's take
+//! turns; a figure is the median of many bursts of about half a millisecond, which a busy machine seldom interrupts.
+//!
+//! The network alone is timed, from its inputs to its preferences, and for the shipped one also what stands before it:
+//! the features of an observation.
+
+mod pytorch;
+
+use std::hint::black_box;
+use std::time::Instant;
+use tpg_engine::random::{Purpose, Stream};
+use tpg_generated::widowx_sac;
+use tpg_nn::{Mlp, Shape, Tape};
+use tpg_runtime::arm::{Arm, Pose, WIDOWX};
+use tpg_runtime::frame::Frame;
+use tpg_runtime::observation::Observation;
+use tpg_runtime::policy::Policy as _;
+use tpg_runtime::sac::fixed::{FixedPolicy, Layer, Network, Rescale, quantise};
+use tpg_runtime::sac::packed::Model;
+use tpg_runtime::sac::{FEATURES, features};
+
+const ARM: Arm<f32> = WIDOWX.to_f32();
+const BURSTS: usize = 401;
+const TURNS: usize = 3;
+
+/// The median of some bursts, in ns for one call.
+fn nanoseconds(mut call: impl FnMut()) -> f64 {
+    let mut burst = |repeats: u32| {
+        let began = Instant::now();
+        for _ in 0..repeats {
+            call();
+        }
+        began.elapsed().as_secs_f64() * 1e9 / f64::from(repeats)
+    };
+    let one = (0..9).map(|_| burst(100)).fold(f64::MAX, f64::min);
+    let repeats = (5e5 / one).clamp(1.0, 1e6) as u32;
+    pytorch::median((0..BURSTS).map(|_| burst(repeats)).collect())
+}
+
+fn float(inputs: usize, units: usize) -> f64 {
+    let shape = Shape { inputs, hidden: vec![units; 2], outputs: 4, norm: false };
+    let mut random = Stream::new(1, 0, Purpose::Test, 0);
+    let network = Mlp::<f32>::random(shape.clone(), || random.unit());
+    let mut tape = Tape::new(&shape, 1);
+    random.normals(tape.input_mut());
+    nanoseconds(|| {
+        black_box(tape.input_mut());
+        network.forward(&mut tape);
+        black_box(tape.output());
+    })
+}
+
+/// A layer of numbers without a pattern: its time does not depend on them.
+fn layer<const I: usize, const O: usize>() -> Layer<I, O> {
+    let mut number = 1u32;
+    let mut next = || {
+        number = number.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (number >> 24) as i8
+    };
+    Layer {
+        weights: std::array::from_fn(|_| std::array::from_fn(|_| next())),
+        bias: [100; O],
+        rescale: [Rescale { factor: 20_000, shift: 24 }; O],
+    }
+}
+
+fn integers<const A: usize, const B: usize>(network: &Network<A, B>) -> f64 {
+    let input: [i16; FEATURES] = std::array::from_fn(|i| i as i16 * 97 - 1500);
+    nanoseconds(|| {
+        black_box(network.preferences(black_box(&input)));
+    })
+}
+
+/// The same as it lies in flash, by the kernels of this machine.
+fn packed(words: &[u32]) -> f64 {
+    let model = Model::parse(words).expect("what was packed");
+    let mut scratch = vec![0; model.scratch()];
+    let input: [i16; FEATURES] = std::array::from_fn(|i| i as i16 * 97 - 1500);
+    nanoseconds(|| {
+        black_box(model.preferences(black_box(&input), &mut scratch));
+    })
+}
+
+fn main() {
+    // `cargo test --benches` shall only see that it runs.
+    if std::env::args().any(|argument| argument == "--test") {
+        return;
+    }
+    println!("one inference, batch 1; ns, median of {BURSTS} bursts");
+    let python = pytorch::python();
+    for (inputs, units) in [(13, 256), (38, 256), (38, 64), (38, 16)] {
+        let (mut ours, mut eager, mut script) = (Vec::new(), Vec::new(), Vec::new());
+        for _ in 0..TURNS {
+            ours.push(float(inputs, units));
+            if let Some(python) = &python {
+                let sizes = [inputs, units].map(|size| size.to_string());
+                let numbers = pytorch::numbers(python, "sac_inference.py", &sizes);
+                eager.push(numbers[0]);
+                script.push(numbers[1]);
+            }
+        }
+        let ours = pytorch::median(ours);
+        print!("f32, {inputs}-{units}-{units}-4: {ours:.0}");
+        if !eager.is_empty() {
+            let [eager, script] = [eager, script].map(pytorch::median);
+            let [by_eager, by_script] = [eager / ours, script / ours];
+            print!("; PyTorch eager {eager:.0}, {by_eager:.1} times; TorchScript {script:.0}, {by_script:.1} times");
+        }
+        println!();
+    }
+    let large = Network { first: layer(), second: layer::<256, 256>(), last: layer() };
+    println!("integers, 38-256-256-4: {:.0}", integers(&large));
+    let words: [u32; Network::<256, 256>::WORDS] = large.pack(&widowx_sac::DECISION);
+    let form = tpg_kernels::form();
+    println!("integers, 38-256-256-4, packed, {form}: {:.0}", packed(&words));
+    println!("integers, 38-64-64-4 (widowx-sac): {:.0}", integers(&widowx_sac::NETWORK));
+    println!("integers, 38-64-64-4 (widowx-sac), packed, {form}: {:.0}", packed(&widowx_sac::MODEL));
+    let small = Network { first: layer(), second: layer::<16, 16>(), last: layer() };
+    println!("integers, 38-16-16-4: {:.0}", integers(&small));
+
+    let seen = Observation::at(&ARM, Pose([1500, 2100, 1900, 2300]), [120.0, 260.0, 140.0]);
+    let input = nanoseconds(|| {
+        black_box(quantise(&features(&Frame::of(&ARM, black_box(&seen)))));
+    });
+    println!("the features of an observation, as integers: {input:.0}");
+    let policy = FixedPolicy { arm: &ARM, network: &widowx_sac::NETWORK, decision: widowx_sac::DECISION };
+    let decision = nanoseconds(|| {
+        black_box(policy.decide(black_box(&seen)));
+    });
+    println!("widowx-sac from the observation to the move: {decision:.0}");
+}

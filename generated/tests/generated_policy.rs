@@ -1,0 +1,173 @@
+//! The committed policy in integers: made again it has the same bytes, and its constants answer as its file does.
+
+use std::fs;
+use std::path::PathBuf;
+use tpg_codegen::policy::{QuantisedPolicy, to_words};
+use tpg_engine::random::{Purpose, Stream};
+use tpg_generated::widowx_sac::{DECISION, NETWORK};
+use tpg_problems::arm::targets::{Set, Start, tasks};
+use tpg_runtime::arm::{Arm, Pose, WIDOWX};
+use tpg_runtime::frame::Frame;
+use tpg_runtime::observation::Observation;
+use tpg_runtime::policy::Policy;
+use tpg_runtime::sac::features;
+use tpg_runtime::sac::fixed::{FixedPolicy, quantise};
+use tpg_runtime::sac::packed::{Kind, Model};
+use tpg_train::hybrid::setting::HybridFile;
+use tpg_train::sac::evaluate::{QuantiseArgs, quantise as quantise_file, trial_of};
+use tpg_train::sac::fixed::FixedActor;
+
+const ARM: Arm<f32> = WIDOWX.to_f32();
+
+fn generated(name: &str) -> PathBuf {
+    [env!("CARGO_MANIFEST_DIR"), "../generated/widowx-sac", name]
+        .iter()
+        .collect()
+}
+
+fn policy() -> QuantisedPolicy {
+    let text = fs::read_to_string(generated("policy.q.json")).expect("a committed file");
+    QuantisedPolicy::from_json("policy.q.json", &text).expect("a good file")
+}
+
+fn args(out: PathBuf, kind: Kind) -> QuantiseArgs {
+    QuantiseArgs {
+        policy: generated("policy.safetensors"),
+        out,
+        rust: None,
+        kind,
+        report: None,
+        seed: 1,
+    }
+}
+
+#[test]
+fn every_kind_answers_packed_as_its_file_for_a_million_observations_and_succeeds() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let policies = Kind::ALL.map(|kind| {
+        let path = folder.path().join(kind.name()).with_extension("json");
+        quantise_file(&args(path.clone(), kind)).expect("the committed weights");
+        for (start, least) in [(Start::Fs, 0.98), (Start::Rs, 0.96)] {
+            let tasks = tasks(&WIDOWX, 78, Set::Validation, start, 200);
+            let trial = trial_of(&path.display().to_string(), start, &tasks).expect("a good file");
+            assert!(
+                trial.success_rate >= least,
+                "{kind:?} {start:?}: {:.3}",
+                trial.success_rate
+            );
+        }
+        let text = fs::read_to_string(path).expect("it was just written");
+        QuantisedPolicy::from_json("policy.q.json", &text).expect("a good file")
+    });
+    let words = policies
+        .each_ref()
+        .map(|policy| to_words(policy, false).expect("it packs"));
+    let models = words
+        .each_ref()
+        .map(|words| Model::parse(words).expect("what was packed"));
+    let mut random = Stream::new(4, 0, Purpose::Test, 40);
+    let mut scratch = [0; 64];
+    for number in 0..1_000_000 {
+        let pose = Pose(
+            ARM.ranges
+                .map(|range| random.between(range.min.into(), range.max.into()) as i16),
+        );
+        let target: [f32; 3] = std::array::from_fn(|_| (random.unit() * 1000.0 - 400.0) as f32);
+        let features = quantise(&features(&Frame::at(&ARM, pose, target)));
+        for (policy, model) in policies.iter().zip(&models) {
+            let answer = model.preferences(&features, &mut scratch);
+            assert_eq!(
+                answer,
+                policy.preferences(&features),
+                "{}, observation {number}",
+                policy.kind
+            );
+        }
+    }
+}
+
+#[test]
+fn made_again_from_the_weights_it_has_the_same_bytes() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let [json, rust] = ["policy.q.json", "policy.rs"].map(|name| folder.path().join(name));
+    let args = QuantiseArgs {
+        rust: Some(rust.clone()),
+        ..args(json.clone(), Kind::W8A16)
+    };
+    quantise_file(&args).expect("the committed weights");
+    for (name, made) in [("policy.q.json", json), ("policy.rs", rust)] {
+        let (made, committed) = (fs::read(made), fs::read(generated(name)));
+        assert!(
+            made.expect("just written") == committed.expect("a committed file"),
+            "{name}: other bytes"
+        );
+    }
+}
+
+#[test]
+fn hybrids_are_made_of_what_is_there_and_their_constants_are_fresh() {
+    for name in ["widowx-fs", "widowx-rs"] {
+        let folder: PathBuf = [env!("CARGO_MANIFEST_DIR"), "../generated", name]
+            .iter()
+            .collect();
+        let file = HybridFile::read(&folder.join("hybrid.toml")).expect("a good file");
+        for part in [&file.graph, &file.actor] {
+            assert!(folder.join(part).is_file(), "{name}: {part}");
+        }
+        let committed = fs::read_to_string(folder.join("hybrid.rs")).expect("a committed file");
+        let made = file.to_rust().expect("a setting");
+        assert!(
+            made == committed,
+            "{name}: `tpg-train constants` makes\n{made}"
+        );
+    }
+}
+
+#[test]
+fn the_constants_answer_as_the_file_for_a_million_observations() {
+    let policy = policy();
+    assert!(policy.bytes() <= 8192, "{} bytes", policy.bytes());
+    let actor = FixedActor::new(policy.clone()).expect("actions and mask that exist");
+    let constants = FixedPolicy {
+        arm: &ARM,
+        network: &NETWORK,
+        decision: DECISION,
+    };
+    let mut random = Stream::new(3, 0, Purpose::Test, 40);
+    for number in 0..1_000_000 {
+        let pose = Pose(
+            ARM.ranges
+                .map(|range| random.between(range.min.into(), range.max.into()) as i16),
+        );
+        let target: [f32; 3] = std::array::from_fn(|_| (random.unit() * 1000.0 - 400.0) as f32);
+        let features = quantise(&features(&Frame::at(&ARM, pose, target)));
+        assert_eq!(
+            NETWORK.preferences(&features),
+            policy.preferences(&features),
+            "observation {number}"
+        );
+        if number % 100 == 0 {
+            let seen = Observation::at(&ARM, pose, target);
+            assert_eq!(
+                constants.decide(&seen),
+                actor.decide(&seen),
+                "observation {number}"
+            );
+        }
+    }
+}
+
+#[test]
+fn it_does_what_it_was_trained_for() {
+    // Validation tasks of another seed: the committed test tasks are for reports.
+    for (start, least) in [(Start::Fs, 0.98), (Start::Rs, 0.97)] {
+        let tasks = tasks(&WIDOWX, 77, Set::Validation, start, 200);
+        let file = generated("policy.q.json").display().to_string();
+        let trial = trial_of(&file, start, &tasks).expect("a good file");
+        assert!(
+            trial.success_rate >= least,
+            "{start:?}: {:.3}",
+            trial.success_rate
+        );
+    }
+}

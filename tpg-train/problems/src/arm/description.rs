@@ -1,0 +1,232 @@
+//! An arm as a section of a configuration: `[arm]`, `[arm.links]` and `[arm.shapes]`. Without it the arm is the WidowX.
+//!
+//! `tpg-train config widowx` prints the WidowX's own section, commented, to start from.
+
+use crate::arm::targets::stands_free;
+use serde::{Deserialize, Serialize};
+use tpg_runtime::arm::{Arm, BaseEdge, JOINTS, JointRange, Links, Pose, Shapes, TICKS_PER_TURN};
+use tpg_runtime::kinematics::Plane;
+
+/// The WidowX's section, commented.
+pub const WIDOWX_TOML: &str = include_str!("widowx.toml");
+
+/// Positions tried for each joint of the plane, to see whether an arm can stand anywhere.
+const TRIED: i32 = 16;
+
+/// An arm, as it is written down.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "camelCase")]
+pub struct ArmDescription {
+    /// Where a fixed-start episode begins, ticks.
+    pub home: [i16; JOINTS],
+    /// Positions of the servos that never move, ticks.
+    pub fixed_servos: [i16; 2],
+    /// The first and last position of each joint, ticks.
+    pub ranges: [[i16; 2]; JOINTS],
+    /// Lengths.
+    pub links: LinksDescription,
+    /// Collision shapes.
+    pub shapes: ShapesDescription,
+}
+
+/// [`Links`], mm.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "camelCase")]
+pub struct LinksDescription {
+    /// Height of the shoulder over the table.
+    pub base: f64,
+    /// Shoulder to the elbow's bracket.
+    pub upper_arm: f64,
+    /// Bracket to the elbow.
+    pub elbow_offset: f64,
+    /// Elbow to wrist.
+    pub forearm: f64,
+    /// Wrist to the tip of the hand.
+    pub hand: f64,
+}
+
+/// [`Shapes`], mm.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "camelCase")]
+pub struct ShapesDescription {
+    /// Wrist to the face of the hand's tip.
+    pub hand_length: f64,
+    /// From the hand's axis to its two long edges.
+    pub hand_edges: [f64; 2],
+    /// How far the forearm's end face lies beyond the wrist.
+    pub forearm_overhang: f64,
+    /// From the forearm's axis to its two long edges.
+    pub forearm_edges: [f64; 2],
+    /// The outline of the base: each edge's first and last distance from the axis, first and last height.
+    pub base: [[f64; 4]; 4],
+}
+
+impl From<&Arm<f64>> for ArmDescription {
+    fn from(arm: &Arm<f64>) -> Self {
+        let Links { base, upper_arm, elbow_offset, forearm, hand } = arm.links;
+        let shapes = &arm.shapes;
+        Self {
+            home: arm.home.0,
+            fixed_servos: arm.fixed_servos,
+            ranges: arm.ranges.map(|range| [range.min, range.max]),
+            links: LinksDescription { base, upper_arm, elbow_offset, forearm, hand },
+            shapes: ShapesDescription {
+                hand_length: shapes.hand_length,
+                hand_edges: shapes.hand_edges,
+                forearm_overhang: shapes.forearm_overhang,
+                forearm_edges: shapes.forearm_edges,
+                base: shapes.base.map(|BaseEdge { x: [x0, x1], z: [z0, z1] }| [x0, x1, z0, z1]),
+            },
+        }
+    }
+}
+
+impl From<&ArmDescription> for Arm<f64> {
+    fn from(text: &ArmDescription) -> Self {
+        let LinksDescription { base, upper_arm, elbow_offset, forearm, hand } = text.links;
+        let shapes = &text.shapes;
+        Self {
+            home: Pose(text.home),
+            fixed_servos: text.fixed_servos,
+            ranges: text.ranges.map(|[min, max]| JointRange { min, max }),
+            links: Links { base, upper_arm, elbow_offset, forearm, hand },
+            shapes: Shapes {
+                hand_length: shapes.hand_length,
+                hand_edges: shapes.hand_edges,
+                forearm_overhang: shapes.forearm_overhang,
+                forearm_edges: shapes.forearm_edges,
+                base: shapes.base.map(|[x0, x1, z0, z1]| BaseEdge { x: [x0, x1], z: [z0, z1] }),
+            },
+        }
+    }
+}
+
+/// What is wrong with a description: the key, what it is, and what is accepted.
+pub type Wrong = (&'static str, String, String);
+
+impl ArmDescription {
+    /// Checks what the types cannot.
+    ///
+    /// # Errors
+    /// A value out of range, or values that contradict each other.
+    pub fn check(&self) -> Result<(), Wrong> {
+        let ticks = 0..TICKS_PER_TURN as i16;
+        let last = TICKS_PER_TURN - 1;
+        if let Some(range) =
+            self.ranges.iter().find(|[min, max]| min >= max || !ticks.contains(min) || !ticks.contains(max))
+        {
+            let accepted =
+                format!("two whole numbers of ticks for each joint, 0 to {last}, the first below the second");
+            return Err(("arm.ranges", format!("{range:?}"), accepted));
+        }
+        if let Some(servo) = self.fixed_servos.iter().find(|servo| !ticks.contains(servo)) {
+            return Err(("arm.fixedServos", servo.to_string(), format!("0 to {last}")));
+        }
+        if self.home.iter().zip(&self.ranges).any(|(home, [min, max])| home < min || home > max) {
+            let accepted = format!("positions in arm.ranges, {:?}", self.ranges);
+            return Err(("arm.home", format!("{:?}", self.home), accepted));
+        }
+        self.check_lengths()?;
+        let arm = Arm::from(self);
+        if !stands_free(&arm, &Plane::at(&arm, arm.home)) {
+            let accepted = "a pose that touches neither table nor base".to_owned();
+            return Err(("arm.home", format!("{:?}, which collides", self.home), accepted));
+        }
+        if !self.stands_anywhere(&arm) {
+            let found = format!("{:?}, where every pose of a grid of {} collides", self.ranges, TRIED.pow(3));
+            return Err(("arm.ranges", found, "an arm with room to move".to_owned()));
+        }
+        Ok(())
+    }
+
+    fn check_lengths(&self) -> Result<(), Wrong> {
+        let (links, shapes) = (&self.links, &self.shapes);
+        for (key, length, least) in [
+            ("arm.links.base", links.base, 0.0),
+            ("arm.links.upperArm", links.upper_arm, 1.0),
+            ("arm.links.elbowOffset", links.elbow_offset, 0.0),
+            ("arm.links.forearm", links.forearm, 1.0),
+            ("arm.links.hand", links.hand, 1.0),
+            ("arm.shapes.handLength", shapes.hand_length, 0.0),
+            ("arm.shapes.forearmOverhang", shapes.forearm_overhang, 0.0),
+        ] {
+            if !(least..=LONGEST).contains(&length) {
+                return Err((key, length.to_string(), format!("{least} to {LONGEST} mm")));
+            }
+        }
+        for (key, edges) in
+            [("arm.shapes.handEdges", shapes.hand_edges), ("arm.shapes.forearmEdges", shapes.forearm_edges)]
+        {
+            if edges.iter().any(|edge| edge.abs() > LONGEST) || edges.iter().any(|edge| edge.is_nan()) {
+                return Err((key, format!("{edges:?}"), format!("-{LONGEST} to {LONGEST} mm")));
+            }
+        }
+        for [x0, x1, z0, z1] in shapes.base {
+            let inside = [x0, x1, z0, z1].iter().all(|value| (0.0..=LONGEST).contains(value));
+            // The collision test knows horizontal and vertical edges.
+            if !inside || (x0 != x1 && z0 != z1) {
+                let found = format!("{:?}", [x0, x1, z0, z1]);
+                let accepted = format!("0 to {LONGEST} mm, horizontal (equal heights) or vertical (equal distances)");
+                return Err(("arm.shapes.base", found, accepted));
+            }
+        }
+        Ok(())
+    }
+
+    fn stands_anywhere(&self, arm: &Arm<f64>) -> bool {
+        let [_, planar @ ..] = self.ranges;
+        (0..TRIED.pow(3)).any(|index| {
+            let [a, b, c] = [index / (TRIED * TRIED), index / TRIED % TRIED, index % TRIED];
+            let mut pose = arm.home;
+            for ((ticks, [min, max]), step) in pose.0[1..].iter_mut().zip(planar).zip([a, b, c]) {
+                *ticks = (i32::from(min) + (i32::from(max) - i32::from(min)) * step / (TRIED - 1)) as i16;
+            }
+            pose != arm.home && stands_free(arm, &Plane::at(arm, pose))
+        })
+    }
+}
+
+/// No length is more, mm: the sample of the reachable space must fit into memory.
+const LONGEST: f64 = 1000.0;
+
+#[cfg(test)]
+mod tests {
+    use super::{ArmDescription, WIDOWX_TOML};
+    use serde::Deserialize;
+    use tpg_runtime::arm::{Arm, WIDOWX};
+
+    #[derive(Deserialize)]
+    struct Text {
+        arm: ArmDescription,
+    }
+
+    fn read(text: &str) -> ArmDescription {
+        toml::from_str::<Text>(text).expect("a description").arm
+    }
+
+    #[test]
+    fn the_printed_section_is_the_widowx() {
+        let described = read(WIDOWX_TOML);
+        assert_eq!(described.check(), Ok(()));
+        assert_eq!(Arm::from(&described), WIDOWX);
+        assert_eq!(ArmDescription::from(&WIDOWX), described);
+    }
+
+    #[test]
+    fn an_arm_that_cannot_be_is_refused_by_the_key_that_is_wrong() {
+        for (from, to, key) in [
+            ("home = [2048", "home = [0", "arm.home"),
+            ("home = [2048, 2048, 2048, 2048]", "home = [2048, 1100, 1100, 1100]", "arm.home"),
+            ("[2, 4094]", "[2, 4096]", "arm.ranges"),
+            ("[2, 4094]", "[9, 9]", "arm.ranges"),
+            ("fixedServos = [512", "fixedServos = [-1", "arm.fixedServos"),
+            ("forearm = 142.0", "forearm = 0.0", "arm.links.forearm"),
+            ("handEdges = [24.0", "handEdges = [nan", "arm.shapes.handEdges"),
+            ("[68.0, 90.0, 9.0, 9.0]", "[68.0, 90.0, 9.0, 10.0]", "arm.shapes.base"),
+        ] {
+            let text = WIDOWX_TOML.replacen(from, to, 1);
+            assert_ne!(text, WIDOWX_TOML, "{from} is in the text");
+            assert_eq!(read(&text).check().map_err(|(key, ..)| key), Err(key), "{to}");
+        }
+    }
+}

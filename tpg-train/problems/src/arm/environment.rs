@@ -1,0 +1,419 @@
+//! The arm as an [`Environment`]: the runtime's rules, kept from step to step where nothing changed.
+//!
+//! Every value comes from the runtime's own functions on the same arguments, so it has the same bits as an observation
+//! made from scratch; a test walks both side by side.
+
+mod clearance;
+mod episode;
+mod group;
+mod lanes;
+mod problem;
+mod usual;
+
+pub use episode::ArmEpisode;
+pub use problem::{ArmProblem, ArmTask, OUTCOMES, outcome_number};
+
+use crate::arm::targets::{self, Reach as Space, Set};
+use clearance::{Clearances, swing};
+use tpg_engine::random::Stream;
+use tpg_engine::{Ending, Environment, Episodes, OneByOne, SourceSet};
+use tpg_graph::error::{InputError, Place};
+use tpg_graph::{ActionDocument, Graph, SourceDocument};
+use tpg_runtime::arm::{Arm, JOINTS, Joint, Move, Pose, TICKS_PER_TURN};
+use tpg_runtime::episode::Outcome;
+use tpg_runtime::kinematics::{self, Angle, Direction, Directions, Lattice, Plane, link_angles};
+use tpg_runtime::observation::{Observation, ReachErrors, Source, derived, shield};
+use tpg_runtime::policy::ActionId;
+
+/// The scalars that an arm exists in.
+pub trait ArmScalar: Lattice {
+    /// The arm, rounded to this scalar.
+    fn arm(arm: &Arm<f64>) -> Arm<Self>;
+}
+
+impl ArmScalar for f32 {
+    fn arm(arm: &Arm<f64>) -> Arm<f32> {
+        arm.to_f32()
+    }
+}
+
+impl ArmScalar for f64 {
+    fn arm(arm: &Arm<f64>) -> Arm<f64> {
+        *arm
+    }
+}
+
+/// The arm.
+#[derive(Clone, Debug)]
+pub struct ArmEnvironment<S> {
+    arm: Arm<S>,
+    description: Arm<f64>,
+    problem: ArmProblem,
+    tolerance: S,
+    moves: Vec<Move>,
+    /// First place of each source in the flat state.
+    places: Vec<usize>,
+    clearances: Clearances<S>,
+    /// How far an action of the shield moves any point of the arm at most, mm.
+    swing: S,
+    /// Left out where sines are computed.
+    sines: Option<Box<Sines<S>>>,
+    /// Whether lanes do their usual steps all at once.
+    vectors: bool,
+    /// Where training tasks come from.
+    space: Option<Space>,
+}
+
+/// Sine of every tick of a turn.
+type Sines<S> = [S; TICKS_PER_TURN as usize];
+
+#[inline(always)]
+fn look_up<S: ArmScalar>(sines: &Sines<S>, angle: Angle) -> Direction<S> {
+    let within = (TICKS_PER_TURN - 1) as usize;
+    let ticks = angle.0 as usize & within;
+    let ahead = (ticks + TICKS_PER_TURN as usize / 4) & within;
+    Direction { cos: sines[ahead], sin: sines[ticks] }
+}
+
+/// The base's angle; 0 at motor position 2048.
+#[inline(always)]
+fn base_angle(pose: Pose) -> Angle {
+    Angle(i32::from(pose.0[0]) - TICKS_PER_TURN / 2)
+}
+
+impl<S: ArmScalar> ArmEnvironment<S> {
+    /// An environment.
+    ///
+    /// Its training tasks come from the space's own sample; validation tasks from another.
+    pub fn new(arm: &Arm<f64>, problem: ArmProblem) -> Self {
+        let mut environment = Self::for_evaluation(arm, problem, Vec::new());
+        environment.moves = (0..JOINTS as u8)
+            .flat_map(|joint| {
+                let step = environment.problem.step;
+                [step, -step].map(|ticks| Move::single(Joint(joint), ticks))
+            })
+            .collect();
+        if environment.problem.may_stop {
+            environment.moves.push(Move::STOP);
+        }
+        environment.space = Some(Space::sample(arm, 0, Set::Training));
+        environment
+    }
+
+    /// An environment with a policy's own actions, for tasks that are given: none can be drawn.
+    pub fn for_evaluation(arm: &Arm<f64>, problem: ArmProblem, moves: Vec<Move>) -> Self {
+        let places = (0..problem.sources.len())
+            .map(|place| problem.sources[..place].iter().map(|source| source.length()).sum())
+            .collect();
+        Self {
+            arm: S::arm(arm),
+            description: *arm,
+            tolerance: S::from_f64(problem.tolerance),
+            problem,
+            clearances: Clearances::of(arm),
+            swing: S::from_f64(swing(arm)),
+            moves,
+            places,
+            sines: Some(Box::new(std::array::from_fn(|ticks| Angle(ticks as i32).direction().sin))),
+            vectors: true,
+            space: None,
+        }
+    }
+
+    /// An environment for a graph's tests: its sources, its actions.
+    ///
+    /// # Errors
+    /// If the graph reads sources that the arm does not have, or has actions that do not say what they move.
+    pub fn for_graph(file: &str, graph: &Graph, arm: &Arm<f64>, problem: ArmProblem) -> Result<Self, InputError> {
+        let known = Source::ALL.map(Source::name).join(", ");
+        let mut sources = Vec::new();
+        for (place, source) in graph.sources().iter().enumerate() {
+            let path = Place::Path(format!("$.sources[{place}].name"));
+            let found = Source::from_name(&source.name).filter(|known| known.length() == source.ranges.len());
+            sources
+                .push(found.ok_or_else(|| InputError::new(file, path, format!("{:?}", source.name), known.as_str()))?);
+        }
+        let mut moves = Vec::new();
+        for (place, action) in graph.actions().iter().enumerate() {
+            let path = Place::Path(format!("$.actions[{place}]"));
+            moves.push(action.moves.ok_or_else(|| {
+                InputError::new(file, path, format!("{:?} without \"move\"", action.name), "actions that move the arm")
+            })?);
+        }
+        Ok(Self::for_evaluation(arm, ArmProblem { sources, ..problem }, moves))
+    }
+
+    /// The same environment with sines by libm: for a benchmark of the tables, its results differ in the last bits.
+    pub fn without_tables(self) -> Self {
+        Self { sines: None, ..self }
+    }
+
+    /// The same environment, one lane at a time: for a benchmark of the vectors.
+    pub fn without_vectors(self) -> Self {
+        Self { vectors: false, ..self }
+    }
+
+    /// The arm in this environment's scalar.
+    pub fn arm(&self) -> &Arm<S> {
+        &self.arm
+    }
+
+    /// What is asked.
+    pub fn problem(&self) -> &ArmProblem {
+        &self.problem
+    }
+
+    /// What each action moves.
+    pub fn moves(&self) -> &[Move] {
+        &self.moves
+    }
+
+    #[inline(always)]
+    fn direction(&self, angle: Angle) -> Direction<S> {
+        let Some(sines) = &self.sines else {
+            let radians = S::from_i32(angle.0) * S::from_f64(core::f64::consts::TAU / f64::from(TICKS_PER_TURN));
+            return S::direction_of(radians);
+        };
+        look_up(sines, angle)
+    }
+
+    #[inline(always)]
+    fn plane(&self, pose: Pose) -> Plane<S> {
+        let [upper_arm, forearm, hand] = link_angles(pose).map(|angle| self.direction(angle));
+        Plane::new(&self.arm, Directions::of_links(upper_arm, forearm, hand))
+    }
+
+    #[inline(always)]
+    fn base(&self, pose: Pose) -> Direction<S> {
+        self.direction(base_angle(pose))
+    }
+
+    /// [`Source::ShieldCollision`], without a look where the arm is far from everything.
+    fn shield(&self, episode: &ArmEpisode<S>) -> [S; shield::SHIELDED] {
+        let step = episode.shielded_step();
+        if episode.roughness == 1 && self.clearances.leaves_free(&episode.plane, self.swing) {
+            return shield::limits(&self.arm, episode.pose, step);
+        }
+        shield::collision_with(&self.arm, episode.pose, step, |pose| {
+            if pose == episode.pose { episode.collides } else { self.plane(pose).collision(&self.arm.shapes).is_some() }
+        })
+    }
+
+    /// The arm comes to a pose, with its plane where that is another one.
+    fn arrive(&self, episode: &mut ArmEpisode<S>, pose: Pose, plane: Option<Plane<S>>) {
+        if pose.0[0] != episode.pose.0[0] {
+            episode.base = self.base(pose);
+        }
+        if let Some(plane) = plane {
+            episode.plane = plane;
+            episode.hand_polar = None;
+        }
+        episode.pose = pose;
+        episode.hand = episode.plane.hand_in_world(episode.base);
+    }
+
+    fn ending(&self, outcome: Outcome, actions: u32, distance: S) -> Ending {
+        let error = distance.to_f64();
+        let success = outcome == Outcome::Reached;
+        let unused = f64::from(self.problem.max_actions.saturating_sub(actions));
+        let score = if success {
+            unused * self.problem.per_unused_action + self.problem.bonus
+        } else {
+            -error.min(self.problem.hand_over_price)
+        };
+        Ending { outcome: outcome_number(outcome), success, score, error, actions }
+    }
+}
+
+impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
+    type Task = ArmTask;
+    type Episode = ArmEpisode<S>;
+
+    fn sources(&self) -> Vec<SourceDocument> {
+        // Whole numbers: exact in every scalar.
+        let range = |source: &Source, index: usize| {
+            let [min, max] = source.range(&self.description, index);
+            [min.floor(), max.ceil()]
+        };
+        let document = |source: &Source| SourceDocument {
+            name: source.name().to_owned(),
+            length: source.length() as u32,
+            unit: source.unit().to_owned(),
+            ranges: (0..source.length()).map(|index| range(source, index)).collect(),
+        };
+        self.problem.sources.iter().map(document).collect()
+    }
+
+    fn actions(&self) -> Vec<ActionDocument> {
+        const NAMES: [&str; 9] = [
+            "base_up",
+            "base_down",
+            "shoulder_up",
+            "shoulder_down",
+            "elbow_up",
+            "elbow_down",
+            "wrist_up",
+            "wrist_down",
+            "stop",
+        ];
+        let document = |((id, moves), name): ((u32, &Move), &str)| ActionDocument {
+            id,
+            name: name.to_owned(),
+            moves: Some(moves.0),
+        };
+        (0..).zip(&self.moves).zip(NAMES).map(document).collect()
+    }
+
+    fn outcomes(&self) -> &'static [&'static str] {
+        &OUTCOMES
+    }
+
+    fn time_limit(&self) -> u32 {
+        self.problem.max_actions
+    }
+
+    fn draw(&self, stream: &mut Stream) -> ArmTask {
+        let space = self.space.as_ref().expect("an environment for training has a space to draw from");
+        space.task(self.problem.start, stream).into()
+    }
+
+    fn validation_tasks(&self, count: usize) -> Vec<ArmTask> {
+        let tasks = targets::tasks(&self.description, 0, Set::Validation, self.problem.start, count);
+        tasks.into_iter().map(ArmTask::from).collect()
+    }
+
+    fn rougher(&self, task: ArmTask, factor: u8) -> ArmTask {
+        ArmTask { roughness: factor, ..task }
+    }
+
+    fn start(&self, task: &ArmTask) -> ArmEpisode<S> {
+        let pose = Pose(task.start);
+        let plane = self.plane(pose);
+        let base = self.base(pose);
+        ArmEpisode {
+            pose,
+            target: task.target.map(S::from_f64),
+            roughness: task.roughness,
+            plane,
+            base,
+            hand: plane.hand_in_world(base),
+            collides: plane.collision(&self.arm.shapes).is_some(),
+            actions: 0,
+            aim: None,
+            hand_polar: None,
+            reach_target: None,
+            stance: None,
+            reach: None,
+        }
+    }
+
+    fn constants(&self) -> Vec<u16> {
+        let sources = self.problem.sources.iter().zip(&self.places);
+        let constant = sources.flat_map(|(source, &at)| match source {
+            Source::Target => at..at + source.length(),
+            Source::Servos => at + JOINTS..at + source.length(),
+            _ => at..at,
+        });
+        constant.map(|input| input as u16).collect()
+    }
+
+    fn lanes(&self) -> Box<dyn Episodes<S, ArmTask> + '_> {
+        if self.vectors { Box::new(lanes::ArmLanes::new(self)) } else { Box::new(OneByOne::new(self)) }
+    }
+
+    fn observe(&self, episode: &mut ArmEpisode<S>, wanted: SourceSet, state: &mut [S]) {
+        let mut seen = None;
+        let mut errors: Option<ReachErrors<S>> = None;
+        for (place, (&source, &at)) in self.problem.sources.iter().zip(&self.places).enumerate() {
+            if !wanted.contains(place) {
+                continue;
+            }
+            let values = &mut state[at..at + source.length()];
+            match source {
+                Source::MotorsCentred => values.copy_from_slice(&derived::centred::<S>(episode.pose)),
+                Source::Polar => {
+                    let frame = episode.frame(&self.arm);
+                    let [_, hand_reach] = episode.hand_polar(&frame);
+                    let aim = episode.aim(&self.arm);
+                    values.copy_from_slice(&derived::polar(&frame, aim.reach, hand_reach));
+                }
+                Source::Bearing => {
+                    let frame = episode.frame(&self.arm);
+                    let [elevation, hand_reach] = episode.hand_polar(&frame);
+                    let aim = episode.aim(&self.arm);
+                    values.copy_from_slice(&derived::bearing(&aim, episode.pose, elevation, hand_reach));
+                }
+                Source::Reach | Source::ReachExcess | Source::ReachPitch => {
+                    let pose = episode.pose;
+                    let errors = errors.get_or_insert_with(|| episode.reach(&self.arm).errors(&self.arm, pose));
+                    match source {
+                        Source::Reach => values.copy_from_slice(&errors.ticks),
+                        Source::ReachExcess => values.copy_from_slice(&errors.excess),
+                        _ => values.copy_from_slice(&[errors.pitch]),
+                    }
+                }
+                Source::Stance => {
+                    let pose = episode.pose;
+                    values.copy_from_slice(&episode.stance(&self.arm).errors(pose));
+                }
+                Source::ShieldLimits => {
+                    values.copy_from_slice(&shield::limits(&self.arm, episode.pose, episode.shielded_step()))
+                }
+                Source::ShieldCollision => values.copy_from_slice(&self.shield(episode)),
+                Source::Wrist => values.copy_from_slice(&derived::wrist(&episode.frame(&self.arm))),
+                Source::Floor => values.copy_from_slice(&[episode.frame(&self.arm).lowest_corner()]),
+                Source::Target | Source::Difference | Source::Hand | Source::Motors | Source::Servos => {
+                    let (pose, hand, target) = (episode.pose, episode.hand, episode.target);
+                    let seen = seen.get_or_insert_with(|| Observation::new(&self.arm, pose, hand, target));
+                    source.write(&self.arm, seen, values);
+                }
+            }
+        }
+    }
+
+    fn step(&self, episode: &mut ArmEpisode<S>, action: ActionId) -> Option<Ending> {
+        let wanted = self.moves.get(usize::from(action.0)).copied().unwrap_or(Move::STOP);
+        let wanted = Move(wanted.0.map(|ticks| ticks.saturating_mul(episode.roughness as i8)));
+        let before = episode.pose;
+        let mut moved_plane = None;
+        let step = self.arm.step_with(before, wanted, |moved| {
+            // The plane, and with it every collision, is the same for every angle of the base.
+            let plane_moved = (moved.packed() ^ before.packed()) >> 16 != 0;
+            if !plane_moved && !episode.collides {
+                return None;
+            }
+            let plane = self.plane(moved);
+            moved_plane = Some(plane);
+            if self.clearances.leaves_free(&plane, S::ZERO) { None } else { plane.collision(&self.arm.shapes) }
+        });
+        episode.actions += 1;
+        if step.pose != before {
+            episode.collides = false;
+            self.arrive(episode, step.pose, moved_plane);
+        }
+        let distance = kinematics::distance(episode.target, episode.hand);
+        // The order of the runtime's episode; cycles are the engine's.
+        let outcome = if let Some(invalid) = step.invalid {
+            Outcome::Invalid(invalid)
+        } else if distance < self.tolerance * S::from_i32(i32::from(episode.roughness)) {
+            Outcome::Reached
+        } else if wanted == Move::STOP {
+            Outcome::Stop
+        } else if episode.actions >= self.problem.max_actions {
+            Outcome::Timeout
+        } else {
+            return None;
+        };
+        Some(self.ending(outcome, episode.actions, distance))
+    }
+
+    fn key(&self, episode: &ArmEpisode<S>) -> Option<u64> {
+        Some(episode.pose.packed())
+    }
+
+    fn cycle(&self, episode: &ArmEpisode<S>, key: u64, actions: u32) -> Option<Ending> {
+        let pose = Pose::from_packed(key);
+        let hand = self.plane(pose).hand_in_world(self.base(pose));
+        Some(self.ending(Outcome::Cycle, actions, kinematics::distance(episode.target, hand)))
+    }
+}

@@ -1,0 +1,22 @@
+//! The planar four-joint arm: its environment, its tasks, and classical controllers to compare with.
+//!
+//! | module | subject |
+//! | --- | --- |
+//! | [`environment`] | the arm as an [`Environment`](tpg_engine::Environment), many episodes at once |
+//! | [`binding`] | a graph's sources and actions in terms of the arm |
+//! | [`description`] | an arm as a section of a configuration |
+//! | [`targets`] | tasks over the reachable space |
+//! | [`ik`] | poses that solve a task, by inverse kinematics |
+//! | [`planner`] | controllers that learn nothing |
+//! | [`trial`] | one policy on many tasks |
+
+pub mod binding;
+pub mod description;
+pub mod environment;
+pub mod ik;
+pub mod planner;
+pub mod targets;
+pub mod trial;
+
+pub use description::ArmDescription;
+pub use environment::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};

@@ -1,0 +1,159 @@
+//! Classical yardsticks: policies that know the arm's inverse kinematics and learn nothing.
+
+use crate::arm::ik;
+use crate::arm::targets::TOLERANCE;
+use std::cell::RefCell;
+use tpg_runtime::arm::{Arm, JOINTS, Move, Pose};
+use tpg_runtime::kinematics::{self, Plane};
+use tpg_runtime::observation::Observation;
+use tpg_runtime::policy::Policy;
+
+/// Which way of choosing among the poses that solve a task.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Choice {
+    /// The nearest, whatever stands between.
+    Nearest,
+    /// The nearest that a straight walk reaches without a collision. If there is none, the nearest that a walk of one
+    /// joint after the other reaches, in any order of the joints; the nearest if there is none either.
+    NearestFree,
+}
+
+/// Walks to a pose that solves the task, choosing anew at every step. Memoryless: what it
+/// keeps is a function of the target.
+#[derive(Debug)]
+pub struct Planner<'a> {
+    arm: &'a Arm<f64>,
+    choice: Choice,
+    /// The last target, and the poses that solve it.
+    solved: RefCell<([f64; 3], Vec<Pose>)>,
+}
+
+/// Pitches of the hand that are tried; the second number where the first finds nothing.
+const PITCHES: u32 = 144;
+const FINE_PITCHES: u32 = 2880;
+
+/// The most a motor moves in a step, ticks.
+const STEP: i16 = 3;
+
+impl<'a> Planner<'a> {
+    /// A planner for that arm.
+    pub fn new(arm: &'a Arm<f64>, choice: Choice) -> Self {
+        Self { arm, choice, solved: RefCell::new(([f64::NAN; 3], Vec::new())) }
+    }
+
+    fn solve(&self, target: [f64; 3]) -> Vec<Pose> {
+        let reaches = |pose: &Pose| {
+            // A little less than the tolerance: episodes may be run in single precision.
+            kinematics::distance(kinematics::hand(self.arm, *pose), target) < 0.95 * TOLERANCE
+        };
+        let solve = |pitches| -> Vec<Pose> {
+            ik::goals_of_pitches(self.arm, target, pitches).into_iter().filter(reaches).collect()
+        };
+        let goals = solve(PITCHES);
+        if goals.is_empty() { solve(FINE_PITCHES) } else { goals }
+    }
+
+    /// Whether a walk from `pose` to `goal` does only valid steps. (It stays within the ranges: both ends do.)
+    fn free(&self, mut pose: Pose, goal: Pose, walk: Walk) -> bool {
+        while pose != goal {
+            let Move(deltas) = walk.step(pose, goal);
+            pose = Pose(std::array::from_fn(|joint| pose.0[joint] + i16::from(deltas[joint])));
+            if Plane::at(self.arm, pose).collision(&self.arm.shapes).is_some() {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// The first step of the first free walk to one of `goals`.
+    fn free_step(&self, pose: Pose, goals: &[Pose]) -> Option<Move> {
+        let straight = goals.iter().map(|&goal| (goal, Walk::Straight));
+        let in_order = goals.iter().flat_map(|&goal| orders().map(move |order| (goal, Walk::InOrder(order))));
+        let mut walks = straight.chain(in_order);
+        walks.find(|&(goal, walk)| self.free(pose, goal, walk)).map(|(goal, walk)| walk.step(pose, goal))
+    }
+}
+
+/// A way from pose to pose.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Walk {
+    /// Every motor moves, up to three ticks a step, until it has arrived.
+    Straight,
+    /// One motor after the other.
+    InOrder([usize; JOINTS]),
+}
+
+impl Walk {
+    fn step(self, pose: Pose, goal: Pose) -> Move {
+        let delta = |joint: usize| (goal.0[joint] - pose.0[joint]).clamp(-STEP, STEP) as i8;
+        match self {
+            Self::Straight => Move(std::array::from_fn(delta)),
+            Self::InOrder(order) => {
+                let next = order.into_iter().find(|&joint| delta(joint) != 0);
+                Move(std::array::from_fn(|joint| if Some(joint) == next { delta(joint) } else { 0 }))
+            }
+        }
+    }
+}
+
+/// The 24 orders of four joints.
+fn orders() -> impl Iterator<Item = [usize; JOINTS]> {
+    (0..JOINTS.pow(JOINTS as u32)).filter_map(|code| {
+        let order: [usize; JOINTS] = std::array::from_fn(|place| code / JOINTS.pow(place as u32) % JOINTS);
+        (0..JOINTS).all(|joint| order.contains(&joint)).then_some(order)
+    })
+}
+
+/// Steps to go with all motors moving, hundredths of a tick; ties go to the smaller sum.
+fn cost(pose: Pose, goal: Pose) -> i32 {
+    let ticks: [i32; JOINTS] = std::array::from_fn(|joint| i32::from((goal.0[joint] - pose.0[joint]).abs()));
+    100 * ticks.into_iter().max().unwrap_or(0) + 2 * ticks.into_iter().sum::<i32>()
+}
+
+impl Policy for Planner<'_> {
+    type State = Observation<f64>;
+    type Action = Move;
+
+    fn decide(&self, seen: &Observation<f64>) -> Move {
+        let mut solved = self.solved.borrow_mut();
+        if solved.0 != seen.target {
+            *solved = (seen.target, self.solve(seen.target));
+        }
+        let mut goals: Vec<Pose> = solved.1.clone();
+        goals.sort_by_key(|&goal| (cost(seen.pose, goal), goal));
+        let nearest = || goals.first().map(|&goal| Walk::Straight.step(seen.pose, goal));
+        let step = match self.choice {
+            Choice::Nearest => nearest(),
+            Choice::NearestFree => self.free_step(seen.pose, &goals).or_else(nearest),
+        };
+        step.unwrap_or(Move::STOP)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::arm::targets::{Set, Start, tasks};
+    use crate::arm::trial;
+    use tpg_runtime::arm::WIDOWX;
+    use tpg_runtime::observation::Straight;
+
+    #[test]
+    fn there_are_as_many_orders_as_permutations() {
+        let all: std::collections::BTreeSet<_> = orders().collect();
+        assert_eq!((orders().count(), all.len()), (24, 24));
+    }
+
+    #[test]
+    fn planning_solves_nearly_everything_and_looking_ahead_helps() {
+        for start in [Start::Fs, Start::Rs] {
+            let tasks = tasks(&WIDOWX, 4, Set::Validation, start, 100);
+            let success = |choice| trial::run(&WIDOWX, &Planner::new(&WIDOWX, choice), start, &tasks).success_rate;
+            let (nearest, free) = (success(Choice::Nearest), success(Choice::NearestFree));
+            assert!(free >= 0.97 && free >= nearest && nearest >= 0.9, "{start:?}: {nearest} {free}");
+            // The one that fits a microcontroller looks at four poses only.
+            let stance = trial::run(&WIDOWX, &Straight::new(&WIDOWX), start, &tasks).success_rate;
+            assert!(nearest >= stance && stance >= 0.85, "{start:?}: {stance}");
+        }
+    }
+}

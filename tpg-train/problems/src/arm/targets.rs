@@ -1,0 +1,209 @@
+//! Tasks: where the arm starts and where its hand shall go.
+//!
+//! Targets are uniform in the reachable space. The reachable space is sampled: motor positions drawn at the resolution
+//! of one tick, those thrown away that collide or stand inside the base, the rest sorted into cubes of 20 mm by where
+//! the hand is. A target is a uniformly chosen cube, then a uniformly chosen pose in it; so is a random start. (The
+//! paper's own list of targets is not public; on a coarser grid than one tick a policy can exploit the grid.)
+//!
+//! Training, validation and test tasks never share a random stream, whatever the seed: [`Purpose`](Set) is a part of
+//! the stream's key.
+
+mod file;
+
+pub use file::{read_csv, to_csv};
+
+use serde::{Deserialize, Serialize};
+use tpg_engine::random::{Purpose, Stream};
+use tpg_runtime::arm::{Arm, Pose};
+use tpg_runtime::episode::Problem;
+use tpg_runtime::frame::Clearance;
+use tpg_runtime::kinematics::{self, Lattice, Plane};
+
+/// The edge of a cube, mm.
+const CUBE: f64 = 20.0;
+/// A cube remembers this many poses, the first drawn.
+const POSES_PER_CUBE: usize = 8;
+/// Poses drawn to sample the reachable space: about 60 for each cube.
+const DRAWS: u32 = 2_000_000;
+
+/// What tasks are for. Sets of different kinds are independent for every seed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Set {
+    /// To learn from.
+    Training = 1,
+    /// To choose between policies.
+    Validation = 2,
+    /// To report; no training and no selection may read them.
+    Test = 3,
+}
+
+/// Where episodes start.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, clap::ValueEnum)]
+#[serde(rename_all = "lowercase")]
+#[value(rename_all = "lowercase")]
+pub enum Start {
+    /// Fixed start: the arm's home.
+    Fs,
+    /// Random start.
+    Rs,
+}
+
+impl Start {
+    /// Actions after which an episode is over.
+    pub fn max_actions(self) -> u32 {
+        match self {
+            Self::Fs => 1707,
+            Self::Rs => 3414,
+        }
+    }
+}
+
+/// The tolerance of the paper's problems, mm.
+pub const TOLERANCE: f64 = 3.0;
+
+/// One task.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Task {
+    /// Where the arm starts.
+    pub start: Pose,
+    /// Where the hand shall go, mm.
+    pub target: [f64; 3],
+}
+
+impl Task {
+    /// The task as a problem with the paper's tolerance.
+    pub fn problem<S: Lattice>(&self, start: Start) -> Problem<S> {
+        Problem {
+            start: self.start,
+            target: self.target.map(S::from_f64),
+            tolerance: S::from_f64(TOLERANCE),
+            max_actions: start.max_actions(),
+        }
+    }
+}
+
+/// A sample of the poses that an arm can take, evened out over where the hand is.
+#[derive(Clone, Debug)]
+pub struct Reach {
+    home: Pose,
+    arm: Arm<f64>,
+    poses: Vec<Pose>,
+    /// Where each cube's poses begin in `poses`; one more than there are cubes.
+    cubes: Vec<usize>,
+}
+
+impl Reach {
+    /// Samples the space that the arm reaches. Takes under a second.
+    ///
+    /// # Panics
+    /// If the arm has no pose that is free.
+    pub fn sample(arm: &Arm<f64>, seed: u64, set: Set) -> Self {
+        let mut random = Stream::new(seed, set as u64, Purpose::Reach, 0);
+        let links = &arm.links;
+        let reach = links.upper_arm + links.elbow_offset + links.forearm + links.hand;
+        let side = (2.0 * reach / CUBE) as usize + 2;
+        let cube = |hand: [f64; 3]| {
+            let index = |value: f64, low: f64| ((value - low) / CUBE) as usize;
+            let [x, y, z] = hand;
+            (index(x, -reach) * side + index(y, -reach)) * side + index(z, links.base - reach)
+        };
+        let mut found: Vec<(u32, u32, Pose)> = Vec::new();
+        let mut counts = vec![0u8; side * side * side];
+        for draw in 0..DRAWS {
+            let pose = Pose(arm.ranges.map(|range| random.between(range.min.into(), range.max.into()) as i16));
+            let plane = Plane::at(arm, pose);
+            if !stands_free(arm, &plane) {
+                continue;
+            }
+            let cube = cube(plane.hand_in_world(kinematics::base_direction(pose)));
+            if usize::from(counts[cube]) < POSES_PER_CUBE {
+                counts[cube] += 1;
+                found.push((cube as u32, draw, pose));
+            }
+        }
+        found.sort_unstable_by_key(|&(cube, draw, _)| (cube, draw));
+        let starts = (0..found.len()).filter(|&i| i == 0 || found[i].0 != found[i - 1].0);
+        let cubes: Vec<usize> = starts.chain([found.len()]).collect();
+        assert!(cubes.len() > 1, "the arm has no free pose");
+        Self { home: arm.home, arm: *arm, poses: found.into_iter().map(|(.., pose)| pose).collect(), cubes }
+    }
+
+    /// How many cubes the hand reaches.
+    pub fn cubes(&self) -> usize {
+        self.cubes.len() - 1
+    }
+
+    /// A pose: uniform over the cubes, then over the cube's poses.
+    pub fn pose(&self, random: &mut Stream) -> Pose {
+        let cube = random.below(self.cubes());
+        let poses = &self.poses[self.cubes[cube]..self.cubes[cube + 1]];
+        *random.pick(poses)
+    }
+
+    /// A task.
+    pub fn task(&self, start: Start, random: &mut Stream) -> Task {
+        let target = kinematics::hand(&self.arm, self.pose(random));
+        let start = match start {
+            Start::Fs => self.home,
+            Start::Rs => self.pose(random),
+        };
+        Task { start, target }
+    }
+}
+
+/// Whether nothing collides and neither hand nor forearm stands inside the base (which the collision test, made of
+/// edges alone, does not see).
+pub fn stands_free(arm: &Arm<f64>, plane: &Plane<f64>) -> bool {
+    let outside = || {
+        let Clearance { hand, forearm } = Clearance::of(plane, &arm.shapes);
+        hand > 0.0 && forearm > 0.0
+    };
+    plane.collision(&arm.shapes).is_none() && outside()
+}
+
+/// That many tasks of a set. The first tasks of a longer list are the shorter list.
+pub fn tasks(arm: &Arm<f64>, seed: u64, set: Set, start: Start, count: usize) -> Vec<Task> {
+    let reach = Reach::sample(arm, seed, set);
+    let stream = |index| Stream::new(seed, (set as u64) << 8 | start as u64, Purpose::Task, index);
+    (0..count as u64).map(|index| reach.task(start, &mut stream(index))).collect()
+}
+
+/// The seed of the project's committed test tasks, `generated/test-targets/`.
+pub const TEST_SEED: u64 = 2024;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+    use tpg_runtime::arm::WIDOWX;
+
+    #[test]
+    fn tasks_are_free_reachable_and_spread() {
+        let reach = Reach::sample(&WIDOWX, 1, Set::Training);
+        assert!((30_000..40_000).contains(&reach.cubes()), "{} cubes", reach.cubes());
+        let mut random = Stream::new(1, 0, Purpose::Test, 0);
+        let mut off_grid = 0;
+        for _ in 0..2000 {
+            let pose = reach.pose(&mut random);
+            assert!(stands_free(&WIDOWX, &Plane::at(&WIDOWX, pose)), "{pose:?}");
+            off_grid += u32::from(pose.0.iter().any(|&ticks| ticks % 3 != 2048 % 3));
+        }
+        assert!(off_grid > 1900, "targets on the action grid can be exploited");
+        // Uniform over cubes: about as many targets right as left, and few low ones twice.
+        let targets: Vec<_> = (0..2000).map(|_| reach.task(Start::Fs, &mut random).target).collect();
+        let right = targets.iter().filter(|target| target[0] > 0.0).count();
+        assert!((880..1120).contains(&right), "{right} of 2000 on the right");
+        let distinct: BTreeSet<_> = targets.iter().map(|target| target.map(f64::to_bits)).collect();
+        assert!(distinct.len() > 1950);
+    }
+
+    #[test]
+    fn sets_differ_and_a_longer_list_begins_with_the_shorter() {
+        let list = |set, count| tasks(&WIDOWX, 7, set, Start::Rs, count);
+        let longer = list(Set::Validation, 20);
+        assert_eq!(longer[..10], list(Set::Validation, 10)[..]);
+        for other in [Set::Training, Set::Test] {
+            assert!(list(other, 20).iter().all(|task| !longer.contains(task)));
+        }
+    }
+}

@@ -1,0 +1,216 @@
+//! A policy put to a list of tasks: how often it succeeds, and how it fails.
+
+use crate::arm::targets::{Start, Task};
+use serde::Serialize;
+use tpg_runtime::arm::{Arm, Collision, Invalid, Move, Pose, Step};
+use tpg_runtime::cycle::{Brent, CycleDetector};
+use tpg_runtime::episode::{Episode, Outcome, Problem, Summary};
+use tpg_runtime::kinematics::Lattice;
+use tpg_runtime::observation::Observation;
+use tpg_runtime::policy::Policy;
+
+/// What came of many episodes of one problem. Rates lie in 0..1, distances are in mm.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Trial {
+    /// Which start.
+    pub problem: Start,
+    /// How many episodes.
+    pub episodes: usize,
+    /// Episodes that ended at the target.
+    pub success_rate: f64,
+    /// Episodes that ended by an invalid action, joint limits included, as in the paper.
+    pub collision_rate: f64,
+    /// Of the final distances.
+    pub mean_distance_mm: f64,
+    /// Of the final distances.
+    pub median_distance_mm: f64,
+    /// Of all episodes.
+    pub mean_actions: f64,
+    /// Of the successful episodes; 0 where there is none.
+    pub mean_actions_on_success: f64,
+    /// Why the others failed.
+    pub failures: Failures,
+}
+
+/// Failed episodes by their end.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Failures {
+    /// A pose came again.
+    pub cycle: usize,
+    /// The policy chose not to move.
+    pub stop: usize,
+    /// A joint would have left its range.
+    pub joint_limit: usize,
+    /// The arm, or a corner of the hand, would have gone below the table.
+    pub table: usize,
+    /// The arm would have hit its own base.
+    pub base: usize,
+    /// The action limit was reached.
+    pub timeout: usize,
+}
+
+/// Runs one episode of each task.
+pub fn run<S, P>(arm: &Arm<S>, policy: &P, start: Start, tasks: &[Task]) -> Trial
+where
+    S: Lattice,
+    P: Policy<State = Observation<S>, Action = Move> + ?Sized,
+{
+    let episode = |task: &Task| watch(arm, policy, start, task, |_pose| ());
+    summarise(start, &tasks.iter().map(episode).collect::<Vec<_>>())
+}
+
+/// Runs one episode; `each` sees the pose after every action.
+pub fn watch<S, P>(arm: &Arm<S>, policy: &P, start: Start, task: &Task, each: impl FnMut(Pose)) -> Summary<S>
+where
+    S: Lattice,
+    P: Policy<State = Observation<S>, Action = Move> + ?Sized,
+{
+    Episode::new(arm, task.problem(start), Brent::new()).run(policy, each)
+}
+
+/// Runs one episode of a policy that draws its actions: neither rest nor a pose that comes again ends it. `each` sees the
+/// pose after every action.
+pub fn watch_drawn<S: Lattice>(
+    arm: &Arm<S>,
+    decide: impl FnMut(&Observation<S>) -> Move,
+    start: Start,
+    task: &Task,
+    mut each: impl FnMut(Pose),
+) -> Summary<S> {
+    let problem: Problem<S> = task.problem(start);
+    walk(arm, &problem, decide, |step, reached, in_time| {
+        each(step.pose);
+        let invalid = step.invalid.map(Outcome::Invalid);
+        invalid.or(reached.then_some(Outcome::Reached)).or((!in_time).then_some(Outcome::Timeout))
+    })
+}
+
+/// As [`run`], but an invalid action ends nothing: what can move moves, or the arm stays, and the episode goes on. An
+/// episode counts as a collision if its last action was invalid, as in the paper. A policy that stands still where its
+/// action is refused has come to its end: a cycle.
+pub fn run_allowing_collisions<S, P>(arm: &Arm<S>, policy: &P, start: Start, tasks: &[Task]) -> Trial
+where
+    S: Lattice,
+    P: Policy<State = Observation<S>, Action = Move> + ?Sized,
+{
+    let episode = |task: &Task| {
+        let problem: Problem<S> = task.problem(start);
+        let mut detector = Brent::new();
+        detector.reset(problem.start);
+        walk(
+            arm,
+            &problem,
+            |seen| policy.decide(seen),
+            |step, reached, in_time| {
+                let failed = |otherwise| Some(step.invalid.map_or(otherwise, Outcome::Invalid));
+                if reached {
+                    Some(Outcome::Reached)
+                } else if detector.repeats(step.pose) {
+                    failed(Outcome::Cycle)
+                } else if in_time {
+                    None
+                } else {
+                    failed(Outcome::Timeout)
+                }
+            },
+        )
+    };
+    summarise(start, &tasks.iter().map(episode).collect::<Vec<_>>())
+}
+
+/// Acts until an outcome is found for a step, given whether it reached the target, and whether another action is allowed.
+fn walk<S: Lattice>(
+    arm: &Arm<S>,
+    problem: &Problem<S>,
+    mut decide: impl FnMut(&Observation<S>) -> Move,
+    mut outcome: impl FnMut(&Step, bool, bool) -> Option<Outcome>,
+) -> Summary<S> {
+    let mut seen = Observation::at(arm, problem.start, problem.target);
+    let mut actions = 0;
+    loop {
+        let step = arm.step(seen.pose, decide(&seen));
+        seen = Observation::at(arm, step.pose, problem.target);
+        actions += 1;
+        let reached = seen.distance() < problem.tolerance;
+        if let Some(outcome) = outcome(&step, reached, actions < problem.max_actions) {
+            return Summary { outcome, actions, pose: seen.pose, distance: seen.distance() };
+        }
+    }
+}
+
+/// What came of these episodes.
+pub fn summarise<S: Lattice>(problem: Start, summaries: &[Summary<S>]) -> Trial {
+    let mut failures = Failures::default();
+    let (mut successes, mut actions, mut on_success) = (0, 0.0, 0.0);
+    for summary in summaries {
+        actions += f64::from(summary.actions);
+        match summary.outcome {
+            Outcome::Reached => {
+                successes += 1;
+                on_success += f64::from(summary.actions);
+            }
+            Outcome::Invalid(Invalid::JointLimit(_)) => failures.joint_limit += 1,
+            Outcome::Invalid(Invalid::Collision(Collision::Base)) => failures.base += 1,
+            Outcome::Invalid(Invalid::Collision(Collision::Table | Collision::HandCorner)) => failures.table += 1,
+            Outcome::Stop => failures.stop += 1,
+            Outcome::Cycle => failures.cycle += 1,
+            Outcome::Timeout => failures.timeout += 1,
+        }
+    }
+    let mut distances: Vec<f64> = summaries.iter().map(|summary| summary.distance.to_f64()).collect();
+    distances.sort_by(f64::total_cmp);
+    let count = summaries.len().max(1) as f64;
+    let invalid = failures.joint_limit + failures.table + failures.base;
+    Trial {
+        problem,
+        episodes: summaries.len(),
+        success_rate: f64::from(successes) / count,
+        collision_rate: invalid as f64 / count,
+        mean_distance_mm: distances.iter().sum::<f64>() / count,
+        median_distance_mm: median(&distances),
+        mean_actions: actions / count,
+        mean_actions_on_success: on_success / f64::from(successes.max(1)),
+        failures,
+    }
+}
+
+fn median(sorted: &[f64]) -> f64 {
+    match sorted.len() {
+        0 => 0.0,
+        n if n % 2 == 1 => sorted[n / 2],
+        n => 0.5 * (sorted[n / 2 - 1] + sorted[n / 2]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::arm::targets::{Set, tasks};
+    use tpg_runtime::arm::{Joint, WIDOWX};
+
+    /// Always the same move.
+    struct Always(Move);
+
+    impl Policy for Always {
+        type State = Observation<f64>;
+        type Action = Move;
+        fn decide(&self, _seen: &Observation<f64>) -> Move {
+            self.0
+        }
+    }
+
+    #[test]
+    fn every_episode_is_counted_once_under_its_end() {
+        let tasks = tasks(&WIDOWX, 5, Set::Validation, Start::Fs, 40);
+        let turning = run(&WIDOWX, &Always(Move::single(Joint(0), 3)), Start::Fs, &tasks);
+        assert_eq!(turning.failures.joint_limit + (turning.success_rate * 40.0).round() as usize, 40);
+        assert!(turning.mean_actions > 600.0, "the base turns 682 steps to its limit");
+        let resting = run(&WIDOWX, &Always(Move::STOP), Start::Fs, &tasks);
+        assert_eq!((resting.failures.stop, resting.collision_rate, resting.mean_actions), (40, 0.0, 1.0));
+    }
+
+    #[test]
+    fn the_median_of_an_even_number_lies_between() {
+        assert_eq!([median(&[]), median(&[1.0, 2.0, 9.0]), median(&[1.0, 2.0, 4.0, 9.0])], [0.0, 2.0, 3.0]);
+    }
+}
