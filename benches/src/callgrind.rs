@@ -10,7 +10,7 @@ const COUNTED: usize = 512;
 
 /// Whether valgrind is there; skipped loudly where not.
 pub fn available() -> bool {
-    xtask::tool("valgrind", "valgrind", "instruction counts")
+    tpg_testing::tool("valgrind", "valgrind", "instruction counts")
 }
 
 /// Instructions for one state: the difference of one pass and three, so that what is not the policy falls out.

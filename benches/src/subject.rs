@@ -109,7 +109,7 @@ pub fn conformance(limit: usize) -> Vec<Subject> {
     let default = || Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/conformance");
     let folder = env::var_os("TPG_CONFORMANCE").map_or_else(default, PathBuf::from);
     if !folder.is_dir() {
-        xtask::skip(&format!("the paper's policies: no folder {} (TPG_CONFORMANCE)", folder.display()));
+        tpg_testing::skip(&format!("the paper's policies: no folder {} (TPG_CONFORMANCE)", folder.display()));
         return Vec::new();
     }
     let mut graphs: Vec<PathBuf> = ["tpg_traced", "tpg"]

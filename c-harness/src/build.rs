@@ -10,7 +10,7 @@ use std::process::Command;
 use tpg_codegen::emit::{self, File, Language, Options, Prefix, Profile};
 use tpg_codegen::policy::{QuantisedPolicy, to_c};
 use tpg_graph::Graph;
-use xtask::library::{self, Missing};
+use tpg_testing::library::{self, Missing};
 
 /// The target of both boards.
 pub(crate) const TARGET: &str = "thumbv7em-none-eabihf";
@@ -116,7 +116,7 @@ fn there<T>(result: Result<T, Missing>) -> Result<Option<T>, Failure> {
 
 /// The control program in C, for this machine; `None` where a tool is missing.
 pub(crate) fn host() -> Result<Option<PathBuf>, Failure> {
-    if !xtask::tool("gcc", "gcc", "the control program in C on this machine") {
+    if !tpg_testing::tool("gcc", "gcc", "the control program in C on this machine") {
         return Ok(None);
     }
     let Some(archive) = there(library::make(library::host(), &library::dist()))? else { return Ok(None) };
@@ -148,7 +148,7 @@ pub(crate) fn example(board: Board) -> Result<Option<PathBuf>, Failure> {
 
 /// Compiles `main` with generated C for a board.
 fn gcc(program: &str, main: &Path, names: &[&str], board: Board) -> Result<Option<PathBuf>, Failure> {
-    if !xtask::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", "the firmware in C") {
+    if !tpg_testing::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", "the firmware in C") {
         return Ok(None);
     }
     let Some(archive) = there(library::make(TARGET, &library::dist()))? else { return Ok(None) };
@@ -160,7 +160,7 @@ fn gcc(program: &str, main: &Path, names: &[&str], board: Board) -> Result<Optio
     sources.extend(names.iter().map(|name| generated.join(format!("{name}.c"))));
     let mut gcc = Command::new("arm-none-eabi-gcc");
     gcc.args(CORE).args(["-std=gnu11", "-O2", "-ffp-contract=off", "-ffunction-sections"]);
-    // Tables of addresses, unlike the Thumb instruction's own tables, are not read by `xtask::wcet`.
+    // Tables of addresses, unlike the Thumb instruction's own tables, are not read by `cortex_bound`.
     gcc.arg("-fno-jump-tables");
     gcc.args(["-fdata-sections", "-fstack-usage", "-Wall", "-Wextra", "-Werror", "-nostdlib", "-nostartfiles"]);
     gcc.arg(format!("-I{}", source.display())).arg(format!("-I{}", generated.display()));

@@ -5,7 +5,7 @@ use crate::Failure;
 use crate::build;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use xtask::library;
+use tpg_testing::library;
 
 /// The files of each program: rules about a whole program need to see one, and no more.
 const PROGRAMS: [&[&str]; 4] = [
@@ -35,8 +35,8 @@ pub(crate) fn check() -> Result<(), Failure> {
     let headers =
         Headers([PathBuf::from("example"), build::generated_c()?, top.join("tpg-runtime-nostd/capi/include")]);
     let what = "clang-tidy on the firmwares' C";
-    if xtask::tool("clang-tidy", "clang-tidy", what)
-        && xtask::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", &format!("{what}: newlib's headers"))
+    if tpg_testing::tool("clang-tidy", "clang-tidy", what)
+        && tpg_testing::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", &format!("{what}: newlib's headers"))
     {
         let newlib = library::output(Command::new("arm-none-eabi-gcc").arg("-print-file-name=libc.a"))
             .map_err(|error| Failure::new(format!("{error:?}")))?;
@@ -49,7 +49,7 @@ pub(crate) fn check() -> Result<(), Failure> {
         }
         println!("clang-tidy: nothing");
     }
-    if xtask::tool("cppcheck", "cppcheck", "cppcheck and its MISRA addon on the firmwares' C") {
+    if tpg_testing::tool("cppcheck", "cppcheck", "cppcheck and its MISRA addon on the firmwares' C") {
         for files in PROGRAMS {
             clean(cppcheck(&headers).args(files))?;
         }
@@ -96,7 +96,7 @@ pub(crate) fn sees_what_is_bad() -> Result<(), Failure> {
     for (program, command) in
         [("clang-tidy", tidy().arg(path).args(["--", "-std=c99"])), ("cppcheck", cppcheck(&headers).arg(path))]
     {
-        if xtask::exists(program) && clean(command).is_ok() {
+        if tpg_testing::exists(program) && clean(command).is_ok() {
             return Err(Failure::at(path, format!("{program} finds nothing wrong with it")));
         }
     }

@@ -98,12 +98,13 @@ type Builder = fn(&str, Board) -> Result<Option<PathBuf>, Failure>;
 const LANGUAGES: [(&str, Builder); 2] = [("C", build::c), ("Rust", build::rust)];
 
 fn qemu(update: bool) -> Result<(), Failure> {
-    if !xtask::tool("qemu-system-arm", "qemu-system-arm", "the firmwares under QEMU") {
+    if !tpg_testing::tool("qemu-system-arm", "qemu-system-arm", "the firmwares under QEMU") {
         return Ok(());
     }
     let expected = expected::lines()?;
     if let Some(program) = build::host()? {
-        let text = xtask::library::output(&mut Command::new(program)).map_err(|error| Failure(format!("{error:?}")))?;
+        let text =
+            tpg_testing::library::output(&mut Command::new(program)).map_err(|error| Failure(format!("{error:?}")))?;
         compare("C on this machine", &expected, &text.lines().map(Line::parse).collect::<Vec<_>>())?;
     }
     let mut costs = Costs::new();

@@ -54,7 +54,7 @@ impl Start {
 
     /// The committed test episodes.
     pub(crate) fn problems(self) -> Result<Vec<Problem<f32>>, Failure> {
-        let path = xtask::library::top().join(format!("generated/test-targets/{}.csv", self.name()));
+        let path = tpg_testing::library::top().join(format!("generated/test-targets/{}.csv", self.name()));
         let mut reader = csv::Reader::from_path(&path).map_err(|error| Failure::at(&path, error))?;
         let rows = reader.deserialize().take(PROBLEMS);
         rows.map(|row| {

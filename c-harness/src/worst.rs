@@ -3,8 +3,8 @@
 use crate::Failure;
 use crate::facts::{self, Facts};
 use crate::line::Line;
+use cortex_bound::{Analyser, Bound, Calls, Limit, Listing, LoopBounds, Share, Turns, disassemble};
 use std::path::Path;
-use xtask::wcet::{Analyser, Bound, Calls, Limit, Listing, LoopBounds, Share, Turns, disassemble};
 
 /// The facts about an image, by the names that its functions have there.
 struct Told {

@@ -82,7 +82,7 @@ fn user(graph: &Graph, style: Style) -> String {
 #[test]
 fn no_compiler_warns() {
     for (program, package, language) in COMPILERS {
-        if !xtask::tool(program, package, "warnings of generated C") {
+        if !tpg_testing::tool(program, package, "warnings of generated C") {
             continue;
         }
         everywhere(|folder| {
@@ -95,7 +95,7 @@ fn no_compiler_warns() {
 
 #[test]
 fn clang_tidy_reports_nothing() {
-    if !xtask::tool("clang-tidy", "clang-tidy", "clang-tidy on generated C") {
+    if !tpg_testing::tool("clang-tidy", "clang-tidy", "clang-tidy on generated C") {
         return;
     }
     everywhere(|folder| {
@@ -108,7 +108,7 @@ fn clang_tidy_reports_nothing() {
 
 #[test]
 fn cppcheck_and_its_misra_addon_report_nothing() {
-    if !xtask::tool("cppcheck", "cppcheck", "cppcheck and its MISRA addon on generated C") {
+    if !tpg_testing::tool("cppcheck", "cppcheck", "cppcheck and its MISRA addon on generated C") {
         return;
     }
     let deviations = Path::new(env!("CARGO_MANIFEST_DIR")).join("misra-deviations.txt");
@@ -132,13 +132,13 @@ fn the_linters_see_what_is_bad() {
     // An octal constant, and a null pointer read.
     fs::write(folder.path().join("bad.c"), "int main(void)\n{\n    int *p = 0;\n    return *p + 010;\n}\n")
         .expect("the folder can be written");
-    if xtask::exists("clang-tidy") {
+    if tpg_testing::exists("clang-tidy") {
         let mut command = Command::new("clang-tidy");
         command.current_dir(folder.path()).args(["--quiet", "--warnings-as-errors=*"]).arg(format!("--checks={TIDY}"));
         let found = run(command.args(["bad.c", "--", "-std=c99"]));
         assert!(found.as_ref().is_err_and(|text| text.contains("clang-analyzer-core.NullDereference")), "{found:?}");
     }
-    if xtask::exists("cppcheck") {
+    if tpg_testing::exists("cppcheck") {
         let mut command = Command::new("cppcheck");
         command.current_dir(folder.path()).args(["--enable=all", "--addon=misra", "--quiet", "--error-exitcode=1"]);
         let found = run(command.arg("bad.c"));

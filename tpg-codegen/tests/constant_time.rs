@@ -5,6 +5,7 @@
 mod common;
 
 use common::{fixture, run, shaped};
+use cortex_bound::{Analyser, LoopBounds, disassemble};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -15,7 +16,6 @@ use tpg_graph::sample::{self, Constants, Shape};
 use tpg_graph::{Graph, MathsProvider, ScalarType};
 use tpg_graph::{import, interpret, states};
 use tpg_runtime::ops::Instruction;
-use xtask::wcet::{Analyser, LoopBounds, disassemble};
 
 const STATES: usize = 10_000;
 /// A language with a level of optimisation. (Not `z` of Rust: LLVM then calls a function through a register where it is
@@ -66,7 +66,7 @@ fn many_teams() -> Graph {
 }
 
 fn tools(what: &str, programs: &[(&str, &str)]) -> bool {
-    programs.iter().all(|(program, package)| xtask::tool(program, package, what))
+    programs.iter().all(|(program, package)| tpg_testing::tool(program, package, what))
 }
 
 /// Emits a graph in C into a folder.

@@ -17,7 +17,7 @@ fn undefined(graph: &Graph, shape: Shape) -> Vec<String> {
 }
 
 fn compiler(what: &str) -> bool {
-    xtask::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", what)
+    tpg_testing::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", what)
 }
 
 #[test]

@@ -171,7 +171,7 @@ fn agreement_is_measured_on_recorded_states_where_there_are_some() {
 
 #[test]
 fn a_flash_limit_keeps_what_is_bigger_from_appearing() {
-    if !xtask::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", "--max-flash") {
+    if !tpg_testing::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", "--max-flash") {
         return;
     }
     let (folder, _) = folder();

@@ -34,7 +34,7 @@ fn sizes_come_from_the_compiler() {
         assert!(size["flash"].as_u64().is_some_and(|flash| flash > 300), "{size}");
         assert_eq!(size["ram"], 0, "{size}");
     }
-    if xtask::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", "the report's sizes on a Cortex-M4F") {
+    if tpg_testing::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", "the report's sizes on a Cortex-M4F") {
         for size in json(&folder, &["--target", "thumbv7em"])["sizes"].as_array().expect("sizes") {
             assert!(size["flash"].as_u64().is_some_and(|flash| flash > 300), "{size}");
             assert!(size["stack"]["bytes"].as_u64().is_some_and(|stack| stack > 0), "{size}");

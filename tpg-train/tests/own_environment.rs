@@ -73,7 +73,7 @@ fn from_training_to_a_c_program_that_drives_the_same_cart() {
     let stopped = endings.iter().filter(|ending| ending.success).count();
     assert!(stopped > 25, "it learned: {stopped} of {STARTS} carts stop");
 
-    if !xtask::tool("cc", "gcc", "the cart in C") {
+    if !tpg_testing::tool("cc", "gcc", "the cart in C") {
         return;
     }
     let output = Command::new(c_program(folder.path(), &graph)).assert().success();

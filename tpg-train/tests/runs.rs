@@ -128,7 +128,7 @@ fn a_folder_that_cannot_be_written_is_an_error() {
     if Path::new("/proc/self").exists() {
         assert!(refusal(train(Path::new("/proc/run"), &config, &[])).contains("/proc/run"));
     } else {
-        xtask::skip("a run in a folder that nobody can write: there is no /proc");
+        tpg_testing::skip("a run in a folder that nobody can write: there is no /proc");
     }
 }
 

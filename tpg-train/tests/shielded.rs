@@ -43,7 +43,7 @@ fn a_graph_trained_under_a_shield_compiles_to_the_same_decisions() {
     let graph = Graph::from_json("graph.json", &text).expect("a good one");
     let shield = Source::ShieldCollision.name();
     assert!(graph.sources().iter().any(|source| source.name == shield), "no {shield} in its sources");
-    if !xtask::tool("cc", "gcc", "a shielded graph, compiled") {
+    if !tpg_testing::tool("cc", "gcc", "a shielded graph, compiled") {
         return;
     }
     let workshop = Workshop::new().expect("a temporary folder");

@@ -92,12 +92,12 @@ impl Run {
     fn start(&self, name: &str, command: &mut Command) -> io::Result<()> {
         let words: Vec<_> = command.get_args().map(|word| word.to_string_lossy()).collect();
         println!("\n==== {name}: cargo {}", words.join(" "));
-        command.env(xtask::LOG, &self.log).stdin(Stdio::null());
+        command.env(tpg_testing::LOG, &self.log).stdin(Stdio::null());
         Ok(())
     }
 
     fn finish(mut self) -> bool {
-        self.summary.skip(xtask::skipped(&self.log));
+        self.summary.skip(tpg_testing::skipped(&self.log));
         let _ = fs::remove_file(&self.log);
         self.summary.print();
         self.summary.good()

@@ -3,12 +3,11 @@
 mod check;
 mod setup;
 mod summary;
-mod worst;
 
 use clap::{Parser, Subcommand};
 use std::path::PathBuf;
 use std::process::ExitCode;
-use xtask::library::{self, Missing};
+use tpg_testing::library::{self, Missing};
 
 /// Sets a machine up for this repository and tests it.
 #[derive(Debug, Parser)]
@@ -45,7 +44,7 @@ enum Task {
     /// EVA
     Lint,
     /// The worst case of compiled code for a Cortex-M: instructions and stack
-    Wcet(worst::WcetArgs),
+    Wcet(cortex_bound::cli::WcetArgs),
 }
 
 fn main() -> ExitCode {

@@ -50,12 +50,12 @@ impl Summary {
 
     /// Notes a check that cannot run: a failure where everything must be there.
     pub(crate) fn missing(&mut self, name: &str, remedy: &str) {
-        if xtask::required() {
+        if tpg_testing::required() {
             self.failed += 1;
             self.checks.push(format!("FAILED  {name}: not installed ({remedy})"));
         } else {
             self.checks.push(format!("SKIPPED {name}"));
-            xtask::skip(&format!("{name}: not installed ({remedy})"));
+            tpg_testing::skip(&format!("{name}: not installed ({remedy})"));
             self.skipped.push(format!("{name}: not installed ({remedy})"));
         }
     }

@@ -116,7 +116,7 @@ fn the_papers_graphs() {
         PathBuf::from,
     );
     if !folder.is_dir() {
-        xtask::skip(&format!("the paper's graphs: no folder {}", folder.display()));
+        tpg_testing::skip(&format!("the paper's graphs: no folder {}", folder.display()));
         return;
     }
     let mut read = 0;

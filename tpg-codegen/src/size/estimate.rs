@@ -86,7 +86,7 @@ mod tests {
 
     #[test]
     fn an_estimate_is_near_what_the_compiler_makes() {
-        if !xtask::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", "estimates of flash against real sizes") {
+        if !tpg_testing::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", "estimates of flash against real sizes") {
             return;
         }
         let options = Options::new("arm".parse().expect("a prefix"));

@@ -55,7 +55,7 @@ fn compilers_take_the_header_as_c99_and_cpp11() {
         ("clang++", "clang", CPP11),
         ("arm-none-eabi-gcc", "gcc-arm-none-eabi", C99),
     ] {
-        if !xtask::tool(program, package, "tpg_runtime.h as C99 and C++11") {
+        if !tpg_testing::tool(program, package, "tpg_runtime.h as C99 and C++11") {
             continue;
         }
         // Included, so that a `static` or a definition in it would be seen as unused.

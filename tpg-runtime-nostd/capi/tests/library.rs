@@ -8,7 +8,7 @@ use std::process::Command;
 use std::sync::{Mutex, PoisonError};
 use tempfile::TempDir;
 use tpg_generated::widowx_sac;
-use xtask::library::{self, Missing};
+use tpg_testing::library::{self, Missing};
 
 /// The library for a target; `None` where a tool is missing, which has been said.
 fn made(target: &str) -> Option<PathBuf> {
@@ -61,7 +61,7 @@ fn every_code_in_c99_and_cpp11() {
     const C99: &[&str] = &["-std=c99", "-Wstrict-prototypes"];
     const CPP11: &[&str] = &["-x", "c++", "-std=c++11"];
     for (program, language) in [("gcc", C99), ("g++", CPP11)] {
-        if !xtask::tool(program, program, "the C interface") {
+        if !tpg_testing::tool(program, program, "the C interface") {
             continue;
         }
         let mut command = Command::new(program);
@@ -113,7 +113,7 @@ fn nothing_in_the_library_can_panic_or_allocate() {
 
 #[test]
 fn another_float_abi_does_not_link() {
-    if !xtask::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", "float ABIs at link time") {
+    if !tpg_testing::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", "float ABIs at link time") {
         return;
     }
     let folder = TempDir::new().expect("a temporary folder");
@@ -145,7 +145,7 @@ fn cmake_and_pkg_config_find_it() {
     let folder = TempDir::new().expect("a temporary folder");
     let main = "#include \"tpg_runtime.h\"\nint main(void) { return (tpg_version() == TPG_VERSION) ? 0 : 1; }\n";
     fs::write(folder.path().join("main.c"), main).expect("the folder can be written");
-    if xtask::tool("pkg-config", "pkg-config", "tpg_runtime.pc") {
+    if tpg_testing::tool("pkg-config", "pkg-config", "tpg_runtime.pc") {
         let search = library::dist().join("lib").join(library::host()).join("pkgconfig");
         let mut command = Command::new("pkg-config");
         let (good, flags) = run(command.env("PKG_CONFIG_PATH", search).args(["--cflags", "--libs", "tpg_runtime"]));
@@ -156,7 +156,7 @@ fn cmake_and_pkg_config_find_it() {
         assert!(good, "{text}");
         assert!(run(&mut Command::new(folder.path().join("with-pkg-config"))).0);
     }
-    if xtask::tool("cmake", "cmake", "tpg_runtime-config.cmake") {
+    if tpg_testing::tool("cmake", "cmake", "tpg_runtime-config.cmake") {
         let lists = "cmake_minimum_required(VERSION 3.16)\nproject(example C)\n\
                      find_package(tpg_runtime CONFIG REQUIRED)\nadd_executable(with-cmake main.c)\n\
                      target_link_libraries(with-cmake tpg_runtime::tpg_runtime)\n";

@@ -1,7 +1,7 @@
 //! Finds the recorded data, and says loudly when it is not there.
 //!
 //! The data cannot be part of the repository: its source carries no licence. A test that needs it asks [`folder`] and is
-//! skipped where there is none; [`xtask::skip`] shows and counts that. A folder that is there but lacks a file is a
+//! skipped where there is none; [`tpg_testing::skip`] shows and counts that. A folder that is there but lacks a file is a
 //! failure, never a skip.
 
 use std::env;
@@ -16,7 +16,7 @@ pub(crate) fn folder(test: &str) -> Option<PathBuf> {
     if folder.is_dir() {
         return Some(folder);
     }
-    xtask::skip(&format!("tpg-paper, {test}: no folder {} ({VARIABLE} names another)", folder.display()));
+    tpg_testing::skip(&format!("tpg-paper, {test}: no folder {} ({VARIABLE} names another)", folder.display()));
     None
 }
 

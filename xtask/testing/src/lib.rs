@@ -1,13 +1,10 @@
-//! How tests say that they could not run: loudly, counted, and never as a pass.
+//! Test support: skips that are loud and counted, and the build of `libtpg_runtime.a` that tests and `xtask` share.
 //!
 //! A test that lacks a tool or data calls [`skip`] and returns. Whoever runs it sees the line, whatever the test harness
 //! captures, and `cargo xtask test` lists it again in its summary. Where everything must be there, as in CI, a missing
 //! tool fails instead.
-//!
-//! And [`wcet`]: the worst case of compiled code for a Cortex-M.
 
 pub mod library;
-pub mod wcet;
 
 use std::fs::OpenOptions;
 use std::io::{self, Write as _};

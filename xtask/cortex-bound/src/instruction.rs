@@ -192,7 +192,7 @@ fn number(text: Option<&str>) -> Option<u64> {
 #[cfg(test)]
 mod tests {
     use super::{Kind, Stack, is_decision, kind, stack};
-    use crate::wcet::listing::Line;
+    use crate::listing::Line;
 
     fn line(text: &str) -> Line {
         let (mnemonic, operands) = text.split_once(' ').unwrap_or((text, ""));

@@ -1,12 +1,12 @@
-//! `cargo xtask wcet`.
+//! The command line of `cortex-bound`.
 
+use crate::{Analyser, Calls, Limit, Listing, LoopBounds, Refusal, Share, Turns, disassemble};
 use clap::Args;
 use std::path::PathBuf;
-use xtask::wcet::{Analyser, Calls, Limit, Listing, LoopBounds, Refusal, Share, Turns, disassemble};
 
 /// Print the worst case of functions of a Cortex-M object or image: instructions and bytes of stack, callees included.
 #[derive(Clone, Debug, Args)]
-pub(crate) struct WcetArgs {
+pub struct WcetArgs {
     /// An object file or a linked image for a Cortex-M
     object: PathBuf,
     /// The functions; without one, every function of the object
@@ -34,7 +34,7 @@ pub(crate) struct WcetArgs {
 
 impl WcetArgs {
     /// Analyses; whether every function that was asked for has a bound.
-    pub(crate) fn run(&self) -> bool {
+    pub fn run(&self) -> bool {
         match disassemble(&self.object) {
             Ok(listing) => self.report(&listing),
             Err(error) => {

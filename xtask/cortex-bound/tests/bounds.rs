@@ -1,9 +1,9 @@
 //! Bounds of hand-written assembly: as a listing, and assembled where there is an assembler.
 
+use cortex_bound::{Analyser, Bound, Calls, Limit, Listing, LoopBounds, Refusal, Turns, disassemble};
 use std::fs;
 use std::process::Command;
 use tempfile::TempDir;
-use xtask::wcet::{Analyser, Bound, Calls, Limit, Listing, LoopBounds, Refusal, Turns, disassemble};
 
 /// A listing as objdump prints it: `label:` begins a function, every other line is an instruction two bytes long.
 fn listing(text: &str) -> Listing {
@@ -180,8 +180,8 @@ lost:
 
 #[test]
 fn assembled_code_is_read_with_its_relocations_and_data() {
-    if !xtask::tool("arm-none-eabi-as", "gcc-arm-none-eabi", "the worst case of assembled code")
-        || !xtask::tool("arm-none-eabi-objdump", "gcc-arm-none-eabi", "the worst case of assembled code")
+    if !tpg_testing::tool("arm-none-eabi-as", "gcc-arm-none-eabi", "the worst case of assembled code")
+        || !tpg_testing::tool("arm-none-eabi-objdump", "gcc-arm-none-eabi", "the worst case of assembled code")
     {
         return;
     }
@@ -290,8 +290,8 @@ fn limits_count_a_function_no_more_than_it_runs() {
         let bound = analyser.bound("f")?;
         let share = analyser.explain("f")?;
         assert_eq!(share.each, bound.instructions);
-        let total = |share: &xtask::wcet::Share| {
-            fn sum(share: &xtask::wcet::Share) -> u64 {
+        let total = |share: &cortex_bound::Share| {
+            fn sum(share: &cortex_bound::Share) -> u64 {
                 share.own + share.parts.iter().map(sum).sum::<u64>()
             }
             sum(share)

@@ -19,6 +19,7 @@
 //! | [`analysis`] | a function with all that it calls |
 
 pub mod analysis;
+pub mod cli;
 pub mod facts;
 mod flow;
 pub mod instruction;
