@@ -1,59 +1,66 @@
 //! A problem of one's own, from training to C: a cart on rails that must stop at the middle.
 //!
-//! `cargo run --release -p tpg-train --example own_environment -- RUN`, which takes seconds, and then
-//! `cargo run --release -p tpg-codegen -- RUN/graph.json --lang c --prefix cart -o RUN`.
+//! `cargo run --release -p tpg-train --example own_environment -- RUN`, which takes seconds, writes `RUN/graph.json` and
+//! `RUN/report.html`; `cargo run --release -p tpg-codegen -- RUN/graph.json --lang c --prefix cart -o RUN` writes the C.
+use std::ops::ControlFlow;
+use std::path::Path;
 use tpg_engine::random::Stream;
-use tpg_engine::{Ending, Environment, LocalThreads, Options, SourceSet};
-use tpg_graph::{ActionDocument, SourceDocument};
-use tpg_runtime::{ops::Own, policy::ActionId};
-use tpg_train::evolution::{config::EnvironmentName, presets::Preset, run::RunOptions, run::run};
+use tpg_engine::{Act, ActionSpace, End, Environment, LocalThreads, Options, SourceSet, Step};
+use tpg_graph::{Graph, SourceDocument};
+use tpg_runtime::ops::Own;
+use tpg_train::evaluate::graph::{endings, on_environment};
+use tpg_train::evolution::{generation::Goal, presets::Preset, run::RunOptions, run::run};
+use tpg_train::report::{ReportArgs, report_with};
 
 pub(crate) struct Cart;
 
 impl Environment<f32> for Cart {
-    type Task = f32; // where the cart starts
-    type Episode = [f32; 3]; // position, velocity, actions
+    type Task = f32; // where the cart starts, m
+    type Episode = [f32; 2]; // position and velocity
 
     fn sources(&self) -> Vec<SourceDocument> {
         vec![SourceDocument { name: "cart".into(), length: 2, unit: "m, m/s".into(), ranges: vec![[-20.0, 20.0]; 2] }]
     }
-    fn actions(&self) -> Vec<ActionDocument> {
-        (0..).zip(["push", "pull"]).map(|(id, name)| ActionDocument { id, name: name.into(), moves: None }).collect()
-    }
-    fn outcomes(&self) -> &'static [&'static str] {
-        &["stopped", "missed"]
+    fn actions(&self) -> ActionSpace {
+        ActionSpace::discrete(["push", "pull"])
     }
     fn time_limit(&self) -> u32 {
         100
     }
-    fn draw(&self, stream: &mut Stream) -> f32 {
-        (4.0 * stream.unit() - 2.0) as f32
+    fn draw(&self, random: &mut Stream) -> f32 {
+        (4.0 * random.unit() - 2.0) as f32
     }
-    fn start(&self, &position: &f32) -> [f32; 3] {
-        [position, 0.0, 0.0]
+    fn start(&self, &position: &f32) -> [f32; 2] {
+        [position, 0.0]
     }
-    fn observe(&self, cart: &mut [f32; 3], _wanted: SourceSet, state: &mut [f32]) {
-        state.copy_from_slice(&cart[..2]);
+    fn observe(&self, cart: &mut [f32; 2], _wanted: SourceSet, state: &mut [f32]) {
+        state.copy_from_slice(cart);
     }
-    fn step(&self, [position, velocity, actions]: &mut [f32; 3], action: ActionId) -> Option<Ending> {
-        *velocity += if action == ActionId(0) { 0.1 } else { -0.1 };
+    fn step(&self, [position, velocity]: &mut [f32; 2], act: Act<'_, f32>) -> Step {
+        *velocity += if act.choice() == 0 { 0.1 } else { -0.1 };
         *position += 0.1 * *velocity;
-        *actions += 1.0;
-        let error = f64::from(position.abs() + velocity.abs());
-        let (success, outcome) = (error < 0.2, u8::from(error >= 0.2));
-        (*actions == 100.0).then_some(Ending { outcome, success, score: -error, error, actions: 100 })
+        Step::reward(-f64::from(position.abs() + velocity.abs()))
+    }
+    fn timeout(&self, [position, velocity]: &[f32; 2]) -> End {
+        End { success: Some(position.abs() + velocity.abs() < 0.2), ..End::new(1) }
     }
 }
 
-pub(crate) fn train(folder: std::path::PathBuf) -> Result<(), Box<dyn std::error::Error>> {
-    let mut config = Preset::find("kelly").ok_or("no such preset")?.config()?;
-    config.problem.environment = EnvironmentName::Own;
-    (config.tpg.max_init_outgoing_edges, config.learning.nb_generations) = (2, 60);
+pub(crate) fn train(folder: &Path) -> Result<(), Box<dyn std::error::Error>> {
+    let config = Preset::find("general").ok_or("no such preset")?.config()?;
     let evaluator = LocalThreads::<f32, Own, Cart>::new(&Cart, Options::default(), 0)?;
-    let options = RunOptions { folder, ..RunOptions::default() };
-    run::<f32, Own, _, _>(&config, 1, &Cart, &evaluator, &options, &false.into()).map(|_| ()).map_err(Into::into)
+    let goal = Goal { target: Some(-60.0), max_steps: None };
+    let options = RunOptions { folder: folder.to_owned(), goal, ..RunOptions::default() };
+    run(&config, 1, &Cart, &evaluator, &options, |_progress| ControlFlow::Continue(()))?;
+
+    let file = folder.join("graph.json").display().to_string();
+    let graph = Graph::from_json(&file, &std::fs::read_to_string(&file)?)?;
+    print!("{}", on_environment::<_, Own>("cart", &file, &graph, &Cart, 1000, 1)?.to_table());
+    let args = ReportArgs { runs: vec![folder.to_owned()], out: folder.join("report.html"), episodes: 1000, seed: 1 };
+    report_with(&args, Some(&|name, graph, episodes, seed| endings::<_, Own>(name, graph, &Cart, episodes, seed)))?;
+    Ok(())
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    train(std::env::args_os().nth(1).ok_or("usage: own_environment RUN")?.into())
+    train(std::env::args_os().nth(1).ok_or("usage: own_environment RUN")?.as_ref())
 }

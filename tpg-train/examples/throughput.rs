@@ -12,6 +12,7 @@ use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{Environment, Evaluator, LocalThreads, Options, Policy, UnitKey, Work, WorkUnit};
 use tpg_graph::import::{self, Profile};
 use tpg_graph::{Graph, MathsProvider, ScalarType};
+use tpg_problems::Problem;
 use tpg_problems::arm::targets::{Set, Start, tasks};
 use tpg_problems::arm::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
 use tpg_runtime::arm::WIDOWX;
@@ -72,11 +73,14 @@ fn population(
     mut state: State<ArmTask>,
     extent: Extent,
 ) -> Result<(), Box<dyn std::error::Error>> {
-    let environment = ArmEnvironment::<f32>::new(&config.arm(), config.arm_problem());
+    let Problem::Arm(start, arm) = Problem::from_toml(title, &config.to_toml())? else {
+        return Err("only runs on the arm".into());
+    };
+    let environment = arm.environment::<f32>(start);
     let learning = &config.learning;
-    let vocabulary = config.vocabulary(&environment.sources());
+    let vocabulary = config.vocabulary(&environment, state.scales.clone());
     let mutator = ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
-    let actions = environment.actions().len() as u16;
+    let actions = environment.actions().count().ok_or("named actions")? as u16;
     let mut units = Vec::new();
     for (deme, population) in (0..).zip(&mut state.demes) {
         let moment = Moment { seed: state.seed, generation: state.generation, deme };

@@ -5,6 +5,7 @@ use crate::evolution::command::{TpgArgs, execute as execute_tpg};
 use crate::evolution::presets::{ConfigArgs, print_config};
 use crate::hybrid::command::{HybridArgs, execute as execute_hybrid};
 use crate::hybrid::setting::{ConstantsArgs, constants};
+use crate::problems::print_problems;
 use crate::report::{ReportArgs, report};
 use crate::sac::command::{SacArgs, execute as execute_sac};
 use crate::sac::evaluate::{QuantiseArgs, quantise};
@@ -26,6 +27,8 @@ pub struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    /// List the built-in problems, with what they observe and do
+    Problems,
     /// Evolve a tangled program graph
     Tpg(TpgArgs),
     /// Train a soft actor-critic
@@ -52,6 +55,7 @@ impl Cli {
     /// Does what was asked, tells people on stderr what went wrong.
     pub fn run(self) -> ExitCode {
         exit_code(match self.command {
+            Command::Problems => print_problems().map(|()| Verdict::Good).map_err(CommandError::from),
             Command::Tpg(args) => execute_tpg(&args).map_err(CommandError::other),
             Command::Sac(args) => execute_sac(&args).map_err(CommandError::other),
             Command::Hybrid(args) => execute_hybrid(&args).map_err(CommandError::from),

@@ -13,6 +13,8 @@
 //! | [`interrupt`] | Ctrl-C |
 //! | [`picture`] | SVG, plots and the page that holds them |
 //! | [`files`] | files that are whole or not there |
+//! | [`problems`] | `tpg-train problems` |
+//! | [`progress`], [`run_args`] | the progress bar and the arguments of every run |
 //! | [`report`] | runs in one HTML file |
 
 pub mod cli;
@@ -22,6 +24,9 @@ pub mod files;
 pub mod hybrid;
 pub mod interrupt;
 pub mod picture;
+pub mod problems;
+pub mod progress;
 pub mod report;
+pub mod run_args;
 pub mod sac;
 pub mod targets;

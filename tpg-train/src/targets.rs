@@ -1,6 +1,6 @@
 //! `tpg-train targets`: the arm's committed test tasks.
 
-use crate::evolution::config::Config;
+use crate::evaluate::arm::arm_config;
 use std::io::{self, Write as _};
 use std::path::PathBuf;
 use tpg_graph::error::InputError;
@@ -31,7 +31,12 @@ pub struct TargetsArgs {
 /// # Errors
 /// If the configuration cannot be read, or stdout is closed.
 pub fn print_targets(args: &TargetsArgs) -> Result<(), InputError> {
-    let arm = args.config.as_deref().map(Config::read).transpose()?.map_or(WIDOWX, |config| config.arm());
+    let arm = args
+        .config
+        .as_deref()
+        .map(|path| arm_config(path, args.problem))
+        .transpose()?
+        .map_or(WIDOWX, |config| config.arm());
     let text = to_csv(&tasks(&arm, args.seed, Set::Test, args.problem, args.episodes));
     let written = io::stdout().lock().write_all(text.as_bytes());
     written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))

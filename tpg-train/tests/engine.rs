@@ -8,9 +8,10 @@ use tpg_engine::{
 };
 use tpg_graph::interpret::Interpreter;
 use tpg_graph::{Graph, Provenance, ScalarType};
+use tpg_problems::Problem;
 use tpg_problems::arm::description::WIDOWX_TOML;
 use tpg_problems::arm::targets::{Set, Start, tasks};
-use tpg_problems::arm::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
+use tpg_problems::arm::{self, ArmEnvironment, ArmProblem, ArmScalar, ArmTask, Shield};
 use tpg_runtime::arm::{Arm, Collision, Invalid, Move, WIDOWX};
 use tpg_runtime::cycle::Visited;
 use tpg_runtime::episode::{Episode, Outcome, Summary};
@@ -20,8 +21,7 @@ use tpg_runtime::observation::{Observation, Source, TargetMemo};
 use tpg_runtime::ops::{Instruction, Maths, Own};
 use tpg_runtime::policy::{ActionId, Policy as _};
 use tpg_train::evolution::archive::Archive;
-use tpg_train::evolution::command::arm_environment;
-use tpg_train::evolution::config::{Config, Shield};
+use tpg_train::evolution::config::Config;
 use tpg_train::evolution::export;
 use tpg_train::evolution::mutate_program::ProgramMutator;
 use tpg_train::evolution::mutate_team::{Moment, populate, random_population};
@@ -31,9 +31,6 @@ use tpg_train::evolution::vocabulary::Vocabulary;
 /// A configuration in which everything can happen: every source, every instruction, literals, program constants.
 fn config(scalar: ScalarType) -> Config {
     let mut config = Preset::find("best-rs").expect("it comes with the trainer").config().expect("it is accepted");
-    let names = Source::ALL.map(|source| source.name().to_owned());
-    config.problem.sources = names.into_iter().filter(|name| !name.starts_with("shield_")).collect();
-    config.problem.may_stop = true;
     config.language.scalar = scalar;
     config.language.instructions = Instruction::ALL.map(|instruction| instruction.name().to_owned()).to_vec();
     config.learning.nb_program_constant = 2;
@@ -44,6 +41,13 @@ fn config(scalar: ScalarType) -> Config {
     config
 }
 
+/// The arm with every source.
+fn problem(shield: Shield) -> arm::Config {
+    let names = Source::ALL.map(|source| source.name().to_owned());
+    let sources = names.into_iter().filter(|name| !name.starts_with("shield_")).collect();
+    arm::Config { sources, shield, may_stop: true, ..arm::Config::default() }
+}
+
 struct World<S> {
     config: Config,
     environment: ArmEnvironment<S>,
@@ -51,17 +55,23 @@ struct World<S> {
     policies: Vec<Policy>,
 }
 
+/// Half the range of every value.
+fn literal_units<S: ArmScalar>(environment: &ArmEnvironment<S>) -> Vec<f64> {
+    let ranges = environment.sources().into_iter().flat_map(|source| source.ranges);
+    ranges.map(|[min, max]| 0.5 * (max - min)).collect()
+}
+
 impl<S: ArmScalar> World<S> {
     /// Roots some rounds of mutation away from random ones: several teams deep.
     fn new(scalar: ScalarType, arm: &Arm<f64>, shield: Shield) -> Self {
-        let mut config = config(scalar);
-        config.problem.shield = shield;
+        let config = config(scalar);
+        let mut problem = problem(shield);
         if shield == Shield::None {
             // Random policies that read it hardly ever come back to a pose, and cycles are wanted, too.
-            config.problem.sources.retain(|name| name != "stance");
+            problem.sources.retain(|name| name != "stance");
         }
-        let environment = ArmEnvironment::<S>::new(arm, config.arm_problem());
-        let vocabulary = config.vocabulary(&environment.sources());
+        let environment = ArmEnvironment::<S>::new(arm, problem.problem(Start::Rs));
+        let vocabulary = config.vocabulary(&environment, literal_units(&environment));
         let mutator =
             ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
         let mut stream = Stream::new(1, 0, Purpose::Test, 0);
@@ -87,16 +97,17 @@ impl<S: ArmScalar> World<S> {
 fn another_arm() -> Arm<f64> {
     let text = WIDOWX_TOML
         .replace("base = 125.0", "base = 90.0")
-        .replace("upperArm = 142.0", "upperArm = 201.5")
-        .replace("elbowOffset = 49.0", "elbowOffset = 0.0")
+        .replace("upper_arm = 142.0", "upper_arm = 201.5")
+        .replace("elbow_offset = 49.0", "elbow_offset = 0.0")
         .replace("forearm = 142.0", "forearm = 117.25")
         .replace("hand = 155.0", "hand = 80.0")
-        .replace("handLength = 160.0", "handLength = 99.0")
+        .replace("hand_length = 160.0", "hand_length = 99.0")
         .replace("[[2, 4094], [1025, 3071]", "[[700, 3500], [800, 3300]")
         .replace("[15.0, 15.0, 95.0, 151.0]", "[30.0, 30.0, 95.0, 120.0]")
         .replace("[15.0, 68.0, 95.0, 95.0]", "[30.0, 68.0, 95.0, 95.0]");
-    let config = Preset::find("best-fs").expect("it comes with the trainer").text.to_owned() + &text;
-    Config::from_toml("another arm", &config).unwrap_or_else(|error| panic!("{error}")).arm()
+    let text = "[problem]\nname = \"fs\"\n".to_owned() + &text;
+    let Ok(Problem::Arm(_, config)) = Problem::from_toml("another arm", &text) else { panic!("an arm that can be") };
+    config.arm()
 }
 
 fn arm_tasks(arm: &Arm<f64>, count: usize) -> Vec<ArmTask> {
@@ -146,7 +157,7 @@ fn same<S: Lattice>(ending: &Ending, summary: &Summary<S>, outcomes: &[&str]) ->
     };
     outcomes[usize::from(ending.outcome)] == name
         && ending.actions == summary.actions
-        && ending.error.to_bits() == summary.distance.to_f64().to_bits()
+        && ending.measure.to_bits() == summary.distance.to_f64().to_bits()
 }
 
 /// Whether a shield holds back what ended an episode so.
@@ -175,6 +186,7 @@ where
         let mut lanes = Lanes::<S, Own, _>::new(&world.environment, Options { lanes: 5, ..Options::default() });
         let mut watched = vec![Vec::new(); tasks.len()];
         let endings = lanes.run_watched(&plan, &tasks, |task, action| watched[task].push(action));
+        let endings = endings.expect("no episode of the arm fails");
         for ((task, ending), watched) in tasks.iter().zip(&endings).zip(&watched) {
             let (actions, summary, bid) =
                 by_interpreter::<S, Own>(&graph, world.environment.arm(), world.environment.problem(), task);
@@ -226,13 +238,9 @@ fn under_a_shield_equal_programs_for_different_actions_stay_two_bids() {
         |input| Line { to: 0, instruction: Instruction::Add, operands: [Operand::Input(input), Operand::Register(1)] };
     let edge = |program, action| Edge { program, to: Destination::Action(action) };
     let policy = Policy::new(8, 0, vec![vec![edge(0, 0), edge(0, 1), edge(0, 0)]], vec![vec![line(0)]]);
-    let config = {
-        let mut config = config(ScalarType::F32);
-        config.problem.shield = Shield::Limits;
-        config
-    };
-    let environment = arm_environment::<f32>(&config);
-    let vocabulary = config.vocabulary(&environment.sources());
+    let config = config(ScalarType::F32);
+    let environment = problem(Shield::Limits).environment::<f32>(Start::Rs);
+    let vocabulary = config.vocabulary(&environment, literal_units(&environment));
     let shielded = policy.shielded(|action| vocabulary.bound(action));
     assert_eq!(shielded.programs.len(), 2, "one for each action");
     let graph =

@@ -3,9 +3,13 @@
 use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::fs;
+use std::ops::ControlFlow;
 use std::path::Path;
-use tpg_engine::{Answer, Environment, EvaluationError, Evaluator, LocalThreads, Options, UnitKey, Work, WorkUnit};
-use tpg_problems::arm::{ArmEnvironment, ArmTask};
+use tpg_engine::{
+    Answer, Environment, EvaluationError, Evaluator, LocalThreads, Options, UnitKey, Visit, Work, WorkUnit,
+};
+use tpg_problems::arm::targets::Start;
+use tpg_problems::arm::{self, ArmEnvironment, ArmTask};
 use tpg_runtime::ops::Own;
 use tpg_train::evolution::config::Config;
 use tpg_train::evolution::presets::Preset;
@@ -18,17 +22,17 @@ struct Worker<'e> {
 
 impl Worker<'_> {
     fn ask(&self, message: &str) -> Result<String, EvaluationError> {
-        let work: Work<ArmTask> = serde_json::from_str(message).map_err(|error| EvaluationError(error.to_string()))?;
+        let work: Work<ArmTask> = serde_json::from_str(message).map_err(|error| EvaluationError::new(error))?;
         let engine = LocalThreads::<f32, Own, _>::new(self.environment, Options { lanes: 3, ..Options::default() }, 1)?;
         let answers = engine.evaluate(&work)?;
-        serde_json::to_string(&answers).map_err(|error| EvaluationError(error.to_string()))
+        serde_json::to_string(&answers).map_err(|error| EvaluationError::new(error))
     }
 }
 
 /// Sends units one by one, the last first, and puts the answers into order by their keys.
 struct Wire<'e> {
     worker: Worker<'e>,
-    keys: RefCell<BTreeSet<(UnitKey, usize)>>,
+    keys: RefCell<BTreeSet<(UnitKey, String)>>,
 }
 
 impl Evaluator<ArmTask> for Wire<'_> {
@@ -36,22 +40,26 @@ impl Evaluator<ArmTask> for Wire<'_> {
         let mut answers = Vec::new();
         for unit in work.units.iter().rev() {
             let one = Work::<ArmTask> { tasks: work.tasks.clone(), units: vec![unit.clone()] };
-            let message = serde_json::to_string(&one).map_err(|error| EvaluationError(error.to_string()))?;
-            let reply: Vec<Answer> = serde_json::from_str(&self.worker.ask(&message)?)
-                .map_err(|error| EvaluationError(error.to_string()))?;
+            let message = serde_json::to_string(&one).map_err(|error| EvaluationError::new(error))?;
+            let reply: Vec<Answer> =
+                serde_json::from_str(&self.worker.ask(&message)?).map_err(|error| EvaluationError::new(error))?;
             let ([answer], WorkUnit { key, .. }) = (&reply[..], unit) else {
-                return Err(EvaluationError(format!("{} answers to a unit", reply.len())));
+                return Err(EvaluationError::new(format!("{} answers to a unit", reply.len())));
             };
             assert_eq!(answer.key, *key, "an answer has its unit's key");
-            // Racing asks twice a generation, validation once more: each time with another number of tasks.
-            assert!(
-                self.keys.borrow_mut().insert((*key, work.tasks.len())),
-                "{key:?} is no address: it was there before"
-            );
+            // Racing asks twice a generation, validation a few times more: each time with other tasks.
+            let tasks = serde_json::to_string(&work.tasks).map_err(EvaluationError::new)?;
+            assert!(self.keys.borrow_mut().insert((*key, tasks)), "{key:?} is no address: it was there before");
             answers.push(answer.clone());
         }
         answers.sort_by_key(|answer| work.units.iter().position(|unit| unit.key == answer.key));
         Ok(answers)
+    }
+
+    fn visit(&self, visits: &[Visit<ArmTask>]) -> Result<Vec<Vec<Vec<f64>>>, EvaluationError> {
+        let message = serde_json::to_string(visits).map_err(EvaluationError::new)?;
+        let received: Vec<Visit<ArmTask>> = serde_json::from_str(&message).map_err(EvaluationError::new)?;
+        LocalThreads::<f32, Own, _>::new(self.worker.environment, Options::default(), 1)?.visit(&received)
     }
 }
 
@@ -62,13 +70,14 @@ fn config() -> Config {
     (config.demes.count, config.demes.migration_interval, config.demes.migrants) = (2, 2, 1);
     (config.learning.nb_iterations_per_policy_evaluation, config.learning.nb_generations) = (12, 5);
     (config.selection.lexicase_survivors, config.selection.racing_episodes) = (2, 4);
-    (config.selection.validation_interval, config.selection.validation_episodes) = (2, 20);
+    config.selection.validation_episodes = 20;
+    (config.learning.archive_size, config.learning.archiving_probability) = (10, 0.5);
     config
 }
 
 fn train<V: Evaluator<ArmTask>>(folder: &Path, environment: &ArmEnvironment<f32>, evaluator: &V) -> Vec<Vec<u8>> {
     let options = RunOptions { folder: folder.to_owned(), ..RunOptions::default() };
-    let end = run::<f32, Own, _, _>(&config(), 7, environment, evaluator, &options, &false.into());
+    let end = run(&config(), 7, environment, evaluator, &options, |_| ControlFlow::Continue(()));
     assert!(matches!(end, Ok(RunEnd::Finished(_))), "{end:?}");
     let read = |name| fs::read(folder.join(name)).expect("a run leaves it");
     ["graph.json", "generations.csv", "generations.jsonl", "checkpoint.json"].map(read).to_vec()
@@ -76,8 +85,7 @@ fn train<V: Evaluator<ArmTask>>(folder: &Path, environment: &ArmEnvironment<f32>
 
 #[test]
 fn a_run_is_the_same_wherever_its_roots_are_evaluated() {
-    let config = config();
-    let environment = ArmEnvironment::<f32>::new(&config.arm(), config.arm_problem());
+    let environment = arm::Config::default().environment::<f32>(Start::Rs);
     let folder = tempfile::tempdir().expect("a temporary folder");
     let local = LocalThreads::<f32, Own, _>::new(&environment, Options::default(), 2).expect("threads start");
     let wire = Wire { worker: Worker { environment: &environment }, keys: RefCell::default() };
@@ -95,25 +103,29 @@ struct Broken<V> {
 impl<V: Evaluator<ArmTask>> Evaluator<ArmTask> for Broken<V> {
     fn evaluate(&self, work: &Work<ArmTask>) -> Result<Vec<Answer>, EvaluationError> {
         *self.asked.borrow_mut() += 1;
-        if *self.asked.borrow() == 3 {
-            Err(EvaluationError("connection lost".to_owned()))
-        } else {
-            self.inner.evaluate(work)
-        }
+        if *self.asked.borrow() == 3 { Err(EvaluationError::new("connection lost")) } else { self.inner.evaluate(work) }
+    }
+
+    fn visit(&self, visits: &[Visit<ArmTask>]) -> Result<Vec<Vec<Vec<f64>>>, EvaluationError> {
+        self.inner.visit(visits)
     }
 }
 
 #[test]
 fn a_lost_machine_is_an_error_and_the_run_can_be_resumed() {
     let config = config();
-    let environment = ArmEnvironment::<f32>::new(&config.arm(), config.arm_problem());
+    let environment = arm::Config::default().environment::<f32>(Start::Rs);
     let folder = tempfile::tempdir().expect("a temporary folder");
     let local = || LocalThreads::<f32, Own, _>::new(&environment, Options::default(), 1).expect("threads start");
     let expected = train(&folder.path().join("whole"), &environment, &local());
     let broken = Broken { inner: local(), asked: RefCell::new(0) };
-    let options =
-        RunOptions { folder: folder.path().join("broken"), resume: true, checkpoint_every: std::time::Duration::ZERO };
-    let go = || run::<f32, Own, _, _>(&config, 7, &environment, &broken, &options, &false.into());
+    let options = RunOptions {
+        folder: folder.path().join("broken"),
+        resume: true,
+        checkpoint_every: std::time::Duration::ZERO,
+        ..RunOptions::default()
+    };
+    let go = || run(&config, 7, &environment, &broken, &options, |_| ControlFlow::Continue(()));
     let error = go().expect_err("a machine was lost").to_string();
     assert!(error.contains("connection lost"), "{error}");
     assert!(matches!(go(), Ok(RunEnd::Finished(_))));

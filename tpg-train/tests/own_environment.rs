@@ -59,7 +59,9 @@ fn c_program(folder: &Path, graph: &Graph) -> PathBuf {
 #[test]
 fn from_training_to_a_c_program_that_drives_the_same_cart() {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    example::train(folder.path().to_owned()).expect("it trains");
+    example::train(folder.path()).expect("it trains");
+    let report = fs::read_to_string(folder.path().join("report.html")).expect("training leaves a report");
+    assert!(report.contains("<svg"), "it has pictures");
     let text = fs::read_to_string(folder.path().join("graph.json")).expect("training leaves a graph");
     let graph = Graph::from_json("graph.json", &text).expect("a good one");
 
@@ -67,10 +69,12 @@ fn from_training_to_a_c_program_that_drives_the_same_cart() {
     let sources = Environment::<f32>::sources(&Cart);
     let plan = Plan::new::<Own>(&Policy::from(&graph), &sources, Options::default());
     let mut actions = vec![String::new(); tasks.len()];
-    let endings = Lanes::<f32, Own, _>::new(&Cart, Options::default()).run_watched(&plan, &tasks, |task, action| {
+    let mut lanes = Lanes::<f32, Own, _>::new(&Cart, Options::default());
+    let endings = lanes.run_watched(&plan, &tasks, |task, action| {
         let _ = write!(actions[task], "{}", action.0);
     });
-    let stopped = endings.iter().filter(|ending| ending.success).count();
+    let endings = endings.expect("no episode can fail");
+    let stopped = endings.iter().filter(|ending| ending.success == Some(true)).count();
     assert!(stopped > 25, "it learned: {stopped} of {STARTS} carts stop");
 
     if !tpg_testing::tool("cc", "gcc", "the cart in C") {
@@ -84,5 +88,5 @@ fn from_training_to_a_c_program_that_drives_the_same_cart() {
 #[test]
 fn the_example_is_short() {
     let lines = include_str!("../examples/own_environment.rs").lines().count();
-    assert!(lines < 60, "{lines} lines");
+    assert!(lines < 80, "{lines} lines");
 }

@@ -7,6 +7,7 @@ use std::thread::sleep;
 use std::time::{Duration, Instant};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_problems::arm::description::WIDOWX_TOML;
+use tpg_problems::{Problem, ProblemName};
 use tpg_train::evolution::config::Config;
 use tpg_train::evolution::presets::Preset;
 
@@ -16,18 +17,16 @@ const KILLS: usize = 20;
 /// A run of seconds that uses all there is: two demes with migration, pool, archive, lexicase, racing.
 fn small_config() -> Config {
     let mut config = Preset::find("best-rs").expect("it comes with the trainer").config().expect("it is accepted");
-    config.problem.environment =
-        toml::from_str::<toml::Table>("e = \"pendulum\"").expect("TOML")["e"].clone().try_into().expect("a pendulum");
-    config.problem.sources = vec!["pendulum".to_owned()];
+    config.problem = Problem::usual(ProblemName::Pendulum).to_table();
     (config.tpg.nb_roots, config.tpg.init_nb_roots, config.tpg.max_init_outgoing_edges) = (24, 40, 3);
     (config.demes.count, config.demes.migration_interval, config.demes.migrants) = (2, 3, 1);
     (config.pool.size, config.pool.share) = (20, 0.3);
     (config.learning.archive_size, config.learning.archiving_probability) = (20, 0.5);
     (config.learning.nb_iterations_per_policy_evaluation, config.learning.nb_generations) = (12, 25);
-    (config.learning.ratio_deleted_roots, config.learning.max_nb_actions_per_eval) = (0.7, 100);
+    config.learning.ratio_deleted_roots = 0.7;
     (config.selection.lexicase_survivors, config.selection.racing_episodes) = (3, 4);
     (config.curriculum.generations, config.curriculum.roughness) = (6, 3);
-    (config.selection.validation_interval, config.selection.validation_episodes) = (5, 30);
+    config.selection.validation_episodes = 30;
     config
 }
 
@@ -107,13 +106,60 @@ fn a_finished_run_is_not_overwritten_and_another_configuration_not_resumed() {
     assert!(train(&folder, &config, &["--generations", "2"]).status().expect("it runs").success());
     let before = results(&folder);
     assert!(refusal(train(&folder, &config, &["--generations", "2"])).contains("--resume"));
-    let other = refusal(train(&folder, &config, &["--generations", "3", "--resume"]));
-    assert!(
-        other.contains("- learning.nbGenerations = 2") && other.contains("+ learning.nbGenerations = 3"),
-        "{other}"
-    );
+    let mut changed = small_config();
+    changed.tpg.nb_roots = 25;
+    let other = place.path().join("other.toml");
+    fs::write(&other, changed.to_toml()).expect("it can be written");
+    let refused = refusal(train(&folder, &other, &["--generations", "2", "--resume"]));
+    assert!(refused.contains("- tpg.nb_roots = 24") && refused.contains("+ tpg.nb_roots = 25"), "{refused}");
     assert!(refusal(train(&folder, &config, &["--generations", "2", "--resume", "--seed", "9"])).contains("seed 1"));
     assert!(results(&folder) == before, "a refused run changes nothing");
+}
+
+#[test]
+fn a_run_can_go_further_than_it_was_asked_before() {
+    let place = tempfile::tempdir().expect("a temporary folder");
+    let (config, folder) = (place.path().join("config.toml"), place.path().join("run"));
+    fs::write(&config, small_config().to_toml()).expect("it can be written");
+    let rows = || fs::read_to_string(folder.join("generations.csv")).expect("the log");
+    assert!(train(&folder, &config, &["--generations", "3"]).status().expect("it runs").success());
+    let before = rows();
+    assert!(train(&folder, &config, &["--generations", "5", "--resume"]).status().expect("it runs").success());
+    assert!(rows().starts_with(&before), "the first generations stay");
+    assert_eq!(rows().lines().count(), 6, "a header and five generations");
+}
+
+#[test]
+fn a_target_and_a_number_of_steps_end_a_run_early() {
+    let place = tempfile::tempdir().expect("a temporary folder");
+    for (goal, value) in [("--target", "400"), ("--max-steps", "200000")] {
+        let folder = place.path().join(goal);
+        let mut command = Command::new(env!("CARGO_BIN_EXE_tpg-train"));
+        command.args(["tpg", "--problem", "cartpole", goal, value, "--out"]).arg(&folder);
+        assert!(command.stderr(Stdio::null()).status().expect("it runs").success());
+        let rows = fs::read_to_string(folder.join("generations.csv")).expect("the log").lines().count();
+        assert!(rows < 60, "{goal}: {rows} rows of 101");
+        let checkpoint = fs::read_to_string(folder.join("checkpoint.json")).expect("a checkpoint");
+        let state = &serde_json::from_str::<serde_json::Value>(&checkpoint).expect("JSON")["state"];
+        let number = |key: &str| state[key].as_u64().expect("a count");
+        assert!(goal == "--target" || number("steps") >= 200_000, "{} steps", number("steps"));
+    }
+}
+
+#[test]
+fn selection_takes_no_more_than_a_tenth_of_the_episodes() {
+    let place = tempfile::tempdir().expect("a temporary folder");
+    for preset in ["kelly", "general"] {
+        let folder = place.path().join(preset);
+        let mut command = Command::new(env!("CARGO_BIN_EXE_tpg-train"));
+        command.args(["tpg", "--problem", "pendulum", "--preset", preset, "--generations", "30", "--out"]).arg(&folder);
+        assert!(command.stderr(Stdio::null()).status().expect("it runs").success());
+        let checkpoint = fs::read_to_string(folder.join("checkpoint.json")).expect("a checkpoint");
+        let state = &serde_json::from_str::<serde_json::Value>(&checkpoint).expect("JSON")["state"];
+        let number = |key: &str| state[key].as_u64().expect("a count");
+        let (training, selection) = (number("training_episodes"), number("selection_episodes"));
+        assert!(10 * selection <= training + selection && selection > 0, "{preset}: {selection} beside {training}");
+    }
 }
 
 #[test]
@@ -138,26 +184,28 @@ fn a_bad_configuration_is_refused_with_its_line_and_what_is_accepted() {
     let line_of = |start: &str| text.lines().position(|line| line.starts_with(start)).expect("the key") + 1;
     let wrong = |from: &str, to: &str| {
         let changed: Vec<&str> = text.lines().map(|line| if line.starts_with(from) { to } else { line }).collect();
-        Config::from_toml("c.toml", &changed.join("\n")).expect_err("it is wrong").to_string()
+        let text = changed.join("\n");
+        let of_problem = || Problem::from_toml("c.toml", &text).err();
+        Config::from_toml("c.toml", &text).err().or_else(of_problem).expect("it is wrong").to_string()
     };
     // The line of a key in a section of a section too.
-    let arm = text.to_owned() + &WIDOWX_TOML.replace("elbowOffset = 49.0", "elbowOffset = -1.0");
-    let line = arm.lines().position(|line| line.starts_with("elbowOffset")).expect("the key") + 1;
-    let error = Config::from_toml("c.toml", &arm).expect_err("it is wrong").to_string();
-    assert_eq!(error, format!("c.toml: line {line}: arm.links.elbowOffset = -1; accepted: 0 to 1000 mm"));
+    let arm = text.to_owned() + &WIDOWX_TOML.replace("elbow_offset = 49.0", "elbow_offset = -1.0");
+    let line = arm.lines().position(|line| line.starts_with("elbow_offset")).expect("the key") + 1;
+    let error = Problem::from_toml("c.toml", &arm).expect_err("it is wrong").to_string();
+    assert_eq!(error, format!("c.toml: line {line}: problem.arm.links.elbow_offset = -1; accepted: 0 to 1000 mm"));
     for (from, to, found, accepted) in [
-        ("pSwap", "pSwop = 1.0", "unknown field `pSwop`", "pSwap"),
-        ("pEdgeDeletion", "pEdgeDeletion = 1.5", "tpg.pEdgeDeletion = 1.5", "0 to 1"),
-        ("nbRoots", "nbRoots = \"many\"", "invalid type", "tpg-train config"),
+        ("p_swap", "p_swop = 1.0", "unknown field `p_swop`", "p_swap"),
+        ("p_edge_deletion", "p_edge_deletion = 1.5", "tpg.p_edge_deletion = 1.5", "0 to 1"),
+        ("nb_roots", "nb_roots = \"many\"", "invalid type", "tpg-train config"),
         ("sources", "sources = [\"polar\", \"smell\"]", "\"smell\"", "reach_excess"),
         ("instructions", "instructions = [\"add\", \"add\"]", "\"add\"", "each once"),
-        ("pProgramMutation", "pProgramMutation = 0.0", "tpg.pProgramMutation = 0", "0.001 to 1"),
-        ("maxOutgoingEdges", "maxOutgoingEdges = 2", "tpg.maxOutgoingEdges = 2", "3 to"),
+        ("p_program_mutation", "p_program_mutation = 0.0", "tpg.p_program_mutation = 0", "0.001 to 1"),
+        ("max_outgoing_edges", "max_outgoing_edges = 2", "tpg.max_outgoing_edges = 2", "3 to"),
         ("share", "share = 0.5", "pool.share = 0.5", "pool.size"),
         ("shield", "shield = \"walls\"", "unknown variant `walls`", "tpg-train config"),
         ("sources", "sources = [\"polar\", \"shield_limits\"]", "\"shield_limits\"", "one or more of"),
         ("generations", "generations = 100000", "curriculum.generations = 100000", "0 to"),
-        ("roughness", "roughness = 43", "curriculum.roughness = 43", "1 to 42"),
+        ("roughness", "roughness = 128", "curriculum.roughness = 128", "1 to 127"),
     ] {
         let error = wrong(from, to);
         assert!(error.starts_with(&format!("c.toml: line {}: ", line_of(from))), "{error}");
@@ -218,7 +266,7 @@ fn restarts_keep_the_best_and_go_on_where_they_stopped() {
     let place = tempfile::tempdir().expect("a temporary folder");
     let config = place.path().join("config.toml");
     let mut short = small_config();
-    (short.learning.nb_generations, short.selection.validation_interval, short.curriculum.generations) = (6, 2, 3);
+    (short.learning.nb_generations, short.curriculum.generations) = (6, 3);
     fs::write(&config, short.to_toml()).expect("it can be written");
     let (all, stopped) = (place.path().join("all"), place.path().join("stopped"));
     assert!(train(&all, &config, &["--seeds", "1..4"]).status().expect("it runs").success());

@@ -7,19 +7,23 @@ use tpg_codegen::emit::{Language, Options, Prefix, Profile};
 use tpg_codegen::verify::{self, Workshop};
 use tpg_graph::Graph;
 use tpg_graph::engine::Engine;
+use tpg_problems::Problem;
+use tpg_problems::arm::targets::Start;
+use tpg_problems::arm::{self, Shield};
 use tpg_runtime::observation::Source;
-use tpg_train::evolution::config::{Config, Shield};
+use tpg_train::evolution::config::Config;
 use tpg_train::evolution::presets::Preset;
 
 /// Three generations of a few roots on the arm.
 fn config() -> Config {
     let mut config = Preset::find("best-rs").expect("it comes with the trainer").config().expect("it is accepted");
-    config.problem.shield = Shield::LimitsAndCollision;
+    let shielded = arm::Config { shield: Shield::LimitsAndCollision, ..arm::Config::default() };
+    config.problem = Problem::Arm(Start::Rs, shielded).to_table();
     (config.tpg.nb_roots, config.tpg.init_nb_roots) = (24, 40);
     (config.learning.nb_iterations_per_policy_evaluation, config.learning.nb_generations) = (6, 3);
     config.learning.ratio_deleted_roots = 0.7;
     (config.selection.lexicase_survivors, config.selection.racing_episodes) = (3, 0);
-    (config.selection.validation_interval, config.selection.validation_episodes) = (3, 20);
+    config.selection.validation_episodes = 20;
     (config.demes.count, config.pool.size, config.pool.share, config.curriculum.generations) = (1, 0, 0.0, 0);
     config
 }

@@ -1,6 +1,6 @@
 //! What is wrong with an input, said so that its author can mend it.
 
-use std::fmt;
+use std::fmt::{self, Display};
 use std::path::Path;
 
 /// A place in an input file.
@@ -50,6 +50,44 @@ impl InputError {
     /// A file that cannot be read or written.
     pub fn io(path: &Path, error: &std::io::Error, accepted: impl Into<String>) -> Self {
         Self::new(path.display().to_string(), Place::Whole, error.to_string(), accepted)
+    }
+}
+
+/// A setting that is refused: its key, what was found and what is accepted. The reader of the file adds the place.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{key} = {found}; accepted: {accepted}")]
+pub struct Finding {
+    /// The key with its tables: `learning.batch`.
+    pub key: String,
+    /// The value there.
+    pub found: String,
+    /// The values that would be accepted.
+    pub accepted: String,
+}
+
+impl Finding {
+    /// Puts a finding together.
+    pub fn new(key: impl Into<String>, found: impl ToString, accepted: impl Into<String>) -> Self {
+        Self { key: key.into(), found: found.to_string(), accepted: accepted.into() }
+    }
+
+    /// Checks that a value lies in a range, both ends included; NaN lies in none.
+    ///
+    /// # Errors
+    /// The finding, if it does not.
+    ///
+    /// ```
+    /// use tpg_graph::error::Finding;
+    ///
+    /// assert!(Finding::range("pool.share", 0.2, 0.0, 1.0).is_ok());
+    /// let finding = Finding::range("pool.share", 2.0, 0.0, 1.0).expect_err("above 1");
+    /// assert_eq!(finding.to_string(), "pool.share = 2; accepted: 0 to 1");
+    /// ```
+    pub fn range<T: PartialOrd + Display>(key: &str, value: T, low: T, high: T) -> Result<(), Self> {
+        if value >= low && value <= high {
+            return Ok(());
+        }
+        Err(Self::new(key, value, format!("{low} to {high}")))
     }
 }
 

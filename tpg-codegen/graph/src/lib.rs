@@ -25,6 +25,7 @@
 //! | [`engine`] | anything that decides like a graph |
 //! | [`states`], [`trace`], [`sample`] | drawn states, recorded states, random graphs |
 //! | [`command`] | exit statuses of command-line programs |
+//! | [`settings`] | TOML files whose errors have lines |
 //! | [`error`], [`output`] | errors with file, place, found and accepted; files written whole or not at all |
 
 mod arithmetic;
@@ -38,6 +39,7 @@ pub mod interpret;
 mod model;
 pub mod output;
 pub mod sample;
+pub mod settings;
 pub mod states;
 pub mod trace;
 

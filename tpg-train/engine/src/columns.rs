@@ -5,18 +5,12 @@
 //! `inline(always)` here becomes part of [`Decider::decide`](super::decide::Decider::decide), which is compiled for the
 //! widest vectors that the processor has.
 
-use crate::episodes::View;
 use crate::nodes::{Node, NodeId, NodeSet};
 use crate::plan::Plan;
+use crate::view::{BLOCK, Block, View};
 use std::marker::PhantomData;
 use tpg_runtime::ops::{Instruction, Maths};
 use tpg_runtime::scalar::Scalar;
-
-/// Lanes of a block: one vector of the widest there are.
-pub const BLOCK: usize = 16;
-
-/// The values of some neighbouring lanes.
-pub type Block<T> = [T; BLOCK];
 
 /// The values of a plan's nodes, in every lane.
 #[derive(Debug)]

@@ -9,8 +9,9 @@
 //! Everything from [`Decider::decide`] on is one function, compiled for each width of vectors; its loops have masks for
 //! conditions, which the compiler would make branches of.
 
-use crate::columns::{BLOCK, Block, Columns};
+use crate::columns::Columns;
 use crate::plan::{Code, LazyEdge, Plan, PlannedTeam};
+use crate::view::{BLOCK, Block};
 use pulp::{Arch, Simd, WithSimd};
 use tpg_runtime::ops::{self, Maths};
 use tpg_runtime::policy::ActionId;

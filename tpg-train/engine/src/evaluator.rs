@@ -1,11 +1,17 @@
 //! Where roots are evaluated: behind a trait, so that evolution never knows.
 
-use crate::environment::{Ending, Environment};
-use crate::lanes::{Lanes, Options};
+use crate::action::Act;
+use crate::ending::Ending;
+use crate::environment::Environment;
+use crate::lanes::Lanes;
+use crate::options::Options;
 use crate::plan::Plan;
 use crate::policy::Policy;
+use crate::source_set::SourceSet;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
+use std::error::Error;
+use std::fmt;
 use std::marker::PhantomData;
 use std::sync::atomic::{AtomicU64, Ordering};
 use tpg_graph::SourceDocument;
@@ -50,10 +56,45 @@ pub struct Answer {
     pub endings: Vec<Ending>,
 }
 
-/// An evaluation that could not be done (a lost machine, say). Local threads have none.
-#[derive(Debug, thiserror::Error)]
-#[error("the roots could not be evaluated: {0}")]
-pub struct EvaluationError(pub String);
+/// A state to look at: the one that a policy sees after some of its actions on a task.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Visit<Task> {
+    /// The policy that acts.
+    pub policy: Policy,
+    /// The task.
+    pub task: Task,
+    /// The numbers of actions after which the state is recorded, ascending; each below the number of actions of the
+    /// episode.
+    pub after: Vec<u32>,
+}
+
+/// An evaluation that could not be done: a lost machine, an exception in a user's environment.
+#[derive(Debug)]
+pub struct EvaluationError(Box<dyn Error + Send + Sync>);
+
+impl EvaluationError {
+    /// Wraps an error or a message.
+    pub fn new(error: impl Into<Box<dyn Error + Send + Sync>>) -> Self {
+        Self(error.into())
+    }
+
+    /// The error itself, so that whoever raised it can have it back.
+    pub fn into_inner(self) -> Box<dyn Error + Send + Sync> {
+        self.0
+    }
+}
+
+impl fmt::Display for EvaluationError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the episodes could not be run: {}", self.0)
+    }
+}
+
+impl Error for EvaluationError {
+    fn source(&self) -> Option<&(dyn Error + 'static)> {
+        Some(&*self.0)
+    }
+}
 
 /// Where roots are evaluated.
 ///
@@ -64,6 +105,12 @@ pub trait Evaluator<Task> {
     /// # Errors
     /// If an answer cannot be had.
     fn evaluate(&self, work: &Work<Task>) -> Result<Vec<Answer>, EvaluationError>;
+
+    /// The flat states of each visit, one for each of its numbers of actions.
+    ///
+    /// # Errors
+    /// If a state cannot be had.
+    fn visit(&self, visits: &[Visit<Task>]) -> Result<Vec<Vec<Vec<f64>>>, EvaluationError>;
 
     /// Environment steps done so far, for the log's steps per second; 0 where nobody counts.
     fn steps(&self) -> u64 {
@@ -89,9 +136,32 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> LocalThreads<'e, S, M, E> {
     /// If the threads cannot be started.
     pub fn new(environment: &'e E, options: Options, threads: usize) -> Result<Self, EvaluationError> {
         let pool = (rayon::ThreadPoolBuilder::new().num_threads(threads).build())
-            .map_err(|error| EvaluationError(error.to_string()))?;
+            .map_err(|error| EvaluationError::new(error))?;
         let sources = environment.sources();
         Ok(Self { environment, sources, options, pool, steps: AtomicU64::new(0), number: PhantomData })
+    }
+}
+
+impl<S: Scalar, M: Maths<S>, E: Environment<S>> LocalThreads<'_, S, M, E> {
+    /// The states of one visit: the episode runs again up to each of them.
+    fn states(&self, visit: &Visit<E::Task>) -> Result<Vec<Vec<f64>>, EvaluationError> {
+        let options = Options { lanes: 1, ..self.options };
+        let plan = Plan::new::<M>(&visit.policy, &self.sources, options);
+        let mut actions = Vec::new();
+        let mut lanes = Lanes::<S, M, E>::new(self.environment, options);
+        lanes.run_watched(&plan, std::slice::from_ref(&visit.task), |_, action| actions.push(action))?;
+        let mut episode = self.environment.start(&visit.task);
+        let mut done = 0;
+        let state = |&after: &u32| {
+            for &action in &actions[done..(after as usize).min(actions.len())] {
+                self.environment.step(&mut episode, Act::Choice(action));
+                done += 1;
+            }
+            let mut state = vec![S::ZERO; plan.state_length()];
+            self.environment.observe(&mut episode, SourceSet::ALL, &mut state);
+            state.into_iter().map(S::to_f64).collect()
+        };
+        Ok(visit.after.iter().map(state).collect())
     }
 }
 
@@ -100,13 +170,17 @@ impl<S: Scalar, M: Maths<S>, E: Environment<S>> Evaluator<E::Task> for LocalThre
         let evaluate = |lanes: &mut Lanes<'_, S, M, E>, unit: &WorkUnit| {
             let before = lanes.steps();
             let plan = Plan::new::<M>(&unit.policy, &self.sources, self.options);
-            let endings = lanes.run(&plan, &work.tasks);
+            let endings = lanes.run(&plan, &work.tasks)?;
             self.steps.fetch_add(lanes.steps() - before, Ordering::Relaxed);
-            Answer { key: unit.key, endings }
+            Ok(Answer { key: unit.key, endings })
         };
-        Ok(self.pool.install(|| {
+        self.pool.install(|| {
             (work.units.par_iter()).map_init(|| Lanes::new(self.environment, self.options), evaluate).collect()
-        }))
+        })
+    }
+
+    fn visit(&self, visits: &[Visit<E::Task>]) -> Result<Vec<Vec<Vec<f64>>>, EvaluationError> {
+        self.pool.install(|| visits.par_iter().map(|visit| self.states(visit)).collect())
     }
 
     fn steps(&self) -> u64 {

@@ -5,32 +5,16 @@
 
 use crate::columns::Columns;
 use crate::decide::Decider;
-use crate::environment::{Ending, Environment};
+use crate::ending::Ending;
+use crate::environment::Environment;
 use crate::episodes::Episodes;
+use crate::evaluator::EvaluationError;
 use crate::history::History;
+use crate::options::Options;
 use crate::plan::Plan;
 use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
-
-/// How the engine works; none of it changes an answer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Options {
-    /// Episodes side by side.
-    pub lanes: usize,
-    /// Compute equal values once, and drop bids that cannot win.
-    pub share: bool,
-    /// Compute a bounded, expensive bid only where it could win.
-    pub lazy: bool,
-    /// Look for cycles at every step, not only at the end of an episode.
-    pub look_for_cycles: bool,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self { lanes: 112, share: true, lazy: true, look_for_cycles: true }
-    }
-}
 
 /// Runs roots over tasks, one root after another, and keeps its memory between them.
 pub struct Lanes<'e, S: Scalar, M, E: Environment<S>> {
@@ -73,41 +57,62 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
         self.steps
     }
 
-    /// How the root does on each task.
-    pub fn run(&mut self, plan: &Plan<S>, tasks: &[E::Task]) -> Vec<Ending> {
+    /// The root's ending on each task.
+    ///
+    /// # Errors
+    /// If an episode fails: see [`Episodes`].
+    pub fn run(&mut self, plan: &Plan<S>, tasks: &[E::Task]) -> Result<Vec<Ending>, EvaluationError> {
         self.run_watched(plan, tasks, |_, _| ())
     }
 
     /// As [`run`](Self::run); `watch` is told every action, with the place of its task.
+    ///
+    /// # Errors
+    /// As [`run`](Self::run).
     pub fn run_watched(
         &mut self,
         plan: &Plan<S>,
         tasks: &[E::Task],
+        watch: impl FnMut(usize, ActionId),
+    ) -> Result<Vec<Ending>, EvaluationError> {
+        let result = self.run_all(plan, tasks, watch);
+        if result.is_err() {
+            // Episodes that were left in the middle must not be taken for new ones.
+            self.running.clear();
+            self.episodes = self.environment.lanes();
+        }
+        result
+    }
+
+    fn run_all(
+        &mut self,
+        plan: &Plan<S>,
+        tasks: &[E::Task],
         mut watch: impl FnMut(usize, ActionId),
-    ) -> Vec<Ending> {
+    ) -> Result<Vec<Ending>, EvaluationError> {
         self.columns.prepare(plan, &self.constants);
         self.decider.prepare(plan);
         let mut endings = vec![None; tasks.len()];
         let mut next = 0;
         while next < tasks.len().min(self.options.lanes) {
             self.running.push((next, next));
-            self.begin(tasks, next);
+            self.begin(tasks, next)?;
             next += 1;
         }
         while !self.running.is_empty() {
-            self.episodes.observe(plan.wanted, &mut self.columns.view(&plan.places));
+            self.episodes.observe(plan.wanted, &mut self.columns.view(&plan.places))?;
             let actions = self.decider.decide(plan, &mut self.columns, self.running.len());
             self.running.iter().zip(actions).for_each(|(&(task, _), &action)| watch(task, action));
             self.steps += actions.len() as u64;
             self.ended.clear();
-            self.episodes.step(actions, &mut self.ended);
+            self.episodes.step(actions, &mut self.ended)?;
             self.end_cycles();
             // From the last lane down: closing up then only moves lanes that go on.
             while let Some((lane, ending)) = self.ended.pop() {
                 endings[self.running[lane].0] = Some(ending);
                 if next < tasks.len() {
                     self.running[lane].0 = next;
-                    self.begin(tasks, lane);
+                    self.begin(tasks, lane)?;
                     next += 1;
                 } else {
                     self.running.swap_remove(lane);
@@ -116,17 +121,18 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
                 }
             }
         }
-        endings.into_iter().map(|ending| ending.expect("every task was begun and every lane ended")).collect()
+        Ok(endings.into_iter().map(|ending| ending.expect("every task was begun and every lane ended")).collect())
     }
 
     /// Starts a lane's episode.
-    fn begin(&mut self, tasks: &[E::Task], lane: usize) {
+    fn begin(&mut self, tasks: &[E::Task], lane: usize) -> Result<(), EvaluationError> {
         let (task, history) = self.running[lane];
-        self.episodes.begin(lane, &tasks[task]);
+        self.episodes.begin(lane, &tasks[task])?;
         self.columns.forget();
         if let Some(&key) = self.episodes.keys().get(lane) {
             self.histories[history].reset(key);
         }
+        Ok(())
     }
 
     /// Writes down where every lane is now, and ends what came back to where it was.
@@ -148,7 +154,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
                 }
                 // An episode in a cycle never ends by itself, so only a time-out can hide an earlier repeat. One at the
                 // time-out itself counts as a cycle too: the set of visited keys would have seen it.
-                Some(ending) if !ending.success && ending.actions >= self.environment.time_limit() => {
+                Some(ending) if ending.success != Some(true) && ending.actions >= self.environment.time_limit() => {
                     history.push(key);
                     history.first_repeat().filter(|repeat| repeat.actions <= ending.actions)
                 }

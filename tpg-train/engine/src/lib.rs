@@ -2,27 +2,57 @@
 //!
 //! [`Policy`] → [`Plan`] (distinct nodes, teams in order) → [`Lanes`] (episodes side by side) → [`Ending`]s;
 //! [`LocalThreads`] spreads roots over threads behind the [`Evaluator`] trait. [`Single`] decides for one state at a time.
+//! Problems implement [`Environment`].
+//!
+//! # Map
+//!
+//! | items | subject |
+//! | --- | --- |
+//! | [`Environment`], [`ActionSpace`], [`Act`], [`Step`], [`End`] | a problem |
+//! | [`bind`] | a graph on an environment |
+//! | [`Choices`] | any action space as a list of named actions |
+//! | [`Episodes`], [`OneByOne`], [`View`], [`SourceSet`] | episodes side by side |
+//! | [`Ending`], [`Summary`], [`Preference`] | results |
+//! | [`Policy`], [`Plan`], [`Node`], [`Arena`] | a graph as the engine runs it |
+//! | [`Lanes`], [`Single`], [`Options`], [`History`] | running it |
+//! | [`Evaluator`], [`LocalThreads`], [`Work`], [`Visit`] | running many, on threads or elsewhere |
+//! | [`random`] | one stream of random numbers for every purpose |
 
+mod action;
+mod binding;
+mod choices;
 mod columns;
 mod decide;
+mod ending;
 mod environment;
 mod episodes;
 mod evaluator;
 mod history;
 mod lanes;
 mod nodes;
+mod one_by_one;
+mod options;
 mod plan;
 mod policy;
 pub mod random;
 mod single;
+mod source_set;
+mod view;
 
-pub use columns::{BLOCK, Block};
-pub use environment::{Ending, Environment, SourceSet};
-pub use episodes::{Episodes, OneByOne, View};
-pub use evaluator::{Answer, EvaluationError, Evaluator, LocalThreads, UnitKey, Work, WorkUnit};
+pub use action::{Act, ActionSpace, Choice, Output};
+pub use binding::bind;
+pub use choices::{Choices, TooManyActions};
+pub use ending::{End, Ending, Measure, Preference, Step, Summary, finite};
+pub use environment::Environment;
+pub use episodes::Episodes;
+pub use evaluator::{Answer, EvaluationError, Evaluator, LocalThreads, UnitKey, Visit, Work, WorkUnit};
 pub use history::{History, Repeat};
-pub use lanes::{Lanes, Options};
+pub use lanes::Lanes;
 pub use nodes::{Arena, Node, NodeId, effective};
+pub use one_by_one::OneByOne;
+pub use options::Options;
 pub use plan::Plan;
 pub use policy::{Destination, Edge, Line, Operand, Policy, bounded};
 pub use single::{Single, single};
+pub use source_set::SourceSet;
+pub use view::{BLOCK, Block, View};

@@ -1,9 +1,9 @@
 //! A root, made ready to be evaluated: its distinct nodes, and for each team what to compute and whom to ask.
 
-use crate::environment::SourceSet;
-use crate::lanes::Options;
 use crate::nodes::{Arena, Node, NodeId, NodeSet};
+use crate::options::Options;
 use crate::policy::{Destination, Edge, Policy};
+use crate::source_set::SourceSet;
 use std::collections::BTreeSet;
 use tpg_graph::SourceDocument;
 use tpg_runtime::ops::{Instruction, Maths};

@@ -50,6 +50,8 @@ pub enum Purpose {
     Update = 26,
     /// The noise of a policy that draws its actions, in one test episode.
     Draws = 27,
+    /// Random roots that explore the ranges of inputs.
+    Scales = 13,
     /// The tasks on which an actor under training is watched for failures.
     Retry = 28,
 }

@@ -2,7 +2,7 @@
 
 use crate::columns::Columns;
 use crate::decide::Decider;
-use crate::lanes::Options;
+use crate::options::Options;
 use crate::plan::Plan;
 use crate::policy::Policy;
 use std::cell::RefCell;

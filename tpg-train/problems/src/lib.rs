@@ -1,11 +1,34 @@
-//! The problems that come with the trainer.
+//! The problems that come with the trainer, and the registry that finds them by name.
+//!
+//! ```
+//! use tpg_problems::{Problem, ProblemName};
+//!
+//! let problem = Problem::from_toml("my.toml", "[problem]\nname = \"pendulum\"\nlevels = 5\n")?;
+//! assert_eq!(problem.name(), ProblemName::Pendulum);
+//! # Ok::<(), tpg_graph::error::InputError>(())
+//! ```
+//!
+//! # Map
 //!
 //! | module | subject |
 //! | --- | --- |
-//! | [`arm`] | reaching with a robot arm |
+//! | [`registry`] | problems by name, with their settings |
+//! | [`arm`] | reaching with a robot arm: `fs` and `rs` |
+//! | [`cartpole`] | balancing a pole on a cart |
 //! | [`pendulum`] | swinging a pendulum up |
 
 pub mod arm;
+pub mod cartpole;
 pub mod pendulum;
+pub mod registry;
 
+pub use cartpole::CartPole;
 pub use pendulum::Pendulum;
+pub use registry::{Problem, ProblemName, Visitor};
+
+use tpg_graph::SourceDocument;
+
+/// A source of one value.
+fn source(name: &str, unit: &str, range: [f64; 2]) -> SourceDocument {
+    SourceDocument { name: name.to_owned(), length: 1, unit: unit.to_owned(), ranges: vec![range] }
+}

@@ -1,102 +1,178 @@
-//! A classic control task: swing a pendulum up with too weak a motor, and keep it up.
+//! Gymnasium's Pendulum-v1: swing a pendulum up with too weak a motor, and keep it up.
 
+use crate::source;
 use core::f64::consts::{PI, TAU};
+use serde::{Deserialize, Serialize};
 use tpg_engine::random::Stream;
-use tpg_engine::{Ending, Environment, SourceSet};
-use tpg_graph::{ActionDocument, SourceDocument};
-use tpg_runtime::policy::ActionId;
+use tpg_engine::{Act, ActionSpace, Environment, Output, SourceSet, Step};
+use tpg_graph::SourceDocument;
+use tpg_graph::error::Finding;
 use tpg_runtime::scalar::Scalar;
 
-/// Torques of the actions, N·m: weaker than gravity, which pulls with 9.81 N·m at the horizontal.
-const TORQUES: [f64; 5] = [-4.0, -1.0, 0.0, 1.0, 4.0];
-/// Seconds of one action.
-const STEP: f64 = 0.05;
+/// Greatest torque, N·m.
+const TORQUE: f64 = 2.0;
 /// Greatest angular velocity, rad/s.
 const FASTEST: f64 = 8.0;
+/// Seconds of one action.
+const STEP: f64 = 0.05;
+/// Acceleration of gravity, m/s², as Gymnasium has it.
+const GRAVITY: f64 = 10.0;
+/// Actions of an episode.
+const ACTIONS: u32 = 200;
 
-/// A rod of 1 m with 1 kg at its end, on an axle with a motor.
+/// The section `[problem]` of a configuration for the pendulum.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Config {
+    /// The number of torques that a graph chooses among, evenly spaced from −2 to 2 N·m.
+    pub levels: u16,
+}
+
+impl Default for Config {
+    fn default() -> Self {
+        Self { levels: 3 }
+    }
+}
+
+impl Config {
+    /// Checks the number of levels.
+    ///
+    /// # Errors
+    /// If there are fewer than 2 or more than 1,001.
+    pub fn check(&self) -> Result<(), Finding> {
+        Finding::range("problem.levels", self.levels, 2, 1001)
+    }
+}
+
+/// A rod of 1 m and 1 kg on an axle with a motor, by the rules of Gymnasium's Pendulum-v1.
+///
+/// The state is cosine and sine of the angle from upright, and the angular velocity in rad/s; the action is a torque of −2
+/// to 2 N·m; the reward is −(angle² + 0.1 velocity² + 0.001 torque²), before the action; an episode has 200 actions.
+///
+/// ```
+/// use tpg_engine::{Act, Environment};
+/// use tpg_problems::Pendulum;
+///
+/// // Hanging down at rest: as far from upright as it can be.
+/// let mut swing = Environment::<f32>::start(&Pendulum, &[std::f64::consts::PI, 0.0]);
+/// let step = Environment::<f32>::step(&Pendulum, &mut swing, Act::Values(&[0.0]));
+/// assert!((step.reward + std::f64::consts::PI.powi(2)).abs() < 1e-9);
+/// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Pendulum {
-    actions: u32,
-}
-
-impl Pendulum {
-    /// Episodes of that many actions; the last quarter counts.
-    pub fn new(actions: u32) -> Self {
-        Self { actions }
-    }
-
-    fn hold(self) -> u32 {
-        self.actions.div_ceil(4)
-    }
-}
+pub struct Pendulum;
 
 /// A swing under way.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Swing {
-    /// From upright, rad, in −π..π.
+    /// From upright, rad; not wrapped.
     angle: f64,
+    /// rad/s.
     velocity: f64,
-    actions: u32,
-    /// Sum of |angle| over the actions that count.
-    off: f64,
 }
 
 impl<S: Scalar> Environment<S> for Pendulum {
-    /// Angle and velocity at the start.
+    /// Angle from upright, rad, and angular velocity, rad/s.
     type Task = [f64; 2];
     type Episode = Swing;
 
     fn sources(&self) -> Vec<SourceDocument> {
-        vec![SourceDocument {
-            name: "pendulum".to_owned(),
-            length: 2,
-            unit: "rad, rad/s".to_owned(),
-            ranges: vec![[-PI, PI], [-FASTEST, FASTEST]],
-        }]
+        vec![
+            source("cos_theta", "", [-1.0, 1.0]),
+            source("sin_theta", "", [-1.0, 1.0]),
+            source("omega", "rad/s", [-FASTEST, FASTEST]),
+        ]
     }
 
-    fn actions(&self) -> Vec<ActionDocument> {
-        let name = |torque: f64| format!("torque_{}{torque}", if torque < 0.0 { "" } else { "+" });
-        (0..).zip(TORQUES).map(|(id, torque)| ActionDocument { id, name: name(torque), moves: None }).collect()
+    fn actions(&self) -> ActionSpace {
+        let (name, unit) = ("torque".to_owned(), "N·m".to_owned());
+        ActionSpace::Box(vec![Output { name, unit, min: -TORQUE, max: TORQUE }])
     }
 
     fn outcomes(&self) -> &'static [&'static str] {
-        &["upright", "fallen"]
+        &["time limit"]
     }
 
     fn time_limit(&self) -> u32 {
-        self.actions
+        ACTIONS
     }
 
     fn draw(&self, stream: &mut Stream) -> [f64; 2] {
-        [TAU * (stream.unit() - 0.5), 2.0 * stream.unit() - 1.0]
+        [TAU * stream.unit() - PI, 2.0 * stream.unit() - 1.0]
     }
 
     fn start(&self, &[angle, velocity]: &[f64; 2]) -> Swing {
-        Swing { angle, velocity, actions: 0, off: 0.0 }
+        Swing { angle, velocity }
+    }
+
+    fn task_from(&self, swing: &Swing) -> Option<[f64; 2]> {
+        Some([swing.angle, swing.velocity])
     }
 
     fn observe(&self, swing: &mut Swing, _wanted: SourceSet, state: &mut [S]) {
-        for (slot, value) in state.iter_mut().zip([swing.angle, swing.velocity]) {
-            *slot = S::from_f64(value);
+        // The crate libm, not the platform's: the same swing on every machine.
+        let values = [libm::cos(swing.angle), libm::sin(swing.angle), swing.velocity];
+        state.iter_mut().zip(values).for_each(|(slot, value)| *slot = S::from_f64(value));
+    }
+
+    fn step(&self, swing: &mut Swing, act: Act<'_, S>) -> Step {
+        let torque = act.values()[0].to_f64().clamp(-TORQUE, TORQUE);
+        let Swing { angle, velocity } = *swing;
+        let off = wrapped(angle);
+        let cost = off * off + 0.1 * velocity * velocity + 0.001 * torque * torque;
+        let faster = velocity + (1.5 * GRAVITY * libm::sin(angle) + 3.0 * torque) * STEP;
+        swing.velocity = faster.clamp(-FASTEST, FASTEST);
+        swing.angle = angle + swing.velocity * STEP;
+        Step::reward(-cost)
+    }
+}
+
+/// The angle in −π..π.
+fn wrapped(angle: f64) -> f64 {
+    let turned = angle + PI;
+    turned - TAU * (turned / TAU).floor() - PI
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Pendulum, Swing, wrapped};
+    use core::f64::consts::PI;
+    use tpg_engine::{Act, Environment, SourceSet};
+
+    fn step(swing: &mut Swing, torque: f64) -> f64 {
+        Environment::<f64>::step(&Pendulum, swing, Act::Values(&[torque])).reward
+    }
+
+    #[test]
+    fn angles_are_wrapped_into_half_a_turn_each_way() {
+        for (angle, expected) in
+            [(0.5, 0.5), (PI + 0.25, 0.25 - PI), (-PI - 0.25, PI - 0.25), (7.0 * PI + 0.1, 0.1 - PI)]
+        {
+            assert!((wrapped(angle) - expected).abs() < 1e-12, "{angle}");
         }
     }
 
-    fn step(&self, swing: &mut Swing, action: ActionId) -> Option<Ending> {
-        let torque = TORQUES.get(usize::from(action.0)).copied().unwrap_or(0.0);
-        // The crate libm, not the system's: the same swing on every machine.
-        swing.velocity += STEP * (9.81 * libm::sin(swing.angle) + torque);
-        swing.velocity = swing.velocity.clamp(-FASTEST, FASTEST);
-        swing.angle = libm::remainder(swing.angle + STEP * swing.velocity, TAU).clamp(-PI, PI);
-        swing.actions += 1;
-        if swing.actions > self.actions - self.hold() {
-            swing.off += swing.angle.abs();
-        }
-        (swing.actions == self.actions).then(|| {
-            let error = swing.off / f64::from(self.hold());
-            let success = error < 0.2;
-            Ending { outcome: u8::from(!success), success, score: -error, error, actions: self.actions }
-        })
+    /// Three steps of Pendulum-v1, computed by hand from its published rules.
+    #[test]
+    fn the_rules_are_gymnasiums() {
+        let mut swing = Swing { angle: 0.5, velocity: -1.0 };
+        let reward = step(&mut swing, 1.5);
+        assert!((reward + (0.25 + 0.1 + 0.001 * 2.25)).abs() < 1e-12);
+        let velocity = -1.0 + (15.0 * 0.5f64.sin() + 4.5) * 0.05;
+        assert!((swing.velocity - velocity).abs() < 1e-12 && (swing.angle - (0.5 + 0.05 * velocity)).abs() < 1e-12);
+        // Torques beyond the limit count as the limit, in motion and in cost.
+        let (mut a, mut b) = (swing, swing);
+        assert_eq!((step(&mut a, 9.0), a), (step(&mut b, 2.0), b));
+        // No velocity beyond 8 rad/s.
+        let mut fast = Swing { angle: PI / 2.0, velocity: 7.9 };
+        step(&mut fast, 2.0);
+        assert_eq!(fast.velocity, 8.0);
+    }
+
+    #[test]
+    fn the_state_is_gymnasiums_observation() {
+        let mut state = [0f32; 3];
+        let mut swing = Swing { angle: PI / 2.0, velocity: -3.0 };
+        Environment::<f32>::observe(&Pendulum, &mut swing, SourceSet::ALL, &mut state);
+        assert!(state[0].abs() < 1e-7 && state[1] == 1.0 && state[2] == -3.0);
     }
 }

@@ -1,178 +1,214 @@
-//! What `tpg-train eval` says.
+//! The figures that `tpg-train eval` prints.
 
-use crate::evolution::config::Shield;
 use crate::hybrid::trial::HybridTrial;
 use serde::Serialize;
 use std::collections::BTreeMap;
-use tpg_engine::Ending;
-use tpg_problems::arm::targets::Start;
-use tpg_problems::arm::trial::{Failures, Trial};
+use std::fmt::Write as _;
+use tpg_engine::{Ending, Measure, Summary};
+use tpg_problems::ProblemName;
+use tpg_problems::arm::Shield;
+use tpg_problems::arm::environment::{DISTANCE, OUTCOMES};
+use tpg_problems::arm::trial::Trial;
 use tpg_runtime::hybrid::Cause;
 
-/// What `eval --json` prints. Rates are between 0 and 1.
+/// The result of a policy on test episodes. Rates are between 0 and 1; scores have the problem's unit.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Report {
-    /// `fs` or `rs`.
+    /// The problem's name.
     pub problem: String,
     /// The policy's file.
     pub policy: String,
+    /// The number of episodes.
+    pub episodes: usize,
+    /// The seed of the test episodes; null for a file of episodes.
+    pub seed: Option<u64>,
+    /// The mean score.
+    pub mean_score: f64,
+    /// The standard deviation of the scores, over the episodes (of the sample, n − 1).
+    pub std_score: f64,
+    /// The least score.
+    pub min_score: f64,
+    /// The mean number of actions.
+    pub mean_steps: f64,
+    /// The fraction of successes; null where the problem knows no success.
+    pub success_rate: Option<f64>,
+    /// The 95 % interval of the success rate (Wilson's).
+    pub success_ci95: Option<[f64; 2]>,
+    /// The number of episodes for each way to end.
+    pub outcomes: BTreeMap<String, usize>,
+    /// The time of one action on this machine, ns: policy and environment, all lanes together.
+    pub ns_per_action: f64,
+    /// The arm's own figures.
+    #[serde(flatten)]
+    pub arm: Option<ArmFigures>,
+    /// The name and unit of the problem's measure, and its mean; the arm's are among its own figures.
+    #[serde(skip)]
+    pub measure: Option<(Measure, f64)>,
+}
+
+/// Figures that only the arm has.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ArmFigures {
     /// `none`, `limits` or `limits-and-collision`: the actions that the policy cannot choose.
     pub shield: String,
-    /// Episodes.
-    pub episodes: usize,
-    /// The seed of the test set; absent for a file of episodes.
-    pub seed: Option<u64>,
-    /// Part of the episodes that reached their target.
-    pub success_rate: f64,
-    /// Part of the episodes that an invalid action ended.
+    /// The fraction of episodes that an invalid action ended.
     pub collision_rate: f64,
-    /// Mean distance at the end.
+    /// The mean distance at the end.
     pub mean_distance_mm: f64,
-    /// Median distance at the end.
+    /// The median distance at the end.
     pub median_distance_mm: f64,
-    /// Mean number of actions.
+    /// The mean number of actions.
     pub mean_actions: f64,
-    /// Mean number of actions of the episodes that reached their target.
+    /// The mean number of actions of the episodes that reached their target.
     pub mean_actions_on_success: f64,
-    /// Part of the actions that the TPG chose: 1 but for a hybrid.
+    /// The fraction of actions that the TPG chose: 1 but for a hybrid.
     pub tpg_action_ratio: f64,
-    /// Time of one action on this machine, all lanes together: policy and environment.
-    pub ns_per_action: f64,
-    /// Episodes by how they failed.
+    /// The number of episodes for each way to fail.
     pub failures: BTreeMap<String, usize>,
-    /// Hand-overs an episode to a hybrid's network, by cause; absent for other policies.
+    /// Hand-overs to a hybrid's network in an episode, by cause; absent for other policies.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hand_overs: Option<BTreeMap<String, f64>>,
 }
 
 impl Report {
-    /// Of the endings of some episodes; `seconds` is what they took.
+    /// The report of episodes; `seconds` is the time they took.
     pub fn new(
-        problem: Start,
+        problem: &str,
         policy: &str,
-        shield: Shield,
         seed: Option<u64>,
         endings: &[Ending],
         outcomes: &[&str],
+        measure: Option<Measure>,
         seconds: f64,
     ) -> Self {
-        let share = |count: usize| count as f64 / endings.len().max(1) as f64;
-        let of = |names: &[&str]| endings.iter().filter(|e| names.contains(&outcomes[usize::from(e.outcome)])).count();
-        let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len().max(1) as f64;
-        let mut distances: Vec<f64> = endings.iter().map(|ending| ending.error).collect();
-        distances.sort_by(f64::total_cmp);
-        let actions: Vec<f64> = endings.iter().map(|ending| f64::from(ending.actions)).collect();
-        let on_success: Vec<f64> =
-            (endings.iter().filter(|ending| ending.success)).map(|ending| f64::from(ending.actions)).collect();
-        let failures = outcomes.iter().filter(|&&name| name != "reached").map(|&name| (name.to_owned(), of(&[name])));
-        let middle = distances.len() / 2;
-        let median = if distances.len() % 2 == 1 {
-            distances[middle]
-        } else if middle > 0 {
-            0.5 * (distances[middle - 1] + distances[middle])
-        } else {
-            0.0
-        };
+        let Summary { score: mean, success, actions, measure: mean_measure, .. } = Summary::of(endings);
+        let squares: f64 = endings.iter().map(|ending| (ending.score - mean) * (ending.score - mean)).sum();
+        let of = |place: usize| endings.iter().filter(|ending| usize::from(ending.outcome) == place).count();
+        let judged = endings.iter().filter(|ending| ending.success.is_some()).count();
         Self {
-            problem: match problem {
-                Start::Fs => "fs".to_owned(),
-                Start::Rs => "rs".to_owned(),
-            },
+            problem: problem.to_owned(),
             policy: policy.to_owned(),
-            shield: shield.name().to_owned(),
             episodes: endings.len(),
             seed,
-            success_rate: share(endings.iter().filter(|ending| ending.success).count()),
-            collision_rate: share(of(&["joint_limit", "table", "base"])),
-            mean_distance_mm: mean(&distances),
-            median_distance_mm: median,
-            mean_actions: mean(&actions),
-            mean_actions_on_success: mean(&on_success),
-            tpg_action_ratio: 1.0,
-            ns_per_action: seconds * 1e9 / actions.iter().sum::<f64>().max(1.0),
-            failures: failures.collect(),
-            hand_overs: None,
+            mean_score: mean,
+            std_score: (squares / endings.len().saturating_sub(1).max(1) as f64).sqrt(),
+            min_score: endings.iter().map(|ending| ending.score).fold(f64::INFINITY, f64::min),
+            mean_steps: actions,
+            success_rate: success,
+            success_ci95: success.map(|rate| confidence(rate, judged)),
+            outcomes: outcomes.iter().enumerate().map(|(place, &name)| (name.to_owned(), of(place))).collect(),
+            ns_per_action: seconds * 1e9 / (actions * endings.len() as f64).max(1.0),
+            arm: None,
+            measure: measure.map(|measure| (measure, mean_measure)),
         }
     }
 
-    /// Of a policy that is no graph; `seconds` is what its episodes took.
-    pub fn of_trial(trial: &Trial, policy: &str, seed: Option<u64>, seconds: f64) -> Self {
-        let Failures { cycle, stop, joint_limit, table, base, timeout } = trial.failures;
-        let failures = [
-            ("base", base),
-            ("cycle", cycle),
-            ("joint_limit", joint_limit),
-            ("stop", stop),
-            ("table", table),
-            ("timeout", timeout),
-        ];
-        Self {
-            problem: match trial.problem {
-                Start::Fs => "fs".to_owned(),
-                Start::Rs => "rs".to_owned(),
-            },
-            policy: policy.to_owned(),
-            shield: Shield::None.name().to_owned(),
-            episodes: trial.episodes,
-            seed,
-            success_rate: trial.success_rate,
+    /// The report of a policy on the arm; `tpg_action_ratio` is the share of the actions that a graph chose.
+    pub fn of_trial(
+        trial: &Trial,
+        policy: &str,
+        shield: Shield,
+        tpg_action_ratio: f64,
+        seed: Option<u64>,
+        seconds: f64,
+    ) -> Self {
+        let problem = ProblemName::from(trial.problem).name();
+        let general = Self::new(problem, policy, seed, &trial.endings, &OUTCOMES, Some(DISTANCE), seconds);
+        let failures = general.outcomes.iter().filter(|(name, _)| *name != "reached");
+        let arm = ArmFigures {
+            shield: shield.name().to_owned(),
             collision_rate: trial.collision_rate,
             mean_distance_mm: trial.mean_distance_mm,
             median_distance_mm: trial.median_distance_mm,
             mean_actions: trial.mean_actions,
             mean_actions_on_success: trial.mean_actions_on_success,
-            tpg_action_ratio: 0.0,
-            ns_per_action: seconds * 1e9 / (trial.mean_actions * trial.episodes as f64).max(1.0),
-            failures: failures.map(|(name, count)| (name.to_owned(), count)).into(),
+            tpg_action_ratio,
+            failures: failures.map(|(name, count)| (name.clone(), *count)).collect(),
             hand_overs: None,
-        }
+        };
+        Self { arm: Some(arm), ..general }
     }
 
-    /// Of a graph and a network that share the arm; `seconds` is what their episodes took.
+    /// The report of a graph and a network that share the arm.
     pub fn of_hybrid(done: &HybridTrial, policy: &str, seed: Option<u64>, seconds: f64) -> Self {
         let causes = Cause::ALL.map(|cause| cause.name().to_owned());
-        Self {
-            tpg_action_ratio: done.tpg_action_ratio,
-            hand_overs: Some(causes.into_iter().zip(done.hand_overs).collect()),
-            ..Self::of_trial(&done.trial, policy, seed, seconds)
+        let mut report = Self::of_trial(&done.trial, policy, Shield::None, done.tpg_action_ratio, seed, seconds);
+        if let Some(arm) = &mut report.arm {
+            arm.hand_overs = Some(causes.into_iter().zip(done.hand_overs).collect());
         }
+        report
     }
 
     /// The report as a table for people.
     pub fn to_table(&self) -> String {
-        let failures: Vec<String> = self
-            .failures
-            .iter()
-            .filter(|(_, count)| **count > 0)
-            .map(|(name, count)| format!("{name} {count}"))
-            .collect();
-        format!(
-            "{} on {}, {} episodes\n\
-             shield         {}\n\
-             success        {:.1} %\n\
-             collision      {:.1} %\n\
-             distance       {:.2} mm mean, {:.2} mm median\n\
-             actions        {:.0} mean, {:.0} mean on success\n\
-             failures       {}\n\
-             {}\
-             time           {:.1} ns per action, all lanes together\n",
-            self.policy,
-            self.problem,
-            self.episodes,
-            self.shield,
-            100.0 * self.success_rate,
-            100.0 * self.collision_rate,
-            self.mean_distance_mm,
-            self.median_distance_mm,
-            self.mean_actions,
-            self.mean_actions_on_success,
-            failures.join(", "),
-            self.hand_overs.as_ref().map_or(String::new(), |causes| {
-                let causes: Vec<String> = causes.iter().map(|(name, count)| format!("{name} {count:.2}")).collect();
-                let ratio = 100.0 * self.tpg_action_ratio;
-                format!("by the graph   {ratio:.1} % of the actions; hand-overs an episode: {}\n", causes.join(", "))
-            }),
-            self.ns_per_action
-        )
+        let mut text = format!("{} on {}, {} episodes\n", self.policy, self.problem, self.episodes);
+        let mut row = |name: &str, value: String| {
+            let _ = writeln!(text, "{name:14} {value}");
+        };
+        row("score", format!("{:.2} mean, ± {:.2} sd, {:.2} least", self.mean_score, self.std_score, self.min_score));
+        if let (Some(rate), Some([low, high])) = (self.success_rate, self.success_ci95) {
+            row("success", format!("{:.1} % (95 %: {:.1} to {:.1})", 100.0 * rate, 100.0 * low, 100.0 * high));
+        }
+        match (&self.arm, &self.measure) {
+            (Some(arm), _) => {
+                row("shield", arm.shield.clone());
+                row("collision", format!("{:.1} %", 100.0 * arm.collision_rate));
+                let (mean, median) = (arm.mean_distance_mm, arm.median_distance_mm);
+                row("distance", format!("{mean:.2} mm mean, {median:.2} mm median"));
+                let (all, good) = (arm.mean_actions, arm.mean_actions_on_success);
+                row("actions", format!("{all:.0} mean, {good:.0} mean on success"));
+                if let Some(causes) = &arm.hand_overs {
+                    let causes: Vec<String> = causes.iter().map(|(name, count)| format!("{name} {count:.2}")).collect();
+                    let ratio = 100.0 * arm.tpg_action_ratio;
+                    let causes = causes.join(", ");
+                    row("by the graph", format!("{ratio:.1} % of the actions; hand-overs an episode: {causes}"));
+                }
+            }
+            (None, measure) => {
+                if let Some((measure, mean)) = measure {
+                    row(measure.name, format!("{mean:.3} {} mean", measure.unit));
+                }
+                row("actions", format!("{:.1} mean", self.mean_steps));
+            }
+        }
+        let ends = self.outcomes.iter().filter(|(_, count)| **count > 0);
+        row("ends", ends.map(|(name, count)| format!("{name} {count}")).collect::<Vec<_>>().join(", "));
+        row("time", format!("{:.1} ns per action, all lanes together", self.ns_per_action));
+        text
+    }
+}
+
+/// Wilson's 95 % interval of a rate that was seen in `count` episodes.
+pub fn confidence(rate: f64, count: usize) -> [f64; 2] {
+    const Z: f64 = 1.959_963_984_540_054;
+    let n = count.max(1) as f64;
+    let middle = (rate + Z * Z / (2.0 * n)) / (1.0 + Z * Z / n);
+    let half = Z / (1.0 + Z * Z / n) * (rate * (1.0 - rate) / n + Z * Z / (4.0 * n * n)).sqrt();
+    [(middle - half).max(0.0), (middle + half).min(1.0)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Report, confidence};
+    use tpg_engine::Ending;
+
+    #[test]
+    fn the_interval_is_wilsons() {
+        let [low, high] = confidence(0.9, 100);
+        assert!((low - 0.8256).abs() < 1e-4 && (high - 0.9448).abs() < 1e-4, "{low} {high}");
+        assert_eq!(confidence(1.0, 10)[1], 1.0);
+    }
+
+    #[test]
+    fn undefined_figures_are_null() {
+        let ending = Ending { outcome: 0, success: None, score: 2.0, measure: 0.0, actions: 3 };
+        let endings = [ending, Ending { score: 4.0, ..ending }];
+        let report = Report::new("pole", "graph.json", Some(1), &endings, &["fallen"], None, 0.0);
+        let json = serde_json::to_value(&report).expect("plain data");
+        assert_eq!(json["mean_score"], 3.0);
+        assert_eq!(json["min_score"], 2.0);
+        assert!((json["std_score"].as_f64().expect("a number") - 2f64.sqrt()).abs() < 1e-12);
+        assert!(json["success_rate"].is_null() && json["success_ci95"].is_null());
+        assert!(json.get("mean_distance_mm").is_none());
     }
 }

@@ -12,7 +12,7 @@ use tpg_graph::error::{InputError, Place};
 /// The value of [`Checkpoint::format`].
 const FORMAT: &str = "tpg-train checkpoint";
 /// Changes with every change to what a checkpoint holds or means.
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 
 /// What is written.
 #[derive(Debug, Serialize, Deserialize)]
@@ -76,8 +76,13 @@ pub fn load<Task: DeserializeOwned>(
     let refuse =
         |found: String, accepted: &str| InputError::new(path.display().to_string(), Place::Whole, found, accepted);
     let checkpoint: Checkpoint<Task> = parse(&path.display().to_string(), &text)?;
-    // Read and written again: a key that was added since has its default, and is no difference.
-    let own = toml::from_str::<Config>(&checkpoint.config).map_or(checkpoint.config, |config| config.to_toml());
+    // Read and written again: a key that was added since has its default, and is no difference. A run may go further than
+    // was asked before.
+    let generations = config.learning.nb_generations;
+    let own = toml::from_str::<Config>(&checkpoint.config).map_or(checkpoint.config, |mut own| {
+        own.learning.nb_generations = generations;
+        own.to_toml()
+    });
     let difference = difference(&own, &config.to_toml());
     if !difference.is_empty() {
         let found = format!("a checkpoint of another configuration:\n{}", difference.join("\n"));

@@ -1,61 +1,56 @@
-//! `tpg-train tpg`: trains a tangled program graph.
+//! `tpg-train tpg`: evolves a tangled program graph.
 
-use super::config::{Config, EnvironmentName};
+use super::config::Config;
+use super::generation::Goal;
 use super::presets::{PRESETS, Preset};
 use super::run::{RunEnd, RunError, RunOptions, run};
 use super::state::Best;
 use crate::files::{make_folder, read_text, write_atomically};
 use crate::interrupt;
+use crate::progress::Bar;
+use crate::run_args::{RunArgs, command_line};
 use clap::Args;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
-use std::time::Duration;
-use tpg_engine::{Environment, LocalThreads, Options};
+use tpg_engine::{Choices, Environment, LocalThreads, Options, Summary};
 use tpg_graph::ScalarType;
 use tpg_graph::command::Verdict;
-use tpg_graph::error::{InputError, Place};
-use tpg_problems::Pendulum;
-use tpg_problems::arm::targets::Start;
-use tpg_problems::arm::{ArmEnvironment, ArmScalar};
+use tpg_graph::error::InputError;
+use tpg_problems::arm::ArmScalar;
+use tpg_problems::{Problem, ProblemName, Visitor};
 use tpg_runtime::ops::{Maths, Own};
 
 /// Evolve a tangled program graph.
 #[derive(Clone, Debug, Args)]
 pub struct TpgArgs {
-    /// The problem: fixed or random start. Without --config or --preset this picks best-fs or best-rs.
+    /// The problem; `tpg-train problems` tells more. A configuration file can name it instead
     #[arg(long, value_enum)]
-    pub problem: Option<Start>,
-    /// A configuration (`tpg-train config` prints commented ones)
-    #[arg(long, value_name = "FILE", conflicts_with = "preset")]
-    pub config: Option<PathBuf>,
-    /// A configuration that comes with the trainer: kelly, paper-fs, paper-rs, best-fs, polar-fs, best-rs
-    #[arg(long, value_name = "NAME")]
-    pub preset: Option<String>,
-    /// The folder of the run
-    #[arg(long, value_name = "RUN")]
-    pub out: PathBuf,
-    /// Go on where the folder's checkpoint is
-    #[arg(long)]
-    pub resume: bool,
+    pub problem: Option<ProblemName>,
+    /// The arguments of every run.
+    #[command(flatten)]
+    pub run: RunArgs,
     /// The seed
     #[arg(long, value_name = "S", default_value_t = 1, conflicts_with = "seeds")]
     pub seed: u64,
     /// Several restarts, the last seed excluded; the best on the selection set is kept
     #[arg(long, value_name = "A..B", value_parser = seeds)]
     pub seeds: Option<Seeds>,
-    /// Threads; 0 for all. No result depends on it.
+    /// Threads; 0 for all. No result depends on it
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub threads: usize,
-    /// Episodes side by side. No result depends on it.
+    /// Episodes side by side. No result depends on it
     #[arg(long, value_name = "N", default_value_t = 112, value_parser = clap::value_parser!(u16).range(1..))]
     pub lanes: u16,
-    /// Generations, instead of the configuration's
+    /// Generations, instead of the configuration's; with --resume, a run can go further than before
     #[arg(long, value_name = "G", value_parser = clap::value_parser!(u64).range(1..))]
     pub generations: Option<u64>,
-    /// Seconds between checkpoints
-    #[arg(long, value_name = "S", default_value_t = 30)]
-    pub checkpoint_seconds: u64,
+    /// End the run when a root has this mean score on the selection set
+    #[arg(long, value_name = "SCORE", allow_negative_numbers = true)]
+    pub target: Option<f64>,
+    /// End the run after the generation in which its episodes have had so many actions
+    #[arg(long, value_name = "N")]
+    pub max_steps: Option<u64>,
 }
 
 /// Seeds from the first to before the last.
@@ -78,118 +73,144 @@ fn seeds(text: &str) -> Result<Seeds, String> {
 /// # Errors
 /// A bad configuration, a folder with another run, files that cannot be written.
 pub fn execute(args: &TpgArgs) -> Result<Verdict, RunError> {
-    let config = configuration(args)?;
+    let (config, problem) = configuration(args)?;
     let stop = interrupt::watch();
+    let training = Training { args, config: &config, problem: &problem, stop: &stop };
     match config.language.scalar {
-        ScalarType::F32 => with_scalar::<f32>(args, &config, &stop),
-        ScalarType::F64 => with_scalar::<f64>(args, &config, &stop),
+        ScalarType::F32 => problem.open::<f32, _>(training),
+        ScalarType::F64 => problem.open::<f64, _>(training),
     }
 }
 
-/// The configuration that the arguments ask for.
+/// The configuration and the problem that the arguments ask for.
 ///
 /// # Errors
-/// If it cannot be read or is refused.
-pub fn configuration(args: &TpgArgs) -> Result<Config, InputError> {
-    let mut config = match (&args.config, &args.preset, args.problem) {
-        (Some(path), _, _) => Config::read(path)?,
-        (None, Some(name), _) => preset(name)?.config()?,
-        (None, None, Some(Start::Fs)) => preset("best-fs")?.config()?,
-        (None, None, Some(Start::Rs)) => preset("best-rs")?.config()?,
+/// If the configuration cannot be read or is refused, or nothing names a problem.
+pub fn configuration(args: &TpgArgs) -> Result<(Config, Problem), InputError> {
+    let (file, text) = match (&args.run.config, &args.run.preset, args.problem) {
+        (Some(path), _, _) => {
+            (path.display().to_string(), read_text(path, "a configuration as `tpg-train config` prints")?)
+        }
+        (None, Some(name), _) => preset(name)?.file(),
+        (None, None, Some(problem)) => Preset::usual(problem).file(),
         (None, None, None) => {
-            let accepted = "--problem fs or rs, --preset NAME or --config FILE";
-            return Err(InputError::new("<command line>", Place::Whole, "no problem", accepted));
+            let accepted = format!("--problem {}, --preset NAME or --config FILE", ProblemName::names());
+            return Err(command_line("no problem", accepted));
         }
     };
-    if let Some(problem) = args.problem.filter(|&problem| problem != config.problem.start) {
-        let found = format!("--problem {problem:?} with a configuration for {:?}", config.problem.start).to_lowercase();
-        let accepted = "the same problem twice, or no --problem";
-        return Err(InputError::new("<command line>", Place::Whole, found, accepted));
-    }
+    let mut config = Config::from_toml(&file, &text)?;
+    let problem = problem_of(args, &config, &file, &text)?;
+    config.problem = problem.to_table();
     if let Some(generations) = args.generations {
         config.learning.nb_generations = generations;
     }
-    Ok(config)
+    Ok((config, problem))
+}
+
+/// The problem of a configuration, or of the command line. A preset made for another problem gives its parameters only.
+fn problem_of(args: &TpgArgs, config: &Config, file: &str, text: &str) -> Result<Problem, InputError> {
+    let own = (!config.problem.is_empty()).then(|| Problem::from_toml(file, text)).transpose()?;
+    match (own, args.problem) {
+        (Some(problem), None) => Ok(problem),
+        (Some(problem), Some(name)) if problem.name() == name => Ok(problem),
+        (Some(problem), Some(name)) if args.run.config.is_some() => {
+            let found = format!("--problem {} with a configuration for {}", name.name(), problem.name().name());
+            Err(command_line(found, "the same problem twice, or no --problem"))
+        }
+        (_, Some(name)) => Ok(Problem::usual(name)),
+        (None, None) => {
+            let accepted = format!("--problem {}, or a section [problem] with a name", ProblemName::names());
+            Err(command_line(format!("no problem, neither in the arguments nor in {file}"), accepted))
+        }
+    }
 }
 
 fn preset(name: &str) -> Result<&'static Preset, InputError> {
     Preset::find(name).ok_or_else(|| {
         let accepted = PRESETS.map(|preset| preset.name).join(", ");
-        InputError::new("<command line>", Place::Whole, format!("the preset {name:?}"), accepted)
+        command_line(format!("the preset {name:?}"), accepted)
     })
 }
 
-/// The arm as a configuration describes it.
-pub fn arm_environment<S: ArmScalar>(config: &Config) -> ArmEnvironment<S> {
-    ArmEnvironment::new(&config.arm(), config.arm_problem())
+/// Training on an environment whose type the registry knows.
+struct Training<'a> {
+    args: &'a TpgArgs,
+    config: &'a Config,
+    problem: &'a Problem,
+    stop: &'a AtomicBool,
 }
 
-fn with_scalar<S: ArmScalar>(args: &TpgArgs, config: &Config, stop: &AtomicBool) -> Result<Verdict, RunError>
+impl<S: ArmScalar> Visitor<S> for Training<'_>
 where
     Own: Maths<S>,
 {
-    match config.problem.environment {
-        EnvironmentName::Arm => restarts::<S, _>(args, config, &arm_environment::<S>(config), stop),
-        EnvironmentName::Pendulum => {
-            restarts::<S, _>(args, config, &Pendulum::new(config.learning.max_nb_actions_per_eval), stop)
-        }
-        EnvironmentName::Own => {
-            let accepted = "arm or pendulum; \"own\" is for programs that use this library";
-            let place = Place::Path("problem.environment".to_owned());
-            Err(InputError::new("<configuration>", place, "own", accepted).into())
-        }
+    type Output = Result<Verdict, RunError>;
+
+    fn visit<E: Environment<S>>(self, environment: E) -> Self::Output {
+        let choices = Choices::new(environment, self.problem.levels())
+            .map_err(|error| command_line(error.to_string(), "fewer problem.levels"))?;
+        self.restarts(&choices)
     }
 }
 
-fn restarts<S: ArmScalar, E: Environment<S>>(
-    args: &TpgArgs,
-    config: &Config,
-    environment: &E,
-    stop: &AtomicBool,
-) -> Result<Verdict, RunError>
-where
-    Own: Maths<S>,
-{
-    let options = Options { lanes: args.lanes.into(), ..Options::default() };
-    let evaluator = LocalThreads::<S, Own, E>::new(environment, options, args.threads)?;
-    let one = |seed: u64, folder: PathBuf| {
-        let checkpoint_every = Duration::from_secs(args.checkpoint_seconds);
-        let options = RunOptions { folder, resume: args.resume, checkpoint_every };
-        run::<S, Own, E, _>(config, seed, environment, &evaluator, &options, stop)
-    };
-    let Some(seeds) = args.seeds else {
-        return match one(args.seed, args.out.clone())? {
-            RunEnd::Finished(best) => {
-                eprintln!("{}", told(args.seed, &best));
-                Ok(Verdict::Good)
-            }
-            RunEnd::Interrupted => Ok(Verdict::Interrupted),
+impl Training<'_> {
+    fn restarts<S: ArmScalar, E: Environment<S>>(&self, environment: &E) -> Result<Verdict, RunError>
+    where
+        Own: Maths<S>,
+    {
+        let Self { args, config, problem, stop } = *self;
+        let options = Options { lanes: args.lanes.into(), ..Options::default() };
+        let evaluator = LocalThreads::<S, Own, E>::new(environment, options, args.threads)?;
+        let goal = Goal { target: args.target, max_steps: args.max_steps };
+        let one = |seed: u64, folder: PathBuf| {
+            let resume = args.run.resume;
+            let options = RunOptions { folder, resume, checkpoint_every: args.run.checkpoint_every(), goal };
+            let mut bar = Bar::new();
+            run(config, seed, environment, &evaluator, &options, |progress| bar.show(progress, stop))
         };
-    };
-    make_folder(&args.out)?;
-    let mut finished = Vec::new();
-    for seed in seeds.first..seeds.end {
-        let folder = args.out.join(format!("seed-{seed}"));
-        match one(seed, folder)? {
-            RunEnd::Finished(best) => {
-                eprintln!("{}", told(seed, &best));
-                finished.push((seed, best));
+        let Some(seeds) = args.seeds else {
+            return match one(args.seed, args.run.folder(problem.name(), args.seed))? {
+                RunEnd::Finished(best) => {
+                    eprintln!("{}", sentence(args.seed, &best, environment));
+                    Ok(Verdict::Good)
+                }
+                RunEnd::Interrupted => Ok(Verdict::Interrupted),
+            };
+        };
+        let out = args.run.folder(problem.name(), seeds.first);
+        make_folder(&out)?;
+        let mut finished = Vec::new();
+        for seed in seeds.first..seeds.end {
+            let folder = out.join(format!("seed-{seed}"));
+            match one(seed, folder)? {
+                RunEnd::Finished(best) => {
+                    eprintln!("{}", sentence(seed, &best, environment));
+                    finished.push((seed, best));
+                }
+                RunEnd::Interrupted => return Ok(Verdict::Interrupted),
             }
-            RunEnd::Interrupted => return Ok(Verdict::Interrupted),
+            keep_best(&out, &finished, environment)?;
         }
-        keep_best(&args.out, &finished)?;
+        Ok(Verdict::Good)
     }
-    Ok(Verdict::Good)
 }
 
 /// Writes `restarts.csv`, and the best seed's graph as `graph.json`.
-fn keep_best(folder: &Path, finished: &[(u64, Box<Best>)]) -> Result<(), InputError> {
-    let mut csv = String::from("seed,generation,validation_success,validation_error\n");
+fn keep_best<S: ArmScalar>(
+    folder: &Path,
+    finished: &[(u64, Box<Best>)],
+    environment: &impl Environment<S>,
+) -> Result<(), InputError> {
+    let mut csv = String::from("seed,generation,validation_score,validation_success,validation_measure\n");
     for (seed, best) in finished {
-        let _ = writeln!(csv, "{seed},{},{},{}", best.generation, best.success, best.error);
+        let Summary { score, success, measure, .. } = best.result;
+        let success = success.map(|success| success.to_string()).unwrap_or_default();
+        let _ = writeln!(csv, "{seed},{},{score},{success},{measure}", best.generation);
     }
     write_atomically(&folder.join("restarts.csv"), csv.as_bytes())?;
-    let best = finished.iter().reduce(|a, b| if b.1.worth > a.1.worth { b } else { a });
+    let preference = environment.preference();
+    let better = |a: &Best, b: &Best| b.result.compare(&a.result, preference).is_gt();
+    let best = finished.iter().reduce(|a, b| if better(&a.1, &b.1) { b } else { a });
     if let Some((seed, _)) = best {
         let graph = read_text(&folder.join(format!("seed-{seed}/graph.json")), "the graph of a finished run")?;
         write_atomically(&folder.join("graph.json"), graph.as_bytes())?;
@@ -197,11 +218,13 @@ fn keep_best(folder: &Path, finished: &[(u64, Box<Best>)]) -> Result<(), InputEr
     Ok(())
 }
 
-fn told(seed: u64, best: &Best) -> String {
+fn sentence<S: ArmScalar>(seed: u64, best: &Best, environment: &impl Environment<S>) -> String {
+    let Summary { score, success, measure, episodes, .. } = best.result;
+    let success = success.map(|success| format!(", {:.1} % solved", 100.0 * success)).unwrap_or_default();
+    let measure = environment.measure().map(|of| format!(", mean {} {measure:.1} {}", of.name, of.unit));
     format!(
-        "seed {seed}: {:.1} % of the selection episodes, mean error {:.1}, found in generation {}",
-        100.0 * best.success,
-        best.error,
+        "seed {seed}: mean score {score:.2} on {episodes} selection episodes{success}{}, found in generation {}",
+        measure.unwrap_or_default(),
         best.generation
     )
 }

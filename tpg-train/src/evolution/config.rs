@@ -1,28 +1,31 @@
 //! The configuration of a run: every parameter, strictly read.
 //!
-//! The sections `tpg`, `program` and `learning` have GEGELATI's parameters with GEGELATI's names and meaning; the others
-//! are this project's. `tpg-train config` prints the presets with a comment for every parameter.
+//! The sections `tpg`, `program` and `learning` have GEGELATI's parameters with GEGELATI's meaning, and its names in snake
+//! case; the others are this project's. The section `problem` belongs to the problem, which reads and checks it.
+//! `tpg-train config` prints the presets with a comment for every parameter.
 
 mod check;
 
 use super::vocabulary::Vocabulary;
-use crate::files::read_text;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
-use tpg_graph::error::{InputError, Place};
-use tpg_graph::{ScalarType, SourceDocument};
-use tpg_problems::arm::targets::Start;
-use tpg_problems::arm::{ArmDescription, ArmProblem};
-use tpg_runtime::arm::{Arm, WIDOWX};
-use tpg_runtime::observation::Source;
+use tpg_engine::Environment;
+use tpg_graph::ScalarType;
+use tpg_graph::error::InputError;
+use tpg_graph::settings;
 use tpg_runtime::ops::Instruction;
+use tpg_runtime::scalar::Scalar;
+
+/// The values that a configuration file may hold, for messages.
+const ACCEPTED: &str = "the parameters that `tpg-train config` prints";
 
 /// Everything that decides a run, but for its seed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Config {
-    /// The problem.
-    pub problem: ProblemConfig,
+    /// The problem's own settings, as the problem wrote them; empty where a program brings its own environment.
+    #[serde(default, skip_serializing_if = "toml::Table::is_empty")]
+    pub problem: toml::Table,
     /// What programs are written with.
     pub language: LanguageConfig,
     /// GEGELATI's parameters of teams.
@@ -41,98 +44,11 @@ pub struct Config {
     pub pool: PoolConfig,
     /// Rougher episodes to begin with.
     pub curriculum: CurriculumConfig,
-    /// The arm; the WidowX where it is left out.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub arm: Option<ArmDescription>,
-}
-
-/// The problem.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "camelCase")]
-pub struct ProblemConfig {
-    /// `arm`, `pendulum` or `own`. Of the parameters of this section the last two use none but `sources`.
-    pub environment: EnvironmentName,
-    /// Where the arm starts.
-    pub start: Start,
-    /// What programs read, in order.
-    pub sources: Vec<String>,
-    /// Which actions no policy can choose; needs actions of 3 ticks.
-    pub shield: Shield,
-    /// Success is nearer than this, mm.
-    pub tolerance: f64,
-    /// Ticks of one action.
-    pub step: i8,
-    /// Whether there is an action that does nothing and ends the episode.
-    pub may_stop: bool,
-    /// Score of a success.
-    pub bonus_success: f64,
-    /// Score of each action that a success did not need.
-    pub coef_reward_multiplication: f64,
-    /// The most that a failure costs, mm: what handing over to another policy counts like.
-    #[serde(default = "unlimited")]
-    pub hand_over_price: f64,
-}
-
-/// A failure costs its whole distance.
-fn unlimited() -> f64 {
-    f64::INFINITY
-}
-
-/// Which actions no policy can choose. A part of the graph: without it, it is another policy.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
-#[serde(rename_all = "kebab-case")]
-pub enum Shield {
-    /// None is refused.
-    #[default]
-    None,
-    /// Those that would bring a joint out of its range.
-    Limits,
-    /// Those, and those after which the arm would collide.
-    LimitsAndCollision,
-}
-
-impl Shield {
-    /// The source that holds the bounds of the bids.
-    pub fn source(self) -> Option<Source> {
-        match self {
-            Self::None => None,
-            Self::Limits => Some(Source::ShieldLimits),
-            Self::LimitsAndCollision => Some(Source::ShieldCollision),
-        }
-    }
-
-    /// The shield that a graph with those sources has.
-    pub fn of<'a>(mut names: impl Iterator<Item = &'a str>) -> Self {
-        let shields = [Self::Limits, Self::LimitsAndCollision];
-        let named = |name: &str| shields.into_iter().find(|shield| shield.source().is_some_and(|s| s.name() == name));
-        names.find_map(named).unwrap_or_default()
-    }
-
-    /// Its name in configurations and reports.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::None => "none",
-            Self::Limits => "limits",
-            Self::LimitsAndCollision => "limits-and-collision",
-        }
-    }
-}
-
-/// The environments that come with the trainer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum EnvironmentName {
-    /// The WidowX arm.
-    Arm,
-    /// The pendulum that is to be swung up.
-    Pendulum,
-    /// A user's own, in a program that uses this library.
-    Own,
 }
 
 /// What programs are written with.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "camelCase")]
+#[serde(deny_unknown_fields)]
 pub struct LanguageConfig {
     /// `f32` or `f64`.
     pub scalar: ScalarType,
@@ -144,7 +60,7 @@ pub struct LanguageConfig {
 
 /// GEGELATI's `MutationParameters::tpg` (`mutator/mutationParameters.h`).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "camelCase")]
+#[serde(deny_unknown_fields)]
 pub struct TpgParameters {
     /// Roots after populating.
     pub nb_roots: usize,
@@ -170,7 +86,7 @@ pub struct TpgParameters {
 
 /// GEGELATI's `MutationParameters::prog` (`mutator/mutationParameters.h`).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "camelCase")]
+#[serde(deny_unknown_fields)]
 pub struct ProgramParameters {
     /// Most lines.
     pub max_program_size: usize,
@@ -195,7 +111,7 @@ pub struct ProgramParameters {
 /// GEGELATI's `LearningParameters` (`learn/learningParameters.h`), but for `nbIterationsPerJob` (adversarial agents only),
 /// `nbThreads` (`--threads`: no result depends on it) and `doValidation` (see `validationInterval`).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "camelCase")]
+#[serde(deny_unknown_fields)]
 pub struct LearningParameters {
     /// Recordings of the archive; 0 for none.
     pub archive_size: usize,
@@ -203,8 +119,6 @@ pub struct LearningParameters {
     pub archiving_probability: f64,
     /// Episodes of a root in a generation.
     pub nb_iterations_per_policy_evaluation: usize,
-    /// After this many actions an episode is over.
-    pub max_nb_actions_per_eval: u32,
     /// Part of `nbRoots` that is deleted in a generation.
     pub ratio_deleted_roots: f64,
     /// Whether a first population larger than `nbRoots` is cut to the survivors of `nbRoots` at once. In GEGELATI it only
@@ -232,7 +146,7 @@ pub enum SelectionMethod {
 
 /// Who survives.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "camelCase")]
+#[serde(deny_unknown_fields)]
 pub struct SelectionConfig {
     /// How survivors are chosen.
     pub method: SelectionMethod,
@@ -242,23 +156,25 @@ pub struct SelectionConfig {
     pub lexicase_survivors: usize,
     /// Lexicase chooses among the best so many by running mean.
     pub lexicase_candidates: usize,
-    /// Scores within this are equal for lexicase.
+    /// Scores are equal for lexicase within this many median absolute deviations of an episode's scores.
     pub lexicase_tolerance: f64,
-    /// Episodes of racing: after so many, roots far behind are dropped; 0 for no racing.
+    /// The number of episodes after which only the best roots go on; 0 for no racing.
     pub racing_episodes: usize,
-    /// How far behind the worst survivor's mean a root must be to be dropped.
-    pub racing_margin: f64,
-    /// Generations between validations; the best root on the selection set so far is kept.
-    pub validation_interval: u64,
-    /// Episodes of the selection set.
+    /// The fraction of the roots that go on, 0 to 1; never fewer than survive.
+    pub racing_share: f64,
+    /// The number of roots that a validation compares: the best by running mean.
+    pub validation_roots: usize,
+    /// The number of episodes of the selection set, which the best of them does to the end.
     pub validation_episodes: usize,
+    /// The fraction of a run's episodes that validations may take, 0 to 1.
+    pub validation_share: f64,
 }
 
 /// Literal constants of operands, where the language has them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "camelCase")]
+#[serde(deny_unknown_fields)]
 pub struct Literals {
-    /// Standard deviations; one is drawn for each number.
+    /// Standard deviations in units of an input's half range; one is drawn for each number, and an input for its unit.
     pub deviations: Vec<f64>,
     /// Probability that altering a literal operand alters its number.
     pub change: f64,
@@ -268,7 +184,7 @@ pub struct Literals {
 
 /// Demes: populations that seldom exchange roots.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "camelCase")]
+#[serde(deny_unknown_fields)]
 pub struct DemeConfig {
     /// How many; each has `nbRoots` roots.
     pub count: usize,
@@ -280,7 +196,7 @@ pub struct DemeConfig {
 
 /// The pool of hard episodes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "camelCase")]
+#[serde(deny_unknown_fields)]
 pub struct PoolConfig {
     /// Most episodes it holds.
     pub size: usize,
@@ -290,7 +206,7 @@ pub struct PoolConfig {
 
 /// Rougher episodes to begin with.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "camelCase")]
+#[serde(deny_unknown_fields)]
 pub struct CurriculumConfig {
     /// Generations with rougher episodes; 0 for none.
     pub generations: u64,
@@ -313,20 +229,17 @@ impl Config {
     /// # Errors
     /// As [`from_toml`](Self::from_toml), or if there is no such file.
     pub fn read(path: &Path) -> Result<Self, InputError> {
-        let text = read_text(path, "a configuration as `tpg-train config` prints")?;
+        let text = crate::files::read_text(path, "a configuration as `tpg-train config` prints")?;
         Self::from_toml(&path.display().to_string(), &text)
     }
 
-    /// Reads a configuration.
+    /// Reads a configuration. Its section `problem` is taken as it is.
     ///
     /// # Errors
-    /// An unknown key, a value out of range or a contradiction, with its line and what is accepted.
+    /// An unknown key, a value out of range or a contradiction, with its line and the accepted values.
     pub fn from_toml(file: &str, text: &str) -> Result<Self, InputError> {
         let config = Self::of_run(file, text)?;
-        config.check(&|key, found, accepted| {
-            let place = line_of_key(text, key).map_or(Place::Path(key.to_owned()), Place::Line);
-            InputError::new(file, place, format!("{key} = {found}"), accepted)
-        })?;
+        config.check().map_err(|finding| settings::place(file, text, finding))?;
         Ok(config)
     }
 
@@ -336,13 +249,10 @@ impl Config {
     /// # Errors
     /// An unknown key or a value of another type, with its line.
     pub fn of_run(file: &str, text: &str) -> Result<Self, InputError> {
-        toml::from_str(text).map_err(|error| {
-            let place = error.span().map_or(Place::Whole, |span| Place::Line(line_of(text, span.start)));
-            InputError::new(file, place, error.message().trim(), "what `tpg-train config` prints")
-        })
+        settings::from_toml(file, text, ACCEPTED)
     }
 
-    /// The configuration as TOML, without comments: what a run directory and a checkpoint keep.
+    /// The configuration as TOML, without comments: what a run's folder and a checkpoint keep.
     ///
     /// # Panics
     /// Never: every part can be written.
@@ -350,46 +260,23 @@ impl Config {
         toml::to_string(self).expect("a configuration is plain data")
     }
 
-    /// The arm.
-    pub fn arm(&self) -> Arm<f64> {
-        self.arm.as_ref().map_or(WIDOWX, Arm::from)
-    }
-
-    /// What is asked of the arm, and how it is scored.
-    pub fn arm_problem(&self) -> ArmProblem {
-        ArmProblem {
-            start: self.problem.start,
-            tolerance: self.problem.tolerance,
-            max_actions: self.learning.max_nb_actions_per_eval,
-            step: self.problem.step,
-            may_stop: self.problem.may_stop,
-            sources: self.sources().into_iter().chain(self.problem.shield.source()).collect(),
-            bonus: self.problem.bonus_success,
-            hand_over_price: self.problem.hand_over_price,
-            per_unused_action: self.problem.coef_reward_multiplication,
-        }
-    }
-
-    /// What programs are written with, where the environment has those sources: with a shield, it is the last.
-    pub fn vocabulary(&self, sources: &[SourceDocument]) -> Vocabulary {
-        let readable = sources.len() - usize::from(self.problem.shield != Shield::None);
+    /// The vocabulary of programs for an environment. `scales` are the units of literals, one for each value of the flat
+    /// state.
+    pub fn vocabulary<S: Scalar>(&self, environment: &impl Environment<S>, scales: Vec<f64>) -> Vocabulary {
+        let sources = environment.sources();
+        let bounds = environment.bid_bounds();
         let vocabulary = Vocabulary::new(
             self.instructions(),
             self.learning.nb_registers,
             self.learning.nb_program_constant,
-            &sources[..readable],
-            self.language.literals,
+            &sources[..bounds.unwrap_or(sources.len())],
+            self.language.literals.then_some(scales),
             self.language.scalar,
         );
-        if readable == sources.len() {
-            return vocabulary;
+        match bounds {
+            Some(place) => vocabulary.with_bounds(&sources[place]),
+            None => vocabulary,
         }
-        vocabulary.with_shield(sources[..readable].iter().map(|source| source.length as u16).sum())
-    }
-
-    /// The sources that programs read, by name.
-    pub fn sources(&self) -> Vec<Source> {
-        self.problem.sources.iter().filter_map(|name| Source::from_name(name)).collect()
     }
 
     /// The instruction set, by name.
@@ -408,24 +295,4 @@ impl Config {
     pub fn survivors(&self) -> usize {
         self.survivors_of(self.tpg.nb_roots)
     }
-}
-
-/// The line, from 1, of a byte of the text.
-fn line_of(text: &str, byte: usize) -> usize {
-    1 + text.bytes().take(byte).filter(|&b| b == b'\n').count()
-}
-
-/// The line, from 1, where `section.key` is set.
-fn line_of_key(text: &str, key: &str) -> Option<usize> {
-    let (section, key) = key.rsplit_once('.')?;
-    let header = format!("[{section}]");
-    let mut inside = false;
-    for (line, number) in text.lines().map(str::trim).zip(1..) {
-        if line.starts_with('[') {
-            inside = line.starts_with(&header);
-        } else if inside && line.split('=').next().map(str::trim) == Some(key) && line.contains('=') {
-            return Some(number);
-        }
-    }
-    None
 }

@@ -2,11 +2,11 @@
 
 use super::vocabulary::Vocabulary;
 use std::collections::BTreeMap;
-use tpg_engine::{Destination, Operand, Policy, effective};
-use tpg_graph::error::InputError;
+use tpg_engine::{ActionSpace, Destination, Operand, Policy, effective};
+use tpg_graph::error::{InputError, Place};
 use tpg_graph::{
-    ActionDocument, Document, EdgeDocument, FORMAT, Graph, LineDocument, MathsProvider, OperandDocument,
-    ProgramDocument, Provenance, ScalarType, SourceDocument, TeamDocument, VERSION,
+    Document, EdgeDocument, FORMAT, Graph, LineDocument, MathsProvider, OperandDocument, ProgramDocument, Provenance,
+    ScalarType, SourceDocument, TeamDocument, VERSION,
 };
 use tpg_runtime::ops::Instruction;
 
@@ -14,14 +14,18 @@ use tpg_runtime::ops::Instruction;
 /// (a graph's program has one).
 ///
 /// # Errors
-/// If the graph is not valid: a defect of the trainer.
+/// If the actions are not named, or the graph is not valid: a defect of the trainer.
 pub fn graph(
     policy: &Policy,
     vocabulary: &Vocabulary,
     sources: Vec<SourceDocument>,
-    actions: Vec<ActionDocument>,
+    actions: ActionSpace,
     provenance: Provenance,
 ) -> Result<Graph, InputError> {
+    let ActionSpace::Discrete(actions) = actions else {
+        let found = "actions that are not a list of names";
+        return Err(InputError::new("<evolved graph>", Place::Whole, found, "a discrete action space"));
+    };
     let names: Vec<String> = (sources.iter())
         .flat_map(|source| (0..source.length).map(move |index| format!("{}[{index}]", source.name)))
         .collect();

@@ -6,32 +6,40 @@ use super::genome::{Destination, ProgramId, TeamId};
 use super::mutate_program::ProgramMutator;
 use super::mutate_team::{Moment, populate, random_population};
 use super::select::{Candidate, ranked, survivors};
-use super::state::{Best, Record, Row, State};
+use super::state::{Record, Row, State};
 use super::vocabulary::Vocabulary;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::marker::PhantomData;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{
-    Ending, Environment, EvaluationError, Evaluator, Lanes, Options, Plan, Policy, SourceSet, UnitKey, Work, WorkUnit,
-    bounded,
+    Ending, Environment, EvaluationError, Evaluator, Summary, UnitKey, Visit, Work, WorkUnit, bounded, finite,
 };
-use tpg_runtime::ops::Maths;
 use tpg_runtime::scalar::Scalar;
 
 /// Evolution of one problem, wherever its roots are evaluated.
 #[derive(Debug)]
-pub struct Evolution<'e, S: Scalar, M, E: Environment<S>, V> {
-    config: &'e Config,
-    vocabulary: Vocabulary,
-    environment: &'e E,
-    evaluator: &'e V,
-    selection_tasks: Vec<E::Task>,
+pub struct Evolution<'e, S: Scalar, E: Environment<S>, V> {
+    pub(super) config: &'e Config,
+    pub(super) vocabulary: Vocabulary,
+    pub(super) environment: &'e E,
+    pub(super) evaluator: &'e V,
+    pub(super) selection_tasks: Vec<E::Task>,
+    pub(super) goal: Goal,
     actions: u16,
-    number: PhantomData<(S, M)>,
+    number: PhantomData<S>,
+}
+
+/// The conditions under which a run ends before its last generation.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Goal {
+    /// A mean score on the selection set that is good enough.
+    pub target: Option<f64>,
+    /// The number of environment steps after which the run ends.
+    pub max_steps: Option<u64>,
 }
 
 /// The number of a root in its run: deme and team.
-fn root_number(deme: usize, team: TeamId) -> u64 {
+pub(super) fn root_number(deme: usize, team: TeamId) -> u64 {
     (deme as u64) << 40 | team.0
 }
 
@@ -43,16 +51,19 @@ struct Evaluated {
     dropped: bool,
 }
 
-impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, M, E, V> {
-    /// Evolution by that configuration.
-    pub fn new(config: &'e Config, environment: &'e E, evaluator: &'e V) -> Self {
-        let vocabulary = config.vocabulary(&environment.sources());
+impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E, V> {
+    /// Evolution by that configuration; literals have the units of [`State::scales`].
+    ///
+    /// # Panics
+    /// If the environment's actions are not named: [`Config::check_actions`] says so before.
+    pub fn new(config: &'e Config, environment: &'e E, evaluator: &'e V, scales: Vec<f64>, goal: Goal) -> Self {
+        let vocabulary = config.vocabulary(environment, scales);
         let selection_tasks = environment.validation_tasks(config.selection.validation_episodes);
-        let actions = environment.actions().len() as u16;
-        Self { config, vocabulary, environment, evaluator, selection_tasks, actions, number: PhantomData }
+        let actions = environment.actions().count().expect("named actions") as u16;
+        Self { config, vocabulary, environment, evaluator, selection_tasks, goal, actions, number: PhantomData }
     }
 
-    /// What programs are written with.
+    /// The vocabulary of programs.
     pub fn vocabulary(&self) -> &Vocabulary {
         &self.vocabulary
     }
@@ -60,7 +71,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>, V: Evaluator<E::Task>> Evolu
     /// Does one generation.
     ///
     /// # Errors
-    /// If roots cannot be evaluated; the state is then that of before but for its populations' children.
+    /// If roots cannot be evaluated; the state is then unchanged except for newly bred children.
     pub fn advance(&self, state: &mut State<E::Task>) -> Result<(), EvaluationError> {
         let curriculum = &self.config.curriculum;
         let roughness = curriculum.at(state.generation);
@@ -79,21 +90,36 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>, V: Evaluator<E::Task>> Evolu
             }
         }
         let mut row = self.row(state, &evaluated, &scores);
+        let episodes: usize = evaluated.iter().map(|root| root.endings.len()).sum();
+        state.training_episodes += episodes as u64;
+        state.steps +=
+            evaluated.iter().flat_map(|root| &root.endings).map(|ending| u64::from(ending.actions)).sum::<u64>();
         self.remember_hard_tasks(state, &tasks, &evaluated, &scores);
-        self.record(state, &tasks, &evaluated);
+        self.record(state, &tasks, &evaluated)?;
         self.select(state, &evaluated, &scores);
         self.migrate(state);
         row.teams = state.demes.iter().map(|deme| deme.genome.teams().len()).sum();
         row.programs = state.demes.iter().map(|deme| deme.genome.program_count()).sum();
-        let last = state.generation + 1 == self.config.learning.nb_generations;
-        if last || roughness == 1 && (state.generation + 1) % self.config.selection.validation_interval == 0 {
-            let (success, error) = self.validate(state)?;
-            row.validation_success = Some(success);
-            row.validation_error = Some(error);
+        if roughness == 1 || self.is_last(state) {
+            row.validation = self.validate(state)?;
         }
         state.rows.push(row);
         state.generation += 1;
         Ok(())
+    }
+
+    /// Whether the generation under way is the run's last one.
+    pub(super) fn is_last(&self, state: &State<E::Task>) -> bool {
+        let steps_done = self.goal.max_steps.is_some_and(|most| state.steps >= most);
+        steps_done || state.generation + 1 >= self.config.learning.nb_generations
+    }
+
+    /// Whether the run is over after its last generation so far.
+    pub fn finished(&self, state: &State<E::Task>) -> bool {
+        let reached =
+            state.best.as_ref().zip(self.goal.target).is_some_and(|(best, target)| best.result.score >= target);
+        let steps_done = self.goal.max_steps.is_some_and(|most| state.steps >= most);
+        reached || steps_done || state.generation >= self.config.learning.nb_generations
     }
 
     fn breed(&self, state: &mut State<E::Task>) {
@@ -141,14 +167,15 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>, V: Evaluator<E::Task>> Evolu
         };
         let mut open: Vec<usize> = (0..roots.len()).filter(|&place| open(&roots[place])).collect();
         let mut done = 0;
-        if self.config.selection.racing_episodes > 0 {
+        if self.config.selection.racing_episodes > 0 && !open.is_empty() {
             done = self.config.selection.racing_episodes;
             self.evaluate_some(state, &tasks[..done], &mut roots, &open)?;
             let mean = |root: &Evaluated| scores(&root.endings).iter().sum::<f64>() / done as f64;
             let mut means: Vec<f64> = open.iter().map(|&place| mean(&roots[place])).collect();
             means.sort_by(|a, b| b.total_cmp(a));
-            let wanted = (self.config.survivors() * state.demes.len()).min(means.len());
-            let least = means[wanted - 1] - self.config.selection.racing_margin;
+            let survivors = self.config.survivors() * state.demes.len();
+            let share = (self.config.selection.racing_share * means.len() as f64).ceil() as usize;
+            let least = means[share.max(survivors).clamp(1, means.len().max(1)) - 1];
             for &place in &open {
                 roots[place].dropped = mean(&roots[place]) < least;
             }
@@ -182,22 +209,22 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>, V: Evaluator<E::Task>> Evolu
         let candidates = candidates(state, evaluated, scores, None);
         let order = ranked(&candidates);
         let best = &evaluated[order[0]];
-        let (success, error) = summary(&best.endings);
+        let Summary { success, measure, .. } = Summary::of(&best.endings);
         Row {
             generation: state.generation,
             best_score: candidates[order[0]].mean,
             median_score: candidates[order[order.len() / 2]].mean,
             best_success: success,
-            best_error: error,
+            best_measure: measure,
             roots: evaluated.len(),
             teams: 0,
             programs: 0,
-            validation_success: None,
-            validation_error: None,
+            validation: None,
         }
     }
 
-    /// The episodes of this generation that its best root failed join the pool.
+    /// Adds the episodes of this generation that its best root failed to the pool; where the problem knows no success, those
+    /// with a score below its mean.
     fn remember_hard_tasks(
         &self,
         state: &mut State<E::Task>,
@@ -209,9 +236,11 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>, V: Evaluator<E::Task>> Evolu
             return;
         }
         let best = ranked(&candidates(state, evaluated, scores, None))[0];
+        let mean = Summary::of(&evaluated[best].endings).score;
         for (task, ending) in tasks.iter().zip(&evaluated[best].endings) {
+            let hard = ending.success.map_or(ending.score < mean, |success| !success);
             // A pool that could hold an episode twice would fill with the few that nobody can do.
-            if !ending.success && !state.pool.contains(task) {
+            if hard && !state.pool.contains(task) {
                 state.pool.push_back(task.clone());
             }
         }
@@ -264,72 +293,36 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>, V: Evaluator<E::Task>> Evolu
         }
     }
 
-    /// Evaluates the best survivors on the selection set; success and error of the best there.
-    ///
-    /// At most as many as survive a generation of `nbRoots`: a shrinking first population is larger.
-    fn validate(&self, state: &mut State<E::Task>) -> Result<(f64, f64), EvaluationError> {
-        let mut units = Vec::new();
-        for (deme, population) in state.demes.iter().enumerate() {
-            let mut means: Vec<f64> = population.records.values().map(|record| record.mean).collect();
-            means.sort_by(|a, b| b.total_cmp(a));
-            let least = means.get(self.config.survivors() - 1).copied().unwrap_or(f64::NEG_INFINITY);
-            let of_the_best = population.records.iter().filter(|(_, record)| record.mean >= least);
-            for (&team, _) in of_the_best {
-                let key = UnitKey { seed: state.seed, generation: state.generation, root: root_number(deme, team) };
-                units.push(WorkUnit { key, policy: population.genome.policy(team, &self.vocabulary) });
-            }
-        }
-        let work = Work { tasks: self.selection_tasks.clone(), units };
-        let answers = self.evaluator.evaluate(&work)?;
-        let mut found: Option<(f64, f64, f64, &Policy)> = None;
-        for (unit, answer) in work.units.iter().zip(&answers) {
-            let (success, error) = summary(&answer.endings);
-            let worth = 100.0 * success - 0.3 * error;
-            if found.is_none_or(|(best, ..)| worth > best) {
-                found = Some((worth, success, error, &unit.policy));
-            }
-        }
-        let (worth, success, error, policy) = found.expect("a generation has survivors");
-        if state.best.as_ref().is_none_or(|best| worth > best.worth) {
-            let generation = state.generation;
-            state.best = Some(Best { generation, worth, success, error, policy: policy.clone() });
-        }
-        Ok((success, error))
-    }
-
-    /// Draws recordings for the archive: a root, an episode, a step of it, and a program that bid there.
-    fn record(&self, state: &mut State<E::Task>, tasks: &[E::Task], evaluated: &[Evaluated]) {
+    /// Draws recordings for the archive: a root, an episode, a state of it, and a program that bid there.
+    fn record(
+        &self,
+        state: &mut State<E::Task>,
+        tasks: &[E::Task],
+        evaluated: &[Evaluated],
+    ) -> Result<(), EvaluationError> {
         let evaluated: Vec<&Evaluated> = evaluated.iter().filter(|root| !root.endings.is_empty()).collect();
-        let sources = self.environment.sources();
-        let options = Options { lanes: 1, ..Options::default() };
-        let mut lanes = Lanes::<S, M, E>::new(self.environment, options);
-        let mut plans: BTreeMap<usize, Plan<S>> = BTreeMap::new();
+        let mut drawn: Vec<(&Evaluated, Stream)> = Vec::new();
+        let mut visits = Vec::new();
         for index in 0..state.archive.size() as u64 {
             let mut stream = Stream::new(state.seed, state.generation, Purpose::Archive, index);
             if evaluated.is_empty() || !stream.chance(self.config.learning.archiving_probability.sqrt()) {
                 continue;
             }
-            let place = stream.below(evaluated.len());
-            let root = evaluated[place];
-            let task = &tasks[stream.below(root.endings.len())];
-            let genome = &state.demes[root.deme].genome;
-            let plan = plans
-                .entry(place)
-                .or_insert_with(|| Plan::new::<M>(&genome.policy(root.team, &self.vocabulary), &sources, options));
-            let mut actions = Vec::new();
-            lanes.run_watched(plan, std::slice::from_ref(task), |_, action| actions.push(action));
-            let mut episode = self.environment.start(task);
-            for &action in &actions[..stream.below(actions.len())] {
-                self.environment.step(&mut episode, action);
-            }
-            let mut seen = vec![S::ZERO; plan.state_length()];
-            self.environment.observe(&mut episode, SourceSet::ALL, &mut seen);
-            let seen: Vec<f64> = seen.into_iter().map(S::to_f64).collect();
+            let root = *stream.pick(&evaluated);
+            let task = stream.below(root.endings.len());
+            let after = vec![stream.below(root.endings[task].actions as usize) as u32];
+            let policy = state.demes[root.deme].genome.policy(root.team, &self.vocabulary);
+            visits.push(Visit { policy, task: tasks[task].clone(), after });
+            drawn.push((root, stream));
+        }
+        let states = self.evaluator.visit(&visits)?.into_iter().flatten();
+        for ((root, mut stream), seen) in drawn.into_iter().zip(states) {
             let bidders = self.walk(state, root, &seen);
             let (program, bid) = *stream.pick(&bidders);
             let recording = Recording { program: (root.deme as u64, program), state: seen, bid: bid.to_bits() };
             state.archive.record(recording);
         }
+        Ok(())
     }
 
     /// Every program that bids on the way from a root to its action.
@@ -359,9 +352,9 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>, V: Evaluator<E::Task>> Evolu
     }
 }
 
-/// An environment's score may be infinite or NaN; neither may enter a mean.
+/// The scores, made fit for means.
 fn scores(endings: &[Ending]) -> Vec<f64> {
-    endings.iter().map(|ending| if ending.score.is_nan() { -1e30 } else { ending.score.clamp(-1e30, 1e30) }).collect()
+    endings.iter().map(|ending| finite(ending.score)).collect()
 }
 
 /// The roots of a deme, or of all, as selection sees them.
@@ -378,11 +371,4 @@ fn candidates<'a, Task>(
             Candidate { mean: record.mean, scores, dropped: root.dropped }
         })
         .collect()
-}
-
-/// Part of the episodes done, and mean error.
-pub fn summary(endings: &[Ending]) -> (f64, f64) {
-    let episodes = endings.len().max(1) as f64;
-    let success = endings.iter().filter(|ending| ending.success).count() as f64 / episodes;
-    (success, endings.iter().map(|ending| ending.error).sum::<f64>() / episodes)
 }

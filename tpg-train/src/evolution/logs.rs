@@ -6,6 +6,7 @@ use crate::files::write_atomically;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
+use tpg_engine::Summary;
 use tpg_graph::error::InputError;
 
 /// Writes `generations.csv` and `generations.jsonl`.
@@ -14,24 +15,27 @@ use tpg_graph::error::InputError;
 /// If they cannot be written.
 pub fn write(folder: &Path, rows: &[Row]) -> Result<(), InputError> {
     let mut csv = String::from(
-        "generation,best_score,median_score,best_success,best_error,roots,teams,programs,validation_success,validation_error\n",
+        "generation,best_score,median_score,best_success,best_measure,roots,teams,programs,\
+         validation_score,validation_success,validation_measure\n",
     );
     let mut json = String::new();
     for row in rows {
         let optional = |value: Option<f64>| value.map(|value| value.to_string()).unwrap_or_default();
+        let validation = |value: fn(&Summary) -> f64| optional(row.validation.as_ref().map(value));
         let _ = writeln!(
             csv,
-            "{},{},{},{},{},{},{},{},{},{}",
+            "{},{},{},{},{},{},{},{},{},{},{}",
             row.generation,
             row.best_score,
             row.median_score,
-            row.best_success,
-            row.best_error,
+            optional(row.best_success),
+            row.best_measure,
             row.roots,
             row.teams,
             row.programs,
-            optional(row.validation_success),
-            optional(row.validation_error),
+            validation(|result| result.score),
+            optional(row.validation.and_then(|result| result.success)),
+            validation(|result| result.measure),
         );
         json.push_str(&serde_json::to_string(row).expect("a row is plain data"));
         json.push('\n');

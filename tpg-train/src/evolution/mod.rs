@@ -12,6 +12,8 @@ pub mod mutate_program;
 pub mod mutate_team;
 pub mod presets;
 pub mod run;
+pub mod scales;
 pub mod select;
 pub mod state;
+mod validate;
 pub mod vocabulary;

@@ -110,10 +110,13 @@ impl ProgramMutator<'_> {
         }
     }
 
-    /// A literal: normal, with one of two widths, because bids are sums of large and small numbers.
+    /// A literal: normal, with one of a few widths, because bids are sums of large and small numbers, in the unit of an
+    /// input.
     fn random_literal(&self, stream: &mut Stream) -> f64 {
         let width = *stream.pick(&self.literals.deviations);
-        self.vocabulary.scalar().round(width * stream.normal())
+        let scales = self.vocabulary.scales();
+        let unit = if scales.is_empty() { 1.0 } else { *stream.pick(scales) };
+        self.vocabulary.scalar().round(unit * width * stream.normal())
     }
 
     /// Scaled a little (half of the time), negated, or drawn anew.

@@ -219,7 +219,7 @@ mod tests {
 
     fn vocabulary(config: &Config) -> Vocabulary {
         let source = SourceDocument { name: "s".into(), length: 3, unit: "1".into(), ranges: vec![[-1.0, 1.0]; 3] };
-        Vocabulary::new(config.instructions(), 8, 0, &[source], false, ScalarType::F32)
+        Vocabulary::new(config.instructions(), 8, 0, &[source], None, ScalarType::F32)
     }
 
     fn evolved(config: &Config, generations: u64) -> Genome {

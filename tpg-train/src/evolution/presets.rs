@@ -4,13 +4,14 @@ use super::config::Config;
 use clap::Args;
 use std::io::Write as _;
 use tpg_graph::error::{InputError, Place};
+use tpg_problems::ProblemName;
 use tpg_problems::arm::description::WIDOWX_TOML;
 
 /// Print a commented configuration.
 #[derive(Clone, Debug, Args)]
 pub struct ConfigArgs {
-    /// kelly, paper-fs, paper-rs, best-fs, polar-fs or best-rs; widowx for the section that describes the arm
-    #[arg(value_name = "NAME", default_value = "best-rs")]
+    /// The preset, or widowx for the section that describes the arm; --list shows them all
+    #[arg(value_name = "NAME", default_value = "general")]
     pub name: String,
     /// Only the names, with what they are
     #[arg(long)]
@@ -23,7 +24,7 @@ pub struct ConfigArgs {
 /// If there is no preset of that name, or stdout is closed.
 pub fn print_config(args: &ConfigArgs) -> Result<(), InputError> {
     let text = if args.list {
-        let arm = ("widowx", "the section [arm], to append and to change: links, limits, collision shapes");
+        let arm = ("widowx", "the section [problem.arm], to append and to change: links, limits, collision shapes");
         let presets = PRESETS.iter().map(|preset| (preset.name, preset.about));
         presets.chain([arm]).map(|(name, about)| format!("{name:10} {about}\n")).collect()
     } else if args.name == "widowx" {
@@ -51,7 +52,8 @@ pub struct Preset {
 }
 
 /// Every preset.
-pub const PRESETS: [Preset; 6] = [
+pub const PRESETS: [Preset; 7] = [
+    Preset { name: "general", about: "for any problem", text: include_str!("presets/general.toml") },
     Preset {
         name: "kelly",
         about: "Kelly's parameters, GEGELATI's defaults, on the paper's fixed-start problem",
@@ -80,6 +82,24 @@ impl Preset {
     /// The preset of that name.
     pub fn find(name: &str) -> Option<&'static Self> {
         PRESETS.iter().find(|preset| preset.name == name)
+    }
+
+    /// The preset that is used for a problem where none is asked for.
+    ///
+    /// # Panics
+    /// Never: each of these presets is in the list.
+    pub fn usual(problem: ProblemName) -> &'static Self {
+        let name = match problem {
+            ProblemName::Fs => "best-fs",
+            ProblemName::Rs => "best-rs",
+            ProblemName::Cartpole | ProblemName::Pendulum => "general",
+        };
+        Self::find(name).expect("it is in the list")
+    }
+
+    /// The name that messages call it by, and its text.
+    pub fn file(&self) -> (String, String) {
+        (format!("<preset {}>", self.name), self.text.to_owned())
     }
 
     /// The configuration.

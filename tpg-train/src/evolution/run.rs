@@ -1,45 +1,65 @@
-//! A whole run: generations, checkpoints, logs, progress, and the best graph at the end.
+//! A whole run: generations, checkpoints, logs, and the best graph at the end.
 
 use super::checkpoint;
 use super::config::Config;
 use super::export;
-use super::generation::Evolution;
+use super::generation::{Evolution, Goal};
 use super::logs;
-use super::state::{Best, State};
+use super::scales::scales;
+use super::state::{Best, Row, State};
 use crate::files::{make_folder, remove_unfinished, write_atomically};
-use indicatif::{ProgressBar, ProgressStyle};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
-use tpg_engine::{Environment, EvaluationError, Evaluator};
-use tpg_graph::error::{InputError, Place};
+use tpg_engine::{Environment, EvaluationError, Evaluator, Summary};
+use tpg_graph::error::{Finding, InputError, Place};
 use tpg_graph::{Graph, Provenance};
-use tpg_runtime::ops::Maths;
 use tpg_runtime::scalar::Scalar;
 
-/// How a run is done; none of it changes what comes out.
+/// The way a run is done. Only the [goal](Self::goal) changes its result: it ends the run early.
 #[derive(Clone, Debug)]
 pub struct RunOptions {
     /// The run's own folder.
     pub folder: PathBuf,
-    /// Go on from the folder's checkpoint, where there is one.
+    /// Continue from the folder's checkpoint, where there is one; the configuration may ask for more generations than
+    /// before.
     pub resume: bool,
     /// Time between checkpoints.
     pub checkpoint_every: Duration,
+    /// The conditions under which the run ends early.
+    pub goal: Goal,
 }
 
 impl Default for RunOptions {
     fn default() -> Self {
-        Self { folder: PathBuf::from("."), resume: false, checkpoint_every: Duration::from_secs(30) }
+        let (folder, checkpoint_every) = (PathBuf::from("."), Duration::from_secs(30));
+        Self { folder, resume: false, checkpoint_every, goal: Goal::default() }
     }
+}
+
+/// A run after one of its generations.
+#[derive(Clone, Copy, Debug)]
+pub struct Progress<'a> {
+    /// The run's seed.
+    pub seed: u64,
+    /// The generations done.
+    pub generations: u64,
+    /// The generations of the whole run, if nothing ends it early.
+    pub of: u64,
+    /// The actions of all episodes so far.
+    pub steps: u64,
+    /// The newest line of the logs; none before the first generation.
+    pub row: Option<&'a Row>,
+    /// The best root on the selection set so far.
+    pub best: Option<&'a Best>,
 }
 
 /// How a run ended.
 #[derive(Clone, Debug)]
 pub enum RunEnd {
-    /// All generations are done.
+    /// It did all of its generations or reached its goal.
     Finished(Box<Best>),
     /// It was asked to stop, and can be resumed.
     Interrupted,
@@ -51,23 +71,28 @@ pub enum RunError {
     /// A file.
     #[error(transparent)]
     File(#[from] InputError),
+    /// A parameter that does not go with the environment.
+    #[error(transparent)]
+    Setting(#[from] Finding),
     /// The evaluation.
     #[error(transparent)]
     Evaluation(#[from] EvaluationError),
 }
 
-/// Trains with one seed. `stop` is looked at after every generation.
+/// Trains with one seed. `watch` is told of the run at its beginning and after every generation; where it breaks, the run
+/// is saved and stops.
 ///
 /// # Errors
 /// If the folder has another run, or files cannot be written, or roots cannot be evaluated. The last checkpoint stays.
-pub fn run<S: Scalar, M: Maths<S>, E: Environment<S>, V: Evaluator<E::Task>>(
+pub fn run<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
     config: &Config,
     seed: u64,
     environment: &E,
     evaluator: &V,
     options: &RunOptions,
-    stop: &AtomicBool,
+    mut watch: impl FnMut(&Progress<'_>) -> ControlFlow<()>,
 ) -> Result<RunEnd, RunError> {
+    config.check_actions(&environment.actions())?;
     make_folder(&options.folder)?;
     let path = options.folder.join("checkpoint.json");
     let found = checkpoint::load(&path, config, seed)?;
@@ -77,41 +102,59 @@ pub fn run<S: Scalar, M: Maths<S>, E: Environment<S>, V: Evaluator<E::Task>>(
     }
     remove_unfinished(&options.folder);
     write_atomically(&options.folder.join("config.toml"), config.to_toml().as_bytes())?;
-    let mut state = found.unwrap_or_else(|| State::new(seed, config.demes.count, config.learning.archive_size));
-    let evolution = Evolution::<S, M, E, V>::new(config, environment, evaluator);
-    let mut session = Session::new(config, &state, &options.folder);
+    let mut state = match found {
+        Some(state) => state,
+        None => State {
+            scales: scales(config, environment, evaluator, seed)?,
+            ..State::new(seed, config.demes.count, config.learning.archive_size)
+        },
+    };
+    let evolution = Evolution::new(config, environment, evaluator, state.scales.clone(), options.goal);
+    let mut times = Times::new(&options.folder);
     if state.generation > 0 {
         // The run may have been killed between its checkpoint and what is made of it.
         write_results(config, &options.folder, &state, &evolution, environment)?;
     }
+    let mut stopped = watch(&progress(config, &state)).is_break();
     let mut saved = Instant::now();
-    while state.generation < config.learning.nb_generations {
-        evolution.advance(&mut state)?;
-        session.after_generation(&state, evaluator.steps());
-        let last = state.generation == config.learning.nb_generations;
-        let stopped = stop.load(Ordering::Relaxed);
+    while !evolution.finished(&state) {
+        if !stopped {
+            evolution.advance(&mut state)?;
+            times.after_generation(&state, evaluator.steps());
+            stopped = watch(&progress(config, &state)).is_break();
+        }
+        let last = evolution.finished(&state);
         if last || stopped || saved.elapsed() >= options.checkpoint_every {
             checkpoint::save(&path, config, &state)?;
             write_results(config, &options.folder, &state, &evolution, environment)?;
-            session.write(&options.folder)?;
+            times.write(&options.folder)?;
             saved = Instant::now();
         }
         if stopped && !last {
-            session.bar.abandon();
             return Ok(RunEnd::Interrupted);
         }
     }
-    session.bar.finish();
     let best = state.best.expect("the last generation validates");
     Ok(RunEnd::Finished(Box::new(best)))
 }
 
+fn progress<'a, Task>(config: &Config, state: &'a State<Task>) -> Progress<'a> {
+    Progress {
+        seed: state.seed,
+        generations: state.generation,
+        of: config.learning.nb_generations,
+        steps: state.steps,
+        row: state.rows.last(),
+        best: state.best.as_ref(),
+    }
+}
+
 /// The logs and the best graph.
-fn write_results<S: Scalar, M: Maths<S>, E: Environment<S>, V: Evaluator<E::Task>>(
+fn write_results<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
     config: &Config,
     folder: &Path,
     state: &State<E::Task>,
-    evolution: &Evolution<'_, S, M, E, V>,
+    evolution: &Evolution<'_, S, E, V>,
     environment: &E,
 ) -> Result<(), RunError> {
     logs::write(folder, &state.rows)?;
@@ -122,68 +165,54 @@ fn write_results<S: Scalar, M: Maths<S>, E: Environment<S>, V: Evaluator<E::Task
     Ok(())
 }
 
-fn best_graph<S: Scalar, M: Maths<S>, E: Environment<S>, V: Evaluator<E::Task>>(
+fn best_graph<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
     config: &Config,
     seed: u64,
     best: &Best,
-    evolution: &Evolution<'_, S, M, E, V>,
+    evolution: &Evolution<'_, S, E, V>,
     environment: &E,
 ) -> Result<Graph, InputError> {
-    let scores = [
-        ("generation", best.generation as f64),
-        ("validation_success", best.success),
-        ("validation_error", best.error),
-    ];
+    let Summary { score, success, measure, .. } = best.result;
+    let named = environment.measure().map(|of| (format!("validation_{}", of.name), measure));
+    let scores = [("generation".to_owned(), best.generation as f64), ("validation_score".to_owned(), score)];
+    let success = success.map(|success| ("validation_success".to_owned(), success));
     let provenance = Provenance {
         tool: Some("tpg-train".to_owned()),
         version: Some(env!("CARGO_PKG_VERSION").to_owned()),
         seed: Some(seed),
         config: serde_json::to_value(config).ok(),
-        scores: BTreeMap::from(scores.map(|(name, score)| (name.to_owned(), score))),
+        scores: BTreeMap::from_iter(scores.into_iter().chain(success).chain(named)),
         note: None,
     };
-    export::graph(&best.policy, evolution.vocabulary(), environment.sources(), environment.actions(), provenance)
+    let mut sources = environment.sources();
+    if let Some(ranges) = &best.ranges {
+        let mut ranges = ranges.iter();
+        sources.iter_mut().flat_map(|source| &mut source.ranges).zip(&mut ranges).for_each(|(to, from)| *to = *from);
+    }
+    export::graph(&best.policy, evolution.vocabulary(), sources, environment.actions(), provenance)
 }
 
-/// What depends on the clock: the progress bar and `timing.csv`.
-struct Session {
-    bar: ProgressBar,
+/// The times of a run, `timing.csv`: the only log that depends on the clock.
+struct Times {
     began: Instant,
     cpu_before: Option<f64>,
-    timing: String,
+    text: String,
 }
 
-impl Session {
-    fn new<Task>(config: &Config, state: &State<Task>, folder: &Path) -> Self {
-        // indicatif draws nothing where stderr is no terminal.
-        let bar = ProgressBar::new(config.learning.nb_generations);
-        let style = ProgressStyle::with_template("seed {prefix} {wide_bar} {pos}/{len} {msg}, {eta} left")
-            .unwrap_or_else(|_| ProgressStyle::default_bar());
-        bar.set_style(style);
-        bar.set_prefix(state.seed.to_string());
-        bar.set_position(state.generation);
-        bar.reset_eta();
-        let timing = std::fs::read_to_string(folder.join("timing.csv"))
+impl Times {
+    fn new(folder: &Path) -> Self {
+        let text = std::fs::read_to_string(folder.join("timing.csv"))
             .unwrap_or_else(|_| "generation,session_wall_s,session_cpu_s,session_steps\n".to_owned());
-        Self { bar, began: Instant::now(), cpu_before: logs::cpu_seconds(), timing }
+        Self { began: Instant::now(), cpu_before: logs::cpu_seconds(), text }
     }
 
     fn after_generation<Task>(&mut self, state: &State<Task>, steps: u64) {
-        let Some(row) = state.rows.last() else { return };
-        let best = state.best.as_ref().map(|best| format!(", {:.1} % validated", 100.0 * best.success));
-        self.bar.set_message(format!(
-            "best {:.1}, median {:.1}{}",
-            row.best_score,
-            row.median_score,
-            best.unwrap_or_default()
-        ));
-        self.bar.set_position(state.generation);
         let wall = self.began.elapsed().as_secs_f64();
         let cpu = logs::cpu_seconds().zip(self.cpu_before).map(|(now, before)| format!("{:.2}", now - before));
-        let _ = writeln!(self.timing, "{},{wall:.2},{},{steps}", row.generation, cpu.unwrap_or_default());
+        let _ = writeln!(self.text, "{},{wall:.2},{},{steps}", state.generation - 1, cpu.unwrap_or_default());
     }
 
     fn write(&self, folder: &Path) -> Result<(), InputError> {
-        write_atomically(&folder.join("timing.csv"), self.timing.as_bytes())
+        write_atomically(&folder.join("timing.csv"), self.text.as_bytes())
     }
 }

@@ -82,7 +82,7 @@ pub fn ranked(candidates: &[Candidate<'_>]) -> Vec<usize> {
     places
 }
 
-/// One winner: episodes in random order, each keeps those within the tolerance of the best on it.
+/// One winner: episodes in random order, each keeps the roots near the best on it.
 fn lexicase(candidates: &[Candidate<'_>], among: &[usize], tolerance: f64, stream: &mut Stream) -> usize {
     let mut left = among.to_vec();
     let mut episodes: Vec<usize> = (0..candidates[among[0]].scores.len()).collect();
@@ -93,9 +93,21 @@ fn lexicase(candidates: &[Candidate<'_>], among: &[usize], tolerance: f64, strea
         }
         let score = |place: usize| candidates[place].scores[episode];
         let best = left.iter().map(|&place| score(place)).fold(f64::NEG_INFINITY, f64::max);
-        left.retain(|&place| score(place) >= best - tolerance);
+        let spread = median_deviation(among.iter().map(|&place| score(place)).collect());
+        left.retain(|&place| score(place) >= best - tolerance * spread);
     }
     *stream.pick(&left)
+}
+
+/// The median absolute deviation from the median: a spread that few extreme scores do not change (ε-lexicase selection, La
+/// Cava et al. 2016).
+fn median_deviation(mut scores: Vec<f64>) -> f64 {
+    let middle = |values: &mut Vec<f64>| {
+        values.sort_by(f64::total_cmp);
+        values[values.len() / 2]
+    };
+    let median = middle(&mut scores);
+    middle(&mut scores.into_iter().map(|score| (score - median).abs()).collect())
 }
 
 #[cfg(test)]
@@ -112,9 +124,10 @@ mod tests {
             lexicase_candidates: 100,
             lexicase_tolerance: 1.0,
             racing_episodes: 0,
-            racing_margin: 0.0,
-            validation_interval: 1,
+            racing_share: 1.0,
+            validation_roots: 1,
             validation_episodes: 1,
+            validation_share: 0.1,
         }
     }
 

@@ -4,7 +4,7 @@ use super::archive::Archive;
 use super::genome::{Genome, TeamId};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, VecDeque};
-use tpg_engine::Policy;
+use tpg_engine::{Policy, Summary};
 
 /// How a root did so far (`learn/evaluationResult.h`): the mean over all of its episodes, and how many they were.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -38,14 +38,12 @@ pub struct Deme {
 pub struct Best {
     /// The generation that it was found in.
     pub generation: u64,
-    /// What it was chosen by: 100 · success − 0.3 · mean error.
-    pub worth: f64,
-    /// Part of the selection episodes that it did.
-    pub success: f64,
-    /// Mean error at their end.
-    pub error: f64,
-    /// It.
+    /// Its result on the selection set.
+    pub result: Summary,
+    /// The root.
     pub policy: Policy,
+    /// The ranges of the inputs, where the environment does not know them all.
+    pub ranges: Option<Vec<[f64; 2]>>,
 }
 
 /// One line of the logs. No clock: logs are equal for any number of threads, and after a resume.
@@ -57,20 +55,18 @@ pub struct Row {
     pub best_score: f64,
     /// Median of the roots' running means.
     pub median_score: f64,
-    /// Part of this generation's episodes that the best root did.
-    pub best_success: f64,
-    /// Mean error of the best root at the end of this generation's episodes.
-    pub best_error: f64,
+    /// Fraction of this generation's episodes that the best root solved, where the problem knows success.
+    pub best_success: Option<f64>,
+    /// Mean of the problem's measure at the end of the best root's episodes.
+    pub best_measure: f64,
     /// Roots evaluated.
     pub roots: usize,
     /// Teams after selection.
     pub teams: usize,
     /// Programs after selection.
     pub programs: usize,
-    /// Success of the best root on the selection set, in generations that validate.
-    pub validation_success: Option<f64>,
-    /// Its mean error there.
-    pub validation_error: Option<f64>,
+    /// The result of the best root on the selection set, in generations that validate.
+    pub validation: Option<Summary>,
 }
 
 /// A run at the end of a generation.
@@ -90,6 +86,14 @@ pub struct State<Task> {
     pub best: Option<Best>,
     /// The logs.
     pub rows: Vec<Row>,
+    /// The units of literals: half the range of each value of the flat state.
+    pub scales: Vec<f64>,
+    /// Episodes of training so far.
+    pub training_episodes: u64,
+    /// Episodes of validation so far.
+    pub selection_episodes: u64,
+    /// Actions of all episodes so far.
+    pub steps: u64,
 }
 
 impl<Task> State<Task> {
@@ -103,6 +107,10 @@ impl<Task> State<Task> {
             pool: VecDeque::new(),
             best: None,
             rows: Vec::new(),
+            scales: Vec::new(),
+            training_episodes: 0,
+            selection_episodes: 0,
+            steps: 0,
         }
     }
 }

@@ -3,7 +3,6 @@
 use serde::{Deserialize, Serialize};
 use tpg_engine::Operand;
 use tpg_graph::{ScalarType, SourceDocument};
-use tpg_runtime::observation::shield::SHIELDED;
 use tpg_runtime::ops::Instruction;
 
 /// Operands of a line. GEGELATI calls it `maxNbOperands`; the instruction set has no instruction with more.
@@ -47,12 +46,14 @@ pub struct Vocabulary {
     /// GEGELATI, `environment.cpp`, `computeLargestAddressSpace`: locations are drawn below this.
     largest_address_space: u16,
     scalar: ScalarType,
-    /// Where the shield begins in the flat state, behind all that programs can name.
-    shield: Option<u16>,
+    /// The units of literals: half the range of each value of the flat state; empty without literals.
+    scales: Vec<f64>,
+    /// The upper bounds of the bids for the first actions: place and number, behind all values that programs can name.
+    bounds: Option<(u16, u16)>,
 }
 
 impl Vocabulary {
-    /// Puts a vocabulary together.
+    /// Puts a vocabulary together; `literals` are their units, where operands can be numbers of their own.
     ///
     /// # Panics
     /// If there is no register, or no or more than 256 instructions: a configuration is checked before.
@@ -61,7 +62,7 @@ impl Vocabulary {
         registers: u16,
         constants: u16,
         sources: &[SourceDocument],
-        literals: bool,
+        literals: Option<Vec<f64>>,
         scalar: ScalarType,
     ) -> Self {
         assert!(registers > 0 && (1..=256).contains(&instructions.len()));
@@ -74,23 +75,43 @@ impl Vocabulary {
             kinds.push(Kind::Data(place, source.length as u16));
             place += source.length as u16;
         }
-        if literals {
+        if literals.is_some() {
             kinds.push(Kind::Literal);
         }
         let longest = sources.iter().map(|source| source.length as u16).max().unwrap_or(1);
         let largest_address_space = registers.max(constants).max(longest);
-        Self { instructions, registers, constants, kinds, largest_address_space, scalar, shield: None }
+        Self {
+            instructions,
+            registers,
+            constants,
+            kinds,
+            largest_address_space,
+            scalar,
+            scales: literals.unwrap_or_default(),
+            bounds: None,
+        }
     }
 
-    /// The same under a shield whose values begin at that place of the flat state; no operand can name them.
+    /// The same with a last source that bounds bids from above, one value for each of the first actions; no operand can
+    /// name it.
     #[must_use]
-    pub fn with_shield(self, place: u16) -> Self {
-        Self { shield: Some(place), ..self }
+    pub fn with_bounds(self, source: &SourceDocument) -> Self {
+        let readable = self.kinds.iter().filter_map(|kind| match *kind {
+            Kind::Data(place, length) => Some(place + length),
+            Kind::Registers | Kind::Constants | Kind::Literal => None,
+        });
+        let place = readable.max().unwrap_or(0);
+        Self { bounds: Some((place, source.length as u16)), ..self }
     }
 
-    /// The place of an action's bound in the flat state, where there is a shield and it speaks of the action.
+    /// The place of an action's bound in the flat state, where it has one.
     pub fn bound(&self, action: u16) -> Option<u16> {
-        self.shield.filter(|_| usize::from(action) < SHIELDED).map(|place| place + action)
+        self.bounds.filter(|&(_, length)| action < length).map(|(place, _)| place + action)
+    }
+
+    /// The units of literals; empty where there are none.
+    pub fn scales(&self) -> &[f64] {
+        &self.scales
     }
 
     /// The instruction set.

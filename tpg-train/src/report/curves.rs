@@ -24,14 +24,15 @@ pub(super) fn sections(groups: &[Group]) -> Vec<Section> {
     let part = |label: &str| Axis::linear(label).between(0.0, 1.0);
     let tpg = [
         Shown {
-            curve: "success",
-            y: part("success"),
-            caption: "Success of the best survivor on the selection episodes.",
+            curve: "score",
+            y: Axis::linear("score"),
+            caption: "Mean score of the best survivor on the selection episodes.",
         },
+        Shown { curve: "success", y: part("success"), caption: "Its success there." },
         Shown {
-            curve: "error",
-            y: Axis::log("error (arm: mm)", 1.0),
-            caption: "Its mean error there: on the arm, the distance at the end.",
+            curve: "measure",
+            y: Axis::log("measure (arm: distance, mm)", 1.0),
+            caption: "The problem's measure at the end of these episodes: on the arm, the distance.",
         },
         Shown { curve: "best score", y: Axis::linear("score"), caption: "Best running mean of a root's score." },
         Shown { curve: "median score", y: Axis::linear("score"), caption: "Median of the roots' running means." },
@@ -57,6 +58,13 @@ fn section(title: &str, x: &str, groups: &[&Group], shown: &[Shown]) -> Option<S
     if groups.is_empty() {
         return None;
     }
+    // A problem may know no success, or no measure.
+    let known = |shown: &&Shown| {
+        groups
+            .iter()
+            .flat_map(|group| &group.runs)
+            .any(|run| run.curves.get(shown.curve).is_some_and(|c| !c.is_empty()))
+    };
     let figure = |Shown { curve, y, caption }: &Shown| {
         let mut plot = Plot::new(Axis::linear(x), y.clone());
         for (colour, group) in (0..).map(Colour).zip(groups) {
@@ -68,7 +76,12 @@ fn section(title: &str, x: &str, groups: &[&Group], shown: &[Shown]) -> Option<S
         Figure { svg: plot.svg(caption), caption: (*caption).to_owned() }
     };
     let text = "Lines are means over the seeds (how many, in brackets), bands one standard deviation.".to_owned();
-    Some(Section { title: title.to_owned(), text, figures: shown.iter().map(figure).collect(), ..Section::default() })
+    Some(Section {
+        title: title.to_owned(),
+        text,
+        figures: shown.iter().filter(known).map(figure).collect(),
+        ..Section::default()
+    })
 }
 
 /// x, mean and standard deviation, wherever a run has a value.

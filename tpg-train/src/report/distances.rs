@@ -11,7 +11,7 @@ const NEAREST: f64 = 0.1;
 const POINTS: usize = 240;
 
 pub(super) fn section(groups: &[Group], tested: &[Vec<Option<Tested>>]) -> Option<Section> {
-    let tolerance = tested.iter().flatten().flatten().next()?.tolerance;
+    let tolerance = tested.iter().flatten().flatten().find_map(|tested| tested.arm.as_ref())?.tolerance;
     let distance = || Axis::log("final distance, mm", NEAREST);
     let goal = format!("{tolerance} mm");
 
@@ -27,12 +27,12 @@ pub(super) fn section(groups: &[Group], tested: &[Vec<Option<Tested>>]) -> Optio
         let mut all = Vec::new();
         let mut means = Vec::new();
         for (run, tested) in group.runs.iter().zip(tested) {
-            if let Some(tested) = tested {
-                if let Some(five) = FiveNumbers::of(&tested.distances) {
+            if let Some(tested) = tested.as_ref().filter(|tested| tested.arm.is_some()) {
+                if let Some(five) = FiveNumbers::of(&tested.measures()) {
                     boxes.five(colour, place, five);
                 }
-                means.push(([colour.0 as f64, tested.mean_distance()], run.name.clone()));
-                all.extend_from_slice(&tested.distances);
+                means.push(([colour.0 as f64, tested.summary().measure], run.name.clone()));
+                all.extend(tested.measures());
             }
             place += 1.0;
         }

@@ -18,6 +18,7 @@ use runs::{Group, Kind};
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use test::Tested;
+pub use test::Tester;
 use tpg_graph::error::InputError;
 
 /// Show runs in one HTML file.
@@ -44,8 +45,16 @@ pub struct ReportArgs {
 /// # Errors
 /// If a folder is no run, or the file cannot be written.
 pub fn report(args: &ReportArgs) -> Result<(), InputError> {
+    report_with(args, None)
+}
+
+/// Writes the report; runs on an environment that is not built in are tested by `own`.
+///
+/// # Errors
+/// As [`report`].
+pub fn report_with(args: &ReportArgs, own: Option<Tester<'_>>) -> Result<(), InputError> {
     let groups = runs::read(&args.runs)?;
-    let html = page(&groups, args.episodes as usize, args.seed)?.html();
+    let html = page(&groups, args.episodes as usize, args.seed, own)?.html();
     if args.out == Path::new("-") {
         let written = std::io::stdout().lock().write_all(html.as_bytes());
         return written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"));
@@ -56,13 +65,13 @@ pub fn report(args: &ReportArgs) -> Result<(), InputError> {
     Ok(())
 }
 
-fn page(groups: &[Group], episodes: usize, seed: u64) -> Result<Page, InputError> {
+fn page(groups: &[Group], episodes: usize, seed: u64, own: Option<Tester<'_>>) -> Result<Page, InputError> {
     let tested: Vec<Vec<Option<Tested>>> = (groups.iter())
-        .map(|group| group.runs.iter().map(|run| test::test(run, episodes, seed)).collect())
+        .map(|group| group.runs.iter().map(|run| test::test(run, episodes, seed, own)).collect())
         .collect::<Result<_, _>>()?;
     let lead = format!(
-        "Tested on {episodes} episodes of the test set with seed {seed}, which no training and no selection reads. An invalid \
-         action ends an episode as a failure. ± is the standard deviation over the seeds of a group."
+        "Tested on {episodes} episodes of the test set with seed {seed}, which no training and no selection reads. ± is the \
+         standard deviation over the seeds of a group."
     );
     let mut sections = vec![tables::section(groups, &tested)];
     sections.extend(curves::sections(groups));
@@ -74,8 +83,8 @@ fn page(groups: &[Group], episodes: usize, seed: u64) -> Result<Page, InputError
         if let Kind::Tpg { graph, .. } = &run.kind {
             figures.push(graph::figure(graph));
         }
-        if let Some(tested) = &tested[best] {
-            figures.extend(trajectory::figures(tested));
+        if let Some(arm) = tested[best].as_ref().and_then(|tested| tested.arm.as_ref()) {
+            figures.extend(trajectory::figures(arm));
         }
         let text = "The best of the group on the test episodes.".to_owned();
         sections.push(Section { title: run.name.clone(), text, figures, ..Section::default() });
@@ -84,10 +93,12 @@ fn page(groups: &[Group], episodes: usize, seed: u64) -> Result<Page, InputError
     Ok(Page { title, lead, sections })
 }
 
-/// The run with the highest success, then the least distance; the first where none was tested.
+/// The run with the highest success, where there is such a thing, then with the highest mean score; the first where none
+/// was tested.
 fn best(tested: &[Option<Tested>]) -> Option<usize> {
     let worth = |place: &usize| {
-        tested[*place].as_ref().map_or((-1.0, 0.0), |tested| (tested.success(), -tested.mean_distance()))
+        let summary = tested[*place].as_ref().map(Tested::summary);
+        summary.map_or((-1.0, f64::NEG_INFINITY), |summary| (summary.success.unwrap_or(0.0), summary.score))
     };
     // Of equals the first.
     (0..tested.len()).rev().max_by(|a, b| worth(a).partial_cmp(&worth(b)).unwrap_or(std::cmp::Ordering::Equal))

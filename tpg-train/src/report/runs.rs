@@ -1,6 +1,6 @@
 //! Folders of runs, read and grouped.
 
-use crate::evolution::config::{Config, EnvironmentName};
+use crate::evolution::config::Config;
 use crate::evolution::state::Row;
 use crate::files::read_text;
 use crate::sac::weights::{self, Contract};
@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
 use tpg_nn::Mlp;
+use tpg_problems::Problem;
 use tpg_problems::arm::targets::Start;
 
 /// Runs with the same configuration.
@@ -42,9 +43,9 @@ pub(super) struct Run {
 pub(super) enum Kind {
     /// A tangled program graph.
     Tpg {
-        /// How.
-        config: Box<Config>,
-        /// It.
+        /// The problem; `None` where a program brought its own environment.
+        problem: Option<Box<Problem>>,
+        /// The graph.
         graph: Box<Graph>,
     },
     /// A soft actor-critic.
@@ -64,14 +65,6 @@ impl Kind {
         match self {
             Self::Tpg { .. } => "TPG",
             Self::Sac { .. } => "SAC",
-        }
-    }
-
-    /// Whether it drives an arm.
-    pub(super) fn has_arm(&self) -> bool {
-        match self {
-            Self::Tpg { config, .. } => config.problem.environment == EnvironmentName::Arm,
-            Self::Sac { .. } => true,
         }
     }
 }
@@ -132,7 +125,9 @@ fn named(mut group: Group) -> Group {
 }
 
 fn tpg(folder: &Path, name: String, config: &str) -> Result<Run, InputError> {
-    let config = Config::of_run(&folder.join("config.toml").display().to_string(), config)?;
+    let file = folder.join("config.toml").display().to_string();
+    let own = Config::of_run(&file, config)?.problem.is_empty();
+    let problem = if own { None } else { Some(Box::new(Problem::from_toml(&file, config)?)) };
     let rows: Vec<Row> = lines(&folder.join("generations.jsonl"))?;
     let path = folder.join("graph.json");
     let graph = Graph::from_json(&path.display().to_string(), &read_text(&path, "the graph of a run")?)?;
@@ -142,8 +137,9 @@ fn tpg(folder: &Path, name: String, config: &str) -> Result<Run, InputError> {
     let curves = BTreeMap::from([
         ("best score", curve(&|row| Some(row.best_score))),
         ("median score", curve(&|row| Some(row.median_score))),
-        ("success", curve(&|row| row.validation_success)),
-        ("error", curve(&|row| row.validation_error)),
+        ("score", curve(&|row| Some(row.validation?.score))),
+        ("success", curve(&|row| row.validation?.success)),
+        ("measure", curve(&|row| Some(row.validation?.measure).filter(|&measure| measure > 0.0))),
         ("teams", curve(&|row| Some(row.teams as f64))),
     ]);
     let timing = fs::read_to_string(folder.join("timing.csv")).ok();
@@ -152,7 +148,7 @@ fn tpg(folder: &Path, name: String, config: &str) -> Result<Run, InputError> {
         seed: graph.provenance().seed,
         curves,
         cpu: timing.as_deref().and_then(cpu_of_sessions),
-        kind: Kind::Tpg { config: Box::new(config), graph: Box::new(graph) },
+        kind: Kind::Tpg { problem, graph: Box::new(graph) },
     })
 }
 

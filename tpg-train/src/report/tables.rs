@@ -5,19 +5,25 @@ use super::test::Tested;
 use crate::picture::{Section, Table};
 
 pub(super) fn section(groups: &[Group], tested: &[Vec<Option<Tested>>]) -> Section {
+    let measure = tested.iter().flatten().flatten().find_map(|tested| tested.measure);
+    let measure = measure.map_or_else(|| "measure".to_owned(), |of| format!("{} {}", of.name, of.unit));
+    let (mean_measure, median_measure) = (format!("mean {measure}"), format!("median {measure}"));
     let mut means = Vec::new();
     let mut rows = Vec::new();
     for (group, tested) in groups.iter().zip(tested) {
         let all: Vec<&Tested> = tested.iter().flatten().collect();
-        let over = |value: &dyn Fn(&Tested) -> f64| spread(&all.iter().map(|tested| value(tested)).collect::<Vec<_>>());
+        let over = |value: &dyn Fn(&Tested) -> Option<f64>| {
+            spread(&all.iter().filter_map(|tested| value(tested)).collect::<Vec<_>>())
+        };
         let cpu: Option<Vec<f64>> = group.runs.iter().map(|run| run.cpu).collect();
         means.push(vec![
             group.name.clone(),
             group.runs[0].kind.name().to_owned(),
             group.runs.len().to_string(),
-            over(&|tested| 100.0 * tested.success()),
-            over(&Tested::mean_distance),
-            all.iter().map(|tested| 100.0 * tested.success()).reduce(f64::max).map_or_else(String::new, one_decimal),
+            over(&|tested| Some(tested.summary().score)),
+            over(&|tested| tested.summary().success.map(|success| 100.0 * success)),
+            over(&|tested| tested.measure.map(|_| tested.summary().measure)),
+            all.iter().map(|tested| tested.summary().score).reduce(f64::max).map_or_else(String::new, one_decimal),
             cpu.map_or_else(String::new, |cpu| spread(&cpu)),
         ]);
         rows.extend(group.runs.iter().zip(tested).map(|(run, tested)| row(run, tested.as_ref())));
@@ -27,17 +33,21 @@ pub(super) fn section(groups: &[Group], tested: &[Vec<Option<Tested>>]) -> Secti
         title: "Results".to_owned(),
         text: String::new(),
         tables: vec![
-            table(&["group", "kind", "seeds", "success %", "mean distance mm", "best seed %", "CPU s"], means),
+            table(
+                &["group", "kind", "seeds", "score", "success %", &mean_measure, "best seed's score", "CPU s"],
+                means,
+            ),
             table(
                 &[
                     "run",
                     "seed",
                     "what",
+                    "score",
                     "success %",
-                    "mean distance mm",
-                    "median mm",
+                    &mean_measure,
+                    &median_measure,
                     "actions",
-                    "selection %",
+                    "selection",
                     "CPU s",
                 ],
                 rows,
@@ -59,20 +69,24 @@ fn row(run: &Run, tested: Option<&Tested>) -> Vec<String> {
         }
     };
     let selection = match &run.kind {
-        Kind::Tpg { graph, .. } => graph.provenance().scores.get("validation_success").copied(),
-        Kind::Sac { contract, .. } => Some(contract.provenance.validation_success),
+        Kind::Tpg { graph, .. } => graph.provenance().scores.get("validation_score").copied(),
+        Kind::Sac { contract, .. } => Some(100.0 * contract.provenance.validation_success),
     };
     let text = |value: Option<f64>| value.map_or_else(String::new, one_decimal);
-    let median = tested.and_then(|tested| crate::picture::FiveNumbers::of(&tested.distances)).map(|five| five.median);
+    let summary = tested.map(Tested::summary);
+    let measured = tested.filter(|tested| tested.measure.is_some());
+    let median =
+        measured.and_then(|tested| crate::picture::FiveNumbers::of(&tested.measures())).map(|five| five.median);
     vec![
         run.name.clone(),
         run.seed.map_or_else(String::new, |seed| seed.to_string()),
         what,
-        text(tested.map(|tested| 100.0 * tested.success())),
-        text(tested.map(Tested::mean_distance)),
+        text(summary.map(|summary| summary.score)),
+        text(summary.and_then(|summary| summary.success).map(|success| 100.0 * success)),
+        text(measured.map(|tested| tested.summary().measure)),
         text(median),
-        text(tested.map(|tested| tested.actions as f64 / tested.distances.len().max(1) as f64)),
-        text(selection.map(|success| 100.0 * success)),
+        text(summary.map(|summary| summary.actions)),
+        text(selection),
         text(run.cpu),
     ]
 }

@@ -1,35 +1,45 @@
-//! What a run trained, put to the test episodes.
+//! The test of a run: what it trained, on the test episodes.
 
 use super::runs::{Kind, Run};
-use crate::evaluate::endings_of;
+use crate::evaluate::arm::endings_of;
+use crate::evaluate::graph::endings;
 use crate::sac::policy::ActorPolicy;
-use tpg_engine::{Ending, Environment, Lanes, Options, Plan, Policy};
-use tpg_graph::Graph;
-use tpg_graph::error::InputError;
-use tpg_graph::in_arithmetic_of;
-use tpg_problems::arm::environment::{OUTCOMES, outcome_number};
+use tpg_engine::{Choices, Ending, Environment, Lanes, Measure, Options, Plan, Policy, Summary};
+use tpg_graph::error::{InputError, Place};
+use tpg_graph::{Graph, in_arithmetic_of};
+use tpg_problems::arm::environment::{DISTANCE, OUTCOMES};
 use tpg_problems::arm::targets::{self, Set, TOLERANCE};
 use tpg_problems::arm::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
+use tpg_problems::{Problem, Visitor};
 use tpg_runtime::arm::{Arm, Pose, WIDOWX};
 use tpg_runtime::ops::Maths;
+
+/// Runs a graph on test episodes of an environment that a program brought itself: the file's name, the graph, the number
+/// of episodes and the seed.
+pub type Tester<'a> = &'a dyn Fn(&str, &Graph, usize, u64) -> Result<Vec<Ending>, InputError>;
 
 /// Trajectories that are kept: the first episodes that succeed, and the first that fail.
 const KEPT: [usize; 2] = [3, 3];
 
-/// How a run did on the test episodes.
+/// The result of a run on the test episodes.
 #[derive(Debug)]
 pub(super) struct Tested {
+    /// The episodes.
+    pub(super) endings: Vec<Ending>,
+    /// The quantity beside the score, where the problem has one.
+    pub(super) measure: Option<Measure>,
+    /// What only the arm has.
+    pub(super) arm: Option<OnTheArm>,
+}
+
+/// The arm, and some of its episodes.
+#[derive(Debug)]
+pub(super) struct OnTheArm {
     /// The arm.
     pub(super) arm: Arm<f64>,
     /// Success is nearer than this, mm.
     pub(super) tolerance: f64,
-    /// Final distance of each episode, mm.
-    pub(super) distances: Vec<f64>,
-    /// Whether it succeeded.
-    pub(super) successes: usize,
-    /// Actions of all episodes.
-    pub(super) actions: u64,
-    /// A few of them, pose by pose.
+    /// A few episodes, pose by pose.
     pub(super) walks: Vec<Walk>,
 }
 
@@ -49,77 +59,109 @@ pub(super) struct Walk {
 }
 
 impl Tested {
-    /// Part of the episodes that succeeded.
-    pub(super) fn success(&self) -> f64 {
-        self.successes as f64 / self.distances.len().max(1) as f64
+    /// The means.
+    pub(super) fn summary(&self) -> Summary {
+        Summary::of(&self.endings)
     }
 
-    /// Mean final distance, mm.
-    pub(super) fn mean_distance(&self) -> f64 {
-        self.distances.iter().sum::<f64>() / self.distances.len().max(1) as f64
-    }
-
-    fn new(arm: Arm<f64>, tolerance: f64, endings: &[Ending], walks: Vec<Walk>) -> Self {
-        Self {
-            arm,
-            tolerance,
-            distances: endings.iter().map(|ending| ending.error).collect(),
-            successes: endings.iter().filter(|ending| ending.success).count(),
-            actions: endings.iter().map(|ending| u64::from(ending.actions)).sum(),
-            walks,
-        }
+    /// The measure of each episode: on the arm, the final distance in mm.
+    pub(super) fn measures(&self) -> Vec<f64> {
+        self.endings.iter().map(|ending| ending.measure).collect()
     }
 }
 
-/// Tests a run; `None` where there is no arm.
-pub(super) fn test(run: &Run, episodes: usize, seed: u64) -> Result<Option<Tested>, InputError> {
-    if !run.kind.has_arm() {
-        return Ok(None);
-    }
+/// Tests a run; `None` where nothing can run its environment.
+pub(super) fn test(
+    run: &Run,
+    episodes: usize,
+    seed: u64,
+    own: Option<Tester<'_>>,
+) -> Result<Option<Tested>, InputError> {
     match &run.kind {
-        Kind::Tpg { config, graph } => {
-            let (arm, problem) = (config.arm(), config.arm_problem());
-            let tasks = targets::tasks(&arm, seed, Set::Test, problem.start, episodes);
-            let tasks: Vec<ArmTask> = tasks.into_iter().map(ArmTask::from).collect();
-            let endings = endings_of(&run.name, graph, &arm, problem.clone(), &tasks)?;
-            let chosen = chosen(&endings);
-            let chosen: Vec<(usize, ArmTask, Ending)> =
-                chosen.into_iter().map(|place| (place, tasks[place], endings[place])).collect();
-            let walks = in_arithmetic_of!(graph, walks(run, graph, &arm, &problem, &chosen))?;
-            Ok(Some(Tested::new(arm, problem.tolerance, &endings, walks)))
+        Kind::Tpg { problem: None, graph } => {
+            let Some(own) = own else { return Ok(None) };
+            Ok(Some(Tested { endings: own(&run.name, graph, episodes, seed)?, measure: None, arm: None }))
         }
+        Kind::Tpg { problem: Some(problem), graph } => match &**problem {
+            Problem::Arm(start, config) => {
+                let (arm, problem) = (config.arm(), config.problem(*start));
+                let tasks = targets::tasks(&arm, seed, Set::Test, problem.start, episodes);
+                let tasks: Vec<ArmTask> = tasks.into_iter().map(ArmTask::from).collect();
+                let endings = endings_of(&run.name, graph, &arm, problem.clone(), &tasks)?;
+                let chosen: Vec<(usize, ArmTask, Ending)> =
+                    chosen(&endings).into_iter().map(|place| (place, tasks[place], endings[place])).collect();
+                let walks = in_arithmetic_of!(graph, walks(run, graph, &arm, &problem, &chosen))?;
+                let arm = OnTheArm { arm, tolerance: problem.tolerance, walks };
+                Ok(Some(Tested { endings, measure: Some(DISTANCE), arm: Some(arm) }))
+            }
+            problem => {
+                let test = OnAProblem { problem, file: &run.name, graph, episodes, seed };
+                in_arithmetic_of!(graph, test.run()).map(Some)
+            }
+        },
         Kind::Sac { start, network, contract } => {
             let tasks = targets::tasks(&WIDOWX, seed, Set::Test, *start, episodes);
             let policy = ActorPolicy::new(network, &contract.actor);
+            let rules = ArmProblem::new(*start, Vec::new());
             let watch = |place: usize| {
                 let mut poses = vec![tasks[place].start];
                 let summary = policy.watch(*start, place, &tasks[place], |pose| poses.push(pose));
-                let outcome = outcome_number(summary.outcome);
-                let (actions, error) = (summary.actions, f64::from(summary.distance));
-                (Ending { outcome, success: outcome == 0, score: -error, error, actions }, poses)
+                (rules.ending(summary.outcome, summary.actions, f64::from(summary.distance)), poses)
             };
             let endings: Vec<Ending> = (0..tasks.len()).map(|place| watch(place).0).collect();
             let walks = (chosen(&endings).into_iter())
                 .map(|place| walk(place, tasks[place].target, watch(place).1, endings[place]))
                 .collect();
-            Ok(Some(Tested::new(WIDOWX, TOLERANCE, &endings, walks)))
+            let arm = OnTheArm { arm: WIDOWX, tolerance: TOLERANCE, walks };
+            Ok(Some(Tested { endings, measure: Some(DISTANCE), arm: Some(arm) }))
         }
+    }
+}
+
+/// A graph and a built-in problem that is not the arm's.
+struct OnAProblem<'a> {
+    problem: &'a Problem,
+    file: &'a str,
+    graph: &'a Graph,
+    episodes: usize,
+    seed: u64,
+}
+
+impl OnAProblem<'_> {
+    fn run<S: ArmScalar, M: Maths<S>>(&self) -> Result<Tested, InputError> {
+        self.problem.open::<S, _>(In::<M>(self, std::marker::PhantomData))
+    }
+}
+
+/// A test in the maths of `M`.
+struct In<'a, M>(&'a OnAProblem<'a>, std::marker::PhantomData<M>);
+
+impl<S: ArmScalar, M: Maths<S>> Visitor<S> for In<'_, M> {
+    type Output = Result<Tested, InputError>;
+
+    fn visit<E: Environment<S>>(self, environment: E) -> Self::Output {
+        let OnAProblem { problem, file, graph, episodes, seed } = *self.0;
+        let measure = environment.measure();
+        let choices = Choices::new(environment, problem.levels())
+            .map_err(|error| InputError::new(file, Place::Whole, error.to_string(), "fewer problem.levels"))?;
+        let endings = endings::<S, M>(file, graph, &choices, episodes, seed)?;
+        Ok(Tested { endings, measure, arm: None })
     }
 }
 
 /// The places of the episodes that are drawn.
 fn chosen(endings: &[Ending]) -> Vec<usize> {
     let of = |success: bool, count: usize| {
-        (0..endings.len()).filter(move |&place| endings[place].success == success).take(count)
+        (0..endings.len()).filter(move |&place| endings[place].success == Some(success)).take(count)
     };
     of(true, KEPT[0]).chain(of(false, KEPT[1])).collect()
 }
 
 fn walk(number: usize, target: [f64; 3], poses: Vec<Pose>, ending: Ending) -> Walk {
-    Walk { number, target, poses, outcome: OUTCOMES[usize::from(ending.outcome)], distance: ending.error }
+    Walk { number, target, poses, outcome: OUTCOMES[usize::from(ending.outcome)], distance: ending.measure }
 }
 
-/// The engine says the actions, the arm where they lead.
+/// The engine gives the actions, the arm the poses that they lead to.
 fn walks<S: ArmScalar, M: Maths<S>>(
     run: &Run,
     graph: &Graph,
@@ -132,14 +174,16 @@ fn walks<S: ArmScalar, M: Maths<S>>(
     let mut lanes = Lanes::<S, M, _>::new(&environment, Options { lanes: 1, ..Options::default() });
     let one = |&(number, task, ending): &(usize, ArmTask, Ending)| {
         let mut poses = vec![Pose(task.start)];
-        lanes.run_watched(&plan, &[task], |_, action| {
-            let moves = environment.moves()[usize::from(action.0)];
-            let last = poses[poses.len() - 1];
-            poses.push(environment.arm().step(last, moves).pose);
-        });
+        lanes
+            .run_watched(&plan, &[task], |_, action| {
+                let moves = environment.moves()[usize::from(action.0)];
+                let last = poses[poses.len() - 1];
+                poses.push(environment.arm().step(last, moves).pose);
+            })
+            .map_err(|error| InputError::new(&run.name, Place::Whole, error.to_string(), "episodes that can be run"))?;
         // The engine notices a cycle late; the episode ended at its first repeat.
         poses.truncate(ending.actions as usize + 1);
-        walk(number, task.target, poses, ending)
+        Ok(walk(number, task.target, poses, ending))
     };
-    Ok(chosen.iter().map(one).collect())
+    chosen.iter().map(one).collect()
 }

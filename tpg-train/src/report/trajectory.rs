@@ -1,6 +1,6 @@
 //! Episodes, drawn: the arm from its side, and from above.
 
-use super::test::{Tested, Walk};
+use super::test::{OnTheArm, Walk};
 use crate::picture::{Figure, Point, Svg};
 use tpg_runtime::arm::{Arm, Pose};
 use tpg_runtime::kinematics::{Plane, Vector, base_direction};
@@ -8,8 +8,8 @@ use tpg_runtime::kinematics::{Plane, Vector, base_direction};
 /// Pixels of a panel; there are two.
 const PANEL: f64 = 300.0;
 
-pub(super) fn figures(tested: &Tested) -> Vec<Figure> {
-    tested.walks.iter().map(|walk| figure(&tested.arm, walk)).collect()
+pub(super) fn figures(of: &OnTheArm) -> Vec<Figure> {
+    of.walks.iter().map(|walk| figure(&of.arm, walk)).collect()
 }
 
 fn figure(arm: &Arm<f64>, walk: &Walk) -> Figure {

@@ -6,15 +6,14 @@ use crate::data;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
 use tpg_graph::error::InputError;
-use tpg_problems::arm::environment::OUTCOMES;
+use tpg_problems::arm::Shield;
 use tpg_problems::arm::planner::{Choice, Planner};
 use tpg_problems::arm::targets::{Start, Task};
 use tpg_problems::arm::trial::{Trial, run};
 use tpg_problems::arm::{ArmProblem, ArmTask};
 use tpg_runtime::arm::WIDOWX;
 use tpg_runtime::observation::Straight;
-use tpg_train::evaluate::{Report, shielded_endings_of};
-use tpg_train::evolution::config::Shield;
+use tpg_train::evaluate::arm::shielded_endings_of;
 use tpg_train::hybrid::actor::Actor;
 use tpg_train::hybrid::graph::read_graph;
 
@@ -87,8 +86,8 @@ fn graphs(learned: &Learned, shield: Shield, start: Start, tasks: &[Task]) -> Re
         let (file, graph) = (path.display().to_string(), read_graph(path)?);
         let problem = ArmProblem::new(start, Vec::new());
         let endings = shielded_endings_of(&file, &graph, &WIDOWX, problem, shield, &tasks)?;
-        let report = Report::new(start, &file, shield, None, &endings, &OUTCOMES, 0.0);
-        Ok([report.success_rate, report.collision_rate, report.mean_distance_mm, report.mean_actions])
+        let trial = Trial::of(start, endings);
+        Ok([trial.success_rate, trial.collision_rate, trial.mean_distance_mm, trial.mean_actions])
     };
     let values: Result<Vec<_>, InputError> = learned.tpg.iter().map(values).collect();
     let shielded = if shield == Shield::None { "" } else { ", shielded" };

@@ -1,9 +1,10 @@
-//! An arm as a section of a configuration: `[arm]`, `[arm.links]` and `[arm.shapes]`. Without it the arm is the WidowX.
+//! An arm as a section of a configuration: `[problem.arm]`, `[problem.arm.links]` and `[problem.arm.shapes]`. Without it the arm is the WidowX.
 //!
 //! `tpg-train config widowx` prints the WidowX's own section, commented, to start from.
 
 use crate::arm::targets::stands_free;
 use serde::{Deserialize, Serialize};
+use tpg_graph::error::Finding;
 use tpg_runtime::arm::{Arm, BaseEdge, JOINTS, JointRange, Links, Pose, Shapes, TICKS_PER_TURN};
 use tpg_runtime::kinematics::Plane;
 
@@ -15,7 +16,7 @@ const TRIED: i32 = 16;
 
 /// An arm, as it is written down.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "camelCase")]
+#[serde(deny_unknown_fields)]
 pub struct ArmDescription {
     /// Where a fixed-start episode begins, ticks.
     pub home: [i16; JOINTS],
@@ -31,7 +32,7 @@ pub struct ArmDescription {
 
 /// [`Links`], mm.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "camelCase")]
+#[serde(deny_unknown_fields)]
 pub struct LinksDescription {
     /// Height of the shoulder over the table.
     pub base: f64,
@@ -47,7 +48,7 @@ pub struct LinksDescription {
 
 /// [`Shapes`], mm.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "camelCase")]
+#[serde(deny_unknown_fields)]
 pub struct ShapesDescription {
     /// Wrist to the face of the hand's tip.
     pub hand_length: f64,
@@ -101,15 +102,12 @@ impl From<&ArmDescription> for Arm<f64> {
     }
 }
 
-/// What is wrong with a description: the key, what it is, and what is accepted.
-pub type Wrong = (&'static str, String, String);
-
 impl ArmDescription {
     /// Checks what the types cannot.
     ///
     /// # Errors
     /// A value out of range, or values that contradict each other.
-    pub fn check(&self) -> Result<(), Wrong> {
+    pub fn check(&self) -> Result<(), Finding> {
         let ticks = 0..TICKS_PER_TURN as i16;
         let last = TICKS_PER_TURN - 1;
         if let Some(range) =
@@ -117,48 +115,49 @@ impl ArmDescription {
         {
             let accepted =
                 format!("two whole numbers of ticks for each joint, 0 to {last}, the first below the second");
-            return Err(("arm.ranges", format!("{range:?}"), accepted));
+            return Err(Finding::new("problem.arm.ranges", format!("{range:?}"), accepted));
         }
         if let Some(servo) = self.fixed_servos.iter().find(|servo| !ticks.contains(servo)) {
-            return Err(("arm.fixedServos", servo.to_string(), format!("0 to {last}")));
+            return Err(Finding::new("problem.arm.fixed_servos", servo.to_string(), format!("0 to {last}")));
         }
         if self.home.iter().zip(&self.ranges).any(|(home, [min, max])| home < min || home > max) {
             let accepted = format!("positions in arm.ranges, {:?}", self.ranges);
-            return Err(("arm.home", format!("{:?}", self.home), accepted));
+            return Err(Finding::new("problem.arm.home", format!("{:?}", self.home), accepted));
         }
         self.check_lengths()?;
         let arm = Arm::from(self);
         if !stands_free(&arm, &Plane::at(&arm, arm.home)) {
             let accepted = "a pose that touches neither table nor base".to_owned();
-            return Err(("arm.home", format!("{:?}, which collides", self.home), accepted));
+            return Err(Finding::new("problem.arm.home", format!("{:?}, which collides", self.home), accepted));
         }
         if !self.stands_anywhere(&arm) {
             let found = format!("{:?}, where every pose of a grid of {} collides", self.ranges, TRIED.pow(3));
-            return Err(("arm.ranges", found, "an arm with room to move".to_owned()));
+            return Err(Finding::new("problem.arm.ranges", found, "an arm with room to move".to_owned()));
         }
         Ok(())
     }
 
-    fn check_lengths(&self) -> Result<(), Wrong> {
+    fn check_lengths(&self) -> Result<(), Finding> {
         let (links, shapes) = (&self.links, &self.shapes);
         for (key, length, least) in [
-            ("arm.links.base", links.base, 0.0),
-            ("arm.links.upperArm", links.upper_arm, 1.0),
-            ("arm.links.elbowOffset", links.elbow_offset, 0.0),
-            ("arm.links.forearm", links.forearm, 1.0),
-            ("arm.links.hand", links.hand, 1.0),
-            ("arm.shapes.handLength", shapes.hand_length, 0.0),
-            ("arm.shapes.forearmOverhang", shapes.forearm_overhang, 0.0),
+            ("problem.arm.links.base", links.base, 0.0),
+            ("problem.arm.links.upper_arm", links.upper_arm, 1.0),
+            ("problem.arm.links.elbow_offset", links.elbow_offset, 0.0),
+            ("problem.arm.links.forearm", links.forearm, 1.0),
+            ("problem.arm.links.hand", links.hand, 1.0),
+            ("problem.arm.shapes.hand_length", shapes.hand_length, 0.0),
+            ("problem.arm.shapes.forearm_overhang", shapes.forearm_overhang, 0.0),
         ] {
             if !(least..=LONGEST).contains(&length) {
-                return Err((key, length.to_string(), format!("{least} to {LONGEST} mm")));
+                return Err(Finding::new(key, length, format!("{least} to {LONGEST} mm")));
             }
         }
-        for (key, edges) in
-            [("arm.shapes.handEdges", shapes.hand_edges), ("arm.shapes.forearmEdges", shapes.forearm_edges)]
-        {
+        for (key, edges) in [
+            ("problem.arm.shapes.hand_edges", shapes.hand_edges),
+            ("problem.arm.shapes.forearm_edges", shapes.forearm_edges),
+        ] {
             if edges.iter().any(|edge| edge.abs() > LONGEST) || edges.iter().any(|edge| edge.is_nan()) {
-                return Err((key, format!("{edges:?}"), format!("-{LONGEST} to {LONGEST} mm")));
+                return Err(Finding::new(key, format!("{edges:?}"), format!("-{LONGEST} to {LONGEST} mm")));
             }
         }
         for [x0, x1, z0, z1] in shapes.base {
@@ -167,7 +166,7 @@ impl ArmDescription {
             if !inside || (x0 != x1 && z0 != z1) {
                 let found = format!("{:?}", [x0, x1, z0, z1]);
                 let accepted = format!("0 to {LONGEST} mm, horizontal (equal heights) or vertical (equal distances)");
-                return Err(("arm.shapes.base", found, accepted));
+                return Err(Finding::new("problem.arm.shapes.base", found, accepted));
             }
         }
         Ok(())
@@ -197,11 +196,16 @@ mod tests {
 
     #[derive(Deserialize)]
     struct Text {
+        problem: Section,
+    }
+
+    #[derive(Deserialize)]
+    struct Section {
         arm: ArmDescription,
     }
 
     fn read(text: &str) -> ArmDescription {
-        toml::from_str::<Text>(text).expect("a description").arm
+        toml::from_str::<Text>(text).expect("a description").problem.arm
     }
 
     #[test]
@@ -215,18 +219,18 @@ mod tests {
     #[test]
     fn an_arm_that_cannot_be_is_refused_by_the_key_that_is_wrong() {
         for (from, to, key) in [
-            ("home = [2048", "home = [0", "arm.home"),
-            ("home = [2048, 2048, 2048, 2048]", "home = [2048, 1100, 1100, 1100]", "arm.home"),
-            ("[2, 4094]", "[2, 4096]", "arm.ranges"),
-            ("[2, 4094]", "[9, 9]", "arm.ranges"),
-            ("fixedServos = [512", "fixedServos = [-1", "arm.fixedServos"),
-            ("forearm = 142.0", "forearm = 0.0", "arm.links.forearm"),
-            ("handEdges = [24.0", "handEdges = [nan", "arm.shapes.handEdges"),
-            ("[68.0, 90.0, 9.0, 9.0]", "[68.0, 90.0, 9.0, 10.0]", "arm.shapes.base"),
+            ("home = [2048", "home = [0", "problem.arm.home"),
+            ("home = [2048, 2048, 2048, 2048]", "home = [2048, 1100, 1100, 1100]", "problem.arm.home"),
+            ("[2, 4094]", "[2, 4096]", "problem.arm.ranges"),
+            ("[2, 4094]", "[9, 9]", "problem.arm.ranges"),
+            ("fixed_servos = [512", "fixed_servos = [-1", "problem.arm.fixed_servos"),
+            ("forearm = 142.0", "forearm = 0.0", "problem.arm.links.forearm"),
+            ("hand_edges = [24.0", "hand_edges = [nan", "problem.arm.shapes.hand_edges"),
+            ("[68.0, 90.0, 9.0, 9.0]", "[68.0, 90.0, 9.0, 10.0]", "problem.arm.shapes.base"),
         ] {
             let text = WIDOWX_TOML.replacen(from, to, 1);
             assert_ne!(text, WIDOWX_TOML, "{from} is in the text");
-            assert_eq!(read(&text).check().map_err(|(key, ..)| key), Err(key), "{to}");
+            assert_eq!(read(&text).check().map_err(|finding| finding.key), Err(key.to_owned()), "{to}");
         }
     }
 }

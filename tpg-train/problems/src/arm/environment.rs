@@ -16,14 +16,15 @@ pub use problem::{ArmProblem, ArmTask, OUTCOMES, outcome_number};
 use crate::arm::targets::{self, Reach as Space, Set};
 use clearance::{Clearances, swing};
 use tpg_engine::random::Stream;
-use tpg_engine::{Ending, Environment, Episodes, OneByOne, SourceSet};
+use tpg_engine::{
+    Act, ActionSpace, End, Ending, Environment, Episodes, Measure, OneByOne, Preference, SourceSet, Step,
+};
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::{ActionDocument, Graph, SourceDocument};
 use tpg_runtime::arm::{Arm, JOINTS, Joint, Move, Pose, TICKS_PER_TURN};
 use tpg_runtime::episode::Outcome;
 use tpg_runtime::kinematics::{self, Angle, Direction, Directions, Lattice, Plane, link_angles};
 use tpg_runtime::observation::{Observation, ReachErrors, Source, derived, shield};
-use tpg_runtime::policy::ActionId;
 
 /// The scalars that an arm exists in.
 pub trait ArmScalar: Lattice {
@@ -42,6 +43,9 @@ impl ArmScalar for f64 {
         *arm
     }
 }
+
+/// The measure of an episode: from the hand to the target at its end.
+pub const DISTANCE: Measure = Measure { name: "distance", unit: "mm" };
 
 /// The arm.
 #[derive(Clone, Debug)]
@@ -212,16 +216,41 @@ impl<S: ArmScalar> ArmEnvironment<S> {
         episode.hand = episode.plane.hand_in_world(episode.base);
     }
 
-    fn ending(&self, outcome: Outcome, actions: u32, distance: S) -> Ending {
-        let error = distance.to_f64();
-        let success = outcome == Outcome::Reached;
-        let unused = f64::from(self.problem.max_actions.saturating_sub(actions));
-        let score = if success {
-            unused * self.problem.per_unused_action + self.problem.bonus
+    /// Takes one action; the episode's ending, if it ended. The only reward is the score at the end.
+    fn advance(&self, episode: &mut ArmEpisode<S>, action: usize) -> Option<Ending> {
+        let wanted = self.moves.get(action).copied().unwrap_or(Move::STOP);
+        let wanted = Move(wanted.0.map(|ticks| ticks.saturating_mul(episode.roughness as i8)));
+        let before = episode.pose;
+        let mut moved_plane = None;
+        let step = self.arm.step_with(before, wanted, |moved| {
+            // The plane, and with it every collision, is the same for every angle of the base.
+            let plane_moved = (moved.packed() ^ before.packed()) >> 16 != 0;
+            if !plane_moved && !episode.collides {
+                return None;
+            }
+            let plane = self.plane(moved);
+            moved_plane = Some(plane);
+            if self.clearances.leaves_free(&plane, S::ZERO) { None } else { plane.collision(&self.arm.shapes) }
+        });
+        episode.actions += 1;
+        if step.pose != before {
+            episode.collides = false;
+            self.arrive(episode, step.pose, moved_plane);
+        }
+        let distance = kinematics::distance(episode.target, episode.hand);
+        // The order of the runtime's episode; cycles are the engine's.
+        let outcome = if let Some(invalid) = step.invalid {
+            Outcome::Invalid(invalid)
+        } else if distance < self.tolerance * S::from_i32(i32::from(episode.roughness)) {
+            Outcome::Reached
+        } else if wanted == Move::STOP {
+            Outcome::Stop
+        } else if episode.actions >= self.problem.max_actions {
+            Outcome::Timeout
         } else {
-            -error.min(self.problem.hand_over_price)
+            return None;
         };
-        Ending { outcome: outcome_number(outcome), success, score, error, actions }
+        Some(self.problem.ending(outcome, episode.actions, distance.to_f64()))
     }
 }
 
@@ -244,7 +273,7 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
         self.problem.sources.iter().map(document).collect()
     }
 
-    fn actions(&self) -> Vec<ActionDocument> {
+    fn actions(&self) -> ActionSpace {
         const NAMES: [&str; 9] = [
             "base_up",
             "base_down",
@@ -261,7 +290,7 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
             name: name.to_owned(),
             moves: Some(moves.0),
         };
-        (0..).zip(&self.moves).zip(NAMES).map(document).collect()
+        ActionSpace::Discrete((0..).zip(&self.moves).zip(NAMES).map(document).collect())
     }
 
     fn outcomes(&self) -> &'static [&'static str] {
@@ -315,6 +344,10 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
             _ => at..at,
         });
         constant.map(|input| input as u16).collect()
+    }
+
+    fn bid_bounds(&self) -> Option<usize> {
+        self.problem.sources.iter().position(|source| matches!(source, Source::ShieldLimits | Source::ShieldCollision))
     }
 
     fn lanes(&self) -> Box<dyn Episodes<S, ArmTask> + '_> {
@@ -371,40 +404,21 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
         }
     }
 
-    fn step(&self, episode: &mut ArmEpisode<S>, action: ActionId) -> Option<Ending> {
-        let wanted = self.moves.get(usize::from(action.0)).copied().unwrap_or(Move::STOP);
-        let wanted = Move(wanted.0.map(|ticks| ticks.saturating_mul(episode.roughness as i8)));
-        let before = episode.pose;
-        let mut moved_plane = None;
-        let step = self.arm.step_with(before, wanted, |moved| {
-            // The plane, and with it every collision, is the same for every angle of the base.
-            let plane_moved = (moved.packed() ^ before.packed()) >> 16 != 0;
-            if !plane_moved && !episode.collides {
-                return None;
+    fn step(&self, episode: &mut ArmEpisode<S>, act: Act<'_, S>) -> Step {
+        match self.advance(episode, act.choice()) {
+            None => Step::reward(0.0),
+            Some(Ending { outcome, success, score, measure, .. }) => {
+                Step::reward(score).ending(End { outcome, success, measure, truncated: false })
             }
-            let plane = self.plane(moved);
-            moved_plane = Some(plane);
-            if self.clearances.leaves_free(&plane, S::ZERO) { None } else { plane.collision(&self.arm.shapes) }
-        });
-        episode.actions += 1;
-        if step.pose != before {
-            episode.collides = false;
-            self.arrive(episode, step.pose, moved_plane);
         }
-        let distance = kinematics::distance(episode.target, episode.hand);
-        // The order of the runtime's episode; cycles are the engine's.
-        let outcome = if let Some(invalid) = step.invalid {
-            Outcome::Invalid(invalid)
-        } else if distance < self.tolerance * S::from_i32(i32::from(episode.roughness)) {
-            Outcome::Reached
-        } else if wanted == Move::STOP {
-            Outcome::Stop
-        } else if episode.actions >= self.problem.max_actions {
-            Outcome::Timeout
-        } else {
-            return None;
-        };
-        Some(self.ending(outcome, episode.actions, distance))
+    }
+
+    fn measure(&self) -> Option<Measure> {
+        Some(DISTANCE)
+    }
+
+    fn preference(&self) -> Preference {
+        Preference::Success
     }
 
     fn key(&self, episode: &ArmEpisode<S>) -> Option<u64> {
@@ -414,6 +428,6 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
     fn cycle(&self, episode: &ArmEpisode<S>, key: u64, actions: u32) -> Option<Ending> {
         let pose = Pose::from_packed(key);
         let hand = self.plane(pose).hand_in_world(self.base(pose));
-        Some(self.ending(Outcome::Cycle, actions, kinematics::distance(episode.target, hand)))
+        Some(self.problem.ending(Outcome::Cycle, actions, kinematics::distance(episode.target, hand).to_f64()))
     }
 }

@@ -4,6 +4,8 @@
 //! | --- | --- |
 //! | [`environment`] | the arm as an [`Environment`](tpg_engine::Environment), many episodes at once |
 //! | [`binding`] | a graph's sources and actions in terms of the arm |
+//! | [`config`] | the arm's section of a configuration |
+//! | [`shield`] | actions that a graph cannot choose |
 //! | [`description`] | an arm as a section of a configuration |
 //! | [`targets`] | tasks over the reachable space |
 //! | [`ik`] | poses that solve a task, by inverse kinematics |
@@ -11,12 +13,16 @@
 //! | [`trial`] | one policy on many tasks |
 
 pub mod binding;
+pub mod config;
 pub mod description;
 pub mod environment;
 pub mod ik;
 pub mod planner;
+pub mod shield;
 pub mod targets;
 pub mod trial;
 
+pub use config::Config;
 pub use description::ArmDescription;
 pub use environment::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
+pub use shield::Shield;

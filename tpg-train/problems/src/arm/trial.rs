@@ -1,15 +1,17 @@
 //! A policy put to a list of tasks: how often it succeeds, and how it fails.
 
+use crate::arm::environment::{ArmProblem, OUTCOMES};
 use crate::arm::targets::{Start, Task};
 use serde::Serialize;
-use tpg_runtime::arm::{Arm, Collision, Invalid, Move, Pose, Step};
+use tpg_engine::Ending;
+use tpg_runtime::arm::{Arm, Move, Pose, Step};
 use tpg_runtime::cycle::{Brent, CycleDetector};
 use tpg_runtime::episode::{Episode, Outcome, Problem, Summary};
 use tpg_runtime::kinematics::Lattice;
 use tpg_runtime::observation::Observation;
 use tpg_runtime::policy::Policy;
 
-/// What came of many episodes of one problem. Rates lie in 0..1, distances are in mm.
+/// The figures of many episodes of one problem. Rates lie in 0..1, distances are in mm.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Trial {
     /// Which start.
@@ -30,6 +32,9 @@ pub struct Trial {
     pub mean_actions_on_success: f64,
     /// Why the others failed.
     pub failures: Failures,
+    /// The episodes, in order.
+    #[serde(skip)]
+    pub endings: Vec<Ending>,
 }
 
 /// Failed episodes by their end.
@@ -138,39 +143,44 @@ fn walk<S: Lattice>(
     }
 }
 
-/// What came of these episodes.
+/// The figures of episodes with the paper's scores.
 pub fn summarise<S: Lattice>(problem: Start, summaries: &[Summary<S>]) -> Trial {
-    let mut failures = Failures::default();
-    let (mut successes, mut actions, mut on_success) = (0, 0.0, 0.0);
-    for summary in summaries {
-        actions += f64::from(summary.actions);
-        match summary.outcome {
-            Outcome::Reached => {
-                successes += 1;
-                on_success += f64::from(summary.actions);
-            }
-            Outcome::Invalid(Invalid::JointLimit(_)) => failures.joint_limit += 1,
-            Outcome::Invalid(Invalid::Collision(Collision::Base)) => failures.base += 1,
-            Outcome::Invalid(Invalid::Collision(Collision::Table | Collision::HandCorner)) => failures.table += 1,
-            Outcome::Stop => failures.stop += 1,
-            Outcome::Cycle => failures.cycle += 1,
-            Outcome::Timeout => failures.timeout += 1,
+    let rules = ArmProblem::new(problem, Vec::new());
+    let ending = |summary: &Summary<S>| rules.ending(summary.outcome, summary.actions, summary.distance.to_f64());
+    Trial::of(problem, summaries.iter().map(ending).collect())
+}
+
+impl Trial {
+    /// The figures of episodes of the arm.
+    pub fn of(problem: Start, endings: Vec<Ending>) -> Self {
+        let failed = |name: &str| endings.iter().filter(|ending| OUTCOMES[usize::from(ending.outcome)] == name).count();
+        let failures = Failures {
+            cycle: failed("cycle"),
+            stop: failed("stop"),
+            joint_limit: failed("joint_limit"),
+            table: failed("table"),
+            base: failed("base"),
+            timeout: failed("timeout"),
+        };
+        let successes: Vec<&Ending> = endings.iter().filter(|ending| ending.success == Some(true)).collect();
+        let on_success: f64 = successes.iter().map(|ending| f64::from(ending.actions)).sum();
+        let mut distances: Vec<f64> = endings.iter().map(|ending| ending.measure).collect();
+        let count = endings.len().max(1) as f64;
+        distances.sort_by(f64::total_cmp);
+        let mean_distance_mm = distances.iter().sum::<f64>() / count;
+        let invalid = failures.joint_limit + failures.table + failures.base;
+        Self {
+            problem,
+            episodes: endings.len(),
+            success_rate: successes.len() as f64 / count,
+            collision_rate: invalid as f64 / count,
+            mean_distance_mm,
+            median_distance_mm: median(&distances),
+            mean_actions: endings.iter().map(|ending| f64::from(ending.actions)).sum::<f64>() / count,
+            mean_actions_on_success: on_success / successes.len().max(1) as f64,
+            failures,
+            endings,
         }
-    }
-    let mut distances: Vec<f64> = summaries.iter().map(|summary| summary.distance.to_f64()).collect();
-    distances.sort_by(f64::total_cmp);
-    let count = summaries.len().max(1) as f64;
-    let invalid = failures.joint_limit + failures.table + failures.base;
-    Trial {
-        problem,
-        episodes: summaries.len(),
-        success_rate: f64::from(successes) / count,
-        collision_rate: invalid as f64 / count,
-        mean_distance_mm: distances.iter().sum::<f64>() / count,
-        median_distance_mm: median(&distances),
-        mean_actions: actions / count,
-        mean_actions_on_success: on_success / f64::from(successes.max(1)),
-        failures,
     }
 }
 

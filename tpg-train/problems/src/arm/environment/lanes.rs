@@ -9,7 +9,7 @@ use super::group::{Group, Lane};
 use super::usual::Usual;
 use super::{ArmEnvironment, ArmEpisode, ArmScalar, ArmTask};
 use pulp::Arch;
-use tpg_engine::{BLOCK, Block, Ending, Environment, Episodes, SourceSet, View};
+use tpg_engine::{BLOCK, Block, Ending, Environment, Episodes, EvaluationError, SourceSet, View};
 use tpg_runtime::arm::{JOINTS, Move};
 use tpg_runtime::observation::Source;
 use tpg_runtime::policy::ActionId;
@@ -72,7 +72,7 @@ impl<'e, S: ArmScalar> ArmLanes<'e, S> {
 }
 
 impl<S: ArmScalar> Episodes<S, ArmTask> for ArmLanes<'_, S> {
-    fn begin(&mut self, lane: usize, task: &ArmTask) {
+    fn begin(&mut self, lane: usize, task: &ArmTask) -> Result<(), EvaluationError> {
         let episode = self.environment.start(task);
         let (new, key) = (self.lane(&episode), episode.pose.packed());
         if lane / BLOCK == self.groups.len() {
@@ -86,9 +86,10 @@ impl<S: ArmScalar> Episodes<S, ArmTask> for ArmLanes<'_, S> {
         }
         self.groups[lane / BLOCK].put(lane % BLOCK, new);
         self.keys[lane / BLOCK][lane % BLOCK] = key;
+        Ok(())
     }
 
-    fn step(&mut self, actions: &[ActionId], ended: &mut Vec<(usize, Ending)>) {
+    fn step(&mut self, actions: &[ActionId], ended: &mut Vec<(usize, Ending)>) -> Result<(), EvaluationError> {
         let Self { environment, moves, groups, keys, .. } = self;
         self.arch.dispatch(Usual { environment, moves, groups, keys, actions });
         for (lane, &action) in actions.iter().enumerate() {
@@ -97,13 +98,14 @@ impl<S: ArmScalar> Episodes<S, ArmTask> for ArmLanes<'_, S> {
             }
             let environment = self.environment;
             self.groups[lane / BLOCK].take_back(lane % BLOCK);
-            let ending = environment.step(self.caught_up(lane), action);
+            let ending = environment.advance(self.caught_up(lane), usize::from(action.0));
             let episode = &self.episodes[lane];
             let (new, key) = (self.lane(episode), episode.pose.packed());
             self.groups[lane / BLOCK].put(lane % BLOCK, new);
             self.keys[lane / BLOCK][lane % BLOCK] = key;
             ended.extend(ending.map(|ending| (lane, ending)));
         }
+        Ok(())
     }
 
     fn keys(&self) -> &[u64] {
@@ -114,7 +116,7 @@ impl<S: ArmScalar> Episodes<S, ArmTask> for ArmLanes<'_, S> {
         self.environment.cycle(&self.episodes[lane], key, actions)
     }
 
-    fn observe(&mut self, wanted: SourceSet, view: &mut View<'_, S>) {
+    fn observe(&mut self, wanted: SourceSet, view: &mut View<'_, S>) -> Result<(), EvaluationError> {
         let environment = self.environment;
         let mut others = SourceSet::NONE;
         for (place, (source, &at)) in environment.problem.sources.iter().zip(&environment.places).enumerate() {
@@ -123,7 +125,7 @@ impl<S: ArmScalar> Episodes<S, ArmTask> for ArmLanes<'_, S> {
             }
         }
         if others == SourceSet::NONE {
-            return;
+            return Ok(());
         }
         for lane in 0..self.episodes.len() {
             self.caught_up(lane);
@@ -138,6 +140,7 @@ impl<S: ArmScalar> Episodes<S, ArmTask> for ArmLanes<'_, S> {
                 }
             }
         }
+        Ok(())
     }
 
     fn close_up(&mut self, lane: usize) {

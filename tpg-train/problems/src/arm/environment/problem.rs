@@ -2,6 +2,7 @@
 
 use crate::arm::targets::{self, Start, Task};
 use serde::{Deserialize, Serialize};
+use tpg_engine::Ending;
 use tpg_runtime::arm::{Collision, Invalid, JOINTS};
 use tpg_runtime::episode::Outcome;
 use tpg_runtime::observation::Source;
@@ -43,6 +44,18 @@ impl ArmProblem {
             hand_over_price: f64::INFINITY,
             per_unused_action: 0.01,
         }
+    }
+}
+
+impl ArmProblem {
+    /// The ending of an episode, with its score: for a success the bonus and the actions it did not need, for a failure
+    /// minus the distance, mm.
+    pub fn ending(&self, outcome: Outcome, actions: u32, distance: f64) -> Ending {
+        let success = outcome == Outcome::Reached;
+        let unused = f64::from(self.max_actions.saturating_sub(actions));
+        let score =
+            if success { unused * self.per_unused_action + self.bonus } else { -distance.min(self.hand_over_price) };
+        Ending { outcome: outcome_number(outcome), success: Some(success), score, measure: distance, actions }
     }
 }
 

@@ -1,91 +1,38 @@
-//! `tpg-train eval`: lets a policy act on test episodes and counts how they end.
+//! Policies on the arm: graphs, networks, hybrids, and planners.
 
-mod report;
-
-pub use report::Report;
-
-use crate::evolution::config::Config;
-use crate::evolution::config::Shield;
+use super::EvalArgs;
+use super::report::Report;
 use crate::hybrid::actor::Actor;
 use crate::hybrid::graph::read_graph;
-use crate::hybrid::setting::{Detector, HandBack, HybridFile, Setting};
+use crate::hybrid::setting::{HybridFile, Setting};
 use crate::hybrid::trial;
-use clap::Args;
+use crate::run_args::command_line;
 use serde::Deserialize as _;
-use std::io::Write as _;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Instant;
 use tpg_engine::{Ending, Environment, Lanes, Options, Plan, Policy};
-use tpg_graph::Graph;
-use tpg_graph::error::{InputError, Place};
-use tpg_graph::in_arithmetic_of;
+use tpg_graph::error::{Finding, InputError, Place};
+use tpg_graph::{Graph, in_arithmetic_of};
 use tpg_problems::arm::targets::{self, Set, Start};
-use tpg_problems::arm::{ArmDescription, ArmEnvironment, ArmProblem, ArmScalar, ArmTask, environment::OUTCOMES};
+use tpg_problems::arm::trial::Trial;
+use tpg_problems::arm::{ArmDescription, ArmEnvironment, ArmProblem, ArmScalar, ArmTask, Config, Shield};
+use tpg_problems::{Problem, ProblemName};
 use tpg_runtime::arm::{Arm, WIDOWX};
-use tpg_runtime::hybrid::Guard;
 use tpg_runtime::observation::shield::{SHIELDED, STEP, action as action_of};
 use tpg_runtime::ops::Maths;
 
-/// Let a policy act and count how its episodes end.
-#[derive(Clone, Debug, Args)]
-pub struct EvalArgs {
-    /// The problem: fixed or random start
-    #[arg(long, value_enum)]
-    pub problem: Start,
-    /// A graph; with --policy too, the two share the arm
-    #[arg(long, value_name = "GRAPH", required_unless_present_any = ["policy", "hybrid"])]
-    pub tpg: Option<PathBuf>,
-    /// The arm, tolerance and action limit of this configuration. Default: the arm that the graph was trained for (the
-    /// WidowX where it does not say), 3 mm, 1707 or 3414 actions
-    #[arg(long, value_name = "FILE")]
-    pub config: Option<PathBuf>,
-    /// A policy.safetensors, a policy.q.json, or the classical `planner` or `nearest-goal`
-    #[arg(long, value_name = "FILE")]
-    pub policy: Option<String>,
-    /// A hybrid.toml: graph, actor, and how they share the arm
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["tpg", "policy"])]
-    pub hybrid: Option<PathBuf>,
-    /// With --tpg and --policy: actions of the network before the graph is asked again, or `never`
-    #[arg(long, value_name = "N", default_value = "100")]
-    pub hand_back_after: HandBack,
-    /// With --tpg and --policy: the network takes over when the hand is further away than its best by this; `inf`
-    #[arg(long, value_name = "D", default_value_t = 20.0)]
-    pub separation_mm: f64,
-    /// With --tpg and --policy: none, joint-limits, collisions or both
-    #[arg(long, value_name = "GUARD", default_value = "none", value_parser = crate::hybrid::command::guard)]
-    pub guard: Guard,
-    /// With --tpg and --policy: how cycles of the graph are noticed
-    #[arg(long, value_enum, default_value_t = Detector::Visited)]
-    pub cycle_detector: Detector,
-    /// Episodes from a file
-    #[arg(long, value_name = "CSV", conflicts_with = "episodes")]
-    pub targets: Option<PathBuf>,
-    /// So many episodes of the test set of --seed
-    #[arg(long, value_name = "N", default_value_t = 1000)]
-    pub episodes: usize,
-    /// The seed of the test set
-    #[arg(long, value_name = "S", default_value_t = 1)]
-    pub seed: u64,
-    /// Add a shield to a graph that has none: actions that would be refused cannot be chosen
-    #[arg(long, value_enum, default_value_t = Shield::None, conflicts_with_all = ["policy", "hybrid"])]
-    pub shield: Shield,
-    /// One JSON object instead of a table
-    #[arg(long)]
-    pub json: bool,
-}
-
-/// Does what the arguments ask, and prints it.
+/// Evaluates what the arguments ask on the arm.
 ///
 /// # Errors
-/// If the graph or the episodes cannot be read, or the graph is not one for the arm.
-pub fn eval(args: &EvalArgs) -> Result<(), InputError> {
-    let config = args.config.as_deref().map(Config::read).transpose()?;
+/// If the policy or the episodes cannot be read, or the policy is not one for the arm.
+pub fn evaluate(args: &EvalArgs, start: Start) -> Result<Report, InputError> {
+    let config = args.config.as_deref().map(|path| arm_config(path, start)).transpose()?;
     let arm = arm_for(args, config.as_ref())?;
     let (tasks, seed) = match &args.targets {
         Some(path) => (targets::read_csv(&arm, path)?, None),
-        None => (targets::tasks(&arm, args.seed, Set::Test, args.problem, args.episodes), Some(args.seed)),
+        None => (targets::tasks(&arm, args.seed, Set::Test, start, args.episodes), Some(args.seed)),
     };
-    let report = match (&args.hybrid, &args.tpg, &args.policy) {
+    match (&args.hybrid, &args.tpg, &args.policy) {
         (Some(path), ..) => {
             let file = HybridFile::read(path)?;
             let beside = |name: &str| path.parent().unwrap_or(Path::new("")).join(name);
@@ -93,7 +40,7 @@ pub fn eval(args: &EvalArgs) -> Result<(), InputError> {
                 InputError::new(path.display().to_string(), Place::Path(key), found, accepted)
             })?;
             let (graph, actor) = (beside(&file.graph), beside(&file.actor));
-            of_hybrid(&path.display().to_string(), &graph, &actor, &setting, args.problem, &tasks, seed)?
+            of_hybrid(&path.display().to_string(), &graph, &actor, &setting, start, &tasks, seed)
         }
         (None, Some(graph), Some(actor)) => {
             let setting = Setting {
@@ -103,26 +50,34 @@ pub fn eval(args: &EvalArgs) -> Result<(), InputError> {
                 detector: args.cycle_detector,
             };
             let name = format!("{} with {actor}: {}", graph.display(), setting.sentence());
-            of_hybrid(&name, graph, Path::new(actor), &setting, args.problem, &tasks, seed)?
+            of_hybrid(&name, graph, Path::new(actor), &setting, start, &tasks, seed)
         }
         (None, Some(path), None) => {
-            let problem = problem_of(args.problem, config.as_ref());
-            of_graph(&path.display().to_string(), &read_graph(path)?, &arm, problem, args.shield, tasks, seed)?
+            let problem = problem_of(start, config.as_ref());
+            of_graph(&path.display().to_string(), &read_graph(path)?, &arm, problem, args.shield, tasks, seed)
         }
         (None, None, policy) => {
             let policy = policy.as_deref().unwrap_or("planner");
             let began = Instant::now();
-            let trial = crate::sac::evaluate::trial_of(policy, args.problem, &tasks)?;
-            Report::of_trial(&trial, policy, seed, began.elapsed().as_secs_f64())
+            let trial = crate::sac::evaluate::trial_of(policy, start, &tasks)?;
+            Ok(Report::of_trial(&trial, policy, Shield::None, 0.0, seed, began.elapsed().as_secs_f64()))
         }
-    };
-    let text = if args.json {
-        serde_json::to_string(&report).expect("a report is plain data") + "\n"
-    } else {
-        report.to_table()
-    };
-    let written = std::io::stdout().lock().write_all(text.as_bytes());
-    written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))
+    }
+}
+
+/// Reads the arm's section of a configuration.
+///
+/// # Errors
+/// If it cannot be read, or is for another problem.
+pub fn arm_config(path: &Path, start: Start) -> Result<Config, InputError> {
+    let text = crate::files::read_text(path, "a configuration as `tpg-train config` prints")?;
+    match Problem::from_toml(&path.display().to_string(), &text)? {
+        Problem::Arm(of, config) if of == start => Ok(config),
+        other => {
+            let (asked, found) = (ProblemName::from(start).name(), other.name().name());
+            Err(command_line(format!("--problem {asked} with a configuration for {found}"), "the same problem twice"))
+        }
+    }
 }
 
 fn of_hybrid(
@@ -151,7 +106,7 @@ fn arm_for(args: &EvalArgs, config: Option<&Config>) -> Result<Arm<f64>, InputEr
     let graph_alone = args.hybrid.is_none() && args.policy.is_none();
     if !graph_alone && (config.is_some() || arm != WIDOWX) {
         let accepted = "--tpg alone: a network, a hybrid and a planner are for the WidowX";
-        return Err(InputError::new("<command line>", Place::Whole, "another arm or --config", accepted));
+        return Err(command_line("another arm or --config", accepted));
     }
     Ok(arm)
 }
@@ -161,20 +116,24 @@ fn arm_for(args: &EvalArgs, config: Option<&Config>) -> Result<Arm<f64>, InputEr
 /// # Errors
 /// If what it says is no arm.
 pub fn arm_of(file: &str, graph: &Graph) -> Result<Arm<f64>, InputError> {
-    let Some(text) = graph.provenance().config.as_ref().and_then(|config| config.get("arm")) else { return Ok(WIDOWX) };
+    let Some(text) =
+        graph.provenance().config.as_ref().and_then(|config| config.get("problem")?.get("arm").or(config.get("arm")))
+    else {
+        return Ok(WIDOWX);
+    };
     let refuse = |found: String| {
-        let place = Place::Path("$.provenance.config.arm".to_owned());
+        let place = Place::Path("$.provenance.config.problem.arm".to_owned());
         InputError::new(file, place, found, "an arm as `tpg-train config widowx` prints, or none")
     };
     let arm = ArmDescription::deserialize(text).map_err(|error| refuse(error.to_string()))?;
-    arm.check().map_err(|(key, found, _)| refuse(format!("{key} = {found}")))?;
+    arm.check().map_err(|Finding { key, found, .. }| refuse(format!("{key} = {found}")))?;
     Ok(Arm::from(&arm))
 }
 
 /// What a graph is asked for, but for its sources: a configuration's tolerance and action limit, or the paper's.
 fn problem_of(start: Start, config: Option<&Config>) -> ArmProblem {
     let usual = ArmProblem::new(start, Vec::new());
-    config.map_or(usual.clone(), |config| ArmProblem { start, sources: Vec::new(), ..config.arm_problem() })
+    config.map_or(usual, |config| ArmProblem { sources: Vec::new(), ..config.problem(start) })
 }
 
 fn of_graph(
@@ -199,10 +158,10 @@ fn of_graph(
     let began = Instant::now();
     let endings = shielded_endings_of(file, graph, arm, problem, added, &tasks)?;
     let seconds = began.elapsed().as_secs_f64();
-    Ok(Report::new(start, file, shield, seed, &endings, &OUTCOMES, seconds))
+    Ok(Report::of_trial(&Trial::of(start, endings), file, shield, 1.0, seed, seconds))
 }
 
-/// How a graph's episodes end, in its own scalar and maths; `problem`'s sources are the graph's.
+/// The endings of a graph's episodes, in its own scalar and maths; `problem`'s sources are the graph's.
 ///
 /// # Errors
 /// If the graph reads sources that the arm does not have, or has actions that do not say what they move.
@@ -253,5 +212,7 @@ fn endings<S: ArmScalar, M: Maths<S>>(
         environment = ArmEnvironment::for_evaluation(arm, problem, moves);
     }
     let plan = Plan::new::<M>(&policy, &environment.sources(), Options::default());
-    Ok(Lanes::<S, M, _>::new(&environment, Options::default()).run(&plan, tasks))
+    Lanes::<S, M, _>::new(&environment, Options::default())
+        .run(&plan, tasks)
+        .map_err(|error| InputError::new(file, Place::Whole, error.to_string(), "episodes that can be run"))
 }

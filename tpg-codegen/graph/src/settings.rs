@@ -1,0 +1,81 @@
+//! TOML files, read strictly: every error has its line.
+
+use crate::error::{Finding, InputError, Place};
+use serde::de::DeserializeOwned;
+use std::fs;
+use std::path::Path;
+use toml::de::{DeTable, DeValue};
+
+/// Reads a TOML text into a type that refuses unknown keys.
+///
+/// # Errors
+/// The first thing that is wrong, by line; `accepted` says what the file may hold.
+pub fn from_toml<T: DeserializeOwned>(file: &str, text: &str, accepted: &str) -> Result<T, InputError> {
+    toml::from_str(text).map_err(|error| {
+        let place = error.span().map_or(Place::Whole, |span| Place::Line(line(text, span.start)));
+        InputError::new(file, place, error.message().trim(), accepted)
+    })
+}
+
+/// Reads a TOML file: see [`from_toml`].
+///
+/// # Errors
+/// As [`from_toml`], or if the file cannot be read.
+pub fn read<T: DeserializeOwned>(path: &Path, accepted: &str) -> Result<T, InputError> {
+    let text = fs::read_to_string(path).map_err(|error| InputError::io(path, &error, accepted))?;
+    from_toml(&path.display().to_string(), &text, accepted)
+}
+
+/// Places a finding in the file that it was found in: at the line of its key, or of the innermost table that there is.
+pub fn place(file: &str, text: &str, finding: Finding) -> InputError {
+    let Finding { key, found, accepted } = finding;
+    let place = line_of_key(text, &key).map_or(Place::Path(key.clone()), Place::Line);
+    InputError::new(file, place, format!("{key} = {found}"), accepted)
+}
+
+/// The line, from 1, of a key with its tables, or of the last of these tables that the text has.
+fn line_of_key(text: &str, key: &str) -> Option<usize> {
+    let parsed = DeTable::parse(text).ok()?;
+    let mut table = parsed.get_ref();
+    let mut found = None;
+    for part in key.split('.') {
+        let Some((name, value)) = table.get_key_value(part) else { break };
+        found = Some(line(text, name.span().start));
+        let DeValue::Table(inner) = value.get_ref() else { break };
+        table = inner;
+    }
+    found
+}
+
+/// The line, from 1, of a byte of the text.
+fn line(text: &str, byte: usize) -> usize {
+    1 + text.bytes().take(byte).filter(|&b| b == b'\n').count()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{from_toml, place};
+    use crate::error::{Finding, Place};
+
+    const TEXT: &str = "# comment\n[a]\nb = 1\n\n[a.c]\nd = 2\n";
+
+    #[test]
+    fn a_finding_is_placed_at_its_key_or_at_its_table() {
+        for (key, line) in [("a.b", 3), ("a.c.d", 6), ("a.c.missing", 5), ("a.b.e", 3)] {
+            assert_eq!(place("x.toml", TEXT, Finding::new(key, 0, "1")).place, Place::Line(line), "{key}");
+        }
+        let nowhere = place("x.toml", TEXT, Finding::new("z", 0, "1"));
+        assert_eq!(nowhere.to_string(), "x.toml: z: z = 0; accepted: 1");
+    }
+
+    #[test]
+    fn a_value_of_another_type_has_its_line() {
+        #[derive(Debug, serde::Deserialize)]
+        #[allow(dead_code, reason = "only its type matters")]
+        struct Settings {
+            a: String,
+        }
+        let error = from_toml::<Settings>("x.toml", "\na = 1\n", "a text").expect_err("a number");
+        assert_eq!(error.place, Place::Line(2));
+    }
+}

@@ -1,0 +1,67 @@
+//! A graph on an environment: which of its values the graph reads, and which of its actions the graph takes.
+
+use crate::environment::Environment;
+use crate::policy::{Destination, Edge, Line, Operand, Policy};
+use tpg_graph::error::{InputError, Place};
+use tpg_graph::{Graph, Input};
+use tpg_runtime::scalar::Scalar;
+
+/// Turns a graph into a policy for an environment with named actions: sources and actions are found by name, in any order.
+///
+/// # Errors
+/// If the graph reads a source that the environment does not have, or takes an action that it does not know; `file` is
+/// what the error names.
+pub fn bind<S: Scalar>(file: &str, graph: &Graph, environment: &impl Environment<S>) -> Result<Policy, InputError> {
+    let refuse =
+        |path: String, found: String, accepted: String| InputError::new(file, Place::Path(path), found, accepted);
+    let known = environment.sources();
+    let mut places = Vec::new();
+    for (number, source) in graph.sources().iter().enumerate() {
+        let path = || format!("$.sources[{number}].name");
+        let names = || known.iter().map(|source| source.name.as_str()).collect::<Vec<_>>().join(", ");
+        let Some(at) = known.iter().position(|other| other.name == source.name) else {
+            return Err(refuse(path(), format!("{:?}", source.name), names()));
+        };
+        let (length, wanted) = (known[at].length as usize, source.ranges.len());
+        if length != wanted {
+            let found = format!("{:?} of {wanted} values", source.name);
+            return Err(refuse(path(), found, format!("{length} values")));
+        }
+        let first: usize = known[..at].iter().map(|source| source.length as usize).sum();
+        places.extend((first..first + length).map(|place| place as u16));
+    }
+    let space = environment.actions();
+    let crate::ActionSpace::Discrete(named) = space else {
+        let found = format!("a graph that chooses among {} actions", graph.actions().len());
+        return Err(refuse("$.actions".to_owned(), found, "a problem with named actions".to_owned()));
+    };
+    let mut actions = Vec::new();
+    for (number, action) in graph.actions().iter().enumerate() {
+        let Some(at) = named.iter().position(|other| other.name == action.name) else {
+            let names: Vec<&str> = named.iter().map(|action| action.name.as_str()).collect();
+            let (path, found) = (format!("$.actions[{number}].name"), format!("{:?}", action.name));
+            return Err(refuse(path, found, names.join(", ")));
+        };
+        actions.push(at as u16);
+    }
+    Ok(renumbered(Policy::from(graph), &places, &actions))
+}
+
+/// The same policy with other numbers for inputs and actions.
+fn renumbered(policy: Policy, places: &[u16], actions: &[u16]) -> Policy {
+    let operand = |operand: Operand| match operand {
+        Operand::Input(input) => Operand::Input(places[Input(input).index()]),
+        other => other,
+    };
+    let line = |line: Line| Line { operands: line.operands.map(operand), ..line };
+    let edge = |edge: Edge| match edge.to {
+        Destination::Action(action) => Edge { to: Destination::Action(actions[usize::from(action)]), ..edge },
+        Destination::Team(_) => edge,
+    };
+    let Policy { registers, teams, programs } = policy;
+    Policy {
+        registers,
+        teams: teams.into_iter().map(|team| team.into_iter().map(edge).collect()).collect(),
+        programs: programs.into_iter().map(|lines| lines.into_iter().map(line).collect()).collect(),
+    }
+}

@@ -1,0 +1,222 @@
+//! Any action space as a list of named actions, for policies that choose.
+
+use crate::action::{Act, ActionSpace, Output};
+use crate::ending::{End, Ending, Measure, Preference, Step};
+use crate::environment::Environment;
+use crate::random::Stream;
+use crate::source_set::SourceSet;
+use tpg_graph::{ActionDocument, SourceDocument};
+use tpg_runtime::scalar::Scalar;
+
+/// An environment whose actions are named: each output of a box takes one of a few evenly spaced levels, and every
+/// combination of outputs, or of the options of several choices, is one action.
+///
+/// ```
+/// use tpg_engine::{ActionSpace, Choices, Environment};
+/// # use tpg_engine::random::Stream;
+/// # use tpg_engine::{Act, Output, SourceSet, Step};
+/// # use tpg_graph::SourceDocument;
+/// # struct Motor;
+/// # impl Environment<f32> for Motor {
+/// #     type Task = f32;
+/// #     type Episode = f32;
+/// #     fn sources(&self) -> Vec<SourceDocument> { Vec::new() }
+/// #     fn actions(&self) -> ActionSpace {
+/// #         let torque = Output { name: "torque".into(), unit: "N·m".into(), min: -2.0, max: 2.0 };
+/// #         ActionSpace::Box(vec![torque])
+/// #     }
+/// #     fn time_limit(&self) -> u32 { 1 }
+/// #     fn draw(&self, _: &mut Stream) -> f32 { 0.0 }
+/// #     fn start(&self, task: &f32) -> f32 { *task }
+/// #     fn observe(&self, _: &mut f32, _: SourceSet, _: &mut [f32]) {}
+/// #     fn step(&self, speed: &mut f32, act: Act<'_, f32>) -> Step {
+/// #         *speed += act.values()[0];
+/// #         Step::reward(0.0)
+/// #     }
+/// # }
+/// // `Motor` has one output, a torque of -2 to 2 N·m.
+/// let ActionSpace::Discrete(actions) = Choices::new(Motor, 3)?.actions() else { panic!("named actions") };
+/// let names: Vec<&str> = actions.iter().map(|action| action.name.as_str()).collect();
+/// assert_eq!(names, ["torque -2", "torque 0", "torque 2"]);
+/// # Ok::<(), tpg_engine::TooManyActions>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Choices<S, E> {
+    environment: E,
+    actions: Vec<ActionDocument>,
+    meaning: Meaning<S>,
+}
+
+/// The inner environment's action for each named one.
+#[derive(Clone, Debug)]
+enum Meaning<S> {
+    Same,
+    Values(Vec<Vec<S>>),
+    Options(Vec<Vec<u16>>),
+}
+
+/// An action space with more combinations than actions can have numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{found} combinations of actions; accepted: up to {MOST}")]
+pub struct TooManyActions {
+    /// The number of combinations.
+    found: u128,
+}
+
+/// The most actions: their numbers have 16 bits.
+const MOST: u128 = 1 << 16;
+
+impl<S: Scalar, E: Environment<S>> Choices<S, E> {
+    /// Names the actions of `environment`; each output of a box takes `levels` evenly spaced values, both ends included.
+    ///
+    /// # Errors
+    /// If there are more combinations than 65,536.
+    ///
+    /// # Panics
+    /// If `levels` is below 2.
+    pub fn new(environment: E, levels: u16) -> Result<Self, TooManyActions> {
+        assert!(levels >= 2, "an output has at least its lowest and its highest value");
+        let (actions, meaning) = match environment.actions() {
+            ActionSpace::Discrete(actions) => (actions, Meaning::Same),
+            ActionSpace::Box(outputs) => {
+                let combinations = combinations(&vec![levels; outputs.len()])?;
+                let name = |levels_of: &Vec<u16>| {
+                    let parts = outputs.iter().zip(levels_of);
+                    let part =
+                        |(output, &at): (&Output, &u16)| format!("{} {}", output.name, level(output, at, levels));
+                    parts.map(part).collect::<Vec<_>>().join(", ")
+                };
+                let values = |levels_of: &Vec<u16>| {
+                    let parts = outputs.iter().zip(levels_of);
+                    parts.map(|(output, &at)| S::from_f64(level(output, at, levels))).collect()
+                };
+                let meaning = Meaning::Values(combinations.iter().map(values).collect());
+                (named(combinations.iter().map(name)), meaning)
+            }
+            ActionSpace::MultiDiscrete(choices) => {
+                let sizes: Vec<u16> = choices.iter().map(|choice| choice.options.len() as u16).collect();
+                let combinations = combinations(&sizes)?;
+                let name = |options: &Vec<u16>| {
+                    let parts = choices.iter().zip(options);
+                    let part =
+                        parts.map(|(choice, &at)| format!("{} {}", choice.name, choice.options[usize::from(at)]));
+                    part.collect::<Vec<_>>().join(", ")
+                };
+                (named(combinations.iter().map(name)), Meaning::Options(combinations))
+            }
+        };
+        Ok(Self { environment, actions, meaning })
+    }
+
+    /// The environment behind the names.
+    pub fn inner(&self) -> &E {
+        &self.environment
+    }
+}
+
+/// The value of one of `levels` evenly spaced levels.
+fn level(output: &Output, at: u16, levels: u16) -> f64 {
+    let share = f64::from(at) / f64::from(levels - 1);
+    (output.min + share * (output.max - output.min)).clamp(output.min, output.max)
+}
+
+fn named(names: impl Iterator<Item = String>) -> Vec<ActionDocument> {
+    (0..).zip(names).map(|(id, name)| ActionDocument { id, name, moves: None }).collect()
+}
+
+/// Every combination, the last place counting fastest.
+fn combinations(sizes: &[u16]) -> Result<Vec<Vec<u16>>, TooManyActions> {
+    let found = sizes.iter().try_fold(1u128, |product, &size| product.checked_mul(size.into())).unwrap_or(u128::MAX);
+    if found > MOST {
+        return Err(TooManyActions { found });
+    }
+    let mut all = vec![Vec::new()];
+    for &size in sizes {
+        all = all.iter().flat_map(|start: &Vec<u16>| (0..size).map(move |at| [&start[..], &[at]].concat())).collect();
+    }
+    Ok(all)
+}
+
+impl<S: Scalar, E: Environment<S>> Environment<S> for Choices<S, E> {
+    type Task = E::Task;
+    type Episode = E::Episode;
+
+    fn actions(&self) -> ActionSpace {
+        ActionSpace::Discrete(self.actions.clone())
+    }
+    fn step(&self, episode: &mut E::Episode, act: Act<'_, S>) -> Step {
+        let inner = match &self.meaning {
+            Meaning::Same => act,
+            Meaning::Values(values) => Act::Values(&values[act.choice()]),
+            Meaning::Options(options) => Act::Choices(&options[act.choice()]),
+        };
+        self.environment.step(episode, inner)
+    }
+    fn sources(&self) -> Vec<SourceDocument> {
+        self.environment.sources()
+    }
+    fn time_limit(&self) -> u32 {
+        self.environment.time_limit()
+    }
+    fn draw(&self, stream: &mut Stream) -> E::Task {
+        self.environment.draw(stream)
+    }
+    fn start(&self, task: &E::Task) -> E::Episode {
+        self.environment.start(task)
+    }
+    fn observe(&self, episode: &mut E::Episode, wanted: SourceSet, state: &mut [S]) {
+        self.environment.observe(episode, wanted, state);
+    }
+    fn outcomes(&self) -> &'static [&'static str] {
+        self.environment.outcomes()
+    }
+    fn timeout(&self, episode: &E::Episode) -> End {
+        self.environment.timeout(episode)
+    }
+    fn measure(&self) -> Option<Measure> {
+        self.environment.measure()
+    }
+    fn preference(&self) -> Preference {
+        self.environment.preference()
+    }
+    fn rougher(&self, task: E::Task, factor: u8) -> E::Task {
+        self.environment.rougher(task, factor)
+    }
+    fn validation_tasks(&self, count: usize) -> Vec<E::Task> {
+        self.environment.validation_tasks(count)
+    }
+    fn task_from(&self, episode: &E::Episode) -> Option<E::Task> {
+        self.environment.task_from(episode)
+    }
+    fn constants(&self) -> Vec<u16> {
+        self.environment.constants()
+    }
+    fn bid_bounds(&self) -> Option<usize> {
+        self.environment.bid_bounds()
+    }
+    fn lanes(&self) -> Box<dyn crate::Episodes<S, E::Task> + '_> {
+        match self.meaning {
+            Meaning::Same => self.environment.lanes(),
+            Meaning::Values(_) | Meaning::Options(_) => Box::new(crate::OneByOne::new(self)),
+        }
+    }
+    fn key(&self, episode: &E::Episode) -> Option<u64> {
+        self.environment.key(episode)
+    }
+    fn cycle(&self, episode: &E::Episode, key: u64, actions: u32) -> Option<Ending> {
+        self.environment.cycle(episode, key, actions)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{TooManyActions, combinations};
+
+    #[test]
+    fn combinations_count_like_an_odometer() {
+        assert_eq!(combinations(&[2, 3]).expect("few"), [[0, 0], [0, 1], [0, 2], [1, 0], [1, 1], [1, 2]]);
+        assert_eq!(combinations(&[256, 256]).expect("just as many as allowed").len(), 65_536);
+        assert_eq!(combinations(&[256, 257]), Err(TooManyActions { found: 65_792 }));
+        assert!(combinations(&[u16::MAX; 20]).is_err());
+    }
+}

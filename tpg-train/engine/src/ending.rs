@@ -1,0 +1,153 @@
+//! Rewards and ends of episodes.
+
+use serde::{Deserialize, Serialize};
+use std::cmp::Ordering;
+
+/// The consequence of one action.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step {
+    /// The reward; an episode's score is the sum of its rewards.
+    pub reward: f64,
+    /// The number of elementary steps that the action took, 1 or more: a problem may repeat an action. A discount counts
+    /// them.
+    pub repeats: u32,
+    /// The end of the episode, if the action ended it.
+    pub end: Option<End>,
+}
+
+impl Step {
+    /// A step that earns `reward`, after which the episode goes on.
+    pub const fn reward(reward: f64) -> Self {
+        Self { reward, repeats: 1, end: None }
+    }
+
+    /// The same step, which ends the episode.
+    #[must_use]
+    pub const fn ending(self, end: End) -> Self {
+        Self { end: Some(end), ..self }
+    }
+}
+
+/// The end of an episode, as the environment says it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct End {
+    /// The place in [`Environment::outcomes`](crate::Environment::outcomes).
+    pub outcome: u8,
+    /// Whether the task was solved; `None` where the problem knows no success.
+    pub success: Option<bool>,
+    /// The value of [`Environment::measure`](crate::Environment::measure); 0 where there is none.
+    pub measure: f64,
+    /// Whether the episode was cut off although it could have gone on: its last state then still has a value.
+    pub truncated: bool,
+}
+
+impl End {
+    /// An end that is neither success nor failure.
+    pub const fn new(outcome: u8) -> Self {
+        Self { outcome, success: None, measure: 0.0, truncated: false }
+    }
+}
+
+/// An episode that has ended.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Ending {
+    /// The place in [`Environment::outcomes`](crate::Environment::outcomes).
+    pub outcome: u8,
+    /// Whether the task was solved; `None` where the problem knows no success.
+    pub success: Option<bool>,
+    /// The sum of the rewards.
+    pub score: f64,
+    /// The value of [`Environment::measure`](crate::Environment::measure); 0 where there is none.
+    pub measure: f64,
+    /// The number of actions, the last one included.
+    pub actions: u32,
+}
+
+/// A quantity beside the score.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Measure {
+    /// Its name, as reports print it: "distance".
+    pub name: &'static str,
+    /// Its unit: "mm".
+    pub unit: &'static str,
+}
+
+/// The order of policies on a problem.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Preference {
+    /// The higher mean score.
+    #[default]
+    Score,
+    /// The higher success rate; of equal rates the higher mean score.
+    Success,
+}
+
+/// The result of a policy on several episodes.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Summary {
+    /// The number of episodes.
+    pub episodes: usize,
+    /// The mean score.
+    pub score: f64,
+    /// The fraction of successes, 0 to 1; `None` where the problem knows no success.
+    pub success: Option<f64>,
+    /// The mean of [`Ending::measure`].
+    pub measure: f64,
+    /// The mean number of actions.
+    pub actions: f64,
+}
+
+impl Summary {
+    /// The means over `endings`; NaN scores count as the worst, and every score is held within ±10³⁰.
+    pub fn of(endings: &[Ending]) -> Self {
+        let mean =
+            |value: &dyn Fn(&Ending) -> f64| endings.iter().map(value).sum::<f64>() / endings.len().max(1) as f64;
+        let judged = endings.iter().filter(|ending| ending.success.is_some()).count();
+        let solved = endings.iter().filter(|ending| ending.success == Some(true)).count();
+        Self {
+            episodes: endings.len(),
+            score: mean(&|ending| finite(ending.score)),
+            success: (judged > 0).then(|| solved as f64 / judged as f64),
+            measure: mean(&|ending| ending.measure),
+            actions: mean(&|ending| f64::from(ending.actions)),
+        }
+    }
+
+    /// The order of two results on a problem: the greater one is better.
+    pub fn compare(&self, other: &Self, preference: Preference) -> Ordering {
+        let by_score = self.score.total_cmp(&other.score);
+        match preference {
+            Preference::Score => by_score,
+            Preference::Success => self.success.unwrap_or(0.0).total_cmp(&other.success.unwrap_or(0.0)).then(by_score),
+        }
+    }
+}
+
+/// A score that can enter a mean: neither infinite nor NaN.
+pub fn finite(score: f64) -> f64 {
+    if score.is_nan() { -1e30 } else { score.clamp(-1e30, 1e30) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Ending, Preference, Summary};
+
+    fn ending(score: f64, success: Option<bool>) -> Ending {
+        Ending { outcome: 0, success, score, measure: 1.0, actions: 2 }
+    }
+
+    #[test]
+    fn success_is_undefined_where_no_episode_has_one() {
+        assert_eq!(Summary::of(&[ending(1.0, None), ending(3.0, None)]).success, None);
+        assert_eq!(Summary::of(&[ending(1.0, Some(true)), ending(3.0, Some(false))]).success, Some(0.5));
+        assert!(Summary::of(&[ending(f64::NAN, None)]).score < -1e29);
+    }
+
+    #[test]
+    fn success_comes_first_only_where_the_problem_says_so() {
+        let often = Summary::of(&[ending(1.0, Some(true)), ending(1.0, Some(true))]);
+        let high = Summary::of(&[ending(9.0, Some(true)), ending(9.0, Some(false))]);
+        assert!(often.compare(&high, Preference::Score).is_lt());
+        assert!(often.compare(&high, Preference::Success).is_gt());
+    }
+}

@@ -1,0 +1,111 @@
+//! Episodes side by side, stepped one after the other: what [`Environment::lanes`] does by default.
+
+use crate::action::Act;
+use crate::ending::Ending;
+use crate::environment::Environment;
+use crate::episodes::Episodes;
+use crate::evaluator::EvaluationError;
+use crate::source_set::SourceSet;
+use crate::view::{BLOCK, View};
+use tpg_runtime::policy::ActionId;
+use tpg_runtime::scalar::Scalar;
+
+/// One episode after the other.
+pub struct OneByOne<'e, S, E: Environment<S>>
+where
+    S: Scalar,
+{
+    environment: &'e E,
+    limit: u32,
+    lanes: Vec<Lane<E::Episode>>,
+    keys: Vec<u64>,
+    state: Vec<S>,
+}
+
+/// An episode with its score so far.
+struct Lane<Episode> {
+    episode: Episode,
+    score: f64,
+    actions: u32,
+}
+
+impl<'e, S: Scalar, E: Environment<S>> OneByOne<'e, S, E> {
+    /// No episodes yet.
+    pub fn new(environment: &'e E) -> Self {
+        let length = environment.sources().iter().map(|source| source.length as usize).sum();
+        let limit = environment.time_limit();
+        Self { environment, limit, lanes: Vec::new(), keys: Vec::new(), state: vec![S::ZERO; length] }
+    }
+}
+
+impl<S: Scalar, E: Environment<S>> Episodes<S, E::Task> for OneByOne<'_, S, E> {
+    fn begin(&mut self, lane: usize, task: &E::Task) -> Result<(), EvaluationError> {
+        let episode = self.environment.start(task);
+        let key = self.environment.key(&episode);
+        let new = Lane { episode, score: 0.0, actions: 0 };
+        if lane == self.lanes.len() {
+            self.lanes.push(new);
+            self.keys.extend(key);
+        } else {
+            self.lanes[lane] = new;
+            key.into_iter().for_each(|key| self.keys[lane] = key);
+        }
+        Ok(())
+    }
+
+    fn step(&mut self, actions: &[ActionId], ended: &mut Vec<(usize, Ending)>) -> Result<(), EvaluationError> {
+        for (place, (lane, &action)) in self.lanes.iter_mut().zip(actions).enumerate() {
+            ended.extend(lane.step(self.environment, self.limit, Act::Choice(action)).map(|ending| (place, ending)));
+            self.environment.key(&lane.episode).into_iter().for_each(|key| self.keys[place] = key);
+        }
+        Ok(())
+    }
+
+    fn keys(&self) -> &[u64] {
+        &self.keys
+    }
+
+    fn cycle(&self, lane: usize, key: u64, actions: u32) -> Option<Ending> {
+        self.environment.cycle(&self.lanes[lane].episode, key, actions)
+    }
+
+    fn observe(&mut self, wanted: SourceSet, view: &mut View<'_, S>) -> Result<(), EvaluationError> {
+        for (place, lane) in self.lanes.iter_mut().enumerate() {
+            self.environment.observe(&mut lane.episode, wanted, &mut self.state);
+            for (input, &value) in self.state.iter().enumerate() {
+                if let Some(column) = view.column(input) {
+                    column[place / BLOCK][place % BLOCK] = value;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn close_up(&mut self, lane: usize) {
+        self.lanes.swap_remove(lane);
+        if !self.keys.is_empty() {
+            self.keys.swap_remove(lane);
+        }
+    }
+}
+
+impl<Episode> Lane<Episode> {
+    fn step<S: Scalar, E: Environment<S, Episode = Episode>>(
+        &mut self,
+        environment: &E,
+        limit: u32,
+        act: Act<'_, S>,
+    ) -> Option<Ending> {
+        let step = environment.step(&mut self.episode, act);
+        self.score += step.reward;
+        self.actions += 1;
+        let end = step.end.or_else(|| (self.actions >= limit).then(|| environment.timeout(&self.episode)))?;
+        Some(Ending {
+            outcome: end.outcome,
+            success: end.success,
+            score: self.score,
+            measure: end.measure,
+            actions: self.actions,
+        })
+    }
+}

@@ -1,0 +1,20 @@
+//! Settings of the engine.
+
+/// Settings of the engine; none of them changes an answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Options {
+    /// Episodes side by side.
+    pub lanes: usize,
+    /// Compute equal values once, and drop bids that cannot win.
+    pub share: bool,
+    /// Compute a bounded, expensive bid only where it could win.
+    pub lazy: bool,
+    /// Look for cycles at every step, not only at the end of an episode.
+    pub look_for_cycles: bool,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { lanes: 112, share: true, lazy: true, look_for_cycles: true }
+    }
+}

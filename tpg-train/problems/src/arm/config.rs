@@ -1,0 +1,122 @@
+//! The section `[problem]` of a configuration for the arm.
+
+use super::description::ArmDescription;
+use super::environment::{ArmEnvironment, ArmProblem, ArmScalar};
+use super::shield::Shield;
+use super::targets::{Start, TOLERANCE};
+use serde::{Deserialize, Serialize};
+use tpg_graph::error::Finding;
+use tpg_runtime::arm::{Arm, WIDOWX};
+use tpg_runtime::observation::Source;
+use tpg_runtime::observation::shield::STEP;
+
+/// The section `[problem]` for the arm: what it is asked, what programs read, and how it is scored.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Config {
+    /// The names of the sources that programs read, in order.
+    pub sources: Vec<String>,
+    /// The actions that no policy can choose; needs actions of 3 ticks.
+    pub shield: Shield,
+    /// The distance below which the hand has reached its target, mm.
+    pub tolerance: f64,
+    /// The ticks of one action.
+    pub step: i8,
+    /// Whether there is an action that does nothing and ends the episode.
+    pub may_stop: bool,
+    /// The most actions of an episode; as many as the problem's where it is left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub max_actions: Option<u32>,
+    /// The score of a success; a failure scores minus the distance in mm.
+    pub bonus_success: f64,
+    /// Added to a success for each action that it did not need.
+    pub coef_reward_multiplication: f64,
+    /// The most that a failure costs, mm: less than infinite where a network takes over from the graph.
+    pub hand_over_price: f64,
+    /// The arm; the WidowX where it is left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub arm: Option<ArmDescription>,
+}
+
+impl Default for Config {
+    /// The paper's problem, read by the pose that solves the task and the height over the table.
+    fn default() -> Self {
+        Self {
+            sources: [Source::Stance, Source::Floor].map(|source| source.name().to_owned()).to_vec(),
+            shield: Shield::None,
+            tolerance: TOLERANCE,
+            step: STEP,
+            may_stop: false,
+            max_actions: None,
+            bonus_success: 10.0,
+            coef_reward_multiplication: 0.001,
+            hand_over_price: f64::INFINITY,
+            arm: None,
+        }
+    }
+}
+
+impl Config {
+    /// Checks ranges, names and contradictions.
+    ///
+    /// # Errors
+    /// The first setting that is wrong.
+    pub fn check(&self) -> Result<(), Finding> {
+        if self.shield != Shield::None && self.step != STEP {
+            let accepted = format!("\"none\": a shield knows actions of {STEP} ticks only");
+            return Err(Finding::new("problem.shield", format!("{:?}", self.shield.name()), accepted));
+        }
+        self.check_sources()?;
+        if let Some(arm) = &self.arm {
+            arm.check()?;
+        }
+        Finding::range("problem.tolerance", self.tolerance, 1e-3, 1e3)?;
+        Finding::range("problem.step", self.step, 1, 127)?;
+        Finding::range("problem.max_actions", self.max_actions.unwrap_or(1), 1, 1_000_000)?;
+        Finding::range("problem.bonus_success", self.bonus_success, 0.0, 1e9)?;
+        Finding::range("problem.coef_reward_multiplication", self.coef_reward_multiplication, 0.0, 1e3)?;
+        Finding::range("problem.hand_over_price", self.hand_over_price, 0.0, f64::INFINITY)
+    }
+
+    /// Each source known, and each once.
+    fn check_sources(&self) -> Result<(), Finding> {
+        let readable = |source: &&str| !source.starts_with("shield_");
+        let known: Vec<&str> = Source::ALL.iter().map(|source| source.name()).filter(readable).collect();
+        let accepted = || format!("one or more of {}, each once", known.join(", "));
+        if self.sources.is_empty() {
+            return Err(Finding::new("problem.sources", "an empty list", accepted()));
+        }
+        let wrong =
+            |(place, name): &(usize, &String)| !known.contains(&name.as_str()) || self.sources[..*place].contains(name);
+        match self.sources.iter().enumerate().find(wrong) {
+            Some((_, name)) => Err(Finding::new("problem.sources", format!("{name:?}"), accepted())),
+            None => Ok(()),
+        }
+    }
+
+    /// The arm.
+    pub fn arm(&self) -> Arm<f64> {
+        self.arm.as_ref().map_or(WIDOWX, Arm::from)
+    }
+
+    /// The problem of that start.
+    pub fn problem(&self, start: Start) -> ArmProblem {
+        let sources = self.sources.iter().filter_map(|name| Source::from_name(name));
+        ArmProblem {
+            start,
+            tolerance: self.tolerance,
+            max_actions: self.max_actions.unwrap_or(start.max_actions()),
+            step: self.step,
+            may_stop: self.may_stop,
+            sources: sources.chain(self.shield.source()).collect(),
+            bonus: self.bonus_success,
+            hand_over_price: self.hand_over_price,
+            per_unused_action: self.coef_reward_multiplication,
+        }
+    }
+
+    /// The environment of that start.
+    pub fn environment<S: ArmScalar>(&self, start: Start) -> ArmEnvironment<S> {
+        ArmEnvironment::new(&self.arm(), self.problem(start))
+    }
+}

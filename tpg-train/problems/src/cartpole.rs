@@ -1,0 +1,138 @@
+//! Gymnasium's CartPole-v1: balance a pole on a cart that is pushed to the left or to the right.
+
+use crate::source;
+use core::f64::consts::PI;
+use serde::{Deserialize, Serialize};
+use tpg_engine::random::Stream;
+use tpg_engine::{Act, ActionSpace, End, Environment, SourceSet, Step};
+use tpg_graph::SourceDocument;
+use tpg_runtime::scalar::Scalar;
+
+/// Acceleration of gravity, m/s².
+const GRAVITY: f64 = 9.8;
+/// Mass of cart and pole together, kg.
+const TOTAL_MASS: f64 = 1.1;
+/// Mass of the pole, kg.
+const POLE_MASS: f64 = 0.1;
+/// Half the pole's length, m.
+const LENGTH: f64 = 0.5;
+/// The push of an action, N.
+const FORCE: f64 = 10.0;
+/// Seconds of one action.
+const STEP: f64 = 0.02;
+/// The episode ends where the cart is further from the middle than this, m.
+const FAR: f64 = 2.4;
+/// The episode ends where the pole leans more than this, rad: 12°.
+const LEANING: f64 = 12.0 * 2.0 * PI / 360.0;
+/// Actions of an episode.
+const ACTIONS: u32 = 500;
+
+/// The section `[problem]` of a configuration for the pole on a cart: it has no settings.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Config {}
+
+/// A pole on a cart, by the rules of Gymnasium's CartPole-v1.
+///
+/// The state is the cart's position (m) and velocity (m/s), and the pole's angle from upright (rad) and angular velocity
+/// (rad/s). Every action earns 1; the episode ends where the pole leans by more than 12° or the cart leaves ±2.4 m, at the
+/// latest after 500 actions.
+///
+/// ```
+/// use tpg_engine::Environment;
+/// use tpg_problems::CartPole;
+///
+/// assert_eq!(Environment::<f32>::time_limit(&CartPole), 500);
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct CartPole;
+
+/// Position, velocity, angle and angular velocity.
+type State = [f64; 4];
+
+impl<S: Scalar> Environment<S> for CartPole {
+    type Task = State;
+    type Episode = State;
+
+    fn sources(&self) -> Vec<SourceDocument> {
+        let unknown = [f64::NEG_INFINITY, f64::INFINITY];
+        vec![
+            source("x", "m", [-2.0 * FAR, 2.0 * FAR]),
+            source("v", "m/s", unknown),
+            source("theta", "rad", [-2.0 * LEANING, 2.0 * LEANING]),
+            source("omega", "rad/s", unknown),
+        ]
+    }
+
+    fn actions(&self) -> ActionSpace {
+        ActionSpace::discrete(["left", "right"])
+    }
+
+    fn outcomes(&self) -> &'static [&'static str] {
+        &["fallen", "time limit"]
+    }
+
+    fn time_limit(&self) -> u32 {
+        ACTIONS
+    }
+
+    fn draw(&self, stream: &mut Stream) -> State {
+        std::array::from_fn(|_| 0.1 * stream.unit() - 0.05)
+    }
+
+    fn start(&self, task: &State) -> State {
+        *task
+    }
+
+    fn task_from(&self, state: &State) -> Option<State> {
+        Some(*state)
+    }
+
+    fn observe(&self, state: &mut State, _wanted: SourceSet, values: &mut [S]) {
+        values.iter_mut().zip(state).for_each(|(slot, value)| *slot = S::from_f64(*value));
+    }
+
+    fn step(&self, state: &mut State, act: Act<'_, S>) -> Step {
+        let [x, v, theta, omega] = *state;
+        let force = if act.choice() == 1 { FORCE } else { -FORCE };
+        // The crate libm, not the platform's: the same pole on every machine.
+        let (sin, cos) = (libm::sin(theta), libm::cos(theta));
+        let moved = (force + POLE_MASS * LENGTH * (omega * omega) * sin) / TOTAL_MASS;
+        let turned = (GRAVITY * sin - cos * moved) / (LENGTH * (4.0 / 3.0 - POLE_MASS * (cos * cos) / TOTAL_MASS));
+        let pushed = moved - POLE_MASS * LENGTH * turned * cos / TOTAL_MASS;
+        *state = [x + STEP * v, v + STEP * pushed, theta + STEP * omega, omega + STEP * turned];
+        let step = Step::reward(1.0);
+        if state[0].abs() > FAR || state[2].abs() > LEANING { step.ending(End::new(0)) } else { step }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{CartPole, LEANING};
+    use tpg_engine::{Act, Environment};
+    use tpg_runtime::policy::ActionId;
+
+    /// One step of CartPole-v1, computed by hand from its published rules.
+    #[test]
+    fn the_rules_are_gymnasiums() {
+        let mut state = [0.1, -0.2, 0.05, 0.3];
+        let step = Environment::<f64>::step(&CartPole, &mut state, Act::Choice(ActionId(1)));
+        let temp = (10.0 + 0.05 * 0.09 * 0.05f64.sin()) / 1.1;
+        let angular =
+            (9.8 * 0.05f64.sin() - 0.05f64.cos() * temp) / (0.5 * (4.0 / 3.0 - 0.1 * 0.05f64.cos().powi(2) / 1.1));
+        let linear = temp - 0.05 * angular * 0.05f64.cos() / 1.1;
+        let expected = [0.1 - 0.02 * 0.2, -0.2 + 0.02 * linear, 0.05 + 0.02 * 0.3, 0.3 + 0.02 * angular];
+        for (found, expected) in state.iter().zip(expected) {
+            assert!((found - expected).abs() < 1e-12, "{state:?}");
+        }
+        assert_eq!((step.reward, step.end), (1.0, None));
+    }
+
+    #[test]
+    fn a_pole_that_leans_too_far_ends_the_episode_and_still_earns_its_step() {
+        let mut state = [0.0, 0.0, LEANING - 0.001, 2.0];
+        let step = Environment::<f64>::step(&CartPole, &mut state, Act::Choice(ActionId(0)));
+        assert_eq!(step.reward, 1.0);
+        assert!(step.end.is_some_and(|end| end.outcome == 0 && !end.truncated));
+    }
+}

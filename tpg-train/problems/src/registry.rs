@@ -1,0 +1,228 @@
+//! The built-in problems by name.
+
+use crate::arm::targets::Start;
+use crate::arm::{self, ArmScalar};
+use crate::cartpole::{self, CartPole};
+use crate::pendulum::{self, Pendulum};
+use serde::{Deserialize, de::DeserializeOwned};
+use tpg_engine::Environment;
+use tpg_graph::error::{Finding, InputError};
+use tpg_graph::settings;
+
+/// A built-in problem.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, clap::ValueEnum)]
+pub enum ProblemName {
+    /// A robot arm reaches for a target from its home position: the paper's fixed start
+    Fs,
+    /// A robot arm reaches for a target from anywhere: the paper's random start
+    Rs,
+    /// A cart balances a pole: Gymnasium's CartPole-v1
+    Cartpole,
+    /// A weak motor swings a pendulum up: Gymnasium's Pendulum-v1
+    Pendulum,
+}
+
+impl ProblemName {
+    /// Every built-in problem.
+    pub const ALL: [Self; 4] = [Self::Fs, Self::Rs, Self::Cartpole, Self::Pendulum];
+
+    /// The name on the command line and in configurations.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Fs => "fs",
+            Self::Rs => "rs",
+            Self::Cartpole => "cartpole",
+            Self::Pendulum => "pendulum",
+        }
+    }
+
+    /// The problem of that [`name`](Self::name).
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|problem| problem.name() == name)
+    }
+
+    /// The names of all problems, for messages.
+    pub fn names() -> String {
+        Self::ALL.map(Self::name).join(", ")
+    }
+
+    /// The arm's start, where the problem is the arm's.
+    pub const fn start(self) -> Option<Start> {
+        match self {
+            Self::Fs => Some(Start::Fs),
+            Self::Rs => Some(Start::Rs),
+            Self::Cartpole | Self::Pendulum => None,
+        }
+    }
+}
+
+impl From<Start> for ProblemName {
+    fn from(start: Start) -> Self {
+        match start {
+            Start::Fs => Self::Fs,
+            Start::Rs => Self::Rs,
+        }
+    }
+}
+
+/// A problem with its settings: the section `[problem]` of a configuration.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Problem {
+    /// The arm.
+    Arm(Start, arm::Config),
+    /// The pole on a cart.
+    Cartpole(cartpole::Config),
+    /// The pendulum.
+    Pendulum(pendulum::Config),
+}
+
+/// Receives an environment whose type is known only now: see [`Problem::open`].
+pub trait Visitor<S: ArmScalar> {
+    /// The result.
+    type Output;
+
+    /// Works with the environment. Its actions are the problem's own: a box where it has outputs.
+    fn visit<E: Environment<S>>(self, environment: E) -> Self::Output;
+}
+
+/// A file with a section `[problem]`; the rest of it is somebody else's.
+#[derive(Deserialize)]
+struct File<P> {
+    problem: P,
+}
+
+/// The name alone.
+#[derive(Deserialize)]
+struct Name {
+    name: String,
+}
+
+impl Problem {
+    /// A problem with its usual settings.
+    pub fn usual(name: ProblemName) -> Self {
+        match name {
+            ProblemName::Fs => Self::Arm(Start::Fs, arm::Config::default()),
+            ProblemName::Rs => Self::Arm(Start::Rs, arm::Config::default()),
+            ProblemName::Cartpole => Self::Cartpole(cartpole::Config::default()),
+            ProblemName::Pendulum => Self::Pendulum(pendulum::Config::default()),
+        }
+    }
+
+    /// The problem's name.
+    pub fn name(&self) -> ProblemName {
+        match self {
+            Self::Arm(start, _) => (*start).into(),
+            Self::Cartpole(_) => ProblemName::Cartpole,
+            Self::Pendulum(_) => ProblemName::Pendulum,
+        }
+    }
+
+    /// The number of levels that each output takes where a policy chooses among named actions.
+    pub fn levels(&self) -> u16 {
+        match self {
+            Self::Pendulum(config) => config.levels,
+            Self::Arm(..) | Self::Cartpole(_) => 2,
+        }
+    }
+
+    /// Reads the section `[problem]` of a configuration.
+    ///
+    /// # Errors
+    /// An unknown problem, an unknown key or a value that the problem does not accept, with its line.
+    pub fn from_toml(file: &str, text: &str) -> Result<Self, InputError> {
+        let header: File<Name> = settings::from_toml(file, text, "a section [problem] with a name")?;
+        let found = header.problem.name;
+        let name = ProblemName::from_name(&found).ok_or_else(|| {
+            let accepted = format!("one of {}", ProblemName::names());
+            settings::place(file, text, Finding::new("problem.name", format!("{found:?}"), accepted))
+        })?;
+        let problem = match name {
+            ProblemName::Fs => Self::Arm(Start::Fs, section(file, text)?),
+            ProblemName::Rs => Self::Arm(Start::Rs, section(file, text)?),
+            ProblemName::Cartpole => Self::Cartpole(section(file, text)?),
+            ProblemName::Pendulum => Self::Pendulum(section(file, text)?),
+        };
+        problem.check().map_err(|finding| settings::place(file, text, finding))?;
+        Ok(problem)
+    }
+
+    fn check(&self) -> Result<(), Finding> {
+        match self {
+            Self::Arm(_, config) => config.check(),
+            Self::Cartpole(cartpole::Config {}) => Ok(()),
+            Self::Pendulum(config) => config.check(),
+        }
+    }
+
+    /// The section `[problem]`, every setting written out.
+    ///
+    /// # Panics
+    /// Never: every setting can be written.
+    pub fn to_table(&self) -> toml::Table {
+        let mut table = match self {
+            Self::Arm(_, config) => toml::Table::try_from(config),
+            Self::Cartpole(config) => toml::Table::try_from(config),
+            Self::Pendulum(config) => toml::Table::try_from(config),
+        }
+        .expect("settings are plain data");
+        table.insert("name".to_owned(), self.name().name().into());
+        table
+    }
+
+    /// Gives the problem's environment to `visitor`.
+    pub fn open<S: ArmScalar, V: Visitor<S>>(&self, visitor: V) -> V::Output {
+        match self {
+            Self::Arm(start, config) => visitor.visit(config.environment::<S>(*start)),
+            Self::Cartpole(_) => visitor.visit(CartPole),
+            Self::Pendulum(_) => visitor.visit(Pendulum),
+        }
+    }
+}
+
+/// Reads the settings of one kind of problem: the section without the name, strictly.
+fn section<Settings: DeserializeOwned>(file: &str, text: &str) -> Result<Settings, InputError> {
+    const ACCEPTED: &str = "the settings that `tpg-train config` prints";
+    let mut table = settings::from_toml::<File<toml::Table>>(file, text, ACCEPTED)?.problem;
+    table.remove("name");
+    serde_path_to_error::deserialize(toml::Value::Table(table)).map_err(|error| {
+        let key = match error.path().to_string() {
+            path if path == "." => "problem".to_owned(),
+            path => format!("problem.{path}"),
+        };
+        let found = error.inner().message().trim().to_owned();
+        InputError { found, ..settings::place(file, text, Finding::new(key, "", ACCEPTED)) }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Problem, ProblemName};
+    use tpg_graph::error::Place;
+
+    #[test]
+    fn a_section_gives_back_the_same_problem() {
+        for name in ProblemName::ALL {
+            let problem = Problem::usual(name);
+            let mut file = toml::Table::new();
+            file.insert("problem".to_owned(), problem.to_table().into());
+            assert_eq!(Problem::from_toml("x.toml", &file.to_string()), Ok(problem));
+            assert_eq!(ProblemName::from_name(name.name()), Some(name));
+        }
+    }
+
+    #[test]
+    fn a_wrong_setting_is_refused_with_its_line() {
+        for (text, line, found) in [
+            ("[problem]\nname = \"pendulum\"\ntolerance = 3.0\n", 3, "unknown field `tolerance`"),
+            ("[problem]\nname = \"pendulum\"\nlevels = 1\n", 3, "problem.levels = 1"),
+            ("[problem]\nname = \"pendulum\"\nlevels = \"many\"\n", 3, "invalid type"),
+            ("[problem]\nname = \"fs\"\nstep = 5\nshield = \"limits\"\n", 4, "problem.shield = \"limits\""),
+            ("[problem]\nname = \"lander\"\n", 2, "problem.name = \"lander\""),
+            ("[problem]\nname = \"rs\"\n[problem.arm]\nhome = 3\n", 4, "invalid type"),
+        ] {
+            let error = Problem::from_toml("x.toml", text).expect_err(text);
+            assert_eq!(error.place, Place::Line(line), "{error}");
+            assert!(error.found.starts_with(found), "{error}");
+        }
+    }
+}

@@ -1,0 +1,97 @@
+//! A graph on any environment.
+
+use super::report::Report;
+use std::time::Instant;
+use tpg_engine::random::{Purpose, Stream};
+use tpg_engine::{Choices, Ending, Environment, Lanes, Options, Plan, bind};
+use tpg_graph::error::{InputError, Place};
+use tpg_graph::{Graph, in_arithmetic_of};
+use tpg_problems::arm::ArmScalar;
+use tpg_problems::{Problem, Visitor};
+use tpg_runtime::ops::Maths;
+use tpg_runtime::scalar::Scalar;
+
+/// Runs a graph on `episodes` drawn test episodes of an environment, in the graph's own maths.
+///
+/// Test episodes are drawn from a stream of their own: no training and no selection reads them.
+///
+/// # Errors
+/// If the graph reads or does what the environment does not know, or an episode fails; `file` is what the error names.
+pub fn endings<S: Scalar, M: Maths<S>>(
+    file: &str,
+    graph: &Graph,
+    environment: &impl Environment<S>,
+    episodes: usize,
+    seed: u64,
+) -> Result<Vec<Ending>, InputError> {
+    let policy = bind(file, graph, environment)?;
+    let tasks: Vec<_> = (0..episodes as u64)
+        .map(|index| environment.draw(&mut Stream::new(seed, 0, Purpose::Evaluation, index)))
+        .collect();
+    let plan = Plan::new::<M>(&policy, &environment.sources(), Options::default());
+    Lanes::<S, M, _>::new(environment, Options::default())
+        .run(&plan, &tasks)
+        .map_err(|error| InputError::new(file, Place::Whole, error.to_string(), "episodes that can be run"))
+}
+
+/// Evaluates a graph on an environment of your own: see [`endings`].
+///
+/// # Errors
+/// As [`endings`].
+pub fn on_environment<S: Scalar, M: Maths<S>>(
+    problem: &str,
+    file: &str,
+    graph: &Graph,
+    environment: &impl Environment<S>,
+    episodes: usize,
+    seed: u64,
+) -> Result<Report, InputError> {
+    let began = Instant::now();
+    let endings = endings::<S, M>(file, graph, environment, episodes, seed)?;
+    let seconds = began.elapsed().as_secs_f64();
+    let measure = environment.measure();
+    Ok(Report::new(problem, file, Some(seed), &endings, environment.outcomes(), measure, seconds))
+}
+
+/// Evaluates a graph on a built-in problem.
+///
+/// # Errors
+/// As [`endings`].
+pub fn on_problem(
+    problem: &Problem,
+    file: &str,
+    graph: &Graph,
+    episodes: usize,
+    seed: u64,
+) -> Result<Report, InputError> {
+    let evaluation = Evaluation { problem, file, graph, episodes, seed };
+    in_arithmetic_of!(graph, evaluation.run())
+}
+
+struct Evaluation<'a> {
+    problem: &'a Problem,
+    file: &'a str,
+    graph: &'a Graph,
+    episodes: usize,
+    seed: u64,
+}
+
+impl Evaluation<'_> {
+    fn run<S: ArmScalar, M: Maths<S>>(&self) -> Result<Report, InputError> {
+        self.problem.open::<S, _>(In::<M>(self, std::marker::PhantomData))
+    }
+}
+
+/// An evaluation in the maths of `M`.
+struct In<'a, M>(&'a Evaluation<'a>, std::marker::PhantomData<M>);
+
+impl<S: ArmScalar, M: Maths<S>> Visitor<S> for In<'_, M> {
+    type Output = Result<Report, InputError>;
+
+    fn visit<E: Environment<S>>(self, environment: E) -> Self::Output {
+        let Evaluation { problem, file, graph, episodes, seed } = *self.0;
+        let choices = Choices::new(environment, problem.levels())
+            .map_err(|error| InputError::new(file, Place::Whole, error.to_string(), "fewer problem.levels"))?;
+        on_environment::<S, M>(problem.name().name(), file, graph, &choices, episodes, seed)
+    }
+}

@@ -1,0 +1,182 @@
+//! Validation: the best roots race on the selection set, within a budget.
+//!
+//! Running means are noisy, so the root that is kept is chosen on episodes that no root was trained on. The best few by
+//! running mean start; after a part of the episodes the better half goes on (successive halving), and the last one does
+//! them all. Validations take no more than a fixed share of a run's episodes: one is done when the budget allows for it
+//! and for the one at the end of the run.
+
+use super::generation::{Evolution, root_number};
+use super::state::{Best, State};
+use tpg_engine::{Ending, Environment, EvaluationError, Evaluator, Policy, Summary, UnitKey, Visit, Work, WorkUnit};
+use tpg_runtime::scalar::Scalar;
+
+/// Episodes of the last validation where the budget has none left.
+const LEAST: usize = 20;
+/// Episodes from which unknown ranges of inputs are learned, and states of each.
+const EPISODES_FOR_RANGES: usize = 16;
+const STATES_FOR_RANGES: u32 = 16;
+
+/// The episodes that a race of `roots` takes in all, where the last one does `episodes`.
+fn cost(roots: usize, episodes: usize) -> u64 {
+    let mut left = roots;
+    let mut total = 0;
+    let mut done = 0;
+    for stage in stages(roots, episodes) {
+        total += (left * (stage - done)) as u64;
+        done = stage;
+        left = left.div_ceil(2);
+    }
+    total
+}
+
+/// The numbers of episodes after which the field is halved; the last is `episodes`.
+fn stages(roots: usize, episodes: usize) -> Vec<usize> {
+    let halvings = roots.next_power_of_two().trailing_zeros();
+    (0..=halvings).rev().map(|halving| (episodes >> halving).max(1)).collect()
+}
+
+impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V> {
+    /// Validates if it is time to; the result of the race's winner, and the best root so far is kept.
+    pub(super) fn validate(&self, state: &mut State<E::Task>) -> Result<Option<Summary>, EvaluationError> {
+        let Some(episodes) = self.episodes_to_spend(state) else { return Ok(None) };
+        let (policy, result) = self.race(state, episodes)?;
+        let preference = self.environment.preference();
+        if state.best.as_ref().is_none_or(|best| result.compare(&best.result, preference).is_gt()) {
+            let ranges = self.learned_ranges(&policy)?;
+            state.best = Some(Best { generation: state.generation, result, policy, ranges });
+        }
+        Ok(Some(result))
+    }
+
+    /// The number of episodes for the winner of a race now; `None` where there is none now.
+    fn episodes_to_spend(&self, state: &State<E::Task>) -> Option<usize> {
+        let selection = &self.config.selection;
+        let all = selection.validation_episodes;
+        let roots = self.field(state).len();
+        let cost = cost(roots, all);
+        let share = selection.validation_share / (1.0 - selection.validation_share);
+        let budget = (share * state.training_episodes as f64) as u64;
+        let left = budget.saturating_sub(state.selection_episodes);
+        if self.is_last(state) {
+            let affordable = (all as u64 * left / cost.max(1)) as usize;
+            return Some(affordable.clamp(LEAST.min(all), all));
+        }
+        let promising = self.goal.target.is_some_and(|target| self.best_mean(state) >= target)
+            && state.training_episodes >= state.selection_episodes + cost;
+        (promising || left >= 2 * cost).then_some(all)
+    }
+
+    /// The best running mean of a root.
+    fn best_mean(&self, state: &State<E::Task>) -> f64 {
+        let records = state.demes.iter().flat_map(|deme| deme.records.values());
+        records.map(|record| record.mean).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// The roots that race: the best by running mean, of equal means those of the earlier deme and the older.
+    fn field(&self, state: &State<E::Task>) -> Vec<WorkUnit> {
+        let mut roots: Vec<_> = (state.demes.iter().enumerate())
+            .flat_map(|(deme, population)| {
+                population.records.iter().map(move |(&team, record)| (deme, team, record.mean))
+            })
+            .collect();
+        roots.sort_by(|a, b| b.2.total_cmp(&a.2).then((a.0, a.1).cmp(&(b.0, b.1))));
+        let unit = |&(deme, team, _): &(usize, _, f64)| {
+            let key = UnitKey { seed: state.seed, generation: state.generation, root: root_number(deme, team) };
+            WorkUnit { key, policy: state.demes[deme].genome.policy(team, &self.vocabulary) }
+        };
+        roots.iter().take(self.config.selection.validation_roots).map(unit).collect()
+    }
+
+    fn race(&self, state: &mut State<E::Task>, episodes: usize) -> Result<(Policy, Summary), EvaluationError> {
+        let mut field: Vec<(WorkUnit, Vec<Ending>)> =
+            self.field(state).into_iter().map(|unit| (unit, Vec::new())).collect();
+        let preference = self.environment.preference();
+        let mut done = 0;
+        for stage in stages(field.len(), episodes) {
+            let units: Vec<WorkUnit> = field.iter().map(|(unit, _)| unit.clone()).collect();
+            let tasks = self.selection_tasks[done..stage.max(done)].to_vec();
+            state.selection_episodes += (units.len() * tasks.len()) as u64;
+            let answers = self.evaluator.evaluate(&Work { tasks, units })?;
+            for ((_, endings), answer) in field.iter_mut().zip(answers) {
+                state.steps += answer.endings.iter().map(|ending| u64::from(ending.actions)).sum::<u64>();
+                endings.extend(answer.endings);
+            }
+            done = stage;
+            // Stable: of equal results, the root with the better running mean stays.
+            field.sort_by(|(_, a), (_, b)| Summary::of(b).compare(&Summary::of(a), preference));
+            if stage < episodes {
+                field.truncate(field.len().div_ceil(2));
+            }
+        }
+        let (winner, endings) = field.swap_remove(0);
+        Ok((winner.policy, Summary::of(&endings)))
+    }
+
+    /// The ranges of inputs where the environment does not know them all: what the policy visits, a quarter wider.
+    fn learned_ranges(&self, policy: &Policy) -> Result<Option<Vec<[f64; 2]>>, EvaluationError> {
+        let sources = self.environment.sources();
+        let declared: Vec<[f64; 2]> = sources.into_iter().flat_map(|source| source.ranges).collect();
+        if declared.iter().flatten().all(|end| end.is_finite()) {
+            return Ok(None);
+        }
+        let states = self.visited(std::slice::from_ref(policy), EPISODES_FOR_RANGES)?;
+        Ok(Some((declared.into_iter().enumerate()).map(|(input, range)| widened(range, &states, input)).collect()))
+    }
+
+    /// States along the episodes of policies, each policy on the first of the selection tasks.
+    pub(super) fn visited(&self, policies: &[Policy], episodes: usize) -> Result<Vec<Vec<f64>>, EvaluationError> {
+        let tasks = &self.selection_tasks[..episodes.min(self.selection_tasks.len())];
+        let units = policies.iter().enumerate().map(|(place, policy)| WorkUnit {
+            key: UnitKey { seed: 0, generation: 0, root: place as u64 },
+            policy: policy.clone(),
+        });
+        let answers = self.evaluator.evaluate(&Work { tasks: tasks.to_vec(), units: units.collect() })?;
+        let visits: Vec<_> = (policies.iter().zip(answers))
+            .flat_map(|(policy, answer)| {
+                tasks.iter().zip(answer.endings).map(|(task, ending)| {
+                    let after = (0..STATES_FOR_RANGES).map(|state| {
+                        (u64::from(state) * u64::from(ending.actions) / u64::from(STATES_FOR_RANGES)) as u32
+                    });
+                    Visit { policy: policy.clone(), task: task.clone(), after: after.collect() }
+                })
+            })
+            .collect();
+        Ok(self.evaluator.visit(&visits)?.into_iter().flatten().collect())
+    }
+}
+
+/// A declared range whose infinite ends are replaced by what was visited, a quarter wider; never empty.
+fn widened(declared: [f64; 2], states: &[Vec<f64>], input: usize) -> [f64; 2] {
+    let values = || states.iter().map(|state| state[input]).filter(|value| value.is_finite());
+    let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
+    let (low, high) = if low <= high { (low, high) } else { (-1.0, 1.0) };
+    let margin = 0.25 * (high - low).max(1e-3);
+    let [min, max] = declared;
+    let min = if min.is_finite() { min } else { low - margin };
+    let max = if max.is_finite() { max } else { high + margin };
+    [min, max.max(min)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{cost, stages, widened};
+
+    #[test]
+    fn a_race_halves_its_field_and_its_winner_does_all_episodes() {
+        assert_eq!(stages(4, 1000), [250, 500, 1000]);
+        assert_eq!(stages(5, 1000), [125, 250, 500, 1000]);
+        assert_eq!(stages(1, 1000), [1000]);
+        assert_eq!(cost(4, 1000), 4 * 250 + 2 * 250 + 500);
+        assert_eq!(cost(1, 7), 7);
+    }
+
+    #[test]
+    fn unknown_ends_are_learned_and_known_ones_stay() {
+        let states = [vec![-1.0, 4.0], vec![3.0, f64::NAN]];
+        assert_eq!(widened([-2.0, 2.0], &states, 0), [-2.0, 2.0]);
+        assert_eq!(widened([f64::NEG_INFINITY, 9.0], &states, 0), [-2.0, 9.0]);
+        let [low, high] = widened([f64::NEG_INFINITY, f64::INFINITY], &states, 1);
+        assert!(low < 4.0 && high > 4.0);
+        assert_eq!(widened([f64::NEG_INFINITY, f64::INFINITY], &[], 0), [-1.5, 1.5]);
+    }
+}

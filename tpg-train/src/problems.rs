@@ -1,0 +1,62 @@
+//! `tpg-train problems`: the built-in problems, with what they observe and do.
+
+use clap::ValueEnum;
+use std::fmt::Write as _;
+use std::io::Write as _;
+use tpg_engine::{ActionSpace, Environment};
+use tpg_graph::SourceDocument;
+use tpg_graph::error::InputError;
+use tpg_problems::arm::ArmScalar;
+use tpg_problems::{Problem, ProblemName, Visitor};
+
+/// Prints the problems.
+///
+/// # Errors
+/// If stdout is closed.
+pub fn print_problems() -> Result<(), InputError> {
+    let text: String = ProblemName::ALL.map(|name| Problem::usual(name).open::<f32, _>(Description(name))).concat();
+    let written = std::io::stdout().lock().write_all(text.as_bytes());
+    written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))
+}
+
+/// Describes the environment of a problem.
+struct Description(ProblemName);
+
+impl<S: ArmScalar> Visitor<S> for Description {
+    type Output = String;
+
+    fn visit<E: Environment<S>>(self, environment: E) -> String {
+        let about = self.0.to_possible_value().and_then(|value| value.get_help().map(ToString::to_string));
+        let mut text = format!("{}: {}\n", self.0.name(), about.unwrap_or_default());
+        let sources = environment.sources().iter().map(source).collect::<Vec<_>>().join("; ");
+        let _ = writeln!(text, "  observes {sources}");
+        let _ = writeln!(text, "  acts by  {}", actions(&environment.actions()));
+        let _ = writeln!(text, "  at most  {} actions an episode\n", environment.time_limit());
+        text
+    }
+}
+
+fn source(source: &SourceDocument) -> String {
+    let values = if source.length == 1 { String::new() } else { format!(" ({} values)", source.length) };
+    let unit = if source.unit.is_empty() { String::new() } else { format!(", {}", source.unit) };
+    format!("{}{values}{unit}", source.name)
+}
+
+fn actions(space: &ActionSpace) -> String {
+    match space {
+        ActionSpace::Discrete(actions) => {
+            let names: Vec<&str> = actions.iter().map(|action| action.name.as_str()).collect();
+            format!("one of {}", names.join(", "))
+        }
+        ActionSpace::Box(outputs) => {
+            let output = |output: &tpg_engine::Output| {
+                format!("{} from {} to {} {}", output.name, output.min, output.max, output.unit)
+            };
+            outputs.iter().map(output).collect::<Vec<_>>().join("; ")
+        }
+        ActionSpace::MultiDiscrete(choices) => {
+            let choice = |choice: &tpg_engine::Choice| format!("{}: one of {}", choice.name, choice.options.join(", "));
+            choices.iter().map(choice).collect::<Vec<_>>().join("; ")
+        }
+    }
+}

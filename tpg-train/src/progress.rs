@@ -1,0 +1,47 @@
+//! The progress bar of a run; indicatif draws nothing where stderr is no terminal.
+
+use crate::evolution::run::Progress;
+use indicatif::{ProgressBar, ProgressStyle};
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// The progress of one run.
+#[derive(Debug)]
+pub struct Bar {
+    bar: ProgressBar,
+    began: bool,
+}
+
+impl Bar {
+    /// A bar that has not begun.
+    pub fn new() -> Self {
+        let style = ProgressStyle::with_template("seed {prefix} {wide_bar} {pos}/{len} {msg}, {eta} left")
+            .unwrap_or_else(|_| ProgressStyle::default_bar());
+        Self { bar: ProgressBar::new(0).with_style(style), began: false }
+    }
+
+    /// Shows how far a run is; breaks it when `stop` is set.
+    pub fn show(&mut self, progress: &Progress<'_>, stop: &AtomicBool) -> ControlFlow<()> {
+        self.bar.set_length(progress.of);
+        self.bar.set_prefix(progress.seed.to_string());
+        self.bar.set_position(progress.generations);
+        if !std::mem::replace(&mut self.began, true) {
+            self.bar.reset_eta();
+        }
+        if let Some(row) = progress.row {
+            let best = progress.best.map(|best| format!(", {:.2} validated", best.result.score)).unwrap_or_default();
+            self.bar.set_message(format!("best {:.2}, median {:.2}{best}", row.best_score, row.median_score));
+        }
+        if stop.load(Ordering::Relaxed) {
+            self.bar.abandon();
+            return ControlFlow::Break(());
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+impl Default for Bar {
+    fn default() -> Self {
+        Self::new()
+    }
+}
