@@ -35,6 +35,7 @@
 //! | [`kinematics`] | motor positions to points, by table or by libm |
 //! | [`observation`] | the 13 values a policy sees, and a graph's data sources |
 //! | [`frame`] | what follows from an observation: polar errors, gradients, clearances |
+//! | [`binding`] | a graph's names and numbers as sources and moves |
 //! | [`policy`] | the [`Policy`](policy::Policy) trait that generated code implements |
 //! | [`ops`] | the instruction set, and sin, cos, ln, exp with the same bits everywhere |
 //! | [`cycle`] | has the arm been here before? |
@@ -58,6 +59,7 @@
 extern crate std;
 
 pub mod arm;
+pub mod binding;
 pub mod cycle;
 pub mod episode;
 pub mod frame;
