@@ -16,6 +16,7 @@ use record::Hash;
 use report::Report;
 use tpg_generated::widowx_sac;
 use tpg_runtime::arm::{Arm, Move, Pose, WIDOWX};
+use tpg_runtime::binding;
 use tpg_runtime::cycle::Brent;
 use tpg_runtime::episode::{Episode, Problem};
 use tpg_runtime::frame::{Clearance, Frame};
@@ -223,16 +224,16 @@ fn main() -> ! {
         &mut counter,
         ["fs fast", "fs small", "fs constant-time"],
         (fs_fast_rust::FsFastRust, fs_small_rust::FsSmallRust, fs_constant_rust::FsConstantRust),
-        &fs_fast_rust::FsFastRust::SOURCES,
-        &fs_fast_rust::FsFastRust::MOVES,
+        &const { binding::sources(fs_fast_rust::FsFastRust::SOURCES) },
+        &const { binding::moves(fs_fast_rust::FsFastRust::MOVES) },
         &FS_PROBLEMS,
     );
     profiles(
         &mut counter,
         ["rs fast", "rs small", "rs constant-time"],
         (rs_fast_rust::RsFastRust, rs_small_rust::RsSmallRust, rs_constant_rust::RsConstantRust),
-        &rs_fast_rust::RsFastRust::SOURCES,
-        &rs_fast_rust::RsFastRust::MOVES,
+        &const { binding::sources(rs_fast_rust::RsFastRust::SOURCES) },
+        &const { binding::moves(rs_fast_rust::RsFastRust::MOVES) },
         &RS_PROBLEMS,
     );
     straight(&mut counter, "fs straight", &FS_PROBLEMS);
