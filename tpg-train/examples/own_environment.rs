@@ -18,7 +18,7 @@ impl Environment<f32> for Cart {
         vec![SourceDocument { name: "cart".into(), length: 2, unit: "m, m/s".into(), ranges: vec![[-20.0, 20.0]; 2] }]
     }
     fn actions(&self) -> Vec<ActionDocument> {
-        (0..).zip(["push", "pull"]).map(|(id, name)| ActionDocument { id, name: name.into(), moves: None }).collect()
+        (0..).zip(["push", "pull"]).map(|(id, name)| ActionDocument { id, name: name.into(), effect: None }).collect()
     }
     fn outcomes(&self) -> &'static [&'static str] {
         &["stopped", "missed"]

@@ -4,6 +4,7 @@ use tpg_codegen::passes::{interval::Assumption, optimise};
 use tpg_graph::interpret::Interpreter;
 use tpg_graph::{Graph, Provenance, ScalarType};
 use tpg_runtime::arm::{Arm, Collision, Invalid, Move, WIDOWX};
+use tpg_runtime::binding::moved;
 use tpg_runtime::cycle::Visited;
 use tpg_runtime::episode::{Episode, Outcome, Summary};
 use tpg_runtime::kinematics::Lattice;
@@ -124,7 +125,8 @@ fn by_interpreter<S: ArmScalar, M: Maths<S>>(
         Source::fill(&problem.sources, arm, episode.observation(), &TargetMemo::new(), &mut state);
         let (walk, action) = interpreter.walk(&state);
         actions.push(action);
-        let moves = graph.actions()[usize::from(action.0)].moves.unwrap_or(Move::STOP);
+        let effect = graph.actions()[usize::from(action.0)].effect.as_ref();
+        let moves = effect.and_then(|effect| moved(&effect.name, &effect.values)).unwrap_or(Move::STOP);
         if let Some(outcome) = episode.advance(moves) {
             let Observation { pose, .. } = *episode.observation();
             let distance = episode.observation().distance();

@@ -1,6 +1,7 @@
 //! A graph in terms of the arm: which parts of the observation its state is made of, and what its actions move.
 
-use tpg_graph::error::{InputError, Place};
+use crate::environments::arm::binding::bind;
+use tpg_graph::error::InputError;
 use tpg_graph::{Graph, ScalarType};
 use tpg_runtime::arm::{Move, WIDOWX};
 use tpg_runtime::observation::{Observation, Source, TargetMemo};
@@ -25,28 +26,7 @@ impl Binding {
     /// # Errors
     /// When a source is no part of the observation, or an action moves nothing that the arm knows.
     pub fn of(file: &str, graph: &Graph) -> Result<Self, InputError> {
-        let error = |path: String, found: String, accepted: &str| {
-            Err(InputError::new(file, Place::Path(path), found, accepted.to_owned()))
-        };
-        let mut sources = Vec::new();
-        for (index, declared) in graph.sources().iter().enumerate() {
-            let length = declared.ranges.len();
-            match Source::from_name(&declared.name).filter(|source| source.length() == length) {
-                Some(source) => sources.push(source),
-                None => {
-                    let found = format!("a source {:?} of {length} values", declared.name);
-                    return error(format!("$.sources[{index}]"), found, &known_sources());
-                }
-            }
-        }
-        let mut moves = Vec::new();
-        for (index, action) in graph.actions().iter().enumerate() {
-            let Some(wanted) = action.moves else {
-                let found = format!("the action {:?} without a move", action.name);
-                return error(format!("$.actions[{index}]"), found, "a move of the arm's four joints, in ticks");
-            };
-            moves.push(wanted);
-        }
+        let (sources, moves) = bind(file, graph)?;
         Ok(Self::new(graph.scalar(), sources, moves))
     }
 
@@ -75,10 +55,4 @@ impl Binding {
     pub fn wanted(&self, action: ActionId) -> Option<Move> {
         self.moves.get(usize::from(action.0)).copied()
     }
-}
-
-fn known_sources() -> String {
-    let names: Vec<String> =
-        Source::ALL.iter().map(|source| format!("{} ({} values)", source.name(), source.length())).collect();
-    names.join(", ")
 }

@@ -3,6 +3,7 @@
 //! Every value comes from the runtime's own functions on the same arguments, so it has the same bits as an observation
 //! made from scratch; a test walks both side by side.
 
+pub mod binding;
 mod clearance;
 mod episode;
 mod group;
@@ -17,8 +18,8 @@ use crate::engine::{Ending, Environment, Episodes, OneByOne, SourceSet};
 use crate::random::Stream;
 use crate::targets::{self, Reach as Space, Set};
 use clearance::{Clearances, swing};
-use tpg_graph::error::{InputError, Place};
-use tpg_graph::{ActionDocument, Graph, SourceDocument};
+use tpg_graph::error::InputError;
+use tpg_graph::{ActionDocument, Effect, Graph, SourceDocument};
 use tpg_runtime::arm::{Arm, JOINTS, Joint, Move, Pose, TICKS_PER_TURN};
 use tpg_runtime::episode::Outcome;
 use tpg_runtime::kinematics::{self, Angle, Direction, Directions, Lattice, Plane, link_angles};
@@ -125,21 +126,7 @@ impl<S: ArmScalar> ArmEnvironment<S> {
     /// # Errors
     /// If the graph reads sources that the arm does not have, or has actions that do not say what they move.
     pub fn for_graph(file: &str, graph: &Graph, arm: &Arm<f64>, problem: ArmProblem) -> Result<Self, InputError> {
-        let known = Source::ALL.map(Source::name).join(", ");
-        let mut sources = Vec::new();
-        for (place, source) in graph.sources().iter().enumerate() {
-            let path = Place::Path(format!("$.sources[{place}].name"));
-            let found = Source::from_name(&source.name).filter(|known| known.length() == source.ranges.len());
-            sources
-                .push(found.ok_or_else(|| InputError::new(file, path, format!("{:?}", source.name), known.as_str()))?);
-        }
-        let mut moves = Vec::new();
-        for (place, action) in graph.actions().iter().enumerate() {
-            let path = Place::Path(format!("$.actions[{place}]"));
-            moves.push(action.moves.ok_or_else(|| {
-                InputError::new(file, path, format!("{:?} without \"move\"", action.name), "actions that move the arm")
-            })?);
-        }
+        let (sources, moves) = binding::bind(file, graph)?;
         Ok(Self::for_evaluation(arm, ArmProblem { sources, ..problem }, moves))
     }
 
@@ -259,7 +246,7 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
         let document = |((id, moves), name): ((u32, &Move), &str)| ActionDocument {
             id,
             name: name.to_owned(),
-            moves: Some(moves.0),
+            effect: Some(Effect::new(Effect::MOVE, moves.0.map(f64::from))),
         };
         (0..).zip(&self.moves).zip(NAMES).map(document).collect()
     }

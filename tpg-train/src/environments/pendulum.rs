@@ -58,7 +58,7 @@ impl<S: Scalar> Environment<S> for Pendulum {
 
     fn actions(&self) -> Vec<ActionDocument> {
         let name = |torque: f64| format!("torque_{}{torque}", if torque < 0.0 { "" } else { "+" });
-        (0..).zip(TORQUES).map(|(id, torque)| ActionDocument { id, name: name(torque), moves: None }).collect()
+        (0..).zip(TORQUES).map(|(id, torque)| ActionDocument { id, name: name(torque), effect: None }).collect()
     }
 
     fn outcomes(&self) -> &'static [&'static str] {

@@ -14,6 +14,7 @@ use tpg_generated::widowx_rs::WidowxRs;
 use tpg_generated::widowx_rs_fast::WidowxRsFast;
 use tpg_generated::{widowx_fs_hybrid, widowx_rs_hybrid, widowx_sac};
 use tpg_runtime::arm::{JOINTS, Move};
+use tpg_runtime::binding;
 use tpg_runtime::cycle::{Brent, CycleDetector, Visited};
 use tpg_runtime::hybrid::{Guard, Hybrid, Settings};
 use tpg_runtime::observation::{ArmPolicy, Observation};
@@ -91,12 +92,12 @@ fn wide(start: Start, tasks: &[Task]) -> Time {
 }
 
 fn fs() -> impl Policy<State = Observation<f32>, Action = Move> + Clone {
-    let (sources, moves) = (&WidowxFsFast::SOURCES, &WidowxFsFast::MOVES);
+    let (sources, moves) = const { (&binding::sources(WidowxFsFast::SOURCES), &binding::moves(WidowxFsFast::MOVES)) };
     ArmPolicy::new(WidowxFsFast, &ARM, sources, moves)
 }
 
 fn rs() -> impl Policy<State = Observation<f32>, Action = Move> + Clone {
-    let (sources, moves) = (&WidowxRsFast::SOURCES, &WidowxRsFast::MOVES);
+    let (sources, moves) = const { (&binding::sources(WidowxRsFast::SOURCES), &binding::moves(WidowxRsFast::MOVES)) };
     ArmPolicy::new(WidowxRsFast, &ARM, sources, moves)
 }
 
@@ -109,11 +110,13 @@ where
         tpg: timing::of_policy(&ARM, &tpg, start, tasks),
         tpg_constant_time: match start {
             Start::Fs => {
-                let (sources, moves) = (&WidowxFs::SOURCES, &WidowxFs::MOVES);
+                let (sources, moves) =
+                    const { (&binding::sources(WidowxFs::SOURCES), &binding::moves(WidowxFs::MOVES)) };
                 timing::of_policy(&ARM, &ArmPolicy::new(WidowxFs, &ARM, sources, moves), start, tasks)
             }
             Start::Rs => {
-                let (sources, moves) = (&WidowxRs::SOURCES, &WidowxRs::MOVES);
+                let (sources, moves) =
+                    const { (&binding::sources(WidowxRs::SOURCES), &binding::moves(WidowxRs::MOVES)) };
                 timing::of_policy(&ARM, &ArmPolicy::new(WidowxRs, &ARM, sources, moves), start, tasks)
             }
         },
