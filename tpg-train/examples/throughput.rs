@@ -8,9 +8,9 @@
 //! one, `--quick` measures the first row only.
 
 use std::path::Path;
+use tpg_arm::WIDOWX;
 use tpg_graph::import::{self, Profile};
 use tpg_graph::{Graph, MathsProvider, ScalarType};
-use tpg_runtime::arm::WIDOWX;
 use tpg_runtime::ops::{Maths, Own, System};
 use tpg_train::engine::{Environment, Evaluator, LocalThreads, Options, Policy, UnitKey, Work, WorkUnit};
 use tpg_train::environments::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};

@@ -18,12 +18,12 @@ use serde::Deserialize as _;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
+use tpg_arm::hybrid::Guard;
+use tpg_arm::observation::shield::{SHIELDED, STEP, action as action_of};
+use tpg_arm::{Arm, WIDOWX};
 use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::in_arithmetic_of;
-use tpg_runtime::arm::{Arm, WIDOWX};
-use tpg_runtime::hybrid::Guard;
-use tpg_runtime::observation::shield::{SHIELDED, STEP, action as action_of};
 use tpg_runtime::ops::Maths;
 
 /// Let a policy act and count how its episodes end.

@@ -14,11 +14,11 @@ use serde::{Deserialize, Serialize};
 use std::fs;
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
+use tpg_arm::episode::Problem;
+use tpg_arm::frame::Clearance;
+use tpg_arm::kinematics::{self, Lattice, Plane};
+use tpg_arm::{Arm, JOINTS, Pose, WIDOWX};
 use tpg_graph::error::InputError;
-use tpg_runtime::arm::{Arm, JOINTS, Pose, WIDOWX};
-use tpg_runtime::episode::Problem;
-use tpg_runtime::frame::Clearance;
-use tpg_runtime::kinematics::{self, Lattice, Plane};
 
 /// The edge of a cube, mm.
 const CUBE: f64 = 20.0;

@@ -3,8 +3,8 @@
 mod support;
 
 use std::path::Path;
+use tpg_arm::WIDOWX;
 use tpg_graph::import::{self, Profile};
-use tpg_runtime::arm::WIDOWX;
 use tpg_train::conformance::binding::Binding;
 use tpg_train::conformance::chain::Chain;
 use tpg_train::conformance::command::{EngineArg, Problem};
@@ -12,7 +12,7 @@ use tpg_train::conformance::episode::Rules;
 use tpg_train::conformance::fk::{self, Exactness, Nearness};
 use tpg_train::conformance::{data, replay};
 
-/// The hand's error bounds that `tpg_runtime::kinematics` states, mm.
+/// The hand's error bounds that `tpg_arm::kinematics` states, mm.
 const F64_BOUND: f64 = 5e-13;
 const F32_BOUND: f64 = 1.1e-4;
 

@@ -1,15 +1,15 @@
 //! The engine gives the interpreter's answers, step for step, whatever it is told about lanes, sharing and threads.
 
+use tpg_arm::binding::moved;
+use tpg_arm::cycle::Visited;
+use tpg_arm::episode::{Episode, Outcome, Summary};
+use tpg_arm::kinematics::Lattice;
+use tpg_arm::observation::shield::{ALLOWED, SHIELDED};
+use tpg_arm::observation::{Observation, Source, TargetMemo};
+use tpg_arm::{Arm, Collision, Invalid, Move, WIDOWX};
 use tpg_codegen::passes::{interval::Assumption, optimise};
 use tpg_graph::interpret::Interpreter;
 use tpg_graph::{Graph, Provenance, ScalarType};
-use tpg_runtime::arm::{Arm, Collision, Invalid, Move, WIDOWX};
-use tpg_runtime::binding::moved;
-use tpg_runtime::cycle::Visited;
-use tpg_runtime::episode::{Episode, Outcome, Summary};
-use tpg_runtime::kinematics::Lattice;
-use tpg_runtime::observation::shield::{ALLOWED, SHIELDED};
-use tpg_runtime::observation::{Observation, Source, TargetMemo};
 use tpg_runtime::ops::{Instruction, Maths, Own};
 use tpg_runtime::policy::{ActionId, Policy as _};
 use tpg_train::engine::{
@@ -112,8 +112,8 @@ fn by_interpreter<S: ArmScalar, M: Maths<S>>(
     task: &ArmTask,
 ) -> (Vec<ActionId>, Summary<S>, S) {
     let interpreter = Interpreter::<S, M>::new(graph);
-    let start = tpg_runtime::episode::Problem {
-        start: tpg_runtime::arm::Pose(task.start),
+    let start = tpg_arm::episode::Problem {
+        start: tpg_arm::Pose(task.start),
         target: task.target.map(S::from_f64),
         tolerance: S::from_f64(problem.tolerance),
         max_actions: problem.max_actions,

@@ -4,8 +4,8 @@ mod support;
 
 use std::collections::BTreeMap;
 use std::fs;
-use tpg_runtime::arm::{Pose, WIDOWX};
-use tpg_runtime::observation::Observation;
+use tpg_arm::observation::Observation;
+use tpg_arm::{Pose, WIDOWX};
 use tpg_train::conformance::actor::RecordedActor;
 use tpg_train::conformance::chain::Chain;
 use tpg_train::conformance::command::Problem;

@@ -3,11 +3,11 @@
 use std::fs;
 use std::path::Path;
 use std::process::Command;
+use tpg_arm::observation::Source;
 use tpg_codegen::emit::{Language, Options, Prefix, Profile};
 use tpg_codegen::verify::{self, Workshop};
 use tpg_graph::Graph;
 use tpg_graph::engine::Engine;
-use tpg_runtime::observation::Source;
 use tpg_train::evolution::config::{Config, Shield};
 use tpg_train::evolution::presets::Preset;
 

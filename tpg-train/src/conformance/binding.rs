@@ -1,10 +1,10 @@
 //! A graph in terms of the arm: which parts of the observation its state is made of, and what its actions move.
 
 use crate::environments::arm::binding::bind;
+use tpg_arm::observation::{Observation, Source, TargetMemo};
+use tpg_arm::{Move, WIDOWX};
 use tpg_graph::error::InputError;
 use tpg_graph::{Graph, ScalarType};
-use tpg_runtime::arm::{Move, WIDOWX};
-use tpg_runtime::observation::{Observation, Source, TargetMemo};
 use tpg_runtime::policy::ActionId;
 
 /// How an engine's flat state is filled and its answer understood.

@@ -18,12 +18,12 @@ use crate::engine::{Ending, Environment, Episodes, OneByOne, SourceSet};
 use crate::random::Stream;
 use crate::targets::{self, Reach as Space, Set};
 use clearance::{Clearances, swing};
+use tpg_arm::episode::Outcome;
+use tpg_arm::kinematics::{self, Angle, Direction, Directions, Lattice, Plane, link_angles};
+use tpg_arm::observation::{Observation, ReachErrors, Source, derived, shield};
+use tpg_arm::{Arm, JOINTS, Joint, Move, Pose, TICKS_PER_TURN};
 use tpg_graph::error::InputError;
 use tpg_graph::{ActionDocument, Effect, Graph, SourceDocument};
-use tpg_runtime::arm::{Arm, JOINTS, Joint, Move, Pose, TICKS_PER_TURN};
-use tpg_runtime::episode::Outcome;
-use tpg_runtime::kinematics::{self, Angle, Direction, Directions, Lattice, Plane, link_angles};
-use tpg_runtime::observation::{Observation, ReachErrors, Source, derived, shield};
 use tpg_runtime::policy::ActionId;
 
 /// The scalars that an arm exists in.

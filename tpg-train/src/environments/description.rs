@@ -4,8 +4,8 @@
 
 use crate::targets::stands_free;
 use serde::{Deserialize, Serialize};
-use tpg_runtime::arm::{Arm, BaseEdge, JOINTS, JointRange, Links, Pose, Shapes, TICKS_PER_TURN};
-use tpg_runtime::kinematics::Plane;
+use tpg_arm::kinematics::Plane;
+use tpg_arm::{Arm, BaseEdge, JOINTS, JointRange, Links, Pose, Shapes, TICKS_PER_TURN};
 
 /// The WidowX's section, commented.
 pub const WIDOWX_TOML: &str = include_str!("widowx.toml");
@@ -193,7 +193,7 @@ const LONGEST: f64 = 1000.0;
 mod tests {
     use super::{ArmDescription, WIDOWX_TOML};
     use serde::Deserialize;
-    use tpg_runtime::arm::{Arm, WIDOWX};
+    use tpg_arm::{Arm, WIDOWX};
 
     #[derive(Deserialize)]
     struct Text {

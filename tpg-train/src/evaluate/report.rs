@@ -7,7 +7,7 @@ use crate::targets::Start;
 use crate::trial::{Failures, Trial};
 use serde::Serialize;
 use std::collections::BTreeMap;
-use tpg_runtime::hybrid::Cause;
+use tpg_arm::hybrid::Cause;
 
 /// What `eval --json` prints. Rates are between 0 and 1.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -11,10 +11,10 @@ use crate::files::read_text;
 use crate::targets::Start;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
+use tpg_arm::observation::Source;
+use tpg_arm::{Arm, WIDOWX};
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::{ScalarType, SourceDocument};
-use tpg_runtime::arm::{Arm, WIDOWX};
-use tpg_runtime::observation::Source;
 use tpg_runtime::ops::Instruction;
 
 /// Everything that decides a run, but for its seed.

@@ -2,8 +2,8 @@
 
 use crate::engine::Operand;
 use serde::{Deserialize, Serialize};
+use tpg_arm::observation::shield::SHIELDED;
 use tpg_graph::{ScalarType, SourceDocument};
-use tpg_runtime::observation::shield::SHIELDED;
 use tpg_runtime::ops::Instruction;
 
 /// Operands of a line. GEGELATI calls it `maxNbOperands`; the instruction set has no instruction with more.

@@ -10,11 +10,11 @@ use crate::sac::weights;
 use crate::targets::{Start, Task};
 use crate::trial::{self, Trial};
 use std::path::Path;
+use tpg_arm::Move;
+use tpg_arm::kinematics::Lattice;
+use tpg_arm::observation::Observation;
 use tpg_codegen::policy::QuantisedPolicy;
 use tpg_graph::error::InputError;
-use tpg_runtime::arm::Move;
-use tpg_runtime::kinematics::Lattice;
-use tpg_runtime::observation::Observation;
 use tpg_runtime::policy::Policy;
 
 /// A decision of an actor, in the precision it was trained in.

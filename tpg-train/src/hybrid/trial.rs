@@ -7,13 +7,13 @@ use crate::environments::ArmScalar;
 use crate::targets::{Start, Task};
 use crate::trial::{self, Trial};
 use serde::Serialize;
+use tpg_arm::cycle::{Brent, CycleDetector, Visited};
+use tpg_arm::hybrid::{CAUSES, Hybrid, HybridEpisode, HybridSummary};
+use tpg_arm::observation::Observation;
+use tpg_arm::{Move, WIDOWX};
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
 use tpg_graph::in_arithmetic_of;
-use tpg_runtime::arm::{Move, WIDOWX};
-use tpg_runtime::cycle::{Brent, CycleDetector, Visited};
-use tpg_runtime::hybrid::{CAUSES, Hybrid, HybridEpisode, HybridSummary};
-use tpg_runtime::observation::Observation;
 use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::Policy;
 

@@ -7,10 +7,10 @@ use crate::environments::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
 use crate::evaluate::endings_of;
 use crate::sac::policy::ActorPolicy;
 use crate::targets::{self, Set, TOLERANCE};
+use tpg_arm::{Arm, Pose, WIDOWX};
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
 use tpg_graph::in_arithmetic_of;
-use tpg_runtime::arm::{Arm, Pose, WIDOWX};
 use tpg_runtime::ops::Maths;
 
 /// Trajectories that are kept: the first episodes that succeed, and the first that fail.

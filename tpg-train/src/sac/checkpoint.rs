@@ -14,8 +14,8 @@ use crate::random::{Purpose, Stream};
 use crate::targets::{Reach, Set, Task};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
+use tpg_arm::{Pose, WIDOWX};
 use tpg_graph::error::{InputError, Place};
-use tpg_runtime::arm::{Pose, WIDOWX};
 
 const FORMAT: &str = "tpg-train sac checkpoint";
 const VERSION: u32 = 3;

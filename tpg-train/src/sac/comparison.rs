@@ -10,10 +10,10 @@ use crate::trial::{self, Trial};
 use serde::Serialize;
 use std::cell::Cell;
 use std::fmt;
+use tpg_arm::observation::Observation;
+use tpg_arm::{JOINTS, Move, WIDOWX};
 use tpg_codegen::policy::QuantisedPolicy;
 use tpg_graph::error::InputError;
-use tpg_runtime::arm::{JOINTS, Move, WIDOWX};
-use tpg_runtime::observation::Observation;
 use tpg_runtime::policy::Policy;
 
 /// Episodes of each start: validation tasks, which neither training nor tests see.

@@ -9,8 +9,8 @@ use super::config::Retry;
 use super::policy::ActorPolicy;
 use crate::random::{Purpose, Stream};
 use crate::targets::{Reach, Start, Task};
-use tpg_runtime::arm::Pose;
-use tpg_runtime::episode::Outcome;
+use tpg_arm::Pose;
+use tpg_arm::episode::Outcome;
 
 /// The places of the latest failures, oldest first.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -57,7 +57,7 @@ mod tests {
     use crate::sac::lanes::Lanes;
     use crate::sac::nn::{Mlp, Shape};
     use crate::targets::Set;
-    use tpg_runtime::arm::WIDOWX;
+    use tpg_arm::WIDOWX;
 
     const RETRY: Retry = Retry { share: 1.0, every: 1, fixed_starts: 5, random_starts: 9, remembered: 20 };
 

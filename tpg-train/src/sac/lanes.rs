@@ -7,10 +7,10 @@ use super::replay::ACTIONS;
 use crate::ik;
 use crate::random::{Purpose, Stream};
 use crate::targets::{Reach, Start};
-use tpg_runtime::arm::{Arm, Move, Pose, WIDOWX};
-use tpg_runtime::frame::Frame;
-use tpg_runtime::kinematics;
-use tpg_runtime::sac::{Actions, Decision, FEATURES, TRAINED_COARSE, TRAINED_FINE, features};
+use tpg_arm::frame::Frame;
+use tpg_arm::kinematics;
+use tpg_arm::sac::{Actions, Decision, FEATURES, TRAINED_COARSE, TRAINED_FINE, features};
+use tpg_arm::{Arm, Move, Pose, WIDOWX};
 
 /// The arm that policies are trained on, in the precision they run in.
 pub const ARM: Arm<f32> = WIDOWX.to_f32();

@@ -8,10 +8,10 @@ use crate::random::{Purpose, Stream};
 use crate::targets::{Start, Task};
 use crate::trial::{self, Trial};
 use std::cell::RefCell;
-use tpg_runtime::arm::{Move, Pose};
-use tpg_runtime::episode::Summary;
-use tpg_runtime::frame::Frame;
-use tpg_runtime::observation::Observation;
+use tpg_arm::episode::Summary;
+use tpg_arm::frame::Frame;
+use tpg_arm::observation::Observation;
+use tpg_arm::{Move, Pose};
 use tpg_runtime::policy::Policy;
 
 /// An actor, in `f32`: the same on every machine, and the same as in its training. As a [`Policy`] it decides by its mean.
@@ -97,7 +97,7 @@ mod tests {
     use crate::sac::config::Config;
     use crate::sac::nn::Shape;
     use crate::targets::{Set, tasks};
-    use tpg_runtime::arm::WIDOWX;
+    use tpg_arm::WIDOWX;
 
     #[test]
     fn a_policy_that_draws_is_not_stopped_by_rest_and_draws_the_same_again() {

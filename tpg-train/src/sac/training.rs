@@ -13,7 +13,7 @@ use crate::random::{Purpose, Stream};
 use crate::targets::{Reach, Set, Start, Task, tasks};
 use crate::trial::Trial;
 use serde::{Deserialize, Serialize};
-use tpg_runtime::arm::WIDOWX;
+use tpg_arm::WIDOWX;
 
 /// A training run under way.
 #[derive(Debug)]

@@ -1,10 +1,10 @@
 //! A graph's sources and actions as the arm's.
 
+use tpg_arm::Move;
+use tpg_arm::binding;
+use tpg_arm::observation::Source;
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::{Action, Graph};
-use tpg_runtime::arm::Move;
-use tpg_runtime::binding;
-use tpg_runtime::observation::Source;
 
 /// The arm's sources that make up a graph's state, and the move of each of its actions.
 ///

@@ -2,7 +2,7 @@
 
 use crate::engine::{BLOCK, Block};
 use std::array::from_fn;
-use tpg_runtime::arm::{JOINTS, Pose};
+use tpg_arm::{JOINTS, Pose};
 
 /// What a usual step needs of one lane.
 #[derive(Clone, Copy, Debug)]

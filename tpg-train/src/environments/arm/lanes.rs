@@ -10,8 +10,8 @@ use super::usual::Usual;
 use super::{ArmEnvironment, ArmEpisode, ArmScalar, ArmTask};
 use crate::engine::{BLOCK, Block, Ending, Environment, Episodes, SourceSet, View};
 use pulp::Arch;
-use tpg_runtime::arm::{JOINTS, Move};
-use tpg_runtime::observation::Source;
+use tpg_arm::observation::Source;
+use tpg_arm::{JOINTS, Move};
 use tpg_runtime::policy::ActionId;
 
 /// [`ArmEnvironment::lanes`].

@@ -1,9 +1,9 @@
 //! What a configuration may say.
 
 use super::{Config, EnvironmentName, Shield};
+use tpg_arm::observation::Source;
+use tpg_arm::observation::shield::STEP;
 use tpg_graph::error::InputError;
-use tpg_runtime::observation::Source;
-use tpg_runtime::observation::shield::STEP;
 use tpg_runtime::ops::Instruction;
 
 /// Makes an error of a key, what was found there and what is accepted.

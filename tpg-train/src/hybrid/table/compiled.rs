@@ -8,18 +8,18 @@ use crate::sac::lanes::ARM;
 use crate::sac::nn::{Mlp, Shape};
 use crate::sac::policy::ActorPolicy;
 use crate::targets::{Start, Task};
+use tpg_arm::binding;
+use tpg_arm::cycle::{Brent, CycleDetector, Visited};
+use tpg_arm::hybrid::{Guard, Hybrid, Settings};
+use tpg_arm::observation::{ArmPolicy, Observation};
+use tpg_arm::sac::packed::{Model, PackedPolicy};
+use tpg_arm::{JOINTS, Move};
 use tpg_generated::widowx_fs::WidowxFs;
 use tpg_generated::widowx_fs_fast::WidowxFsFast;
 use tpg_generated::widowx_rs::WidowxRs;
 use tpg_generated::widowx_rs_fast::WidowxRsFast;
 use tpg_generated::{widowx_fs_hybrid, widowx_rs_hybrid, widowx_sac};
-use tpg_runtime::arm::{JOINTS, Move};
-use tpg_runtime::binding;
-use tpg_runtime::cycle::{Brent, CycleDetector, Visited};
-use tpg_runtime::hybrid::{Guard, Hybrid, Settings};
-use tpg_runtime::observation::{ArmPolicy, Observation};
 use tpg_runtime::policy::Policy;
-use tpg_runtime::sac::packed::{Model, PackedPolicy};
 
 /// Times of a shipped hybrid and its parts.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -6,9 +6,9 @@ use crate::hybrid::graph::read_graph;
 use crate::hybrid::setting::{Detector, HandBack, Setting};
 use crate::hybrid::trial;
 use crate::targets::{Set, Start, tasks};
+use tpg_arm::WIDOWX;
+use tpg_arm::hybrid::Guard;
 use tpg_graph::error::InputError;
-use tpg_runtime::arm::WIDOWX;
-use tpg_runtime::hybrid::Guard;
 
 /// The seed of the episodes: neither training nor the choice of what is shipped read them.
 const SEED: u64 = 11;

@@ -14,9 +14,9 @@ use crate::targets::{Start, Task};
 use crate::trial::{Trial, run};
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
+use tpg_arm::WIDOWX;
+use tpg_arm::observation::Straight;
 use tpg_graph::error::InputError;
-use tpg_runtime::arm::WIDOWX;
-use tpg_runtime::observation::Straight;
 
 /// Trainings that differ in their seed alone: `[[fs.learned]]` and `[[rs.learned]]`.
 #[derive(Clone, Debug, Deserialize)]

@@ -27,8 +27,8 @@ use crate::targets::{self, Start};
 use clap::Args;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
+use tpg_arm::WIDOWX;
 use tpg_graph::error::{InputError, Place};
-use tpg_runtime::arm::WIDOWX;
 
 /// Measure every kind of policy and write docs/results.md.
 #[derive(Clone, Debug, Args)]

@@ -16,12 +16,12 @@ use crate::hybrid::setting::{HandBack, Setting};
 use crate::targets::Start;
 use rayon::prelude::*;
 use std::path::Path;
+use tpg_arm::hybrid::{Guard, Hybrid, NEVER, Settings};
+use tpg_arm::observation::Observation;
+use tpg_arm::{Move, WIDOWX};
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
 use tpg_graph::import::{self, Profile};
-use tpg_runtime::arm::{Move, WIDOWX};
-use tpg_runtime::hybrid::{Guard, Hybrid, NEVER, Settings};
-use tpg_runtime::observation::Observation;
 use tpg_runtime::ops::System;
 use tpg_runtime::policy::Policy;
 

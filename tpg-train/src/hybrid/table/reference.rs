@@ -3,8 +3,8 @@
 
 use crate::random::{Purpose, Stream};
 use std::cell::RefCell;
-use tpg_runtime::arm::{JOINTS, Move};
-use tpg_runtime::observation::Observation;
+use tpg_arm::observation::Observation;
+use tpg_arm::{JOINTS, Move};
 use tpg_runtime::policy::Policy;
 
 const INPUTS: usize = 13;

@@ -11,12 +11,12 @@ use crate::planner::{Choice, Planner};
 use crate::targets::{Start, Task};
 use crate::trial::{Trial, run, run_allowing_collisions};
 use std::path::{Path, PathBuf};
+use tpg_arm::WIDOWX;
+use tpg_arm::observation::Straight;
 use tpg_codegen::emit::{Options, Prefix, Profile};
 use tpg_codegen::size::{self, Target};
 use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
-use tpg_runtime::arm::WIDOWX;
-use tpg_runtime::observation::Straight;
 
 /// One row of the table. Rates lie in 0..1.
 #[derive(Clone, Debug, PartialEq)]
