@@ -2,15 +2,15 @@
 
 use std::path::{Path, PathBuf};
 use std::{env, fs};
+use tpg_arm::cycle::Brent;
+use tpg_arm::episode::Episode;
+use tpg_arm::kinematics::Lattice;
+use tpg_arm::observation::{Observation, Source, TargetMemo};
+use tpg_arm::{Arm, WIDOWX};
 use tpg_graph::engine::Reference;
 use tpg_graph::import::{self, Profile};
 use tpg_graph::interpret;
 use tpg_graph::{Graph, ScalarType};
-use tpg_runtime::arm::{Arm, WIDOWX};
-use tpg_runtime::cycle::Brent;
-use tpg_runtime::episode::Episode;
-use tpg_runtime::kinematics::Lattice;
-use tpg_runtime::observation::{Observation, Source, TargetMemo};
 use tpg_train::conformance::binding::Binding;
 use tpg_train::conformance::chain::Chain;
 use tpg_train::conformance::command::Problem;

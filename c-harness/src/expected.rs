@@ -4,15 +4,15 @@ use crate::Failure;
 use crate::line::Line;
 use crate::problems::{PARTS, Start};
 use crate::record::{Hash, code};
+use tpg_arm::binding;
+use tpg_arm::cycle::Brent;
+use tpg_arm::episode::{Episode, Problem};
+use tpg_arm::hybrid::{Hybrid, HybridEpisode};
+use tpg_arm::observation::{ArmPolicy, Observation};
+use tpg_arm::sac::fixed::FixedPolicy;
+use tpg_arm::{Arm, Move, Pose, WIDOWX};
 use tpg_generated::{widowx_fs::WidowxFs, widowx_rs::WidowxRs, widowx_sac};
-use tpg_runtime::arm::{Arm, Move, Pose, WIDOWX};
-use tpg_runtime::binding;
-use tpg_runtime::cycle::Brent;
-use tpg_runtime::episode::{Episode, Problem};
-use tpg_runtime::hybrid::{Hybrid, HybridEpisode};
-use tpg_runtime::observation::{ArmPolicy, Observation};
 use tpg_runtime::policy::Policy;
-use tpg_runtime::sac::fixed::FixedPolicy;
 
 const ARM: Arm<f32> = WIDOWX.to_f32();
 

@@ -1,9 +1,9 @@
 //! The built-in description of the paper's graphs is about the runtime's arm.
 
+use tpg_arm::WIDOWX;
+use tpg_arm::binding;
+use tpg_arm::observation::Source;
 use tpg_graph::import::Profile;
-use tpg_runtime::arm::WIDOWX;
-use tpg_runtime::binding;
-use tpg_runtime::observation::Source;
 
 #[test]
 fn ecta24_is_the_runtimes_arm() {

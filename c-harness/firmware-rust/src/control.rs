@@ -14,14 +14,14 @@ use platform::Counter;
 use record::{Hash, code};
 use report::Report;
 use tpg_generated::{widowx_fs_fast::WidowxFsFast, widowx_fs_hybrid, widowx_rs_fast::WidowxRsFast, widowx_rs_hybrid, widowx_sac};
-use tpg_runtime::arm::{Arm, Move, Pose, WIDOWX};
-use tpg_runtime::binding;
-use tpg_runtime::cycle::Brent;
-use tpg_runtime::episode::{Episode, Outcome, Problem};
-use tpg_runtime::hybrid::{Chosen, Driver, Hybrid, HybridEpisode, Settings, Switch};
-use tpg_runtime::observation::{ArmPolicy, Observation};
+use tpg_arm::{Arm, Move, Pose, WIDOWX};
+use tpg_arm::binding;
+use tpg_arm::cycle::Brent;
+use tpg_arm::episode::{Episode, Outcome, Problem};
+use tpg_arm::hybrid::{Chosen, Driver, Hybrid, HybridEpisode, Settings, Switch};
+use tpg_arm::observation::{ArmPolicy, Observation};
 use tpg_runtime::policy::Policy;
-use tpg_runtime::sac::packed::{Model, PackedPolicy};
+use tpg_arm::sac::packed::{Model, PackedPolicy};
 
 include!(env!("TPG_PROBLEMS"));
 
