@@ -5,8 +5,8 @@ use crate::code::{self, Refusal, TPG_ARGUMENT, TPG_LENGTH};
 use crate::memo::{self, tpg_memo_t};
 use crate::memory;
 use crate::policy::TPG_STATE_LENGTH;
-use tpg_runtime::arm::{Arm, Pose};
-use tpg_runtime::observation::{Observation, Source, TargetMemo};
+use tpg_arm::observation::{Observation, Source, TargetMemo};
+use tpg_arm::{Arm, Pose};
 
 /// What a policy sees of the arm and its target.
 #[repr(C)]

@@ -5,8 +5,8 @@ use crate::code::{self, Refusal, TPG_LENGTH, TPG_NULL};
 use crate::memo::{self, tpg_memo_t};
 use crate::memory;
 use crate::observation::{fill, source, tpg_observation_t};
-use tpg_runtime::arm::{Arm, Move};
-use tpg_runtime::observation::{Observation, TargetMemo};
+use tpg_arm::observation::{Observation, TargetMemo};
+use tpg_arm::{Arm, Move};
 
 /// The most floats that the sources of a policy may have together.
 pub const TPG_STATE_LENGTH: usize = 48;
