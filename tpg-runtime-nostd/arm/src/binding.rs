@@ -4,9 +4,9 @@
 //! graph that is read at run time goes through [`source`] and [`moved`], one declaration after another.
 //!
 //! ```
-//! use tpg_runtime::arm::Move;
-//! use tpg_runtime::binding;
-//! use tpg_runtime::observation::Source;
+//! use tpg_arm::Move;
+//! use tpg_arm::binding;
+//! use tpg_arm::observation::Source;
 //!
 //! const SOURCES: [Source; 2] = binding::sources(["polar", "motors_centred"]);
 //! const MOVES: [Move; 2] = binding::moves([[3, 0, 0, 0], [-3, 0, 0, 0]]);

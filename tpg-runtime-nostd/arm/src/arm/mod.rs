@@ -13,7 +13,7 @@ pub use widowx::WIDOWX;
 
 use crate::kinematics::Lattice;
 use crate::kinematics::Plane;
-use crate::scalar::Scalar;
+use tpg_runtime::scalar::Scalar;
 
 /// The positions that a joint may take, both ends included.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -20,7 +20,7 @@ use crate::arm::{Arm, Move, Pose};
 use crate::frame::Frame;
 use crate::kinematics::Lattice;
 use crate::kinematics::{self, Vector};
-use crate::policy::{ActionId, Policy};
+use tpg_runtime::policy::{ActionId, Policy};
 
 /// The paper's 13 values: four motor positions, and hand, target and their difference in mm (section 4.2).
 #[derive(Clone, Copy, Debug, PartialEq)]
