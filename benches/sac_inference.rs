@@ -10,16 +10,16 @@ mod pytorch;
 
 use std::hint::black_box;
 use std::time::Instant;
+use tpg_arm::frame::Frame;
+use tpg_arm::observation::Observation;
+use tpg_arm::sac::fixed::{FixedPolicy, Layer, Network, Rescale, quantise};
+use tpg_arm::sac::packed::Model;
+use tpg_arm::sac::{FEATURES, features};
+use tpg_arm::{Arm, Pose, WIDOWX};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_generated::widowx_sac;
 use tpg_nn::{Mlp, Shape, Tape};
-use tpg_runtime::arm::{Arm, Pose, WIDOWX};
-use tpg_runtime::frame::Frame;
-use tpg_runtime::observation::Observation;
 use tpg_runtime::policy::Policy as _;
-use tpg_runtime::sac::fixed::{FixedPolicy, Layer, Network, Rescale, quantise};
-use tpg_runtime::sac::packed::Model;
-use tpg_runtime::sac::{FEATURES, features};
 
 const ARM: Arm<f32> = WIDOWX.to_f32();
 const BURSTS: usize = 401;

@@ -6,13 +6,14 @@
 //!
 //! ```
 //! use tpg_generated::widowx_fs::WidowxFs;
-//! use tpg_runtime::arm::WIDOWX;
-//! use tpg_runtime::cycle::Brent;
-//! use tpg_runtime::episode::{Episode, Outcome, Problem};
-//! use tpg_runtime::observation::ArmPolicy;
+//! use tpg_arm::WIDOWX;
+//! use tpg_arm::binding;
+//! use tpg_arm::cycle::Brent;
+//! use tpg_arm::episode::{Episode, Outcome, Problem};
+//! use tpg_arm::observation::ArmPolicy;
 //!
 //! let arm = WIDOWX.to_f32();
-//! let policy = ArmPolicy::new(WidowxFs, &arm, &WidowxFs::SOURCES, &WidowxFs::MOVES);
+//! let policy = ArmPolicy::new(WidowxFs, &arm, &const { binding::sources(WidowxFs::SOURCES) }, &const { binding::moves(WidowxFs::MOVES) });
 //! let problem = Problem { start: arm.home, target: [-23.17, -377.16, 322.52], tolerance: 3.0, max_actions: 1707 };
 //! let summary = Episode::new(&arm, problem, Brent::new()).run(&policy, |_pose| ());
 //! assert_eq!(summary.outcome, Outcome::Reached);

@@ -2,6 +2,11 @@
 
 use std::path::{Path, PathBuf};
 use std::{env, fs};
+use tpg_arm::cycle::Brent;
+use tpg_arm::episode::Episode;
+use tpg_arm::kinematics::Lattice;
+use tpg_arm::observation::{Observation, Source, TargetMemo};
+use tpg_arm::{Arm, WIDOWX};
 use tpg_graph::engine::Reference;
 use tpg_graph::import::{self, Profile};
 use tpg_graph::interpret;
@@ -12,11 +17,6 @@ use tpg_paper::replay_command::Problem;
 use tpg_paper::{data, replay};
 use tpg_problems::arm::binding::Binding;
 use tpg_problems::arm::targets::{self, Start};
-use tpg_runtime::arm::{Arm, WIDOWX};
-use tpg_runtime::cycle::Brent;
-use tpg_runtime::episode::Episode;
-use tpg_runtime::kinematics::Lattice;
-use tpg_runtime::observation::{Observation, Source, TargetMemo};
 
 /// States of a subject: enough that no branch predictor learns them by heart.
 pub const STATES: usize = 8192;

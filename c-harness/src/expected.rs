@@ -4,14 +4,15 @@ use crate::Failure;
 use crate::line::Line;
 use crate::problems::{PARTS, Start};
 use crate::record::{Hash, code};
+use tpg_arm::binding;
+use tpg_arm::cycle::Brent;
+use tpg_arm::episode::{Episode, Problem};
+use tpg_arm::hybrid::{Hybrid, HybridEpisode};
+use tpg_arm::observation::{ArmPolicy, Observation};
+use tpg_arm::sac::fixed::FixedPolicy;
+use tpg_arm::{Arm, Move, Pose, WIDOWX};
 use tpg_generated::{widowx_fs::WidowxFs, widowx_rs::WidowxRs, widowx_sac};
-use tpg_runtime::arm::{Arm, Move, Pose, WIDOWX};
-use tpg_runtime::cycle::Brent;
-use tpg_runtime::episode::{Episode, Problem};
-use tpg_runtime::hybrid::{Hybrid, HybridEpisode};
-use tpg_runtime::observation::{ArmPolicy, Observation};
 use tpg_runtime::policy::Policy;
-use tpg_runtime::sac::fixed::FixedPolicy;
 
 const ARM: Arm<f32> = WIDOWX.to_f32();
 
@@ -21,8 +22,18 @@ const NETWORK: FixedPolicy<'static, 64, 64> =
 /// The lines of every episode, in the firmwares' order.
 pub(crate) fn lines() -> Result<Vec<Line>, Failure> {
     let mut lines = Vec::new();
-    let fs = ArmPolicy::new(WidowxFs, &ARM, &WidowxFs::SOURCES, &WidowxFs::MOVES);
-    let rs = ArmPolicy::new(WidowxRs, &ARM, &WidowxRs::SOURCES, &WidowxRs::MOVES);
+    let fs = ArmPolicy::new(
+        WidowxFs,
+        &ARM,
+        &const { binding::sources(WidowxFs::SOURCES) },
+        &const { binding::moves(WidowxFs::MOVES) },
+    );
+    let rs = ArmPolicy::new(
+        WidowxRs,
+        &ARM,
+        &const { binding::sources(WidowxRs::SOURCES) },
+        &const { binding::moves(WidowxRs::MOVES) },
+    );
     let [fixed, random] = [Start::Fixed.problems()?, Start::Random.problems()?];
     hybrid(&mut lines, Start::Fixed, fs.clone(), &fixed);
     hybrid(&mut lines, Start::Random, rs.clone(), &random);

@@ -3,7 +3,7 @@
 //! Functions are named by a part of their name, their loops by their order in the code. A fact about a function that is not
 //! there, or that has another number of loops, is a failure.
 
-use tpg_runtime::sac::FEATURES;
+use tpg_arm::sac::FEATURES;
 
 /// All about one image.
 pub(crate) struct Facts {

@@ -4,11 +4,11 @@ use crate::Failure;
 use crate::line::Line;
 use crate::record::Hash;
 use std::fmt::Write as _;
+use tpg_arm::sac::fixed::{FixedDecision, Rescale};
+use tpg_arm::sac::packed::{self, LayerRows, Model, Weights};
+use tpg_arm::sac::{Actions, FEATURES, Mask};
 use tpg_codegen::emit::File;
 use tpg_kernels::Kind;
-use tpg_runtime::sac::fixed::{FixedDecision, Rescale};
-use tpg_runtime::sac::packed::{self, LayerRows, Model, Weights};
-use tpg_runtime::sac::{Actions, FEATURES, Mask};
 
 /// The shipped size, and the paper's with its 13 inputs.
 const SIZES: [[usize; 4]; 3] = [[FEATURES, 64, 64, 4], [13, 256, 256, 4], [FEATURES, 256, 256, 4]];

@@ -2,11 +2,11 @@
 
 use crate::Failure;
 use std::fmt::Write as _;
+use tpg_arm::Pose;
+use tpg_arm::episode::Problem;
+use tpg_arm::hybrid::{Guard, Settings};
 use tpg_codegen::emit::File;
 use tpg_generated::{widowx_fs_hybrid, widowx_rs_hybrid};
-use tpg_runtime::arm::Pose;
-use tpg_runtime::episode::Problem;
-use tpg_runtime::hybrid::{Guard, Settings};
 
 /// Episodes of the hybrid, for each start.
 pub(crate) const PROBLEMS: usize = 100;

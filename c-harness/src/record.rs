@@ -2,8 +2,8 @@
 //! hash of every motor position.
 #![allow(dead_code, reason = "each of the programs that include this file uses a part")]
 
-use tpg_runtime::arm::{Collision, Invalid, Pose};
-use tpg_runtime::episode::Outcome;
+use tpg_arm::episode::Outcome;
+use tpg_arm::{Collision, Invalid, Pose};
 
 /// As `tpg_runtime.h` numbers them.
 pub(crate) fn code(outcome: Outcome) -> i32 {

@@ -2,17 +2,17 @@
 
 use std::fs;
 use std::path::PathBuf;
+use tpg_arm::frame::Frame;
+use tpg_arm::observation::Observation;
+use tpg_arm::sac::features;
+use tpg_arm::sac::fixed::{FixedPolicy, quantise};
+use tpg_arm::sac::packed::{Kind, Model};
+use tpg_arm::{Arm, Pose, WIDOWX};
 use tpg_codegen::policy::{QuantisedPolicy, to_words};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_generated::widowx_sac::{DECISION, NETWORK};
 use tpg_problems::arm::targets::{Set, Start, tasks};
-use tpg_runtime::arm::{Arm, Pose, WIDOWX};
-use tpg_runtime::frame::Frame;
-use tpg_runtime::observation::Observation;
 use tpg_runtime::policy::Policy;
-use tpg_runtime::sac::features;
-use tpg_runtime::sac::fixed::{FixedPolicy, quantise};
-use tpg_runtime::sac::packed::{Kind, Model};
 use tpg_train::hybrid::setting::HybridFile;
 use tpg_train::sac::evaluate::{QuantiseArgs, quantise as quantise_file, trial_of};
 use tpg_train::sac::fixed::FixedActor;

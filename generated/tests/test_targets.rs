@@ -1,7 +1,7 @@
 //! The committed test tasks are those that `tpg-train targets` prints.
 
+use tpg_arm::WIDOWX;
 use tpg_problems::arm::targets::{Set, Start, TEST_SEED, tasks, to_csv};
-use tpg_runtime::arm::WIDOWX;
 
 #[test]
 fn the_committed_test_tasks_are_those_of_the_command() {

@@ -11,8 +11,6 @@
     reason = "evolved expressions need not make sense"
 )]
 
-use tpg_runtime::arm::Move;
-use tpg_runtime::observation::Source;
 use tpg_runtime::ops::constant_time::ConstantTime;
 use tpg_runtime::policy::{ActionId, Policy};
 
@@ -46,18 +44,18 @@ impl WidowxFs {
     pub const WORST_OPERATIONS: usize = 52;
     /// Sines, cosines, logarithms and exponentials among them, at most.
     pub const WORST_MATHS_CALLS: usize = 0;
-    /// The arm's sources that make up a state, in order.
-    pub const SOURCES: [Source; 1] = [Source::Polar];
-    /// What each action moves, in motor ticks.
-    pub const MOVES: [Move; 8] = [
-        Move([3, 0, 0, 0]),
-        Move([-3, 0, 0, 0]),
-        Move([0, 3, 0, 0]),
-        Move([0, -3, 0, 0]),
-        Move([0, 0, 3, 0]),
-        Move([0, 0, -3, 0]),
-        Move([0, 0, 0, 3]),
-        Move([0, 0, 0, -3]),
+    /// The sources that make up a state, in order.
+    pub const SOURCES: [&str; 1] = ["polar"];
+    /// Motor ticks by which each action moves each joint.
+    pub const MOVES: [[i8; 4]; 8] = [
+        [3, 0, 0, 0],
+        [-3, 0, 0, 0],
+        [0, 3, 0, 0],
+        [0, -3, 0, 0],
+        [0, 0, 3, 0],
+        [0, 0, -3, 0],
+        [0, 0, 0, 3],
+        [0, 0, 0, -3],
     ];
 }
 

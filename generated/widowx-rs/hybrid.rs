@@ -1,7 +1,7 @@
 //! How this folder's graph and its actor share the arm: made from `hybrid.toml` by `tpg-train`; do not edit.
 
-use tpg_runtime::cycle::Brent;
-use tpg_runtime::hybrid::{Guard, Settings};
+use tpg_arm::cycle::Brent;
+use tpg_arm::hybrid::{Guard, Settings};
 
 /// When they change.
 pub const SETTINGS: Settings<f32> = Settings {

@@ -8,9 +8,9 @@ mod w16a16;
 #[path = "fixtures/policy-kinds/w8a8.rs"]
 mod w8a8;
 
+use tpg_arm::sac::FEATURES;
+use tpg_arm::sac::packed::Model;
 use tpg_codegen::policy::{QuantisedPolicy, to_rust, to_words};
-use tpg_runtime::sac::FEATURES;
-use tpg_runtime::sac::packed::Model;
 
 #[test]
 fn the_rust_of_every_kind_is_fresh_and_holds_the_words() {

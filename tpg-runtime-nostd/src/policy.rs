@@ -6,9 +6,8 @@ pub struct ActionId(pub u16);
 
 /// A stateless decision: the same state always gives the same action.
 ///
-/// Generated code implements it over its flat state (`[f64; 15]` say, the sources one after another);
-/// [`ArmPolicy`](crate::observation::ArmPolicy) lifts such a policy to the arm, where the state is an
-/// [`Observation`](crate::observation::Observation) and the action a [`Move`](crate::arm::Move).
+/// Generated code implements it over its flat state (`[f64; 15]` say, the sources one after another). A problem lifts such
+/// a policy to its own terms: on the arm of `tpg-arm` the state is an observation, and the action a move of the motors.
 pub trait Policy {
     /// What the policy sees.
     type State: ?Sized;

@@ -4,10 +4,8 @@
 //! or network: the very text of this crate, not a copy that could differ.
 
 /// File names, relative to a crate's `src`, and their text. `lib.rs` comes first.
-pub const FILES: [(&str, &str); 12] = [
+pub const FILES: [(&str, &str); 10] = [
     ("lib.rs", LIB),
-    ("arm/pose.rs", include_str!("arm/pose.rs")),
-    ("observation/source.rs", include_str!("observation/source.rs")),
     ("ops/mod.rs", include_str!("ops/mod.rs")),
     ("ops/constant_time.rs", include_str!("ops/constant_time.rs")),
     ("ops/instruction.rs", include_str!("ops/instruction.rs")),
@@ -22,14 +20,6 @@ pub const FILES: [(&str, &str); 12] = [
 const LIB: &str = "\
 #![no_std]
 extern crate std;
-pub mod arm {
-    mod pose;
-    pub use pose::{JOINTS, Joint, Move, Pose, TICKS_PER_TURN};
-}
-pub mod observation {
-    mod source;
-    pub use source::Source;
-}
 pub mod ops;
 pub mod policy;
 pub mod scalar;

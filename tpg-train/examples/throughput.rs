@@ -8,6 +8,7 @@
 //! one, `--quick` measures the first row only.
 
 use std::path::Path;
+use tpg_arm::WIDOWX;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{Environment, Evaluator, LocalThreads, Options, Policy, UnitKey, Work, WorkUnit};
 use tpg_graph::import::{self, Profile};
@@ -15,7 +16,6 @@ use tpg_graph::{Graph, MathsProvider, ScalarType};
 use tpg_problems::Problem;
 use tpg_problems::arm::targets::{Set, Start, tasks};
 use tpg_problems::arm::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
-use tpg_runtime::arm::WIDOWX;
 use tpg_runtime::ops::{Maths, Own, System};
 use tpg_train::evolution::checkpoint;
 use tpg_train::evolution::config::Config;

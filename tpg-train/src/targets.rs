@@ -3,9 +3,9 @@
 use crate::evaluate::arm::arm_config;
 use std::io::{self, Write as _};
 use std::path::PathBuf;
+use tpg_arm::WIDOWX;
 use tpg_graph::error::InputError;
 use tpg_problems::arm::targets::{Set, Start, TEST_SEED, tasks, to_csv};
-use tpg_runtime::arm::WIDOWX;
 
 /// Print a set of test tasks as CSV.
 ///

@@ -1,5 +1,12 @@
 //! The engine gives the interpreter's answers, step for step, whatever it is told about lanes, sharing and threads.
 
+use tpg_arm::binding::moved;
+use tpg_arm::cycle::Visited;
+use tpg_arm::episode::{Episode, Outcome, Summary};
+use tpg_arm::kinematics::Lattice;
+use tpg_arm::observation::shield::{ALLOWED, SHIELDED};
+use tpg_arm::observation::{Observation, Source, TargetMemo};
+use tpg_arm::{Arm, Collision, Invalid, Move, WIDOWX};
 use tpg_codegen::passes::{interval::Assumption, optimise};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{
@@ -12,12 +19,6 @@ use tpg_problems::Problem;
 use tpg_problems::arm::description::WIDOWX_TOML;
 use tpg_problems::arm::targets::{Set, Start, tasks};
 use tpg_problems::arm::{self, ArmEnvironment, ArmProblem, ArmScalar, ArmTask, Shield};
-use tpg_runtime::arm::{Arm, Collision, Invalid, Move, WIDOWX};
-use tpg_runtime::cycle::Visited;
-use tpg_runtime::episode::{Episode, Outcome, Summary};
-use tpg_runtime::kinematics::Lattice;
-use tpg_runtime::observation::shield::{ALLOWED, SHIELDED};
-use tpg_runtime::observation::{Observation, Source, TargetMemo};
 use tpg_runtime::ops::{Instruction, Maths, Own};
 use tpg_runtime::policy::{ActionId, Policy as _};
 use tpg_train::evolution::archive::Archive;
@@ -122,8 +123,8 @@ fn by_interpreter<S: ArmScalar, M: Maths<S>>(
     task: &ArmTask,
 ) -> (Vec<ActionId>, Summary<S>, S) {
     let interpreter = Interpreter::<S, M>::new(graph);
-    let start = tpg_runtime::episode::Problem {
-        start: tpg_runtime::arm::Pose(task.start),
+    let start = tpg_arm::episode::Problem {
+        start: tpg_arm::Pose(task.start),
         target: task.target.map(S::from_f64),
         tolerance: S::from_f64(problem.tolerance),
         max_actions: problem.max_actions,
@@ -135,7 +136,8 @@ fn by_interpreter<S: ArmScalar, M: Maths<S>>(
         Source::fill(&problem.sources, arm, episode.observation(), &TargetMemo::new(), &mut state);
         let (walk, action) = interpreter.walk(&state);
         actions.push(action);
-        let moves = graph.actions()[usize::from(action.0)].moves.unwrap_or(Move::STOP);
+        let effect = graph.actions()[usize::from(action.0)].effect.as_ref();
+        let moves = effect.and_then(|effect| moved(&effect.name, &effect.values)).unwrap_or(Move::STOP);
         if let Some(outcome) = episode.advance(moves) {
             let Observation { pose, .. } = *episode.observation();
             let distance = episode.observation().distance();

@@ -35,8 +35,8 @@ fn imported_actors_answer_what_pytorch_did() {
             actor: fixture(&format!("{trainer}.safetensors")),
             out: out.clone(),
             inputs: Inputs::Features,
-            actions: tpg_runtime::sac::Actions::Fine,
-            mask: tpg_runtime::sac::Mask::None,
+            actions: tpg_arm::sac::Actions::Fine,
+            mask: tpg_arm::sac::Mask::None,
             may_rest: false,
         };
         import(&args).expect("a good actor");

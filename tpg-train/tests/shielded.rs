@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::Path;
 use std::process::Command;
+use tpg_arm::observation::Source;
 use tpg_codegen::emit::{Language, Options, Prefix, Profile};
 use tpg_codegen::verify::{self, Workshop};
 use tpg_graph::Graph;
@@ -10,7 +11,6 @@ use tpg_graph::engine::Engine;
 use tpg_problems::Problem;
 use tpg_problems::arm::targets::Start;
 use tpg_problems::arm::{self, Shield};
-use tpg_runtime::observation::Source;
 use tpg_train::evolution::config::Config;
 use tpg_train::evolution::presets::Preset;
 

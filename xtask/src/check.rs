@@ -86,7 +86,19 @@ impl Run {
             self.summary.missing(&name, &format!("rustup target add {target}"));
             return;
         }
-        self.check(&name, cargo(&["build", "--package", "tpg-runtime", "--no-default-features", "--target", target]));
+        self.check(
+            &name,
+            cargo(&[
+                "build",
+                "--package",
+                "tpg-runtime",
+                "--package",
+                "tpg-arm",
+                "--no-default-features",
+                "--target",
+                target,
+            ]),
+        );
     }
 
     fn start(&self, name: &str, command: &mut Command) -> io::Result<()> {

@@ -4,9 +4,9 @@ use super::torch_random::TorchRandom;
 use serde::Deserialize;
 use std::fs;
 use std::path::Path;
+use tpg_arm::observation::Observation;
+use tpg_arm::{JOINTS, Move};
 use tpg_graph::error::{InputError, Place};
-use tpg_runtime::arm::{JOINTS, Move};
-use tpg_runtime::observation::Observation;
 
 /// Values that an actor sees.
 pub const INPUTS: usize = 13;

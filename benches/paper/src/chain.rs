@@ -5,8 +5,8 @@
 //! rounding residue of sin π and cos π/2. At home this gives x = 4.2e-14, not 0, and the recorded programs saw that.
 
 use std::f64::consts::{FRAC_PI_2, PI};
-use tpg_runtime::arm::{Arm, Pose, TICKS_PER_TURN};
-use tpg_runtime::kinematics::Vector;
+use tpg_arm::kinematics::Vector;
+use tpg_arm::{Arm, Pose, TICKS_PER_TURN};
 
 /// How the artifact splits the hand: wrist angle, wrist rotation and gripper, mm.
 const HAND_SEGMENTS: [f64; 3] = [74.0, 41.0, 40.0];
@@ -123,7 +123,7 @@ fn apply(matrix: &Matrix, v: &Vector<f64>) -> Vector<f64> {
 #[cfg(test)]
 mod tests {
     use super::{Chain, HAND_SEGMENTS};
-    use tpg_runtime::arm::{Pose, WIDOWX};
+    use tpg_arm::{Pose, WIDOWX};
 
     #[test]
     fn the_hand_at_home_keeps_its_residue() {

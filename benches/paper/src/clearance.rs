@@ -3,8 +3,8 @@
 //! Two ways of computing the same pose may disagree about a collision only where the arm all but touches something; this
 //! measures that.
 
-use tpg_runtime::arm::Shapes;
-use tpg_runtime::kinematics::{Plane, Point};
+use tpg_arm::Shapes;
+use tpg_arm::kinematics::{Plane, Point};
 
 type Segment = (Point<f64>, Point<f64>);
 
@@ -44,8 +44,8 @@ fn to_segment(point: Point<f64>, (from, to): Segment) -> f64 {
 mod tests {
     use super::{clearance, to_segment};
     use crate::plane;
-    use tpg_runtime::arm::WIDOWX;
-    use tpg_runtime::kinematics::Point;
+    use tpg_arm::WIDOWX;
+    use tpg_arm::kinematics::Point;
 
     #[test]
     fn distances_are_to_the_segment_not_to_its_line() {

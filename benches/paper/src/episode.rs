@@ -1,15 +1,15 @@
 //! An episode as the paper's artifact kept its books (`armlearn-wrapper`, `ArmLearnWrapper.cpp`, `doActions`).
 //!
-//! It differs from the project's own episode ([`tpg_runtime::episode`]): a pose that repeats ends the episode only after
+//! It differs from the project's own episode ([`tpg_arm::episode`]): a pose that repeats ends the episode only after
 //! one more action, the start does not count as visited, and whatever ended it, the hand's final distance decides alone
 //! about success.
 
 use super::chain::Chain;
 use super::plane;
 use std::collections::HashSet;
-use tpg_runtime::arm::{Move, Pose};
-use tpg_runtime::kinematics::Vector;
-use tpg_runtime::observation::Observation;
+use tpg_arm::kinematics::Vector;
+use tpg_arm::observation::Observation;
+use tpg_arm::{Move, Pose};
 
 /// Score for each action left when the target is reached (`coefRewardMultiplication`).
 const SCORE_PER_ACTION_LEFT: f64 = 0.01;
@@ -120,7 +120,7 @@ fn thousandths(value: f64) -> i64 {
 mod tests {
     use super::{EndState, Episode, Rules};
     use crate::chain::Chain;
-    use tpg_runtime::arm::{Joint, Move, WIDOWX};
+    use tpg_arm::{Joint, Move, WIDOWX};
 
     const RULES: Rules = Rules { max_actions: 1710, tolerance: 3.0 };
     const FAR: [f64; 3] = [0.0, 0.0, 1000.0];

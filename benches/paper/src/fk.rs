@@ -8,8 +8,8 @@ use super::chain::Chain;
 use super::clearance::clearance;
 use super::data::ReferencePose;
 use super::plane;
-use tpg_runtime::arm::{Arm, Collision, Pose};
-use tpg_runtime::kinematics::{self, Lattice, Plane};
+use tpg_arm::kinematics::{self, Lattice, Plane};
+use tpg_arm::{Arm, Collision, Pose};
 
 /// What the conformance arithmetic says about a pose.
 pub fn reference(chain: &Chain, pose: Pose) -> ReferencePose {

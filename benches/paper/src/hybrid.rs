@@ -11,10 +11,10 @@ use super::plane;
 use super::torch_random::TorchRandom;
 use std::cell::RefCell;
 use std::collections::HashSet;
-use tpg_runtime::arm::{Move, Pose};
-use tpg_runtime::cycle::CycleDetector;
-use tpg_runtime::hybrid::{Driver, Hybrid, Switch};
-use tpg_runtime::observation::Observation;
+use tpg_arm::cycle::CycleDetector;
+use tpg_arm::hybrid::{Driver, Hybrid, Switch};
+use tpg_arm::observation::Observation;
+use tpg_arm::{Move, Pose};
 use tpg_runtime::policy::Policy;
 
 /// The artifact's memory of poses, in which the start has no place.

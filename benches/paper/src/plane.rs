@@ -4,8 +4,8 @@
 //! of operations is the artifact's too.
 
 use std::f64::consts::{FRAC_PI_2, PI};
-use tpg_runtime::arm::{Arm, Collision, Pose};
-use tpg_runtime::kinematics::{Direction, Directions, Plane};
+use tpg_arm::kinematics::{Direction, Directions, Plane};
+use tpg_arm::{Arm, Collision, Pose};
 
 /// The directions of the links at a pose, from sums of angles in radians.
 pub fn directions(pose: Pose) -> Directions<f64> {
@@ -41,7 +41,7 @@ fn direction(radians: f64) -> Direction<f64> {
 #[cfg(test)]
 mod tests {
     use super::collision;
-    use tpg_runtime::arm::WIDOWX;
+    use tpg_arm::WIDOWX;
 
     #[test]
     fn home_is_free() {

@@ -8,9 +8,9 @@ use super::data::{ByRow, End, Task};
 use super::episode::{EndState, Episode, Rules};
 use serde::Serialize;
 use std::io;
+use tpg_arm::Pose;
 use tpg_graph::engine::Engine;
 use tpg_problems::arm::binding::Binding;
-use tpg_runtime::arm::Pose;
 use tpg_runtime::policy::ActionId;
 
 /// An episode, done.
@@ -205,11 +205,11 @@ mod tests {
     use crate::data::{ByRow, Task};
     use crate::episode::Rules;
     use std::io;
+    use tpg_arm::observation::Source;
+    use tpg_arm::{Joint, Move, Pose, WIDOWX};
     use tpg_graph::ScalarType;
     use tpg_graph::engine::Engine;
     use tpg_problems::arm::binding::Binding;
-    use tpg_runtime::arm::{Joint, Move, Pose, WIDOWX};
-    use tpg_runtime::observation::Source;
     use tpg_runtime::policy::ActionId;
 
     /// Decides by a function of the whole batch, and remembers the sizes of the batches.

@@ -10,6 +10,7 @@ use clap::{Args, ValueEnum};
 use serde::Serialize;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use tpg_arm::WIDOWX;
 use tpg_codegen::emit::{Options, Prefix};
 use tpg_codegen::verify::Workshop;
 use tpg_engine::single;
@@ -18,7 +19,6 @@ use tpg_graph::command::{CommandError, Verdict};
 use tpg_graph::engine::{Engine, Reference};
 use tpg_graph::import;
 use tpg_problems::arm::binding::Binding;
-use tpg_runtime::arm::WIDOWX;
 
 /// Replay recorded episodes and count what is exact.
 #[derive(Clone, Debug, Args)]

@@ -8,7 +8,7 @@ use super::episode::EndState;
 use super::plane;
 use super::replay::Done;
 use super::torch_random::TorchRandom;
-use tpg_runtime::observation::Observation;
+use tpg_arm::observation::Observation;
 
 /// What all SAC episodes of a run have in common.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,6 +3,7 @@
 mod support;
 
 use std::path::Path;
+use tpg_arm::WIDOWX;
 use tpg_graph::import::{self, Profile};
 use tpg_paper::chain::Chain;
 use tpg_paper::episode::Rules;
@@ -10,9 +11,8 @@ use tpg_paper::fk::{self, Exactness, Nearness};
 use tpg_paper::replay_command::{EngineArg, Problem};
 use tpg_paper::{data, replay};
 use tpg_problems::arm::binding::Binding;
-use tpg_runtime::arm::WIDOWX;
 
-/// The hand's error bounds that `tpg_runtime::kinematics` states, mm.
+/// The hand's error bounds that `tpg_arm::kinematics` states, mm.
 const F64_BOUND: f64 = 5e-13;
 const F32_BOUND: f64 = 1.1e-4;
 

@@ -1,15 +1,15 @@
 //! The runtime's kinematics against the paper's matrix chain, over the poses inside the joint limits: the error bounds
-//! that `tpg_runtime::kinematics` states, and the collision answers that differ.
+//! that `tpg_arm::kinematics` states, and the collision answers that differ.
 
+use tpg_arm::kinematics::Lattice;
+use tpg_arm::{Arm, Pose, WIDOWX};
 use tpg_paper::chain::Chain;
 use tpg_paper::fk::{self, CollisionDifference, Nearness};
 use tpg_paper::plane;
-use tpg_runtime::arm::{Arm, Pose, WIDOWX};
-use tpg_runtime::kinematics::Lattice;
 
-/// Poses drawn. With 20,000,000 the figures that `tpg_runtime::kinematics` states come out.
+/// Poses drawn. With 20,000,000 the figures that `tpg_arm::kinematics` states come out.
 const POSES: usize = 1_000_000;
-/// What `tpg_runtime::kinematics` states, mm.
+/// What `tpg_arm::kinematics` states, mm.
 const F64_BOUND: f64 = 5e-13;
 const F32_BOUND: f64 = 1.1e-4;
 

@@ -4,14 +4,14 @@ mod support;
 
 use std::collections::BTreeMap;
 use std::fs;
+use tpg_arm::observation::Observation;
+use tpg_arm::{Pose, WIDOWX};
 use tpg_paper::actor::RecordedActor;
 use tpg_paper::chain::Chain;
 use tpg_paper::replay_command::Problem;
 use tpg_paper::sac::{Rules, run};
 use tpg_paper::torch_random::TorchRandom;
 use tpg_paper::{data, replay};
-use tpg_runtime::arm::{Pose, WIDOWX};
-use tpg_runtime::observation::Observation;
 
 const PROBLEMS: [(&str, Problem); 2] = [("fs", Problem::Fs), ("rs", Problem::Rs)];
 const SEEDS: u32 = 3;

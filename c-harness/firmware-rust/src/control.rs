@@ -14,13 +14,14 @@ use platform::Counter;
 use record::{Hash, code};
 use report::Report;
 use tpg_generated::{widowx_fs_fast::WidowxFsFast, widowx_fs_hybrid, widowx_rs_fast::WidowxRsFast, widowx_rs_hybrid, widowx_sac};
-use tpg_runtime::arm::{Arm, Move, Pose, WIDOWX};
-use tpg_runtime::cycle::Brent;
-use tpg_runtime::episode::{Episode, Outcome, Problem};
-use tpg_runtime::hybrid::{Chosen, Driver, Hybrid, HybridEpisode, Settings, Switch};
-use tpg_runtime::observation::{ArmPolicy, Observation};
+use tpg_arm::{Arm, Move, Pose, WIDOWX};
+use tpg_arm::binding;
+use tpg_arm::cycle::Brent;
+use tpg_arm::episode::{Episode, Outcome, Problem};
+use tpg_arm::hybrid::{Chosen, Driver, Hybrid, HybridEpisode, Settings, Switch};
+use tpg_arm::observation::{ArmPolicy, Observation};
 use tpg_runtime::policy::Policy;
-use tpg_runtime::sac::packed::{Model, PackedPolicy};
+use tpg_arm::sac::packed::{Model, PackedPolicy};
 
 include!(env!("TPG_PROBLEMS"));
 
@@ -158,8 +159,8 @@ fn main() -> ! {
     let mut counter = Counter::new(peripherals.SYST);
     let model = Model::parse(&widowx_sac::MODEL).ok();
     let Some(network) = model.and_then(|model| Network::new(&ARM, model)) else { platform::exit(false) };
-    let fs = ArmPolicy::new(WidowxFsFast, &ARM, &WidowxFsFast::SOURCES, &WidowxFsFast::MOVES);
-    let rs = ArmPolicy::new(WidowxRsFast, &ARM, &WidowxRsFast::SOURCES, &WidowxRsFast::MOVES);
+    let fs = ArmPolicy::new(WidowxFsFast, &ARM, &const { binding::sources(WidowxFsFast::SOURCES) }, &const { binding::moves(WidowxFsFast::MOVES) });
+    let rs = ArmPolicy::new(WidowxRsFast, &ARM, &const { binding::sources(WidowxRsFast::SOURCES) }, &const { binding::moves(WidowxRsFast::MOVES) });
     around(&mut counter);
     hybrids(&mut counter, "fs", fs.clone(), network, widowx_fs_hybrid::SETTINGS, &FS_PROBLEMS);
     hybrids(&mut counter, "rs", rs.clone(), network, widowx_rs_hybrid::SETTINGS, &RS_PROBLEMS);

@@ -15,14 +15,15 @@ use platform::Counter;
 use record::Hash;
 use report::Report;
 use tpg_generated::widowx_sac;
-use tpg_runtime::arm::{Arm, Move, Pose, WIDOWX};
-use tpg_runtime::cycle::Brent;
-use tpg_runtime::episode::{Episode, Problem};
-use tpg_runtime::frame::{Clearance, Frame};
-use tpg_runtime::observation::{Observation, Source, Straight, TargetMemo};
+use tpg_arm::{Arm, Move, Pose, WIDOWX};
+use tpg_arm::binding;
+use tpg_arm::cycle::Brent;
+use tpg_arm::episode::{Episode, Problem};
+use tpg_arm::frame::{Clearance, Frame};
+use tpg_arm::observation::{Observation, Source, Straight, TargetMemo};
 use tpg_runtime::policy::{ActionId, Policy};
-use tpg_runtime::sac::packed::Model;
-use tpg_runtime::sac::{FEATURES, features, fixed};
+use tpg_arm::sac::packed::Model;
+use tpg_arm::sac::{FEATURES, features, fixed};
 
 include!(env!("TPG_PROBLEMS"));
 include!(concat!(env!("TPG_GENERATED"), "/profiles.rs"));
@@ -223,16 +224,16 @@ fn main() -> ! {
         &mut counter,
         ["fs fast", "fs small", "fs constant-time"],
         (fs_fast_rust::FsFastRust, fs_small_rust::FsSmallRust, fs_constant_rust::FsConstantRust),
-        &fs_fast_rust::FsFastRust::SOURCES,
-        &fs_fast_rust::FsFastRust::MOVES,
+        &const { binding::sources(fs_fast_rust::FsFastRust::SOURCES) },
+        &const { binding::moves(fs_fast_rust::FsFastRust::MOVES) },
         &FS_PROBLEMS,
     );
     profiles(
         &mut counter,
         ["rs fast", "rs small", "rs constant-time"],
         (rs_fast_rust::RsFastRust, rs_small_rust::RsSmallRust, rs_constant_rust::RsConstantRust),
-        &rs_fast_rust::RsFastRust::SOURCES,
-        &rs_fast_rust::RsFastRust::MOVES,
+        &const { binding::sources(rs_fast_rust::RsFastRust::SOURCES) },
+        &const { binding::moves(rs_fast_rust::RsFastRust::MOVES) },
         &RS_PROBLEMS,
     );
     straight(&mut counter, "fs straight", &FS_PROBLEMS);

@@ -274,7 +274,7 @@ fn source(index: usize, length: u32) -> SourceDocument {
 }
 
 fn action(id: u32) -> ActionDocument {
-    ActionDocument { id, name: format!("action {id}"), moves: None }
+    ActionDocument { id, name: format!("action {id}"), effect: None }
 }
 
 #[cfg(test)]

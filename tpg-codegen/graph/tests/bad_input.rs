@@ -101,7 +101,12 @@ fn json() {
             )],
         ),
         ("an action with another id", &[("\"id\":1,\"name\":\"right\"", "\"id\":2,\"name\":\"right\"")]),
-        ("an action that moves too little", &[("[3,0,0,0]", "[3,0,0]")]),
+        ("effects of two lengths", &[("\"left\"", "\"left\",\"move\":[3,0,0]")]),
+        (
+            "an action with two effects",
+            &[("\"move\":[3,0,0,0]", "\"move\":[3],\"effect\":{\"name\":\"f\",\"values\":[1]}")],
+        ),
+        ("an effect that is not finite", &[("[3,0,0,0]", "[3,0,0,1e999]")]),
         ("an edge to a team that lacks", &[("\"team\":9", "\"team\":8")]),
         ("an edge to an action that lacks", &[("\"action\":1", "\"action\":2")]),
         ("an edge of a program that lacks", &[("\"program\":3", "\"program\":4")]),
@@ -312,7 +317,7 @@ fn sidecar() {
         ("a source too long", &[("length = 1", "length = 4000000000")]),
         ("a source named like a keyword", &[("\"target\"", "\"float\"")]),
         ("an action with another id", &[("id = 1", "id = 2")]),
-        ("an action's move that does not fit", &[("[3, 0, 0, 0]", "[300, 0, 0, 0]")]),
+        ("an action's move that is no number", &[("[3, 0, 0, 0]", "[nan, 0, 0, 0]")]),
         ("provenance that is no JSON", &[("registers = 4", "registers = 4\nprovenance = 'me'")]),
         ("provenance with another field", &[("registers = 4", "registers = 4\nprovenance = '{\"author\":1}'")]),
     ];

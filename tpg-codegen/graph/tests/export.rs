@@ -1,10 +1,10 @@
 //! Graphs survive every format unchanged.
 
 use proptest::prelude::*;
-use tpg_graph::Graph;
 use tpg_graph::export;
 use tpg_graph::import::{self, Sidecar};
 use tpg_graph::sample::{self, Constants, Shape};
+use tpg_graph::{Effect, Graph};
 
 fn through_dot(graph: &Graph) -> Graph {
     let sidecar = Sidecar::from_toml("x.toml", &export::sidecar::text(graph)).unwrap_or_else(|error| panic!("{error}"));
@@ -47,7 +47,7 @@ fn everything_of_a_hand_written_graph_survives() {
     document.sources[0].unit = "\"m\" 'm' \\ é".to_owned();
     document.sources[0].ranges[0] = [-0.0, 5e-324];
     document.actions[0].name = "left's \"3\"".to_owned();
-    document.actions[0].moves = Some([-3, 0, 127, -128]);
+    document.actions[0].effect = Some(Effect::new("move", [-3.0, 0.0, 127.0, -128.5]));
     document.scalar = tpg_graph::ScalarType::F64;
     document.provenance.seed = Some(u64::MAX);
     document.provenance.config =

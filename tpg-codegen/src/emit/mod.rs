@@ -3,6 +3,7 @@
 mod banner;
 mod c;
 mod layout;
+mod moves;
 mod name;
 mod questions;
 mod rust;

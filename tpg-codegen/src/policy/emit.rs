@@ -1,9 +1,9 @@
-//! A policy in integers as Rust constants for `tpg_runtime::sac`.
+//! A policy in integers as Rust constants for `tpg_arm::sac`.
 
 use super::{QuantisedLayer, QuantisedPolicy, to_words};
 use askama::Template;
+use tpg_arm::sac::packed::{Kind, Model};
 use tpg_graph::error::{InputError, Place};
-use tpg_runtime::sac::packed::{Kind, Model};
 
 #[derive(Template)]
 #[template(path = "rust/network.rs", escape = "none")]

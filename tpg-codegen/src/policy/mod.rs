@@ -1,6 +1,6 @@
 //! Networks in integers: `policy.q.json`, made from a trained actor's weights.
 //!
-//! The arithmetic is `tpg_runtime::sac::fixed`'s, which this module calls: weights with a scale for each row, `i32`
+//! The arithmetic is `tpg_arm::sac::fixed`'s, which this module calls: weights with a scale for each row, `i32`
 //! accumulators that are proven not to overflow, one rounding rule. The [kind](Kind) says how many bits weights and
 //! activations have:
 //!
@@ -21,12 +21,12 @@ pub use model::{to_c, to_words};
 pub use quantise::{FloatLayer, QuantiseError, quantise};
 
 use serde::{Deserialize, Serialize};
+use tpg_arm::JOINTS;
+use tpg_arm::sac::fixed::{FEATURE_ONE, HIDDEN, LAST, PREFERENCE_ONE, Rescale, accumulate};
+use tpg_arm::sac::packed::{Kind, LayerRows, Weights};
+use tpg_arm::sac::{Actions, FEATURE_NAMES, Mask};
 use tpg_graph::error::{InputError, Place};
 use tpg_kernels::clip_to_i8;
-use tpg_runtime::arm::JOINTS;
-use tpg_runtime::sac::fixed::{FEATURE_ONE, HIDDEN, LAST, PREFERENCE_ONE, Rescale, accumulate};
-use tpg_runtime::sac::packed::{Kind, LayerRows, Weights};
-use tpg_runtime::sac::{Actions, FEATURE_NAMES, Mask};
 
 /// The value of [`QuantisedPolicy::format`].
 pub const FORMAT: &str = "tpg sac policy in integers";

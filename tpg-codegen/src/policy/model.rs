@@ -3,10 +3,10 @@
 use super::QuantisedPolicy;
 use crate::emit::{File, Prefix};
 use askama::Template;
+use tpg_arm::sac::fixed::{FixedDecision, Rescale};
+use tpg_arm::sac::packed::{self, Kind, LayerRows, Model, Weights};
+use tpg_arm::sac::{Actions, Mask};
 use tpg_graph::error::{InputError, Place};
-use tpg_runtime::sac::fixed::{FixedDecision, Rescale};
-use tpg_runtime::sac::packed::{self, Kind, LayerRows, Model, Weights};
-use tpg_runtime::sac::{Actions, Mask};
 
 #[derive(Template)]
 #[template(path = "c/model.c", escape = "none")]
@@ -27,7 +27,7 @@ struct Header<'a> {
     scratch: usize,
 }
 
-/// The policy as `tpg_runtime::sac::packed` reads it; `wide` with 16 bits a weight even where they have 8: more flash,
+/// The policy as `tpg_arm::sac::packed` reads it; `wide` with 16 bits a weight even where they have 8: more flash,
 /// fewer instructions, the same answers.
 ///
 /// # Errors
@@ -103,7 +103,7 @@ pub fn to_c(policy: &QuantisedPolicy, prefix: &Prefix, wide: bool) -> Result<Vec
 mod tests {
     use super::*;
     use crate::policy::{FloatLayer, quantise};
-    use tpg_runtime::sac::FEATURES;
+    use tpg_arm::sac::FEATURES;
 
     fn policy(kind: Kind) -> QuantisedPolicy {
         let mut state = 7u32;

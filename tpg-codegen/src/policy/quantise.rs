@@ -9,8 +9,8 @@
 //! Weights and biases are rounded to nearest, halves away from zero.
 
 use super::{QuantisedLayer, layer_kind};
-use tpg_runtime::sac::fixed::{FEATURE_ONE, PREFERENCE_ONE};
-use tpg_runtime::sac::packed::Kind;
+use tpg_arm::sac::fixed::{FEATURE_ONE, PREFERENCE_ONE};
+use tpg_arm::sac::packed::Kind;
 
 /// A linear layer in floating point.
 #[derive(Clone, Debug, PartialEq)]
@@ -148,7 +148,7 @@ fn factor_and_shift(ratio: f64) -> (i16, u8) {
 mod tests {
     use super::super::QuantisedPolicy;
     use super::*;
-    use tpg_runtime::sac::{Actions, FEATURES, Mask};
+    use tpg_arm::sac::{Actions, FEATURES, Mask};
 
     /// A network 38-8-6-4 of numbers without a pattern, and its answer in floating point.
     fn example() -> Vec<FloatLayer> {

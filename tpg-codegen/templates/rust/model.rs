@@ -3,9 +3,9 @@
 //! Made by {{ tool }} from weights with SHA-256 {{ source_sha256 }}.
 //! Numbers: {{ kind }}; actions: {{ actions }}; mask: {{ mask }}. Do not edit: make it again.
 
-use tpg_runtime::sac::fixed::{FixedDecision, Rescale};
-use tpg_runtime::sac::packed::{Kind, LayerRows, Weights, pack};
-use tpg_runtime::sac::{Actions, Mask};
+use tpg_arm::sac::fixed::{FixedDecision, Rescale};
+use tpg_arm::sac::packed::{Kind, LayerRows, Weights, pack};
+use tpg_arm::sac::{Actions, Mask};
 
 /// What stands behind the network.
 pub const DECISION: FixedDecision = FixedDecision::new(Actions::{{ actions_variant }}, Mask::{{ mask_variant }}, {{ may_rest }});

@@ -3,8 +3,8 @@
 //! Made by {{ tool }} from weights with SHA-256 {{ source_sha256 }}.
 //! Actions: {{ actions }}; mask: {{ mask }}. Do not edit: make it again.
 
-use tpg_runtime::sac::fixed::{FixedDecision, Layer, Network, Rescale};
-use tpg_runtime::sac::{Actions, Mask};
+use tpg_arm::sac::fixed::{FixedDecision, Layer, Network, Rescale};
+use tpg_arm::sac::{Actions, Mask};
 
 /// The network.
 #[rustfmt::skip]

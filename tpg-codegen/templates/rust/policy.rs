@@ -9,10 +9,6 @@
     reason = "evolved expressions need not make sense"
 )]
 
-{% if let Some(arm) = arm -%}
-use tpg_runtime::arm::Move;
-use tpg_runtime::observation::Source;
-{% endif -%}
 {% for import in imports -%}
 use tpg_runtime::{{ import }};
 {% endfor -%}
@@ -46,10 +42,10 @@ impl {{ name }} {
     /// Sines, cosines, logarithms and exponentials among them, at most.
     pub const WORST_MATHS_CALLS: usize = {{ worst.maths_calls }};
 {%- if let Some(arm) = arm %}
-    /// The arm's sources that make up a state, in order.
-    pub const SOURCES: [Source; {{ arm.sources.len() }}] = {{ layout::array(arm.sources, 4) }};
-    /// What each action moves, in motor ticks.
-    pub const MOVES: [Move; {{ arm.moves.len() }}] = {{ layout::array(arm.moves, 4) }};
+    /// The sources that make up a state, in order.
+    pub const SOURCES: [&str; {{ arm.sources.len() }}] = {{ layout::array(arm.sources, 4) }};
+    /// Motor ticks by which each action moves each joint.
+    pub const MOVES: [[i8; {{ arm.joints }}]; {{ arm.moves.len() }}] = {{ layout::array(arm.moves, 4) }};
 {%- endif %}
 }
 

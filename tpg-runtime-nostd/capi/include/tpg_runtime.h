@@ -151,6 +151,9 @@
 // Words of a tpg_memo_t.
 #define TPG_MEMO_WORDS 12
 
+// The most floats that the sources of a policy may have together.
+#define TPG_STATE_LENGTH 48
+
 // The target: x, y, z in mm.
 #define TPG_SOURCE_TARGET 0
 
@@ -198,9 +201,6 @@
 
 // Negative also where the arm would collide.
 #define TPG_SOURCE_SHIELD_COLLISION 15
-
-// The most floats that the sources of a policy may have together.
-#define TPG_STATE_LENGTH 48
 
 // Words of a tpg_sac_t.
 #define TPG_SAC_WORDS 28

@@ -2,8 +2,8 @@
 
 use crate::code::{self, Refusal, TPG_ARGUMENT};
 use crate::memory::{self, Opaque};
-use tpg_runtime::arm::{Arm, BaseEdge, Collision, Invalid, JointRange, Links, Move, Pose, Shapes, Step, WIDOWX};
-use tpg_runtime::kinematics::{self, Plane};
+use tpg_arm::kinematics::{self, Plane};
+use tpg_arm::{Arm, BaseEdge, Collision, Invalid, JointRange, Links, Move, Pose, Shapes, Step, WIDOWX};
 
 /// Joints: base, shoulder, elbow, wrist.
 pub const TPG_JOINTS: usize = 4;

@@ -4,9 +4,9 @@ use crate::arm::{TPG_VALID, tpg_arm_t, tpg_move_t, tpg_pose_t, validity};
 use crate::code::{self, Refusal, TPG_STATE};
 use crate::memory::{self, Opaque};
 use crate::observation::tpg_observation_t;
-use tpg_runtime::arm::{Arm, Move, Pose};
-use tpg_runtime::cycle::Brent;
-use tpg_runtime::episode::{Episode, Outcome, Problem};
+use tpg_arm::cycle::Brent;
+use tpg_arm::episode::{Episode, Outcome, Problem};
+use tpg_arm::{Arm, Move, Pose};
 
 /// The episode goes on.
 pub const TPG_RUNNING: i32 = 0;

@@ -7,12 +7,12 @@ use crate::memory::{self, Opaque};
 use crate::observation::tpg_observation_t;
 use crate::policy::{Checked, tpg_policy_t};
 use crate::sac::tpg_sac_t;
-use tpg_runtime::arm::{Arm, Move};
-use tpg_runtime::cycle::Brent;
-use tpg_runtime::hybrid::{CAUSES, Chosen, Counts, Driver, Guard, Hybrid, HybridEpisode, Settings, Switch};
-use tpg_runtime::observation::{Observation, TargetMemo};
+use tpg_arm::cycle::Brent;
+use tpg_arm::hybrid::{CAUSES, Chosen, Counts, Driver, Guard, Hybrid, HybridEpisode, Settings, Switch};
+use tpg_arm::observation::{Observation, TargetMemo};
+use tpg_arm::sac::packed::Model;
+use tpg_arm::{Arm, Move};
 use tpg_runtime::policy::Policy;
-use tpg_runtime::sac::packed::Model;
 
 /// The network keeps the arm until the episode ends.
 pub const TPG_NEVER: u32 = 0xffff_ffff;

@@ -3,8 +3,8 @@
 use crate::code::{self, Refusal};
 use crate::memory::{self, Opaque};
 use core::ptr;
-use tpg_runtime::arm::Arm;
-use tpg_runtime::observation::TargetMemo;
+use tpg_arm::Arm;
+use tpg_arm::observation::TargetMemo;
 
 /// Words of a tpg_memo_t.
 pub const TPG_MEMO_WORDS: usize = 12;

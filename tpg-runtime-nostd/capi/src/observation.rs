@@ -4,9 +4,8 @@ use crate::arm::{tpg_arm_t, tpg_pose_t};
 use crate::code::{self, Refusal, TPG_ARGUMENT, TPG_LENGTH};
 use crate::memo::{self, tpg_memo_t};
 use crate::memory;
-use crate::policy::TPG_STATE_LENGTH;
-use tpg_runtime::arm::{Arm, Pose};
-use tpg_runtime::observation::{Observation, Source, TargetMemo};
+use tpg_arm::observation::{Observation, Source, TargetMemo};
+use tpg_arm::{Arm, Pose};
 
 /// What a policy sees of the arm and its target.
 #[repr(C)]
@@ -35,6 +34,9 @@ impl tpg_observation_t {
         Observation { pose: Pose(pose.ticks), fixed_servos, hand, target, difference }
     }
 }
+
+/// The most floats that the sources of a policy may have together.
+pub const TPG_STATE_LENGTH: usize = 48;
 
 /// The target: x, y, z in mm.
 pub const TPG_SOURCE_TARGET: u8 = 0;

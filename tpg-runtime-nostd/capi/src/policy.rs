@@ -4,12 +4,9 @@ use crate::arm::{tpg_arm_t, tpg_move_t};
 use crate::code::{self, Refusal, TPG_LENGTH, TPG_NULL};
 use crate::memo::{self, tpg_memo_t};
 use crate::memory;
-use crate::observation::{fill, source, tpg_observation_t};
-use tpg_runtime::arm::{Arm, Move};
-use tpg_runtime::observation::{Observation, TargetMemo};
-
-/// The most floats that the sources of a policy may have together.
-pub const TPG_STATE_LENGTH: usize = 48;
+use crate::observation::{TPG_STATE_LENGTH, fill, source, tpg_observation_t};
+use tpg_arm::observation::{Observation, TargetMemo};
+use tpg_arm::{Arm, Move};
 
 /// A generated `PREFIX_infer` behind a pointer of one type for all: `return PREFIX_infer(state);`.
 pub type tpg_infer_t = Option<unsafe extern "C" fn(state: *const core::ffi::c_void) -> u16>;

@@ -4,9 +4,9 @@ use crate::arm::{tpg_arm_t, tpg_move_t};
 use crate::code::{self, Refusal, TPG_LENGTH, TPG_MODEL, TPG_MODEL_CHECKSUM, TPG_MODEL_FEATURES, TPG_MODEL_LAYERS};
 use crate::memory::{self, Opaque};
 use crate::observation::tpg_observation_t;
-use tpg_runtime::arm::Move;
-use tpg_runtime::sac::FEATURES;
-use tpg_runtime::sac::packed::{Model, ModelError};
+use tpg_arm::Move;
+use tpg_arm::sac::FEATURES;
+use tpg_arm::sac::packed::{Model, ModelError};
 
 /// Words of a tpg_sac_t.
 pub const TPG_SAC_WORDS: usize = 28;

@@ -5,7 +5,7 @@ use crate::ending::{End, Ending, Measure, Preference, Step};
 use crate::environment::Environment;
 use crate::random::Stream;
 use crate::source_set::SourceSet;
-use tpg_graph::{ActionDocument, SourceDocument};
+use tpg_graph::{ActionDocument, Effect, SourceDocument};
 use tpg_runtime::scalar::Scalar;
 
 /// An environment whose actions are named: each output of a box takes one of a few evenly spaced levels, and every
@@ -63,6 +63,9 @@ pub struct TooManyActions {
     found: u128,
 }
 
+/// The effect that a graph carries for the levels of a box: the value of each output.
+const VALUES: &str = "values";
+
 /// The most actions: their numbers have 16 bits.
 const MOST: u128 = 1 << 16;
 
@@ -90,8 +93,14 @@ impl<S: Scalar, E: Environment<S>> Choices<S, E> {
                     let parts = outputs.iter().zip(levels_of);
                     parts.map(|(output, &at)| S::from_f64(level(output, at, levels))).collect()
                 };
-                let meaning = Meaning::Values(combinations.iter().map(values).collect());
-                (named(combinations.iter().map(name)), meaning)
+                let values: Vec<Vec<S>> = combinations.iter().map(values).collect();
+                let effect = |values: &Vec<S>| Effect {
+                    name: VALUES.to_owned(),
+                    values: values.iter().map(|value| value.to_f64()).collect(),
+                };
+                let effects: Vec<Effect> = values.iter().map(effect).collect();
+                let meaning = Meaning::Values(values);
+                (named(combinations.iter().map(name), &effects), meaning)
             }
             ActionSpace::MultiDiscrete(choices) => {
                 let sizes: Vec<u16> = choices.iter().map(|choice| choice.options.len() as u16).collect();
@@ -102,7 +111,7 @@ impl<S: Scalar, E: Environment<S>> Choices<S, E> {
                         parts.map(|(choice, &at)| format!("{} {}", choice.name, choice.options[usize::from(at)]));
                     part.collect::<Vec<_>>().join(", ")
                 };
-                (named(combinations.iter().map(name)), Meaning::Options(combinations))
+                (named(combinations.iter().map(name), &[]), Meaning::Options(combinations))
             }
         };
         Ok(Self { environment, actions, meaning })
@@ -120,8 +129,9 @@ fn level(output: &Output, at: u16, levels: u16) -> f64 {
     (output.min + share * (output.max - output.min)).clamp(output.min, output.max)
 }
 
-fn named(names: impl Iterator<Item = String>) -> Vec<ActionDocument> {
-    (0..).zip(names).map(|(id, name)| ActionDocument { id, name, moves: None }).collect()
+fn named(names: impl Iterator<Item = String>, effects: &[Effect]) -> Vec<ActionDocument> {
+    let action = |(id, name): (u32, String)| ActionDocument { id, name, effect: effects.get(id as usize).cloned() };
+    (0..).zip(names).map(action).collect()
 }
 
 /// Every combination, the last place counting fastest.

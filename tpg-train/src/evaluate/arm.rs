@@ -10,6 +10,8 @@ use crate::run_args::command_line;
 use serde::Deserialize as _;
 use std::path::Path;
 use std::time::Instant;
+use tpg_arm::observation::shield::{SHIELDED, STEP, action as action_of};
+use tpg_arm::{Arm, WIDOWX};
 use tpg_engine::{Ending, Environment, Lanes, Options, Plan, Policy};
 use tpg_graph::error::{Finding, InputError, Place};
 use tpg_graph::{Graph, in_arithmetic_of};
@@ -17,8 +19,6 @@ use tpg_problems::arm::targets::{self, Set, Start};
 use tpg_problems::arm::trial::Trial;
 use tpg_problems::arm::{ArmDescription, ArmEnvironment, ArmProblem, ArmScalar, ArmTask, Config, Shield};
 use tpg_problems::{Problem, ProblemName};
-use tpg_runtime::arm::{Arm, WIDOWX};
-use tpg_runtime::observation::shield::{SHIELDED, STEP, action as action_of};
 use tpg_runtime::ops::Maths;
 
 /// Evaluates what the arguments ask on the arm.

@@ -18,10 +18,10 @@ use crate::run_args::command_line;
 use clap::Args;
 use std::io::Write as _;
 use std::path::PathBuf;
+use tpg_arm::hybrid::Guard;
 use tpg_graph::error::InputError;
 use tpg_problems::arm::Shield;
 use tpg_problems::{Problem, ProblemName};
-use tpg_runtime::hybrid::Guard;
 
 /// Let a policy act and count how its episodes end.
 #[derive(Clone, Debug, Args)]

@@ -4,12 +4,12 @@ use crate::hybrid::trial::HybridTrial;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
+use tpg_arm::hybrid::Cause;
 use tpg_engine::{Ending, Measure, Summary};
 use tpg_problems::ProblemName;
 use tpg_problems::arm::Shield;
 use tpg_problems::arm::environment::{DISTANCE, OUTCOMES};
 use tpg_problems::arm::trial::Trial;
-use tpg_runtime::hybrid::Cause;
 
 /// The result of a policy on test episodes. Rates are between 0 and 1; scores have the problem's unit.
 #[derive(Clone, Debug, PartialEq, Serialize)]

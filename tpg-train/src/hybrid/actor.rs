@@ -7,14 +7,14 @@ use crate::sac::lanes::ARM;
 use crate::sac::policy::ActorPolicy;
 use crate::sac::weights;
 use std::path::Path;
+use tpg_arm::Move;
+use tpg_arm::kinematics::Lattice;
+use tpg_arm::observation::Observation;
 use tpg_codegen::policy::QuantisedPolicy;
 use tpg_graph::error::InputError;
 use tpg_nn::Mlp;
 use tpg_problems::arm::targets::{Start, Task};
 use tpg_problems::arm::trial::{self, Trial};
-use tpg_runtime::arm::Move;
-use tpg_runtime::kinematics::Lattice;
-use tpg_runtime::observation::Observation;
 use tpg_runtime::policy::Policy;
 
 /// A decision of an actor, in the precision it was trained in.

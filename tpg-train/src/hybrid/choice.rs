@@ -135,7 +135,7 @@ fn choose(cells: &[Cell], summaries: &[Summary]) -> Option<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tpg_runtime::hybrid::Guard;
+    use tpg_arm::hybrid::Guard;
 
     fn cell(sac: usize, separation_mm: f64, success: f64, distance_mm: f64, tpg_action_ratio: f64) -> Cell {
         Cell {

@@ -21,11 +21,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use tpg_arm::WIDOWX;
+use tpg_arm::hybrid::Guard;
 use tpg_graph::command::Verdict;
 use tpg_graph::error::{InputError, Place};
 use tpg_problems::arm::targets::{Set, Start, tasks};
-use tpg_runtime::arm::WIDOWX;
-use tpg_runtime::hybrid::Guard;
 
 /// Study how graphs and actors share the arm, on validation episodes.
 #[derive(Clone, Debug, Args)]

@@ -3,13 +3,13 @@
 use crate::files::read_text;
 use std::cell::RefCell;
 use std::path::Path;
+use tpg_arm::observation::{Observation, Source, TargetMemo};
+use tpg_arm::{Arm, Move, WIDOWX};
 use tpg_engine::{Options, Plan, Policy as Root, Single};
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
 use tpg_problems::arm::ArmScalar;
 use tpg_problems::arm::binding::Binding;
-use tpg_runtime::arm::{Arm, Move, WIDOWX};
-use tpg_runtime::observation::{Observation, Source, TargetMemo};
 use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::Policy;
 

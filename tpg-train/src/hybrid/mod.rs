@@ -1,6 +1,6 @@
 //! A tangled program graph and a soft actor-critic that share the arm: settings, study, table.
 //!
-//! The switch itself is [`tpg_runtime::hybrid`].
+//! The switch itself is [`tpg_arm::hybrid`].
 //!
 //! | module | subject |
 //! | --- | --- |

@@ -3,8 +3,8 @@
 use crate::files::{read_text, write_atomically};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
+use tpg_arm::hybrid::{Guard, NEVER, Settings};
 use tpg_graph::error::{InputError, Place};
-use tpg_runtime::hybrid::{Guard, NEVER, Settings};
 use tpg_runtime::scalar::Scalar;
 
 /// When the network gives the arm back.
@@ -192,8 +192,8 @@ impl HybridFile {
         Ok(format!(
             "//! How this folder's graph and its actor share the arm: made from `hybrid.toml` by `tpg-train`; do not edit.\n\
              \n\
-             use tpg_runtime::cycle::{name};\n\
-             use tpg_runtime::hybrid::{{Guard, {back_import}Settings}};\n\
+             use tpg_arm::cycle::{name};\n\
+             use tpg_arm::hybrid::{{Guard, {back_import}Settings}};\n\
              \n\
              /// When they change.\n\
              pub const SETTINGS: Settings<f32> = Settings {{\n    \

@@ -12,10 +12,10 @@ use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
+use tpg_arm::hybrid::Guard;
 use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
 use tpg_problems::arm::targets::{Start, Task};
-use tpg_runtime::hybrid::Guard;
 
 /// The paper's values of `nbItGoBackTPG`, and ours: never.
 pub const HAND_BACKS: [HandBack; 7] =

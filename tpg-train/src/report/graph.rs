@@ -60,8 +60,8 @@ pub(super) fn figure(graph: &Graph) -> Figure {
 
 /// Actions that move the same joint have the same colour.
 fn joint_colour(graph: &Graph, action: usize) -> usize {
-    let moves = graph.actions()[action].moves;
-    let joint = moves.and_then(|moves| moves.0.iter().position(|&ticks| ticks != 0));
+    let effect = graph.actions()[action].effect.as_ref();
+    let joint = effect.and_then(|effect| effect.values.iter().position(|&ticks| ticks != 0.0));
     joint.map_or(action % 7, |joint| joint + 1)
 }
 

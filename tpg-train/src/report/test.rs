@@ -4,6 +4,7 @@ use super::runs::{Kind, Run};
 use crate::evaluate::arm::endings_of;
 use crate::evaluate::graph::endings;
 use crate::sac::policy::ActorPolicy;
+use tpg_arm::{Arm, Pose, WIDOWX};
 use tpg_engine::{Choices, Ending, Environment, Lanes, Measure, Options, Plan, Policy, Summary};
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::{Graph, in_arithmetic_of};
@@ -11,7 +12,6 @@ use tpg_problems::arm::environment::{DISTANCE, OUTCOMES};
 use tpg_problems::arm::targets::{self, Set, TOLERANCE};
 use tpg_problems::arm::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
 use tpg_problems::{Problem, Visitor};
-use tpg_runtime::arm::{Arm, Pose, WIDOWX};
 use tpg_runtime::ops::Maths;
 
 /// Runs a graph on test episodes of an environment that a program brought itself: the file's name, the graph, the number

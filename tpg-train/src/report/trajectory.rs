@@ -2,8 +2,8 @@
 
 use super::test::{OnTheArm, Walk};
 use crate::picture::{Figure, Point, Svg};
-use tpg_runtime::arm::{Arm, Pose};
-use tpg_runtime::kinematics::{Plane, Vector, base_direction};
+use tpg_arm::kinematics::{Plane, Vector, base_direction};
+use tpg_arm::{Arm, Pose};
 
 /// Pixels of a panel; there are two.
 const PANEL: f64 = 300.0;
@@ -37,7 +37,7 @@ fn figure(arm: &Arm<f64>, walk: &Walk) -> Figure {
         svg.polyline(class, &joints.map(|joint| view.above([joint[0] * base.sin, -(joint[0] * base.cos)])));
     }
     let hands: Vec<(Pose, Vector<f64>)> =
-        walk.poses.iter().map(|&pose| (pose, tpg_runtime::kinematics::hand(arm, pose))).collect();
+        walk.poses.iter().map(|&pose| (pose, tpg_arm::kinematics::hand(arm, pose))).collect();
     let side = hands.iter().map(|(pose, hand)| view.side([Plane::at(arm, *pose).tip.x, hand[2]]));
     svg.polyline("line c1", &side.collect::<Vec<_>>());
     svg.polyline("line c1", &hands.iter().map(|(_, hand)| view.above([hand[0], hand[1]])).collect::<Vec<_>>());

@@ -11,11 +11,11 @@ use super::tensors::{Tensor, Tensors};
 use super::training::{Best, Point, Recent, Training};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
+use tpg_arm::{Pose, WIDOWX};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_graph::error::{InputError, Place};
 use tpg_nn::{Adam, Gaussian, Mlp, Shape};
 use tpg_problems::arm::targets::{Reach, Set, Task};
-use tpg_runtime::arm::{Pose, WIDOWX};
 
 const FORMAT: &str = "tpg-train sac checkpoint";
 const VERSION: u32 = 3;

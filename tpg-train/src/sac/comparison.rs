@@ -7,13 +7,13 @@ use super::policy::ActorPolicy;
 use serde::Serialize;
 use std::cell::Cell;
 use std::fmt;
+use tpg_arm::observation::Observation;
+use tpg_arm::{JOINTS, Move, WIDOWX};
 use tpg_codegen::policy::QuantisedPolicy;
 use tpg_graph::error::InputError;
 use tpg_nn::Mlp;
 use tpg_problems::arm::targets::{Set, Start, tasks};
 use tpg_problems::arm::trial::{self, Trial};
-use tpg_runtime::arm::{JOINTS, Move, WIDOWX};
-use tpg_runtime::observation::Observation;
 use tpg_runtime::policy::Policy;
 
 /// Episodes of each start: validation tasks, which neither training nor tests see.

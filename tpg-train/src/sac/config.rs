@@ -1,9 +1,9 @@
 //! The configuration of a training run, and the presets.
 
 use serde::{Deserialize, Serialize};
+use tpg_arm::sac::{Actions, Mask};
 use tpg_nn::Spread;
 use tpg_problems::arm::targets::TOLERANCE;
-use tpg_runtime::sac::{Actions, Mask};
 
 /// The presets: name and TOML text, which says what every value means.
 pub const PRESETS: [(&str, &str); 8] = [
@@ -72,7 +72,7 @@ fn tolerance() -> f64 {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Inputs {
-    /// The features of `tpg_runtime::sac`.
+    /// The features of `tpg_arm::sac`.
     Features,
     /// The paper's 13 values, target, difference, hand, motors.
     PaperFs,
@@ -310,8 +310,8 @@ macro_rules! by_name {
         }
     };
 }
-by_name!(actions_name, tpg_runtime::sac::Actions, ["fine", "coarse"]);
-by_name!(mask_name, tpg_runtime::sac::Mask, ["none", "joint-limits"]);
+by_name!(actions_name, tpg_arm::sac::Actions, ["fine", "coarse"]);
+by_name!(mask_name, tpg_arm::sac::Mask, ["none", "joint-limits"]);
 
 #[cfg(test)]
 mod tests {

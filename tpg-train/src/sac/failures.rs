@@ -7,10 +7,10 @@
 
 use super::config::Retry;
 use super::policy::ActorPolicy;
+use tpg_arm::Pose;
+use tpg_arm::episode::Outcome;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_problems::arm::targets::{Reach, Start, Task};
-use tpg_runtime::arm::Pose;
-use tpg_runtime::episode::Outcome;
 
 /// The places of the latest failures, oldest first.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -55,9 +55,9 @@ mod tests {
     use super::*;
     use crate::sac::config::Config;
     use crate::sac::lanes::Lanes;
+    use tpg_arm::WIDOWX;
     use tpg_nn::{Mlp, Shape};
     use tpg_problems::arm::targets::Set;
-    use tpg_runtime::arm::WIDOWX;
 
     const RETRY: Retry = Retry { share: 1.0, every: 1, fixed_starts: 5, random_starts: 9, remembered: 20 };
 

@@ -4,19 +4,19 @@ use super::config::{Actor, Inputs};
 use super::lanes::ARM;
 use super::policy::ActorPolicy;
 use super::replay::ACTIONS;
+use tpg_arm::cycle::Brent;
+use tpg_arm::episode::Episode;
+use tpg_arm::frame::Frame;
+use tpg_arm::observation::Observation;
+use tpg_arm::sac::fixed::{FixedDecision, quantise as quantise_features};
+use tpg_arm::sac::packed::Kind;
+use tpg_arm::sac::{Actions, Mask, features};
+use tpg_arm::{Move, WIDOWX};
 use tpg_codegen::policy::{FloatLayer, QuantisedPolicy, quantise};
 use tpg_graph::error::{InputError, Place};
 use tpg_nn::{Mlp, Tape};
 use tpg_problems::arm::targets::{Set, Start, tasks};
-use tpg_runtime::arm::{Move, WIDOWX};
-use tpg_runtime::cycle::Brent;
-use tpg_runtime::episode::Episode;
-use tpg_runtime::frame::Frame;
-use tpg_runtime::observation::Observation;
 use tpg_runtime::policy::Policy;
-use tpg_runtime::sac::fixed::{FixedDecision, quantise as quantise_features};
-use tpg_runtime::sac::packed::Kind;
-use tpg_runtime::sac::{Actions, Mask, features};
 
 /// Calibration episodes of each start: training tasks, never validation or test tasks.
 const EPISODES: usize = 100;

@@ -17,9 +17,9 @@ use super::tensors::{Tensor, Tensors};
 use super::weights::{Provenance, to_tensors};
 use clap::Args;
 use std::path::{Path, PathBuf};
+use tpg_arm::sac::{Actions, Mask};
 use tpg_graph::error::{InputError, Place};
 use tpg_nn::{Mlp, Shape, Spread};
-use tpg_runtime::sac::{Actions, Mask};
 
 /// No actor file is larger, bytes.
 const LIMIT: u64 = 64 << 20;

@@ -4,13 +4,13 @@ use super::config::{Config, Inputs, Retry, Reward};
 use super::failures::Failures;
 use super::policy::ActorPolicy;
 use super::replay::ACTIONS;
+use tpg_arm::frame::Frame;
+use tpg_arm::kinematics;
+use tpg_arm::sac::{Actions, Decision, FEATURES, TRAINED_COARSE, TRAINED_FINE, features};
+use tpg_arm::{Arm, Move, Pose, WIDOWX};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_problems::arm::ik;
 use tpg_problems::arm::targets::{Reach, Start};
-use tpg_runtime::arm::{Arm, Move, Pose, WIDOWX};
-use tpg_runtime::frame::Frame;
-use tpg_runtime::kinematics;
-use tpg_runtime::sac::{Actions, Decision, FEATURES, TRAINED_COARSE, TRAINED_FINE, features};
 
 /// The arm that policies are trained on, in the precision they run in.
 pub const ARM: Arm<f32> = WIDOWX.to_f32();

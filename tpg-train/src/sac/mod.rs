@@ -1,4 +1,4 @@
-//! Soft actor-critic: trains the actor whose fixed-point form is `tpg_runtime::sac`.
+//! Soft actor-critic: trains the actor whose fixed-point form is `tpg_arm::sac`.
 //!
 //! | module | subject |
 //! | --- | --- |

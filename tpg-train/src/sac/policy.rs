@@ -4,14 +4,14 @@ use super::config::{Actor, Decides, Inputs};
 use super::lanes::{ARM, Discretiser};
 use super::replay::ACTIONS;
 use std::cell::RefCell;
+use tpg_arm::episode::Summary;
+use tpg_arm::frame::Frame;
+use tpg_arm::observation::Observation;
+use tpg_arm::{Move, Pose};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_nn::{Gaussian, Mlp, Samples, Tape};
 use tpg_problems::arm::targets::{Start, Task};
 use tpg_problems::arm::trial::{self, Trial};
-use tpg_runtime::arm::{Move, Pose};
-use tpg_runtime::episode::Summary;
-use tpg_runtime::frame::Frame;
-use tpg_runtime::observation::Observation;
 use tpg_runtime::policy::Policy;
 
 /// An actor, in `f32`: the same on every machine, and the same as in its training. As a [`Policy`] it decides by its mean.
@@ -95,9 +95,9 @@ impl Policy for ActorPolicy<'_> {
 mod tests {
     use super::*;
     use crate::sac::config::Config;
+    use tpg_arm::WIDOWX;
     use tpg_nn::Shape;
     use tpg_problems::arm::targets::{Set, tasks};
-    use tpg_runtime::arm::WIDOWX;
 
     #[test]
     fn a_policy_that_draws_is_not_stopped_by_rest_and_draws_the_same_again() {

@@ -3,7 +3,7 @@
 use tpg_engine::random::Stream;
 
 /// Components of an action.
-pub const ACTIONS: usize = tpg_runtime::arm::JOINTS;
+pub const ACTIONS: usize = tpg_arm::JOINTS;
 
 /// One transition: what was seen, done, earned and seen then.
 #[derive(Clone, Copy, Debug)]

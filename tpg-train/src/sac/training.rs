@@ -9,11 +9,11 @@ use super::lanes::{End, Lanes};
 use super::policy::ActorPolicy;
 use super::replay::{ACTIONS, Batch, Replay, Transition};
 use serde::{Deserialize, Serialize};
+use tpg_arm::WIDOWX;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_nn::{Gaussian, Mlp, Samples, Tape};
 use tpg_problems::arm::targets::{Reach, Set, Start, Task, tasks};
 use tpg_problems::arm::trial::Trial;
-use tpg_runtime::arm::WIDOWX;
 
 /// A training run under way.
 #[derive(Debug)]

@@ -10,9 +10,9 @@ use super::replay::ACTIONS;
 use super::tensors::{Tensor, Tensors};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
+use tpg_arm::sac::FEATURE_NAMES;
 use tpg_graph::error::{InputError, Place};
 use tpg_nn::{Mlp, Shape};
-use tpg_runtime::sac::FEATURE_NAMES;
 
 /// The value of [`Contract::format`].
 pub const FORMAT: &str = "tpg sac policy";

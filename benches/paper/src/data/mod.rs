@@ -8,9 +8,9 @@ use super::episode::EndState;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use table::{Column, Row, Table};
+use tpg_arm::kinematics::Vector;
+use tpg_arm::{Collision, Pose};
 use tpg_graph::error::InputError;
-use tpg_runtime::arm::{Collision, Pose};
-use tpg_runtime::kinematics::Vector;
 
 /// What an episode was asked to do.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,6 +2,12 @@
 
 use super::reference::Reference;
 use super::timing::{self, Time};
+use tpg_arm::binding;
+use tpg_arm::cycle::{Brent, CycleDetector, Visited};
+use tpg_arm::hybrid::{Guard, Hybrid, Settings};
+use tpg_arm::observation::{ArmPolicy, Observation};
+use tpg_arm::sac::packed::{Model, PackedPolicy};
+use tpg_arm::{JOINTS, Move};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_generated::widowx_fs::WidowxFs;
 use tpg_generated::widowx_fs_fast::WidowxFsFast;
@@ -10,12 +16,7 @@ use tpg_generated::widowx_rs_fast::WidowxRsFast;
 use tpg_generated::{widowx_fs_hybrid, widowx_rs_hybrid, widowx_sac};
 use tpg_nn::{Mlp, Shape};
 use tpg_problems::arm::targets::{Start, Task};
-use tpg_runtime::arm::{JOINTS, Move};
-use tpg_runtime::cycle::{Brent, CycleDetector, Visited};
-use tpg_runtime::hybrid::{Guard, Hybrid, Settings};
-use tpg_runtime::observation::{ArmPolicy, Observation};
 use tpg_runtime::policy::Policy;
-use tpg_runtime::sac::packed::{Model, PackedPolicy};
 use tpg_train::sac::config::Config;
 use tpg_train::sac::lanes::ARM;
 use tpg_train::sac::policy::ActorPolicy;
@@ -92,12 +93,12 @@ fn wide(start: Start, tasks: &[Task]) -> Time {
 }
 
 fn fs() -> impl Policy<State = Observation<f32>, Action = Move> + Clone {
-    let (sources, moves) = (&WidowxFsFast::SOURCES, &WidowxFsFast::MOVES);
+    let (sources, moves) = const { (&binding::sources(WidowxFsFast::SOURCES), &binding::moves(WidowxFsFast::MOVES)) };
     ArmPolicy::new(WidowxFsFast, &ARM, sources, moves)
 }
 
 fn rs() -> impl Policy<State = Observation<f32>, Action = Move> + Clone {
-    let (sources, moves) = (&WidowxRsFast::SOURCES, &WidowxRsFast::MOVES);
+    let (sources, moves) = const { (&binding::sources(WidowxRsFast::SOURCES), &binding::moves(WidowxRsFast::MOVES)) };
     ArmPolicy::new(WidowxRsFast, &ARM, sources, moves)
 }
 
@@ -110,11 +111,13 @@ where
         tpg: timing::of_policy(&ARM, &tpg, start, tasks),
         tpg_constant_time: match start {
             Start::Fs => {
-                let (sources, moves) = (&WidowxFs::SOURCES, &WidowxFs::MOVES);
+                let (sources, moves) =
+                    const { (&binding::sources(WidowxFs::SOURCES), &binding::moves(WidowxFs::MOVES)) };
                 timing::of_policy(&ARM, &ArmPolicy::new(WidowxFs, &ARM, sources, moves), start, tasks)
             }
             Start::Rs => {
-                let (sources, moves) = (&WidowxRs::SOURCES, &WidowxRs::MOVES);
+                let (sources, moves) =
+                    const { (&binding::sources(WidowxRs::SOURCES), &binding::moves(WidowxRs::MOVES)) };
                 timing::of_policy(&ARM, &ArmPolicy::new(WidowxRs, &ARM, sources, moves), start, tasks)
             }
         },

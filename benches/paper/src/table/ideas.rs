@@ -2,10 +2,10 @@
 
 use super::ProblemInputs;
 use super::rows::{Row, Shipped};
+use tpg_arm::WIDOWX;
+use tpg_arm::hybrid::Guard;
 use tpg_graph::error::InputError;
 use tpg_problems::arm::targets::{Set, Start, tasks};
-use tpg_runtime::arm::WIDOWX;
-use tpg_runtime::hybrid::Guard;
 use tpg_train::hybrid::graph::read_graph;
 use tpg_train::hybrid::setting::{Detector, HandBack, Setting};
 use tpg_train::hybrid::trial;

@@ -25,9 +25,9 @@ pub mod timing;
 use clap::Args;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
+use tpg_arm::WIDOWX;
 use tpg_graph::error::{InputError, Place};
 use tpg_problems::arm::targets::{self, Start};
-use tpg_runtime::arm::WIDOWX;
 use tpg_train::files::{make_folder, read_text, write_atomically};
 
 /// Measure every kind of policy and write docs/results.md.

@@ -2,9 +2,9 @@
 //! partial sums, which compilers turn into vector instructions. What its weights are does not change its time.
 
 use std::cell::RefCell;
+use tpg_arm::observation::Observation;
+use tpg_arm::{JOINTS, Move};
 use tpg_engine::random::{Purpose, Stream};
-use tpg_runtime::arm::{JOINTS, Move};
-use tpg_runtime::observation::Observation;
 use tpg_runtime::policy::Policy;
 
 const INPUTS: usize = 13;

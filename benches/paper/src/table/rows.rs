@@ -3,6 +3,8 @@
 use super::ProblemInputs;
 use super::timing::{self, Time};
 use std::path::{Path, PathBuf};
+use tpg_arm::WIDOWX;
+use tpg_arm::observation::Straight;
 use tpg_codegen::emit::{Options, Prefix, Profile};
 use tpg_codegen::size::{self, Target};
 use tpg_graph::Graph;
@@ -10,8 +12,6 @@ use tpg_graph::error::{InputError, Place};
 use tpg_problems::arm::planner::{Choice, Planner};
 use tpg_problems::arm::targets::{Start, Task};
 use tpg_problems::arm::trial::{Trial, run, run_allowing_collisions};
-use tpg_runtime::arm::WIDOWX;
-use tpg_runtime::observation::Straight;
 use tpg_train::hybrid::actor::Actor;
 use tpg_train::hybrid::choice::Spread;
 use tpg_train::hybrid::graph::read_graph;

@@ -5,13 +5,13 @@
 
 use std::hint::black_box;
 use std::time::Instant;
+use tpg_arm::cycle::{Brent, CycleDetector};
+use tpg_arm::episode::Episode;
+use tpg_arm::hybrid::{Hybrid, HybridEpisode, Switch};
+use tpg_arm::kinematics::{Lattice, Vector};
+use tpg_arm::observation::Observation;
+use tpg_arm::{Arm, Move, Pose};
 use tpg_problems::arm::targets::{Start, Task};
-use tpg_runtime::arm::{Arm, Move, Pose};
-use tpg_runtime::cycle::{Brent, CycleDetector};
-use tpg_runtime::episode::Episode;
-use tpg_runtime::hybrid::{Hybrid, HybridEpisode, Switch};
-use tpg_runtime::kinematics::{Lattice, Vector};
-use tpg_runtime::observation::Observation;
 use tpg_runtime::policy::Policy;
 
 /// Nanoseconds of an action.

@@ -1,6 +1,6 @@
 //! The sidecar of a `.dot` file: everything of a graph that the `.dot` leaves out.
 
-use crate::model::{ActionDocument, Graph, SourceDocument};
+use crate::model::{ActionDocument, Effect, Graph, SourceDocument};
 use std::fmt::Write as _;
 
 /// The text of the sidecar, with which [`dot`](super::dot) reads back as the same graph.
@@ -36,10 +36,22 @@ fn source(source: &SourceDocument) -> String {
 
 fn action(action: &ActionDocument) -> String {
     let name = string(&action.name);
-    match action.moves {
-        Some(moves) => format!("{{ id = {}, name = {name}, move = {moves:?} }}", action.id),
+    match &action.effect {
+        Some(Effect { name: effect, values }) if effect == Effect::MOVE => {
+            format!("{{ id = {}, name = {name}, move = {} }}", action.id, numbers(values))
+        }
+        Some(Effect { name: effect, values }) => {
+            let effect = format!("{{ name = {}, values = {} }}", string(effect), numbers(values));
+            format!("{{ id = {}, name = {name}, effect = {effect} }}", action.id)
+        }
         None => format!("{{ id = {}, name = {name} }}", action.id),
     }
+}
+
+/// Whole numbers without a fraction.
+fn numbers(values: &[f64]) -> String {
+    let number = |value: &f64| if value.fract() == 0.0 { format!("{value:.0}") } else { format!("{value:?}") };
+    format!("[{}]", values.iter().map(number).collect::<Vec<_>>().join(", "))
 }
 
 /// A string as TOML quotes it.

@@ -22,7 +22,7 @@ use toml::de::{DeTable, DeValue};
 ///         { name = "motors", length = 2, unit = "ticks", ranges = [[0, 4095], [512, 512]] },
 ///     ]
 ///     instructions = ["sub", "add", "mul", "cos"]     # in the order of their numbers in the file
-///     actions = [                 # by the label of their nodes; "move" only for a policy of the arm
+///     actions = [                 # by the label of their nodes; "move", or effect = { name, values }, is the problem's
 ///         { id = 0, name = "left", move = [-3, 0, 0, 0] },
 ///         { id = 1, name = "right", move = [3, 0, 0, 0] },
 ///     ]

@@ -1,5 +1,6 @@
 //! `graph.json` as it is written: plain data, not yet validated.
 
+use super::effect::{Effect, WrittenAction};
 use schemars::JsonSchema;
 use serde::de::{Deserializer, Visitor};
 use serde::{Deserialize, Serialize};
@@ -121,15 +122,14 @@ pub struct SourceDocument {
 
 /// An action.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[serde(try_from = "WrittenAction", into = "WrittenAction")]
 pub struct ActionDocument {
     /// Its place in the list, from 0.
     pub id: u32,
     /// What it is called.
     pub name: String,
-    /// What it asks of the arm's base, shoulder, elbow and wrist, in motor ticks; all zero ends the episode.
-    #[serde(rename = "move", default, skip_serializing_if = "Option::is_none")]
-    pub moves: Option<[i8; 4]>,
+    /// The numbers it carries for its problem.
+    pub effect: Option<Effect>,
 }
 
 /// A team.

@@ -4,6 +4,7 @@
 //! register and input is in range, and the teams form an acyclic graph with one root. Passes and emitters never check again.
 
 mod document;
+mod effect;
 mod name;
 mod schema;
 mod text;
@@ -14,12 +15,12 @@ pub use document::{
     Provenance, ScalarType, SourceDocument, TeamDocument, VERSION,
 };
 
+pub use effect::Effect;
 pub use schema::schema;
 pub use validate::MAX_NUMBERED;
 
 use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
-use tpg_runtime::arm::Move;
 use tpg_runtime::ops::Instruction;
 pub use tpg_runtime::policy::ActionId;
 
@@ -110,8 +111,8 @@ impl std::fmt::Display for Range {
 pub struct Action {
     /// What it is called.
     pub name: String,
-    /// What it asks of the arm, where the policy drives one.
-    pub moves: Option<Move>,
+    /// The numbers it carries for its problem; of one length for all actions that have them.
+    pub effect: Option<Effect>,
 }
 
 /// Where an instruction reads.
@@ -188,17 +189,6 @@ pub struct Graph {
 }
 
 impl Graph {
-    /// The arm's sources that make up a state and what each action moves; `None` where a source is not the arm's or an
-    /// action does not say what it moves.
-    pub fn on_the_arm(&self) -> Option<(Vec<tpg_runtime::observation::Source>, Vec<Move>)> {
-        let arms = |source: &Source| {
-            let arms = tpg_runtime::observation::Source::from_name(&source.name);
-            arms.filter(|arms| arms.length() == source.ranges.len())
-        };
-        let sources = self.sources.iter().map(arms).collect::<Option<_>>()?;
-        Some((sources, self.actions.iter().map(|action| action.moves).collect::<Option<_>>()?))
-    }
-
     /// The type programs compute in.
     pub fn scalar(&self) -> ScalarType {
         self.scalar

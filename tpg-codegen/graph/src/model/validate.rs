@@ -5,12 +5,11 @@ use super::document::{
     TeamDocument, VERSION,
 };
 use super::{
-    Action, ActionId, Destination, Edge, Graph, Input, Line, Operand, Program, ProgramId, Range, Reg, Source, Team,
-    TeamId, name,
+    Action, ActionId, Destination, Edge, Effect, Graph, Input, Line, Operand, Program, ProgramId, Range, Reg, Source,
+    Team, TeamId, name,
 };
 use crate::error::{InputError, Place, counted, serde_message};
 use std::collections::BTreeMap;
-use tpg_runtime::arm::Move;
 use tpg_runtime::ops::Instruction;
 
 /// What is accepted where nothing more exact can be said.
@@ -107,7 +106,7 @@ fn source_document(source: &Source) -> SourceDocument {
 }
 
 fn action_document(id: u32, action: &Action) -> ActionDocument {
-    ActionDocument { id, name: action.name.clone(), moves: action.moves.map(|Move(ticks)| ticks) }
+    ActionDocument { id, name: action.name.clone(), effect: action.effect.clone() }
 }
 
 /// What keeps the text from being a document: by path where it is JSON, else by line and column.
@@ -296,7 +295,27 @@ impl Validator<'_> {
         if actions.is_empty() || actions.len() > MAX_NUMBERED {
             return Err(self.error("$.actions", format!("{} actions", actions.len()), format!("1 to {MAX_NUMBERED}")));
         }
-        Ok(())
+        self.effects()
+    }
+
+    fn effects(&self) -> Result<(), InputError> {
+        let mut effects = self.document.actions.iter().enumerate().filter_map(|(index, action)| {
+            let effect = action.effect.as_ref()?;
+            let key = if effect.name == Effect::MOVE { "move" } else { "effect" };
+            Some((format!("$.actions[{index}].{key}"), effect))
+        });
+        let Some((first, _)) = effects.clone().next() else { return Ok(()) };
+        let length = effects.clone().next().map_or(0, |(_, effect)| effect.values.len());
+        effects.try_for_each(|(path, effect)| {
+            if let Some(value) = effect.values.iter().find(|value| !value.is_finite()) {
+                return Err(self.error(path, value.to_string(), "finite numbers"));
+            }
+            if effect.values.len() != length {
+                let found = format!("{} numbers", effect.values.len());
+                return Err(self.error(path, found, format!("{length}, as {first}")));
+            }
+            Ok(())
+        })
     }
 
     fn teams(&self, names: &Names<'_>) -> Result<Vec<Team>, InputError> {
@@ -526,7 +545,7 @@ fn source(source: &SourceDocument) -> Source {
 }
 
 fn action(action: &ActionDocument) -> Action {
-    Action { name: action.name.clone(), moves: action.moves.map(Move) }
+    Action { name: action.name.clone(), effect: action.effect.clone() }
 }
 
 fn known_instructions() -> String {

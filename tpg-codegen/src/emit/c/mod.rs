@@ -8,7 +8,7 @@ mod helpers;
 mod small;
 mod walk;
 
-use super::{File, Language, Options, Profile, Style, banner, layout};
+use super::{File, Language, Options, Profile, Style, banner, layout, moves::moves};
 use crate::cost::{Cost, Costs};
 use crate::ir::{Module, Target};
 use crate::passes::{self, schedule};
@@ -139,10 +139,10 @@ pub(super) fn emit(graph: &Graph, options: &Options) -> Vec<File> {
 
 /// `None` where the runtime's C interface cannot drive the arm with it: it computes in `f32`.
 fn arm_view(graph: &Graph) -> Option<ArmView> {
-    let (sources, moves) = graph.on_the_arm().filter(|_| graph.scalar() == ScalarType::F32)?;
-    let sources = sources.iter().map(|source| format!("TPG_SOURCE_{}", source.name().to_ascii_uppercase()));
-    let moves = moves.iter().map(|moved| {
-        let ticks = moved.0.map(|ticks| ticks.to_string());
+    let moves = moves(graph).filter(|_| graph.scalar() == ScalarType::F32)?;
+    let sources = graph.sources().iter().map(|source| format!("TPG_SOURCE_{}", source.name.to_ascii_uppercase()));
+    let moves = moves.iter().map(|moves| {
+        let ticks: Vec<String> = moves.iter().map(i8::to_string).collect();
         format!("{{ {{ {} }} }}", ticks.join(", "))
     });
     Some(ArmView { sources: sources.collect(), moves: moves.collect() })

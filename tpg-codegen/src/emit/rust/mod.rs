@@ -6,7 +6,7 @@ mod fast;
 mod helpers;
 mod small;
 
-use super::{File, Language, Options, Profile, banner, layout};
+use super::{File, Language, Options, Profile, banner, layout, moves::moves};
 use crate::cost::{Cost, Costs};
 use crate::ir::{Module, Target};
 use crate::passes::{self, schedule};
@@ -43,6 +43,7 @@ struct SourceView {
 /// The sources and moves of a policy that drives the arm.
 struct ArmView {
     sources: Vec<String>,
+    joints: usize,
     moves: Vec<String>,
 }
 
@@ -147,7 +148,10 @@ fn source_views(graph: &Graph) -> Vec<SourceView> {
 }
 
 fn arm_view(graph: &Graph) -> Option<ArmView> {
-    let (sources, moves) = graph.on_the_arm()?;
-    let sources = sources.iter().map(|source| format!("Source::{source:?}"));
-    Some(ArmView { sources: sources.collect(), moves: moves.iter().map(|m| format!("Move({:?})", m.0)).collect() })
+    let moves = moves(graph)?;
+    Some(ArmView {
+        sources: graph.sources().iter().map(|source| format!("{:?}", source.name)).collect(),
+        joints: moves.first().map_or(0, Vec::len),
+        moves: moves.iter().map(|moves| format!("{moves:?}")).collect(),
+    })
 }

@@ -1,12 +1,39 @@
-//! A graph in terms of the arm: which parts of the observation its state is made of, and what its actions move.
+//! A graph's sources and actions in terms of the arm.
 
+use tpg_arm::binding;
+use tpg_arm::observation::{Observation, Source, TargetMemo};
+use tpg_arm::{Move, WIDOWX};
 use tpg_graph::error::{InputError, Place};
-use tpg_graph::{Graph, ScalarType};
-use tpg_runtime::arm::{Move, WIDOWX};
-use tpg_runtime::observation::{Observation, Source, TargetMemo};
+use tpg_graph::{Action, Graph, ScalarType};
 use tpg_runtime::policy::ActionId;
 
-/// How an engine's flat state is filled and its answer understood.
+/// The arm's sources that make up a graph's state, and the move of each of its actions.
+///
+/// # Errors
+/// If the arm has no such source, or an action does not say what it moves.
+pub fn bind(file: &str, graph: &Graph) -> Result<(Vec<Source>, Vec<Move>), InputError> {
+    let error = |path: String, found: String, accepted: &str| {
+        InputError::new(file, Place::Path(path), found, accepted.to_owned())
+    };
+    let source = |(place, declared): (usize, &tpg_graph::Source)| {
+        let length = declared.ranges.len();
+        binding::source(&declared.name, length).ok_or_else(|| {
+            let found = format!("a source {:?} of {length} values", declared.name);
+            error(format!("$.sources[{place}]"), found, &known_sources())
+        })
+    };
+    let moved = |(place, action): (usize, &Action)| {
+        let effect = action.effect.as_ref();
+        effect.and_then(|effect| binding::moved(&effect.name, &effect.values)).ok_or_else(|| {
+            let found = format!("the action {:?} without a move", action.name);
+            error(format!("$.actions[{place}]"), found, "a move of the arm's four joints, in ticks")
+        })
+    };
+    let sources = graph.sources().iter().enumerate().map(source).collect::<Result<_, _>>()?;
+    Ok((sources, graph.actions().iter().enumerate().map(moved).collect::<Result<_, _>>()?))
+}
+
+/// The way to fill the flat state of an engine, and to read its answer.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Binding {
     scalar: ScalarType,
@@ -25,28 +52,7 @@ impl Binding {
     /// # Errors
     /// When a source is no part of the observation, or an action moves nothing that the arm knows.
     pub fn of(file: &str, graph: &Graph) -> Result<Self, InputError> {
-        let error = |path: String, found: String, accepted: &str| {
-            Err(InputError::new(file, Place::Path(path), found, accepted.to_owned()))
-        };
-        let mut sources = Vec::new();
-        for (index, declared) in graph.sources().iter().enumerate() {
-            let length = declared.ranges.len();
-            match Source::from_name(&declared.name).filter(|source| source.length() == length) {
-                Some(source) => sources.push(source),
-                None => {
-                    let found = format!("a source {:?} of {length} values", declared.name);
-                    return error(format!("$.sources[{index}]"), found, &known_sources());
-                }
-            }
-        }
-        let mut moves = Vec::new();
-        for (index, action) in graph.actions().iter().enumerate() {
-            let Some(wanted) = action.moves else {
-                let found = format!("the action {:?} without a move", action.name);
-                return error(format!("$.actions[{index}]"), found, "a move of the arm's four joints, in ticks");
-            };
-            moves.push(wanted);
-        }
+        let (sources, moves) = bind(file, graph)?;
         Ok(Self::new(graph.scalar(), sources, moves))
     }
 
@@ -78,7 +84,5 @@ impl Binding {
 }
 
 fn known_sources() -> String {
-    let names: Vec<String> =
-        Source::ALL.iter().map(|source| format!("{} ({} values)", source.name(), source.length())).collect();
-    names.join(", ")
+    Source::ALL.map(|source| format!("{} ({} values)", source.name(), source.length())).join(", ")
 }

@@ -5,10 +5,10 @@ use super::environment::{ArmEnvironment, ArmProblem, ArmScalar};
 use super::shield::Shield;
 use super::targets::{Start, TOLERANCE};
 use serde::{Deserialize, Serialize};
+use tpg_arm::observation::Source;
+use tpg_arm::observation::shield::STEP;
+use tpg_arm::{Arm, WIDOWX};
 use tpg_graph::error::Finding;
-use tpg_runtime::arm::{Arm, WIDOWX};
-use tpg_runtime::observation::Source;
-use tpg_runtime::observation::shield::STEP;
 
 /// The section `[problem]` for the arm: what it is asked, what programs read, and how it is scored.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -4,9 +4,9 @@
 
 use crate::arm::targets::stands_free;
 use serde::{Deserialize, Serialize};
+use tpg_arm::kinematics::Plane;
+use tpg_arm::{Arm, BaseEdge, JOINTS, JointRange, Links, Pose, Shapes, TICKS_PER_TURN};
 use tpg_graph::error::Finding;
-use tpg_runtime::arm::{Arm, BaseEdge, JOINTS, JointRange, Links, Pose, Shapes, TICKS_PER_TURN};
-use tpg_runtime::kinematics::Plane;
 
 /// The WidowX's section, commented.
 pub const WIDOWX_TOML: &str = include_str!("widowx.toml");
@@ -192,7 +192,7 @@ const LONGEST: f64 = 1000.0;
 mod tests {
     use super::{ArmDescription, WIDOWX_TOML};
     use serde::Deserialize;
-    use tpg_runtime::arm::{Arm, WIDOWX};
+    use tpg_arm::{Arm, WIDOWX};
 
     #[derive(Deserialize)]
     struct Text {

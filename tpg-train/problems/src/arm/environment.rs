@@ -13,18 +13,20 @@ mod usual;
 pub use episode::ArmEpisode;
 pub use problem::{ArmProblem, ArmTask, OUTCOMES, outcome_number};
 
+use crate::arm::binding::bind;
 use crate::arm::targets::{self, Reach as Space, Set};
 use clearance::{Clearances, swing};
+use tpg_arm::binding::MOVE;
+use tpg_arm::episode::Outcome;
+use tpg_arm::kinematics::{self, Angle, Direction, Directions, Lattice, Plane, link_angles};
+use tpg_arm::observation::{Observation, ReachErrors, Source, derived, shield};
+use tpg_arm::{Arm, JOINTS, Joint, Move, Pose, TICKS_PER_TURN};
 use tpg_engine::random::Stream;
 use tpg_engine::{
     Act, ActionSpace, End, Ending, Environment, Episodes, Measure, OneByOne, Preference, SourceSet, Step,
 };
-use tpg_graph::error::{InputError, Place};
-use tpg_graph::{ActionDocument, Graph, SourceDocument};
-use tpg_runtime::arm::{Arm, JOINTS, Joint, Move, Pose, TICKS_PER_TURN};
-use tpg_runtime::episode::Outcome;
-use tpg_runtime::kinematics::{self, Angle, Direction, Directions, Lattice, Plane, link_angles};
-use tpg_runtime::observation::{Observation, ReachErrors, Source, derived, shield};
+use tpg_graph::error::InputError;
+use tpg_graph::{ActionDocument, Effect, Graph, SourceDocument};
 
 /// The scalars that an arm exists in.
 pub trait ArmScalar: Lattice {
@@ -129,21 +131,7 @@ impl<S: ArmScalar> ArmEnvironment<S> {
     /// # Errors
     /// If the graph reads sources that the arm does not have, or has actions that do not say what they move.
     pub fn for_graph(file: &str, graph: &Graph, arm: &Arm<f64>, problem: ArmProblem) -> Result<Self, InputError> {
-        let known = Source::ALL.map(Source::name).join(", ");
-        let mut sources = Vec::new();
-        for (place, source) in graph.sources().iter().enumerate() {
-            let path = Place::Path(format!("$.sources[{place}].name"));
-            let found = Source::from_name(&source.name).filter(|known| known.length() == source.ranges.len());
-            sources
-                .push(found.ok_or_else(|| InputError::new(file, path, format!("{:?}", source.name), known.as_str()))?);
-        }
-        let mut moves = Vec::new();
-        for (place, action) in graph.actions().iter().enumerate() {
-            let path = Place::Path(format!("$.actions[{place}]"));
-            moves.push(action.moves.ok_or_else(|| {
-                InputError::new(file, path, format!("{:?} without \"move\"", action.name), "actions that move the arm")
-            })?);
-        }
+        let (sources, moves) = bind(file, graph)?;
         Ok(Self::for_evaluation(arm, ArmProblem { sources, ..problem }, moves))
     }
 
@@ -288,7 +276,7 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
         let document = |((id, moves), name): ((u32, &Move), &str)| ActionDocument {
             id,
             name: name.to_owned(),
-            moves: Some(moves.0),
+            effect: Some(Effect { name: MOVE.to_owned(), values: moves.0.map(f64::from).to_vec() }),
         };
         ActionSpace::Discrete((0..).zip(&self.moves).zip(NAMES).map(document).collect())
     }

@@ -6,8 +6,8 @@
 //! arm and its bracket act as one link of length √(upper² + offset²), turned by atan(offset/upper).
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
-use tpg_runtime::arm::{Arm, Pose, TICKS_PER_TURN};
-use tpg_runtime::kinematics::{self, Plane};
+use tpg_arm::kinematics::{self, Plane};
+use tpg_arm::{Arm, Pose, TICKS_PER_TURN};
 
 /// Pitches of the hand that are tried, evenly round the circle.
 const PITCHES: u32 = 144;
@@ -79,7 +79,7 @@ fn reaches(arm: &Arm<f64>, pose: Pose, target: [f64; 3]) -> bool {
 mod tests {
     use super::*;
     use crate::arm::targets::{Set, Start, tasks};
-    use tpg_runtime::arm::WIDOWX;
+    use tpg_arm::WIDOWX;
 
     #[test]
     fn nearly_every_target_has_goals_and_every_goal_reaches_it() {

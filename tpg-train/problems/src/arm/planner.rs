@@ -3,9 +3,9 @@
 use crate::arm::ik;
 use crate::arm::targets::TOLERANCE;
 use std::cell::RefCell;
-use tpg_runtime::arm::{Arm, JOINTS, Move, Pose};
-use tpg_runtime::kinematics::{self, Plane};
-use tpg_runtime::observation::Observation;
+use tpg_arm::kinematics::{self, Plane};
+use tpg_arm::observation::Observation;
+use tpg_arm::{Arm, JOINTS, Move, Pose};
 use tpg_runtime::policy::Policy;
 
 /// Which way of choosing among the poses that solve a task.
@@ -135,8 +135,8 @@ mod tests {
     use super::*;
     use crate::arm::targets::{Set, Start, tasks};
     use crate::arm::trial;
-    use tpg_runtime::arm::WIDOWX;
-    use tpg_runtime::observation::Straight;
+    use tpg_arm::WIDOWX;
+    use tpg_arm::observation::Straight;
 
     #[test]
     fn there_are_as_many_orders_as_permutations() {

@@ -1,7 +1,7 @@
 //! Shields: actions that a graph of the arm cannot choose.
 
 use serde::{Deserialize, Serialize};
-use tpg_runtime::observation::Source;
+use tpg_arm::observation::Source;
 
 /// The actions that no policy can choose. A part of the graph: without it, it is another policy.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]

@@ -13,11 +13,11 @@ mod file;
 pub use file::{read_csv, to_csv};
 
 use serde::{Deserialize, Serialize};
+use tpg_arm::episode::Problem;
+use tpg_arm::frame::Clearance;
+use tpg_arm::kinematics::{self, Lattice, Plane};
+use tpg_arm::{Arm, Pose};
 use tpg_engine::random::{Purpose, Stream};
-use tpg_runtime::arm::{Arm, Pose};
-use tpg_runtime::episode::Problem;
-use tpg_runtime::frame::Clearance;
-use tpg_runtime::kinematics::{self, Lattice, Plane};
 
 /// The edge of a cube, mm.
 const CUBE: f64 = 20.0;
@@ -175,7 +175,7 @@ pub const TEST_SEED: u64 = 2024;
 mod tests {
     use super::*;
     use std::collections::BTreeSet;
-    use tpg_runtime::arm::WIDOWX;
+    use tpg_arm::WIDOWX;
 
     #[test]
     fn tasks_are_free_reachable_and_spread() {

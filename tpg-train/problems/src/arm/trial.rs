@@ -3,12 +3,12 @@
 use crate::arm::environment::{ArmProblem, OUTCOMES};
 use crate::arm::targets::{Start, Task};
 use serde::Serialize;
+use tpg_arm::cycle::{Brent, CycleDetector};
+use tpg_arm::episode::{Episode, Outcome, Problem, Summary};
+use tpg_arm::kinematics::Lattice;
+use tpg_arm::observation::Observation;
+use tpg_arm::{Arm, Move, Pose, Step};
 use tpg_engine::Ending;
-use tpg_runtime::arm::{Arm, Move, Pose, Step};
-use tpg_runtime::cycle::{Brent, CycleDetector};
-use tpg_runtime::episode::{Episode, Outcome, Problem, Summary};
-use tpg_runtime::kinematics::Lattice;
-use tpg_runtime::observation::Observation;
 use tpg_runtime::policy::Policy;
 
 /// The figures of many episodes of one problem. Rates lie in 0..1, distances are in mm.
@@ -196,7 +196,7 @@ fn median(sorted: &[f64]) -> f64 {
 mod tests {
     use super::*;
     use crate::arm::targets::{Set, tasks};
-    use tpg_runtime::arm::{Joint, WIDOWX};
+    use tpg_arm::{Joint, WIDOWX};
 
     /// Always the same move.
     struct Always(Move);

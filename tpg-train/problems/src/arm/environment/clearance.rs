@@ -1,9 +1,9 @@
 //! Whether the arm is far from everything, known without a look at its collision shapes.
 
 use super::ArmScalar;
-use tpg_runtime::arm::{Arm, TICKS_PER_TURN};
-use tpg_runtime::kinematics::Plane;
-use tpg_runtime::observation::shield;
+use tpg_arm::kinematics::Plane;
+use tpg_arm::observation::shield;
+use tpg_arm::{Arm, TICKS_PER_TURN};
 
 /// How far the corners of the collision shapes lie from the joints that they belong to, and the extent of the base; mm,
 /// rounded up by enough for every rounding of the kinematics.

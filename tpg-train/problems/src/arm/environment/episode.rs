@@ -1,9 +1,9 @@
 //! An episode of the arm, and what of it is kept from step to step.
 
-use tpg_runtime::arm::{Arm, Pose};
-use tpg_runtime::frame::Frame;
-use tpg_runtime::kinematics::{Direction, Lattice, Plane, Vector};
-use tpg_runtime::observation::{Aim, Reach, ReachTarget, Stance, shield};
+use tpg_arm::frame::Frame;
+use tpg_arm::kinematics::{Direction, Lattice, Plane, Vector};
+use tpg_arm::observation::{Aim, Reach, ReachTarget, Stance, shield};
+use tpg_arm::{Arm, Pose};
 
 /// An episode under way, and what of it need not be computed again.
 #[derive(Clone, Debug)]

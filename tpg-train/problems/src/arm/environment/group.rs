@@ -1,8 +1,8 @@
 //! The columns of neighbouring lanes.
 
 use std::array::from_fn;
+use tpg_arm::{JOINTS, Pose};
 use tpg_engine::{BLOCK, Block};
-use tpg_runtime::arm::{JOINTS, Pose};
 
 /// What a usual step needs of one lane.
 #[derive(Clone, Copy, Debug)]

@@ -9,9 +9,9 @@ use super::group::{Group, Lane};
 use super::usual::Usual;
 use super::{ArmEnvironment, ArmEpisode, ArmScalar, ArmTask};
 use pulp::Arch;
+use tpg_arm::observation::Source;
+use tpg_arm::{JOINTS, Move};
 use tpg_engine::{BLOCK, Block, Ending, Environment, Episodes, EvaluationError, SourceSet, View};
-use tpg_runtime::arm::{JOINTS, Move};
-use tpg_runtime::observation::Source;
 use tpg_runtime::policy::ActionId;
 
 /// [`ArmEnvironment::lanes`].

@@ -2,10 +2,10 @@
 
 use crate::arm::targets::{self, Start, Task};
 use serde::{Deserialize, Serialize};
+use tpg_arm::episode::Outcome;
+use tpg_arm::observation::Source;
+use tpg_arm::{Collision, Invalid, JOINTS};
 use tpg_engine::Ending;
-use tpg_runtime::arm::{Collision, Invalid, JOINTS};
-use tpg_runtime::episode::Outcome;
-use tpg_runtime::observation::Source;
 
 /// What is asked of the arm, and how it is scored.
 #[derive(Clone, Debug, PartialEq)]

@@ -3,9 +3,9 @@
 use super::group::Group;
 use super::{ArmEnvironment, ArmScalar, base_angle, look_up};
 use pulp::{Simd, WithSimd};
+use tpg_arm::kinematics::{Angle, Direction, Directions, Plane, difference, link_angles};
+use tpg_arm::{JOINTS, Pose};
 use tpg_engine::{BLOCK, Block};
-use tpg_runtime::arm::{JOINTS, Pose};
-use tpg_runtime::kinematics::{Angle, Direction, Directions, Plane, difference, link_angles};
 use tpg_runtime::policy::ActionId;
 
 /// The usual steps.

@@ -4,8 +4,8 @@ use super::Task;
 use csv::{Reader, ReaderBuilder, StringRecord, Trim};
 use std::fs;
 use std::path::Path;
+use tpg_arm::{Arm, JOINTS, Pose};
 use tpg_graph::error::{InputError, Place};
-use tpg_runtime::arm::{Arm, JOINTS, Pose};
 
 const HEADER: [&str; JOINTS + 3] =
     ["start_base", "start_shoulder", "start_elbow", "start_wrist", "target_x_mm", "target_y_mm", "target_z_mm"];
@@ -84,8 +84,8 @@ fn task(arm: &Arm<f64>, record: &StringRecord, first: usize) -> Result<Task, (St
 mod tests {
     use super::{parse_csv, to_csv};
     use crate::arm::targets::{Set, Start, Task, tasks};
+    use tpg_arm::WIDOWX;
     use tpg_graph::error::Place;
-    use tpg_runtime::arm::WIDOWX;
 
     #[test]
     fn csv_gives_back_the_same_tasks() {

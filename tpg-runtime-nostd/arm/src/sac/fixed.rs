@@ -15,7 +15,7 @@ use super::{Actions, Decision, FEATURES, Mask, TRAINED_COARSE, TRAINED_FINE, fea
 use crate::arm::{Arm, JOINTS, Move};
 use crate::frame::Frame;
 use crate::observation::Observation;
-use crate::policy::Policy;
+use tpg_runtime::policy::Policy;
 
 /// A feature of 1 as an integer.
 pub const FEATURE_ONE: f32 = 4096.0;

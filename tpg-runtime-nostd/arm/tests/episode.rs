@@ -2,11 +2,11 @@
 
 use proptest::prelude::*;
 use std::cell::Cell;
-use tpg_runtime::arm::{Collision, Invalid, JOINTS, Joint, Move, Pose, WIDOWX};
-use tpg_runtime::cycle::{Brent, CycleDetector, Visited};
-use tpg_runtime::episode::{Episode, Outcome, Problem, Summary};
-use tpg_runtime::kinematics;
-use tpg_runtime::observation::Observation;
+use tpg_arm::cycle::{Brent, CycleDetector, Visited};
+use tpg_arm::episode::{Episode, Outcome, Problem, Summary};
+use tpg_arm::kinematics;
+use tpg_arm::observation::Observation;
+use tpg_arm::{Collision, Invalid, JOINTS, Joint, Move, Pose, WIDOWX};
 use tpg_runtime::policy::Policy;
 
 /// Does what it is told, move by move, and then stops.

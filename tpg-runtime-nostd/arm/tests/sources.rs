@@ -1,9 +1,9 @@
 //! The data sources of a graph: their values, and the ranges that `graph.json` declares for them.
 
-use tpg_runtime::arm::{Arm, Invalid, JOINTS, Pose, WIDOWX};
-use tpg_runtime::kinematics::{self, Lattice, Plane};
-use tpg_runtime::observation::shield::{ALLOWED, SHIELDED, STEP, action};
-use tpg_runtime::observation::{Observation, Reach, Source, TargetMemo};
+use tpg_arm::kinematics::{self, Lattice, Plane};
+use tpg_arm::observation::shield::{ALLOWED, SHIELDED, STEP, action};
+use tpg_arm::observation::{Observation, Reach, Source, TargetMemo};
+use tpg_arm::{Arm, Invalid, JOINTS, Pose, WIDOWX};
 
 const ARM_F32: Arm<f32> = WIDOWX.to_f32();
 

@@ -2,14 +2,12 @@
 
 use proptest::prelude::*;
 use std::cell::Cell;
-use tpg_runtime::arm::{Invalid, Joint, Move, Pose, WIDOWX};
-use tpg_runtime::cycle::{Brent, CycleDetector, Visited};
-use tpg_runtime::episode::{Episode, Outcome, Problem};
-use tpg_runtime::hybrid::{
-    Cause, Chosen, Driver, Guard, Hybrid, HybridEpisode, HybridSummary, NEVER, Settings, Switch,
-};
-use tpg_runtime::kinematics;
-use tpg_runtime::observation::Observation;
+use tpg_arm::cycle::{Brent, CycleDetector, Visited};
+use tpg_arm::episode::{Episode, Outcome, Problem};
+use tpg_arm::hybrid::{Cause, Chosen, Driver, Guard, Hybrid, HybridEpisode, HybridSummary, NEVER, Settings, Switch};
+use tpg_arm::kinematics;
+use tpg_arm::observation::Observation;
+use tpg_arm::{Invalid, Joint, Move, Pose, WIDOWX};
 use tpg_runtime::policy::Policy;
 
 /// Does what it is told, move by move, and then stops.

@@ -15,10 +15,10 @@
 //! On a real arm there is no [`HybridEpisode`]: the control loop asks and tells the [`Switch`] itself.
 //!
 //! ```
-//! use tpg_runtime::arm::{Joint, Move, WIDOWX};
-//! use tpg_runtime::cycle::Brent;
-//! use tpg_runtime::hybrid::{Driver, Guard, Hybrid, Settings, Switch};
-//! use tpg_runtime::observation::Observation;
+//! use tpg_arm::{Joint, Move, WIDOWX};
+//! use tpg_arm::cycle::Brent;
+//! use tpg_arm::hybrid::{Driver, Guard, Hybrid, Settings, Switch};
+//! use tpg_arm::observation::Observation;
 //! use tpg_runtime::policy::Policy;
 //!
 //! struct Always(Move);
@@ -58,8 +58,8 @@ use crate::arm::{Arm, Invalid, Move, Pose};
 use crate::cycle::CycleDetector;
 use crate::kinematics::Lattice;
 use crate::observation::Observation;
-use crate::policy::Policy;
 use part::valid_part;
+use tpg_runtime::policy::Policy;
 
 /// For [`Settings::hand_back_after`]: the network keeps the arm until the episode ends.
 pub const NEVER: u32 = u32::MAX;

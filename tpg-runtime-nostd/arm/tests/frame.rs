@@ -1,10 +1,10 @@
 //! The derived quantities against independent computations: finite differences, sampling, the world frame.
 
 use proptest::prelude::*;
-use tpg_runtime::arm::{Arm, BaseEdge, Joint, Pose, WIDOWX};
-use tpg_runtime::frame::{Clearance, Frame};
-use tpg_runtime::kinematics::{self, Plane, Point};
-use tpg_runtime::observation::Observation;
+use tpg_arm::frame::{Clearance, Frame};
+use tpg_arm::kinematics::{self, Plane, Point};
+use tpg_arm::observation::Observation;
+use tpg_arm::{Arm, BaseEdge, Joint, Pose, WIDOWX};
 
 fn poses() -> impl Strategy<Value = Pose> {
     (2i16..=4094, 1025i16..=3071, 1025i16..=3071, 1025i16..=3071).prop_map(|(a, b, c, d)| Pose([a, b, c, d]))
@@ -134,7 +134,7 @@ fn clearance_falls_to_nothing_before_the_arm_hits_its_base() {
             };
             let Some(wrist) = (1026i16..3071).find(|&wrist| free(wrist) && !free(wrist - 1)) else { continue };
             let hit = Plane::at(&WIDOWX, Pose([2048, shoulder, elbow, wrist - 1])).collision(&WIDOWX.shapes);
-            if hit == Some(tpg_runtime::arm::Collision::Base) {
+            if hit == Some(tpg_arm::Collision::Base) {
                 touched += 1;
                 let clearance = WIDOWX.clearance(Pose([2048, shoulder, elbow, wrist])).hand;
                 assert!(clearance < 0.5, "{clearance} mm left at {shoulder} {elbow} {wrist}");

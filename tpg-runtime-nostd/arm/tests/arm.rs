@@ -1,8 +1,8 @@
 //! The rule of one step, and the collision test at places worked out by hand.
 
 use proptest::prelude::*;
-use tpg_runtime::arm::{Arm, BaseEdge, Collision, Invalid, JOINTS, Joint, Move, Pose, Shapes, Step, WIDOWX};
-use tpg_runtime::kinematics::{Direction, Lattice, Plane, Point};
+use tpg_arm::kinematics::{Direction, Lattice, Plane, Point};
+use tpg_arm::{Arm, BaseEdge, Collision, Invalid, JOINTS, Joint, Move, Pose, Shapes, Step, WIDOWX};
 
 fn step(pose: [i16; JOINTS], wanted: [i8; JOINTS]) -> Step {
     WIDOWX.step(Pose(pose), Move(wanted))

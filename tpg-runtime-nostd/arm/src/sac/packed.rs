@@ -21,8 +21,8 @@ use super::{Actions, FEATURE_NAMES, FEATURES, Mask, features};
 use crate::arm::{Arm, JOINTS, Move};
 use crate::frame::Frame;
 use crate::observation::Observation;
-use crate::policy::Policy;
 use tpg_kernels::{COLUMNS, Form, ROWS};
+use tpg_runtime::policy::Policy;
 
 mod crc;
 mod pack;

@@ -8,7 +8,7 @@ use super::shield::STEP;
 use super::{Observation, Source};
 use crate::arm::{Arm, JOINTS, Move};
 use crate::kinematics::Lattice;
-use crate::policy::Policy;
+use tpg_runtime::policy::Policy;
 
 /// Moves all joints at once towards the target's stance, up to three ticks a step, and stops there.
 ///

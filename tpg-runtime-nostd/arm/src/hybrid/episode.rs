@@ -6,7 +6,7 @@ use crate::cycle::{Brent, CycleDetector};
 use crate::episode::{Course, Outcome, Problem, Summary};
 use crate::kinematics::Lattice;
 use crate::observation::Observation;
-use crate::policy::Policy;
+use tpg_runtime::policy::Policy;
 
 /// How a hybrid's episode ended, and who did what.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,19 +1,17 @@
-//! The arm as data: joints, links, limits and collision shapes, and the rule of one step.
+//! The arm as data: joints, links, limits and collision shapes; above them the collision test and the rule of one step.
 //!
 //! Everything else in the project is generic over an [`Arm`]; the paper's is [`WIDOWX`]. Positions are integers, in
 //! motor ticks of 1/4096 turn, so that a trajectory is a list of integers on every machine.
 
 mod collision;
 mod pose;
+mod step;
 mod widowx;
 
 pub use collision::Collision;
 pub use pose::{JOINTS, Joint, Move, Pose, TICKS_PER_TURN};
+pub use step::{Invalid, Step};
 pub use widowx::WIDOWX;
-
-use crate::kinematics::Lattice;
-use crate::kinematics::Plane;
-use crate::scalar::Scalar;
 
 /// The positions that a joint may take, both ends included.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -83,58 +81,6 @@ pub struct Arm<S> {
     pub links: Links<S>,
     /// Collision shapes.
     pub shapes: Shapes<S>,
-}
-
-/// Why an action was refused.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Invalid {
-    /// The joint would leave its range.
-    JointLimit(Joint),
-    /// The arm would collide.
-    Collision(Collision),
-}
-
-/// The result of trying a [`Move`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Step {
-    /// The pose afterwards.
-    pub pose: Pose,
-    /// Why the move, or a part of it, was refused.
-    pub invalid: Option<Invalid>,
-}
-
-impl<S: Lattice> Arm<S> {
-    /// Tries a move, by the rules of the paper's artifact (`ArmLearnWrapper.cpp`, `doActions`).
-    ///
-    /// A joint that would leave its range stays where it is, the others still move. If the arm then collides, the whole
-    /// move is taken back. Either makes the step invalid.
-    pub fn step(&self, pose: Pose, wanted: Move) -> Step {
-        self.step_with(pose, wanted, |moved| Plane::at(self, moved).collision(&self.shapes))
-    }
-}
-
-impl<S: Scalar> Arm<S> {
-    /// [`step`](Self::step) with another evaluation of the collision test.
-    ///
-    /// The conformance suite uses it: the recorded episodes come from the same rule in another arithmetic.
-    #[inline]
-    pub fn step_with(&self, pose: Pose, wanted: Move, collision: impl FnOnce(Pose) -> Option<Collision>) -> Step {
-        let mut moved = pose;
-        let mut invalid = None;
-        let joints = moved.0.iter_mut().zip(wanted.0).zip(&self.ranges);
-        for (index, ((ticks, delta), range)) in (0u8..).zip(joints) {
-            let to = ticks.saturating_add(i16::from(delta));
-            if range.contains(to) {
-                *ticks = to;
-            } else if invalid.is_none() {
-                invalid = Some(Invalid::JointLimit(Joint(index)));
-            }
-        }
-        match collision(moved) {
-            Some(collision) => Step { pose, invalid: Some(invalid.unwrap_or(Invalid::Collision(collision))) },
-            None => Step { pose: moved, invalid },
-        }
-    }
 }
 
 impl Arm<f64> {

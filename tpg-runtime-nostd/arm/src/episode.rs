@@ -9,7 +9,7 @@ use crate::cycle::CycleDetector;
 use crate::kinematics::Lattice;
 use crate::kinematics::Vector;
 use crate::observation::Observation;
-use crate::policy::Policy;
+use tpg_runtime::policy::Policy;
 
 /// What is asked of the arm.
 #[derive(Clone, Copy, Debug, PartialEq)]

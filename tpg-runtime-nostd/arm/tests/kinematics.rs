@@ -2,8 +2,8 @@
 
 use proptest::prelude::*;
 use std::f64::consts::PI;
-use tpg_runtime::arm::{Arm, JOINTS, Joint, Pose, TICKS_PER_TURN, WIDOWX};
-use tpg_runtime::kinematics::{self, Angle, Direction, Lattice, Plane};
+use tpg_arm::kinematics::{self, Angle, Direction, Lattice, Plane};
+use tpg_arm::{Arm, JOINTS, Joint, Pose, TICKS_PER_TURN, WIDOWX};
 
 /// The whole turn, a turn below it and a turn above.
 const POSITIONS: std::ops::Range<i32> = -TICKS_PER_TURN..2 * TICKS_PER_TURN;

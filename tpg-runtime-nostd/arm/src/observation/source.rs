@@ -88,8 +88,15 @@ impl Source {
     }
 
     /// The source of that [`name`](Self::name).
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|source| source.name() == name)
+    pub const fn from_name(name: &str) -> Option<Self> {
+        let mut place = 0;
+        while place < Self::ALL.len() {
+            if same(Self::ALL[place].name().as_bytes(), name.as_bytes()) {
+                return Some(Self::ALL[place]);
+            }
+            place += 1;
+        }
+        None
     }
 
     /// How many values it has.
@@ -116,5 +123,14 @@ impl Source {
             Self::ReachExcess => "ticks, ticks, mm",
             Self::Wrist => "mm, ticks",
         }
+    }
+}
+
+/// Whether both are the same bytes: `==` for constants.
+const fn same(a: &[u8], b: &[u8]) -> bool {
+    match (a.split_first(), b.split_first()) {
+        (Some((first, rest)), Some((other, others))) => *first == *other && same(rest, others),
+        (None, None) => true,
+        _ => false,
     }
 }

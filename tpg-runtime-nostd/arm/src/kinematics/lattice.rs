@@ -1,7 +1,7 @@
 //! What kinematics needs of a scalar beyond arithmetic.
 
 use super::Direction;
-use crate::scalar::Scalar;
+use tpg_runtime::scalar::Scalar;
 
 /// A scalar that also knows the directions of angles: by table on the motor lattice, by libm anywhere.
 pub trait Lattice: Scalar {

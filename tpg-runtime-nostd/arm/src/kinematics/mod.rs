@@ -22,7 +22,7 @@ mod lattice;
 pub use lattice::Lattice;
 
 use crate::arm::{Arm, Joint, Pose, TICKS_PER_TURN};
-use crate::scalar::Scalar;
+use tpg_runtime::scalar::Scalar;
 
 /// A point or vector in the world, mm: x, y in the table, z upwards.
 pub type Vector<S> = [S; 3];

@@ -5,7 +5,7 @@
 
 use super::{BaseEdge, Shapes};
 use crate::kinematics::{Direction, Plane, Point};
-use crate::scalar::Scalar;
+use tpg_runtime::scalar::Scalar;
 
 /// What the arm hits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -30,7 +30,7 @@ pub use clearance::Clearance;
 
 use crate::arm::{Arm, Joint, Pose};
 use crate::kinematics::{self, Direction, Lattice, Plane, Point, Vector};
-use crate::observation::Observation;
+use crate::observation::seen::Observation;
 
 /// The arm and its target, seen in the frame that turns with the base.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,6 +4,7 @@ pub mod derived;
 mod memo;
 mod range;
 mod reach;
+pub(crate) mod seen;
 pub mod shield;
 mod source;
 mod stance;
@@ -12,48 +13,15 @@ mod straight;
 pub use derived::Aim;
 pub use memo::TargetMemo;
 pub use reach::{Reach, ReachErrors, ReachTarget};
+pub use seen::Observation;
 pub use source::Source;
 pub use stance::Stance;
 pub use straight::Straight;
 
-use crate::arm::{Arm, Move, Pose};
+use crate::arm::{Arm, Move};
 use crate::frame::Frame;
 use crate::kinematics::Lattice;
-use crate::kinematics::{self, Vector};
-use crate::policy::{ActionId, Policy};
-
-/// The paper's 13 values: four motor positions, and hand, target and their difference in mm (section 4.2).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Observation<S> {
-    /// Motor positions, ticks.
-    pub pose: Pose,
-    /// Positions of the servos that never move, ticks.
-    pub fixed_servos: [i16; 2],
-    /// The hand's tip, mm.
-    pub hand: Vector<S>,
-    /// The target, mm.
-    pub target: Vector<S>,
-    /// Target − hand, mm. (The paper prints hand − target; its artifact computed this.)
-    pub difference: Vector<S>,
-}
-
-impl<S: Lattice> Observation<S> {
-    /// From a pose and a hand that was computed already.
-    pub fn new(arm: &Arm<S>, pose: Pose, hand: Vector<S>, target: Vector<S>) -> Self {
-        let difference = kinematics::difference(target, hand);
-        Self { pose, fixed_servos: arm.fixed_servos, hand, target, difference }
-    }
-
-    /// Hand to target, mm.
-    pub fn distance(&self) -> S {
-        kinematics::distance(self.target, self.hand)
-    }
-
-    /// What is seen at a pose.
-    pub fn at(arm: &Arm<S>, pose: Pose, target: Vector<S>) -> Self {
-        Self::new(arm, pose, kinematics::hand(arm, pose), target)
-    }
-}
+use tpg_runtime::policy::{ActionId, Policy};
 
 /// What several sources are made of: computed once, when the first of them asks.
 struct Parts<'a, S: Copy> {

@@ -1,0 +1,114 @@
+//! Effects: numbers that an action carries for the problem it belongs to.
+
+use schemars::{JsonSchema, Schema, SchemaGenerator};
+use serde::{Deserialize, Serialize, Serializer};
+use std::borrow::Cow;
+
+/// A named list of numbers that an action carries. Their meaning is the problem's: changes of motor
+/// positions, say, or a torque. To a graph they are opaque.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Effect {
+    /// Its name, by which a problem recognises it.
+    pub name: String,
+    /// Its numbers, finite; as many for every action of a graph that has an effect.
+    #[serde(serialize_with = "numbers")]
+    pub values: Vec<f64>,
+}
+
+impl Effect {
+    /// The name of the effect that `graph.json` writes as `"move": [3, 0, 0, 0]`.
+    pub const MOVE: &str = "move";
+
+    /// An effect of that name.
+    ///
+    /// ```
+    /// use tpg_graph::Effect;
+    ///
+    /// let raise = Effect::new("move", [0.0, 3.0, 0.0, 0.0]);
+    /// assert_eq!((raise.name.as_str(), raise.values.len()), ("move", 4));
+    /// ```
+    pub fn new(name: impl Into<String>, values: impl Into<Vec<f64>>) -> Self {
+        Self { name: name.into(), values: values.into() }
+    }
+}
+
+/// An action as `graph.json` writes it.
+#[derive(Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct WrittenAction {
+    /// Its place in the list, from 0.
+    id: u32,
+    /// What it is called.
+    name: String,
+    /// Short for the effect "move": changes of motor positions, say.
+    #[serde(rename = "move", default, skip_serializing_if = "Option::is_none")]
+    moves: Option<Numbers>,
+    /// Any other effect; at most one of `move` and `effect` is given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    effect: Option<Effect>,
+}
+
+/// Numbers, of which whole ones are written without a fraction.
+#[derive(Deserialize)]
+struct Numbers(Vec<f64>);
+
+impl Serialize for Numbers {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        numbers(&self.0, serializer)
+    }
+}
+
+impl JsonSchema for Numbers {
+    fn schema_name() -> Cow<'static, str> {
+        Vec::<f64>::schema_name()
+    }
+    fn inline_schema() -> bool {
+        true
+    }
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        Vec::<f64>::json_schema(generator)
+    }
+}
+
+fn numbers<S: Serializer>(values: &[f64], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(values.iter().map(|&value| Number(value)))
+}
+
+struct Number(f64);
+
+impl Serialize for Number {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        // Compared by its bits: −0 is not 0.
+        match self.0 as i32 {
+            whole if f64::from(whole).to_bits() == self.0.to_bits() => serializer.serialize_i32(whole),
+            _ => serializer.serialize_f64(self.0),
+        }
+    }
+}
+
+impl From<super::ActionDocument> for WrittenAction {
+    fn from(action: super::ActionDocument) -> Self {
+        let super::ActionDocument { id, name, effect } = action;
+        match effect {
+            Some(effect) if effect.name == Effect::MOVE => {
+                Self { id, name, moves: Some(Numbers(effect.values)), effect: None }
+            }
+            effect => Self { id, name, moves: None, effect },
+        }
+    }
+}
+
+impl TryFrom<WrittenAction> for super::ActionDocument {
+    type Error = &'static str;
+
+    fn try_from(written: WrittenAction) -> Result<Self, &'static str> {
+        let WrittenAction { id, name, moves, effect } = written;
+        let effect = match (moves, effect) {
+            (Some(_), Some(_)) => return Err("both \"move\" and \"effect\""),
+            (Some(Numbers(values)), None) => Some(Effect::new(Effect::MOVE, values)),
+            (None, effect) => effect,
+        };
+        Ok(Self { id, name, effect })
+    }
+}
