@@ -15,7 +15,7 @@ use tpg_paper::chain::Chain;
 use tpg_paper::episode::Rules;
 use tpg_paper::replay_command::Problem;
 use tpg_paper::{data, replay};
-use tpg_problems::arm::binding::Binding;
+use tpg_problems::arm::binding::{Binding, bind};
 use tpg_problems::arm::targets::{self, Start};
 
 /// States of a subject: enough that no branch predictor learns them by heart.
@@ -75,9 +75,7 @@ pub fn own() -> Vec<Subject> {
 }
 
 fn episodes<S: Lattice>(graph: &Graph, arm: &Arm<S>, tasks: &[targets::Task], start: Start) -> Vec<f64> {
-    let sources: Vec<Source> = (graph.sources().iter())
-        .map(|source| Source::from_name(&source.name).expect("a source of the observation"))
-        .collect();
+    let (sources, moves) = bind("graph.json", graph).unwrap_or_else(|error| panic!("{error}"));
     let mut state = vec![S::ZERO; graph.state_length()];
     let mut states = Vec::with_capacity(STATES * state.len());
     for task in tasks {
@@ -91,8 +89,7 @@ fn episodes<S: Lattice>(graph: &Graph, arm: &Arm<S>, tasks: &[targets::Task], st
             let flat: Vec<f64> = state.iter().map(|value| value.to_f64()).collect();
             let action = interpret::actions(graph, &flat)[0];
             states.extend(flat);
-            let wanted = graph.actions()[usize::from(action.0)].moves.expect("an action of the arm");
-            if episode.advance(wanted).is_some() {
+            if episode.advance(moves[usize::from(action.0)]).is_some() {
                 break;
             }
         }
