@@ -6,10 +6,11 @@ use tpg_arm::frame::Frame;
 use tpg_arm::observation::Observation;
 use tpg_arm::sac::features;
 use tpg_arm::sac::fixed::{FixedPolicy, quantise};
-use tpg_arm::sac::packed::{Kind, Model};
+use tpg_arm::sac::packed::Model;
 use tpg_arm::{Arm, Pose, WIDOWX};
 use tpg_codegen::policy::{QuantisedPolicy, to_words};
 use tpg_generated::widowx_sac::{DECISION, NETWORK};
+use tpg_runtime::net::Kind;
 use tpg_runtime::policy::Policy;
 use tpg_train::hybrid::setting::HybridFile;
 use tpg_train::random::{Purpose, Stream};
@@ -56,7 +57,7 @@ fn every_kind_answers_packed_as_its_file_for_a_million_observations_and_succeeds
         let features = quantise(&features(&Frame::at(&ARM, pose, target)));
         for (policy, model) in policies.iter().zip(&models) {
             let answer = model.preferences(&features, &mut scratch);
-            assert_eq!(answer, policy.preferences(&features), "{}, observation {number}", policy.kind);
+            assert_eq!(answer[..], policy.outputs(&features)[..], "{}, observation {number}", policy.kind);
         }
     }
 }
@@ -98,7 +99,7 @@ fn the_constants_answer_as_the_file_for_a_million_observations() {
         let pose = Pose(ARM.ranges.map(|range| random.between(range.min.into(), range.max.into()) as i16));
         let target: [f32; 3] = std::array::from_fn(|_| (random.unit() * 1000.0 - 400.0) as f32);
         let features = quantise(&features(&Frame::at(&ARM, pose, target)));
-        assert_eq!(NETWORK.preferences(&features), policy.preferences(&features), "observation {number}");
+        assert_eq!(NETWORK.preferences(&features)[..], policy.outputs(&features)[..], "observation {number}");
         if number % 100 == 0 {
             let seen = Observation::at(&ARM, pose, target);
             assert_eq!(constants.decide(&seen), actor.decide(&seen), "observation {number}");
