@@ -9,6 +9,7 @@
 //! | --- | --- |
 //! | [`policy`] | the [`Policy`](policy::Policy) trait that generated code implements |
 //! | [`ops`] | the instruction set, and sin, cos, ln, exp with the same bits everywhere |
+//! | [`net`] | networks in integers, of any shape |
 //! | [`scalar`] | `f32` and `f64` |
 //!
 //! # Features
@@ -22,9 +23,10 @@
 
 #![no_std]
 
-#[cfg(feature = "std")]
+#[cfg(any(feature = "std", test))]
 extern crate std;
 
+pub mod net;
 pub mod ops;
 pub mod policy;
 pub mod scalar;
