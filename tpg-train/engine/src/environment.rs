@@ -118,6 +118,12 @@ pub trait Environment<S: Scalar>: Sync {
         (0..count as u64).map(|index| self.draw(&mut Stream::new(0, 0, Purpose::Selection, index))).collect()
     }
 
+    /// Fresh tasks that show where a policy under training fails, under the rules that it is judged by: by default drawn as
+    /// those that train.
+    fn trial_tasks(&self, stream: &mut Stream, count: usize) -> Vec<Self::Task> {
+        (0..count).map(|_| self.draw(stream)).collect()
+    }
+
     /// A task that begins where an episode is now; `None`, the default, where the problem has no such task.
     ///
     /// With it, training can begin again where a policy failed.
@@ -202,6 +208,9 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for &E {
     }
     fn validation_tasks(&self, count: usize) -> Vec<Self::Task> {
         E::validation_tasks(self, count)
+    }
+    fn trial_tasks(&self, stream: &mut Stream, count: usize) -> Vec<Self::Task> {
+        E::trial_tasks(self, stream, count)
     }
     fn task_from(&self, episode: &Self::Episode) -> Option<Self::Task> {
         E::task_from(self, episode)

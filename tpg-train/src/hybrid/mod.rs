@@ -6,7 +6,7 @@
 //! | --- | --- |
 //! | [`setting`] | the parameters, and `hybrid.toml` |
 //! | [`graph`] | a graph as a policy of the arm |
-//! | [`actor`] | an actor from its file |
+//! | [`narrowed`] | an actor for an arm in any precision |
 //! | [`trial`] | a hybrid on many tasks |
 //! | [`study`] | every pair under every setting |
 //! | [`cost`] | what a decision costs |
@@ -14,11 +14,11 @@
 //! | [`report`] | the study as a page |
 //! | [`command`] | `tpg-train hybrid` |
 
-pub mod actor;
 pub mod choice;
 pub mod command;
 pub mod cost;
 pub mod graph;
+pub mod narrowed;
 pub mod report;
 pub mod setting;
 pub mod study;

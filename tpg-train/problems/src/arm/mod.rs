@@ -6,6 +6,7 @@
 //! | [`binding`] | a graph's sources and actions in terms of the arm |
 //! | [`config`] | the arm's section of a configuration |
 //! | [`shield`] | actions that a graph cannot choose |
+//! | [`motors`] | the arm by its four motors, for policies with outputs |
 //! | [`description`] | an arm as a section of a configuration |
 //! | [`targets`] | tasks over the reachable space |
 //! | [`ik`] | poses that solve a task, by inverse kinematics |
@@ -17,6 +18,7 @@ pub mod config;
 pub mod description;
 pub mod environment;
 pub mod ik;
+pub mod motors;
 pub mod planner;
 pub mod shield;
 pub mod targets;
