@@ -77,10 +77,9 @@ impl Network {
                 actor.1.inputs.iter().map(|input| input.name.as_str()).collect(),
                 actor.1.outputs.iter().map(|output| output.name.as_str()).collect(),
             ),
-            Self::Fixed(policy) => (
-                policy.inputs.iter().map(|input| input.name.as_str()).collect(),
-                names(&policy.output),
-            ),
+            Self::Fixed(policy) => {
+                (policy.inputs.iter().map(|input| input.name.as_str()).collect(), names(&policy.output))
+            }
         };
         let wanted: Vec<&str> = expected.inputs.iter().map(|input| input.name.as_str()).collect();
         if inputs != wanted {
