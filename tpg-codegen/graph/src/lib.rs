@@ -22,6 +22,7 @@
 //! | [`interpret`] | the reference interpreter |
 //! | [`in_arithmetic_of`] | calls a generic function in the arithmetic that a graph names |
 //! | [`conversion`] | a graph in another scalar type, and how often it still takes the same action |
+//! | [`dataflow`] | liveness of lines, order of teams |
 //! | [`engine`] | anything that decides like a graph |
 //! | [`states`], [`trace`], [`sample`] | drawn states, recorded states, random graphs |
 //! | [`command`] | exit statuses of command-line programs |
@@ -31,6 +32,7 @@
 mod arithmetic;
 pub mod command;
 pub mod conversion;
+pub mod dataflow;
 pub mod engine;
 pub mod error;
 pub mod export;

@@ -48,7 +48,7 @@ pub use episodes::Episodes;
 pub use evaluator::{Answer, EvaluationError, Evaluator, LocalThreads, UnitKey, Visit, Work, WorkUnit};
 pub use history::{History, Repeat};
 pub use lanes::Lanes;
-pub use nodes::{Arena, Node, NodeId, effective};
+pub use nodes::{Arena, Node, NodeId};
 pub use one_by_one::OneByOne;
 pub use options::Options;
 pub use plan::Plan;

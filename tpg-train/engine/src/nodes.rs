@@ -7,6 +7,7 @@
 use crate::policy::{Line, Operand};
 use std::collections::HashMap;
 use std::marker::PhantomData;
+use tpg_graph::dataflow::{Assignment, effective};
 use tpg_runtime::ops::{Instruction, Maths};
 use tpg_runtime::scalar::Scalar;
 
@@ -71,7 +72,7 @@ impl<S: Scalar, M: Maths<S>> Arena<S, M> {
     pub fn program(&mut self, registers: u16, lines: &[Line]) -> NodeId {
         let zero = self.constant(S::ZERO);
         let mut at = vec![zero; usize::from(registers)];
-        for (line, _) in lines.iter().zip(effective(registers, lines)).filter(|(_, effective)| *effective) {
+        for (line, _) in lines.iter().zip(effective(registers.into(), lines)).filter(|(_, effective)| *effective) {
             let operands = line.operands.map(|operand| match operand {
                 Operand::Register(register) => at[usize::from(register)],
                 Operand::Input(input) => self.node(Node::Input(input)),
@@ -167,30 +168,24 @@ impl NodeSet {
     }
 }
 
-/// Which lines can change register 0: liveness, backwards from the end.
-pub fn effective(registers: u16, lines: &[Line]) -> Vec<bool> {
-    let mut live = vec![false; usize::from(registers)];
-    live[0] = true;
-    let mut effective = vec![false; lines.len()];
-    for (index, line) in lines.iter().enumerate().rev() {
-        let to = usize::from(line.to);
-        if live[to] {
-            live[to] = false;
-            effective[index] = true;
-            for operand in line.operands.iter().take(line.instruction.arity()) {
-                if let Operand::Register(register) = operand {
-                    live[usize::from(*register)] = true;
-                }
-            }
-        }
+impl Assignment for Line {
+    fn writes(&self) -> usize {
+        self.to.into()
     }
-    effective
+
+    fn reads(&self) -> impl Iterator<Item = usize> {
+        self.operands.iter().take(self.instruction.arity()).filter_map(|operand| match operand {
+            Operand::Register(register) => Some(usize::from(*register)),
+            Operand::Input(_) | Operand::Constant(_) => None,
+        })
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Arena, Node, effective};
+    use super::{Arena, Node};
     use crate::policy::{Line, Operand};
+    use tpg_graph::dataflow::effective;
     use tpg_runtime::ops::{Instruction, Own};
 
     fn line(to: u16, instruction: Instruction, a: Operand, b: Operand) -> Line {

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use tpg_graph::Graph;
+use tpg_graph::dataflow::depth_first;
 use tpg_runtime::ops::Instruction;
 
 /// Where an instruction reads.
@@ -70,13 +71,13 @@ impl Policy {
         let order = topological(root, &teams);
         let mut place = vec![u32::MAX; teams.len()];
         for (new, &old) in (0u32..).zip(&order) {
-            place[old as usize] = new;
+            place[old] = new;
         }
         let renumbered = |edge: &Edge| match edge.to {
             Destination::Team(team) => Edge { to: Destination::Team(place[team as usize]), ..*edge },
             Destination::Action(_) => *edge,
         };
-        let teams = order.iter().map(|&old| teams[old as usize].iter().map(renumbered).collect()).collect();
+        let teams = order.iter().map(|&old| teams[old].iter().map(renumbered).collect()).collect();
         Self { registers, teams, programs }
     }
 }
@@ -140,39 +141,15 @@ impl From<&Graph> for Policy {
     }
 }
 
-/// Teams that the root reaches, each before those it leads to; depth first with a stack of its own.
-fn topological(root: u32, teams: &[Vec<Edge>]) -> Vec<u32> {
-    #[derive(Clone, Copy, PartialEq)]
-    enum Mark {
-        New,
-        Open,
-        Done,
-    }
-    let mut marks = vec![Mark::New; teams.len()];
-    let mut finished = Vec::new();
-    let mut path = vec![(root, 0)];
-    marks[root as usize] = Mark::Open;
-    while let Some((team, next)) = path.last_mut() {
-        match teams[*team as usize].get(*next) {
-            None => {
-                marks[*team as usize] = Mark::Done;
-                finished.push(*team);
-                path.pop();
-            }
-            Some(edge) => {
-                *next += 1;
-                if let Destination::Team(to) = edge.to {
-                    assert!(marks[to as usize] != Mark::Open, "a cycle through team {to}");
-                    if marks[to as usize] == Mark::New {
-                        marks[to as usize] = Mark::Open;
-                        path.push((to, 0));
-                    }
-                }
-            }
-        }
-    }
-    finished.reverse();
-    finished
+/// The teams that the root reaches, each before those it leads to.
+fn topological(root: u32, teams: &[Vec<Edge>]) -> Vec<usize> {
+    let edge = |team: usize, place: usize| {
+        teams[team].get(place).map(|edge| match edge.to {
+            Destination::Team(to) => Some(to as usize),
+            Destination::Action(_) => None,
+        })
+    };
+    depth_first(teams.len(), [root as usize], edge).unwrap_or_else(|cycle| panic!("a cycle of teams: {cycle:?}"))
 }
 
 /// Instructions are written by name, as in `graph.json`.

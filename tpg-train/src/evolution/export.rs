@@ -2,7 +2,8 @@
 
 use super::vocabulary::Vocabulary;
 use std::collections::BTreeMap;
-use tpg_engine::{ActionSpace, Destination, Operand, Policy, effective};
+use tpg_engine::{ActionSpace, Destination, Operand, Policy};
+use tpg_graph::dataflow::effective;
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::{
     Document, EdgeDocument, FORMAT, Graph, LineDocument, MathsProvider, OperandDocument, ProgramDocument, Provenance,
@@ -90,7 +91,7 @@ fn lines(policy: &Policy, program: u32, names: &[String]) -> Vec<LineDocument> {
         Operand::Input(input) => OperandDocument::Place(names[usize::from(input)].clone()),
         Operand::Constant(value) => OperandDocument::Constant(value),
     };
-    (lines.iter().zip(effective(policy.registers, lines)))
+    (lines.iter().zip(effective(policy.registers.into(), lines)))
         .filter(|(_, effective)| *effective)
         .map(|(line, _)| LineDocument {
             to: u32::from(line.to),

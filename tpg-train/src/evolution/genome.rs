@@ -3,7 +3,8 @@
 use super::vocabulary::{Gene, InstructionIndex, OPERANDS, Vocabulary};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
-use tpg_engine::{self, Line, Policy, effective};
+use tpg_engine::{self, Line, Policy};
+use tpg_graph::dataflow::effective;
 
 /// A team's number. Numbers only grow: none is ever given twice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -72,7 +73,7 @@ impl Program {
     /// What GEGELATI's `Program::hasIdenticalBehavior` compares: the effective lines, without what they do not read.
     pub fn behaviour(&self, vocabulary: &Vocabulary) -> Vec<Line> {
         let lines = self.lines(vocabulary);
-        let effective = effective(vocabulary.registers(), &lines);
+        let effective = effective(vocabulary.registers().into(), &lines);
         let kept = lines.into_iter().zip(effective).filter(|(_, effective)| *effective);
         kept.map(|(line, _)| {
             let [a, b] = line.operands;

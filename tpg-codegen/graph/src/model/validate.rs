@@ -8,6 +8,7 @@ use super::{
     Action, ActionId, Destination, Edge, Effect, Graph, Input, Line, Operand, Program, ProgramId, Range, Reg, Source,
     Team, TeamId, name,
 };
+use crate::dataflow::{Cycle, depth_first};
 use crate::error::{InputError, Place, counted, serde_message};
 use std::collections::BTreeMap;
 use tpg_runtime::ops::Instruction;
@@ -412,48 +413,20 @@ impl Validator<'_> {
         }
     }
 
-    /// Depth-first search with its own stack: a graph may be deeper than the machine's.
+    /// No team may lead back to itself.
     fn acyclic(&self, teams: &[Team]) -> Result<(), InputError> {
-        #[derive(Clone, Copy, PartialEq)]
-        enum Mark {
-            New,
-            Open,
-            Done,
-        }
-        let mut marks = vec![Mark::New; teams.len()];
-        for start in 0..teams.len() {
-            if marks[start] != Mark::New {
-                continue;
-            }
-            marks[start] = Mark::Open;
-            let mut path = vec![(start, 0)];
-            while let Some((team, next)) = path.last_mut() {
-                let Some(edge) = teams[*team].edges.get(*next) else {
-                    marks[*team] = Mark::Done;
-                    path.pop();
-                    continue;
-                };
-                let place = format!("$.teams[{team}].edges[{next}]");
-                *next += 1;
-                let Destination::Team(to) = edge.to else { continue };
-                match marks[to.index()] {
-                    Mark::Done => {}
-                    Mark::New => {
-                        marks[to.index()] = Mark::Open;
-                        path.push((to.index(), 0));
-                    }
-                    Mark::Open => {
-                        let from = path.iter().position(|&(team, _)| team == to.index()).unwrap_or(0);
-                        let cycle: Vec<String> = (path[from..].iter().map(|&(team, _)| team).chain([to.index()]))
-                            .map(|team| teams[team].label.to_string())
-                            .collect();
-                        let found = format!("a cycle: team {}", cycle.join(" → "));
-                        return Err(self.error(place, found, "edges that never lead back"));
-                    }
-                }
-            }
-        }
-        Ok(())
+        let edge = |team: usize, place: usize| {
+            teams[team].edges.get(place).map(|edge| match edge.to {
+                Destination::Team(to) => Some(to.index()),
+                Destination::Action(_) => None,
+            })
+        };
+        depth_first(teams.len(), 0..teams.len(), edge).map(drop).map_err(|Cycle { nodes, closed_by: (team, place) }| {
+            let names: Vec<String> =
+                nodes.iter().chain(nodes.first()).map(|&team| teams[team].label.to_string()).collect();
+            let found = format!("a cycle: team {}", names.join(" → "));
+            self.error(format!("$.teams[{team}].edges[{place}]"), found, "edges that never lead back")
+        })
     }
 
     fn programs(&self, names: &Names<'_>) -> Result<Vec<Program>, InputError> {
