@@ -13,7 +13,7 @@ use tpg_graph::interpret;
 use tpg_graph::{Graph, ScalarType};
 use tpg_paper::chain::Chain;
 use tpg_paper::episode::Rules;
-use tpg_paper::replay_command::Problem;
+use tpg_paper::limits::max_actions;
 use tpg_paper::{data, replay};
 use tpg_problems::arm::binding::{Binding, bind};
 use tpg_problems::arm::targets::{self, Start};
@@ -130,8 +130,8 @@ pub fn conformance(limit: usize) -> Vec<Subject> {
 fn recorded(folder: &Path, path: &Path) -> Subject {
     let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
     let (problem, targets) = match name.split('_').next() {
-        Some("rs") => (Problem::Rs, "targets_rs.csv"),
-        _ => (Problem::Fs, "targets_fs.csv"),
+        Some("rs") => (Start::Rs, "targets_rs.csv"),
+        _ => (Start::Fs, "targets_fs.csv"),
     };
     let tolerance = if name.contains("range0.03") { 0.03 } else { 3.0 };
     let read = || -> Result<_, tpg_graph::error::InputError> {
@@ -144,7 +144,7 @@ fn recorded(folder: &Path, path: &Path) -> Subject {
     };
     let (graph, tasks, ends, binding) = read().unwrap_or_else(|error| panic!("{error}"));
     let chain = Chain::new(WIDOWX);
-    let rules = Rules { max_actions: problem.max_actions(), tolerance };
+    let rules = Rules { max_actions: max_actions(problem), tolerance };
     let done = replay::run(&chain, rules, &tasks, &binding, &mut Reference::new(&graph))
         .unwrap_or_else(|error| panic!("{name}: {error}"));
     let comparison = replay::compare_ends(&ends, &done);

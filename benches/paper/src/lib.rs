@@ -16,6 +16,7 @@
 //! | [`actor`] | a recorded actor: its file, its answers |
 //! | [`hybrid`] | the recorded graphs and actors together |
 //! | [`torch_random`] | PyTorch's random numbers |
+//! | [`limits`] | action limits of the recorded episodes |
 //! | [`replay`] | all rows of a file in lockstep, compared with what was recorded |
 //! | [`fk`] | forward kinematics and collisions against recorded values, the runtime's fast paths too |
 //! | [`clearance`] | how near an arm is to changing its collision answer |
@@ -29,6 +30,7 @@ pub mod data;
 pub mod episode;
 pub mod fk;
 pub mod hybrid;
+pub mod limits;
 pub mod plane;
 pub mod replay;
 pub mod replay_command;

@@ -6,6 +6,7 @@ use super::data::{self, ByRow, Task};
 use super::episode::Rules;
 use super::replay::{self, Comparison, Done};
 use super::sac;
+use crate::limits::{max_actions, max_actor_actions};
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 use std::io::{self, Write};
@@ -19,6 +20,7 @@ use tpg_graph::command::{CommandError, Verdict};
 use tpg_graph::engine::{Engine, Reference};
 use tpg_graph::import;
 use tpg_problems::arm::binding::Binding;
+use tpg_problems::arm::targets::Start;
 
 /// Replay recorded episodes and count what is exact.
 #[derive(Clone, Debug, Args)]
@@ -43,7 +45,7 @@ pub struct ReplayArgs {
     sidecar: Option<PathBuf>,
     /// The recorded problem: it decides how many actions an episode may take
     #[arg(long, value_enum)]
-    problem: Problem,
+    problem: Start,
     /// The hand is at its target when it is nearer than this
     #[arg(long, value_name = "D", default_value_t = 3.0, value_parser = millimetres)]
     tolerance_mm: f64,
@@ -62,37 +64,6 @@ pub struct ReplayArgs {
     /// Print one JSON object
     #[arg(long)]
     json: bool,
-}
-
-/// A problem that the artifact recorded.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Problem {
-    /// Fixed start.
-    Fs,
-    /// Random start.
-    Rs,
-}
-
-impl Problem {
-    /// The actions that an episode of a TPG could take.
-    pub const fn max_actions(self) -> u32 {
-        match self {
-            // The paper says 1707; its artifact was run with 1710.
-            Self::Fs => 1710,
-            Self::Rs => 3414,
-        }
-    }
-}
-
-impl Problem {
-    /// The actions that an episode of an actor could take.
-    pub const fn max_actor_actions(self) -> u32 {
-        match self {
-            Self::Fs => 1000,
-            Self::Rs => 2000,
-        }
-    }
 }
 
 /// Who decides.
@@ -130,7 +101,7 @@ impl EngineArg {
 #[derive(Clone, Debug, Serialize)]
 struct Report {
     graph: String,
-    problem: Problem,
+    problem: Start,
     engine: String,
     comparisons: Vec<Comparison>,
 }
@@ -174,7 +145,7 @@ impl ReplayArgs {
         let graph = import::load(path, self.profile_of, self.sidecar.as_deref())?;
         let name = path.display().to_string();
         let binding = Binding::of(&name, &graph)?;
-        let rules = Rules { max_actions: self.problem.max_actions(), tolerance: self.tolerance_mm };
+        let rules = Rules { max_actions: max_actions(self.problem), tolerance: self.tolerance_mm };
         let mut engine = self.engine.start(path, &graph)?;
         let chain = Chain::new(WIDOWX);
         let done = replay::run(&chain, rules, tasks, &binding, engine.as_mut()).map_err(CommandError::other)?;
@@ -189,7 +160,7 @@ impl ReplayArgs {
     ) -> Result<(String, String, ByRow<Done>), CommandError> {
         let actor = RecordedActor::read(weights, layout)?;
         let rules = sac::Rules {
-            max_actions: self.problem.max_actor_actions(),
+            max_actions: max_actor_actions(self.problem),
             tolerance: self.tolerance_mm,
             end_at_collision: self.end_at_collision,
         };

@@ -8,9 +8,11 @@ use tpg_graph::import::{self, Profile};
 use tpg_paper::chain::Chain;
 use tpg_paper::episode::Rules;
 use tpg_paper::fk::{self, Exactness, Nearness};
-use tpg_paper::replay_command::{EngineArg, Problem};
+use tpg_paper::limits::max_actions;
+use tpg_paper::replay_command::EngineArg;
 use tpg_paper::{data, replay};
 use tpg_problems::arm::binding::Binding;
+use tpg_problems::arm::targets::Start;
 
 /// The hand's error bounds that `tpg_arm::kinematics` states, mm.
 const F64_BOUND: f64 = 5e-13;
@@ -22,7 +24,7 @@ struct Case {
     graph: String,
     /// What its recorded files begin with.
     recorded: String,
-    problem: Problem,
+    problem: Start,
     tolerance: f64,
     /// What comes after `recorded` in the name of its step trace.
     trace: Option<&'static str>,
@@ -31,7 +33,7 @@ struct Case {
 /// The policies of the paper's table 2, as trained and as pruned by the authors.
 fn final_policies() -> Vec<Case> {
     let mut cases = Vec::new();
-    for (problem, name) in [(Problem::Fs, "fs"), (Problem::Rs, "rs")] {
+    for (problem, name) in [(Start::Fs, "fs"), (Start::Rs, "rs")] {
         for seed in 0..5 {
             for suffix in ["", ".cleaned"] {
                 let recorded = format!("tpg/{name}_final_s{seed}");
@@ -56,7 +58,7 @@ fn traced_policies() -> Vec<Case> {
     let case = |(name, tolerance)| {
         let recorded = format!("tpg_traced/{name}");
         let trace = Some(".trace.csv.gz");
-        Case { graph: recorded.clone(), recorded, problem: Problem::Fs, tolerance, trace }
+        Case { graph: recorded.clone(), recorded, problem: Start::Fs, tolerance, trace }
     };
     names.into_iter().map(case).collect()
 }
@@ -76,15 +78,15 @@ fn replay_all(folder: &Path, cases: &[Case], engine: EngineArg) -> Totals {
     let mut differences = Vec::new();
     for case in cases {
         let targets = match case.problem {
-            Problem::Fs => "targets_fs.csv",
-            Problem::Rs => "targets_rs.csv",
+            Start::Fs => "targets_fs.csv",
+            Start::Rs => "targets_rs.csv",
         };
         let tasks = data::tasks(&folder.join(targets)).unwrap();
         let file = folder.join(format!("{}.dot", case.graph));
         let graph = import::load(&file, Some(Profile::Ecta24), None).unwrap();
         let binding = Binding::of(&case.graph, &graph).unwrap();
         let ends = data::ends(&folder.join(format!("{}.ends.csv", case.recorded)), &tasks).unwrap();
-        let rules = Rules { max_actions: case.problem.max_actions(), tolerance: case.tolerance };
+        let rules = Rules { max_actions: max_actions(case.problem), tolerance: case.tolerance };
         let mut engine = engine.start(&file, &graph).unwrap();
         let done = replay::run(&chain, rules, &tasks, &binding, engine.as_mut()).unwrap();
 

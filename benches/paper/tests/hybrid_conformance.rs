@@ -14,7 +14,8 @@ use tpg_paper::chain::Chain;
 use tpg_paper::data::{self, ByRow, HybridEnd, Task};
 use tpg_paper::episode::Rules;
 use tpg_paper::hybrid::{Determined, HybridDone, Sampled, determined, episode};
-use tpg_paper::replay_command::Problem;
+use tpg_paper::limits::max_actions;
+use tpg_problems::arm::targets::Start;
 use tpg_runtime::ops::System;
 use tpg_runtime::policy::Policy;
 use tpg_train::hybrid::graph::GraphPolicy;
@@ -31,7 +32,7 @@ struct Recorded {
 }
 
 impl Recorded {
-    fn read(folder: &Path, name: &str, problem: Problem) -> Self {
+    fn read(folder: &Path, name: &str, problem: Start) -> Self {
         let tasks = data::tasks(&folder.join(format!("targets_{name}.csv"))).expect("recorded targets");
         let ends = data::hybrid_ends(&folder.join(format!("hybrid_{name}.ends.csv.gz")), &tasks).expect("ends");
         let graph = |seed| {
@@ -47,7 +48,7 @@ impl Recorded {
             ends,
             graphs: (0..TPG_SEEDS).map(graph).collect(),
             actors: (0..SAC_SEEDS).map(actor).collect(),
-            rules: Rules { max_actions: problem.max_actions(), tolerance: 3.0 },
+            rules: Rules { max_actions: max_actions(problem), tolerance: 3.0 },
         }
     }
 
@@ -76,8 +77,7 @@ fn what_is_determined_comes_out_the_same() {
     let Some(folder) = support::folder("what_is_determined_comes_out_the_same") else { return };
     let chain = Chain::new(WIDOWX);
     // Rows of the graph alone, rows of one turn of the network, and all rows.
-    for (name, problem, counts) in
-        [("fs", Problem::Fs, (2_691, 1_400, 5_400)), ("rs", Problem::Rs, (1_980, 1_066, 6_300))]
+    for (name, problem, counts) in [("fs", Start::Fs, (2_691, 1_400, 5_400)), ("rs", Start::Rs, (1_980, 1_066, 6_300))]
     {
         let recorded = Recorded::read(&folder, name, problem);
         // Neither the actor nor the length of its turns matters before the first hand-over.
@@ -142,8 +142,8 @@ fn the_rest_agrees_within_its_statistics() {
     let chain = Chain::new(WIDOWX);
     // The paper's chosen cell and one with short turns; what may differ: mm, points; how often each episode is done.
     let cases = [
-        ("fs", Problem::Fs, [(20.0, 100), (10.0, 10)], (1.5, 2.0), 3),
-        ("rs", Problem::Rs, [(10.0, 100), (10.0, 10)], (3.0, 3.0), 1),
+        ("fs", Start::Fs, [(20.0, 100), (10.0, 10)], (1.5, 2.0), 3),
+        ("rs", Start::Rs, [(10.0, 100), (10.0, 10)], (3.0, 3.0), 1),
     ];
     for (name, problem, cells, (millimetres, points), times) in cases {
         let recorded = Recorded::read(&folder, name, problem);

@@ -12,6 +12,7 @@ use super::report;
 use super::setting::{Detector, HybridFile};
 use super::study::{Cell, Study, settings, to_csv};
 use crate::files::{make_folder, read_text, write_atomically};
+use crate::interrupt;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
@@ -19,8 +20,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+
 use tpg_arm::WIDOWX;
 use tpg_arm::hybrid::Guard;
 use tpg_graph::command::Verdict;
@@ -140,9 +140,7 @@ pub fn execute(args: &HybridArgs) -> Result<Verdict, InputError> {
         tasks: tasks(&WIDOWX, args.seed, Set::Validation, args.problem, args.episodes),
     };
     open_folder(args, &asked)?;
-    let stop = Arc::new(AtomicBool::new(false));
-    let asked_to_stop = Arc::clone(&stop);
-    let _ = ctrlc::set_handler(move || asked_to_stop.store(true, Ordering::Relaxed));
+    let stop = interrupt::watch();
     let pool = rayon::ThreadPoolBuilder::new().num_threads(args.threads).build();
     let pool = pool.map_err(|e| InputError::new("--threads", Place::Whole, e.to_string(), "threads that start"))?;
     let progress = ProgressBar::new(study.size() as u64);

@@ -7,7 +7,7 @@ use crate::chain::Chain;
 use crate::data::{self, ByRow, Task};
 use crate::episode::{EndState, Rules};
 use crate::hybrid::{HybridDone, Sampled, episode};
-use crate::replay_command::Problem;
+use crate::limits::{max_actions, max_actor_actions};
 use crate::sac;
 use rayon::prelude::*;
 use std::path::Path;
@@ -143,8 +143,8 @@ pub fn measured(
 ) -> Result<Option<Vec<Measured>>, InputError> {
     let Some(folder) = folder else { return Ok(None) };
     let (name, problem, setting) = match start {
-        Start::Fs => ("fs", Problem::Fs, Setting::PAPER_FS),
-        Start::Rs => ("rs", Problem::Rs, Setting::PAPER_RS),
+        Start::Fs => ("fs", Start::Fs, Setting::PAPER_FS),
+        Start::Rs => ("rs", Start::Rs, Setting::PAPER_RS),
     };
     let graph = |seed| import::load(&folder.join(format!("tpg/{name}_final_s{seed}.dot")), Some(Profile::Ecta24), None);
     let actor = |seed| {
@@ -156,10 +156,10 @@ pub fn measured(
         tasks: data::tasks(&folder.join(format!("targets_{name}.csv")))?,
         graphs: (0..TPG_SEEDS).map(graph).collect::<Result<_, _>>()?,
         actors: (0..SAC_SEEDS).map(actor).collect::<Result<_, _>>()?,
-        rules: Rules { max_actions: problem.max_actions(), tolerance: 3.0 },
+        rules: Rules { max_actions: max_actions(problem), tolerance: 3.0 },
     };
     let of_actors = |end_at_collision| {
-        let rules = sac::Rules { max_actions: problem.max_actor_actions(), tolerance: 3.0, end_at_collision };
+        let rules = sac::Rules { max_actions: max_actor_actions(problem), tolerance: 3.0, end_at_collision };
         let ends = |actor: &RecordedActor| {
             let done = sac::run(&recordings.chain, rules, &recordings.tasks, actor);
             done.into_values().map(|done| done.end).collect()
