@@ -1,6 +1,8 @@
 //! The command line: results on stdout, everything else on stderr.
 
+mod code;
 mod convert;
+mod flash;
 mod generate;
 mod policy;
 mod report;
@@ -60,7 +62,10 @@ pub enum CliError {
     /// The input is bad.
     #[error(transparent)]
     Input(#[from] InputError),
-    /// Something else: a missing compiler, a broken pipe.
+    /// A check failed before there was a result.
+    #[error("{0}")]
+    Failed(String),
+    /// Something else: a broken pipe.
     #[error("{0}")]
     Other(String),
 }
@@ -122,6 +127,10 @@ impl Cli {
         match result {
             Ok(Verdict::Good) => ExitCode::SUCCESS,
             Ok(Verdict::Failed) => ExitCode::from(1),
+            Err(CliError::Failed(reason)) => {
+                eprintln!("{reason}");
+                ExitCode::from(1)
+            }
             Err(error) => {
                 eprintln!("error: {error}");
                 ExitCode::from(2)

@@ -1,6 +1,6 @@
 //! Options that several commands share: the scalar type, and the states to measure over.
 
-use super::{CliError, GraphArgs, Verdict};
+use super::{CliError, GraphArgs};
 use clap::Args;
 use std::path::PathBuf;
 use tpg_graph::conversion::{self, Conversion};
@@ -56,24 +56,19 @@ pub(super) struct Chosen {
 }
 
 impl ScalarArgs {
-    /// Converts the graph where another type is asked for. `Err` of a verdict: too few actions agree, and that is said.
-    pub(super) fn choose(
-        &self,
-        args: &GraphArgs,
-        graph: Graph,
-        states: &StatesArgs,
-    ) -> Result<Result<Chosen, Verdict>, CliError> {
+    /// Converts the graph where another type is asked for, and refuses where too few actions agree.
+    pub(super) fn choose(&self, args: &GraphArgs, graph: Graph, states: &StatesArgs) -> Result<Chosen, CliError> {
         let Some(scalar) = self.scalar.filter(|&scalar| scalar != graph.scalar()) else {
-            return Ok(Ok(Chosen { graph, conversion: None }));
+            return Ok(Chosen { graph, conversion: None });
         };
         let file = args.graph.display().to_string();
         let (graph, conversion) = conversion::convert(&graph, scalar, &file, &states.load(&graph)?)?;
         let agreement = &conversion.agreement;
         if let Some(percent) = self.require_agreement.filter(|&percent| !agreement.reaches(percent)) {
-            eprintln!("refused: {file} in {}: {agreement}; --require-agreement {percent} %", scalar.name());
-            return Ok(Err(Verdict::Failed));
+            let refused = format!("refused: {file} in {}: {agreement}; --require-agreement {percent} %", scalar.name());
+            return Err(CliError::Failed(refused));
         }
-        Ok(Ok(Chosen { graph, conversion: Some(conversion) }))
+        Ok(Chosen { graph, conversion: Some(conversion) })
     }
 }
 

@@ -1,6 +1,6 @@
 //! What every generated file says of itself: where it comes from, never when or where it was made.
 
-use super::{Language, Options, Profile, Style};
+use super::{Language, Options, Style};
 use crate::ir::{Module, Node};
 use crate::passes::interval::Assumption;
 use tpg_graph::Graph;
@@ -36,8 +36,7 @@ pub(super) fn lines(graph: &Graph, module: &Module, options: &Options, language:
         ),
         format!("Computes in {} with {} maths.", graph.scalar().name(), graph.maths().name()),
     ];
-    let by_wins = options.style == Style::Pure && options.profile_in(language) == Profile::Fast;
-    if let Some(trace) = options.trace.as_ref().filter(|_| by_wins) {
+    if let Some(trace) = options.ordered_by(language) {
         lines.push("Looks first at the bids that win most often along".to_owned());
         lines.push(format!("{}.", trace.origin));
     }

@@ -24,6 +24,16 @@ pub enum Language {
     Rust,
 }
 
+impl Language {
+    /// The name for people.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::C => "C",
+            Self::Rust => "Rust",
+        }
+    }
+}
+
 /// The interface of the C that is emitted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 pub enum Style {
@@ -102,6 +112,13 @@ impl Options {
         self.profile.unwrap_or(Profile::default_of(language))
     }
 
+    /// The recorded states by which a language's code orders its bids.
+    pub(crate) fn ordered_by(&self, language: Language) -> Option<&StateSet> {
+        let is_fast = self.profile_in(language) == Profile::Fast;
+        let has_profile = language == Language::Rust || self.style == Style::Pure;
+        self.trace.as_ref().filter(|_| is_fast && has_profile)
+    }
+
     /// Flat states that were recorded; none where nothing was.
     pub(crate) fn recorded(&self) -> &[f64] {
         self.trace.as_ref().map_or(&[], |trace| &trace.states)
@@ -122,6 +139,45 @@ pub struct File {
     pub name: String,
     /// Its text.
     pub text: String,
+}
+
+/// Generated code, and what it was generated from: what is written is what is measured and proven.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Code<'g> {
+    /// The graph, in the scalar type that the code computes in.
+    pub graph: &'g Graph,
+    /// The language.
+    pub language: Language,
+    /// The options.
+    pub options: Options,
+    /// The text.
+    pub files: Vec<File>,
+}
+
+impl<'g> Code<'g> {
+    /// Generates code.
+    pub fn of(graph: &'g Graph, language: Language, options: &Options) -> Self {
+        Self { graph, language, options: options.clone(), files: emit(graph, language, options) }
+    }
+
+    /// The language, the shape, and the options that change what the code does: what a comparison is about.
+    pub fn name(&self) -> String {
+        let Self { graph, language, options, .. } = self;
+        let mut name = match (language, options.style) {
+            (Language::C, Style::Gegelati) => "C in GEGELATI's style".to_owned(),
+            (language, _) => format!("{}, {}", language.name(), options.profile_in(*language).name()),
+        };
+        if options.assumption == Assumption::DeclaredRanges {
+            name.push_str(", --assume-ranges");
+        }
+        if options.ordered_by(*language).is_some() {
+            name.push_str(", --trace");
+        }
+        if options.conversion.is_some() {
+            name = format!("{name}, --scalar {}", graph.scalar().name());
+        }
+        name
+    }
 }
 
 /// Emits a graph in one language. The same graph and options give the same bytes.

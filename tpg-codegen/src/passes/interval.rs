@@ -6,6 +6,7 @@
 
 use super::arithmetic::Arithmetic;
 use crate::ir::{Module, Node};
+use serde::Serialize;
 use tpg_graph::{Graph, ScalarType};
 use tpg_runtime::ops::Instruction;
 
@@ -21,7 +22,8 @@ pub struct Interval {
 }
 
 /// What is assumed of the inputs.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Assumption {
     /// Nothing: infinities and NaN, too.
     #[default]

@@ -3,7 +3,7 @@
 mod text;
 
 use crate::cost::{Cost, Costs};
-use crate::emit::{Language, Options, Profile, Style};
+use crate::emit::{Code, Language, Options, Profile, Style};
 use crate::ir::{Module, Node, effective_lines};
 use crate::passes::Removed;
 use crate::size::{self, RustForCortexM4, Size, Stack, Target};
@@ -215,8 +215,8 @@ fn dead_inputs(graph: &Graph, optimised: &Module) -> Vec<String> {
 
 fn size_of(graph: &Graph, options: &Options, target: Target, profile: Shape) -> ShapeSize {
     let options = profile.options(options);
-    let built =
-        size::build_c(graph, &options, target).and_then(|built| Ok((size::measure(&built.object)?, built.stack)));
+    let code = Code::of(graph, Language::C, &options);
+    let built = size::build_c(&code, target).and_then(|built| Ok((size::measure(&built.object)?, built.stack)));
     let none = ShapeSize {
         target,
         profile,

@@ -8,7 +8,7 @@ pub use estimate::flash as estimated_flash;
 pub use rust::RustForCortexM4;
 pub use stack::Stack;
 
-use crate::emit::{self, Language, Options, Style};
+use crate::emit::{Code, Language, Options, Style};
 use crate::verify;
 use object::{Object as _, ObjectSection as _, SectionKind};
 use serde::Serialize;
@@ -77,21 +77,21 @@ impl fmt::Display for Size {
 }
 
 /// Lines for people that say the size of the compiled C, for each target whose compiler is there.
-pub fn of_c(graph: &Graph, options: &Options) -> Vec<String> {
+pub fn of_c(code: &Code<'_>) -> Vec<String> {
     [Target::Host, Target::CortexM4]
-        .map(|target| match compile_c(graph, options, target).and_then(|object| measure(&object)) {
+        .map(|target| match build_c(code, target).and_then(|built| measure(&built.object)) {
             Ok(size) => format!("size on {} (-Os): {size}", target.name()),
             Err(error) => format!("size on {}: not available: {error}", target.name()),
         })
         .into()
 }
 
-/// Compiles the generated C for size, without its self-test, and returns the object file.
+/// Generates C and compiles it for size, without its self-test, and returns the object file.
 ///
 /// # Errors
 /// When the compiler is missing or refuses.
 pub fn compile_c(graph: &Graph, options: &Options, target: Target) -> io::Result<Vec<u8>> {
-    Ok(build_c(graph, options, target)?.object)
+    Ok(build_c(&Code::of(graph, Language::C, options), target)?.object)
 }
 
 /// Generated C, compiled.
@@ -103,13 +103,14 @@ pub struct Built {
     pub stack: Option<Stack>,
 }
 
-/// Compiles as [`compile_c`] does, and asks the compiler for the stack.
+/// Compiles generated C for size, without its self-test, and asks the compiler for the stack.
 ///
 /// # Errors
-/// As [`compile_c`].
-pub fn build_c(graph: &Graph, options: &Options, target: Target) -> io::Result<Built> {
+/// When the compiler is missing or refuses.
+pub fn build_c(code: &Code<'_>, target: Target) -> io::Result<Built> {
+    let Code { options, files, .. } = code;
     let folder = TempDir::new()?;
-    for file in emit::emit(graph, Language::C, options) {
+    for file in files {
         fs::write(folder.path().join(&file.name), &file.text)?;
     }
     let (mut command, writes_call_graph) = match target {

@@ -54,7 +54,7 @@ impl Workshop {
     pub fn batch(&self, language: Language, policies: &[(&Graph, Options)]) -> Result<Batch, BuildError> {
         let files: Vec<emit::File> =
             policies.iter().flat_map(|(graph, options)| emit::emit(graph, language, options)).collect();
-        let folder = self.room("batch", &files)?;
+        let folder = self.write("batch", &files)?;
         let views = policies.iter().map(|(graph, options)| view(graph, options, language)).collect();
         let program = folder.join("batch");
         match language {
@@ -74,8 +74,7 @@ impl Workshop {
                 compile("Rust", command)?;
             }
         }
-        let language = if language == Language::C { "C" } else { "Rust" };
-        Ok(Batch { program, language })
+        Ok(Batch { program, language: language.name() })
     }
 }
 

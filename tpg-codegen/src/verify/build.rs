@@ -1,7 +1,7 @@
 //! Compiles generated code into small programs that decide over a pipe.
 
 use super::Process;
-use crate::emit::{self, File, Language, Options, Style};
+use crate::emit::{Code, File, Language, Options, Style};
 use askama::Template;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -73,13 +73,37 @@ impl Workshop {
         Ok(Self { folder: TempDir::new()? })
     }
 
-    /// Emits and compiles C and starts the program.
+    /// Compiles generated code, the very text that it is given, and starts the program.
+    ///
+    /// # Errors
+    /// See [`BuildError`].
+    pub fn start(&self, code: &Code<'_>) -> Result<Process, BuildError> {
+        let program = match code.language {
+            Language::C => self.build_c(code)?,
+            Language::Rust => self.build_rust(code)?,
+        };
+        Ok(Process::start(&program, &code.name(), code.graph)?)
+    }
+
+    /// Generates C, compiles it and starts the program.
     ///
     /// # Errors
     /// See [`BuildError`].
     pub fn c(&self, graph: &Graph, options: &Options) -> Result<Process, BuildError> {
-        let files = emit::emit(graph, Language::C, options);
-        let folder = self.room("c", &files)?;
+        self.start(&Code::of(graph, Language::C, options))
+    }
+
+    /// Generates Rust, compiles it and starts the program.
+    ///
+    /// # Errors
+    /// See [`BuildError`].
+    pub fn rust(&self, graph: &Graph, options: &Options) -> Result<Process, BuildError> {
+        self.start(&Code::of(graph, Language::Rust, options))
+    }
+
+    fn build_c(&self, code: &Code<'_>) -> Result<PathBuf, BuildError> {
+        let Code { graph, options, files, .. } = code;
+        let folder = self.write("c", files)?;
         let prefix = options.prefix.lower();
         let harness = CHarness {
             prefix,
@@ -93,20 +117,12 @@ impl Workshop {
         let mut command = c_command(&folder)?;
         command.arg("-o").arg(&program).arg("harness.c").arg(format!("{prefix}.c")).arg("-lm");
         compile("C", command)?;
-        let name = match options.style {
-            Style::Gegelati => "C in GEGELATI's style".to_owned(),
-            Style::Pure => format!("C, {}", options.profile_in(Language::C).name()),
-        };
-        Ok(Process::start(&program, &name, graph)?)
+        Ok(program)
     }
 
-    /// Emits and compiles Rust and starts the program.
-    ///
-    /// # Errors
-    /// See [`BuildError`].
-    pub fn rust(&self, graph: &Graph, options: &Options) -> Result<Process, BuildError> {
-        let files = emit::emit(graph, Language::Rust, options);
-        let folder = self.room("rust", &files)?;
+    fn build_rust(&self, code: &Code<'_>) -> Result<PathBuf, BuildError> {
+        let Code { graph, options, files, .. } = code;
+        let folder = self.write("rust", files)?;
         runtime_library(&folder)?;
         let harness = RustHarness {
             module: options.prefix.lower(),
@@ -119,11 +135,11 @@ impl Workshop {
         let mut command = rustc(&folder);
         command.args(["--extern=tpg_runtime=libtpg_runtime.rlib", "harness.rs", "-o"]).arg(&program);
         compile("Rust", command)?;
-        let name = format!("Rust, {}", options.profile_in(Language::Rust).name());
-        Ok(Process::start(&program, &name, graph)?)
+        Ok(program)
     }
 
-    pub(super) fn room(&self, name: &str, files: &[File]) -> io::Result<PathBuf> {
+    /// Writes files to a new folder of the workshop.
+    pub(super) fn write(&self, name: &str, files: &[File]) -> io::Result<PathBuf> {
         let folder = tempfile::Builder::new().prefix(name).tempdir_in(self.folder.path())?.keep();
         for file in files {
             fs::write(folder.join(&file.name), &file.text)?;
