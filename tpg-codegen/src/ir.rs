@@ -97,8 +97,10 @@ pub struct Team {
 }
 
 /// A lowered graph.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Module {
+#[derive(Clone, Debug, PartialEq)]
+pub struct Module<'g> {
+    /// The graph: its scalar type and maths, its sources and actions stay what they are.
+    pub graph: &'g Graph,
     /// Every value once, operands before operations.
     pub nodes: Vec<Node>,
     /// The programs, in the order the teams first use them.
@@ -109,15 +111,33 @@ pub struct Module {
     pub depth: usize,
 }
 
-impl Module {
+impl<'g> Module<'g> {
     /// Lowers a graph.
-    pub fn lower(graph: &Graph) -> Self {
+    pub fn lower(graph: &'g Graph) -> Self {
         Lowering::new(graph).module()
+    }
+
+    #[cfg(test)]
+    pub(crate) fn empty(graph: &'g Graph) -> Self {
+        Self { graph, nodes: Vec::new(), bidders: Vec::new(), teams: Vec::new(), depth: 0 }
     }
 
     /// A node.
     pub fn node(&self, id: NodeId) -> Node {
         self.nodes[id.index()]
+    }
+
+    /// The vertex of a target: teams are numbered from 0, the root, and the actions follow them.
+    pub fn vertex(&self, target: Target) -> usize {
+        match target {
+            Target::Team(team) => team,
+            Target::Action(action) => self.teams.len() + usize::from(action.0),
+        }
+    }
+
+    /// The number of vertices.
+    pub fn vertices(&self) -> usize {
+        self.teams.len() + self.graph.actions().len()
     }
 
     /// The operations that `value` needs, operands before operations.
@@ -149,7 +169,7 @@ impl<'g> Lowering<'g> {
         Self { graph, values: Values::default() }
     }
 
-    fn module(mut self) -> Module {
+    fn module(mut self) -> Module<'g> {
         let order = breadth_first(self.graph);
         let mut place = vec![0; order.len()];
         for (index, team) in order.iter().enumerate() {
@@ -176,7 +196,7 @@ impl<'g> Lowering<'g> {
             teams.push(Team { label: team.label, edges });
         }
         let depth = longest_walk(&teams);
-        Module { nodes: self.values.into_nodes(), bidders, teams, depth }
+        Module { graph: self.graph, nodes: self.values.into_nodes(), bidders, teams, depth }
     }
 
     /// Runs the lines that matter on symbols and returns what register 0 holds.

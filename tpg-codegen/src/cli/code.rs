@@ -2,7 +2,7 @@
 
 use super::scalar::{Chosen, ScalarArgs, StatesArgs};
 use super::{CliError, GraphArgs};
-use crate::emit::{Language, Options, Prefix, Profile, Style};
+use crate::options::{Language, Options, Prefix, Profile, Style};
 use crate::passes::interval::Assumption;
 use clap::{Args, ValueEnum};
 use tpg_graph::Graph;

@@ -4,7 +4,9 @@ use super::code::{CodeArgs, LanguageArg};
 use super::flash::check_flash;
 use super::verify::{prove, sentences, verdict};
 use super::{CliError, Verdict};
-use crate::emit::{Code, File, Language};
+use crate::emit::{Code, File};
+use crate::options::Language;
+use crate::program::compile;
 use crate::size::Target;
 use crate::{explain, size};
 use clap::Args;
@@ -67,9 +69,10 @@ impl GenerateArgs {
             let accepted = "--max-flash measures the C; accepted with --lang c and --lang all";
             return Err(CliError::Other(accepted.to_owned()));
         }
-        let codes: Vec<Code<'_>> =
-            self.code.lang.languages().iter().map(|&language| Code::of(&graph, language, &options)).collect();
-        let c = codes.iter().find(|code| code.language == Language::C);
+        let codes: Vec<Code<'_>> = (self.code.lang.languages().iter())
+            .map(|&language| Code::of(compile(&graph, &options, language)))
+            .collect();
+        let c = codes.iter().find(|code| code.program.language == Language::C);
         if let (Some(limit), Some(c)) = (self.max_flash, c) {
             check_flash(c, Target::CortexM4, limit)?;
         }

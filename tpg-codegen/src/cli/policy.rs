@@ -1,7 +1,7 @@
 //! `tpg-codegen policy`: a network in integers as C and Rust.
 
 use super::{CliError, Verdict};
-use crate::emit::Prefix;
+use crate::options::Prefix;
 use crate::policy::{QuantisedPolicy, to_c, to_rust};
 use clap::{Args, ValueEnum};
 use std::fs;

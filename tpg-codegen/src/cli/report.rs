@@ -3,7 +3,9 @@
 use super::flash::check_flash;
 use super::scalar::{Chosen, ScalarArgs, StatesArgs};
 use super::{CliError, GraphArgs, Verdict};
-use crate::emit::{Code, Language, Options, Prefix, Profile};
+use crate::emit::Code;
+use crate::options::{Language, Options, Prefix, Profile};
+use crate::program::compile;
 use crate::report;
 use crate::size::Target;
 use clap::Args;
@@ -45,7 +47,7 @@ impl ReportArgs {
         }
         let options = Options { profile: Some(self.profile), ..options };
         if let Some(limit) = self.max_flash {
-            let code = Code::of(&graph, Language::C, &options);
+            let code = Code::of(compile(&graph, &options, Language::C));
             check_flash(&code, self.target.unwrap_or(Target::CortexM4), limit)?;
         }
         Ok(Verdict::Good)

@@ -2,8 +2,10 @@
 
 use super::code::CodeArgs;
 use super::{CliError, Verdict};
-use crate::emit::{Code, Options};
+use crate::emit::Code;
+use crate::options::Options;
 use crate::passes::interval::Assumption;
+use crate::program::compile;
 use crate::verify::{Comparison, Proof, Unproven};
 use clap::Args;
 use std::fmt::Write as _;
@@ -32,13 +34,13 @@ impl VerifyArgs {
         let (graph, options) = self.code.load()?;
         let codes: Vec<Code<'_>> = (self.code.shapes().into_iter())
             .map(|(language, style, profile)| {
-                Code::of(&graph, language, &Options { style, profile, ..options.clone() })
+                Code::of(compile(&graph, &Options { style, profile, ..options.clone() }, language))
             })
             .collect();
         let proof = prove(&codes, self.states, self.seed)?;
         if self.json {
             let Proof { comparisons, unproven } = &proof;
-            let sha256 = options.conversion.as_ref().map_or_else(|| graph.sha256(), |was| was.sha256.clone());
+            let sha256 = codes.first().map(|code| code.program.graph_sha256());
             println!(
                 "{}",
                 serde_json::json!({ "graph_sha256": sha256, "comparisons": comparisons, "unproven": unproven })

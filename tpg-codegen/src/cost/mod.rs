@@ -3,16 +3,13 @@
 
 mod mean;
 
-use crate::emit::{Language, Options, Profile, Style};
-use crate::ir::{Module, Node, NodeId, heaviest_walk, needed, topological};
+use crate::ir::{Module, Node, NodeId, heaviest_walk, needed};
+use crate::options::Language;
 use crate::passes::arithmetic::is_transcendental;
-use crate::passes::available::Available;
-use crate::passes::functions;
-use crate::passes::schedule::{Bid, Infinite, LazyBid, Plan, Schedule, Sparing, schedule};
-use crate::passes::{self, Removed};
+use crate::passes::schedule::{Bid, Infinite, LazyBid, Plan, Sparing};
+use crate::program::{Program, Shape};
 use serde::Serialize;
 use std::collections::BTreeSet;
-use tpg_graph::Graph;
 
 /// What one decision costs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
@@ -104,12 +101,12 @@ impl Step {
     }
 }
 
-/// What code of one shape does, decision by decision.
+/// The work of a program, decision by decision.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Costs {
-    module: Module,
+pub struct Costs<'a> {
+    module: &'a Module<'a>,
     /// The nodes that steps name: the module's, and bounds after them.
-    nodes: Vec<Node>,
+    nodes: &'a [Node],
     /// Done before the walk, once.
     once: Work,
     /// By team, in the order they are looked at.
@@ -118,52 +115,32 @@ pub struct Costs {
     all_teams: bool,
 }
 
-impl Costs {
-    /// Of the code that `options` ask for in a language, and what the passes removed.
-    pub fn of(graph: &Graph, language: Language, options: &Options) -> (Self, Removed) {
-        if options.style == Style::Gegelati && language == Language::C {
-            return (Self::bid_by_bid(Module::lower(graph)), Removed::default());
-        }
-        let (module, removed) = passes::optimise(graph, options.assumption);
-        let costs = match options.shape(language, &module) {
-            Profile::Fast => {
-                let schedule = schedule(graph, &module, options.recorded());
-                Self::scheduled(module, &schedule, language)
+impl<'a> Costs<'a> {
+    /// Counts a program.
+    pub fn of(program: &'a Program<'a>) -> Self {
+        let module = &program.module;
+        let costs = Self { module, nodes: &module.nodes, once: Work::default(), teams: Vec::new(), all_teams: false };
+        match &program.shape {
+            // Every bid of a team is computed by itself.
+            Shape::Small(_) | Shape::Gegelati => {
+                let step = |bid: Bid| Step::always(bid, work(&module.nodes, &module.operations_of(bid.value)));
+                Self { teams: in_order(module, step), ..costs }
             }
-            Profile::Small => Self::bid_by_bid(module),
-            Profile::ConstantTime => Self::everything(module),
-        };
-        (costs, removed)
-    }
-
-    /// Every bid of a team is computed by itself: tables, and GEGELATI's style.
-    pub fn bid_by_bid(module: Module) -> Self {
-        let step = |bid: Bid| {
-            let operations = module.operations_of(bid.value);
-            Step::always(bid, work(&module.nodes, &operations))
-        };
-        let teams = in_order(&module, step);
-        Self { nodes: module.nodes.clone(), once: Work::default(), teams, all_teams: false, module }
-    }
-
-    /// Everything is computed, whatever the state: constant time.
-    pub fn everything(module: Module) -> Self {
-        let teams = in_order(&module, |bid| Step::always(bid, Work::default()));
-        let functions = functions::of(&module);
-        let once = functions.iter().map(|function| work(&module.nodes, &function.operations));
-        let once = once.fold(Work::default(), Work::plus);
-        Self { nodes: module.nodes.clone(), once, teams, all_teams: true, module }
-    }
-
-    /// What a schedule says, as a language's emitter writes it.
-    pub fn scheduled(module: Module, schedule: &Schedule, language: Language) -> Self {
-        let order = topological(&module.teams);
-        let available = Available::analyse(schedule, &order, functions::together(order.len()));
-        // Only C hands values on from team to team.
-        let there = |team| if language == Language::C { available.on_entry(team).clone() } else { BTreeSet::new() };
-        let plans = schedule.plans.iter().enumerate();
-        let teams = plans.map(|(team, plan)| planned(&schedule.nodes, plan, language, there(team))).collect();
-        Self { nodes: schedule.nodes.clone(), once: Work::default(), teams, all_teams: false, module }
+            // Everything is computed, whatever the state.
+            Shape::ConstantTime(functions) => {
+                let once = functions.iter().map(|function| work(&module.nodes, &function.operations));
+                let teams = in_order(module, |bid| Step::always(bid, Work::default()));
+                Self { once: once.fold(Work::default(), Work::plus), teams, all_teams: true, ..costs }
+            }
+            Shape::Fast { schedule, available } => {
+                let plans = schedule.plans.iter().enumerate();
+                let computed = |team| available.on_entry(team).clone();
+                let teams = plans
+                    .map(|(team, plan)| planned(&schedule.nodes, plan, program.language, computed(team)))
+                    .collect();
+                Self { nodes: &schedule.nodes, teams, ..costs }
+            }
+        }
     }
 
     /// No decision costs more, each number by itself: the walk with most operations need not be the one with most teams.
@@ -186,15 +163,10 @@ impl Costs {
         self.once.operations
             + steps.map(|step| step.first.operations + step.before.operations + step.inside.operations).sum::<u64>()
     }
-
-    /// The optimised module that the code is made of.
-    pub fn module(&self) -> &Module {
-        &self.module
-    }
 }
 
 /// The steps of teams that look at their bids by place.
-fn in_order(module: &Module, step: impl Fn(Bid) -> Step) -> Vec<Vec<Step>> {
+fn in_order(module: &Module<'_>, step: impl Fn(Bid) -> Step) -> Vec<Vec<Step>> {
     (module.teams.iter())
         .map(|team| {
             (team.edges.iter().enumerate())
@@ -253,9 +225,7 @@ impl Known<'_> {
     }
 
     fn lazy(&mut self, lazy: &LazyBid, language: Language) -> Step {
-        let LazyBid { bid, sparing, before_infinite, bound, .. } = *lazy;
-        // Only C leaves it at what is certain.
-        let certain = lazy.certain.filter(|_| language == Language::C);
+        let LazyBid { bid, sparing, before_infinite, bound, certain } = *lazy;
         let first = sparing.map(|sparing| self.compute(sparing.argument)).unwrap_or_default();
         let outside = self.computed.clone();
         let bounds = bound.into_iter().chain(certain);

@@ -1,6 +1,6 @@
 //! Arithmetic at compile time that is the target's, bit for bit.
 
-use tpg_graph::{MathsProvider, ScalarType};
+use tpg_graph::{Graph, MathsProvider, ScalarType};
 use tpg_runtime::ops::{Instruction, Maths, Own};
 use tpg_runtime::scalar::Scalar;
 
@@ -14,6 +14,11 @@ pub struct Arithmetic {
 }
 
 impl Arithmetic {
+    /// The arithmetic of a graph.
+    pub fn of(graph: &Graph) -> Self {
+        Self { scalar: graph.scalar(), maths: graph.maths() }
+    }
+
     /// The result of an instruction on constants, where the target is certain to compute the same.
     ///
     /// The arithmetic ones and comparisons are IEEE 754's and the own kernels are the same statements on every machine.

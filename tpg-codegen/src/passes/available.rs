@@ -16,6 +16,8 @@ const WORTH_KEEPING: u32 = 6;
 /// What teams find computed, and what of it they read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Available {
+    order: Vec<usize>,
+    together: usize,
     entry: Vec<BTreeSet<NodeId>>,
     read: Vec<BTreeSet<NodeId>>,
     entries: Vec<bool>,
@@ -25,7 +27,7 @@ pub struct Available {
 impl Available {
     /// Of teams in an order in which each comes after all that lead to it, so many `together` in a function: what is
     /// computed in another one is not there.
-    pub fn analyse(schedule: &Schedule, order: &[usize], together: usize) -> Self {
+    pub fn analyse(schedule: &Schedule, order: Vec<usize>, together: usize) -> Self {
         let Schedule { nodes, plans } = schedule;
         let mut function = vec![0; order.len()];
         for (number, teams) in order.chunks(together).enumerate() {
@@ -35,7 +37,7 @@ impl Available {
         entry[0] = Some(BTreeSet::new());
         let mut entries = vec![false; order.len()];
         entries[0] = true;
-        for &team in order {
+        for &team in &order {
             let mut there = entry[team].clone().unwrap_or_default();
             there.extend(unconditional(nodes, &plans[team]));
             for target in plans[team].destinations() {
@@ -58,7 +60,17 @@ impl Available {
         let read = plans.iter().zip(&entry).map(|(plan, there)| read(nodes, plan, there)).collect();
         let spared = |(plan, there): (&Plan, &BTreeSet<NodeId>)| possible(nodes, plan).intersection(there).count();
         let saved = plans.iter().zip(&entry).map(spared).sum();
-        Self { entry, read, entries, saved }
+        Self { order, together, entry, read, entries, saved }
+    }
+
+    /// Every team, each after all that lead to it.
+    pub fn order(&self) -> &[usize] {
+        &self.order
+    }
+
+    /// The teams of each function, in this order.
+    pub fn functions(&self) -> impl Iterator<Item = &[usize]> {
+        self.order.chunks(self.together)
     }
 
     /// What is there on entry to a team.
@@ -201,7 +213,7 @@ mod tests {
 
     #[test]
     fn there_is_what_both_ways_compute() {
-        let available = Available::analyse(&two_ways(false), &[0, 1, 2], 3);
+        let available = Available::analyse(&two_ways(false), vec![0, 1, 2], 3);
         assert_eq!(available.on_entry(0), &ids([]));
         assert_eq!(available.on_entry(1), &ids([2, 4]), "the bound is outside of its condition, the sine is not");
         assert_eq!(available.on_entry(2), &ids([2, 4]), "the double is not there on the short way");
@@ -212,13 +224,13 @@ mod tests {
 
     #[test]
     fn what_may_be_spared_is_not_there() {
-        let available = Available::analyse(&two_ways(true), &[0, 1, 2], 3);
+        let available = Available::analyse(&two_ways(true), vec![0, 1, 2], 3);
         assert_eq!(available.on_entry(1), &ids([2]), "the bound is inside of a condition now");
     }
 
     #[test]
     fn nothing_comes_from_another_function() {
-        let available = Available::analyse(&two_ways(false), &[0, 1, 2], 2);
+        let available = Available::analyse(&two_ways(false), vec![0, 1, 2], 2);
         assert_eq!(available.on_entry(1), &ids([2, 4]));
         assert_eq!(available.on_entry(2), &ids([]));
         assert_eq!(available.saved(), 1);
@@ -228,7 +240,7 @@ mod tests {
     fn a_team_with_one_way_to_go_computes_nothing() {
         let mut schedule = two_ways(false);
         schedule.plans[0].targets = vec![Target::Team(1); 2];
-        let available = Available::analyse(&schedule, &[0, 1, 2], 3);
+        let available = Available::analyse(&schedule, vec![0, 1, 2], 3);
         assert_eq!(available.on_entry(1), &ids([]));
     }
 
@@ -264,12 +276,12 @@ mod tests {
             let shape = Shape { teams: 2 + seed as usize % 12, ..Shape::random(seed) };
             let graph = sample::graph(&shape, seed);
             let module = optimise(&graph, Assumption::Nothing).0;
-            let schedule = schedule(&graph, &module, &[]);
+            let schedule = schedule(&module, &[]);
             let order = topological(&module.teams);
             let together = if seed % 3 == 0 { 3 } else { order.len() };
             let place = |team| order.iter().position(|&other| other == team).expect("it has a place");
             let Some(met) = met_over_all_ways(&schedule, |team| place(team) / together) else { continue };
-            let available = Available::analyse(&schedule, &order, together);
+            let available = Available::analyse(&schedule, order, together);
             for (team, met) in met.iter().enumerate() {
                 assert_eq!(available.on_entry(team), met, "graph {seed}, team {team}");
             }

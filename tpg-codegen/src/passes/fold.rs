@@ -17,7 +17,7 @@ use crate::ir::{Module, Node, NodeId, Values};
 use tpg_runtime::ops::{Instruction, bid};
 
 /// Folds every node, then every bid: a bid of NaN is a bid of −∞, and one of −0 a bid of 0.
-pub(super) fn run(module: &mut Module, arithmetic: Arithmetic) {
+pub(super) fn run(module: &mut Module<'_>, arithmetic: Arithmetic) {
     let mut values = Values::default();
     let mut folded: Vec<NodeId> = Vec::with_capacity(module.nodes.len());
     for &node in &module.nodes {
@@ -103,6 +103,7 @@ mod tests {
     use super::{operation, run};
     use crate::ir::{Bidder, Module, Node, NodeId, Values};
     use crate::passes::arithmetic::Arithmetic;
+    use tpg_graph::sample::{self, Shape};
     use tpg_graph::{Input, MathsProvider, ScalarType};
     use tpg_runtime::ops::Instruction;
 
@@ -237,7 +238,8 @@ mod tests {
         let zero = values.intern(Node::constant(0.0));
         let quotient = values.intern(Node::Operation(Instruction::Div, [zero, zero]));
         let bidders = vec![Bidder { label: 1, value: quotient }];
-        let mut module = Module { nodes: values.into_nodes(), bidders, teams: Vec::new(), depth: 0 };
+        let graph = sample::graph(&Shape::default(), 0);
+        let mut module = Module { nodes: values.into_nodes(), bidders, ..Module::empty(&graph) };
         run(&mut module, F64);
         assert_eq!(module.node(module.bidders[0].value), Node::constant(f64::NEG_INFINITY));
     }

@@ -17,17 +17,17 @@ pub(crate) fn together(teams: usize) -> usize {
 
 /// Some teams, and all that they need.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Function {
+pub struct Function {
     /// By their places in the module.
-    pub(crate) teams: Range<usize>,
+    pub teams: Range<usize>,
     /// What they bid, each once.
-    pub(crate) bids: BTreeSet<NodeId>,
+    pub bids: BTreeSet<NodeId>,
     /// What must be computed for that, operands before operations.
-    pub(crate) operations: BTreeSet<NodeId>,
+    pub operations: BTreeSet<NodeId>,
 }
 
 /// All teams of a module, in its order. What teams of two functions need is in both.
-pub(crate) fn of(module: &Module) -> Vec<Function> {
+pub(crate) fn of(module: &Module<'_>) -> Vec<Function> {
     let all = module.teams.len();
     let together = together(all);
     let function = |start: usize| {

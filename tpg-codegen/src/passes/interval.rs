@@ -7,7 +7,7 @@
 use super::arithmetic::Arithmetic;
 use crate::ir::{Module, Node};
 use serde::Serialize;
-use tpg_graph::{Graph, ScalarType};
+use tpg_graph::ScalarType;
 use tpg_runtime::ops::Instruction;
 
 /// Every value lies in `low..=high` or is NaN, and NaN only where `nan` says so.
@@ -65,8 +65,9 @@ impl Interval {
 }
 
 /// The interval of every node.
-pub fn analyse(graph: &Graph, module: &Module, assumption: Assumption) -> Vec<Interval> {
-    let arithmetic = Arithmetic { scalar: graph.scalar(), maths: graph.maths() };
+pub fn analyse(module: &Module<'_>, assumption: Assumption) -> Vec<Interval> {
+    let graph = module.graph;
+    let arithmetic = Arithmetic::of(graph);
     let inputs: Vec<Interval> = match assumption {
         Assumption::Nothing => vec![Interval::ANYTHING; graph.state_length()],
         Assumption::DeclaredRanges => {

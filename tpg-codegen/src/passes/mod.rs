@@ -18,7 +18,7 @@ mod duplicates;
 pub mod estimate;
 pub(crate) mod evaluate;
 mod fold;
-pub(crate) mod functions;
+pub mod functions;
 mod hopeless;
 pub mod interval;
 pub mod schedule;
@@ -109,14 +109,14 @@ impl Log {
 }
 
 /// Lowers a graph and optimises it.
-pub fn optimise(graph: &Graph, assumption: Assumption) -> (Module, Removed) {
+pub fn optimise(graph: &Graph, assumption: Assumption) -> (Module<'_>, Removed) {
     let (module, log) = optimise_logged(graph, assumption);
     (module, log.counts())
 }
 
 /// As [`optimise`], and says what exactly went.
-pub fn optimise_logged(graph: &Graph, assumption: Assumption) -> (Module, Log) {
-    let arithmetic = Arithmetic { scalar: graph.scalar(), maths: graph.maths() };
+pub fn optimise_logged(graph: &Graph, assumption: Assumption) -> (Module<'_>, Log) {
+    let arithmetic = Arithmetic::of(graph);
     let mut module = Module::lower(graph);
     let mut log = Log::default();
     let before = operations(&module);
@@ -124,7 +124,7 @@ pub fn optimise_logged(graph: &Graph, assumption: Assumption) -> (Module, Log) {
     // Each round can make the next one find more; a round that finds nothing is the last.
     loop {
         let duplicates = duplicates::run(&mut module);
-        let intervals = interval::analyse(graph, &module, assumption);
+        let intervals = interval::analyse(&module, assumption);
         let hopeless = hopeless::run(&mut module, &intervals);
         let teams = teams::run(&mut module);
         collect::run(&mut module);
@@ -142,6 +142,6 @@ pub fn optimise_logged(graph: &Graph, assumption: Assumption) -> (Module, Log) {
     (module, log)
 }
 
-fn operations(module: &Module) -> usize {
+fn operations(module: &Module<'_>) -> usize {
     module.nodes.iter().filter(|node| matches!(node, Node::Operation(..))).count()
 }

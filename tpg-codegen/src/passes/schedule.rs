@@ -13,7 +13,7 @@ use super::interval::{self, Assumption, Interval};
 use super::wins::Wins;
 use crate::ir::{Module, Node, NodeId, Target, Values};
 use std::cmp::Reverse;
-use tpg_graph::{Graph, ScalarType};
+use tpg_graph::ScalarType;
 use tpg_runtime::ops::Instruction;
 
 /// A bid of a team.
@@ -115,16 +115,16 @@ const CHEAP: u32 = 8;
 /// Plans every team; where flat states are recorded, by how often bids win along them.
 ///
 /// # Panics
-/// If the states' length is no multiple of [`Graph::state_length`].
-pub fn schedule(graph: &Graph, module: &Module, recorded: &[f64]) -> Schedule {
-    let wins = &Wins::count(graph, module, recorded);
-    let arithmetic = Arithmetic { scalar: graph.scalar(), maths: graph.maths() };
-    let intervals = interval::analyse(graph, module, Assumption::Nothing);
+/// If the states' length is no multiple of [`Graph::state_length`](tpg_graph::Graph::state_length).
+pub fn schedule(module: &Module<'_>, recorded: &[f64]) -> Schedule {
+    let wins = &Wins::count(module, recorded);
+    let arithmetic = Arithmetic::of(module.graph);
+    let intervals = interval::analyse(module, Assumption::Nothing);
     let cheap = cheap_nodes(module);
     let mut values = Values::of(module.nodes.clone());
     let mut bounds = Bounds::new(arithmetic, &intervals, &cheap, &mut values);
-    let expected = interval::analyse(graph, module, Assumption::DeclaredRanges);
-    let planner = Planner { module, scalar: graph.scalar(), wins, cheap: &cheap, expected: &expected };
+    let expected = interval::analyse(module, Assumption::DeclaredRanges);
+    let planner = Planner { module, scalar: module.graph.scalar(), wins, cheap: &cheap, expected: &expected };
     let mut plans: Vec<Plan> = (0..module.teams.len()).map(|team| planner.plan(team, &mut bounds)).collect();
     let mut nodes = values.into_nodes();
     // Parts of bounds that came to nothing.
@@ -142,7 +142,7 @@ pub fn schedule(graph: &Graph, module: &Module, recorded: &[f64]) -> Schedule {
 }
 
 /// The nodes that need no sine, cosine, logarithm or exponential.
-fn cheap_nodes(module: &Module) -> Vec<bool> {
+fn cheap_nodes(module: &Module<'_>) -> Vec<bool> {
     let mut cheap: Vec<bool> = Vec::with_capacity(module.nodes.len());
     for node in &module.nodes {
         let itself = !matches!(*node, Node::Operation(instruction, _) if is_worth_sparing(instruction));
@@ -164,7 +164,7 @@ pub fn cost(instruction: Instruction) -> u32 {
 }
 
 struct Planner<'a> {
-    module: &'a Module,
+    module: &'a Module<'a>,
     scalar: ScalarType,
     wins: &'a Wins,
     cheap: &'a [bool],

@@ -27,7 +27,7 @@ impl Removed {
 }
 
 /// Redirects edges past such teams, and renumbers what is left breadth first. The root stays, whatever it decides.
-pub(super) fn run(module: &mut Module) -> Removed {
+pub(super) fn run(module: &mut Module<'_>) -> Removed {
     let before: Vec<u32> = module.teams.iter().map(|team| team.label).collect();
     let mut removed = Removed::default();
     let mut place: Vec<Target> = (0..before.len()).map(Target::Team).collect();
@@ -92,7 +92,7 @@ fn ends_first(teams: &[Team]) -> Vec<usize> {
 }
 
 /// Keeps the teams that can be reached, breadth first from the root, and the bidders and nodes that they use.
-fn renumber(module: &mut Module) {
+fn renumber(module: &mut Module<'_>) {
     let mut place = vec![None; module.teams.len()];
     place[0] = Some(0);
     let mut order = vec![0];
@@ -134,6 +134,7 @@ mod tests {
     use super::{Removed, run};
     use crate::ir::{Bidder, Edge, Module, Node, NodeId, Target, Team};
     use crate::passes::TwinTeam;
+    use tpg_graph::sample::{self, Shape};
     use tpg_graph::{ActionId, Input};
 
     #[test]
@@ -143,6 +144,7 @@ mod tests {
         let to_team = |bidder, team| Edge { bidder, to: Target::Team(team) };
         let to_action = |bidder, action| Edge { bidder, to: Target::Action(ActionId(action)) };
         let team = |label, edges| Team { label, edges };
+        let graph = sample::graph(&Shape::default(), 0);
         let mut module = Module {
             nodes,
             bidders,
@@ -152,7 +154,7 @@ mod tests {
                 team(102, vec![to_action(0, 1), to_team(2, 1)]),   // 1 or, past 101, 5
                 team(103, vec![to_action(0, 1), to_action(2, 5)]), // the same
             ],
-            depth: 3,
+            ..Module::empty(&graph)
         };
         // Twins are taken from the ends of the graph: the first of them that is done stays.
         let removed = run(&mut module);

@@ -5,7 +5,6 @@
 
 use super::evaluate::evaluate;
 use crate::ir::{Module, Target};
-use tpg_graph::Graph;
 use tpg_graph::in_arithmetic_of;
 use tpg_runtime::ops::{self, Maths};
 use tpg_runtime::scalar::Scalar;
@@ -18,10 +17,10 @@ impl Wins {
     /// Counts along flat states.
     ///
     /// # Panics
-    /// If the states' length is no multiple of [`Graph::state_length`].
-    pub fn count(graph: &Graph, module: &Module, states: &[f64]) -> Self {
-        assert_eq!(states.len() % graph.state_length(), 0, "whole states");
-        in_arithmetic_of!(graph, count_in(graph, module, states))
+    /// If the states' length is no multiple of [`Graph::state_length`](tpg_graph::Graph::state_length).
+    pub fn count(module: &Module<'_>, states: &[f64]) -> Self {
+        assert_eq!(states.len() % module.graph.state_length(), 0, "whole states");
+        in_arithmetic_of!(module.graph, count_in(module, states))
     }
 
     /// Of a place in a team.
@@ -30,7 +29,8 @@ impl Wins {
     }
 }
 
-fn count_in<S: Scalar, M: Maths<S>>(graph: &Graph, module: &Module, states: &[f64]) -> Wins {
+fn count_in<S: Scalar, M: Maths<S>>(module: &Module<'_>, states: &[f64]) -> Wins {
+    let graph = module.graph;
     let mut wins: Vec<Vec<u64>> = module.teams.iter().map(|team| vec![0; team.edges.len()]).collect();
     let mut values = vec![S::ZERO; module.nodes.len()];
     for state in states.chunks_exact(graph.state_length()) {
@@ -66,7 +66,7 @@ mod tests {
             let graph = sample::graph(&Shape::random(seed), seed);
             let module = Module::lower(&graph);
             let recorded = states::sample(&graph, 200, seed);
-            let wins = Wins::count(&graph, &module, &recorded);
+            let wins = Wins::count(&module, &recorded);
             let mut found: BTreeMap<u16, u64> = BTreeMap::new();
             for (number, team) in module.teams.iter().enumerate() {
                 for (place, edge) in team.edges.iter().enumerate() {

@@ -8,7 +8,9 @@ pub use estimate::flash as estimated_flash;
 pub use rust::RustForCortexM4;
 pub use stack::Stack;
 
-use crate::emit::{Code, Language, Options, Style};
+use crate::emit::Code;
+use crate::options::{Language, Options, Style};
+use crate::program::compile;
 use crate::verify;
 use object::{Object as _, ObjectSection as _, SectionKind};
 use serde::Serialize;
@@ -91,7 +93,7 @@ pub fn of_c(code: &Code<'_>) -> Vec<String> {
 /// # Errors
 /// When the compiler is missing or refuses.
 pub fn compile_c(graph: &Graph, options: &Options, target: Target) -> io::Result<Vec<u8>> {
-    Ok(build_c(&Code::of(graph, Language::C, options), target)?.object)
+    Ok(build_c(&Code::of(compile(graph, options, Language::C)), target)?.object)
 }
 
 /// Generated C, compiled.
@@ -108,7 +110,8 @@ pub struct Built {
 /// # Errors
 /// When the compiler is missing or refuses.
 pub fn build_c(code: &Code<'_>, target: Target) -> io::Result<Built> {
-    let Code { options, files, .. } = code;
+    let Code { program, files } = code;
+    let options = &program.options;
     let folder = TempDir::new()?;
     for file in files {
         fs::write(folder.path().join(&file.name), &file.text)?;

@@ -1,13 +1,12 @@
 //! How big generated Rust is on a Cortex-M4F, where the Rust compiler has that target.
 
 use super::{Size, measure};
-use crate::emit::{self, Language, Options};
+use crate::emit::Code;
 use crate::verify::{self, BuildError};
 use std::path::Path;
 use std::process::Command;
 use std::{fs, io};
 use tempfile::TempDir;
-use tpg_graph::Graph;
 use tpg_runtime::standalone;
 
 const TARGET: &str = "thumbv7em-none-eabihf";
@@ -44,13 +43,13 @@ impl RustForCortexM4 {
     ///
     /// # Errors
     /// When the compiler refuses.
-    pub fn object(&self, graph: &Graph, options: &Options, level: &str) -> io::Result<Vec<u8>> {
-        let prefix = options.prefix.lower();
+    pub fn object(&self, code: &Code<'_>, level: &str) -> io::Result<Vec<u8>> {
+        let (graph, prefix) = (code.program.graph(), &code.program.options.prefix);
         let folder = self.folder.path();
-        for file in emit::emit(graph, Language::Rust, options) {
-            fs::write(folder.join(format!("policy_{}", file.name)), file.text)?;
+        for file in &code.files {
+            fs::write(folder.join(format!("policy_{}", file.name)), &file.text)?;
         }
-        let (scalar, length, name) = (graph.scalar().name(), graph.state_length(), options.prefix.camel());
+        let (scalar, length, name) = (graph.scalar().name(), graph.state_length(), prefix.camel());
         let library = format!(
             "#![no_std]\n#[path = \"policy_{prefix}.rs\"]\nmod policy;\n\
              use tpg_runtime::policy::{{ActionId, Policy}};\n\
@@ -67,8 +66,8 @@ impl RustForCortexM4 {
     ///
     /// # Errors
     /// As it.
-    pub fn size(&self, graph: &Graph, options: &Options, level: &str) -> io::Result<Size> {
-        measure(&self.object(graph, options, level)?)
+    pub fn size(&self, code: &Code<'_>, level: &str) -> io::Result<Size> {
+        measure(&self.object(code, level)?)
     }
 }
 

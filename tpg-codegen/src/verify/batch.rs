@@ -2,7 +2,8 @@
 
 use super::build::{BuildError, Workshop, c_command, compile, runtime_library, rustc};
 use super::process::{self, Process};
-use crate::emit::{self, Language, Options};
+use crate::emit;
+use crate::options::{Language, Options};
 use askama::Template;
 use std::path::PathBuf;
 use std::{fs, io};

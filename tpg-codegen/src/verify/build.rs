@@ -1,7 +1,9 @@
 //! Compiles generated code into small programs that decide over a pipe.
 
 use super::Process;
-use crate::emit::{Code, File, Language, Options, Style};
+use crate::emit::{Code, File};
+use crate::options::{Language, Options};
+use crate::program::{Shape, compile as compile_graph};
 use askama::Template;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -78,11 +80,11 @@ impl Workshop {
     /// # Errors
     /// See [`BuildError`].
     pub fn start(&self, code: &Code<'_>) -> Result<Process, BuildError> {
-        let program = match code.language {
+        let program = match code.program.language {
             Language::C => self.build_c(code)?,
             Language::Rust => self.build_rust(code)?,
         };
-        Ok(Process::start(&program, &code.name(), code.graph)?)
+        Ok(Process::start(&program, &code.program.name(), code.program.graph())?)
     }
 
     /// Generates C, compiles it and starts the program.
@@ -90,7 +92,7 @@ impl Workshop {
     /// # Errors
     /// See [`BuildError`].
     pub fn c(&self, graph: &Graph, options: &Options) -> Result<Process, BuildError> {
-        self.start(&Code::of(graph, Language::C, options))
+        self.start(&Code::of(compile_graph(graph, options, Language::C)))
     }
 
     /// Generates Rust, compiles it and starts the program.
@@ -98,11 +100,12 @@ impl Workshop {
     /// # Errors
     /// See [`BuildError`].
     pub fn rust(&self, graph: &Graph, options: &Options) -> Result<Process, BuildError> {
-        self.start(&Code::of(graph, Language::Rust, options))
+        self.start(&Code::of(compile_graph(graph, options, Language::Rust)))
     }
 
     fn build_c(&self, code: &Code<'_>) -> Result<PathBuf, BuildError> {
-        let Code { graph, options, files, .. } = code;
+        let Code { program, files } = code;
+        let (graph, options) = (program.graph(), &program.options);
         let folder = self.write("c", files)?;
         let prefix = options.prefix.lower();
         let harness = CHarness {
@@ -110,18 +113,19 @@ impl Workshop {
             scalar: if graph.scalar() == ScalarType::F32 { "float" } else { "double" },
             state_length: graph.state_length(),
             sources: graph.sources().iter().map(|s| (s.name.clone(), s.ranges.len())).collect(),
-            gegelati: options.style == Style::Gegelati,
+            gegelati: program.shape == Shape::Gegelati,
         };
         fs::write(folder.join("harness.c"), harness.render().map_err(io::Error::other)?)?;
-        let program = folder.join("harness");
+        let harness = folder.join("harness");
         let mut command = c_command(&folder)?;
-        command.arg("-o").arg(&program).arg("harness.c").arg(format!("{prefix}.c")).arg("-lm");
+        command.arg("-o").arg(&harness).arg("harness.c").arg(format!("{prefix}.c")).arg("-lm");
         compile("C", command)?;
-        Ok(program)
+        Ok(harness)
     }
 
     fn build_rust(&self, code: &Code<'_>) -> Result<PathBuf, BuildError> {
-        let Code { graph, options, files, .. } = code;
+        let Code { program, files } = code;
+        let (graph, options) = (program.graph(), &program.options);
         let folder = self.write("rust", files)?;
         runtime_library(&folder)?;
         let harness = RustHarness {
@@ -131,11 +135,11 @@ impl Workshop {
             state_length: graph.state_length(),
         };
         fs::write(folder.join("harness.rs"), harness.render().map_err(io::Error::other)?)?;
-        let program = folder.join("harness");
+        let harness = folder.join("harness");
         let mut command = rustc(&folder);
-        command.args(["--extern=tpg_runtime=libtpg_runtime.rlib", "harness.rs", "-o"]).arg(&program);
+        command.args(["--extern=tpg_runtime=libtpg_runtime.rlib", "harness.rs", "-o"]).arg(&harness);
         compile("Rust", command)?;
-        Ok(program)
+        Ok(harness)
     }
 
     /// Writes files to a new folder of the workshop.

@@ -3,7 +3,7 @@
 use super::{BuildError, Comparison, Process, Workshop, compare_under};
 use crate::emit::Code;
 use serde::{Serialize, Serializer};
-use std::io;
+use std::{io, ptr};
 use tpg_graph::engine::Engine;
 
 /// The outcome for several pieces of generated code.
@@ -18,7 +18,7 @@ pub struct Proof {
 /// Code that could not be compiled.
 #[derive(Debug, Serialize)]
 pub struct Unproven {
-    /// Its [name](Code::name).
+    /// Its [name](crate::Program::name).
     pub engine: String,
     /// The reason.
     #[serde(serialize_with = "as_text")]
@@ -34,10 +34,9 @@ impl Proof {
     pub fn of(codes: &[Code<'_>], count: usize, seed: u64) -> io::Result<Self> {
         let workshop = Workshop::new()?;
         let mut proof = Self { comparisons: Vec::new(), unproven: Vec::new() };
-        let alike =
-            |a: &Code<'_>, b: &Code<'_>| std::ptr::eq(a.graph, b.graph) && a.options.assumption == b.options.assumption;
-        for codes in codes.chunk_by(alike) {
-            let (graph, assumption) = (codes[0].graph, codes[0].options.assumption);
+        let kind = |code: &Code<'_>| (ptr::from_ref(code.program.graph()), code.program.options.assumption);
+        for codes in codes.chunk_by(|a, b| kind(a) == kind(b)) {
+            let (graph, assumption) = (codes[0].program.graph(), codes[0].program.options.assumption);
             let mut programs: Vec<Process> = codes.iter().filter_map(|code| proof.start(&workshop, code)).collect();
             let mut engines: Vec<&mut dyn Engine> =
                 programs.iter_mut().map(|program| program as &mut dyn Engine).collect();
@@ -50,7 +49,7 @@ impl Proof {
         match workshop.start(code) {
             Ok(process) => Some(process),
             Err(error) => {
-                self.unproven.push(Unproven { engine: code.name(), error });
+                self.unproven.push(Unproven { engine: code.program.name(), error });
                 None
             }
         }

@@ -4,16 +4,15 @@
 //! The best bid starts at the lowest finite number, and a NaN is never as high: so only bids above −∞ win, and where there
 //! is none, nobody wins, which is how the team's last edge does. No bid needs a test for NaN.
 //!
-//! What a team has computed, it does not hand on to the next (as [C does](crate::passes::available)): with arguments for
-//! that, most policies took more instructions.
-//!
 //! A bid of 0 goes through `black_box`: LLVM 22 takes `if v > 0 { v } else { 0 }` of a `v = max(0, x)` for v, which it is not
 //! where x is NaN. Where what is best is no constant, it does not.
 
-use super::expression::{Printer, literal};
+use super::expression::Printer;
 use super::{Parts, helpers};
+use crate::emit::reuse::Reuse;
+use crate::emit::syntax::Syntax;
 use crate::emit::{layout, questions};
-use crate::ir::{Module, NodeId, Target, needed};
+use crate::ir::{Module, NodeId, Target};
 use crate::passes::schedule::{Bid, Infinite, LazyBid, Plan, Schedule};
 use askama::Template;
 use std::collections::BTreeSet;
@@ -66,7 +65,7 @@ struct BidView {
 }
 
 /// Renders the profile.
-pub(super) fn render(printer: &Printer<'_>, module: &Module, schedule: &Schedule) -> Parts {
+pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, schedule: &Schedule) -> Parts {
     let teams: Vec<TeamView> =
         schedule.plans.iter().map(|plan| TeamPrinter::new(printer, module, plan).view()).collect();
     let body = format!("        ActionId(team_{}(s))", schedule.plans[0].label);
@@ -82,7 +81,7 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module, schedule: &Schedule
 
 struct TeamPrinter<'a> {
     printer: &'a Printer<'a>,
-    module: &'a Module,
+    module: &'a Module<'a>,
     plan: &'a Plan,
     /// Where edges lead, each once; the last is where the last edge does.
     targets: Vec<Target>,
@@ -91,8 +90,14 @@ struct TeamPrinter<'a> {
     computed: BTreeSet<NodeId>,
 }
 
+impl Reuse for TeamPrinter<'_> {
+    fn computed(&mut self) -> &mut BTreeSet<NodeId> {
+        &mut self.computed
+    }
+}
+
 impl<'a> TeamPrinter<'a> {
-    fn new(printer: &'a Printer<'a>, module: &'a Module, plan: &'a Plan) -> Self {
+    fn new(printer: &'a Printer<'a>, module: &'a Module<'a>, plan: &'a Plan) -> Self {
         let in_turn = plan.infinite.is_none() && plan.bids().all(|bid| bid.in_turn);
         Self { printer, module, plan, targets: plan.destinations(), in_turn, computed: BTreeSet::new() }
     }
@@ -142,18 +147,10 @@ impl<'a> TeamPrinter<'a> {
         }
     }
 
-    /// What is computed meanwhile is not there afterwards.
-    fn in_braces<T>(&mut self, print: impl FnOnce(&mut Self) -> T) -> T {
-        let outside = self.computed.clone();
-        let printed = print(self);
-        self.computed = outside;
-        printed
-    }
-
     fn infinite(&mut self, infinite: &Infinite) -> InfiniteView {
         let statements = self.statements(infinite.argument, true);
         let argument = self.printer.value(infinite.argument);
-        let condition = format!("{argument} > {}", literal(self.printer.graph.scalar(), infinite.above));
+        let condition = format!("{argument} > {}", self.printer.literal(infinite.above));
         InfiniteView { statements, condition, rank: infinite.place + 1 }
     }
 
@@ -205,11 +202,7 @@ impl<'a> TeamPrinter<'a> {
 
     /// What must still be computed for a value; later bids can use it where it `stays`.
     fn statements(&mut self, value: NodeId, stays: bool) -> Vec<String> {
-        let missing = needed(self.printer.nodes, value, |id| !self.computed.contains(&id));
-        let statements = missing.iter().map(|&id| self.printer.statement(id)).collect();
-        if stays {
-            self.computed.extend(missing);
-        }
-        statements
+        let printer = self.printer;
+        self.missing(printer.nodes, value, stays).into_iter().map(|id| printer.statement(id)).collect()
     }
 }

@@ -4,13 +4,15 @@ use super::Span;
 use super::view::{EagerView, InfiniteView, LateTeamView, LateView, LazyView, TeamView, WayView};
 use crate::emit::c::expression::Printer;
 use crate::emit::questions;
+use crate::emit::reuse::Reuse;
+use crate::emit::syntax::Syntax;
 use crate::ir::{Module, Node, NodeId, Target, needed};
 use crate::passes::schedule::{Bid, Infinite, LazyBid, Plan};
 use std::collections::BTreeSet;
 
 pub(super) struct TeamPrinter<'a> {
     printer: &'a Printer<'a>,
-    module: &'a Module,
+    module: &'a Module<'a>,
     plan: &'a Plan,
     span: &'a Span<'a>,
     /// Where edges lead, each once; the last is where the last edge does.
@@ -24,10 +26,16 @@ pub(super) struct TeamPrinter<'a> {
     pending: bool,
 }
 
+impl Reuse for TeamPrinter<'_> {
+    fn computed(&mut self) -> &mut BTreeSet<NodeId> {
+        &mut self.computed
+    }
+}
+
 impl<'a> TeamPrinter<'a> {
     pub(super) fn new(
         printer: &'a Printer<'a>,
-        module: &'a Module,
+        module: &'a Module<'a>,
         plan: &'a Plan,
         span: &'a Span<'a>,
         computed: BTreeSet<NodeId>,
@@ -104,18 +112,10 @@ impl<'a> TeamPrinter<'a> {
         if self.in_turn { self.number(self.plan.targets[bid.place]) } else { format!("{}U", bid.place + 1) }
     }
 
-    /// What is computed meanwhile is not there afterwards.
-    fn in_braces<T>(&mut self, print: impl FnOnce(&mut Self) -> T) -> T {
-        let outside = self.computed.clone();
-        let printed = print(self);
-        self.computed = outside;
-        printed
-    }
-
     fn infinite(&mut self, infinite: &Infinite) -> InfiniteView {
         let statements = self.statements(infinite.argument, true);
         let argument = self.printer.value(infinite.argument);
-        let condition = format!("{argument} > {}", self.printer.constant(infinite.above));
+        let condition = format!("{argument} > {}", self.printer.number(infinite.above));
         InfiniteView { statements, condition, rank: format!("{}U", infinite.place + 1) }
     }
 
@@ -201,16 +201,12 @@ impl<'a> TeamPrinter<'a> {
 
     /// What must still be computed for a value; later bids can use it where it `stays`.
     fn statements(&mut self, value: NodeId, stays: bool) -> Vec<String> {
-        let missing = needed(self.printer.nodes, value, |id| !self.computed.contains(&id));
+        let missing = self.missing(self.printer.nodes, value, stays);
         self.reads_state |= self.reads_input(value, &missing);
         let statement = |&id: &NodeId| {
             if self.span.shared.contains(&id) { self.printer.assignment(id) } else { self.printer.statement(id) }
         };
-        let statements = missing.iter().map(statement).collect();
-        if stays {
-            self.computed.extend(missing);
-        }
-        statements
+        missing.iter().map(statement).collect()
     }
 
     /// Whether an input is a value, or an operand of what is computed for it.

@@ -1,0 +1,109 @@
+//! A graph compiled for a language: every decision, before a line is printed.
+
+use crate::ir::{Module, topological};
+use crate::options::{Language, Options, Profile, Style};
+use crate::passes::available::Available;
+use crate::passes::bytecode::{self, Bytecode};
+use crate::passes::functions::{self, Function};
+use crate::passes::interval::Assumption;
+use crate::passes::schedule::{self, Schedule};
+use crate::passes::{self, Log};
+use tpg_graph::Graph;
+
+/// A compiled graph: what is printed, costed, measured, explained and proven.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Program<'g> {
+    /// The lowered graph, optimised but in GEGELATI's style.
+    pub module: Module<'g>,
+    /// The language it is for.
+    pub language: Language,
+    /// The options it was compiled with.
+    pub options: Options,
+    /// The shape of the code.
+    pub shape: Shape,
+    /// What the passes removed.
+    pub log: Log,
+}
+
+/// The shape of code, and what its passes found.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shape {
+    /// See [`Profile::Fast`].
+    Fast {
+        /// The order of each team's bids.
+        schedule: Schedule,
+        /// The functions, and the values that teams of one hand on.
+        available: Available,
+    },
+    /// See [`Profile::Small`].
+    Small(Bytecode),
+    /// See [`Profile::ConstantTime`].
+    ConstantTime(Vec<Function>),
+    /// See [`Style::Gegelati`].
+    Gegelati,
+}
+
+/// Compiles a graph.
+pub fn compile<'g>(graph: &'g Graph, options: &Options, language: Language) -> Program<'g> {
+    let program = |module, shape, log| Program { module, language, options: options.clone(), shape, log };
+    if language == Language::C && options.style == Style::Gegelati {
+        return program(Module::lower(graph), Shape::Gegelati, Log::default());
+    }
+    let (module, log) = passes::optimise_logged(graph, options.assumption);
+    // Where no bid matters any more, there is nothing to make small or constant in C: the plainest text does.
+    let chooses = module.teams.iter().any(|team| team.edges.len() > 1);
+    let profile = if language == Language::C && !chooses { Profile::Fast } else { options.profile_in(language) };
+    let shape = match profile {
+        Profile::Fast => fast(&module, language, options.recorded()),
+        Profile::Small => Shape::Small(bytecode::encode(&module)),
+        Profile::ConstantTime => Shape::ConstantTime(functions::of(&module)),
+    };
+    program(module, shape, log)
+}
+
+fn fast(module: &Module<'_>, language: Language, recorded: &[f64]) -> Shape {
+    let mut schedule = schedule::schedule(module, recorded);
+    let order = topological(&module.teams);
+    let together = match language {
+        Language::C => functions::together(order.len()),
+        // Each team is a function, which hands nothing on: with arguments for that, most policies took more instructions.
+        // Nor is a bid left uncomputed that is certain to win.
+        Language::Rust => {
+            schedule.plans.iter_mut().flat_map(|plan| &mut plan.lazy).for_each(|lazy| lazy.certain = None);
+            1
+        }
+    };
+    let available = Available::analyse(&schedule, order, together);
+    Shape::Fast { schedule, available }
+}
+
+impl<'g> Program<'g> {
+    /// The graph.
+    pub fn graph(&self) -> &'g Graph {
+        self.module.graph
+    }
+
+    /// The SHA-256 of the graph as it was given, before any change of its scalar type.
+    pub fn graph_sha256(&self) -> String {
+        self.options.conversion.as_ref().map_or_else(|| self.graph().sha256(), |was| was.sha256.clone())
+    }
+
+    /// The language, the shape, and the options that change what the code does.
+    pub fn name(&self) -> String {
+        let Self { language, options, .. } = self;
+        let mut name = match self.shape {
+            Shape::Gegelati => "C in GEGELATI's style".to_owned(),
+            _ => format!("{}, {}", language.name(), options.profile_in(*language).name()),
+        };
+        if options.assumption == Assumption::DeclaredRanges {
+            name.push_str(", --assume-ranges");
+        }
+        if options.ordered_by(*language).is_some() {
+            name.push_str(", --trace");
+        }
+        if options.conversion.is_some() {
+            name = format!("{name}, --scalar {}", self.graph().scalar().name());
+        }
+        name
+    }
+}
