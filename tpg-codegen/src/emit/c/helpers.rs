@@ -1,6 +1,7 @@
 //! The static functions that expressions call. An unused one would be a warning, so only those that are called are there.
 
 use super::expression::Printer;
+use super::own::OwnMaths;
 use crate::emit::helpers::{Calls, ExpEstimate, LnEstimate};
 use crate::emit::syntax::Syntax;
 use crate::passes::bound;
@@ -14,7 +15,7 @@ struct Helpers<'a> {
     prefix: &'a str,
     scalar: &'a str,
     f64: bool,
-    own: bool,
+    own: Option<OwnMaths>,
     uses_sin: bool,
     uses_cos: bool,
     uses_ln: bool,
@@ -49,9 +50,11 @@ struct ShortExp {
 pub(super) fn render(printer: &Printer<'_>, branch_free: bool) -> String {
     let calls = Calls::of(printer.nodes);
     let scalar = printer.graph.scalar();
-    let own = printer.graph.maths() == MathsProvider::Own;
+    let provider = printer.graph.maths();
     let uses = |instruction| calls.any(&[instruction]);
-    let short = !own && printer.short_cuts;
+    let short = provider == MathsProvider::System && printer.short_cuts;
+    let maths = [Instruction::Sin, Instruction::Cos, Instruction::Ln, Instruction::Exp];
+    let calls_maths = provider == MathsProvider::Own && calls.any(&maths);
     let (infinite_above, zero_below) = bound::beyond_exponentials(scalar);
     // The order of a number's bits: what is negative upside down, below what is positive.
     let (key, top, sign, infinity, minus_infinity) = match scalar {
@@ -70,7 +73,7 @@ pub(super) fn render(printer: &Printer<'_>, branch_free: bool) -> String {
         prefix: printer.prefix,
         scalar: printer.scalar(),
         f64: scalar == ScalarType::F64,
-        own,
+        own: calls_maths.then(|| OwnMaths::of(printer)),
         uses_sin: uses(Instruction::Sin),
         uses_cos: uses(Instruction::Cos),
         uses_ln: uses(Instruction::Ln),

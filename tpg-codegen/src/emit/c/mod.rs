@@ -5,6 +5,7 @@ mod expression;
 mod fast;
 mod gegelati;
 mod helpers;
+mod own;
 mod small;
 mod walk;
 
