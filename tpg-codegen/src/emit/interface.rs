@@ -1,6 +1,6 @@
 //! The sources of a state as generated code documents them.
 
-use tpg_graph::Graph;
+use tpg_graph::{Graph, Range};
 
 /// A source.
 pub(super) struct SourceView {
@@ -26,8 +26,30 @@ pub(super) fn sources(graph: &Graph, safe: impl Fn(&str) -> String) -> Vec<Sourc
                 end,
                 length,
                 unit: safe(&source.unit),
-                range: source.envelope().to_string(),
+                range: range(&source.ranges),
             }
         })
         .collect()
+}
+
+/// The range of every value, or where they differ, each value's own, in their order.
+fn range(ranges: &[Range]) -> String {
+    match ranges {
+        [first, others @ ..] if others.iter().all(|range| range == first) => first.to_string(),
+        _ => ranges.iter().map(Range::to_string).collect::<Vec<_>>().join("; "),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::range;
+    use tpg_graph::Range;
+
+    #[test]
+    fn each_value_has_its_own_range_where_they_differ() {
+        let of = |min, max| Range { min, max };
+        assert_eq!(range(&[of(-1.0, 1.0)]), "-1 to 1");
+        assert_eq!(range(&[of(-1.0, 1.0), of(-1.0, 1.0)]), "-1 to 1");
+        assert_eq!(range(&[of(-1.0, 1.0), of(0.0, 2.5)]), "-1 to 1; 0 to 2.5");
+    }
 }

@@ -140,9 +140,16 @@ fn arm_view(graph: &Graph) -> Option<ArmView> {
     Some(ArmView { sources: sources.collect(), moves: moves.collect() })
 }
 
-/// Text that may stand in a C comment.
+/// Text that may stand in a C comment: in one line, with a space in the midst of what would begin or end a comment.
 fn comment(text: &str) -> String {
-    text.chars().map(|c| if c.is_control() || c == '*' || c == '/' { ' ' } else { c }).collect()
+    let mut safe = String::with_capacity(text.len());
+    for c in text.chars().map(|c| if c.is_control() { ' ' } else { c }) {
+        if matches!((safe.chars().next_back(), c), (Some('/'), '*' | '/') | (Some('*'), '/')) {
+            safe.push(' ');
+        }
+        safe.push(c);
+    }
+    safe
 }
 
 fn vectors(printer: &Printer<'_>) -> Vec<VectorView> {
@@ -161,4 +168,17 @@ fn vectors(printer: &Printer<'_>) -> Vec<VectorView> {
             VectorView { state, action: action.0 }
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::comment;
+
+    #[test]
+    fn only_what_begins_or_ends_a_comment_is_taken_apart() {
+        assert_eq!(comment("rad/s, N*m"), "rad/s, N*m");
+        assert_eq!(comment("a */ b /* c // d"), "a * / b / * c / / d");
+        assert_eq!(comment("/*/**//"), "/ * / ** / /");
+        assert_eq!(comment("a\n*\r/"), "a * /");
+    }
 }
