@@ -5,13 +5,13 @@
 //! | module | subject |
 //! | --- | --- |
 //! | [`cli`] | the program `tpg-codegen`: its commands and exit codes |
-//! | [`options`], [`program`] | what to generate, and [`compile`], which makes a [`Program`] of a graph |
-//! | [`ir`], [`passes`] | the lowered graph, and what makes it small and fast without changing what it does |
-//! | [`explain`] | what each pass removed, and what is left in formulas |
+//! | [`options`], [`program`] | the options, and [`compile`], which turns a graph into a [`Program`] |
+//! | [`ir`], [`passes`] | the lowered graph, and the passes that make it small and fast without changing its behaviour |
+//! | [`explain`] | the removals of each pass, and the remaining bids as formulas |
 //! | [`emit`] | from a program to text |
-//! | [`cost`], [`size`], [`report`] | what the code takes: operations, bytes, stack |
-//! | [`verify`] | compiles what was generated and compares it with the interpreter |
-//! | [`policy`] | networks in integers: `policy.q.json` into C and Rust |
+//! | [`cost`], [`size`], [`report`] | the resources of the code: operations, bytes, stack |
+//! | [`verify`] | compiles generated code and compares it with the interpreter |
+//! | [`policy`] | quantised networks: `policy.q.json` into C and Rust |
 
 pub mod cli;
 pub mod cost;

@@ -1,4 +1,4 @@
-//! A graph compiled for a language: every decision, before a line is printed.
+//! A graph compiled for a language: all decisions are made before any text is printed.
 
 use crate::ir::{Module, topological};
 use crate::options::{Language, Options, Profile, Style};
@@ -10,7 +10,7 @@ use crate::passes::schedule::{self, Schedule};
 use crate::passes::{self, Log};
 use tpg_graph::Graph;
 
-/// A compiled graph: what is printed, costed, measured, explained and proven.
+/// A compiled graph, which is then printed, costed, measured, explained and proven.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Program<'g> {
     /// The lowered graph, optimised but in GEGELATI's style.
@@ -21,11 +21,11 @@ pub struct Program<'g> {
     pub options: Options,
     /// The shape of the code.
     pub shape: Shape,
-    /// What the passes removed.
+    /// The removals of the passes.
     pub log: Log,
 }
 
-/// The shape of code, and what its passes found.
+/// The shape of code, with the results of its passes.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
     /// See [`Profile::Fast`].
@@ -44,13 +44,29 @@ pub enum Shape {
 }
 
 /// Compiles a graph.
+///
+/// ```
+/// use tpg_codegen::cost::Costs;
+/// use tpg_codegen::emit::Code;
+/// use tpg_codegen::options::{Language, Options};
+/// use tpg_codegen::compile;
+/// use tpg_graph::sample::{self, Shape};
+///
+/// let graph = sample::graph(&Shape::default(), 7);
+/// let program = compile(&graph, &Options::new("arm".parse()?), Language::C);
+/// assert_eq!(program.name(), "C, fast");
+/// assert!(Costs::of(&program).worst().teams <= program.module.teams.len() as u64);
+/// let code = Code::of(program);
+/// assert_eq!(code.files[1].name, "arm.c");
+/// # Ok::<(), String>(())
+/// ```
 pub fn compile<'g>(graph: &'g Graph, options: &Options, language: Language) -> Program<'g> {
     let program = |module, shape, log| Program { module, language, options: options.clone(), shape, log };
     if language == Language::C && options.style == Style::Gegelati {
         return program(Module::lower(graph), Shape::Gegelati, Log::default());
     }
     let (module, log) = passes::optimise_logged(graph, options.assumption);
-    // Where no bid matters any more, there is nothing to make small or constant in C: the plainest text does.
+    // If no bid matters any more, tables and masks gain nothing in C: the plainest text is the best.
     let chooses = module.teams.iter().any(|team| team.edges.len() > 1);
     let profile = if language == Language::C && !chooses { Profile::Fast } else { options.profile_in(language) };
     let shape = match profile {
@@ -66,8 +82,8 @@ fn fast(module: &Module<'_>, language: Language, recorded: &[f64]) -> Shape {
     let order = topological(&module.teams);
     let together = match language {
         Language::C => functions::together(order.len()),
-        // Each team is a function, which hands nothing on: with arguments for that, most policies took more instructions.
-        // Nor is a bid left uncomputed that is certain to win.
+        // Each team is a function without further arguments: passing values on took more instructions in most policies. A
+        // bid that is certain to win is computed nevertheless.
         Language::Rust => {
             schedule.plans.iter_mut().flat_map(|plan| &mut plan.lazy).for_each(|lazy| lazy.certain = None);
             1

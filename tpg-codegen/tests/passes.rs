@@ -71,7 +71,7 @@ fn a_plan_looks_at_every_bid_of_its_team_once() {
             let mut places: Vec<usize> = bids(plan).iter().map(|bid| bid.place).collect();
             let mut before = plan.infinite.map(|infinite| infinite.place);
             for bid in bids(plan) {
-                assert_eq!(bid.in_turn, before.is_none_or(|before| before < bid.place), "graph {seed}: {plan:?}");
+                assert_eq!(bid.ascending, before.is_none_or(|before| before < bid.place), "graph {seed}: {plan:?}");
                 before = before.max(Some(bid.place));
             }
             assert!(plan.eager.is_sorted_by_key(|bid| bid.place), "graph {seed}: {plan:?}");

@@ -1,4 +1,4 @@
-//! The options that say which code: shared by the commands that generate it and that verify it.
+//! The options that select code, shared by `generate` and `verify`.
 
 use super::scalar::{Chosen, ScalarArgs, StatesArgs};
 use super::{CliError, GraphArgs};
@@ -7,7 +7,7 @@ use crate::passes::interval::Assumption;
 use clap::{Args, ValueEnum};
 use tpg_graph::Graph;
 
-/// A graph, and the code that is wanted of it.
+/// A graph, and the code to generate from it.
 #[derive(Clone, Debug, Args)]
 pub(super) struct CodeArgs {
     #[command(flatten)]
@@ -15,20 +15,20 @@ pub(super) struct CodeArgs {
     /// The language
     #[arg(long, value_enum, default_value_t = LanguageArg::All)]
     pub(super) lang: LanguageArg,
-    /// The interface of the C [default: pure; of verify: both]
+    /// The interface of the C [default: pure; verify: both]
     #[arg(long, value_enum)]
     pub(super) style: Option<Style>,
-    /// What the code is good at [default: fast in C, constant-time in Rust; of verify: each]
+    /// The goal of the optimisation [default: fast in C, constant-time in Rust; verify: every profile]
     #[arg(long, value_enum)]
     pub(super) profile: Option<Profile>,
-    /// Believe the declared ranges of the inputs: a state outside of them may get another action than the interpreter's
+    /// Assume that inputs lie in their declared ranges: outside them, the action may differ from the interpreter's
     #[arg(long)]
     assume_ranges: bool,
     #[command(flatten)]
     scalar: ScalarArgs,
     #[command(flatten)]
     states: StatesArgs,
-    /// What every generated name begins with [default: from the file's name]
+    /// The prefix of every generated name [default: from the file's name]
     #[arg(long, value_name = "NAME")]
     prefix: Option<Prefix>,
 }
@@ -51,7 +51,7 @@ impl LanguageArg {
 }
 
 impl CodeArgs {
-    /// The graph, in the scalar type that was asked for, and the options.
+    /// The graph, in the requested scalar type, and the options.
     pub(super) fn load(&self) -> Result<(Graph, Options), CliError> {
         let Chosen { graph, conversion } = self.scalar.choose(&self.graph, self.graph.load()?, &self.states)?;
         let options = Options {
@@ -65,7 +65,7 @@ impl CodeArgs {
         Ok((graph, options))
     }
 
-    /// Every language, style and profile that the arguments leave open.
+    /// Every combination of language, style and profile that the arguments admit.
     pub(super) fn shapes(&self) -> Vec<(Language, Style, Option<Profile>)> {
         let profiles = self.profile.map_or(Profile::ALL.to_vec(), |profile| vec![profile]);
         let pure = |language| profiles.iter().map(move |&profile| (language, Style::Pure, Some(profile)));

@@ -4,7 +4,7 @@ use super::CliError;
 use crate::emit::Code;
 use crate::size::{self, Target};
 
-/// Refuses C that takes more flash than a limit, or of which nobody can tell.
+/// Refuses C that takes more flash than the limit, or whose size cannot be measured.
 pub(super) fn check_flash(code: &Code<'_>, target: Target, limit: u64) -> Result<(), CliError> {
     let name = target.name();
     match size::build_c(code, target).and_then(|built| size::measure(&built.object)) {
@@ -16,8 +16,8 @@ pub(super) fn check_flash(code: &Code<'_>, target: Target, limit: u64) -> Result
                 "refused: {flash} bytes of flash on {name}, {excess} more than --max-flash {limit}"
             )))
         }
-        Err(error) => Err(CliError::Failed(format!(
-            "refused: whether --max-flash {limit} holds on {name} cannot be told: {error}"
-        ))),
+        Err(error) => {
+            Err(CliError::Failed(format!("refused: --max-flash {limit} cannot be checked on {name}: {error}")))
+        }
     }
 }

@@ -1,4 +1,4 @@
-//! `tpg-codegen GRAPH`: writes the code and says what it is.
+//! `tpg-codegen GRAPH`: writes code, reports its size, and proves it.
 
 use super::code::{CodeArgs, LanguageArg};
 use super::flash::check_flash;
@@ -25,16 +25,16 @@ const SEED: u64 = 1;
 pub struct GenerateArgs {
     #[command(flatten)]
     code: CodeArgs,
-    /// The folder to write to, made where it does not exist; - for standard output
+    /// The output folder, created if it does not exist; - for standard output
     #[arg(short, long, value_name = "DIR", default_value = ".")]
     output: PathBuf,
-    /// Write nothing; exit 1 when the files there are not what would be written
+    /// Write nothing; exit with status 1 if the files in the output folder differ from those that would be written
     #[arg(long)]
     check: bool,
-    /// Refuse, with exit status 1, where the C compiled for a Cortex-M4F takes more flash
+    /// Write nothing and exit with status 1 if the C compiled for a Cortex-M4F takes more flash
     #[arg(long, value_name = "BYTES")]
     max_flash: Option<u64>,
-    /// Instead of generating, say what each pass removed and what every team computes, on standard output or in a file
+    /// Instead of generating, explain what each pass removed and what every team computes, on standard output or in a file
     #[arg(
         long,
         value_name = "FILE",
@@ -102,7 +102,7 @@ impl GenerateArgs {
         self.prove(&codes)
     }
 
-    /// Proves what was written: these texts, no others.
+    /// Proves the texts that were written, and no others.
     fn prove(&self, codes: &[Code<'_>]) -> Result<Verdict, CliError> {
         let proof = prove(codes, STATES, SEED)?;
         let sentences = sentences(&proof);
@@ -135,7 +135,7 @@ impl GenerateArgs {
     }
 }
 
-/// One file as it is; several with a line between them that is a comment in C and Rust.
+/// Prints one file as it is, several with a separator that is a comment in C and Rust.
 fn print(files: &[&File]) -> io::Result<()> {
     let mut out = io::stdout().lock();
     for file in files {

@@ -1,4 +1,4 @@
-//! `tpg-codegen report`: what a graph's code takes.
+//! `tpg-codegen report`: the resources that a graph's code needs.
 
 use super::flash::check_flash;
 use super::scalar::{Chosen, ScalarArgs, StatesArgs};
@@ -10,22 +10,22 @@ use crate::report;
 use crate::size::Target;
 use clap::Args;
 
-/// Say what a graph's code takes: flash, RAM, stack, operations; what was removed of it.
+/// Report the flash, RAM, stack and operations of a graph's code, and what was removed from it.
 #[derive(Clone, Debug, Args)]
 pub(super) struct ReportArgs {
     #[command(flatten)]
     graph: GraphArgs,
-    /// Where the code is to run [default: both]
+    /// The target [default: both]
     #[arg(long, value_enum)]
     target: Option<Target>,
     #[command(flatten)]
     scalar: ScalarArgs,
     #[command(flatten)]
     states: StatesArgs,
-    /// Exit with status 1 where the C of --profile takes more flash on the target (without --target, a Cortex-M4F)
+    /// Exit with status 1 if the C of --profile takes more flash on the target (without --target, a Cortex-M4F)
     #[arg(long, value_name = "BYTES")]
     max_flash: Option<u64>,
-    /// The profile that --max-flash is for
+    /// The profile that --max-flash limits
     #[arg(long, value_enum, default_value_t = Profile::Fast, requires = "max_flash")]
     profile: Profile,
     /// Print one JSON object

@@ -17,11 +17,11 @@ use std::fmt::Write as _;
 pub(super) struct VerifyArgs {
     #[command(flatten)]
     code: CodeArgs,
-    /// How many states to compare: in the declared ranges, on their ends, and beyond, with NaN, infinities and denormals;
-    /// with --assume-ranges, none beyond
+    /// The number of states to compare: in the declared ranges, at their ends, and beyond, with NaN, infinities and
+    /// denormals; with --assume-ranges, none beyond
     #[arg(long, default_value_t = 100_000, value_name = "N")]
     states: usize,
-    /// The seed the states are drawn with
+    /// The seed of the states
     #[arg(long, default_value_t = 1, value_name = "S")]
     seed: u64,
     /// Print one JSON object
@@ -52,7 +52,7 @@ impl VerifyArgs {
     }
 }
 
-/// Compares code with the interpreter, and says on stderr which could not be.
+/// Compares code with the interpreter, and reports code that could not be compared on stderr.
 pub(super) fn prove(codes: &[Code<'_>], states: usize, seed: u64) -> Result<Proof, CliError> {
     let proof = Proof::of(codes, states, seed).map_err(|error| CliError::Failed(format!("not verified: {error}")))?;
     for Unproven { engine, error } in &proof.unproven {

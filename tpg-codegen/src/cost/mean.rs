@@ -1,4 +1,4 @@
-//! What decisions cost on average: the generated code's steps, counted state by state.
+//! The mean cost of decisions: the program's steps, counted state by state.
 
 use super::{Cost, Costs, Guard, Step, Work};
 use crate::ir::Target;
@@ -11,7 +11,7 @@ use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
 
 impl Costs<'_> {
-    /// What a decision costs on average over flat states; nothing where there are none.
+    /// The mean cost of a decision over flat states; 0 without states.
     ///
     /// # Panics
     /// If the states' length is no multiple of [`Graph::state_length`](tpg_graph::Graph::state_length).
@@ -19,7 +19,7 @@ impl Costs<'_> {
         self.count(states).0
     }
 
-    /// The mean, and the action of every state, by which tests know that the right steps were counted.
+    /// The mean, and the action of every state: tests check by the actions that the right steps were counted.
     pub(super) fn count(&self, states: &[f64]) -> (Cost<f64>, Vec<ActionId>) {
         let graph = self.module.graph;
         assert_eq!(states.len() % graph.state_length(), 0, "whole states");
@@ -81,7 +81,7 @@ fn winner<S: Scalar>(steps: &[Step], values: &[S], lowest: S, seen: &mut Cost<u6
         add(seen, first);
         // The code compares places counted from 1: nobody's is below every bid's.
         let comes_after = winner.is_none_or(|winner| winner < bid.place);
-        let beats = |value: S, best: S| value > best || (value >= best && (bid.in_turn || comes_after));
+        let beats = |value: S, best: S| value > best || (value >= best && (bid.ascending || comes_after));
         let value = values[bid.value.index()];
         if let Guard::Infinite(above) = guard {
             if value > S::from_f64(above) {
@@ -102,7 +102,7 @@ fn winner<S: Scalar>(steps: &[Step], values: &[S], lowest: S, seen: &mut Cost<u6
             Guard::Finite => !*finite.get_or_insert(best < -S::NEG_INFINITY),
             Guard::Bound(bound) => {
                 let bound = values[bound.index()];
-                best > bound || (!bid.in_turn && best >= bound && !comes_after)
+                best > bound || (!bid.ascending && best >= bound && !comes_after)
             }
             Guard::Place => leads_infinitely,
         };

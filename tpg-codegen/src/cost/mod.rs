@@ -1,5 +1,5 @@
-//! What a decision costs, counted on the generated code: teams, bids, operations, and sines, cosines, logarithms and
-//! exponentials among them. At most ([`Costs::worst`]), and on average over given states ([`Costs::mean`]).
+//! The cost of a decision, counted on the program: teams, bids, operations, and the sines, cosines, logarithms and
+//! exponentials among these. At most ([`Costs::worst`]), and on average over given states ([`Costs::mean`]).
 
 mod mean;
 
@@ -11,12 +11,12 @@ use crate::program::{Program, Shape};
 use serde::Serialize;
 use std::collections::BTreeSet;
 
-/// What one decision costs.
+/// The cost of one decision.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Cost<N> {
     /// Teams that decide.
     pub teams: N,
-    /// Bids that are looked at.
+    /// Bids that are considered.
     pub bids: N,
     /// Operations on numbers: arithmetic, functions, bounds. Not comparisons of bids, not the way through tables.
     pub operations: N,
@@ -41,7 +41,7 @@ impl Work {
     }
 }
 
-/// When a bid is computed.
+/// The condition for computing a bid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Guard {
     /// Always.
@@ -52,28 +52,28 @@ enum Guard {
     Place,
     /// Unless the best bid was infinite before the first of these.
     Finite,
-    /// Never: it is infinite where its argument, the bid's value here, is above this, and that is asked first.
+    /// Never: tested first, it is infinite if its argument, the bid's value here, is above this.
     Infinite(f64),
 }
 
-/// A team looks at a bid.
+/// The evaluation of a bid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Step {
     bid: Bid,
-    /// Spares even the bound.
+    /// Skips even the bound.
     sparing: Option<Sparing>,
-    /// Whether an infinite bid of a higher place does, too.
+    /// An infinite bid of a higher place skips it, too.
     before_infinite: bool,
     guard: Guard,
-    /// Where this is above the best bid so far, the bid wins without being computed.
+    /// If this is above the best bid so far, the bid leads without being computed.
     certain: Option<NodeId>,
-    /// Done always.
+    /// Executed always.
     first: Work,
-    /// Done whatever the guard says.
+    /// Executed regardless of the guard.
     before: Work,
-    /// Done where it lets pass.
+    /// Executed if the guard passes.
     inside: Work,
-    /// Done besides, at most: a leader that was not computed may have to be.
+    /// Executed at most in addition: a leader that was not computed may have to be.
     again: Work,
 }
 
@@ -83,7 +83,7 @@ impl Step {
         self.first.plus(self.before).plus(self.inside).plus(self.again)
     }
 
-    /// A bid that is computed always, whatever the others bid.
+    /// A bid that is always computed.
     fn always(bid: Bid, inside: Work) -> Self {
         let nothing = Work::default();
         let (sparing, guard, certain) = (None, Guard::None, None);
@@ -107,11 +107,11 @@ pub struct Costs<'a> {
     module: &'a Module<'a>,
     /// The nodes that steps name: the module's, and bounds after them.
     nodes: &'a [Node],
-    /// Done before the walk, once.
+    /// Executed once, before the walk.
     once: Work,
-    /// By team, in the order they are looked at.
+    /// The steps of each team, in order of evaluation.
     teams: Vec<Vec<Step>>,
-    /// Whether every team decides, on the walk or not.
+    /// Every team decides, on the walk or not.
     all_teams: bool,
 }
 
@@ -143,7 +143,7 @@ impl<'a> Costs<'a> {
         }
     }
 
-    /// No decision costs more, each number by itself: the walk with most operations need not be the one with most teams.
+    /// The worst case of each number by itself: the walk with most operations need not be the one with most teams.
     pub fn worst(&self) -> Cost<u64> {
         let heaviest = |weight: fn(&Step) -> u64| {
             let team = |team: usize| self.teams[team].iter().map(weight).sum::<u64>();
@@ -157,7 +157,7 @@ impl<'a> Costs<'a> {
         }
     }
 
-    /// Operations as the code writes them down, all teams together.
+    /// Occurrences of operations in the text, of all teams together.
     pub(crate) fn written(&self) -> u64 {
         let steps = self.teams.iter().flatten();
         self.once.operations
@@ -165,12 +165,12 @@ impl<'a> Costs<'a> {
     }
 }
 
-/// The steps of teams that look at their bids by place.
+/// The steps of teams that evaluate their bids by place.
 fn in_order(module: &Module<'_>, step: impl Fn(Bid) -> Step) -> Vec<Vec<Step>> {
     (module.teams.iter())
         .map(|team| {
             (team.edges.iter().enumerate())
-                .map(|(place, edge)| step(Bid { place, value: module.bidders[edge.bidder].value, in_turn: true }))
+                .map(|(place, edge)| step(Bid { place, value: module.bidders[edge.bidder].value, ascending: true }))
                 .collect()
         })
         .collect()
@@ -182,25 +182,25 @@ fn planned(nodes: &[Node], plan: &Plan, language: Language, computed: BTreeSet<N
     if plan.destinations().len() == 1 {
         return Vec::new();
     }
-    let mut known = Known { nodes, computed };
+    let mut scope = Scope { nodes, computed };
     let nothing = Work::default();
     let mut steps = Vec::new();
     if let Some(Infinite { place, argument, above }) = plan.infinite {
-        let first = known.compute(argument);
-        let bid = Bid { place, value: argument, in_turn: true };
+        let first = scope.compute(argument);
+        let bid = Bid { place, value: argument, ascending: true };
         steps.push(Step { guard: Guard::Infinite(above), first, ..Step::always(bid, nothing) });
     }
     for &bid in &plan.eager {
-        steps.push(Step { first: known.compute(bid.value), ..Step::always(bid, nothing) });
+        steps.push(Step { first: scope.compute(bid.value), ..Step::always(bid, nothing) });
     }
-    let outside = known.computed.clone();
+    let outside = scope.computed.clone();
     for &bid in &plan.eager_before {
-        steps.push(Step { guard: Guard::Finite, ..Step::always(bid, known.compute(bid.value)) });
+        steps.push(Step { guard: Guard::Finite, ..Step::always(bid, scope.compute(bid.value)) });
     }
-    known.computed = outside;
+    scope.computed = outside;
     let mut again = nothing;
     for lazy in &plan.lazy {
-        let step = Step { again, ..known.lazy(lazy, language) };
+        let step = Step { again, ..scope.lazy(lazy, language) };
         if step.certain.is_some() {
             again = again.most(step.inside);
         }
@@ -209,14 +209,14 @@ fn planned(nodes: &[Node], plan: &Plan, language: Language, computed: BTreeSet<N
     steps
 }
 
-/// What a team has computed. What it computed outside of a guard is there for later bids; in Rust, an unguarded bid has no
-/// braces around it.
-struct Known<'a> {
+/// The values in scope while a team is evaluated. Later bids reuse values that were computed outside a guard; in Rust, an
+/// unguarded bid has no braces around it.
+struct Scope<'a> {
     nodes: &'a [Node],
     computed: BTreeSet<NodeId>,
 }
 
-impl Known<'_> {
+impl Scope<'_> {
     fn compute(&mut self, value: NodeId) -> Work {
         let missing = needed(self.nodes, value, |id| !self.computed.contains(&id));
         let work = work(self.nodes, &missing);
@@ -232,7 +232,7 @@ impl Known<'_> {
         let before = bounds.map(|bound| self.compute(bound)).fold(Work::default(), Work::plus);
         let guard = match bound {
             Some(bound) => Guard::Bound(bound),
-            None if bid.in_turn || before_infinite => Guard::None,
+            None if bid.ascending || before_infinite => Guard::None,
             None => Guard::Place,
         };
         let behind_bounds = self.computed.clone();

@@ -1,4 +1,4 @@
-//! What every generated file says of itself: where it comes from, never when or where it was made.
+//! The banner of generated files: their origin, never the time or place of generation.
 
 use crate::ir::Node;
 use crate::options::{Language, Style};

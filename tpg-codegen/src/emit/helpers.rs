@@ -41,7 +41,7 @@ impl Calls {
         calls
     }
 
-    /// Whether any of some instructions is called.
+    /// Tests for calls of any of `instructions`.
     pub(super) fn any(&self, instructions: &[Instruction]) -> bool {
         instructions.iter().any(|instruction| self.operations.contains(instruction))
     }

@@ -32,7 +32,7 @@ pub(super) fn sources(graph: &Graph, safe: impl Fn(&str) -> String) -> Vec<Sourc
         .collect()
 }
 
-/// The range of every value, or where they differ, each value's own, in their order.
+/// The common range of the values, or if ranges differ, each value's own in order.
 fn range(ranges: &[Range]) -> String {
     match ranges {
         [first, others @ ..] if others.iter().all(|range| range == first) => first.to_string(),

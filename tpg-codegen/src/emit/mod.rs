@@ -58,7 +58,20 @@ impl<'g> Code<'g> {
     }
 }
 
-/// Compiles and prints a graph, where nothing but the text is wanted.
+/// Compiles and prints a graph, if nothing but the text is needed. The same graph and options give the same bytes.
+///
+/// ```
+/// use tpg_codegen::emit::{self, Language, Options};
+/// use tpg_graph::sample::{self, Shape};
+///
+/// let graph = sample::graph(&Shape::default(), 7);
+/// let options = Options::new("arm".parse()?);
+/// let files = emit::emit(&graph, Language::C, &options);
+/// assert_eq!([&*files[0].name, &*files[1].name], ["arm.h", "arm.c"]);
+/// assert!(files[0].text.contains("uint16_t arm_infer(const arm_state_t *state);"));
+/// assert_eq!(files, emit::emit(&graph, Language::C, &options));
+/// # Ok::<(), String>(())
+/// ```
 pub fn emit(graph: &Graph, language: Language, options: &Options) -> Vec<File> {
     Code::of(compile(graph, options, language)).files
 }

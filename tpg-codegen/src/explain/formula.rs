@@ -7,7 +7,7 @@ use tpg_runtime::ops::Instruction;
 
 /// The formulas of a team's bids. What occurs more than once has a name, so that no formula is longer than its program.
 pub(super) struct Formulas {
-    /// What stands for each node: a name, or what it is.
+    /// The term of each node: a name, or its expression.
     terms: BTreeMap<NodeId, Term>,
     shared: Vec<(String, String)>,
 }
@@ -18,7 +18,7 @@ struct Term {
     rank: Rank,
 }
 
-/// How strongly the parts of a term hold together.
+/// The precedence of a term.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Rank {
     Sum,
@@ -27,7 +27,7 @@ enum Rank {
 }
 
 impl Formulas {
-    /// Of the values that a team's edges bid.
+    /// Formulas of the values that a team's edges bid.
     pub(super) fn new(module: &Module<'_>, bids: &[NodeId]) -> Self {
         let mut needed: Vec<NodeId> = bids.iter().flat_map(|&bid| module.operations_of(bid)).collect();
         needed.sort_unstable();
@@ -57,7 +57,7 @@ impl Formulas {
         formulas
     }
 
-    /// The names, and what they stand for.
+    /// The named subexpressions.
     pub(super) fn shared(&self) -> &[(String, String)] {
         &self.shared
     }

@@ -1,4 +1,4 @@
-//! `--explain`: what each pass removed, and what is left, team by team, in formulas that can be read.
+//! `--explain`: the removals of each pass, and the remaining bids, team by team, as readable formulas.
 
 mod formula;
 

@@ -1,4 +1,4 @@
-//! What to generate: the language, the interface, the profile, the name.
+//! Options of the generated code: language, interface, profile, prefix.
 
 mod prefix;
 
@@ -37,7 +37,7 @@ pub enum Style {
     Gegelati,
 }
 
-/// What the code is good at.
+/// The goal of the optimisation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, clap::ValueEnum)]
 pub enum Profile {
     /// Least mean time: a function for each team, which computes expensive bids only where they can win.
@@ -61,7 +61,7 @@ impl Profile {
         }
     }
 
-    /// What a language gets where nothing is asked for.
+    /// The default profile of a language.
     pub const fn default_of(language: Language) -> Self {
         match language {
             Language::C => Self::Fast,
@@ -70,7 +70,18 @@ impl Profile {
     }
 }
 
-/// What to emit and what to call it.
+/// The options of a compilation.
+///
+/// ```
+/// use tpg_codegen::options::{Language, Options, Profile};
+/// use tpg_codegen::passes::interval::Assumption;
+///
+/// let options = Options::new("arm".parse()?);
+/// assert_eq!(options.profile_in(Language::C), Profile::Fast);
+/// let small = Options { profile: Some(Profile::Small), assumption: Assumption::DeclaredRanges, ..options };
+/// assert_eq!(small.profile_in(Language::Rust), Profile::Small);
+/// # Ok::<(), String>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
     /// The prefix of every name.
@@ -79,11 +90,11 @@ pub struct Options {
     pub style: Style,
     /// The profile; each language has its default. GEGELATI's style has none.
     pub profile: Option<Profile>,
-    /// What is believed of the inputs.
+    /// The assumption about the inputs.
     pub assumption: Assumption,
-    /// What the graph was before its scalar type was changed, where it was.
+    /// The graph's original scalar type and maths, if they were changed.
     pub conversion: Option<Conversion>,
-    /// Recorded states: [`Profile::Fast`] looks first at the bids that win most often along them.
+    /// Recorded states: [`Profile::Fast`] evaluates first the bids that win most often along them.
     pub trace: Option<StateSet>,
 }
 
@@ -105,14 +116,14 @@ impl Options {
         self.profile.unwrap_or(Profile::default_of(language))
     }
 
-    /// The recorded states by which a language's code orders its bids.
+    /// The recorded states that order the bids of a language's code, if any do.
     pub(crate) fn ordered_by(&self, language: Language) -> Option<&StateSet> {
         let is_fast = self.profile_in(language) == Profile::Fast;
         let has_profile = language == Language::Rust || self.style == Style::Pure;
         self.trace.as_ref().filter(|_| is_fast && has_profile)
     }
 
-    /// Flat states that were recorded; none where nothing was.
+    /// The recorded states, flat; empty if there are none.
     pub(crate) fn recorded(&self) -> &[f64] {
         self.trace.as_ref().map_or(&[], |trace| &trace.states)
     }

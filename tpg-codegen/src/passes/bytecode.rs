@@ -1,4 +1,4 @@
-//! A module as tables: what the profile `small` runs.
+//! A module as tables, for the profile `small`.
 
 use crate::ir::{Module, Node, NodeId};
 use std::collections::{BTreeMap, BTreeSet};
@@ -9,13 +9,13 @@ use tpg_runtime::ops::Instruction;
 pub struct Bytecode {
     /// Instructions: from the lowest bits on, two operands and an operation.
     pub code: Vec<u64>,
-    /// Where each program begins in [`code`](Self::code), and where the last ends.
+    /// The start of each program in [`code`](Self::code), and the end of the last.
     pub programs: Vec<u64>,
     /// The program of each edge.
     pub bidders: Vec<u64>,
-    /// Where each edge leads: teams from 0, then actions.
+    /// The destination of each edge: teams from 0, then actions.
     pub targets: Vec<u64>,
-    /// Where each team's edges begin, and where the last team's end.
+    /// The start of each team's edges, and the end of the last team's.
     pub teams: Vec<u64>,
     /// The constants, which follow the state in the frame.
     pub constants: Vec<f64>,
@@ -29,17 +29,17 @@ pub struct Bytecode {
     pub used: Vec<Option<Instruction>>,
 }
 
-/// The least type of unsigned integers that holds some.
+/// The smallest unsigned integer type for some values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Width(u32);
 
 impl Width {
-    /// For the values of a table.
+    /// The width of a table's values.
     pub fn of(values: &[u64]) -> Self {
         Self::up_to(values.iter().copied().max().unwrap_or(0))
     }
 
-    /// For values up to a greatest one.
+    /// The width of values up to `greatest`.
     pub fn up_to(greatest: u64) -> Self {
         Self(match greatest {
             0..=0xff => 8,
@@ -49,7 +49,7 @@ impl Width {
         })
     }
 
-    /// Its bits: 8, 16, 32 or 64.
+    /// The number of bits: 8, 16, 32 or 64.
     pub fn bits(self) -> u32 {
         self.0
     }
@@ -63,7 +63,7 @@ pub fn number(operation: Option<Instruction>) -> u32 {
     }
 }
 
-/// Encodes a module. Programs that bid the same value are one.
+/// Encodes a module. Programs that bid the same value share one entry.
 pub fn encode(module: &Module<'_>) -> Bytecode {
     let constants = constants(module);
     let state_length = module.graph.state_length();

@@ -1,12 +1,12 @@
-//! Of edges of a team that bid the same value, only the last can win: it is as high as the others and comes after them.
-//! The others go, wherever they lead. (So a compiled policy has no edge to fall back on when someone refuses an action
-//! after the fact: whoever wants to refuse actions must do so in the graph.)
+//! Edges of a team that bid the same value: only the last can win, because it breaks the tie. The others are removed,
+//! whatever their destinations. (So a compiled policy has no second choice if an action is rejected afterwards: actions must
+//! be masked in the graph.)
 
 use super::DuplicateBid;
 use crate::ir::{Edge, Module};
 use std::collections::BTreeMap;
 
-/// Removes them and says which they were.
+/// Removes them and returns them.
 pub(super) fn run(module: &mut Module<'_>) -> Vec<DuplicateBid> {
     let Module { teams, bidders, .. } = module;
     let mut removed = Vec::new();

@@ -1,16 +1,16 @@
 //! Constant folding and identities that hold for every value, bit for bit.
 //!
-//! What is used: an operation on constants is a constant; `x − 0 = x` and `x + (−0) = x`, also for x = −0; `1·x = x`,
+//! Rules: an operation on constants is a constant; `x − 0 = x` and `x + (−0) = x`, also for x = −0; `1·x = x`,
 //! `x / 1 = x`; division by a power of two is multiplication by its reciprocal; `min(x, x)`, `max(x, x)` and
 //! `negate_if_less(x, x)` are x, for NaN too, as the comparison is false; a minimum with an operand that was in it already is
 //! that minimum, but `min(min(x, y), x) = min(y, x)`, and so for the maximum; with a NaN, an operation is NaN or one of its
 //! operands; `||x|| = |x|`; sums and products commute (the
 //! payload of a NaN aside, which no comparison sees), so their operands are sorted and equal ones meet.
 //!
-//! That of minima is more than thrift: LLVM 22 takes `min(min(c, x), c)` with a constant c for `min(c, x)`, which it is not
-//! where x is NaN.
+//! The rule for nested minima also avoids a miscompilation: LLVM 22 replaces `min(min(c, x), c)` with a constant c by
+//! `min(c, x)`, which is wrong for a NaN.
 //!
-//! What is not: `x + 0` (−0 becomes 0), `0·x` and `x − x` (NaN for an infinite x), any reassociation.
+//! Not exact, and so not rules: `x + 0` (−0 becomes 0), `0·x` and `x − x` (NaN for an infinite x), any reassociation.
 
 use super::arithmetic::Arithmetic;
 use crate::ir::{Module, Node, NodeId, Values};
@@ -111,7 +111,7 @@ mod tests {
     const VALUES: [f64; 9] =
         [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.0, -0.0, 1.5, -3.0, f64::MAX, f64::MIN_POSITIVE / 8.0];
 
-    /// What a node computes for an input.
+    /// The value of a node for an input.
     fn value(values: &Values, id: NodeId, input: f64) -> f64 {
         match values.node(id) {
             Node::Constant(bits) => f64::from_bits(bits),

@@ -5,7 +5,7 @@ use super::HopelessBid;
 use super::interval::Interval;
 use crate::ir::Module;
 
-/// Removes them and says which they were.
+/// Removes them and returns them.
 pub(super) fn run(module: &mut Module<'_>, intervals: &[Interval]) -> Vec<HopelessBid> {
     let Module { teams, bidders, .. } = module;
     let mut removed = Vec::new();

@@ -1,4 +1,4 @@
-//! Intervals: what a value can be, and whether it can be NaN.
+//! Interval analysis, with NaN.
 //!
 //! Rounding to nearest is monotone, so the ends of a sum, difference, product or quotient are the rounded results on the
 //! ends of its operands, computed in the graph's own scalar type: no widening is needed. Results of sin, cos, ln and exp
@@ -17,18 +17,18 @@ pub struct Interval {
     pub low: f64,
     /// The highest value.
     pub high: f64,
-    /// Whether it can be NaN.
+    /// The value can be NaN.
     pub nan: bool,
 }
 
-/// What is assumed of the inputs.
+/// The assumption about the inputs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Assumption {
-    /// Nothing: infinities and NaN, too.
+    /// None: infinities and NaN are possible.
     #[default]
     Nothing,
-    /// That each lies in its declared range.
+    /// Each input lies in its declared range.
     DeclaredRanges,
 }
 

@@ -1,32 +1,32 @@
-//! Teams that do not decide anything, and teams that decide alike.
+//! Teams without a choice, and equivalent teams.
 //!
-//! A team all of whose edges lead to one place is walked past: its bids do not matter. Teams with the same bids for the
-//! same places are one. Both can follow from the other, so teams are taken from the ends of the graph towards the root,
-//! every one after all that it leads to.
+//! A team whose edges all have one destination is bypassed: its bids do not matter. Teams with the same bids for the same
+//! destinations are merged. Each rule can enable the other, so teams are visited in reverse topological order: successors
+//! first.
 
 use super::TwinTeam;
 use crate::ir::{Module, NodeId, Target, Team, longest_walk};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Which teams went.
+/// The removed teams.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Removed {
     /// Teams without a choice.
     pub(super) bypassed: Vec<u32>,
-    /// Teams that decide like another.
+    /// Teams that are equivalent to another.
     pub(super) merged: Vec<TwinTeam>,
-    /// Teams that nothing leads to any more.
+    /// Teams that have become unreachable.
     pub(super) unreachable: Vec<u32>,
 }
 
 impl Removed {
-    /// Whether there is none.
+    /// Tests for no removals.
     pub(super) fn is_empty(&self) -> bool {
         self.bypassed.is_empty() && self.merged.is_empty() && self.unreachable.is_empty()
     }
 }
 
-/// Redirects edges past such teams, and renumbers what is left breadth first. The root stays, whatever it decides.
+/// Redirects edges past such teams, and renumbers the remaining ones breadth first. The root always stays.
 pub(super) fn run(module: &mut Module<'_>) -> Removed {
     let before: Vec<u32> = module.teams.iter().map(|team| team.label).collect();
     let mut removed = Removed::default();
@@ -65,7 +65,7 @@ pub(super) fn run(module: &mut Module<'_>) -> Removed {
     removed
 }
 
-/// The teams, each after all that it leads to.
+/// The teams in reverse topological order: successors first.
 fn ends_first(teams: &[Team]) -> Vec<usize> {
     let mut entering = vec![Vec::new(); teams.len()];
     let mut leaving = vec![0_usize; teams.len()];
@@ -91,7 +91,7 @@ fn ends_first(teams: &[Team]) -> Vec<usize> {
     order
 }
 
-/// Keeps the teams that can be reached, breadth first from the root, and the bidders and nodes that they use.
+/// Keeps the reachable teams, breadth first from the root, and the bidders that they use.
 fn renumber(module: &mut Module<'_>) {
     let mut place = vec![None; module.teams.len()];
     place[0] = Some(0);

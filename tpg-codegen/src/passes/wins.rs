@@ -1,7 +1,7 @@
-//! How often each bid of each team wins along recorded states. The likeliest winner, computed first, spares
-//! the others.
+//! Counts of each bid's wins along recorded states. The likeliest winner is evaluated first, so that its bid skips the
+//! others.
 //!
-//! To ask first for the team that a winner leads to most often, too, was measured and gains nothing.
+//! Testing the likeliest destination first was measured as well, and gains nothing.
 
 use super::evaluate::evaluate;
 use crate::ir::{Module, Target};
@@ -9,12 +9,12 @@ use tpg_graph::in_arithmetic_of;
 use tpg_runtime::ops::{self, Maths};
 use tpg_runtime::scalar::Scalar;
 
-/// By team, by place; none where nothing was recorded.
+/// Wins by team and place; 0 without recorded states.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Wins(Vec<Vec<u64>>);
 
 impl Wins {
-    /// Counts along flat states.
+    /// Counts wins along flat states.
     ///
     /// # Panics
     /// If the states' length is no multiple of [`Graph::state_length`](tpg_graph::Graph::state_length).
@@ -23,7 +23,7 @@ impl Wins {
         in_arithmetic_of!(module.graph, count_in(module, states))
     }
 
-    /// Of a place in a team.
+    /// The wins of a place in a team.
     pub fn of(&self, team: usize, place: usize) -> u64 {
         self.0[team][place]
     }

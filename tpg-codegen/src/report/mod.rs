@@ -1,4 +1,5 @@
-//! What a graph's code takes, before anyone flashes it: bytes, stack, operations; and what of the graph never mattered.
+//! The resources a graph's code needs, before it is flashed: bytes, stack, operations; and the parts of the graph that never
+//! mattered.
 
 mod text;
 
@@ -22,29 +23,29 @@ pub struct Report {
     pub version: &'static str,
     /// The graph's SHA-256.
     pub graph_sha256: String,
-    /// What the code computes in.
+    /// The scalar type of the code.
     pub scalar: ScalarType,
-    /// Who computes sin, cos, ln and exp.
+    /// The provider of sin, cos, ln and exp.
     pub maths: MathsProvider,
-    /// Where the graph says another scalar type.
+    /// The change of scalar type, if there was one.
     pub conversion: Option<Conversion>,
-    /// How big the graph is.
+    /// The graph's size.
     pub graph: GraphCounts,
     /// Values of the state that no action depends on, by name.
     pub dead_inputs: Vec<String>,
-    /// What the passes removed.
+    /// The passes' removals.
     pub removed: Removed,
-    /// Where the states come from that means are taken over.
+    /// The origin of the states that means are taken over.
     pub states: String,
-    /// What a decision of the C costs.
+    /// The cost of a decision in C.
     pub costs: Vec<ShapeCost>,
-    /// What the C takes on each target.
+    /// The size of the C on each target.
     pub sizes: Vec<ShapeSize>,
-    /// What the Rust takes on a Cortex-M4F.
+    /// The size of the Rust on a Cortex-M4F.
     pub rust_sizes: Vec<RustSize>,
 }
 
-/// How big a graph is. Only what the root leads to counts.
+/// The size of a graph, counting only vertices reachable from the root.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct GraphCounts {
     /// Teams.
@@ -61,11 +62,11 @@ pub struct GraphCounts {
     pub inputs: usize,
     /// Lines of the programs.
     pub lines: usize,
-    /// Lines that no bid depends on.
+    /// Introns: lines that no bid depends on.
     pub introns: usize,
-    /// Operations that are left when equal ones are one.
+    /// Operations after value numbering.
     pub distinct_operations: usize,
-    /// Operations that are left after the passes.
+    /// Operations after all passes.
     pub operations: usize,
 }
 
@@ -87,7 +88,7 @@ impl ShapeName {
     /// Every shape.
     pub const ALL: [Self; 4] = [Self::Fast, Self::Small, Self::ConstantTime, Self::Gegelati];
 
-    /// What it is called.
+    /// The name in reports.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Fast => Profile::Fast.name(),
@@ -108,7 +109,7 @@ impl ShapeName {
     }
 }
 
-/// What a decision costs in one shape.
+/// The cost of a decision in one shape.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ShapeCost {
     /// The shape.
@@ -119,7 +120,7 @@ pub struct ShapeCost {
     pub mean: Cost<f64>,
 }
 
-/// What one shape takes on one target.
+/// The size of one shape on one target.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ShapeSize {
     /// The target.
@@ -130,24 +131,24 @@ pub struct ShapeSize {
     pub flash: Option<u64>,
     /// Bytes of RAM, without the stack.
     pub ram: Option<u64>,
-    /// Bytes of stack, where the compiler says them.
+    /// Bytes of stack, if the compiler reports them.
     pub stack: Option<Stack>,
     /// The sections that the compiler made.
     pub sections: Option<Size>,
-    /// Whether the numbers are an estimate, for want of a compiler.
+    /// The numbers are estimates, because there is no compiler.
     pub estimated: bool,
-    /// Why no compiler made them.
+    /// The reason for having no compiler's numbers.
     pub unavailable: Option<String>,
 }
 
-/// What the Rust of one profile takes on a Cortex-M4F.
+/// The size of one profile's Rust on a Cortex-M4F.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct RustSize {
     /// The profile.
     pub profile: ShapeName,
     /// Bytes of flash.
     pub flash: Option<u64>,
-    /// Why they are not known.
+    /// The reason for having none.
     pub unavailable: Option<String>,
 }
 

@@ -1,4 +1,4 @@
-//! How much flash generated C would take on a Cortex-M4F, where its compiler is not there to ask.
+//! An estimate of generated C's flash on a Cortex-M4F, for machines without its compiler.
 
 use crate::cost::Costs;
 use crate::ir::Node;
@@ -13,7 +13,7 @@ struct Weights {
     always: u64,
     team: u64,
     edge: u64,
-    /// As often as an operation is written down.
+    /// For each occurrence of an operation in the text.
     operation: u64,
     /// Own sine and cosine.
     circular: u64,
@@ -46,7 +46,7 @@ pub fn flash(program: &Program<'_>) -> u64 {
     };
     let edges: usize = module.teams.iter().map(|team| team.edges.len()).sum();
     let (operations, tables) = match &program.shape {
-        // An operation is written down once, whoever uses it; the tables come on top.
+        // Each operation occurs once in the text; the tables come on top.
         Shape::Small(code) => (used.len() as u64, tables(code, graph.scalar())),
         _ => (Costs::of(program).written(), 0),
     };

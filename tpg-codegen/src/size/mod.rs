@@ -1,4 +1,4 @@
-//! How big generated code is once compiled: without its self-test, without the libraries it calls.
+//! The size of compiled code, without its self-test and the libraries it calls.
 
 mod estimate;
 mod rust;
@@ -21,7 +21,7 @@ use std::process::Command;
 use tempfile::TempDir;
 use tpg_graph::Graph;
 
-/// Where the code is to run.
+/// A target of generated code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, clap::ValueEnum)]
 pub enum Target {
     /// On a Cortex-M4 with FPU, built by `arm-none-eabi-gcc`.
@@ -37,7 +37,7 @@ impl Target {
     /// Every target.
     pub const ALL: [Self; 2] = [Self::CortexM4, Self::Host];
 
-    /// What it is called in reports.
+    /// The name in reports.
     pub fn name(self) -> &'static str {
         match self {
             Self::Host => "this machine",
@@ -78,7 +78,7 @@ impl fmt::Display for Size {
     }
 }
 
-/// Lines for people that say the size of the compiled C, for each target whose compiler is there.
+/// The size of the compiled C on each target, a line each; if a compiler is missing, its line says so.
 pub fn of_c(code: &Code<'_>) -> Vec<String> {
     [Target::Host, Target::CortexM4]
         .map(|target| match build_c(code, target).and_then(|built| measure(&built.object)) {
@@ -101,7 +101,7 @@ pub fn compile_c(graph: &Graph, options: &Options, target: Target) -> io::Result
 pub struct Built {
     /// The object file.
     pub object: Vec<u8>,
-    /// The stack that a decision needs; none where the compiler does not say (only GCC does).
+    /// The stack that a decision needs; only GCC reports it.
     pub stack: Option<Stack>,
 }
 
@@ -150,10 +150,10 @@ pub fn build_c(code: &Code<'_>, target: Target) -> io::Result<Built> {
     Ok(Built { object: fs::read(folder.path().join("policy.o"))?, stack })
 }
 
-/// Adds an object file's sections up.
+/// Sums the sections of an object file.
 ///
 /// # Errors
-/// When it is no object file.
+/// If it is not an object file.
 pub fn measure(object: &[u8]) -> io::Result<Size> {
     let file = object::File::parse(object).map_err(io::Error::other)?;
     let mut size = Size::default();

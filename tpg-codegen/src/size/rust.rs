@@ -1,4 +1,4 @@
-//! How big generated Rust is on a Cortex-M4F, where the Rust compiler has that target.
+//! The size of generated Rust on a Cortex-M4F, if the Rust compiler has that target.
 
 use super::{Size, measure};
 use crate::emit::Code;
@@ -11,7 +11,7 @@ use tpg_runtime::standalone;
 
 const TARGET: &str = "thumbv7em-none-eabihf";
 
-/// The Rust compiler for a Cortex-M4F, with what generated Rust stands on.
+/// The Rust compiler for a Cortex-M4F, with the runtime that generated Rust depends on.
 #[derive(Debug)]
 pub struct RustForCortexM4 {
     folder: TempDir,
@@ -21,7 +21,7 @@ impl RustForCortexM4 {
     /// Compiles the runtime's part, at an `opt-level`: `3`, `s` and the like.
     ///
     /// # Errors
-    /// When there is no compiler, or it lacks the target.
+    /// If there is no compiler, or it lacks the target.
     pub fn new(level: &str) -> io::Result<Self> {
         let folder = TempDir::new()?;
         let place = |name: &str| folder.path().join(name);
@@ -65,13 +65,13 @@ impl RustForCortexM4 {
     /// The bytes of [`object`](Self::object).
     ///
     /// # Errors
-    /// As it.
+    /// As [`object`](Self::object).
     pub fn size(&self, code: &Code<'_>, level: &str) -> io::Result<Size> {
         measure(&self.object(code, level)?)
     }
 }
 
-/// Declares what the runtime calls of the crate libm.
+/// Stubs for the functions of the crate libm that the runtime calls.
 fn libm() -> String {
     let functions = |scalar: &str, names: [&str; 4]| {
         names.map(|name| format!("#[inline(never)]\npub fn {name}(x: {scalar}) -> {scalar} {{\n    x\n}}\n")).concat()

@@ -34,25 +34,25 @@ struct RustHarness<'a> {
     state_length: usize,
 }
 
-/// Why generated code did not become a program.
+/// A failure to build generated code.
 #[derive(Debug, thiserror::Error)]
 pub enum BuildError {
-    /// No compiler.
+    /// The compiler is missing.
     #[error("{language} compiler {command:?} cannot be started: {error}")]
     Missing {
-        /// What it should compile.
+        /// The language to compile.
         language: &'static str,
-        /// What was tried.
+        /// The command.
         command: OsString,
-        /// What the system said.
+        /// The system's error.
         error: io::Error,
     },
-    /// The compiler refused the code: a defect of the generator.
+    /// The compiler rejected the code: a defect of the generator.
     #[error("the {language} compiler refused generated code:\n{message}")]
     Refused {
         /// The language.
         language: &'static str,
-        /// What the compiler printed.
+        /// The compiler's output.
         message: String,
     },
     /// The temporary folder or the program failed.
@@ -60,7 +60,7 @@ pub enum BuildError {
     Io(#[from] io::Error),
 }
 
-/// A temporary folder where generated code is compiled; gone when dropped.
+/// A temporary folder for compiling generated code, deleted on drop.
 #[derive(Debug)]
 pub struct Workshop {
     folder: TempDir,
@@ -75,7 +75,7 @@ impl Workshop {
         Ok(Self { folder: TempDir::new()? })
     }
 
-    /// Compiles generated code, the very text that it is given, and starts the program.
+    /// Compiles exactly the given text and starts the program.
     ///
     /// # Errors
     /// See [`BuildError`].
@@ -151,7 +151,7 @@ impl Workshop {
         Ok(folder)
     }
 
-    /// The folder.
+    /// The path of the folder.
     pub fn path(&self) -> &Path {
         self.folder.path()
     }
@@ -169,10 +169,10 @@ pub(crate) fn c_compiler() -> Result<cc::Tool, BuildError> {
     })
 }
 
-/// The C compiler at `-O2` in a folder, told what every policy needs.
+/// The C compiler at `-O2` in a folder, with the flags that every policy needs.
 ///
 /// # Errors
-/// When there is none.
+/// If there is none.
 pub fn c_command(folder: &Path) -> Result<Command, BuildError> {
     let mut command = c_compiler()?.to_command();
     command.current_dir(folder).args(["-std=c99", "-ffp-contract=off"]);
@@ -186,7 +186,7 @@ pub fn rustc(folder: &Path) -> Command {
     command
 }
 
-/// Compiles what generated Rust stands on: `libtpg_runtime.rlib` in a folder.
+/// Compiles the runtime that generated Rust depends on: `libtpg_runtime.rlib` in a folder.
 ///
 /// # Errors
 /// When the compiler is missing or refuses.

@@ -1,4 +1,4 @@
-//! Compiles what was generated and compares it with the interpreter, state by state.
+//! Compiles generated code and compares it with the interpreter, state by state.
 
 mod batch;
 mod build;
@@ -19,15 +19,15 @@ use tpg_graph::states;
 use tpg_graph::{Graph, Range};
 use tpg_runtime::policy::ActionId;
 
-/// States that are decided at a time: bounds memory, not results.
+/// States per batch: bounds memory, does not affect results.
 const BATCH: usize = 8192;
 
-/// How one engine compares with the interpreter.
+/// The comparison of an engine with the interpreter.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Comparison {
     /// The engine.
     pub engine: String,
-    /// Which states were drawn.
+    /// The assumption that the states satisfy.
     pub assumption: Assumption,
     /// States compared.
     pub states: usize,
@@ -58,7 +58,7 @@ pub fn compare(graph: &Graph, engines: &mut [&mut dyn Engine], count: usize, see
     compare_under(Assumption::Nothing, graph, engines, count, seed)
 }
 
-/// As [`compare`], on states for which an assumption holds.
+/// As [`compare`], on states that satisfy an assumption.
 ///
 /// # Errors
 /// When an engine's process dies.

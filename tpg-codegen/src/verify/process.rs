@@ -1,4 +1,4 @@
-//! A compiled policy in a process of its own, asked over a pipe.
+//! A compiled policy in its own process, driven over a pipe.
 //!
 //! A batch goes in as a little-endian `u32` count and the states' values in the graph's scalar type, native byte order;
 //! out come as many native `u16` actions.

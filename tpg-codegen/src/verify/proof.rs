@@ -1,4 +1,4 @@
-//! Generated code compiled, run and compared: what holds of the text that was given, and what could not be tried.
+//! Proof by comparison: generated text compiled, run, and compared with the interpreter.
 
 use super::{BuildError, Comparison, Process, Workshop, compare_under};
 use crate::emit::Code;
@@ -9,9 +9,9 @@ use tpg_graph::engine::Engine;
 /// The outcome for several pieces of generated code.
 #[derive(Debug, Serialize)]
 pub struct Proof {
-    /// Code that was compiled and run.
+    /// The comparisons of code that was compiled and run.
     pub comparisons: Vec<Comparison>,
-    /// Code that was not.
+    /// Code that could not be compiled.
     pub unproven: Vec<Unproven>,
 }
 
@@ -55,7 +55,7 @@ impl Proof {
         }
     }
 
-    /// Whether all code was compared and never differed.
+    /// Tests that all code was compared and never differed.
     pub fn holds(&self) -> bool {
         self.unproven.is_empty() && self.comparisons.iter().all(|comparison| comparison.differences == 0)
     }

@@ -17,7 +17,7 @@ struct ConstantTime<'a> {
     upper: &'a str,
     key: &'a str,
     vertex: &'a str,
-    /// What decides for the teams of a function.
+    /// The bodies of the functions: the choices of their teams.
     functions: Vec<String>,
     /// The vertices that are actions.
     actions: Vec<String>,

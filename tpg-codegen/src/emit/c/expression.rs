@@ -12,9 +12,9 @@ pub(super) struct Printer<'a> {
     pub(super) graph: &'a Graph,
     pub(super) nodes: &'a [Node],
     pub(super) prefix: &'a str,
-    /// Whether inputs are GEGELATI's globals.
+    /// Inputs are GEGELATI's globals.
     pub(super) gegelati: bool,
-    /// Whether logarithms and exponentials of the platform go through helpers that answer the simple cases themselves.
+    /// Calls of the platform's logarithm and exponential go through helpers that handle the simple cases themselves.
     pub(super) short_cuts: bool,
 }
 

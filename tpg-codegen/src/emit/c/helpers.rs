@@ -1,4 +1,4 @@
-//! The static functions that expressions call. An unused one would be a warning, so only those that are called are there.
+//! The static functions that expressions call. Only those that are called: an unused one would be a warning.
 
 use super::expression::Printer;
 use super::own::OwnMaths;
@@ -20,7 +20,7 @@ struct Helpers<'a> {
     uses_cos: bool,
     uses_ln: bool,
     uses_exp: bool,
-    /// Whether comparisons are made on integers.
+    /// Compare on integers.
     branch_free: bool,
     compares: bool,
     selects: bool,

@@ -18,7 +18,7 @@ pub(super) struct OwnMaths {
     pub(super) exp: Vec<String>,
 }
 
-/// Rows of the table of 2/π in `f32` that are ever read; the zeros behind them only spare Rust a check.
+/// Entries of the `f32` table of 2/π that are read; the zeros after them save a bounds check in Rust.
 const READ: usize = 25;
 
 impl OwnMaths {

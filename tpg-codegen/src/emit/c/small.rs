@@ -29,7 +29,7 @@ struct Small<'a> {
     frame: usize,
     operand_bits: u32,
     operand_mask: u32,
-    /// Whether any operation reads a second place.
+    /// Some operation reads a second operand.
     two_operands: bool,
     cases: Vec<(u32, String)>,
 }

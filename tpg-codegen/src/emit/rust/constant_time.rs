@@ -21,8 +21,8 @@ use tpg_runtime::ops::constant_time as ct;
 struct Whole<'a> {
     decided: &'a str,
     teams: usize,
-    /// The names of the teams' choices, and the actions; then, what makes a place of every number of so many bits: numbers
-    /// that differ, for many zeros would be a call of `memset`.
+    /// The names of the teams' choices, then the actions, padded to a power of two by numbers that all differ: many zeros
+    /// would become a call of `memset`.
     next: Vec<String>,
     size: usize,
     vertex: &'a str,
@@ -57,7 +57,7 @@ struct FunctionView {
     next: Vec<String>,
 }
 
-/// What decides for the teams of a function.
+/// The choices of a function's teams.
 #[derive(Template)]
 #[template(path = "rust/constant_time_teams.rs", escape = "none")]
 struct Teams<'a> {
@@ -100,7 +100,7 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, functions: &[Fu
     Parts { body, items }
 }
 
-/// What vertices lead to: teams, to what is decided there; others, to themselves.
+/// The successors of vertices: a team's is its choice; any other vertex is its own.
 fn next(vertices: Range<usize>, teams: usize) -> Vec<String> {
     vertices.map(|vertex| if vertex < teams { format!("t{vertex}") } else { vertex.to_string() }).collect()
 }
@@ -120,7 +120,8 @@ fn decided(printer: &Printer<'_>, module: &Module<'_>, function: &Function, vert
     teams.render().expect("the template renders").trim_matches('\n').to_owned()
 }
 
-/// A constant's key is known here; the compiler, to whom masks say nothing, would compute it each time.
+/// The key of a bid. A constant's is computed here: the compiler does not see through the masks and would compute it each
+/// time.
 fn key_value(printer: &Printer<'_>, bid: NodeId) -> String {
     let value = printer.value(bid);
     match (printer.nodes[bid.index()].as_constant(), printer.graph.scalar()) {

@@ -12,10 +12,10 @@ use tpg_runtime::ops::Instruction;
 pub(super) struct Printer<'a> {
     pub(super) graph: &'a Graph,
     pub(super) nodes: &'a [Node],
-    /// Whether sines, cosines, logarithms and exponentials go through helpers that are not inlined; those answer the simple
-    /// cases of the platform's themselves.
+    /// Calls of sine, cosine, logarithm and exponential go through helpers that are not inlined; for the platform's maths,
+    /// these handle the simple cases themselves.
     pub(super) short_cuts: bool,
-    /// Whether nothing may be a condition: what has one in it goes through `ct`, a `ConstantTime`.
+    /// No branches: instructions with a comparison go through `ct`, a `ConstantTime`.
     pub(super) branch_free: bool,
 }
 
@@ -86,7 +86,7 @@ impl Printer<'_> {
         format!("let v{} = {};", id.0, self.operation(id))
     }
 
-    /// Whether `ct` has the maths.
+    /// Tests whether `ct` implements the graph's maths.
     fn masked_maths(&self) -> bool {
         self.branch_free && self.graph.maths() == MathsProvider::Own && self.graph.scalar() == ScalarType::F32
     }

@@ -21,7 +21,7 @@ struct Policy<'a> {
     name: String,
     title: &'a str,
     scalar: &'a str,
-    /// What is used of the runtime's instructions.
+    /// Imports from `tpg_runtime`.
     imports: Vec<String>,
     state_length: usize,
     sources: Vec<SourceView>,
@@ -43,7 +43,7 @@ struct ArmView {
 struct Parts {
     /// The statements that decide.
     body: String,
-    /// What they call.
+    /// The items they call.
     items: String,
 }
 
@@ -88,7 +88,7 @@ impl Backend for Rust {
     }
 }
 
-/// What the parts name of `tpg_runtime::ops`.
+/// The imports from `tpg_runtime::ops` that the parts need.
 fn imports(printer: &Printer<'_>, parts: &Parts) -> Vec<String> {
     let names = |name: &str| parts.body.contains(name) || parts.items.contains(name);
     let provider = printer.provider();

@@ -1,8 +1,8 @@
 //! The profile `fast`: control goes from team to team, always forward, without a loop and without a table. Cheap bids are
 //! computed; the others only where a bound says that they can still win.
 //!
-//! What a team computes whatever it decides, the teams behind it [read](crate::passes::available) from variables of the
-//! function. Where there are many teams, they are in several functions.
+//! Values that a team computes unconditionally are [reused](crate::passes::available) by its successors: they are variables
+//! of the function. Where there are many teams, they are in several functions.
 //!
 //! The best bid starts at the lowest finite number, and a NaN is never as high: so only bids above −∞ win, and where there
 //! is none, nobody wins, which is how the team's last edge does. No bid needs a test for NaN.
@@ -91,8 +91,8 @@ struct Span<'a> {
     places: &'a [usize],
     start: usize,
     end: usize,
-    /// Whether these are all teams there are.
+    /// The function holds all teams of the graph.
     whole: bool,
-    /// Values that a team reads from those before it.
+    /// Values that teams reuse from their predecessors.
     shared: BTreeSet<NodeId>,
 }
