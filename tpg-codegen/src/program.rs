@@ -123,3 +123,44 @@ impl<'g> Program<'g> {
         name
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Shape, compile};
+    use crate::options::{Language, Options, Profile, Style};
+    use tpg_graph::sample;
+
+    fn options(profile: Profile) -> Options {
+        Options { profile: Some(profile), ..Options::new("arm".parse().expect("a prefix")) }
+    }
+
+    #[test]
+    fn only_c_hands_values_on_and_leaves_certain_winners_uncomputed() {
+        let (mut saved, mut certain) = (0, 0);
+        for seed in 0..100 {
+            let graph = sample::graph(&sample::Shape::random(seed), seed);
+            for language in [Language::C, Language::Rust] {
+                let program = compile(&graph, &options(Profile::Fast), language);
+                let Shape::Fast { schedule, available } = program.shape else { panic!("{:?}", program.shape) };
+                let mut lazy = schedule.plans.iter().flat_map(|plan| &plan.lazy);
+                let (reused, is_certain) = (available.saved(), lazy.any(|lazy| lazy.certain.is_some()));
+                if language == Language::Rust {
+                    assert!(reused == 0 && !is_certain, "graph {seed}");
+                }
+                saved += reused;
+                certain += usize::from(is_certain);
+            }
+        }
+        assert!(saved > 0 && certain > 0, "{saved} values, {certain} graphs");
+    }
+
+    #[test]
+    fn gegelati_is_a_style_of_c_and_optimises_nothing() {
+        let graph = sample::graph(&sample::Shape::default(), 1);
+        let gegelati = Options { style: Style::Gegelati, ..options(Profile::Small) };
+        let c = compile(&graph, &gegelati, Language::C);
+        assert_eq!(c.shape, Shape::Gegelati);
+        assert_eq!((&c.module, &*c.name()), (&crate::ir::Module::lower(&graph), "C in GEGELATI's style"));
+        assert!(matches!(compile(&graph, &gegelati, Language::Rust).shape, Shape::Small(_)));
+    }
+}

@@ -1,6 +1,6 @@
 //! `tpg-codegen GRAPH`: writes code, reports its size, and proves it.
 
-use super::code::{CodeArgs, LanguageArg};
+use super::code::CodeArgs;
 use super::flash::check_flash;
 use super::verify::{prove, sentences, verdict};
 use super::{CliError, Verdict};
@@ -53,61 +53,48 @@ impl GenerateArgs {
     /// Generates.
     ///
     /// # Errors
-    /// Bad input, or an output that cannot be written.
+    /// Bad input, an output that cannot be written, or a limit that is exceeded.
     pub fn run(&self) -> Result<Verdict, CliError> {
         let (graph, options) = self.code.load()?;
         if let Some(path) = &self.explain {
-            let text = explain::explain(&graph, &options);
-            if path == Path::new("-") {
-                io::stdout().lock().write_all(text.as_bytes()).map_err(CliError::other)?;
-            } else {
-                output::write_atomically(path, text.as_bytes())?;
-            }
-            return Ok(Verdict::Good);
-        }
-        if self.max_flash.is_some() && self.code.lang == LanguageArg::Rust {
-            let accepted = "--max-flash measures the C; accepted with --lang c and --lang all";
-            return Err(CliError::Other(accepted.to_owned()));
+            return explain_to(path, &explain::explain(&graph, &options));
         }
         let codes: Vec<Code<'_>> = (self.code.lang.languages().iter())
             .map(|&language| Code::of(compile(&graph, &options, language)))
             .collect();
-        let c = codes.iter().find(|code| code.program.language == Language::C);
-        if let (Some(limit), Some(c)) = (self.max_flash, c) {
-            check_flash(c, Target::CortexM4, limit)?;
-        }
+        self.check_flash(&codes)?;
         let files: Vec<&File> = codes.iter().flat_map(|code| &code.files).collect();
         if self.check {
             return Ok(self.stale(&files));
         }
-        if self.output == Path::new("-") {
+        if self.to_stdout() {
             print(&files).map_err(CliError::other)?;
         } else {
             let files: Vec<(PathBuf, &str)> =
                 files.iter().map(|file| (self.output.join(&file.name), file.text.as_str())).collect();
             output::write_folder(&self.output, &files)?;
-            if let Some(conversion) = &options.conversion {
-                println!("{} instead of {}: {}", graph.scalar().name(), conversion.from.name(), conversion.agreement);
-            }
-            for (path, text) in files {
-                println!("wrote {} ({} lines)", path.display(), text.lines().count());
-            }
-            for line in c.map(size::of_c).into_iter().flatten() {
-                println!("{line}");
-            }
+            report(&codes, &files);
         }
-        if self.no_verify {
-            return Ok(Verdict::Good);
-        }
-        self.prove(&codes)
+        if self.no_verify { Ok(Verdict::Good) } else { self.prove(&codes) }
+    }
+
+    fn to_stdout(&self) -> bool {
+        self.output == Path::new("-")
+    }
+
+    fn check_flash(&self, codes: &[Code<'_>]) -> Result<(), CliError> {
+        let Some(limit) = self.max_flash else { return Ok(()) };
+        let accepted = "--max-flash measures the C; accepted with --lang c and --lang all";
+        let c = c_of(codes).ok_or_else(|| CliError::Other(accepted.to_owned()))?;
+        check_flash(c, Target::CortexM4, limit)
     }
 
     /// Proves the texts that were written, and no others.
     fn prove(&self, codes: &[Code<'_>]) -> Result<Verdict, CliError> {
         let proof = prove(codes, STATES, SEED)?;
         let sentences = sentences(&proof);
-        // Where the code goes to standard output, nothing else does.
-        if self.output == Path::new("-") {
+        // Standard output holds either the code or the report, never both.
+        if self.to_stdout() {
             eprint!("{sentences}")
         } else {
             print!("{sentences}")
@@ -132,6 +119,33 @@ impl GenerateArgs {
             }
         }
         verdict
+    }
+}
+
+fn explain_to(path: &Path, text: &str) -> Result<Verdict, CliError> {
+    if path == Path::new("-") {
+        io::stdout().lock().write_all(text.as_bytes()).map_err(CliError::other)?;
+    } else {
+        output::write_atomically(path, text.as_bytes())?;
+    }
+    Ok(Verdict::Good)
+}
+
+fn c_of<'a, 'g>(codes: &'a [Code<'g>]) -> Option<&'a Code<'g>> {
+    codes.iter().find(|code| code.program.language == Language::C)
+}
+
+/// Prints the change of scalar type, if there was one, the files, and the size of the C.
+fn report(codes: &[Code<'_>], files: &[(PathBuf, &str)]) {
+    let program = codes.first().map(|code| &code.program);
+    if let Some((program, was)) = program.and_then(|program| Some((program, program.options.conversion.as_ref()?))) {
+        println!("{} instead of {}: {}", program.graph().scalar().name(), was.from.name(), was.agreement);
+    }
+    for (path, text) in files {
+        println!("wrote {} ({} lines)", path.display(), text.lines().count());
+    }
+    for line in c_of(codes).map(size::of_c).into_iter().flatten() {
+        println!("{line}");
     }
 }
 

@@ -13,6 +13,9 @@ use tpg_runtime::policy::ActionId;
 /// States in one exchange: both sides hold a whole batch, so that neither waits for the other's full pipe.
 const BATCH: usize = 1024;
 
+/// The exit status of a C program whose self-test fails.
+const SELF_TEST_DIFFERS: i32 = 3;
+
 /// A running policy.
 #[derive(Debug)]
 pub struct Process {
@@ -49,6 +52,18 @@ impl Process {
         start(program, &[], name, graph)
     }
 
+    /// The reason that the program ended before its input did.
+    fn ended(&mut self, error: &io::Error) -> io::Error {
+        self.input = None;
+        io::Error::other(match self.child.wait() {
+            Ok(status) if status.code() == Some(SELF_TEST_DIFFERS) => {
+                format!("{}: the self-test in the code differs from the interpreter", self.name)
+            }
+            Ok(status) => format!("{}: the program ended early, {status}: {error}", self.name),
+            Err(_) => format!("{}: {error}", self.name),
+        })
+    }
+
     fn exchange(&mut self, states: &[f64], actions: &mut Vec<ActionId>) -> io::Result<()> {
         let count = states.len() / self.state_length;
         let input = self.input.as_mut().ok_or_else(|| io::Error::other("the process was closed"))?;
@@ -75,7 +90,8 @@ impl Engine for Process {
     }
 
     fn decide(&mut self, states: &[f64], actions: &mut Vec<ActionId>) -> io::Result<()> {
-        states.chunks(BATCH * self.state_length).try_for_each(|batch| self.exchange(batch, actions))
+        let mut batches = states.chunks(BATCH * self.state_length);
+        batches.try_for_each(|batch| self.exchange(batch, actions)).map_err(|error| self.ended(&error))
     }
 }
 
