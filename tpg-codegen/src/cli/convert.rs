@@ -42,7 +42,7 @@ impl ConvertArgs {
     }
 }
 
-/// What is written.
+/// The output format.
 #[derive(Clone, Copy)]
 enum Format {
     Stdout,

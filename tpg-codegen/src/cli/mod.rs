@@ -1,6 +1,8 @@
 //! The command line: results on stdout, everything else on stderr.
 
+mod code;
 mod convert;
+mod flash;
 mod generate;
 mod policy;
 mod report;
@@ -35,32 +37,35 @@ enum Command {
     Generate(GenerateArgs),
     /// Compile the generated code and compare it with the interpreter
     Verify(verify::VerifyArgs),
-    /// Say what a graph's code takes: flash, RAM, stack, operations; what was removed of it
+    /// Report the flash, RAM, stack and operations of a graph's code, and what was removed from it
     Report(report::ReportArgs),
     /// Convert a graph to graph.json, or to a GEGELATI .dot file and its sidecar
     Convert(convert::ConvertArgs),
-    /// Write a network in integers, a policy.q.json, as constants of C and Rust
+    /// Write a quantised network, a policy.q.json, as constants of C and Rust
     Policy(policy::PolicyArgs),
     /// Print the JSON Schema of graph.json
     Schema(schema::SchemaArgs),
 }
 
-/// What a command found.
+/// The outcome of a command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// All is well.
+    /// Every check passed.
     Good,
     /// A check failed: differences, stale files, a limit.
     Failed,
 }
 
-/// Why a command could not do its work.
+/// The reason that a command has no outcome.
 #[derive(Debug, thiserror::Error)]
 pub enum CliError {
     /// The input is bad.
     #[error(transparent)]
     Input(#[from] InputError),
-    /// Something else: a missing compiler, a broken pipe.
+    /// A check failed before there was a result.
+    #[error("{0}")]
+    Failed(String),
+    /// Something else: a broken pipe.
     #[error("{0}")]
     Other(String),
 }
@@ -71,15 +76,15 @@ impl CliError {
     }
 }
 
-/// The graph to read, and what a `.dot` file does not say about it.
+/// The graph to read, and the description that a `.dot` file lacks.
 #[derive(Clone, Debug, Args)]
 pub struct GraphArgs {
     /// A graph.json or a GEGELATI .dot file; - for standard input
     pub graph: PathBuf,
-    /// A built-in description of what a .dot file lacks
+    /// A built-in description of the data that a .dot file lacks
     #[arg(long, value_name = "NAME", conflicts_with = "sidecar")]
     pub profile_of: Option<import::Profile>,
-    /// A TOML file that says what a .dot file lacks
+    /// A TOML file with the data that a .dot file lacks
     #[arg(long, value_name = "FILE")]
     pub sidecar: Option<PathBuf>,
 }
@@ -88,14 +93,14 @@ impl GraphArgs {
     /// Reads and validates the graph.
     ///
     /// # Errors
-    /// Whatever is wrong with it.
+    /// The first defect of the input.
     pub fn load(&self) -> Result<Graph, InputError> {
         import::load(&self.graph, self.profile_of, self.sidecar.as_deref())
     }
 }
 
 impl Cli {
-    /// Reads the command line; a first word that is no command is the graph to generate code from.
+    /// Reads the command line; `generate` is implied if the first word is not a command.
     pub fn from_args(args: impl IntoIterator<Item = OsString>) -> Self {
         let mut args: Vec<OsString> = args.into_iter().collect();
         let command = Self::command();
@@ -109,7 +114,7 @@ impl Cli {
         Self::parse_from(args)
     }
 
-    /// Does what was asked, tells people on stderr what went wrong.
+    /// Runs the command; errors go to stderr.
     pub fn run(self) -> ExitCode {
         let result = match self.command {
             Command::Generate(args) => args.run(),
@@ -122,6 +127,10 @@ impl Cli {
         match result {
             Ok(Verdict::Good) => ExitCode::SUCCESS,
             Ok(Verdict::Failed) => ExitCode::from(1),
+            Err(CliError::Failed(reason)) => {
+                eprintln!("{reason}");
+                ExitCode::from(1)
+            }
             Err(error) => {
                 eprintln!("error: {error}");
                 ExitCode::from(2)

@@ -1,4 +1,4 @@
-//! `tpg-codegen schema`: what a graph.json is.
+//! `tpg-codegen schema`: the JSON Schema of graph.json.
 
 use super::{CliError, Verdict};
 use clap::Args;

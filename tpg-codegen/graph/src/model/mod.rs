@@ -91,15 +91,6 @@ pub struct Range {
     pub max: f64,
 }
 
-impl Source {
-    /// The range that holds every value of the source.
-    pub fn envelope(&self) -> Range {
-        let min = self.ranges.iter().map(|range| range.min).fold(f64::INFINITY, f64::min);
-        let max = self.ranges.iter().map(|range| range.max).fold(f64::NEG_INFINITY, f64::max);
-        Range { min, max }
-    }
-}
-
 impl std::fmt::Display for Range {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{} to {}", self.min, self.max)
