@@ -6,6 +6,7 @@
 //! interpreter does too, on the same operands.
 
 use std::collections::{BTreeMap, BTreeSet};
+use tpg_graph::dataflow::effective;
 use tpg_graph::{Destination, Graph, Input, Operand, Program, TeamId};
 use tpg_runtime::ops::Instruction;
 use tpg_runtime::policy::ActionId;
@@ -201,7 +202,7 @@ impl<'g> Lowering<'g> {
 
     /// Runs the lines that matter on symbols and returns what register 0 holds.
     fn value(&mut self, program: &Program) -> NodeId {
-        let effective = effective_lines(program, usize::from(self.graph.registers()));
+        let effective = effective(self.graph.registers().into(), &program.lines);
         let zero = Node::constant(0.0);
         let mut registers = vec![None; usize::from(self.graph.registers())];
         for (line, _) in program.lines.iter().zip(effective).filter(|(_, effective)| *effective) {
@@ -257,26 +258,6 @@ impl Values {
     pub fn into_nodes(self) -> Vec<Node> {
         self.nodes
     }
-}
-
-/// Liveness of a program's lines: those that reach register 0, found backwards from the end.
-pub fn effective_lines(program: &Program, registers: usize) -> Vec<bool> {
-    let mut wanted = vec![false; registers];
-    wanted[0] = true;
-    let mut effective = vec![false; program.lines.len()];
-    for (line, effective) in program.lines.iter().zip(&mut effective).rev() {
-        if !wanted[line.to.index()] {
-            continue;
-        }
-        *effective = true;
-        wanted[line.to.index()] = false;
-        for operand in line.operands.iter().take(line.instruction.arity()) {
-            if let Operand::Register(register) = operand {
-                wanted[register.index()] = true;
-            }
-        }
-    }
-    effective
 }
 
 fn breadth_first(graph: &Graph) -> Vec<TeamId> {

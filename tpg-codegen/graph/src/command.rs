@@ -15,13 +15,16 @@ pub enum Verdict {
     Interrupted,
 }
 
-/// The reason why a command could not do its work: exit status 2.
+/// The reason why a command could not do its work: exit status 2, or 1 where a check failed.
 #[derive(Debug, thiserror::Error)]
 pub enum CommandError {
     /// Bad input.
     #[error(transparent)]
     Input(#[from] InputError),
-    /// Anything else: a missing compiler, a broken pipe.
+    /// A check that failed before there was a result.
+    #[error("{0}")]
+    Failed(String),
+    /// Anything else: a broken pipe.
     #[error("{0}")]
     Other(String),
 }
@@ -41,6 +44,10 @@ pub fn exit_code(result: Result<Verdict, CommandError>) -> ExitCode {
         Ok(Verdict::Interrupted) => {
             eprintln!("stopped; --resume continues from the checkpoint");
             ExitCode::from(130)
+        }
+        Err(CommandError::Failed(reason)) => {
+            eprintln!("{reason}");
+            ExitCode::from(1)
         }
         Err(error) => {
             eprintln!("error: {error}");

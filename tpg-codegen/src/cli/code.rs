@@ -1,11 +1,12 @@
 //! The options that select code, shared by `generate` and `verify`.
 
+use super::GraphArgs;
 use super::scalar::{Chosen, ScalarArgs, StatesArgs};
-use super::{CliError, GraphArgs};
 use crate::options::{Language, Options, Prefix, Profile, Style};
 use crate::passes::interval::Assumption;
 use clap::{Args, ValueEnum};
 use tpg_graph::Graph;
+use tpg_graph::command::CommandError;
 
 /// A graph, and the code to generate from it.
 #[derive(Clone, Debug, Args)]
@@ -52,7 +53,7 @@ impl LanguageArg {
 
 impl CodeArgs {
     /// The graph, in the requested scalar type, and the options.
-    pub(super) fn load(&self) -> Result<(Graph, Options), CliError> {
+    pub(super) fn load(&self) -> Result<(Graph, Options), CommandError> {
         let Chosen { graph, conversion } = self.scalar.choose(&self.graph, self.graph.load()?, &self.states)?;
         let options = Options {
             style: self.style.unwrap_or_default(),

@@ -3,7 +3,6 @@
 use super::code::CodeArgs;
 use super::flash::check_flash;
 use super::verify::{prove, sentences, verdict};
-use super::{CliError, Verdict};
 use crate::emit::{Code, File};
 use crate::options::Language;
 use crate::program::compile;
@@ -13,6 +12,7 @@ use clap::Args;
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use tpg_graph::command::{CommandError, Verdict};
 use tpg_graph::output;
 
 /// States compared after generating; `verify` compares more.
@@ -54,7 +54,7 @@ impl GenerateArgs {
     ///
     /// # Errors
     /// Bad input, an output that cannot be written, or a limit that is exceeded.
-    pub fn run(&self) -> Result<Verdict, CliError> {
+    pub fn run(&self) -> Result<Verdict, CommandError> {
         let (graph, options) = self.code.load()?;
         if let Some(path) = &self.explain {
             return explain_to(path, &explain::explain(&graph, &options));
@@ -68,7 +68,7 @@ impl GenerateArgs {
             return Ok(self.stale(&files));
         }
         if self.to_stdout() {
-            print(&files).map_err(CliError::other)?;
+            print(&files).map_err(CommandError::other)?;
         } else {
             let files: Vec<(PathBuf, &str)> =
                 files.iter().map(|file| (self.output.join(&file.name), file.text.as_str())).collect();
@@ -82,15 +82,15 @@ impl GenerateArgs {
         self.output == Path::new("-")
     }
 
-    fn check_flash(&self, codes: &[Code<'_>]) -> Result<(), CliError> {
+    fn check_flash(&self, codes: &[Code<'_>]) -> Result<(), CommandError> {
         let Some(limit) = self.max_flash else { return Ok(()) };
         let accepted = "--max-flash measures the C; accepted with --lang c and --lang all";
-        let c = c_of(codes).ok_or_else(|| CliError::Other(accepted.to_owned()))?;
+        let c = c_of(codes).ok_or_else(|| CommandError::Other(accepted.to_owned()))?;
         check_flash(c, Target::CortexM4, limit)
     }
 
     /// Proves the texts that were written, and no others.
-    fn prove(&self, codes: &[Code<'_>]) -> Result<Verdict, CliError> {
+    fn prove(&self, codes: &[Code<'_>]) -> Result<Verdict, CommandError> {
         let proof = prove(codes, STATES, SEED)?;
         let sentences = sentences(&proof);
         // Standard output holds either the code or the report, never both.
@@ -122,9 +122,9 @@ impl GenerateArgs {
     }
 }
 
-fn explain_to(path: &Path, text: &str) -> Result<Verdict, CliError> {
+fn explain_to(path: &Path, text: &str) -> Result<Verdict, CommandError> {
     if path == Path::new("-") {
-        io::stdout().lock().write_all(text.as_bytes()).map_err(CliError::other)?;
+        io::stdout().lock().write_all(text.as_bytes()).map_err(CommandError::other)?;
     } else {
         output::write_atomically(path, text.as_bytes())?;
     }

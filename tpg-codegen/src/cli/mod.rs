@@ -17,6 +17,7 @@ use std::ffi::OsString;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use tpg_graph::Graph;
+use tpg_graph::command::exit_code;
 use tpg_graph::error::InputError;
 use tpg_graph::import;
 
@@ -45,35 +46,6 @@ enum Command {
     Policy(policy::PolicyArgs),
     /// Print the JSON Schema of graph.json
     Schema(schema::SchemaArgs),
-}
-
-/// The outcome of a command.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
-    /// Every check passed.
-    Good,
-    /// A check failed: differences, stale files, a limit.
-    Failed,
-}
-
-/// The reason that a command has no outcome.
-#[derive(Debug, thiserror::Error)]
-pub enum CliError {
-    /// The input is bad.
-    #[error(transparent)]
-    Input(#[from] InputError),
-    /// A check failed before there was a result.
-    #[error("{0}")]
-    Failed(String),
-    /// Something else: a broken pipe.
-    #[error("{0}")]
-    Other(String),
-}
-
-impl CliError {
-    fn other(error: impl std::fmt::Display) -> Self {
-        Self::Other(error.to_string())
-    }
 }
 
 /// The graph to read, and the description that a `.dot` file lacks.
@@ -116,25 +88,13 @@ impl Cli {
 
     /// Runs the command; errors go to stderr.
     pub fn run(self) -> ExitCode {
-        let result = match self.command {
+        exit_code(match self.command {
             Command::Generate(args) => args.run(),
             Command::Verify(args) => args.run(),
             Command::Report(args) => args.run(),
             Command::Convert(args) => args.run(),
             Command::Policy(args) => args.run(),
             Command::Schema(args) => args.run(),
-        };
-        match result {
-            Ok(Verdict::Good) => ExitCode::SUCCESS,
-            Ok(Verdict::Failed) => ExitCode::from(1),
-            Err(CliError::Failed(reason)) => {
-                eprintln!("{reason}");
-                ExitCode::from(1)
-            }
-            Err(error) => {
-                eprintln!("error: {error}");
-                ExitCode::from(2)
-            }
-        }
+        })
     }
 }

@@ -1,11 +1,11 @@
 //! `tpg-codegen policy`: a quantised network as C and Rust.
 
-use super::{CliError, Verdict};
 use crate::options::Prefix;
 use crate::policy::{QuantisedPolicy, to_c, to_rust};
 use clap::{Args, ValueEnum};
 use std::fs;
 use std::path::PathBuf;
+use tpg_graph::command::{CommandError, Verdict};
 use tpg_graph::error::InputError;
 use tpg_graph::output;
 
@@ -36,7 +36,7 @@ enum PolicyLanguage {
 }
 
 impl PolicyArgs {
-    pub(super) fn run(&self) -> Result<Verdict, CliError> {
+    pub(super) fn run(&self) -> Result<Verdict, CommandError> {
         let name = self.policy.display().to_string();
         let text = fs::read_to_string(&self.policy)
             .map_err(|error| InputError::io(&self.policy, &error, "a policy.q.json that can be read"))?;

@@ -1,14 +1,15 @@
 //! `tpg-codegen report`: the resources that a graph's code needs.
 
+use super::GraphArgs;
 use super::flash::check_flash;
 use super::scalar::{Chosen, ScalarArgs, StatesArgs};
-use super::{CliError, GraphArgs, Verdict};
 use crate::emit::Code;
 use crate::options::{Language, Options, Prefix, Profile};
 use crate::program::compile;
 use crate::report;
 use crate::size::Target;
 use clap::Args;
+use tpg_graph::command::{CommandError, Verdict};
 
 /// Report the flash, RAM, stack and operations of a graph's code, and what was removed from it.
 #[derive(Clone, Debug, Args)]
@@ -34,14 +35,14 @@ pub(super) struct ReportArgs {
 }
 
 impl ReportArgs {
-    pub(super) fn run(&self) -> Result<Verdict, CliError> {
+    pub(super) fn run(&self) -> Result<Verdict, CommandError> {
         let Chosen { graph, conversion } = self.scalar.choose(&self.graph, self.graph.load()?, &self.states)?;
         let trace = self.states.recorded(&graph)?;
         let options = Options { conversion, trace, ..Options::new(Prefix::of_file(&self.graph.graph)) };
         let targets = self.target.map_or(Target::ALL.to_vec(), |target| vec![target]);
         let report = report::report(&graph, &options, &targets, &self.states.load(&graph)?);
         if self.json {
-            println!("{}", serde_json::to_string(&report).map_err(CliError::other)?);
+            println!("{}", serde_json::to_string(&report).map_err(CommandError::other)?);
         } else {
             print!("{report}");
         }

@@ -1,8 +1,9 @@
 //! Options that several commands share: the scalar type, and the states for measurements.
 
-use super::{CliError, GraphArgs};
+use super::GraphArgs;
 use clap::Args;
 use std::path::PathBuf;
+use tpg_graph::command::CommandError;
 use tpg_graph::conversion::{self, Conversion};
 use tpg_graph::error::InputError;
 use tpg_graph::states::StateSet;
@@ -57,7 +58,7 @@ pub(super) struct Chosen {
 
 impl ScalarArgs {
     /// Converts the graph if another type is requested; fails if too few actions agree.
-    pub(super) fn choose(&self, args: &GraphArgs, graph: Graph, states: &StatesArgs) -> Result<Chosen, CliError> {
+    pub(super) fn choose(&self, args: &GraphArgs, graph: Graph, states: &StatesArgs) -> Result<Chosen, CommandError> {
         let Some(scalar) = self.scalar.filter(|&scalar| scalar != graph.scalar()) else {
             return Ok(Chosen { graph, conversion: None });
         };
@@ -66,7 +67,7 @@ impl ScalarArgs {
         let agreement = &conversion.agreement;
         if let Some(percent) = self.require_agreement.filter(|&percent| !agreement.reaches(percent)) {
             let refused = format!("refused: {file} in {}: {agreement}; --require-agreement {percent} %", scalar.name());
-            return Err(CliError::Failed(refused));
+            return Err(CommandError::Failed(refused));
         }
         Ok(Chosen { graph, conversion: Some(conversion) })
     }

@@ -1,7 +1,6 @@
 //! `tpg-codegen verify`: interpreter = C = Rust, state by state.
 
 use super::code::CodeArgs;
-use super::{CliError, Verdict};
 use crate::emit::Code;
 use crate::options::Options;
 use crate::passes::interval::Assumption;
@@ -9,6 +8,7 @@ use crate::program::compile;
 use crate::verify::{Comparison, Proof, Unproven};
 use clap::Args;
 use std::fmt::Write as _;
+use tpg_graph::command::{CommandError, Verdict};
 
 /// Compile the generated code and compare it with the interpreter.
 ///
@@ -30,7 +30,7 @@ pub(super) struct VerifyArgs {
 }
 
 impl VerifyArgs {
-    pub(super) fn run(&self) -> Result<Verdict, CliError> {
+    pub(super) fn run(&self) -> Result<Verdict, CommandError> {
         let (graph, options) = self.code.load()?;
         let codes: Vec<Code<'_>> = (self.code.shapes().into_iter())
             .map(|(language, style, profile)| {
@@ -53,8 +53,9 @@ impl VerifyArgs {
 }
 
 /// Compares code with the interpreter, and reports code that could not be compared on stderr.
-pub(super) fn prove(codes: &[Code<'_>], states: usize, seed: u64) -> Result<Proof, CliError> {
-    let proof = Proof::of(codes, states, seed).map_err(|error| CliError::Failed(format!("not verified: {error}")))?;
+pub(super) fn prove(codes: &[Code<'_>], states: usize, seed: u64) -> Result<Proof, CommandError> {
+    let proof =
+        Proof::of(codes, states, seed).map_err(|error| CommandError::Failed(format!("not verified: {error}")))?;
     for Unproven { engine, error } in &proof.unproven {
         eprintln!("not verified: {engine}: {error}");
     }

@@ -2,7 +2,7 @@
 
 mod formula;
 
-use crate::ir::{Module, Target, effective_lines};
+use crate::ir::{Module, Target};
 use crate::options::{Language, Options, Profile, Style};
 use crate::passes::Log;
 use crate::program::{Program, Shape, compile};
@@ -10,6 +10,7 @@ use formula::Formulas;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::{self, Write as _};
 use tpg_graph::Graph;
+use tpg_graph::dataflow::effective;
 use tpg_runtime::ops::Instruction;
 
 /// Columns of a line.
@@ -60,7 +61,7 @@ impl<'a> Explanation<'a> {
         let mut effective = 0;
         let mut affected = Vec::new();
         for program in reached {
-            let count = effective_lines(program, usize::from(self.graph.registers())).iter().filter(|&&e| e).count();
+            let count = effective(self.graph.registers().into(), &program.lines).iter().filter(|&&e| e).count();
             let all = program.lines.len();
             lines += all;
             effective += count;

@@ -5,7 +5,7 @@ mod text;
 
 use crate::cost::{Cost, Costs};
 use crate::emit::Code;
-use crate::ir::{Module, Node, effective_lines};
+use crate::ir::{Module, Node};
 use crate::options::{Language, Options, Profile, Style};
 use crate::passes::Removed;
 use crate::program::{Program, compile};
@@ -13,6 +13,7 @@ use crate::size::{self, RustForCortexM4, Size, Stack, Target};
 use serde::Serialize;
 use std::collections::BTreeSet;
 use tpg_graph::conversion::Conversion;
+use tpg_graph::dataflow::effective;
 use tpg_graph::states::StateSet;
 use tpg_graph::{Graph, Input, MathsProvider, ScalarType};
 
@@ -183,7 +184,7 @@ fn counts(optimised: &Module<'_>) -> GraphCounts {
     let labels: BTreeSet<u32> = lowered.bidders.iter().map(|bidder| bidder.label).collect();
     let programs = || graph.programs().iter().filter(|program| labels.contains(&program.label));
     let effective: usize = programs()
-        .map(|program| effective_lines(program, usize::from(graph.registers())))
+        .map(|program| effective(graph.registers().into(), &program.lines))
         .map(|lines| lines.into_iter().filter(|&effective| effective).count())
         .sum();
     let lines: usize = programs().map(|program| program.lines.len()).sum();
