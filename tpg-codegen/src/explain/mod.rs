@@ -10,7 +10,7 @@ use formula::Formulas;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::{self, Write as _};
 use tpg_graph::Graph;
-use tpg_graph::dataflow::effective;
+use tpg_graph::dataflow;
 use tpg_runtime::ops::Instruction;
 
 /// Columns of a line.
@@ -61,7 +61,8 @@ impl<'a> Explanation<'a> {
         let mut effective = 0;
         let mut affected = Vec::new();
         for program in reached {
-            let count = effective(self.graph.registers().into(), &program.lines).iter().filter(|&&e| e).count();
+            let count =
+                dataflow::effective(self.graph.registers().into(), &program.lines).iter().filter(|&&e| e).count();
             let all = program.lines.len();
             lines += all;
             effective += count;
