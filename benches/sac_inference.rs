@@ -12,13 +12,14 @@ use std::hint::black_box;
 use std::time::Instant;
 use tpg_arm::frame::Frame;
 use tpg_arm::observation::Observation;
-use tpg_arm::sac::fixed::{FixedPolicy, Layer, Network, Rescale, quantise};
+use tpg_arm::sac::fixed::{FixedPolicy, Network, quantise};
 use tpg_arm::sac::packed::Model;
 use tpg_arm::sac::{FEATURES, features};
 use tpg_arm::{Arm, Pose, WIDOWX};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_generated::widowx_sac;
 use tpg_nn::{Mlp, Shape, Tape};
+use tpg_runtime::net::{Layer, Rescale};
 use tpg_runtime::policy::Policy as _;
 
 const ARM: Arm<f32> = WIDOWX.to_f32();

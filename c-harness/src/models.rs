@@ -4,11 +4,12 @@ use crate::Failure;
 use crate::line::Line;
 use crate::record::Hash;
 use std::fmt::Write as _;
-use tpg_arm::sac::fixed::{FixedDecision, Rescale};
-use tpg_arm::sac::packed::{self, LayerRows, Model, Weights};
+use tpg_arm::sac::fixed::FixedDecision;
+use tpg_arm::sac::packed::Model;
 use tpg_arm::sac::{Actions, FEATURES, Mask};
 use tpg_codegen::emit::File;
 use tpg_kernels::Kind;
+use tpg_runtime::net::{self, LayerRows, Rescale, Weights};
 
 /// The shipped size, and the paper's with its 13 inputs.
 const SIZES: [[usize; 4]; 3] = [[FEATURES, 64, 64, 4], [13, 256, 256, 4], [FEATURES, 256, 256, 4]];
@@ -100,7 +101,7 @@ fn model(size: &[usize; 4], kind: Kind) -> Result<Vec<u32>, Failure> {
         })
         .collect();
     let sizes: Vec<_> = size.windows(2).map(|pair| (pair[0], pair[1], kind)).collect();
-    let mut words = vec![0; packed::words(&sizes)];
-    let decision = FixedDecision::new(Actions::Fine, Mask::None, false);
-    if packed::pack(&rows, &decision, &mut words) { Ok(words) } else { Err(Failure::new("no model")) }
+    let meaning = FixedDecision::new(Actions::Fine, Mask::None, false).meaning();
+    let mut words = vec![0; net::words(&sizes, &meaning)];
+    if net::pack(&rows, &meaning, &mut words) { Ok(words) } else { Err(Failure::new("no model")) }
 }

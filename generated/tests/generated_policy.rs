@@ -6,12 +6,13 @@ use tpg_arm::frame::Frame;
 use tpg_arm::observation::Observation;
 use tpg_arm::sac::features;
 use tpg_arm::sac::fixed::{FixedPolicy, quantise};
-use tpg_arm::sac::packed::{Kind, Model};
+use tpg_arm::sac::packed::Model;
 use tpg_arm::{Arm, Pose, WIDOWX};
 use tpg_codegen::policy::{QuantisedPolicy, to_words};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_generated::widowx_sac::{DECISION, NETWORK};
 use tpg_problems::arm::targets::{Set, Start, tasks};
+use tpg_runtime::net::Kind;
 use tpg_runtime::policy::Policy;
 use tpg_train::hybrid::setting::HybridFile;
 use tpg_train::sac::evaluate::{QuantiseArgs, quantise as quantise_file, trial_of};
@@ -77,8 +78,8 @@ fn every_kind_answers_packed_as_its_file_for_a_million_observations_and_succeeds
         for (policy, model) in policies.iter().zip(&models) {
             let answer = model.preferences(&features, &mut scratch);
             assert_eq!(
-                answer,
-                policy.preferences(&features),
+                answer[..],
+                policy.outputs(&features)[..],
                 "{}, observation {number}",
                 policy.kind
             );
@@ -142,8 +143,8 @@ fn the_constants_answer_as_the_file_for_a_million_observations() {
         let target: [f32; 3] = std::array::from_fn(|_| (random.unit() * 1000.0 - 400.0) as f32);
         let features = quantise(&features(&Frame::at(&ARM, pose, target)));
         assert_eq!(
-            NETWORK.preferences(&features),
-            policy.preferences(&features),
+            NETWORK.preferences(&features)[..],
+            policy.outputs(&features)[..],
             "observation {number}"
         );
         if number % 100 == 0 {

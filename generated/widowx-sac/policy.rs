@@ -3,8 +3,9 @@
 //! Made by tpg-codegen 0.1.0 from weights with SHA-256 86b07b4f7e22d70e1aa1f8caa90e6425ebe378bfd20ef6c864f5c9656deaa1b9.
 //! Actions: fine; mask: joint-limits. Do not edit: make it again.
 
-use tpg_arm::sac::fixed::{FixedDecision, Layer, Network, Rescale};
+use tpg_arm::sac::fixed::{FixedDecision, Network};
 use tpg_arm::sac::{Actions, Mask};
+use tpg_runtime::net::{Layer, Rescale};
 
 /// The network.
 #[rustfmt::skip]

@@ -21,7 +21,7 @@ use tpg_runtime::policy::Policy;
 #[derive(Clone, Debug, Default)]
 pub struct Memory(HashSet<Pose>);
 
-impl CycleDetector for Memory {
+impl CycleDetector<Pose> for Memory {
     fn reset(&mut self, _start: Pose) {
         self.0.clear();
     }

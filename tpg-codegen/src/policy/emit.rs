@@ -1,9 +1,9 @@
-//! A policy in integers as Rust constants for `tpg_arm::sac`.
+//! A network in integers as Rust constants: for `tpg_runtime::net`, and for `tpg_arm::sac` where it is the arm's.
 
-use super::{QuantisedLayer, QuantisedPolicy, to_words};
+use super::{Output, Preferences, QuantisedLayer, QuantisedPolicy, meaning, to_words};
 use askama::Template;
-use tpg_arm::sac::packed::{Kind, Model};
-use tpg_graph::error::{InputError, Place};
+use tpg_graph::error::InputError;
+use tpg_runtime::net::{Kind, Model};
 
 #[derive(Template)]
 #[template(path = "rust/network.rs", escape = "none")]
@@ -20,7 +20,7 @@ struct NetworkFile<'a> {
     layers: Vec<LayerText>,
 }
 
-/// A network of another kind than `w8a16`: packed when it is compiled, which proves that nothing can overflow.
+/// Any other network: packed when it is compiled, which proves that nothing can overflow.
 #[derive(Template)]
 #[template(path = "rust/model.rs", escape = "none")]
 struct ModelFile<'a> {
@@ -29,11 +29,12 @@ struct ModelFile<'a> {
     bytes: usize,
     multiplications: usize,
     kind: &'a str,
-    actions: &'a str,
-    actions_variant: &'a str,
-    mask: &'a str,
-    mask_variant: &'a str,
-    may_rest: bool,
+    contract: u32,
+    inputs: Vec<(&'a str, String)>,
+    scaled: bool,
+    answer: String,
+    outputs: Vec<String>,
+    values: Vec<String>,
     scratch: usize,
     words: usize,
     layers: Vec<LayerText>,
@@ -53,17 +54,19 @@ fn list<T: ToString>(values: &[T]) -> String {
     values.iter().map(T::to_string).collect::<Vec<_>>().join(", ")
 }
 
-/// The text of a Rust module: the network, the decision behind it, and the assertion that nothing can overflow.
+/// The text of a Rust module: the network, its meaning, and the proof that nothing can overflow.
 ///
-/// A network of the kind `w8a16` is there twice: as the runtime's `Network`, and packed as what lies in flash. One of
-/// another kind is there packed.
+/// The arm's network of kind `w8a16` with two hidden layers is there twice: as `tpg_arm`'s `Network`, and packed as what
+/// lies in flash. Any other one is there packed.
 ///
 /// # Errors
-/// If a network of the kind `w8a16` has not two hidden layers, which is what the runtime's `Network` has, or one of
-/// another kind cannot be packed.
+/// If it cannot be packed.
 pub fn to_rust(policy: &QuantisedPolicy) -> Result<String, InputError> {
-    if policy.kind() == Kind::W8A16 {
-        return network(policy);
+    if let Output::Preferences(preferences) = &policy.output
+        && policy.kind() == Kind::W8A16
+        && policy.layers.len() == 3
+    {
+        return Ok(network(policy, preferences));
     }
     let words = to_words(policy, false)?;
     let file = ModelFile {
@@ -72,11 +75,12 @@ pub fn to_rust(policy: &QuantisedPolicy) -> Result<String, InputError> {
         bytes: policy.bytes(),
         multiplications: policy.multiplications(),
         kind: &policy.kind,
-        actions: &policy.actions,
-        actions_variant: actions_variant(policy),
-        mask: &policy.mask,
-        mask_variant: mask_variant(policy),
-        may_rest: policy.may_rest,
+        contract: meaning::contract_of(&policy.inputs),
+        inputs: policy.inputs.iter().map(|input| (input.name.as_str(), scaling(input))).collect(),
+        scaled: !meaning::scales(&policy.inputs).is_empty(),
+        answer: format!("{:?}", policy.output.answer()),
+        outputs: outputs(&policy.output),
+        values: policy.output.values().iter().map(value).collect(),
         scratch: Model::parse(&words).map_or(0, |model| model.scratch()),
         words: words.len(),
         layers: texts(policy),
@@ -86,12 +90,28 @@ pub fn to_rust(policy: &QuantisedPolicy) -> Result<String, InputError> {
 
 const TOOL: &str = concat!("tpg-codegen ", env!("CARGO_PKG_VERSION"));
 
-fn actions_variant(policy: &QuantisedPolicy) -> &'static str {
-    if policy.actions == "fine" { "Fine" } else { "Coarse" }
+fn scaling(input: &super::Input) -> String {
+    format!("Scaling {{ offset: {:?}, scale: {:?} }}", input.offset, input.scale)
 }
 
-fn mask_variant(policy: &QuantisedPolicy) -> &'static str {
-    if policy.mask == "none" { "None" } else { "JointLimits" }
+fn value(value: &tpg_runtime::net::Value) -> String {
+    let tpg_runtime::net::Value { min, max, squash, exponent } = value;
+    format!("Value {{ min: {min:?}, max: {max:?}, squash: Squash::{squash:?}, exponent: {exponent} }}")
+}
+
+/// The outputs, a line each.
+fn outputs(output: &Output) -> Vec<String> {
+    match output {
+        Output::Preferences(Preferences { actions, mask, may_rest }) => {
+            vec![format!("preferences; actions: {actions}; mask: {mask}; may rest: {may_rest}")]
+        }
+        Output::Values(values) => {
+            values.iter().map(|value| format!("{}: {} to {}", value.name, value.min, value.max)).collect()
+        }
+        Output::Argmax(names) => {
+            names.iter().enumerate().map(|(place, name)| format!("action {place}: {name}")).collect()
+        }
+    }
 }
 
 fn texts(policy: &QuantisedPolicy) -> Vec<LayerText> {
@@ -112,22 +132,18 @@ fn texts(policy: &QuantisedPolicy) -> Vec<LayerText> {
     names.zip(&policy.layers).zip(policy.layer_kinds()).map(text).collect()
 }
 
-fn network(policy: &QuantisedPolicy) -> Result<String, InputError> {
-    if policy.layers.len() != 3 {
-        let found = format!("{} layers", policy.layers.len());
-        return Err(InputError::new("policy.q.json", Place::Path("$.layers".to_owned()), found, "3 layers"));
-    }
+fn network(policy: &QuantisedPolicy, preferences: &Preferences) -> String {
     let file = NetworkFile {
         tool: TOOL,
         source_sha256: &policy.source_sha256,
         bytes: policy.bytes(),
         multiplications: policy.multiplications(),
-        actions: &policy.actions,
-        actions_variant: actions_variant(policy),
-        mask: &policy.mask,
-        mask_variant: mask_variant(policy),
-        may_rest: policy.may_rest,
+        actions: &preferences.actions,
+        actions_variant: if preferences.actions == "fine" { "Fine" } else { "Coarse" },
+        mask: &preferences.mask,
+        mask_variant: if preferences.mask == "none" { "None" } else { "JointLimits" },
+        may_rest: preferences.may_rest,
         layers: texts(policy),
     };
-    Ok(file.render().expect("a template of plain values") + "\n")
+    file.render().expect("a template of plain values") + "\n"
 }

@@ -1,77 +1,59 @@
-//! Networks in integers: `policy.q.json`, made from a trained actor's weights.
+//! Networks in integers: `policy.q.json`, made from a trained network's weights.
 //!
-//! The arithmetic is `tpg_arm::sac::fixed`'s, which this module calls: weights with a scale for each row, `i32`
-//! accumulators that are proven not to overflow, one rounding rule. The [kind](Kind) says how many bits weights and
-//! activations have:
+//! The arithmetic is [`tpg_runtime::net`]'s, which this module calls: weights with a scale for each row, `i32` accumulators
+//! that are proven not to overflow, one rounding rule. The [kind](Kind) says how many bits weights and activations have:
 //!
-//! | kind | weights | hidden activations | features |
+//! | kind | weights | hidden activations | inputs |
 //! | --- | --- | --- | --- |
 //! | `w8a16` | −128 to 127 | 0 to 32767 | multiples of 1/4096 |
 //! | `w16a16` | −32768 to 32767 | 0 to 32767 | multiples of 1/4096 |
 //! | `w8a8` | −127 to 127 | 0 to 127 | multiples of 1/32, −127 to 127 |
 //!
-//! The last layer of a `w8a8` network is `w8a16`: it is small, and its preferences would be coarse.
+//! The last layer of a `w8a8` network is `w8a16`: it is small, and its outputs would be coarse.
+//!
+//! | module | subject |
+//! | --- | --- |
+//! | (root) | [`QuantisedPolicy`]: a network in integers, checked |
+//! | `file` | its text, version 1 for the arm's networks and version 2 for any other |
+//! | `meaning` | inputs, outputs and what they mean |
+//! | `float` | a network in floating point, and its calibration |
+//! | `quantise` | from floating point to integers |
+//! | `model`, `emit` | words and C; Rust |
 
 mod emit;
+mod file;
+mod float;
+mod meaning;
 mod model;
 mod quantise;
 
 pub use emit::to_rust;
+pub use float::{FloatLayer, FloatNetwork, FloatOutput, FloatValue};
+pub use meaning::{Input, Output, Preferences, ValueOutput};
 pub use model::{to_c, to_words};
-pub use quantise::{FloatLayer, QuantiseError, quantise};
+pub use quantise::{QuantiseError, quantise};
 
 use serde::{Deserialize, Serialize};
-use tpg_arm::JOINTS;
-use tpg_arm::sac::fixed::{FEATURE_ONE, HIDDEN, LAST, PREFERENCE_ONE, Rescale, accumulate};
-use tpg_arm::sac::packed::{Kind, LayerRows, Weights};
-use tpg_arm::sac::{Actions, FEATURE_NAMES, Mask};
 use tpg_graph::error::{InputError, Place};
 use tpg_kernels::clip_to_i8;
+use tpg_runtime::net::{HIDDEN, Kind, LAST, LAYERS, LayerRows, Rescale, WIDTH, Weights, accumulate, integer};
 
-/// The value of [`QuantisedPolicy::format`].
-pub const FORMAT: &str = "tpg sac policy in integers";
-/// Changes with every change to what a file means.
-pub const VERSION: u32 = 1;
 /// The rule by which accumulators are rescaled.
 pub const ROUNDING: &str = "(acc * factor + 2^(shift - 1)) >> shift in 64 bits, then clipped";
 
-/// A policy in integers: everything that decides its behaviour.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+/// A network in integers: everything that decides its behaviour.
+#[derive(Clone, Debug, PartialEq)]
 pub struct QuantisedPolicy {
-    /// [`FORMAT`].
-    pub format: String,
-    /// [`VERSION`].
-    pub version: u32,
     /// SHA-256 of the weights it was made from, in hexadecimal.
     pub source_sha256: String,
-    /// The features by name, in order.
-    pub observation: Vec<String>,
-    /// A feature of 1 as an integer.
-    pub feature_one: u32,
-    /// A preference of 1 as an integer.
-    pub preference_one: u32,
-    /// [`ROUNDING`].
-    pub rounding: String,
-    /// "fine" or "coarse".
-    pub actions: String,
-    /// "none" or "joint-limits".
-    pub mask: String,
-    /// Whether the arm may rest.
-    pub may_rest: bool,
-    /// The name of its [`Kind`]; left out of a file where it is `w8a16`.
-    #[serde(default = "usual_kind", skip_serializing_if = "is_usual_kind")]
+    /// The inputs, in order.
+    pub inputs: Vec<Input>,
+    /// The meaning of the outputs.
+    pub output: Output,
+    /// The name of its [`Kind`].
     pub kind: String,
     /// First to last; all but the last have a ReLU behind them.
     pub layers: Vec<QuantisedLayer>,
-}
-
-fn usual_kind() -> String {
-    Kind::W8A16.name().to_owned()
-}
-
-fn is_usual_kind(kind: &str) -> bool {
-    kind == Kind::W8A16.name()
 }
 
 /// The kind of one of `layers` layers: the last one's activations have 16 bits.
@@ -91,9 +73,9 @@ pub struct QuantisedLayer {
     pub weights: Vec<i16>,
     /// In units of the accumulators.
     pub bias: Vec<i32>,
-    /// What an accumulator is multiplied by, for each row.
+    /// The factor of each row's accumulator.
     pub factor: Vec<i16>,
-    /// By how many bits it is shifted then, for each row.
+    /// The shift behind it, in bits.
     pub shift: Vec<u8>,
 }
 
@@ -107,7 +89,7 @@ impl QuantisedLayer {
         .collect()
     }
 
-    /// How each row's accumulators become outputs.
+    /// The way from each row's accumulator to its output.
     pub fn rescales(&self) -> Vec<Rescale> {
         self.factor.iter().zip(&self.shift).map(|(&factor, &shift)| Rescale { factor, shift }).collect()
     }
@@ -119,82 +101,35 @@ impl QuantisedLayer {
 }
 
 impl QuantisedPolicy {
-    /// A policy of layers; `check`ed.
+    /// A network of layers, checked.
     ///
     /// # Errors
-    /// If the layers do not fit each other or an accumulator could overflow.
+    /// If the layers do not fit each other, the inputs or the outputs, or an accumulator could overflow.
     pub fn new(
         source_sha256: String,
-        actions: Actions,
-        mask: Mask,
-        may_rest: bool,
+        inputs: Vec<Input>,
+        output: Output,
         kind: Kind,
         layers: Vec<QuantisedLayer>,
     ) -> Result<Self, InputError> {
-        let policy = Self {
-            format: FORMAT.to_owned(),
-            version: VERSION,
-            source_sha256,
-            observation: FEATURE_NAMES.map(str::to_owned).into(),
-            feature_one: FEATURE_ONE as u32,
-            preference_one: PREFERENCE_ONE as u32,
-            rounding: ROUNDING.to_owned(),
-            actions: actions.name().to_owned(),
-            mask: mask.name().to_owned(),
-            may_rest,
-            kind: kind.name().to_owned(),
-            layers,
-        };
+        let policy = Self { source_sha256, inputs, output, kind: kind.name().to_owned(), layers };
         policy.check("<quantised>")?;
         Ok(policy)
     }
 
-    /// Reads and checks a `policy.q.json`.
-    ///
-    /// # Errors
-    /// If it is no such file, or one that could overflow.
-    pub fn from_json(file: &str, text: &str) -> Result<Self, InputError> {
-        let mut reader = serde_json::Deserializer::from_str(text);
-        let policy: Self = serde_path_to_error::deserialize(&mut reader).map_err(|error| {
-            let place = Place::Path(format!("$.{}", error.path()));
-            InputError::new(file, place, error.inner().to_string(), "a policy.q.json")
-        })?;
-        policy.check(file)?;
-        Ok(policy)
-    }
-
-    /// The file's text: the same for the same policy.
-    pub fn to_json(&self) -> String {
-        serde_json::to_string(self).expect("plain data") + "\n"
-    }
-
+    /// Checks what the types leave open, and proves that no accumulator can overflow.
     fn check(&self, file: &str) -> Result<(), InputError> {
         let refuse = |path: String, found: String, accepted: String| {
             Err(InputError::new(file, Place::Path(path), found, accepted))
         };
-        if self.format != FORMAT || self.version != VERSION {
-            let found = format!("{:?}, version {}", self.format, self.version);
-            return refuse("$.format".to_owned(), found, format!("{FORMAT:?}, version {VERSION}"));
-        }
-        if self.observation != FEATURE_NAMES {
-            let found = self.observation.join(" ");
-            return refuse("$.observation".to_owned(), found, FEATURE_NAMES.join(" "));
-        }
-        let scales = (self.feature_one, self.preference_one, self.rounding.as_str());
-        let accepted = (FEATURE_ONE as u32, PREFERENCE_ONE as u32, ROUNDING);
-        if scales != accepted {
-            return refuse("$.feature_one".to_owned(), format!("{scales:?}"), format!("{accepted:?}"));
-        }
-        if Actions::from_name(&self.actions).is_none() || Mask::from_name(&self.mask).is_none() {
-            let found = format!("{:?}, {:?}", self.actions, self.mask);
-            return refuse("$.actions".to_owned(), found, "fine or coarse, none or joint-limits".to_owned());
-        }
-        let Some(kind) = Kind::from_name(&self.kind) else {
+        if Kind::from_name(&self.kind).is_none() {
             let accepted = Kind::ALL.map(Kind::name).join(", ");
             return refuse("$.kind".to_owned(), format!("{:?}", self.kind), accepted);
-        };
-        let mut inputs = FEATURE_NAMES.len();
-        for (index, layer) in self.layers.iter().enumerate() {
+        }
+        meaning::check_inputs(file, &self.inputs)?;
+        self.output.check(file)?;
+        let mut inputs = self.inputs.len();
+        for (index, (layer, kind)) in self.layers.iter().zip(self.layer_kinds()).enumerate() {
             let path = |field: &str| format!("$.layers[{index}].{field}");
             let sizes = [layer.inputs, layer.outputs * layer.inputs, layer.outputs, layer.outputs, layer.outputs];
             let lengths = [inputs, layer.weights.len(), layer.bias.len(), layer.factor.len(), layer.shift.len()];
@@ -205,7 +140,13 @@ impl QuantisedPolicy {
                     format!("the sizes of what is there, {lengths:?}"),
                 );
             }
-            let kind = layer_kind(kind, index, self.layers.len());
+            if layer.inputs > WIDTH || layer.outputs > WIDTH {
+                return refuse(
+                    path("inputs"),
+                    format!("{} to {}", layer.inputs, layer.outputs),
+                    format!("up to {WIDTH}"),
+                );
+            }
             let (least, greatest) = kind.weights();
             if let Some(weight) = layer.weights.iter().find(|weight| !(least..=greatest).contains(weight)) {
                 return refuse(path("weights"), weight.to_string(), format!("{least} to {greatest}, as {}", self.kind));
@@ -226,13 +167,18 @@ impl QuantisedPolicy {
             }
             inputs = layer.outputs;
         }
-        if self.layers.is_empty() || inputs != JOINTS {
-            return refuse("$.layers".to_owned(), format!("{inputs} outputs"), format!("{JOINTS} outputs"));
+        if !(1..=LAYERS).contains(&self.layers.len()) {
+            return refuse("$.layers".to_owned(), format!("{} layers", self.layers.len()), format!("1 to {LAYERS}"));
         }
-        Ok(())
+        match self.output.count() {
+            Some(count) if count != inputs => {
+                refuse("$.layers".to_owned(), format!("{inputs} outputs"), format!("{count}, as \"output\" names"))
+            }
+            _ => Ok(()),
+        }
     }
 
-    /// How many bits weights and activations have.
+    /// The widths of weights and activations.
     pub fn kind(&self) -> Kind {
         Kind::from_name(&self.kind).unwrap_or(Kind::W8A16)
     }
@@ -242,10 +188,15 @@ impl QuantisedPolicy {
         (0..self.layers.len()).map(|index| layer_kind(self.kind(), index, self.layers.len())).collect()
     }
 
-    /// The preferences, in multiples of 1/2048, for features in multiples of 1/4096.
-    pub fn preferences(&self, features: &[i16]) -> [i32; JOINTS] {
+    /// The inputs of a state, in multiples of 1/4096.
+    pub fn integers(&self, state: &[f32]) -> Vec<i16> {
+        self.inputs.iter().zip(state).map(|(input, value)| integer((value - input.offset) * input.scale)).collect()
+    }
+
+    /// The outputs, for inputs in multiples of 1/4096.
+    pub fn outputs(&self, inputs: &[i16]) -> Vec<i32> {
         let kinds = self.layer_kinds();
-        let mut values = features.to_vec();
+        let mut values = inputs.to_vec();
         if kinds.first() == Some(&Kind::W8A8) {
             values.iter_mut().for_each(|value| *value = clip_to_i8(*value));
         }
@@ -256,7 +207,19 @@ impl QuantisedPolicy {
             };
             values = layer.forward(&values, low, high);
         }
-        std::array::from_fn(|joint| values.get(joint).copied().map_or(0, i32::from))
+        values.into_iter().map(i32::from).collect()
+    }
+
+    /// The values that a state answers with; none for a network that answers otherwise.
+    pub fn values(&self, state: &[f32]) -> Vec<f32> {
+        let outputs = self.outputs(&self.integers(state));
+        self.output.values().iter().zip(outputs).map(|(value, output)| value.of(output)).collect()
+    }
+
+    /// The number of the greatest output for a state, of equals the first.
+    pub fn choose(&self, state: &[f32]) -> usize {
+        let outputs = self.outputs(&self.integers(state));
+        (0..outputs.len()).rev().max_by_key(|&output| outputs[output]).unwrap_or(0)
     }
 
     /// Bytes of its constants on a target.

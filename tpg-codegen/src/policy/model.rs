@@ -1,12 +1,10 @@
-//! A policy in integers as one array of words, and C that holds it.
+//! A network in integers as one array of words, and C that holds it.
 
-use super::QuantisedPolicy;
+use super::{Output, QuantisedPolicy, meaning};
 use crate::emit::{File, Prefix};
 use askama::Template;
-use tpg_arm::sac::fixed::{FixedDecision, Rescale};
-use tpg_arm::sac::packed::{self, Kind, LayerRows, Model, Weights};
-use tpg_arm::sac::{Actions, Mask};
 use tpg_graph::error::{InputError, Place};
+use tpg_runtime::net::{self, Kind, LayerRows, Meaning, Model, Rescale, Weights};
 
 #[derive(Template)]
 #[template(path = "c/model.c", escape = "none")]
@@ -25,21 +23,29 @@ struct Header<'a> {
     upper: &'a str,
     words: usize,
     scratch: usize,
+    /// The inputs and outputs of a network that is not the arm's: a line each.
+    general: Option<General>,
 }
 
-/// The policy as `tpg_arm::sac::packed` reads it; `wide` with 16 bits a weight even where they have 8: more flash,
+struct General {
+    inputs: Vec<String>,
+    outputs: Vec<String>,
+    ask: &'static str,
+}
+
+/// The network as [`Model`] reads it; `wide` with 16 bits a weight even where they have 8: more flash,
 /// fewer instructions, the same answers.
 ///
 /// # Errors
-/// If it has more or wider layers than the runtime takes, a rescale that is no multiplier of 32 bits, or activations of
+/// If it has a rescale that is no multiplier of 32 bits, or activations of
 /// 8 bits where `wide` is asked for.
 pub fn to_words(policy: &QuantisedPolicy, wide: bool) -> Result<Vec<u32>, InputError> {
     let refuse = |found: String, accepted: &str| {
         InputError::new("policy.q.json", Place::Path("$.layers".to_owned()), found, accepted)
     };
-    let actions = Actions::from_name(&policy.actions).unwrap_or(Actions::Fine);
-    let mask = Mask::from_name(&policy.mask).unwrap_or(Mask::None);
-    let decision = FixedDecision::new(actions, mask, policy.may_rest);
+    let (scales, values) = (meaning::scales(&policy.inputs), policy.output.values());
+    let contract = meaning::contract_of(&policy.inputs);
+    let meaning = Meaning { contract, inputs: &scales, answer: policy.output.answer(), values: &values };
     let rescales: Vec<Vec<Rescale>> = policy.layers.iter().map(|layer| layer.rescales()).collect();
     if wide && policy.kind() == Kind::W8A8 {
         let place = Place::Path("$.kind".to_owned());
@@ -56,16 +62,17 @@ pub fn to_words(policy: &QuantisedPolicy, wide: bool) -> Result<Vec<u32>, InputE
         sizes.push((layer.inputs, layer.outputs, kind));
         rows.push(LayerRows { inputs: layer.inputs, kind, weights, bias: &layer.bias, rescale });
     }
-    let mut words = vec![0; packed::words(&sizes)];
-    if !packed::pack(&rows, &decision, &mut words) {
+    let mut words = vec![0; net::words(&sizes, &meaning)];
+    if !net::pack(&rows, &meaning, &mut words) {
         let found = format!("layers of {sizes:?}");
-        let accepted = format!("1 to {} layers of at most {} values", packed::LAYERS, packed::WIDTH);
+        let accepted = format!("1 to {} layers of at most {} values", net::LAYERS, net::WIDTH);
         return Err(refuse(found, &accepted));
     }
     Ok(words)
 }
 
-/// `PREFIX.h` and `PREFIX.c`: the words as a constant array, for `tpg_sac_init`.
+/// `PREFIX.h` and `PREFIX.c`: the words as a constant array, for `tpg_network_init`, or for `tpg_sac_init` where its outputs
+/// are the arm's preferences.
 ///
 /// # Errors
 /// As [`to_words`].
@@ -82,7 +89,21 @@ pub fn to_c(policy: &QuantisedPolicy, prefix: &Prefix, wide: bool) -> Result<Vec
             policy.multiplications(),
             4 * words.len()
         ),
-        format!("Actions: {}; mask: {}.", policy.actions, policy.mask),
+        match &policy.output {
+            Output::Preferences(preferences) => {
+                format!("Actions: {}; mask: {}.", preferences.actions, preferences.mask)
+            }
+            Output::Values(_) => format!(
+                "{} inputs, values of {} outputs.",
+                policy.inputs.len(),
+                policy.layers.last().map_or(0, |layer| layer.outputs)
+            ),
+            Output::Argmax(_) => format!(
+                "{} inputs, the greatest of {} outputs.",
+                policy.inputs.len(),
+                policy.layers.last().map_or(0, |layer| layer.outputs)
+            ),
+        },
     ];
     let hexadecimal = |words: &[u32]| words.iter().map(|word| format!("0x{word:08x}U")).collect::<Vec<_>>().join(", ");
     let source = Source {
@@ -91,7 +112,14 @@ pub fn to_c(policy: &QuantisedPolicy, prefix: &Prefix, wide: bool) -> Result<Vec
         upper: &upper,
         lines: words.chunks(8).map(hexadecimal).collect(),
     };
-    let header = Header { banner: &banner, prefix: prefix.lower(), upper: &upper, words: words.len(), scratch };
+    let header = Header {
+        banner: &banner,
+        prefix: prefix.lower(),
+        upper: &upper,
+        words: words.len(),
+        scratch,
+        general: general(policy),
+    };
     let file = |extension: &str, text: String| File { name: format!("{prefix}.{extension}"), text: text + "\n" };
     Ok(vec![
         file("h", header.render().expect("a template of plain values")),
@@ -99,11 +127,36 @@ pub fn to_c(policy: &QuantisedPolicy, prefix: &Prefix, wide: bool) -> Result<Vec
     ])
 }
 
+/// The comments of a network that is not the arm's.
+fn general(policy: &QuantisedPolicy) -> Option<General> {
+    let input = |(place, input): (usize, &super::Input)| {
+        if input.is_plain() {
+            format!("{place} {}", input.name)
+        } else {
+            format!("{place} {}: the network sees (value - {}) * {}", input.name, input.offset, input.scale)
+        }
+    };
+    let numbered = |(place, text): (usize, String)| format!("{place} {text}");
+    let outputs: Vec<String> = match &policy.output {
+        Output::Preferences(_) => return None,
+        Output::Values(values) => {
+            values.iter().map(|value| format!("{}: {} to {}", value.name, value.min, value.max)).collect()
+        }
+        Output::Argmax(names) => names.clone(),
+    };
+    Some(General {
+        inputs: policy.inputs.iter().enumerate().map(input).collect(),
+        outputs: outputs.into_iter().enumerate().map(numbered).collect(),
+        ask: if matches!(policy.output, Output::Argmax(_)) { "tpg_network_choose" } else { "tpg_network_values" },
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::policy::{FloatLayer, quantise};
-    use tpg_arm::sac::FEATURES;
+    use crate::policy::{FloatLayer, Input, Preferences, quantise};
+
+    const FEATURES: usize = 38;
 
     fn policy(kind: Kind) -> QuantisedPolicy {
         let mut state = 7u32;
@@ -119,7 +172,9 @@ mod tests {
             })
             .into();
         let quantised = quantise(&layers, &[2.0, 2.0], kind).expect("ordinary numbers");
-        QuantisedPolicy::new("0".repeat(64), Actions::Coarse, Mask::None, true, kind, quantised).expect("sound")
+        let inputs = (0..FEATURES).map(|number| Input::plain(&format!("input {number}"))).collect();
+        let preferences = Preferences { actions: "coarse".to_owned(), mask: "none".to_owned(), may_rest: true };
+        QuantisedPolicy::new("0".repeat(64), inputs, Output::Preferences(preferences), kind, quantised).expect("sound")
     }
 
     #[test]
@@ -128,12 +183,12 @@ mod tests {
             let policy = policy(kind);
             let words = to_words(&policy, wide).expect("it packs");
             let model = Model::parse(&words).expect("what was packed");
-            assert_eq!(*model.decision(), FixedDecision::new(Actions::Coarse, Mask::None, true));
+            assert_eq!(model.answer(), net::Answer::Preferences { flags: 2 });
             let mut scratch = vec![0; model.scratch()];
             for n in 0..2000 {
                 let features: [i16; FEATURES] =
                     std::array::from_fn(|i| (((n * 7919 + i * 104_729) % 16_384) as i16) - 8192);
-                assert_eq!(model.preferences(&features, &mut scratch), policy.preferences(&features));
+                assert_eq!(model.first(&features, &mut scratch)[..], policy.outputs(&features)[..]);
             }
         }
     }

@@ -1,14 +1,38 @@
-//! A soft actor-critic's policy in integers: {{ bytes }} bytes of constants, {{ multiplications }} multiplications a decision.
+//! A network in integers: {{ bytes }} bytes of constants, {{ multiplications }} multiplications a decision.
 //!
 //! Made by {{ tool }} from weights with SHA-256 {{ source_sha256 }}.
-//! Numbers: {{ kind }}; actions: {{ actions }}; mask: {{ mask }}. Do not edit: make it again.
+//! Numbers: {{ kind }}. Do not edit: make it again.
+//!
+//! Inputs:
+{%- for input in inputs %}
+//! - {{ loop.index0 }}: {{ input.0 }}
+{%- endfor %}
+//!
+//! Outputs:
+{%- for output in outputs %}
+//! - {{ output }}
+{%- endfor %}
 
-use tpg_arm::sac::fixed::{FixedDecision, Rescale};
-use tpg_arm::sac::packed::{Kind, LayerRows, Weights, pack};
-use tpg_arm::sac::{Actions, Mask};
+use tpg_runtime::net::{Answer, Kind, LayerRows, Meaning, Rescale, {% if scaled %}Scaling, {% endif %}{% if values.len() > 0 %}Squash, Value, {% endif %}Weights, pack};
 
-/// What stands behind the network.
-pub const DECISION: FixedDecision = FixedDecision::new(Actions::{{ actions_variant }}, Mask::{{ mask_variant }}, {{ may_rest }});
+/// Everything about the network but its layers.
+#[rustfmt::skip]
+pub const MEANING: Meaning<'static> = Meaning {
+    contract: {{ contract }},
+    inputs: &[
+{%- if scaled %}
+{%- for input in inputs %}
+        {{ input.1 }},
+{%- endfor %}
+{%- endif %}
+    ],
+    answer: Answer::{{ answer }},
+    values: &[
+{%- for value in values %}
+        {{ value }},
+{%- endfor %}
+    ],
+};
 
 /// Words of scratch memory that a decision needs.
 pub const SCRATCH: usize = {{ scratch }};
@@ -36,6 +60,6 @@ pub static MODEL: [u32; {{ words }}] = {
 {%- endfor %}
     ];
     let mut words = [0; {{ words }}];
-    assert!(pack(&layers, &DECISION, &mut words), "no input may overflow an accumulator");
+    assert!(pack(&layers, &MEANING, &mut words), "no input may overflow an accumulator");
     words
 };

@@ -3,8 +3,9 @@
 //! Made by {{ tool }} from weights with SHA-256 {{ source_sha256 }}.
 //! Actions: {{ actions }}; mask: {{ mask }}. Do not edit: make it again.
 
-use tpg_arm::sac::fixed::{FixedDecision, Layer, Network, Rescale};
+use tpg_arm::sac::fixed::{FixedDecision, Network};
 use tpg_arm::sac::{Actions, Mask};
+use tpg_runtime::net::{Layer, Rescale};
 
 /// The network.
 #[rustfmt::skip]

@@ -67,17 +67,20 @@
 // A number outside what is accepted.
 #define TPG_ARGUMENT 5
 
-// The words are no model: they do not begin like one, or are of another version.
+// The words are no model: they do not begin like one.
 #define TPG_MODEL 6
 
 // The model is damaged: its checksum is another.
 #define TPG_MODEL_CHECKSUM 7
 
-// The model was made for other features than this library computes.
+// The model was made for another problem: other inputs, or another kind of answer.
 #define TPG_MODEL_FEATURES 8
 
 // The model's layers do not fit each other, or exceed what the library takes.
 #define TPG_MODEL_LAYERS 9
+
+// The model is of another version of the format than this library's: pack it again.
+#define TPG_MODEL_VERSION 10
 
 // The episode goes on.
 #define TPG_RUNNING 0
@@ -151,6 +154,9 @@
 // Words of a tpg_memo_t.
 #define TPG_MEMO_WORDS 12
 
+// Words of a tpg_network_t.
+#define TPG_NETWORK_WORDS 36
+
 // The most floats that the sources of a policy may have together.
 #define TPG_STATE_LENGTH 48
 
@@ -203,7 +209,7 @@
 #define TPG_SOURCE_SHIELD_COLLISION 15
 
 // Words of a tpg_sac_t.
-#define TPG_SAC_WORDS 28
+#define TPG_SAC_WORDS 40
 
 // An arm, ready for use. Opaque; initialised by tpg_arm_init or tpg_arm_init_widowx, constant from then on.
 typedef struct {
@@ -319,7 +325,7 @@ typedef struct {
   size_t move_count;
 } tpg_policy_t;
 
-// A network in integers, checked. Opaque; initialised by tpg_sac_init, constant from then on.
+// The arm's network in integers, checked. Opaque; initialised by tpg_sac_init, constant from then on.
 typedef struct {
   // The library's.
   uint64_t opaque[TPG_SAC_WORDS];
@@ -374,6 +380,12 @@ typedef struct {
   // The library's.
   uint64_t opaque[TPG_MEMO_WORDS];
 } tpg_memo_t;
+
+// A network in integers, checked. Opaque; initialised by tpg_network_init, constant from then on.
+typedef struct {
+  // The library's.
+  uint64_t opaque[TPG_NETWORK_WORDS];
+} tpg_network_t;
 
 #ifdef __cplusplus
 extern "C" {
@@ -471,6 +483,41 @@ int32_t tpg_hybrid_episode_counts(const tpg_hybrid_episode_t *episode, tpg_count
 
 // Empties a memo: before its first use, and after the arm that it was used with was initialised anew.
 int32_t tpg_memo_init(tpg_memo_t *memo);
+
+// Checks a model of `words` 32-bit words and borrows it: it must stay where it is and as it is, in flash say, for as long
+// as `network` is used.
+int32_t tpg_network_init(tpg_network_t *network,
+                         const uint32_t *model,
+                         size_t words);
+
+// How many 32-bit words of scratch memory a decision needs.
+int32_t tpg_network_scratch(const tpg_network_t *network, size_t *words);
+
+// How many numbers a state has.
+int32_t tpg_network_inputs(const tpg_network_t *network, size_t *inputs);
+
+// How many outputs the network has: values, or actions to choose from.
+int32_t tpg_network_outputs(const tpg_network_t *network, size_t *outputs);
+
+// The values that a network answers a state with. `scratch` is overwritten. TPG_LENGTH where `length` numbers of the state,
+// `words` of scratch memory or `count` values are too few; TPG_ARGUMENT for a network that does not answer with values.
+int32_t tpg_network_values(const tpg_network_t *network,
+                           const float *state,
+                           size_t length,
+                           uint32_t *scratch,
+                           size_t words,
+                           float *values,
+                           size_t count);
+
+// The action that a network chooses in a state: the number of its greatest output, of equals the first. `scratch` is
+// overwritten. TPG_LENGTH where `length` numbers of the state or `words` of scratch memory are too few; TPG_ARGUMENT for a
+// network that does not choose.
+int32_t tpg_network_choose(const tpg_network_t *network,
+                           const float *state,
+                           size_t length,
+                           uint32_t *scratch,
+                           size_t words,
+                           uint16_t *action);
 
 // What is seen at a pose, with the target's x, y, z in mm.
 int32_t tpg_observe(const tpg_arm_t *arm, const tpg_pose_t *pose, const float *target, tpg_observation_t *observation);

@@ -12,14 +12,16 @@ pub const TPG_LENGTH: i32 = 3;
 pub const TPG_STATE: i32 = 4;
 /// A number outside what is accepted.
 pub const TPG_ARGUMENT: i32 = 5;
-/// The words are no model: they do not begin like one, or are of another version.
+/// The words are no model: they do not begin like one.
 pub const TPG_MODEL: i32 = 6;
 /// The model is damaged: its checksum is another.
 pub const TPG_MODEL_CHECKSUM: i32 = 7;
-/// The model was made for other features than this library computes.
+/// The model was made for another problem: other inputs, or another kind of answer.
 pub const TPG_MODEL_FEATURES: i32 = 8;
 /// The model's layers do not fit each other, or exceed what the library takes.
 pub const TPG_MODEL_LAYERS: i32 = 9;
+/// The model is of another version of the format than this library's: pack it again.
+pub const TPG_MODEL_VERSION: i32 = 10;
 
 /// Why a function did nothing: a code other than [`TPG_OK`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

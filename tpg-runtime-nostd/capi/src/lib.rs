@@ -12,7 +12,8 @@
 //! | [`observation`] | what a policy sees, and a graph's sources |
 //! | [`memo`] | what sources are made of that depends on the target alone |
 //! | [`policy`] | the hook for generated code |
-//! | [`sac`] | a network in integers |
+//! | [`network`] | a network in integers, for any problem |
+//! | [`sac`] | the arm's network in integers |
 //! | [`hybrid`] | a generated policy and a network that share an arm |
 //! | [`episode`] | one episode of one policy |
 
@@ -25,6 +26,7 @@ pub mod episode;
 pub mod hybrid;
 pub mod memo;
 pub mod memory;
+pub mod network;
 pub mod observation;
 pub mod policy;
 pub mod sac;

@@ -1,17 +1,18 @@
-//! A network in integers.
+//! The arm's network in integers: a preference for each joint.
 
 use crate::arm::{tpg_arm_t, tpg_move_t};
-use crate::code::{self, Refusal, TPG_LENGTH, TPG_MODEL, TPG_MODEL_CHECKSUM, TPG_MODEL_FEATURES, TPG_MODEL_LAYERS};
+use crate::code::{self, Refusal, TPG_LENGTH, TPG_MODEL_FEATURES};
 use crate::memory::{self, Opaque};
+use crate::network::model_code;
 use crate::observation::tpg_observation_t;
 use tpg_arm::Move;
 use tpg_arm::sac::FEATURES;
-use tpg_arm::sac::packed::{Model, ModelError};
+use tpg_arm::sac::packed::Model;
 
 /// Words of a tpg_sac_t.
-pub const TPG_SAC_WORDS: usize = 28;
+pub const TPG_SAC_WORDS: usize = 40;
 
-/// A network in integers, checked. Opaque; initialised by tpg_sac_init, constant from then on.
+/// The arm's network in integers, checked. Opaque; initialised by tpg_sac_init, constant from then on.
 #[repr(C)]
 pub struct tpg_sac_t {
     /// The library's.
@@ -24,16 +25,6 @@ const _: () = assert!(memory::fits::<tpg_sac_t>());
 unsafe impl Opaque for tpg_sac_t {
     type Content = Model<'static>;
     const TAG: u32 = 0x5341_4301;
-}
-
-fn model_code(error: ModelError) -> Refusal {
-    Refusal(match error {
-        ModelError::NotAModel => TPG_MODEL,
-        ModelError::Short => TPG_LENGTH,
-        ModelError::Checksum => TPG_MODEL_CHECKSUM,
-        ModelError::Features => TPG_MODEL_FEATURES,
-        ModelError::Layers => TPG_MODEL_LAYERS,
-    })
 }
 
 /// Checks a model of `words` 32-bit words and borrows it: it must stay where it is and as it is, in flash say, for as long

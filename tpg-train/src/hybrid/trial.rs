@@ -7,7 +7,7 @@ use serde::Serialize;
 use tpg_arm::cycle::{Brent, CycleDetector, Visited};
 use tpg_arm::hybrid::{CAUSES, Hybrid, HybridEpisode, HybridSummary};
 use tpg_arm::observation::Observation;
-use tpg_arm::{Move, WIDOWX};
+use tpg_arm::{Move, Pose, WIDOWX};
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
 use tpg_graph::in_arithmetic_of;
@@ -107,7 +107,7 @@ where
     S: ArmScalar,
     T: Policy<State = Observation<S>, Action = Move>,
     P: Policy<State = Observation<S>, Action = Move>,
-    D: CycleDetector + Clone,
+    D: CycleDetector<Pose> + Clone,
 {
     let episode = |task: &Task| HybridEpisode::new(hybrid, task.problem(start), detector.clone()).run(|_, _| ());
     tasks.iter().map(episode).collect()

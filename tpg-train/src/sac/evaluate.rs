@@ -10,12 +10,12 @@ use sha2::{Digest, Sha256};
 use std::fs;
 use std::path::{Path, PathBuf};
 use tpg_arm::WIDOWX;
-use tpg_arm::sac::packed::Kind;
 use tpg_codegen::policy::to_rust;
 use tpg_graph::error::{InputError, Place};
 use tpg_problems::arm::planner::{Choice, Planner};
 use tpg_problems::arm::targets::{Start, Task};
 use tpg_problems::arm::trial::{self, Trial};
+use tpg_runtime::net::Kind;
 
 /// Puts a policy to tasks: a `policy.safetensors`, a `policy.q.json`, or the classical `planner` or `nearest-goal`.
 ///

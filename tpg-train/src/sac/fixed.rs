@@ -9,13 +9,13 @@ use tpg_arm::episode::Episode;
 use tpg_arm::frame::Frame;
 use tpg_arm::observation::Observation;
 use tpg_arm::sac::fixed::{FixedDecision, quantise as quantise_features};
-use tpg_arm::sac::packed::Kind;
-use tpg_arm::sac::{Actions, Mask, features};
-use tpg_arm::{Move, WIDOWX};
-use tpg_codegen::policy::{FloatLayer, QuantisedPolicy, quantise};
+use tpg_arm::sac::{Actions, FEATURE_NAMES, Mask, features};
+use tpg_arm::{JOINTS, Move, WIDOWX};
+use tpg_codegen::policy::{FloatLayer, Input, Output, Preferences, QuantisedPolicy, quantise};
 use tpg_graph::error::{InputError, Place};
 use tpg_nn::{Mlp, Tape};
 use tpg_problems::arm::targets::{Set, Start, tasks};
+use tpg_runtime::net::Kind;
 use tpg_runtime::policy::Policy;
 
 /// Calibration episodes of each start: training tasks, never validation or test tasks.
@@ -52,7 +52,13 @@ pub fn quantise_actor(
     }
     let layers = quantise(&layers, &greatest_activations(network, actor, seed), kind)
         .map_err(|error| refuse(error.to_string(), "a network whose numbers fit"))?;
-    QuantisedPolicy::new(source_sha256, actor.actions, actor.mask, actor.may_rest, kind, layers)
+    let preferences = Preferences {
+        actions: actor.actions.name().to_owned(),
+        mask: actor.mask.name().to_owned(),
+        may_rest: actor.may_rest,
+    };
+    let inputs = FEATURE_NAMES.map(Input::plain).into();
+    QuantisedPolicy::new(source_sha256, inputs, Output::Preferences(preferences), kind, layers)
 }
 
 /// The greatest activation behind each hidden layer, over the calibration episodes.
@@ -90,13 +96,24 @@ impl FixedActor {
     /// Of a checked policy.
     ///
     /// # Errors
-    /// None in practice: a checked policy names actions and mask that exist.
+    /// If it is not a network of the arm's features with a preference for each joint.
     pub fn new(policy: QuantisedPolicy) -> Result<Self, InputError> {
-        let known = Actions::from_name(&policy.actions).zip(Mask::from_name(&policy.mask));
-        let (actions, mask) = known.ok_or_else(|| {
-            InputError::new("policy.q.json", Place::Whole, policy.actions.clone(), "actions and mask that exist")
-        })?;
-        let decision = FixedDecision::new(actions, mask, policy.may_rest);
+        let refuse =
+            |found: String, accepted: &str| Err(InputError::new("policy.q.json", Place::Whole, found, accepted));
+        let names: Vec<&str> = policy.inputs.iter().map(|input| input.name.as_str()).collect();
+        if names != FEATURE_NAMES {
+            return refuse(format!("the inputs {}", names.join(" ")), &FEATURE_NAMES.join(" "));
+        }
+        let outputs = policy.layers.last().map_or(0, |layer| layer.outputs);
+        let Output::Preferences(preferences) = &policy.output else {
+            return refuse("a network of another problem".to_owned(), "preferences of the arm's joints");
+        };
+        let known = Actions::from_name(&preferences.actions).zip(Mask::from_name(&preferences.mask));
+        let Some((actions, mask)) = known.filter(|_| outputs == JOINTS) else {
+            let accepted = format!("{JOINTS} preferences, actions and mask that exist");
+            return refuse(format!("{outputs} outputs, {preferences:?}"), &accepted);
+        };
+        let decision = FixedDecision::new(actions, mask, preferences.may_rest);
         Ok(Self { policy, decision })
     }
 }
@@ -107,6 +124,8 @@ impl Policy for FixedActor {
 
     fn decide(&self, seen: &Observation<f32>) -> Move {
         let features = quantise_features(&features(&Frame::of(&ARM, seen)));
-        self.decision.decide(self.policy.preferences(&features), seen.pose, &ARM.ranges)
+        let outputs = self.policy.outputs(&features);
+        let preferences = std::array::from_fn(|joint| outputs.get(joint).copied().unwrap_or(0));
+        self.decision.decide(preferences, seen.pose, &ARM.ranges)
     }
 }

@@ -7,7 +7,7 @@ use tpg_arm::cycle::{Brent, CycleDetector, Visited};
 use tpg_arm::hybrid::{Guard, Hybrid, Settings};
 use tpg_arm::observation::{ArmPolicy, Observation};
 use tpg_arm::sac::packed::{Model, PackedPolicy};
-use tpg_arm::{JOINTS, Move};
+use tpg_arm::{JOINTS, Move, Pose};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_generated::widowx_fs::WidowxFs;
 use tpg_generated::widowx_fs_fast::WidowxFsFast;
@@ -105,7 +105,7 @@ fn rs() -> impl Policy<State = Observation<f32>, Action = Move> + Clone {
 fn parts<T, D>(start: Start, tasks: &[Task], tpg: T, settings: Settings<f32>, detector: &D) -> Times
 where
     T: Policy<State = Observation<f32>, Action = Move> + Clone,
-    D: CycleDetector + Clone,
+    D: CycleDetector<Pose> + Clone,
 {
     Times {
         tpg: timing::of_policy(&ARM, &tpg, start, tasks),

@@ -64,7 +64,7 @@ where
     S: Lattice,
     T: Policy<State = Observation<S>, Action = Move>,
     P: Policy<State = Observation<S>, Action = Move>,
-    D: CycleDetector + Clone,
+    D: CycleDetector<Pose> + Clone,
 {
     let ways = ways(tasks, |task, poses| {
         HybridEpisode::new(hybrid, task.problem(start), detector.clone()).run(|_, pose| poses.push(pose));

@@ -56,6 +56,9 @@ pub const FEATURE_NAMES: [&str; FEATURES] = [
     "forearm_clearance",
 ];
 
+/// Checksum of the features' names: a network of other features is refused.
+pub const FEATURE_CONTRACT: u32 = tpg_runtime::net::contract(&FEATURE_NAMES);
+
 /// The network's input, every value within about −2..2.
 ///
 /// | index | value |

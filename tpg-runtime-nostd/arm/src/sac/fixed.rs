@@ -1,132 +1,19 @@
-//! The network in integers: `i8` weights, `i16` activations, `i32` accumulators.
+//! The arm's network in integers: two hidden layers between the [features](super::features) and four preferences.
 //!
-//! One layer's output o is, for inputs x:
-//!
-//! acc = bias\[o\] + Σ weights\[o\]\[i\]·x\[i\], exactly, in `i32`;
-//! y = (acc·factor\[o\] + 2^(shift\[o\] − 1)) >> shift\[o\] in `i64`: rounded to nearest, halves upwards;
-//! then clipped to 0..=32767 behind a hidden layer (its ReLU) and to −32767..=32767 behind the last one.
-//!
-//! That is the whole arithmetic, and every kernel that computes it gives the same bits. [`Layer::is_sound`] proves at
-//! build time that no accumulator can overflow, for any input at all.
-//!
-//! Features enter as whole multiples of 1/4096 ([`quantise`]), preferences leave as multiples of 1/2048.
+//! Features enter as whole multiples of 1/4096 ([`quantise`]), preferences leave as multiples of 1/2048. The arithmetic is
+//! [`tpg_runtime::net`]'s.
 
-use super::{Actions, Decision, FEATURES, Mask, TRAINED_COARSE, TRAINED_FINE, features};
+use super::{Actions, Decision, FEATURE_CONTRACT, FEATURES, Mask, TRAINED_COARSE, TRAINED_FINE, features};
 use crate::arm::{Arm, JOINTS, Move};
 use crate::frame::Frame;
 use crate::observation::Observation;
+use tpg_runtime::net::{Answer, HIDDEN, LAST, Layer, Meaning, PREFERENCE_ONE, integer};
 use tpg_runtime::policy::Policy;
-
-/// A feature of 1 as an integer.
-pub const FEATURE_ONE: f32 = 4096.0;
-
-/// A preference of 1 as an integer.
-pub const PREFERENCE_ONE: f32 = 2048.0;
-
-/// How an accumulator becomes an output: times `factor`/2^`shift`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Rescale {
-    /// 0..=32767.
-    pub factor: i16,
-    /// 1..=47; what lies outside counts as the nearer end.
-    pub shift: u8,
-}
-
-impl Rescale {
-    /// Rounded to nearest, halves upwards; clipped to `low`..=32767.
-    #[inline(always)]
-    pub const fn apply(self, accumulator: i32, low: i16) -> i16 {
-        let shift = match self.shift {
-            0 => 1,
-            shift @ 1..=47 => shift as u32,
-            _ => 47,
-        };
-        // 31 + 15 bits and a half: i64 has room.
-        let value = (accumulator as i64 * self.factor as i64 + (1 << (shift - 1))) >> shift;
-        if value > i16::MAX as i64 {
-            i16::MAX
-        } else if value < low as i64 {
-            low
-        } else {
-            value as i16
-        }
-    }
-}
-
-/// What a layer's outputs are clipped to from below: a hidden layer's ReLU.
-pub const HIDDEN: i16 = 0;
-/// What the last layer's outputs are clipped to from below.
-pub const LAST: i16 = -i16::MAX;
-
-/// The exact sum of products of one row. It wraps where a row is not [sound](Layer::is_sound).
-#[inline]
-pub fn accumulate<W: Copy + Into<i32>>(bias: i32, weights: &[W], inputs: &[i16]) -> i32 {
-    let products = weights.iter().zip(inputs).map(|(&weight, &input)| weight.into().wrapping_mul(i32::from(input)));
-    products.fold(bias, i32::wrapping_add)
-}
-
-/// The greatest magnitude that a row's accumulator can take, for any inputs.
-pub const fn worst_accumulator(bias: i32, weights: &[i8]) -> i64 {
-    let mut worst = bias.unsigned_abs() as i64;
-    let mut i = 0;
-    while i < weights.len() {
-        worst += weights[i].unsigned_abs() as i64 * 32_768;
-        i += 1;
-    }
-    worst
-}
-
-/// A layer of `I` inputs and `O` outputs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Layer<const I: usize, const O: usize> {
-    /// Row by row.
-    pub weights: [[i8; I]; O],
-    /// In units of the accumulators.
-    pub bias: [i32; O],
-    /// Row by row.
-    pub rescale: [Rescale; O],
-}
-
-impl<const I: usize, const O: usize> Layer<I, O> {
-    /// The outputs, clipped to `low` from below.
-    pub fn forward(&self, inputs: &[i16; I], low: i16) -> [i16; O] {
-        let mut outputs = [0; O];
-        let rows = self.weights.iter().zip(&self.bias).zip(&self.rescale);
-        for (output, ((weights, &bias), rescale)) in outputs.iter_mut().zip(rows) {
-            *output = rescale.apply(accumulate(bias, weights, inputs), low);
-        }
-        outputs
-    }
-
-    /// Whether no input can overflow an accumulator and every rescale is in its range.
-    ///
-    /// Generated code asserts it in a `const`: an unsound network does not compile.
-    pub const fn is_sound(&self) -> bool {
-        let mut o = 0;
-        while o < O {
-            let Rescale { factor, shift } = self.rescale[o];
-            if worst_accumulator(self.bias[o], &self.weights[o]) > i32::MAX as i64
-                || factor < 0
-                || shift < 1
-                || shift > 47
-            {
-                return false;
-            }
-            o += 1;
-        }
-        true
-    }
-}
 
 /// Features as integers: rounded to nearest, halves away from zero, clipped to `i16`; NaN becomes 0.
 #[inline(never)] // its loop is not its caller's: a static bound multiplies nested ones
 pub fn quantise(features: &[f32; FEATURES]) -> [i16; FEATURES] {
-    features.map(|value| {
-        let scaled = value * FEATURE_ONE;
-        let half = f32::from_bits(0.5f32.to_bits() | (scaled.to_bits() & (-0.0f32).to_bits()));
-        // By way of i32, which an FPU converts to and saturates at: `as i16` costs three comparisons.
-        ((scaled + half) as i32).clamp(i32::from(i16::MIN), i32::from(i16::MAX)) as i16
-    })
+    features.map(integer)
 }
 
 /// A network of two hidden layers.
@@ -183,6 +70,24 @@ impl FixedDecision {
         }
     }
 
+    /// The decision that a network's flags name: 1 for joints that stop at their limits, 2 where the arm may rest, 4 for
+    /// fine actions.
+    pub const fn from_flags(flags: u8) -> Self {
+        let mask = if flags & 1 == 0 { Mask::None } else { Mask::JointLimits };
+        let actions = if flags & 4 == 0 { Actions::Coarse } else { Actions::Fine };
+        Self::new(actions, mask, flags & 2 != 0)
+    }
+
+    /// The meaning of a network of the arm with this decision behind it.
+    pub const fn meaning(&self) -> Meaning<'static> {
+        let (fine, mask, may_rest) = match self {
+            Self::Fine(decision) => (true, decision.mask, decision.may_rest),
+            Self::Coarse(decision) => (false, decision.mask, decision.may_rest),
+        };
+        let flags = matches!(mask, Mask::JointLimits) as u8 | ((may_rest as u8) << 1) | ((fine as u8) << 2);
+        Meaning { contract: FEATURE_CONTRACT, inputs: &[], answer: Answer::Preferences { flags }, values: &[] }
+    }
+
     /// The move for preferences in multiples of 1/2048.
     #[inline(never)] // as `quantise`
     pub fn decide(
@@ -224,48 +129,9 @@ mod tests {
     use super::*;
     use crate::arm::WIDOWX;
     use proptest::prelude::*;
+    use tpg_runtime::net::Rescale;
 
     const ARM: Arm<f32> = WIDOWX.to_f32();
-
-    #[test]
-    fn rounding_is_to_nearest_with_halves_upwards_and_clipped() {
-        let half = Rescale { factor: 1 << 14, shift: 15 };
-        let at = |accumulator| half.apply(accumulator, LAST);
-        assert_eq!([at(3), at(-3), at(4), at(-4), at(0)], [2, -1, 2, -2, 0]);
-        assert_eq!([at(i32::MAX), at(i32::MIN)], [32767, -32767]);
-        assert_eq!([half.apply(-9, HIDDEN), half.apply(9, HIDDEN)], [0, 5]);
-    }
-
-    #[test]
-    fn features_are_rounded_and_clipped() {
-        let nearest = |value: f32| {
-            let scaled = value * FEATURE_ONE;
-            (scaled + if scaled < 0.0 { -0.5 } else { 0.5 }) as i16
-        };
-        let special =
-            [0.0, -0.0, f32::NAN, -f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX, f32::MIN, 7.99, -8.0];
-        let halves = (-40_000..40_000).map(|n| n as f32 / 8192.0);
-        let any = (0..1_000_000u32).map(|n| f32::from_bits(n.wrapping_mul(2_654_435_761)));
-        for value in special.into_iter().chain(halves).chain(any) {
-            let mut features = [0.0; FEATURES];
-            features[3] = value;
-            assert_eq!(quantise(&features)[3], nearest(value), "{value}");
-        }
-    }
-
-    #[test]
-    fn soundness_is_decided_by_the_worst_input() {
-        let layer = |weight: i8, bias: i32| Layer::<512, 1> {
-            weights: [[weight; 512]; 1],
-            bias: [bias],
-            rescale: [Rescale { factor: 1, shift: 1 }],
-        };
-        // 512·127·32768 = 2,130,706,432; i32::MAX is 16,777,215 more.
-        assert!(layer(127, 16_777_215).is_sound() && layer(-127, -16_777_215).is_sound());
-        assert!(!layer(127, 16_777_216).is_sound() && !layer(-128, 0).is_sound());
-        let bad = Layer { rescale: [Rescale { factor: 1, shift: 0 }], ..layer(1, 1) };
-        assert!(!bad.is_sound());
-    }
 
     fn network() -> impl Strategy<Value = Network<5, 3>> {
         fn layer<const I: usize, const O: usize>() -> impl Strategy<Value = Layer<I, O>> {
@@ -293,17 +159,6 @@ mod tests {
             let seen = Observation::at(&ARM, crate::arm::Pose(pose), target);
             let Move(deltas) = policy.decide(&seen);
             prop_assert!(deltas.iter().all(|delta| delta.abs() <= 3));
-        }
-
-        #[test]
-        fn a_sound_row_never_wraps(
-            weights in prop::collection::vec(any::<i8>(), 40),
-            inputs in prop::collection::vec(prop_oneof![Just(i16::MIN), Just(i16::MAX), any::<i16>()], 40),
-            bias in -1_000_000_000i32..1_000_000_000,
-        ) {
-            let exact = weights.iter().zip(&inputs).map(|(&w, &x)| i64::from(w) * i64::from(x)).sum::<i64>() + i64::from(bias);
-            prop_assert!(exact.abs() <= worst_accumulator(bias, &weights));
-            prop_assert_eq!(i64::from(accumulate(bias, &weights, &inputs)), exact);
         }
     }
 }

@@ -16,4 +16,4 @@ pub mod fixed;
 pub mod packed;
 
 pub use decision::{Actions, Decision, Magnitude, Mask, TRAINED_COARSE, TRAINED_FINE};
-pub use features::{FEATURE_NAMES, FEATURES, features};
+pub use features::{FEATURE_CONTRACT, FEATURE_NAMES, FEATURES, features};

@@ -202,6 +202,8 @@ static void policies(void)
     (void)memcpy(damaged, model, sizeof damaged);
     damaged[MODEL_WORDS / 2U] ^= 0x100U;
     CHECK(tpg_sac_init(&sac, damaged, MODEL_WORDS) == TPG_MODEL_CHECKSUM);
+    damaged[1] -= 1U;
+    CHECK(tpg_sac_init(&sac, damaged, MODEL_WORDS) == TPG_MODEL_VERSION);
     CHECK(tpg_sac_scratch(&raw, &words) == TPG_STATE);
     CHECK(tpg_sac_scratch(&sac, &words) == TPG_OK);
     CHECK(words == MODEL_SCRATCH);

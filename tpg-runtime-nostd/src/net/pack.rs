@@ -1,10 +1,40 @@
 //! From rows of weights to words.
+//!
+//! | word | holds |
+//! | --- | --- |
+//! | 0 | [`MAGIC`] |
+//! | 1 | [`VERSION`]; layers << 8; 1 << 15 if inputs have scales; kind of answer << 16 (0 preferences, 1 values, 2 argmax); the problem's flags << 24 |
+//! | 2 | number of words |
+//! | 3 | CRC-32 (IEEE 802.3) of words 1 and 2 and all behind this one, low byte first |
+//! | 4 | the contract: CRC-32 of the inputs' names, each with a line feed behind it |
+//! | 5, 6 | of the first layer: inputs + (outputs << 16), code of its [`Kind`]; two words for each further layer |
+//! | then | offset and scale of each input, as `f32`, if inputs have scales |
+//! | then | of each output that becomes a value: min and max as `f32`, squash (0 tanh, 1 clamp) + (exponent << 8) |
+//! | then | the layers' blocks, one after another, rows padded to the next layer's columns |
+//!
+//! Multipliers are the factors shifted so that every shift is 32 ([`Rescale::multiplier`]), so that a packed network answers
+//! bit for bit as its layers do.
 
-use super::{FEATURE_CONTRACT, HEADER, LAYERS, MAGIC, VERSION, WIDTH, columns, crc};
-use crate::arm::JOINTS;
-use crate::sac::Mask;
-use crate::sac::fixed::{FixedDecision, Rescale};
+use super::meaning::{Answer, Meaning, Squash};
+use super::model::columns;
+use super::{Rescale, crc};
 use tpg_kernels::{Kind, ROWS};
+
+/// "TPGS" in memory.
+pub const MAGIC: u32 = u32::from_le_bytes(*b"TPGS");
+/// Changes with every change of the layout.
+pub const VERSION: u8 = 2;
+/// The most layers a model may have: four hidden ones and the last.
+pub const LAYERS: usize = 5;
+/// The most inputs or outputs a layer may have.
+pub const WIDTH: usize = 512;
+
+pub(super) const HEADER: usize = 5;
+/// The bit beside the number of layers that says that inputs have scales.
+pub(super) const SCALED: u8 = 0x80;
+pub(super) const ANSWER_PREFERENCES: u8 = 0;
+pub(super) const ANSWER_VALUES: u8 = 1;
+pub(super) const ANSWER_ARGMAX: u8 = 2;
 
 /// A layer's weights, row by row.
 #[derive(Clone, Copy, Debug)]
@@ -112,8 +142,8 @@ const fn halves(low: i32, high: i32) -> u32 {
 }
 
 /// Words of a model whose layers have those inputs, outputs and kinds.
-pub const fn words(layers: &[(usize, usize, Kind)]) -> usize {
-    let mut words = HEADER + 2 * layers.len();
+pub const fn words(layers: &[(usize, usize, Kind)], meaning: &Meaning<'_>) -> usize {
+    let mut words = HEADER + 2 * layers.len() + 2 * meaning.inputs.len() + 3 * meaning.values.len();
     let mut index = 0;
     while index < layers.len() {
         let (inputs, outputs, kind) = layers[index];
@@ -129,25 +159,20 @@ const fn blocks(outputs: usize, last: bool) -> usize {
 
 /// Packs layers, first to last, and says whether it could.
 ///
-/// It cannot if sizes do not fit each other, the runtime's limits or `words` ([`words()`] says how many there must be),
-/// if an accumulator could overflow, or if a rescale has no [multiplier](Rescale::multiplier).
-pub const fn pack(layers: &[LayerRows<'_>], decision: &FixedDecision, words: &mut [u32]) -> bool {
+/// It cannot if sizes do not fit each other, the meaning, the runtime's limits or `words` ([`words()`] says how many there
+/// must be), if an accumulator could overflow, if a rescale has no [multiplier](Rescale::multiplier), or if a range or a
+/// scale is not finite.
+pub const fn pack(layers: &[LayerRows<'_>], meaning: &Meaning<'_>, words: &mut [u32]) -> bool {
     if layers.is_empty() || layers.len() > LAYERS || words.len() < HEADER + 2 * layers.len() {
         return false;
     }
-    let (fine, mask, may_rest) = match decision {
-        FixedDecision::Fine(decision) => (1, decision.mask, decision.may_rest),
-        FixedDecision::Coarse(decision) => (0, decision.mask, decision.may_rest),
-    };
-    let flags = matches!(mask, Mask::JointLimits) as u32 | ((may_rest as u32) << 1);
-    let mut at = HEADER + 2 * layers.len();
+    let Some(mut at) = pack_meaning(layers, meaning, words, HEADER + 2 * layers.len()) else { return false };
     let mut index = 0;
     while index < layers.len() {
         let layer = &layers[index];
         let outputs = layer.bias.len();
         let last = index + 1 == layers.len();
-        let next = if last { JOINTS } else { layers[index + 1].inputs };
-        if !layer.fits() || !layer.is_sound() || outputs != next {
+        if !layer.fits() || !layer.is_sound() || (!last && outputs != layers[index + 1].inputs) {
             return false;
         }
         words[HEADER + 2 * index] = layer.inputs as u32 | ((outputs as u32) << 16);
@@ -165,13 +190,60 @@ pub const fn pack(layers: &[LayerRows<'_>], decision: &FixedDecision, words: &mu
     if at != words.len() {
         return false;
     }
+    let (answer, flags) = match meaning.answer {
+        Answer::Preferences { flags } => (ANSWER_PREFERENCES, flags),
+        Answer::Values => (ANSWER_VALUES, 0),
+        Answer::Argmax => (ANSWER_ARGMAX, 0),
+    };
+    let scaled = if meaning.inputs.is_empty() { 0 } else { SCALED };
     words[0] = MAGIC;
-    words[1] = VERSION | ((layers.len() as u32) << 8) | (fine << 16) | (flags << 24);
+    words[1] = u32::from_le_bytes([VERSION, layers.len() as u8 | scaled, answer, flags]);
     words[2] = words.len() as u32;
-    words[4] = FEATURE_CONTRACT;
-    let (head, body) = words.split_at_mut(HEADER - 1);
-    head[3] = crc::of_words(body);
+    words[4] = meaning.contract;
+    words[3] = crc::of_model(words);
     true
+}
+
+/// Writes scales and values at `at`; where the layers go.
+const fn pack_meaning(
+    layers: &[LayerRows<'_>],
+    meaning: &Meaning<'_>,
+    words: &mut [u32],
+    mut at: usize,
+) -> Option<usize> {
+    let Meaning { inputs, values, answer, .. } = *meaning;
+    let outputs = layers[layers.len() - 1].bias.len();
+    let wanted = if matches!(answer, Answer::Values) { outputs } else { 0 };
+    let fits = at + 2 * inputs.len() + 3 * values.len() <= words.len();
+    if !fits || values.len() != wanted || !(inputs.is_empty() || inputs.len() == layers[0].inputs) {
+        return None;
+    }
+    let mut index = 0;
+    while index < inputs.len() {
+        if !inputs[index].offset.is_finite() || !inputs[index].scale.is_finite() {
+            return None;
+        }
+        words[at] = inputs[index].offset.to_bits();
+        words[at + 1] = inputs[index].scale.to_bits();
+        at += 2;
+        index += 1;
+    }
+    index = 0;
+    while index < values.len() {
+        if !values[index].is_sound() {
+            return None;
+        }
+        let squash = match values[index].squash {
+            Squash::Tanh => 0,
+            Squash::Clamp => 1,
+        };
+        words[at] = values[index].min.to_bits();
+        words[at + 1] = values[index].max.to_bits();
+        words[at + 2] = u32::from_le_bytes([squash, values[index].exponent, 0, 0]);
+        at += 3;
+        index += 1;
+    }
+    Some(at)
 }
 
 /// Writes the block of four rows from `row` on at `at`; where the next one goes.

@@ -22,20 +22,27 @@ const fn byte(crc: u32, byte: u8) -> u32 {
     (crc >> 4) ^ TABLE[(crc & 15) as usize]
 }
 
-/// Of words, low byte first.
-pub(super) const fn of_words(words: &[u32]) -> u32 {
-    let mut crc = u32::MAX;
+/// Of words, low byte first, behind others.
+const fn add(mut crc: u32, words: &[u32]) -> u32 {
     let mut index = 0;
     while index < words.len() {
         let [a, b, c, d] = words[index].to_le_bytes();
         crc = byte(byte(byte(byte(crc, a), b), c), d);
         index += 1;
     }
-    !crc
+    crc
 }
 
-/// Of names, each with a line feed behind it.
-pub(super) const fn of_names(names: &[&str]) -> u32 {
+/// Of a model's words but its first and its fourth, which holds the checksum.
+pub(super) const fn of_model(words: &[u32]) -> u32 {
+    match words {
+        [_, kinds, length, _, body @ ..] => !add(add(u32::MAX, &[*kinds, *length]), body),
+        _ => 0,
+    }
+}
+
+/// The CRC-32 of names, each with a line feed behind it.
+pub const fn of_names(names: &[&str]) -> u32 {
     let mut crc = u32::MAX;
     let mut index = 0;
     while index < names.len() {
@@ -57,6 +64,6 @@ mod tests {
     fn the_check_value_of_the_standard() {
         // CRC-32 of "123456789" is 0xcbf43926; here of its first eight bytes, as two words: 0x9ae0daaf.
         let words = [u32::from_le_bytes(*b"1234"), u32::from_le_bytes(*b"5678")];
-        assert_eq!(super::of_words(&words), 0x9ae0_daaf);
+        assert_eq!(!super::add(u32::MAX, &words), 0x9ae0_daaf);
     }
 }

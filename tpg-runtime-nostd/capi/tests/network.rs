@@ -1,0 +1,118 @@
+//! Networks of random shapes: a C program that links the library answers with the same bits as Rust.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+use tempfile::TempDir;
+use tpg_codegen::emit::Prefix;
+use tpg_codegen::policy::{FloatLayer, FloatNetwork, FloatOutput, FloatValue, Input, to_c, to_words};
+use tpg_runtime::net::{Answer, Kind, Model, Squash};
+use tpg_testing::library::{self, Missing};
+
+/// A stream of numbers without a pattern.
+struct Numbers(u32);
+
+impl Numbers {
+    /// From −1 to 1.
+    fn unit(&mut self) -> f32 {
+        self.0 = self.0.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (self.0 >> 8) as f32 / (1 << 23) as f32 - 1.0
+    }
+}
+
+fn network(sizes: &[usize], argmax: bool, numbers: &mut Numbers) -> FloatNetwork {
+    let layers = sizes.windows(2).map(|pair| FloatLayer {
+        inputs: pair[0],
+        weights: (0..pair[0] * pair[1]).map(|_| numbers.unit()).collect(),
+        bias: (0..pair[1]).map(|_| numbers.unit()).collect(),
+    });
+    let layers = layers.collect();
+    let outputs = sizes[sizes.len() - 1];
+    let names = (0..outputs).map(|number| format!("output {number}"));
+    let value = |(number, name): (usize, String)| {
+        let squash = if number % 2 == 0 { Squash::Tanh } else { Squash::Clamp };
+        FloatValue { name, min: -2.0, max: 1.0 + number as f32, squash }
+    };
+    FloatNetwork {
+        inputs: (0..sizes[0])
+            .map(|number| Input {
+                name: format!("input {number}"),
+                offset: numbers.unit(),
+                scale: 0.5 + numbers.unit(),
+            })
+            .collect(),
+        layers,
+        output: if argmax {
+            FloatOutput::Argmax(names.collect())
+        } else {
+            FloatOutput::Values(names.enumerate().map(value).collect())
+        },
+    }
+}
+
+/// Every answer of a model, a line of hexadecimal words each.
+fn by_rust(words: &[u32], states: &[Vec<f32>]) -> String {
+    let model = Model::parse(words).expect("what was packed");
+    let (mut scratch, mut values) = (vec![0; model.scratch()], vec![0.0f32; model.outputs()]);
+    let mut lines = String::new();
+    for state in states {
+        if model.answer() == Answer::Argmax {
+            let _ = writeln!(lines, "{}", model.choose(state, &mut scratch).expect("an action"));
+        } else {
+            assert!(model.values(state, &mut scratch, &mut values));
+            values.iter().for_each(|value| {
+                let _ = write!(lines, "{:08x} ", value.to_bits());
+            });
+            lines.push('\n');
+        }
+    }
+    lines
+}
+
+#[test]
+fn c_answers_with_the_same_bits_as_rust_for_any_shape() {
+    let archive = match library::make(library::host(), &library::dist()) {
+        Ok(archive) => archive,
+        Err(Missing::Tool) => return,
+        Err(Missing::Failed(message)) => panic!("{message}"),
+    };
+    if !tpg_testing::tool("gcc", "gcc", "networks of any shape in C") {
+        return;
+    }
+    let mut numbers = Numbers(5);
+    let shapes: [&[usize]; 6] =
+        [&[1, 1], &[3, 5], &[7, 9, 2], &[4, 8, 8, 6], &[17, 20, 3, 11, 9], &[2, 33, 5, 40, 6, 13]];
+    let prefix: Prefix = "network".parse().expect("a prefix");
+    for (number, (sizes, kind)) in shapes.iter().flat_map(|sizes| Kind::ALL.map(|kind| (sizes, kind))).enumerate() {
+        let float = network(sizes, number % 4 == 3, &mut numbers);
+        let mut states: Vec<Vec<f32>> =
+            (0..300).map(|_| (0..sizes[0]).map(|_| 4.0 * numbers.unit()).collect()).collect();
+        let policy = float.quantise(&states, kind, "0".repeat(64)).expect("it fits");
+        states.push(vec![f32::NAN; sizes[0]]);
+        states.push(vec![f32::INFINITY; sizes[0]]);
+        let folder = TempDir::new().expect("a temporary folder");
+        for file in to_c(&policy, &prefix, false).expect("it packs") {
+            fs::write(folder.path().join(&file.name), file.text).expect("the folder can be written");
+        }
+        let mut text = String::from("static const uint32_t states[] = {\n");
+        for value in states.iter().flatten() {
+            let _ = writeln!(text, "    0x{:08x}U,", value.to_bits());
+        }
+        text.push_str("};\n");
+        fs::write(folder.path().join("states.h"), text).expect("the folder can be written");
+        let include = library::dist().join("include");
+        let main = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/c/network.c");
+        let program = folder.path().join("program");
+        let mut gcc = Command::new("gcc");
+        gcc.args(["-std=c99", "-O1", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"]);
+        gcc.arg(format!("-I{}", include.display())).arg(format!("-I{}", folder.path().display()));
+        gcc.arg(main).arg(folder.path().join("network.c")).arg(&archive).arg("-lm").arg("-o").arg(&program);
+        let output = gcc.output().expect("gcc starts");
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let output = Command::new(&program).output().expect("it starts");
+        assert!(output.status.success(), "{sizes:?}, {kind:?}: {:?}", output.status);
+        let words = to_words(&policy, false).expect("it packs");
+        assert!(String::from_utf8_lossy(&output.stdout) == by_rust(&words, &states), "{sizes:?}, {kind:?}");
+    }
+}
