@@ -7,7 +7,14 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::{env, fs, io};
 
-/// Runs every check; whether all passed.
+/// Runs the tests of every crate; whether all passed.
+pub(crate) fn test() -> bool {
+    let mut run = Run::new();
+    run.all_tests();
+    run.finish()
+}
+
+/// Runs every check but the tests; whether all passed.
 pub(crate) fn all() -> bool {
     let mut run = Run::new();
     run.check("format", cargo(&["fmt", "--all", "--check"]));
@@ -15,7 +22,6 @@ pub(crate) fn all() -> bool {
         "clippy",
         cargo(&["clippy", "--workspace", "--all-targets", "--all-features", "--", "--deny", "warnings"]),
     );
-    run.tests("tests", cargo(&["test", "--workspace", "--all-features", "--no-fail-fast"]));
     let mut documentation = cargo(&["doc", "--workspace", "--all-features", "--no-deps", "--quiet"]);
     documentation.env("RUSTDOCFLAGS", "--deny warnings");
     run.check("documentation", documentation);
@@ -59,6 +65,11 @@ impl Run {
     fn new() -> Self {
         let log = env::temp_dir().join(format!("tpg-skipped-{}", std::process::id()));
         Self { summary: Summary::default(), log }
+    }
+
+    /// Every test of every crate.
+    fn all_tests(&mut self) {
+        self.tests("tests", cargo(&["test", "--workspace", "--all-features", "--no-fail-fast"]));
     }
 
     /// One command, one check.

@@ -12,7 +12,8 @@ use std::collections::BTreeSet;
 use std::marker::PhantomData;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{
-    Ending, Environment, EvaluationError, Evaluator, Summary, UnitKey, Visit, Work, WorkUnit, bounded, finite,
+    Ending, Environment, EvaluationError, Evaluator, Preference, Summary, UnitKey, Visit, Work, WorkUnit, bounded,
+    finite,
 };
 use tpg_runtime::scalar::Scalar;
 
@@ -51,6 +52,23 @@ struct Evaluated {
     dropped: bool,
 }
 
+/// The figures of an evaluation by which roots are selected.
+struct Judged {
+    scores: Vec<f64>,
+    solved: Vec<bool>,
+}
+
+impl Judged {
+    fn new(endings: &[Ending], preference: Preference) -> Self {
+        let scores = endings.iter().map(|ending| finite(ending.score)).collect();
+        let solved = match preference {
+            Preference::Score => Vec::new(),
+            Preference::Success => endings.iter().map(|ending| ending.success == Some(true)).collect(),
+        };
+        Self { scores, solved }
+    }
+}
+
 impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E, V> {
     /// Evolution by that configuration; literals have the units of [`State::scales`].
     ///
@@ -83,10 +101,11 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         self.breed(state);
         let tasks = self.tasks(state);
         let evaluated = self.evaluate(state, &tasks)?;
-        let scores: Vec<Vec<f64>> = evaluated.iter().map(|root| scores(&root.endings)).collect();
+        let preference = self.environment.preference();
+        let scores: Vec<Judged> = evaluated.iter().map(|root| Judged::new(&root.endings, preference)).collect();
         for (root, scores) in evaluated.iter().zip(&scores) {
-            if !scores.is_empty() {
-                state.demes[root.deme].records.entry(root.team).or_default().add(scores);
+            if !scores.scores.is_empty() {
+                state.demes[root.deme].records.entry(root.team).or_default().add(&scores.scores);
             }
         }
         let mut row = self.row(state, &evaluated, &scores);
@@ -170,7 +189,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         if self.config.selection.racing_episodes > 0 && !open.is_empty() {
             done = self.config.selection.racing_episodes;
             self.evaluate_some(state, &tasks[..done], &mut roots, &open)?;
-            let mean = |root: &Evaluated| scores(&root.endings).iter().sum::<f64>() / done as f64;
+            let mean = |root: &Evaluated| Summary::of(&root.endings).score;
             let mut means: Vec<f64> = open.iter().map(|&place| mean(&roots[place])).collect();
             means.sort_by(|a, b| b.total_cmp(a));
             let survivors = self.config.survivors() * state.demes.len();
@@ -205,7 +224,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         Ok(())
     }
 
-    fn row(&self, state: &State<E::Task>, evaluated: &[Evaluated], scores: &[Vec<f64>]) -> Row {
+    fn row(&self, state: &State<E::Task>, evaluated: &[Evaluated], scores: &[Judged]) -> Row {
         let candidates = candidates(state, evaluated, scores, None);
         let order = ranked(&candidates);
         let best = &evaluated[order[0]];
@@ -230,7 +249,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         state: &mut State<E::Task>,
         tasks: &[E::Task],
         evaluated: &[Evaluated],
-        scores: &[Vec<f64>],
+        scores: &[Judged],
     ) {
         if self.config.pool.size == 0 {
             return;
@@ -249,7 +268,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         }
     }
 
-    fn select(&self, state: &mut State<E::Task>, evaluated: &[Evaluated], scores: &[Vec<f64>]) {
+    fn select(&self, state: &mut State<E::Task>, evaluated: &[Evaluated], scores: &[Judged]) {
         for deme in 0..state.demes.len() {
             let of_deme: Vec<&Evaluated> = evaluated.iter().filter(|root| root.deme == deme).collect();
             let candidates = candidates(state, evaluated, scores, Some(deme));
@@ -352,23 +371,18 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
     }
 }
 
-/// The scores, made fit for means.
-fn scores(endings: &[Ending]) -> Vec<f64> {
-    endings.iter().map(|ending| finite(ending.score)).collect()
-}
-
 /// The roots of a deme, or of all, as selection sees them.
 fn candidates<'a, Task>(
     state: &State<Task>,
     evaluated: &[Evaluated],
-    scores: &'a [Vec<f64>],
+    scores: &'a [Judged],
     deme: Option<usize>,
 ) -> Vec<Candidate<'a>> {
     (evaluated.iter().zip(scores))
         .filter(|(root, _)| deme.is_none_or(|deme| root.deme == deme))
         .map(|(root, scores)| {
             let record = state.demes[root.deme].records.get(&root.team).copied().unwrap_or(Record::default());
-            Candidate { mean: record.mean, scores, dropped: root.dropped }
+            Candidate { mean: record.mean, scores: &scores.scores, solved: &scores.solved, dropped: root.dropped }
         })
         .collect()
 }

@@ -10,6 +10,8 @@ pub struct Candidate<'a> {
     pub mean: f64,
     /// Its scores of this generation, one for each episode; empty for a root that racing dropped or whose score is final.
     pub scores: &'a [f64],
+    /// The episodes that it solved, where policies are compared by success; empty otherwise.
+    pub solved: &'a [bool],
     /// Whether racing dropped it: it is worse than any that was not.
     pub dropped: bool,
 }
@@ -92,6 +94,12 @@ fn lexicase(candidates: &[Candidate<'_>], among: &[usize], tolerance: f64, strea
             break;
         }
         let score = |place: usize| candidates[place].scores[episode];
+        // Solved is solved: nothing is gained by solving it faster.
+        let solved = |place: usize| candidates[place].solved.get(episode).copied().unwrap_or(false);
+        if left.iter().any(|&place| solved(place)) {
+            left.retain(|&place| solved(place));
+            continue;
+        }
         let best = left.iter().map(|&place| score(place)).fold(f64::NEG_INFINITY, f64::max);
         let spread = median_deviation(among.iter().map(|&place| score(place)).collect());
         left.retain(|&place| score(place) >= best - tolerance * spread);
@@ -133,7 +141,7 @@ mod tests {
 
     fn candidates(scores: &[Vec<f64>]) -> Vec<Candidate<'_>> {
         let mean = |scores: &Vec<f64>| scores.iter().sum::<f64>() / scores.len() as f64;
-        scores.iter().map(|scores| Candidate { mean: mean(scores), scores, dropped: false }).collect()
+        scores.iter().map(|scores| Candidate { mean: mean(scores), scores, solved: &[], dropped: false }).collect()
     }
 
     #[test]
@@ -165,6 +173,20 @@ mod tests {
             survivors(&candidates, 5, &config(SelectionMethod::Truncation, 5), &mut stream).contains(&9)
         });
         assert!(kept.count() > 40);
+    }
+
+    #[test]
+    fn where_success_counts_lexicase_does_not_prefer_the_faster() {
+        // The first root solves both episodes slowly, the second one of them fast.
+        let scores = [vec![10.0, 10.0], vec![11.0, -1.0]];
+        let solved = [vec![true, true], vec![true, false]];
+        let candidates: Vec<Candidate<'_>> = (scores.iter().zip(&solved))
+            .map(|(scores, solved)| Candidate { mean: 0.0, scores, solved, dropped: false })
+            .collect();
+        for index in 0..20 {
+            let mut stream = Stream::new(1, 0, Purpose::Test, index);
+            assert_eq!(survivors(&candidates, 1, &config(SelectionMethod::Truncation, 1), &mut stream), [0]);
+        }
     }
 
     #[test]

@@ -66,3 +66,13 @@ pub fn exists(program: &str) -> bool {
         .status()
         .is_ok()
 }
+
+/// Names the variable by which nothing is shortened.
+pub const FULL: &str = "TPG_FULL_TESTS";
+
+/// Returns `all` where [`FULL`] is `1`, as in CI, and `some` otherwise: the amount of work of a long test.
+///
+/// A shortened test covers the same code on fewer cases, so that `cargo xtask test` stays a matter of minutes.
+pub fn amount<T>(some: T, all: T) -> T {
+    if env::var(FULL).is_ok_and(|value| value == "1") { all } else { some }
+}
