@@ -166,6 +166,7 @@ impl<S: Scalar, D> Switch<S, D> {
 
     /// Notes an action that did not end the episode, and the state behind it; the reason why the second policy acts next,
     /// if it newly does.
+    #[inline(always)] // as `Hybrid::decide`
     pub fn acted<K>(&mut self, driver: Driver, rests: bool, key: K, distance: S) -> Option<Cause>
     where
         D: CycleDetector<K>,
@@ -248,7 +249,7 @@ pub struct Hybrid<T, P> {
 
 impl<T: Policy, P: Policy<State = T::State, Action = T::Action>> Hybrid<T, P> {
     /// The next action and the policy that chose it. A guard may hand over here: then both policies are asked, once each.
-    #[inline]
+    #[inline(always)] // a problem's own function is this one with its guard
     pub fn decide<S: Scalar, D>(
         &self,
         switch: &mut Switch<S, D>,

@@ -154,10 +154,12 @@ struct Guarded<'a, S> {
 }
 
 impl<S: Lattice> switch::Guard<Observation<S>, Move> for Guarded<'_, S> {
+    #[inline(always)]
     fn refuses(&self, seen: &Observation<S>, &wanted: &Move) -> bool {
         self.guard.refuses(self.arm, seen.pose, wanted).is_some()
     }
 
+    #[inline(always)]
     fn mend(&self, seen: &Observation<S>, wanted: Move, again: impl FnOnce() -> Option<Move>) -> Chosen {
         if self.guard != Guard::Both {
             return Chosen { driver: Driver::Sac, wanted };
