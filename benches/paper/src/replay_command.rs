@@ -1,4 +1,4 @@
-//! `tpg-paper replay`: recorded episodes, done again and compared.
+//! `tpg-paper replay`: replays recorded episodes and compares them.
 
 use super::actor::RecordedActor;
 use super::chain::Chain;
@@ -20,7 +20,7 @@ use tpg_graph::engine::{Engine, Reference};
 use tpg_graph::import;
 use tpg_problems::arm::binding::Binding;
 
-/// Replay recorded episodes and count what is exact.
+/// Replay recorded episodes and count exact matches
 #[derive(Clone, Debug, Args)]
 pub struct ReplayArgs {
     /// The policy: a graph.json or a GEGELATI .dot file; - for standard input
@@ -29,22 +29,22 @@ pub struct ReplayArgs {
     /// The policy: a recorded actor's weights
     #[arg(long, value_name = "F32", requires = "layout")]
     actor: Option<PathBuf>,
-    /// What the actor's weights mean
+    /// The layout of the actor's weights
     #[arg(long, value_name = "JSON", requires = "actor")]
     layout: Option<PathBuf>,
-    /// An invalid action ends an actor's episode
+    /// Let an invalid action end an actor's episode
     #[arg(long, requires = "actor")]
     end_at_collision: bool,
-    /// A built-in description of what a .dot file lacks
+    /// A built-in description that supplies what a .dot file lacks
     #[arg(long, value_name = "NAME", conflicts_with = "sidecar")]
     profile_of: Option<import::Profile>,
-    /// A TOML file that says what a .dot file lacks
+    /// A TOML file that supplies what a .dot file lacks
     #[arg(long, value_name = "FILE")]
     sidecar: Option<PathBuf>,
-    /// The recorded problem: it decides how many actions an episode may take
+    /// The recorded problem; it determines the maximum number of actions
     #[arg(long, value_enum)]
     problem: Problem,
-    /// The hand is at its target when it is nearer than this
+    /// The hand has reached its target below this distance
     #[arg(long, value_name = "D", default_value_t = 3.0, value_parser = millimetres)]
     tolerance_mm: f64,
     /// Starts and targets: columns row, m0 to m3, tx, ty, tz
@@ -56,7 +56,7 @@ pub struct ReplayArgs {
     /// Recorded steps: columns row, step, m0 to m3; gzip allowed
     #[arg(long, value_name = "CSV.gz")]
     trace: Option<PathBuf>,
-    /// Who decides: the interpreter, or the generated code, compiled
+    /// The engine: the interpreter, or compiled generated code
     #[arg(long, value_enum, default_value_t = EngineArg::Interpreter)]
     engine: EngineArg,
     /// Print one JSON object
@@ -75,7 +75,7 @@ pub enum Problem {
 }
 
 impl Problem {
-    /// The actions that an episode of a TPG could take.
+    /// Returns the maximum number of actions in an episode of a TPG.
     pub const fn max_actions(self) -> u32 {
         match self {
             // The paper says 1707; its artifact was run with 1710.
@@ -86,7 +86,7 @@ impl Problem {
 }
 
 impl Problem {
-    /// The actions that an episode of an actor could take.
+    /// Returns the maximum number of actions in an episode of an actor.
     pub const fn max_actor_actions(self) -> u32 {
         match self {
             Self::Fs => 1000,
@@ -95,7 +95,7 @@ impl Problem {
     }
 }
 
-/// Who decides.
+/// Engine that decides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum EngineArg {
     /// The interpreter of tpg-codegen.
@@ -109,13 +109,13 @@ pub enum EngineArg {
 }
 
 impl EngineArg {
-    /// Starts the engine for a graph that was read from `file`.
+    /// Starts the engine for a graph read from `file`.
     ///
     /// # Errors
-    /// When generated code cannot be built.
+    /// If generated code cannot be built.
     pub fn start<'g>(self, file: &Path, graph: &'g Graph) -> Result<Box<dyn Engine + 'g>, CommandError> {
         let options = Options::new(Prefix::of_file(file));
-        // The folder goes when this returns; the program that was started from it stays.
+        // The folder is deleted on return; the program started from it keeps running.
         let workshop = || Workshop::new().map_err(CommandError::other);
         Ok(match self {
             Self::Interpreter => Box::new(Reference::new(graph)),
@@ -126,7 +126,7 @@ impl EngineArg {
     }
 }
 
-/// What `--json` prints.
+/// Content of the `--json` output.
 #[derive(Clone, Debug, Serialize)]
 struct Report {
     graph: String,
@@ -136,10 +136,10 @@ struct Report {
 }
 
 impl ReplayArgs {
-    /// Replays.
+    /// Runs the command.
     ///
     /// # Errors
-    /// Bad input, or an engine that fails.
+    /// Bad input, or an engine failure.
     pub fn run(&self) -> Result<Verdict, CommandError> {
         let tasks = data::tasks(&self.targets)?;
         let mut ends = self.ends.as_deref().map(|path| data::ends(path, &tasks)).transpose()?;
@@ -148,7 +148,7 @@ impl ReplayArgs {
         let (policy, engine, done) = match (&self.graph, &self.actor, &self.layout) {
             (Some(graph), ..) => self.of_graph(graph, &tasks)?,
             (None, Some(actor), Some(layout)) => {
-                // No action of an actor's episode is a TPG's.
+                // No action of an actor's episode is chosen by a TPG.
                 ends.iter_mut().flat_map(|ends| ends.values_mut()).for_each(|end| end.tpg_actions = None);
                 self.of_actor(actor, layout, &tasks)?
             }
@@ -169,7 +169,7 @@ impl ReplayArgs {
         Ok(if exact { Verdict::Good } else { Verdict::Failed })
     }
 
-    /// The policy's name, who decided, and the episodes.
+    /// Returns the policy's name, the engine's name, and the episodes.
     fn of_graph(&self, path: &Path, tasks: &ByRow<Task>) -> Result<(String, String, ByRow<Done>), CommandError> {
         let graph = import::load(path, self.profile_of, self.sidecar.as_deref())?;
         let name = path.display().to_string();
