@@ -8,11 +8,11 @@
 //! | [`evolution`] | tangled program graphs: genome, mutation, selection, runs |
 //! | [`sac`] | soft actor-critic |
 //! | [`targets`] | tasks over the reachable space |
-//! | [`evaluate`] | how a policy's episodes end |
-//! | [`hybrid`] | a graph and an actor that share the arm: study and table |
+//! | [`evaluate`] | evaluation: outcomes of a policy's episodes |
+//! | [`hybrid`] | graphs and actors that share the arm: study and table |
 //! | [`interrupt`] | Ctrl-C |
-//! | [`picture`] | SVG, plots and the page that holds them |
-//! | [`files`] | files that are whole or not there |
+//! | [`picture`] | SVG, plots and the HTML page that contains them |
+//! | [`files`] | atomic file writes |
 //! | [`problems`] | `tpg-train problems` |
 //! | [`progress`], [`run_args`] | the progress bar and the arguments of every run |
 //! | [`report`] | runs in one HTML file |

@@ -1,4 +1,4 @@
-//! `cargo xtask`: everything CI runs, a person can run.
+//! `cargo xtask`: every CI step, for local use.
 
 mod check;
 mod setup;
@@ -27,10 +27,10 @@ enum Task {
     Check,
     /// Make libtpg_runtime.a for this machine and for Cortex-M, with header, CMake and pkg-config files
     Library {
-        /// Targets; all of them without it
+        /// Targets; all of them by default
         #[arg(long)]
         target: Vec<String>,
-        /// Where to; without it, `tpg_runtime` in cargo's target folder
+        /// Output folder; by default `tpg_runtime` in cargo's target folder
         #[arg(short, long)]
         out: Option<PathBuf>,
     },
@@ -63,7 +63,7 @@ fn main() -> ExitCode {
     if good { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
-/// Makes libraries and says where they are.
+/// Builds libraries and prints their locations.
 fn library(targets: Vec<String>, out: Option<PathBuf>) -> bool {
     let folder = out.unwrap_or_else(library::dist);
     let all = || library::TARGETS.into_iter().chain([library::host()]).map(str::to_owned).collect();

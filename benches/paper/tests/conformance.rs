@@ -1,4 +1,4 @@
-//! The paper's recorded policies and poses, replayed: everything must come out the same, row by row and step by step.
+//! Replays the paper's recorded policies and poses: everything must be equal, row by row and step by step.
 
 mod support;
 
@@ -14,7 +14,7 @@ use tpg_paper::{data, replay};
 use tpg_problems::arm::binding::Binding;
 use tpg_problems::arm::targets::Start;
 
-/// The hand's error bounds that `tpg_arm::kinematics` states, mm.
+/// Error bounds of the hand stated by `tpg_arm::kinematics`, mm.
 const F64_BOUND: f64 = 5e-13;
 const F32_BOUND: f64 = 1.1e-4;
 
@@ -22,15 +22,15 @@ const F32_BOUND: f64 = 1.1e-4;
 struct Case {
     /// The graph, without `.dot`.
     graph: String,
-    /// What its recorded files begin with.
+    /// Prefix of the names of its recorded files.
     recorded: String,
     problem: Start,
     tolerance: f64,
-    /// What comes after `recorded` in the name of its step trace.
+    /// Suffix of the name of its step trace.
     trace: Option<&'static str>,
 }
 
-/// The policies of the paper's table 2, as trained and as pruned by the authors.
+/// Returns the policies of the paper's table 2, as trained and as pruned by the authors.
 fn final_policies() -> Vec<Case> {
     let mut cases = Vec::new();
     for (problem, name) in [(Start::Fs, "fs"), (Start::Rs, "rs")] {
@@ -45,7 +45,7 @@ fn final_policies() -> Vec<Case> {
     cases
 }
 
-/// The policies that the authors recorded with every step.
+/// Returns the policies that the authors recorded with every step.
 fn traced_policies() -> Vec<Case> {
     let names = [
         ("fs_init7200_150gen_s0", 3.0),
@@ -63,7 +63,7 @@ fn traced_policies() -> Vec<Case> {
     names.into_iter().map(case).collect()
 }
 
-/// What was compared over several policies.
+/// Totals over several policies.
 #[derive(Debug, Default, PartialEq, Eq)]
 struct Totals {
     graphs: usize,
@@ -107,14 +107,14 @@ fn replay_all(folder: &Path, cases: &[Case], engine: EngineArg) -> Totals {
     totals
 }
 
-/// 20 graphs with 60 rows each; traces of 8 of them, 181,914 steps, each replayed with two graphs.
+/// Replays 20 graphs with 60 rows each; traces of 8 of them, 181,914 steps, each replayed with two graphs.
 fn replay_final(test: &str, engine: EngineArg) {
     let Some(folder) = support::folder(test) else { return };
     let totals = replay_all(&folder, &final_policies(), engine);
     assert_eq!(totals, Totals { graphs: 20, end_rows: 1_200, trace_rows: 480, steps: 2 * 181_914 });
 }
 
-/// 6 graphs with 60 rows each and all their steps.
+/// Replays 6 graphs with 60 rows each and all their steps.
 fn replay_traced(test: &str, engine: EngineArg) {
     let Some(folder) = support::folder(test) else { return };
     let totals = replay_all(&folder, &traced_policies(), engine);

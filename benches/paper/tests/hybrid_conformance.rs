@@ -1,4 +1,5 @@
-//! The paper's hybrids: what is determined comes out the same, row by row; the rest within its recorded statistics.
+//! The paper's hybrids: the deterministic part must be equal, row by row; the rest must agree with its recorded
+//! statistics.
 
 mod support;
 
@@ -61,7 +62,7 @@ fn settings(separation: f64, hand_back_after: u32) -> Settings<f64> {
     Settings { hand_back_after, separation, guard: Guard::None }
 }
 
-/// Never asked: what is determined is over before.
+/// A policy that is never used: the deterministic part ends before.
 struct Nobody;
 
 impl Policy for Nobody {
@@ -80,7 +81,7 @@ fn what_is_determined_comes_out_the_same() {
     for (name, problem, counts) in [("fs", Start::Fs, (2_691, 1_400, 5_400)), ("rs", Start::Rs, (1_980, 1_066, 6_300))]
     {
         let recorded = Recorded::read(&folder, name, problem);
-        // Neither the actor nor the length of its turns matters before the first hand-over.
+        // Before the first hand-over neither the actor nor the length of its turns matters.
         let mut known: BTreeMap<(u32, u64, u32), Determined> = BTreeMap::new();
         let tpgs: Vec<_> = (0..TPG_SEEDS).map(|seed| recorded.tpg(seed)).collect();
         let (mut alone, mut one_turn) = (0, 0);
@@ -115,7 +116,7 @@ fn what_is_determined_comes_out_the_same() {
     }
 }
 
-/// Means over some rows.
+/// Means over several rows.
 #[derive(Debug, Default)]
 struct Means {
     distance: f64,
@@ -140,7 +141,8 @@ fn means(done: impl ExactSizeIterator<Item = HybridDone>) -> Means {
 fn the_rest_agrees_within_its_statistics() {
     let Some(folder) = support::folder("the_rest_agrees_within_its_statistics") else { return };
     let chain = Chain::new(WIDOWX);
-    // The paper's chosen cell and one with short turns; what may differ: mm, points; how often each episode is done.
+    // The paper's chosen cell and one with short turns; with the allowed deviations in mm and points, and the number of
+    // repetitions.
     let cases = [
         ("fs", Start::Fs, [(20.0, 100), (10.0, 10)], (1.5, 2.0), 3),
         ("rs", Start::Rs, [(10.0, 100), (10.0, 10)], (3.0, 3.0), 1),
@@ -156,7 +158,7 @@ fn the_rest_agrees_within_its_statistics() {
                 end: end.end.state,
                 tpg_actions: end.end.tpg_actions.expect("a column of this file"),
             }));
-            // Every time with other random numbers.
+            // Each repetition uses different random numbers.
             let repeated: Vec<&HybridEnd> = rows.iter().cycle().take(times * rows.len()).copied().collect();
             let ours: Vec<HybridDone> = (repeated.par_iter().enumerate())
                 .map_init(

@@ -1,19 +1,20 @@
-//! Two analyses that every reader of a graph needs: liveness of a program's lines, and a depth-first order of teams.
+//! The two analyses that every consumer of a graph needs: liveness of a program's lines, and a depth-first order of
+//! teams.
 
-/// A line of a program, as liveness sees it.
+/// A line of a program, as seen by the liveness analysis.
 pub trait Assignment {
-    /// The register that the line writes.
+    /// Returns the register that the line writes.
     fn writes(&self) -> usize;
-    /// The registers that it reads.
+    /// Returns the registers that the line reads.
     fn reads(&self) -> impl Iterator<Item = usize>;
 }
 
-/// Finds the lines that can change register 0: liveness, backwards from the end.
+/// Finds the lines that can change register 0 by backward liveness analysis.
 ///
 /// ```
 /// use tpg_graph::dataflow::{Assignment, effective};
 ///
-/// /// The register written, and the registers read.
+/// /// The written register and the two registers that are read.
 /// struct Line(usize, [usize; 2]);
 ///
 /// impl Assignment for Line {
@@ -31,7 +32,7 @@ pub trait Assignment {
 /// ```
 ///
 /// # Panics
-/// If there is no register, or a line names one beyond `registers`.
+/// If there are no registers, or a line names one outside `registers`.
 pub fn effective<L: Assignment>(registers: usize, lines: &[L]) -> Vec<bool> {
     let mut live = vec![false; registers];
     live[0] = true;
@@ -48,16 +49,17 @@ pub fn effective<L: Assignment>(registers: usize, lines: &[L]) -> Vec<bool> {
 /// A cycle among nodes that should have none.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Cycle {
-    /// Its nodes, in order.
+    /// Nodes on the cycle, in order.
     pub nodes: Vec<usize>,
-    /// The edge that closes it: a node, and the place among the edges of this node.
+    /// The edge that closes the cycle: a node and the position of the edge among that node's edges.
     pub closed_by: (usize, usize),
 }
 
-/// Orders the nodes that can be reached from `starts`, each before those that it leads to (reverse post-order, depth
-/// first, with a stack of its own: a graph may be deeper than the machine's).
+/// Orders the nodes reachable from `starts` topologically: each node comes before its successors. This is reverse
+/// post-order of a depth-first search, which keeps its own stack because a graph may be deeper than the machine stack.
 ///
-/// `edge` gives a node's edge at a place: `None` behind the last, `Some(None)` for one that leads to no node.
+/// `edge` returns the edge of a node at a position: `None` past the last one, `Some(None)` for an edge that leads to no
+/// node.
 ///
 /// ```
 /// use tpg_graph::dataflow::depth_first;
@@ -68,7 +70,7 @@ pub struct Cycle {
 /// ```
 ///
 /// # Errors
-/// The first cycle that is found.
+/// The first cycle found.
 pub fn depth_first(
     nodes: usize,
     starts: impl IntoIterator<Item = usize>,

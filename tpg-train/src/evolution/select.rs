@@ -1,28 +1,28 @@
-//! Who survives a generation.
+//! Selection: the roots that survive a generation.
 
 use super::config::{SelectionConfig, SelectionMethod};
 use tpg_engine::random::Stream;
 
-/// A root that was evaluated.
+/// An evaluated root.
 #[derive(Clone, Debug)]
 pub struct Candidate<'a> {
-    /// Its mean score over all of its evaluations.
+    /// Mean score over all of its evaluations.
     pub mean: f64,
-    /// Its scores of this generation, one for each episode; empty for a root that racing dropped or whose score is final.
+    /// Scores of this generation, one per episode; empty for a root that was dropped by racing or whose score is final.
     pub scores: &'a [f64],
     /// The episodes that it solved, where policies are compared by success; empty otherwise.
     pub solved: &'a [bool],
-    /// Whether racing dropped it: it is worse than any that was not.
+    /// True if racing dropped it: it ranks below every root that was not dropped.
     pub dropped: bool,
 }
 
-/// Lexicase gives up after so many draws for each survivor: duplicates are refused.
+/// Lexicase gives up after this many draws per survivor, because it rejects duplicates.
 const TRIES_PER_SURVIVOR: usize = 8;
 
-/// The places of the survivors, best mean first.
+/// Returns the indices of the survivors, best mean first.
 ///
-/// `count` of them: [`lexicase_survivors`](SelectionConfig::lexicase_survivors) by lexicase, the others by the method of
-/// the configuration.
+/// Selects `count` roots: [`lexicase_survivors`](SelectionConfig::lexicase_survivors) by lexicase, the others by the
+/// configured method.
 pub fn survivors(
     candidates: &[Candidate<'_>],
     count: usize,
@@ -59,7 +59,7 @@ pub fn survivors(
         SelectionMethod::Tournament => {
             while chosen.len() < count {
                 let rest: Vec<usize> = ranked.iter().copied().filter(|place| !chosen.contains(place)).collect();
-                // `rest` is in order of rank, so the least place drawn is the best.
+                // `rest` is in order of rank, so the smallest index drawn is the best root.
                 let best = (0..config.tournament_size).map(|_| stream.below(rest.len())).min().unwrap_or(0);
                 chosen.push(rest[best]);
             }
@@ -69,7 +69,7 @@ pub fn survivors(
     chosen
 }
 
-/// Places from the best mean to the worst; of equal means the older root first, a NaN last.
+/// Ranks the indices by mean, best first; ties go to the older root, NaN comes last.
 pub fn ranked(candidates: &[Candidate<'_>]) -> Vec<usize> {
     let worth = |place: usize| {
         let candidate = &candidates[place];
@@ -84,7 +84,7 @@ pub fn ranked(candidates: &[Candidate<'_>]) -> Vec<usize> {
     places
 }
 
-/// One winner: episodes in random order, each keeps the roots near the best on it.
+/// Selects one winner: episodes are visited in random order, and each keeps only the roots close to the best on it.
 fn lexicase(candidates: &[Candidate<'_>], among: &[usize], tolerance: f64, stream: &mut Stream) -> usize {
     let mut left = among.to_vec();
     let mut episodes: Vec<usize> = (0..candidates[among[0]].scores.len()).collect();
@@ -107,8 +107,8 @@ fn lexicase(candidates: &[Candidate<'_>], among: &[usize], tolerance: f64, strea
     *stream.pick(&left)
 }
 
-/// The median absolute deviation from the median: a spread that few extreme scores do not change (ε-lexicase selection, La
-/// Cava et al. 2016).
+/// Returns the median absolute deviation from the median: a measure of spread that is robust to extreme scores
+/// (ε-lexicase selection, La Cava et al. 2016).
 fn median_deviation(mut scores: Vec<f64>) -> f64 {
     let middle = |values: &mut Vec<f64>| {
         values.sort_by(f64::total_cmp);
@@ -167,7 +167,7 @@ mod tests {
             &mut Stream::new(1, 0, Purpose::Test, 0),
         );
         assert!(!truncation.contains(&9));
-        // Each draw tries episode 3 first with a chance of a quarter.
+        // Each draw tries episode 3 first with a probability of one quarter.
         let kept = (0..50).filter(|&index| {
             let mut stream = Stream::new(1, 0, Purpose::Test, index);
             survivors(&candidates, 5, &config(SelectionMethod::Truncation, 5), &mut stream).contains(&9)

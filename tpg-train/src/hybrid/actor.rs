@@ -1,4 +1,4 @@
-//! An actor from its file, for an arm in any precision.
+//! Actors read from files, for arms in any precision.
 
 use crate::files::read_text;
 use crate::sac::config::Actor as ActorConfig;
@@ -17,23 +17,23 @@ use tpg_problems::arm::targets::{Start, Task};
 use tpg_problems::arm::trial::{self, Trial};
 use tpg_runtime::policy::Policy;
 
-/// A decision of an actor, in the precision it was trained in.
+/// A policy that decides in the precision it was trained in.
 pub type DynPolicy<'a> = dyn Policy<State = Observation<f32>, Action = Move> + 'a;
 
 /// An actor: `policy.safetensors` or `policy.q.json`.
 #[derive(Debug)]
 pub enum Actor {
-    /// In floating point.
+    /// Floating-point actor.
     Float(Box<(Mlp<f32>, ActorConfig)>),
-    /// In integers, and the bytes of its constants.
+    /// Integer actor, with the size of its constants in bytes.
     Fixed(Box<FixedActor>, usize),
 }
 
 impl Actor {
-    /// Reads either file: JSON is the one in integers.
+    /// Reads either file: JSON contains the integer actor.
     ///
     /// # Errors
-    /// If it is neither.
+    /// If it is neither kind of file.
     pub fn read(path: &Path) -> Result<Self, InputError> {
         if path.extension().is_some_and(|extension| extension == "json") {
             let file = path.display().to_string();
@@ -45,7 +45,8 @@ impl Actor {
         Ok(Self::Float(Box::new((network, contract.actor))))
     }
 
-    /// Bytes of the constants that decide: four a parameter in floating point, the spreads left out.
+    /// Returns the size of the constants that decide, in bytes: four per parameter in floating point, without the
+    /// spreads.
     pub fn bytes(&self) -> usize {
         match self {
             Self::Float(actor) => {
@@ -57,7 +58,7 @@ impl Actor {
         }
     }
 
-    /// One episode of each task, decided as the actor does outside of training.
+    /// Runs one episode of each task with the actor's mean actions, as outside of training.
     pub fn trial(&self, start: Start, tasks: &[Task]) -> Trial {
         match self {
             Self::Float(actor) => ActorPolicy::new(&actor.0, &actor.1).trial(start, tasks),
@@ -65,7 +66,7 @@ impl Actor {
         }
     }
 
-    /// It, ready to decide by its mean.
+    /// Returns the policy that acts by the actor's mean.
     pub fn policy(&self) -> Box<DynPolicy<'_>> {
         match self {
             Self::Float(actor) => Box::new(ActorPolicy::new(&actor.0, &actor.1)),
@@ -74,7 +75,7 @@ impl Actor {
     }
 }
 
-/// A policy in `f32` that is shown an arm in another precision: every value is rounded to nearest.
+/// An `f32` policy for an arm in another precision: every value is rounded to nearest.
 #[derive(Debug)]
 pub struct Narrowed<'a, S, P: ?Sized> {
     policy: &'a P,
@@ -82,7 +83,7 @@ pub struct Narrowed<'a, S, P: ?Sized> {
 }
 
 impl<'a, S, P: ?Sized> Narrowed<'a, S, P> {
-    /// That policy.
+    /// Wraps a policy.
     pub fn new(policy: &'a P) -> Self {
         Self { policy, precision: std::marker::PhantomData }
     }

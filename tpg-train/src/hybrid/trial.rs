@@ -1,4 +1,4 @@
-//! A hybrid put to a list of tasks.
+//! Trials of a hybrid on a list of tasks.
 
 use super::actor::{Actor, Narrowed};
 use super::graph::GraphPolicy;
@@ -17,29 +17,29 @@ use tpg_problems::arm::trial::{self, Trial};
 use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::Policy;
 
-/// What came of many episodes of a hybrid.
+/// Results of many episodes of a hybrid.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct HybridTrial {
-    /// As for any policy.
+    /// Statistics as for any policy.
     #[serde(flatten)]
     pub trial: Trial,
-    /// Part of all actions that the graph chose.
+    /// Fraction of all actions that the graph chose.
     pub tpg_action_ratio: f64,
-    /// The same for each episode, then the mean: the paper's ratio.
+    /// The same fraction for each episode, averaged over episodes: the paper's ratio.
     pub tpg_ratio_of_episodes: f64,
-    /// Hand-overs an episode, by cause: guard, drift, stop, cycle.
+    /// Hand-overs per episode, by cause: guard, drift, stop, cycle.
     pub hand_overs: [f64; CAUSES],
-    /// Times an episode that the network gave the arm back.
+    /// Number of times per episode that the network handed the arm back.
     pub hand_backs: f64,
 }
 
-/// Poses that an exact set must hold: the action limit of random starts, and the start.
+/// Capacity of the exact set of poses: the action limit of random starts, plus the start.
 const CAPACITY: usize = 4096;
 
 /// Lets a graph and an actor do every task together.
 ///
 /// # Errors
-/// If the graph is none for the arm; `file` names it.
+/// If the graph does not fit the arm; `file` is its name in errors.
 pub fn run(
     file: &str,
     graph: &Graph,
@@ -66,10 +66,10 @@ fn of<S: ArmScalar, M: Maths<S>>(
     Ok(trial(&hybrid, setting.detector, start, tasks))
 }
 
-/// Lets a graph do every task without anyone's help.
+/// Lets a graph do every task alone.
 ///
 /// # Errors
-/// If the graph is none for the arm; `file` names it.
+/// If the graph does not fit the arm; `file` is its name in errors.
 pub fn graph_alone(file: &str, graph: &Graph, start: Start, tasks: &[Task]) -> Result<Trial, InputError> {
     in_arithmetic_of!(graph, alone(file, graph, start, tasks))
 }

@@ -1,4 +1,4 @@
-//! The shipped policies as users compile them: the generated Rust, with this program's own options.
+//! The shipped policies as compiled by users: the generated Rust, with this program's own options.
 
 use super::reference::Reference;
 use super::timing::{self, Time};
@@ -34,7 +34,7 @@ pub struct Times {
     pub hybrid: Time,
 }
 
-/// What else is measured in the same run.
+/// Other times measured in the same run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Costs {
     /// The shipped hybrid and its parts.
@@ -45,7 +45,7 @@ pub struct Costs {
     pub detectors: [Time; 2],
     /// The paper's network alone, 13-256-256-4 in `f32`.
     pub reference: Time,
-    /// The same shape by the trainer's matrix product, on the widest vectors that the machine has.
+    /// The same shape with the trainer's matrix product, on the widest vectors of the machine.
     pub wide: Time,
 }
 
@@ -54,7 +54,7 @@ fn network() -> impl Policy<State = Observation<f32>, Action = Move> + Copy {
     PackedPolicy::<{ widowx_sac::SCRATCH }>::new(&ARM, model).expect("its own scratch memory")
 }
 
-/// Times on those tasks.
+/// Measures the times on the given tasks.
 pub fn times(start: Start, tasks: &[Task]) -> Times {
     use {widowx_fs_hybrid as of_fs, widowx_rs_hybrid as of_rs};
     match start {
@@ -63,10 +63,10 @@ pub fn times(start: Start, tasks: &[Task]) -> Times {
     }
 }
 
-/// Tasks that are timed.
+/// Number of tasks that are timed.
 const TIMED: usize = 100;
 
-/// Everything that is compared in one run.
+/// Measures everything that is compared in one run.
 pub fn measure(start: Start, tasks: &[Task]) -> Costs {
     let tasks = &tasks[..TIMED.min(tasks.len())];
     let reference = timing::of_policy_along(&ARM, &Reference::random(1), &network(), start, tasks);
@@ -78,7 +78,8 @@ pub fn measure(start: Start, tasks: &[Task]) -> Costs {
     Costs { shipped, guards, detectors, reference, wide: wide(start, tasks) }
 }
 
-/// The paper's network by the trainer's own matrix product; its weights are random, so that it goes the shipped one's way.
+/// Measures the paper's network with the trainer's own matrix product; its weights are random, so it follows the
+/// shipped policy's trajectory.
 fn wide(start: Start, tasks: &[Task]) -> Time {
     let actor = Config::preset("paper-fs").expect("it comes with the trainer").actor;
     let shape = Shape {
