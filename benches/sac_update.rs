@@ -11,21 +11,23 @@ use tpg_engine::random::{Purpose, Stream};
 use tpg_nn::{Gaussian, Spread};
 use tpg_train::evolution::logs::cpu_seconds;
 use tpg_train::sac::agent::{Agent, Experience, Rates};
-use tpg_train::sac::config::Config;
-use tpg_train::sac::replay::ACTIONS;
+use tpg_train::sac::presets;
 
+/// The arm's: 38 features, four motors.
+const INPUTS: usize = 38;
+const ACTIONS: usize = 4;
 const SIZES: [(usize, usize); 4] = [(256, 256), (64, 128), (64, 64), (16, 64)];
 const UPDATES: u32 = 300;
 const ROUNDS: usize = 3;
 
 fn milliseconds(actor: usize, critic: usize) -> f64 {
-    let mut config = Config::preset("best-rs").expect("a preset");
+    let mut config = presets::config(presets::find("best-rs").expect("a preset")).expect("it is accepted");
     config.actor.hidden = vec![actor; 2];
     config.critic.hidden = vec![critic; 2];
-    let (inputs, batch) = (config.actor.inputs.count(), config.learning.batch);
+    let (inputs, batch) = (INPUTS, config.learning.batch);
     let mut random = Stream::new(1, 0, Purpose::Test, 0);
     let gaussian = Gaussian { actions: ACTIONS, spread: Spread::LogSigma };
-    let mut agent = Agent::<f32>::new(&config, gaussian, &mut random);
+    let mut agent = Agent::<f32>::new(&config, inputs, gaussian, &mut random);
     let mut space = agent.workspace(batch);
     let mut draw = |count: usize| {
         let mut numbers = vec![0.0; count];

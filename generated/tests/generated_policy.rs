@@ -15,9 +15,10 @@ use tpg_generated::widowx_sac::{DECISION, NETWORK};
 use tpg_problems::arm::targets::{Set, Start, tasks};
 use tpg_runtime::net::Kind;
 use tpg_runtime::policy::Policy;
+use tpg_train::actor::fixed::FixedActor;
+use tpg_train::evaluate::arm::trial_of;
 use tpg_train::hybrid::setting::HybridFile;
-use tpg_train::sac::evaluate::{QuantiseArgs, quantise as quantise_file, trial_of};
-use tpg_train::sac::fixed::FixedActor;
+use tpg_train::quantise::{QuantiseArgs, quantise as quantise_file};
 
 const ARM: Arm<f32> = WIDOWX.to_f32();
 

@@ -1,15 +1,15 @@
 //! The command line: results on stdout, everything else on stderr.
 
+use crate::actor::import::{ImportArgs, import};
 use crate::evaluate::{EvalArgs, eval};
 use crate::evolution::command::{TpgArgs, execute as execute_tpg};
 use crate::evolution::presets::{ConfigArgs, print_config};
 use crate::hybrid::command::{HybridArgs, execute as execute_hybrid};
 use crate::hybrid::setting::{ConstantsArgs, constants};
 use crate::problems::print_problems;
+use crate::quantise::{QuantiseArgs, quantise};
 use crate::report::{ReportArgs, report};
 use crate::sac::command::{SacArgs, execute as execute_sac};
-use crate::sac::evaluate::{QuantiseArgs, quantise};
-use crate::sac::import::{ImportArgs, import};
 use crate::targets::{TargetsArgs, print_targets};
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;

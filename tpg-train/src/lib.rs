@@ -1,4 +1,4 @@
-//! Trains robot-arm policies, and replays the recorded episodes of the paper's own.
+//! Trains policies for control problems: tangled program graphs, soft actor-critics, hybrids of both.
 //!
 //! # Map
 //!
@@ -6,10 +6,12 @@
 //! | --- | --- |
 //! | [`cli`] | the program `tpg-train`: its commands and exit codes |
 //! | [`evolution`] | tangled program graphs: genome, mutation, selection, runs |
-//! | [`sac`] | soft actor-critic |
+//! | [`sac`] | soft actor-critic on any environment with outputs |
+//! | [`actor`] | the arm's actors |
+//! | [`quantise`] | `tpg-train quantise` |
 //! | [`targets`] | tasks over the reachable space |
-//! | [`evaluate`] | evaluation: outcomes of a policy's episodes |
-//! | [`hybrid`] | graphs and actors that share the arm: study and table |
+//! | [`evaluate`] | test episodes of a policy |
+//! | [`hybrid`] | a graph and an actor that share the arm: settings and study |
 //! | [`interrupt`] | Ctrl-C |
 //! | [`picture`] | SVG, plots and the HTML page that contains them |
 //! | [`files`] | atomic file writes |
@@ -17,6 +19,7 @@
 //! | [`progress`], [`run_args`] | the progress bar and the arguments of every run |
 //! | [`report`] | runs in one HTML file |
 
+pub mod actor;
 pub mod cli;
 pub mod evaluate;
 pub mod evolution;
@@ -26,6 +29,7 @@ pub mod interrupt;
 pub mod picture;
 pub mod problems;
 pub mod progress;
+pub mod quantise;
 pub mod report;
 pub mod run_args;
 pub mod sac;

@@ -21,9 +21,9 @@ pub struct RunArgs {
     /// Continue from the folder's checkpoint
     #[arg(long)]
     pub resume: bool,
-    /// Seconds between checkpoints
-    #[arg(long, value_name = "S", default_value_t = 30)]
-    pub checkpoint_seconds: u64,
+    /// Seconds between checkpoints [default: 30; with sac 120]
+    #[arg(long, value_name = "S")]
+    pub checkpoint_seconds: Option<u64>,
 }
 
 impl RunArgs {
@@ -33,9 +33,9 @@ impl RunArgs {
         self.out.clone().unwrap_or_else(usual)
     }
 
-    /// Returns the time between checkpoints.
-    pub fn checkpoint_every(&self) -> Duration {
-        Duration::from_secs(self.checkpoint_seconds)
+    /// The time between checkpoints; `usual` seconds where none is asked for.
+    pub fn checkpoint_every(&self, usual: u64) -> Duration {
+        Duration::from_secs(self.checkpoint_seconds.unwrap_or(usual))
     }
 }
 

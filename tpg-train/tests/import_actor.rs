@@ -3,9 +3,12 @@
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
+use tpg_engine::Output;
 use tpg_nn::Tape;
-use tpg_train::sac::config::Inputs;
-use tpg_train::sac::import::{ImportArgs, from_tensors, import};
+use tpg_problems::ProblemName;
+use tpg_problems::arm::motors::Inputs;
+use tpg_train::actor::import::{ImportArgs, import};
+use tpg_train::sac::foreign::from_tensors;
 use tpg_train::sac::tensors::{Tensor, Tensors};
 use tpg_train::sac::weights;
 
@@ -34,8 +37,9 @@ fn imported_actors_answer_what_pytorch_did() {
         let args = ImportArgs {
             actor: fixture(&format!("{trainer}.safetensors")),
             out: out.clone(),
-            inputs: Inputs::Features,
-            actions: tpg_arm::sac::Actions::Fine,
+            problem: ProblemName::Rs,
+            inputs: Some(Inputs::Features),
+            actions: Some(tpg_arm::sac::Actions::Fine),
             mask: tpg_arm::sac::Mask::None,
             may_rest: false,
         };
@@ -53,12 +57,27 @@ fn imported_actors_answer_what_pytorch_did() {
     }
 }
 
+fn outputs(count: usize, most: f64) -> Vec<Output> {
+    vec![Output { name: "torque".to_owned(), unit: String::new(), min: -most, max: most }; count]
+}
+
+#[test]
+fn a_stretch_of_the_actions_is_that_of_the_problem() {
+    let stretched = |scale: f32, most: f64| {
+        let mut file = read("cleanrl");
+        file.tensors.insert("action_scale".to_owned(), Tensor::flat(vec![scale]));
+        from_tensors(file, Inputs::Features.count(), &outputs(4, most)).map(|_| ()).map_err(|finding| finding.key)
+    };
+    assert_eq!(stretched(2.0, 2.0), Ok(()));
+    assert_eq!(stretched(2.0, 1.0), Err("action_scale".to_owned()));
+}
+
 #[test]
 fn what_does_not_fit_is_refused_at_its_place() {
     let place = |trainer: &str, inputs: Inputs, change: &dyn Fn(&mut BTreeMap<String, Tensor>)| {
         let mut file = read(trainer);
         change(&mut file.tensors);
-        from_tensors(file, inputs).map(|(_, trainer)| trainer).map_err(|(place, ..)| place)
+        from_tensors(file, inputs.count(), &outputs(4, 1.0)).map(|(_, trainer)| trainer).map_err(|finding| finding.key)
     };
     fn of<'a>(tensors: &'a mut BTreeMap<String, Tensor>, name: &str) -> &'a mut Tensor {
         tensors.get_mut(name).expect("a tensor of the fixture")

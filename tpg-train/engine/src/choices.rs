@@ -195,6 +195,9 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Choices<S, E> {
     fn validation_tasks(&self, count: usize) -> Vec<E::Task> {
         self.environment.validation_tasks(count)
     }
+    fn trial_tasks(&self, stream: &mut Stream, count: usize) -> Vec<E::Task> {
+        self.environment.trial_tasks(stream, count)
+    }
     fn task_from(&self, episode: &E::Episode) -> Option<E::Task> {
         self.environment.task_from(episode)
     }

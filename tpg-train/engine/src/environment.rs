@@ -119,8 +119,13 @@ pub trait Environment<S: Scalar>: Sync {
         (0..count as u64).map(|index| self.draw(&mut Stream::new(0, 0, Purpose::Selection, index))).collect()
     }
 
-    /// Returns a task that begins in the current state of an episode; `None`, the default, if the problem has no such
-    /// task.
+    /// Fresh tasks that show where a policy under training fails, under the rules that it is judged by: by default drawn as
+    /// those that train.
+    fn trial_tasks(&self, stream: &mut Stream, count: usize) -> Vec<Self::Task> {
+        (0..count).map(|_| self.draw(stream)).collect()
+    }
+
+    /// A task that begins where an episode is now; `None`, the default, where the problem has no such task.
     ///
     /// With it, training can restart where a policy failed.
     fn task_from(&self, _episode: &Self::Episode) -> Option<Self::Task> {
@@ -205,6 +210,9 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for &E {
     }
     fn validation_tasks(&self, count: usize) -> Vec<Self::Task> {
         E::validation_tasks(self, count)
+    }
+    fn trial_tasks(&self, stream: &mut Stream, count: usize) -> Vec<Self::Task> {
+        E::trial_tasks(self, stream, count)
     }
     fn task_from(&self, episode: &Self::Episode) -> Option<Self::Task> {
         E::task_from(self, episode)

@@ -13,16 +13,19 @@
 //! | module | subject |
 //! | --- | --- |
 //! | [`registry`] | problems by name, with their settings |
+//! | [`continuous`] | the same for policies with outputs |
 //! | [`arm`] | reaching with a robot arm: `fs` and `rs` |
 //! | [`cartpole`] | balancing a pole on a cart |
 //! | [`pendulum`] | swinging a pendulum up |
 
 pub mod arm;
 pub mod cartpole;
+pub mod continuous;
 pub mod pendulum;
 pub mod registry;
 
 pub use cartpole::CartPole;
+pub use continuous::ContinuousProblem;
 pub use pendulum::Pendulum;
 pub use registry::{Problem, ProblemName, Visitor};
 

@@ -130,12 +130,7 @@ impl Problem {
     /// # Errors
     /// An unknown problem, an unknown key or a value that the problem does not accept, with its line.
     pub fn from_toml(file: &str, text: &str) -> Result<Self, InputError> {
-        let header: File<Name> = settings::from_toml(file, text, "a section [problem] with a name")?;
-        let found = header.problem.name;
-        let name = ProblemName::from_name(&found).ok_or_else(|| {
-            let accepted = format!("one of {}", ProblemName::names());
-            settings::place(file, text, Finding::new("problem.name", format!("{found:?}"), accepted))
-        })?;
+        let name = named(file, text)?;
         let problem = match name {
             ProblemName::Fs => Self::Arm(Start::Fs, section(file, text)?),
             ProblemName::Rs => Self::Arm(Start::Rs, section(file, text)?),
@@ -179,8 +174,18 @@ impl Problem {
     }
 }
 
+/// The problem that the section `[problem]` names.
+pub(crate) fn named(file: &str, text: &str) -> Result<ProblemName, InputError> {
+    let header: File<Name> = settings::from_toml(file, text, "a section [problem] with a name")?;
+    let found = header.problem.name;
+    ProblemName::from_name(&found).ok_or_else(|| {
+        let accepted = format!("one of {}", ProblemName::names());
+        settings::place(file, text, Finding::new("problem.name", format!("{found:?}"), accepted))
+    })
+}
+
 /// Reads the settings of one kind of problem: the section without the name, strictly.
-fn section<Settings: DeserializeOwned>(file: &str, text: &str) -> Result<Settings, InputError> {
+pub(crate) fn section<Settings: DeserializeOwned>(file: &str, text: &str) -> Result<Settings, InputError> {
     const ACCEPTED: &str = "the settings that `tpg-train config` prints";
     let mut table = settings::from_toml::<File<toml::Table>>(file, text, ACCEPTED)?.problem;
     table.remove("name");

@@ -2,7 +2,7 @@
 
 use super::EvalArgs;
 use super::report::Report;
-use crate::hybrid::actor::Actor;
+use crate::actor::file::Actor;
 use crate::hybrid::graph::read_graph;
 use crate::hybrid::setting::{HybridFile, Setting};
 use crate::hybrid::trial;
@@ -15,8 +15,9 @@ use tpg_arm::{Arm, WIDOWX};
 use tpg_engine::{Ending, Environment, Lanes, Options, Plan, Policy};
 use tpg_graph::error::{Finding, InputError, Place};
 use tpg_graph::{Graph, in_arithmetic_of};
+use tpg_problems::arm::planner::{Choice, Planner};
 use tpg_problems::arm::targets::{self, Set, Start};
-use tpg_problems::arm::trial::Trial;
+use tpg_problems::arm::trial::{Trial, run};
 use tpg_problems::arm::{ArmDescription, ArmEnvironment, ArmProblem, ArmScalar, ArmTask, Config, Shield};
 use tpg_problems::{Problem, ProblemName};
 use tpg_runtime::ops::Maths;
@@ -59,9 +60,25 @@ pub fn evaluate(args: &EvalArgs, start: Start) -> Result<Report, InputError> {
         (None, None, policy) => {
             let policy = policy.as_deref().unwrap_or("planner");
             let began = Instant::now();
-            let trial = crate::sac::evaluate::trial_of(policy, start, &tasks)?;
+            let trial = trial_of(policy, start, &tasks)?;
             Ok(Report::of_trial(&trial, policy, Shield::None, 0.0, seed, began.elapsed().as_secs_f64()))
         }
+    }
+}
+
+/// Lets a policy do tasks: a `policy.safetensors`, a `policy.q.json`, or the classical `planner` or `nearest-goal`.
+///
+/// # Errors
+/// If there is no such policy.
+pub fn trial_of(policy: &str, start: Start, tasks: &[targets::Task]) -> Result<Trial, InputError> {
+    let choice = match policy {
+        "planner" => Some(Choice::NearestFree),
+        "nearest-goal" => Some(Choice::Nearest),
+        _ => None,
+    };
+    match choice {
+        Some(choice) => Ok(run(&WIDOWX, &Planner::new(&WIDOWX, choice), start, tasks)),
+        None => Ok(Actor::read(Path::new(policy))?.trial(start, tasks)),
     }
 }
 

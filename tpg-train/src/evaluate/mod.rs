@@ -4,10 +4,12 @@
 //! | --- | --- |
 //! | [`arm`] | graphs, networks, hybrids and planners on the arm |
 //! | [`graph`] | a graph on any environment |
+//! | [`network`] | a network on any built-in problem |
 //! | [`Report`] | the figures |
 
 pub mod arm;
 pub mod graph;
+pub mod network;
 mod report;
 
 pub use report::{ArmFigures, Report, confidence};
@@ -15,13 +17,14 @@ pub use report::{ArmFigures, Report, confidence};
 use crate::hybrid::graph::read_graph;
 use crate::hybrid::setting::{Detector, HandBack};
 use crate::run_args::command_line;
+use crate::sac::network::Network;
 use clap::Args;
 use std::io::Write as _;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use tpg_arm::hybrid::Guard;
 use tpg_graph::error::InputError;
 use tpg_problems::arm::Shield;
-use tpg_problems::{Problem, ProblemName};
+use tpg_problems::{ContinuousProblem, Problem, ProblemName};
 
 /// Let a policy act and count how its episodes end.
 #[derive(Clone, Debug, Args)]
@@ -36,7 +39,7 @@ pub struct EvalArgs {
     /// trained for (the WidowX where it does not say)
     #[arg(long, value_name = "FILE")]
     pub config: Option<PathBuf>,
-    /// A policy.safetensors, a policy.q.json, or the classical `planner` or `nearest-goal`
+    /// A policy.safetensors or policy.q.json; on the arm also the classical `planner` or `nearest-goal`
     #[arg(long, value_name = "FILE")]
     pub policy: Option<String>,
     /// A hybrid.toml: graph, actor, and how they share the arm
@@ -89,26 +92,49 @@ pub fn eval(args: &EvalArgs) -> Result<(), InputError> {
     written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))
 }
 
-/// A graph on a problem that is not the arm's.
+/// A graph or a network on a problem that is not the arm's.
 fn on_a_problem(args: &EvalArgs) -> Result<Report, InputError> {
     let name = args.problem.name();
-    let path = match (&args.tpg, &args.policy, &args.hybrid, &args.targets, args.shield) {
-        (Some(path), None, None, None, Shield::None) => path,
-        _ => {
-            let found = format!("more than a graph with --problem {name}");
-            return Err(command_line(found, "--tpg GRAPH, --config, --episodes and --seed; the rest is the arm's"));
-        }
-    };
-    let problem = match &args.config {
-        None => Problem::usual(args.problem),
-        Some(path) => {
-            let text = crate::files::read_text(path, "a configuration as `tpg-train config` prints")?;
-            Problem::from_toml(&path.display().to_string(), &text)?
-        }
-    };
-    if problem.name() != args.problem {
-        let found = format!("--problem {name} with a configuration for {}", problem.name().name());
-        return Err(command_line(found, "the same problem twice"));
+    if args.hybrid.is_some() || args.targets.is_some() || args.shield != Shield::None {
+        let found = format!("an option of the arm's with --problem {name}");
+        return Err(command_line(found, "--tpg GRAPH or --policy FILE, --config, --episodes and --seed"));
     }
-    graph::on_problem(&problem, &path.display().to_string(), &read_graph(path)?, args.episodes, args.seed)
+    match (&args.tpg, &args.policy) {
+        (Some(path), None) => {
+            let problem = match &args.config {
+                None => Problem::usual(args.problem),
+                Some(path) => {
+                    let text = crate::files::read_text(path, "a configuration as `tpg-train config` prints")?;
+                    Problem::from_toml(&path.display().to_string(), &text)?
+                }
+            };
+            same_problem(args, problem.name())?;
+            graph::on_problem(&problem, &path.display().to_string(), &read_graph(path)?, args.episodes, args.seed)
+        }
+        (None, Some(file)) => {
+            let network = Network::read(Path::new(file))?;
+            let problem = match (&args.config, network.problem()) {
+                (Some(path), _) => {
+                    let text = crate::files::read_text(path, "a configuration as `tpg-train config --sac` prints")?;
+                    ContinuousProblem::from_toml(&path.display().to_string(), &text)?
+                }
+                (None, Some(table)) => ContinuousProblem::from_table(file, table)?,
+                (None, None) => ContinuousProblem::usual(args.problem),
+            };
+            same_problem(args, problem.name())?;
+            network::on_problem(&problem, file, &network, args.episodes, args.seed)
+        }
+        _ => Err(command_line(
+            format!("a graph and a network with --problem {name}"),
+            "one of them: the arm alone is shared",
+        )),
+    }
+}
+
+fn same_problem(args: &EvalArgs, found: ProblemName) -> Result<(), InputError> {
+    if found == args.problem {
+        return Ok(());
+    }
+    let found = format!("--problem {} with a configuration or a policy for {}", args.problem.name(), found.name());
+    Err(command_line(found, "the same problem twice"))
 }

@@ -21,6 +21,9 @@ use tpg_problems::arm::ArmScalar;
 use tpg_problems::{Problem, ProblemName, Visitor};
 use tpg_runtime::ops::{Maths, Own};
 
+/// Seconds between checkpoints.
+const CHECKPOINT_SECONDS: u64 = 30;
+
 /// Evolve a tangled program graph.
 #[derive(Clone, Debug, Args)]
 pub struct TpgArgs {
@@ -167,7 +170,8 @@ impl Training<'_> {
         let goal = Goal { target: args.target, max_steps: args.max_steps };
         let one = |seed: u64, folder: PathBuf| {
             let resume = args.run.resume;
-            let options = RunOptions { folder, resume, checkpoint_every: args.run.checkpoint_every(), goal };
+            let options =
+                RunOptions { folder, resume, checkpoint_every: args.run.checkpoint_every(CHECKPOINT_SECONDS), goal };
             let mut bar = Bar::new();
             run(config, seed, environment, &evaluator, &options, |progress| bar.show(progress, stop))
         };

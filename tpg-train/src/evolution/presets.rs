@@ -1,6 +1,7 @@
 //! The configurations included with the trainer, with a comment for every parameter.
 
 use super::config::Config;
+use crate::sac;
 use clap::Args;
 use std::io::Write as _;
 use tpg_graph::error::{InputError, Place};
@@ -13,7 +14,10 @@ pub struct ConfigArgs {
     /// The preset, or widowx for the section that describes the arm; --list shows all of them
     #[arg(value_name = "NAME", default_value = "general")]
     pub name: String,
-    /// Print only the names, with a description
+    /// A preset of `tpg-train sac` instead of `tpg-train tpg`
+    #[arg(long)]
+    pub sac: bool,
+    /// Only the names, with what they are
     #[arg(long)]
     pub list: bool,
 }
@@ -23,15 +27,18 @@ pub struct ConfigArgs {
 /// # Errors
 /// If there is no preset with that name, or stdout is closed.
 pub fn print_config(args: &ConfigArgs) -> Result<(), InputError> {
+    let presets: &[Preset] = if args.sac { &sac::presets::PRESETS } else { &PRESETS };
+    let arm = ("widowx", "the section [problem.arm], to append and to change: links, limits, collision shapes");
+    let arm = (!args.sac).then_some(arm);
     let text = if args.list {
-        let arm = ("widowx", "the section [problem.arm], to append and to change: links, limits, collision shapes");
-        let presets = PRESETS.iter().map(|preset| (preset.name, preset.about));
-        presets.chain([arm]).map(|(name, about)| format!("{name:10} {about}\n")).collect()
-    } else if args.name == "widowx" {
+        let about = presets.iter().map(|preset| (preset.name, preset.about));
+        about.chain(arm).map(|(name, about)| format!("{name:10} {about}\n")).collect()
+    } else if args.name == "widowx" && !args.sac {
         WIDOWX_TOML.to_owned()
     } else {
-        let preset = Preset::find(&args.name).ok_or_else(|| {
-            let accepted = PRESETS.map(|preset| preset.name).join(", ") + ", widowx";
+        let preset = presets.iter().find(|preset| preset.name == args.name).ok_or_else(|| {
+            let names = presets.iter().map(|preset| preset.name).chain(arm.map(|(name, _)| name));
+            let accepted = names.collect::<Vec<_>>().join(", ");
             InputError::new("<command line>", Place::Whole, format!("the preset {:?}", args.name), accepted)
         })?;
         preset.text.to_owned()

@@ -5,13 +5,13 @@
 //! pair), `timing.csv` (the only measurement that differs between equal runs, and with it the times elsewhere) and
 //! `report.html`.
 
-use super::actor::Actor;
 use super::choice::{self, Summary};
 use super::cost::Costs;
 use super::graph::read_graph;
 use super::report;
 use super::setting::{Detector, HybridFile};
 use super::study::{Cell, Study, settings, to_csv};
+use crate::actor::file::Actor;
 use crate::files::{make_folder, read_text, write_atomically};
 use crate::interrupt;
 use clap::Args;

@@ -1,7 +1,7 @@
 //! Time of one decision on this machine, in the trainer's own evaluation. (Compiled code: `tpg-train table2`.)
 
-use super::actor::Narrowed;
 use super::graph::GraphPolicy;
+use super::narrowed::Narrowed;
 use super::study::{Cell, Study};
 use std::hint::black_box;
 use std::time::Instant;

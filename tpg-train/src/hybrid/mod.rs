@@ -6,19 +6,19 @@
 //! | --- | --- |
 //! | [`setting`] | the parameters, and `hybrid.toml` |
 //! | [`graph`] | a graph as a policy of the arm |
-//! | [`actor`] | actors read from files |
-//! | [`trial`] | results of a hybrid on many tasks |
+//! | [`narrowed`] | an actor for an arm in any precision |
+//! | [`trial`] | a hybrid on many tasks |
 //! | [`study`] | every pair under every setting |
 //! | [`cost`] | time of a decision |
 //! | [`choice`] | means over pairs, Pareto front, the setting to use |
 //! | [`report`] | the study as a page |
 //! | [`command`] | `tpg-train hybrid` |
 
-pub mod actor;
 pub mod choice;
 pub mod command;
 pub mod cost;
 pub mod graph;
+pub mod narrowed;
 pub mod report;
 pub mod setting;
 pub mod study;

@@ -1,8 +1,8 @@
 //! The study's cells: every pair of a graph and an actor under every setting, in parallel and resumable.
 
-use super::actor::Actor;
 use super::setting::{Detector, HandBack, Setting};
 use super::trial;
+use crate::actor::file::Actor;
 use crate::files::write_atomically;
 use indicatif::ProgressBar;
 use rayon::prelude::*;

@@ -1,8 +1,9 @@
 //! Trials of a hybrid on a list of tasks.
 
-use super::actor::{Actor, Narrowed};
 use super::graph::GraphPolicy;
+use super::narrowed::Narrowed;
 use super::setting::{Detector, Setting};
+use crate::actor::file::Actor;
 use serde::Serialize;
 use tpg_arm::cycle::{Brent, CycleDetector, Visited};
 use tpg_arm::hybrid::{CAUSES, Hybrid, HybridEpisode, HybridSummary};

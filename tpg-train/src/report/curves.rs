@@ -39,12 +39,19 @@ pub(super) fn sections(groups: &[Group]) -> Vec<Section> {
         Shown { curve: "teams", y: Axis::linear("teams"), caption: "Teams of the surviving population." },
     ];
     let sac = [
-        ("success, fixed start", part("success"), "Success on the validation episodes, fixed start."),
-        ("success, random start", part("success"), "Success on the validation episodes, random start."),
-        ("distance, fixed start", Axis::log("distance, mm", 1.0), "Mean distance at the end, fixed start."),
-        ("distance, random start", Axis::log("distance, mm", 1.0), "Mean distance at the end, random start."),
-    ]
-    .map(|(curve, y, caption)| Shown { curve, y, caption });
+        Shown {
+            curve: "score",
+            y: Axis::linear("score"),
+            caption: "Mean score of the actor on the validation episodes.",
+        },
+        Shown { curve: "success", y: part("success"), caption: "Its success there." },
+        Shown {
+            curve: "measure",
+            y: Axis::log("measure (arm: distance, mm)", 1.0),
+            caption: "The problem's measure at the end of these episodes: on the arm, the distance.",
+        },
+        Shown { curve: "entropy", y: Axis::linear("nats"), caption: "Entropy of the actor's decisions in training." },
+    ];
     [
         section("Evolution", "generation", &of_kind("TPG"), &tpg),
         section("Soft actor-critic", "decisions", &of_kind("SAC"), &sac),

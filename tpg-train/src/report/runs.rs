@@ -1,9 +1,12 @@
 //! Reading and grouping of run folders.
 
+use crate::actor::version1::upgraded;
 use crate::evolution::config::Config;
 use crate::evolution::state::Row;
 use crate::files::read_text;
-use crate::sac::weights::{self, Contract};
+use crate::sac::contract::Contract;
+use crate::sac::tensors::{Tensors, place};
+use crate::sac::weights::{LIMIT, from_tensors};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fs;
@@ -11,8 +14,7 @@ use std::path::{Path, PathBuf};
 use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
 use tpg_nn::Mlp;
-use tpg_problems::Problem;
-use tpg_problems::arm::targets::Start;
+use tpg_problems::{ContinuousProblem, Problem};
 
 /// Runs with the same configuration.
 #[derive(Debug)]
@@ -30,15 +32,15 @@ pub(super) struct Run {
     pub(super) name: String,
     /// Seed, if the run states it.
     pub(super) seed: Option<u64>,
-    /// Logged curves by name, as pairs of x and y.
+    /// The curves of its log: for each name, x and y.
     pub(super) curves: BTreeMap<&'static str, Vec<[f64; 2]>>,
     /// CPU time in seconds, if the run states it.
     pub(super) cpu: Option<f64>,
-    /// Kind of the trained policy.
+    /// The trained policy.
     pub(super) kind: Kind,
 }
 
-/// Kind of a trained policy.
+/// A trained policy.
 #[derive(Debug)]
 pub(super) enum Kind {
     /// A tangled program graph.
@@ -50,17 +52,17 @@ pub(super) enum Kind {
     },
     /// A soft actor-critic.
     Sac {
-        /// The problem on which it was selected.
-        start: Start,
-        /// The network.
+        /// The problem that it was trained on and chosen by.
+        problem: Box<ContinuousProblem>,
+        /// Its network.
         network: Box<Mlp<f32>>,
-        /// The interface of the network.
+        /// Its inputs, outputs and origin.
         contract: Box<Contract>,
     },
 }
 
 impl Kind {
-    /// Returns a short name of the kind.
+    /// The kind in a word.
     pub(super) fn name(&self) -> &'static str {
         match self {
             Self::Tpg { .. } => "TPG",
@@ -82,8 +84,7 @@ pub(super) fn read(folders: &[PathBuf]) -> Result<Vec<Group>, InputError> {
             let accepted = "a folder of `tpg-train tpg` or `tpg-train sac` with a log";
             return Err(InputError::new(folder.display().to_string(), Place::Whole, "no run", accepted));
         };
-        let start = if let Kind::Sac { start, .. } = run.kind { format!("{start:?}") } else { String::new() };
-        let key = format!("{} {start}\n{text}", run.kind.name());
+        let key = format!("{}\n{text}", run.kind.name());
         match groups.iter_mut().find(|(other, _)| *other == key) {
             Some((_, group)) => group.runs.push(run),
             None => groups.push((key, Group { name: String::new(), runs: vec![run] })),
@@ -168,24 +169,18 @@ fn cpu_of_sessions(timing: &str) -> Option<f64> {
 fn sac(folder: &Path, name: String) -> Result<Run, InputError> {
     let rows: Vec<BTreeMap<String, Value>> = lines(&folder.join("log.jsonl"))?;
     let path = folder.join("policy.safetensors");
-    let (network, contract) = weights::read(&path)?;
-    let start = match contract.provenance.problem.as_str() {
-        "fs" => Start::Fs,
-        "rs" => Start::Rs,
-        other => {
-            let place = Place::Path("provenance.problem".to_owned());
-            return Err(InputError::new(path.display().to_string(), place, format!("{other:?}"), "fs or rs"));
-        }
-    };
+    let (network, contract) =
+        upgraded(Tensors::read(&path, LIMIT)?).and_then(from_tensors).map_err(|finding| place(&path, finding))?;
+    let problem = Box::new(ContinuousProblem::from_table(&path.display().to_string(), &contract.problem)?);
     let value = |row: &BTreeMap<String, Value>, key: &str| row.get(key).and_then(Value::as_f64);
     let curve = |key: &str| {
         rows.iter().filter_map(|row| Some([value(row, "decisions")?, value(row, key)?])).collect::<Vec<_>>()
     };
     let curves = BTreeMap::from([
-        ("success, fixed start", curve("fs_success")),
-        ("success, random start", curve("rs_success")),
-        ("distance, fixed start", curve("fs_distance_mm")),
-        ("distance, random start", curve("rs_distance_mm")),
+        ("score", curve("score")),
+        ("success", curve("success")),
+        ("measure", curve("measure")),
+        ("entropy", curve("entropy")),
     ]);
     let time = fs::read_to_string(folder.join("time.json")).ok();
     let time: Option<Value> = time.and_then(|text| serde_json::from_str(&text).ok());
@@ -196,7 +191,7 @@ fn sac(folder: &Path, name: String) -> Result<Run, InputError> {
         seed,
         curves,
         cpu,
-        kind: Kind::Sac { start, network: Box::new(network), contract: Box::new(contract) },
+        kind: Kind::Sac { problem, network: Box::new(network), contract: Box::new(contract) },
     })
 }
 

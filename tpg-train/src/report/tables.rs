@@ -70,7 +70,7 @@ fn row(run: &Run, tested: Option<&Tested>) -> Vec<String> {
     };
     let selection = match &run.kind {
         Kind::Tpg { graph, .. } => graph.provenance().scores.get("validation_score").copied(),
-        Kind::Sac { contract, .. } => Some(100.0 * contract.provenance.validation_success),
+        Kind::Sac { contract, .. } => contract.provenance.validation.map(|result| result.score),
     };
     let text = |value: Option<f64>| value.map_or_else(String::new, one_decimal);
     let summary = tested.map(Tested::summary);

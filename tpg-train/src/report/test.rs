@@ -1,17 +1,20 @@
 //! Tests of runs: the trained policy on the test episodes.
 
 use super::runs::{Kind, Run};
+use crate::actor::file::FloatActor;
 use crate::evaluate::arm::endings_of;
 use crate::evaluate::graph::endings;
-use crate::sac::policy::ActorPolicy;
+use crate::evaluate::network;
+use crate::sac::network::Network;
+use crate::sac::tensors::place;
 use tpg_arm::{Arm, Pose, WIDOWX};
 use tpg_engine::{Choices, Ending, Environment, Lanes, Measure, Options, Plan, Policy, Summary};
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::{Graph, in_arithmetic_of};
 use tpg_problems::arm::environment::{DISTANCE, OUTCOMES};
-use tpg_problems::arm::targets::{self, Set, TOLERANCE};
+use tpg_problems::arm::targets::{self, Set, Start, TOLERANCE};
 use tpg_problems::arm::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
-use tpg_problems::{Problem, Visitor};
+use tpg_problems::{ContinuousProblem, Problem, Visitor};
 use tpg_runtime::ops::Maths;
 
 /// Runs a graph on test episodes of a user-defined environment; arguments are the file's name, the graph, the number of
@@ -99,26 +102,40 @@ pub(super) fn test(
                 in_arithmetic_of!(graph, test.run()).map(Some)
             }
         },
-        Kind::Sac { start, network, contract } => {
-            let tasks = targets::tasks(&WIDOWX, seed, Set::Test, *start, episodes);
-            let policy = ActorPolicy::new(network, &contract.actor);
-            let rules = ArmProblem::new(*start, Vec::new());
-            let watch = |place: usize| {
-                let mut poses = vec![tasks[place].start];
-                let summary = policy.watch(*start, place, &tasks[place], |pose| poses.push(pose));
-                (rules.ending(summary.outcome, summary.actions, f64::from(summary.distance)), poses)
-            };
-            let endings: Vec<Ending> = (0..tasks.len()).map(|place| watch(place).0).collect();
-            let walks = (chosen(&endings).into_iter())
-                .map(|place| walk(place, tasks[place].target, watch(place).1, endings[place]))
-                .collect();
-            let arm = OnTheArm { arm: WIDOWX, tolerance: TOLERANCE, walks };
-            Ok(Some(Tested { endings, measure: Some(DISTANCE), arm: Some(arm) }))
-        }
+        Kind::Sac { problem, network, contract } => match &**problem {
+            ContinuousProblem::Motors(start, _) => {
+                let actor = FloatActor::of_contract((**network).clone(), contract)
+                    .map_err(|finding| place(run.name.as_ref(), finding))?;
+                Ok(Some(of_an_actor(&actor, *start, episodes, seed)))
+            }
+            problem => {
+                let network = Network::Float(Box::new(((**network).clone(), (**contract).clone())));
+                let network::Tested { endings, measure, .. } =
+                    network::test(problem, &run.name, &network, episodes, seed)?;
+                Ok(Some(Tested { endings, measure, arm: None }))
+            }
+        },
     }
 }
 
-/// A graph with a built-in problem other than the arm.
+/// An actor of the arm on its test episodes.
+fn of_an_actor(actor: &FloatActor, start: Start, episodes: usize, seed: u64) -> Tested {
+    let tasks = targets::tasks(&WIDOWX, seed, Set::Test, start, episodes);
+    let policy = actor.policy();
+    let rules = ArmProblem::new(start, Vec::new());
+    let watch = |place: usize| {
+        let mut poses = vec![tasks[place].start];
+        let summary = policy.watch(start, place, &tasks[place], |pose| poses.push(pose));
+        (rules.ending(summary.outcome, summary.actions, f64::from(summary.distance)), poses)
+    };
+    let endings: Vec<Ending> = (0..tasks.len()).map(|place| watch(place).0).collect();
+    let walks = (chosen(&endings).into_iter())
+        .map(|place| walk(place, tasks[place].target, watch(place).1, endings[place]))
+        .collect();
+    Tested { endings, measure: Some(DISTANCE), arm: Some(OnTheArm { arm: WIDOWX, tolerance: TOLERANCE, walks }) }
+}
+
+/// A graph and a built-in problem that is not the arm's.
 struct OnAProblem<'a> {
     problem: &'a Problem,
     file: &'a str,

@@ -15,7 +15,6 @@
 //! 4. the slow value network follows.
 
 use super::config::{Algorithm, Config, Learning};
-use super::replay::ACTIONS;
 use serde::{Deserialize, Serialize};
 use tpg_engine::random::Stream;
 use tpg_nn::{Adam, Gaussian, Mlp, Real, Samples, Shape, Tape};
@@ -38,7 +37,7 @@ pub struct Rates {
 pub struct Experience<'a, T> {
     /// inputs × batch.
     pub states: &'a [T],
-    /// 4 × batch.
+    /// actions × batch.
     pub actions: &'a [T],
     /// One a sample.
     pub rewards: &'a [T],
@@ -46,13 +45,13 @@ pub struct Experience<'a, T> {
     pub discounts: &'a [T],
     /// inputs × batch.
     pub next: &'a [T],
-    /// 4 × batch: for the actions in `next`; with a value network, for those that its target judges.
+    /// actions × batch: for the actions in `next`; with a value network, for those that its target judges.
     pub next_noise: &'a [T],
-    /// 4 × batch: for the actions in `states`.
+    /// actions × batch: for the actions in `states`.
     pub noise: &'a [T],
 }
 
-/// What an update saw, averaged over its batch.
+/// Figures of an update, averaged over its batch.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Report {
     /// Mean squared error of the two critics, summed.
@@ -85,7 +84,7 @@ impl<T: Real> Learner<T> {
     }
 }
 
-/// Where the value of a next state comes from.
+/// The source of a next state's value.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Bootstrap<T> {
     /// Slow copies of the two critics.
@@ -102,11 +101,11 @@ pub enum Bootstrap<T> {
 /// Everything that learns.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Agent<T> {
-    /// Answers a [`Gaussian`] of actions.
+    /// Outputs a [`Gaussian`] over actions.
     pub actor: Learner<T>,
-    /// Two opinions of a state and an action.
+    /// Two estimates of the value of a state and an action.
     pub critics: [Learner<T>; 2],
-    /// Where the value of a next state comes from.
+    /// The source of a next state's value.
     pub bootstrap: Bootstrap<T>,
     /// ln α.
     pub log_alpha: T,
@@ -115,7 +114,7 @@ pub struct Agent<T> {
     gaussian: Gaussian,
 }
 
-/// The space an update needs: made once, for one batch size.
+/// Scratch memory of an update: made once, for one batch size.
 #[derive(Clone, Debug)]
 pub struct Workspace<T> {
     actor: Tape<T>,
@@ -132,11 +131,12 @@ pub struct Workspace<T> {
 }
 
 impl<T: Real> Agent<T> {
-    /// An agent with random weights.
-    pub fn new(config: &Config, gaussian: Gaussian, random: &mut Stream) -> Self {
-        let (inputs, norm) = (config.actor.inputs.count(), config.actor.layer_norm);
+    /// An agent with random weights, for states of that many inputs.
+    pub fn new(config: &Config, inputs: usize, gaussian: Gaussian, random: &mut Stream) -> Self {
+        let norm = config.actor.layer_norm;
         let actor = Shape { inputs, hidden: config.actor.hidden.clone(), outputs: 2 * gaussian.actions, norm };
-        let critic = Shape { inputs: inputs + ACTIONS, hidden: config.critic.hidden.clone(), outputs: 1, norm };
+        let critic =
+            Shape { inputs: inputs + gaussian.actions, hidden: config.critic.hidden.clone(), outputs: 1, norm };
         let actor = Mlp::random(actor, || random.unit());
         let critics = [(); 2].map(|()| Mlp::random(critic.clone(), || random.unit()));
         let Learning { log_temperature, algorithm, .. } = config.learning;
@@ -165,10 +165,10 @@ impl<T: Real> Agent<T> {
         Self { actor, critics, bootstrap, log_alpha: T::of(log_alpha), alpha_adam: Adam::new(1), gaussian }
     }
 
-    /// The space for updates with `batch` samples.
+    /// Scratch memory for updates with `batch` samples.
     pub fn workspace(&self, batch: usize) -> Workspace<T> {
         let (actor, critic) = (self.actor.network.shape(), self.critics[0].network.shape());
-        let zeros = |rows: usize| vec![T::zero(); rows * batch];
+        let (zeros, actions) = (|rows: usize| vec![T::zero(); rows * batch], self.gaussian.actions);
         let widest = self.actor.network.parameters().len().max(self.critics[0].network.parameters().len());
         Workspace {
             actor: Tape::new(actor, batch),
@@ -179,9 +179,9 @@ impl<T: Real> Agent<T> {
             },
             gradient: vec![T::zero(); widest],
             by_q: [zeros(1), zeros(1)],
-            by_input: [zeros(ACTIONS), zeros(ACTIONS)],
-            by_actions: zeros(ACTIONS),
-            by_outputs: zeros(2 * ACTIONS),
+            by_input: [zeros(actions), zeros(actions)],
+            by_actions: zeros(actions),
+            by_outputs: zeros(2 * actions),
             wanted: zeros(1),
             samples: Samples::default(),
         }
@@ -265,25 +265,25 @@ impl<T: Real> Agent<T> {
         self.actor.network.forward(&mut space.actor);
     }
 
-    /// Draws an action for each state, which the actor has answered, and lets the critics judge it.
+    /// Draws an action for each state from the actor's output, and evaluates it with both critics.
     fn judge_own_actions(&self, space: &mut Workspace<T>, states: &[T], noise: &[T]) {
         self.gaussian.sample(space.actor.output(), noise, &mut space.samples);
         let [first, second] = &mut space.critics;
-        join(first.input_mut(), states, &space.samples.actions);
+        join(first.input_mut(), states, &space.samples.actions, self.gaussian.actions);
         second.input_mut().copy_from_slice(first.input_mut());
         for (critic, tape) in self.critics.iter().zip(&mut space.critics) {
             critic.network.forward(tape);
         }
     }
 
-    /// What the critics shall answer, by their slow copies.
+    /// Computes the critics' targets from their slow copies.
     fn bootstrap_from_critics(&self, space: &mut Workspace<T>, batch: Experience<'_, T>, alpha: T) {
         let Bootstrap::SlowCritics(slow) = &self.bootstrap else { return };
         self.actor_answers(space, batch.next);
         self.gaussian.sample(space.actor.output(), batch.next_noise, &mut space.samples);
         // One tape for both, so that it stays near the processor.
         let [tape, _] = &mut space.critics;
-        join(tape.input_mut(), batch.next, &space.samples.actions);
+        join(tape.input_mut(), batch.next, &space.samples.actions, self.gaussian.actions);
         for (slow, by_q) in slow.iter().zip(&mut space.by_q) {
             slow.forward(tape);
             by_q.copy_from_slice(tape.output());
@@ -304,7 +304,7 @@ impl<T: Real> Agent<T> {
         let mut loss = 0.0;
         // One tape for both, so that it stays near the processor.
         let ([tape, _], [by_q, _]) = (&mut space.critics, &mut space.by_q);
-        join(tape.input_mut(), batch.states, batch.actions);
+        join(tape.input_mut(), batch.states, batch.actions, self.gaussian.actions);
         for critic in &mut self.critics {
             critic.network.forward(tape);
             let mut squares = T::zero();
@@ -320,7 +320,7 @@ impl<T: Real> Agent<T> {
         loss
     }
 
-    /// The actor has answered the states.
+    /// Updates the actor, which has already been run on the states.
     fn update_actor(&mut self, space: &mut Workspace<T>, batch: Experience<'_, T>, alpha: T, rate: f64) -> f64 {
         self.judge_own_actions(space, batch.states, batch.noise);
         let size = space.wanted.len();
@@ -329,7 +329,7 @@ impl<T: Real> Agent<T> {
         for sample in 0..size {
             let [first, second] = space.critics.each_ref().map(|tape| tape.output()[sample]);
             loss += alpha * space.samples.log_densities[sample] - least(first, second);
-            // The loss falls with the smaller opinion only.
+            // The loss depends on the smaller estimate only.
             let (by_first, by_second) = if second < first { (T::zero(), -share) } else { (-share, T::zero()) };
             space.by_q[0][sample] = by_first;
             space.by_q[1][sample] = by_second;
@@ -356,12 +356,11 @@ impl<T: Real> Agent<T> {
     }
 }
 
-/// What a critic reads: columns of states over columns of actions.
-fn join<T: Real>(input: &mut [T], states: &[T], actions: &[T]) {
-    let rows = input.len() * ACTIONS / actions.len();
-    let inputs = rows - ACTIONS;
-    let parts = states.chunks_exact(inputs).zip(actions.chunks_exact(ACTIONS));
-    for (column, (state, action)) in input.chunks_exact_mut(rows).zip(parts) {
+/// Stacks columns of states on columns of actions: a critic's input.
+fn join<T: Real>(input: &mut [T], states: &[T], actions: &[T], components: usize) {
+    let inputs = states.len() * components / actions.len();
+    let parts = states.chunks_exact(inputs).zip(actions.chunks_exact(components));
+    for (column, (state, action)) in input.chunks_exact_mut(inputs + components).zip(parts) {
         column[..inputs].copy_from_slice(state);
         column[inputs..].copy_from_slice(action);
     }

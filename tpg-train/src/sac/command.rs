@@ -1,134 +1,218 @@
 //! `tpg-train sac`: a training run in a folder of its own.
 //!
-//! The folder holds `config.toml` (what was asked for), `log.csv` and `log.jsonl` (a row for each validation, without a
-//! clock: equal runs have equal logs), `time.json` (what it cost), `checkpoint.safetensors`, and, from the first
-//! validation on, `policy.safetensors`: the best candidate so far, and at the end the last one.
+//! The folder holds `config.toml` (what was asked for), `log.csv` and `log.jsonl` (a row for each validation), `time.json`
+//! (what it cost), `checkpoint.safetensors`, and, from the first validation on, `policy.safetensors`: the best candidate so
+//! far, and at the end the last one.
 
-use super::checkpoint;
-use super::config::{Config, PRESETS};
-use super::training::{Recent, Training, ValidationTasks};
-use super::weights::{Provenance, to_tensors};
-use crate::evolution::logs::cpu_seconds;
+use super::config::Config;
+use super::contract::{Contract, Provenance};
+use super::training::{Best, Training};
+use super::weights::to_tensors;
+use super::{checkpoint, log, presets};
+use crate::evolution::generation::Goal;
 use crate::files::{make_folder, read_text, write_atomically};
 use crate::interrupt;
+use crate::run_args::{RunArgs, command_line};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
-use serde_json::{Value, json};
-use std::path::{Path, PathBuf};
+use serde_json::Value;
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
+use tpg_engine::{Environment, Summary};
 use tpg_graph::command::Verdict;
 use tpg_graph::error::{InputError, Place};
-use tpg_problems::arm::targets::Start;
-use tpg_problems::arm::trial::Trial;
+use tpg_problems::{ContinuousProblem, ProblemName, Visitor};
+
+/// Seconds between checkpoints: those of a large replay buffer take a while.
+const CHECKPOINT_SECONDS: u64 = 120;
 
 /// Train a soft actor-critic.
 #[derive(Clone, Debug, Args)]
 pub struct SacArgs {
-    /// The problem on which the best candidate is chosen: fixed or random start
+    /// The problem; `tpg-train problems` tells more. A configuration file can name it instead
     #[arg(long, value_enum)]
-    pub problem: Start,
-    /// A configuration file (a preset's text is one)
-    #[arg(long, value_name = "FILE", conflicts_with = "preset")]
-    pub config: Option<PathBuf>,
-    /// A configuration that comes with the trainer. Default: best-fs or best-rs
-    #[arg(long, value_name = "NAME")]
-    pub preset: Option<String>,
-    /// The folder of the run
-    #[arg(long, value_name = "RUN")]
-    pub out: PathBuf,
-    /// Go on where the folder's checkpoint is
-    #[arg(long)]
-    pub resume: bool,
+    pub problem: Option<ProblemName>,
+    /// The arguments of every run.
+    #[command(flatten)]
+    pub run: RunArgs,
     /// The seed
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
     /// Decisions, instead of the configuration's
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub decisions: Option<u64>,
-    /// Seconds between checkpoints
-    #[arg(long, value_name = "S", default_value_t = 120)]
-    pub checkpoint_seconds: u64,
+    /// End the run when a candidate has this mean score on the validation episodes
+    #[arg(long, value_name = "SCORE", allow_negative_numbers = true)]
+    pub target: Option<f64>,
+    /// End the run after so many decisions, at the rates of the whole run
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub max_steps: Option<u64>,
 }
 
 /// Trains.
 ///
 /// # Errors
-/// A bad configuration, a folder with another run, files that cannot be written.
+/// A bad configuration, a problem without outputs, a folder with another run, files that cannot be written.
 pub fn execute(args: &SacArgs) -> Result<Verdict, InputError> {
-    let (name, config) = configuration(args)?;
+    let (name, config, problem) = configuration(args)?;
     let stop = interrupt::watch();
-    Run::begin(args, name, config)?.finish(&stop)
+    let command = Command { args, name: &name, config, problem: problem.name(), stop: &stop };
+    problem.open(args.seed, command)
 }
 
-fn configuration(args: &SacArgs) -> Result<(String, Config), InputError> {
-    let (name, text) = match (&args.config, &args.preset) {
-        (Some(path), _) => (path.display().to_string(), read_text(path, "a configuration of `tpg-train sac`")?),
-        (None, preset) => {
-            let default = if args.problem == Start::Fs { "best-fs" } else { "best-rs" };
-            let name = preset.as_deref().unwrap_or(default);
-            let Some((_, text)) = PRESETS.iter().find(|(preset, _)| *preset == name) else {
-                let accepted = PRESETS.map(|(name, _)| name).join(", ");
-                return Err(InputError::new("<command line>", Place::Whole, format!("the preset {name:?}"), accepted));
-            };
-            (name.to_owned(), (*text).to_owned())
+/// The configuration's name, the configuration, and the problem that the arguments ask for.
+///
+/// # Errors
+/// If the configuration cannot be read or is refused, or nothing names a problem.
+pub fn configuration(args: &SacArgs) -> Result<(String, Config, ContinuousProblem), InputError> {
+    let (name, file, text) = match (&args.run.config, &args.run.preset, args.problem) {
+        (Some(path), _, _) => {
+            let file = path.display().to_string();
+            (file.clone(), file, read_text(path, "a configuration as `tpg-train config --sac` prints")?)
+        }
+        (None, Some(name), _) => {
+            let preset =
+                presets::find(name).ok_or_else(|| command_line(format!("the preset {name:?}"), presets::names()))?;
+            let (file, text) = preset.file();
+            (name.clone(), file, text)
+        }
+        (None, None, Some(problem)) => {
+            let preset = presets::usual(problem);
+            let (file, text) = preset.file();
+            (preset.name.to_owned(), file, text)
+        }
+        (None, None, None) => {
+            let accepted = format!("--problem {}, --preset NAME or --config FILE", ProblemName::names());
+            return Err(command_line("no problem", accepted));
         }
     };
-    let mut config: Config = toml::from_str(&text).map_err(|error| {
-        let line = error.span().map_or(0, |span| text[..span.start].lines().count().max(1));
-        InputError::new(&name, Place::Line(line), error.message(), "the keys and values of a preset")
-    })?;
-    config.check().map_err(|wrong| InputError::new(&name, Place::Whole, wrong, "values that can work"))?;
+    let mut config = Config::from_toml(&file, &text)?;
+    let problem = problem_of(args, &config, &file, &text)?;
+    config.problem = problem.to_table();
     if let Some(decisions) = args.decisions {
         config.learning.decisions = decisions;
     }
-    Ok((name, config))
+    Ok((name, config, problem))
 }
 
-struct Run<'a> {
+/// The problem of a configuration, or of the command line. A preset made for another problem gives its parameters only.
+fn problem_of(args: &SacArgs, config: &Config, file: &str, text: &str) -> Result<ContinuousProblem, InputError> {
+    let own = (!config.problem.is_empty()).then(|| ContinuousProblem::from_toml(file, text)).transpose()?;
+    match (own, args.problem) {
+        (Some(problem), None) => Ok(problem),
+        (Some(problem), Some(name)) if problem.name() == name => Ok(problem),
+        (Some(problem), Some(name)) if args.run.config.is_some() => {
+            let found = format!("--problem {} with a configuration for {}", name.name(), problem.name().name());
+            Err(command_line(found, "the same problem twice, or no --problem"))
+        }
+        (Some(problem), Some(name)) => Ok(problem.renamed(name)),
+        (None, Some(name)) => Ok(ContinuousProblem::usual(name)),
+        (None, None) => {
+            let accepted = format!("--problem {}, or a section [problem] with a name", ProblemName::names());
+            Err(command_line(format!("no problem, neither in the arguments nor in {file}"), accepted))
+        }
+    }
+}
+
+/// A run on an environment whose type the registry knows.
+struct Command<'a> {
     args: &'a SacArgs,
-    name: String,
-    training: Training,
-    validation: ValidationTasks,
+    name: &'a str,
+    config: Config,
+    problem: ProblemName,
+    stop: &'a AtomicBool,
+}
+
+impl Visitor<f32> for Command<'_> {
+    type Output = Result<Verdict, InputError>;
+
+    fn visit<E: Environment<f32>>(self, environment: E) -> Self::Output {
+        let stop = self.stop;
+        Run::begin(self, &environment)?.finish(stop)
+    }
+}
+
+struct Run<'a, E: Environment<f32>> {
+    environment: &'a E,
+    folder: PathBuf,
+    name: &'a str,
+    problem: ProblemName,
+    seed: u64,
+    goal: Goal,
+    checkpoint_every: Duration,
+    training: Training<'a, E>,
+    validation: Vec<E::Task>,
     log: Vec<Value>,
     progress: ProgressBar,
     began: Instant,
 }
 
-impl<'a> Run<'a> {
-    fn begin(args: &'a SacArgs, name: String, config: Config) -> Result<Self, InputError> {
-        let path = args.out.join("checkpoint.safetensors");
-        let validation = ValidationTasks::new(args.seed, args.problem, config.validation.episodes);
-        let (training, log) = if args.resume && path.exists() {
-            checkpoint::load(&path, &config, args.seed)?
-        } else if args.out.join("config.toml").exists() && !args.resume {
+impl<'a, E: Environment<f32>> Run<'a, E> {
+    fn begin(command: Command<'a>, environment: &'a E) -> Result<Self, InputError> {
+        let Command { args, name, config, problem, .. } = command;
+        let (seed, folder) = (args.seed, args.run.folder(problem, args.seed));
+        let path = folder.join("checkpoint.safetensors");
+        let (training, log) = if args.run.resume && path.exists() {
+            checkpoint::load(&path, environment, &config, seed)?
+        } else if folder.join("config.toml").exists() && !args.run.resume {
             let accepted = "an empty folder, or --resume";
-            return Err(InputError::new(args.out.display().to_string(), Place::Whole, "a run", accepted));
+            return Err(InputError::new(folder.display().to_string(), Place::Whole, "a run", accepted));
         } else {
-            (Training::new(config, args.seed), Vec::new())
+            let training = Training::new(environment, config, seed).map_err(|finding| {
+                command_line(format!("--problem {}: {}", problem.name(), finding.found), finding.accepted)
+            })?;
+            (training, Vec::new())
         };
-        make_folder(&args.out)?;
-        let text = toml::to_string(training.config()).expect("plain data");
-        write_atomically(&args.out.join("config.toml"), text.as_bytes())?;
-        let progress = ProgressBar::new(training.config().learning.decisions);
+        make_folder(&folder)?;
+        write_atomically(&folder.join("config.toml"), training.config().to_toml().as_bytes())?;
+        let goal = Goal { target: args.target, max_steps: args.max_steps };
+        let whole = training.config().learning.decisions;
+        let progress = ProgressBar::new(goal.max_steps.map_or(whole, |most| most.min(whole)));
         let style = ProgressStyle::with_template("{bar:30} {percent:>3} %  {eta} left  {msg}");
-        progress.set_style(style.expect("a template that is right"));
+        progress.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
         progress.set_position(training.decisions());
-        Ok(Self { args, name, training, validation, log, progress, began: Instant::now() })
+        let validation = environment.validation_tasks(training.config().validation.episodes);
+        let checkpoint_every = args.run.checkpoint_every(CHECKPOINT_SECONDS);
+        let began = Instant::now();
+        Ok(Self {
+            environment,
+            folder,
+            name,
+            problem,
+            seed,
+            goal,
+            checkpoint_every,
+            training,
+            validation,
+            log,
+            progress,
+            began,
+        })
+    }
+
+    /// True when the run has had all of its decisions.
+    fn spent(&self) -> bool {
+        self.training.finished() || self.goal.max_steps.is_some_and(|most| self.training.decisions() >= most)
+    }
+
+    /// True when the last candidate is good enough.
+    fn reached(&self) -> bool {
+        self.training.last().zip(self.goal.target).is_some_and(|(result, target)| result.score >= target)
     }
 
     fn finish(mut self, stop: &AtomicBool) -> Result<Verdict, InputError> {
         let every = self.training.config().validation.every;
         let mut saved = Instant::now();
-        while !self.training.finished() {
+        while !self.spent() && !self.reached() {
             let before = self.training.decisions() / every;
             self.training.tick();
-            if self.training.decisions() / every > before || self.training.finished() {
+            if self.training.decisions() / every > before || self.spent() {
                 self.validate()?;
             }
             self.progress.set_position(self.training.decisions());
             let stopped = stop.load(Ordering::Relaxed);
-            if stopped || saved.elapsed() > Duration::from_secs(self.args.checkpoint_seconds) {
+            if stopped || saved.elapsed() >= self.checkpoint_every {
                 self.save()?;
                 saved = Instant::now();
             }
@@ -138,99 +222,59 @@ impl<'a> Run<'a> {
         }
         self.save()?;
         self.progress.finish();
-        let best = self.training.best().map_or(0.0, |best| best.score);
-        let end = match self.training.flat() {
-            true => format!("; the curve was flat after {} decisions", self.training.decisions()),
-            false => String::new(),
+        let end = match (self.training.best(), self.training.flat()) {
+            (None, _) => return Ok(Verdict::Good),
+            (Some(best), true) => format!("{}; the curve was flat", self.sentence(best)),
+            (Some(best), false) => self.sentence(best),
         };
-        eprintln!("seed {}: {:.1} % of the validation episodes{end}", self.args.seed, 100.0 * best);
+        eprintln!("{end}");
         Ok(Verdict::Good)
     }
 
     fn validate(&mut self) -> Result<(), InputError> {
         let recent = self.training.take_progress();
-        let trials = self.training.validate(&self.validation);
+        let result = self.training.validate(&self.validation);
         let best = self.training.best().expect("there was a validation");
-        self.progress.set_message(format!(
-            "fs {:.1} % rs {:.1} %, best {:.1} %",
-            100.0 * trials[0].success_rate,
-            100.0 * trials[1].success_rate,
-            100.0 * best.score
-        ));
+        self.progress.set_message(format!("{}, best {}", short(&result), short(&best.result)));
         let provenance = Provenance {
             tool: concat!("tpg-train ", env!("CARGO_PKG_VERSION")).to_owned(),
-            config: self.name.clone(),
-            problem: name(self.args.problem).to_owned(),
-            seed: self.args.seed,
+            config: self.name.to_owned(),
+            problem: self.problem.name().to_owned(),
+            seed: self.seed,
             decisions: best.decisions,
-            validation_success: best.score,
+            validation: Some(best.result),
         };
-        let policy = to_tensors(&best.actor, &self.training.config().actor, provenance);
-        policy.write(&self.args.out.join("policy.safetensors"))?;
-        self.log.push(row(&self.training, &recent, &trials));
-        self.write_logs()
-    }
-
-    fn write_logs(&self) -> Result<(), InputError> {
-        let lines = self.log.iter().map(|row| format!("{row}\n"));
-        write_atomically(&self.args.out.join("log.jsonl"), lines.collect::<String>().as_bytes())?;
-        write_atomically(&self.args.out.join("log.csv"), csv(&self.log).as_bytes())?;
-        let time =
-            json!({ "cpu_seconds_of_this_process": cpu_seconds(), "seconds": self.began.elapsed().as_secs_f64() });
-        write_atomically(&self.args.out.join("time.json"), format!("{time}\n").as_bytes())
+        let config = self.training.config();
+        let contract =
+            Contract::new(config.problem.clone(), self.training.interface(), config.actor.clone(), provenance);
+        to_tensors(&best.actor, &contract).write(&self.folder.join("policy.safetensors"))?;
+        self.log.push(log::row(&self.training, &recent, &result, self.environment));
+        log::write(&self.folder, &self.log, self.began)
     }
 
     fn save(&self) -> Result<(), InputError> {
-        checkpoint::save(&checkpoint_path(&self.args.out), &self.training, &self.log)
+        checkpoint::save(&self.folder.join("checkpoint.safetensors"), &self.training, &self.log)
+    }
+
+    fn sentence(&self, best: &Best) -> String {
+        let Summary { score, success, measure, episodes, .. } = best.result;
+        let success = success.map(|success| format!(", {:.1} % solved", 100.0 * success)).unwrap_or_default();
+        let measure = self
+            .environment
+            .measure()
+            .map(|of| format!(", mean {} {measure:.1} {}", of.name, of.unit))
+            .unwrap_or_default();
+        format!(
+            "seed {}: mean score {score:.2} on {episodes} validation episodes{success}{measure}, after {} decisions",
+            self.seed, best.decisions
+        )
     }
 }
 
-fn checkpoint_path(folder: &Path) -> PathBuf {
-    folder.join("checkpoint.safetensors")
-}
-
-fn name(problem: Start) -> &'static str {
-    match problem {
-        Start::Fs => "fs",
-        Start::Rs => "rs",
+/// A result in a few letters, for the progress bar.
+fn short(result: &Summary) -> String {
+    match result.success {
+        Some(success) => format!("{:.1} %", 100.0 * success),
+        None => format!("{:.2}", result.score),
     }
-}
-
-fn row(training: &Training, recent: &Recent, trials: &[Trial]) -> Value {
-    let means = recent.means();
-    let mut row = json!({
-        "decisions": training.decisions(),
-        "updates": training.updates(),
-        "steps": recent.steps,
-        "reached": recent.reached,
-        "invalid": recent.invalid,
-        "cut": recent.cut,
-        "critic_loss": means.critic_loss,
-        "actor_loss": means.actor_loss,
-        "entropy": means.entropy,
-        "temperature": means.temperature,
-    });
-    for trial in trials {
-        let start = name(trial.problem);
-        let failures = &trial.failures;
-        for (key, value) in [
-            ("success", trial.success_rate),
-            ("collision", trial.collision_rate),
-            ("distance_mm", trial.mean_distance_mm),
-            ("cycle", failures.cycle as f64),
-            ("timeout", failures.timeout as f64),
-        ] {
-            row[format!("{start}_{key}")] = json!(value);
-        }
-    }
-    row
-}
-
-/// The rows as CSV. serde_json keeps an object's keys sorted: the columns are in the order of the alphabet.
-fn csv(rows: &[Value]) -> String {
-    let objects: Vec<_> = rows.iter().filter_map(Value::as_object).collect();
-    let line = |cells: Vec<String>| cells.join(",") + "\n";
-    let header = objects.first().map(|row| line(row.keys().cloned().collect()));
-    let body = objects.iter().map(|row| line(row.values().map(Value::to_string).collect()));
-    header.into_iter().chain(body).collect()
 }

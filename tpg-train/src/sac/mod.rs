@@ -1,33 +1,39 @@
-//! Soft actor-critic: trains the actor whose fixed-point form is `tpg_arm::sac`.
+//! Soft actor-critic on any environment with outputs.
 //!
 //! | module | subject |
 //! | --- | --- |
 //! | [`agent`] | actor, critics, temperature and one update |
 //! | [`replay`] | the transitions that updates draw from |
-//! | [`lanes`] | the arm in parallel lanes, rewards included |
-//! | [`failures`] | where the actor fails, for episodes to begin there again |
-//! | [`config`] | presets and their TOML |
-//! | [`training`] | the loop |
-//! | [`weights`] | `policy.safetensors` and its contract |
-//! | [`fixed`] | a trained actor in integers |
-//! | [`comparison`] | how well integers do beside floating point |
-//! | [`evaluate`] | `tpg-train eval --policy` and `tpg-train quantise` |
-//! | [`import`] | actors of Stable-Baselines3 and CleanRL |
-//! | [`checkpoint`] | a run under way as a file |
-//! | [`command`] | `tpg-train sac` |
+//! | [`interface`] | between an environment's values and a network's |
+//! | [`episode`] | a whole episode |
+//! | [`lanes`] | training episodes side by side |
+//! | [`failures`] | places where the actor fails, for episodes to begin there again |
 //! | [`policy`] | a trained actor as a policy |
+//! | [`config`], [`presets`] | the configuration of a run |
+//! | [`training`] | the loop |
+//! | [`checkpoint`] | a run under way as a file |
+//! | [`contract`], [`weights`] | `policy.safetensors` |
+//! | [`integers`] | a trained actor in integers, and how well it does |
+//! | [`network`] | either kind of policy file, ready to act |
+//! | [`foreign`] | actors of Stable-Baselines3 and CleanRL |
+//! | [`command`], [`log`] | `tpg-train sac` and its logs |
 
 pub mod agent;
 pub mod checkpoint;
 pub mod command;
-pub mod comparison;
 pub mod config;
-pub mod evaluate;
+pub mod contract;
+mod curve;
+pub mod episode;
 pub mod failures;
-pub mod fixed;
-pub mod import;
+pub mod foreign;
+pub mod integers;
+pub mod interface;
 pub mod lanes;
+pub mod log;
+pub mod network;
 pub mod policy;
+pub mod presets;
 pub mod replay;
 pub mod tensors;
 pub mod training;

@@ -1,119 +1,101 @@
-//! A trained actor as a policy of the arm.
+//! A trained actor as a policy of its environment.
 
-use super::config::{Actor, Decides, Inputs};
-use super::lanes::{ARM, Discretiser};
-use super::replay::ACTIONS;
+use super::config::{Actor, Decides};
+use super::episode::play;
+use super::interface::Interface;
 use std::cell::RefCell;
-use tpg_arm::episode::Summary;
-use tpg_arm::frame::Frame;
-use tpg_arm::observation::Observation;
-use tpg_arm::{Move, Pose};
 use tpg_engine::random::{Purpose, Stream};
+use tpg_engine::{Ending, Environment};
 use tpg_nn::{Gaussian, Mlp, Samples, Tape};
-use tpg_problems::arm::targets::{Start, Task};
-use tpg_problems::arm::trial::{self, Trial};
-use tpg_runtime::policy::Policy;
 
-/// An actor, in `f32`: the same on every machine, and the same as in its training. As a [`Policy`] it decides by its mean.
+/// An actor, in `f32`: the same on every machine, and the same as in its training.
 #[derive(Debug)]
-pub struct ActorPolicy<'a> {
+pub struct NetworkPolicy<'a> {
     network: &'a Mlp<f32>,
-    inputs: Inputs,
-    discretiser: Discretiser,
+    interface: &'a Interface,
     gaussian: Gaussian,
     decides: Decides,
     tape: RefCell<Tape<f32>>,
 }
 
-impl<'a> ActorPolicy<'a> {
+impl<'a> NetworkPolicy<'a> {
     /// The policy of a network that was trained under that configuration.
     ///
     /// # Panics
-    /// If the network's input or output is not the configuration's.
-    pub fn new(network: &'a Mlp<f32>, actor: &Actor) -> Self {
-        assert_eq!(network.shape().inputs, actor.inputs.count(), "an actor of other inputs");
-        assert!(network.shape().outputs >= ACTIONS, "an actor of other outputs");
+    /// If the network's input or output is not the interface's.
+    pub fn new(network: &'a Mlp<f32>, interface: &'a Interface, actor: &Actor) -> Self {
+        let gaussian = Gaussian { actions: interface.outputs.len(), spread: actor.spread };
+        assert_eq!(network.shape().inputs, interface.inputs.len(), "an actor of other inputs");
+        assert_eq!(network.shape().outputs, 2 * gaussian.actions, "an actor of other outputs");
         let tape = RefCell::new(Tape::new(network.shape(), 1));
-        let gaussian = Gaussian { actions: ACTIONS, spread: actor.spread };
-        let discretiser = Discretiser::new(actor);
-        Self { network, inputs: actor.inputs, discretiser, gaussian, decides: actor.decides, tape }
+        Self { network, interface, gaussian, decides: actor.decides, tape }
     }
 
-    /// One episode of each task, decided as the actor does outside of training.
-    ///
-    /// # Panics
-    /// If it draws its actions and its network answers no spread.
-    pub fn trial(&self, start: Start, tasks: &[Task]) -> Trial {
-        let episode = |(place, task)| self.watch(start, place, task, |_pose| ());
-        trial::summarise(start, &tasks.iter().enumerate().map(episode).collect::<Vec<_>>())
+    /// One episode of each task.
+    pub fn endings<E: Environment<f32>>(&self, environment: &E, tasks: &[E::Task]) -> Vec<Ending> {
+        tasks.iter().enumerate().map(|(place, task)| self.watch(environment, place, task, |_episode| ())).collect()
     }
 
-    /// The episode at that place of a list; `each` sees the pose after every action.
-    ///
-    /// # Panics
-    /// As [`trial`](Self::trial).
-    pub fn watch(&self, start: Start, place: usize, task: &Task, each: impl FnMut(Pose)) -> Summary<f32> {
-        match self.decides {
-            Decides::ByMean => trial::watch(&ARM, self, start, task, each),
-            Decides::ByDraw => {
-                let mut random = Stream::new(0, place as u64, Purpose::Draws, 0);
-                trial::watch_drawn(&ARM, |seen| self.draw(seen, &mut random), start, task, each)
-            }
-        }
+    /// The episode at that place of a list, decided as the actor does outside of training; `each` sees it at its start and
+    /// after every action.
+    pub fn watch<E: Environment<f32>>(
+        &self,
+        environment: &E,
+        place: usize,
+        task: &E::Task,
+        each: impl FnMut(&E::Episode),
+    ) -> Ending {
+        let mut random = Stream::new(0, place as u64, Purpose::Draws, 0);
+        play(environment, task, |state, values| self.values(state, &mut random, values), each)
     }
 
-    fn draw(&self, seen: &Observation<f32>, random: &mut Stream) -> Move {
+    /// The values for a flat state, decided by the mean.
+    pub fn answer(&self, state: &[f32], values: &mut Vec<f32>) {
         let mut tape = self.tape.borrow_mut();
-        self.inputs.observe(&Frame::of(&ARM, seen), tape.input_mut());
-        self.network.forward(&mut tape);
-        let (mut noise, mut samples) = ([0.0; ACTIONS], Samples::default());
+        self.forward(state, &mut tape);
+        let action: Vec<f32> = tape.output()[..self.gaussian.actions].iter().map(|&mean| libm::tanhf(mean)).collect();
+        self.interface.values(&action, values);
+    }
+
+    /// The values for a flat state, decided as the actor does outside of training.
+    fn values(&self, state: &[f32], random: &mut Stream, values: &mut Vec<f32>) {
+        if self.decides.is_by_mean() {
+            return self.answer(state, values);
+        }
+        let mut tape = self.tape.borrow_mut();
+        self.forward(state, &mut tape);
+        let (mut noise, mut samples) = (vec![0.0; self.gaussian.actions], Samples::default());
         random.normals(&mut noise);
         self.gaussian.sample(tape.output(), &noise, &mut samples);
-        let preferences = std::array::from_fn(|joint| libm::atanhf(samples.actions[joint]));
-        self.discretiser.decide(preferences, seen.pose)
+        self.interface.values(&samples.actions, values);
     }
 
-    /// The means before the tanh.
-    pub fn preferences(&self, frame: &Frame<'_, f32>) -> [f32; ACTIONS] {
-        let mut tape = self.tape.borrow_mut();
-        self.inputs.observe(frame, tape.input_mut());
-        self.network.forward(&mut tape);
-        std::array::from_fn(|joint| tape.output()[joint])
-    }
-}
-
-impl Policy for ActorPolicy<'_> {
-    type State = Observation<f32>;
-    type Action = Move;
-
-    fn decide(&self, seen: &Observation<f32>) -> Move {
-        self.discretiser.decide(self.preferences(&Frame::of(&ARM, seen)), seen.pose)
+    fn forward(&self, state: &[f32], tape: &mut Tape<f32>) {
+        tape.input_mut().copy_from_slice(state);
+        self.interface.scale(tape.input_mut());
+        self.network.forward(tape);
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sac::config::Config;
-    use tpg_arm::WIDOWX;
+    use crate::sac::presets;
     use tpg_nn::Shape;
-    use tpg_problems::arm::targets::{Set, tasks};
+    use tpg_problems::Pendulum;
 
     #[test]
-    fn a_policy_that_draws_is_not_stopped_by_rest_and_draws_the_same_again() {
-        let mut actor = Config::preset("paper-fs").expect("a preset").actor;
-        let shape = Shape { inputs: 13, hidden: vec![8], outputs: 2 * ACTIONS, norm: false };
+    fn a_policy_that_draws_draws_the_same_again_and_not_its_mean() {
+        let interface = Interface::new(&Pendulum, true).expect("a torque");
+        let mut actor = presets::config(presets::find("general").expect("a preset")).expect("it is accepted").actor;
         let mut random = Stream::new(3, 0, Purpose::Test, 0);
+        let shape = Shape { inputs: 3, hidden: vec![8], outputs: 2, norm: false };
         let network = Mlp::random(shape, || random.unit());
-        let tasks = tasks(&WIDOWX, 3, Set::Validation, Start::Fs, 8);
-        let trial = |actor: &Actor| ActorPolicy::new(&network, actor).trial(Start::Fs, &tasks);
-        let drawn = trial(&actor);
-        assert_eq!(drawn, trial(&actor));
-        assert_eq!((drawn.failures.stop, drawn.failures.cycle), (0, 0));
-        actor.decides = Decides::ByMean;
-        let by_mean = trial(&actor);
-        assert_eq!(by_mean, trial::run(&ARM, &ActorPolicy::new(&network, &actor), Start::Fs, &tasks));
-        assert!(by_mean.failures.stop > 0, "a network that has not learned rests somewhere: {by_mean:?}");
-        assert!(drawn.mean_actions > by_mean.mean_actions);
+        let tasks = Environment::<f32>::validation_tasks(&Pendulum, 3);
+        let endings = |actor: &Actor| NetworkPolicy::new(&network, &interface, actor).endings(&Pendulum, &tasks);
+        let by_mean = endings(&actor);
+        actor.decides = Decides::ByDraw;
+        assert_eq!(endings(&actor), endings(&actor));
+        assert_ne!(endings(&actor), by_mean);
     }
 }

@@ -1,29 +1,27 @@
-//! The replay buffer: the last so many transitions.
+//! The replay buffer: the latest transitions.
 
 use tpg_engine::random::Stream;
 
-/// Components of an action.
-pub const ACTIONS: usize = tpg_arm::JOINTS;
-
-/// One transition: what was seen, done, earned and seen then.
+/// One transition: a state, an action, its reward and the next state.
 #[derive(Clone, Copy, Debug)]
 pub struct Transition<'a> {
     /// The inputs before.
     pub state: &'a [f32],
-    /// The continuous action, before discretisation and mask, each component in −1..1.
-    pub action: [f32; ACTIONS],
+    /// The action, each component in −1..1.
+    pub action: &'a [f32],
     /// The reward.
     pub reward: f32,
-    /// What the value of the next state is multiplied by: γ to the number of raw steps, 0 where the episode ended.
+    /// The factor of the next state's value: γ to the number of elementary steps, 0 where the episode ended.
     pub discount: f32,
     /// The inputs afterwards.
     pub next: &'a [f32],
 }
 
-/// A ring of transitions of `inputs` values a state.
+/// A ring of transitions of `inputs` values a state and `actions` components an action.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Replay {
     inputs: usize,
+    actions: usize,
     capacity: usize,
     /// Transitions ever added; the newest is at (added − 1) mod capacity.
     added: u64,
@@ -36,7 +34,7 @@ pub struct Replay {
 pub struct Batch {
     /// inputs × batch.
     pub states: Vec<f32>,
-    /// 4 × batch.
+    /// actions × batch.
     pub actions: Vec<f32>,
     /// One a sample.
     pub rewards: Vec<f32>,
@@ -48,11 +46,11 @@ pub struct Batch {
 
 impl Batch {
     /// An empty batch of that many samples.
-    pub fn new(inputs: usize, size: usize) -> Self {
+    pub fn new(inputs: usize, actions: usize, size: usize) -> Self {
         let zeros = |rows: usize| vec![0.0; rows * size];
         Self {
             states: zeros(inputs),
-            actions: zeros(ACTIONS),
+            actions: zeros(actions),
             rewards: zeros(1),
             discounts: zeros(1),
             next: zeros(inputs),
@@ -65,13 +63,13 @@ impl Replay {
     ///
     /// # Panics
     /// If `capacity` is 0.
-    pub fn new(inputs: usize, capacity: usize) -> Self {
+    pub fn new(inputs: usize, actions: usize, capacity: usize) -> Self {
         assert!(capacity > 0, "a buffer for nothing");
-        Self { inputs, capacity, added: 0, rows: Vec::new() }
+        Self { inputs, actions, capacity, added: 0, rows: Vec::new() }
     }
 
     fn width(&self) -> usize {
-        2 * self.inputs + ACTIONS + 2
+        2 * self.inputs + self.actions + 2
     }
 
     /// Transitions held.
@@ -79,7 +77,7 @@ impl Replay {
         self.rows.len() / self.width()
     }
 
-    /// Whether none is held.
+    /// True if none is held.
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()
     }
@@ -97,10 +95,10 @@ impl Replay {
         }
         let row = &mut self.rows[at..at + width];
         let (state, rest) = row.split_at_mut(self.inputs);
-        let (action, rest) = rest.split_at_mut(ACTIONS);
+        let (action, rest) = rest.split_at_mut(self.actions);
         let (numbers, next) = rest.split_at_mut(2);
         state.copy_from_slice(transition.state);
-        action.copy_from_slice(&transition.action);
+        action.copy_from_slice(transition.action);
         numbers.copy_from_slice(&[transition.reward, transition.discount]);
         next.copy_from_slice(transition.next);
         self.added += 1;
@@ -115,15 +113,16 @@ impl Replay {
         let width = self.width();
         let columns = batch.states.chunks_exact_mut(self.inputs).zip(batch.next.chunks_exact_mut(self.inputs));
         let numbers = batch.rewards.iter_mut().zip(&mut batch.discounts);
-        let actions = batch.actions.chunks_exact_mut(ACTIONS);
+        let actions = batch.actions.chunks_exact_mut(self.actions);
         for (((state, next), action), (reward, discount)) in columns.zip(actions).zip(numbers) {
             let row = &self.rows[random.below(self.len()) * width..][..width];
             let (from, rest) = row.split_at(self.inputs);
             state.copy_from_slice(from);
-            action.copy_from_slice(&rest[..ACTIONS]);
-            *reward = rest[ACTIONS];
-            *discount = rest[ACTIONS + 1];
-            next.copy_from_slice(&rest[ACTIONS + 2..]);
+            let (did, rest) = rest.split_at(self.actions);
+            action.copy_from_slice(did);
+            *reward = rest[0];
+            *discount = rest[1];
+            next.copy_from_slice(&rest[2..]);
         }
     }
 
@@ -133,8 +132,8 @@ impl Replay {
     }
 
     /// Continues from a [`state`](Self::state); `None` if it is none of such a buffer.
-    pub fn from_state(inputs: usize, capacity: usize, added: u64, rows: Vec<f32>) -> Option<Self> {
-        let buffer = Self { inputs, capacity, added, rows };
+    pub fn from_state(inputs: usize, actions: usize, capacity: usize, added: u64, rows: Vec<f32>) -> Option<Self> {
+        let buffer = Self { inputs, actions, capacity, added, rows };
         let held = added.min(capacity as u64) as usize;
         (capacity > 0 && buffer.rows.len() == held * buffer.width()).then_some(buffer)
     }
@@ -147,14 +146,14 @@ mod tests {
 
     fn push(buffer: &mut Replay, value: f32) {
         let (state, next) = ([value; 3], [value + 0.5; 3]);
-        buffer.push(Transition { state: &state, action: [value; 4], reward: value, discount: 0.9, next: &next });
+        buffer.push(Transition { state: &state, action: &[value; 4], reward: value, discount: 0.9, next: &next });
     }
 
     #[test]
     fn the_newest_transitions_stay_whole() {
-        let mut buffer = Replay::new(3, 10);
+        let mut buffer = Replay::new(3, 4, 10);
         (0..25).for_each(|value| push(&mut buffer, value as f32));
-        let mut batch = Batch::new(3, 400);
+        let mut batch = Batch::new(3, 4, 400);
         buffer.draw(&mut Stream::new(1, 0, Purpose::Test, 1), &mut batch);
         let mut seen = [0; 25];
         for (i, &reward) in batch.rewards.iter().enumerate() {
@@ -168,10 +167,10 @@ mod tests {
 
     #[test]
     fn it_continues_from_its_state_and_refuses_another() {
-        let mut buffer = Replay::new(3, 10);
+        let mut buffer = Replay::new(3, 4, 10);
         (0..25).for_each(|value| push(&mut buffer, value as f32));
         let (added, rows) = buffer.state();
-        assert_eq!(Replay::from_state(3, 10, added, rows.to_vec()).as_ref(), Some(&buffer));
-        assert!(Replay::from_state(3, 11, added, rows.to_vec()).is_none());
+        assert_eq!(Replay::from_state(3, 4, 10, added, rows.to_vec()).as_ref(), Some(&buffer));
+        assert!(Replay::from_state(3, 4, 11, added, rows.to_vec()).is_none());
     }
 }

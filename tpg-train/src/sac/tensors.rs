@@ -1,4 +1,4 @@
-//! Safetensors files: named `f32` tensors and one JSON text, read with suspicion.
+//! Safetensors files: named `f32` tensors and one JSON text, checked as they are read.
 
 use crate::files::write_atomically;
 use safetensors::tensor::{Dtype, SafeTensors, TensorView, serialize};
@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, HashMap};
 use std::fs::File;
 use std::io::Read as _;
 use std::path::Path;
-use tpg_graph::error::{InputError, Place};
+use tpg_graph::error::{Finding, InputError, Place};
 
 /// The metadata key that holds the JSON text. One key alone: several would be written in no fixed order.
 const KEY: &str = "tpg";
@@ -69,7 +69,7 @@ impl Tensors {
         let accepted = "a safetensors file";
         let file = File::open(path).map_err(|error| InputError::io(path, &error, accepted))?;
         let mut bytes = Vec::new();
-        // By what is really there, not by what the system says about the file: it may be a pipe.
+        // Reads instead of trusting the file's size: it may be a pipe.
         file.take(limit + 1).read_to_end(&mut bytes).map_err(|error| InputError::io(path, &error, accepted))?;
         let refuse = |found: String, accepted: String| {
             InputError::new(path.display().to_string(), Place::Whole, found, accepted)
@@ -77,26 +77,23 @@ impl Tensors {
         if bytes.len() as u64 > limit {
             return Err(refuse(format!("more than {limit} bytes"), format!("up to {limit} bytes")));
         }
-        Self::from_bytes(&bytes).map_err(|(place, found, accepted)| {
-            let place = if place.is_empty() { Place::Whole } else { Place::Path(place) };
-            InputError::new(path.display().to_string(), place, found, accepted)
-        })
+        Self::from_bytes(&bytes).map_err(|finding| place(path, finding))
     }
 
-    /// Reads the bytes of a file. The error says where, what was found and what is accepted.
+    /// Reads the bytes of a file.
     ///
     /// # Errors
     /// As [`read`](Self::read).
-    pub fn from_bytes(bytes: &[u8]) -> Result<Self, (String, String, String)> {
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self, Finding> {
         let no_file = |error: safetensors::SafeTensorError| {
-            (String::new(), format!("no safetensors: {error}"), "a whole safetensors file".to_owned())
+            Finding::new("", format!("no safetensors: {error}"), "a whole safetensors file")
         };
         let (_, metadata) = SafeTensors::read_metadata(bytes).map_err(no_file)?;
         let text = metadata.metadata().as_ref().and_then(|all| all.get(KEY)).cloned();
         let mut tensors = BTreeMap::new();
         for (name, view) in SafeTensors::deserialize(bytes).map_err(no_file)?.iter() {
             if view.dtype() != Dtype::F32 {
-                return Err((name.to_owned(), format!("numbers of type {:?}", view.dtype()), "F32".to_owned()));
+                return Err(Finding::new(name, format!("numbers of type {:?}", view.dtype()), "F32"));
             }
             let numbers =
                 view.data().chunks_exact(4).map(|bytes| f32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]));
@@ -104,6 +101,12 @@ impl Tensors {
         }
         Ok(Self { tensors, text })
     }
+}
+
+/// Places a finding in its file.
+pub fn place(path: &Path, Finding { key, found, accepted }: Finding) -> InputError {
+    let place = if key.is_empty() { Place::Whole } else { Place::Path(key) };
+    InputError::new(path.display().to_string(), place, found, accepted)
 }
 
 #[cfg(test)]
@@ -142,7 +145,7 @@ mod tests {
         let bytes = [0u8; 8];
         let view = TensorView::new(Dtype::F64, vec![1], &bytes).expect("one double");
         let file = serialize([("weight", view)], None).expect("a file");
-        assert_eq!(Tensors::from_bytes(&file).map_err(|(place, ..)| place), Err("weight".to_owned()));
+        assert_eq!(Tensors::from_bytes(&file).map_err(|finding| finding.key), Err("weight".to_owned()));
         let folder = tempfile::tempdir().expect("a temporary folder");
         let path = folder.path().join("large");
         std::fs::write(&path, example().to_bytes()).expect("the folder can be written");

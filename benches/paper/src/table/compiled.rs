@@ -15,11 +15,12 @@ use tpg_generated::widowx_rs::WidowxRs;
 use tpg_generated::widowx_rs_fast::WidowxRsFast;
 use tpg_generated::{widowx_fs_hybrid, widowx_rs_hybrid, widowx_sac};
 use tpg_nn::{Mlp, Shape};
+use tpg_problems::ContinuousProblem;
+use tpg_problems::arm::motors::ARM;
 use tpg_problems::arm::targets::{Start, Task};
 use tpg_runtime::policy::Policy;
-use tpg_train::sac::config::Config;
-use tpg_train::sac::lanes::ARM;
-use tpg_train::sac::policy::ActorPolicy;
+use tpg_train::actor::policy::ActorPolicy;
+use tpg_train::sac::presets;
 
 /// Times of a shipped hybrid and its parts.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,16 +82,20 @@ pub fn measure(start: Start, tasks: &[Task]) -> Costs {
 /// Measures the paper's network with the trainer's own matrix product; its weights are random, so it follows the
 /// shipped policy's trajectory.
 fn wide(start: Start, tasks: &[Task]) -> Time {
-    let actor = Config::preset("paper-fs").expect("it comes with the trainer").actor;
+    let preset = presets::find("paper-fs").expect("it comes with the trainer");
+    let actor = presets::config(preset).expect("it is accepted").actor;
+    let Ok(ContinuousProblem::Motors(_, motors)) = ContinuousProblem::from_toml(preset.name, preset.text) else {
+        panic!("the preset is for the arm")
+    };
     let shape = Shape {
-        inputs: actor.inputs.count(),
+        inputs: motors.inputs.count(),
         hidden: actor.hidden.clone(),
         outputs: 2 * JOINTS,
         norm: actor.layer_norm,
     };
     let mut random = Stream::new(1, 0, Purpose::Weights, 0);
     let weights = Mlp::random(shape, || random.unit());
-    timing::of_policy_along(&ARM, &ActorPolicy::new(&weights, &actor), &network(), start, tasks)
+    timing::of_policy_along(&ARM, &ActorPolicy::new(&weights, &motors, &actor), &network(), start, tasks)
 }
 
 fn fs() -> impl Policy<State = Observation<f32>, Action = Move> + Clone {

@@ -14,8 +14,8 @@ use tpg_problems::arm::planner::{Choice, Planner};
 use tpg_problems::arm::targets::{Start, Task};
 use tpg_problems::arm::trial::{Trial, run};
 use tpg_problems::arm::{ArmProblem, ArmTask};
+use tpg_train::actor::file::Actor;
 use tpg_train::evaluate::arm::shielded_endings_of;
-use tpg_train::hybrid::actor::Actor;
 use tpg_train::hybrid::graph::read_graph;
 
 /// Trainings that differ only in their seed: `[[fs.learned]]` and `[[rs.learned]]`.

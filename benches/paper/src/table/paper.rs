@@ -20,9 +20,9 @@ use tpg_graph::import::{self, Profile};
 use tpg_problems::arm::targets::Start;
 use tpg_runtime::ops::System;
 use tpg_runtime::policy::Policy;
-use tpg_train::hybrid::actor::Narrowed;
 use tpg_train::hybrid::choice::Spread;
 use tpg_train::hybrid::graph::GraphPolicy;
+use tpg_train::hybrid::narrowed::Narrowed;
 use tpg_train::hybrid::setting::{HandBack, Setting};
 
 /// A row of the paper's table 2: distance in mm, success in % and collision in %, as printed; and the mean and standard

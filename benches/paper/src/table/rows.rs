@@ -12,7 +12,7 @@ use tpg_graph::error::{InputError, Place};
 use tpg_problems::arm::planner::{Choice, Planner};
 use tpg_problems::arm::targets::{Start, Task};
 use tpg_problems::arm::trial::{Trial, run, run_allowing_collisions};
-use tpg_train::hybrid::actor::Actor;
+use tpg_train::actor::file::Actor;
 use tpg_train::hybrid::choice::Spread;
 use tpg_train::hybrid::graph::read_graph;
 use tpg_train::hybrid::setting::{HybridFile, Setting};

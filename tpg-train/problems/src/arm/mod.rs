@@ -5,7 +5,8 @@
 //! | [`environment`] | the arm as an [`Environment`](tpg_engine::Environment), many episodes in parallel |
 //! | [`binding`] | translation of a graph's sources and actions |
 //! | [`config`] | the arm's section of a configuration |
-//! | [`shield`] | masks for actions of a graph |
+//! | [`shield`] | actions that a graph cannot choose |
+//! | [`motors`] | the arm by its four motors, for policies with outputs |
 //! | [`description`] | an arm as a section of a configuration |
 //! | [`targets`] | tasks over the reachable space |
 //! | [`ik`] | inverse kinematics: poses that solve a task |
@@ -17,6 +18,7 @@ pub mod config;
 pub mod description;
 pub mod environment;
 pub mod ik;
+pub mod motors;
 pub mod planner;
 pub mod shield;
 pub mod targets;

@@ -1,9 +1,7 @@
-//! A trained actor in integers: calibration, and the policy that the trainer evaluates.
+//! An actor of the arm in integers: calibration, and the policy that the trainer evaluates.
 
-use super::config::{Actor, Inputs};
-use super::lanes::ARM;
-use super::policy::ActorPolicy;
-use super::replay::ACTIONS;
+use super::file::FloatActor;
+use crate::sac::integers::deciding_layers;
 use tpg_arm::cycle::Brent;
 use tpg_arm::episode::Episode;
 use tpg_arm::frame::Frame;
@@ -11,9 +9,10 @@ use tpg_arm::observation::Observation;
 use tpg_arm::sac::fixed::{FixedDecision, quantise as quantise_features};
 use tpg_arm::sac::{Actions, FEATURE_NAMES, Mask, features};
 use tpg_arm::{JOINTS, Move, WIDOWX};
-use tpg_codegen::policy::{FloatLayer, Input, Output, Preferences, QuantisedPolicy, quantise};
+use tpg_codegen::policy::{Input, Output, Preferences, QuantisedPolicy, quantise};
 use tpg_graph::error::{InputError, Place};
-use tpg_nn::{Mlp, Tape};
+use tpg_nn::Tape;
+use tpg_problems::arm::motors::{ARM, Inputs};
 use tpg_problems::arm::targets::{Set, Start, tasks};
 use tpg_runtime::net::Kind;
 use tpg_runtime::policy::Policy;
@@ -27,52 +26,40 @@ const EPISODES: usize = 100;
 /// If it has other inputs than the features, LayerNorm, or numbers that do not fit.
 pub fn quantise_actor(
     file: &str,
-    network: &Mlp<f32>,
-    actor: &Actor,
+    float: &FloatActor,
     source_sha256: String,
     kind: Kind,
     seed: u64,
 ) -> Result<QuantisedPolicy, InputError> {
     let refuse = |found: String, accepted: &str| InputError::new(file, Place::Whole, found, accepted);
-    if actor.inputs != Inputs::Features || actor.layer_norm {
-        let found = format!("inputs {:?}, layer_norm {}", actor.inputs, actor.layer_norm);
+    let FloatActor { network, motors, actor } = float;
+    if motors.inputs != Inputs::Features || actor.layer_norm {
+        let found = format!("inputs {:?}, layer_norm {}", motors.inputs, actor.layer_norm);
         return Err(refuse(found, "the inputs \"features\" without LayerNorm"));
     }
-    let mut inputs = network.shape().inputs;
-    let mut layers = Vec::new();
-    for (mut weights, mut bias) in network.weights() {
-        if layers.len() == actor.hidden.len() {
-            // The second half, the spreads, is training's alone.
-            weights.truncate(ACTIONS * inputs);
-            bias.truncate(ACTIONS);
-        }
-        let outputs = bias.len();
-        layers.push(FloatLayer { inputs, weights, bias });
-        inputs = outputs;
-    }
-    let layers = quantise(&layers, &greatest_activations(network, actor, seed), kind)
+    let layers = quantise(&deciding_layers(network, JOINTS), &greatest_activations(float, seed), kind)
         .map_err(|error| refuse(error.to_string(), "a network whose numbers fit"))?;
     let preferences = Preferences {
-        actions: actor.actions.name().to_owned(),
-        mask: actor.mask.name().to_owned(),
-        may_rest: actor.may_rest,
+        actions: motors.actions.name().to_owned(),
+        mask: motors.mask.name().to_owned(),
+        may_rest: motors.may_rest,
     };
     let inputs = FEATURE_NAMES.map(Input::plain).into();
     QuantisedPolicy::new(source_sha256, inputs, Output::Preferences(preferences), kind, layers)
 }
 
 /// The greatest activation behind each hidden layer, over the calibration episodes.
-fn greatest_activations(network: &Mlp<f32>, actor: &Actor, seed: u64) -> Vec<f32> {
-    let policy = ActorPolicy::new(network, actor);
-    let mut tape = Tape::new(network.shape(), 1);
-    let mut greatest = vec![0.0f32; actor.hidden.len()];
+fn greatest_activations(float: &FloatActor, seed: u64) -> Vec<f32> {
+    let policy = float.policy();
+    let mut tape = Tape::new(float.network.shape(), 1);
+    let mut greatest = vec![0.0f32; float.actor.hidden.len()];
     for start in [Start::Fs, Start::Rs] {
         for task in tasks(&WIDOWX, seed, Set::Training, start, EPISODES) {
             let mut episode = Episode::new(&ARM, task.problem(start), Brent::new());
             loop {
                 let seen = *episode.observation();
-                actor.inputs.observe(&Frame::of(&ARM, &seen), tape.input_mut());
-                network.forward(&mut tape);
+                float.motors.inputs.observe(&Frame::of(&ARM, &seen), tape.input_mut());
+                float.network.forward(&mut tape);
                 for (layer, greatest) in greatest.iter_mut().enumerate() {
                     *greatest = tape.activations(layer).iter().copied().fold(*greatest, f32::max);
                 }
@@ -85,7 +72,7 @@ fn greatest_activations(network: &Mlp<f32>, actor: &Actor, seed: u64) -> Vec<f32
     greatest
 }
 
-/// A policy in integers behind the features.
+/// A network in integers behind the features.
 #[derive(Debug)]
 pub struct FixedActor {
     policy: QuantisedPolicy,
@@ -93,7 +80,7 @@ pub struct FixedActor {
 }
 
 impl FixedActor {
-    /// Of a checked policy.
+    /// The actor of a checked policy.
     ///
     /// # Errors
     /// If it is not a network of the arm's features with a preference for each joint.

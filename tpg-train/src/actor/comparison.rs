@@ -1,8 +1,7 @@
-//! An actor in integers beside the same in floating point: what `tpg-train quantise --report` writes.
+//! An actor of the arm in integers beside the same in floating point, as `tpg-train quantise --report` writes it.
 
-use super::config::Actor;
+use super::file::FloatActor;
 use super::fixed::FixedActor;
-use super::lanes::ARM;
 use super::policy::ActorPolicy;
 use serde::Serialize;
 use std::cell::Cell;
@@ -11,7 +10,7 @@ use tpg_arm::observation::Observation;
 use tpg_arm::{JOINTS, Move, WIDOWX};
 use tpg_codegen::policy::QuantisedPolicy;
 use tpg_graph::error::InputError;
-use tpg_nn::Mlp;
+use tpg_problems::arm::motors::ARM;
 use tpg_problems::arm::targets::{Set, Start, tasks};
 use tpg_problems::arm::trial::{self, Trial};
 use tpg_runtime::policy::Policy;
@@ -23,17 +22,17 @@ const SEED: u64 = 1_000;
 /// Size, cost and quality.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Comparison {
-    /// How many bits weights and activations have.
+    /// The widths of weights and activations.
     pub kind: String,
-    /// Of its constants.
+    /// Bytes of its constants.
     pub bytes: usize,
     /// Multiplications of a weight that one decision costs.
     pub multiplications: usize,
-    /// On each start.
+    /// The episodes of each start.
     pub starts: Vec<OnStart>,
 }
 
-/// What came of the episodes of one start.
+/// The result of the episodes of one start.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct OnStart {
     /// Observations on the way of the policy in floating point.
@@ -48,7 +47,7 @@ pub struct OnStart {
     pub fixed: Trial,
 }
 
-/// A policy that another one watches.
+/// A policy in floating point, compared with one in integers at every step.
 struct Watched<'a> {
     float: &'a ActorPolicy<'a>,
     fixed: &'a FixedActor,
@@ -70,12 +69,12 @@ impl Policy for Watched<'_> {
 }
 
 impl Comparison {
-    /// Of an actor and its integers.
+    /// The comparison of an actor and its integers.
     ///
     /// # Errors
     /// As [`FixedActor::new`].
-    pub fn new(network: &Mlp<f32>, actor: &Actor, policy: &QuantisedPolicy) -> Result<Self, InputError> {
-        let (float, fixed) = (ActorPolicy::new(network, actor), FixedActor::new(policy.clone())?);
+    pub fn new(actor: &FloatActor, policy: &QuantisedPolicy) -> Result<Self, InputError> {
+        let (float, fixed) = (actor.policy(), FixedActor::new(policy.clone())?);
         let starts = [Start::Fs, Start::Rs].map(|start| {
             let tasks = tasks(&WIDOWX, SEED, Set::Validation, start, EPISODES);
             let watched = Watched { float: &float, fixed: &fixed, counts: Cell::default() };

@@ -1,0 +1,145 @@
+//! The section `[problem]` of a configuration for the arm by its motors.
+
+use super::Inputs;
+use crate::arm::targets::TOLERANCE;
+use serde::{Deserialize, Serialize};
+use tpg_arm::sac::{Actions, Mask};
+use tpg_graph::error::Finding;
+
+/// Ticks of a coarse action in tests.
+const TICKS: i8 = 3;
+
+/// The section `[problem]` for the arm by its motors: inputs, decision, rules and reward of training.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Config {
+    /// The values that an actor reads.
+    pub inputs: Inputs,
+    /// "fine" or "coarse".
+    #[serde(with = "actions_name")]
+    pub actions: Actions,
+    /// "none" or "joint-limits".
+    #[serde(with = "mask_name")]
+    pub mask: Mask,
+    /// Whether the arm may rest; otherwise the strongest preference moves.
+    pub may_rest: bool,
+    /// The fraction of training episodes that start at home; the others start anywhere.
+    pub fixed_start_share: f64,
+    /// The fraction of trial episodes, which look for failures, that start at home.
+    pub trial_fixed_share: f64,
+    /// The number of steps after which a training episode is cut off, which is no failure.
+    pub max_steps: u32,
+    /// In training an action is repeated for d / this many mm steps.
+    pub repeat_per_mm: f32,
+    /// The most steps that an action is repeated for. 1: no repeats.
+    pub repeat_most: u32,
+    /// Whether an invalid step ends a training episode. The paper's training went on after it.
+    pub invalid_ends: bool,
+    /// Ticks of a coarse action in training. Tests always move by 3.
+    pub step: i8,
+    /// The distance below which a training episode succeeds, mm. In tests it is 3 mm.
+    pub tolerance: f64,
+    /// Whether rest, and a pose that comes again, end a test: no if the policy draws its actions.
+    pub stuck_ends: bool,
+    /// The reward of training.
+    pub reward: Reward,
+}
+
+/// The reward of one action in training; d is the distance in mm, 0 before and 1 after it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Reward {
+    /// For each step.
+    pub step: f32,
+    /// Times ln((d0 + 3)/(d1 + 3)).
+    pub log_distance: f32,
+    /// Times (d0 − d1).
+    pub distance: f32,
+    /// Times (D0 − D1), D being the steps to the nearest pose that solves the task: privileged knowledge.
+    pub steps_to_goal: f32,
+    /// Times d1, unless the action ended the episode.
+    pub remaining_distance: f32,
+    /// On success.
+    pub success: f32,
+    /// On an invalid step.
+    pub invalid: f32,
+    /// All of it is multiplied by this.
+    pub scale: f32,
+}
+
+impl Reward {
+    /// Whether the reward knows poses that solve the task.
+    pub fn knows_goals(&self) -> bool {
+        self.steps_to_goal != 0.0
+    }
+}
+
+impl Default for Config {
+    /// The project's own: features, fine actions, a reward that knows solving poses.
+    fn default() -> Self {
+        Self {
+            inputs: Inputs::Features,
+            actions: Actions::Fine,
+            mask: Mask::JointLimits,
+            may_rest: false,
+            fixed_start_share: 0.3,
+            trial_fixed_share: 0.25,
+            max_steps: 1000,
+            repeat_per_mm: 12.0,
+            repeat_most: 8,
+            invalid_ends: true,
+            step: TICKS,
+            tolerance: TOLERANCE,
+            stuck_ends: true,
+            reward: Reward {
+                step: -0.05,
+                log_distance: 2.0,
+                distance: 0.0,
+                steps_to_goal: 0.1,
+                remaining_distance: 0.0,
+                success: 5.0,
+                invalid: -5.0,
+                scale: 1.0,
+            },
+        }
+    }
+}
+
+impl Config {
+    /// Checks ranges and contradictions.
+    ///
+    /// # Errors
+    /// The first setting that is wrong.
+    pub fn check(&self) -> Result<(), Finding> {
+        Finding::range("problem.fixed_start_share", self.fixed_start_share, 0.0, 1.0)?;
+        Finding::range("problem.trial_fixed_share", self.trial_fixed_share, 0.0, 1.0)?;
+        Finding::range("problem.max_steps", self.max_steps, 1, 1_000_000)?;
+        Finding::range("problem.repeat_per_mm", self.repeat_per_mm, 1e-3, 1e6)?;
+        Finding::range("problem.repeat_most", self.repeat_most, 1, 1_000_000)?;
+        Finding::range("problem.tolerance", self.tolerance, 1e-3, 1e3)?;
+        if self.step != TICKS && (self.step < 1 || self.actions != Actions::Coarse) {
+            return Err(Finding::new("problem.step", self.step, "3; with coarse actions, 1 to 127"));
+        }
+        Ok(())
+    }
+}
+
+macro_rules! by_name {
+    ($module:ident, $type:ty, $accepted:expr) => {
+        mod $module {
+            use serde::de::{Deserialize, Deserializer, Error};
+            use serde::ser::Serializer;
+
+            pub(super) fn serialize<S: Serializer>(value: &$type, to: S) -> Result<S::Ok, S::Error> {
+                to.serialize_str(value.name())
+            }
+
+            pub(super) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<$type, D::Error> {
+                let name = String::deserialize(from)?;
+                <$type>::from_name(&name).ok_or_else(|| D::Error::unknown_variant(&name, &$accepted))
+            }
+        }
+    };
+}
+by_name!(actions_name, tpg_arm::sac::Actions, ["fine", "coarse"]);
+by_name!(mask_name, tpg_arm::sac::Mask, ["none", "joint-limits"]);

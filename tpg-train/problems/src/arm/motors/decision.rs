@@ -1,0 +1,33 @@
+//! From an actor's preferences to a move of the arm.
+
+use super::{ARM, Config};
+use tpg_arm::sac::{Actions, Decision, TRAINED_COARSE, TRAINED_FINE};
+use tpg_arm::{JOINTS, Move, Pose};
+
+/// The decision behind an actor, for either set of actions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Discretiser {
+    /// −3 to 3 ticks.
+    Fine(Decision<f32, 3>),
+    /// −3, 0 or 3 ticks.
+    Coarse(Decision<f32, 1>),
+}
+
+impl Discretiser {
+    /// The decision that a configuration asks for.
+    pub fn new(config: &Config) -> Self {
+        let (mask, may_rest) = (config.mask, config.may_rest);
+        match config.actions {
+            Actions::Fine => Self::Fine(Decision { steps: TRAINED_FINE, mask, may_rest }),
+            Actions::Coarse => Self::Coarse(Decision { steps: TRAINED_COARSE, mask, may_rest }),
+        }
+    }
+
+    /// The move for preferences before the tanh.
+    pub fn decide(&self, preferences: [f32; JOINTS], pose: Pose) -> Move {
+        match self {
+            Self::Fine(decision) => decision.decide(preferences, pose, &ARM.ranges),
+            Self::Coarse(decision) => decision.decide(preferences, pose, &ARM.ranges),
+        }
+    }
+}

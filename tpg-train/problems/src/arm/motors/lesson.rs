@@ -1,0 +1,106 @@
+//! An episode under the rules of training: a shaped reward, repeated actions, a cut that is no failure.
+
+use super::{ARM, Config};
+use crate::arm::environment::outcome_number;
+use crate::arm::ik;
+use tpg_arm::episode::Outcome;
+use tpg_arm::frame::Frame;
+use tpg_arm::{JOINTS, Move, Pose, WIDOWX, kinematics};
+use tpg_engine::{End, Step};
+
+/// A training episode under way.
+#[derive(Clone, Debug)]
+pub(super) struct Lesson {
+    pose: Pose,
+    target: [f64; 3],
+    /// Steps done.
+    steps: u32,
+    /// Poses that solve the task, for a reward that knows them.
+    goals: Vec<[i16; JOINTS]>,
+    distance: f32,
+    steps_to_goal: f32,
+}
+
+impl Lesson {
+    pub(super) fn new(config: &Config, pose: Pose, target: [f64; 3]) -> Self {
+        let goals = if config.reward.knows_goals() { ik::goals(&WIDOWX, target) } else { Vec::new() };
+        let goals: Vec<[i16; JOINTS]> = goals.into_iter().map(|pose| pose.0).collect();
+        let distance = distance(pose, target);
+        let steps_to_goal = steps_to_goal(pose, &goals);
+        Self { pose, target, steps: 0, goals, distance, steps_to_goal }
+    }
+
+    pub(super) fn pose(&self) -> Pose {
+        self.pose
+    }
+
+    pub(super) fn target(&self) -> [f64; 3] {
+        self.target
+    }
+
+    pub(super) fn distance(&self) -> f32 {
+        self.distance
+    }
+
+    pub(super) fn frame(&self) -> Frame<'static, f32> {
+        Frame::at(&ARM, self.pose, self.target.map(|mm| mm as f32))
+    }
+
+    /// Takes one action: a step that is decided anew in every pose, repeated far from the target.
+    pub(super) fn step(&mut self, config: &Config, decide: impl Fn(Pose) -> Move) -> Step {
+        let reward = &config.reward;
+        let repeats = ((self.distance / config.repeat_per_mm) as u32).clamp(1, config.repeat_most);
+        let (distance_before, to_goal_before) = (self.distance, self.steps_to_goal);
+        let (mut steps, mut outcome, mut invalid) = (0, None, None);
+        while steps < repeats && outcome.is_none() {
+            let wanted = decide(self.pose);
+            let wanted =
+                if config.step == 3 { wanted } else { Move(wanted.0.map(|ticks| ticks.signum() * config.step)) };
+            let step = ARM.step(self.pose, wanted);
+            self.pose = step.pose;
+            self.distance = distance(self.pose, self.target);
+            steps += 1;
+            self.steps += 1;
+            invalid = step.invalid;
+            if let (Some(invalid), true) = (invalid, config.invalid_ends) {
+                outcome = Some(Outcome::Invalid(invalid));
+            } else if f64::from(self.distance) < config.tolerance {
+                outcome = Some(Outcome::Reached);
+            } else if self.steps >= config.max_steps {
+                outcome = Some(Outcome::Timeout);
+            }
+        }
+        self.steps_to_goal = steps_to_goal(self.pose, &self.goals);
+        let over = matches!(outcome, Some(Outcome::Reached | Outcome::Invalid(_)));
+        let remaining = if over { 0.0 } else { self.distance };
+        let earned = reward.step * steps as f32
+            + reward.log_distance * libm::logf((distance_before + 3.0) / (self.distance + 3.0))
+            + reward.distance * (distance_before - self.distance)
+            + reward.steps_to_goal * (to_goal_before - self.steps_to_goal)
+            + reward.remaining_distance * remaining
+            + if outcome == Some(Outcome::Reached) { reward.success } else { 0.0 }
+            + if invalid.is_some() { reward.invalid } else { 0.0 };
+        let end = outcome.map(|outcome| End {
+            outcome: outcome_number(outcome),
+            success: Some(outcome == Outcome::Reached),
+            measure: f64::from(self.distance),
+            truncated: !over,
+        });
+        Step { reward: f64::from(reward.scale * earned), repeats: steps, end }
+    }
+}
+
+fn distance(pose: Pose, target: [f64; 3]) -> f32 {
+    kinematics::distance(kinematics::hand(&ARM, pose), target.map(|mm| mm as f32))
+}
+
+/// The steps to the nearest goal with all motors moving at once: (max + 0.02 Σ of the ticks to go)/3, at most 1000.
+fn steps_to_goal(pose: Pose, goals: &[[i16; JOINTS]]) -> f32 {
+    // In hundredths of a tick: whole numbers, which compilers put into vectors.
+    let cost = |goal: &[i16; JOINTS]| {
+        let [a, b, c, d] = std::array::from_fn(|joint| i32::from((pose.0[joint] - goal[joint]).abs()));
+        100 * a.max(b).max(c.max(d)) + 2 * (a + b + c + d)
+    };
+    let least = goals.iter().map(cost).min().unwrap_or(0);
+    (least as f32 / 300.0).min(1000.0)
+}

@@ -1,0 +1,207 @@
+//! The arm by its four motors: preferences that become steps, as soft actor-critics act.
+//!
+//! | module | subject |
+//! | --- | --- |
+//! | (root) | [`Motors`], the environment |
+//! | [`config`] | the section `[problem]` |
+//! | [`inputs`] | the inputs of an actor |
+//! | [`decision`] | from preferences to a move |
+//! | [`lesson`] | an episode under the rules of training: shaped reward, repeated actions |
+//! | [`trial`] | an episode under the rules of tests |
+
+pub mod config;
+pub mod decision;
+pub mod inputs;
+mod lesson;
+mod trial;
+
+pub use config::{Config, Reward};
+pub use decision::Discretiser;
+pub use inputs::Inputs;
+
+use super::environment::{DISTANCE, OUTCOMES};
+use super::ik;
+use super::targets::{self, Reach, Set, Start};
+use lesson::Lesson;
+use serde::{Deserialize, Serialize};
+use tpg_arm::{Arm, JOINTS, Pose, WIDOWX};
+use tpg_engine::random::Stream;
+use tpg_engine::{Act, ActionSpace, Environment, Measure, Output, Preference, SourceSet, Step};
+use tpg_graph::SourceDocument;
+use trial::Trial;
+
+/// The arm that actors are trained on, in the precision that they run in.
+pub const ARM: Arm<f32> = WIDOWX.to_f32();
+
+/// The names of the motors, in order.
+pub const MOTORS: [&str; JOINTS] = ["base", "shoulder", "elbow", "wrist"];
+
+/// The arm, driven by a preference of −1 to 1 for each motor.
+///
+/// Training episodes have a shaped reward, may repeat an action, and are cut off without failing. Episodes of validation
+/// and trial tasks follow the rules of tests: single steps, the paper's score.
+#[derive(Clone, Debug)]
+pub struct Motors {
+    start: Start,
+    config: Config,
+    discretiser: Discretiser,
+    seed: u64,
+    reach: Reach,
+}
+
+/// One episode's task.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MotorsTask {
+    /// Where the arm starts, ticks.
+    pub start: [i16; JOINTS],
+    /// Where the hand shall go, mm.
+    pub target: [f64; 3],
+    /// The rules of the episode.
+    pub rules: Rules,
+}
+
+/// The rules of an episode.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Rules {
+    /// Those of the configuration.
+    Training,
+    /// Those of tests, with the limit of that start.
+    Test(Start),
+}
+
+/// An episode under way.
+#[derive(Clone, Debug)]
+pub struct MotorsEpisode(Course);
+
+#[derive(Clone, Debug)]
+enum Course {
+    Lesson(Lesson),
+    Trial(Box<Trial>),
+}
+
+impl MotorsEpisode {
+    /// The arm's pose.
+    pub fn pose(&self) -> Pose {
+        match &self.0 {
+            Course::Lesson(lesson) => lesson.pose(),
+            Course::Trial(trial) => trial.pose(),
+        }
+    }
+}
+
+impl Motors {
+    /// The problem of that start. The space that tasks are drawn from, and the validation tasks, depend on `seed`.
+    pub fn new(start: Start, config: Config, seed: u64) -> Self {
+        let reach = Reach::sample(&WIDOWX, seed, Set::Training);
+        Self { start, discretiser: Discretiser::new(&config), config, seed, reach }
+    }
+
+    /// The settings.
+    pub fn config(&self) -> &Config {
+        &self.config
+    }
+
+    /// A task that training can use: where the reward needs poses that solve it, some are known.
+    fn fresh(&self, start: Start, rules: Rules, stream: &mut Stream) -> MotorsTask {
+        loop {
+            let targets::Task { start, target } = self.reach.task(start, stream);
+            if !self.config.reward.knows_goals() || !ik::goals(&WIDOWX, target).is_empty() {
+                return MotorsTask { start: start.0, target, rules };
+            }
+        }
+    }
+}
+
+impl Environment<f32> for Motors {
+    type Task = MotorsTask;
+    type Episode = MotorsEpisode;
+
+    fn sources(&self) -> Vec<SourceDocument> {
+        // Dimensionless already: nothing to scale.
+        let unknown = [f64::NEG_INFINITY, f64::INFINITY];
+        self.config.inputs.names().iter().map(|name| crate::source(name, "", unknown)).collect()
+    }
+
+    fn actions(&self) -> ActionSpace {
+        let output = |name: &str| Output { name: name.to_owned(), unit: String::new(), min: -1.0, max: 1.0 };
+        ActionSpace::Box(MOTORS.map(output).into())
+    }
+
+    fn outcomes(&self) -> &'static [&'static str] {
+        &OUTCOMES
+    }
+
+    fn measure(&self) -> Option<Measure> {
+        Some(DISTANCE)
+    }
+
+    fn preference(&self) -> Preference {
+        Preference::Success
+    }
+
+    /// Every episode ends by its own rules before.
+    fn time_limit(&self) -> u32 {
+        self.config.max_steps.max(Start::Rs.max_actions())
+    }
+
+    fn draw(&self, stream: &mut Stream) -> MotorsTask {
+        let start = if stream.chance(self.config.fixed_start_share) { Start::Fs } else { Start::Rs };
+        self.fresh(start, Rules::Training, stream)
+    }
+
+    fn validation_tasks(&self, count: usize) -> Vec<MotorsTask> {
+        let tasks = targets::tasks(&WIDOWX, self.seed, Set::Validation, self.start, count);
+        let rules = Rules::Test(self.start);
+        tasks.into_iter().map(|task| MotorsTask { start: task.start.0, target: task.target, rules }).collect()
+    }
+
+    /// Random starts first, then fixed ones.
+    fn trial_tasks(&self, stream: &mut Stream, count: usize) -> Vec<MotorsTask> {
+        let fixed = (count as f64 * self.config.trial_fixed_share).round() as usize;
+        let mut tasks = Vec::with_capacity(count);
+        for (start, count) in [(Start::Rs, count - fixed), (Start::Fs, fixed)] {
+            tasks.extend((0..count).map(|_| self.fresh(start, Rules::Test(start), stream)));
+        }
+        tasks
+    }
+
+    /// Training begins there, unless the hand is at its target already.
+    fn task_from(&self, episode: &MotorsEpisode) -> Option<MotorsTask> {
+        let (pose, target, distance) = match &episode.0 {
+            Course::Lesson(lesson) => (lesson.pose(), lesson.target(), lesson.distance()),
+            Course::Trial(trial) => (trial.pose(), trial.target(), trial.distance()),
+        };
+        let rules = Rules::Training;
+        (f64::from(distance) > self.config.tolerance).then_some(MotorsTask { start: pose.0, target, rules })
+    }
+
+    fn start(&self, task: &MotorsTask) -> MotorsEpisode {
+        let pose = Pose(task.start);
+        MotorsEpisode(match task.rules {
+            Rules::Training => Course::Lesson(Lesson::new(&self.config, pose, task.target)),
+            Rules::Test(start) => Course::Trial(Box::new(Trial::new(start, pose, task.target))),
+        })
+    }
+
+    fn observe(&self, episode: &mut MotorsEpisode, _wanted: SourceSet, state: &mut [f32]) {
+        let frame = match &episode.0 {
+            Course::Lesson(lesson) => lesson.frame(),
+            Course::Trial(trial) => trial.frame(),
+        };
+        self.config.inputs.observe(&frame, state);
+    }
+
+    fn step(&self, episode: &mut MotorsEpisode, act: Act<'_, f32>) -> Step {
+        let values = act.values();
+        let preferences = std::array::from_fn(|joint| libm::atanhf(values[joint]));
+        let decide = |pose| self.discretiser.decide(preferences, pose);
+        match &mut episode.0 {
+            Course::Lesson(lesson) => lesson.step(&self.config, decide),
+            Course::Trial(trial) => trial.step(decide, self.config.stuck_ends),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

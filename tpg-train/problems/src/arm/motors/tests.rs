@@ -1,0 +1,75 @@
+//! Tests of the arm by its motors.
+
+use super::{Config, Motors, MotorsTask, Rules};
+use crate::arm::targets::{Set, Start, tasks};
+use tpg_arm::sac::{Actions, Mask};
+use tpg_arm::{Pose, WIDOWX};
+use tpg_engine::random::{Purpose, Stream};
+use tpg_engine::{Act, Environment, SourceSet};
+
+fn coarse(step: i8) -> Config {
+    Config { actions: Actions::Coarse, mask: Mask::None, may_rest: true, step, repeat_most: 1, ..Config::default() }
+}
+
+#[test]
+fn training_moves_by_the_step_of_its_configuration_and_tests_by_three() {
+    let task = tasks(&WIDOWX, 1, Set::Training, Start::Fs, 1)[0];
+    for (step, rules, ticks) in [(3, Rules::Training, 3), (5, Rules::Training, 5), (5, Rules::Test(Start::Fs), 3)] {
+        let motors = Motors::new(Start::Fs, coarse(step), 1);
+        let mut episode = motors.start(&MotorsTask { start: task.start.0, target: task.target, rules });
+        // Under a third; above; zero; far above.
+        motors.step(&mut episode, Act::Values(&[0.3, -0.4, 0.0, 0.999]));
+        let moved: Vec<i16> = episode.pose().0.iter().zip(task.start.0).map(|(after, before)| after - before).collect();
+        assert_eq!(moved, [0, -ticks, 0, ticks], "{step} {rules:?}");
+    }
+}
+
+#[test]
+fn a_cut_is_truncated_and_an_invalid_step_is_not() {
+    let config = Config { max_steps: 4, ..coarse(3) };
+    let motors = Motors::new(Start::Fs, config, 1);
+    let task = motors.draw(&mut Stream::new(1, 0, Purpose::Test, 0));
+    let mut episode = motors.start(&task);
+    let ends: Vec<_> = (0..4).map(|_| motors.step(&mut episode, Act::Values(&[0.0; 4])).end).collect();
+    assert!(ends[..3].iter().all(Option::is_none));
+    assert!(ends[3].is_some_and(|end| end.truncated && end.success == Some(false)));
+
+    let motors = Motors::new(Start::Fs, coarse(3), 1);
+    let edge = MotorsTask { start: [WIDOWX.ranges[0].max, task.start[1], task.start[2], task.start[3]], ..task };
+    let step = motors.step(&mut motors.start(&edge), Act::Values(&[0.9, 0.0, 0.0, 0.0]));
+    assert!(step.end.is_some_and(|end| !end.truncated && end.success == Some(false)));
+}
+
+#[test]
+fn rest_ends_a_test_unless_the_policy_may_leave_it() {
+    for stuck_ends in [true, false] {
+        let motors = Motors::new(Start::Fs, Config { stuck_ends, ..coarse(3) }, 1);
+        let mut episode = motors.start(&motors.validation_tasks(1)[0]);
+        let mut actions = 1;
+        let end = loop {
+            match motors.step(&mut episode, Act::Values(&[0.0; 4])).end {
+                Some(end) => break end,
+                None => actions += 1,
+            }
+        };
+        let expected = if stuck_ends { ("stop", 1) } else { ("timeout", 1707) };
+        assert_eq!((motors.outcomes()[usize::from(end.outcome)], actions), expected);
+    }
+}
+
+#[test]
+fn trial_tasks_have_both_starts_and_training_goes_on_from_where_one_is() {
+    let motors = Motors::new(Start::Rs, Config::default(), 7);
+    let tasks = motors.trial_tasks(&mut Stream::new(7, 1, Purpose::Test, 0), 8);
+    let of = |start| tasks.iter().filter(|task| task.rules == Rules::Test(start)).count();
+    assert_eq!((of(Start::Rs), of(Start::Fs)), (6, 2));
+    let mut episode = motors.start(&tasks[0]);
+    motors.step(&mut episode, Act::Values(&[0.5, -0.5, 0.9, 0.1]));
+    let from = motors.task_from(&episode).expect("the hand is not at its target");
+    assert_eq!((Pose(from.start), from.target, from.rules), (episode.pose(), tasks[0].target, Rules::Training));
+    // Both kinds of rules show an actor the same.
+    let (mut here, mut there) = (vec![0.0; 38], vec![0.0; 38]);
+    motors.observe(&mut episode, SourceSet::ALL, &mut here);
+    motors.observe(&mut motors.start(&from), SourceSet::ALL, &mut there);
+    assert_eq!(here, there);
+}

@@ -1,0 +1,113 @@
+//! `tpg-train quantise`: puts a trained network into integers.
+
+use crate::actor::comparison::Comparison as OnTheArm;
+use crate::actor::file::FloatActor;
+use crate::actor::fixed::quantise_actor;
+use crate::actor::version1::upgraded;
+use crate::files::write_atomically;
+use crate::sac::contract::Contract;
+use crate::sac::integers::{self, Comparison};
+use crate::sac::tensors::{Tensors, place};
+use crate::sac::weights::{LIMIT, from_tensors};
+use clap::Args;
+use serde::Serialize;
+use sha2::{Digest, Sha256};
+use std::fmt::Display;
+use std::fs;
+use std::path::PathBuf;
+use tpg_codegen::policy::{QuantisedPolicy, to_rust};
+use tpg_engine::Environment;
+use tpg_graph::error::{InputError, Place};
+use tpg_nn::Mlp;
+use tpg_problems::{ContinuousProblem, Visitor};
+use tpg_runtime::net::Kind;
+
+/// Put a policy's network into integers.
+#[derive(Clone, Debug, Args)]
+pub struct QuantiseArgs {
+    /// The policy.safetensors
+    pub policy: PathBuf,
+    /// The policy.q.json to write
+    #[arg(long, value_name = "FILE")]
+    pub out: PathBuf,
+    /// A Rust module of constants to write beside it
+    #[arg(long, value_name = "FILE")]
+    pub rust: Option<PathBuf>,
+    /// Bits of weights and activations: w8a16, w16a16 or w8a8
+    #[arg(long, default_value = "w8a16", value_parser = kind)]
+    pub kind: Kind,
+    /// A report to write, JSON: bytes, multiplications, and both networks on 1,000 test episodes; on the arm, agreement and
+    /// success on 1,000 validation episodes of each start
+    #[arg(long, value_name = "FILE")]
+    pub report: Option<PathBuf>,
+    /// The seed of the training tasks that calibrate it
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    pub seed: u64,
+}
+
+fn kind(name: &str) -> Result<Kind, String> {
+    Kind::from_name(name).ok_or_else(|| format!("accepted: {}", Kind::ALL.map(Kind::name).join(", ")))
+}
+
+/// Writes the integers and says how large they are, and, where a report is asked for, how well they do.
+///
+/// # Errors
+/// If the policy cannot be read or put into integers, or the file cannot be written.
+pub fn quantise(args: &QuantiseArgs) -> Result<(), InputError> {
+    let file = args.policy.display().to_string();
+    if args.out == args.policy {
+        return Err(InputError::new(file, Place::Whole, "the policy itself as --out", "another file"));
+    }
+    let refuse = |finding| place(&args.policy, finding);
+    let (network, contract) = upgraded(Tensors::read(&args.policy, LIMIT)?).and_then(from_tensors).map_err(refuse)?;
+    let bytes = fs::read(&args.policy).map_err(|error| InputError::io(&args.policy, &error, "a policy.safetensors"))?;
+    let hash = Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect();
+    match ContinuousProblem::from_table(&file, &contract.problem)? {
+        ContinuousProblem::Motors(..) => {
+            let actor = FloatActor::of_contract(network, &contract).map_err(refuse)?;
+            let policy = quantise_actor(&file, &actor, hash, args.kind, args.seed)?;
+            args.write(&policy, || OnTheArm::new(&actor, &policy))
+        }
+        problem => problem.open(args.seed, OnAProblem { args, file, network: &network, contract: &contract, hash }),
+    }
+}
+
+/// A policy of a problem that is not the arm's.
+struct OnAProblem<'a> {
+    args: &'a QuantiseArgs,
+    file: String,
+    network: &'a Mlp<f32>,
+    contract: &'a Contract,
+    hash: String,
+}
+
+impl Visitor<f32> for OnAProblem<'_> {
+    type Output = Result<(), InputError>;
+
+    fn visit<E: Environment<f32>>(self, environment: E) -> Self::Output {
+        let Self { args, file, network, contract, hash } = self;
+        let policy = integers::quantise(&file, (network, contract), &environment, hash, args.kind, args.seed)?;
+        args.write(&policy, || Ok(Comparison::new((network, contract), &policy, &environment, args.seed)))
+    }
+}
+
+impl QuantiseArgs {
+    fn write<C: Serialize + Display>(
+        &self,
+        policy: &QuantisedPolicy,
+        comparison: impl FnOnce() -> Result<C, InputError>,
+    ) -> Result<(), InputError> {
+        write_atomically(&self.out, policy.to_json().as_bytes())?;
+        if let Some(path) = &self.rust {
+            write_atomically(path, to_rust(policy)?.as_bytes())?;
+        }
+        eprintln!("{} bytes of constants, {} multiplications a decision", policy.bytes(), policy.multiplications());
+        if let Some(path) = &self.report {
+            let comparison = comparison()?;
+            let text = serde_json::to_string_pretty(&comparison).expect("plain data") + "\n";
+            write_atomically(path, text.as_bytes())?;
+            eprintln!("{comparison}");
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,62 @@
+//! The log of a run: a row for each validation, without a clock, so that equal runs have equal logs.
+
+use super::training::{Recent, Training};
+use crate::evolution::logs::cpu_seconds;
+use crate::files::write_atomically;
+use serde_json::{Value, json};
+use std::path::Path;
+use std::time::Instant;
+use tpg_engine::{Environment, Summary};
+use tpg_graph::error::InputError;
+
+/// The row of a validation.
+pub fn row<E: Environment<f32>>(
+    training: &Training<'_, E>,
+    recent: &Recent,
+    result: &Summary,
+    environment: &E,
+) -> Value {
+    let means = recent.means();
+    let mut row = json!({
+        "decisions": training.decisions(),
+        "updates": training.updates(),
+        "steps": recent.steps,
+        "critic_loss": means.critic_loss,
+        "actor_loss": means.actor_loss,
+        "entropy": means.entropy,
+        "temperature": means.temperature,
+        "score": result.score,
+        "mean_actions": result.actions,
+    });
+    if let Some(success) = result.success {
+        row["success"] = json!(success);
+    }
+    if environment.measure().is_some() {
+        row["measure"] = json!(result.measure);
+    }
+    for (name, count) in environment.outcomes().iter().zip(&recent.ends) {
+        row[format!("ended: {name}")] = json!(count);
+    }
+    row
+}
+
+/// Writes `log.jsonl`, `log.csv`, and `time.json`: the time of this process, which began its part of the run at `began`.
+///
+/// # Errors
+/// If they cannot be written.
+pub fn write(folder: &Path, rows: &[Value], began: Instant) -> Result<(), InputError> {
+    let lines = rows.iter().map(|row| format!("{row}\n"));
+    write_atomically(&folder.join("log.jsonl"), lines.collect::<String>().as_bytes())?;
+    write_atomically(&folder.join("log.csv"), csv(rows).as_bytes())?;
+    let time = json!({ "cpu_seconds_of_this_process": cpu_seconds(), "seconds": began.elapsed().as_secs_f64() });
+    write_atomically(&folder.join("time.json"), format!("{time}\n").as_bytes())
+}
+
+/// The rows as CSV. serde_json keeps an object's keys sorted: the columns are in the order of the alphabet.
+fn csv(rows: &[Value]) -> String {
+    let objects: Vec<_> = rows.iter().filter_map(Value::as_object).collect();
+    let line = |cells: Vec<String>| cells.join(",") + "\n";
+    let header = objects.first().map(|row| line(row.keys().cloned().collect()));
+    let body = objects.iter().map(|row| line(row.values().map(Value::to_string).collect()));
+    header.into_iter().chain(body).collect()
+}

@@ -1,0 +1,137 @@
+//! Soft actor-critics on built-in problems: they learn, resume to the same bytes, and what they trained goes on to `eval`,
+//! `quantise` and `report`.
+
+use assert_cmd::Command;
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+use std::process::Stdio;
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+use tpg_engine::{Environment, Summary};
+use tpg_problems::Pendulum;
+use tpg_train::sac::presets;
+use tpg_train::sac::training::Training;
+
+fn tpg_train() -> Command {
+    Command::new(env!("CARGO_BIN_EXE_tpg-train"))
+}
+
+fn error_of(arguments: &[&str]) -> String {
+    let output = tpg_train().args(arguments).assert().code(2);
+    String::from_utf8_lossy(&output.get_output().stderr).into_owned()
+}
+
+#[test]
+fn a_few_thousand_decisions_swing_the_pendulum_up() {
+    let config = presets::config(presets::find("general").expect("a preset")).expect("it is accepted");
+    let mut training = Training::new(&Pendulum, config, 1).expect("a torque");
+    let tasks = Environment::<f32>::validation_tasks(&Pendulum, 50);
+    let mut score = || -> [f64; 2] {
+        let before: Summary = training.validate(&tasks);
+        while training.decisions() < 8000 {
+            training.tick();
+        }
+        [before.score, training.validate(&tasks).score]
+    };
+    let [before, after] = score();
+    assert!(before < -900.0 && after > -400.0, "{before} before, {after} after");
+}
+
+fn train(folder: &Path, more: &[&str]) -> std::process::Command {
+    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_tpg-train"));
+    command.args(["sac", "--problem", "pendulum", "--max-steps", "5000", "--out"]).arg(folder).args(more);
+    command.stdout(Stdio::null()).stderr(Stdio::null());
+    command
+}
+
+/// Everything but the times.
+fn results(folder: &Path) -> Vec<Vec<u8>> {
+    ["policy.safetensors", "log.csv", "log.jsonl", "checkpoint.safetensors", "config.toml"]
+        .map(|name| fs::read(folder.join(name)).unwrap_or_else(|_| panic!("{name} is missing")))
+        .to_vec()
+}
+
+#[test]
+fn killed_and_resumed_a_run_ends_in_the_same_bytes() {
+    let place = tempfile::tempdir().expect("a temporary folder");
+    let (undisturbed, killed) = (place.path().join("undisturbed"), place.path().join("killed"));
+    let start = Instant::now();
+    assert!(train(&undisturbed, &[]).status().expect("it runs").success());
+    let pause = (start.elapsed() / 4).max(Duration::from_millis(1));
+    for _ in 0..4 {
+        let mut run = train(&killed, &["--checkpoint-seconds", "0", "--resume"]).spawn().expect("it starts");
+        sleep(pause);
+        // SIGKILL: the program cannot do anything about it.
+        run.kill().expect("it can be killed");
+        run.wait().expect("it ends");
+    }
+    assert!(killed.join("checkpoint.safetensors").exists(), "it was never saved before it was killed");
+    assert!(train(&killed, &["--resume"]).status().expect("it runs").success());
+    assert!(results(&killed) == results(&undisturbed), "other bytes");
+}
+
+#[test]
+fn a_trained_network_is_evaluated_put_into_integers_and_reported() {
+    let place = tempfile::tempdir().expect("a temporary folder");
+    let run = place.path().join("run");
+    assert!(train(&run, &["--target", "-5000"]).status().expect("it runs").success());
+    let log = fs::read_to_string(run.join("log.jsonl")).expect("a log");
+    assert_eq!(log.lines().count(), 1, "the first validation reaches the target");
+    let [float, fixed, report] =
+        [run.join("policy.safetensors"), place.path().join("policy.q.json"), place.path().join("report.json")];
+    let eval = |policy: &Path| -> Value {
+        let mut command = tpg_train();
+        command.args(["eval", "--problem", "pendulum", "--episodes", "20", "--json", "--policy"]).arg(policy);
+        serde_json::from_slice(&command.assert().success().get_output().stdout).expect("JSON")
+    };
+    let mut command = tpg_train();
+    command
+        .arg("quantise")
+        .arg(&float)
+        .arg("--out")
+        .arg(&fixed)
+        .arg("--report")
+        .arg(&report)
+        .args(["--kind", "w16a16"]);
+    command.assert().success();
+    let (float, fixed) = (eval(&float), eval(&fixed));
+    assert_eq!(float["mean_steps"], 200.0);
+    assert!(float["success_rate"].is_null());
+    let score = |of: &Value| of["mean_score"].as_f64().expect("a number");
+    assert!((score(&float) - score(&fixed)).abs() < 0.1 * score(&float).abs(), "{float} {fixed}");
+    let compared: Value = serde_json::from_slice(&fs::read(&report).expect("a report")).expect("JSON");
+    assert!(compared["mean_difference"].as_f64().expect("a number") < 0.05, "{compared}");
+
+    let output = tpg_train().arg("report").arg(&run).args(["--episodes", "20", "--out", "-"]).assert().success();
+    let html = String::from_utf8_lossy(&output.get_output().stdout).into_owned();
+    for part in ["SAC", "3 inputs, 64-64", "Mean score of the actor", "<svg"] {
+        assert!(html.contains(part), "{part} is missing");
+    }
+    assert!(!html.contains("distance"), "a pendulum has none");
+}
+
+#[test]
+fn what_a_network_cannot_do_is_refused_with_the_reason() {
+    assert!(error_of(&["sac", "--problem", "cartpole"]).contains("--problem cartpole: 2 named actions"));
+    assert!(error_of(&["sac"]).contains("no problem"));
+    assert!(error_of(&["sac", "--problem", "pendulum", "--preset", "huge"]).contains("general, best-fs"));
+    let place = tempfile::tempdir().expect("a temporary folder");
+    let config = place.path().join("config.toml");
+    let text = presets::find("general").expect("a preset").text;
+    let name = config.display().to_string();
+    let arguments = ["sac", "--problem", "pendulum", "--config", &name];
+    for (from, to, found) in [
+        ("lanes = 2", "lanes = 0", "line 14: learning.lanes = 0"),
+        ("[critic]", "[problem]\nname = \"pendulum\"\nlevels = 0\n[critic]", "line 12: problem.levels = 0"),
+        ("[critic]", "[retry]\nshare = 0.5\nevery = 10\nepisodes = 5\nremembered = 9\n[critic]", "knows no failure"),
+    ] {
+        assert!(text.contains(from), "{from}");
+        fs::write(&config, text.replacen(from, to, 1)).expect("it can be written");
+        let error = error_of(&arguments);
+        assert!(error.contains(found), "{error}");
+    }
+    let arm = [env!("CARGO_MANIFEST_DIR"), "/../generated/widowx-sac/policy.q.json"].concat();
+    let error = error_of(&["eval", "--problem", "pendulum", "--policy", &arm]);
+    assert!(error.contains("policy.q.json: the inputs base shoulder") && error.contains("cos_theta"), "{error}");
+}
