@@ -1,7 +1,7 @@
 //! Parallel episodes: the interface between lanes and an environment.
 
 use crate::ending::Ending;
-use crate::evaluator::EvaluationError;
+use crate::error::EvaluationError;
 use crate::source_set::SourceSet;
 use crate::view::View;
 use tpg_runtime::policy::ActionId;

@@ -3,6 +3,7 @@
 use crate::action::Act;
 use crate::ending::Ending;
 use crate::environment::Environment;
+use crate::error::EvaluationError;
 use crate::lanes::Lanes;
 use crate::options::Options;
 use crate::plan::Plan;
@@ -10,8 +11,6 @@ use crate::policy::Policy;
 use crate::source_set::SourceSet;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
-use std::error::Error;
-use std::fmt;
 use std::marker::PhantomData;
 use std::sync::atomic::{AtomicU64, Ordering};
 use tpg_graph::SourceDocument;
@@ -66,34 +65,6 @@ pub struct Visit<Task> {
     /// Numbers of actions after which the state is recorded, ascending; each below the number of actions of the
     /// episode.
     pub after: Vec<u32>,
-}
-
-/// An evaluation that failed: a lost machine, an exception in a user's environment.
-#[derive(Debug)]
-pub struct EvaluationError(Box<dyn Error + Send + Sync>);
-
-impl EvaluationError {
-    /// Wraps an error or a message.
-    pub fn new(error: impl Into<Box<dyn Error + Send + Sync>>) -> Self {
-        Self(error.into())
-    }
-
-    /// Returns the wrapped error, so that its origin can handle it.
-    pub fn into_inner(self) -> Box<dyn Error + Send + Sync> {
-        self.0
-    }
-}
-
-impl fmt::Display for EvaluationError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the episodes could not be run: {}", self.0)
-    }
-}
-
-impl Error for EvaluationError {
-    fn source(&self) -> Option<&(dyn Error + 'static)> {
-        Some(&*self.0)
-    }
 }
 
 /// A place where roots are evaluated.

@@ -8,7 +8,7 @@ use crate::decide::Decider;
 use crate::ending::Ending;
 use crate::environment::Environment;
 use crate::episodes::Episodes;
-use crate::evaluator::EvaluationError;
+use crate::error::EvaluationError;
 use crate::history::History;
 use crate::options::Options;
 use crate::plan::Plan;

@@ -4,7 +4,7 @@ use crate::action::Act;
 use crate::ending::Ending;
 use crate::environment::Environment;
 use crate::episodes::Episodes;
-use crate::evaluator::EvaluationError;
+use crate::error::EvaluationError;
 use crate::source_set::SourceSet;
 use crate::view::{BLOCK, View};
 use tpg_runtime::policy::ActionId;
