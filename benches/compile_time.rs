@@ -1,9 +1,9 @@
-//! How long compiling takes, from 10 teams to 10,000: this project's compiler, then the C and the Rust compiler on what it
-//! made, optimising as users do (`-O2`, `-O`).
+//! Compile times from 10 to 10,000 teams: this project's compiler, then the C or Rust compiler on its output, with the
+//! usual optimisation (`-O2`, `-O`).
 //!
-//! `cargo bench -p tpg-benches --bench compile_time`; `-- TEAMS` stops at that many. CPU seconds, children's included; each
-//! is one run, for the large ones take long enough. A step that would take more than five minutes, were it linear, is not
-//! tried, and the table says so.
+//! `cargo bench -p tpg-benches --bench compile_time`; `-- TEAMS` stops at that number of teams. Times are CPU seconds,
+//! including children; each is a single run because large ones take long enough. A step that would take more than five
+//! minutes, extrapolated linearly, is skipped, and the table says so.
 
 use std::path::Path;
 use std::process::Command;
@@ -17,14 +17,14 @@ use tpg_runtime::ops::Instruction;
 use tpg_train::evolution::logs;
 
 const SIZES: [usize; 4] = [10, 100, 1_000, 10_000];
-/// Seconds.
+/// Longest step to attempt, seconds.
 const PATIENCE: f64 = 300.0;
 
 fn main() {
     let testing = !env::args().any(|word| word == "--bench");
     let limit = env::args().skip(1).find_map(|word| word.parse().ok()).unwrap_or(if testing { 10 } else { 10_000 });
     let sizes: Vec<usize> = SIZES.into_iter().filter(|&teams| teams <= limit).collect();
-    println!("\nCPU seconds to compile a graph; in brackets, how many times more than a tenth of the teams takes\n");
+    println!("\nCPU seconds to compile a graph; in brackets, the ratio to the time for a tenth of the teams\n");
     let heads: Vec<String> = sizes.iter().map(|teams| format!("{teams} teams")).collect();
     println!("| what | {} |\n| --- |{}", heads.join(" | "), " --- |".repeat(sizes.len()));
     let graphs: Vec<Graph> = sizes.iter().map(|&teams| graph(teams)).collect();
@@ -57,7 +57,8 @@ fn shapes() -> impl Iterator<Item = (Language, Style, Option<Profile>)> {
     [(Language::C, Style::Gegelati, None)].into_iter().chain(pure(Language::C)).chain(pure(Language::Rust))
 }
 
-/// Without constants and divisions no bid is known beforehand: passes find little to leave out.
+/// Creates a graph without constants and divisions, so that no bid is known at compile time: passes find little to
+/// remove.
 fn graph(teams: usize) -> Graph {
     let names = ["add", "sub", "mul", "negate_if_less", "cos"];
     let shape = Shape {
@@ -73,7 +74,7 @@ fn graph(teams: usize) -> Graph {
     sample::graph(&shape, 1)
 }
 
-/// Compiles to an object and says how long that took.
+/// Compiles to an object file and returns the time that took.
 fn build(folder: &Path, language: Language) -> f64 {
     let command = match language {
         Language::C => {

@@ -1,12 +1,12 @@
-//! How long a decision takes: every variant of every policy, side by side in one run, and how many instructions it is.
+//! Time and instruction count of a decision: every variant of every policy, compared in one run.
 //!
-//! `cargo bench -p tpg-benches --bench inference` measures with criterion, too, which keeps its reports and compares with
-//! the run before; `-- summary` makes the tables alone, in minutes. A further word takes the policies with that in their
-//! name.
+//! `cargo bench -p tpg-benches --bench inference` also measures with criterion, which keeps its reports and compares
+//! with the previous run; `-- summary` only prints the tables, in minutes. An additional word selects the policies
+//! whose names contain it.
 //!
-//! The tables' times are CPU times of single-threaded programs on states of real episodes, in their order. All variants of
-//! a policy run at once, each a little in turn, and the least of all turns and several starts counts: what else a busy machine
-//! does falls on all of them alike, and mostly out.
+//! The times in the tables are CPU times of single-threaded programs on states of real episodes, in their order. All
+//! variants of a policy run at the same time, taking short turns, and the minimum over all turns and several starts
+//! counts: the other load of a busy machine affects all of them alike, and the minimum mostly excludes it.
 
 use criterion::{BenchmarkId, Criterion};
 use std::env;
@@ -17,15 +17,16 @@ use tpg_benches::subject::{self, Subject};
 use tpg_benches::table::Table;
 use tpg_benches::variant::Variant;
 
-/// How often the programs are started: where one's memory comes to lie can cost it half its speed, for as long as it runs.
+/// Number of starts of each program: an unlucky memory layout can halve a program's speed for as long as it runs.
 const STARTS: usize = 5;
-/// How often each program has its turn, where it needs no longer for a pass over the states than a turn.
+/// Number of turns of each program, if a pass over the states takes no longer than a turn.
 const TURNS: usize = 20;
-/// How long a turn is, or one pass: long beside the clock, short beside the slices that a scheduler gives.
+/// Duration of a turn, or one pass: long compared with the clock's resolution, short compared with a scheduler's time
+/// slices.
 const TURN: Duration = Duration::from_millis(2);
 
 fn main() {
-    // cargo test runs benchmarks, too, to see that they work: one subject is enough for that.
+    // cargo test runs benchmarks as well, to check that they work: one subject is enough for that.
     let testing = !env::args().any(|word| word == "--bench");
     let mut words: Vec<String> = env::args().skip(1).filter(|word| !word.starts_with('-')).collect();
     let summary = words.first().is_some_and(|word| word == "summary");
@@ -38,8 +39,8 @@ fn main() {
         subjects.extend(subject::conformance(subject::STATES));
     }
     let mut criterion = (!summary).then(|| Criterion::default().configure_from_args());
-    let mut times = Table::new("Nanoseconds a decision");
-    let mut counts = Table::new("Instructions a decision");
+    let mut times = Table::new("Nanoseconds per decision");
+    let mut counts = Table::new("Instructions per decision");
     let counting = !testing && callgrind::available();
     for subject in subjects.iter().filter(|subject| wanted(subject)) {
         let programs = Variant::ALL.map(|variant| Program::build(subject, variant).unwrap_or_else(|e| panic!("{e}")));
@@ -65,7 +66,7 @@ fn main() {
     }
 }
 
-/// Nanoseconds of the fastest pass over all states.
+/// Returns the time of the fastest pass over all states, in nanoseconds.
 fn least<const N: usize>(subject: &Subject, programs: &[Program; N], starts: usize) -> [f64; N] {
     let mut least = [f64::INFINITY; N];
     for _ in 0..starts {

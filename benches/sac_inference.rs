@@ -1,10 +1,11 @@
-//! Time of one inference of an actor, batch 1, beside PyTorch's on the same core in the same run.
+//! Time of one inference of an actor, batch 1, compared with PyTorch on the same core in the same run.
 //!
-//! `cargo bench -p tpg-benches --bench sac_inference`. Where PyTorch comes from: `pytorch/mod.rs`. Ours and PyTorch's take
-//! turns; a figure is the median of many bursts of about half a millisecond, which a busy machine seldom interrupts.
+//! `cargo bench -p tpg-benches --bench sac_inference`. See `pytorch/mod.rs` for how PyTorch is found. This project's
+//! code and PyTorch take turns; a figure is the median of many bursts of about half a millisecond, which a busy machine
+//! rarely interrupts.
 //!
-//! The network alone is timed, from its inputs to its preferences, and for the shipped one also what stands before it:
-//! the features of an observation.
+//! The network alone is timed, from its inputs to its preferences, and for the shipped one also the step before it: the
+//! features of an observation.
 
 mod pytorch;
 
@@ -26,7 +27,7 @@ const ARM: Arm<f32> = WIDOWX.to_f32();
 const BURSTS: usize = 401;
 const TURNS: usize = 3;
 
-/// The median of some bursts, in ns for one call.
+/// Returns the median time of one call over several bursts, in ns.
 fn nanoseconds(mut call: impl FnMut()) -> f64 {
     let mut burst = |repeats: u32| {
         let began = Instant::now();
@@ -53,7 +54,7 @@ fn float(inputs: usize, units: usize) -> f64 {
     })
 }
 
-/// A layer of numbers without a pattern: its time does not depend on them.
+/// Creates a layer of arbitrary numbers: its time does not depend on them.
 fn layer<const I: usize, const O: usize>() -> Layer<I, O> {
     let mut number = 1u32;
     let mut next = || {
@@ -74,7 +75,7 @@ fn integers<const A: usize, const B: usize>(network: &Network<A, B>) -> f64 {
     })
 }
 
-/// The same as it lies in flash, by the kernels of this machine.
+/// Times the same network as stored in flash, with the kernels of this machine.
 fn packed(words: &[u32]) -> f64 {
     let model = Model::parse(words).expect("what was packed");
     let mut scratch = vec![0; model.scratch()];
@@ -85,7 +86,7 @@ fn packed(words: &[u32]) -> f64 {
 }
 
 fn main() {
-    // `cargo test --benches` shall only see that it runs.
+    // `cargo test --benches` only needs to check that it runs.
     if std::env::args().any(|argument| argument == "--test") {
         return;
     }

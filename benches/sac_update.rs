@@ -1,7 +1,8 @@
-//! CPU time of one whole update of the soft actor-critic, batch 256, beside PyTorch's on the same core in the same run.
+//! CPU time of one complete update of the soft actor-critic, batch 256, compared with PyTorch on the same core in the
+//! same run.
 //!
-//! `cargo bench -p tpg-benches --bench sac_update`. Where PyTorch comes from: `pytorch/mod.rs`. Ours and PyTorch's take turns,
-//! so that neighbours on the machine disturb both alike; a figure is the median of the rounds.
+//! `cargo bench -p tpg-benches --bench sac_update`. See `pytorch/mod.rs` for how PyTorch is found. This project's code
+//! and PyTorch take turns, so that other load on the machine affects both alike; a figure is the median of the rounds.
 
 mod pytorch;
 
@@ -40,7 +41,7 @@ fn milliseconds(actor: usize, critic: usize) -> f64 {
     let rates = Rates { learning: 5e-4, temperature: 1.5e-3, follow: 0.005, target_entropy: -1.0 };
     let mut run = |updates: u32| {
         for _ in 0..updates {
-            // Drawing noise is a part of an update.
+            // Drawing noise is part of an update.
             random.normals(&mut noise);
             random.normals(&mut next_noise);
             let experience = Experience {
@@ -64,7 +65,7 @@ fn milliseconds(actor: usize, critic: usize) -> f64 {
 }
 
 fn main() {
-    // `cargo test --benches` shall only see that it runs.
+    // `cargo test --benches` only needs to check that it runs.
     if std::env::args().any(|argument| argument == "--test") {
         return;
     }

@@ -1,11 +1,11 @@
-//! PyTorch, where there is one.
+//! PyTorch, if available.
 
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
-/// The Python that has PyTorch: the one that `TPG_PYTHON` names (default `python3`), or, with `TPG_INSTALL_PYTORCH` set,
-/// one in a virtual environment under the target folder, made by pip from PyPI at the first run. Without either it says
-/// loudly that the comparison is skipped.
+/// Returns the Python interpreter that has PyTorch: the one named by `TPG_PYTHON` (default `python3`), or, if
+/// `TPG_INSTALL_PYTORCH` is set, one in a virtual environment in the target folder, which pip creates from PyPI in the
+/// first run. Otherwise reports that the comparison is skipped.
 pub(crate) fn python() -> Option<String> {
     let has_torch = |python: &str| {
         let import = Command::new(python).args(["-c", "import torch"]).stderr(Stdio::null()).status();
@@ -37,10 +37,10 @@ pub(crate) fn python() -> Option<String> {
     None
 }
 
-/// The numbers that a script of this folder prints, by whitespace.
+/// Runs a script of this folder and returns the numbers that it prints, separated by whitespace.
 ///
 /// # Panics
-/// If it fails.
+/// If the script fails.
 pub(crate) fn numbers(python: &str, script: &str, arguments: &[String]) -> Vec<f64> {
     let path: PathBuf = [env!("CARGO_MANIFEST_DIR"), script].iter().collect();
     let output = Command::new(python).arg(path).args(arguments).stderr(Stdio::null()).output().expect("it ran before");
@@ -49,7 +49,7 @@ pub(crate) fn numbers(python: &str, script: &str, arguments: &[String]) -> Vec<f
     text.split_whitespace().map(|number| number.parse().expect("a number")).collect()
 }
 
-/// The middle of an odd number of measurements.
+/// Returns the median of an odd number of measurements.
 pub(crate) fn median(mut measured: Vec<f64>) -> f64 {
     measured.sort_by(f64::total_cmp);
     measured[measured.len() / 2]

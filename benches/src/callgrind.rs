@@ -1,22 +1,23 @@
-//! Instructions, counted by valgrind's callgrind: the same number on every run, however busy the machine is.
+//! Instruction counts by valgrind's callgrind: the same number in every run, however busy the machine is.
 
 use crate::program::Program;
 use crate::subject::Subject;
 use std::io;
 use std::process::{Command, Stdio};
 
-/// States that are counted: valgrind is fifty times slower than the processor.
+/// Number of states that are counted: valgrind is fifty times slower than the processor.
 const COUNTED: usize = 512;
 
-/// Whether valgrind is there; skipped loudly where not.
+/// True if valgrind is available; otherwise reports the skip.
 pub fn available() -> bool {
     tpg_testing::tool("valgrind", "valgrind", "instruction counts")
 }
 
-/// Instructions for one state: the difference of one pass and three, so that what is not the policy falls out.
+/// Returns the instructions per state: the difference between one pass and three, which cancels everything but the
+/// policy.
 ///
 /// # Errors
-/// When valgrind fails.
+/// If valgrind fails.
 pub fn per_state(program: &Program, subject: &Subject) -> io::Result<f64> {
     let count = subject.count().min(COUNTED);
     let once = total(program, 1, count)?;

@@ -1,8 +1,8 @@
-//! Compares generated code with the interpreter: every profile, both languages, on all of the paper's policies and on this
-//! project's, on drawn states and on every state of the recorded episodes.
+//! Compares generated code with the interpreter: every profile in both languages, on all of the paper's policies and on
+//! this project's, on random states and on every state of the recorded episodes.
 //!
-//! `cargo run --release -p tpg-benches --bin conformance -- [STATES] [NAME]`; a million states where no number is given.
-//! Exit status 1 where anything differs.
+//! `cargo run --release -p tpg-benches --bin conformance -- [STATES] [NAME]`; a million states by default. Exit status
+//! 1 if anything differs.
 
 use std::env;
 use std::process::ExitCode;
@@ -18,7 +18,7 @@ fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
     let states = words.iter().find_map(|word| word.parse().ok()).unwrap_or(1_000_000);
     let name = words.iter().find(|word| word.parse::<usize>().is_err());
     let mut total = Total::default();
-    println!("| policy | code | drawn states | differences | states of episodes | differences |");
+    println!("| policy | code | random states | differences | states of episodes | differences |");
     println!("| --- | --- | --- | --- | --- | --- |");
     let subjects = subject::own().into_iter().chain(subject::conformance(usize::MAX));
     for subject in subjects.filter(|subject| name.is_none_or(|name| subject.name.contains(name.as_str()))) {
@@ -27,7 +27,7 @@ fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
     }
     let Total { policies, engines, drawn, recorded, differences } = total;
     println!(
-        "\n{policies} policies, {engines} compiled: {drawn} decisions on drawn states and {recorded} on states of episodes,"
+        "\n{policies} policies, {engines} compiled: {drawn} decisions on random states and {recorded} on states of episodes,"
     );
     println!("{differences} differences");
     Ok(if differences == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE })

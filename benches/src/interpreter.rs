@@ -1,5 +1,5 @@
-//! The interpreter as a program that times itself, with the words and answers of `templates/main.c`:
-//! `interpreter STATES GRAPH` waits for work, `interpreter STATES PASSES COUNT GRAPH` does it and ends.
+//! The interpreter as a program that times itself, with the same protocol as `templates/main.c`: `interpreter STATES
+//! GRAPH` waits for requests, `interpreter STATES PASSES COUNT GRAPH` handles one and exits.
 
 use rustix::time::{ClockId, clock_gettime};
 use std::io::{self, Write as _};

@@ -1,5 +1,5 @@
-//! What the benchmarks are made of: policies with states to decide, programs that decide them against the clock, and a
-//! table of what came out.
+//! Building blocks of the benchmarks: policies with states to decide, programs that time these decisions, and a table
+//! of the results.
 //!
 //! | module | subject |
 //! | --- | --- |

@@ -1,5 +1,5 @@
-//! A variant of a subject as a program of its own that holds the states, decides all of them as often as it is told, and
-//! says how much CPU time that took. One loop in C drives C and Rust alike; the interpreter has the same in Rust.
+//! A variant of a subject as a separate program that holds the states, decides all of them as often as requested, and
+//! reports the CPU time. One loop in C drives C and Rust alike; the interpreter has the same loop in Rust.
 
 use crate::subject::Subject;
 use crate::variant::Variant;
@@ -41,7 +41,7 @@ pub struct Program {
     command: Vec<PathBuf>,
 }
 
-/// A program that runs and waits for work.
+/// A running program that waits for requests.
 #[derive(Debug)]
 pub struct Running {
     child: Child,
@@ -51,10 +51,10 @@ pub struct Running {
 }
 
 impl Program {
-    /// Builds a variant: the compilers at `-O2` and `-O`, no other flags than everybody's.
+    /// Builds a variant with the compilers at `-O2` and `-O`, without unusual flags.
     ///
     /// # Errors
-    /// When a compiler is missing or refuses.
+    /// If a compiler is missing or reports an error.
     pub fn build(subject: &Subject, variant: Variant) -> Result<Self, Box<dyn std::error::Error>> {
         let folder = TempDir::new()?;
         let at = |name: &str| folder.path().join(name);
@@ -87,10 +87,10 @@ impl Program {
         Ok(Self { folder, command })
     }
 
-    /// Starts it.
+    /// Starts the program.
     ///
     /// # Errors
-    /// When it does not start.
+    /// If it does not start.
     pub fn start(&self, subject: &Subject) -> io::Result<Running> {
         let mut child = Command::new(&self.command[0])
             .args(&self.command[1..])
@@ -103,24 +103,24 @@ impl Program {
         Ok(Running { child, input, output, hash: hash(subject, subject.count()) })
     }
 
-    /// The command that decides the first `count` states `passes` times and ends.
+    /// Returns the command that decides the first `count` states `passes` times and exits.
     pub fn once(&self, passes: u32, count: usize) -> Vec<String> {
         let words = self.command[..2].iter().map(|word| word.display().to_string());
         let graph = self.command.get(2).map(|graph| graph.display().to_string());
         words.chain([passes.to_string(), count.to_string()]).chain(graph).collect()
     }
 
-    /// Where it lies.
+    /// Returns the folder of the program.
     pub fn folder(&self) -> &Path {
         self.folder.path()
     }
 }
 
 impl Running {
-    /// The CPU time that so many passes over all states take.
+    /// Returns the CPU time of `passes` passes over all states.
     ///
     /// # Errors
-    /// When the program died, or takes other actions than the interpreter.
+    /// If the program died, or takes different actions from the interpreter.
     pub fn time(&mut self, passes: u64) -> io::Result<Duration> {
         let input = self.input.as_mut().ok_or_else(|| io::Error::other("the program was closed"))?;
         writeln!(input, "{passes}")?;
@@ -139,19 +139,19 @@ impl Running {
 
 impl Drop for Running {
     fn drop(&mut self) {
-        // The end of its input ends the program.
+        // Closing its input ends the program.
         self.input = None;
         let _ = self.child.wait();
     }
 }
 
-/// What a pass over the first states must come to.
+/// Returns the expected hash of a pass over the first states.
 pub fn hash(subject: &Subject, count: usize) -> u32 {
     let actions = interpret::actions(&subject.graph, &subject.states[..count * subject.graph.state_length()]);
     hash_of(actions.iter().map(|action| action.0))
 }
 
-/// FNV-1a, an action at a time.
+/// Computes FNV-1a, one action at a time.
 pub fn hash_of(actions: impl Iterator<Item = u16>) -> u32 {
     actions.fold(2_166_136_261, |hash, action| (hash ^ u32::from(action)).wrapping_mul(16_777_619))
 }
@@ -169,14 +169,14 @@ fn rust_library(
     };
     fs::write(folder.join("lib.rs"), library.render()?)?;
     let mut command = verify::rustc(folder);
-    // As a user builds it: without the checks that verification keeps.
+    // Built as by a user: without the checks that verification keeps.
     command.args(["-Coverflow-checks=off", "--crate-type=staticlib", "--extern=tpg_runtime=libtpg_runtime.rlib"]);
     command.args(["-o", "libtimed.a", "lib.rs"]);
     verify::compile("Rust", command)?;
     Ok("libtimed.a")
 }
 
-/// The states as the program reads them.
+/// Serialises the states for the program.
 fn bytes(subject: &Subject) -> Vec<u8> {
     match subject.graph.scalar() {
         ScalarType::F32 => subject.states.iter().flat_map(|&value| (value as f32).to_ne_bytes()).collect(),
@@ -184,7 +184,7 @@ fn bytes(subject: &Subject) -> Vec<u8> {
     }
 }
 
-/// The program of the interpreter, which cargo builds beside the benchmarks.
+/// Finds the interpreter program, which cargo builds alongside the benchmarks.
 fn interpreter() -> io::Result<PathBuf> {
     let here = env::current_exe()?;
     let folders = here.ancestors().skip(1).take(2);

@@ -1,4 +1,4 @@
-//! Policies, each with the states that it meets in its own episodes, in their order.
+//! Policies, each with the states of its own episodes, in order.
 
 use std::path::{Path, PathBuf};
 use std::{env, fs};
@@ -13,31 +13,31 @@ use tpg_graph::interpret;
 use tpg_graph::{Graph, ScalarType};
 use tpg_paper::chain::Chain;
 use tpg_paper::episode::Rules;
-use tpg_paper::replay_command::Problem;
+use tpg_paper::limits::max_actions;
 use tpg_paper::{data, replay};
 use tpg_problems::arm::binding::{Binding, bind};
 use tpg_problems::arm::targets::{self, Start};
 
-/// States of a subject: enough that no branch predictor learns them by heart.
+/// Number of states of a subject: too many for a branch predictor to memorise.
 pub const STATES: usize = 8192;
 
-/// Where a policy comes from: policies of a kind are summed up together.
+/// Origin of a policy; policies of a kind are summarised together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// The paper's, as evolution left it.
+    /// The paper's, as evolved.
     Trained,
-    /// The paper's, from which its authors took what no episode visits.
+    /// The paper's, with everything that no episode visits removed by its authors.
     Pruned,
     /// This project's.
     Own,
 }
 
-/// A policy and what it decides on.
+/// A policy and the states to decide.
 #[derive(Debug)]
 pub struct Subject {
-    /// What it is called in the table.
+    /// Name in the table.
     pub name: String,
-    /// Where it comes from.
+    /// Origin.
     pub kind: Kind,
     /// The policy.
     pub graph: Graph,
@@ -46,16 +46,16 @@ pub struct Subject {
 }
 
 impl Subject {
-    /// How many states there are.
+    /// Returns the number of states.
     pub fn count(&self) -> usize {
         self.states.len() / self.graph.state_length()
     }
 }
 
-/// This project's policies: `generated/widowx-fs` and the like, on the first of their test episodes.
+/// Returns this project's policies: `generated/widowx-fs` and the like, on the first of their test episodes.
 ///
 /// # Panics
-/// When what is committed cannot be read.
+/// If a committed file cannot be read.
 pub fn own() -> Vec<Subject> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../generated");
     let problems = [("widowx-fs", Start::Fs), ("widowx-rs", Start::Rs)];
@@ -97,11 +97,11 @@ fn episodes<S: Lattice>(graph: &Graph, arm: &Arm<S>, tasks: &[targets::Task], st
     states
 }
 
-/// The paper's policies on the first states of the episodes that were recorded of them, where they are at hand; skipped
-/// loudly where not.
+/// Returns the paper's policies on the first states of their recorded episodes, if available; otherwise reports the
+/// skip.
 ///
 /// # Panics
-/// When the folder is there and cannot be read, or a policy does not end its episodes as recorded.
+/// If the folder exists and cannot be read, or a policy does not end its episodes as recorded.
 pub fn conformance(limit: usize) -> Vec<Subject> {
     let default = || Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/conformance");
     let folder = env::var_os("TPG_CONFORMANCE").map_or_else(default, PathBuf::from);
@@ -126,12 +126,12 @@ pub fn conformance(limit: usize) -> Vec<Subject> {
         .collect()
 }
 
-/// A recorded policy; its name says what was recorded.
+/// Reads a recorded policy; its name identifies the recordings.
 fn recorded(folder: &Path, path: &Path) -> Subject {
     let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
     let (problem, targets) = match name.split('_').next() {
-        Some("rs") => (Problem::Rs, "targets_rs.csv"),
-        _ => (Problem::Fs, "targets_fs.csv"),
+        Some("rs") => (Start::Rs, "targets_rs.csv"),
+        _ => (Start::Fs, "targets_fs.csv"),
     };
     let tolerance = if name.contains("range0.03") { 0.03 } else { 3.0 };
     let read = || -> Result<_, tpg_graph::error::InputError> {
@@ -144,7 +144,7 @@ fn recorded(folder: &Path, path: &Path) -> Subject {
     };
     let (graph, tasks, ends, binding) = read().unwrap_or_else(|error| panic!("{error}"));
     let chain = Chain::new(WIDOWX);
-    let rules = Rules { max_actions: problem.max_actions(), tolerance };
+    let rules = Rules { max_actions: max_actions(problem), tolerance };
     let done = replay::run(&chain, rules, &tasks, &binding, &mut Reference::new(&graph))
         .unwrap_or_else(|error| panic!("{name}: {error}"));
     let comparison = replay::compare_ends(&ends, &done);
@@ -153,7 +153,7 @@ fn recorded(folder: &Path, path: &Path) -> Subject {
     let mut states = Vec::new();
     for (row, task) in &tasks {
         let poses = &done[row].poses;
-        // Every action was decided at the pose before it.
+        // Every action was decided in the preceding pose.
         for &pose in [task.start].iter().chain(&poses[..poses.len() - 1]) {
             let seen = Observation::new(chain.arm(), pose, chain.hand(pose), task.target);
             binding.push_state(&seen, &mut states);

@@ -1,11 +1,11 @@
-//! What was measured, as tables: a row for each subject and a column for each variant; then, what each kind of subjects
-//! comes to.
+//! Tables of measurements: a row for each subject and a column for each variant, followed by a summary for each kind of
+//! subject.
 
 use crate::subject::{Kind, Subject};
 use crate::variant::Variant;
 use std::fmt::Write as _;
 
-/// A number for each subject and variant: less is better.
+/// A number for each subject and variant; lower is better.
 #[derive(Clone, Debug, Default)]
 pub struct Table {
     title: String,
@@ -20,12 +20,12 @@ struct Row {
 }
 
 impl Table {
-    /// An empty table.
+    /// Creates an empty table.
     pub fn new(title: &str) -> Self {
         Self { title: title.to_owned(), rows: Vec::new() }
     }
 
-    /// Notes a number.
+    /// Records a number.
     pub fn note(&mut self, subject: &Subject, variant: Variant, number: f64) {
         self.note_named(&subject.name, subject.kind, variant, number);
     }
@@ -38,7 +38,7 @@ impl Table {
         self.rows[place].numbers[column(variant)] = Some(number);
     }
 
-    /// The numbers, and how many times each variant has the yardstick's: the first column's number over its own.
+    /// Renders the numbers, each with the baseline's number (first column) divided by it.
     pub fn render(&self) -> String {
         let mut text = format!("\n{}\n\n|", self.title);
         for name in std::iter::once("policy".to_owned()).chain(Variant::ALL.map(Variant::name)) {
@@ -57,7 +57,8 @@ impl Table {
         text
     }
 
-    /// How many times a variant's numbers go into the yardstick's, by kind of policy: the geometric mean, least to most.
+    /// Summarises the ratio of the baseline's numbers to a variant's, by kind of policy: geometric mean, minimum and
+    /// maximum.
     pub fn summary(&self, yardstick: Variant) -> String {
         let others = Variant::ALL.iter().filter(|&&variant| variant != yardstick);
         let mut text = format!("\n{}: {} over\n\n| policies |", self.title, yardstick.name());
@@ -92,7 +93,7 @@ fn column(variant: Variant) -> usize {
     Variant::ALL.iter().position(|&other| other == variant).expect("one of all")
 }
 
-/// How many times one variant's numbers go into another's.
+/// Ratios of one variant's numbers to another's.
 struct Ratios {
     mean: f64,
     least: f64,
@@ -100,7 +101,7 @@ struct Ratios {
 }
 
 impl Ratios {
-    /// `None` without a row that has both.
+    /// Computes the ratios; `None` if no row has both numbers.
     fn of(rows: &[&Row], yardstick: Variant, variant: Variant) -> Option<Self> {
         let (top, bottom) = (column(yardstick), column(variant));
         let ratios: Vec<f64> = rows.iter().filter_map(|row| Some(row.numbers[top]? / row.numbers[bottom]?)).collect();

@@ -5,16 +5,16 @@ use tpg_codegen::emit::{Language, Options, Profile, Style};
 /// A way to run a graph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Variant {
-    /// The interpreter of `tpg-codegen`: what the semantics say, line by line.
+    /// The interpreter of `tpg-codegen`, which follows the semantics line by line.
     Interpreter,
-    /// C in the shape of GEGELATI's own generated code: what everything is measured against.
+    /// C in the shape of GEGELATI's own generated code: the baseline of all comparisons.
     Gegelati,
-    /// C or Rust of a profile.
+    /// C or Rust in one of the profiles.
     Generated(Language, Profile),
 }
 
 impl Variant {
-    /// Every one, the yardstick first.
+    /// All variants, the baseline first.
     pub const ALL: [Self; 8] = [
         Self::Gegelati,
         Self::Interpreter,
@@ -26,7 +26,7 @@ impl Variant {
         Self::Generated(Language::Rust, Profile::ConstantTime),
     ];
 
-    /// What it is called.
+    /// Returns the name of the variant.
     pub fn name(self) -> String {
         match self {
             Self::Interpreter => "interpreter".to_owned(),
@@ -35,7 +35,7 @@ impl Variant {
         }
     }
 
-    /// How it is emitted; the interpreter is not.
+    /// Returns the options for emission; `None` for the interpreter.
     pub fn emission(self) -> Option<(Language, Options)> {
         let options = Options::new("timed".parse().expect("a prefix"));
         match self {

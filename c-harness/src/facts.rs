@@ -77,8 +77,8 @@ pub(crate) fn of(language: &str) -> Facts {
             ("9clearance7nearest", vec![4, 2]),
         ]);
         // The hook calls what the policies of control.c name; a decision asks the graph once.
-        facts.calls.push(("6hybrid23Hybrid$LT$S$C$T$C$P$GT$6decide28_", &["fs_infer", "rs_infer"]));
-        facts.limits.push(("6hybrid23Hybrid$LT$S$C$T$C$P$GT$6decide28_", 1));
+        facts.calls.push(("6switch19Hybrid$LT$T$C$P$GT$6decide28_", &["fs_infer", "rs_infer"]));
+        facts.limits.push(("6switch19Hybrid$LT$T$C$P$GT$6decide28_", 1));
     } else {
         facts.roots = "hybrid_decide";
         facts.stack_roots = "hybrid_decide";

@@ -1,4 +1,4 @@
-//! What is committed here is what the generator gives today, and it acts like the graph.
+//! Checks that the committed code is what the generator produces today and that it acts like the graph.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -15,7 +15,7 @@ fn folder(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(name)
 }
 
-/// Folders with a `graph.json`, beside this crate's manifest.
+/// Returns the folders with a `graph.json` next to this crate's manifest.
 fn policies() -> Vec<PathBuf> {
     let mut folders: Vec<PathBuf> = fs::read_dir(folder("."))
         .expect("the crate's folder")
@@ -73,7 +73,7 @@ fn generated_code_is_fresh() {
     }
 }
 
-/// The Rust of this crate, built by cargo like any other, beside the interpreter.
+/// Compares the Rust code of this crate, built by cargo like any other, with the interpreter.
 fn acts_like<P, const N: usize>(policy: P, graph: &Graph)
 where
     P: Policy<State = [f32; N], Action = ActionId>,

@@ -1,4 +1,5 @@
-//! The committed policy in integers: made again it has the same bytes, and its constants answer as its file does.
+//! The committed integer policy: generated again it has the same bytes, and its constants give the same results as its
+//! file.
 
 use std::fs;
 use std::path::PathBuf;
@@ -161,7 +162,7 @@ fn the_constants_answer_as_the_file_for_a_million_observations() {
 
 #[test]
 fn it_does_what_it_was_trained_for() {
-    // Validation tasks of another seed: the committed test tasks are for reports.
+    // Validation tasks of another seed, because the committed test tasks are reserved for reports.
     for (start, least) in [(Start::Fs, 0.98), (Start::Rs, 0.97)] {
         let tasks = tasks(&WIDOWX, 77, Set::Validation, start, 200);
         let file = generated("policy.q.json").display().to_string();

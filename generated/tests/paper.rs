@@ -1,4 +1,4 @@
-//! The built-in description of the paper's graphs is about the runtime's arm.
+//! Checks that the built-in description of the paper's graphs matches the runtime's arm.
 
 use tpg_arm::WIDOWX;
 use tpg_arm::binding;

@@ -35,7 +35,7 @@ extern "C" {
 
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
 typedef struct widowx_rs_state {
-    float stance[4]; /* ticks, -4095 to 4095 */
+    float stance[4]; /* ticks, -4095 to 4095; -3072 to 3072; -3072 to 3072; -2046 to 2046 */
     float floor[1]; /* mm, 0 to 606 */
 } widowx_rs_state_t;
 

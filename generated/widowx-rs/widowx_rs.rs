@@ -17,7 +17,7 @@ use tpg_runtime::policy::{ActionId, Policy};
 /// A tangled program graph: branch-free, the same time for every state.
 ///
 /// It sees, one after another:
-/// - `s[0..4]`: stance, ticks, -4095 to 4095
+/// - `s[0..4]`: stance, ticks, -4095 to 4095; -3072 to 3072; -3072 to 3072; -2046 to 2046
 /// - `s[4..5]`: floor, mm, 0 to 606
 ///
 /// Values outside the ranges are legal, NaN and infinities too. It answers:

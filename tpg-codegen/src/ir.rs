@@ -6,6 +6,7 @@
 //! interpreter does too, on the same operands.
 
 use std::collections::{BTreeMap, BTreeSet};
+use tpg_graph::dataflow::effective;
 use tpg_graph::{Destination, Graph, Input, Operand, Program, TeamId};
 use tpg_runtime::ops::Instruction;
 use tpg_runtime::policy::ActionId;
@@ -15,7 +16,7 @@ use tpg_runtime::policy::ActionId;
 pub struct NodeId(pub(crate) u32);
 
 impl NodeId {
-    /// As an index.
+    /// The index in [`Module::nodes`].
     pub fn index(self) -> usize {
         self.0 as usize
     }
@@ -49,7 +50,7 @@ impl Node {
         }
     }
 
-    /// Whether it must be computed: neither a constant nor an input.
+    /// Tests for a computed value: neither a constant nor an input.
     pub fn is_computed(&self) -> bool {
         matches!(self, Self::Operation(..) | Self::Upper(..))
     }
@@ -65,7 +66,7 @@ impl Node {
 pub struct Bidder {
     /// The program's id in the source file.
     pub label: u32,
-    /// What it bids.
+    /// The value of the bid.
     pub value: NodeId,
 }
 
@@ -74,11 +75,11 @@ pub struct Bidder {
 pub struct Edge {
     /// The place of the bidder in [`Module::bidders`].
     pub bidder: usize,
-    /// Where it leads.
+    /// The destination.
     pub to: Target,
 }
 
-/// Where an edge leads.
+/// The destination of an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Target {
     /// To the team at this place of [`Module::teams`].
@@ -97,8 +98,10 @@ pub struct Team {
 }
 
 /// A lowered graph.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Module {
+#[derive(Clone, Debug, PartialEq)]
+pub struct Module<'g> {
+    /// The graph: its scalar type and maths, its sources and actions stay what they are.
+    pub graph: &'g Graph,
     /// Every value once, operands before operations.
     pub nodes: Vec<Node>,
     /// The programs, in the order the teams first use them.
@@ -109,15 +112,33 @@ pub struct Module {
     pub depth: usize,
 }
 
-impl Module {
+impl<'g> Module<'g> {
     /// Lowers a graph.
-    pub fn lower(graph: &Graph) -> Self {
+    pub fn lower(graph: &'g Graph) -> Self {
         Lowering::new(graph).module()
+    }
+
+    #[cfg(test)]
+    pub(crate) fn empty(graph: &'g Graph) -> Self {
+        Self { graph, nodes: Vec::new(), bidders: Vec::new(), teams: Vec::new(), depth: 0 }
     }
 
     /// A node.
     pub fn node(&self, id: NodeId) -> Node {
         self.nodes[id.index()]
+    }
+
+    /// The vertex of a target: teams are numbered from 0, the root, and the actions follow them.
+    pub fn vertex(&self, target: Target) -> usize {
+        match target {
+            Target::Team(team) => team,
+            Target::Action(action) => self.teams.len() + usize::from(action.0),
+        }
+    }
+
+    /// The number of vertices.
+    pub fn vertices(&self) -> usize {
+        self.teams.len() + self.graph.actions().len()
     }
 
     /// The operations that `value` needs, operands before operations.
@@ -126,7 +147,7 @@ impl Module {
     }
 }
 
-/// What must be computed for `value`, operands before operations, not looking beyond nodes that are not `missing`.
+/// The operations needed for `value`, operands before operations; nodes that are not `missing` are not visited.
 pub fn needed(nodes: &[Node], value: NodeId, missing: impl Fn(NodeId) -> bool) -> Vec<NodeId> {
     let mut found = BTreeSet::new();
     let mut open = vec![value];
@@ -149,7 +170,7 @@ impl<'g> Lowering<'g> {
         Self { graph, values: Values::default() }
     }
 
-    fn module(mut self) -> Module {
+    fn module(mut self) -> Module<'g> {
         let order = breadth_first(self.graph);
         let mut place = vec![0; order.len()];
         for (index, team) in order.iter().enumerate() {
@@ -176,12 +197,12 @@ impl<'g> Lowering<'g> {
             teams.push(Team { label: team.label, edges });
         }
         let depth = longest_walk(&teams);
-        Module { nodes: self.values.into_nodes(), bidders, teams, depth }
+        Module { graph: self.graph, nodes: self.values.into_nodes(), bidders, teams, depth }
     }
 
     /// Runs the lines that matter on symbols and returns what register 0 holds.
     fn value(&mut self, program: &Program) -> NodeId {
-        let effective = effective_lines(program, usize::from(self.graph.registers()));
+        let effective = effective(self.graph.registers().into(), &program.lines);
         let zero = Node::constant(0.0);
         let mut registers = vec![None; usize::from(self.graph.registers())];
         for (line, _) in program.lines.iter().zip(effective).filter(|(_, effective)| *effective) {
@@ -215,7 +236,7 @@ impl Values {
         Self { nodes, numbers }
     }
 
-    /// The id of a node; operands are there already.
+    /// The id of a node, whose operands have been interned.
     pub fn intern(&mut self, node: Node) -> NodeId {
         *self.numbers.entry(node).or_insert_with(|| {
             self.nodes.push(node);
@@ -239,26 +260,6 @@ impl Values {
     }
 }
 
-/// Which lines of a program reach register 0, found backwards from its end.
-pub fn effective_lines(program: &Program, registers: usize) -> Vec<bool> {
-    let mut wanted = vec![false; registers];
-    wanted[0] = true;
-    let mut effective = vec![false; program.lines.len()];
-    for (line, effective) in program.lines.iter().zip(&mut effective).rev() {
-        if !wanted[line.to.index()] {
-            continue;
-        }
-        *effective = true;
-        wanted[line.to.index()] = false;
-        for operand in line.operands.iter().take(line.instruction.arity()) {
-            if let Operand::Register(register) = operand {
-                wanted[register.index()] = true;
-            }
-        }
-    }
-    effective
-}
-
 fn breadth_first(graph: &Graph) -> Vec<TeamId> {
     let mut seen = vec![false; graph.teams().len()];
     seen[graph.root().index()] = true;
@@ -277,8 +278,8 @@ fn breadth_first(graph: &Graph) -> Vec<TeamId> {
     order
 }
 
-/// The teams, each after all that lead to it; of those that may come next, the one that was reached last does, so that
-/// teams of one branch stay together. Every team can be reached from the first.
+/// A topological order of the teams, all reachable from the first. Among the candidates the one reached last comes next, so
+/// that the teams of a branch stay together.
 pub(crate) fn topological(teams: &[Team]) -> Vec<usize> {
     let targets = |team: usize| {
         teams[team].edges.iter().filter_map(|edge| if let Target::Team(to) = edge.to { Some(to) } else { None })
@@ -301,7 +302,7 @@ pub(crate) fn topological(teams: &[Team]) -> Vec<usize> {
     order
 }
 
-/// Teams on the longest walk from the first team.
+/// Number of teams on the longest walk from the first.
 pub(crate) fn longest_walk(teams: &[Team]) -> usize {
     heaviest_walk(teams, |_| 1) as usize
 }

@@ -5,20 +5,26 @@
 //! | module | subject |
 //! | --- | --- |
 //! | [`cli`] | the program `tpg-codegen`: its commands and exit codes |
-//! | [`ir`], [`passes`] | the lowered graph, and what makes it small and fast without changing what it does |
-//! | [`explain`] | what each pass removed, and what is left in formulas |
-//! | [`emit`] | from the lowered graph to text |
-//! | [`cost`], [`size`], [`report`] | what the code takes: operations, bytes, stack |
-//! | [`verify`] | compiles what was generated and compares it with the interpreter |
-//! | [`policy`] | networks in integers: `policy.q.json` into C and Rust |
+//! | [`options`], [`program`] | the options, and [`compile`], which turns a graph into a [`Program`] |
+//! | [`ir`], [`passes`] | the lowered graph, and the passes that make it small and fast without changing its behaviour |
+//! | [`explain`] | the removals of each pass, and the remaining bids as formulas |
+//! | [`emit`] | from a program to text |
+//! | [`cost`], [`size`], [`report`] | the resources of the code: operations, bytes, stack |
+//! | [`verify`] | compiles generated code and compares it with the interpreter |
+//! | [`policy`] | quantised networks: `policy.q.json` into C and Rust |
 
 pub mod cli;
 pub mod cost;
 pub mod emit;
 pub mod explain;
 pub mod ir;
+pub mod options;
 pub mod passes;
 pub mod policy;
+pub mod program;
 pub mod report;
 pub mod size;
 pub mod verify;
+
+pub use options::Options;
+pub use program::{Program, compile};

@@ -10,7 +10,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use tempfile::TempDir;
-use tpg_codegen::emit::{self, Language, Profile, Style};
+
+use tpg_codegen::emit::{self, Code, Language, Profile, Style};
 use tpg_codegen::size::RustForCortexM4;
 use tpg_graph::sample::{self, Constants, Shape};
 use tpg_graph::{Graph, MathsProvider, ScalarType};
@@ -92,7 +93,9 @@ fn compile(folder: &Path, graph: &Graph, profile: Profile, (language, level): (L
         Language::Rust => {
             let compiler = RustForCortexM4::new(level).expect("the toolchain has the target");
             let options = shaped("ct", (Style::Pure, Some(profile)));
-            let object = compiler.object(graph, &options, level).unwrap_or_else(|error| panic!("{error}"));
+            let object = compiler
+                .object(&Code::of(tpg_codegen::compile(graph, &options, Language::Rust)), level)
+                .unwrap_or_else(|error| panic!("{error}"));
             fs::write(folder.join("ct.o"), object).expect("the folder can be written");
         }
     }

@@ -1,8 +1,12 @@
 //! The C kernels give the bits of the Rust ones, with every compiler at hand, and compile without a warning.
 
+mod common;
+
+use common::{fixture, shaped};
 use std::io::{Read as _, Write as _};
 use std::process::{Command, Stdio};
-
+use tpg_codegen::emit::{self, Language, Profile, Style};
+use tpg_graph::{MathsProvider, ScalarType};
 use tpg_runtime::ops::own;
 
 /// C99 and C++11, of whoever provides them; the system's `cc` must be there.
@@ -43,20 +47,24 @@ int main(void)
 }
 ";
 
-/// A program of the template with every function in it.
-fn program(template: &str, number: &str) -> String {
-    let kernels: Vec<&str> = template.lines().filter(|line| !line.starts_with("{%")).collect();
-    let kernels = kernels.join("\n").replace("{{ prefix }}", "tpg");
+/// Generated code that calls every function, and a program around these.
+fn program(scalar: ScalarType, number: &str) -> [(String, String); 2] {
+    let shape = (Style::Pure, Some(Profile::Small));
+    let files = emit::emit(&fixture(scalar, MathsProvider::Own), Language::C, &shaped("tpg", shape));
+    let [header, source] = files.try_into().expect("two files");
     let main = MAIN.replace("NUMBER", number);
-    format!("#include <stdint.h>\n#include <stdio.h>\n#include <string.h>\n\n{kernels}\n{main}")
+    let text = format!("#define TPG_NO_SELFTEST\n#include <stdio.h>\n\n{}\n{main}", source.text);
+    [(header.name, header.text), ("own.c".to_owned(), text)]
 }
 
 /// What the compiled program answers, or `None` where there is no such compiler.
-fn run(compiler: &[&str], program: &str, input: Vec<u8>) -> Option<Vec<u8>> {
+fn run(compiler: &[&str], program: &[(String, String)], input: Vec<u8>) -> Option<Vec<u8>> {
     Command::new(compiler[0]).arg("--version").stdout(Stdio::null()).status().ok()?;
     let directory = tempfile::tempdir().unwrap();
     let (source, binary) = (directory.path().join("own.c"), directory.path().join("own"));
-    std::fs::write(&source, program).unwrap();
+    for (name, text) in program {
+        std::fs::write(directory.path().join(name), text).unwrap();
+    }
     let mut command = Command::new(compiler[0]);
     command.args(&compiler[1..]).args(FLAGS).arg(&source).arg("-o").arg(&binary);
     assert!(command.status().unwrap().success(), "{command:?}");
@@ -81,9 +89,9 @@ fn random_bits() -> impl Iterator<Item = u64> {
 }
 
 macro_rules! same_bits {
-    ($module:ident, $float:ident, $number:literal, $inputs:expr) => {{
+    ($module:ident, $float:ident, $scalar:expr, $number:literal, $inputs:expr) => {{
         use own::$module::{cos, exp, ln, sin};
-        let program = program(include_str!(concat!("../templates/c/own_", stringify!($module), ".c")), $number);
+        let program = program($scalar, $number);
         let inputs: Vec<$float> = $inputs.map($float::from_bits).collect();
         let bytes: Vec<u8> = inputs.iter().flat_map(|x| x.to_ne_bytes()).collect();
         for compiler in COMPILERS {
@@ -112,7 +120,7 @@ fn f32_has_the_bits_of_rust() {
     let random = random_bits().map(|bits| (bits >> 16) as u32).take(500_000);
     // Between 2⁻¹² and 2¹², where everything is in use.
     let moderate = random_bits().map(|bits| (bits as u32 & 0x807f_ffff) | ((115 + (bits >> 40) as u32 % 24) << 23));
-    same_bits!(f32, f32, "float", limits.chain(strided).chain(random).chain(moderate.take(500_000)));
+    same_bits!(f32, f32, ScalarType::F32, "float", limits.chain(strided).chain(random).chain(moderate.take(500_000)));
 }
 
 #[test]
@@ -120,5 +128,11 @@ fn f64_has_the_bits_of_rust() {
     let limits = [0, 1, 0x000f_ffff_ffff_ffff, 0x0010_0000_0000_0000, 0x7fef_ffff_ffff_ffff, 0x7ff0_0000_0000_0000];
     let limits = limits.into_iter().flat_map(|bits: u64| [bits, bits | (1 << 63)]);
     let moderate = random_bits().map(|bits| (bits & 0x800f_ffff_ffff_ffff) | ((1009 + (bits >> 52) % 28) << 52));
-    same_bits!(f64, f64, "double", limits.chain(random_bits().take(700_000)).chain(moderate.take(700_000)));
+    same_bits!(
+        f64,
+        f64,
+        ScalarType::F64,
+        "double",
+        limits.chain(random_bits().take(700_000)).chain(moderate.take(700_000))
+    );
 }

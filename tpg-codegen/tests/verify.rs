@@ -1,7 +1,8 @@
 //! Generated code acts like the interpreter: compiled and run.
 
-use tpg_codegen::emit::{Options, Profile, Style};
-use tpg_codegen::verify::{self, Workshop};
+use tpg_codegen::compile;
+use tpg_codegen::emit::{Code, Language, Options, Profile, Style};
+use tpg_codegen::verify::{self, Proof, Workshop};
 use tpg_graph::engine::Engine;
 use tpg_graph::sample::{self, Shape};
 use tpg_graph::{Document, Graph, MathsProvider, ScalarType};
@@ -68,4 +69,28 @@ fn a_different_policy_is_found_out() {
     let comparisons = verify::compare(&graph, &mut [&mut c], 20_000, 1).expect("the program runs");
     assert!(comparisons[0].differences > 0, "swapped edges change ties: {comparisons:?}");
     assert!(comparisons[0].first.is_some());
+}
+
+/// Generated code whose last file says something else.
+fn changed<'g>(graph: &'g Graph, language: Language, from: &str, to: &str) -> Code<'g> {
+    let mut code = Code::of(compile(graph, &Options::new("arm".parse().expect("a prefix")), language));
+    let file = code.files.last_mut().expect("a file");
+    assert!(file.text.contains(from), "{}", file.text);
+    file.text = file.text.replace(from, to);
+    code
+}
+
+#[test]
+fn the_text_is_proven_and_not_the_graph_it_came_from() {
+    let graph = fixture(ScalarType::F64, MathsProvider::Own);
+    let of = |language, from, to| Proof::of(&[changed(&graph, language, from, to)], 500, 1);
+    let [c, rust] = ["return (uint16_t)vertex;", ".wrapping_sub(3) as u16)"];
+    for (language, same) in [(Language::C, c), (Language::Rust, rust)] {
+        assert!(of(language, same, same).expect("it runs").holds(), "{language:?}");
+    }
+    let proof = of(Language::Rust, rust, ".wrapping_sub(3) as u16 ^ 1)").expect("it runs");
+    assert!(!proof.holds() && proof.unproven.is_empty(), "{proof:?}");
+    assert_eq!(proof.comparisons[0].differences, 500, "{proof:?}");
+    let error = of(Language::C, c, "return (uint16_t)(vertex ^ 1U);").expect_err("its self-test notices");
+    assert_eq!(error.to_string(), "C, fast: the self-test in the code differs from the interpreter");
 }

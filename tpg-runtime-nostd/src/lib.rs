@@ -9,6 +9,8 @@
 //! | --- | --- |
 //! | [`policy`] | the [`Policy`](policy::Policy) trait that generated code implements |
 //! | [`ops`] | the instruction set, and sin, cos, ln, exp with the same bits everywhere |
+//! | [`cycle`] | has this been here before? |
+//! | [`switch`] | two policies over one problem: whose turn it is |
 //! | [`net`] | networks in integers, of any shape |
 //! | [`scalar`] | `f32` and `f64` |
 //!
@@ -26,9 +28,11 @@
 #[cfg(any(feature = "std", test))]
 extern crate std;
 
+pub mod cycle;
 pub mod net;
 pub mod ops;
 pub mod policy;
 pub mod scalar;
 #[cfg(feature = "standalone")]
 pub mod standalone;
+pub mod switch;

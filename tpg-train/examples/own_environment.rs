@@ -1,4 +1,4 @@
-//! A problem of one's own, from training to C: a cart on rails that must stop at the middle.
+//! A user-defined problem, from training to C: a cart on rails that must stop in the middle.
 //!
 //! `cargo run --release -p tpg-train --example own_environment -- RUN`, which takes seconds, writes `RUN/graph.json` and
 //! `RUN/report.html`; `cargo run --release -p tpg-codegen -- RUN/graph.json --lang c --prefix cart -o RUN` writes the C.
@@ -15,7 +15,7 @@ use tpg_train::report::{ReportArgs, report_with};
 pub(crate) struct Cart;
 
 impl Environment<f32> for Cart {
-    type Task = f32; // where the cart starts, m
+    type Task = f32; // starting position, m
     type Episode = [f32; 2]; // position and velocity
 
     fn sources(&self) -> Vec<SourceDocument> {

@@ -1,11 +1,11 @@
-//! Environment steps per CPU-second, and what each idea of the engine is worth.
+//! Environment steps per CPU-second, and the effect of each optimisation of the engine.
 //!
 //! `cargo run --release -p tpg-train --example throughput -- [--quick] [--once] [--fs] [RUN|GRAPH]...`
 //!
-//! Without arguments: generation 0 of the paper's problem. A run's folder: the generation after its checkpoint, exactly as
-//! training would evaluate it. A graph (`graph.json`, or a `.dot` of the paper's artifact): 1,000 episodes, random start,
-//! or fixed start after `--fs`. Times are CPU times of this process (Linux), and the least of three passes; `--once` makes
-//! one, `--quick` measures the first row only.
+//! Without arguments: generation 0 of the paper's problem. A run's folder: the generation after its checkpoint, exactly
+//! as training would evaluate it. A graph (`graph.json`, or a `.dot` of the paper's artifact): 1,000 episodes, random
+//! start, or fixed start after `--fs`. Times are CPU times of this process (Linux), the minimum of three passes;
+//! `--once` makes one pass, `--quick` measures only the first row.
 
 use std::path::Path;
 use tpg_arm::WIDOWX;
@@ -25,11 +25,11 @@ use tpg_train::evolution::mutate_team::{Moment, populate, random_population};
 use tpg_train::evolution::presets::Preset;
 use tpg_train::evolution::state::State;
 
-/// How much is measured.
+/// Extent of the measurement.
 #[derive(Clone, Copy)]
 struct Extent {
     rows: usize,
-    /// The least of some passes is the machine's, not its other work's.
+    /// Number of passes; the minimum excludes interference from other work on the machine.
     passes: usize,
 }
 
@@ -66,7 +66,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
-/// The next generation of a run: its survivors' children, and its episodes.
+/// Measures the next generation of a run: its survivors' children on its episodes.
 fn population(
     title: &str,
     config: &Config,
@@ -99,7 +99,7 @@ fn population(
     table::<f32, Own>(title, &environment, &Work { tasks, units }, extent)
 }
 
-/// A graph on a thousand episodes.
+/// Measures a graph on 1,000 episodes.
 fn one<S: ArmScalar, M: Maths<S>>(
     name: &str,
     graph: &Graph,
@@ -135,7 +135,7 @@ fn table<S: ArmScalar, M: Maths<S>>(
         ("no sharing of values", environment, Options { share: false, ..all }, 1),
         ("the arm one lane at a time", &no_vectors, all, 1),
         ("sines by libm instead of tables", &no_tables, all, 1),
-        ("cycles noticed at the time-out only", environment, Options { look_for_cycles: false, ..all }, 1),
+        ("cycles detected only at the timeout", environment, Options { look_for_cycles: false, ..all }, 1),
     ];
     let mut first = None;
     for (name, environment, options, threads) in rows.into_iter().take(extent.rows) {
@@ -143,7 +143,7 @@ fn table<S: ArmScalar, M: Maths<S>>(
         for _ in 0..extent.passes {
             let evaluator = LocalThreads::<S, M, _>::new(environment, options, threads)?;
             let (began, before) =
-                (std::time::Instant::now(), cpu_seconds().ok_or("this system does not tell CPU times")?);
+                (std::time::Instant::now(), cpu_seconds().ok_or("this system does not report CPU times")?);
             evaluator.evaluate(work)?;
             least = least.min(cpu_seconds().unwrap_or(before) - before);
             wall = wall.min(began.elapsed().as_secs_f64());

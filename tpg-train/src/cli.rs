@@ -35,13 +35,13 @@ enum Command {
     Sac(SacArgs),
     /// Study how graphs and actors share the arm
     Hybrid(HybridArgs),
-    /// Turn a hybrid.toml into constants of Rust
+    /// Turn a hybrid.toml into Rust constants
     Constants(ConstantsArgs),
-    /// Turn an actor of Stable-Baselines3 or CleanRL into a policy
+    /// Convert an actor of Stable-Baselines3 or CleanRL to a policy
     Import(ImportArgs),
-    /// Put a soft actor-critic's network into integers
+    /// Quantise a soft actor-critic's network to integers
     Quantise(QuantiseArgs),
-    /// Let a policy act and count how its episodes end
+    /// Run a policy and count how its episodes end
     Eval(EvalArgs),
     /// Show runs in one HTML file
     Report(ReportArgs),
@@ -52,7 +52,7 @@ enum Command {
 }
 
 impl Cli {
-    /// Does what was asked, tells people on stderr what went wrong.
+    /// Runs the command and prints errors to stderr.
     pub fn run(self) -> ExitCode {
         exit_code(match self.command {
             Command::Problems => print_problems().map(|()| Verdict::Good).map_err(CommandError::from),

@@ -6,15 +6,16 @@ use tpg_graph::error::InputError;
 use tpg_graph::output::UNFINISHED;
 pub use tpg_graph::output::write_atomically;
 
-/// Makes a folder with all above it.
+/// Creates a folder and its parents.
 ///
 /// # Errors
-/// If that cannot be done.
+/// If the folder cannot be created.
 pub fn make_folder(folder: &Path) -> Result<(), InputError> {
-    fs::create_dir_all(folder).map_err(|error| InputError::io(folder, &error, "a folder that can be made"))
+    fs::create_dir_all(folder).map_err(|error| InputError::io(folder, &error, "a folder that can be created"))
 }
 
-/// Removes what a killed program left unfinished in its folder. What cannot be removed stays: it does no harm.
+/// Removes unfinished files that a killed program left in its folder. Files that cannot be removed stay, which is
+/// harmless.
 pub fn remove_unfinished(folder: &Path) {
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
         if entry.file_name().to_string_lossy().starts_with(UNFINISHED) {

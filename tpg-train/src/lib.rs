@@ -13,8 +13,8 @@
 //! | [`evaluate`] | test episodes of a policy |
 //! | [`hybrid`] | a graph and an actor that share the arm: settings and study |
 //! | [`interrupt`] | Ctrl-C |
-//! | [`picture`] | SVG, plots and the page that holds them |
-//! | [`files`] | files that are whole or not there |
+//! | [`picture`] | SVG, plots and the HTML page that contains them |
+//! | [`files`] | atomic file writes |
 //! | [`problems`] | `tpg-train problems` |
 //! | [`progress`], [`run_args`] | the progress bar and the arguments of every run |
 //! | [`report`] | runs in one HTML file |

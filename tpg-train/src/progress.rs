@@ -1,4 +1,4 @@
-//! The progress bar of a run; indicatif draws nothing where stderr is no terminal.
+//! Progress bar of a run; indicatif draws nothing if stderr is not a terminal.
 
 use crate::evolution::run::Progress;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -13,14 +13,14 @@ pub struct Bar {
 }
 
 impl Bar {
-    /// A bar that has not begun.
+    /// Creates a bar that has not started.
     pub fn new() -> Self {
         let style = ProgressStyle::with_template("seed {prefix} {wide_bar} {pos}/{len} {msg}, {eta} left")
             .unwrap_or_else(|_| ProgressStyle::default_bar());
         Self { bar: ProgressBar::new(0).with_style(style), began: false }
     }
 
-    /// Shows how far a run is; breaks it when `stop` is set.
+    /// Shows the progress of a run; returns `Break` when `stop` is set.
     pub fn show(&mut self, progress: &Progress<'_>, stop: &AtomicBool) -> ControlFlow<()> {
         self.bar.set_length(progress.of);
         self.bar.set_prefix(progress.seed.to_string());

@@ -1,4 +1,4 @@
-//! Arguments that every training command has.
+//! Arguments common to all training commands.
 
 use clap::Args;
 use std::path::PathBuf;
@@ -12,7 +12,7 @@ pub struct RunArgs {
     /// A configuration file (`tpg-train config` prints commented ones)
     #[arg(long, value_name = "FILE", conflicts_with = "preset")]
     pub config: Option<PathBuf>,
-    /// A configuration that comes with the trainer, instead of the problem's usual one
+    /// A configuration included with the trainer, instead of the problem's default one
     #[arg(long, value_name = "NAME")]
     pub preset: Option<String>,
     /// The folder of the run [default: runs/PROBLEM-SEED]
@@ -27,7 +27,7 @@ pub struct RunArgs {
 }
 
 impl RunArgs {
-    /// The folder of the run.
+    /// Returns the folder of the run.
     pub fn folder(&self, problem: ProblemName, seed: u64) -> PathBuf {
         let usual = || PathBuf::from("runs").join(format!("{}-{seed}", problem.name()));
         self.out.clone().unwrap_or_else(usual)
@@ -39,7 +39,7 @@ impl RunArgs {
     }
 }
 
-/// An error of the command line.
+/// Creates an error about the command line.
 pub fn command_line(found: impl Into<String>, accepted: impl Into<String>) -> InputError {
     InputError::new("<command line>", Place::Whole, found, accepted)
 }

@@ -9,7 +9,7 @@ use tpg_problems::arm::targets::{Set, Start, TEST_SEED, tasks, to_csv};
 
 /// Print a set of test tasks as CSV.
 ///
-/// `tpg-train targets --problem fs > generated/test-targets/fs.csv` makes the committed file again.
+/// `tpg-train targets --problem fs > generated/test-targets/fs.csv` recreates the committed file.
 #[derive(Clone, Debug, clap::Args)]
 pub struct TargetsArgs {
     /// The problem: fixed or random start
@@ -18,7 +18,7 @@ pub struct TargetsArgs {
     /// The arm of this configuration, instead of the WidowX
     #[arg(long, value_name = "FILE")]
     pub config: Option<PathBuf>,
-    /// How many
+    /// The number of tasks
     #[arg(long, value_name = "N", default_value_t = 1000)]
     pub episodes: usize,
     /// The seed

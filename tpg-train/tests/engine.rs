@@ -1,4 +1,4 @@
-//! The engine gives the interpreter's answers, step for step, whatever it is told about lanes, sharing and threads.
+//! The engine gives the same results as the interpreter, step by step, for all settings of lanes, sharing and threads.
 
 use tpg_arm::binding::moved;
 use tpg_arm::cycle::Visited;
@@ -29,7 +29,7 @@ use tpg_train::evolution::mutate_team::{Moment, populate, random_population};
 use tpg_train::evolution::presets::Preset;
 use tpg_train::evolution::vocabulary::Vocabulary;
 
-/// A configuration in which everything can happen: every source, every instruction, literals, program constants.
+/// A configuration that covers everything: every source, every instruction, literals, program constants.
 fn config(scalar: ScalarType) -> Config {
     let mut config = Preset::find("best-rs").expect("it comes with the trainer").config().expect("it is accepted");
     config.language.scalar = scalar;
@@ -42,7 +42,7 @@ fn config(scalar: ScalarType) -> Config {
     config
 }
 
-/// The arm with every source.
+/// Returns the arm's configuration with every source.
 fn problem(shield: Shield) -> arm::Config {
     let names = Source::ALL.map(|source| source.name().to_owned());
     let sources = names.into_iter().filter(|name| !name.starts_with("shield_")).collect();
@@ -56,19 +56,19 @@ struct World<S> {
     policies: Vec<Policy>,
 }
 
-/// Half the range of every value.
+/// Returns half the range of every value.
 fn literal_units<S: ArmScalar>(environment: &ArmEnvironment<S>) -> Vec<f64> {
     let ranges = environment.sources().into_iter().flat_map(|source| source.ranges);
     ranges.map(|[min, max]| 0.5 * (max - min)).collect()
 }
 
 impl<S: ArmScalar> World<S> {
-    /// Roots some rounds of mutation away from random ones: several teams deep.
+    /// Creates roots that are several mutations away from random ones, with several levels of teams.
     fn new(scalar: ScalarType, arm: &Arm<f64>, shield: Shield) -> Self {
         let config = config(scalar);
         let mut problem = problem(shield);
         if shield == Shield::None {
-            // Random policies that read it hardly ever come back to a pose, and cycles are wanted, too.
+            // Random policies that read this source rarely return to a pose, and the test needs cycles.
             problem.sources.retain(|name| name != "stance");
         }
         let environment = ArmEnvironment::<S>::new(arm, problem.problem(Start::Rs));
@@ -94,7 +94,7 @@ impl<S: ArmScalar> World<S> {
     }
 }
 
-/// Longer and shorter links, tighter and wider ranges, another base: nothing of it is the WidowX's.
+/// An arm that differs from the WidowX in everything: longer and shorter links, tighter and wider ranges, another base.
 fn another_arm() -> Arm<f64> {
     let text = WIDOWX_TOML
         .replace("base = 125.0", "base = 90.0")
@@ -115,7 +115,8 @@ fn arm_tasks(arm: &Arm<f64>, count: usize) -> Vec<ArmTask> {
     tasks(arm, 5, Set::Training, Start::Rs, count).into_iter().map(ArmTask::from).collect()
 }
 
-/// The interpreter drives the runtime's own episode with the exact set of visited poses; also the bid of the last action.
+/// Runs the runtime's own episode with the interpreter and the exact set of visited poses; also returns the bid of the
+/// last action.
 fn by_interpreter<S: ArmScalar, M: Maths<S>>(
     graph: &Graph,
     arm: &Arm<S>,
@@ -162,7 +163,7 @@ fn same<S: Lattice>(ending: &Ending, summary: &Summary<S>, outcomes: &[&str]) ->
         && ending.measure.to_bits() == summary.distance.to_f64().to_bits()
 }
 
-/// Whether a shield holds back what ended an episode so.
+/// True if a shield prevents the given outcome.
 fn prevents(shield: Shield, outcome: Outcome) -> bool {
     match outcome {
         Outcome::Invalid(Invalid::JointLimit(_)) => shield != Shield::None,
@@ -171,7 +172,7 @@ fn prevents(shield: Shield, outcome: Outcome) -> bool {
     }
 }
 
-/// Also holds every shield to its word: an action that it refuses is done only where no edge of the team bid more.
+/// Also checks every shield: an action that it masks is taken only if no edge of the team bid more.
 fn engine_is_the_interpreter<S: ArmScalar>(scalar: ScalarType, arm: &Arm<f64>, shield: Shield) -> [usize; 7]
 where
     Own: Maths<S>,
@@ -182,7 +183,8 @@ where
     let mut steps = 0;
     for policy in &world.policies {
         let graph = world.graph(policy);
-        // From the genome's own policy, introns and shared programs and all; the graph went through a file.
+        // The plan comes from the genome's own policy, with introns and shared programs; the graph was written and read
+        // again.
         let graph = Graph::from_json("again", &graph.to_json()).expect("what was written can be read");
         let plan = Plan::<S>::new::<Own>(policy, &world.environment.sources(), Options::default());
         let mut lanes = Lanes::<S, Own, _>::new(&world.environment, Options { lanes: 5, ..Options::default() });
@@ -193,10 +195,10 @@ where
             let (actions, summary, bid) =
                 by_interpreter::<S, Own>(&graph, world.environment.arm(), world.environment.problem(), task);
             if prevents(shield, summary.outcome) {
-                // It was the highest, so there was nothing better that was allowed.
+                // The bid was the highest, so no allowed action was better.
                 assert!(bid.to_f64() <= -ALLOWED, "{:?} with a bid of {bid:?} under {shield:?}", summary.outcome);
             }
-            // The engine notices a cycle later and then goes back to its first repeat.
+            // The engine detects a cycle later and then goes back to its first repeat.
             assert_eq!(watched[..actions.len()], actions, "the same actions");
             assert!(same(ending, &summary, world.environment.outcomes()), "{ending:?} against {summary:?}");
             ways[usize::from(ending.outcome)] += 1;
@@ -219,7 +221,7 @@ fn every_step_is_the_interpreters_in_f64() {
     assert!(ways[1] > 5 && ways[2] > 10 && ways[3] > 10, "cycles, stops and limits must occur: {ways:?}");
 }
 
-/// Of random policies many have teams whose every bid is NaN: a shield leaves those alone, and they hit what they hit.
+/// Many random policies have teams in which every bid is NaN; a shield does not affect these, and they may collide.
 #[test]
 fn under_a_shield_too_every_step_is_the_interpreters() {
     let [.., limits, table, base, _] = engine_is_the_interpreter::<f32>(ScalarType::F32, &WIDOWX, Shield::None);
@@ -232,8 +234,8 @@ fn under_a_shield_too_every_step_is_the_interpreters() {
     engine_is_the_interpreter::<f64>(ScalarType::F64, &WIDOWX, Shield::LimitsAndCollision);
 }
 
-/// Duplicates are found by value, and under a shield the values differ: merging must not change what is chosen where an
-/// edge is refused, and what the compiler keeps must decide as the graph does.
+/// Duplicates are found by value, and values differ under a shield: merging must not change the choice where an edge is
+/// masked, and the edges that the compiler keeps must decide like the graph.
 #[test]
 fn under_a_shield_equal_programs_for_different_actions_stay_two_bids() {
     let line =
@@ -257,7 +259,8 @@ fn under_a_shield_equal_programs_for_different_actions_stay_two_bids() {
     for value in [0.0, -0.0, 3.5, f32::NAN, f32::INFINITY, f32::NEG_INFINITY, big, -big] {
         for (up, down, chosen) in [(big, big, 0), (-big, big, 1), (big, -big, 0), (-big, -big, 0)] {
             (state[0], state[first], state[first + 1]) = (value, up, down);
-            // A bid that is NaN or at most the refusal's bound is not held back: all three are equal then, the last wins.
+            // A NaN bid, or one not above the refusal's bound, is not capped: all three are then equal, and the last
+            // wins.
             let chosen = if value.is_nan() || value <= -big { 0 } else { chosen };
             assert_eq!(interpreter.decide(&state), ActionId(chosen), "{value} under {up} and {down}");
         }

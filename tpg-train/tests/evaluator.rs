@@ -1,4 +1,5 @@
-//! Another place to evaluate roots: behind the same trait, each unit and each answer as text, in any order. The run is the same.
+//! A custom evaluator of roots behind the same trait, which exchanges units and answers as text, in any order. The run
+//! is the same.
 
 use std::cell::RefCell;
 use std::collections::BTreeSet;
@@ -15,7 +16,7 @@ use tpg_train::evolution::config::Config;
 use tpg_train::evolution::presets::Preset;
 use tpg_train::evolution::run::{RunEnd, RunOptions, run};
 
-/// A worker at the other end of a wire: it is sent a unit with the tasks, and sends an answer. It knows nothing else.
+/// A remote worker: it receives a unit with the tasks and sends an answer. It has no other information.
 struct Worker<'e> {
     environment: &'e ArmEnvironment<f32>,
 }
@@ -29,7 +30,7 @@ impl Worker<'_> {
     }
 }
 
-/// Sends units one by one, the last first, and puts the answers into order by their keys.
+/// Sends units one by one, the last first, and sorts the answers by their keys.
 struct Wire<'e> {
     worker: Worker<'e>,
     keys: RefCell<BTreeSet<(UnitKey, String)>>,
@@ -47,7 +48,7 @@ impl Evaluator<ArmTask> for Wire<'_> {
                 return Err(EvaluationError::new(format!("{} answers to a unit", reply.len())));
             };
             assert_eq!(answer.key, *key, "an answer has its unit's key");
-            // Racing asks twice a generation, validation a few times more: each time with other tasks.
+            // Racing evaluates twice per generation, validation a few more times, each time on different tasks.
             let tasks = serde_json::to_string(&work.tasks).map_err(EvaluationError::new)?;
             assert!(self.keys.borrow_mut().insert((*key, tasks)), "{key:?} is no address: it was there before");
             answers.push(answer.clone());
@@ -63,7 +64,7 @@ impl Evaluator<ArmTask> for Wire<'_> {
     }
 }
 
-/// Two demes, so that roots of equal numbers are asked for.
+/// Two demes, so that different roots have equal numbers.
 fn config() -> Config {
     let mut config = Preset::find("best-rs").expect("it comes with the trainer").config().expect("it is accepted");
     (config.tpg.nb_roots, config.tpg.init_nb_roots, config.learning.ratio_deleted_roots) = (16, 20, 0.7);
@@ -94,7 +95,7 @@ fn a_run_is_the_same_wherever_its_roots_are_evaluated() {
     assert!(wire.keys.borrow().len() > 100 && Environment::<f32>::time_limit(&environment) > 0);
 }
 
-/// Loses its connection at the third question.
+/// Loses its connection at the third call.
 struct Broken<V> {
     inner: V,
     asked: RefCell<u32>,

@@ -1,4 +1,5 @@
-//! `tpg-train hybrid`: equal bytes for any threads and for a study that was broken off, and a folder that is not lost.
+//! `tpg-train hybrid`: the same bytes for any number of threads and after an interruption; existing folders are not
+//! overwritten.
 
 use assert_cmd::Command;
 use std::fs;
@@ -27,7 +28,7 @@ fn threads_and_interruptions_do_not_matter() {
     assert_eq!(cells.lines().count(), 1 + 2 * 42, "two pairs, 42 settings");
     assert_eq!(text(&two, "cells.csv"), cells);
 
-    // As if it had been killed after every third cell.
+    // Simulates a run that was killed after every third cell.
     let kept: String =
         cells.lines().enumerate().filter(|(line, _)| line % 3 == 0).map(|(_, l)| format!("{l}\n")).collect();
     fs::write(two.join("cells.csv"), kept).expect("a file");
@@ -35,7 +36,7 @@ fn threads_and_interruptions_do_not_matter() {
     study(&two, &["--resume"]).success();
     assert_eq!(text(&two, "cells.csv"), cells);
 
-    // What was chosen can be put to work.
+    // The chosen hybrid can be used.
     assert!(text(&two, "report.html").contains("figure 7"));
     let mut eval = Command::cargo_bin("tpg-train").expect("the program");
     let eval = eval.args(["eval", "--problem", "fs", "--episodes", "3", "--json", "--hybrid"]);

@@ -1,4 +1,4 @@
-//! Actors that Stable-Baselines3 and CleanRL's code made: imported, they answer what PyTorch did.
+//! Actors written by Stable-Baselines3 and CleanRL: after import they give the same outputs as PyTorch.
 
 use serde::Deserialize;
 use std::collections::BTreeMap;

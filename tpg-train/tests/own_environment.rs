@@ -1,4 +1,4 @@
-//! The example `own_environment`, from training to a C program that drives the same cart.
+//! The example `own_environment`, from training to a C program that controls the same cart.
 
 #[allow(dead_code, reason = "it is a program")]
 #[path = "../examples/own_environment.rs"]
@@ -16,7 +16,7 @@ use tpg_runtime::ops::Own;
 
 const STARTS: i16 = 33;
 
-/// The same cart in C; it prints a line of actions for every start.
+/// The same cart in C; prints a line of actions for every start.
 const MAIN: &str = r#"
 #include "cart.h"
 #include <stdio.h>
@@ -82,7 +82,7 @@ fn from_training_to_a_c_program_that_drives_the_same_cart() {
     }
     let output = Command::new(c_program(folder.path(), &graph)).assert().success();
     let printed = String::from_utf8(output.get_output().stdout.clone()).expect("digits");
-    assert!(printed.lines().eq(actions.iter().map(String::as_str)), "the C drives another way");
+    assert!(printed.lines().eq(actions.iter().map(String::as_str)), "the C program acts differently");
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! `tpg-train report`: one file with everything in it, the same bytes for the same runs, and errors that name a folder.
+//! `tpg-train report`: one self-contained file, the same bytes for the same runs, and errors that name the folder.
 
 use assert_cmd::Command;
 use std::fs;

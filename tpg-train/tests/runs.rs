@@ -1,4 +1,4 @@
-//! Runs end in the same bytes, however often they are killed and on however many threads; bad input is refused.
+//! Runs end with the same bytes, however often they are killed and on any number of threads; bad input is rejected.
 
 use std::fs;
 use std::path::Path;
@@ -11,10 +11,10 @@ use tpg_problems::{Problem, ProblemName};
 use tpg_train::evolution::config::Config;
 use tpg_train::evolution::presets::Preset;
 
-/// A run is killed so often.
+/// Number of times a run is killed.
 const KILLS: usize = 20;
 
-/// A run of seconds that uses all there is: two demes with migration, pool, archive, lexicase, racing.
+/// A run of seconds that uses every feature: two demes with migration, pool, archive, lexicase, racing.
 fn small_config() -> Config {
     let mut config = Preset::find("best-rs").expect("it comes with the trainer").config().expect("it is accepted");
     config.problem = Problem::usual(ProblemName::Pendulum).to_table();
@@ -43,7 +43,7 @@ fn refusal(mut command: Command) -> String {
     String::from_utf8(output.stderr).expect("text")
 }
 
-/// Everything but the times.
+/// Returns all results except the times.
 fn results(folder: &Path) -> Vec<(String, Vec<u8>)> {
     ["graph.json", "generations.csv", "generations.jsonl", "checkpoint.json", "config.toml"]
         .map(|name| (name.to_owned(), fs::read(folder.join(name)).unwrap_or_else(|_| panic!("{name} is missing"))))
@@ -68,7 +68,7 @@ fn killed_resumed_or_on_other_threads_a_run_ends_in_the_same_bytes() {
         assert!(results(&folder) == expected, "{name} gives other bytes");
     }
 
-    // Each session on other threads and lanes. A run that comes to its end is compared, and another one begun.
+    // Each session uses different threads and lanes. A run that finishes is compared, and another one started.
     let mut stream = Stream::new(1, 0, Purpose::Test, 0);
     let (mut kills, mut ends) = (0, 0);
     while kills < KILLS {
@@ -77,7 +77,7 @@ fn killed_resumed_or_on_other_threads_a_run_ends_in_the_same_bytes() {
         let arguments = ["--threads", threads, "--lanes", lanes, "--checkpoint-seconds", "0", "--resume"];
         let mut run: Child = train(&killed, &config, &arguments).spawn().expect("it starts");
         sleep(whole / 400 * stream.between(1, 100) as u32);
-        // SIGKILL: the program cannot do anything about it.
+        // SIGKILL cannot be caught by the program.
         run.kill().expect("it can be killed");
         let end = run.wait().expect("it ends");
         if end.success() {
@@ -188,7 +188,7 @@ fn a_bad_configuration_is_refused_with_its_line_and_what_is_accepted() {
         let of_problem = || Problem::from_toml("c.toml", &text).err();
         Config::from_toml("c.toml", &text).err().or_else(of_problem).expect("it is wrong").to_string()
     };
-    // The line of a key in a section of a section too.
+    // Also checks the line of a key in a nested section.
     let arm = text.to_owned() + &WIDOWX_TOML.replace("elbow_offset = 49.0", "elbow_offset = -1.0");
     let line = arm.lines().position(|line| line.starts_with("elbow_offset")).expect("the key") + 1;
     let error = Problem::from_toml("c.toml", &arm).expect_err("it is wrong").to_string();
@@ -213,15 +213,15 @@ fn a_bad_configuration_is_refused_with_its_line_and_what_is_accepted() {
     }
 }
 
-/// Waits until a file is there.
+/// Waits until a file exists.
 fn wait_for(path: &Path) {
     while !path.exists() {
         sleep(Duration::from_millis(1));
     }
 }
 
-/// Starts a run, sends it a signal when that file is there, and says how it ended and what it told. One that was faster
-/// than the signal is begun again.
+/// Starts a run, sends it a signal when the given file exists, and returns its exit code and its stderr. A run that
+/// finishes before the signal is repeated.
 fn stopped(folder: &Path, config: &Path, more: &[&str], file: &str, signal: &str) -> (Option<i32>, String) {
     for _ in 0..100 {
         let mut run = train(folder, config, more).stderr(Stdio::piped()).spawn().expect("it starts");
@@ -230,13 +230,13 @@ fn stopped(folder: &Path, config: &Path, more: &[&str], file: &str, signal: &str
         sent.expect("kill is a command");
         let end = run.wait().expect("it ends");
         if !end.success() {
-            let mut told = String::new();
-            std::io::Read::read_to_string(&mut run.stderr.take().expect("it is piped"), &mut told).expect("text");
-            return (end.code(), told);
+            let mut stderr = String::new();
+            std::io::Read::read_to_string(&mut run.stderr.take().expect("it is piped"), &mut stderr).expect("text");
+            return (end.code(), stderr);
         }
         fs::remove_dir_all(folder).expect("it can be removed");
     }
-    panic!("every run was faster than the signal");
+    panic!("every run finished before the signal");
 }
 
 #[test]
@@ -248,12 +248,12 @@ fn ctrl_c_leaves_a_checkpoint_that_ends_in_the_same_bytes() {
     assert!(train(&undisturbed, &config, &[]).status().expect("it runs").success());
     for name in ["INT", "TERM"] {
         let folder = place.path().join(name);
-        // Without a checkpoint in between: the one that is found is the signal's.
+        // No checkpoint is written in between, so the one found was written because of the signal.
         let more = ["--threads", "1", "--lanes", "1", "--checkpoint-seconds", "1000000"];
         // The configuration is written when training begins.
-        let (code, told) = stopped(&folder, &config, &more, "config.toml", name);
-        assert_eq!(code, Some(130), "{told}");
-        assert!(told.contains("--resume"), "{told}");
+        let (code, stderr) = stopped(&folder, &config, &more, "config.toml", name);
+        assert_eq!(code, Some(130), "{stderr}");
+        assert!(stderr.contains("--resume"), "{stderr}");
         let rows = fs::read_to_string(folder.join("generations.csv")).expect("the log").lines().count();
         assert!((2..26).contains(&rows), "a header and some generations, not {rows} rows");
         assert!(train(&folder, &config, &["--resume"]).status().expect("it runs").success());
@@ -274,7 +274,7 @@ fn restarts_keep_the_best_and_go_on_where_they_stopped() {
     let text = fs::read_to_string(all.join("restarts.csv")).expect("the table of restarts");
     let rows: Vec<Vec<f64>> = text.lines().skip(1).map(numbers).collect();
     assert_eq!(rows.iter().map(|row| row[0]).collect::<Vec<_>>(), [1.0, 2.0, 3.0]);
-    // By mean score, as roots are chosen on a pendulum; of equals the first.
+    // Ranked by mean score, as on a pendulum; ties go to the first.
     let best = rows.iter().rev().max_by(|a, b| a[2].total_cmp(&b[2])).expect("three rows")[0];
     let graph = |path: &Path| fs::read(path.join("graph.json")).expect("a graph");
     assert!(graph(&all) == graph(&all.join(format!("seed-{best}"))), "the best restart is seed {best}");
@@ -292,15 +292,15 @@ fn restarts_keep_the_best_and_go_on_where_they_stopped() {
     assert!(graph(&stopped) == graph(&all) && fs::read_to_string(stopped.join("restarts.csv")).ok() == Some(text));
 }
 
-/// The numbers of a row; a pendulum knows no success, so that field is empty.
+/// Parses the numbers of a row; a pendulum defines no success, so that field is empty.
 fn numbers(row: &str) -> Vec<f64> {
     row.split(',').filter(|field| !field.is_empty()).map(|number| number.parse().expect("a number")).collect()
 }
 
-/// A disk without space for more than so many blocks of 512 bytes in a file.
+/// Simulates a full disk: files are limited to the given number of blocks of 512 bytes.
 fn train_on_a_full_disk(folder: &Path, config: &Path, blocks: u64) -> Command {
     let mut command = Command::new("sh");
-    // Without the trap the system would end the program instead of telling it.
+    // Without the trap the system would kill the program instead of returning an error.
     command.args(["-c", &format!("trap '' XFSZ; ulimit -f {blocks}; exec \"$@\""), "sh"]);
     command.arg(env!("CARGO_BIN_EXE_tpg-train")).arg("tpg").arg("--resume");
     command.args(["--checkpoint-seconds", "0", "--config"]).arg(config).arg("--out").arg(folder);

@@ -1,4 +1,4 @@
-//! Two whole updates of the soft actor-critic against numbers that PyTorch made.
+//! Compares two complete updates of the soft actor-critic with numbers computed by PyTorch.
 
 use serde::Deserialize;
 use tpg_nn::{Gaussian, Mlp, Real, Shape, Spread};
@@ -47,7 +47,7 @@ fn fixture() -> Fixture {
     serde_json::from_str(include_str!("fixtures/sac-update/update.json")).expect("the fixture is JSON")
 }
 
-/// The greatest difference of two lists, relative to 1 and the second's magnitude.
+/// Returns the largest difference of two lists, relative to the larger of 1 and the second's magnitude.
 fn difference<T: Real>(ours: &[T], theirs: &[f64]) -> f64 {
     assert_eq!(ours.len(), theirs.len());
     let relative = |(ours, theirs): (&T, &f64)| (ours.wide() - theirs).abs() / (1.0 + theirs.abs());

@@ -1,4 +1,4 @@
-//! A graph that was trained under a shield is an ordinary graph: compiled, it decides as the interpreter does.
+//! A graph trained under a shield is an ordinary graph: its compiled code decides like the interpreter.
 
 use std::fs;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! The checks, one after another: a failure does not hide the next one's.
+//! Runs the checks one after another; a failure does not stop the following ones.
 
 use crate::setup::TARGETS;
 use crate::summary::{Count, Summary};
@@ -7,7 +7,14 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::{env, fs, io};
 
-/// Runs every check; whether all passed.
+/// Runs the tests of every crate; returns true if all passed.
+pub(crate) fn test() -> bool {
+    let mut run = Run::new();
+    run.all_tests();
+    run.finish()
+}
+
+/// Runs every check but the tests; returns true if all passed.
 pub(crate) fn all() -> bool {
     let mut run = Run::new();
     run.check("format", cargo(&["fmt", "--all", "--check"]));
@@ -15,7 +22,6 @@ pub(crate) fn all() -> bool {
         "clippy",
         cargo(&["clippy", "--workspace", "--all-targets", "--all-features", "--", "--deny", "warnings"]),
     );
-    run.tests("tests", cargo(&["test", "--workspace", "--all-features", "--no-fail-fast"]));
     let mut documentation = cargo(&["doc", "--workspace", "--all-features", "--no-deps", "--quiet"]);
     documentation.env("RUSTDOCFLAGS", "--deny warnings");
     run.check("documentation", documentation);
@@ -28,7 +34,7 @@ pub(crate) fn all() -> bool {
     run.finish()
 }
 
-/// Runs the lint of generated C, and of the firmwares' own; whether it passed.
+/// Runs the lint of generated C and of the firmwares; returns true if it passed.
 pub(crate) fn lint() -> bool {
     let mut run = Run::new();
     run.tests("lint of generated C", cargo(&["test", "--package", "tpg-codegen", "--test", "c_lint", "--test", "eva"]));
@@ -36,14 +42,14 @@ pub(crate) fn lint() -> bool {
     run.finish()
 }
 
-/// Runs a check of the firmwares; whether it passed.
+/// Runs a check of the firmwares; returns true if it passed.
 pub(crate) fn harness(words: &[&str]) -> bool {
     let mut run = Run::new();
     run.firmware(words);
     run.finish()
 }
 
-/// The cargo that runs this.
+/// Returns the cargo that runs this program.
 fn cargo(arguments: &[&str]) -> Command {
     let mut command = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     command.args(arguments);
@@ -61,25 +67,30 @@ impl Run {
         Self { summary: Summary::default(), log }
     }
 
-    /// One command, one check.
+    /// Runs every test of every crate.
+    fn all_tests(&mut self) {
+        self.tests("tests", cargo(&["test", "--workspace", "--all-features", "--no-fail-fast"]));
+    }
+
+    /// Runs a command that counts as one check.
     fn check(&mut self, name: &str, mut command: Command) {
         let result = self.start(name, &mut command).and_then(|()| command.status());
         self.summary.note(name, result.map(|status| (status.success(), Count::default())));
     }
 
-    /// A command whose tests are counted.
+    /// Runs a command whose tests are counted.
     fn tests(&mut self, name: &str, mut command: Command) {
         let result = self.start(name, &mut command).and_then(|()| counted(&mut command));
         self.summary.note(name, result);
     }
 
-    /// A check of the firmwares.
+    /// Runs a check of the firmwares.
     fn firmware(&mut self, words: &[&str]) {
         let arguments = [&["run", "--quiet", "--release", "--package", "tpg-harness", "--"], words].concat();
         self.check(&format!("firmware: {}", words.join(" ")), cargo(&arguments));
     }
 
-    /// The runtime for a core without an operating system, without its features.
+    /// Builds the runtime without its features for a bare-metal target.
     fn no_std(&mut self, target: &str) {
         let name = format!("no_std build for {target}");
         if !installed(target) {
@@ -116,7 +127,7 @@ impl Run {
     }
 }
 
-/// Shows a command's output while counting the tests in it.
+/// Forwards a command's output while counting its tests.
 fn counted(command: &mut Command) -> io::Result<(bool, Count)> {
     let mut child = command.stdout(Stdio::piped()).spawn()?;
     let mut count = Count::default();
@@ -130,7 +141,7 @@ fn counted(command: &mut Command) -> io::Result<(bool, Count)> {
     Ok((child.wait()?.success(), count))
 }
 
-/// Whether the compiler in use has a target's core library.
+/// True if the compiler in use has a target's core library.
 fn installed(target: &str) -> bool {
     let output = Command::new("rustc").args(["--print", "sysroot"]).output();
     let sysroot = output.map(|output| String::from_utf8_lossy(&output.stdout).trim().to_owned()).unwrap_or_default();

@@ -1,4 +1,4 @@
-//! `cargo xtask`: everything CI runs, a person can run.
+//! `cargo xtask`: every CI step, for local use.
 
 mod check;
 mod setup;
@@ -21,14 +21,16 @@ struct Cli {
 enum Task {
     /// Install what is missing: compilers, linters and emulator (apt-get), cross targets (rustup)
     Setup,
-    /// Everything: format, clippy, tests, documentation, no_std builds, lint of generated C
+    /// Run the tests of every crate; long ones are shortened
     Test,
+    /// Run everything else: format, clippy, documentation, no_std builds, firmwares under QEMU, lint of generated C
+    Check,
     /// Make libtpg_runtime.a for this machine and for Cortex-M, with header, CMake and pkg-config files
     Library {
-        /// Targets; all of them without it
+        /// Targets; all of them by default
         #[arg(long)]
         target: Vec<String>,
-        /// Where to; without it, `tpg_runtime` in cargo's target folder
+        /// Output folder; by default `tpg_runtime` in cargo's target folder
         #[arg(short, long)]
         out: Option<PathBuf>,
     },
@@ -50,7 +52,8 @@ enum Task {
 fn main() -> ExitCode {
     let good = match Cli::parse().command {
         Task::Setup => setup::run(),
-        Task::Test => check::all(),
+        Task::Test => check::test(),
+        Task::Check => check::all(),
         Task::Library { target, out } => library(target, out),
         Task::Qemu { update } => check::harness(if update { &["qemu", "--update"] } else { &["qemu"] }),
         Task::Size => check::harness(&["size"]),
@@ -60,7 +63,7 @@ fn main() -> ExitCode {
     if good { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
-/// Makes libraries and says where they are.
+/// Builds libraries and prints their locations.
 fn library(targets: Vec<String>, out: Option<PathBuf>) -> bool {
     let folder = out.unwrap_or_else(library::dist);
     let all = || library::TARGETS.into_iter().chain([library::host()]).map(str::to_owned).collect();

@@ -1,9 +1,9 @@
-//! Installs what is missing, and says what it runs before it runs it.
+//! Installs what is missing and prints each command before running it.
 
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-/// A Debian package and a program of it that shows that it is there.
+/// Debian packages, each with a program that shows whether it is installed.
 const PACKAGES: [(&str, &str); 12] = [
     ("gcc", "/usr/bin/gcc"),
     ("g++", "/usr/bin/g++"),
@@ -21,10 +21,10 @@ const PACKAGES: [(&str, &str); 12] = [
 
 const COMPONENTS: [&str; 2] = ["rustfmt", "clippy"];
 
-/// Cores without an operating system that the runtime is built for.
+/// Bare-metal targets that the runtime is built for.
 pub(crate) const TARGETS: [&str; 3] = ["thumbv7em-none-eabihf", "thumbv7em-none-eabi", "thumbv6m-none-eabi"];
 
-/// Installs; whether all is there afterwards.
+/// Installs everything; returns true if all is present afterwards.
 pub(crate) fn run() -> bool {
     let packages = packages();
     let rust = rust();
@@ -35,14 +35,17 @@ fn packages() -> bool {
     let missing: Vec<&str> =
         PACKAGES.iter().filter(|(_, file)| !Path::new(file).exists()).map(|(package, _)| *package).collect();
     if missing.is_empty() {
-        println!("setup: compilers, linters and emulator are there");
+        println!("setup: compilers, linters and emulator are installed");
         return true;
     }
     if !Path::new("/usr/bin/apt-get").exists() {
-        eprintln!("setup: no apt-get here; install by hand what Debian calls: {}", missing.join(" "));
+        eprintln!(
+            "setup: no apt-get; install these Debian packages, or their equivalents, by hand: {}",
+            missing.join(" ")
+        );
         return false;
     }
-    // No index, or an old one, is the usual state of a new machine.
+    // New machines usually have no package index, or an old one.
     let install = ["install", "-y", "--no-install-recommends"].into_iter().chain(missing).collect::<Vec<_>>();
     apt(&["update"]) && apt(&install)
 }
@@ -64,7 +67,7 @@ fn is_root() -> bool {
 fn rust() -> bool {
     let Some(installed) = listed(&["component", "list", "--installed"]) else {
         eprintln!(
-            "setup: no rustup here; make sure of {} and the targets {}",
+            "setup: no rustup; make sure that {} and the targets {} are installed",
             COMPONENTS.join(", "),
             TARGETS.join(", ")
         );
@@ -72,7 +75,7 @@ fn rust() -> bool {
     };
     let targets = listed(&["target", "list", "--installed"]).unwrap_or_default();
     let mut good = true;
-    // Components are listed with the host's name behind theirs.
+    // Component names are followed by the host's name.
     for component in COMPONENTS.iter().filter(|name| !installed.iter().any(|line| line.starts_with(**name))) {
         good &= step(&["rustup", "component", "add", component]);
     }
@@ -80,12 +83,12 @@ fn rust() -> bool {
         good &= step(&["rustup", "target", "add", target]);
     }
     if good {
-        println!("setup: Rust's components and targets are there");
+        println!("setup: Rust's components and targets are installed");
     }
     good
 }
 
-/// What rustup lists, a line each.
+/// Returns the items listed by rustup, one per line.
 fn listed(arguments: &[&str]) -> Option<Vec<String>> {
     let output = Command::new("rustup").args(arguments).stderr(Stdio::inherit()).output().ok()?;
     let text = String::from_utf8_lossy(&output.stdout);

@@ -1,8 +1,8 @@
-//! What passed, what failed, what was skipped.
+//! Summary of passed, failed and skipped tests.
 
 use std::io;
 
-/// Tests in a command's output.
+/// Counts of tests in a command's output.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Count {
     passed: usize,
@@ -24,7 +24,7 @@ impl Count {
     }
 }
 
-/// The state of a run.
+/// Results of a run.
 #[derive(Debug, Default)]
 pub(crate) struct Summary {
     checks: Vec<String>,
@@ -34,7 +34,8 @@ pub(crate) struct Summary {
 }
 
 impl Summary {
-    /// Notes how a command ended. One that counts no tests is a test itself; one that failed fails even where no test did.
+    /// Records the result of a command. A command without tests counts as one test; a command that failed counts as a
+    /// failure even if no test failed.
     pub(crate) fn note(&mut self, name: &str, result: io::Result<(bool, Count)>) {
         let (good, count) = result.unwrap_or_else(|error| {
             eprintln!("{name}: {error}");
@@ -48,7 +49,7 @@ impl Summary {
         self.checks.push(format!("{} {name}", if good { "passed " } else { "FAILED " }));
     }
 
-    /// Notes a check that cannot run: a failure where everything must be there.
+    /// Records a check that cannot run: a failure if missing tools must fail.
     pub(crate) fn missing(&mut self, name: &str, remedy: &str) {
         if tpg_testing::required() {
             self.failed += 1;
@@ -60,12 +61,12 @@ impl Summary {
         }
     }
 
-    /// Notes what tests skipped.
+    /// Records skips reported by tests.
     pub(crate) fn skip(&mut self, what: Vec<String>) {
         self.skipped.extend(what);
     }
 
-    /// Tells people; the last line is for programs too.
+    /// Prints the summary; the last line is also meant for programs.
     pub(crate) fn print(&self) {
         println!("\n==== summary");
         self.checks.iter().for_each(|check| println!("{check}"));
@@ -73,7 +74,7 @@ impl Summary {
         println!("{} passed, {} failed, {} skipped", self.passed, self.failed, self.skipped.len());
     }
 
-    /// Whether nothing failed.
+    /// True if nothing failed.
     pub(crate) fn good(&self) -> bool {
         self.failed == 0
     }

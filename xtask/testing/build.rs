@@ -1,4 +1,4 @@
-//! Tells the program for which machine it is built.
+//! Passes the target triple to the program.
 
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");

@@ -8,7 +8,7 @@ use tpg_arm::observation::Observation;
 use tpg_arm::{JOINTS, Move};
 use tpg_graph::error::{InputError, Place};
 
-/// Values that an actor sees.
+/// Number of inputs of an actor.
 pub const INPUTS: usize = 13;
 const UNITS: usize = 256;
 const SPREAD: (f32, f32) = (1e-6, 1.0);
@@ -30,7 +30,7 @@ const LAYOUT: [(&str, usize, usize); 12] = [
     ("sigma.bias", JOINTS, 0),
 ];
 
-/// The order of what an actor sees: the artifact exchanged two parts where starts are random.
+/// Order of an actor's inputs: the artifact swapped two parts for random starts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
     /// Target, target − hand, hand, motors.
@@ -39,7 +39,7 @@ pub enum Order {
     HandFirst,
 }
 
-/// What the description beside an actor says.
+/// Content of the description file of an actor.
 #[derive(Deserialize)]
 struct Description {
     layout: Vec<Part>,
@@ -55,27 +55,27 @@ struct Part {
     offset: usize,
 }
 
-/// A recorded answer.
+/// A recorded output.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 pub struct ForwardCheck {
     /// Motor positions, ticks.
     pub motors: [i16; JOINTS],
     /// The target, mm.
     pub target: [f64; 3],
-    /// What the actor saw.
+    /// Input of the actor.
     pub state: [f32; INPUTS],
-    /// The means.
+    /// Means.
     pub mu: [f32; JOINTS],
-    /// The spreads, clipped.
+    /// Spreads, clipped.
     pub sigma: [f32; JOINTS],
 }
 
-/// An actor.
+/// A recorded actor.
 #[derive(Clone, Debug)]
 pub struct RecordedActor {
     order: Order,
     checks: Vec<ForwardCheck>,
-    /// The parts of [`LAYOUT`].
+    /// The parts in the order of [`LAYOUT`].
     parts: [Vec<f32>; LAYOUT.len()],
 }
 
@@ -83,7 +83,7 @@ impl RecordedActor {
     /// Reads weights (`f32`, little endian) and their description.
     ///
     /// # Errors
-    /// If a file cannot be read, or the actor is not of the paper's kind.
+    /// If a file cannot be read, or the actor does not have the paper's shape.
     pub fn read(weights: &Path, description: &Path) -> Result<Self, InputError> {
         let text = fs::read_to_string(description)
             .map_err(|error| InputError::io(description, &error, "an actor's description"))?;
@@ -120,12 +120,12 @@ impl RecordedActor {
         Ok(Self { order, checks: described.forward_checks, parts })
     }
 
-    /// The recorded answers.
+    /// Returns the recorded outputs.
     pub fn checks(&self) -> &[ForwardCheck] {
         &self.checks
     }
 
-    /// What the actor sees: computed in `f64`, then rounded.
+    /// Returns the actor's input, computed in `f64` and then rounded.
     pub fn state(&self, seen: &Observation<f64>) -> [f32; INPUTS] {
         let parts = match self.order {
             Order::DifferenceFirst => [seen.target, seen.difference, seen.hand],
@@ -139,7 +139,7 @@ impl RecordedActor {
         state
     }
 
-    /// Means and clipped spreads.
+    /// Computes means and clipped spreads.
     pub fn forward(&self, state: &[f32; INPUTS]) -> ([f32; JOINTS], [f32; JOINTS]) {
         let [w1, b1, g1, s1, w2, b2, g2, s2, wm, bm, ws, bs] = &self.parts;
         let first = hidden(w1, b1, g1, s1, state);
@@ -150,18 +150,18 @@ impl RecordedActor {
         (head(wm, bm), head(ws, bs).map(|sigma| sigma.clamp(SPREAD.0, SPREAD.1)))
     }
 
-    /// A sampled action as a move: tanh(µ + σ·ε), in steps of three ticks, halves to even.
+    /// Samples an action as a move: tanh(µ + σ·ε), in steps of three ticks, halves rounded to even.
     pub fn act(&self, seen: &Observation<f64>, random: &mut TorchRandom) -> Move {
         let (mean, spread) = self.forward(&self.state(seen));
         Move(std::array::from_fn(|joint| {
             let action = (random.normal() * spread[joint] + mean[joint]).tanh();
-            // An action of exactly ±1 gives two steps, as it did in the artifact.
+            // An action of exactly ±1 gives two steps, as in the artifact.
             3 * (action * 3.0 / 2.0).round_ties_even() as i8
         }))
     }
 }
 
-/// Linear, ReLU, LayerNorm.
+/// Applies Linear, ReLU and LayerNorm.
 fn hidden(weights: &[f32], bias: &[f32], gain: &[f32], shift: &[f32], input: &[f32]) -> Vec<f32> {
     let rows = weights.chunks_exact(input.len()).zip(bias);
     let mut values: Vec<f32> = rows.map(|(row, bias)| (dot(row, input) + bias).max(0.0)).collect();
@@ -175,7 +175,7 @@ fn hidden(weights: &[f32], bias: &[f32], gain: &[f32], shift: &[f32], input: &[f
     values
 }
 
-/// Eight partial sums: no recorded decision depends on the order.
+/// Computes a dot product in eight partial sums: no recorded decision depends on the order.
 fn dot(a: &[f32], b: &[f32]) -> f32 {
     let (a_lanes, b_lanes) = (a.chunks_exact(8), b.chunks_exact(8));
     let rest: f32 = a_lanes.remainder().iter().zip(b_lanes.remainder()).map(|(x, y)| x * y).sum();

@@ -1,19 +1,21 @@
-//! Forward kinematics as the paper's artifact computed it: a chain of six rotations, in the order of
-//! `KDL::ChainFkSolverPos_recursive` (`ggendro/armlearn`, `src/physics/converter.cpp`, `src/builder/widowxbuilder.cpp`).
+//! Forward kinematics as computed by the paper's artifact: a chain of six rotations, in the order of
+//! `KDL::ChainFkSolverPos_recursive` (`ggendro/armlearn`, `src/physics/converter.cpp`,
+//! `src/builder/widowxbuilder.cpp`).
 //!
-//! Every product of matrices is a row-times-column sum from left to right, zeros included, and the constant tips keep the
-//! rounding residue of sin π and cos π/2. At home this gives x = 4.2e-14, not 0, and the recorded programs saw that.
+//! Every matrix product is a row-times-column sum from left to right, zeros included, and the constant tips keep the
+//! rounding residue of sin π and cos π/2. In the home pose this gives x = 4.2e-14 instead of 0, and the recorded
+//! programs read that value.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 use tpg_arm::kinematics::Vector;
 use tpg_arm::{Arm, Pose, TICKS_PER_TURN};
 
-/// How the artifact splits the hand: wrist angle, wrist rotation and gripper, mm.
+/// The artifact's segments of the hand: wrist angle, wrist rotation and gripper, mm.
 const HAND_SEGMENTS: [f64; 3] = [74.0, 41.0, 40.0];
 
 type Matrix = [[f64; 3]; 3];
 
-/// A motor's angle, as its cosine and sine.
+/// Cosine and sine of a motor's angle.
 #[derive(Clone, Copy, Debug)]
 struct Turn {
     cos: f64,
@@ -34,17 +36,17 @@ struct Segment {
     tip_rotation: Matrix,
 }
 
-/// The chain of an arm.
+/// The kinematic chain of an arm.
 #[derive(Clone, Debug)]
 pub struct Chain {
     arm: Arm<f64>,
     segments: [Segment; 6],
-    /// The turn of every motor position: 4,096 of them are cheaper than their sines at every step.
+    /// Turns of all 4,096 motor positions: cheaper than computing sines at every step.
     turns: Vec<Turn>,
 }
 
 impl Chain {
-    /// The chain of an arm whose hand is as long as the WidowX's.
+    /// Creates the chain of an arm whose hand is as long as the WidowX's.
     pub fn new(arm: Arm<f64>) -> Self {
         let links = &arm.links;
         let straight = |axis, length| Segment { axis, tip: [0.0, 0.0, length], tip_rotation: IDENTITY };
@@ -66,12 +68,12 @@ impl Chain {
         Self { arm, segments, turns }
     }
 
-    /// The arm.
+    /// Returns the arm.
     pub fn arm(&self) -> &Arm<f64> {
         &self.arm
     }
 
-    /// Where the hand's tip is at a pose, mm.
+    /// Returns the position of the hand's tip in a pose, mm.
     pub fn hand(&self, pose: Pose) -> Vector<f64> {
         let motors = pose.0.iter().chain(&self.arm.fixed_servos);
         let mut rotation = IDENTITY;
@@ -96,7 +98,7 @@ impl Turn {
         Self { cos: radians.cos(), sin: radians.sin() }
     }
 
-    /// Of a motor position; the order of operations is the artifact's.
+    /// Returns the turn of a motor position; the order of operations is the artifact's.
     fn at(ticks: i32) -> Self {
         Self::of((f64::from(ticks) * (360.0 / 4096.0) - 180.0) * PI / 180.0)
     }

@@ -1,17 +1,17 @@
-//! How near an arm is to changing its collision answer.
+//! Clearance: the distance of an arm from a change of its collision result.
 //!
-//! Two ways of computing the same pose may disagree about a collision only where the arm all but touches something; this
-//! measures that.
+//! Two ways of computing the same pose can disagree about a collision only if the arm almost touches something; this
+//! module measures that.
 
 use tpg_arm::Shapes;
 use tpg_arm::kinematics::{Plane, Point};
 
 type Segment = (Point<f64>, Point<f64>);
 
-/// The smallest distance, mm, of anything that the collision test compares: of joints and hand corners to the table's
-/// height, and of the arm's faces to the base's edges, where one of them ends.
+/// Returns the smallest distance, mm, among everything that the collision test compares: joints and hand corners with
+/// the table's height, and the arm's faces with the base's edges, at the ends of either.
 ///
-/// A collision answer can change only at a pose where this is 0.
+/// A collision result can change only in a pose where this is 0.
 pub fn clearance(plane: &Plane<f64>, shapes: &Shapes<f64>) -> f64 {
     let faces = plane.faces(shapes);
     let [(tip_upper, tip_lower), ..] = faces;
@@ -25,7 +25,7 @@ pub fn clearance(plane: &Plane<f64>, shapes: &Shapes<f64>) -> f64 {
     heights.chain(distances).fold(f64::INFINITY, f64::min)
 }
 
-/// From an end of either segment to the other segment.
+/// Returns the smallest distance from an end of either segment to the other segment.
 fn between_ends(a: Segment, b: Segment) -> f64 {
     let ends = [to_segment(a.0, b), to_segment(a.1, b), to_segment(b.0, a), to_segment(b.1, a)];
     ends.into_iter().fold(f64::INFINITY, f64::min)

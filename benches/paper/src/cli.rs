@@ -6,7 +6,7 @@ use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 use tpg_graph::command::{CommandError, Verdict, exit_code};
 
-/// Replays the paper's recorded episodes, and measures its policies and ours side by side.
+/// Replays the paper's recorded episodes, and compares its policies with this project's.
 ///
 /// Exit status: 0 good, 1 a check failed, 2 bad input.
 #[derive(Debug, Parser)]
@@ -18,7 +18,7 @@ pub struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// Replay recorded episodes and count what is exact
+    /// Replay recorded episodes and count exact matches
     Replay(ReplayArgs),
     /// Measure every kind of policy and write docs/results.md
     Table2(Table2Args),

@@ -1,8 +1,8 @@
-//! An episode as the paper's artifact kept its books (`armlearn-wrapper`, `ArmLearnWrapper.cpp`, `doActions`).
+//! Episodes by the rules of the paper's artifact (`armlearn-wrapper`, `ArmLearnWrapper.cpp`, `doActions`).
 //!
-//! It differs from the project's own episode ([`tpg_arm::episode`]): a pose that repeats ends the episode only after
-//! one more action, the start does not count as visited, and whatever ended it, the hand's final distance decides alone
-//! about success.
+//! They differ from the project's own episodes ([`tpg_arm::episode`]): a repeated pose ends the episode only after one
+//! more action, the start does not count as visited, and only the hand's final distance decides about success, whatever
+//! ended the episode.
 
 use super::chain::Chain;
 use super::plane;
@@ -11,36 +11,36 @@ use tpg_arm::kinematics::Vector;
 use tpg_arm::observation::Observation;
 use tpg_arm::{Move, Pose};
 
-/// Score for each action left when the target is reached (`coefRewardMultiplication`).
+/// Score for each remaining action when the target is reached (`coefRewardMultiplication`).
 const SCORE_PER_ACTION_LEFT: f64 = 0.01;
-/// Score for reaching it (`bonusSuccess`, which the paper omits).
+/// Score for reaching the target (`bonusSuccess`, which the paper omits).
 const SCORE_FOR_SUCCESS: f64 = 10.0;
 
-/// What all episodes of a run have in common.
+/// Rules common to all episodes of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rules {
-    /// After this many actions an episode is over.
+    /// Maximum number of actions.
     pub max_actions: u32,
-    /// The hand is at its target when it is nearer than this, mm.
+    /// Distance below which the hand has reached its target, mm.
     pub tolerance: f64,
 }
 
-/// How an episode ended, in the numbers that the artifact recorded.
+/// End of an episode, in the numbers recorded by the artifact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct EndState {
     /// 1000 · score, truncated.
     pub score_x1000: i64,
-    /// The final distance of hand and target in µm, truncated.
+    /// Final distance between hand and target in µm, truncated.
     pub distance_um: i64,
-    /// Whether the hand ended at its target.
+    /// True if the hand ended at its target.
     pub success: bool,
-    /// Whether the last action was invalid.
+    /// True if the last action was invalid.
     pub collision: bool,
-    /// Actions done.
+    /// Number of actions.
     pub actions: u32,
 }
 
-/// An episode under way.
+/// A running episode.
 #[derive(Clone, Debug)]
 pub struct Episode<'a> {
     chain: &'a Chain,
@@ -54,7 +54,7 @@ pub struct Episode<'a> {
 }
 
 impl<'a> Episode<'a> {
-    /// Puts the arm at its start.
+    /// Starts an episode.
     pub fn new(chain: &'a Chain, rules: Rules, start: Pose, target: Vector<f64>) -> Self {
         Self {
             chain,
@@ -68,12 +68,12 @@ impl<'a> Episode<'a> {
         }
     }
 
-    /// What the policy sees now.
+    /// Returns the current observation of the policy.
     pub fn observation(&self) -> &Observation<f64> {
         &self.observation
     }
 
-    /// Does one action; whether it was the last.
+    /// Takes one action; returns true if it was the last one.
     pub fn advance(&mut self, wanted: Move) -> bool {
         let arm = self.chain.arm();
         let step = arm.step_with(self.observation.pose, wanted, |pose| plane::collision(arm, pose));
@@ -82,7 +82,7 @@ impl<'a> Episode<'a> {
         self.observation = Observation::new(arm, step.pose, self.chain.hand(step.pose), self.observation.target);
         self.actions += 1;
         let over = !self.moving || self.cycling || self.succeeded() || self.actions >= self.rules.max_actions;
-        // Noticed only now: the action after the one that closes the cycle is still done.
+        // Detected only now: the action after the one that closes the cycle is still executed.
         self.cycling |= !self.visited.insert(step.pose);
         over
     }
@@ -91,14 +91,14 @@ impl<'a> Episode<'a> {
         self.observation.distance() < self.rules.tolerance
     }
 
-    /// The episode's books as they stand.
+    /// Returns the current end state.
     pub fn end_state(&self) -> EndState {
         EndState::of(self.rules, self.observation.distance(), self.collided, self.actions)
     }
 }
 
 impl EndState {
-    /// The books of an episode that ended so far from its target, mm, after so many actions.
+    /// Returns the end state of an episode with the given final distance, mm, and number of actions.
     pub fn of(rules: Rules, distance: f64, collision: bool, actions: u32) -> Self {
         let success = distance < rules.tolerance;
         let score = if success {
@@ -111,7 +111,7 @@ impl EndState {
     }
 }
 
-/// As the artifact wrote numbers: multiplied, then truncated towards zero.
+/// Converts a number as the artifact did: multiplied by 1000, then truncated towards zero.
 fn thousandths(value: f64) -> i64 {
     (1000.0 * value) as i64
 }
@@ -133,7 +133,7 @@ mod tests {
         Move::single(Joint(joint), -3)
     }
 
-    /// The actions that an episode takes until it is over, of those offered.
+    /// Takes actions from `moves` until the episode is over.
     fn run(rules: Rules, target: [f64; 3], moves: impl IntoIterator<Item = Move>) -> EndState {
         let chain = Chain::new(WIDOWX);
         let mut episode = Episode::new(&chain, rules, WIDOWX.home, target);

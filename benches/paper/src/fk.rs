@@ -1,8 +1,8 @@
 //! Forward kinematics and collision answers, checked against reference values.
 //!
-//! The conformance arithmetic must give them to the bit. The runtime's paths on the motor lattice compute the same
-//! geometry from a sine table, in `f64` and `f32`: they are near, by how much is measured, and a collision answer may
-//! differ where the arm all but touches something.
+//! The conformance arithmetic must reproduce them exactly. The runtime's paths on the motor lattice compute the same
+//! geometry from a sine table, in `f64` and `f32`: their deviation is measured, and a collision result may differ where
+//! the arm almost touches something.
 
 use super::chain::Chain;
 use super::clearance::clearance;
@@ -11,19 +11,19 @@ use super::plane;
 use tpg_arm::kinematics::{self, Lattice, Plane};
 use tpg_arm::{Arm, Collision, Pose};
 
-/// What the conformance arithmetic says about a pose.
+/// Computes the reference for a pose with the conformance arithmetic.
 pub fn reference(chain: &Chain, pose: Pose) -> ReferencePose {
     ReferencePose { pose, hand: chain.hand(pose), collision: plane::collision(chain.arm(), pose) }
 }
 
-/// How many reference poses come out to the bit.
+/// Number of reference poses that are reproduced exactly.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Exactness {
-    /// Poses compared.
+    /// Number of poses compared.
     pub poses: usize,
-    /// Those whose hand is the same in all bits of x, y and z.
+    /// Poses whose hand agrees in all bits of x, y and z.
     pub exact_hands: usize,
-    /// Those with the same collision answer.
+    /// Poses with the same collision result.
     pub exact_collisions: usize,
 }
 
@@ -39,27 +39,27 @@ pub fn exactness(chain: &Chain, recorded: &[ReferencePose]) -> Exactness {
     result
 }
 
-/// A pose whose collision answer is not the reference's.
+/// A pose whose collision result differs from the reference.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CollisionDifference {
     /// The pose.
     pub pose: Pose,
-    /// The reference's answer.
+    /// Collision in the reference.
     pub expected: Option<Collision>,
-    /// The other answer.
+    /// Collision found.
     pub found: Option<Collision>,
-    /// How near the arm is to changing its answer there, mm.
+    /// Clearance of the arm in this pose, mm.
     pub clearance: f64,
 }
 
-/// How near a path of the runtime comes to reference poses.
+/// Deviation of a runtime path from the reference poses.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Nearness {
-    /// Poses compared.
+    /// Number of poses compared.
     pub poses: usize,
-    /// The greatest distance between the two hands, mm.
+    /// Largest distance between the two hands, mm.
     pub worst: f64,
-    /// The collision answers that differ.
+    /// Collision results that differ.
     pub differences: Vec<CollisionDifference>,
 }
 
@@ -75,7 +75,7 @@ pub fn nearness<S: Lattice>(chain: &Chain, arm: &Arm<S>, poses: impl IntoIterato
     result
 }
 
-/// The runtime's collision answer at a pose, where it is not `expected`.
+/// Returns the runtime's collision result for a pose if it differs from `expected`.
 pub fn collision_difference<S: Lattice>(
     reference: &Arm<f64>,
     arm: &Arm<S>,

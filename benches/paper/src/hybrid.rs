@@ -1,7 +1,7 @@
-//! The paper's hybrids, replayed: the project's own switch in the artifact's environment.
+//! The paper's hybrids, replayed: the project's own hand-over logic in the artifact's environment.
 //!
-//! The artifact did not seed the actors' random numbers here. What happens before the first hand-over is determined and
-//! must be exact; the rest can be compared statistically only.
+//! The artifact did not seed the actors' random numbers here. Everything before the first hand-over is deterministic
+//! and must be exact; the rest can only be compared statistically.
 
 use super::actor::RecordedActor;
 use super::chain::Chain;
@@ -17,11 +17,11 @@ use tpg_arm::observation::Observation;
 use tpg_arm::{Move, Pose};
 use tpg_runtime::policy::Policy;
 
-/// The artifact's memory of poses, in which the start has no place.
+/// The artifact's set of visited poses, which does not contain the start.
 #[derive(Clone, Debug, Default)]
 pub struct Memory(HashSet<Pose>);
 
-impl CycleDetector for Memory {
+impl CycleDetector<Pose> for Memory {
     fn reset(&mut self, _start: Pose) {
         self.0.clear();
     }
@@ -31,7 +31,7 @@ impl CycleDetector for Memory {
     }
 }
 
-/// A recorded actor that draws its actions.
+/// A recorded actor that samples its actions.
 #[derive(Debug)]
 pub struct Sampled<'a> {
     actor: &'a RecordedActor,
@@ -39,7 +39,7 @@ pub struct Sampled<'a> {
 }
 
 impl<'a> Sampled<'a> {
-    /// An actor with random numbers of that seed.
+    /// Creates the policy of an actor with random numbers of the given seed.
     pub fn new(actor: &'a RecordedActor, seed: u64) -> Self {
         Self { actor, random: RefCell::new(TorchRandom::new(seed)) }
     }
@@ -54,25 +54,25 @@ impl Policy for Sampled<'_> {
     }
 }
 
-/// How an episode went.
+/// Result of an episode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct HybridDone {
-    /// The artifact's books.
+    /// End state by the artifact's rules.
     pub end: EndState,
-    /// Actions of the graph.
+    /// Number of actions chosen by the graph.
     pub tpg_actions: u32,
 }
 
-/// What is determined of an episode.
+/// The deterministic part of an episode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Determined {
     /// The graph ended it.
     Whole(EndState),
-    /// The network took over after so many actions.
+    /// The network took over after this number of actions.
     FirstHandOver(u32),
 }
 
-/// An episode up to its end, or to the first hand-over.
+/// Runs an episode to its end, or to the first hand-over.
 pub fn determined<T, P>(chain: &Chain, rules: Rules, task: &Task, hybrid: &Hybrid<'_, f64, T, P>) -> Determined
 where
     T: Policy<State = Observation<f64>, Action = Move>,
@@ -84,7 +84,7 @@ where
     }
 }
 
-/// An episode to its end.
+/// Runs an episode to its end.
 pub fn episode<T, P>(chain: &Chain, rules: Rules, task: &Task, hybrid: &Hybrid<'_, f64, T, P>) -> HybridDone
 where
     T: Policy<State = Observation<f64>, Action = Move>,
@@ -94,7 +94,7 @@ where
     HybridDone { end: end.expect("only a determined part stops early"), tpg_actions }
 }
 
-/// The books, unless it stopped at the first hand-over, and the graph's actions.
+/// Returns the end state, unless the episode stopped at the first hand-over, and the number of the graph's actions.
 fn go<T, P>(
     chain: &Chain,
     rules: Rules,

@@ -1,13 +1,14 @@
-//! The arm plane as the artifact's collision test computed it (`armlearn-wrapper`, `ArmLearnWrapper.cpp`, lines 1026–1101).
+//! The arm plane as computed by the artifact's collision test (`armlearn-wrapper`, `ArmLearnWrapper.cpp`, lines
+//! 1026–1101).
 //!
-//! Only the angles and their sines are the artifact's; links and collision rules are the runtime's own code, whose order
-//! of operations is the artifact's too.
+//! Only the angles and their sines follow the artifact; links and collision rules are the runtime's own code, whose
+//! order of operations is the same as the artifact's.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 use tpg_arm::kinematics::{Direction, Directions, Plane};
 use tpg_arm::{Arm, Collision, Pose};
 
-/// The directions of the links at a pose, from sums of angles in radians.
+/// Returns the directions of the links in a pose, from sums of angles in radians.
 pub fn directions(pose: Pose) -> Directions<f64> {
     let [_, shoulder, elbow, wrist] = pose.0.map(|ticks| (f64::from(ticks) - 1024.0) / 2048.0 * 180.0);
     let upper_arm = shoulder / 180.0 * PI;
@@ -24,12 +25,12 @@ pub fn directions(pose: Pose) -> Directions<f64> {
     }
 }
 
-/// The arm plane at a pose.
+/// Returns the arm plane of a pose.
 pub fn at(arm: &Arm<f64>, pose: Pose) -> Plane<f64> {
     Plane::new(arm, directions(pose))
 }
 
-/// What the arm hits at a pose.
+/// Returns the collision in a pose.
 pub fn collision(arm: &Arm<f64>, pose: Pose) -> Option<Collision> {
     at(arm, pose).collision(&arm.shapes)
 }

@@ -1,7 +1,7 @@
-//! All recorded episodes of a policy at once, in lockstep, compared with what was recorded.
+//! Replay of all recorded episodes of a policy in lockstep, compared with the recording.
 //!
-//! Whoever decides is an [`Engine`]: it is asked for the actions of all episodes under way together, so that an engine in
-//! another process costs one exchange for each step, not one for each episode.
+//! Decisions come from an [`Engine`], which receives the states of all running episodes together, so that an engine in
+//! another process costs one exchange per step instead of one per episode.
 
 use super::chain::Chain;
 use super::data::{ByRow, End, Task};
@@ -13,39 +13,39 @@ use tpg_graph::engine::Engine;
 use tpg_problems::arm::binding::Binding;
 use tpg_runtime::policy::ActionId;
 
-/// An episode, done.
+/// A finished episode.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Done {
     /// The pose after each action.
     pub poses: Vec<Pose>,
-    /// How it ended.
+    /// End state.
     pub end: EndState,
 }
 
-/// Why a replay broke off.
+/// Reason why a replay was aborted.
 #[derive(Debug, thiserror::Error)]
 pub enum ReplayError {
     /// The engine failed.
     #[error("the engine {engine} failed: {error}")]
     Engine {
-        /// Its name.
+        /// Name of the engine.
         engine: String,
-        /// What happened.
+        /// The error.
         error: io::Error,
     },
-    /// The engine answered something that no policy can.
+    /// The engine gave an answer that no policy can give.
     #[error("the engine {engine} answered {found} where {expected}")]
     Answer {
-        /// Its name.
+        /// Name of the engine.
         engine: String,
-        /// What it answered.
+        /// The answer.
         found: String,
-        /// What it was asked.
+        /// The expected answer.
         expected: String,
     },
 }
 
-/// One episode on its way.
+/// A running episode.
 struct Lane<'a> {
     row: u32,
     episode: Episode<'a>,
@@ -53,10 +53,10 @@ struct Lane<'a> {
     over: bool,
 }
 
-/// Lets an engine do every task, all in lockstep.
+/// Runs all tasks with an engine, in lockstep.
 ///
 /// # Errors
-/// When the engine fails.
+/// If the engine fails.
 pub fn run(
     chain: &Chain,
     rules: Rules,
@@ -107,20 +107,20 @@ fn ask(engine: &mut dyn Engine, states: &[f64], count: usize, actions: &mut Vec<
     }
 }
 
-/// How much of a recorded file came out the same.
+/// Result of comparing a replay with a recorded file.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Comparison {
-    /// What was compared: `ends` or `trace`.
+    /// Kind of the file: `ends` or `trace`.
     pub kind: &'static str,
-    /// Recorded episodes.
+    /// Number of recorded episodes.
     pub rows: usize,
-    /// Those that came out the same, entirely.
+    /// Number of episodes that are entirely equal.
     pub exact_rows: usize,
-    /// Recorded steps; none in end states.
+    /// Number of recorded steps; 0 for end states.
     pub steps: usize,
-    /// Those after which the arm was at the recorded pose.
+    /// Number of steps after which the arm was in the recorded pose.
     pub exact_steps: usize,
-    /// The first row that differs, described.
+    /// Description of the first row that differs.
     pub first_difference: Option<String>,
 }
 
@@ -129,7 +129,7 @@ impl Comparison {
         Self { kind, rows: 0, exact_rows: 0, steps: 0, exact_steps: 0, first_difference: None }
     }
 
-    /// Whether everything came out the same.
+    /// True if everything is equal.
     pub fn is_exact(&self) -> bool {
         self.exact_rows == self.rows && self.exact_steps == self.steps
     }
@@ -145,7 +145,7 @@ impl Comparison {
     }
 }
 
-/// Compares end states, every recorded column.
+/// Compares all recorded columns of end states.
 pub fn compare_ends(recorded: &ByRow<End>, done: &ByRow<Done>) -> Comparison {
     let mut comparison = Comparison::new("ends");
     for (row, end) in recorded {
@@ -175,7 +175,7 @@ fn end_difference(recorded: &End, replayed: &EndState) -> Option<String> {
     (!differences.is_empty()).then(|| differences.join(", "))
 }
 
-/// Compares traces, every recorded step.
+/// Compares all recorded steps of traces.
 pub fn compare_traces(recorded: &ByRow<Vec<Pose>>, done: &ByRow<Done>) -> Comparison {
     let mut comparison = Comparison::new("trace");
     for (row, trace) in recorded {
@@ -212,7 +212,7 @@ mod tests {
     use tpg_problems::arm::binding::Binding;
     use tpg_runtime::policy::ActionId;
 
-    /// Decides by a function of the whole batch, and remembers the sizes of the batches.
+    /// Decides with a function of the whole batch, and records the sizes of the batches.
     struct Scripted<F> {
         decide: F,
         batches: Vec<usize>,
@@ -259,7 +259,7 @@ mod tests {
 
     #[test]
     fn each_row_gets_the_answer_to_its_own_state() {
-        // Only the arm that starts highest stops; it is over at once.
+        // Only the arm that starts highest stops; its episode is over at once.
         let mut engine = scripted(|states: &[f64]| {
             Ok(states
                 .chunks(6)

@@ -1,4 +1,4 @@
-//! `tpg-paper replay`: recorded episodes, done again and compared.
+//! `tpg-paper replay`: replays recorded episodes and compares them.
 
 use super::actor::RecordedActor;
 use super::chain::Chain;
@@ -6,6 +6,7 @@ use super::data::{self, ByRow, Task};
 use super::episode::Rules;
 use super::replay::{self, Comparison, Done};
 use super::sac;
+use crate::limits::{max_actions, max_actor_actions};
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 use std::io::{self, Write};
@@ -19,8 +20,9 @@ use tpg_graph::command::{CommandError, Verdict};
 use tpg_graph::engine::{Engine, Reference};
 use tpg_graph::import;
 use tpg_problems::arm::binding::Binding;
+use tpg_problems::arm::targets::Start;
 
-/// Replay recorded episodes and count what is exact.
+/// Replay recorded episodes and count exact matches
 #[derive(Clone, Debug, Args)]
 pub struct ReplayArgs {
     /// The policy: a graph.json or a GEGELATI .dot file; - for standard input
@@ -29,22 +31,22 @@ pub struct ReplayArgs {
     /// The policy: a recorded actor's weights
     #[arg(long, value_name = "F32", requires = "layout")]
     actor: Option<PathBuf>,
-    /// What the actor's weights mean
+    /// The layout of the actor's weights
     #[arg(long, value_name = "JSON", requires = "actor")]
     layout: Option<PathBuf>,
-    /// An invalid action ends an actor's episode
+    /// Let an invalid action end an actor's episode
     #[arg(long, requires = "actor")]
     end_at_collision: bool,
-    /// A built-in description of what a .dot file lacks
+    /// A built-in description that supplies what a .dot file lacks
     #[arg(long, value_name = "NAME", conflicts_with = "sidecar")]
     profile_of: Option<import::Profile>,
-    /// A TOML file that says what a .dot file lacks
+    /// A TOML file that supplies what a .dot file lacks
     #[arg(long, value_name = "FILE")]
     sidecar: Option<PathBuf>,
-    /// The recorded problem: it decides how many actions an episode may take
+    /// The recorded problem; it determines the maximum number of actions
     #[arg(long, value_enum)]
-    problem: Problem,
-    /// The hand is at its target when it is nearer than this
+    problem: Start,
+    /// The hand has reached its target below this distance
     #[arg(long, value_name = "D", default_value_t = 3.0, value_parser = millimetres)]
     tolerance_mm: f64,
     /// Starts and targets: columns row, m0 to m3, tx, ty, tz
@@ -56,7 +58,7 @@ pub struct ReplayArgs {
     /// Recorded steps: columns row, step, m0 to m3; gzip allowed
     #[arg(long, value_name = "CSV.gz")]
     trace: Option<PathBuf>,
-    /// Who decides: the interpreter, or the generated code, compiled
+    /// The engine: the interpreter, or compiled generated code
     #[arg(long, value_enum, default_value_t = EngineArg::Interpreter)]
     engine: EngineArg,
     /// Print one JSON object
@@ -64,38 +66,7 @@ pub struct ReplayArgs {
     json: bool,
 }
 
-/// A problem that the artifact recorded.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Problem {
-    /// Fixed start.
-    Fs,
-    /// Random start.
-    Rs,
-}
-
-impl Problem {
-    /// The actions that an episode of a TPG could take.
-    pub const fn max_actions(self) -> u32 {
-        match self {
-            // The paper says 1707; its artifact was run with 1710.
-            Self::Fs => 1710,
-            Self::Rs => 3414,
-        }
-    }
-}
-
-impl Problem {
-    /// The actions that an episode of an actor could take.
-    pub const fn max_actor_actions(self) -> u32 {
-        match self {
-            Self::Fs => 1000,
-            Self::Rs => 2000,
-        }
-    }
-}
-
-/// Who decides.
+/// Engine that decides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum EngineArg {
     /// The interpreter of tpg-codegen.
@@ -109,13 +80,13 @@ pub enum EngineArg {
 }
 
 impl EngineArg {
-    /// Starts the engine for a graph that was read from `file`.
+    /// Starts the engine for a graph read from `file`.
     ///
     /// # Errors
-    /// When generated code cannot be built.
+    /// If generated code cannot be built.
     pub fn start<'g>(self, file: &Path, graph: &'g Graph) -> Result<Box<dyn Engine + 'g>, CommandError> {
         let options = Options::new(Prefix::of_file(file));
-        // The folder goes when this returns; the program that was started from it stays.
+        // The folder is deleted on return; the program started from it keeps running.
         let workshop = || Workshop::new().map_err(CommandError::other);
         Ok(match self {
             Self::Interpreter => Box::new(Reference::new(graph)),
@@ -126,20 +97,20 @@ impl EngineArg {
     }
 }
 
-/// What `--json` prints.
+/// Content of the `--json` output.
 #[derive(Clone, Debug, Serialize)]
 struct Report {
     graph: String,
-    problem: Problem,
+    problem: Start,
     engine: String,
     comparisons: Vec<Comparison>,
 }
 
 impl ReplayArgs {
-    /// Replays.
+    /// Runs the command.
     ///
     /// # Errors
-    /// Bad input, or an engine that fails.
+    /// Bad input, or an engine failure.
     pub fn run(&self) -> Result<Verdict, CommandError> {
         let tasks = data::tasks(&self.targets)?;
         let mut ends = self.ends.as_deref().map(|path| data::ends(path, &tasks)).transpose()?;
@@ -148,7 +119,7 @@ impl ReplayArgs {
         let (policy, engine, done) = match (&self.graph, &self.actor, &self.layout) {
             (Some(graph), ..) => self.of_graph(graph, &tasks)?,
             (None, Some(actor), Some(layout)) => {
-                // No action of an actor's episode is a TPG's.
+                // No action of an actor's episode is chosen by a TPG.
                 ends.iter_mut().flat_map(|ends| ends.values_mut()).for_each(|end| end.tpg_actions = None);
                 self.of_actor(actor, layout, &tasks)?
             }
@@ -169,12 +140,12 @@ impl ReplayArgs {
         Ok(if exact { Verdict::Good } else { Verdict::Failed })
     }
 
-    /// The policy's name, who decided, and the episodes.
+    /// Returns the policy's name, the engine's name, and the episodes.
     fn of_graph(&self, path: &Path, tasks: &ByRow<Task>) -> Result<(String, String, ByRow<Done>), CommandError> {
         let graph = import::load(path, self.profile_of, self.sidecar.as_deref())?;
         let name = path.display().to_string();
         let binding = Binding::of(&name, &graph)?;
-        let rules = Rules { max_actions: self.problem.max_actions(), tolerance: self.tolerance_mm };
+        let rules = Rules { max_actions: max_actions(self.problem), tolerance: self.tolerance_mm };
         let mut engine = self.engine.start(path, &graph)?;
         let chain = Chain::new(WIDOWX);
         let done = replay::run(&chain, rules, tasks, &binding, engine.as_mut()).map_err(CommandError::other)?;
@@ -189,7 +160,7 @@ impl ReplayArgs {
     ) -> Result<(String, String, ByRow<Done>), CommandError> {
         let actor = RecordedActor::read(weights, layout)?;
         let rules = sac::Rules {
-            max_actions: self.problem.max_actor_actions(),
+            max_actions: max_actor_actions(self.problem),
             tolerance: self.tolerance_mm,
             end_at_collision: self.end_at_collision,
         };

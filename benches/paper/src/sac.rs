@@ -10,25 +10,25 @@ use super::replay::Done;
 use super::torch_random::TorchRandom;
 use tpg_arm::observation::Observation;
 
-/// What all SAC episodes of a run have in common.
+/// Rules common to all SAC episodes of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rules {
-    /// After this many actions an episode is over.
+    /// Maximum number of actions.
     pub max_actions: u32,
-    /// The hand is at its target when it is nearer than this, mm.
+    /// Distance below which the hand has reached its target, mm.
     pub tolerance: f64,
-    /// Whether an invalid action ends the episode.
+    /// True if an invalid action ends the episode.
     pub end_at_collision: bool,
 }
 
-/// The reward of the step that reaches the target (`bonusSuccess` of the SAC runs).
+/// Reward of the step that reaches the target (`bonusSuccess` of the SAC runs).
 const REWARD_FOR_SUCCESS: f64 = 100.0;
-/// The reward for an invalid step.
+/// Reward of an invalid step.
 const REWARD_FOR_COLLISION: f64 = -10.0;
-/// Times the distance, in every other step.
+/// Factor of the distance in the reward of every other step.
 const REWARD_PER_MM: f64 = -0.1;
 
-/// Lets an actor do every task.
+/// Runs all tasks with an actor.
 pub fn run(chain: &Chain, rules: Rules, tasks: &ByRow<Task>, actor: &RecordedActor) -> ByRow<Done> {
     tasks.iter().map(|(&row, task)| (row, episode(chain, rules, row, task, actor))).collect()
 }

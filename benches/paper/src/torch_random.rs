@@ -1,13 +1,13 @@
 //! The random numbers of PyTorch's CPU generator, as far as the recorded actors need them: tensors of fewer than 16
 //! standard normals in single precision.
 //!
-//! Behind them stand mt19937 and Box and Müller's method in double precision, whose second number waits for the next
+//! They are based on mt19937 and the Box–Muller method in double precision, whose second number is kept for the next
 //! call (`aten/src/ATen/core/DistributionsHelper.h`).
 
 const STATE: usize = 624;
 const SHIFT: usize = 397;
 
-/// A generator after `torch.manual_seed`.
+/// The state of the generator after `torch.manual_seed`.
 #[derive(Clone, Debug)]
 pub struct TorchRandom {
     state: [u32; STATE],
@@ -16,7 +16,7 @@ pub struct TorchRandom {
 }
 
 impl TorchRandom {
-    /// Seeded; of the seed the low 32 bits count.
+    /// Creates a generator; only the low 32 bits of the seed count.
     pub fn new(seed: u64) -> Self {
         let mut state = [0; STATE];
         let mut last = seed as u32;
@@ -50,14 +50,14 @@ impl TorchRandom {
         word ^ (word >> 18)
     }
 
-    /// In [0, 1), a multiple of 2⁻⁵³.
+    /// Returns a number in [0, 1), a multiple of 2⁻⁵³.
     fn unit(&mut self) -> f64 {
         let high = u64::from(self.word());
         let bits = (high << 32) | u64::from(self.word());
         (bits & ((1 << 53) - 1)) as f64 / (1u64 << 53) as f64
     }
 
-    /// A standard normal number.
+    /// Returns a standard normal number.
     pub fn normal(&mut self) -> f32 {
         if let Some(waiting) = self.waiting.take() {
             return waiting as f32;

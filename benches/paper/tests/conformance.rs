@@ -1,4 +1,4 @@
-//! The paper's recorded policies and poses, replayed: everything must come out the same, row by row and step by step.
+//! Replays the paper's recorded policies and poses: everything must be equal, row by row and step by step.
 
 mod support;
 
@@ -8,11 +8,13 @@ use tpg_graph::import::{self, Profile};
 use tpg_paper::chain::Chain;
 use tpg_paper::episode::Rules;
 use tpg_paper::fk::{self, Exactness, Nearness};
-use tpg_paper::replay_command::{EngineArg, Problem};
+use tpg_paper::limits::max_actions;
+use tpg_paper::replay_command::EngineArg;
 use tpg_paper::{data, replay};
 use tpg_problems::arm::binding::Binding;
+use tpg_problems::arm::targets::Start;
 
-/// The hand's error bounds that `tpg_arm::kinematics` states, mm.
+/// Error bounds of the hand stated by `tpg_arm::kinematics`, mm.
 const F64_BOUND: f64 = 5e-13;
 const F32_BOUND: f64 = 1.1e-4;
 
@@ -20,18 +22,18 @@ const F32_BOUND: f64 = 1.1e-4;
 struct Case {
     /// The graph, without `.dot`.
     graph: String,
-    /// What its recorded files begin with.
+    /// Prefix of the names of its recorded files.
     recorded: String,
-    problem: Problem,
+    problem: Start,
     tolerance: f64,
-    /// What comes after `recorded` in the name of its step trace.
+    /// Suffix of the name of its step trace.
     trace: Option<&'static str>,
 }
 
-/// The policies of the paper's table 2, as trained and as pruned by the authors.
+/// Returns the policies of the paper's table 2, as trained and as pruned by the authors.
 fn final_policies() -> Vec<Case> {
     let mut cases = Vec::new();
-    for (problem, name) in [(Problem::Fs, "fs"), (Problem::Rs, "rs")] {
+    for (problem, name) in [(Start::Fs, "fs"), (Start::Rs, "rs")] {
         for seed in 0..5 {
             for suffix in ["", ".cleaned"] {
                 let recorded = format!("tpg/{name}_final_s{seed}");
@@ -43,7 +45,7 @@ fn final_policies() -> Vec<Case> {
     cases
 }
 
-/// The policies that the authors recorded with every step.
+/// Returns the policies that the authors recorded with every step.
 fn traced_policies() -> Vec<Case> {
     let names = [
         ("fs_init7200_150gen_s0", 3.0),
@@ -56,12 +58,12 @@ fn traced_policies() -> Vec<Case> {
     let case = |(name, tolerance)| {
         let recorded = format!("tpg_traced/{name}");
         let trace = Some(".trace.csv.gz");
-        Case { graph: recorded.clone(), recorded, problem: Problem::Fs, tolerance, trace }
+        Case { graph: recorded.clone(), recorded, problem: Start::Fs, tolerance, trace }
     };
     names.into_iter().map(case).collect()
 }
 
-/// What was compared over several policies.
+/// Totals over several policies.
 #[derive(Debug, Default, PartialEq, Eq)]
 struct Totals {
     graphs: usize,
@@ -76,15 +78,15 @@ fn replay_all(folder: &Path, cases: &[Case], engine: EngineArg) -> Totals {
     let mut differences = Vec::new();
     for case in cases {
         let targets = match case.problem {
-            Problem::Fs => "targets_fs.csv",
-            Problem::Rs => "targets_rs.csv",
+            Start::Fs => "targets_fs.csv",
+            Start::Rs => "targets_rs.csv",
         };
         let tasks = data::tasks(&folder.join(targets)).unwrap();
         let file = folder.join(format!("{}.dot", case.graph));
         let graph = import::load(&file, Some(Profile::Ecta24), None).unwrap();
         let binding = Binding::of(&case.graph, &graph).unwrap();
         let ends = data::ends(&folder.join(format!("{}.ends.csv", case.recorded)), &tasks).unwrap();
-        let rules = Rules { max_actions: case.problem.max_actions(), tolerance: case.tolerance };
+        let rules = Rules { max_actions: max_actions(case.problem), tolerance: case.tolerance };
         let mut engine = engine.start(&file, &graph).unwrap();
         let done = replay::run(&chain, rules, &tasks, &binding, engine.as_mut()).unwrap();
 
@@ -105,14 +107,14 @@ fn replay_all(folder: &Path, cases: &[Case], engine: EngineArg) -> Totals {
     totals
 }
 
-/// 20 graphs with 60 rows each; traces of 8 of them, 181,914 steps, each replayed with two graphs.
+/// Replays 20 graphs with 60 rows each; traces of 8 of them, 181,914 steps, each replayed with two graphs.
 fn replay_final(test: &str, engine: EngineArg) {
     let Some(folder) = support::folder(test) else { return };
     let totals = replay_all(&folder, &final_policies(), engine);
     assert_eq!(totals, Totals { graphs: 20, end_rows: 1_200, trace_rows: 480, steps: 2 * 181_914 });
 }
 
-/// 6 graphs with 60 rows each and all their steps.
+/// Replays 6 graphs with 60 rows each and all their steps.
 fn replay_traced(test: &str, engine: EngineArg) {
     let Some(folder) = support::folder(test) else { return };
     let totals = replay_all(&folder, &traced_policies(), engine);

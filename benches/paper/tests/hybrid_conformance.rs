@@ -1,4 +1,5 @@
-//! The paper's hybrids: what is determined comes out the same, row by row; the rest within its recorded statistics.
+//! The paper's hybrids: the deterministic part must be equal, row by row; the rest must agree with its recorded
+//! statistics.
 
 mod support;
 
@@ -14,7 +15,8 @@ use tpg_paper::chain::Chain;
 use tpg_paper::data::{self, ByRow, HybridEnd, Task};
 use tpg_paper::episode::Rules;
 use tpg_paper::hybrid::{Determined, HybridDone, Sampled, determined, episode};
-use tpg_paper::replay_command::Problem;
+use tpg_paper::limits::max_actions;
+use tpg_problems::arm::targets::Start;
 use tpg_runtime::ops::System;
 use tpg_runtime::policy::Policy;
 use tpg_train::hybrid::graph::GraphPolicy;
@@ -31,7 +33,7 @@ struct Recorded {
 }
 
 impl Recorded {
-    fn read(folder: &Path, name: &str, problem: Problem) -> Self {
+    fn read(folder: &Path, name: &str, problem: Start) -> Self {
         let tasks = data::tasks(&folder.join(format!("targets_{name}.csv"))).expect("recorded targets");
         let ends = data::hybrid_ends(&folder.join(format!("hybrid_{name}.ends.csv.gz")), &tasks).expect("ends");
         let graph = |seed| {
@@ -47,7 +49,7 @@ impl Recorded {
             ends,
             graphs: (0..TPG_SEEDS).map(graph).collect(),
             actors: (0..SAC_SEEDS).map(actor).collect(),
-            rules: Rules { max_actions: problem.max_actions(), tolerance: 3.0 },
+            rules: Rules { max_actions: max_actions(problem), tolerance: 3.0 },
         }
     }
 
@@ -60,7 +62,7 @@ fn settings(separation: f64, hand_back_after: u32) -> Settings<f64> {
     Settings { hand_back_after, separation, guard: Guard::None }
 }
 
-/// Never asked: what is determined is over before.
+/// A policy that is never used: the deterministic part ends before.
 struct Nobody;
 
 impl Policy for Nobody {
@@ -76,11 +78,10 @@ fn what_is_determined_comes_out_the_same() {
     let Some(folder) = support::folder("what_is_determined_comes_out_the_same") else { return };
     let chain = Chain::new(WIDOWX);
     // Rows of the graph alone, rows of one turn of the network, and all rows.
-    for (name, problem, counts) in
-        [("fs", Problem::Fs, (2_691, 1_400, 5_400)), ("rs", Problem::Rs, (1_980, 1_066, 6_300))]
+    for (name, problem, counts) in [("fs", Start::Fs, (2_691, 1_400, 5_400)), ("rs", Start::Rs, (1_980, 1_066, 6_300))]
     {
         let recorded = Recorded::read(&folder, name, problem);
-        // Neither the actor nor the length of its turns matters before the first hand-over.
+        // Before the first hand-over neither the actor nor the length of its turns matters.
         let mut known: BTreeMap<(u32, u64, u32), Determined> = BTreeMap::new();
         let tpgs: Vec<_> = (0..TPG_SEEDS).map(|seed| recorded.tpg(seed)).collect();
         let (mut alone, mut one_turn) = (0, 0);
@@ -115,7 +116,7 @@ fn what_is_determined_comes_out_the_same() {
     }
 }
 
-/// Means over some rows.
+/// Means over several rows.
 #[derive(Debug, Default)]
 struct Means {
     distance: f64,
@@ -140,10 +141,11 @@ fn means(done: impl ExactSizeIterator<Item = HybridDone>) -> Means {
 fn the_rest_agrees_within_its_statistics() {
     let Some(folder) = support::folder("the_rest_agrees_within_its_statistics") else { return };
     let chain = Chain::new(WIDOWX);
-    // The paper's chosen cell and one with short turns; what may differ: mm, points; how often each episode is done.
+    // The paper's chosen cell and one with short turns; with the allowed deviations in mm and points, and the number of
+    // repetitions.
     let cases = [
-        ("fs", Problem::Fs, [(20.0, 100), (10.0, 10)], (1.5, 2.0), 3),
-        ("rs", Problem::Rs, [(10.0, 100), (10.0, 10)], (3.0, 3.0), 1),
+        ("fs", Start::Fs, [(20.0, 100), (10.0, 10)], (1.5, 2.0), 3),
+        ("rs", Start::Rs, [(10.0, 100), (10.0, 10)], (3.0, 3.0), 1),
     ];
     for (name, problem, cells, (millimetres, points), times) in cases {
         let recorded = Recorded::read(&folder, name, problem);
@@ -156,7 +158,7 @@ fn the_rest_agrees_within_its_statistics() {
                 end: end.end.state,
                 tpg_actions: end.end.tpg_actions.expect("a column of this file"),
             }));
-            // Every time with other random numbers.
+            // Each repetition uses different random numbers.
             let repeated: Vec<&HybridEnd> = rows.iter().cycle().take(times * rows.len()).copied().collect();
             let ours: Vec<HybridDone> = (repeated.par_iter().enumerate())
                 .map_init(

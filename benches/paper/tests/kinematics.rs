@@ -7,13 +7,13 @@ use tpg_paper::chain::Chain;
 use tpg_paper::fk::{self, CollisionDifference, Nearness};
 use tpg_paper::plane;
 
-/// Poses drawn. With 20,000,000 the figures that `tpg_arm::kinematics` states come out.
+/// Number of poses drawn. With 20,000,000 the figures stated by `tpg_arm::kinematics` are reproduced.
 const POSES: usize = 1_000_000;
-/// What `tpg_arm::kinematics` states, mm.
+/// Bounds stated by `tpg_arm::kinematics`, mm.
 const F64_BOUND: f64 = 5e-13;
 const F32_BOUND: f64 = 1.1e-4;
 
-/// Poses inside the limits, drawn evenly with splitmix64.
+/// Draws uniformly distributed poses inside the limits with splitmix64.
 fn poses(arm: &Arm<f64>, count: usize) -> impl Iterator<Item = Pose> {
     let ranges = arm.ranges;
     let mut state = 1_u64;
@@ -37,7 +37,7 @@ fn check<S: Lattice>(name: &str, arm: &Arm<S>, bound: f64) {
     assert_touching(name, bound, &differences);
 }
 
-/// Answers may differ only where the arm is nearer to touching than the kinematics' error.
+/// Checks that collision results differ only where the clearance is below the kinematics' error.
 fn assert_touching(name: &str, bound: f64, differences: &[CollisionDifference]) {
     for difference in differences {
         assert!(difference.clearance <= bound, "{name}: not explained by rounding: {difference:?}");
@@ -54,7 +54,7 @@ fn the_f32_lattice_path_is_within_its_bound() {
     check("f32", &WIDOWX.to_f32(), F32_BOUND);
 }
 
-/// Every pose that 3-tick actions reach from home; the base's angle does not matter to a collision.
+/// Checks every pose that 3-tick actions can reach from home; collisions do not depend on the base's angle.
 #[test]
 #[ignore = "318 million poses: minutes"]
 fn collision_answers_over_the_whole_grid_of_actions() {

@@ -1,11 +1,11 @@
-//! `tpg-train replay` on small inputs of its own: what it prints, its exit codes, and what it says of bad input.
+//! `tpg-paper replay` on small inputs: output, exit codes, and messages about bad input.
 
 use assert_cmd::Command;
 use std::fs;
 use std::path::PathBuf;
 use tempfile::TempDir;
 
-/// One team, one program that bids 0: the base turns by +3 ticks, always.
+/// One team with one program that bids 0: the base always turns by +3 ticks.
 const GRAPH: &str = r#"{
   "format": "tpg-graph", "version": 1, "scalar": "f64", "maths": "system", "registers": 8,
   "sources": [{"name": "target", "length": 3, "unit": "mm", "ranges": [[-500, 500], [-500, 500], [-500, 700]]}],
@@ -16,11 +16,11 @@ const GRAPH: &str = r#"{
   "programs": [{"id": 0, "lines": []}]
 }"#;
 const TARGETS: &str = "row,m0,m1,m2,m3,tx,ty,tz\n7,4088,2048,2048,2048,0,0,1000\n";
-/// From 4088: 4091, 4094, and refused there. The distance is that of (0, ±346, 267), about, to (0, 0, 1000).
+/// From 4088: 4091, 4094, then refused. The distance is about that from (0, ±346, 267) to (0, 0, 1000).
 const ENDS: &str = "row,score_x1000,distance_um,success,collision,nb_actions\n7,-810558,810558,0,1,3\n";
 const TRACE: &str = "row,step,m0,m1,m2,m3\n7,1,4091,2048,2048,2048\n7,2,4094,2048,2048,2048\n7,3,4094,2048,2048,2048\n";
 
-/// Input files, any of which a test may spoil.
+/// Input files, which tests can modify.
 struct Input {
     folder: TempDir,
 }
@@ -60,14 +60,14 @@ impl Input {
         command
     }
 
-    /// Replays, expects exit 2 and nothing on stdout, and gives back what stderr says.
+    /// Replays, expects exit status 2 and nothing on stdout, and returns stderr.
     fn refused(&self) -> String {
         let assert = self.replay().assert().code(2).stdout("");
         String::from_utf8(assert.get_output().stderr.clone()).unwrap()
     }
 }
 
-/// That all parts are in a message.
+/// Checks that a message contains all parts.
 fn assert_says(message: &str, parts: &[&str]) {
     for part in parts {
         assert!(message.contains(part), "{part:?} is not in: {message}");
@@ -161,7 +161,7 @@ fn bytes_that_are_no_text_are_refused() {
         &Input::with("ends.csv", [ENDS.as_bytes(), b"\xff,1,1,1,1,1\n"].concat()).refused(),
         &["line 3", "UTF-8"],
     );
-    // The start of a gzip stream, and no more.
+    // Only the start of a gzip stream.
     assert_says(&Input::with("trace.csv", b"\x1f\x8b\x08\x00\x00").refused(), &["trace.csv", "a whole gzip file"]);
 }
 

@@ -8,12 +8,13 @@ use tpg_arm::observation::Observation;
 use tpg_arm::{Pose, WIDOWX};
 use tpg_paper::actor::RecordedActor;
 use tpg_paper::chain::Chain;
-use tpg_paper::replay_command::Problem;
+use tpg_paper::limits::max_actor_actions;
 use tpg_paper::sac::{Rules, run};
 use tpg_paper::torch_random::TorchRandom;
 use tpg_paper::{data, replay};
+use tpg_problems::arm::targets::Start;
 
-const PROBLEMS: [(&str, Problem); 2] = [("fs", Problem::Fs), ("rs", Problem::Rs)];
+const PROBLEMS: [(&str, Start); 2] = [("fs", Start::Fs), ("rs", Start::Rs)];
 const SEEDS: u32 = 3;
 
 #[test]
@@ -67,7 +68,7 @@ fn stochastic_episodes_come_out_the_same() {
             for (mode, end_at_collision) in [("kill", true), ("nokill", false)] {
                 let file = |suffix: &str| folder.join(format!("sac/{name}_s{seed}.{suffix}"));
                 let actor = RecordedActor::read(&file("actor.f32"), &file("json")).expect("a recorded actor");
-                let rules = Rules { max_actions: problem.max_actor_actions(), tolerance: 3.0, end_at_collision };
+                let rules = Rules { max_actions: max_actor_actions(problem), tolerance: 3.0, end_at_collision };
                 let done = run(&chain, rules, &tasks, &actor);
                 let mut ends = data::ends(&file(&format!("{mode}.ends.csv")), &tasks).expect("recorded ends");
                 for end in ends.values_mut() {

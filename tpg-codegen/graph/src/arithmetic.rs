@@ -1,6 +1,6 @@
-//! From the arithmetic that a graph names to the types that compute in it.
+//! Dispatch from the arithmetic that a graph names to the types that compute in it.
 
-/// Calls a function that is generic over scalar and maths, in the arithmetic of a graph.
+/// Calls a function that is generic over scalar and maths with the types that a graph names.
 ///
 /// ```
 /// use tpg_graph::Graph;

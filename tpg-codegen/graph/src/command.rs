@@ -1,39 +1,42 @@
-//! The way a command-line program ends, the same for every program of the workspace.
+//! Outcomes of command-line programs, shared by every program of the workspace.
 
 use crate::error::InputError;
 use std::fmt::Display;
 use std::process::ExitCode;
 
-/// The outcome of a command that could do its work.
+/// The outcome of a command that ran to its end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// Everything is as it should be: exit status 0.
+    /// Everything is in order: exit status 0.
     Good,
     /// A check failed: exit status 1.
     Failed,
-    /// Ctrl-C ended a run that can be resumed: exit status 130.
+    /// Ctrl-C stopped a run that can be resumed: exit status 130.
     Interrupted,
 }
 
-/// The reason why a command could not do its work: exit status 2.
+/// The reason why a command could not do its work: exit status 2, or 1 where a check failed.
 #[derive(Debug, thiserror::Error)]
 pub enum CommandError {
     /// Bad input.
     #[error(transparent)]
     Input(#[from] InputError),
-    /// Anything else: a missing compiler, a broken pipe.
+    /// A check that failed before there was a result.
+    #[error("{0}")]
+    Failed(String),
+    /// Anything else: a broken pipe.
     #[error("{0}")]
     Other(String),
 }
 
 impl CommandError {
-    /// Wraps an error that is not the input's.
+    /// Wraps an error that is not about the input.
     pub fn other(error: impl Display) -> Self {
         Self::Other(error.to_string())
     }
 }
 
-/// Turns a command's result into its exit status; an error is printed to stderr.
+/// Turns a command's result into its exit status; prints an error to stderr.
 pub fn exit_code(result: Result<Verdict, CommandError>) -> ExitCode {
     match result {
         Ok(Verdict::Good) => ExitCode::SUCCESS,
@@ -41,6 +44,10 @@ pub fn exit_code(result: Result<Verdict, CommandError>) -> ExitCode {
         Ok(Verdict::Interrupted) => {
             eprintln!("stopped; --resume continues from the checkpoint");
             ExitCode::from(130)
+        }
+        Err(CommandError::Failed(reason)) => {
+            eprintln!("{reason}");
+            ExitCode::from(1)
         }
         Err(error) => {
             eprintln!("error: {error}");

@@ -1,4 +1,5 @@
-//! A graph in another scalar type, and how often it still takes the same action: never silent.
+//! Conversion of a graph to another scalar type, and how often the result still takes the same action. Never done
+//! silently.
 
 use crate::error::InputError;
 use crate::interpret;
@@ -7,34 +8,34 @@ use crate::states::StateSet;
 use serde::Serialize;
 use std::fmt;
 
-/// How often two policies take the same action.
+/// Counts how often two policies take the same action.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Agreement {
     /// States compared.
     pub states: usize,
     /// States on which both take the same action.
     pub equal: usize,
-    /// Where the states come from.
+    /// Origin of the states.
     pub origin: String,
 }
 
-/// What a graph was before its scalar type was changed.
+/// Record of a graph before its scalar type was changed.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Conversion {
-    /// The type that the graph says.
+    /// Scalar type named in the graph.
     pub from: ScalarType,
-    /// The maths that the graph says.
+    /// Maths provider named in the graph.
     pub maths: MathsProvider,
-    /// The SHA-256 of the graph as it was.
+    /// SHA-256 of the original graph.
     pub sha256: String,
-    /// How often the converted graph acts as the graph does.
+    /// Agreement of the converted graph with the original.
     pub agreement: Agreement,
 }
 
-/// The graph in `scalar`, with own maths in `f32`, where that is not what it computes in already.
+/// Converts the graph to `scalar`, in `f32` with the project's own maths, unless it already computes in that type.
 ///
 /// # Errors
-/// A constant that the type cannot hold.
+/// A constant does not fit the type.
 pub fn convert(
     graph: &Graph,
     scalar: ScalarType,
@@ -51,12 +52,12 @@ pub fn convert(
 }
 
 impl Agreement {
-    /// In thousandths of a per cent, rounded down: 100 % means every state.
+    /// Returns the share of equal actions in thousandths of a per cent, rounded down: 100 % means every state.
     fn thousandths(&self) -> usize {
         self.equal * 100_000 / self.states.max(1)
     }
 
-    /// Whether it is at least `percent`.
+    /// True if the agreement is at least `percent`.
     pub fn reaches(&self, percent: f64) -> bool {
         self.equal as f64 * 100.0 >= percent * self.states as f64
     }

@@ -1,19 +1,19 @@
-//! Anything that decides like a graph: the interpreter, or a program made from generated code.
+//! Anything that decides like a graph: the interpreter, or a program built from generated code.
 
 use crate::interpret;
 use crate::model::Graph;
 use std::io;
 use tpg_runtime::policy::ActionId;
 
-/// Decides for many states at once.
+/// Decides for batches of states.
 pub trait Engine {
-    /// What it is called in reports.
+    /// Returns the name used in reports.
     fn name(&self) -> &str;
 
-    /// Appends the action of each of the flat `states`, which are exact in the graph's scalar type.
+    /// Appends one action for each of the flat `states`, whose values are exact in the graph's scalar type.
     ///
     /// # Errors
-    /// Where the engine is a process: that it died.
+    /// If the engine is a process and has died.
     fn decide(&mut self, states: &[f64], actions: &mut Vec<ActionId>) -> io::Result<()>;
 }
 
@@ -24,7 +24,7 @@ pub struct Reference<'g> {
 }
 
 impl<'g> Reference<'g> {
-    /// Interprets `graph` in its own scalar type and maths.
+    /// Creates an engine that interprets `graph` in its own scalar type and maths.
     pub fn new(graph: &'g Graph) -> Self {
         Self { graph }
     }

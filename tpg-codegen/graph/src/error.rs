@@ -1,4 +1,4 @@
-//! What is wrong with an input, said so that its author can mend it.
+//! Errors in input files, worded so that the file's author can fix them.
 
 use std::fmt::{self, Display};
 use std::path::Path;
@@ -27,54 +27,54 @@ impl fmt::Display for Place {
     }
 }
 
-/// An input that is refused: where, what was found, and what is accepted instead.
+/// A rejected input: the place, what was found, and what is accepted instead.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{file}: {place}{found}; accepted: {accepted}")]
 pub struct InputError {
-    /// The file's name, `<stdin>` for standard input.
+    /// Name of the file, `<stdin>` for standard input.
     pub file: String,
-    /// Where in the file.
+    /// Place in the file.
     pub place: Place,
-    /// What is there.
+    /// The text or value found there.
     pub found: String,
-    /// What would be accepted there.
+    /// The text or value that would be accepted there.
     pub accepted: String,
 }
 
 impl InputError {
-    /// Puts an error together.
+    /// Creates an error.
     pub fn new(file: impl Into<String>, place: Place, found: impl Into<String>, accepted: impl Into<String>) -> Self {
         Self { file: file.into(), place, found: found.into(), accepted: accepted.into() }
     }
 
-    /// A file that cannot be read or written.
+    /// Creates an error for a file that cannot be read or written.
     pub fn io(path: &Path, error: &std::io::Error, accepted: impl Into<String>) -> Self {
         Self::new(path.display().to_string(), Place::Whole, error.to_string(), accepted)
     }
 }
 
-/// A setting that is refused: its key, what was found and what is accepted. The reader of the file adds the place.
+/// A rejected setting: its key, the value found and the values accepted. The reader of the file adds the place.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{key} = {found}; accepted: {accepted}")]
 pub struct Finding {
-    /// The key with its tables: `learning.batch`.
+    /// The key, preceded by its tables: `learning.batch`.
     pub key: String,
-    /// The value there.
+    /// The value found.
     pub found: String,
     /// The values that would be accepted.
     pub accepted: String,
 }
 
 impl Finding {
-    /// Puts a finding together.
+    /// Creates a finding.
     pub fn new(key: impl Into<String>, found: impl ToString, accepted: impl Into<String>) -> Self {
         Self { key: key.into(), found: found.to_string(), accepted: accepted.into() }
     }
 
-    /// Checks that a value lies in a range, both ends included; NaN lies in none.
+    /// Checks that a value lies in a range whose ends are included. NaN lies in no range.
     ///
     /// # Errors
-    /// The finding, if it does not.
+    /// The finding, if the value lies outside.
     ///
     /// ```
     /// use tpg_graph::error::Finding;
@@ -91,9 +91,9 @@ impl Finding {
     }
 }
 
-/// Takes a message of serde's apart: what was found, and what it expected instead, in words of the file.
+/// Splits a serde message into what was found and what was expected, in the terms of the file.
 ///
-/// Positions at the end (`at line 3 column 7`) go to what was found, in brackets.
+/// A position at the end (`at line 3 column 7`) is kept in brackets with what was found.
 pub fn serde_message(message: &str) -> (String, Option<&str>) {
     let (message, position) = match message.rsplit_once(" at line ") {
         Some((message, position)) => (message, format!(" (line {})", position.replace(" column", ", column"))),
@@ -105,7 +105,7 @@ pub fn serde_message(message: &str) -> (String, Option<&str>) {
     }
 }
 
-/// What a type of Rust's takes, for people who write files.
+/// Describes the values that a Rust type accepts, for authors of files.
 fn plain(expected: &str) -> &str {
     match expected {
         "u32" => "a whole number, 0 to 4294967295",
@@ -119,7 +119,7 @@ fn plain(expected: &str) -> &str {
     }
 }
 
-/// `1 edge`, `2 edges`.
+/// Formats a count with its noun: `1 edge`, `2 edges`.
 pub fn counted(count: usize, what: &str) -> String {
     format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }

@@ -1,7 +1,7 @@
-//! The interpreter: the reference that everything generated is compared with.
+//! The interpreter: the reference for all generated code.
 //!
-//! It does what the semantics say and nothing clever: every line of a program runs, introns too, in order, on registers
-//! that start at zero.
+//! It follows the semantics literally, without optimisation: every line of a program runs in order, including introns,
+//! on registers that start at zero.
 
 use crate::in_arithmetic_of;
 use crate::model::{Destination, Graph, Operand, Program, Reg, TeamId};
@@ -10,7 +10,36 @@ use tpg_runtime::ops::{self, Maths};
 use tpg_runtime::policy::{ActionId, Policy};
 use tpg_runtime::scalar::Scalar;
 
-/// Runs a graph in scalar `S` with the maths of `M`.
+/// Runs a graph in scalar type `S` with the maths of `M`.
+///
+/// ```
+/// use tpg_graph::Graph;
+/// use tpg_graph::interpret::Interpreter;
+/// use tpg_runtime::ops::Own;
+/// use tpg_runtime::policy::{ActionId, Policy};
+///
+/// # let text = r#"{
+/// #     "format": "tpg-graph", "version": 1, "scalar": "f32", "maths": "own", "registers": 1,
+/// #     "sources": [{ "name": "x", "length": 1, "unit": "mm", "ranges": [[-1, 1]] }],
+/// #     "instructions": ["add"],
+/// #     "actions": [{ "id": 0, "name": "left" }, { "id": 1, "name": "right" }],
+/// #     "root": 0,
+/// #     "teams": [{ "id": 0, "edges": [{ "program": 0, "action": 0 }, { "program": 1, "action": 1 }] }],
+/// #     "programs": [
+/// #         { "id": 0, "lines": [] },
+/// #         { "id": 1, "lines": [{ "to": 0, "op": "add", "args": ["r0", "x[0]"] }] }
+/// #     ]
+/// # }"#;
+/// // One team: `left` is bid 0, and `right` is bid x.
+/// let graph = Graph::from_json("small.json", text)?;
+/// let interpreter = Interpreter::<f32, Own>::new(&graph);
+/// assert_eq!(interpreter.decide(&[-0.5]), ActionId(0));
+/// assert_eq!(interpreter.decide(&[0.5]), ActionId(1));
+///
+/// let (walk, _) = interpreter.walk(&[0.5]);
+/// assert_eq!((walk.len(), walk[0].edge, walk[0].bid), (1, 1, 0.5));
+/// # Ok::<(), tpg_graph::error::InputError>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Interpreter<'g, S, M> {
     graph: &'g Graph,
@@ -22,22 +51,22 @@ pub struct Interpreter<'g, S, M> {
 pub struct Decision<S> {
     /// The team that decided.
     pub team: TeamId,
-    /// The place of the winning edge in the team.
+    /// Index of the winning edge in the team.
     pub edge: usize,
-    /// The winning bid; −∞ where it was a NaN.
+    /// The winning bid; −∞ if it was NaN.
     pub bid: S,
-    /// Where the walk goes.
+    /// The next step of the walk.
     pub to: Destination,
 }
 
 impl<'g, S: Scalar, M: Maths<S>> Interpreter<'g, S, M> {
-    /// An interpreter of `graph`. Scalar and maths are the caller's choice; the graph's own are
+    /// Creates an interpreter of `graph`. Scalar type and maths are the caller's choice; the graph's own are
     /// [`Graph::scalar`] and [`Graph::maths`].
     pub fn new(graph: &'g Graph) -> Self {
         Self { graph, number: PhantomData }
     }
 
-    /// The value that a program bids; NaN as it is.
+    /// Returns the bid of a program; NaN is returned unchanged.
     ///
     /// # Panics
     /// If `state` is shorter than [`Graph::state_length`].
@@ -54,7 +83,7 @@ impl<'g, S: Scalar, M: Maths<S>> Interpreter<'g, S, M> {
         registers[Reg::BID.index()]
     }
 
-    /// Lets one team decide: the highest bid wins, of equal bids the last.
+    /// Lets one team decide: the highest bid wins, and among equal bids the last.
     ///
     /// # Panics
     /// As [`bid`](Self::bid).
@@ -69,7 +98,7 @@ impl<'g, S: Scalar, M: Maths<S>> Interpreter<'g, S, M> {
         best.expect("a validated team has an edge")
     }
 
-    /// The walk from the root to an action, one decision a team.
+    /// Walks from the root to an action and returns one decision per team.
     ///
     /// # Panics
     /// As [`bid`](Self::bid).
@@ -96,10 +125,10 @@ impl<S: Scalar, M: Maths<S>> Policy for Interpreter<'_, S, M> {
     }
 }
 
-/// The actions of a graph on flat states, in the graph's own scalar type and maths.
+/// Returns the actions of a graph on flat states, in the graph's own scalar type and maths.
 ///
 /// # Panics
-/// If the states' length is no multiple of [`Graph::state_length`].
+/// If the length of `states` is not a multiple of [`Graph::state_length`].
 pub fn actions(graph: &Graph, states: &[f64]) -> Vec<ActionId> {
     assert_eq!(states.len() % graph.state_length(), 0, "whole states");
     in_arithmetic_of!(graph, actions_in(graph, states))

@@ -1,6 +1,7 @@
 //! Tangled program graphs as data: the model, its file formats, and the interpreter that defines what a graph decides.
 //!
-//! A [`Graph`] is validated once, when it is read; every other crate of the workspace relies on that and never checks again.
+//! A [`Graph`] is validated once, when it is read; all other crates of the workspace rely on that and never check
+//! again.
 //!
 //! ```
 //! use tpg_graph::sample::{self, Shape};
@@ -17,20 +18,22 @@
 //!
 //! | module | subject |
 //! | --- | --- |
-//! | (root) | [`Graph`], its parts, and [`Document`], its form in `graph.json` |
-//! | [`import`], [`export`] | GEGELATI's `.dot` with its sidecar, both ways |
+//! | (root) | [`Graph`], its parts, and [`Document`], its `graph.json` form |
+//! | [`import`], [`export`] | GEGELATI's `.dot` with its sidecar, in both directions |
 //! | [`interpret`] | the reference interpreter |
-//! | [`in_arithmetic_of`] | calls a generic function in the arithmetic that a graph names |
-//! | [`conversion`] | a graph in another scalar type, and how often it still takes the same action |
+//! | [`in_arithmetic_of`] | calls a generic function with the arithmetic that a graph names |
+//! | [`conversion`] | conversion to another scalar type, and how often the actions still agree |
+//! | [`dataflow`] | liveness of lines, topological order of teams |
 //! | [`engine`] | anything that decides like a graph |
-//! | [`states`], [`trace`], [`sample`] | drawn states, recorded states, random graphs |
+//! | [`states`], [`trace`], [`sample`] | sampled states, recorded states, random graphs |
 //! | [`command`] | exit statuses of command-line programs |
-//! | [`settings`] | TOML files whose errors have lines |
-//! | [`error`], [`output`] | errors with file, place, found and accepted; files written whole or not at all |
+//! | [`settings`] | TOML files whose errors name the line |
+//! | [`error`], [`output`] | errors with file, place, found and accepted; atomic file writes |
 
 mod arithmetic;
 pub mod command;
 pub mod conversion;
+pub mod dataflow;
 pub mod engine;
 pub mod error;
 pub mod export;

@@ -1,7 +1,7 @@
-//! Writing files whole or not at all.
+//! Atomic file writes.
 //!
-//! A file's bytes go to a temporary file next to it, are forced to the disk, and only then take its name. Whoever looks,
-//! and whatever fails, finds the old file or the new one, never a part.
+//! A file's bytes go to a temporary file in the same folder, are flushed to the disk, and only then is the file
+//! renamed. Readers see either the old file or the new one, never a part, regardless of what fails.
 
 use crate::error::InputError;
 use std::fs::{self, File};
@@ -11,19 +11,30 @@ use tempfile::{Builder, NamedTempFile};
 
 /// Writes one file.
 ///
+/// ```
+/// use tpg_graph::output::write_atomically;
+///
+/// let folder = tempfile::tempdir()?;
+/// let path = folder.path().join("report.txt");
+/// write_atomically(&path, b"one")?;
+/// write_atomically(&path, b"two")?;
+/// assert_eq!(std::fs::read(&path)?, b"two");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
-/// Where it cannot be written: no such folder, no permission, no space. Nothing has changed then.
+/// If the file cannot be written: no such folder, no permission, no space. Nothing has changed in that case.
 pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), InputError> {
     write_all(&[(path, bytes)])
 }
 
-/// Writes a set of files: all of them to temporary files first, so that one which does not fit keeps every other from
-/// appearing too.
+/// Writes a set of files. All go to temporary files first, so that if one cannot be written none of them appears.
 ///
-/// What is no regular file, such as `/dev/stdout`, is written to as it is.
+/// A path that is not a regular file, such as `/dev/stdout`, is written to directly.
 ///
 /// # Errors
-/// As [`write_atomically`]; nothing has changed then, unless a folder went away between the last write and the renaming.
+/// As [`write_atomically`]; nothing has changed in that case, unless a folder disappeared between the last write and
+/// the renaming.
 pub fn write_all<P: AsRef<Path>, B: AsRef<[u8]>>(files: &[(P, B)]) -> Result<(), InputError> {
     let mut written = Vec::with_capacity(files.len());
     for (path, bytes) in files {
@@ -36,11 +47,11 @@ pub fn write_all<P: AsRef<Path>, B: AsRef<[u8]>>(files: &[(P, B)]) -> Result<(),
     Ok(())
 }
 
-/// Makes a folder, writes a set of files into it as [`write_all`] does, and where that fails takes away again what it made
-/// of the folder.
+/// Creates a folder and writes a set of files into it as [`write_all`] does. If that fails, the created folders are
+/// removed again.
 ///
 /// # Errors
-/// As [`write_all`], or that the folder cannot be made.
+/// As [`write_all`], or if the folder cannot be created.
 pub fn write_folder<B: AsRef<[u8]>>(folder: &Path, files: &[(PathBuf, B)]) -> Result<(), InputError> {
     let made: Vec<&Path> =
         folder.ancestors().take_while(|above| !above.as_os_str().is_empty() && !above.exists()).collect();
@@ -48,7 +59,7 @@ pub fn write_folder<B: AsRef<[u8]>>(folder: &Path, files: &[(PathBuf, B)]) -> Re
         .map_err(|error| InputError::io(folder, &error, "a folder that can be written"))
         .and_then(|()| write_all(files));
     if written.is_err() {
-        // The deepest first; one that holds something by now is not ours any more, and stays.
+        // Deepest first. A folder that is no longer empty has other users and stays.
         for folder in made {
             let _ = fs::remove_dir(folder);
         }
@@ -60,7 +71,7 @@ fn refused(path: &Path, error: &io::Error) -> InputError {
     InputError::io(path, error, "a file that can be written, with space for it")
 }
 
-/// A file that is written and does not have its name yet. Dropped, it goes away.
+/// A written file that does not have its name yet. It is removed when dropped.
 enum Pending {
     Temporary { file: NamedTempFile, path: PathBuf },
     Done,
@@ -76,7 +87,7 @@ impl Pending {
                 device.flush()?;
                 return Ok(Self::Done);
             }
-            Ok(_) => fs::canonicalize(path)?, // through a link, so that it stays one
+            Ok(_) => fs::canonicalize(path)?, // follow links, so that they stay links
             Err(_) => path.to_owned(),
         };
         let mut file = temporary_in(folder_of(&path))?;
@@ -90,7 +101,8 @@ impl Pending {
         if let Err(error) = file.persist(&path) {
             return Err((path, error.error));
         }
-        // The name is on the disk only when the folder is. Not every system opens folders; the file is whole anyway.
+        // The rename is durable only once the folder is synced. Some systems cannot open folders; the file is complete
+        // anyway.
         if let Ok(folder) = File::open(folder_of(&path)) {
             let _ = folder.sync_all();
         }
@@ -105,10 +117,10 @@ fn folder_of(path: &Path) -> &Path {
     }
 }
 
-/// The names of files that are not whole yet begin so. A program that was killed leaves them.
+/// Prefix of unfinished files. A program that was killed leaves them behind.
 pub const UNFINISHED: &str = ".tpg-";
 
-/// Readable by whom other new files are: temporary files usually are not.
+/// Creates a temporary file with the permissions of ordinary new files; by default only the owner could read it.
 fn temporary_in(folder: &Path) -> io::Result<NamedTempFile> {
     let mut builder = Builder::new();
     builder.prefix(UNFINISHED);
@@ -162,7 +174,7 @@ mod tests {
         write_folder(&new, &[(new.join("file"), "text")]).expect("written");
         assert_eq!(names(&new), ["file"]);
         write_folder(&new, &[(new.join("missing/file"), "text")]).expect_err("refused");
-        assert_eq!(names(&new), ["file"], "what was there stays");
+        assert_eq!(names(&new), ["file"], "existing files stay");
         fs::write(folder.path().join("plain"), "").expect("written");
         let error = write_folder(&folder.path().join("plain/b"), &[(new.join("x"), "")]).expect_err("refused");
         assert!(error.file.ends_with("plain/b"), "{error}");

@@ -1,7 +1,8 @@
 //! Random valid graphs, for tests and benchmarks: the same shape and seed always give the same graph.
 //!
-//! They hold on purpose what is rare in trained graphs and easily got wrong: equal bids, programs that several teams share,
-//! programs without lines, constants of every kind, introns, ids in no order, a root that is not the first team.
+//! They deliberately contain what is rare in trained graphs and easy to get wrong: equal bids, programs shared by
+//! several teams, programs without lines, constants of every kind, introns, unordered ids, a root that is not the first
+//! team.
 //!
 //! ```
 //! use tpg_graph::sample::{self, Shape};
@@ -21,46 +22,46 @@ use rand_chacha::ChaCha8Rng;
 use std::ops::RangeInclusive;
 use tpg_runtime::ops::Instruction;
 
-/// What graphs look like.
+/// Parameters of random graphs.
 #[derive(Clone, Debug)]
 pub struct Shape {
-    /// How many teams.
+    /// Number of teams.
     pub teams: usize,
-    /// How many edges a team has, where it does not need more to reach other teams.
+    /// Number of edges of a team, unless it needs more to reach other teams.
     pub edges: RangeInclusive<usize>,
-    /// How many lines a program has.
+    /// Number of lines of a program.
     pub lines: RangeInclusive<usize>,
-    /// How many registers.
+    /// Number of registers.
     pub registers: u32,
-    /// The length of each source.
+    /// Length of each source.
     pub sources: Vec<u32>,
-    /// How many actions.
+    /// Number of actions.
     pub actions: u32,
     /// The instruction set.
     pub instructions: Vec<Instruction>,
-    /// What programs compute in.
+    /// The type programs compute in.
     pub scalar: ScalarType,
-    /// Who computes sin, cos, ln and exp.
+    /// Provider of sin, cos, ln and exp.
     pub maths: MathsProvider,
-    /// Which constants programs read.
+    /// Kind of constants that programs read.
     pub constants: Constants,
-    /// Teams form one chain, as deep as a graph can be.
+    /// If true, the teams form one chain, the deepest possible graph.
     pub chain: bool,
 }
 
-/// Which constants programs read.
+/// Kind of constants that programs read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Constants {
-    /// None.
+    /// No constants.
     None,
-    /// Integers of 32 bits.
+    /// 32-bit integers.
     Integers,
-    /// Any finite numbers, whole ones, tiny ones and −0 among them.
+    /// Any finite numbers, including whole ones, tiny ones and −0.
     Reals,
 }
 
 impl Default for Shape {
-    /// A graph about as large as the paper's, with every instruction.
+    /// Returns the shape of a graph about as large as the paper's, with every instruction.
     fn default() -> Self {
         Self {
             teams: 20,
@@ -79,7 +80,7 @@ impl Default for Shape {
 }
 
 impl Shape {
-    /// A shape drawn at random: small graphs of every kind.
+    /// Returns a random shape: small graphs of every kind.
     pub fn random(seed: u64) -> Self {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         let mut instructions = Instruction::ALL.to_vec();
@@ -102,23 +103,24 @@ impl Shape {
     }
 }
 
-/// A graph of that shape.
+/// Returns a random graph of the given shape.
 ///
 /// # Panics
-/// If the shape allows no graph: no teams, edges, registers, values, actions or instructions.
+/// If the shape admits no graph: no teams, edges, registers, values, actions or instructions.
 pub fn graph(shape: &Shape, seed: u64) -> Graph {
     let document = Sampler { shape, random: ChaCha8Rng::seed_from_u64(seed), programs: Vec::new() }.document(seed);
     Graph::from_document("<sample>", document).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Where a program leads: to a team by its place, or to an action.
+/// Destination of a program: a team by index, or an action.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Destination {
     Team(usize),
     Action(u32),
 }
 
-/// Teams are numbered from the root down while edges are drawn, so that every edge leads to a higher number.
+/// Draws the graph. Teams are numbered from the root down while edges are drawn, so every edge leads to a higher
+/// number.
 struct Sampler<'s> {
     shape: &'s Shape,
     random: ChaCha8Rng,
@@ -166,7 +168,7 @@ impl Sampler<'_> {
         }
     }
 
-    /// The programs of each team's edges, in order. Every team but the root gets an edge from one above it.
+    /// Draws the programs of each team's edges, in order. Every team except the root gets an edge from an earlier team.
     fn edges(&mut self) -> Vec<Vec<usize>> {
         let mut edges: Vec<Vec<usize>> = vec![Vec::new(); self.shape.teams];
         for team in 1..self.shape.teams {
@@ -184,7 +186,7 @@ impl Sampler<'_> {
         edges
     }
 
-    /// A program that may bid in a team: one of another team, a copy of another's lines, or a new one.
+    /// Draws a program that may bid in a team: one of another team, a copy of another's lines, or a new one.
     fn bidder(&mut self, team: usize) -> usize {
         let other = self.random.random_range(0..=self.programs.len());
         let destination = self.destination(team);
@@ -218,7 +220,7 @@ impl Sampler<'_> {
     fn line(&mut self) -> LineDocument {
         let instruction = self.shape.instructions[self.random.random_range(0..self.shape.instructions.len())];
         let args = (0..instruction.arity()).map(|_| self.operand()).collect();
-        // Every other line computes the bid, so that bids depend on inputs more often than not.
+        // Half of the lines compute the bid, so that bids usually depend on inputs.
         let to = if self.random.random() { 0 } else { self.random.random_range(0..self.shape.registers) };
         LineDocument { to, op: instruction.name().to_owned(), args }
     }
@@ -248,7 +250,7 @@ impl Sampler<'_> {
         self.shape.scalar.round(value)
     }
 
-    /// Ids in no order, with gaps, none twice.
+    /// Draws distinct ids, unordered and with gaps.
     fn ids(&mut self, count: usize) -> Vec<u32> {
         let mut ids: Vec<u32> = (0..count as u32).map(|place| place * 3 + self.random.random_range(0..3)).collect();
         ids.shuffle(&mut self.random);
@@ -264,7 +266,7 @@ fn may_lead(from: usize, to: Destination) -> bool {
 }
 
 fn source(index: usize, length: u32) -> SourceDocument {
-    // Ranges of different kinds: symmetric, from zero, and one value that never changes.
+    // Ranges of different kinds: symmetric, from zero, and a single value.
     let ranges = (0..length).map(|place| match (index + place as usize) % 4 {
         0 | 1 => [-600.0, 600.0],
         2 => [0.0, 4095.0],

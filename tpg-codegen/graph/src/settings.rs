@@ -1,4 +1,4 @@
-//! TOML files, read strictly: every error has its line.
+//! Strict reader of TOML files: every error names its line.
 
 use crate::error::{Finding, InputError, Place};
 use serde::de::DeserializeOwned;
@@ -6,10 +6,10 @@ use std::fs;
 use std::path::Path;
 use toml::de::{DeTable, DeValue};
 
-/// Reads a TOML text into a type that refuses unknown keys.
+/// Reads a TOML text into a type that rejects unknown keys.
 ///
 /// # Errors
-/// The first thing that is wrong, by line; `accepted` says what the file may hold.
+/// The first error, with its line; `accepted` describes what the file may hold.
 pub fn from_toml<T: DeserializeOwned>(file: &str, text: &str, accepted: &str) -> Result<T, InputError> {
     toml::from_str(text).map_err(|error| {
         let place = error.span().map_or(Place::Whole, |span| Place::Line(line(text, span.start)));
@@ -26,14 +26,14 @@ pub fn read<T: DeserializeOwned>(path: &Path, accepted: &str) -> Result<T, Input
     from_toml(&path.display().to_string(), &text, accepted)
 }
 
-/// Places a finding in the file that it was found in: at the line of its key, or of the innermost table that there is.
+/// Locates a finding in its file: at the line of its key, or else of the innermost enclosing table in the text.
 pub fn place(file: &str, text: &str, finding: Finding) -> InputError {
     let Finding { key, found, accepted } = finding;
     let place = line_of_key(text, &key).map_or(Place::Path(key.clone()), Place::Line);
     InputError::new(file, place, format!("{key} = {found}"), accepted)
 }
 
-/// The line, from 1, of a key with its tables, or of the last of these tables that the text has.
+/// Returns the line, from 1, of a key with its tables, or of the innermost of these tables that the text has.
 fn line_of_key(text: &str, key: &str) -> Option<usize> {
     let parsed = DeTable::parse(text).ok()?;
     let mut table = parsed.get_ref();
@@ -47,7 +47,7 @@ fn line_of_key(text: &str, key: &str) -> Option<usize> {
     found
 }
 
-/// The line, from 1, of a byte of the text.
+/// Returns the line, from 1, of a byte of the text.
 fn line(text: &str, byte: usize) -> usize {
     1 + text.bytes().take(byte).filter(|&b| b == b'\n').count()
 }

@@ -1,7 +1,7 @@
-//! States to compare implementations on, the same for the same graph and seed.
+//! States for comparing implementations, the same for the same graph and seed.
 //!
-//! Most lie in the declared ranges, some on their ends, some hold what no sensor should deliver: NaN, infinities,
-//! denormals, any bits at all. Implementations must agree on every one.
+//! Most lie in the declared ranges and some on their ends; some hold values that no sensor should deliver: NaN,
+//! infinities, denormals, arbitrary bits. Implementations must agree on every one.
 
 use crate::error::InputError;
 use crate::model::{Graph, Range};
@@ -11,7 +11,7 @@ use rand_chacha::ChaCha8Rng;
 use sha2::{Digest, Sha256};
 use std::path::Path;
 
-/// Flat states, one after another, each of [`Graph::state_length`] values exact in the graph's scalar type.
+/// Samples flat states, concatenated, each of [`Graph::state_length`] values that are exact in the graph's scalar type.
 pub fn sample(graph: &Graph, count: usize, seed: u64) -> Vec<f64> {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let ranges: Vec<Range> = graph.state_ranges().collect();
@@ -23,7 +23,7 @@ pub fn sample(graph: &Graph, count: usize, seed: u64) -> Vec<f64> {
     states
 }
 
-/// Flat states inside the declared ranges: what the embedded self-test uses.
+/// Samples flat states inside the declared ranges, as used by the embedded self-test.
 pub fn sample_in_range(graph: &Graph, count: usize, seed: u64) -> Vec<f64> {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let ranges: Vec<Range> = graph.state_ranges().collect();
@@ -33,18 +33,18 @@ pub fn sample_in_range(graph: &Graph, count: usize, seed: u64) -> Vec<f64> {
         .collect()
 }
 
-/// How the values of one state are drawn.
+/// Distribution of the values of one state.
 #[derive(Clone, Copy)]
 enum Kind {
-    /// Uniform in their ranges.
+    /// Uniform in the declared ranges.
     InRange,
-    /// Whole numbers in their ranges, where equal bids are likeliest.
+    /// Whole numbers in the declared ranges, which make equal bids most likely.
     Whole,
     /// In range or on its ends, or zero.
     Boundary,
-    /// In range, one in eight special.
+    /// In range; one in eight is special.
     Special,
-    /// Any bits.
+    /// Arbitrary bits.
     Anything,
 }
 
@@ -89,33 +89,33 @@ impl Kind {
             },
             Self::Special if random.random_range(0..8) == 0 => SPECIAL[random.random_range(0..SPECIAL.len())],
             Self::Special => inside,
-            // Half of all doubles are beyond f32, so draw the bits of both types.
+            // Half of all doubles exceed the range of f32, so draw the bits of both types.
             Self::Anything if random.random_bool(0.5) => f64::from(f32::from_bits(random.next_u32())),
             Self::Anything => f64::from_bits(random.next_u64()),
         }
     }
 }
 
-/// States to measure something over, and where they come from.
+/// States for a measurement, and their origin.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StateSet {
-    /// Flat states, one after another.
+    /// Flat states, concatenated.
     pub states: Vec<f64>,
-    /// Where they come from, for people, without a path or a time.
+    /// Origin of the states, for human readers, without a path or a time.
     pub origin: String,
 }
 
 impl StateSet {
-    /// States inside the declared ranges.
+    /// Samples states inside the declared ranges.
     pub fn sampled(graph: &Graph, count: usize, seed: u64) -> Self {
         let origin = format!("{count} states sampled uniformly in the declared ranges, seed {seed}");
         Self { states: sample_in_range(graph, count, seed), origin }
     }
 
-    /// Recorded states: see [`trace`].
+    /// Reads recorded states: see [`trace`].
     ///
     /// # Errors
-    /// Whatever is wrong with the file.
+    /// Any error in the file.
     pub fn recorded(graph: &Graph, path: &Path) -> Result<Self, InputError> {
         let (states, text) = trace::load(path, graph)?;
         let count = states.len() / graph.state_length();

@@ -1,23 +1,24 @@
-//! Recorded states: what a policy saw, row by row.
+//! Recorded states: the observations of a policy, one per row.
 //!
-//! CSV with a header. A column is a value of the state by its name in the graph, `target[0]`, in any order; other columns
-//! are of no interest here.
+//! The file is CSV with a header. A column holds a value of the state and has its name in the graph, `target[0]`;
+//! columns may come in any order, and others are ignored.
 
 use crate::error::{InputError, Place};
 use crate::import;
 use crate::model::{Graph, Input};
 use std::path::Path;
 
-/// Reads flat states in the order of the graph's sources, rounded to its scalar type, and the text they came from.
+/// Reads flat states in the order of the graph's sources, rounded to its scalar type, and returns them with the file's
+/// text.
 ///
 /// # Errors
-/// No such file, a value of the state without a column or with two, something that is no number, no rows at all.
+/// No such file, a value of the state with no column or more than one, a field that is not a number, no rows.
 pub fn load(path: &Path, graph: &Graph) -> Result<(Vec<f64>, String), InputError> {
     let (file, text) = import::read(path)?;
     Ok((from_text(&file, &text, graph)?, text))
 }
 
-/// Reads states from text: see [`load`]. `file` is what messages call it.
+/// Reads states from text: see [`load`]. `file` is its name in messages.
 ///
 /// # Errors
 /// As [`load`].

@@ -1,22 +1,22 @@
-//! What is refused, and what is said of it: file, place, what was found, what is accepted.
+//! Rejected inputs and their messages: file, place, what was found, what is accepted.
 //!
-//! The messages are snapshots, to be read by whoever changes one.
+//! The messages are snapshots; whoever changes one should read it.
 
 use std::fmt::Write as _;
 use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::import::{self, Sidecar};
 
-/// What each case makes of a good text: every pair of a text and what stands there instead.
+/// A test case: its name, and the replacements that spoil a good text.
 type Case<'c> = (&'c str, &'c [(&'c str, &'c str)]);
 
-/// Applies each case to `good` and lists what `read` says of it.
+/// Applies each case to `good` and lists the resulting messages of `read`.
 fn messages(good: &str, cases: &[Case<'_>], read: impl Fn(&str) -> Result<Graph, InputError>) -> String {
     read(good).unwrap_or_else(|error| panic!("the good text: {error}"));
     let mut list = String::new();
     for (name, changes) in cases {
         let bad = changes.iter().fold(good.to_owned(), |text, (from, to)| {
-            assert_eq!(text.matches(from).count(), 1, "{name}: {from:?} must stand in the text once");
+            assert_eq!(text.matches(from).count(), 1, "{name}: {from:?} must occur exactly once");
             text.replace(from, to)
         });
         let error = read(&bad).expect_err(name);
@@ -26,7 +26,7 @@ fn messages(good: &str, cases: &[Case<'_>], read: impl Fn(&str) -> Result<Graph,
     list
 }
 
-/// An error says everything, on one line. Only of a file as a whole there is no place to tell.
+/// Checks that an error is complete and fits one line. An error about a file as a whole has no place.
 fn assert_complete(name: &str, error: &InputError) {
     let InputError { file, found, accepted, .. } = error;
     assert!([file, found, accepted].iter().all(|part| !part.is_empty()), "{name}: {error:?}");
@@ -63,8 +63,8 @@ fn json() {
         ("another version", &[("\"version\": 1", "\"version\": 2")]),
         ("another version with other fields", &[("\"version\": 1", "\"version\": 2, \"memory\": []")]),
         ("another format", &[("tpg-graph", "tpg-tree")]),
-        ("a field that is not known", &[("\"root\": 7", "\"rot\": 7")]),
-        ("a field that lacks", &[("  \"root\": 7,\n", "")]),
+        ("an unknown field", &[("\"root\": 7", "\"rot\": 7")]),
+        ("a missing field", &[("  \"root\": 7,\n", "")]),
         ("a field a second time", &[("\"root\": 7", "\"root\": 7, \"root\": 9")]),
         ("a value of another type", &[("\"root\": 7", "\"root\": \"seven\"")]),
         ("an unknown scalar", &[("f32", "f16")]),
@@ -82,7 +82,7 @@ fn json() {
         ("an unknown source", &[("motors[0]", "motor[0]")]),
         ("a source out of range", &[("motors[0]", "motors[1]")]),
         ("a source with a sign", &[("motors[0]", "motors[+0]")]),
-        ("an operand that is none", &[("motors[0]", "motors")]),
+        ("an invalid operand", &[("motors[0]", "motors")]),
         ("an operand of another type", &[("\"motors[0]\"", "true")]),
         ("a constant that does not fit f32", &[("[0.5]", "[1e39]")]),
         ("a constant that does not fit f64", &[("[0.5]", "[1e309]")]),
@@ -91,8 +91,8 @@ fn json() {
         ("a source twice", &[("\"target\"", "\"motors\"")]),
         ("a unit that ends a comment", &[("\"mm\"", "\"*/ m\"")]),
         ("a source of another length", &[("\"length\":2", "\"length\":3")]),
-        ("a range upside down", &[("[-1.0,1.0]", "[1.0,-1.0]")]),
-        ("a range that f32 cannot say", &[("[-1.0,1.0]", "[-0.1,1.0]")]),
+        ("an inverted range", &[("[-1.0,1.0]", "[1.0,-1.0]")]),
+        ("a range that is not exact in f32", &[("[-1.0,1.0]", "[-0.1,1.0]")]),
         (
             "no sources",
             &[(
@@ -107,9 +107,9 @@ fn json() {
             &[("\"move\":[3,0,0,0]", "\"move\":[3],\"effect\":{\"name\":\"f\",\"values\":[1]}")],
         ),
         ("an effect that is not finite", &[("[3,0,0,0]", "[3,0,0,1e999]")]),
-        ("an edge to a team that lacks", &[("\"team\":9", "\"team\":8")]),
-        ("an edge to an action that lacks", &[("\"action\":1", "\"action\":2")]),
-        ("an edge of a program that lacks", &[("\"program\":3", "\"program\":4")]),
+        ("an edge to a missing team", &[("\"team\":9", "\"team\":8")]),
+        ("an edge to a missing action", &[("\"action\":1", "\"action\":2")]),
+        ("an edge of a missing program", &[("\"program\":3", "\"program\":4")]),
         ("an edge to nowhere", &[(",\"team\":9", "")]),
         ("an edge to two places", &[("\"team\":9", "\"team\":9,\"action\":0")]),
         ("a team without edges", &[("[{\"program\":3,\"action\":1}]", "[]")]),
@@ -132,7 +132,7 @@ fn json() {
                 ("{\"id\":3,\"lines\":[]}", "{\"id\":3,\"lines\":[]},{\"id\":4,\"lines\":[]}"),
             ],
         ),
-        ("a root that lacks", &[("\"root\": 7", "\"root\": 8")]),
+        ("a missing root", &[("\"root\": 7", "\"root\": 8")]),
         ("no root", &[("\"program\":3,\"action\":1", "\"program\":3,\"team\":7")]),
         ("two roots", &[(",{\"program\":2,\"team\":9}", ",{\"program\":2,\"action\":0}")]),
         ("two destinations of a program", &[("\"program\":3,\"action\":1", "\"program\":1,\"action\":1")]),
@@ -216,16 +216,16 @@ fn dot() {
         ("a node without label", &[(" label=\"1\"", "")]),
         ("attributes without end", &[("label=\"1\"]", "label=\"1\"")]),
         ("a link to another program's lines", &[("P2 -> I2", "P2 -> I3")]),
-        ("a link of a program that lacks", &[("P2 -> I2[", "P4 -> I4[")]),
+        ("a link of a missing program", &[("P2 -> I2[", "P4 -> I4[")]),
         ("a program without lines", &[("\t\tI2 [shape=box style=invis label=\"\"]\n", "")]),
         ("a line without end", &[("0|0&#92;n\"", "0|0\"")]),
-        ("a line that is none", &[("0|3&0|0#3|0&", "0|3&0|0#3&")]),
+        ("an invalid line", &[("0|3&0|0#3|0&", "0|3&0|0#3&")]),
         ("a line with a name", &[("0|3&0|0#3|0&", "add|3&0|0#3|0&")]),
         ("an unknown instruction", &[("0|3&0|0#3|0&", "2|3&0|0#3|0&")]),
         ("a register out of range", &[("0|3&0|0#3|0&", "0|4&0|0#3|0&")]),
         ("a source out of range", &[("0|3&0|0#3|0&", "0|3&0|0#4|0&")]),
         ("too few operands", &[("0|3&0|0#3|0&", "0|3&0|0&")]),
-        ("a constant that is no integer", &[("//9|", "//9.5|")]),
+        ("a constant that is not an integer", &[("//9|", "//9.5|")]),
         ("a constant that does not fit", &[("//9|", "//2147483648|")]),
         ("a constant without end", &[("//9|0|", "//9|0")]),
         ("another number of constants", &[("//9|0|", "//9|")]),
@@ -241,10 +241,10 @@ fn dot() {
                 ("label=\"\"]\n\t\tP3", "label=\"\"] //1|1|\n\t\tP3"),
             ],
         ),
-        ("an edge to a team that lacks", &[("P2 -> T9", "P2 -> T8")]),
-        ("an edge of a team that lacks", &[("T9 -> P1\n", "T8 -> P1\n")]),
-        ("an edge to an action that lacks", &[("P3 -> A1", "P3 -> A2")]),
-        ("an edge of a program that lacks", &[("T9 -> P1\n", "T9 -> P4\n")]),
+        ("an edge to a missing team", &[("P2 -> T9", "P2 -> T8")]),
+        ("an edge of a missing team", &[("T9 -> P1\n", "T8 -> P1\n")]),
+        ("an edge to a missing action", &[("P3 -> A1", "P3 -> A2")]),
+        ("an edge of a missing program", &[("T9 -> P1\n", "T9 -> P4\n")]),
         ("an action out of range", &[("label=\"1\"", "label=\"2\"")]),
         ("a program that never leads anywhere", &[("T7 -> P1 -> A0", "T7 -> P1")]),
         ("two destinations of a program", &[("T9 -> P1\n", "T9 -> P1 -> A1\n")]),
@@ -256,7 +256,7 @@ fn dot() {
         ("two roots named", &[("same T7", "same T7 T9")]),
         ("no root named", &[("same T7", "same ")]),
         ("another root named", &[("same T7", "same T9")]),
-        ("a root named that lacks", &[("same T7", "same T8")]),
+        ("a missing team named as the root", &[("same T7", "same T8")]),
         ("an action as the root", &[("same T7", "same A0")]),
         ("roots named twice", &[("\t\t{ rank= same T7 }\n", "\t\t{ rank= same T7 }\n\t\t{ rank= same T7 }\n")]),
         ("a team twice", &[("T9 [", "T7 [")]),
@@ -272,8 +272,8 @@ fn dot() {
     }
 }
 
-/// Where the file ends, or what is missing in it, must never be a panic: every prefix is read, and every text without one
-/// of its lines.
+/// Truncation or a missing line must never cause a panic: reads every prefix, and every text with one of its lines
+/// removed.
 #[test]
 fn parts_of_a_file_are_errors_or_graphs() {
     for (text, read) in [(DOT, read_dot as fn(&str) -> _), (JSON, |text: &str| import::from_text("x", text, None))] {
@@ -302,9 +302,9 @@ fn sidecar() {
                 "actions = [\n    { id",
             )],
         ),
-        ("a field that is not known", &[("registers = 4", "regs = 4")]),
-        ("a field that lacks", &[("registers = 4\n", "")]),
-        ("a field of a source that is not known", &[("range = [0, 8]", "range = [0, 8], scale = 2")]),
+        ("an unknown field", &[("registers = 4", "regs = 4")]),
+        ("a missing field", &[("registers = 4\n", "")]),
+        ("an unknown field of a source", &[("range = [0, 8]", "range = [0, 8], scale = 2")]),
         ("a value of another type", &[("registers = 4", "registers = \"four\"")]),
         ("a value out of range", &[("registers = 4", "registers = -4")]),
         ("too many registers", &[("registers = 4", "registers = 257")]),
@@ -313,12 +313,12 @@ fn sidecar() {
         ("neither range nor ranges", &[(", range = [0, 8]", "")]),
         ("too few ranges", &[("[[-1, 1], [0, 4095]]", "[[-1, 1]]")]),
         ("an infinite range", &[("[0, 8]", "[0, inf]")]),
-        ("a range that f32 cannot say", &[("[-1, 1]", "[-1, 0.1]")]),
+        ("a range that is not exact in f32", &[("[-1, 1]", "[-1, 0.1]")]),
         ("a source too long", &[("length = 1", "length = 4000000000")]),
         ("a source named like a keyword", &[("\"target\"", "\"float\"")]),
         ("an action with another id", &[("id = 1", "id = 2")]),
-        ("an action's move that is no number", &[("[3, 0, 0, 0]", "[nan, 0, 0, 0]")]),
-        ("provenance that is no JSON", &[("registers = 4", "registers = 4\nprovenance = 'me'")]),
+        ("an action's move that is not a number", &[("[3, 0, 0, 0]", "[nan, 0, 0, 0]")]),
+        ("provenance that is not JSON", &[("registers = 4", "registers = 4\nprovenance = 'me'")]),
         ("provenance with another field", &[("registers = 4", "registers = 4\nprovenance = '{\"author\":1}'")]),
     ];
     let read = |text: &str| import::from_text("x.dot", DOT, Some(&Sidecar::from_toml("x.toml", text)?));
@@ -345,7 +345,7 @@ fn whole_files() {
     insta::assert_snapshot!("whole_files", list);
 }
 
-/// Editors on Windows write a mark at the start and two characters at each line's end.
+/// Editors on Windows write a byte order mark at the start and two characters at the end of each line.
 #[test]
 fn files_of_windows_are_as_good() {
     let windows = |text: &str| format!("\u{feff}{}", text.replace('\n', "\r\n"));

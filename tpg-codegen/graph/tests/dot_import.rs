@@ -27,7 +27,7 @@ fn graph(text: &str) -> Graph {
     read(text).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Two teams, a shared program whose destination a later line says, an unused operand, a location to wrap.
+/// Two teams, a shared program whose destination a later line states, an unused operand, a location that wraps.
 const SMALL: &str = r##"// File exported with GEGELATI v1.3.1
 // On the 2024-07-06 16:48:11
 // With the File::TPGGraphDotExporter
@@ -83,7 +83,7 @@ fn written(graph: &Graph, line: &Line) -> (Instruction, usize, Vec<String>) {
     (line.instruction, line.to.index(), operands.collect())
 }
 
-/// Constants take source 1 and push the environment's sources up by one.
+/// Constants take source 1 and shift the environment's sources up by one.
 #[test]
 fn constants_of_gegelati_1_and_2() {
     let program = |p: &str, i: &str| {
@@ -100,7 +100,7 @@ fn constants_of_gegelati_1_and_2() {
     }
 }
 
-/// GEGELATI's own reader breaks at 4,096 characters.
+/// GEGELATI's own reader fails on lines of more than 4,096 characters.
 #[test]
 fn a_line_may_be_long() {
     let label = "0|1&2|3#0|6&#92;n".repeat(100_000);
@@ -108,7 +108,7 @@ fn a_line_may_be_long() {
     assert_eq!(graph(&long).programs()[1].lines.len(), 100_000);
 }
 
-/// The authors' graphs carry no licence and are not part of this project; where they lie is `TPG_CONFORMANCE`.
+/// The authors' graphs carry no licence and are not part of this project; `TPG_CONFORMANCE` names their folder.
 #[test]
 fn the_papers_graphs() {
     let folder = std::env::var_os("TPG_CONFORMANCE").map_or_else(

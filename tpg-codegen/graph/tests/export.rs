@@ -15,7 +15,7 @@ fn through_json(graph: &Graph) -> Graph {
     Graph::from_json("x.json", &graph.to_json()).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// The text is compared too: −0 and 0 are equal numbers.
+/// The text is compared as well, because −0 and 0 are equal numbers.
 fn assert_same(graph: &Graph, found: &Graph) {
     assert_eq!(graph, found);
     assert_eq!(graph.to_json(), found.to_json());
@@ -86,7 +86,7 @@ fn the_text_of_a_small_graph() {
     insta::assert_snapshot!("small.toml", export::sidecar::text(&graph));
 }
 
-/// The sidecar of the documentation reads, and its words are the ones of the code.
+/// The documented example of a sidecar is valid and matches the code.
 #[test]
 fn the_example_sidecar_is_one() {
     let sidecar = Sidecar::from_toml("sidecar.example.toml", include_str!("../sidecar.example.toml"));

@@ -1,6 +1,6 @@
-//! The committed schema is the one of the code, and describes what the tool writes.
+//! The committed schema matches the code and describes what the tool writes.
 
-/// With `TPG_UPDATE=1` the file is written anew.
+/// With `TPG_UPDATE=1` the file is rewritten.
 #[test]
 fn the_committed_schema_is_fresh() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/graph.schema.json");

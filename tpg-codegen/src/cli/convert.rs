@@ -1,10 +1,11 @@
 //! `tpg-codegen convert`: a graph from one format to another.
 
-use super::{CliError, GraphArgs, Verdict};
+use super::GraphArgs;
 use clap::Args;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use tpg_graph::Graph;
+use tpg_graph::command::{CommandError, Verdict};
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::{export, output};
 
@@ -20,13 +21,13 @@ pub(super) struct ConvertArgs {
 }
 
 impl ConvertArgs {
-    pub(super) fn run(&self) -> Result<Verdict, CliError> {
+    pub(super) fn run(&self) -> Result<Verdict, CommandError> {
         let format = Format::of(&self.out)?;
         let graph = self.graph.load()?;
         match format {
             Format::Stdout => {
                 let mut out = io::stdout().lock();
-                out.write_all(graph.to_json().as_bytes()).and_then(|()| out.flush()).map_err(CliError::other)?;
+                out.write_all(graph.to_json().as_bytes()).and_then(|()| out.flush()).map_err(CommandError::other)?;
             }
             Format::Json => output::write_atomically(&self.out, graph.to_json().as_bytes())?,
             Format::Dot => self.write_dot(&graph)?,
@@ -42,7 +43,7 @@ impl ConvertArgs {
     }
 }
 
-/// What is written.
+/// The output format.
 #[derive(Clone, Copy)]
 enum Format {
     Stdout,

@@ -1,55 +1,40 @@
-//! `tpg-codegen GRAPH`: writes the code and says what it is.
+//! `tpg-codegen GRAPH`: writes code, reports its size, and proves it.
 
-use super::scalar::{Chosen, ScalarArgs, StatesArgs};
-use super::{CliError, GraphArgs, Verdict, verify};
-use crate::emit::{self, File, Language, Options, Prefix, Profile, Style};
-use crate::passes::interval::Assumption;
+use super::code::CodeArgs;
+use super::flash::check_flash;
+use super::verify::{prove, sentences, verdict};
+use crate::emit::{Code, File};
+use crate::options::Language;
+use crate::program::compile;
 use crate::size::Target;
 use crate::{explain, size};
-use clap::{Args, ValueEnum};
+use clap::Args;
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use tpg_graph::Graph;
+use tpg_graph::command::{CommandError, Verdict};
 use tpg_graph::output;
 
 /// States compared after generating; `verify` compares more.
 const STATES: usize = 10_000;
+/// The seed they are drawn with.
+const SEED: u64 = 1;
 
 /// Generate code.
 #[derive(Clone, Debug, Args)]
 pub struct GenerateArgs {
     #[command(flatten)]
-    graph: GraphArgs,
-    /// The language to generate
-    #[arg(long, value_enum, default_value_t = LanguageArg::All)]
-    lang: LanguageArg,
-    /// The interface of the C
-    #[arg(long, value_enum, default_value_t = Style::Pure)]
-    style: Style,
-    /// What the code is good at [default: fast in C, constant-time in Rust]
-    #[arg(long, value_enum)]
-    profile: Option<Profile>,
-    /// Believe the declared ranges of the inputs: a state outside of them may get another action than the interpreter's
-    #[arg(long)]
-    assume_ranges: bool,
-    #[command(flatten)]
-    scalar: ScalarArgs,
-    #[command(flatten)]
-    states: StatesArgs,
-    /// What every generated name begins with [default: from the file's name]
-    #[arg(long, value_name = "NAME")]
-    prefix: Option<Prefix>,
-    /// The folder to write to, made where it does not exist; - for standard output
+    code: CodeArgs,
+    /// The output folder, created if it does not exist; - for standard output
     #[arg(short, long, value_name = "DIR", default_value = ".")]
     output: PathBuf,
-    /// Write nothing; exit 1 when the files there are not what would be written
+    /// Write nothing; exit with status 1 if the files in the output folder differ from those that would be written
     #[arg(long)]
     check: bool,
-    /// Refuse, with exit status 1, where the C compiled for a Cortex-M4F takes more flash
+    /// Write nothing and exit with status 1 if the C compiled for a Cortex-M4F takes more flash
     #[arg(long, value_name = "BYTES")]
     max_flash: Option<u64>,
-    /// Instead of generating, say what each pass removed and what every team computes, on standard output or in a file
+    /// Instead of generating, explain what each pass removed and what every team computes, on standard output or in a file
     #[arg(
         long,
         value_name = "FILE",
@@ -64,71 +49,60 @@ pub struct GenerateArgs {
     no_verify: bool,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum LanguageArg {
-    C,
-    Rust,
-    All,
-}
-
 impl GenerateArgs {
     /// Generates.
     ///
     /// # Errors
-    /// Bad input, or an output that cannot be written.
-    pub fn run(&self) -> Result<Verdict, CliError> {
-        let Chosen { graph, conversion } = match self.scalar.choose(&self.graph, self.graph.load()?, &self.states)? {
-            Ok(chosen) => chosen,
-            Err(verdict) => return Ok(verdict),
-        };
-        let prefix = self.prefix.clone().unwrap_or_else(|| Prefix::of_file(&self.graph.graph));
-        let assumption = if self.assume_ranges { Assumption::DeclaredRanges } else { Assumption::Nothing };
-        let trace = self.states.recorded(&graph)?;
-        let (style, profile) = (self.style, self.profile);
-        let options = Options { style, profile, assumption, conversion, trace, ..Options::new(prefix) };
+    /// Bad input, an output that cannot be written, or a limit that is exceeded.
+    pub fn run(&self) -> Result<Verdict, CommandError> {
+        let (graph, options) = self.code.load()?;
         if let Some(path) = &self.explain {
-            let text = explain::explain(&graph, &options);
-            if path == Path::new("-") {
-                io::stdout().lock().write_all(text.as_bytes()).map_err(CliError::other)?;
-            } else {
-                output::write_atomically(path, text.as_bytes())?;
-            }
-            return Ok(Verdict::Good);
+            return explain_to(path, &explain::explain(&graph, &options));
         }
-        if let Some(limit) = self.max_flash {
-            if self.lang == LanguageArg::Rust {
-                return Err(CliError::Other(
-                    "--max-flash measures the C; accepted with --lang c and --lang all".to_owned(),
-                ));
-            }
-            if !fits(&graph, &options, Target::CortexM4, limit) {
-                return Ok(Verdict::Failed);
-            }
-        }
-        let files: Vec<File> =
-            self.languages().iter().flat_map(|&language| emit::emit(&graph, language, &options)).collect();
-        if self.output == Path::new("-") {
-            print(&files).map_err(CliError::other)?;
-            return Ok(Verdict::Good);
-        }
+        let codes: Vec<Code<'_>> = (self.code.lang.languages().iter())
+            .map(|&language| Code::of(compile(&graph, &options, language)))
+            .collect();
+        self.check_flash(&codes)?;
+        let files: Vec<&File> = codes.iter().flat_map(|code| &code.files).collect();
         if self.check {
             return Ok(self.stale(&files));
         }
-        let files: Vec<(PathBuf, &str)> =
-            files.iter().map(|file| (self.output.join(&file.name), file.text.as_str())).collect();
-        output::write_folder(&self.output, &files)?;
-        self.tell(&graph, &options, &files)
-    }
-
-    fn languages(&self) -> &'static [Language] {
-        match self.lang {
-            LanguageArg::C => &[Language::C],
-            LanguageArg::Rust => &[Language::Rust],
-            LanguageArg::All => &[Language::C, Language::Rust],
+        if self.to_stdout() {
+            print(&files).map_err(CommandError::other)?;
+        } else {
+            let files: Vec<(PathBuf, &str)> =
+                files.iter().map(|file| (self.output.join(&file.name), file.text.as_str())).collect();
+            output::write_folder(&self.output, &files)?;
+            report(&codes, &files);
         }
+        if self.no_verify { Ok(Verdict::Good) } else { self.prove(&codes) }
     }
 
-    fn stale(&self, files: &[File]) -> Verdict {
+    fn to_stdout(&self) -> bool {
+        self.output == Path::new("-")
+    }
+
+    fn check_flash(&self, codes: &[Code<'_>]) -> Result<(), CommandError> {
+        let Some(limit) = self.max_flash else { return Ok(()) };
+        let accepted = "--max-flash measures the C; accepted with --lang c and --lang all";
+        let c = c_of(codes).ok_or_else(|| CommandError::Other(accepted.to_owned()))?;
+        check_flash(c, Target::CortexM4, limit)
+    }
+
+    /// Proves the texts that were written, and no others.
+    fn prove(&self, codes: &[Code<'_>]) -> Result<Verdict, CommandError> {
+        let proof = prove(codes, STATES, SEED)?;
+        let sentences = sentences(&proof);
+        // Standard output holds either the code or the report, never both.
+        if self.to_stdout() {
+            eprint!("{sentences}")
+        } else {
+            print!("{sentences}")
+        }
+        Ok(verdict(&proof))
+    }
+
+    fn stale(&self, files: &[&File]) -> Verdict {
         let mut verdict = Verdict::Good;
         for file in files {
             let path = self.output.join(&file.name);
@@ -146,60 +120,37 @@ impl GenerateArgs {
         }
         verdict
     }
+}
 
-    fn tell(&self, graph: &Graph, options: &Options, files: &[(PathBuf, &str)]) -> Result<Verdict, CliError> {
-        if let Some(conversion) = &options.conversion {
-            println!("{} instead of {}: {}", graph.scalar().name(), conversion.from.name(), conversion.agreement);
-        }
-        for (path, text) in files {
-            println!("wrote {} ({} lines)", path.display(), text.lines().count());
-        }
-        if self.lang != LanguageArg::Rust {
-            for line in size::of_c(graph, options) {
-                println!("{line}");
-            }
-        }
-        if self.no_verify {
-            return Ok(Verdict::Good);
-        }
-        match verify::compare(graph, &options.prefix, STATES, 1) {
-            Ok(comparisons) => {
-                let mut verdict = Verdict::Good;
-                for comparison in &comparisons {
-                    println!("{}", verify::sentence(comparison));
-                    if comparison.differences > 0 {
-                        verdict = Verdict::Failed;
-                    }
-                }
-                Ok(verdict)
-            }
-            Err(error) => {
-                eprintln!("not verified: {error}");
-                Ok(Verdict::Good)
-            }
-        }
+fn explain_to(path: &Path, text: &str) -> Result<Verdict, CommandError> {
+    if path == Path::new("-") {
+        io::stdout().lock().write_all(text.as_bytes()).map_err(CommandError::other)?;
+    } else {
+        output::write_atomically(path, text.as_bytes())?;
+    }
+    Ok(Verdict::Good)
+}
+
+fn c_of<'a, 'g>(codes: &'a [Code<'g>]) -> Option<&'a Code<'g>> {
+    codes.iter().find(|code| code.program.language == Language::C)
+}
+
+/// Prints the change of scalar type, if there was one, the files, and the size of the C.
+fn report(codes: &[Code<'_>], files: &[(PathBuf, &str)]) {
+    let program = codes.first().map(|code| &code.program);
+    if let Some((program, was)) = program.and_then(|program| Some((program, program.options.conversion.as_ref()?))) {
+        println!("{} instead of {}: {}", program.graph().scalar().name(), was.from.name(), was.agreement);
+    }
+    for (path, text) in files {
+        println!("wrote {} ({} lines)", path.display(), text.lines().count());
+    }
+    for line in c_of(codes).map(size::of_c).into_iter().flatten() {
+        println!("{line}");
     }
 }
 
-/// Whether the C is small enough, and says so where it is not, or where nobody can tell.
-pub(super) fn fits(graph: &Graph, options: &Options, target: Target, limit: u64) -> bool {
-    let name = target.name();
-    match size::compile_c(graph, options, target).and_then(|object| size::measure(&object)) {
-        Ok(size) if size.flash() <= limit => true,
-        Ok(size) => {
-            let flash = size.flash();
-            eprintln!("refused: {flash} bytes of flash on {name}, {} more than --max-flash {limit}", flash - limit);
-            false
-        }
-        Err(error) => {
-            eprintln!("refused: whether --max-flash {limit} holds on {name} cannot be told: {error}");
-            false
-        }
-    }
-}
-
-/// One file as it is; several with a line between them that is a comment in C and Rust.
-fn print(files: &[File]) -> io::Result<()> {
+/// Prints one file as it is, several with a separator that is a comment in C and Rust.
+fn print(files: &[&File]) -> io::Result<()> {
     let mut out = io::stdout().lock();
     for file in files {
         if files.len() > 1 {

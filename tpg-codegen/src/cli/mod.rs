@@ -1,6 +1,8 @@
 //! The command line: results on stdout, everything else on stderr.
 
+mod code;
 mod convert;
+mod flash;
 mod generate;
 mod policy;
 mod report;
@@ -15,6 +17,7 @@ use std::ffi::OsString;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use tpg_graph::Graph;
+use tpg_graph::command::exit_code;
 use tpg_graph::error::InputError;
 use tpg_graph::import;
 
@@ -35,51 +38,25 @@ enum Command {
     Generate(GenerateArgs),
     /// Compile the generated code and compare it with the interpreter
     Verify(verify::VerifyArgs),
-    /// Say what a graph's code takes: flash, RAM, stack, operations; what was removed of it
+    /// Report the flash, RAM, stack and operations of a graph's code, and what was removed from it
     Report(report::ReportArgs),
     /// Convert a graph to graph.json, or to a GEGELATI .dot file and its sidecar
     Convert(convert::ConvertArgs),
-    /// Write a network in integers, a policy.q.json, as constants of C and Rust
+    /// Write a quantised network, a policy.q.json, as constants of C and Rust
     Policy(policy::PolicyArgs),
     /// Print the JSON Schema of graph.json
     Schema(schema::SchemaArgs),
 }
 
-/// What a command found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
-    /// All is well.
-    Good,
-    /// A check failed: differences, stale files, a limit.
-    Failed,
-}
-
-/// Why a command could not do its work.
-#[derive(Debug, thiserror::Error)]
-pub enum CliError {
-    /// The input is bad.
-    #[error(transparent)]
-    Input(#[from] InputError),
-    /// Something else: a missing compiler, a broken pipe.
-    #[error("{0}")]
-    Other(String),
-}
-
-impl CliError {
-    fn other(error: impl std::fmt::Display) -> Self {
-        Self::Other(error.to_string())
-    }
-}
-
-/// The graph to read, and what a `.dot` file does not say about it.
+/// The graph to read, and the description that a `.dot` file lacks.
 #[derive(Clone, Debug, Args)]
 pub struct GraphArgs {
     /// A graph.json or a GEGELATI .dot file; - for standard input
     pub graph: PathBuf,
-    /// A built-in description of what a .dot file lacks
+    /// A built-in description of the data that a .dot file lacks
     #[arg(long, value_name = "NAME", conflicts_with = "sidecar")]
     pub profile_of: Option<import::Profile>,
-    /// A TOML file that says what a .dot file lacks
+    /// A TOML file with the data that a .dot file lacks
     #[arg(long, value_name = "FILE")]
     pub sidecar: Option<PathBuf>,
 }
@@ -88,14 +65,14 @@ impl GraphArgs {
     /// Reads and validates the graph.
     ///
     /// # Errors
-    /// Whatever is wrong with it.
+    /// The first defect of the input.
     pub fn load(&self) -> Result<Graph, InputError> {
         import::load(&self.graph, self.profile_of, self.sidecar.as_deref())
     }
 }
 
 impl Cli {
-    /// Reads the command line; a first word that is no command is the graph to generate code from.
+    /// Reads the command line; `generate` is implied if the first word is not a command.
     pub fn from_args(args: impl IntoIterator<Item = OsString>) -> Self {
         let mut args: Vec<OsString> = args.into_iter().collect();
         let command = Self::command();
@@ -109,23 +86,15 @@ impl Cli {
         Self::parse_from(args)
     }
 
-    /// Does what was asked, tells people on stderr what went wrong.
+    /// Runs the command; errors go to stderr.
     pub fn run(self) -> ExitCode {
-        let result = match self.command {
+        exit_code(match self.command {
             Command::Generate(args) => args.run(),
             Command::Verify(args) => args.run(),
             Command::Report(args) => args.run(),
             Command::Convert(args) => args.run(),
             Command::Policy(args) => args.run(),
             Command::Schema(args) => args.run(),
-        };
-        match result {
-            Ok(Verdict::Good) => ExitCode::SUCCESS,
-            Ok(Verdict::Failed) => ExitCode::from(1),
-            Err(error) => {
-                eprintln!("error: {error}");
-                ExitCode::from(2)
-            }
-        }
+        })
     }
 }

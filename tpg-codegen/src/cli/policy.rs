@@ -1,15 +1,15 @@
-//! `tpg-codegen policy`: a network in integers as C and Rust.
+//! `tpg-codegen policy`: a quantised network as C and Rust.
 
-use super::{CliError, Verdict};
-use crate::emit::Prefix;
+use crate::options::Prefix;
 use crate::policy::{QuantisedPolicy, to_c, to_rust};
 use clap::{Args, ValueEnum};
 use std::fs;
 use std::path::PathBuf;
+use tpg_graph::command::{CommandError, Verdict};
 use tpg_graph::error::InputError;
 use tpg_graph::output;
 
-/// Write a network in integers as constants of C and Rust.
+/// Write a quantised network as constants of C and Rust.
 #[derive(Clone, Debug, Args)]
 pub(super) struct PolicyArgs {
     /// A policy.q.json
@@ -20,10 +20,10 @@ pub(super) struct PolicyArgs {
     /// The name of the C array and of the files [default: from the file's name]
     #[arg(long, value_name = "NAME")]
     prefix: Option<Prefix>,
-    /// In C, room for 16 bits a weight where they have 8: nearly twice the flash, a third fewer instructions, the same answers
+    /// In C, store 8-bit weights in 16 bits: nearly twice the flash, a third fewer instructions, the same results
     #[arg(long)]
     wide: bool,
-    /// The folder to write to, made where it does not exist
+    /// The output folder, created if it does not exist
     #[arg(short, long, value_name = "DIR", default_value = ".")]
     output: PathBuf,
 }
@@ -36,7 +36,7 @@ enum PolicyLanguage {
 }
 
 impl PolicyArgs {
-    pub(super) fn run(&self) -> Result<Verdict, CliError> {
+    pub(super) fn run(&self) -> Result<Verdict, CommandError> {
         let name = self.policy.display().to_string();
         let text = fs::read_to_string(&self.policy)
             .map_err(|error| InputError::io(&self.policy, &error, "a policy.q.json that can be read"))?;

@@ -1,29 +1,32 @@
-//! `tpg-codegen report`: what a graph's code takes.
+//! `tpg-codegen report`: the resources that a graph's code needs.
 
-use super::generate::fits;
+use super::GraphArgs;
+use super::flash::check_flash;
 use super::scalar::{Chosen, ScalarArgs, StatesArgs};
-use super::{CliError, GraphArgs, Verdict};
-use crate::emit::{Options, Prefix, Profile};
+use crate::emit::Code;
+use crate::options::{Language, Options, Prefix, Profile};
+use crate::program::compile;
 use crate::report;
 use crate::size::Target;
 use clap::Args;
+use tpg_graph::command::{CommandError, Verdict};
 
-/// Say what a graph's code takes: flash, RAM, stack, operations; what was removed of it.
+/// Report the flash, RAM, stack and operations of a graph's code, and what was removed from it.
 #[derive(Clone, Debug, Args)]
 pub(super) struct ReportArgs {
     #[command(flatten)]
     graph: GraphArgs,
-    /// Where the code is to run [default: both]
+    /// The target [default: both]
     #[arg(long, value_enum)]
     target: Option<Target>,
     #[command(flatten)]
     scalar: ScalarArgs,
     #[command(flatten)]
     states: StatesArgs,
-    /// Exit with status 1 where the C of --profile takes more flash on the target (without --target, a Cortex-M4F)
+    /// Exit with status 1 if the C of --profile takes more flash on the target (without --target, a Cortex-M4F)
     #[arg(long, value_name = "BYTES")]
     max_flash: Option<u64>,
-    /// The profile that --max-flash is for
+    /// The profile that --max-flash limits
     #[arg(long, value_enum, default_value_t = Profile::Fast, requires = "max_flash")]
     profile: Profile,
     /// Print one JSON object
@@ -32,23 +35,22 @@ pub(super) struct ReportArgs {
 }
 
 impl ReportArgs {
-    pub(super) fn run(&self) -> Result<Verdict, CliError> {
-        let Chosen { graph, conversion } = match self.scalar.choose(&self.graph, self.graph.load()?, &self.states)? {
-            Ok(chosen) => chosen,
-            Err(verdict) => return Ok(verdict),
-        };
+    pub(super) fn run(&self) -> Result<Verdict, CommandError> {
+        let Chosen { graph, conversion } = self.scalar.choose(&self.graph, self.graph.load()?, &self.states)?;
         let trace = self.states.recorded(&graph)?;
         let options = Options { conversion, trace, ..Options::new(Prefix::of_file(&self.graph.graph)) };
         let targets = self.target.map_or(Target::ALL.to_vec(), |target| vec![target]);
         let report = report::report(&graph, &options, &targets, &self.states.load(&graph)?);
         if self.json {
-            println!("{}", serde_json::to_string(&report).map_err(CliError::other)?);
+            println!("{}", serde_json::to_string(&report).map_err(CommandError::other)?);
         } else {
             print!("{report}");
         }
         let options = Options { profile: Some(self.profile), ..options };
-        let small_enough =
-            self.max_flash.is_none_or(|limit| fits(&graph, &options, self.target.unwrap_or(Target::CortexM4), limit));
-        Ok(if small_enough { Verdict::Good } else { Verdict::Failed })
+        if let Some(limit) = self.max_flash {
+            let code = Code::of(compile(&graph, &options, Language::C));
+            check_flash(&code, self.target.unwrap_or(Target::CortexM4), limit)?;
+        }
+        Ok(Verdict::Good)
     }
 }

@@ -1,23 +1,24 @@
-//! Options that several commands share: the scalar type, and the states to measure over.
+//! Options that several commands share: the scalar type, and the states for measurements.
 
-use super::{CliError, GraphArgs, Verdict};
+use super::GraphArgs;
 use clap::Args;
 use std::path::PathBuf;
+use tpg_graph::command::CommandError;
 use tpg_graph::conversion::{self, Conversion};
 use tpg_graph::error::InputError;
 use tpg_graph::states::StateSet;
 use tpg_graph::{Graph, ScalarType};
 
-/// States that are measured over where none are recorded.
+/// Number of states for measurements if none are recorded.
 const STATES: usize = 20_000;
-/// The seed they are drawn with.
+/// Their seed.
 const SEED: u64 = 1;
 
-/// The states that a policy is measured over.
+/// The states for measurements.
 #[derive(Clone, Debug, Args)]
 pub(super) struct StatesArgs {
     /// Recorded states: CSV with a column for every value of the state, named as in target[0]. Agreement and means are
-    /// measured over them, and the profile fast looks first at the bids that win most often along them [default: 20000
+    /// measured over them, and the profile fast evaluates first the bids that win most often along them [default: 20000
     /// states sampled in the declared ranges, and no such order]
     #[arg(long, value_name = "FILE")]
     trace: Option<PathBuf>,
@@ -31,7 +32,7 @@ impl StatesArgs {
         }
     }
 
-    /// Only what was recorded.
+    /// The recorded states, if there are any.
     pub(super) fn recorded(&self, graph: &Graph) -> Result<Option<StateSet>, InputError> {
         self.trace.as_ref().map(|path| StateSet::recorded(graph, path)).transpose()
     }
@@ -40,40 +41,35 @@ impl StatesArgs {
 /// The scalar type that code computes in.
 #[derive(Clone, Debug, Args)]
 pub(super) struct ScalarArgs {
-    /// Compute in another type than the graph says; f32 comes with own maths. How often the actions agree is measured and
-    /// written into what is generated
+    /// Compute in another scalar type than the graph's; f32 implies own maths. The agreement of actions is measured and
+    /// written into the generated files
     #[arg(long, value_name = "TYPE")]
     scalar: Option<ScalarType>,
-    /// Refuse, with exit status 1, where fewer actions than that agree, in per cent
+    /// Exit with status 1 if fewer actions agree, in per cent
     #[arg(long, value_name = "PERCENT", value_parser = percent)]
     require_agreement: Option<f64>,
 }
 
-/// A graph in the type that was asked for.
+/// A graph in the requested scalar type.
 pub(super) struct Chosen {
     pub(super) graph: Graph,
     pub(super) conversion: Option<Conversion>,
 }
 
 impl ScalarArgs {
-    /// Converts the graph where another type is asked for. `Err` of a verdict: too few actions agree, and that is said.
-    pub(super) fn choose(
-        &self,
-        args: &GraphArgs,
-        graph: Graph,
-        states: &StatesArgs,
-    ) -> Result<Result<Chosen, Verdict>, CliError> {
+    /// Converts the graph if another type is requested; fails if too few actions agree.
+    pub(super) fn choose(&self, args: &GraphArgs, graph: Graph, states: &StatesArgs) -> Result<Chosen, CommandError> {
         let Some(scalar) = self.scalar.filter(|&scalar| scalar != graph.scalar()) else {
-            return Ok(Ok(Chosen { graph, conversion: None }));
+            return Ok(Chosen { graph, conversion: None });
         };
         let file = args.graph.display().to_string();
         let (graph, conversion) = conversion::convert(&graph, scalar, &file, &states.load(&graph)?)?;
         let agreement = &conversion.agreement;
         if let Some(percent) = self.require_agreement.filter(|&percent| !agreement.reaches(percent)) {
-            eprintln!("refused: {file} in {}: {agreement}; --require-agreement {percent} %", scalar.name());
-            return Ok(Err(Verdict::Failed));
+            let refused = format!("refused: {file} in {}: {agreement}; --require-agreement {percent} %", scalar.name());
+            return Err(CommandError::Failed(refused));
         }
-        Ok(Ok(Chosen { graph, conversion: Some(conversion) }))
+        Ok(Chosen { graph, conversion: Some(conversion) })
     }
 }
 

@@ -1,21 +1,27 @@
 //! `tpg-codegen verify`: interpreter = C = Rust, state by state.
 
-use super::{CliError, GraphArgs, Verdict};
-use crate::emit::{Options, Prefix, Profile, Style};
-use crate::verify::{self, Comparison, Workshop};
+use super::code::CodeArgs;
+use crate::emit::Code;
+use crate::options::Options;
+use crate::passes::interval::Assumption;
+use crate::program::compile;
+use crate::verify::{Comparison, Proof, Unproven};
 use clap::Args;
-use tpg_graph::Graph;
-use tpg_graph::engine::Engine;
+use std::fmt::Write as _;
+use tpg_graph::command::{CommandError, Verdict};
 
 /// Compile the generated code and compare it with the interpreter.
+///
+/// Without --lang, --style and --profile, all code that can be generated from the graph.
 #[derive(Clone, Debug, Args)]
 pub(super) struct VerifyArgs {
     #[command(flatten)]
-    graph: GraphArgs,
-    /// How many states to compare: in the declared ranges, on their ends, and beyond, with NaN, infinities and denormals
+    code: CodeArgs,
+    /// The number of states to compare: in the declared ranges, at their ends, and beyond, with NaN, infinities and
+    /// denormals; with --assume-ranges, none beyond
     #[arg(long, default_value_t = 100_000, value_name = "N")]
     states: usize,
-    /// The seed the states are drawn with
+    /// The seed of the states
     #[arg(long, default_value_t = 1, value_name = "S")]
     seed: u64,
     /// Print one JSON object
@@ -24,44 +30,61 @@ pub(super) struct VerifyArgs {
 }
 
 impl VerifyArgs {
-    pub(super) fn run(&self) -> Result<Verdict, CliError> {
-        let graph = self.graph.load()?;
-        let prefix = Prefix::of_file(&self.graph.graph);
-        let comparisons = compare(&graph, &prefix, self.states, self.seed)?;
+    pub(super) fn run(&self) -> Result<Verdict, CommandError> {
+        let (graph, options) = self.code.load()?;
+        let codes: Vec<Code<'_>> = (self.code.shapes().into_iter())
+            .map(|(language, style, profile)| {
+                Code::of(compile(&graph, &Options { style, profile, ..options.clone() }, language))
+            })
+            .collect();
+        let proof = prove(&codes, self.states, self.seed)?;
         if self.json {
-            let report = serde_json::json!({ "graph_sha256": graph.sha256(), "comparisons": comparisons });
-            println!("{report}");
+            let Proof { comparisons, unproven } = &proof;
+            let sha256 = codes.first().map(|code| code.program.graph_sha256());
+            println!(
+                "{}",
+                serde_json::json!({ "graph_sha256": sha256, "comparisons": comparisons, "unproven": unproven })
+            );
         } else {
-            comparisons.iter().for_each(|comparison| println!("{}", sentence(comparison)));
+            print!("{}", sentences(&proof));
         }
-        let equal = comparisons.iter().all(|comparison| comparison.differences == 0);
-        Ok(if equal { Verdict::Good } else { Verdict::Failed })
+        Ok(verdict(&proof))
     }
 }
 
-/// Everything that can be generated from a graph, against the interpreter.
-pub(super) fn compare(graph: &Graph, prefix: &Prefix, states: usize, seed: u64) -> Result<Vec<Comparison>, CliError> {
-    let workshop = Workshop::new().map_err(CliError::other)?;
-    let options = Options::new(prefix.clone());
-    let gegelati = Options { style: Style::Gegelati, ..options.clone() };
-    let mut programs = vec![workshop.c(graph, &gegelati).map_err(CliError::other)?];
-    for profile in Profile::ALL {
-        let options = Options { profile: Some(profile), ..options.clone() };
-        programs.push(workshop.c(graph, &options).map_err(CliError::other)?);
-        programs.push(workshop.rust(graph, &options).map_err(CliError::other)?);
+/// Compares code with the interpreter, and reports code that could not be compared on stderr.
+pub(super) fn prove(codes: &[Code<'_>], states: usize, seed: u64) -> Result<Proof, CommandError> {
+    let proof =
+        Proof::of(codes, states, seed).map_err(|error| CommandError::Failed(format!("not verified: {error}")))?;
+    for Unproven { engine, error } in &proof.unproven {
+        eprintln!("not verified: {engine}: {error}");
     }
-    let mut engines: Vec<&mut dyn Engine> = programs.iter_mut().map(|program| program as &mut dyn Engine).collect();
-    verify::compare(graph, &mut engines, states, seed).map_err(CliError::other)
+    Ok(proof)
 }
 
-/// What a comparison found, for people.
-pub(super) fn sentence(comparison: &Comparison) -> String {
-    let Comparison { engine, states, differences, first } = comparison;
+pub(super) fn verdict(proof: &Proof) -> Verdict {
+    if proof.holds() { Verdict::Good } else { Verdict::Failed }
+}
+
+/// A line for each comparison.
+pub(super) fn sentences(proof: &Proof) -> String {
+    proof.comparisons.iter().fold(String::new(), |mut text, comparison| {
+        let _ = writeln!(text, "{}", sentence(comparison));
+        text
+    })
+}
+
+fn sentence(comparison: &Comparison) -> String {
+    let Comparison { engine, assumption, states, differences, first } = comparison;
+    let whence = match assumption {
+        Assumption::Nothing => "",
+        Assumption::DeclaredRanges => " in the declared ranges",
+    };
     match first {
-        None => format!("{engine} = interpreter on {states} states"),
+        None => format!("{engine} = interpreter on {states} states{whence}"),
         Some(first) => format!(
-            "{engine} differs from the interpreter on {differences} of {states} states; the first, number {}: action {} \
-             instead of {} for [{}]",
+            "{engine} differs from the interpreter on {differences} of {states} states{whence}; the first, number {}: \
+             action {} instead of {} for [{}]",
             first.index,
             first.found,
             first.expected,

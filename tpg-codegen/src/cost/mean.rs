@@ -1,39 +1,40 @@
-//! What decisions cost on average: the generated code's steps, counted state by state.
+//! The mean cost of decisions: the program's steps, counted state by state.
 
 use super::{Cost, Costs, Guard, Step, Work};
 use crate::ir::Target;
 use crate::passes::arithmetic::Arithmetic;
 use crate::passes::evaluate::evaluate;
 use crate::passes::schedule::Sparing;
-use tpg_graph::Graph;
 use tpg_graph::in_arithmetic_of;
 use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
 
-impl Costs {
-    /// What a decision costs on average over flat states; nothing where there are none.
+impl Costs<'_> {
+    /// The mean cost of a decision over flat states; 0 without states.
     ///
     /// # Panics
-    /// If the states' length is no multiple of [`Graph::state_length`].
-    pub fn mean(&self, graph: &Graph, states: &[f64]) -> Cost<f64> {
-        self.count(graph, states).0
+    /// If the states' length is no multiple of [`Graph::state_length`](tpg_graph::Graph::state_length).
+    pub fn mean(&self, states: &[f64]) -> Cost<f64> {
+        self.count(states).0
     }
 
-    /// The mean, and the action of every state, by which tests know that the right steps were counted.
-    pub(super) fn count(&self, graph: &Graph, states: &[f64]) -> (Cost<f64>, Vec<ActionId>) {
+    /// The mean, and the action of every state: tests check by the actions that the right steps were counted.
+    pub(super) fn count(&self, states: &[f64]) -> (Cost<f64>, Vec<ActionId>) {
+        let graph = self.module.graph;
         assert_eq!(states.len() % graph.state_length(), 0, "whole states");
-        in_arithmetic_of!(graph, self.count_in(graph, states))
+        in_arithmetic_of!(graph, self.count_in(states))
     }
 
-    fn count_in<S: Scalar, M: Maths<S>>(&self, graph: &Graph, states: &[f64]) -> (Cost<f64>, Vec<ActionId>) {
-        let arithmetic = Arithmetic { scalar: graph.scalar(), maths: graph.maths() };
+    fn count_in<S: Scalar, M: Maths<S>>(&self, states: &[f64]) -> (Cost<f64>, Vec<ActionId>) {
+        let graph = self.module.graph;
+        let arithmetic = Arithmetic::of(graph);
         let lowest = -S::from_f64(arithmetic.greatest());
         let mut total = Cost::<u64>::default();
         let mut values = vec![S::ZERO; self.nodes.len()];
         let actions = (states.chunks_exact(graph.state_length()))
             .map(|state| {
-                evaluate::<S, M>(graph.scalar(), &self.nodes, state, &mut values);
+                evaluate::<S, M>(graph.scalar(), self.nodes, state, &mut values);
                 self.walk(&values, lowest, &mut total)
             })
             .collect::<Vec<_>>();
@@ -80,7 +81,7 @@ fn winner<S: Scalar>(steps: &[Step], values: &[S], lowest: S, seen: &mut Cost<u6
         add(seen, first);
         // The code compares places counted from 1: nobody's is below every bid's.
         let comes_after = winner.is_none_or(|winner| winner < bid.place);
-        let beats = |value: S, best: S| value > best || (value >= best && (bid.in_turn || comes_after));
+        let beats = |value: S, best: S| value > best || (value >= best && (bid.ascending || comes_after));
         let value = values[bid.value.index()];
         if let Guard::Infinite(above) = guard {
             if value > S::from_f64(above) {
@@ -101,7 +102,7 @@ fn winner<S: Scalar>(steps: &[Step], values: &[S], lowest: S, seen: &mut Cost<u6
             Guard::Finite => !*finite.get_or_insert(best < -S::NEG_INFINITY),
             Guard::Bound(bound) => {
                 let bound = values[bound.index()];
-                best > bound || (!bid.in_turn && best >= bound && !comes_after)
+                best > bound || (!bid.ascending && best >= bound && !comes_after)
             }
             Guard::Place => leads_infinitely,
         };
@@ -140,7 +141,8 @@ fn add(total: &mut Cost<u64>, work: Work) {
 #[cfg(test)]
 mod tests {
     use super::super::Costs;
-    use crate::emit::{Language, Options, Profile, Style};
+    use crate::options::{Language, Options, Profile, Style};
+    use crate::program::compile;
     use tpg_graph::Graph;
     use tpg_graph::sample::{self, Shape};
     use tpg_graph::{interpret, states};
@@ -162,12 +164,13 @@ mod tests {
             let states = states::sample(&graph, 300, seed);
             let expected = interpret::actions(&graph, &states);
             for (language, options) in shapes() {
-                let (costs, _) = Costs::of(&graph, language, &options);
-                let (_, actions) = costs.count(&graph, &states);
+                let program = compile(&graph, &options, language);
+                let costs = Costs::of(&program);
+                let (_, actions) = costs.count(&states);
                 assert_eq!(actions, expected, "graph {seed}, {options:?}");
                 let worst = costs.worst();
                 for state in states.chunks_exact(graph.state_length()) {
-                    let cost = costs.mean(&graph, state);
+                    let cost = costs.mean(state);
                     assert!(cost.teams <= worst.teams as f64, "graph {seed}: {cost:?} {worst:?}");
                     assert!(cost.bids <= worst.bids as f64, "graph {seed}: {cost:?} {worst:?}");
                     assert!(cost.operations <= worst.operations as f64, "graph {seed}: {cost:?} {worst:?}");
@@ -186,7 +189,7 @@ mod tests {
     #[test]
     fn bid_by_bid_every_operation_of_a_walk_counts() {
         let gegelati = Options { style: Style::Gegelati, ..Options::new("arm".parse().expect("a prefix")) };
-        let worst = Costs::of(&fixture(), Language::C, &gegelati).0.worst();
+        let worst = Costs::of(&compile(&fixture(), &gegelati, Language::C)).worst();
         assert_eq!((worst.teams, worst.bids, worst.operations, worst.maths_calls), (3, 11, 6 + 5 + 5, 1 + 2 + 3));
     }
 
@@ -195,9 +198,10 @@ mod tests {
         let options =
             Options { profile: Some(Profile::ConstantTime), ..Options::new("arm".parse().expect("a prefix")) };
         let graph = fixture();
-        let (costs, _) = Costs::of(&graph, Language::C, &options);
+        let program = compile(&graph, &options, Language::C);
+        let costs = Costs::of(&program);
         let worst = costs.worst();
-        let mean = costs.mean(&graph, &states::sample(&graph, 100, 1));
+        let mean = costs.mean(&states::sample(&graph, 100, 1));
         assert_eq!(mean.operations, worst.operations as f64);
         assert_eq!(mean.maths_calls, worst.maths_calls as f64);
         assert_eq!(mean.bids, worst.bids as f64);
@@ -209,13 +213,13 @@ mod tests {
     fn the_worst_case_of_fast_code_is_reached_where_nothing_can_be_spared() {
         let options = Options { profile: Some(Profile::Fast), ..Options::new("arm".parse().expect("a prefix")) };
         let graph = fixture();
-        let (costs, _) = Costs::of(&graph, Language::C, &options);
+        let program = compile(&graph, &options, Language::C);
+        let costs = Costs::of(&program);
         let states = states::sample(&graph, 5000, 1);
-        let highest = (states.chunks_exact(graph.state_length()))
-            .map(|state| costs.mean(&graph, state).operations)
-            .fold(0.0, f64::max);
+        let highest =
+            (states.chunks_exact(graph.state_length())).map(|state| costs.mean(state).operations).fold(0.0, f64::max);
         let worst = costs.worst().operations as f64;
         assert!(highest > 0.5 * worst, "{highest} of {worst}: the bound is not idle");
-        assert!(costs.mean(&graph, &states).operations < worst, "guards spare something");
+        assert!(costs.mean(&states).operations < worst, "guards spare something");
     }
 }

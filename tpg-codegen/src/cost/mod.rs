@@ -1,25 +1,22 @@
-//! What a decision costs, counted on the generated code: teams, bids, operations, and sines, cosines, logarithms and
-//! exponentials among them. At most ([`Costs::worst`]), and on average over given states ([`Costs::mean`]).
+//! The cost of a decision, counted on the program: teams, bids, operations, and the sines, cosines, logarithms and
+//! exponentials among these. At most ([`Costs::worst`]), and on average over given states ([`Costs::mean`]).
 
 mod mean;
 
-use crate::emit::{Language, Options, Profile, Style};
-use crate::ir::{Module, Node, NodeId, heaviest_walk, needed, topological};
+use crate::ir::{Module, Node, NodeId, heaviest_walk, needed};
+use crate::options::Language;
 use crate::passes::arithmetic::is_transcendental;
-use crate::passes::available::Available;
-use crate::passes::functions;
-use crate::passes::schedule::{Bid, Infinite, LazyBid, Plan, Schedule, Sparing, schedule};
-use crate::passes::{self, Removed};
+use crate::passes::schedule::{Bid, Infinite, LazyBid, Plan, Sparing};
+use crate::program::{Program, Shape};
 use serde::Serialize;
 use std::collections::BTreeSet;
-use tpg_graph::Graph;
 
-/// What one decision costs.
+/// The cost of one decision.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Cost<N> {
     /// Teams that decide.
     pub teams: N,
-    /// Bids that are looked at.
+    /// Bids that are considered.
     pub bids: N,
     /// Operations on numbers: arithmetic, functions, bounds. Not comparisons of bids, not the way through tables.
     pub operations: N,
@@ -44,7 +41,7 @@ impl Work {
     }
 }
 
-/// When a bid is computed.
+/// The condition for computing a bid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Guard {
     /// Always.
@@ -55,28 +52,28 @@ enum Guard {
     Place,
     /// Unless the best bid was infinite before the first of these.
     Finite,
-    /// Never: it is infinite where its argument, the bid's value here, is above this, and that is asked first.
+    /// Never: tested first, it is infinite if its argument, the bid's value here, is above this.
     Infinite(f64),
 }
 
-/// A team looks at a bid.
+/// The evaluation of a bid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Step {
     bid: Bid,
-    /// Spares even the bound.
+    /// Skips even the bound.
     sparing: Option<Sparing>,
-    /// Whether an infinite bid of a higher place does, too.
+    /// An infinite bid of a higher place skips it, too.
     before_infinite: bool,
     guard: Guard,
-    /// Where this is above the best bid so far, the bid wins without being computed.
+    /// If this is above the best bid so far, the bid leads without being computed.
     certain: Option<NodeId>,
-    /// Done always.
+    /// Executed always.
     first: Work,
-    /// Done whatever the guard says.
+    /// Executed regardless of the guard.
     before: Work,
-    /// Done where it lets pass.
+    /// Executed if the guard passes.
     inside: Work,
-    /// Done besides, at most: a leader that was not computed may have to be.
+    /// Executed at most in addition: a leader that was not computed may have to be.
     again: Work,
 }
 
@@ -86,7 +83,7 @@ impl Step {
         self.first.plus(self.before).plus(self.inside).plus(self.again)
     }
 
-    /// A bid that is computed always, whatever the others bid.
+    /// A bid that is always computed.
     fn always(bid: Bid, inside: Work) -> Self {
         let nothing = Work::default();
         let (sparing, guard, certain) = (None, Guard::None, None);
@@ -104,69 +101,49 @@ impl Step {
     }
 }
 
-/// What code of one shape does, decision by decision.
+/// The work of a program, decision by decision.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Costs {
-    module: Module,
+pub struct Costs<'a> {
+    module: &'a Module<'a>,
     /// The nodes that steps name: the module's, and bounds after them.
-    nodes: Vec<Node>,
-    /// Done before the walk, once.
+    nodes: &'a [Node],
+    /// Executed once, before the walk.
     once: Work,
-    /// By team, in the order they are looked at.
+    /// The steps of each team, in order of evaluation.
     teams: Vec<Vec<Step>>,
-    /// Whether every team decides, on the walk or not.
+    /// Every team decides, on the walk or not.
     all_teams: bool,
 }
 
-impl Costs {
-    /// Of the code that `options` ask for in a language, and what the passes removed.
-    pub fn of(graph: &Graph, language: Language, options: &Options) -> (Self, Removed) {
-        if options.style == Style::Gegelati && language == Language::C {
-            return (Self::bid_by_bid(Module::lower(graph)), Removed::default());
-        }
-        let (module, removed) = passes::optimise(graph, options.assumption);
-        let costs = match options.shape(language, &module) {
-            Profile::Fast => {
-                let schedule = schedule(graph, &module, options.recorded());
-                Self::scheduled(module, &schedule, language)
+impl<'a> Costs<'a> {
+    /// Counts a program.
+    pub fn of(program: &'a Program<'a>) -> Self {
+        let module = &program.module;
+        let costs = Self { module, nodes: &module.nodes, once: Work::default(), teams: Vec::new(), all_teams: false };
+        match &program.shape {
+            // Every bid of a team is computed by itself.
+            Shape::Small(_) | Shape::Gegelati => {
+                let step = |bid: Bid| Step::always(bid, work(&module.nodes, &module.operations_of(bid.value)));
+                Self { teams: in_order(module, step), ..costs }
             }
-            Profile::Small => Self::bid_by_bid(module),
-            Profile::ConstantTime => Self::everything(module),
-        };
-        (costs, removed)
+            // Everything is computed, whatever the state.
+            Shape::ConstantTime(functions) => {
+                let once = functions.iter().map(|function| work(&module.nodes, &function.operations));
+                let teams = in_order(module, |bid| Step::always(bid, Work::default()));
+                Self { once: once.fold(Work::default(), Work::plus), teams, all_teams: true, ..costs }
+            }
+            Shape::Fast { schedule, available } => {
+                let plans = schedule.plans.iter().enumerate();
+                let computed = |team| available.on_entry(team).clone();
+                let teams = plans
+                    .map(|(team, plan)| planned(&schedule.nodes, plan, program.language, computed(team)))
+                    .collect();
+                Self { nodes: &schedule.nodes, teams, ..costs }
+            }
+        }
     }
 
-    /// Every bid of a team is computed by itself: tables, and GEGELATI's style.
-    pub fn bid_by_bid(module: Module) -> Self {
-        let step = |bid: Bid| {
-            let operations = module.operations_of(bid.value);
-            Step::always(bid, work(&module.nodes, &operations))
-        };
-        let teams = in_order(&module, step);
-        Self { nodes: module.nodes.clone(), once: Work::default(), teams, all_teams: false, module }
-    }
-
-    /// Everything is computed, whatever the state: constant time.
-    pub fn everything(module: Module) -> Self {
-        let teams = in_order(&module, |bid| Step::always(bid, Work::default()));
-        let functions = functions::of(&module);
-        let once = functions.iter().map(|function| work(&module.nodes, &function.operations));
-        let once = once.fold(Work::default(), Work::plus);
-        Self { nodes: module.nodes.clone(), once, teams, all_teams: true, module }
-    }
-
-    /// What a schedule says, as a language's emitter writes it.
-    pub fn scheduled(module: Module, schedule: &Schedule, language: Language) -> Self {
-        let order = topological(&module.teams);
-        let available = Available::analyse(schedule, &order, functions::together(order.len()));
-        // Only C hands values on from team to team.
-        let there = |team| if language == Language::C { available.on_entry(team).clone() } else { BTreeSet::new() };
-        let plans = schedule.plans.iter().enumerate();
-        let teams = plans.map(|(team, plan)| planned(&schedule.nodes, plan, language, there(team))).collect();
-        Self { nodes: schedule.nodes.clone(), once: Work::default(), teams, all_teams: false, module }
-    }
-
-    /// No decision costs more, each number by itself: the walk with most operations need not be the one with most teams.
+    /// The worst case of each number by itself: the walk with most operations need not be the one with most teams.
     pub fn worst(&self) -> Cost<u64> {
         let heaviest = |weight: fn(&Step) -> u64| {
             let team = |team: usize| self.teams[team].iter().map(weight).sum::<u64>();
@@ -180,25 +157,20 @@ impl Costs {
         }
     }
 
-    /// Operations as the code writes them down, all teams together.
+    /// Occurrences of operations in the text, of all teams together.
     pub(crate) fn written(&self) -> u64 {
         let steps = self.teams.iter().flatten();
         self.once.operations
             + steps.map(|step| step.first.operations + step.before.operations + step.inside.operations).sum::<u64>()
     }
-
-    /// The optimised module that the code is made of.
-    pub fn module(&self) -> &Module {
-        &self.module
-    }
 }
 
-/// The steps of teams that look at their bids by place.
-fn in_order(module: &Module, step: impl Fn(Bid) -> Step) -> Vec<Vec<Step>> {
+/// The steps of teams that evaluate their bids by place.
+fn in_order(module: &Module<'_>, step: impl Fn(Bid) -> Step) -> Vec<Vec<Step>> {
     (module.teams.iter())
         .map(|team| {
             (team.edges.iter().enumerate())
-                .map(|(place, edge)| step(Bid { place, value: module.bidders[edge.bidder].value, in_turn: true }))
+                .map(|(place, edge)| step(Bid { place, value: module.bidders[edge.bidder].value, ascending: true }))
                 .collect()
         })
         .collect()
@@ -210,25 +182,25 @@ fn planned(nodes: &[Node], plan: &Plan, language: Language, computed: BTreeSet<N
     if plan.destinations().len() == 1 {
         return Vec::new();
     }
-    let mut known = Known { nodes, computed };
+    let mut scope = Scope { nodes, computed };
     let nothing = Work::default();
     let mut steps = Vec::new();
     if let Some(Infinite { place, argument, above }) = plan.infinite {
-        let first = known.compute(argument);
-        let bid = Bid { place, value: argument, in_turn: true };
+        let first = scope.compute(argument);
+        let bid = Bid { place, value: argument, ascending: true };
         steps.push(Step { guard: Guard::Infinite(above), first, ..Step::always(bid, nothing) });
     }
     for &bid in &plan.eager {
-        steps.push(Step { first: known.compute(bid.value), ..Step::always(bid, nothing) });
+        steps.push(Step { first: scope.compute(bid.value), ..Step::always(bid, nothing) });
     }
-    let outside = known.computed.clone();
+    let outside = scope.computed.clone();
     for &bid in &plan.eager_before {
-        steps.push(Step { guard: Guard::Finite, ..Step::always(bid, known.compute(bid.value)) });
+        steps.push(Step { guard: Guard::Finite, ..Step::always(bid, scope.compute(bid.value)) });
     }
-    known.computed = outside;
+    scope.computed = outside;
     let mut again = nothing;
     for lazy in &plan.lazy {
-        let step = Step { again, ..known.lazy(lazy, language) };
+        let step = Step { again, ..scope.lazy(lazy, language) };
         if step.certain.is_some() {
             again = again.most(step.inside);
         }
@@ -237,14 +209,14 @@ fn planned(nodes: &[Node], plan: &Plan, language: Language, computed: BTreeSet<N
     steps
 }
 
-/// What a team has computed. What it computed outside of a guard is there for later bids; in Rust, an unguarded bid has no
-/// braces around it.
-struct Known<'a> {
+/// The values in scope while a team is evaluated. Later bids reuse values that were computed outside a guard; in Rust, an
+/// unguarded bid has no braces around it.
+struct Scope<'a> {
     nodes: &'a [Node],
     computed: BTreeSet<NodeId>,
 }
 
-impl Known<'_> {
+impl Scope<'_> {
     fn compute(&mut self, value: NodeId) -> Work {
         let missing = needed(self.nodes, value, |id| !self.computed.contains(&id));
         let work = work(self.nodes, &missing);
@@ -253,16 +225,14 @@ impl Known<'_> {
     }
 
     fn lazy(&mut self, lazy: &LazyBid, language: Language) -> Step {
-        let LazyBid { bid, sparing, before_infinite, bound, .. } = *lazy;
-        // Only C leaves it at what is certain.
-        let certain = lazy.certain.filter(|_| language == Language::C);
+        let LazyBid { bid, sparing, before_infinite, bound, certain } = *lazy;
         let first = sparing.map(|sparing| self.compute(sparing.argument)).unwrap_or_default();
         let outside = self.computed.clone();
         let bounds = bound.into_iter().chain(certain);
         let before = bounds.map(|bound| self.compute(bound)).fold(Work::default(), Work::plus);
         let guard = match bound {
             Some(bound) => Guard::Bound(bound),
-            None if bid.in_turn || before_infinite => Guard::None,
+            None if bid.ascending || before_infinite => Guard::None,
             None => Guard::Place,
         };
         let behind_bounds = self.computed.clone();

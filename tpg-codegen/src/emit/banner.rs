@@ -1,13 +1,15 @@
-//! What every generated file says of itself: where it comes from, never when or where it was made.
+//! The banner of generated files: their origin, never the time or place of generation.
 
-use super::{Language, Options, Profile, Style};
-use crate::ir::{Module, Node};
+use crate::ir::Node;
+use crate::options::{Language, Style};
 use crate::passes::interval::Assumption;
-use tpg_graph::Graph;
+use crate::program::Program;
 use tpg_graph::conversion::Conversion;
 
 /// The banner's lines, without comment marks.
-pub(super) fn lines(graph: &Graph, module: &Module, options: &Options, language: Language) -> Vec<String> {
+pub(super) fn lines(program: &Program<'_>) -> Vec<String> {
+    let Program { module, language, options, .. } = program;
+    let (graph, language) = (program.graph(), *language);
     let operations = module.nodes.iter().filter(|node| matches!(node, Node::Operation(..))).count();
     let edges: usize = module.teams.iter().map(|team| team.edges.len()).sum();
     let (name, style) = match (language, options.style) {
@@ -24,10 +26,7 @@ pub(super) fn lines(graph: &Graph, module: &Module, options: &Options, language:
     let mut lines = vec![
         format!("Made by tpg-codegen {} from a tangled program graph; do not edit.", env!("CARGO_PKG_VERSION")),
         format!("Options: --lang {name} --prefix {}{style}{assumption}{scalar}", options.prefix),
-        format!(
-            "Graph SHA-256: {}",
-            options.conversion.as_ref().map_or_else(|| graph.sha256(), |was| was.sha256.clone())
-        ),
+        format!("Graph SHA-256: {}", program.graph_sha256()),
         format!(
             "{} teams ({} on the longest walk), {edges} edges, {} programs, {operations} distinct operations.",
             module.teams.len(),
@@ -36,8 +35,7 @@ pub(super) fn lines(graph: &Graph, module: &Module, options: &Options, language:
         ),
         format!("Computes in {} with {} maths.", graph.scalar().name(), graph.maths().name()),
     ];
-    let by_wins = options.style == Style::Pure && options.profile_in(language) == Profile::Fast;
-    if let Some(trace) = options.trace.as_ref().filter(|_| by_wins) {
+    if let Some(trace) = options.ordered_by(language) {
         lines.push("Looks first at the bids that win most often along".to_owned());
         lines.push(format!("{}.", trace.origin));
     }

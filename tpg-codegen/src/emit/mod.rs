@@ -1,120 +1,24 @@
-//! From the lowered graph to text. Decisions are made before; here they are only written down.
+//! From a finished [`Program`] to text. Decisions are made before; here they are only written down.
+//!
+//! A language is a [`Backend`]; what languages share stands beside them.
 
 mod banner;
 mod c;
+mod choice;
+mod helpers;
+mod interface;
 mod layout;
 mod moves;
-mod name;
 mod questions;
+mod reuse;
 mod rust;
+mod syntax;
+mod table;
 
-pub use name::Prefix;
+pub use crate::options::{Language, Options, Prefix, Profile, Style};
 
-use crate::ir::Module;
-use crate::passes::interval::Assumption;
+use crate::program::{Program, compile};
 use tpg_graph::Graph;
-use tpg_graph::conversion::Conversion;
-use tpg_graph::states::StateSet;
-
-/// A language to emit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, clap::ValueEnum)]
-pub enum Language {
-    /// C99, compiling as C++11 too.
-    C,
-    /// Rust, `no_std`.
-    Rust,
-}
-
-/// The interface of the C that is emitted.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
-pub enum Style {
-    /// A pure, reentrant function over a const state; every symbol prefixed.
-    #[default]
-    Pure,
-    /// GEGELATI's own entry points, `inferenceTPG()` over the globals `in1`, `in2`, …: a drop-in for its output.
-    Gegelati,
-}
-
-/// What the code is good at.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, clap::ValueEnum)]
-pub enum Profile {
-    /// Least mean time: a function for each team, which computes expensive bids only where they can win.
-    Fast,
-    /// Least flash: tables, and one small evaluator.
-    Small,
-    /// The same instructions for every state: everything is computed, nothing branches.
-    ConstantTime,
-}
-
-impl Profile {
-    /// Every profile.
-    pub const ALL: [Self; 3] = [Self::Fast, Self::Small, Self::ConstantTime];
-
-    /// The name on the command line.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Fast => "fast",
-            Self::Small => "small",
-            Self::ConstantTime => "constant-time",
-        }
-    }
-
-    /// What a language gets where nothing is asked for.
-    pub const fn default_of(language: Language) -> Self {
-        match language {
-            Language::C => Self::Fast,
-            Language::Rust => Self::ConstantTime,
-        }
-    }
-}
-
-/// What to emit and what to call it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Options {
-    /// The prefix of every name.
-    pub prefix: Prefix,
-    /// The interface of C.
-    pub style: Style,
-    /// The profile; each language has its default. GEGELATI's style has none.
-    pub profile: Option<Profile>,
-    /// What is believed of the inputs.
-    pub assumption: Assumption,
-    /// What the graph was before its scalar type was changed, where it was.
-    pub conversion: Option<Conversion>,
-    /// Recorded states: [`Profile::Fast`] looks first at the bids that win most often along them.
-    pub trace: Option<StateSet>,
-}
-
-impl Options {
-    /// The default options.
-    pub fn new(prefix: Prefix) -> Self {
-        Self {
-            prefix,
-            style: Style::Pure,
-            profile: None,
-            assumption: Assumption::Nothing,
-            conversion: None,
-            trace: None,
-        }
-    }
-
-    /// The profile in a language.
-    pub fn profile_in(&self, language: Language) -> Profile {
-        self.profile.unwrap_or(Profile::default_of(language))
-    }
-
-    /// Flat states that were recorded; none where nothing was.
-    pub(crate) fn recorded(&self) -> &[f64] {
-        self.trace.as_ref().map_or(&[], |trace| &trace.states)
-    }
-
-    /// The profile whose shape code takes. Where passes find that no bid matters there is nothing to make small or
-    /// constant in C: the plainest text does.
-    pub(crate) fn shape(&self, language: Language, module: &Module) -> Profile {
-        let chooses = module.teams.iter().any(|team| team.edges.len() > 1);
-        if language == Language::C && !chooses { Profile::Fast } else { self.profile_in(language) }
-    }
-}
 
 /// A file to write.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -125,10 +29,50 @@ pub struct File {
     pub text: String,
 }
 
-/// Emits a graph in one language. The same graph and options give the same bytes.
-pub fn emit(graph: &Graph, language: Language, options: &Options) -> Vec<File> {
+/// A language that programs are written in.
+pub trait Backend {
+    /// The files of a program. The same program gives the same bytes.
+    fn files(&self, program: &Program<'_>) -> Vec<File>;
+}
+
+/// The back end of a language.
+pub fn backend(language: Language) -> &'static dyn Backend {
     match language {
-        Language::C => c::emit(graph, options),
-        Language::Rust => rust::emit(graph, options),
+        Language::C => &c::C,
+        Language::Rust => &rust::Rust,
     }
+}
+
+/// A program and its text: what is written is what is measured and proven.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Code<'g> {
+    /// The program.
+    pub program: Program<'g>,
+    /// The text.
+    pub files: Vec<File>,
+}
+
+impl<'g> Code<'g> {
+    /// Prints a program.
+    pub fn of(program: Program<'g>) -> Self {
+        Self { files: backend(program.language).files(&program), program }
+    }
+}
+
+/// Compiles and prints a graph, if nothing but the text is needed. The same graph and options give the same bytes.
+///
+/// ```
+/// use tpg_codegen::emit::{self, Language, Options};
+/// use tpg_graph::sample::{self, Shape};
+///
+/// let graph = sample::graph(&Shape::default(), 7);
+/// let options = Options::new("arm".parse()?);
+/// let files = emit::emit(&graph, Language::C, &options);
+/// assert_eq!([&*files[0].name, &*files[1].name], ["arm.h", "arm.c"]);
+/// assert!(files[0].text.contains("uint16_t arm_infer(const arm_state_t *state);"));
+/// assert_eq!(files, emit::emit(&graph, Language::C, &options));
+/// # Ok::<(), String>(())
+/// ```
+pub fn emit(graph: &Graph, language: Language, options: &Options) -> Vec<File> {
+    Code::of(compile(graph, options, language)).files
 }

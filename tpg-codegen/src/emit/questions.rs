@@ -1,22 +1,14 @@
-//! What the profile fast asks of bids, in words that are C and Rust.
+//! Conditions of the profile fast, in syntax that C and Rust share.
 
-use crate::ir::NodeId;
+use super::syntax::Syntax;
 use crate::passes::schedule::{Bid, LazyBid, Sparing};
 
-/// What a language calls values and numbers.
-pub(super) trait Words {
-    /// A node where it is used.
-    fn value(&self, id: NodeId) -> String;
-    /// A number.
-    fn number(&self, value: f64) -> String;
-}
-
-/// What must hold for a bid of this rank to be worth its bound; `None` where it is always.
-pub(super) fn considered(words: &impl Words, lazy: &LazyBid, rank: &str) -> Option<String> {
-    let before = lazy.before_infinite.then(|| format!("(best < {}) || (edge < {rank})", words.number(f64::INFINITY)));
+/// The condition for evaluating the bound of a bid of this rank; `None` if it is always evaluated.
+pub(super) fn considered(syntax: &impl Syntax, lazy: &LazyBid, rank: &str) -> Option<String> {
+    let before = lazy.before_infinite.then(|| format!("(best < {}) || (edge < {rank})", syntax.number(f64::INFINITY)));
     let spared = lazy.sparing.map(|Sparing { argument, at_most, below }| {
-        let [at_most, below] = [at_most, below].map(|number| words.number(number));
-        format!("!(({} <= {at_most}) && (best >= {below}))", words.value(argument))
+        let [at_most, below] = [at_most, below].map(|number| syntax.number(number));
+        format!("!(({} <= {at_most}) && (best >= {below}))", syntax.value(argument))
     });
     match (before, spared) {
         (Some(before), Some(spared)) => Some(format!("({before}) && {spared}")),
@@ -24,22 +16,22 @@ pub(super) fn considered(words: &impl Words, lazy: &LazyBid, rank: &str) -> Opti
     }
 }
 
-/// Whether a bid of this rank can win; `None` where it must be looked at whatever the others bid.
-pub(super) fn guard(words: &impl Words, lazy: &LazyBid, rank: &str) -> Option<String> {
+/// The condition for computing a bid of this rank: it can still win. `None` if it is always computed.
+pub(super) fn guard(syntax: &impl Syntax, lazy: &LazyBid, rank: &str) -> Option<String> {
     let LazyBid { bid, before_infinite, bound, .. } = *lazy;
-    match bound.map(|bound| words.value(bound)) {
+    match bound.map(|bound| syntax.value(bound)) {
         // Also where the bound is NaN and says nothing.
-        Some(bound) if bid.in_turn => Some(format!("!(best > {bound})")),
+        Some(bound) if bid.ascending => Some(format!("!(best > {bound})")),
         Some(bound) => Some(format!("!((best > {bound}) || ((best >= {bound}) && (edge >= {rank})))")),
-        // Nothing is higher than infinity; in turn, what is as high wins; and it may have been asked already.
-        None if bid.in_turn || before_infinite => None,
-        None => Some(format!("(best < {}) || (edge < {rank})", words.number(f64::INFINITY))),
+        // Nothing is higher than infinity; in ascending order, an equal bid wins; and this may have been tested already.
+        None if bid.ascending || before_infinite => None,
+        None => Some(format!("(best < {}) || (edge < {rank})", syntax.number(f64::INFINITY))),
     }
 }
 
-/// Whether a value of a bid of this rank makes it the leader.
+/// The condition under which `value`, a bid of this rank, becomes the leader.
 pub(super) fn wins(bid: &Bid, rank: &str, value: &str, best: &str) -> String {
-    if bid.in_turn {
+    if bid.ascending {
         format!("{value} >= {best}")
     } else {
         format!("({value} >= {best}) && (({value} > {best}) || (edge < {rank}))")

@@ -7,7 +7,7 @@ use tpg_runtime::ops::Instruction;
 
 /// The formulas of a team's bids. What occurs more than once has a name, so that no formula is longer than its program.
 pub(super) struct Formulas {
-    /// What stands for each node: a name, or what it is.
+    /// The term of each node: a name, or its expression.
     terms: BTreeMap<NodeId, Term>,
     shared: Vec<(String, String)>,
 }
@@ -18,7 +18,7 @@ struct Term {
     rank: Rank,
 }
 
-/// How strongly the parts of a term hold together.
+/// The precedence of a term.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Rank {
     Sum,
@@ -27,8 +27,8 @@ enum Rank {
 }
 
 impl Formulas {
-    /// Of the values that a team's edges bid.
-    pub(super) fn new(graph: &Graph, module: &Module, bids: &[NodeId]) -> Self {
+    /// Formulas of the values that a team's edges bid.
+    pub(super) fn new(module: &Module<'_>, bids: &[NodeId]) -> Self {
         let mut needed: Vec<NodeId> = bids.iter().flat_map(|&bid| module.operations_of(bid)).collect();
         needed.sort_unstable();
         needed.dedup();
@@ -39,7 +39,7 @@ impl Formulas {
         }
         let mut formulas = Self { terms: BTreeMap::new(), shared: Vec::new() };
         for &id in bids.iter().chain(needed.iter().flat_map(|id| module.nodes[id.index()].operands())) {
-            if let Some(term) = leaf(graph, module.node(id)) {
+            if let Some(term) = leaf(module.graph, module.node(id)) {
                 formulas.terms.insert(id, term);
             }
         }
@@ -57,7 +57,7 @@ impl Formulas {
         formulas
     }
 
-    /// The names, and what they stand for.
+    /// The named subexpressions.
     pub(super) fn shared(&self) -> &[(String, String)] {
         &self.shared
     }
@@ -123,8 +123,8 @@ mod tests {
         let x = values.intern(Node::Input(Input(0)));
         let two = values.intern(Node::constant(-2.0));
         let bids = build(&mut |i, a, b| values.intern(Node::Operation(i, [a, b])), x, two);
-        let module = Module { nodes: values.into_nodes(), bidders: Vec::new(), teams: Vec::new(), depth: 0 };
-        let formulas = Formulas::new(&graph, &module, &bids);
+        let module = Module { nodes: values.into_nodes(), ..Module::empty(&graph) };
+        let formulas = Formulas::new(&module, &bids);
         let shared = formulas.shared().iter().map(|(name, formula)| format!("{name} = {formula}"));
         shared.chain(bids.iter().map(|&bid| formulas.of(bid).to_owned())).collect()
     }

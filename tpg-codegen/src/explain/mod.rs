@@ -1,49 +1,45 @@
-//! `--explain`: what each pass removed, and what is left, team by team, in formulas that can be read.
+//! `--explain`: the removals of each pass, and the remaining bids, team by team, as readable formulas.
 
 mod formula;
 
-use crate::emit::Options;
-use crate::ir::{Module, Target, effective_lines, topological};
-use crate::passes::available::Available;
-use crate::passes::functions;
-use crate::passes::schedule::schedule;
-use crate::passes::{self, Log};
+use crate::ir::{Module, Target};
+use crate::options::{Language, Options, Profile, Style};
+use crate::passes::Log;
+use crate::program::{Program, Shape, compile};
 use formula::Formulas;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::{self, Write as _};
 use tpg_graph::Graph;
+use tpg_graph::dataflow;
 use tpg_runtime::ops::Instruction;
 
 /// Columns of a line.
 const WIDTH: usize = 120;
 
-/// The explanation: the same graph and options give the same text.
+/// The explanation of a graph as fast C: the same graph and options give the same text.
 pub fn explain(graph: &Graph, options: &Options) -> String {
+    let options = Options { style: Style::Pure, profile: Some(Profile::Fast), trace: None, ..options.clone() };
     let mut out = String::new();
-    let explained = Explanation::new(graph, options).write(&mut out);
+    let explained = Explanation::new(&compile(graph, &options, Language::C)).write(&mut out);
     explained.expect("a string takes everything");
     out
 }
 
 struct Explanation<'a> {
+    program: &'a Program<'a>,
     graph: &'a Graph,
-    options: &'a Options,
-    lowered: Module,
-    module: Module,
-    log: Log,
+    lowered: Module<'a>,
 }
 
 impl<'a> Explanation<'a> {
-    fn new(graph: &'a Graph, options: &'a Options) -> Self {
-        let (module, log) = passes::optimise_logged(graph, options.assumption);
-        Self { graph, options, lowered: Module::lower(graph), module, log }
+    fn new(program: &'a Program<'a>) -> Self {
+        Self { program, graph: program.graph(), lowered: Module::lower(program.graph()) }
     }
 
     fn write(&self, out: &mut String) -> fmt::Result {
-        let sha256 = self.options.conversion.as_ref().map_or_else(|| self.graph.sha256(), |was| was.sha256.clone());
-        writeln!(out, "Graph SHA-256: {sha256}")?;
+        writeln!(out, "Graph SHA-256: {}", self.program.graph_sha256())?;
         writeln!(out, "Computes in {} with {} maths.", self.graph.scalar().name(), self.graph.maths().name())?;
-        if let Some(conversion) = &self.options.conversion {
+        if let Some(conversion) = &self.program.options.conversion {
             writeln!(out, "The graph says {}: {}.", conversion.from.name(), conversion.agreement)?;
         }
         writeln!(out, "\nWhat the passes did\n")?;
@@ -65,7 +61,8 @@ impl<'a> Explanation<'a> {
         let mut effective = 0;
         let mut affected = Vec::new();
         for program in reached {
-            let count = effective_lines(program, usize::from(self.graph.registers())).iter().filter(|&&e| e).count();
+            let count =
+                dataflow::effective(self.graph.registers().into(), &program.lines).iter().filter(|&&e| e).count();
             let all = program.lines.len();
             lines += all;
             effective += count;
@@ -80,11 +77,12 @@ impl<'a> Explanation<'a> {
         section(out, "value numbering", merged, &format!("of {effective} lines compute what another one does"))?;
         let what =
             format!("of {distinct} operations are constant, equal to an operand, or of use to no bid that is left");
-        section(out, "folding", self.log.operations, &what)
+        section(out, "folding", self.program.log.operations, &what)
     }
 
     fn removed(&self, out: &mut String) -> fmt::Result {
-        let Log { duplicate_bids, hopeless_bids, teams_without_choice, twin_teams, unreachable_teams, .. } = &self.log;
+        let Log { duplicate_bids, hopeless_bids, teams_without_choice, twin_teams, unreachable_teams, .. } =
+            &self.program.log;
         section(out, "duplicate bids", duplicate_bids.len(), "edges that bid as a later one of their team does")?;
         let bids = duplicate_bids.iter().map(|bid| (bid.team, format!("{} (as {})", bid.program, bid.same_as)));
         by_team(out, bids)?;
@@ -100,19 +98,17 @@ impl<'a> Explanation<'a> {
 
     /// Bound-guarded evaluation and values that teams hand on, which only the profile fast does.
     fn guards(&self, out: &mut String) -> fmt::Result {
-        let schedule = schedule(self.graph, &self.module, &[]);
+        let Shape::Fast { schedule, available } = &self.program.shape else { return Ok(()) };
         let lazy = schedule.plans.iter().flat_map(|plan| &plan.lazy);
         let guarded = lazy.filter(|lazy| lazy.bound.is_some()).count();
-        let edges: usize = self.module.teams.iter().map(|team| team.edges.len()).sum();
+        let edges: usize = self.program.module.teams.iter().map(|team| team.edges.len()).sum();
         let what = format!("of {edges} bids are computed only where a bound says that they can win (profile fast)");
         section(out, "lazy bids", guarded, &what)?;
-        let order = topological(&self.module.teams);
-        let available = Available::analyse(&schedule, &order, functions::together(order.len()));
         let what = "operations are computed already where a team needs them, by those before it (profile fast in C)";
         section(out, "shared values", available.saved(), what)?;
-        let teams = self.module.teams.len();
-        let operations = self.module.nodes.iter().filter(|node| node.is_computed()).count();
-        let programs = self.module.bidders.len();
+        let teams = self.program.module.teams.len();
+        let operations = self.program.module.nodes.iter().filter(|node| node.is_computed()).count();
+        let programs = self.program.module.bidders.len();
         writeln!(out, "{:<16}{teams} teams, {edges} edges, {programs} programs, {operations} operations", "left")
     }
 
@@ -123,21 +119,26 @@ impl<'a> Explanation<'a> {
         if self.graph.instructions().iter().any(negates) {
             writeln!(out, "negate_if_less(a, b) is -a where a < b, else a.")?;
         }
-        for (index, team) in self.module.teams.iter().enumerate() {
+        for (index, team) in self.program.module.teams.iter().enumerate() {
             writeln!(out, "\nteam {}{}", team.label, if index == 0 { ", the root" } else { "" })?;
-            let bids: Vec<_> = team.edges.iter().map(|edge| self.module.bidders[edge.bidder].value).collect();
-            let formulas = Formulas::new(self.graph, &self.module, &bids);
+            let bids: Vec<_> = team.edges.iter().map(|edge| self.program.module.bidders[edge.bidder].value).collect();
+            let formulas = Formulas::new(&self.program.module, &bids);
             for (name, formula) in formulas.shared() {
                 writeln!(out, "    {name} = {formula}")?;
             }
             for (edge, &bid) in team.edges.iter().zip(&bids) {
                 let to = match edge.to {
-                    Target::Team(team) => format!("team {}", self.module.teams[team].label),
+                    Target::Team(team) => format!("team {}", self.program.module.teams[team].label),
                     Target::Action(action) => {
                         format!("action {} {}", action.0, self.graph.actions()[usize::from(action.0)].name)
                     }
                 };
-                writeln!(out, "  program {} -> {to}: {}", self.module.bidders[edge.bidder].label, formulas.of(bid))?;
+                writeln!(
+                    out,
+                    "  program {} -> {to}: {}",
+                    self.program.module.bidders[edge.bidder].label,
+                    formulas.of(bid)
+                )?;
             }
         }
         Ok(())

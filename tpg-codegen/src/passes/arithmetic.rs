@@ -1,6 +1,6 @@
 //! Arithmetic at compile time that is the target's, bit for bit.
 
-use tpg_graph::{MathsProvider, ScalarType};
+use tpg_graph::{Graph, MathsProvider, ScalarType};
 use tpg_runtime::ops::{Instruction, Maths, Own};
 use tpg_runtime::scalar::Scalar;
 
@@ -9,11 +9,16 @@ use tpg_runtime::scalar::Scalar;
 pub struct Arithmetic {
     /// The type programs compute in.
     pub scalar: ScalarType,
-    /// Who computes sin, cos, ln and exp.
+    /// The provider of sin, cos, ln and exp.
     pub maths: MathsProvider,
 }
 
 impl Arithmetic {
+    /// The arithmetic of a graph.
+    pub fn of(graph: &Graph) -> Self {
+        Self { scalar: graph.scalar(), maths: graph.maths() }
+    }
+
     /// The result of an instruction on constants, where the target is certain to compute the same.
     ///
     /// The arithmetic ones and comparisons are IEEE 754's and the own kernels are the same statements on every machine.
@@ -47,8 +52,8 @@ impl Arithmetic {
         }
     }
 
-    /// Whether dividing by `divisor` is multiplying by its reciprocal, bit for bit: where that is an exact power of two,
-    /// both are the one correctly rounded result.
+    /// The reciprocal of `divisor`, if multiplying by it equals dividing bit for bit: for a power of two, both are the one
+    /// correctly rounded result.
     pub fn reciprocal(self, divisor: f64) -> Option<f64> {
         let (power_of_two, reciprocal) = match self.scalar {
             ScalarType::F32 => {
@@ -77,7 +82,7 @@ fn is_fixed_by_the_standard(instruction: Instruction, a: f64) -> bool {
     always || (instruction == Instruction::Ln && (a < 0.0 || a == 1.0))
 }
 
-/// Every special value has one result in every provider, so the own kernels stand for the platform's there, too.
+/// Every provider has the same result for special values, so own maths stands for the platform's.
 fn apply<S: Scalar>(instruction: Instruction, a: f64, b: f64) -> f64
 where
     Own: Maths<S>,

@@ -1,21 +1,23 @@
-//! Value numbering over dominating teams: what is computed already when control comes to a team, whichever way it came.
+//! Available expressions over the graph of teams: values that are computed on every path to a team.
 //!
-//! Some values a team computes whatever it decides: its eager bids, and of others what spares them and bounds that stand
-//! outside of every condition. A decision reads one state, so they stay what they are on the way to the teams behind. On
-//! entry to a team a value is there where every team that leads to it had it on entry or computes it. Nothing is there at the
-//! root, and every team is looked at after all that lead to it: once is enough.
+//! A team computes some values unconditionally: its eager bids, the guards of others, and bounds outside every condition.
+//! A decision reads one state, so these values stay valid in the team's successors. A value is available on entry to a team if
+//! in every predecessor it is available on entry or computed unconditionally. Nothing is available at the root. Teams are
+//! visited in topological order, so one pass suffices.
 
 use super::schedule::{LazyBid, Plan, Schedule, cost};
 use crate::ir::{Node, NodeId, Target, needed};
 use std::collections::BTreeSet;
 
-/// In additions, as [`cost`] counts: an estimate of an exponential or a logarithm, or some operations. GCC finds by itself much
-/// of what teams of a function share, and to keep cheap values, too, cost as much as it gained.
+/// The least cost of a value worth keeping, in additions, as [`cost`] counts: that of an estimated exponential or logarithm.
+/// GCC finds many of the shared cheap values by itself; keeping the others cost as much as it gained.
 const WORTH_KEEPING: u32 = 6;
 
-/// What teams find computed, and what of it they read.
+/// The values available on entry to teams, and those that the teams reuse.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Available {
+    order: Vec<usize>,
+    together: usize,
     entry: Vec<BTreeSet<NodeId>>,
     read: Vec<BTreeSet<NodeId>>,
     entries: Vec<bool>,
@@ -23,9 +25,8 @@ pub struct Available {
 }
 
 impl Available {
-    /// Of teams in an order in which each comes after all that lead to it, so many `together` in a function: what is
-    /// computed in another one is not there.
-    pub fn analyse(schedule: &Schedule, order: &[usize], together: usize) -> Self {
+    /// Analyses teams in topological order, `together` of them in each function: values of another function are not available.
+    pub fn analyse(schedule: &Schedule, order: Vec<usize>, together: usize) -> Self {
         let Schedule { nodes, plans } = schedule;
         let mut function = vec![0; order.len()];
         for (number, teams) in order.chunks(together).enumerate() {
@@ -35,14 +36,14 @@ impl Available {
         entry[0] = Some(BTreeSet::new());
         let mut entries = vec![false; order.len()];
         entries[0] = true;
-        for &team in order {
-            let mut there = entry[team].clone().unwrap_or_default();
-            there.extend(unconditional(nodes, &plans[team]));
+        for &team in &order {
+            let mut on_exit = entry[team].clone().unwrap_or_default();
+            on_exit.extend(unconditional(nodes, &plans[team]));
             for target in plans[team].destinations() {
                 match target {
                     Target::Team(to) if function[to] == function[team] => match &mut entry[to] {
-                        Some(known) => known.retain(|id| there.contains(id)),
-                        unknown => *unknown = Some(there.clone()),
+                        Some(known) => known.retain(|id| on_exit.contains(id)),
+                        unknown => *unknown = Some(on_exit.clone()),
                     },
                     Target::Team(to) => {
                         entry[to] = Some(BTreeSet::new());
@@ -54,35 +55,45 @@ impl Available {
         }
         let mut entry: Vec<BTreeSet<NodeId>> = entry.into_iter().map(Option::unwrap_or_default).collect();
         let worth: Vec<bool> = (0..).map(NodeId).take(nodes.len()).map(|id| is_worth_keeping(nodes, id)).collect();
-        entry.iter_mut().for_each(|there| there.retain(|id| worth[id.index()]));
-        let read = plans.iter().zip(&entry).map(|(plan, there)| read(nodes, plan, there)).collect();
-        let spared = |(plan, there): (&Plan, &BTreeSet<NodeId>)| possible(nodes, plan).intersection(there).count();
-        let saved = plans.iter().zip(&entry).map(spared).sum();
-        Self { entry, read, entries, saved }
+        entry.iter_mut().for_each(|values| values.retain(|id| worth[id.index()]));
+        let read = plans.iter().zip(&entry).map(|(plan, entry)| read(nodes, plan, entry)).collect();
+        let reused = |(plan, entry): (&Plan, &BTreeSet<NodeId>)| possible(nodes, plan).intersection(entry).count();
+        let saved = plans.iter().zip(&entry).map(reused).sum();
+        Self { order, together, entry, read, entries, saved }
     }
 
-    /// What is there on entry to a team.
+    /// The teams in topological order.
+    pub fn order(&self) -> &[usize] {
+        &self.order
+    }
+
+    /// The teams of each function, in this order.
+    pub fn functions(&self) -> impl Iterator<Item = &[usize]> {
+        self.order.chunks(self.together)
+    }
+
+    /// Values available on entry to a team.
     pub fn on_entry(&self, team: usize) -> &BTreeSet<NodeId> {
         &self.entry[team]
     }
 
-    /// What of it the team reads.
+    /// Available values that the team reuses.
     pub fn read(&self, team: usize) -> &BTreeSet<NodeId> {
         &self.read[team]
     }
 
-    /// Whether control comes to a team from another function.
+    /// Tests whether another function leads to a team.
     pub fn is_entry(&self, team: usize) -> bool {
         self.entries[team]
     }
 
-    /// Operations that teams need and do not compute again, all teams together.
+    /// The number of operations that teams reuse instead of computing them, in total.
     pub fn saved(&self) -> usize {
         self.saved
     }
 }
 
-/// Whether a value is dearer than a variable that lives on: that takes a register, or the stack across calls.
+/// Tests whether a value is more expensive than a live variable, which takes a register, or stack across calls.
 fn is_worth_keeping(nodes: &[Node], id: NodeId) -> bool {
     let mut total = 0;
     for id in needed(nodes, id, |_| true) {
@@ -95,7 +106,7 @@ fn is_worth_keeping(nodes: &[Node], id: NodeId) -> bool {
     total >= WORTH_KEEPING
 }
 
-/// What a team computes whatever it decides, and all that it needs for that.
+/// The values that a team computes unconditionally, with their operands.
 pub fn unconditional(nodes: &[Node], plan: &Plan) -> BTreeSet<NodeId> {
     let outside = |lazy: &LazyBid| lazy.sparing.is_none() && !lazy.before_infinite;
     let bounds =
@@ -110,20 +121,20 @@ pub fn unconditional(nodes: &[Node], plan: &Plan) -> BTreeSet<NodeId> {
     }
 }
 
-/// What a team may have to compute.
+/// The values that a team may compute.
 fn possible(nodes: &[Node], plan: &Plan) -> BTreeSet<NodeId> {
     operations(nodes, values(plan))
 }
 
-/// What a team reads of what is there: values that it asks for, and operands of what it computes.
-fn read(nodes: &[Node], plan: &Plan, there: &BTreeSet<NodeId>) -> BTreeSet<NodeId> {
-    let missing = |value| needed(nodes, value, |id| !there.contains(&id));
+/// The available values that a team reads: directly, or as operands of operations that it computes.
+fn read(nodes: &[Node], plan: &Plan, available: &BTreeSet<NodeId>) -> BTreeSet<NodeId> {
+    let missing = |value| needed(nodes, value, |id| !available.contains(&id));
     let operands = |id: NodeId| nodes[id.index()].operands().iter().copied();
     let asked = values(plan).flat_map(|value| missing(value).into_iter().flat_map(operands).chain([value]));
-    asked.filter(|id| there.contains(id)).collect()
+    asked.filter(|id| available.contains(id)).collect()
 }
 
-/// Every value that a team asks for, somewhere. Bids that can be certain to win are computed in a function of their own.
+/// Every value that a team's code mentions. Bids that can win without being computed have functions of their own.
 fn values(plan: &Plan) -> impl Iterator<Item = NodeId> {
     let infinite = plan.infinite.iter().map(|infinite| infinite.argument);
     let always = plan.eager.iter().chain(&plan.eager_before).map(|bid| bid.value);
@@ -165,7 +176,7 @@ mod tests {
     };
 
     fn bid(place: usize, value: u32) -> Bid {
-        Bid { place, value: NodeId(value), in_turn: true }
+        Bid { place, value: NodeId(value), ascending: true }
     }
 
     fn ids<const N: usize>(ids: [u32; N]) -> BTreeSet<NodeId> {
@@ -201,7 +212,7 @@ mod tests {
 
     #[test]
     fn there_is_what_both_ways_compute() {
-        let available = Available::analyse(&two_ways(false), &[0, 1, 2], 3);
+        let available = Available::analyse(&two_ways(false), vec![0, 1, 2], 3);
         assert_eq!(available.on_entry(0), &ids([]));
         assert_eq!(available.on_entry(1), &ids([2, 4]), "the bound is outside of its condition, the sine is not");
         assert_eq!(available.on_entry(2), &ids([2, 4]), "the double is not there on the short way");
@@ -212,13 +223,13 @@ mod tests {
 
     #[test]
     fn what_may_be_spared_is_not_there() {
-        let available = Available::analyse(&two_ways(true), &[0, 1, 2], 3);
+        let available = Available::analyse(&two_ways(true), vec![0, 1, 2], 3);
         assert_eq!(available.on_entry(1), &ids([2]), "the bound is inside of a condition now");
     }
 
     #[test]
     fn nothing_comes_from_another_function() {
-        let available = Available::analyse(&two_ways(false), &[0, 1, 2], 2);
+        let available = Available::analyse(&two_ways(false), vec![0, 1, 2], 2);
         assert_eq!(available.on_entry(1), &ids([2, 4]));
         assert_eq!(available.on_entry(2), &ids([]));
         assert_eq!(available.saved(), 1);
@@ -228,7 +239,7 @@ mod tests {
     fn a_team_with_one_way_to_go_computes_nothing() {
         let mut schedule = two_ways(false);
         schedule.plans[0].targets = vec![Target::Team(1); 2];
-        let available = Available::analyse(&schedule, &[0, 1, 2], 3);
+        let available = Available::analyse(&schedule, vec![0, 1, 2], 3);
         assert_eq!(available.on_entry(1), &ids([]));
     }
 
@@ -264,12 +275,12 @@ mod tests {
             let shape = Shape { teams: 2 + seed as usize % 12, ..Shape::random(seed) };
             let graph = sample::graph(&shape, seed);
             let module = optimise(&graph, Assumption::Nothing).0;
-            let schedule = schedule(&graph, &module, &[]);
+            let schedule = schedule(&module, &[]);
             let order = topological(&module.teams);
             let together = if seed % 3 == 0 { 3 } else { order.len() };
             let place = |team| order.iter().position(|&other| other == team).expect("it has a place");
             let Some(met) = met_over_all_ways(&schedule, |team| place(team) / together) else { continue };
-            let available = Available::analyse(&schedule, &order, together);
+            let available = Available::analyse(&schedule, order, together);
             for (team, met) in met.iter().enumerate() {
                 assert_eq!(available.on_entry(team), met, "graph {seed}, team {team}");
             }

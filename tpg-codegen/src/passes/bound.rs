@@ -13,14 +13,14 @@ use crate::ir::{Node, NodeId, Values};
 use tpg_graph::{MathsProvider, ScalarType};
 use tpg_runtime::ops::Instruction;
 
-/// What is known of a value in terms of cheap nodes. Nodes named here are bounds wherever they are not NaN.
+/// A bound on a value by cheap nodes, valid wherever these are not NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Bound {
-    /// It is cheap itself.
+    /// The value itself is cheap.
     Exact(NodeId),
     /// Its magnitude is at most this.
     Magnitude(NodeId),
-    /// It is between these, where known.
+    /// The value is between these; `None` is unbounded.
     Between(Option<NodeId>, Option<NodeId>),
 }
 
@@ -29,17 +29,17 @@ const UNKNOWN: Bound = Bound::Between(None, None);
 /// Makes bounds of a module's values.
 pub(super) struct Bounds<'a> {
     arithmetic: Arithmetic,
-    /// What is known of the module's nodes when nothing is assumed of the inputs.
+    /// The intervals of the module's nodes without any assumption about the inputs.
     intervals: &'a [Interval],
-    /// Which of the module's nodes are cheap.
+    /// Flags for the module's cheap nodes.
     cheap: &'a [bool],
     values: &'a mut Values,
-    /// The bounds of the module's nodes as far as they have been asked for.
+    /// The bounds of the module's nodes computed so far.
     known: Vec<Option<Bound>>,
 }
 
 impl<'a> Bounds<'a> {
-    /// Of the nodes in `values`, which bounds are added to.
+    /// Bounds of the nodes in `values`; the bounds' own nodes are added to it.
     pub(super) fn new(
         arithmetic: Arithmetic,
         intervals: &'a [Interval],
@@ -50,7 +50,7 @@ impl<'a> Bounds<'a> {
         Self { arithmetic, intervals, cheap, values, known }
     }
 
-    /// An upper bound of a node, where there is a useful one.
+    /// An upper bound of a node, if there is a finite one.
     pub(super) fn upper(&mut self, id: NodeId) -> Option<NodeId> {
         let bound = self.bound(id);
         self.high(bound).filter(|&high| self.values.node(high) != Node::constant(f64::INFINITY))
@@ -163,15 +163,15 @@ impl<'a> Bounds<'a> {
         }
     }
 
-    /// Where the argument's bound is a number, so is the result's, and the analysis has a closer one.
+    /// An estimate at the argument's bound. `None` if that is constant: interval analysis has a tighter result.
     fn of_function(&mut self, instruction: Instruction, argument: Bound) -> Option<NodeId> {
         let argument = self.high(argument)?;
         let known = self.values.node(argument).as_constant().is_some();
         (!known).then(|| self.values.intern(Node::Upper(instruction, argument)))
     }
 
-    /// What a logarithm or exponential of a cheap value is certain to reach: −∞ or NaN wherever it is NaN itself. `None` for
-    /// other nodes, and for own maths, whose kernels are so short that knowing more before costs as much.
+    /// A lower bound of a logarithm or exponential of a cheap value: −∞ or NaN wherever that is NaN. `None` for other nodes,
+    /// and for own maths, whose kernels are so short that the bound would cost as much.
     pub(super) fn certain(&mut self, id: NodeId) -> Option<NodeId> {
         if self.arithmetic.maths == MathsProvider::Own {
             return None;
@@ -262,7 +262,7 @@ impl<'a> Bounds<'a> {
     }
 }
 
-/// Above the first number, every libm's exponential is infinite; below the second, 0. Many take a slow road to it.
+/// Above the first number, every libm's exponential is infinite; below the second, 0. Many are slow there.
 pub fn beyond_exponentials(scalar: ScalarType) -> (f64, f64) {
     match scalar {
         ScalarType::F32 => (90.0, -105.0),
@@ -270,7 +270,7 @@ pub fn beyond_exponentials(scalar: ScalarType) -> (f64, f64) {
     }
 }
 
-/// Whether a bid that needs `instruction` is worth a test that may spare it.
+/// Tests whether `instruction` is so expensive that a guard pays off.
 pub(super) fn is_worth_sparing(instruction: Instruction) -> bool {
     is_transcendental(instruction)
 }

@@ -1,8 +1,7 @@
-//! A module as tables: what the profile `small` runs.
+//! A module as tables, for the profile `small`.
 
-use crate::ir::{Module, Node, NodeId, Target};
+use crate::ir::{Module, Node, NodeId};
 use std::collections::{BTreeMap, BTreeSet};
-use tpg_graph::Graph;
 use tpg_runtime::ops::Instruction;
 
 /// The tables.
@@ -10,13 +9,13 @@ use tpg_runtime::ops::Instruction;
 pub struct Bytecode {
     /// Instructions: from the lowest bits on, two operands and an operation.
     pub code: Vec<u64>,
-    /// Where each program begins in [`code`](Self::code), and where the last ends.
+    /// The start of each program in [`code`](Self::code), and the end of the last.
     pub programs: Vec<u64>,
     /// The program of each edge.
     pub bidders: Vec<u64>,
-    /// Where each edge leads: teams from 0, then actions.
+    /// The destination of each edge: teams from 0, then actions.
     pub targets: Vec<u64>,
-    /// Where each team's edges begin, and where the last team's end.
+    /// The start of each team's edges, and the end of the last team's.
     pub teams: Vec<u64>,
     /// The constants, which follow the state in the frame.
     pub constants: Vec<f64>,
@@ -30,6 +29,32 @@ pub struct Bytecode {
     pub used: Vec<Option<Instruction>>,
 }
 
+/// The smallest unsigned integer type for some values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Width(u32);
+
+impl Width {
+    /// The width of a table's values.
+    pub fn of(values: &[u64]) -> Self {
+        Self::up_to(values.iter().copied().max().unwrap_or(0))
+    }
+
+    /// The width of values up to `greatest`.
+    pub fn up_to(greatest: u64) -> Self {
+        Self(match greatest {
+            0..=0xff => 8,
+            0x100..=0xffff => 16,
+            0x1_0000..=0xffff_ffff => 32,
+            _ => 64,
+        })
+    }
+
+    /// The number of bits: 8, 16, 32 or 64.
+    pub fn bits(self) -> u32 {
+        self.0
+    }
+}
+
 /// The number of an operation.
 pub fn number(operation: Option<Instruction>) -> u32 {
     match operation {
@@ -38,10 +63,11 @@ pub fn number(operation: Option<Instruction>) -> u32 {
     }
 }
 
-/// Encodes a module. Programs that bid the same value are one.
-pub fn encode(graph: &Graph, module: &Module) -> Bytecode {
+/// Encodes a module. Programs that bid the same value share one entry.
+pub fn encode(module: &Module<'_>) -> Bytecode {
     let constants = constants(module);
-    let first_result = graph.state_length() + constants.len();
+    let state_length = module.graph.state_length();
+    let first_result = state_length + constants.len();
     let mut values: Vec<NodeId> = Vec::new();
     let mut program_of = BTreeMap::new();
     let mut bidders = Vec::new();
@@ -55,10 +81,7 @@ pub fn encode(graph: &Graph, module: &Module) -> Bytecode {
                 values.len() - 1
             });
             bidders.push(program as u64);
-            targets.push(match edge.to {
-                Target::Team(team) => team as u64,
-                Target::Action(action) => module.teams.len() as u64 + u64::from(action.0),
-            });
+            targets.push(module.vertex(edge.to) as u64);
         }
         teams.push(bidders.len() as u64);
     }
@@ -72,7 +95,7 @@ pub fn encode(graph: &Graph, module: &Module) -> Bytecode {
     for (value, list) in values.iter().zip(&lists) {
         let place = |id: NodeId| match module.node(id) {
             Node::Input(input) => input.index(),
-            Node::Constant(bits) => graph.state_length() + constants.binary_search(&bits).unwrap_or(0),
+            Node::Constant(bits) => state_length + constants.binary_search(&bits).unwrap_or(0),
             Node::Operation(..) | Node::Upper(..) => first_result + list.binary_search(&id).unwrap_or(0),
         };
         let mut push = |operation: Option<Instruction>, [a, b]: [NodeId; 2]| {
@@ -105,7 +128,7 @@ pub fn encode(graph: &Graph, module: &Module) -> Bytecode {
 }
 
 /// The constants of a module by their bits, sorted.
-fn constants(module: &Module) -> Vec<u64> {
+fn constants(module: &Module<'_>) -> Vec<u64> {
     let constants: BTreeSet<u64> = (module.nodes.iter())
         .filter_map(|node| if let Node::Constant(bits) = *node { Some(bits) } else { None })
         .collect();
@@ -166,8 +189,8 @@ mod tests {
     fn the_tables_alone_act_like_the_interpreter() {
         let mut copies = 0;
         for (graph, seed) in graphs().zip(0..) {
-            let arithmetic = Arithmetic { scalar: graph.scalar(), maths: graph.maths() };
-            let code = encode(&graph, &optimise(&graph, Assumption::Nothing).0);
+            let arithmetic = Arithmetic::of(&graph);
+            let code = encode(&optimise(&graph, Assumption::Nothing).0);
             copies += usize::from(code.used.contains(&None));
             let states = states::sample(&graph, 100, seed);
             let expected = interpret::actions(&graph, &states);
@@ -184,7 +207,7 @@ mod tests {
         let text = include_str!("../../tests/fixtures/all_instructions.json");
         let graph = Graph::from_json("fixture", text).expect("a valid graph");
         assert_eq!(graph.scalar(), ScalarType::F64);
-        let code = encode(&graph, &optimise(&graph, Assumption::Nothing).0);
+        let code = encode(&optimise(&graph, Assumption::Nothing).0);
         // Program 3, which teams 7 and 9 share, bids 0, and no other program does: ten programs for eleven edges.
         assert_eq!((code.bidders.len(), code.programs.len() - 1, code.teams), (11, 10, vec![0, 5, 8, 11]));
         assert_eq!(code.bidders[2], code.bidders[7]);

@@ -3,7 +3,7 @@
 use crate::ir::{Module, Node, NodeId, Values};
 
 /// Removes them.
-pub(super) fn run(module: &mut Module) {
+pub(super) fn run(module: &mut Module<'_>) {
     keep(&mut module.nodes, module.bidders.iter_mut().map(|bidder| &mut bidder.value).collect());
 }
 
@@ -42,6 +42,7 @@ mod tests {
     use super::run;
     use crate::ir::{Bidder, Module, Node, NodeId};
     use tpg_graph::Input;
+    use tpg_graph::sample::{self, Shape};
     use tpg_runtime::ops::Instruction;
 
     #[test]
@@ -49,8 +50,9 @@ mod tests {
         let operation = |a, b| Node::Operation(Instruction::Add, [NodeId(a), NodeId(b)]);
         let nodes =
             vec![Node::Input(Input(0)), Node::Input(Input(1)), operation(0, 1), operation(1, 1), operation(3, 1)];
-        let mut module =
-            Module { nodes, bidders: vec![Bidder { label: 0, value: NodeId(4) }], teams: Vec::new(), depth: 0 };
+        let graph = sample::graph(&Shape::default(), 0);
+        let bidders = vec![Bidder { label: 0, value: NodeId(4) }];
+        let mut module = Module { nodes, bidders, ..Module::empty(&graph) };
         run(&mut module);
         assert_eq!(module.nodes, [Node::Input(Input(1)), operation(0, 0), operation(1, 0)]);
         assert_eq!(module.bidders[0].value, NodeId(2));

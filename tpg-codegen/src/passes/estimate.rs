@@ -56,7 +56,7 @@ pub const fn of(scalar: ScalarType) -> Estimate {
     }
 }
 
-/// What generated code computes: not below the function's value, or NaN.
+/// The estimate that generated code computes: not below the function's value, or NaN.
 pub fn upper(scalar: ScalarType, instruction: Instruction, x: f64) -> f64 {
     let Estimate { exp_between: (least, greatest), exp_scale, exp_offset, .. } = of(scalar);
     let Estimate { exp_below, exp_infinite_above, ln_scale, ln_offset, .. } = of(scalar);

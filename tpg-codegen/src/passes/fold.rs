@@ -1,23 +1,23 @@
 //! Constant folding and identities that hold for every value, bit for bit.
 //!
-//! What is used: an operation on constants is a constant; `x − 0 = x` and `x + (−0) = x`, also for x = −0; `1·x = x`,
+//! Rules: an operation on constants is a constant; `x − 0 = x` and `x + (−0) = x`, also for x = −0; `1·x = x`,
 //! `x / 1 = x`; division by a power of two is multiplication by its reciprocal; `min(x, x)`, `max(x, x)` and
 //! `negate_if_less(x, x)` are x, for NaN too, as the comparison is false; a minimum with an operand that was in it already is
 //! that minimum, but `min(min(x, y), x) = min(y, x)`, and so for the maximum; with a NaN, an operation is NaN or one of its
 //! operands; `||x|| = |x|`; sums and products commute (the
 //! payload of a NaN aside, which no comparison sees), so their operands are sorted and equal ones meet.
 //!
-//! That of minima is more than thrift: LLVM 22 takes `min(min(c, x), c)` with a constant c for `min(c, x)`, which it is not
-//! where x is NaN.
+//! The rule for nested minima also avoids a miscompilation: LLVM 22 replaces `min(min(c, x), c)` with a constant c by
+//! `min(c, x)`, which is wrong for a NaN.
 //!
-//! What is not: `x + 0` (−0 becomes 0), `0·x` and `x − x` (NaN for an infinite x), any reassociation.
+//! Not exact, and so not rules: `x + 0` (−0 becomes 0), `0·x` and `x − x` (NaN for an infinite x), any reassociation.
 
 use super::arithmetic::Arithmetic;
 use crate::ir::{Module, Node, NodeId, Values};
 use tpg_runtime::ops::{Instruction, bid};
 
 /// Folds every node, then every bid: a bid of NaN is a bid of −∞, and one of −0 a bid of 0.
-pub(super) fn run(module: &mut Module, arithmetic: Arithmetic) {
+pub(super) fn run(module: &mut Module<'_>, arithmetic: Arithmetic) {
     let mut values = Values::default();
     let mut folded: Vec<NodeId> = Vec::with_capacity(module.nodes.len());
     for &node in &module.nodes {
@@ -103,6 +103,7 @@ mod tests {
     use super::{operation, run};
     use crate::ir::{Bidder, Module, Node, NodeId, Values};
     use crate::passes::arithmetic::Arithmetic;
+    use tpg_graph::sample::{self, Shape};
     use tpg_graph::{Input, MathsProvider, ScalarType};
     use tpg_runtime::ops::Instruction;
 
@@ -110,7 +111,7 @@ mod tests {
     const VALUES: [f64; 9] =
         [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.0, -0.0, 1.5, -3.0, f64::MAX, f64::MIN_POSITIVE / 8.0];
 
-    /// What a node computes for an input.
+    /// The value of a node for an input.
     fn value(values: &Values, id: NodeId, input: f64) -> f64 {
         match values.node(id) {
             Node::Constant(bits) => f64::from_bits(bits),
@@ -237,7 +238,8 @@ mod tests {
         let zero = values.intern(Node::constant(0.0));
         let quotient = values.intern(Node::Operation(Instruction::Div, [zero, zero]));
         let bidders = vec![Bidder { label: 1, value: quotient }];
-        let mut module = Module { nodes: values.into_nodes(), bidders, teams: Vec::new(), depth: 0 };
+        let graph = sample::graph(&Shape::default(), 0);
+        let mut module = Module { nodes: values.into_nodes(), bidders, ..Module::empty(&graph) };
         run(&mut module, F64);
         assert_eq!(module.node(module.bidders[0].value), Node::constant(f64::NEG_INFINITY));
     }

@@ -1,33 +1,33 @@
-//! Which teams share a function. Some passes of compilers take more than linear time in the size of a function, so where
-//! there are many teams, they are in several.
+//! The partition of teams into functions. Some compiler passes take superlinear time in the size of a function, so a large
+//! graph gets several.
 
 use crate::ir::{Module, NodeId, needed};
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-/// Teams of one function, where all are in it.
+/// The most teams that are put into a single function.
 const TEAMS: usize = 64;
-/// Teams of one function, where there are more.
+/// Teams of each function of a larger graph.
 const SOME_TEAMS: usize = 32;
 
-/// How many of `teams` teams, in the order in which a profile has them, are in one function.
+/// The number of teams in each function of a graph of `teams` teams.
 pub(crate) fn together(teams: usize) -> usize {
     if teams <= TEAMS { TEAMS } else { SOME_TEAMS }
 }
 
-/// Some teams, and all that they need.
+/// Some teams, and the values they need.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Function {
+pub struct Function {
     /// By their places in the module.
-    pub(crate) teams: Range<usize>,
-    /// What they bid, each once.
-    pub(crate) bids: BTreeSet<NodeId>,
-    /// What must be computed for that, operands before operations.
-    pub(crate) operations: BTreeSet<NodeId>,
+    pub teams: Range<usize>,
+    /// Their distinct bids.
+    pub bids: BTreeSet<NodeId>,
+    /// The operations that these need, operands before operations.
+    pub operations: BTreeSet<NodeId>,
 }
 
-/// All teams of a module, in its order. What teams of two functions need is in both.
-pub(crate) fn of(module: &Module) -> Vec<Function> {
+/// All teams of a module, in its order. Operations that several functions need are in each of them.
+pub(crate) fn of(module: &Module<'_>) -> Vec<Function> {
     let all = module.teams.len();
     let together = together(all);
     let function = |start: usize| {

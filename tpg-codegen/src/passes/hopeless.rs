@@ -5,8 +5,8 @@ use super::HopelessBid;
 use super::interval::Interval;
 use crate::ir::Module;
 
-/// Removes them and says which they were.
-pub(super) fn run(module: &mut Module, intervals: &[Interval]) -> Vec<HopelessBid> {
+/// Removes them and returns them.
+pub(super) fn run(module: &mut Module<'_>, intervals: &[Interval]) -> Vec<HopelessBid> {
     let Module { teams, bidders, .. } = module;
     let mut removed = Vec::new();
     for team in teams {
@@ -31,6 +31,7 @@ mod tests {
     use crate::ir::{Bidder, Edge, Module, Node, NodeId, Target, Team};
     use crate::passes::HopelessBid;
     use crate::passes::interval::Interval;
+    use tpg_graph::sample::{self, Shape};
     use tpg_graph::{ActionId, Input};
 
     #[test]
@@ -46,7 +47,8 @@ mod tests {
         let edge = |bidder| Edge { bidder, to: Target::Action(ActionId(0)) };
         let team = Team { label: 1, edges: (0..4).map(edge).collect() };
         let nodes = (0..4).map(|n| Node::Input(Input(n))).collect();
-        let mut module = Module { nodes, bidders, teams: vec![team], depth: 1 };
+        let graph = sample::graph(&Shape::default(), 0);
+        let mut module = Module { nodes, bidders, teams: vec![team], ..Module::empty(&graph) };
         assert_eq!(run(&mut module, &intervals), [HopelessBid { team: 1, program: 2 }]);
         assert_eq!(module.teams[0].edges, [edge(0), edge(1), edge(3)]);
     }

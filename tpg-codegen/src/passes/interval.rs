@@ -1,4 +1,4 @@
-//! Intervals: what a value can be, and whether it can be NaN.
+//! Interval analysis, with NaN.
 //!
 //! Rounding to nearest is monotone, so the ends of a sum, difference, product or quotient are the rounded results on the
 //! ends of its operands, computed in the graph's own scalar type: no widening is needed. Results of sin, cos, ln and exp
@@ -6,7 +6,8 @@
 
 use super::arithmetic::Arithmetic;
 use crate::ir::{Module, Node};
-use tpg_graph::{Graph, ScalarType};
+use serde::Serialize;
+use tpg_graph::ScalarType;
 use tpg_runtime::ops::Instruction;
 
 /// Every value lies in `low..=high` or is NaN, and NaN only where `nan` says so.
@@ -16,17 +17,18 @@ pub struct Interval {
     pub low: f64,
     /// The highest value.
     pub high: f64,
-    /// Whether it can be NaN.
+    /// The value can be NaN.
     pub nan: bool,
 }
 
-/// What is assumed of the inputs.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// The assumption about the inputs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Assumption {
-    /// Nothing: infinities and NaN, too.
+    /// None: infinities and NaN are possible.
     #[default]
     Nothing,
-    /// That each lies in its declared range.
+    /// Each input lies in its declared range.
     DeclaredRanges,
 }
 
@@ -63,8 +65,9 @@ impl Interval {
 }
 
 /// The interval of every node.
-pub fn analyse(graph: &Graph, module: &Module, assumption: Assumption) -> Vec<Interval> {
-    let arithmetic = Arithmetic { scalar: graph.scalar(), maths: graph.maths() };
+pub fn analyse(module: &Module<'_>, assumption: Assumption) -> Vec<Interval> {
+    let graph = module.graph;
+    let arithmetic = Arithmetic::of(graph);
     let inputs: Vec<Interval> = match assumption {
         Assumption::Nothing => vec![Interval::ANYTHING; graph.state_length()],
         Assumption::DeclaredRanges => {

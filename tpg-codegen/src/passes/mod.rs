@@ -1,13 +1,12 @@
-//! What makes generated code small and fast without changing what it does.
+//! Passes that make generated code small and fast without changing its behaviour.
 //!
 //! Every pass is exact, for every state there is, NaN and infinities included: the compiled policy takes the
-//! interpreter's action. Two of them need no module here, for [`Module::lower`] does them by the way it works:
-//! **reachability** (teams are found from the root) and **intron removal** (lines that do not reach register 0 leave no
-//! node); and so is **value numbering**: equal expressions are one node, whichever programs compute them. What of them is
-//! computed already where a team decides, [`available`] finds.
+//! interpreter's action. Three have no module here, because [`Module::lower`] performs them: **reachability** (teams are
+//! found from the root), **intron removal** (dead lines leave no node) and **value numbering** (equal expressions are one
+//! node, whichever programs compute them). [`available`] finds the expressions that are already computed on entry to a team.
 //!
-//! With [`Assumption::DeclaredRanges`] the passes believe the ranges that the graph declares. Then, and only then, a state
-//! outside of them may get another action (still one of the graph's, and nothing undefined).
+//! With [`Assumption::DeclaredRanges`] the passes rely on the ranges that the graph declares. Then, and only then, a state
+//! outside them may get another action (still one of the graph's, without undefined behaviour).
 
 pub mod arithmetic;
 pub mod available;
@@ -18,7 +17,7 @@ mod duplicates;
 pub mod estimate;
 pub(crate) mod evaluate;
 mod fold;
-pub(crate) mod functions;
+pub mod functions;
 mod hopeless;
 pub mod interval;
 pub mod schedule;
@@ -31,20 +30,20 @@ use interval::Assumption;
 use serde::Serialize;
 use tpg_graph::Graph;
 
-/// What the passes removed.
+/// The number of removals of each kind.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Removed {
-    /// Operations that were constant, or equal to one of their operands, or of no use to any bid.
+    /// Operations that were constant, equal to one of their operands, or dead.
     pub operations: usize,
     /// Edges that bid the same as a later one of their team.
     pub duplicate_bids: usize,
     /// Edges whose bid provably never wins.
     pub hopeless_bids: usize,
-    /// Teams whose edges all lead to one place.
+    /// Teams whose edges all have one destination.
     pub teams_without_choice: usize,
-    /// Teams that decide like another.
+    /// Teams that are equivalent to another.
     pub twin_teams: usize,
-    /// Teams that nothing leads to any more.
+    /// Teams that have become unreachable.
     pub unreachable_teams: usize,
 }
 
@@ -53,9 +52,9 @@ pub struct Removed {
 pub struct DuplicateBid {
     /// The team.
     pub team: u32,
-    /// The program whose edge went.
+    /// The program whose edge was removed.
     pub program: u32,
-    /// The program of the edge that stayed; the same one where it had two.
+    /// The program of the remaining edge; the same if it had two.
     pub same_as: u32,
 }
 
@@ -64,20 +63,20 @@ pub struct DuplicateBid {
 pub struct HopelessBid {
     /// The team.
     pub team: u32,
-    /// The program whose edge went.
+    /// The program whose edge was removed.
     pub program: u32,
 }
 
-/// A team that decides like another.
+/// A team that is equivalent to another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TwinTeam {
-    /// The team that went.
+    /// The removed team.
     pub team: u32,
-    /// The team that stayed.
+    /// The remaining team.
     pub same_as: u32,
 }
 
-/// What exactly the passes removed, in the order they did.
+/// The removals of the passes, in order.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Log {
     /// See [`Removed::operations`].
@@ -95,7 +94,7 @@ pub struct Log {
 }
 
 impl Log {
-    /// How many of each.
+    /// The number of each.
     pub fn counts(&self) -> Removed {
         Removed {
             operations: self.operations,
@@ -109,14 +108,14 @@ impl Log {
 }
 
 /// Lowers a graph and optimises it.
-pub fn optimise(graph: &Graph, assumption: Assumption) -> (Module, Removed) {
+pub fn optimise(graph: &Graph, assumption: Assumption) -> (Module<'_>, Removed) {
     let (module, log) = optimise_logged(graph, assumption);
     (module, log.counts())
 }
 
-/// As [`optimise`], and says what exactly went.
-pub fn optimise_logged(graph: &Graph, assumption: Assumption) -> (Module, Log) {
-    let arithmetic = Arithmetic { scalar: graph.scalar(), maths: graph.maths() };
+/// As [`optimise`], with the removals themselves.
+pub fn optimise_logged(graph: &Graph, assumption: Assumption) -> (Module<'_>, Log) {
+    let arithmetic = Arithmetic::of(graph);
     let mut module = Module::lower(graph);
     let mut log = Log::default();
     let before = operations(&module);
@@ -124,7 +123,7 @@ pub fn optimise_logged(graph: &Graph, assumption: Assumption) -> (Module, Log) {
     // Each round can make the next one find more; a round that finds nothing is the last.
     loop {
         let duplicates = duplicates::run(&mut module);
-        let intervals = interval::analyse(graph, &module, assumption);
+        let intervals = interval::analyse(&module, assumption);
         let hopeless = hopeless::run(&mut module, &intervals);
         let teams = teams::run(&mut module);
         collect::run(&mut module);
@@ -142,6 +141,6 @@ pub fn optimise_logged(graph: &Graph, assumption: Assumption) -> (Module, Log) {
     (module, log)
 }
 
-fn operations(module: &Module) -> usize {
+fn operations(module: &Module<'_>) -> usize {
     module.nodes.iter().filter(|node| matches!(node, Node::Operation(..))).count()
 }

@@ -1,10 +1,9 @@
-//! The order in which a team of a fast policy looks at its bids, and what spares it to look at some.
+//! The order in which a team of a fast policy evaluates its bids, and the guards that skip some of them.
 //!
-//! Cheap bids come first; a bid with sines, logarithms or exponentials follows, and is computed only where its
-//! [upper bound](super::bound) says that it can still win. Of a logarithm or an
-//! exponential that is certain to win, the value is not computed either, unless another bid comes near it: what matters is
-//! who wins. The winner does not depend on the order: of equal bids the one
-//! with the highest place in the team wins, and a bid that is computed out of turn compares places, too.
+//! Cheap bids come first; a bid with sines, logarithms or exponentials follows, and is computed only if its
+//! [upper bound](super::bound) says that it can still win. A logarithm or an exponential that is certain to win is not
+//! computed either, unless another bid comes near it: only the winner matters. The winner does not depend on the order: the
+//! highest place in the team breaks ties, and a bid that is computed out of order compares places, too.
 
 use super::arithmetic::Arithmetic;
 use super::bound::{Bounds, beyond_exponentials, is_worth_sparing};
@@ -13,7 +12,7 @@ use super::interval::{self, Assumption, Interval};
 use super::wins::Wins;
 use crate::ir::{Module, Node, NodeId, Target, Values};
 use std::cmp::Reverse;
-use tpg_graph::{Graph, ScalarType};
+use tpg_graph::ScalarType;
 use tpg_runtime::ops::Instruction;
 
 /// A bid of a team.
@@ -21,10 +20,10 @@ use tpg_runtime::ops::Instruction;
 pub struct Bid {
     /// Its place in the team.
     pub place: usize,
-    /// What is bid.
+    /// The value of the bid.
     pub value: NodeId,
-    /// Whether every bid that was looked at before has a lower place: then, as high a bid wins.
-    pub in_turn: bool,
+    /// All bids evaluated before have lower places: an equal bid wins.
+    pub ascending: bool,
 }
 
 /// A logarithm or an exponential is not above a number where its argument is not above another.
@@ -32,24 +31,24 @@ pub struct Bid {
 pub struct Sparing {
     /// The argument, which is cheap.
     pub argument: NodeId,
-    /// Where the argument is at most this …
+    /// If the argument is at most this …
     pub at_most: f64,
     /// … the bid is lower than this.
     pub below: f64,
 }
 
-/// A bid that may be spared.
+/// A bid that may be skipped.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LazyBid {
     /// The bid.
     pub bid: Bid,
-    /// Spares even the bound.
+    /// Skips even the bound.
     pub sparing: Option<Sparing>,
-    /// Whether it is lower in place than [`Plan::infinite`]: then it cannot win over an infinite bid from there.
+    /// The place is lower than that of [`Plan::infinite`]: it loses to an infinite bid there.
     pub before_infinite: bool,
-    /// It cannot win where this is below the best bid so far.
+    /// Upper bound: it cannot win if this is below the best bid so far.
     pub bound: Option<NodeId>,
-    /// It is certain to win where this is above the best bid so far, and need not be computed to know that.
+    /// Lower bound: it leads without being computed if this is above the best bid so far.
     pub certain: Option<NodeId>,
 }
 
@@ -58,31 +57,31 @@ pub struct LazyBid {
 pub struct Infinite {
     /// Its place in the team.
     pub place: usize,
-    /// What it is the exponential of, which is cheap.
+    /// The argument of the exponential, which is cheap.
     pub argument: NodeId,
     /// Above this, every provider's exponential is infinite.
     pub above: f64,
 }
 
-/// What a team does.
+/// The evaluation plan of a team.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
     /// The team's id in the source file.
     pub label: u32,
-    /// What is asked first: an infinite bid spares all that have a lower place. It stands among the lazy bids, too.
+    /// Evaluated first: an infinite bid makes every lower-ranked bid unnecessary. It is one of the lazy bids, too.
     pub infinite: Option<Infinite>,
     /// Bids that are always computed, by place.
     pub eager: Vec<Bid>,
     /// Bids that are computed unless an infinite one leads, by place: those before [`Plan::infinite`].
     pub eager_before: Vec<Bid>,
-    /// The others, in the order they are looked at.
+    /// The others, in order of evaluation.
     pub lazy: Vec<LazyBid>,
-    /// Where the edges lead, by place.
+    /// The edges' destinations, by place.
     pub targets: Vec<Target>,
 }
 
 impl Plan {
-    /// Where edges lead, each place once; the last is where the last edge does, which is where nobody's win leads.
+    /// The distinct destinations of the edges; the last is the last edge's, which is taken if no bid wins.
     pub fn destinations(&self) -> Vec<Target> {
         let mut destinations = Vec::new();
         for &target in self.targets.iter().rev() {
@@ -94,13 +93,13 @@ impl Plan {
         destinations
     }
 
-    /// Every bid, in the order they are looked at.
+    /// Every bid, in order of evaluation.
     pub fn bids(&self) -> impl Iterator<Item = Bid> {
         self.eager.iter().chain(&self.eager_before).copied().chain(self.lazy.iter().map(|lazy| lazy.bid))
     }
 }
 
-/// What a policy does.
+/// The plans of a policy.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Schedule {
     /// The module's nodes, and bounds after them.
@@ -109,22 +108,22 @@ pub struct Schedule {
     pub plans: Vec<Plan>,
 }
 
-/// Above this, a bid is worth a test that may spare it.
+/// Bids that cost more than this are guarded.
 const CHEAP: u32 = 8;
 
-/// Plans every team; where flat states are recorded, by how often bids win along them.
+/// Plans every team; recorded states, flat, order the bids by how often they win.
 ///
 /// # Panics
-/// If the states' length is no multiple of [`Graph::state_length`].
-pub fn schedule(graph: &Graph, module: &Module, recorded: &[f64]) -> Schedule {
-    let wins = &Wins::count(graph, module, recorded);
-    let arithmetic = Arithmetic { scalar: graph.scalar(), maths: graph.maths() };
-    let intervals = interval::analyse(graph, module, Assumption::Nothing);
+/// If the states' length is no multiple of [`Graph::state_length`](tpg_graph::Graph::state_length).
+pub fn schedule(module: &Module<'_>, recorded: &[f64]) -> Schedule {
+    let wins = &Wins::count(module, recorded);
+    let arithmetic = Arithmetic::of(module.graph);
+    let intervals = interval::analyse(module, Assumption::Nothing);
     let cheap = cheap_nodes(module);
     let mut values = Values::of(module.nodes.clone());
     let mut bounds = Bounds::new(arithmetic, &intervals, &cheap, &mut values);
-    let expected = interval::analyse(graph, module, Assumption::DeclaredRanges);
-    let planner = Planner { module, scalar: graph.scalar(), wins, cheap: &cheap, expected: &expected };
+    let expected = interval::analyse(module, Assumption::DeclaredRanges);
+    let planner = Planner { module, scalar: module.graph.scalar(), wins, cheap: &cheap, expected: &expected };
     let mut plans: Vec<Plan> = (0..module.teams.len()).map(|team| planner.plan(team, &mut bounds)).collect();
     let mut nodes = values.into_nodes();
     // Parts of bounds that came to nothing.
@@ -142,7 +141,7 @@ pub fn schedule(graph: &Graph, module: &Module, recorded: &[f64]) -> Schedule {
 }
 
 /// The nodes that need no sine, cosine, logarithm or exponential.
-fn cheap_nodes(module: &Module) -> Vec<bool> {
+fn cheap_nodes(module: &Module<'_>) -> Vec<bool> {
     let mut cheap: Vec<bool> = Vec::with_capacity(module.nodes.len());
     for node in &module.nodes {
         let itself = !matches!(*node, Node::Operation(instruction, _) if is_worth_sparing(instruction));
@@ -164,11 +163,11 @@ pub fn cost(instruction: Instruction) -> u32 {
 }
 
 struct Planner<'a> {
-    module: &'a Module,
+    module: &'a Module<'a>,
     scalar: ScalarType,
     wins: &'a Wins,
     cheap: &'a [bool],
-    /// What values are where inputs lie in their declared ranges. Only for what is likely: nothing relies on it.
+    /// Intervals for inputs in their declared ranges: a heuristic, which correctness does not depend on.
     expected: &'a [Interval],
 }
 
@@ -187,8 +186,8 @@ impl Planner<'_> {
         };
         let (eager, mut lazy): (Vec<usize>, Vec<usize>) =
             (0..team.edges.len()).partition(|&place| self.cheap[value(place).index()] || total(place) <= CHEAP);
-        // What has no bound comes first: a higher best bid does not spare it, but spares the others. Then the likelier
-        // winners, then the cheaper bids.
+        // Bids without a bound come first: a higher best bid does not skip them, but skips others. Then the likelier winners,
+        // then the cheaper bids.
         let wins = |place: usize| Reverse(self.wins.of(number, place));
         lazy.sort_by_key(|&place| (bounds.upper(value(place)).is_some(), wins(place), total(place), place));
         let likely = lazy.iter().filter_map(|&place| self.infinite(place, value(place)));
@@ -197,9 +196,9 @@ impl Planner<'_> {
 
         let mut highest = infinite.map(|infinite| infinite.place);
         let mut turn = |place: usize| {
-            let in_turn = highest.is_none_or(|highest| highest < place);
+            let ascending = highest.is_none_or(|highest| highest < place);
             highest = highest.max(Some(place));
-            Bid { place, value: value(place), in_turn }
+            Bid { place, value: value(place), ascending }
         };
         let (before, after): (Vec<usize>, Vec<usize>) = eager.into_iter().partition(|&place| is_before(place));
         let eager = after.into_iter().map(&mut turn).collect();

@@ -1,33 +1,33 @@
-//! Teams that do not decide anything, and teams that decide alike.
+//! Teams without a choice, and equivalent teams.
 //!
-//! A team all of whose edges lead to one place is walked past: its bids do not matter. Teams with the same bids for the
-//! same places are one. Both can follow from the other, so teams are taken from the ends of the graph towards the root,
-//! every one after all that it leads to.
+//! A team whose edges all have one destination is bypassed: its bids do not matter. Teams with the same bids for the same
+//! destinations are merged. Each rule can enable the other, so teams are visited in reverse topological order: successors
+//! first.
 
 use super::TwinTeam;
 use crate::ir::{Module, NodeId, Target, Team, longest_walk};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Which teams went.
+/// The removed teams.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Removed {
     /// Teams without a choice.
     pub(super) bypassed: Vec<u32>,
-    /// Teams that decide like another.
+    /// Teams that are equivalent to another.
     pub(super) merged: Vec<TwinTeam>,
-    /// Teams that nothing leads to any more.
+    /// Teams that have become unreachable.
     pub(super) unreachable: Vec<u32>,
 }
 
 impl Removed {
-    /// Whether there is none.
+    /// Tests for no removals.
     pub(super) fn is_empty(&self) -> bool {
         self.bypassed.is_empty() && self.merged.is_empty() && self.unreachable.is_empty()
     }
 }
 
-/// Redirects edges past such teams, and renumbers what is left breadth first. The root stays, whatever it decides.
-pub(super) fn run(module: &mut Module) -> Removed {
+/// Redirects edges past such teams, and renumbers the remaining ones breadth first. The root always stays.
+pub(super) fn run(module: &mut Module<'_>) -> Removed {
     let before: Vec<u32> = module.teams.iter().map(|team| team.label).collect();
     let mut removed = Removed::default();
     let mut place: Vec<Target> = (0..before.len()).map(Target::Team).collect();
@@ -65,7 +65,7 @@ pub(super) fn run(module: &mut Module) -> Removed {
     removed
 }
 
-/// The teams, each after all that it leads to.
+/// The teams in reverse topological order: successors first.
 fn ends_first(teams: &[Team]) -> Vec<usize> {
     let mut entering = vec![Vec::new(); teams.len()];
     let mut leaving = vec![0_usize; teams.len()];
@@ -91,8 +91,8 @@ fn ends_first(teams: &[Team]) -> Vec<usize> {
     order
 }
 
-/// Keeps the teams that can be reached, breadth first from the root, and the bidders and nodes that they use.
-fn renumber(module: &mut Module) {
+/// Keeps the reachable teams, breadth first from the root, and the bidders that they use.
+fn renumber(module: &mut Module<'_>) {
     let mut place = vec![None; module.teams.len()];
     place[0] = Some(0);
     let mut order = vec![0];
@@ -134,6 +134,7 @@ mod tests {
     use super::{Removed, run};
     use crate::ir::{Bidder, Edge, Module, Node, NodeId, Target, Team};
     use crate::passes::TwinTeam;
+    use tpg_graph::sample::{self, Shape};
     use tpg_graph::{ActionId, Input};
 
     #[test]
@@ -143,6 +144,7 @@ mod tests {
         let to_team = |bidder, team| Edge { bidder, to: Target::Team(team) };
         let to_action = |bidder, action| Edge { bidder, to: Target::Action(ActionId(action)) };
         let team = |label, edges| Team { label, edges };
+        let graph = sample::graph(&Shape::default(), 0);
         let mut module = Module {
             nodes,
             bidders,
@@ -152,7 +154,7 @@ mod tests {
                 team(102, vec![to_action(0, 1), to_team(2, 1)]),   // 1 or, past 101, 5
                 team(103, vec![to_action(0, 1), to_action(2, 5)]), // the same
             ],
-            depth: 3,
+            ..Module::empty(&graph)
         };
         // Twins are taken from the ends of the graph: the first of them that is done stays.
         let removed = run(&mut module);

@@ -1,36 +1,36 @@
-//! How often each bid of each team wins along recorded states. The likeliest winner, computed first, spares
-//! the others.
+//! Counts of each bid's wins along recorded states. The likeliest winner is evaluated first, so that its bid skips the
+//! others.
 //!
-//! To ask first for the team that a winner leads to most often, too, was measured and gains nothing.
+//! Testing the likeliest destination first was measured as well, and gains nothing.
 
 use super::evaluate::evaluate;
 use crate::ir::{Module, Target};
-use tpg_graph::Graph;
 use tpg_graph::in_arithmetic_of;
 use tpg_runtime::ops::{self, Maths};
 use tpg_runtime::scalar::Scalar;
 
-/// By team, by place; none where nothing was recorded.
+/// Wins by team and place; 0 without recorded states.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Wins(Vec<Vec<u64>>);
 
 impl Wins {
-    /// Counts along flat states.
+    /// Counts wins along flat states.
     ///
     /// # Panics
-    /// If the states' length is no multiple of [`Graph::state_length`].
-    pub fn count(graph: &Graph, module: &Module, states: &[f64]) -> Self {
-        assert_eq!(states.len() % graph.state_length(), 0, "whole states");
-        in_arithmetic_of!(graph, count_in(graph, module, states))
+    /// If the states' length is no multiple of [`Graph::state_length`](tpg_graph::Graph::state_length).
+    pub fn count(module: &Module<'_>, states: &[f64]) -> Self {
+        assert_eq!(states.len() % module.graph.state_length(), 0, "whole states");
+        in_arithmetic_of!(module.graph, count_in(module, states))
     }
 
-    /// Of a place in a team.
+    /// The wins of a place in a team.
     pub fn of(&self, team: usize, place: usize) -> u64 {
         self.0[team][place]
     }
 }
 
-fn count_in<S: Scalar, M: Maths<S>>(graph: &Graph, module: &Module, states: &[f64]) -> Wins {
+fn count_in<S: Scalar, M: Maths<S>>(module: &Module<'_>, states: &[f64]) -> Wins {
+    let graph = module.graph;
     let mut wins: Vec<Vec<u64>> = module.teams.iter().map(|team| vec![0; team.edges.len()]).collect();
     let mut values = vec![S::ZERO; module.nodes.len()];
     for state in states.chunks_exact(graph.state_length()) {
@@ -66,7 +66,7 @@ mod tests {
             let graph = sample::graph(&Shape::random(seed), seed);
             let module = Module::lower(&graph);
             let recorded = states::sample(&graph, 200, seed);
-            let wins = Wins::count(&graph, &module, &recorded);
+            let wins = Wins::count(&module, &recorded);
             let mut found: BTreeMap<u16, u64> = BTreeMap::new();
             for (number, team) in module.teams.iter().enumerate() {
                 for (place, edge) in team.edges.iter().enumerate() {

@@ -1,15 +1,19 @@
-//! What a graph's code takes, before anyone flashes it: bytes, stack, operations; and what of the graph never mattered.
+//! The resources a graph's code needs, before it is flashed: bytes, stack, operations; and the parts of the graph that never
+//! mattered.
 
 mod text;
 
 use crate::cost::{Cost, Costs};
-use crate::emit::{Language, Options, Profile, Style};
-use crate::ir::{Module, Node, effective_lines};
+use crate::emit::Code;
+use crate::ir::{Module, Node};
+use crate::options::{Language, Options, Profile, Style};
 use crate::passes::Removed;
+use crate::program::{Program, compile};
 use crate::size::{self, RustForCortexM4, Size, Stack, Target};
 use serde::Serialize;
 use std::collections::BTreeSet;
 use tpg_graph::conversion::Conversion;
+use tpg_graph::dataflow::effective;
 use tpg_graph::states::StateSet;
 use tpg_graph::{Graph, Input, MathsProvider, ScalarType};
 
@@ -20,29 +24,29 @@ pub struct Report {
     pub version: &'static str,
     /// The graph's SHA-256.
     pub graph_sha256: String,
-    /// What the code computes in.
+    /// The scalar type of the code.
     pub scalar: ScalarType,
-    /// Who computes sin, cos, ln and exp.
+    /// The provider of sin, cos, ln and exp.
     pub maths: MathsProvider,
-    /// Where the graph says another scalar type.
+    /// The change of scalar type, if there was one.
     pub conversion: Option<Conversion>,
-    /// How big the graph is.
+    /// The graph's size.
     pub graph: GraphCounts,
     /// Values of the state that no action depends on, by name.
     pub dead_inputs: Vec<String>,
-    /// What the passes removed.
+    /// The passes' removals.
     pub removed: Removed,
-    /// Where the states come from that means are taken over.
+    /// The origin of the states that means are taken over.
     pub states: String,
-    /// What a decision of the C costs.
+    /// The cost of a decision in C.
     pub costs: Vec<ShapeCost>,
-    /// What the C takes on each target.
+    /// The size of the C on each target.
     pub sizes: Vec<ShapeSize>,
-    /// What the Rust takes on a Cortex-M4F.
+    /// The size of the Rust on a Cortex-M4F.
     pub rust_sizes: Vec<RustSize>,
 }
 
-/// How big a graph is. Only what the root leads to counts.
+/// The size of a graph, counting only vertices reachable from the root.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct GraphCounts {
     /// Teams.
@@ -59,18 +63,18 @@ pub struct GraphCounts {
     pub inputs: usize,
     /// Lines of the programs.
     pub lines: usize,
-    /// Lines that no bid depends on.
+    /// Introns: lines that no bid depends on.
     pub introns: usize,
-    /// Operations that are left when equal ones are one.
+    /// Operations after value numbering.
     pub distinct_operations: usize,
-    /// Operations that are left after the passes.
+    /// Operations after all passes.
     pub operations: usize,
 }
 
 /// A shape of C: a profile, or GEGELATI's style.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Shape {
+pub enum ShapeName {
     /// See [`Profile::Fast`].
     Fast,
     /// See [`Profile::Small`].
@@ -81,11 +85,11 @@ pub enum Shape {
     Gegelati,
 }
 
-impl Shape {
+impl ShapeName {
     /// Every shape.
     pub const ALL: [Self; 4] = [Self::Fast, Self::Small, Self::ConstantTime, Self::Gegelati];
 
-    /// What it is called.
+    /// The name in reports.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Fast => Profile::Fast.name(),
@@ -95,93 +99,92 @@ impl Shape {
         }
     }
 
-    fn options(self, options: &Options) -> Options {
+    fn compile<'g>(self, graph: &'g Graph, options: &Options, language: Language) -> Program<'g> {
         let (style, profile) = match self {
             Self::Fast => (Style::Pure, Some(Profile::Fast)),
             Self::Small => (Style::Pure, Some(Profile::Small)),
             Self::ConstantTime => (Style::Pure, Some(Profile::ConstantTime)),
             Self::Gegelati => (Style::Gegelati, None),
         };
-        Options { style, profile, ..options.clone() }
+        compile(graph, &Options { style, profile, ..options.clone() }, language)
     }
 }
 
-/// What a decision costs in one shape.
+/// The cost of a decision in one shape.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ShapeCost {
     /// The shape.
-    pub profile: Shape,
+    pub profile: ShapeName,
     /// At most.
     pub worst: Cost<u64>,
     /// On average over the states.
     pub mean: Cost<f64>,
 }
 
-/// What one shape takes on one target.
+/// The size of one shape on one target.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ShapeSize {
     /// The target.
     pub target: Target,
     /// The shape.
-    pub profile: Shape,
+    pub profile: ShapeName,
     /// Bytes of flash: code, constants and initialised variables.
     pub flash: Option<u64>,
     /// Bytes of RAM, without the stack.
     pub ram: Option<u64>,
-    /// Bytes of stack, where the compiler says them.
+    /// Bytes of stack, if the compiler reports them.
     pub stack: Option<Stack>,
     /// The sections that the compiler made.
     pub sections: Option<Size>,
-    /// Whether the numbers are an estimate, for want of a compiler.
+    /// The numbers are estimates, because there is no compiler.
     pub estimated: bool,
-    /// Why no compiler made them.
+    /// The reason for having no compiler's numbers.
     pub unavailable: Option<String>,
 }
 
-/// What the Rust of one profile takes on a Cortex-M4F.
+/// The size of one profile's Rust on a Cortex-M4F.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct RustSize {
     /// The profile.
-    pub profile: Shape,
+    pub profile: ShapeName,
     /// Bytes of flash.
     pub flash: Option<u64>,
-    /// Why they are not known.
+    /// The reason for having none.
     pub unavailable: Option<String>,
 }
 
 /// Puts a report together; means are taken over `set`.
 pub fn report(graph: &Graph, options: &Options, targets: &[Target], set: &StateSet) -> Report {
-    let (optimised, removed) = Costs::of(graph, Language::C, &Shape::Fast.options(options));
-    let costs = Shape::ALL.map(|profile| {
-        let (costs, _) = Costs::of(graph, Language::C, &profile.options(options));
-        ShapeCost { profile, worst: costs.worst(), mean: costs.mean(graph, &set.states) }
+    let codes = ShapeName::ALL.map(|shape| (shape, Code::of(shape.compile(graph, options, Language::C))));
+    let costs = codes.iter().map(|(shape, code)| {
+        let costs = Costs::of(&code.program);
+        ShapeCost { profile: *shape, worst: costs.worst(), mean: costs.mean(&set.states) }
     });
-    let sizes = (targets.iter())
-        .flat_map(|&target| Shape::ALL.map(|profile| (target, profile)))
-        .map(|(target, profile)| size_of(graph, options, target, profile))
-        .collect();
+    let sizes = targets.iter().flat_map(|&target| codes.iter().map(move |(shape, code)| size_of(code, target, *shape)));
+    let Program { module: optimised, log, .. } = &codes[0].1.program;
     Report {
         version: env!("CARGO_PKG_VERSION"),
-        graph_sha256: options.conversion.as_ref().map_or_else(|| graph.sha256(), |was| was.sha256.clone()),
+        graph_sha256: codes[0].1.program.graph_sha256(),
         scalar: graph.scalar(),
         maths: graph.maths(),
         conversion: options.conversion.clone(),
-        graph: counts(graph, optimised.module()),
-        dead_inputs: dead_inputs(graph, optimised.module()),
-        removed,
+        graph: counts(optimised),
+        dead_inputs: dead_inputs(optimised),
+        removed: log.counts(),
         states: set.origin.clone(),
-        costs: costs.to_vec(),
-        sizes,
+        costs: costs.collect(),
+        sizes: sizes.collect(),
         rust_sizes: if targets.contains(&Target::CortexM4) { rust_sizes(graph, options) } else { Vec::new() },
     }
 }
 
-fn counts(graph: &Graph, optimised: &Module) -> GraphCounts {
+fn counts(optimised: &Module<'_>) -> GraphCounts {
+    let graph = optimised.graph;
     let lowered = Module::lower(graph);
     let labels: BTreeSet<u32> = lowered.bidders.iter().map(|bidder| bidder.label).collect();
     let programs = || graph.programs().iter().filter(|program| labels.contains(&program.label));
     let effective: usize = programs()
-        .map(|program| effective_lines(program, usize::from(graph.registers())))
+        .map(|program| effective(graph.registers().into(), &program.lines))
         .map(|lines| lines.into_iter().filter(|&effective| effective).count())
         .sum();
     let lines: usize = programs().map(|program| program.lines.len()).sum();
@@ -199,11 +202,12 @@ fn counts(graph: &Graph, optimised: &Module) -> GraphCounts {
     }
 }
 
-fn operations(module: &Module) -> usize {
+fn operations(module: &Module<'_>) -> usize {
     module.nodes.iter().filter(|node| node.is_computed()).count()
 }
 
-fn dead_inputs(graph: &Graph, optimised: &Module) -> Vec<String> {
+fn dead_inputs(optimised: &Module<'_>) -> Vec<String> {
+    let graph = optimised.graph;
     let read: BTreeSet<Input> = optimised
         .nodes
         .iter()
@@ -213,10 +217,8 @@ fn dead_inputs(graph: &Graph, optimised: &Module) -> Vec<String> {
     inputs.filter(|input| !read.contains(input)).map(|input| graph.input_name(input)).collect()
 }
 
-fn size_of(graph: &Graph, options: &Options, target: Target, profile: Shape) -> ShapeSize {
-    let options = profile.options(options);
-    let built =
-        size::build_c(graph, &options, target).and_then(|built| Ok((size::measure(&built.object)?, built.stack)));
+fn size_of(code: &Code<'_>, target: Target, profile: ShapeName) -> ShapeSize {
+    let built = size::build_c(code, target).and_then(|built| Ok((size::measure(&built.object)?, built.stack)));
     let none = ShapeSize {
         target,
         profile,
@@ -232,7 +234,7 @@ fn size_of(graph: &Graph, options: &Options, target: Target, profile: Shape) -> 
             ShapeSize { flash: Some(size.flash()), ram: Some(size.ram()), stack, sections: Some(size), ..none }
         }
         Err(error) if target == Target::CortexM4 => ShapeSize {
-            flash: Some(size::estimated_flash(graph, &options)),
+            flash: Some(size::estimated_flash(&code.program)),
             ram: Some(0), // there is no variable outside of functions in any shape
             estimated: true,
             unavailable: Some(error.to_string()),
@@ -245,11 +247,13 @@ fn size_of(graph: &Graph, options: &Options, target: Target, profile: Shape) -> 
 fn rust_sizes(graph: &Graph, options: &Options) -> Vec<RustSize> {
     // As the C: for the least flash.
     let compiler = RustForCortexM4::new("s").map_err(|error| error.to_string());
-    let size = |profile: &Shape| {
+    let size = |profile: &ShapeName| {
         let compiler = compiler.as_ref().map_err(Clone::clone)?;
-        compiler.size(graph, &profile.options(options), "s").map_err(|error| error.to_string())
+        let code = Code::of(profile.compile(graph, options, Language::Rust));
+        compiler.size(&code, "s").map_err(|error| error.to_string())
     };
-    (Shape::ALL.iter().filter(|shape| shape.options(options).style == Style::Pure))
+    // GEGELATI's style is C's alone.
+    (ShapeName::ALL.iter().filter(|&&shape| shape != ShapeName::Gegelati))
         .map(|profile| match size(profile) {
             Ok(size) => RustSize { profile: *profile, flash: Some(size.flash()), unavailable: None },
             Err(error) => RustSize { profile: *profile, flash: None, unavailable: Some(error) },
@@ -259,8 +263,8 @@ fn rust_sizes(graph: &Graph, options: &Options) -> Vec<RustSize> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Shape, report};
-    use crate::emit::Options;
+    use super::{ShapeName, report};
+    use crate::options::Options;
     use tpg_graph::Graph;
     use tpg_graph::states::StateSet;
 
@@ -279,7 +283,7 @@ mod tests {
         assert_eq!((counts.lines, counts.introns), (18, 2));
         assert!(counts.operations <= counts.distinct_operations);
         assert_eq!(report.dead_inputs, ["motors[3]"], "only an intron reads it");
-        assert_eq!(report.costs.iter().map(|cost| cost.profile).collect::<Vec<_>>(), Shape::ALL);
+        assert_eq!(report.costs.iter().map(|cost| cost.profile).collect::<Vec<_>>(), ShapeName::ALL);
         assert!(report.sizes.is_empty());
         for cost in &report.costs {
             assert!(cost.mean.operations <= cost.worst.operations as f64, "{cost:?}");

@@ -1,11 +1,11 @@
-//! How much flash generated C would take on a Cortex-M4F, where its compiler is not there to ask.
+//! An estimate of generated C's flash on a Cortex-M4F, for machines without its compiler.
 
 use crate::cost::Costs;
-use crate::emit::{Language, Options, Profile, Style};
-use crate::ir::{Module, Node};
-use crate::passes::bytecode;
+use crate::ir::Node;
+use crate::passes::bytecode::{Bytecode, Width};
+use crate::program::{Program, Shape};
 use std::collections::BTreeSet;
-use tpg_graph::{Graph, MathsProvider, ScalarType};
+use tpg_graph::{MathsProvider, ScalarType};
 use tpg_runtime::ops::Instruction;
 
 /// Bytes for each of what code is made of, fitted to what `arm-none-eabi-gcc` 12.2 made of random graphs.
@@ -13,7 +13,7 @@ struct Weights {
     always: u64,
     team: u64,
     edge: u64,
-    /// As often as an operation is written down.
+    /// For each occurrence of an operation in the text.
     operation: u64,
     /// Own sine and cosine.
     circular: u64,
@@ -25,32 +25,31 @@ const fn weights([always, team, edge, operation, circular, exponential]: [u64; 6
     Weights { always, team, edge, operation, circular, exponential }
 }
 
-/// Bytes of flash. Of policies of eight teams or more, the compiler's number lies within a factor of 1.6.
-pub fn flash(graph: &Graph, options: &Options) -> u64 {
-    let (costs, _) = Costs::of(graph, Language::C, options);
-    let module = costs.module();
+/// Bytes of flash of a program in C. Of policies of eight teams or more, the compiler's number lies within a factor of 1.6.
+pub fn flash(program: &Program<'_>) -> u64 {
+    let (module, graph) = (&program.module, program.graph());
     let used: BTreeSet<Instruction> = (module.nodes.iter())
         .filter_map(|node| if let Node::Operation(instruction, _) = *node { Some(instruction) } else { None })
         .collect();
-    let gegelati = options.style == Style::Gegelati;
-    let shape = options.shape(Language::C, module);
-    let small = !gegelati && shape == Profile::Small;
-    let Weights { always, team, edge, operation, circular, exponential } = match (graph.scalar(), gegelati, shape) {
-        (ScalarType::F32, true, _) => weights([0, 31, 4, 10, 651, 0]),
-        (ScalarType::F64, true, _) => weights([4, 11, 10, 12, 1122, 803]),
-        (ScalarType::F32, _, Profile::Fast) => weights([0, 80, 2, 32, 873, 0]),
-        (ScalarType::F64, _, Profile::Fast) => weights([0, 31, 66, 19, 965, 638]),
-        (ScalarType::F32, _, Profile::Small) => weights([113, 0, 0, 23, 445, 359]),
-        (ScalarType::F64, _, Profile::Small) => weights([194, 0, 0, 23, 1068, 831]),
-        (ScalarType::F32, _, Profile::ConstantTime) => weights([21, 28, 7, 33, 136, 224]),
-        (ScalarType::F64, _, Profile::ConstantTime) => weights([283, 27, 14, 28, 942, 846]),
+    let Weights { always, team, edge, operation, circular, exponential } = match (graph.scalar(), &program.shape) {
+        (ScalarType::F32, Shape::Gegelati) => weights([0, 31, 4, 10, 651, 0]),
+        (ScalarType::F64, Shape::Gegelati) => weights([4, 11, 10, 12, 1122, 803]),
+        (ScalarType::F32, Shape::Fast { .. }) => weights([0, 80, 2, 32, 873, 0]),
+        (ScalarType::F64, Shape::Fast { .. }) => weights([0, 31, 66, 19, 965, 638]),
+        (ScalarType::F32, Shape::Small(_)) => weights([113, 0, 0, 23, 445, 359]),
+        (ScalarType::F64, Shape::Small(_)) => weights([194, 0, 0, 23, 1068, 831]),
+        (ScalarType::F32, Shape::ConstantTime(_)) => weights([21, 28, 7, 33, 136, 224]),
+        (ScalarType::F64, Shape::ConstantTime(_)) => weights([283, 27, 14, 28, 942, 846]),
     };
     let own = |any: [Instruction; 2]| {
         u64::from(graph.maths() == MathsProvider::Own && any.iter().any(|instruction| used.contains(instruction)))
     };
     let edges: usize = module.teams.iter().map(|team| team.edges.len()).sum();
-    // The small profile writes an operation down once, whoever uses it, and takes its tables besides.
-    let (operations, tables) = if small { (used.len() as u64, tables(graph, module)) } else { (costs.written(), 0) };
+    let (operations, tables) = match &program.shape {
+        // Each operation occurs once in the text; the tables come on top.
+        Shape::Small(code) => (used.len() as u64, tables(code, graph.scalar())),
+        _ => (Costs::of(program).written(), 0),
+    };
     always
         + team * module.teams.len() as u64
         + edge * edges as u64
@@ -60,27 +59,20 @@ pub fn flash(graph: &Graph, options: &Options) -> u64 {
         + tables
 }
 
-fn tables(graph: &Graph, module: &Module) -> u64 {
-    let code = bytecode::encode(graph, module);
-    let bytes = |table: &Vec<u64>| {
-        let width = match table.iter().copied().max().unwrap_or(0) {
-            0..=0xff => 1,
-            0x100..=0xffff => 2,
-            0x1_0000..=0xffff_ffff => 4,
-            _ => 8,
-        };
-        width * table.len() as u64
-    };
-    let scalar = if graph.scalar() == ScalarType::F32 { 4 } else { 8 };
+fn tables(code: &Bytecode, scalar: ScalarType) -> u64 {
     let tables = [&code.code, &code.programs, &code.bidders, &code.targets, &code.teams];
+    let bytes = |table: &Vec<u64>| u64::from(Width::of(table).bits() / 8) * table.len() as u64;
+    let scalar = if scalar == ScalarType::F32 { 4 } else { 8 };
     tables.into_iter().map(bytes).sum::<u64>() + scalar * code.constants.len() as u64
 }
 
 #[cfg(test)]
 mod tests {
     use super::flash;
-    use crate::emit::{Options, Profile, Style};
-    use crate::size::{Target, compile_c, measure};
+    use crate::emit::Code;
+    use crate::options::{Language, Options, Profile, Style};
+    use crate::program::compile;
+    use crate::size::{Target, build_c, measure};
     use tpg_graph::sample::{self, Shape};
     use tpg_graph::{MathsProvider, ScalarType};
 
@@ -98,9 +90,10 @@ mod tests {
             let teams = 10 + (seed % 40) as usize;
             let graph = sample::graph(&Shape { scalar, maths, teams, ..Shape::default() }, seed);
             for options in profiles.iter().chain([&gegelati]) {
-                let object = compile_c(&graph, options, Target::CortexM4).expect("it compiles");
-                let real = measure(&object).expect("an object file").flash() as f64;
-                let ratio = flash(&graph, options) as f64 / real;
+                let code = Code::of(compile(&graph, options, Language::C));
+                let built = build_c(&code, Target::CortexM4).expect("it compiles");
+                let real = measure(&built.object).expect("an object file").flash() as f64;
+                let ratio = flash(&code.program) as f64 / real;
                 assert!((0.625..1.6).contains(&ratio), "graph {seed}: {ratio} of {real} bytes, {options:?}");
             }
         }

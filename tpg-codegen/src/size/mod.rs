@@ -1,4 +1,4 @@
-//! How big generated code is once compiled: without its self-test, without the libraries it calls.
+//! The size of compiled code, without its self-test and the libraries it calls.
 
 mod estimate;
 mod rust;
@@ -8,7 +8,9 @@ pub use estimate::flash as estimated_flash;
 pub use rust::RustForCortexM4;
 pub use stack::Stack;
 
-use crate::emit::{self, Language, Options, Style};
+use crate::emit::Code;
+use crate::options::{Language, Options, Style};
+use crate::program::compile;
 use crate::verify;
 use object::{Object as _, ObjectSection as _, SectionKind};
 use serde::Serialize;
@@ -19,7 +21,7 @@ use std::process::Command;
 use tempfile::TempDir;
 use tpg_graph::Graph;
 
-/// Where the code is to run.
+/// A target of generated code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, clap::ValueEnum)]
 pub enum Target {
     /// On a Cortex-M4 with FPU, built by `arm-none-eabi-gcc`.
@@ -35,7 +37,7 @@ impl Target {
     /// Every target.
     pub const ALL: [Self; 2] = [Self::CortexM4, Self::Host];
 
-    /// What it is called in reports.
+    /// The name in reports.
     pub fn name(self) -> &'static str {
         match self {
             Self::Host => "this machine",
@@ -76,22 +78,22 @@ impl fmt::Display for Size {
     }
 }
 
-/// Lines for people that say the size of the compiled C, for each target whose compiler is there.
-pub fn of_c(graph: &Graph, options: &Options) -> Vec<String> {
+/// The size of the compiled C on each target, a line each; if a compiler is missing, its line says so.
+pub fn of_c(code: &Code<'_>) -> Vec<String> {
     [Target::Host, Target::CortexM4]
-        .map(|target| match compile_c(graph, options, target).and_then(|object| measure(&object)) {
+        .map(|target| match build_c(code, target).and_then(|built| measure(&built.object)) {
             Ok(size) => format!("size on {} (-Os): {size}", target.name()),
             Err(error) => format!("size on {}: not available: {error}", target.name()),
         })
         .into()
 }
 
-/// Compiles the generated C for size, without its self-test, and returns the object file.
+/// Generates C and compiles it for size, without its self-test, and returns the object file.
 ///
 /// # Errors
 /// When the compiler is missing or refuses.
 pub fn compile_c(graph: &Graph, options: &Options, target: Target) -> io::Result<Vec<u8>> {
-    Ok(build_c(graph, options, target)?.object)
+    Ok(build_c(&Code::of(compile(graph, options, Language::C)), target)?.object)
 }
 
 /// Generated C, compiled.
@@ -99,17 +101,19 @@ pub fn compile_c(graph: &Graph, options: &Options, target: Target) -> io::Result
 pub struct Built {
     /// The object file.
     pub object: Vec<u8>,
-    /// The stack that a decision needs; none where the compiler does not say (only GCC does).
+    /// The stack that a decision needs; only GCC reports it.
     pub stack: Option<Stack>,
 }
 
-/// Compiles as [`compile_c`] does, and asks the compiler for the stack.
+/// Compiles generated C for size, without its self-test, and asks the compiler for the stack.
 ///
 /// # Errors
-/// As [`compile_c`].
-pub fn build_c(graph: &Graph, options: &Options, target: Target) -> io::Result<Built> {
+/// When the compiler is missing or refuses.
+pub fn build_c(code: &Code<'_>, target: Target) -> io::Result<Built> {
+    let Code { program, files } = code;
+    let options = &program.options;
     let folder = TempDir::new()?;
-    for file in emit::emit(graph, Language::C, options) {
+    for file in files {
         fs::write(folder.path().join(&file.name), &file.text)?;
     }
     let (mut command, writes_call_graph) = match target {
@@ -146,10 +150,10 @@ pub fn build_c(graph: &Graph, options: &Options, target: Target) -> io::Result<B
     Ok(Built { object: fs::read(folder.path().join("policy.o"))?, stack })
 }
 
-/// Adds an object file's sections up.
+/// Sums the sections of an object file.
 ///
 /// # Errors
-/// When it is no object file.
+/// If it is not an object file.
 pub fn measure(object: &[u8]) -> io::Result<Size> {
     let file = object::File::parse(object).map_err(io::Error::other)?;
     let mut size = Size::default();

@@ -1,18 +1,17 @@
-//! How big generated Rust is on a Cortex-M4F, where the Rust compiler has that target.
+//! The size of generated Rust on a Cortex-M4F, if the Rust compiler has that target.
 
 use super::{Size, measure};
-use crate::emit::{self, Language, Options};
+use crate::emit::Code;
 use crate::verify::{self, BuildError};
 use std::path::Path;
 use std::process::Command;
 use std::{fs, io};
 use tempfile::TempDir;
-use tpg_graph::Graph;
 use tpg_runtime::standalone;
 
 const TARGET: &str = "thumbv7em-none-eabihf";
 
-/// The Rust compiler for a Cortex-M4F, with what generated Rust stands on.
+/// The Rust compiler for a Cortex-M4F, with the runtime that generated Rust depends on.
 #[derive(Debug)]
 pub struct RustForCortexM4 {
     folder: TempDir,
@@ -22,7 +21,7 @@ impl RustForCortexM4 {
     /// Compiles the runtime's part, at an `opt-level`: `3`, `s` and the like.
     ///
     /// # Errors
-    /// When there is no compiler, or it lacks the target.
+    /// If there is no compiler, or it lacks the target.
     pub fn new(level: &str) -> io::Result<Self> {
         let folder = TempDir::new()?;
         let place = |name: &str| folder.path().join(name);
@@ -44,13 +43,13 @@ impl RustForCortexM4 {
     ///
     /// # Errors
     /// When the compiler refuses.
-    pub fn object(&self, graph: &Graph, options: &Options, level: &str) -> io::Result<Vec<u8>> {
-        let prefix = options.prefix.lower();
+    pub fn object(&self, code: &Code<'_>, level: &str) -> io::Result<Vec<u8>> {
+        let (graph, prefix) = (code.program.graph(), &code.program.options.prefix);
         let folder = self.folder.path();
-        for file in emit::emit(graph, Language::Rust, options) {
-            fs::write(folder.join(format!("policy_{}", file.name)), file.text)?;
+        for file in &code.files {
+            fs::write(folder.join(format!("policy_{}", file.name)), &file.text)?;
         }
-        let (scalar, length, name) = (graph.scalar().name(), graph.state_length(), options.prefix.camel());
+        let (scalar, length, name) = (graph.scalar().name(), graph.state_length(), prefix.camel());
         let library = format!(
             "#![no_std]\n#[path = \"policy_{prefix}.rs\"]\nmod policy;\n\
              use tpg_runtime::policy::{{ActionId, Policy}};\n\
@@ -66,13 +65,13 @@ impl RustForCortexM4 {
     /// The bytes of [`object`](Self::object).
     ///
     /// # Errors
-    /// As it.
-    pub fn size(&self, graph: &Graph, options: &Options, level: &str) -> io::Result<Size> {
-        measure(&self.object(graph, options, level)?)
+    /// As [`object`](Self::object).
+    pub fn size(&self, code: &Code<'_>, level: &str) -> io::Result<Size> {
+        measure(&self.object(code, level)?)
     }
 }
 
-/// Declares what the runtime calls of the crate libm.
+/// Stubs for the functions of the crate libm that the runtime calls.
 fn libm() -> String {
     let functions = |scalar: &str, names: [&str; 4]| {
         names.map(|name| format!("#[inline(never)]\npub fn {name}(x: {scalar}) -> {scalar} {{\n    x\n}}\n")).concat()

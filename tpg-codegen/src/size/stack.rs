@@ -1,4 +1,4 @@
-//! How much stack generated C needs: the deepest chain of calls in what GCC writes with `-fcallgraph-info=su`.
+//! The stack that generated C needs: the deepest chain of calls in GCC's call graph (`-fcallgraph-info=su`).
 
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
@@ -14,8 +14,7 @@ pub struct Stack {
 
 /// Reads the call graph of one file, in GCC's VCG, and follows it from `entry`.
 ///
-/// Nothing where the entry is missing, a frame has no fixed size, or functions call each other in a circle: then there is
-/// no number to give.
+/// `None` if the entry is missing, a frame has no fixed size, or there is recursion.
 pub(super) fn deepest(text: &str, entry: &str) -> Option<Stack> {
     let mut frames: BTreeMap<&str, Option<u64>> = BTreeMap::new();
     let mut calls: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
@@ -66,7 +65,7 @@ pub(super) fn deepest(text: &str, entry: &str) -> Option<Stack> {
     Some(Stack { bytes: depth[entry], without: without.into_iter().collect() })
 }
 
-/// What stands in quotation marks behind a key.
+/// The quoted text after a key.
 fn quoted<'a>(line: &'a str, key: &str) -> Option<&'a str> {
     let (_, rest) = line.split_once(key)?;
     rest.strip_prefix('"')?.split('"').next()

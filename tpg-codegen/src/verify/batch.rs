@@ -2,7 +2,8 @@
 
 use super::build::{BuildError, Workshop, c_command, compile, runtime_library, rustc};
 use super::process::{self, Process};
-use crate::emit::{self, Language, Options};
+use crate::emit;
+use crate::options::{Language, Options};
 use askama::Template;
 use std::path::PathBuf;
 use std::{fs, io};
@@ -54,7 +55,7 @@ impl Workshop {
     pub fn batch(&self, language: Language, policies: &[(&Graph, Options)]) -> Result<Batch, BuildError> {
         let files: Vec<emit::File> =
             policies.iter().flat_map(|(graph, options)| emit::emit(graph, language, options)).collect();
-        let folder = self.room("batch", &files)?;
+        let folder = self.write("batch", &files)?;
         let views = policies.iter().map(|(graph, options)| view(graph, options, language)).collect();
         let program = folder.join("batch");
         match language {
@@ -74,8 +75,7 @@ impl Workshop {
                 compile("Rust", command)?;
             }
         }
-        let language = if language == Language::C { "C" } else { "Rust" };
-        Ok(Batch { program, language })
+        Ok(Batch { program, language: language.name() })
     }
 }
 

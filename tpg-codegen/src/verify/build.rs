@@ -1,7 +1,9 @@
 //! Compiles generated code into small programs that decide over a pipe.
 
 use super::Process;
-use crate::emit::{self, File, Language, Options, Style};
+use crate::emit::{Code, File};
+use crate::options::{Language, Options};
+use crate::program::{Shape, compile as compile_graph};
 use askama::Template;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -32,25 +34,25 @@ struct RustHarness<'a> {
     state_length: usize,
 }
 
-/// Why generated code did not become a program.
+/// A failure to build generated code.
 #[derive(Debug, thiserror::Error)]
 pub enum BuildError {
-    /// No compiler.
+    /// The compiler is missing.
     #[error("{language} compiler {command:?} cannot be started: {error}")]
     Missing {
-        /// What it should compile.
+        /// The language to compile.
         language: &'static str,
-        /// What was tried.
+        /// The command.
         command: OsString,
-        /// What the system said.
+        /// The system's error.
         error: io::Error,
     },
-    /// The compiler refused the code: a defect of the generator.
+    /// The compiler rejected the code: a defect of the generator.
     #[error("the {language} compiler refused generated code:\n{message}")]
     Refused {
         /// The language.
         language: &'static str,
-        /// What the compiler printed.
+        /// The compiler's output.
         message: String,
     },
     /// The temporary folder or the program failed.
@@ -58,7 +60,7 @@ pub enum BuildError {
     Io(#[from] io::Error),
 }
 
-/// A temporary folder where generated code is compiled; gone when dropped.
+/// A temporary folder for compiling generated code, deleted on drop.
 #[derive(Debug)]
 pub struct Workshop {
     folder: TempDir,
@@ -73,40 +75,58 @@ impl Workshop {
         Ok(Self { folder: TempDir::new()? })
     }
 
-    /// Emits and compiles C and starts the program.
+    /// Compiles exactly the given text and starts the program.
+    ///
+    /// # Errors
+    /// See [`BuildError`].
+    pub fn start(&self, code: &Code<'_>) -> Result<Process, BuildError> {
+        let program = match code.program.language {
+            Language::C => self.build_c(code)?,
+            Language::Rust => self.build_rust(code)?,
+        };
+        Ok(Process::start(&program, &code.program.name(), code.program.graph())?)
+    }
+
+    /// Generates C, compiles it and starts the program.
     ///
     /// # Errors
     /// See [`BuildError`].
     pub fn c(&self, graph: &Graph, options: &Options) -> Result<Process, BuildError> {
-        let files = emit::emit(graph, Language::C, options);
-        let folder = self.room("c", &files)?;
+        self.start(&Code::of(compile_graph(graph, options, Language::C)))
+    }
+
+    /// Generates Rust, compiles it and starts the program.
+    ///
+    /// # Errors
+    /// See [`BuildError`].
+    pub fn rust(&self, graph: &Graph, options: &Options) -> Result<Process, BuildError> {
+        self.start(&Code::of(compile_graph(graph, options, Language::Rust)))
+    }
+
+    fn build_c(&self, code: &Code<'_>) -> Result<PathBuf, BuildError> {
+        let Code { program, files } = code;
+        let (graph, options) = (program.graph(), &program.options);
+        let folder = self.write("c", files)?;
         let prefix = options.prefix.lower();
         let harness = CHarness {
             prefix,
             scalar: if graph.scalar() == ScalarType::F32 { "float" } else { "double" },
             state_length: graph.state_length(),
             sources: graph.sources().iter().map(|s| (s.name.clone(), s.ranges.len())).collect(),
-            gegelati: options.style == Style::Gegelati,
+            gegelati: program.shape == Shape::Gegelati,
         };
         fs::write(folder.join("harness.c"), harness.render().map_err(io::Error::other)?)?;
-        let program = folder.join("harness");
+        let harness = folder.join("harness");
         let mut command = c_command(&folder)?;
-        command.arg("-o").arg(&program).arg("harness.c").arg(format!("{prefix}.c")).arg("-lm");
+        command.arg("-o").arg(&harness).arg("harness.c").arg(format!("{prefix}.c")).arg("-lm");
         compile("C", command)?;
-        let name = match options.style {
-            Style::Gegelati => "C in GEGELATI's style".to_owned(),
-            Style::Pure => format!("C, {}", options.profile_in(Language::C).name()),
-        };
-        Ok(Process::start(&program, &name, graph)?)
+        Ok(harness)
     }
 
-    /// Emits and compiles Rust and starts the program.
-    ///
-    /// # Errors
-    /// See [`BuildError`].
-    pub fn rust(&self, graph: &Graph, options: &Options) -> Result<Process, BuildError> {
-        let files = emit::emit(graph, Language::Rust, options);
-        let folder = self.room("rust", &files)?;
+    fn build_rust(&self, code: &Code<'_>) -> Result<PathBuf, BuildError> {
+        let Code { program, files } = code;
+        let (graph, options) = (program.graph(), &program.options);
+        let folder = self.write("rust", files)?;
         runtime_library(&folder)?;
         let harness = RustHarness {
             module: options.prefix.lower(),
@@ -115,15 +135,15 @@ impl Workshop {
             state_length: graph.state_length(),
         };
         fs::write(folder.join("harness.rs"), harness.render().map_err(io::Error::other)?)?;
-        let program = folder.join("harness");
+        let harness = folder.join("harness");
         let mut command = rustc(&folder);
-        command.args(["--extern=tpg_runtime=libtpg_runtime.rlib", "harness.rs", "-o"]).arg(&program);
+        command.args(["--extern=tpg_runtime=libtpg_runtime.rlib", "harness.rs", "-o"]).arg(&harness);
         compile("Rust", command)?;
-        let name = format!("Rust, {}", options.profile_in(Language::Rust).name());
-        Ok(Process::start(&program, &name, graph)?)
+        Ok(harness)
     }
 
-    pub(super) fn room(&self, name: &str, files: &[File]) -> io::Result<PathBuf> {
+    /// Writes files to a new folder of the workshop.
+    pub(super) fn write(&self, name: &str, files: &[File]) -> io::Result<PathBuf> {
         let folder = tempfile::Builder::new().prefix(name).tempdir_in(self.folder.path())?.keep();
         for file in files {
             fs::write(folder.join(&file.name), &file.text)?;
@@ -131,7 +151,7 @@ impl Workshop {
         Ok(folder)
     }
 
-    /// The folder.
+    /// The path of the folder.
     pub fn path(&self) -> &Path {
         self.folder.path()
     }
@@ -149,10 +169,10 @@ pub(crate) fn c_compiler() -> Result<cc::Tool, BuildError> {
     })
 }
 
-/// The C compiler at `-O2` in a folder, told what every policy needs.
+/// The C compiler at `-O2` in a folder, with the flags that every policy needs.
 ///
 /// # Errors
-/// When there is none.
+/// If there is none.
 pub fn c_command(folder: &Path) -> Result<Command, BuildError> {
     let mut command = c_compiler()?.to_command();
     command.current_dir(folder).args(["-std=c99", "-ffp-contract=off"]);
@@ -166,7 +186,7 @@ pub fn rustc(folder: &Path) -> Command {
     command
 }
 
-/// Compiles what generated Rust stands on: `libtpg_runtime.rlib` in a folder.
+/// Compiles the runtime that generated Rust depends on: `libtpg_runtime.rlib` in a folder.
 ///
 /// # Errors
 /// When the compiler is missing or refuses.

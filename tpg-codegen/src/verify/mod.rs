@@ -1,29 +1,34 @@
-//! Compiles what was generated and compares it with the interpreter, state by state.
+//! Compiles generated code and compares it with the interpreter, state by state.
 
 mod batch;
 mod build;
 mod process;
+mod proof;
 
 pub use batch::Batch;
 pub(crate) use build::c_compiler;
 pub use build::{BuildError, Workshop, c_command, compile, runtime_library, rustc};
 pub use process::Process;
+pub use proof::{Proof, Unproven};
 
+use crate::passes::interval::Assumption;
 use serde::Serialize;
 use std::io;
-use tpg_graph::Graph;
 use tpg_graph::engine::{Engine, Reference};
 use tpg_graph::states;
+use tpg_graph::{Graph, Range};
 use tpg_runtime::policy::ActionId;
 
-/// States that are decided at a time: bounds memory, not results.
+/// States per batch: bounds memory, does not affect results.
 const BATCH: usize = 8192;
 
-/// How one engine compares with the interpreter.
+/// The comparison of an engine with the interpreter.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Comparison {
     /// The engine.
     pub engine: String,
+    /// The assumption that the states satisfy.
+    pub assumption: Assumption,
     /// States compared.
     pub states: usize,
     /// States with another action.
@@ -50,13 +55,36 @@ pub struct Difference {
 /// # Errors
 /// When an engine's process dies.
 pub fn compare(graph: &Graph, engines: &mut [&mut dyn Engine], count: usize, seed: u64) -> io::Result<Vec<Comparison>> {
+    compare_under(Assumption::Nothing, graph, engines, count, seed)
+}
+
+/// As [`compare`], on states that satisfy an assumption.
+///
+/// # Errors
+/// When an engine's process dies.
+pub fn compare_under(
+    assumption: Assumption,
+    graph: &Graph,
+    engines: &mut [&mut dyn Engine],
+    count: usize,
+    seed: u64,
+) -> io::Result<Vec<Comparison>> {
     let mut reference = Reference::new(graph);
     let mut comparisons: Vec<Comparison> = (engines.iter())
-        .map(|engine| Comparison { engine: engine.name().to_owned(), states: 0, differences: 0, first: None })
+        .map(|engine| Comparison {
+            engine: engine.name().to_owned(),
+            assumption,
+            states: 0,
+            differences: 0,
+            first: None,
+        })
         .collect();
     for (batch, start) in (0..count).step_by(BATCH).enumerate() {
         // Each batch has its own stream, so that a run of more states begins with the states of a shorter one.
-        let states = states::sample(graph, BATCH.min(count - start), seed.wrapping_add((batch as u64) << 32));
+        let mut states = states::sample(graph, BATCH.min(count - start), seed.wrapping_add((batch as u64) << 32));
+        if assumption == Assumption::DeclaredRanges {
+            move_into_ranges(graph, &mut states);
+        }
         let mut expected = Vec::new();
         reference.decide(&states, &mut expected)?;
         for (engine, comparison) in engines.iter_mut().zip(&mut comparisons) {
@@ -66,6 +94,17 @@ pub fn compare(graph: &Graph, engines: &mut [&mut dyn Engine], count: usize, see
         }
     }
     Ok(comparisons)
+}
+
+/// Moves values to the nearer end of their declared range, NaN to the lower one.
+fn move_into_ranges(graph: &Graph, states: &mut [f64]) {
+    let ranges: Vec<Range> = graph.state_ranges().collect();
+    for state in states.chunks_exact_mut(ranges.len()) {
+        for (value, &Range { min, max }) in state.iter_mut().zip(&ranges) {
+            // The ends are rounded as the assumption rounds them.
+            *value = graph.scalar().round(if value.is_nan() { min } else { value.clamp(min, max) });
+        }
+    }
 }
 
 impl Comparison {
@@ -80,6 +119,30 @@ impl Comparison {
                 expected: expected.0,
                 found: found.0,
             });
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::move_into_ranges;
+    use tpg_graph::sample::{self, Shape};
+    use tpg_graph::{Range, states};
+
+    #[test]
+    fn states_that_keep_the_declared_ranges_reach_their_ends() {
+        for seed in 0..20 {
+            let graph = sample::graph(&Shape::random(seed), seed);
+            let mut states = states::sample(&graph, 500, seed);
+            move_into_ranges(&graph, &mut states);
+            let round = |value| graph.scalar().round(value);
+            let ranges: Vec<Range> = graph.state_ranges().collect();
+            for (place, &Range { min, max }) in ranges.iter().enumerate() {
+                let (min, max) = (round(min), round(max));
+                let values: Vec<f64> = states.iter().copied().skip(place).step_by(ranges.len()).collect();
+                assert!(values.iter().all(|value| (min..=max).contains(value)), "graph {seed}, value {place}");
+                assert!(values.contains(&min) && values.contains(&max), "graph {seed}, value {place}");
+            }
         }
     }
 }

@@ -1,4 +1,4 @@
-//! A compiled policy in a process of its own, asked over a pipe.
+//! A compiled policy in its own process, driven over a pipe.
 //!
 //! A batch goes in as a little-endian `u32` count and the states' values in the graph's scalar type, native byte order;
 //! out come as many native `u16` actions.
@@ -12,6 +12,9 @@ use tpg_runtime::policy::ActionId;
 
 /// States in one exchange: both sides hold a whole batch, so that neither waits for the other's full pipe.
 const BATCH: usize = 1024;
+
+/// The exit status of a C program whose self-test fails.
+const SELF_TEST_DIFFERS: i32 = 3;
 
 /// A running policy.
 #[derive(Debug)]
@@ -49,6 +52,18 @@ impl Process {
         start(program, &[], name, graph)
     }
 
+    /// The reason that the program ended before its input did.
+    fn ended(&mut self, error: &io::Error) -> io::Error {
+        self.input = None;
+        io::Error::other(match self.child.wait() {
+            Ok(status) if status.code() == Some(SELF_TEST_DIFFERS) => {
+                format!("{}: the self-test in the code differs from the interpreter", self.name)
+            }
+            Ok(status) => format!("{}: the program ended early, {status}: {error}", self.name),
+            Err(_) => format!("{}: {error}", self.name),
+        })
+    }
+
     fn exchange(&mut self, states: &[f64], actions: &mut Vec<ActionId>) -> io::Result<()> {
         let count = states.len() / self.state_length;
         let input = self.input.as_mut().ok_or_else(|| io::Error::other("the process was closed"))?;
@@ -75,7 +90,8 @@ impl Engine for Process {
     }
 
     fn decide(&mut self, states: &[f64], actions: &mut Vec<ActionId>) -> io::Result<()> {
-        states.chunks(BATCH * self.state_length).try_for_each(|batch| self.exchange(batch, actions))
+        let mut batches = states.chunks(BATCH * self.state_length);
+        batches.try_for_each(|batch| self.exchange(batch, actions)).map_err(|error| self.ended(&error))
     }
 }
 

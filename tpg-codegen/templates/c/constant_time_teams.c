@@ -17,9 +17,9 @@
 {%- for edge in team.edges %}
 {%- if loop.first %}
     best = {{ edge.key }};
-    to = {{ edge.to }};
+    to = {{ edge.to }}U;
 {%- else %}
-    {{ prefix }}_challenge(&best, &to, {{ edge.key }}, {{ edge.to }});
+    {{ prefix }}_challenge(&best, &to, {{ edge.key }}, {{ edge.to }}U);
 {%- endif %}
 {%- endfor %}
     next[{{ team.number }}] = ({{ vertex }})to;

@@ -86,7 +86,7 @@ team_{{ team.label }}:
 {%- endfor %}
 
             if ({{ bid.value }} >= best) {
-{%- if bid.in_turn %}
+{%- if bid.ascending %}
                 best = {{ bid.value }};
                 {{ team.winner }} = {{ bid.rank }};
 {%- else %}

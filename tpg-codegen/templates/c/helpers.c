@@ -1,4 +1,4 @@
-{% if own && (uses_sin || uses_cos || uses_ln || uses_exp) %}
+{% if let Some(own) = own %}
 {% if f64 %}{% include "c/own_f64.c" %}{% else %}{% include "c/own_f32.c" %}{% endif %}
 {% endif %}
 {% if branch_free %}

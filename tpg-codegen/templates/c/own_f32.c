@@ -32,16 +32,14 @@ static uint32_t {{ prefix }}_choose(uint32_t mask, uint32_t a, uint32_t b)
 static uint32_t {{ prefix }}_circle(uint32_t magnitude, uint32_t offset)
 {
     /* floor(2/pi * 2^(8i + 5)) mod 2^32 */
-    static const uint32_t two_over_pi[25] = {
-        0x00000014U, 0x0000145fU, 0x00145f30U, 0x145f306dU, 0x5f306dc9U, 0x306dc9c8U,
-        0x6dc9c882U, 0xc9c882a5U, 0xc882a53fU, 0x82a53f84U, 0xa53f84eaU, 0x3f84eafaU,
-        0x84eafa3eU, 0xeafa3ea6U, 0xfa3ea69bU, 0x3ea69bb8U, 0xa69bb81bU, 0x9bb81b6cU,
-        0xb81b6c52U, 0x1b6c52b3U, 0x6c52b327U, 0x52b32788U, 0xb3278872U, 0x27887208U,
-        0x8872083fU
+    static const uint32_t two_over_pi[{{ own.two_over_pi.len() }}] = {
+{%- for line in own.two_over_pi.chunks(6) %}
+        {{ line.join(", ") }}{% if !loop.last %},{% endif %}
+{%- endfor %}
     };
     static const float polynomial[2][4] = {
-        {-0.16666667f, 0.008333372f, -0.00019849911f, 2.800547e-6f}, /* sin r = r + r s P(s), s = r^2 */
-        {-0.5f, 0.041666646f, -0.0013887311f, 2.4432566e-5f}         /* cos r = 1 + 1 s P(s) */
+        { {{- own.circle[0] -}} }, /* sin r = r + r s P(s), s = r^2 */
+        { {{- own.circle[1] -}} }         /* cos r = 1 + 1 s P(s) */
     };
 
     /* a = mantissa * 2^(8 byte + 125 - 150) */
@@ -71,7 +69,7 @@ static uint32_t {{ prefix }}_circle(uint32_t magnitude, uint32_t offset)
     const uint64_t distance_low = lower_distance;
 
     /* times pi/2, in units of 2^-61 radians */
-    const uint64_t half_pi = 0xc90fdaa2U;
+    const uint64_t half_pi = {{ own.half_pi }};
     const uint64_t radians = (distance_high * half_pi) + ((distance_low * half_pi) >> 32);
     const uint64_t radians_high = radians >> 37;
     const uint64_t radians_low = radians >> 5;
@@ -143,8 +141,8 @@ static float {{ prefix }}_ln(float x)
     const float g = f + 2.0f;
     const float s = f / g;
     const float w = s * s;
-    const float low = exponent * 1.4286068e-6f;
-    const float high = exponent * 0.69314575f;
+    const float low = exponent * {{ own.ln_2_low }};
+    const float high = exponent * {{ own.ln_2_high }};
 
     /* infinity and NaN stay, zeros and what is negative have values of their own */
     const uint32_t before = bits - 1U;
@@ -152,10 +150,10 @@ static float {{ prefix }}_ln(float x)
     const uint32_t zero = {{ prefix }}_mask((bits & 0x7fffffffU) - 1U);
     const uint32_t signed_limit = bits | ({{ prefix }}_mask(bits) & 0x7fc00000U);
     const uint32_t limit = {{ prefix }}_choose(zero, 0xff800000U, signed_limit);
-    float p = 0.2987083f * w;
-    p = p + 0.39977583f;
+    float p = {{ own.ln[2] }} * w;
+    p = p + {{ own.ln[1] }};
     p = p * w;
-    p = p + 0.66666776f;
+    p = p + {{ own.ln[0] }};
     p = p * w;
     p = f - p;
     p = p * s;
@@ -176,11 +174,11 @@ static float {{ prefix }}_exp(float x)
     const float a = {{ prefix }}_float(limited | (bits & 0x80000000U));
 
     /* x = n ln 2 + r; adding 1.5 * 2^23 leaves the nearest integer in the low bits */
-    const float quotient = a * 1.442695f;
+    const float quotient = a * {{ own.log2_e }};
     const float sum = quotient + 12582912.0f;
     const float n = sum - 12582912.0f;
-    const float high = n * 0.69314575f;
-    const float low = n * 1.4286068e-6f;
+    const float high = n * {{ own.ln_2_high }};
+    const float low = n * {{ own.ln_2_low }};
     const float rest = a - high;
     const float r = rest - low;
 
@@ -190,14 +188,14 @@ static float {{ prefix }}_exp(float x)
     const float first = {{ prefix }}_float(half << 23);
     const float second = {{ prefix }}_float((biased - half) << 23);
     const uint32_t not_a_number = {{ prefix }}_mask(0x7f800000U - magnitude);
-    float p = 0.0013782504f * r;
-    p = p + 0.008368675f;
+    float p = {{ own.exp[4] }} * r;
+    p = p + {{ own.exp[3] }};
     p = p * r;
-    p = p + 0.041668963f;
+    p = p + {{ own.exp[2] }};
     p = p * r;
-    p = p + 0.16666521f;
+    p = p + {{ own.exp[1] }};
     p = p * r;
-    p = p + 0.4999999f;
+    p = p + {{ own.exp[0] }};
     p = p * r;
     p = p * r;
     p = p + r;

@@ -48,14 +48,10 @@ static uint64_t {{ prefix }}_multiply_high(uint64_t a, uint64_t b)
 static uint64_t {{ prefix }}_window(uint32_t bit)
 {
     /* The bits of 2/pi: 64 zeros, then those behind the binary point. */
-    static const uint32_t two_over_pi[39] = {
-        0x00000000U, 0x00000000U, 0xa2f9836eU, 0x4e441529U, 0xfc2757d1U, 0xf534ddc0U,
-        0xdb629599U, 0x3c439041U, 0xfe5163abU, 0xdebbc561U, 0xb7246e3aU, 0x424dd2e0U,
-        0x06492eeaU, 0x09d1921cU, 0xfe1deb1cU, 0xb129a73eU, 0xe88235f5U, 0x2ebb4484U,
-        0xe99c7026U, 0xb45f7e41U, 0x3991d639U, 0x835339f4U, 0x9c845f8bU, 0xbdf9283bU,
-        0x1ff897ffU, 0xde05980fU, 0xef2f118bU, 0x5a0a6d1fU, 0x6d367ecfU, 0x27cb09b7U,
-        0x4f463f66U, 0x9e5fea2dU, 0x7527bac7U, 0xebe5f17bU, 0x3d0739f7U, 0x8a5292eaU,
-        0x6bfb5fb1U, 0x1f8d5d08U, 0x56033046U
+    static const uint32_t two_over_pi[{{ own.two_over_pi.len() }}] = {
+{%- for line in own.two_over_pi.chunks(6) %}
+        {{ line.join(", ") }}{% if !loop.last %},{% endif %}
+{%- endfor %}
     };
 
     const uint32_t word = bit >> 5;
@@ -72,11 +68,9 @@ static uint64_t {{ prefix }}_circle(uint64_t magnitude, uint64_t offset)
 {
     static const double polynomial[2][7] = {
         /* sin r = r + r s P(s), s = r^2 */
-        {-0.16666666666666666, 0.0083333333333331, -0.00019841269841057126, 2.7557319129292577e-6, -2.505208597648223e-8,
-         1.6056249611106226e-10, -7.484908692307725e-13},
+        { {{- own.circle[0] -}} },
         /* cos r = 1 + 1 s P(s) */
-        {-0.5, 0.041666666666666595, -0.0013888888888873348, 2.480158728900809e-5, -2.755731421905481e-7,
-         2.087570568855178e-9, -1.1358764799839055e-11}
+        { {{- own.circle[1] -}} }
     };
 
     const uint64_t sign = (uint64_t)1U << 63;
@@ -106,7 +100,7 @@ static uint64_t {{ prefix }}_circle(uint64_t magnitude, uint64_t offset)
     const uint64_t distance_low = angle_low ^ negative;
 
     /* times pi/2, in units of 2^-125 radians */
-    const uint64_t half_pi = ((uint64_t)0xc90fdaa2U << 32) | 0x2168c234U;
+    const uint64_t half_pi = {{ own.half_pi }};
     const uint64_t radians_below = {{ prefix }}_multiply_high(distance_low, half_pi);
     const uint64_t radians_low = (distance_high * half_pi) + radians_below;
     const uint64_t radians_carry = (radians_low < radians_below) ? (uint64_t)1U : (uint64_t)0U;
@@ -196,8 +190,8 @@ static double {{ prefix }}_ln(double x)
     const double g = f + 2.0;
     const double s = f / g;
     const double w = s * s;
-    const double low = exponent * -1.7239444525614835e-13;
-    const double high = exponent * 0.6931471805601177;
+    const double low = exponent * {{ own.ln_2_low }};
+    const double high = exponent * {{ own.ln_2_high }};
 
     /* infinity and NaN stay, zeros and what is negative have values of their own */
     const uint64_t before = bits - 1U;
@@ -205,18 +199,18 @@ static double {{ prefix }}_ln(double x)
     const uint64_t zero = {{ prefix }}_mask((bits & (sign - 1U)) - 1U);
     const uint64_t signed_limit = bits | ({{ prefix }}_mask(bits) & not_a_number);
     const uint64_t limit = {{ prefix }}_choose(zero, minus_infinity, signed_limit);
-    double p = 0.14795705382583219 * w;
-    p = p + 0.15314080455230586;
+    double p = {{ own.ln[6] }} * w;
+    p = p + {{ own.ln[5] }};
     p = p * w;
-    p = p + 0.18183562917324905;
+    p = p + {{ own.ln[4] }};
     p = p * w;
-    p = p + 0.22222198605607052;
+    p = p + {{ own.ln[3] }};
     p = p * w;
-    p = p + 0.2857142874200941;
+    p = p + {{ own.ln[2] }};
     p = p * w;
-    p = p + 0.3999999999941674;
+    p = p + {{ own.ln[1] }};
     p = p * w;
-    p = p + 0.6666666666666734;
+    p = p + {{ own.ln[0] }};
     p = p * w;
     p = f - p;
     p = p * s;
@@ -243,11 +237,11 @@ static double {{ prefix }}_exp(double x)
     const double a = {{ prefix }}_double(limited | (bits & sign));
 
     /* x = n ln 2 + r; adding 1.5 * 2^52 leaves the nearest integer in the low bits */
-    const double quotient = a * 1.4426950408889634;
+    const double quotient = a * {{ own.log2_e }};
     const double sum = quotient + 6755399441055744.0;
     const double n = sum - 6755399441055744.0;
-    const double high = n * 0.6931471805601177;
-    const double low = n * -1.7239444525614835e-13;
+    const double high = n * {{ own.ln_2_high }};
+    const double low = n * {{ own.ln_2_low }};
     const double rest = a - high;
     const double r = rest - low;
 
@@ -257,24 +251,24 @@ static double {{ prefix }}_exp(double x)
     const double first = {{ prefix }}_double(half << 52);
     const double second = {{ prefix }}_double((biased - half) << 52);
     const uint64_t not_a_number = {{ prefix }}_mask(infinity - magnitude);
-    double p = 2.5004611754833166e-8 * r;
-    p = p + 2.763047317939756e-7;
+    double p = {{ own.exp[9] }} * r;
+    p = p + {{ own.exp[8] }};
     p = p * r;
-    p = p + 2.7557572053764215e-6;
+    p = p + {{ own.exp[7] }};
     p = p * r;
-    p = p + 2.480149241561441e-5;
+    p = p + {{ own.exp[6] }};
     p = p * r;
-    p = p + 0.00019841269522593547;
+    p = p + {{ own.exp[5] }};
     p = p * r;
-    p = p + 0.0013888888944362959;
+    p = p + {{ own.exp[4] }};
     p = p * r;
-    p = p + 0.008333333333487038;
+    p = p + {{ own.exp[3] }};
     p = p * r;
-    p = p + 0.041666666666526936;
+    p = p + {{ own.exp[2] }};
     p = p * r;
-    p = p + 0.16666666666666424;
+    p = p + {{ own.exp[1] }};
     p = p * r;
-    p = p + 0.5000000000000011;
+    p = p + {{ own.exp[0] }};
     p = p * r;
     p = p * r;
     p = p + r;

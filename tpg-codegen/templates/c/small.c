@@ -2,15 +2,15 @@
 static {{ scalar }} {{ prefix }}_run({{ scalar }} frame[], uint32_t program)
 {
     /* Instructions: operation, then the places of both operands. */
-    static const {{ code.kind }} code[{{ code.length }}] = {
-{%- for line in code.lines %}
-        {{ line }},
+    static const {{ code.kind }} code[{{ code.values.len() }}] = {
+{%- for line in code.values.chunks(12) %}
+        {{ line.join(", ") }},
 {%- endfor %}
     };
     /* Where each program begins, and where the last ends. */
-    static const {{ programs.kind }} programs[{{ programs.length }}] = {
-{%- for line in programs.lines %}
-        {{ line }},
+    static const {{ programs.kind }} programs[{{ programs.values.len() }}] = {
+{%- for line in programs.values.chunks(12) %}
+        {{ line.join(", ") }},
 {%- endfor %}
     };
     const uint32_t begin = programs[program];
@@ -26,16 +26,16 @@ static {{ scalar }} {{ prefix }}_run({{ scalar }} frame[], uint32_t program)
 {%- endif %}
 
 {% if let [case] = cases.as_slice() %}
-        result = {{ case.expression }};
+        result = {{ case.1 }};
 {%- else %}
         switch ((uint32_t)(instruction >> {{ operand_bits * 2 }})) {
 {%- for case in cases %}
 {%- if loop.last %}
         default:
 {%- else %}
-        case {{ case.number }}U:
+        case {{ case.0 }}U:
 {%- endif %}
-            result = {{ case.expression }};
+            result = {{ case.1 }};
             break;
 {%- endfor %}
         }
@@ -48,20 +48,20 @@ static {{ scalar }} {{ prefix }}_run({{ scalar }} frame[], uint32_t program)
 uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state)
 {
     /* The program of each edge, and where it leads: teams are numbered from 0, the root, and the actions follow them. */
-    static const {{ bidders.kind }} bidders[{{ bidders.length }}] = {
-{%- for line in bidders.lines %}
-        {{ line }},
+    static const {{ bidders.kind }} bidders[{{ bidders.values.len() }}] = {
+{%- for line in bidders.values.chunks(12) %}
+        {{ line.join(", ") }},
 {%- endfor %}
     };
-    static const {{ targets.kind }} targets[{{ targets.length }}] = {
-{%- for line in targets.lines %}
-        {{ line }},
+    static const {{ targets.kind }} targets[{{ targets.values.len() }}] = {
+{%- for line in targets.values.chunks(12) %}
+        {{ line.join(", ") }},
 {%- endfor %}
     };
     /* Where each team's edges begin, and where the last team's end. */
-    static const {{ teams.kind }} teams[{{ teams.length }}] = {
-{%- for line in teams.lines %}
-        {{ line }},
+    static const {{ teams.kind }} teams[{{ teams.values.len() }}] = {
+{%- for line in teams.values.chunks(12) %}
+        {{ line.join(", ") }},
 {%- endfor %}
     };
 {% if !constants.is_empty() %}

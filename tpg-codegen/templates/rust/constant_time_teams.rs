@@ -12,9 +12,12 @@
         // Where each team leads: teams are numbered from 0, the root, and the actions follow them.
 {%- for team in teams %}
         // Team {{ team.label }}
-        let best = ({{ team.first.key }}, {{ team.first.to }});
-{%- for edge in team.others %}
+{%- for edge in team.edges %}
+{%- if loop.first %}
+        let best = ({{ edge.key }}, {{ edge.to }});
+{%- else %}
         let best = ct.challenge(best, ({{ edge.key }}, {{ edge.to }}));
+{%- endif %}
 {%- endfor %}
         let t{{ team.number }} = best.1{% if vertex != "u32" %} as {{ vertex }}{% endif %};
 {%- endfor %}

@@ -18,7 +18,7 @@ use tpg_runtime::policy::{ActionId, Policy};
 ///
 /// It sees, one after another:
 {% for source in sources -%}
-/// - `s[{{ source.places }}]`: {{ source.name }}, {{ source.unit }}, {{ source.range }}
+/// - `s[{{ source.first }}..{{ source.end }}]`: {{ source.name }}, {{ source.unit }}, {{ source.range }}
 {% endfor -%}
 ///
 /// Values outside the ranges are legal, NaN and infinities too. It answers:

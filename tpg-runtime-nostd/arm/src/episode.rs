@@ -102,7 +102,7 @@ pub struct Episode<'a, S, D> {
     detector: D,
 }
 
-impl<'a, S: Lattice, D: CycleDetector> Episode<'a, S, D> {
+impl<'a, S: Lattice, D: CycleDetector<Pose>> Episode<'a, S, D> {
     /// Puts the arm at the problem's start.
     pub fn new(arm: &'a Arm<S>, problem: Problem<S>, mut detector: D) -> Self {
         detector.reset(problem.start);

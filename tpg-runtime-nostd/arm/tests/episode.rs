@@ -36,7 +36,7 @@ fn backwards(joint: u8) -> Move {
     Move::single(Joint(joint), -3)
 }
 
-fn run_with(detector: impl CycleDetector, problem: Problem<f64>, moves: &[Move]) -> (Summary<f64>, Vec<Pose>) {
+fn run_with(detector: impl CycleDetector<Pose>, problem: Problem<f64>, moves: &[Move]) -> (Summary<f64>, Vec<Pose>) {
     let mut poses = Vec::new();
     let script = Script { moves, next: Cell::new(0) };
     let summary = Episode::new(&WIDOWX, problem, detector).run(&script, |pose| poses.push(pose));

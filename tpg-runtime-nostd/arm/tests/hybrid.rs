@@ -230,7 +230,7 @@ proptest! {
             arm: &WIDOWX, tpg: Scrambled { seed, step: 3 }, sac: Scrambled { seed: !seed, step: 2 }, settings
         };
         let problem = Problem { max_actions: 300, ..PROBLEM };
-        fn first<D: CycleDetector>(
+        fn first<D: CycleDetector<Pose>>(
             hybrid: &Hybrid<'_, f64, Scrambled, Scrambled>, problem: Problem<f64>, detector: D
         ) -> (HybridSummary<f64>, u32) {
             let (mut acted, mut first) = (0, u32::MAX);

@@ -1,5 +1,12 @@
 /*
- * The runtime of learned robot-arm policies: kinematics, observation, episodes, generated policies, networks in integers.
+ * The runtime of learned policies, in two parts.
+ *
+ * For any problem: TPG_VERSION and tpg_version, the codes TPG_OK to TPG_MODEL_VERSION, and networks in integers: tpg_network_t
+ * and tpg_network_*. Graphs that tpg-codegen compiled need nothing of this library.
+ *
+ * For the arm, everything else: kinematics and steps (tpg_arm_*), observation (tpg_observe, tpg_observation_*, tpg_memo_*),
+ * generated policies and networks that drive it (tpg_policy_*, tpg_sac_*), two that share it (tpg_hybrid_*, tpg_switch_*),
+ * episodes (tpg_episode_*, tpg_hybrid_episode_*).
  *
  * Every function answers TPG_OK or says by a code why it did nothing. A pointer may be NULL or misaligned, which gives
  * TPG_NULL or TPG_MISALIGNED; otherwise it must point to as much memory as its type, and the length beside it, say.

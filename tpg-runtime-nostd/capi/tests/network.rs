@@ -8,7 +8,7 @@ use tempfile::TempDir;
 use tpg_codegen::emit::Prefix;
 use tpg_codegen::policy::{FloatLayer, FloatNetwork, FloatOutput, FloatValue, Input, to_c, to_words};
 use tpg_runtime::net::{Answer, Kind, Model, Squash};
-use xtask::library::{self, Missing};
+use tpg_testing::library::{self, Missing};
 
 /// A stream of numbers without a pattern.
 struct Numbers(u32);
@@ -77,7 +77,7 @@ fn c_answers_with_the_same_bits_as_rust_for_any_shape() {
         Err(Missing::Tool) => return,
         Err(Missing::Failed(message)) => panic!("{message}"),
     };
-    if !xtask::tool("gcc", "gcc", "networks of any shape in C") {
+    if !tpg_testing::tool("gcc", "gcc", "networks of any shape in C") {
         return;
     }
     let mut numbers = Numbers(5);

@@ -6,11 +6,11 @@ use tpg_runtime::policy::ActionId;
 /// The actions that a policy can take.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ActionSpace {
-    /// One of several named actions.
+    /// A choice among named actions.
     Discrete(Vec<ActionDocument>),
-    /// A value for each of several outputs.
+    /// A value for each output.
     Box(Vec<Output>),
-    /// One option of each of several choices.
+    /// A choice among named options, for several choices at once.
     MultiDiscrete(Vec<Choice>),
 }
 
@@ -19,11 +19,11 @@ pub enum ActionSpace {
 pub struct Output {
     /// Its name.
     pub name: String,
-    /// Its unit, for people.
+    /// Its unit, for human readers.
     pub unit: String,
-    /// The lowest value, finite.
+    /// Lowest value, finite.
     pub min: f64,
-    /// The highest value, finite and above the lowest.
+    /// Highest value, finite and above the lowest.
     pub max: f64,
 }
 
@@ -37,7 +37,7 @@ pub struct Choice {
 }
 
 impl ActionSpace {
-    /// Named actions without an effect that a graph would have to carry.
+    /// Creates a discrete space of named actions without effects.
     ///
     /// ```
     /// use tpg_engine::ActionSpace;
@@ -49,7 +49,7 @@ impl ActionSpace {
         Self::Discrete((0..).zip(names).map(action).collect())
     }
 
-    /// The number of named actions; `None` where actions are not a list of names.
+    /// Returns the number of named actions; `None` unless the space is discrete.
     pub fn count(&self) -> Option<usize> {
         match self {
             Self::Discrete(actions) => Some(actions.len()),
@@ -58,22 +58,22 @@ impl ActionSpace {
     }
 }
 
-/// An action, as a policy takes it.
+/// An action taken by a policy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Act<'a, S> {
     /// In a [`Discrete`](ActionSpace::Discrete) space: the action's number.
     Choice(ActionId),
     /// In a [`Box`](ActionSpace::Box): a value for each output, within its range.
     Values(&'a [S]),
-    /// In a [`MultiDiscrete`](ActionSpace::MultiDiscrete) space: an option of each choice.
+    /// In a [`MultiDiscrete`](ActionSpace::MultiDiscrete) space: one option for each choice.
     Choices(&'a [u16]),
 }
 
 impl<'a, S> Act<'a, S> {
-    /// The number of the action in a discrete space.
+    /// Returns the number of the action in a discrete space.
     ///
     /// # Panics
-    /// In any other space: the environment said that its actions are named.
+    /// In any other space: the environment declared named actions.
     pub fn choice(self) -> usize {
         match self {
             Self::Choice(ActionId(id)) => usize::from(id),
@@ -81,10 +81,10 @@ impl<'a, S> Act<'a, S> {
         }
     }
 
-    /// The values in a box.
+    /// Returns the values in a box space.
     ///
     /// # Panics
-    /// In any other space: the environment said that its actions are values.
+    /// In any other space: the environment declared outputs.
     pub fn values(self) -> &'a [S] {
         match self {
             Self::Values(values) => values,
@@ -92,10 +92,10 @@ impl<'a, S> Act<'a, S> {
         }
     }
 
-    /// The options in a space of several choices.
+    /// Returns the options in a space of several choices.
     ///
     /// # Panics
-    /// In any other space: the environment said that its actions are several choices.
+    /// In any other space: the environment declared several choices.
     pub fn choices(self) -> &'a [u16] {
         match self {
             Self::Choices(options) => options,

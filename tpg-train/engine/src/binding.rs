@@ -1,4 +1,4 @@
-//! A graph on an environment: which of its values the graph reads, and which of its actions the graph takes.
+//! Binding of a graph to an environment: maps the graph's sources and actions to those of the environment.
 
 use crate::environment::Environment;
 use crate::policy::{Destination, Edge, Line, Operand, Policy};
@@ -6,11 +6,12 @@ use tpg_graph::error::{InputError, Place};
 use tpg_graph::{Graph, Input};
 use tpg_runtime::scalar::Scalar;
 
-/// Turns a graph into a policy for an environment with named actions: sources and actions are found by name, in any order.
+/// Turns a graph into a policy for an environment with named actions. Sources and actions are matched by name, in any
+/// order.
 ///
 /// # Errors
-/// If the graph reads a source that the environment does not have, or takes an action that it does not know; `file` is
-/// what the error names.
+/// If the graph reads a source that the environment does not have, or takes an action that it does not know. `file` is
+/// the name shown in the error.
 pub fn bind<S: Scalar>(file: &str, graph: &Graph, environment: &impl Environment<S>) -> Result<Policy, InputError> {
     let refuse =
         |path: String, found: String, accepted: String| InputError::new(file, Place::Path(path), found, accepted);
@@ -47,7 +48,7 @@ pub fn bind<S: Scalar>(file: &str, graph: &Graph, environment: &impl Environment
     Ok(renumbered(Policy::from(graph), &places, &actions))
 }
 
-/// The same policy with other numbers for inputs and actions.
+/// Renumbers the inputs and actions of a policy.
 fn renumbered(policy: Policy, places: &[u16], actions: &[u16]) -> Policy {
     let operand = |operand: Operand| match operand {
         Operand::Input(input) => Operand::Input(places[Input(input).index()]),

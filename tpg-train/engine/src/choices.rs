@@ -1,4 +1,4 @@
-//! Any action space as a list of named actions, for policies that choose.
+//! Any action space as a list of named actions, for policies that choose among actions.
 
 use crate::action::{Act, ActionSpace, Output};
 use crate::ending::{End, Ending, Measure, Preference, Step};
@@ -8,7 +8,7 @@ use crate::source_set::SourceSet;
 use tpg_graph::{ActionDocument, Effect, SourceDocument};
 use tpg_runtime::scalar::Scalar;
 
-/// An environment whose actions are named: each output of a box takes one of a few evenly spaced levels, and every
+/// An environment whose actions are named. Each output of a box takes one of a few evenly spaced levels; every
 /// combination of outputs, or of the options of several choices, is one action.
 ///
 /// ```
@@ -47,7 +47,7 @@ pub struct Choices<S, E> {
     meaning: Meaning<S>,
 }
 
-/// The inner environment's action for each named one.
+/// The action of the inner environment for each named action.
 #[derive(Clone, Debug)]
 enum Meaning<S> {
     Same,
@@ -55,7 +55,7 @@ enum Meaning<S> {
     Options(Vec<Vec<u16>>),
 }
 
-/// An action space with more combinations than actions can have numbers.
+/// An action space with more combinations than there are action numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{found} combinations of actions; accepted: up to {MOST}")]
 pub struct TooManyActions {
@@ -63,17 +63,17 @@ pub struct TooManyActions {
     found: u128,
 }
 
-/// The effect that a graph carries for the levels of a box: the value of each output.
+/// Name of the effect that a graph carries for the levels of a box: the value of each output.
 const VALUES: &str = "values";
 
-/// The most actions: their numbers have 16 bits.
+/// Maximum number of actions: they are numbered in 16 bits.
 const MOST: u128 = 1 << 16;
 
 impl<S: Scalar, E: Environment<S>> Choices<S, E> {
     /// Names the actions of `environment`; each output of a box takes `levels` evenly spaced values, both ends included.
     ///
     /// # Errors
-    /// If there are more combinations than 65,536.
+    /// If there are more than 65,536 combinations.
     ///
     /// # Panics
     /// If `levels` is below 2.
@@ -117,13 +117,13 @@ impl<S: Scalar, E: Environment<S>> Choices<S, E> {
         Ok(Self { environment, actions, meaning })
     }
 
-    /// The environment behind the names.
+    /// Returns the inner environment.
     pub fn inner(&self) -> &E {
         &self.environment
     }
 }
 
-/// The value of one of `levels` evenly spaced levels.
+/// Returns the value of one of `levels` evenly spaced levels.
 fn level(output: &Output, at: u16, levels: u16) -> f64 {
     let share = f64::from(at) / f64::from(levels - 1);
     (output.min + share * (output.max - output.min)).clamp(output.min, output.max)
@@ -134,7 +134,7 @@ fn named(names: impl Iterator<Item = String>, effects: &[Effect]) -> Vec<ActionD
     (0..).zip(names).map(action).collect()
 }
 
-/// Every combination, the last place counting fastest.
+/// Returns every combination; the last position varies fastest.
 fn combinations(sizes: &[u16]) -> Result<Vec<Vec<u16>>, TooManyActions> {
     let found = sizes.iter().try_fold(1u128, |product, &size| product.checked_mul(size.into())).unwrap_or(u128::MAX);
     if found > MOST {

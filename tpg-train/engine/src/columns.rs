@@ -1,9 +1,9 @@
-//! The values of a plan's nodes: a column for each node, with one value for each lane.
+//! The values of a plan's nodes: one column per node, with one value per lane.
 //!
-//! A column is a whole number of blocks, and every loop runs over whole blocks: what stands in lanes beyond the last is
-//! computed along and never read. Nothing is fused or reordered: the same bits as one lane at a time. What is marked
-//! `inline(always)` here becomes part of [`Decider::decide`](super::decide::Decider::decide), which is compiled for the
-//! widest vectors that the processor has.
+//! A column is a whole number of blocks, and every loop runs over whole blocks: lanes beyond the last are computed as
+//! well and never read. Nothing is fused or reordered, so the bits are the same as for one lane at a time. Functions
+//! marked `inline(always)` are inlined into [`Decider::decide`](super::decide::Decider::decide), which is compiled for
+//! the widest vectors of the processor.
 
 use crate::nodes::{Node, NodeId, NodeSet};
 use crate::plan::Plan;
@@ -12,15 +12,15 @@ use std::marker::PhantomData;
 use tpg_runtime::ops::{Instruction, Maths};
 use tpg_runtime::scalar::Scalar;
 
-/// The values of a plan's nodes, in every lane.
+/// The values of a plan's nodes in every lane.
 #[derive(Debug)]
 pub(super) struct Columns<S, M> {
-    /// Blocks of a column.
+    /// Number of blocks in a column.
     blocks: usize,
     values: Vec<Block<S>>,
-    /// The operations whose columns are those of the state that is shown.
+    /// Operations whose columns are up to date for the current state.
     fresh: NodeSet,
-    /// The operations that only a new episode changes.
+    /// Operations that change only with the episode.
     lasting: NodeSet,
     maths: PhantomData<M>,
 }
@@ -36,7 +36,8 @@ impl<S: Scalar, M: Maths<S>> Columns<S, M> {
         }
     }
 
-    /// Makes room for a plan's nodes, and fills its constants in. Inputs in `constant` change with the episode only.
+    /// Allocates columns for a plan's nodes and fills in its constants. The inputs in `constant` change only with the
+    /// episode.
     pub(super) fn prepare(&mut self, plan: &Plan<S>, constant: &[u16]) {
         self.values.clear();
         self.values.resize(plan.nodes.len() * self.blocks, [S::ZERO; BLOCK]);
@@ -60,18 +61,18 @@ impl<S: Scalar, M: Maths<S>> Columns<S, M> {
         }
     }
 
-    /// Another state is shown: from here on what was computed is old, but for what follows from the episode alone.
+    /// Marks all columns as stale for the next state, except those that depend on the episode alone.
     #[inline(always)]
     pub(super) fn next_step(&mut self) {
         self.fresh.keep(&self.lasting);
     }
 
-    /// In some lane another episode is shown: all that was computed is old.
+    /// Marks all columns as stale because some lane starts another episode.
     pub(super) fn forget(&mut self) {
         self.fresh.clear();
     }
 
-    /// Where the values of the flat state go; `places` are those of their nodes.
+    /// Returns the columns for the flat state; `places` maps its values to their nodes.
     pub(super) fn view<'a>(&'a mut self, places: &'a [u32]) -> View<'a, S> {
         View { columns: &mut self.values, blocks: self.blocks, places }
     }
@@ -81,13 +82,14 @@ impl<S: Scalar, M: Maths<S>> Columns<S, M> {
         self.values[node.index() * self.blocks + lane / BLOCK][lane % BLOCK]
     }
 
-    /// A node's values, block by block.
+    /// Returns a node's values, block by block.
     #[inline(always)]
     pub(super) fn column(&self, node: NodeId) -> &[Block<S>] {
         &self.values[node.index() * self.blocks..][..self.blocks]
     }
 
-    /// Computes what is needed and not fresh, in the first `lanes` lanes. Every operand of what is needed is needed too.
+    /// Computes the needed nodes that are stale in the first `lanes` lanes. The operands of a needed node are also in
+    /// `needs`.
     #[inline(always)]
     pub(super) fn compute(&mut self, plan: &Plan<S>, needs: &NodeSet, lanes: usize) {
         let Self { blocks, values, fresh, .. } = self;
@@ -101,7 +103,7 @@ impl<S: Scalar, M: Maths<S>> Columns<S, M> {
                 let a = &before[a.index() * *blocks..][..used];
                 let b = &before[b.index() * *blocks..][..used];
                 match (lanes, a, b, &mut from[..used]) {
-                    // One value is sooner computed than a block of them.
+                    // A single lane is cheaper to compute as a scalar than as a block.
                     (1, [a], [b], [to]) => to[0] = instruction.apply::<S, M>(a[0], b[0]),
                     (_, a, b, to) => compute_column::<S, M>(instruction, [a, b], to),
                 }
@@ -109,7 +111,7 @@ impl<S: Scalar, M: Maths<S>> Columns<S, M> {
         );
     }
 
-    /// A node's value in one lane, computed for it alone where it is not fresh.
+    /// Returns a node's value in one lane, computing it for that lane alone if its column is stale.
     pub(super) fn value(&self, plan: &Plan<S>, node: NodeId, lane: usize) -> S {
         match plan.nodes[node.index()] {
             Node::Operation(instruction, a, b) if !self.fresh.contains(node) => {
@@ -122,10 +124,10 @@ impl<S: Scalar, M: Maths<S>> Columns<S, M> {
     }
 }
 
-/// One loop for each instruction, so that none has to look at it again.
+/// Dispatches once per instruction, so that the loops do not test it again.
 ///
-/// The shape of the loops is the compiler's: short bodies over single values (of nested loops it would unroll the inner
-/// one and turn the outer one into gathers), long ones block by block (they get no remainder that goes value by value).
+/// The shape of the loops suits the compiler. Short bodies loop over single values (it would unroll the inner of two
+/// nested loops and turn the outer one into gathers); long bodies loop over blocks (which leaves no scalar remainder).
 #[inline(always)]
 fn compute_column<S: Scalar, M: Maths<S>>(instruction: Instruction, [a, b]: [&[Block<S>]; 2], to: &mut [Block<S>]) {
     macro_rules! loops {

@@ -1,13 +1,13 @@
-//! From the root to an action, in every lane at once.
+//! The walk from the root to an action, in all lanes at once.
 //!
-//! Each lane is at a place: a team at first, an action in the end. Teams are visited in an order in which edges lead
-//! forwards, and move the lanes that are with them. A team first asks its eager edges. A bid that is bounded (a sine is at
-//! most 1) and costs a transcendental function is *lazy*: it is computed only in the lanes where it could still win, which
-//! are few, because most best bids are millimetres or ticks. The winner is the same: the highest bid, of equal ones the
+//! Each lane is at a place: first at a team, finally at an action. Teams are visited in topological order and move the
+//! lanes that are at them. A team first evaluates its eager edges. A bid that is bounded (a sine is at most 1) and
+//! needs a transcendental function is *lazy*: it is computed only in the lanes where it could still win. These are few
+//! because most best bids are millimetres or ticks. The winner is the same: the highest bid, and among equal bids the
 //! last edge.
 //!
-//! Everything from [`Decider::decide`] on is one function, compiled for each width of vectors; its loops have masks for
-//! conditions, which the compiler would make branches of.
+//! Everything from [`Decider::decide`] on is one function, compiled for each vector width; its loops use masks instead
+//! of conditions, which the compiler would turn into branches.
 
 use crate::columns::Columns;
 use crate::plan::{Code, LazyEdge, Plan, PlannedTeam};
@@ -17,24 +17,24 @@ use tpg_runtime::ops::{self, Maths};
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
 
-/// Up to one lane in so many, lanes are handled one by one.
+/// If at most 1 in `SPARSE` lanes is active, lanes are processed individually.
 const SPARSE: usize = 16;
-/// The same for the nodes of a lazy bid.
+/// The same threshold for the nodes of a lazy bid.
 const SPARSE_NODES: usize = 6;
-/// The place of lanes that are not used.
+/// Place of unused lanes.
 const NOWHERE: u32 = u32::MAX;
 
-/// Memory for decisions.
+/// Buffers for decisions.
 #[derive(Debug)]
 pub(super) struct Decider<S> {
-    /// Where each lane is, as [`Code::to`] counts places.
+    /// Place of each lane, numbered as in [`Code::to`].
     at: Vec<Block<u32>>,
-    /// Teams that lanes may be at.
+    /// Teams that lanes may have reached.
     reached: Vec<bool>,
-    /// The best bid so far in each lane, and the code of the edge that made it.
+    /// Best bid so far in each lane, and the code of its edge.
     best: Vec<Block<S>>,
     winner: Vec<Block<u32>>,
-    /// All ones in the lanes in which a lazy bid could win.
+    /// All ones in the lanes where a lazy bid could win.
     open: Vec<Block<u32>>,
     actions: Vec<ActionId>,
     arch: Arch,
@@ -76,7 +76,7 @@ impl<S: Scalar> Decider<S> {
         self.reached.resize(plan.teams.len(), false);
     }
 
-    /// The actions of the first `all` lanes.
+    /// Returns the actions of the first `all` lanes.
     pub(super) fn decide<M: Maths<S>>(
         &mut self,
         plan: &Plan<S>,
@@ -130,7 +130,7 @@ impl<S: Scalar> Decider<S> {
         }
     }
 
-    /// The winner of the eager edges in every lane, wanted or not.
+    /// Finds the winner among the eager edges in every lane, whether the lane is at the team or not.
     #[inline(always)]
     fn ask_all<M: Maths<S>>(&mut self, team: &PlannedTeam<S>, columns: &Columns<S, M>, used: usize) {
         for (block, (to_best, to_winner)) in self.best[..used].iter_mut().zip(&mut self.winner[..used]).enumerate() {
@@ -139,7 +139,7 @@ impl<S: Scalar> Decider<S> {
             for edge in &team.eager {
                 let mut wins = [0; BLOCK];
                 for ((best, wins), &bid) in best.iter_mut().zip(&mut wins).zip(&columns.column(edge.bid)[block]) {
-                    // As `ops::bid`: a NaN is not above −∞.
+                    // As `ops::bid`: NaN is not above −∞.
                     let bid = ops::max(bid, S::NEG_INFINITY);
                     *wins = all_ones(bid >= *best);
                     *best = ops::max(bid, *best);
@@ -152,7 +152,7 @@ impl<S: Scalar> Decider<S> {
         }
     }
 
-    /// A lazy edge, in the team's lanes where it can win.
+    /// Evaluates a lazy edge in those lanes of the team where it can win.
     #[inline(always)]
     fn ask_lazy<M: Maths<S>>(
         &mut self,
@@ -186,7 +186,7 @@ impl<S: Scalar> Decider<S> {
     }
 }
 
-/// The winning edge in one lane.
+/// Returns the winning edge in one lane.
 #[inline(always)]
 fn ask_one<S: Scalar, M: Maths<S>>(
     plan: &Plan<S>,
@@ -213,13 +213,13 @@ fn ask_one<S: Scalar, M: Maths<S>>(
     winner
 }
 
-/// Whether a bid beats the best one so far: it is higher, or equal and of a later edge.
+/// True if a bid beats the best one so far: it is higher, or equal and of a later edge.
 #[inline(always)]
 fn could_win<S: Scalar>(bid: S, edge: Code, best: S, winner: Code) -> bool {
     (bid > best) | ((bid == best) & (edge >= winner))
 }
 
-/// A mask.
+/// Converts a condition to a mask.
 #[inline(always)]
 fn all_ones(condition: bool) -> u32 {
     u32::from(condition).wrapping_neg()

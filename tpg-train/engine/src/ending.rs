@@ -1,4 +1,4 @@
-//! Rewards and ends of episodes.
+//! Rewards and episode endings.
 
 use serde::{Deserialize, Serialize};
 use std::cmp::Ordering;
@@ -8,62 +8,62 @@ use std::cmp::Ordering;
 pub struct Step {
     /// The reward; an episode's score is the sum of its rewards.
     pub reward: f64,
-    /// The number of elementary steps that the action took, 1 or more: a problem may repeat an action. A discount counts
-    /// them.
+    /// Number of elementary steps that the action took, at least 1: a problem may repeat an action. Discounting counts
+    /// these steps.
     pub repeats: u32,
-    /// The end of the episode, if the action ended it.
+    /// End of the episode, if the action ended it.
     pub end: Option<End>,
 }
 
 impl Step {
-    /// A step that earns `reward`, after which the episode goes on.
+    /// Creates a step that earns `reward` and continues the episode.
     pub const fn reward(reward: f64) -> Self {
         Self { reward, repeats: 1, end: None }
     }
 
-    /// The same step, which ends the episode.
+    /// Returns the same step, but ending the episode.
     #[must_use]
     pub const fn ending(self, end: End) -> Self {
         Self { end: Some(end), ..self }
     }
 }
 
-/// The end of an episode, as the environment says it.
+/// The end of an episode as reported by the environment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct End {
-    /// The place in [`Environment::outcomes`](crate::Environment::outcomes).
+    /// Index into [`Environment::outcomes`](crate::Environment::outcomes).
     pub outcome: u8,
-    /// Whether the task was solved; `None` where the problem knows no success.
+    /// True if the task was solved; `None` if the problem does not define success.
     pub success: Option<bool>,
-    /// The value of [`Environment::measure`](crate::Environment::measure); 0 where there is none.
+    /// Value of [`Environment::measure`](crate::Environment::measure); 0 if there is none.
     pub measure: f64,
-    /// Whether the episode was cut off although it could have gone on: its last state then still has a value.
+    /// True if the episode was cut off although it could have gone on: its last state then still has a value.
     pub truncated: bool,
 }
 
 impl End {
-    /// An end that is neither success nor failure.
+    /// Creates an end that is neither success nor failure.
     pub const fn new(outcome: u8) -> Self {
         Self { outcome, success: None, measure: 0.0, truncated: false }
     }
 }
 
-/// An episode that has ended.
+/// The result of a finished episode.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Ending {
-    /// The place in [`Environment::outcomes`](crate::Environment::outcomes).
+    /// Index into [`Environment::outcomes`](crate::Environment::outcomes).
     pub outcome: u8,
-    /// Whether the task was solved; `None` where the problem knows no success.
+    /// True if the task was solved; `None` if the problem does not define success.
     pub success: Option<bool>,
-    /// The sum of the rewards.
+    /// Sum of the rewards.
     pub score: f64,
-    /// The value of [`Environment::measure`](crate::Environment::measure); 0 where there is none.
+    /// Value of [`Environment::measure`](crate::Environment::measure); 0 if there is none.
     pub measure: f64,
-    /// The number of actions, the last one included.
+    /// Number of actions, including the last one.
     pub actions: u32,
 }
 
-/// A quantity beside the score.
+/// A quantity reported in addition to the score.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Measure {
     /// Its name, as reports print it: "distance".
@@ -72,33 +72,43 @@ pub struct Measure {
     pub unit: &'static str,
 }
 
-/// The order of policies on a problem.
+/// Criterion by which policies are ranked on a problem.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Preference {
-    /// The higher mean score.
+    /// Higher mean score.
     #[default]
     Score,
-    /// The higher success rate; of equal rates the higher mean score.
+    /// Higher success rate; ties are broken by the higher mean score.
     Success,
 }
 
-/// The result of a policy on several episodes.
+/// Result of a policy on several episodes.
+///
+/// ```
+/// use std::cmp::Ordering;
+/// use tpg_engine::{Ending, Preference, Summary};
+///
+/// let ending = |score| Ending { outcome: 0, success: None, score, measure: 0.0, actions: 10 };
+/// let (good, bad) = (Summary::of(&[ending(4.0), ending(6.0)]), Summary::of(&[ending(4.0), ending(1.0)]));
+/// assert_eq!((good.score, good.success, good.actions), (5.0, None, 10.0));
+/// assert_eq!(good.compare(&bad, Preference::Score), Ordering::Greater);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
-    /// The number of episodes.
+    /// Number of episodes.
     pub episodes: usize,
-    /// The mean score.
+    /// Mean score.
     pub score: f64,
-    /// The fraction of successes, 0 to 1; `None` where the problem knows no success.
+    /// Fraction of successes, 0 to 1; `None` if the problem does not define success.
     pub success: Option<f64>,
-    /// The mean of [`Ending::measure`].
+    /// Mean of [`Ending::measure`].
     pub measure: f64,
-    /// The mean number of actions.
+    /// Mean number of actions.
     pub actions: f64,
 }
 
 impl Summary {
-    /// The means over `endings`; NaN scores count as the worst, and every score is held within ±10³⁰.
+    /// Averages `endings`; NaN scores count as the worst, and every score is clamped to ±10³⁰.
     pub fn of(endings: &[Ending]) -> Self {
         let mean =
             |value: &dyn Fn(&Ending) -> f64| endings.iter().map(value).sum::<f64>() / endings.len().max(1) as f64;
@@ -113,7 +123,7 @@ impl Summary {
         }
     }
 
-    /// The order of two results on a problem: the greater one is better.
+    /// Compares two results on a problem: the greater one is better.
     pub fn compare(&self, other: &Self, preference: Preference) -> Ordering {
         let by_score = self.score.total_cmp(&other.score);
         match preference {
@@ -123,7 +133,7 @@ impl Summary {
     }
 }
 
-/// A score that can enter a mean: neither infinite nor NaN.
+/// Clamps a score so that it can enter a mean: the result is neither infinite nor NaN.
 pub fn finite(score: f64) -> f64 {
     if score.is_nan() { -1e30 } else { score.clamp(-1e30, 1e30) }
 }

@@ -1,4 +1,4 @@
-//! The contract between a problem and everything that trains or tries policies on it.
+//! The contract between a problem and everything that trains or evaluates policies on it.
 
 use crate::action::{Act, ActionSpace};
 use crate::ending::{End, Ending, Measure, Preference, Step};
@@ -11,18 +11,18 @@ use std::fmt::Debug;
 use tpg_graph::SourceDocument;
 use tpg_runtime::scalar::Scalar;
 
-/// A problem that policies are trained on: evolution, soft actor-critic, evaluation and reports all use it through this
-/// trait and know nothing else about it.
+/// A problem that policies are trained on. Evolution, soft actor-critic, evaluation and reports use it only through
+/// this trait.
 ///
-/// The rules must be deterministic: all chance lies in [`draw`](Self::draw). An episode's score is the sum of its rewards,
-/// in the problem's own unit; higher is better.
+/// The rules must be deterministic: all randomness comes from [`draw`](Self::draw). An episode's score is the sum of
+/// its rewards, in the problem's own unit; higher is better.
 ///
 /// ```
 /// use tpg_engine::random::Stream;
 /// use tpg_engine::{Act, ActionSpace, Environment, SourceSet, Step};
 /// use tpg_graph::SourceDocument;
 ///
-/// /// A cart on rails that is to stand still at 0: it is pushed to the left or to the right.
+/// /// A cart on rails that should come to rest at 0: it is pushed to the left or to the right.
 /// struct Cart;
 ///
 /// impl Environment<f32> for Cart {
@@ -56,19 +56,20 @@ use tpg_runtime::scalar::Scalar;
 /// # assert_eq!(Environment::<f32>::outcomes(&Cart), ["ended", "time limit"]);
 /// ```
 pub trait Environment<S: Scalar>: Sync {
-    /// The drawn part of an episode: a start, a target. Drawn once, then given to every policy.
+    /// The random part of an episode, such as a start or a target. Drawn once, then given to every policy.
     type Task: Clone + Debug + PartialEq + Serialize + DeserializeOwned + Send + Sync;
-    /// An episode under way.
+    /// A running episode.
     type Episode: Send;
 
-    /// The data sources that a policy can read, in the order of the flat state; at most 64. An end of a range may be
-    /// infinite where it is not known: it is then learned from visited states.
+    /// Returns the data sources that a policy can read, in the order of the flat state; at most 64. An unknown end of a
+    /// range may be infinite; it is then estimated from visited states.
     fn sources(&self) -> Vec<SourceDocument>;
 
-    /// The actions that a policy can take.
+    /// Returns the actions that a policy can take.
     fn actions(&self) -> ActionSpace;
 
-    /// The most actions of an episode. The engine ends a longer one by [`timeout`](Self::timeout).
+    /// Returns the maximum number of actions in an episode. The engine ends a longer one with
+    /// [`timeout`](Self::timeout).
     fn time_limit(&self) -> u32;
 
     /// Draws a task.
@@ -79,41 +80,41 @@ pub trait Environment<S: Scalar>: Sync {
 
     /// Writes the values of the wanted sources to their places in the flat state.
     ///
-    /// The episode is mutable so that it can keep what it computed; what it shows must not depend on that.
+    /// The episode is mutable so that it can cache results; the observed values must not depend on that.
     fn observe(&self, episode: &mut Self::Episode, wanted: SourceSet, state: &mut [S]);
 
-    /// Takes one action; the step says what it earned, and how the episode ended if it did.
+    /// Takes one action. The returned step states the reward and, if the episode ended, how.
     fn step(&self, episode: &mut Self::Episode, act: Act<'_, S>) -> Step;
 
-    /// The ways in which an episode can end, by [`End::outcome`].
+    /// Returns the names of the ways in which an episode can end, indexed by [`End::outcome`].
     fn outcomes(&self) -> &'static [&'static str] {
         &["ended", "time limit"]
     }
 
-    /// The end of an episode that has reached the [time limit](Self::time_limit); by default the last of the outcomes,
-    /// neither success nor failure.
+    /// Returns the end of an episode that has reached the [time limit](Self::time_limit); by default the last of the
+    /// outcomes, neither success nor failure.
     fn timeout(&self, _episode: &Self::Episode) -> End {
         End { truncated: true, ..End::new(self.outcomes().len().saturating_sub(1) as u8) }
     }
 
-    /// A quantity beside the score that is worth reporting at the end of an episode: [`End::measure`].
+    /// Returns the quantity reported at the end of an episode in addition to the score: [`End::measure`].
     fn measure(&self) -> Option<Measure> {
         None
     }
 
-    /// The order of policies on this problem: by mean score unless it says otherwise.
+    /// Returns the criterion by which policies are ranked on this problem; by default the mean score.
     fn preference(&self) -> Preference {
         Preference::Score
     }
 
-    /// The same task in rougher steps, `factor` times as large; the default knows no rougher ones.
+    /// Returns the same task in coarser steps, `factor` times as large; by default the task itself.
     ///
-    /// A curriculum begins with them: episodes are shorter by about that factor.
+    /// A curriculum begins with coarse steps, which shorten episodes by about that factor.
     fn rougher(&self, task: Self::Task, _factor: u8) -> Self::Task {
         task
     }
 
-    /// The tasks that choose between trained policies: the same for every run, and never among those that train.
+    /// Returns the tasks used to choose between trained policies: the same for every run, and never used in training.
     fn validation_tasks(&self, count: usize) -> Vec<Self::Task> {
         (0..count as u64).map(|index| self.draw(&mut Stream::new(0, 0, Purpose::Selection, index))).collect()
     }
@@ -126,25 +127,25 @@ pub trait Environment<S: Scalar>: Sync {
 
     /// A task that begins where an episode is now; `None`, the default, where the problem has no such task.
     ///
-    /// With it, training can begin again where a policy failed.
+    /// With it, training can restart where a policy failed.
     fn task_from(&self, _episode: &Self::Episode) -> Option<Self::Task> {
         None
     }
 
-    /// The values of the flat state that stay the same from an episode's start to its end; none by default.
+    /// Returns the values of the flat state that are constant throughout an episode; none by default.
     ///
-    /// Values that programs compute from them alone are computed once an episode.
+    /// Values that programs compute from these alone are computed once per episode.
     fn constants(&self) -> Vec<u16> {
         Vec::new()
     }
 
-    /// The place of a source, the last one, that holds upper bounds for the bids of the first actions, in their order;
-    /// programs cannot read it. `None`, the default, where bids are free.
+    /// Returns the index of a source, which must be the last one, that holds upper bounds for the bids of the first
+    /// actions, in order; programs cannot read it. `None`, the default, if bids are unbounded.
     fn bid_bounds(&self) -> Option<usize> {
         None
     }
 
-    /// Episodes side by side; the default steps one after the other.
+    /// Creates parallel episodes; the default steps them one after another.
     fn lanes(&self) -> Box<dyn Episodes<S, Self::Task> + '_>
     where
         Self: Sized,
@@ -152,15 +153,16 @@ pub trait Environment<S: Scalar>: Sync {
         Box::new(OneByOne::new(self))
     }
 
-    /// A number that is equal at two moments of an episode exactly when everything but the time is equal there.
+    /// Returns a number that is equal at two moments of an episode exactly if everything except the time is equal.
     ///
-    /// Graphs are memoryless, so from such a moment on everything repeats: the engine then ends the episode at its
-    /// first repeat, by [`cycle`](Self::cycle). `None`, the default, where the problem does not want that.
+    /// Graphs are memoryless, so from a repeated moment on everything repeats: the engine then ends the episode at its
+    /// first repeat with [`cycle`](Self::cycle). `None`, the default, disables this.
     fn key(&self, _episode: &Self::Episode) -> Option<u64> {
         None
     }
 
-    /// The ending of an episode that came back to `key` at action number `actions`. `None`, the default: it goes on.
+    /// Returns the ending of an episode that came back to `key` at action number `actions`. `None`, the default: it
+    /// goes on.
     fn cycle(&self, _episode: &Self::Episode, _key: u64, _actions: u32) -> Option<Ending> {
         None
     }

@@ -1,35 +1,36 @@
-//! Episodes side by side: what the lanes need of an environment, all at once.
+//! Parallel episodes: the interface between lanes and an environment.
 
 use crate::ending::Ending;
-use crate::evaluator::EvaluationError;
+use crate::error::EvaluationError;
 use crate::source_set::SourceSet;
 use crate::view::View;
 use tpg_runtime::policy::ActionId;
 
-/// Some episodes of an environment, one in each lane.
+/// Parallel episodes of an environment, one in each lane.
 ///
-/// [`Environment::lanes`](crate::Environment::lanes) makes them. By default each lane has an episode of its own and they
-/// take turns; an environment for which that is too slow can do all lanes at once instead, with the same answers. Policies
-/// of lanes choose among named actions.
+/// Created by [`Environment::lanes`](crate::Environment::lanes). By default each lane has an episode of its own, and
+/// they are stepped one after another; an environment for which that is too slow can step all lanes at once, with the
+/// same results. Policies in lanes choose among named actions.
 ///
 /// # Errors
-/// Episodes that run elsewhere, in another language say, can fail: the error ends the evaluation and arrives as itself.
+/// Episodes that run elsewhere, for example in another language, can fail: the error ends the evaluation and is
+/// returned unchanged.
 pub trait Episodes<S, Task> {
-    /// Starts an episode: in a lane that there is already, or in the next one.
+    /// Starts an episode in an existing lane, or in the next new one.
     fn begin(&mut self, lane: usize, task: &Task) -> Result<(), EvaluationError>;
 
-    /// Does one action in each lane; adds the lanes whose episode it ended, ascending.
+    /// Takes one action in each lane; appends the lanes whose episode ended, in ascending order.
     fn step(&mut self, actions: &[ActionId], ended: &mut Vec<(usize, Ending)>) -> Result<(), EvaluationError>;
 
-    /// [`Environment::key`](crate::Environment::key) of each lane; empty where the problem has none.
+    /// Returns [`Environment::key`](crate::Environment::key) of each lane; empty if the problem has none.
     fn keys(&self) -> &[u64];
 
-    /// [`Environment::cycle`](crate::Environment::cycle) in a lane.
+    /// Returns [`Environment::cycle`](crate::Environment::cycle) of a lane.
     fn cycle(&self, lane: usize, key: u64, actions: u32) -> Option<Ending>;
 
-    /// Writes what each lane's policy sees.
+    /// Writes the observation of each lane's policy.
     fn observe(&mut self, wanted: SourceSet, view: &mut View<'_, S>) -> Result<(), EvaluationError>;
 
-    /// The last lane's episode moves to `lane`, whose own is over.
+    /// Moves the last lane's episode to `lane`, whose own episode is over.
     fn close_up(&mut self, lane: usize);
 }

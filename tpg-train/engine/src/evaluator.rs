@@ -1,8 +1,9 @@
-//! Where roots are evaluated: behind a trait, so that evolution never knows.
+//! Evaluation of roots behind a trait, so that evolution does not depend on where it runs.
 
 use crate::action::Act;
 use crate::ending::Ending;
 use crate::environment::Environment;
+use crate::error::EvaluationError;
 use crate::lanes::Lanes;
 use crate::options::Options;
 use crate::plan::Plan;
@@ -10,31 +11,29 @@ use crate::policy::Policy;
 use crate::source_set::SourceSet;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
-use std::error::Error;
-use std::fmt;
 use std::marker::PhantomData;
 use std::sync::atomic::{AtomicU64, Ordering};
 use tpg_graph::SourceDocument;
 use tpg_runtime::ops::Maths;
 use tpg_runtime::scalar::Scalar;
 
-/// The address of a unit of work.
+/// The identity of a unit of work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub struct UnitKey {
-    /// The run's seed.
+    /// Seed of the run.
     pub seed: u64,
-    /// The generation.
+    /// Generation.
     pub generation: u64,
-    /// The root's number, unique in its run.
+    /// Number of the root, unique in its run.
     pub root: u64,
 }
 
-/// One root to be evaluated: everything about it that the evaluation needs.
+/// A root to evaluate, with everything that its evaluation needs.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct WorkUnit {
-    /// Who asks.
+    /// Identity of the requested evaluation.
     pub key: UnitKey,
-    /// What is evaluated.
+    /// Policy to evaluate.
     pub policy: Policy,
 }
 
@@ -47,78 +46,89 @@ pub struct Work<Task> {
     pub units: Vec<WorkUnit>,
 }
 
-/// How a root did.
+/// Result of a root.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Answer {
-    /// The unit's address.
+    /// Identity of the unit.
     pub key: UnitKey,
     /// One ending for each task, in order.
     pub endings: Vec<Ending>,
 }
 
-/// A state to look at: the one that a policy sees after some of its actions on a task.
+/// States to record: those that a policy sees after given numbers of actions on a task.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Visit<Task> {
     /// The policy that acts.
     pub policy: Policy,
     /// The task.
     pub task: Task,
-    /// The numbers of actions after which the state is recorded, ascending; each below the number of actions of the
+    /// Numbers of actions after which the state is recorded, ascending; each below the number of actions of the
     /// episode.
     pub after: Vec<u32>,
 }
 
-/// An evaluation that could not be done: a lost machine, an exception in a user's environment.
-#[derive(Debug)]
-pub struct EvaluationError(Box<dyn Error + Send + Sync>);
-
-impl EvaluationError {
-    /// Wraps an error or a message.
-    pub fn new(error: impl Into<Box<dyn Error + Send + Sync>>) -> Self {
-        Self(error.into())
-    }
-
-    /// The error itself, so that whoever raised it can have it back.
-    pub fn into_inner(self) -> Box<dyn Error + Send + Sync> {
-        self.0
-    }
-}
-
-impl fmt::Display for EvaluationError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the episodes could not be run: {}", self.0)
-    }
-}
-
-impl Error for EvaluationError {
-    fn source(&self) -> Option<&(dyn Error + 'static)> {
-        Some(&*self.0)
-    }
-}
-
-/// Where roots are evaluated.
+/// A place where roots are evaluated.
 ///
-/// An answer depends on its unit and the tasks alone. Evolution asks once a generation and waits.
+/// An answer depends only on its unit and the tasks. Evolution calls once per generation and waits for the result.
 pub trait Evaluator<Task> {
-    /// One answer for each unit, in the order of the units.
+    /// Returns one answer for each unit, in the order of the units.
     ///
     /// # Errors
-    /// If an answer cannot be had.
+    /// If an answer cannot be obtained.
     fn evaluate(&self, work: &Work<Task>) -> Result<Vec<Answer>, EvaluationError>;
 
-    /// The flat states of each visit, one for each of its numbers of actions.
+    /// Returns the flat states of each visit, one for each of its numbers of actions.
     ///
     /// # Errors
-    /// If a state cannot be had.
+    /// If a state cannot be obtained.
     fn visit(&self, visits: &[Visit<Task>]) -> Result<Vec<Vec<Vec<f64>>>, EvaluationError>;
 
-    /// Environment steps done so far, for the log's steps per second; 0 where nobody counts.
+    /// Returns the number of environment steps so far, for the log's steps per second; 0 if they are not counted.
     fn steps(&self) -> u64 {
         0
     }
 }
 
-/// The threads of this machine.
+/// Evaluation on the threads of this machine.
+///
+/// ```
+/// use tpg_engine::{Destination, Edge, Environment, Evaluator, LocalThreads, Options, Policy, UnitKey, Work, WorkUnit};
+/// use tpg_runtime::ops::Own;
+/// # use tpg_engine::random::Stream;
+/// # use tpg_engine::{Act, ActionSpace, SourceSet, Step};
+/// # use tpg_graph::SourceDocument;
+/// # struct Counter;
+/// # impl Environment<f32> for Counter {
+/// #     type Task = f32;
+/// #     type Episode = f32;
+/// #     fn sources(&self) -> Vec<SourceDocument> {
+/// #         vec![SourceDocument { name: "count".into(), length: 1, unit: "1".into(), ranges: vec![[0.0, 9.0]] }]
+/// #     }
+/// #     fn actions(&self) -> ActionSpace { ActionSpace::discrete(["down", "up"]) }
+/// #     fn time_limit(&self) -> u32 { 5 }
+/// #     fn draw(&self, _: &mut Stream) -> f32 { 0.0 }
+/// #     fn start(&self, task: &f32) -> f32 { *task }
+/// #     fn observe(&self, count: &mut f32, _: SourceSet, state: &mut [f32]) { state[0] = *count; }
+/// #     fn step(&self, count: &mut f32, act: Act<'_, f32>) -> Step {
+/// #         let change = if act.choice() == 1 { 1.0 } else { -1.0 };
+/// #         *count += change;
+/// #         Step::reward(f64::from(change))
+/// #     }
+/// # }
+///
+/// // `Counter` has the actions `down` and `up`, which earn −1 and 1, and a limit of 5 actions.
+/// // Root n always takes action n.
+/// let unit = |action| WorkUnit {
+///     key: UnitKey { seed: 1, generation: 0, root: u64::from(action) },
+///     policy: Policy::new(1, 0, vec![vec![Edge { program: 0, to: Destination::Action(action) }]], vec![vec![]]),
+/// };
+/// let work = Work { tasks: vec![0.0, 3.0], units: vec![unit(0), unit(1)] };
+/// let evaluator = LocalThreads::<f32, Own, _>::new(&Counter, Options::default(), 2)?;
+/// let answers = evaluator.evaluate(&work)?;
+/// assert_eq!(answers.iter().map(|answer| answer.endings[0].score).collect::<Vec<_>>(), [-5.0, 5.0]);
+/// assert_eq!(evaluator.steps(), 20);
+/// # Ok::<(), tpg_engine::EvaluationError>(())
+/// ```
 #[derive(Debug)]
 pub struct LocalThreads<'e, S, M, E> {
     environment: &'e E,
@@ -130,7 +140,7 @@ pub struct LocalThreads<'e, S, M, E> {
 }
 
 impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> LocalThreads<'e, S, M, E> {
-    /// `threads` threads; 0 for as many as the machine has.
+    /// Starts `threads` threads; 0 means as many as the machine has.
     ///
     /// # Errors
     /// If the threads cannot be started.
@@ -143,7 +153,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> LocalThreads<'e, S, M, E> {
 }
 
 impl<S: Scalar, M: Maths<S>, E: Environment<S>> LocalThreads<'_, S, M, E> {
-    /// The states of one visit: the episode runs again up to each of them.
+    /// Returns the states of one visit by running the episode again up to each of them.
     fn states(&self, visit: &Visit<E::Task>) -> Result<Vec<Vec<f64>>, EvaluationError> {
         let options = Options { lanes: 1, ..self.options };
         let plan = Plan::new::<M>(&visit.policy, &self.sources, options);

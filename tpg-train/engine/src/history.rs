@@ -1,11 +1,11 @@
-//! The exact end of a cycle, found cheaply.
+//! Cheap and exact detection of cycles.
 //!
-//! A policy without memory that comes back to where it was will do so for ever. An episode ends at its *first* repeat;
-//! finding that needs a set of all visited keys, which costs a hash and a probe a step. Instead every key is written
-//! down, each new one is compared with two old ones, and only when that shows a cycle (or at the very end of an
-//! episode) the list is searched for the first repeat. The answer is that of a set, whenever it is found.
+//! A memoryless policy that returns to an earlier state repeats forever. An episode ends at its *first* repeat; finding
+//! that directly needs a set of all visited keys, at the cost of a hash and a probe per step. Instead every key is
+//! recorded and each new one is compared with two old ones. Only when that reveals a cycle (or at the very end of an
+//! episode) is the list searched for the first repeat. The result is the same as with a set.
 
-/// Every key of one episode, in order.
+/// All keys of one episode, in order.
 #[derive(Clone, Debug, Default)]
 pub struct History {
     keys: Vec<u64>,
@@ -13,17 +13,17 @@ pub struct History {
     renew_at: usize,
 }
 
-/// The first time that an episode came back to a key.
+/// The first return of an episode to an earlier key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Repeat {
-    /// The action after which it was back.
+    /// Number of the action that led back.
     pub actions: u32,
-    /// The key it came back to.
+    /// The repeated key.
     pub key: u64,
 }
 
 impl History {
-    /// Forgets everything and begins at `start`.
+    /// Clears the history and begins at `start`.
     pub fn reset(&mut self, start: u64) {
         self.keys.clear();
         self.keys.push(start);
@@ -37,9 +37,9 @@ impl History {
         self.keys.push(key);
     }
 
-    /// Adds the key after an action; the first repeat of the episode, if it is known to cycle by now.
+    /// Adds the key after an action; returns the first repeat of the episode if a cycle has been detected.
     ///
-    /// A cycle of two is known at once; any other after some more rounds than it needs.
+    /// A cycle of two is detected at once, any other one some rounds after it begins.
     #[inline]
     pub fn push_and_look(&mut self, key: u64) -> Option<Repeat> {
         let new = self.keys.len();
@@ -51,7 +51,7 @@ impl History {
         }
         if new == self.renew_at {
             self.snapshot = key;
-            // Often at first, because most cycles are short; later at growing distances, so that any is found.
+            // Often at first because most cycles are short; later at growing distances, so that every cycle is found.
             self.renew_at += (new / 4).max(16);
         }
         None
@@ -65,7 +65,8 @@ impl History {
         repeats.min().map(|place| Repeat { actions: place as u32, key: self.keys[place] })
     }
 
-    /// The newest key is not new: with the length of the cycle, its beginning is where keys start to repeat.
+    /// Finds the first repeat when the newest key is a repeat: given the cycle's length, it begins where keys start to
+    /// repeat.
     fn first_repeat_of_cycle(&self) -> Repeat {
         let (last, before) = self.keys.split_last().expect("a key was just added");
         let length = 1 + before.iter().rev().position(|key| key == last).expect("the key was there before");
@@ -78,7 +79,7 @@ impl History {
 mod tests {
     use super::{History, Repeat};
 
-    /// A walk of `tail` fresh keys into a cycle of `length`.
+    /// Returns a walk of `tail` fresh keys into a cycle of `length`.
     fn walk(tail: u64, length: u64) -> impl Fn(u64) -> u64 {
         move |step| if step < tail { 1_000_000 + step } else { (step - tail) % length }
     }

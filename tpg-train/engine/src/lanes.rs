@@ -1,14 +1,14 @@
-//! Many episodes of one root side by side.
+//! Parallel episodes of one root.
 //!
-//! Each node has a column with one value for each lane, so that an instruction is one loop over lanes which the compiler
-//! turns into vector instructions. Lanes whose episode ended take the next task; at the end they are closed up.
+//! Each node has a column with one value per lane, so that an instruction is one loop over lanes, which the compiler
+//! vectorises. A lane whose episode ended takes the next task; when no tasks remain, lanes are compacted.
 
 use crate::columns::Columns;
 use crate::decide::Decider;
 use crate::ending::Ending;
 use crate::environment::Environment;
 use crate::episodes::Episodes;
-use crate::evaluator::EvaluationError;
+use crate::error::EvaluationError;
 use crate::history::History;
 use crate::options::Options;
 use crate::plan::Plan;
@@ -16,7 +16,43 @@ use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
 
-/// Runs roots over tasks, one root after another, and keeps its memory between them.
+/// Runs roots over tasks, one root after another, and reuses its buffers between them.
+///
+/// ```
+/// use tpg_engine::{Destination, Edge, Environment, Lanes, Options, Plan, Policy};
+/// use tpg_runtime::ops::Own;
+/// # use tpg_engine::random::Stream;
+/// # use tpg_engine::{Act, ActionSpace, SourceSet, Step};
+/// # use tpg_graph::SourceDocument;
+/// # struct Counter;
+/// # impl Environment<f32> for Counter {
+/// #     type Task = f32;
+/// #     type Episode = f32;
+/// #     fn sources(&self) -> Vec<SourceDocument> {
+/// #         vec![SourceDocument { name: "count".into(), length: 1, unit: "1".into(), ranges: vec![[0.0, 9.0]] }]
+/// #     }
+/// #     fn actions(&self) -> ActionSpace { ActionSpace::discrete(["down", "up"]) }
+/// #     fn time_limit(&self) -> u32 { 5 }
+/// #     fn draw(&self, _: &mut Stream) -> f32 { 0.0 }
+/// #     fn start(&self, task: &f32) -> f32 { *task }
+/// #     fn observe(&self, count: &mut f32, _: SourceSet, state: &mut [f32]) { state[0] = *count; }
+/// #     fn step(&self, count: &mut f32, act: Act<'_, f32>) -> Step {
+/// #         let change = if act.choice() == 1 { 1.0 } else { -1.0 };
+/// #         *count += change;
+/// #         Step::reward(f64::from(change))
+/// #     }
+/// # }
+///
+/// // `Counter` has the actions `down` and `up`, which earn −1 and 1, and a limit of 5 actions.
+/// // The policy always chooses `up`.
+/// let up = Edge { program: 0, to: Destination::Action(1) };
+/// let policy = Policy::new(1, 0, vec![vec![up]], vec![vec![]]);
+/// let plan = Plan::new::<Own>(&policy, &Counter.sources(), Options::default());
+/// let endings = Lanes::<f32, Own, _>::new(&Counter, Options::default()).run(&plan, &[0.0, 3.0])?;
+/// assert_eq!(endings.len(), 2);
+/// assert!(endings.iter().all(|ending| ending.score == 5.0 && ending.actions == 5));
+/// # Ok::<(), tpg_engine::EvaluationError>(())
+/// ```
 pub struct Lanes<'e, S: Scalar, M, E: Environment<S>> {
     environment: &'e E,
     options: Options,
@@ -24,7 +60,7 @@ pub struct Lanes<'e, S: Scalar, M, E: Environment<S>> {
     columns: Columns<S, M>,
     decider: Decider<S>,
     episodes: Box<dyn Episodes<S, E::Task> + 'e>,
-    /// The place of each lane's task, and of its history: histories stay, lanes move.
+    /// Index of each lane's task, and of its history: histories stay in place while lanes move.
     running: Vec<(usize, usize)>,
     histories: Vec<History>,
     ended: Vec<(usize, Ending)>,
@@ -32,10 +68,10 @@ pub struct Lanes<'e, S: Scalar, M, E: Environment<S>> {
 }
 
 impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
-    /// Lanes for an environment.
+    /// Creates the lanes for an environment.
     ///
     /// # Panics
-    /// If there are no lanes.
+    /// If the number of lanes is 0.
     pub fn new(environment: &'e E, options: Options) -> Self {
         assert!(options.lanes > 0, "at least one lane");
         Self {
@@ -52,12 +88,12 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
         }
     }
 
-    /// Environment steps since the beginning.
+    /// Returns the number of environment steps so far.
     pub fn steps(&self) -> u64 {
         self.steps
     }
 
-    /// The root's ending on each task.
+    /// Returns the root's ending on each task.
     ///
     /// # Errors
     /// If an episode fails: see [`Episodes`].
@@ -65,7 +101,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
         self.run_watched(plan, tasks, |_, _| ())
     }
 
-    /// As [`run`](Self::run); `watch` is told every action, with the place of its task.
+    /// As [`run`](Self::run); `watch` is called for every action, with the index of its task.
     ///
     /// # Errors
     /// As [`run`](Self::run).
@@ -77,7 +113,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
     ) -> Result<Vec<Ending>, EvaluationError> {
         let result = self.run_all(plan, tasks, watch);
         if result.is_err() {
-            // Episodes that were left in the middle must not be taken for new ones.
+            // Unfinished episodes of an earlier call must not be continued.
             self.running.clear();
             self.episodes = self.environment.lanes();
         }
@@ -107,7 +143,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
             self.ended.clear();
             self.episodes.step(actions, &mut self.ended)?;
             self.end_cycles();
-            // From the last lane down: closing up then only moves lanes that go on.
+            // From the last lane down, so that compaction only moves running lanes.
             while let Some((lane, ending)) = self.ended.pop() {
                 endings[self.running[lane].0] = Some(ending);
                 if next < tasks.len() {
@@ -135,7 +171,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
         Ok(())
     }
 
-    /// Writes down where every lane is now, and ends what came back to where it was.
+    /// Records the current key of every lane and ends the episodes that came back to an earlier one.
     fn end_cycles(&mut self) {
         let Self { episodes, running, histories, ended, options, .. } = self;
         let keys = episodes.keys();
@@ -152,8 +188,8 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
                     history.push(key);
                     None
                 }
-                // An episode in a cycle never ends by itself, so only a time-out can hide an earlier repeat. One at the
-                // time-out itself counts as a cycle too: the set of visited keys would have seen it.
+                // An episode in a cycle never ends by itself, so only a timeout can hide an earlier repeat. A repeat at
+                // the timeout itself counts as a cycle, just as a set of visited keys would report it.
                 Some(ending) if ending.success != Some(true) && ending.actions >= self.environment.time_limit() => {
                     history.push(key);
                     history.first_repeat().filter(|repeat| repeat.actions <= ending.actions)

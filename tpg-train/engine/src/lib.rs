@@ -1,22 +1,22 @@
-//! The engine: many episodes of many roots, millions of steps a second, with the interpreter's answers.
+//! The engine: parallel episodes of many roots, millions of steps per second, with the same results as the interpreter.
 //!
-//! [`Policy`] → [`Plan`] (distinct nodes, teams in order) → [`Lanes`] (episodes side by side) → [`Ending`]s;
-//! [`LocalThreads`] spreads roots over threads behind the [`Evaluator`] trait. [`Single`] decides for one state at a time.
-//! Problems implement [`Environment`].
+//! [`Policy`] → [`Plan`] (distinct nodes, teams in topological order) → [`Lanes`] (parallel episodes) → [`Ending`]s;
+//! [`LocalThreads`] distributes roots over threads behind the [`Evaluator`] trait. [`Single`] decides for one state at
+//! a time. Problems implement [`Environment`].
 //!
 //! # Map
 //!
 //! | items | subject |
 //! | --- | --- |
 //! | [`Environment`], [`ActionSpace`], [`Act`], [`Step`], [`End`] | a problem |
-//! | [`bind`] | a graph on an environment |
+//! | [`bind`] | binding of a graph to an environment |
 //! | [`Choices`] | any action space as a list of named actions |
-//! | [`Episodes`], [`OneByOne`], [`View`], [`SourceSet`] | episodes side by side |
+//! | [`Episodes`], [`OneByOne`], [`View`], [`SourceSet`] | parallel episodes |
 //! | [`Ending`], [`Summary`], [`Preference`] | results |
-//! | [`Policy`], [`Plan`], [`Node`], [`Arena`] | a graph as the engine runs it |
-//! | [`Lanes`], [`Single`], [`Options`], [`History`] | running it |
-//! | [`Evaluator`], [`LocalThreads`], [`Work`], [`Visit`] | running many, on threads or elsewhere |
-//! | [`random`] | one stream of random numbers for every purpose |
+//! | [`Policy`], [`Plan`], [`Node`], [`Arena`] | a graph in the engine's own form |
+//! | [`Lanes`], [`Single`], [`Options`], [`History`] | execution |
+//! | [`Evaluator`], [`LocalThreads`], [`Work`], [`Visit`] | evaluation of many roots, on threads or elsewhere |
+//! | [`random`] | independent streams of random numbers, one for each purpose |
 
 mod action;
 mod binding;
@@ -26,6 +26,7 @@ mod decide;
 mod ending;
 mod environment;
 mod episodes;
+mod error;
 mod evaluator;
 mod history;
 mod lanes;
@@ -45,10 +46,11 @@ pub use choices::{Choices, TooManyActions};
 pub use ending::{End, Ending, Measure, Preference, Step, Summary, finite};
 pub use environment::Environment;
 pub use episodes::Episodes;
-pub use evaluator::{Answer, EvaluationError, Evaluator, LocalThreads, UnitKey, Visit, Work, WorkUnit};
+pub use error::EvaluationError;
+pub use evaluator::{Answer, Evaluator, LocalThreads, UnitKey, Visit, Work, WorkUnit};
 pub use history::{History, Repeat};
 pub use lanes::Lanes;
-pub use nodes::{Arena, Node, NodeId, effective};
+pub use nodes::{Arena, Node, NodeId};
 pub use one_by_one::OneByOne;
 pub use options::Options;
 pub use plan::Plan;

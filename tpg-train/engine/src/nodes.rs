@@ -1,21 +1,22 @@
-//! Programs as values: every distinct operation of a root once.
+//! Programs as values: each distinct operation of a root exists once.
 //!
-//! A program's effective lines become nodes of a hash-consed arena; a program *is* the node of its register 0. What does
-//! not reach that register (in evolved graphs four lines of five) never enters the arena, and what many programs
-//! compute is computed once. Nodes are in an order in which operands come first.
+//! A program's effective lines become nodes of a hash-consed arena; a program is represented by the node of its
+//! register 0. Lines that do not reach that register (four of five in evolved graphs) never enter the arena, and values
+//! shared by several programs are computed once. Nodes are in topological order, operands first.
 
 use crate::policy::{Line, Operand};
 use std::collections::HashMap;
 use std::marker::PhantomData;
+use tpg_graph::dataflow::{Assignment, effective};
 use tpg_runtime::ops::{Instruction, Maths};
 use tpg_runtime::scalar::Scalar;
 
-/// The place of a node in its arena.
+/// Index of a node in its arena.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct NodeId(pub(crate) u32);
 
 impl NodeId {
-    /// As an index.
+    /// Returns the id as an index.
     pub fn index(self) -> usize {
         self.0 as usize
     }
@@ -32,7 +33,7 @@ pub enum Node<S> {
     Operation(Instruction, NodeId, NodeId),
 }
 
-/// What makes two nodes one. Constants go by their bits: 0 and −0 differ, and equal NaNs are one.
+/// Key under which equal nodes are merged. Constants compare by bits: 0 and −0 differ, and equal NaNs are the same.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 enum Identity {
     Input(u16),
@@ -40,11 +41,11 @@ enum Identity {
     Operation(Instruction, NodeId, NodeId),
 }
 
-/// The distinct nodes of some programs.
+/// The distinct nodes of a set of programs.
 #[derive(Clone, Debug)]
 pub struct Arena<S, M> {
     nodes: Vec<Node<S>>,
-    /// Looked up, never iterated: its order reaches nothing.
+    /// Used for look-ups only and never iterated, so its order has no effect.
     known: HashMap<Identity, NodeId>,
     share: bool,
     maths: PhantomData<M>,
@@ -57,21 +58,21 @@ impl std::fmt::Debug for Identity {
 }
 
 impl<S: Scalar, M: Maths<S>> Arena<S, M> {
-    /// An empty arena. Without `share` no two operations are ever one (an ablation; the values are the same).
+    /// Creates an empty arena. If `share` is false, operations are never merged (an ablation; the values are the same).
     pub fn new(share: bool) -> Self {
         Self { nodes: Vec::new(), known: HashMap::new(), share, maths: PhantomData }
     }
 
-    /// The nodes, operands before what they enter.
+    /// Returns the nodes; operands come before their users.
     pub fn nodes(&self) -> &[Node<S>] {
         &self.nodes
     }
 
-    /// Adds a program; its bid is the value of the node returned.
+    /// Adds a program and returns the node whose value is its bid.
     pub fn program(&mut self, registers: u16, lines: &[Line]) -> NodeId {
         let zero = self.constant(S::ZERO);
         let mut at = vec![zero; usize::from(registers)];
-        for (line, _) in lines.iter().zip(effective(registers, lines)).filter(|(_, effective)| *effective) {
+        for (line, _) in lines.iter().zip(effective(registers.into(), lines)).filter(|(_, effective)| *effective) {
             let operands = line.operands.map(|operand| match operand {
                 Operand::Register(register) => at[usize::from(register)],
                 Operand::Input(input) => self.node(Node::Input(input)),
@@ -87,7 +88,7 @@ impl<S: Scalar, M: Maths<S>> Arena<S, M> {
         if let (Node::Constant(a), Node::Constant(b)) = (self.nodes[a.index()], self.nodes[b.index()]) {
             return self.constant(instruction.apply::<S, M>(a, b));
         }
-        // a + b and b + a differ at most in which NaN they hand on, and every NaN bids the same.
+        // a + b and b + a differ at most in which NaN they propagate, and all NaNs bid the same.
         let commutes = matches!(instruction, Instruction::Add | Instruction::Mul);
         let (a, b) = if commutes && b < a { (b, a) } else { (a, b) };
         self.node(Node::Operation(instruction, a, b))
@@ -113,12 +114,12 @@ impl<S: Scalar, M: Maths<S>> Arena<S, M> {
     }
 }
 
-/// A set of a plan's nodes: a bit for each.
+/// A set of a plan's nodes, as a bit set.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct NodeSet(Vec<u64>);
 
 impl NodeSet {
-    /// Room for nodes below `nodes`.
+    /// Creates an empty set for `nodes` nodes.
     pub(super) fn empty(nodes: usize) -> Self {
         Self(vec![0; nodes.div_ceil(64)])
     }
@@ -140,7 +141,7 @@ impl NodeSet {
         self.0.fill(0);
     }
 
-    /// Keeps what is in `other`, too.
+    /// Intersects the set with `other`.
     #[inline(always)]
     pub(super) fn keep(&mut self, other: &Self) {
         for (word, other) in self.0.iter_mut().zip(&other.0) {
@@ -148,7 +149,7 @@ impl NodeSet {
         }
     }
 
-    /// Adds what is in `other`; `each` sees what is new, in ascending order.
+    /// Adds the nodes of `other`; calls `each` for every new one, in ascending order.
     #[inline(always)]
     pub(super) fn add(&mut self, other: &Self, mut each: impl FnMut(NodeId)) {
         for (place, (word, other)) in (0u32..).zip(self.0.iter_mut().zip(&other.0)) {
@@ -161,36 +162,30 @@ impl NodeSet {
         }
     }
 
-    /// Without what is in `other`.
+    /// Returns the set without the nodes of `other`.
     pub(super) fn without(&self, other: &Self) -> Self {
         Self(self.0.iter().zip(&other.0).map(|(word, other)| word & !other).collect())
     }
 }
 
-/// Which lines can change register 0: liveness, backwards from the end.
-pub fn effective(registers: u16, lines: &[Line]) -> Vec<bool> {
-    let mut live = vec![false; usize::from(registers)];
-    live[0] = true;
-    let mut effective = vec![false; lines.len()];
-    for (index, line) in lines.iter().enumerate().rev() {
-        let to = usize::from(line.to);
-        if live[to] {
-            live[to] = false;
-            effective[index] = true;
-            for operand in line.operands.iter().take(line.instruction.arity()) {
-                if let Operand::Register(register) = operand {
-                    live[usize::from(*register)] = true;
-                }
-            }
-        }
+impl Assignment for Line {
+    fn writes(&self) -> usize {
+        self.to.into()
     }
-    effective
+
+    fn reads(&self) -> impl Iterator<Item = usize> {
+        self.operands.iter().take(self.instruction.arity()).filter_map(|operand| match operand {
+            Operand::Register(register) => Some(usize::from(*register)),
+            Operand::Input(_) | Operand::Constant(_) => None,
+        })
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Arena, Node, effective};
+    use super::{Arena, Node};
     use crate::policy::{Line, Operand};
+    use tpg_graph::dataflow::effective;
     use tpg_runtime::ops::{Instruction, Own};
 
     fn line(to: u16, instruction: Instruction, a: Operand, b: Operand) -> Line {

@@ -1,16 +1,16 @@
-//! Episodes side by side, stepped one after the other: what [`Environment::lanes`] does by default.
+//! Parallel episodes that are stepped one after another: the default of [`Environment::lanes`].
 
 use crate::action::Act;
 use crate::ending::Ending;
 use crate::environment::Environment;
 use crate::episodes::Episodes;
-use crate::evaluator::EvaluationError;
+use crate::error::EvaluationError;
 use crate::source_set::SourceSet;
 use crate::view::{BLOCK, View};
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
 
-/// One episode after the other.
+/// Steps one episode after another.
 pub struct OneByOne<'e, S, E: Environment<S>>
 where
     S: Scalar,
@@ -30,7 +30,7 @@ struct Lane<Episode> {
 }
 
 impl<'e, S: Scalar, E: Environment<S>> OneByOne<'e, S, E> {
-    /// No episodes yet.
+    /// Creates an empty set of episodes.
     pub fn new(environment: &'e E) -> Self {
         let length = environment.sources().iter().map(|source| source.length as usize).sum();
         let limit = environment.time_limit();

@@ -1,13 +1,13 @@
 //! Settings of the engine.
 
-/// Settings of the engine; none of them changes an answer.
+/// Settings of the engine; none of them changes a result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Options {
-    /// Episodes side by side.
+    /// Number of parallel episodes.
     pub lanes: usize,
     /// Compute equal values once, and drop bids that cannot win.
     pub share: bool,
-    /// Compute a bounded, expensive bid only where it could win.
+    /// Compute bounded, expensive bids only where they could win.
     pub lazy: bool,
     /// Look for cycles at every step, not only at the end of an episode.
     pub look_for_cycles: bool,

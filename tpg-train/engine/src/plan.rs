@@ -1,4 +1,5 @@
-//! A root, made ready to be evaluated: its distinct nodes, and for each team what to compute and whom to ask.
+//! A root prepared for evaluation: its distinct nodes, and for each team the nodes to compute and the edges to
+//! evaluate.
 
 use crate::nodes::{Arena, Node, NodeId, NodeSet};
 use crate::options::Options;
@@ -10,16 +11,16 @@ use tpg_runtime::ops::{Instruction, Maths};
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
 
-/// A bidder and what it bids for.
+/// A bidder and its destination.
 #[derive(Clone, Copy, Debug)]
 struct PlannedEdge {
     bid: NodeId,
     to: Destination,
 }
 
-/// An edge of a team: its place there in the upper half, where it leads in the lower.
+/// An edge of a team: its index in the upper half, its destination in the lower.
 ///
-/// Of edges of one team the later has the greater code.
+/// Of two edges of a team the later one has the greater code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Code(pub(super) u32);
 
@@ -32,56 +33,56 @@ impl Code {
         Self(edge << 16 | to)
     }
 
-    /// Where it leads: a place among the teams, or the number of teams and a place among the plan's actions.
+    /// Returns the destination: the index of a team, or the number of teams plus an index into the plan's actions.
     #[inline(always)]
     pub(super) fn to(self) -> u32 {
         self.0 & 0xffff
     }
 }
 
-/// An edge that is always asked.
+/// An edge that is always evaluated.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct EagerEdge {
     pub(super) code: Code,
     pub(super) bid: NodeId,
 }
 
-/// An edge that is asked only where its bid could win.
+/// An edge that is evaluated only where its bid could win.
 #[derive(Clone, Debug)]
 pub(super) struct LazyEdge<S> {
     pub(super) code: Code,
     pub(super) bid: NodeId,
-    /// It never bids more.
+    /// Upper bound of its bid.
     pub(super) most: S,
     pub(super) needs: NodeSet,
 }
 
-/// A team: its edges, and the operations that its eager bids are made of.
+/// A team: its edges, and the operations that its eager bids depend on.
 #[derive(Clone, Debug)]
 pub(super) struct PlannedTeam<S> {
     pub(super) first: Code,
-    /// In the order of the team's edges.
+    /// Eager edges, in the order of the team's edges.
     pub(super) eager: Vec<EagerEdge>,
     pub(super) needs: NodeSet,
     pub(super) lazy: Vec<LazyEdge<S>>,
-    /// The teams that edges lead to.
+    /// The successor teams.
     pub(super) next: Vec<u32>,
 }
 
-/// A root, ready to be evaluated.
+/// A root, ready for evaluation.
 #[derive(Clone, Debug)]
 pub struct Plan<S> {
     pub(super) nodes: Vec<Node<S>>,
     pub(super) teams: Vec<PlannedTeam<S>>,
     /// The actions that edges lead to.
     pub(super) actions: Vec<ActionId>,
-    /// For each value of the flat state the node that it is; `u32::MAX` where nothing reads it.
+    /// The node of each value of the flat state; `u32::MAX` if nothing reads it.
     pub(super) places: Vec<u32>,
     pub(super) wanted: SourceSet,
 }
 
 impl<S: Scalar> Plan<S> {
-    /// Plans a policy over the state of those sources.
+    /// Plans a policy over the state made of the given sources.
     pub fn new<M: Maths<S>>(policy: &Policy, sources: &[SourceDocument], options: Options) -> Self {
         let mut arena = Arena::<S, M>::new(options.share);
         let bids: Vec<NodeId> =
@@ -109,18 +110,18 @@ impl<S: Scalar> Plan<S> {
         Self { nodes: arena.nodes().to_vec(), teams, actions, places, wanted }
     }
 
-    /// Values of the flat state.
+    /// Returns the number of values in the flat state.
     pub fn state_length(&self) -> usize {
         self.places.len()
     }
 
-    /// Distinct operations of the whole root.
+    /// Returns the number of distinct operations of the whole root.
     pub fn operations(&self) -> usize {
         self.nodes.iter().filter(|node| matches!(node, Node::Operation(..))).count()
     }
 }
 
-/// Of two edges of a team with the same bid the later wins, so the earlier never does.
+/// Drops edges that can never win: among edges of a team with the same bid, the last one wins.
 fn drop_hopeless(edges: &mut Vec<PlannedEdge>) {
     let mut later = Vec::new();
     for edge in std::mem::take(edges).into_iter().rev() {
@@ -132,7 +133,7 @@ fn drop_hopeless(edges: &mut Vec<PlannedEdge>) {
     *edges = later;
 }
 
-/// A lazy edge needs no more nodes than these: in one lane they are computed without memory of what was computed.
+/// Maximum number of nodes of a lazy edge: in one lane they are computed without caching.
 const FEW: usize = 8;
 
 fn planned_team<S: Scalar>(
@@ -149,7 +150,7 @@ fn planned_team<S: Scalar>(
         let needs = needs(nodes, [bid]);
         let more = needs.without(&always).len();
         match bounded(bid) {
-            // What the eager edges compute anyway costs nothing more.
+            // Nodes that the eager edges compute anyway add no cost.
             Some(most) if more > 0 && more <= FEW => lazy.push(LazyEdge { code, bid, most, needs }),
             _ => eager.push(EagerEdge { code, bid }),
         }
@@ -159,7 +160,7 @@ fn planned_team<S: Scalar>(
     PlannedTeam { first: codes.first().copied().unwrap_or(Code(0)), eager, needs, lazy, next }
 }
 
-/// The actions that edges lead to, ascending.
+/// Returns the actions that edges lead to, in ascending order.
 fn actions(policy: &Policy) -> Vec<ActionId> {
     let action = |edge: &Edge| match edge.to {
         Destination::Team(_) => None,
@@ -169,7 +170,7 @@ fn actions(policy: &Policy) -> Vec<ActionId> {
     actions.into_iter().map(ActionId).collect()
 }
 
-/// Where a destination is, as in [`Code::to`].
+/// Returns the place of a destination, numbered as in [`Code::to`].
 fn place(policy: &Policy, actions: &[ActionId], to: Destination) -> u32 {
     match to {
         Destination::Team(team) => team,
@@ -180,16 +181,16 @@ fn place(policy: &Policy, actions: &[ActionId], to: Destination) -> u32 {
     }
 }
 
-/// What is known of a node's value, whatever the inputs.
+/// Static knowledge about a node's value, valid for all inputs.
 #[derive(Clone, Copy, Debug)]
 struct Fact<S> {
-    /// What its magnitude never exceeds. A NaN is no value: it bids −∞.
+    /// Upper bound of the magnitude. NaN is ignored: it bids −∞.
     most: Option<S>,
-    /// Whether it takes long to compute.
+    /// True if the value is expensive to compute.
     expensive: bool,
 }
 
-/// Facts of every node; none is expensive where nothing shall be lazy.
+/// Returns the facts of every node; with `lazy` false, none is marked as expensive.
 fn facts<S: Scalar>(nodes: &[Node<S>], lazy: bool) -> Vec<Fact<S>> {
     let mut facts: Vec<Fact<S>> = Vec::with_capacity(nodes.len());
     for node in nodes {
@@ -208,7 +209,8 @@ fn facts<S: Scalar>(nodes: &[Node<S>], lazy: bool) -> Vec<Fact<S>> {
     facts
 }
 
-/// The bound of a result by those of its operands. Rounding is monotone: a sum of bounds, rounded, bounds every rounded sum.
+/// Derives the bound of a result from those of its operands. Rounding is monotone: the rounded sum of bounds bounds
+/// every rounded sum.
 fn most<S: Scalar>(instruction: Instruction, a: Option<S>, b: Option<S>) -> Option<S> {
     match instruction {
         Instruction::Cos | Instruction::Sin => Some(S::ONE),
@@ -219,7 +221,7 @@ fn most<S: Scalar>(instruction: Instruction, a: Option<S>, b: Option<S>) -> Opti
     }
 }
 
-/// The operations that some bids are made of.
+/// Returns the operations that the given bids depend on.
 fn needs<S>(nodes: &[Node<S>], bids: impl IntoIterator<Item = NodeId>) -> NodeSet {
     let mut needed = NodeSet::empty(nodes.len());
     let mut open: Vec<NodeId> = bids.into_iter().collect();

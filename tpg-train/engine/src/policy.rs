@@ -1,11 +1,12 @@
-//! A policy as the engine takes it: plain data that a work unit can carry to any thread or machine.
+//! A policy in the engine's form: plain data that a work unit can carry to any thread or machine.
 
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use tpg_graph::Graph;
+use tpg_graph::dataflow::depth_first;
 use tpg_runtime::ops::Instruction;
 
-/// Where an instruction reads.
+/// An operand of an instruction.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Operand {
@@ -20,72 +21,73 @@ pub enum Operand {
 /// One line of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Line {
-    /// The register that takes the result.
+    /// Destination register.
     pub to: u16,
-    /// What is computed.
+    /// The instruction.
     #[serde(with = "by_name")]
     pub instruction: Instruction,
-    /// Its operands; a one-operand instruction ignores the second.
+    /// Its operands; the second is ignored by one-operand instructions.
     pub operands: [Operand; 2],
 }
 
-/// Where an edge leads.
+/// Destination of an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Destination {
-    /// To the team at this place of [`Policy::teams`].
+    /// The team at this index of [`Policy::teams`].
     Team(u32),
-    /// To an action.
+    /// An action.
     Action(u16),
 }
 
 /// A program that bids for its destination.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Edge {
-    /// Place of the bidder in [`Policy::programs`].
+    /// Index of the bidder in [`Policy::programs`].
     pub program: u32,
-    /// What it bids for.
+    /// Destination it bids for.
     pub to: Destination,
 }
 
-/// A single-root graph without labels, sources or provenance: what decides, and nothing else.
+/// A graph with a single root, reduced to what affects decisions: no labels, sources or provenance.
 ///
-/// Team 0 is the root, and an edge leads only to later teams: [`Policy::new`] sees to both.
+/// Team 0 is the root, and edges lead only to later teams: [`Policy::new`] ensures both.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Policy {
-    /// Registers of a program.
+    /// Number of registers of a program.
     pub registers: u16,
-    /// The teams; of equal bids the last edge wins.
+    /// The teams; among equal bids the last edge wins.
     pub teams: Vec<Vec<Edge>>,
     /// The programs.
     pub programs: Vec<Vec<Line>>,
 }
 
 impl Policy {
-    /// Puts teams into topological order, root first. Teams that the root does not reach are dropped.
+    /// Sorts teams topologically, root first, and drops teams that are not reachable from the root.
     ///
     /// # Panics
-    /// If the teams have a cycle: neither GEGELATI's mutations nor a validated graph can make one.
+    /// If the teams have a cycle, which neither GEGELATI's mutations nor a validated graph can contain.
     pub fn new(registers: u16, root: u32, teams: Vec<Vec<Edge>>, programs: Vec<Vec<Line>>) -> Self {
         let order = topological(root, &teams);
         let mut place = vec![u32::MAX; teams.len()];
         for (new, &old) in (0u32..).zip(&order) {
-            place[old as usize] = new;
+            place[old] = new;
         }
         let renumbered = |edge: &Edge| match edge.to {
             Destination::Team(team) => Edge { to: Destination::Team(place[team as usize]), ..*edge },
             Destination::Action(_) => *edge,
         };
-        let teams = order.iter().map(|&old| teams[old as usize].iter().map(renumbered).collect()).collect();
+        let teams = order.iter().map(|&old| teams[old].iter().map(renumbered).collect()).collect();
         Self { registers, teams, programs }
     }
 }
 
 impl Policy {
-    /// The same policy under a shield: each bid for an action is bounded by a value of the state, at most.
+    /// Returns the same policy under a shield: each bid for an action is capped by a value of the state.
     ///
-    /// `bound` gives the place of an action's bound in the flat state; `None` where it is not shielded. Each program that
-    /// bids for such an action gets [`bounded`] as its last line; programs that bid for several get several copies.
+    /// `bound` returns the index of an action's bound in the flat state; `None` if the action is not shielded. Each
+    /// program that bids for a shielded action gets [`bounded`] as its last line; programs that bid for several are
+    /// duplicated.
     #[must_use]
     pub fn shielded(&self, bound: impl Fn(u16) -> Option<u16>) -> Self {
         let mut programs: Vec<Vec<Line>> = Vec::new();
@@ -108,9 +110,9 @@ impl Policy {
     }
 }
 
-/// The last line of a shielded program: its bid, or the bound where that is less.
+/// Returns the last line of a shielded program: the minimum of its bid and the bound.
 ///
-/// In this order of the operands a bid that is NaN stays one.
+/// With this order of operands, a NaN bid stays NaN.
 pub fn bounded(bound: u16) -> Line {
     Line { to: 0, instruction: Instruction::Min, operands: [Operand::Input(bound), Operand::Register(0)] }
 }
@@ -140,42 +142,18 @@ impl From<&Graph> for Policy {
     }
 }
 
-/// Teams that the root reaches, each before those it leads to; depth first with a stack of its own.
-fn topological(root: u32, teams: &[Vec<Edge>]) -> Vec<u32> {
-    #[derive(Clone, Copy, PartialEq)]
-    enum Mark {
-        New,
-        Open,
-        Done,
-    }
-    let mut marks = vec![Mark::New; teams.len()];
-    let mut finished = Vec::new();
-    let mut path = vec![(root, 0)];
-    marks[root as usize] = Mark::Open;
-    while let Some((team, next)) = path.last_mut() {
-        match teams[*team as usize].get(*next) {
-            None => {
-                marks[*team as usize] = Mark::Done;
-                finished.push(*team);
-                path.pop();
-            }
-            Some(edge) => {
-                *next += 1;
-                if let Destination::Team(to) = edge.to {
-                    assert!(marks[to as usize] != Mark::Open, "a cycle through team {to}");
-                    if marks[to as usize] == Mark::New {
-                        marks[to as usize] = Mark::Open;
-                        path.push((to, 0));
-                    }
-                }
-            }
-        }
-    }
-    finished.reverse();
-    finished
+/// Returns the teams reachable from the root in topological order.
+fn topological(root: u32, teams: &[Vec<Edge>]) -> Vec<usize> {
+    let edge = |team: usize, place: usize| {
+        teams[team].get(place).map(|edge| match edge.to {
+            Destination::Team(to) => Some(to as usize),
+            Destination::Action(_) => None,
+        })
+    };
+    depth_first(teams.len(), [root as usize], edge).unwrap_or_else(|cycle| panic!("a cycle of teams: {cycle:?}"))
 }
 
-/// Instructions are written by name, as in `graph.json`.
+/// Serialises instructions by name, as in `graph.json`.
 mod by_name {
     use serde::{Deserialize, Deserializer, Serializer, de::Error};
     use tpg_runtime::ops::Instruction;

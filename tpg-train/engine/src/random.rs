@@ -1,12 +1,12 @@
-//! Random numbers: one independent stream for every purpose, so that no result depends on who computes it, or when.
+//! Random numbers: an independent stream for every purpose, so that no result depends on where or when it is computed.
 //!
-//! A stream's ChaCha8 key *is* its address: seed, generation, purpose and index, eight bytes each. The distributions are
-//! written here and not taken from a crate, because a checkpoint must mean the same after an update.
+//! A stream's ChaCha8 key *is* its address: seed, generation, purpose and index, eight bytes each. The distributions
+//! are implemented here instead of taken from a crate, because checkpoints must keep their meaning after an update.
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
-/// What a stream of random numbers is for.
+/// Purpose of a stream of random numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Purpose {
@@ -18,15 +18,15 @@ pub enum Purpose {
     Program = 3,
     /// One training episode of a generation.
     Episode = 4,
-    /// Which episodes of a generation come from the pool of hard ones.
+    /// The choice of episodes of a generation from the pool of hard ones.
     Pool = 5,
     /// The lexicase selection of a generation.
     Lexicase = 6,
-    /// Which roots migrate.
+    /// The choice of roots that migrate.
     Migration = 7,
-    /// What the archive records.
+    /// The recordings of the archive.
     Archive = 8,
-    /// One selection episode: chooses the final root, never trains.
+    /// One selection episode: used to choose the final root, never to train.
     Selection = 9,
     /// Sampling of an environment's reachable tasks.
     Tasks = 10,
@@ -40,19 +40,19 @@ pub enum Purpose {
     Task = 21,
     /// Initial weights of a network.
     Weights = 22,
-    /// The start of one training episode of a lane.
+    /// The start of one training episode in a lane.
     Reset = 23,
     /// The noise of a lane's actions.
     Exploration = 24,
-    /// Which transitions one update replays.
+    /// The choice of transitions that one update replays.
     Replay = 25,
     /// The noise of the actions inside one update.
     Update = 26,
-    /// The noise of a policy that draws its actions, in one test episode.
+    /// The noise of a policy that samples its actions, in one test episode.
     Draws = 27,
     /// Random roots that explore the ranges of inputs.
     Scales = 13,
-    /// The tasks on which an actor under training is watched for failures.
+    /// The tasks on which failures of an actor under training are looked for.
     Retry = 28,
 }
 
@@ -61,7 +61,7 @@ pub enum Purpose {
 pub struct Stream(ChaCha8Rng);
 
 impl Stream {
-    /// The stream of that address.
+    /// Creates the stream of the given address.
     pub fn new(seed: u64, generation: u64, purpose: Purpose, index: u64) -> Self {
         let mut key = [0; 32];
         let words = [seed, generation, purpose as u64, index];
@@ -71,12 +71,12 @@ impl Stream {
         Self(ChaCha8Rng::from_seed(key))
     }
 
-    /// 64 random bits.
+    /// Returns 64 random bits.
     pub fn bits(&mut self) -> u64 {
         self.0.next_u64()
     }
 
-    /// A whole number below `bound`, every one equally likely (Lemire's method with rejection).
+    /// Returns a whole number below `bound`, uniformly distributed (Lemire's method with rejection).
     ///
     /// # Panics
     /// If `bound` is 0.
@@ -92,7 +92,7 @@ impl Stream {
         }
     }
 
-    /// A whole number from `low` to `high`, both included.
+    /// Returns a whole number from `low` to `high`, both included.
     ///
     /// # Panics
     /// If `low` is above `high`.
@@ -101,23 +101,23 @@ impl Stream {
         low + self.below((high - low) as usize + 1) as i64
     }
 
-    /// A number in [0, 1), a multiple of 2⁻⁵³.
+    /// Returns a number in [0, 1), a multiple of 2⁻⁵³.
     pub fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// True with that probability.
+    /// Returns true with the given probability.
     pub fn chance(&mut self, probability: f64) -> bool {
         self.unit() < probability
     }
 
-    /// A standard normal number (Box and Müller's method, one of the pair).
+    /// Returns a standard normal number (Box–Muller method, one of the pair).
     pub fn normal(&mut self) -> f64 {
         let radius = (-2.0 * libm::log(1.0 - self.unit())).sqrt();
         radius * libm::cos(core::f64::consts::TAU * self.unit())
     }
 
-    /// Standard normal numbers, in single precision: Box and Müller's method, both of each pair.
+    /// Fills `numbers` with standard normal numbers in single precision (Box–Muller method, both of each pair).
     pub fn normals(&mut self, numbers: &mut [f32]) {
         for pair in numbers.chunks_mut(2) {
             let bits = self.bits();
@@ -129,15 +129,15 @@ impl Stream {
         }
     }
 
-    /// One of `items`.
+    /// Picks one of `items`.
     ///
     /// # Panics
-    /// If there is none.
+    /// If `items` is empty.
     pub fn pick<'a, T>(&mut self, items: &'a [T]) -> &'a T {
         &items[self.below(items.len())]
     }
 
-    /// Puts `items` into a random order (Fisher and Yates's method).
+    /// Shuffles `items` (Fisher–Yates method).
     pub fn shuffle<T>(&mut self, items: &mut [T]) {
         for last in (1..items.len()).rev() {
             items.swap(last, self.below(last + 1));

@@ -1,4 +1,4 @@
-//! One state at a time: for who must act between two decisions, as a hybrid does.
+//! Evaluation of one state at a time, for callers that act between two decisions, such as a hybrid.
 
 use crate::columns::Columns;
 use crate::decide::Decider;
@@ -14,7 +14,7 @@ use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
 
-/// A plan with the memory that one decision needs: one lane.
+/// A plan with the buffers that one decision needs: one lane.
 #[derive(Debug)]
 pub struct Single<S, M> {
     plan: Plan<S>,
@@ -22,7 +22,7 @@ pub struct Single<S, M> {
 }
 
 impl<S: Scalar, M: Maths<S>> Single<S, M> {
-    /// Of a plan.
+    /// Creates the evaluator of a plan.
     pub fn new(plan: Plan<S>) -> Self {
         let (mut columns, mut decider) = (Columns::new(1), Decider::new(1));
         columns.prepare(&plan, &[]);
@@ -30,7 +30,7 @@ impl<S: Scalar, M: Maths<S>> Single<S, M> {
         Self { plan, lane: RefCell::new((columns, decider)) }
     }
 
-    /// The action for a flat state: the interpreter's.
+    /// Returns the action for a flat state, the same as the interpreter's.
     ///
     /// # Panics
     /// If the state is shorter than [`Plan::state_length`].
@@ -61,7 +61,7 @@ impl<S: Scalar, M: Maths<S>> Engine for Single<S, M> {
     }
 }
 
-/// A graph in its own arithmetic, as anything that decides like it.
+/// Wraps a graph, computed in its own arithmetic, as an [`Engine`].
 pub fn single(graph: &Graph) -> Box<dyn Engine> {
     fn of<S: Scalar, M: Maths<S> + 'static>(graph: &Graph) -> Box<dyn Engine> {
         let plan = Plan::new::<M>(&Policy::from(graph), &graph.to_document().sources, Options::default());

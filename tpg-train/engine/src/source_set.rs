@@ -2,7 +2,7 @@
 
 use tpg_graph::SourceDocument;
 
-/// Some of an environment's sources, by place.
+/// A set of an environment's sources, by index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SourceSet(u64);
 
@@ -12,13 +12,13 @@ impl SourceSet {
     /// No source.
     pub const NONE: Self = Self(0);
 
-    /// With the source at that place, too.
+    /// Returns the set with the source at that index added.
     #[must_use]
     pub fn with(self, place: usize) -> Self {
         Self(self.0 | 1 << place)
     }
 
-    /// The sources that the given inputs of the flat state lie in.
+    /// Returns the sources that contain the given inputs of the flat state.
     pub fn of_inputs(sources: &[SourceDocument], inputs: impl Iterator<Item = u16>) -> Self {
         assert!(sources.len() <= 64, "an environment has at most 64 sources");
         let mut ends = Vec::new();
@@ -31,7 +31,7 @@ impl SourceSet {
         Self(bits.fold(0, |set, bit| set | bit))
     }
 
-    /// Whether the source at that place is wanted.
+    /// True if the source at that index is in the set.
     #[inline]
     pub fn contains(self, place: usize) -> bool {
         place < 64 && self.0 & (1 << place) != 0

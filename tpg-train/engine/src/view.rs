@@ -1,22 +1,22 @@
-//! Columns of values: what lanes show to programs.
+//! Columns of observed values, one value per lane.
 
-/// Lanes of a block: one vector of the widest there are.
+/// Lanes per block: one vector of the widest supported kind.
 pub const BLOCK: usize = 16;
 
-/// The values of some neighbouring lanes.
+/// The values of neighbouring lanes.
 pub type Block<T> = [T; BLOCK];
 
-/// Where the values of the flat state go: a column for each that some program reads.
+/// Destination of observed values: a column for each value of the flat state that some program reads.
 #[derive(Debug)]
 pub struct View<'a, S> {
     pub(super) columns: &'a mut [Block<S>],
     pub(super) blocks: usize,
-    /// For each value of the flat state, the place of its column; `u32::MAX` where nobody reads it.
+    /// Index of the column of each value of the flat state; `u32::MAX` if nothing reads it.
     pub(super) places: &'a [u32],
 }
 
 impl<S> View<'_, S> {
-    /// The column of a value of the flat state, in whole blocks of lanes; `None` where nobody reads it.
+    /// Returns the column of a value of the flat state, in whole blocks of lanes; `None` if nothing reads it.
     #[inline]
     pub fn column(&mut self, input: usize) -> Option<&mut [[S; BLOCK]]> {
         let place = *self.places.get(input)? as usize;

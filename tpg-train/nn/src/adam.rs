@@ -6,7 +6,7 @@ use pulp::Arch;
 const BETA: [f64; 2] = [0.9, 0.999];
 const EPSILON: f64 = 1e-8;
 
-/// Adam's memory of one vector of parameters.
+/// Adam's state for one vector of parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Adam<T> {
     steps: u64,
@@ -15,25 +15,25 @@ pub struct Adam<T> {
 }
 
 impl<T: Real> Adam<T> {
-    /// The optimiser of that many parameters, before its first step.
+    /// Creates the optimiser for `parameters` parameters, before its first step.
     pub fn new(parameters: usize) -> Self {
         Self { steps: 0, mean: vec![T::zero(); parameters], square: vec![T::zero(); parameters] }
     }
 
-    /// Steps done, running mean of the gradient and of its square.
+    /// Returns the number of steps, the running mean of the gradient and that of its square.
     pub fn state(&self) -> (u64, &[T], &[T]) {
         (self.steps, &self.mean, &self.square)
     }
 
-    /// Continues from a [`state`](Self::state); `None` if the two vectors differ in length.
+    /// Resumes from a [`state`](Self::state); `None` if the two vectors differ in length.
     pub fn from_state(steps: u64, mean: Vec<T>, square: Vec<T>) -> Option<Self> {
         (mean.len() == square.len()).then_some(Self { steps, mean, square })
     }
 
-    /// One step downhill.
+    /// Takes one step of gradient descent.
     ///
     /// # Panics
-    /// If `parameters` or `gradient` has another length than this optimiser was made for.
+    /// If `parameters` or `gradient` differs in length from the optimiser's state.
     pub fn step(&mut self, parameters: &mut [T], gradient: &[T], rate: f64) {
         assert!(parameters.len() == self.mean.len() && gradient.len() == self.mean.len(), "another parameter vector");
         self.steps += 1;

@@ -1,20 +1,23 @@
-//! The squashed Gaussian: an actor's output as a distribution of actions in −1..1.
+//! The squashed Gaussian: an actor's output as a distribution over actions in −1..1.
 //!
-//! Per sample the actor answers means and spreads, one of each per action component. u = µ + σ·ε with ε standard normal,
-//! a = tanh u, and
-//! ln π(a) = Σ −ε²/2 − ln σ − ½ ln 2π − ln(1 − tanh² u),
-//! the last term as 2·(ln 2 − u − softplus(−2u)), which does not overflow.
+//! For each sample the actor outputs means and spreads, one of each per action component. With ε standard normal,
+//!
+//! - u = µ + σ·ε,
+//! - a = tanh u,
+//! - ln π(a) = Σ −ε²/2 − ln σ − ½ ln 2π − ln(1 − tanh² u).
+//!
+//! The last term is computed as 2·(ln 2 − u − softplus(−2u)), which does not overflow.
 
 use super::Real;
 use serde::{Deserialize, Serialize};
 
-/// What an actor's second half of outputs means.
+/// Meaning of the second half of an actor's outputs.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Spread {
     /// ln σ, clipped to −5..2.
     LogSigma,
-    /// σ itself, clipped to 1e-6..1: the paper's.
+    /// σ itself, clipped to 1e-6..1, as in the paper.
     Sigma,
 }
 
@@ -27,31 +30,31 @@ impl Spread {
     }
 }
 
-/// The distribution behind an actor with `2·actions` outputs: means first, then spreads.
+/// The distribution defined by an actor with `2·actions` outputs: means first, then spreads.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gaussian {
-    /// Components of an action.
+    /// Number of action components.
     pub actions: usize,
-    /// What the second half of the outputs means.
+    /// Meaning of the second half of the outputs.
     pub spread: Spread,
 }
 
-/// Actions drawn for a batch.
+/// Actions sampled for a batch.
 #[derive(Clone, Debug, Default)]
 pub struct Samples<T> {
-    /// tanh u, one column a sample.
+    /// tanh u, one column per sample.
     pub actions: Vec<T>,
     /// ln π of each sample.
     pub log_densities: Vec<T>,
-    /// σ, one column a sample; negative where the spread was clipped and passes no gradient.
+    /// σ, one column per sample; negative where the spread was clipped and passes no gradient.
     sigma: Vec<T>,
 }
 
 impl Gaussian {
-    /// Draws one action a sample; `noise` holds ε, one column a sample.
+    /// Samples one action per column; `noise` holds ε, one column per sample.
     ///
     /// # Panics
-    /// If `noise` does not fit `outputs`.
+    /// If the size of `noise` does not match `outputs`.
     pub fn sample<T: Real>(self, outputs: &[T], noise: &[T], samples: &mut Samples<T>) {
         assert_eq!(outputs.len(), 2 * noise.len(), "noise for another batch");
         let (low, high) = self.spread.range();
@@ -78,8 +81,8 @@ impl Gaussian {
                     Spread::Sigma => (clipped, clipped.logarithm()),
                 };
                 let u = mean + sigma * noise;
-                // With e = exp(−2|u|): |tanh u| = (1 − e)/(1 + e), softplus(−2u) = max(−2u, 0) + ln(1 + e). One logarithm of
-                // the product of all 1 + e, which are at most 2, does for a sample.
+                // With e = exp(−2|u|): |tanh u| = (1 − e)/(1 + e), softplus(−2u) = max(−2u, 0) + ln(1 + e). All 1 + e
+                // are at most 2, so one logarithm of their product per sample suffices.
                 let (magnitude, over) = if u > T::zero() { (u, T::zero()) } else { (-u, -two * u) };
                 let e = (-two * magnitude).exponential();
                 let squashed = (T::one() - e) / (T::one() + e);
@@ -93,12 +96,13 @@ impl Gaussian {
         }
     }
 
-    /// The gradient of a loss by the actor's outputs, through actions and densities of `samples`.
+    /// Computes the gradient of a loss with respect to the actor's outputs, through actions and densities of `samples`.
     ///
-    /// `by_actions` is the loss's gradient by the actions, `by_density` the one by each sample's log-density.
+    /// `by_actions` is the loss's gradient with respect to the actions, `by_density` with respect to each sample's
+    /// log-density.
     ///
     /// # Panics
-    /// If a size does not fit.
+    /// If the sizes do not match.
     pub fn backward<T: Real>(
         self,
         samples: &Samples<T>,

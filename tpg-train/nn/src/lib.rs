@@ -1,16 +1,17 @@
-//! Neural networks: what a soft actor-critic needs and no more.
+//! Neural networks, limited to what a soft actor-critic needs.
 //!
-//! A batch is a matrix with one column a sample, so that a sample's values lie side by side. The parameters of a
+//! A batch is a matrix with one column per sample, so that a sample's values are contiguous. The parameters of a
 //! network are one flat vector: the optimiser, Polyak averaging and checkpoints see numbers, not layers.
 //!
-//! Everything is generic over [`Real`]. Training uses `f32`; the gradient checks use `f64`, where a finite difference
-//! says something.
+//! Everything is generic over [`Real`]. Training uses `f32`; the gradient checks use `f64`, in which finite differences
+//! are meaningful.
 //!
-//! # The same bits
+//! # Reproducibility
 //!
-//! Everything here gives the same bits on every machine: each sum has one order, whatever the width of the vectors that
-//! compute it ([`multiply`]); no multiplication is fused with an addition; transcendental functions come from the crate
-//! `libm`, not from the platform. Loops run in the widest vectors that the processor has: the crate `pulp` looks.
+//! Everything here gives the same bits on every machine: each sum has one order, independent of the width of the
+//! vectors that compute it ([`multiply`]); no multiplication is fused with an addition; transcendental functions come
+//! from the crate `libm`, not from the platform. Loops use the widest vectors of the processor, which the crate `pulp`
+//! detects.
 
 mod adam;
 mod gaussian;
@@ -28,7 +29,7 @@ use pulp::{Simd, bytemuck};
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// `f32` or `f64`, with elementary functions that do not depend on the platform, and vectors of it.
+/// `f32` or `f64`, with platform-independent elementary functions and vector operations.
 pub trait Real:
     Copy
     + Default
@@ -44,39 +45,39 @@ pub trait Real:
     + MulAssign
     + 'static
 {
-    /// As many of it as one register of that kind holds.
+    /// A vector register of this type.
     type Vector<S: Simd>: Copy;
-    /// How many that are.
+    /// Returns the number of lanes of a vector.
     fn lanes<S: Simd>() -> usize;
-    /// The same number in each lane.
+    /// Returns a vector with the same number in each lane.
     fn splat<S: Simd>(simd: S, value: Self) -> Self::Vector<S>;
-    /// The sums, lane by lane.
+    /// Returns the lane-wise sums.
     fn plus<S: Simd>(simd: S, a: Self::Vector<S>, b: Self::Vector<S>) -> Self::Vector<S>;
-    /// The products, lane by lane.
+    /// Returns the lane-wise products.
     fn times<S: Simd>(simd: S, a: Self::Vector<S>, b: Self::Vector<S>) -> Self::Vector<S>;
-    /// ReLU, lane by lane; not-a-number becomes zero.
+    /// Applies ReLU to each lane; NaN becomes zero.
     fn rectify<S: Simd>(simd: S, values: Self::Vector<S>) -> Self::Vector<S>;
-    /// Gradients where a ReLU's output lets them pass, zeros elsewhere, lane by lane.
+    /// Returns the gradients in the lanes where a ReLU's output was positive, zeros elsewhere.
     fn pass<S: Simd>(simd: S, gradients: Self::Vector<S>, passed: Self::Vector<S>) -> Self::Vector<S>;
-    /// The whole vectors of a list.
+    /// Returns the whole vectors of a list.
     fn vectors<S: Simd>(values: &[Self]) -> &[Self::Vector<S>];
-    /// The whole vectors of a list.
+    /// Returns the whole vectors of a list, mutable.
     fn vectors_mut<S: Simd>(values: &mut [Self]) -> &mut [Self::Vector<S>];
-    /// A vector's lanes.
+    /// Returns a vector's lanes.
     fn unpack<S: Simd>(vector: &Self::Vector<S>) -> &[Self];
-    /// 0.
+    /// Returns 0.
     fn zero() -> Self;
-    /// 1.
+    /// Returns 1.
     fn one() -> Self;
-    /// The value nearest to `value`.
+    /// Returns the value nearest to `value`.
     fn of(value: f64) -> Self;
-    /// The same number, exactly.
+    /// Converts the number exactly to `f64`.
     fn wide(self) -> f64;
-    /// e to this power.
+    /// Returns e to the power of this number.
     fn exponential(self) -> Self;
-    /// The natural logarithm.
+    /// Returns the natural logarithm.
     fn logarithm(self) -> Self;
-    /// The correctly rounded square root.
+    /// Returns the correctly rounded square root.
     fn root(self) -> Self;
 }
 

@@ -6,21 +6,20 @@ use super::{Factor, Finish, Real, Scratch, multiply};
 use pulp::Arch;
 use serde::{Deserialize, Serialize};
 
-/// The sizes of a network: hidden layers are linear, ReLU and, with `norm`, LayerNorm, in this order; the last layer is
-/// linear.
+/// The sizes of a network. A hidden layer is linear, then ReLU and, with `norm`, LayerNorm; the last layer is linear.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Shape {
-    /// Values in.
+    /// Number of inputs.
     pub inputs: usize,
     /// Units of each hidden layer.
     pub hidden: Vec<usize>,
-    /// Values out.
+    /// Number of outputs.
     pub outputs: usize,
-    /// Whether each hidden layer is normalised (ε = 1e-5, with gain and shift), as in the paper.
+    /// True if each hidden layer is normalised (ε = 1e-5, with gain and shift), as in the paper.
     pub norm: bool,
 }
 
-/// Where one layer's parameters lie in the flat vector.
+/// Offsets of one layer's parameters in the flat vector.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Layer {
     inputs: usize,
@@ -28,7 +27,7 @@ struct Layer {
     /// Weights, column-major `outputs` × `inputs`.
     weight: usize,
     bias: usize,
-    /// Gain, then shift, of the LayerNorm behind; `None` where there is none.
+    /// Gain, then shift, of the LayerNorm that follows; `None` if there is none.
     norm: Option<usize>,
 }
 
@@ -60,19 +59,19 @@ impl Shape {
             .collect()
     }
 
-    /// How many parameters a network of this shape has.
+    /// Returns the number of parameters of a network of this shape.
     pub fn parameters(&self) -> usize {
         self.layers().last().map_or(0, |last| last.bias + last.outputs)
     }
 
-    /// How many multiplications of a weight one sample costs.
+    /// Returns the number of weight multiplications per sample.
     pub fn multiplications(&self) -> usize {
         self.layers().iter().map(|layer| layer.inputs * layer.outputs).sum()
     }
 }
 
-/// A network: its shape and its parameters, layer by layer weights (column-major, outputs × inputs), bias, and gain
-/// and shift where normalised.
+/// A network: its shape and its parameters. Each layer has weights (column-major, outputs × inputs), a bias and, if
+/// normalised, gain and shift.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mlp<T> {
     shape: Shape,
@@ -80,24 +79,24 @@ pub struct Mlp<T> {
     parameters: Vec<T>,
 }
 
-/// What a forward pass leaves for the backward pass: the values between the layers, for one batch.
+/// Values that a forward pass keeps for the backward pass: those between the layers, for one batch.
 #[derive(Clone, Debug)]
 pub struct Tape<T> {
     batch: usize,
-    /// Per layer, what went in: the network's input, then each hidden layer's output.
+    /// The input of each layer: the network's input, then each hidden layer's output.
     inputs: Vec<Vec<T>>,
-    /// Per hidden layer, the ReLU's output, where a LayerNorm follows.
+    /// The ReLU's output of each hidden layer that is followed by a LayerNorm.
     before_norm: Vec<Vec<T>>,
-    /// Per hidden layer and sample, mean and 1/standard deviation, where a LayerNorm follows.
+    /// Mean and 1/standard deviation for each hidden layer and sample, if a LayerNorm follows.
     moments: Vec<Vec<[T; 2]>>,
     output: Vec<T>,
-    /// Gradients on their way back; swapped layer by layer.
+    /// Gradients of the backward pass; swapped layer by layer.
     gradient: [Vec<T>; 2],
     scratch: Scratch<T>,
 }
 
 impl<T: Real> Tape<T> {
-    /// An empty tape for batches of that many samples.
+    /// Creates an empty tape for batches of `batch` samples.
     pub fn new(shape: &Shape, batch: usize) -> Self {
         let zeros = |rows: usize| vec![T::zero(); rows * batch];
         let widest = shape.hidden.iter().chain([&shape.inputs, &shape.outputs]).copied().max().unwrap_or(0);
@@ -113,12 +112,12 @@ impl<T: Real> Tape<T> {
         }
     }
 
-    /// The network's input, one column a sample: to be filled before [`Mlp::forward`].
+    /// Returns the network's input, one column per sample, to be filled before [`Mlp::forward`].
     pub fn input_mut(&mut self) -> &mut [T] {
         self.inputs.first_mut().map_or(&mut [], Vec::as_mut_slice)
     }
 
-    /// The output of a hidden layer, one column a sample.
+    /// Returns the output of a hidden layer, one column per sample.
     ///
     /// # Panics
     /// If there is no such layer.
@@ -126,14 +125,15 @@ impl<T: Real> Tape<T> {
         &self.inputs[layer + 1]
     }
 
-    /// The network's output, one column a sample.
+    /// Returns the network's output, one column per sample.
     pub fn output(&self) -> &[T] {
         &self.output
     }
 }
 
 impl<T: Real> Mlp<T> {
-    /// Weights and biases uniform in ±1/√inputs, as PyTorch's `Linear` draws them; gains 1, shifts 0.
+    /// Creates a network with weights and biases uniform in ±1/√inputs, as in PyTorch's `Linear`; gains are 1, shifts
+    /// 0.
     pub fn random(shape: Shape, mut unit: impl FnMut() -> f64) -> Self {
         let mut parameters = vec![T::zero(); shape.parameters()];
         let layers = shape.layers();
@@ -149,27 +149,27 @@ impl<T: Real> Mlp<T> {
         Self { shape, layers, parameters }
     }
 
-    /// A network of given parameters; `None` if their number is not the shape's.
+    /// Creates a network from given parameters; `None` if their number does not match the shape.
     pub fn from_parameters(shape: Shape, parameters: Vec<T>) -> Option<Self> {
         (parameters.len() == shape.parameters()).then(|| Self { layers: shape.layers(), shape, parameters })
     }
 
-    /// The sizes.
+    /// Returns the shape.
     pub fn shape(&self) -> &Shape {
         &self.shape
     }
 
-    /// The flat parameters.
+    /// Returns the flat parameters.
     pub fn parameters(&self) -> &[T] {
         &self.parameters
     }
 
-    /// The flat parameters, to be changed by an optimiser.
+    /// Returns the flat parameters for an optimiser to change.
     pub fn parameters_mut(&mut self) -> &mut [T] {
         &mut self.parameters
     }
 
-    /// Weights (row-major, outputs × inputs) and bias of each layer, first to last.
+    /// Returns weights (row-major, outputs × inputs) and bias of each layer, first to last.
     pub fn weights(&self) -> Vec<(Vec<T>, Vec<T>)> {
         let row_major = |layer: &Layer| {
             let weights = &self.parameters[layer.weight..][..layer.inputs * layer.outputs];
@@ -180,7 +180,7 @@ impl<T: Real> Mlp<T> {
         self.layers.iter().map(row_major).collect()
     }
 
-    /// Gain and shift of the LayerNorm behind a hidden layer.
+    /// Returns gain and shift of the LayerNorm that follows a hidden layer.
     pub fn norm(&self, layer: usize) -> Option<(&[T], &[T])> {
         let &Layer { norm, outputs, .. } = self.layers.get(layer)?;
         Some(self.parameters[norm?..][..2 * outputs].split_at(outputs))
@@ -199,10 +199,10 @@ impl<T: Real> Mlp<T> {
         );
     }
 
-    /// Computes the output of the batch in the tape's input, and keeps what [`backward`](Self::backward) needs.
+    /// Computes the output for the batch in the tape's input, and keeps what [`backward`](Self::backward) needs.
     ///
     /// # Panics
-    /// If the tape was made for another shape.
+    /// If the tape was made for a different shape.
     pub fn forward(&self, tape: &mut Tape<T>) {
         let last = self.shape.hidden.len();
         let scratch = &mut tape.scratch;
@@ -210,7 +210,7 @@ impl<T: Real> Mlp<T> {
             let (before, after) = tape.inputs.split_at_mut(index + 1);
             let mut input = Factor::new(&before[index], layer.inputs, tape.batch);
             if index > 0 {
-                // What a ReLU let nothing pass of is zero: about half of it.
+                // About half of a ReLU's outputs are zero.
                 input = input.sparse();
             }
             let (weight, bias) = (layer.weight(&self.parameters), layer.bias(&self.parameters));
@@ -227,13 +227,15 @@ impl<T: Real> Mlp<T> {
         }
     }
 
-    /// Carries the gradient of a loss by the output back through the batch that went [`forward`](Self::forward) last.
+    /// Propagates the gradient of a loss with respect to the output back through the last batch of
+    /// [`forward`](Self::forward).
     ///
-    /// `gradients`, where given, is overwritten with the gradient by the parameters (in their order, summed over the
-    /// batch); `by_input`, where given, with the gradient by the last inputs: as many as it has rows.
+    /// `gradients`, if given, is overwritten with the gradient with respect to the parameters (in their order, summed
+    /// over the batch); `by_input`, if given, with the gradient with respect to the last inputs, as many as it has
+    /// rows.
     ///
     /// # Panics
-    /// If a size does not fit.
+    /// If the sizes do not match.
     pub fn backward(
         &self,
         tape: &mut Tape<T>,
@@ -261,11 +263,11 @@ impl<T: Real> Mlp<T> {
                 multiply(by_weight, gradient, input.transposed(), Finish::Plain, scratch);
                 sum_columns(&mut all[layer.bias..][..layer.outputs], gradient.values());
             } else {
-                // A loss by which no parameter is moved may leave samples out: each is judged by one of two critics.
+                // A loss that moves no parameters may ignore samples: each is judged by one of two critics.
                 gradient = gradient.sparse();
             }
             if let Some(before) = index.checked_sub(1) {
-                // Without a LayerNorm between, what goes back passes the ReLU of the layer before at once.
+                // Without a LayerNorm in between, the gradient passes the previous layer's ReLU in the same step.
                 let normed = self.layers[before].norm.is_some();
                 let finish = if normed { Finish::Plain } else { Finish::Where(&tape.inputs[index]) };
                 let weight = layer.weight(&self.parameters).transposed();
@@ -283,7 +285,7 @@ impl<T: Real> Mlp<T> {
     }
 }
 
-/// Lets the gradient pass where a ReLU did.
+/// Masks the gradient where a ReLU's output was zero.
 fn mask<T: Real>(gradient: &mut [T], passed: &[T]) {
     let pairs = gradient.iter_mut().zip(passed);
     Arch::new().dispatch(
@@ -292,7 +294,7 @@ fn mask<T: Real>(gradient: &mut [T], passed: &[T]) {
     );
 }
 
-/// `sums` := the sum of all columns, first to last.
+/// Sets `sums` to the sum of all columns, added first to last.
 fn sum_columns<T: Real>(sums: &mut [T], columns: &[T]) {
     Arch::new().dispatch(
         #[inline(always)]
@@ -328,7 +330,7 @@ mod tests {
             let mut random = Stream::new(1, 0, Purpose::Test, 20);
             let mut network = Mlp::<f64>::random(shape(norm), || random.unit());
             for parameter in network.parameters_mut() {
-                *parameter += 0.1 * random.normal(); // gains and shifts too shall be ordinary numbers
+                *parameter += 0.1 * random.normal(); // gains and shifts are ordinary numbers as well
             }
             let input: Vec<f64> = (0..7 * 6).map(|_| random.normal()).collect();
             let coefficients: Vec<f64> = (0..3 * 6).map(|_| random.normal()).collect();

@@ -6,7 +6,7 @@ use pulp::Arch;
 
 const EPSILON: f64 = 1e-5;
 
-/// LayerNorm, column by column; leaves mean and 1/√(variance + ε) in `moments`.
+/// Applies LayerNorm column by column; stores mean and 1/√(variance + ε) in `moments`.
 pub(super) fn normalise<T: Real>(out: &mut [T], moments: &mut [[T; 2]], values: &[T], gain: &[T], shift: &[T]) {
     let (size, count) = (gain.len(), T::of(gain.len() as f64));
     let columns = out.chunks_exact_mut(size).zip(values.chunks_exact(size));
@@ -26,8 +26,8 @@ pub(super) fn normalise<T: Real>(out: &mut [T], moments: &mut [[T; 2]], values: 
     );
 }
 
-/// Turns the gradient by LayerNorm's output into the one by its input, in place. `by_norm`, where given, is overwritten
-/// with the gradient by gain and shift.
+/// Converts the gradient with respect to LayerNorm's output into that with respect to its input, in place. `by_norm`,
+/// if given, is overwritten with the gradient with respect to gain and shift.
 pub(super) fn denormalise<T: Real>(
     gradient: &mut [T],
     by_norm: Option<&mut [T]>,

@@ -1,9 +1,9 @@
-//! The matrix product, in one order of additions.
+//! The matrix product with a fixed order of additions.
 //!
 //! Every element of a product is Σₖ aᵢₖ·bₖⱼ with k ascending from a sum of zero, each multiplication and each addition
-//! rounded by itself. Elements are computed side by side in vectors and registers, never one element's sum in parts, so
-//! that neither the width of the machine's vectors nor the size of a batch changes a bit. The one exception is a factor
-//! of a single row on the left of whole columns, which is a [`dot`] product of sixteen partial sums.
+//! rounded separately. Vectors and registers hold different elements, never parts of one element's sum, so neither the
+//! width of the machine's vectors nor the size of a batch changes a bit. The one exception is a single-row left factor
+//! times whole columns, which is a [`dot`] product of sixteen partial sums.
 
 mod columns;
 mod tiles;
@@ -13,7 +13,7 @@ use super::Real;
 use super::sum::dot;
 use pulp::{Arch, Simd, WithSimd};
 
-/// A factor of a product: a column-major matrix, read as it is or transposed.
+/// A factor of a product: a column-major matrix, used as it is or transposed.
 #[derive(Clone, Copy, Debug)]
 pub struct Factor<'a, T> {
     values: &'a [T],
@@ -24,7 +24,7 @@ pub struct Factor<'a, T> {
 }
 
 impl<'a, T: Copy> Factor<'a, T> {
-    /// A column-major matrix of that size.
+    /// Wraps a column-major matrix of the given size.
     ///
     /// # Panics
     /// If `values` does not hold exactly `rows`·`columns` numbers.
@@ -33,18 +33,18 @@ impl<'a, T: Copy> Factor<'a, T> {
         Self { values, rows, columns, transposed: false, sparse: false }
     }
 
-    /// The same numbers with rows and columns exchanged.
+    /// Returns the transposed matrix.
     pub fn transposed(self) -> Self {
         Self { transposed: !self.transposed, ..self }
     }
 
-    /// The same matrix, on the right of a product, as one with many zeros: columns that are all zeros, and zeros of a single
-    /// column, are looked for and not multiplied. That changes no bit as long as the left factor is finite.
+    /// Marks the matrix, as a right factor, as having many zeros: columns of zeros, and zeros of a single column, are
+    /// detected and skipped. That changes no bit as long as the left factor is finite.
     pub fn sparse(self) -> Self {
         Self { sparse: true, ..self }
     }
 
-    /// The numbers as they lie in memory.
+    /// Returns the numbers in memory order.
     pub fn values(&self) -> &'a [T] {
         self.values
     }
@@ -54,22 +54,21 @@ impl<'a, T: Copy> Factor<'a, T> {
     }
 }
 
-/// What happens to the elements of a product before they are stored.
+/// Operation applied to the elements of a product before they are stored.
 #[derive(Clone, Copy, Debug)]
 pub enum Finish<'a, T> {
-    /// Nothing.
+    /// No operation.
     Plain,
-    /// A row's bias is added.
+    /// Adds the row's bias.
     Bias(&'a [T]),
-    /// A row's bias is added, and what is not above zero becomes zero (ReLU).
+    /// Adds the row's bias and sets values that are not above zero to zero (ReLU).
     Rectified(&'a [T]),
-    /// What is not above zero in this matrix, of the product's size, becomes zero: a gradient where a ReLU let nothing
-    /// pass.
+    /// Zeroes the elements at which this matrix, of the product's size, is not above zero: the backward pass of a ReLU.
     Where(&'a [T]),
 }
 
 impl<T: Real> Finish<'_, T> {
-    /// Of the element in that row, which lies at `place` in the product.
+    /// Finishes the element in that row, at index `place` of the product.
     #[inline(always)]
     fn scalar(self, row: usize, place: usize, sum: T) -> T {
         match self {
@@ -80,7 +79,7 @@ impl<T: Real> Finish<'_, T> {
         }
     }
 
-    /// The same for as many rows as there are lanes, from that row and place on.
+    /// Finishes one vector of rows, from that row and place on.
     #[inline(always)]
     fn vector<S: Simd>(self, simd: S, row: usize, place: usize, sum: T::Vector<S>) -> T::Vector<S> {
         let load = |values: &[T], first: usize| T::vectors::<S>(&values[first..][..T::lanes::<S>()])[0];
@@ -93,36 +92,36 @@ impl<T: Real> Finish<'_, T> {
     }
 }
 
-/// ReLU; not-a-number becomes zero.
+/// ReLU; NaN becomes zero.
 #[inline(always)]
 pub(super) fn rectified<T: Real>(value: T) -> T {
     if value > T::zero() { value } else { T::zero() }
 }
 
-/// A gradient where a ReLU's output lets it pass, zero elsewhere.
+/// Returns the gradient where a ReLU's output was positive, zero elsewhere.
 #[inline(always)]
 pub(super) fn passing<T: Real>(gradient: T, passed: T) -> T {
     if passed > T::zero() { gradient } else { T::zero() }
 }
 
-/// The space that products need: grows to what the largest one asked for.
+/// Buffers for products; they grow to the size of the largest one.
 #[derive(Clone, Debug, Default)]
 pub struct Scratch<T> {
     /// Panels of the left factor: for each tile's rows, column after column.
     panels: Vec<T>,
-    /// The right factor's last columns where they fill no tile, row by row.
+    /// Last columns of the right factor that do not fill a tile, row by row.
     rest: Vec<T>,
     /// A tile, column by column.
     sums: Vec<T>,
-    /// The right factor's columns that are not all zeros: which, and side by side.
+    /// Columns of the right factor that are not all zeros: their indices, and the columns side by side.
     kept: Vec<usize>,
     gathered: Vec<T>,
 }
 
-/// `out` := `a`·`b`, finished; `out` column-major.
+/// Computes `out` := finish(`a`·`b`); `out` is column-major.
 ///
 /// # Panics
-/// If the sizes do not fit.
+/// If the sizes do not match.
 pub fn multiply<T: Real>(
     out: &mut [T],
     a: Factor<'_, T>,
@@ -203,12 +202,12 @@ mod tests {
         numbers
     }
 
-    /// A factor of that size in the reader's eyes, stored either way round.
+    /// Creates a factor of that size, stored either way round.
     fn factor<T: Real>(values: &[T], flip: bool, (rows, columns): (usize, usize)) -> Factor<'_, T> {
         if flip { Factor::new(values, columns, rows).transposed() } else { Factor::new(values, rows, columns) }
     }
 
-    /// Every shape either way round, finished in every way: what is multiplied, and what came out on `arch`.
+    /// Computes products of every shape, orientation and finish; returns factors and results of `arch`.
     fn products<S: Simd>(simd: S) -> Vec<f32> {
         let mut all = Vec::new();
         let mut scratch = Scratch::default();
@@ -241,7 +240,7 @@ mod tests {
         }
     }
 
-    /// A product whose right factor has columns of zeros: first and last, in between, most of them, all of them, none.
+    /// Computes a product whose right factor has columns of zeros: first and last, in between, most, all, none.
     fn sparse_products<S: Simd>(simd: S, sparse: bool) -> Vec<u32> {
         let (rows, inner, columns) = (37, 20, 70);
         let (a, passed) = (normals(rows * inner, 1), normals(rows * columns, 4));

@@ -1,18 +1,18 @@
-//! Sums in sixteen parts: one order of additions, whatever the width of the vectors.
+//! Sums of sixteen partial sums: a fixed order of additions, independent of the vector width.
 
 use super::Real;
 
-/// How many partial sums a [`dot`] product and other [`sum`]s keep.
+/// Number of partial sums in a [`dot`] product and other [`sum`]s.
 const PARTS: usize = 16;
 
-/// A dot product, in the order of [`sum`].
+/// Computes a dot product in the order of [`sum`].
 #[inline(always)]
 pub(super) fn dot<T: Real>(a: &[T], b: &[T]) -> T {
     sum([a, b], |[a, b]| a * b)
 }
 
-/// Σ of a term of each place in lists of one length: part i sums the places i, i + 16, …; then the parts are added in
-/// pairs, distance 8, 4, 2 and 1.
+/// Sums a term over the positions of equally long lists: part i sums the positions i, i + 16, …; then the parts are
+/// added in pairs, at distance 8, 4, 2 and 1.
 #[inline(always)]
 pub(super) fn sum<T: Real, const N: usize>(lists: [&[T]; N], term: impl Fn([T; N]) -> T) -> T {
     let count = lists[0].len();

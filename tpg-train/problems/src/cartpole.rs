@@ -20,9 +20,9 @@ const LENGTH: f64 = 0.5;
 const FORCE: f64 = 10.0;
 /// Seconds of one action.
 const STEP: f64 = 0.02;
-/// The episode ends where the cart is further from the middle than this, m.
+/// The episode ends when the cart is further from the middle than this, m.
 const FAR: f64 = 2.4;
-/// The episode ends where the pole leans more than this, rad: 12°.
+/// The episode ends when the pole leans more than this, rad: 12°.
 const LEANING: f64 = 12.0 * 2.0 * PI / 360.0;
 /// Actions of an episode.
 const ACTIONS: u32 = 500;
@@ -34,9 +34,9 @@ pub struct Config {}
 
 /// A pole on a cart, by the rules of Gymnasium's CartPole-v1.
 ///
-/// The state is the cart's position (m) and velocity (m/s), and the pole's angle from upright (rad) and angular velocity
-/// (rad/s). Every action earns 1; the episode ends where the pole leans by more than 12° or the cart leaves ±2.4 m, at the
-/// latest after 500 actions.
+/// The state is the cart's position (m) and velocity (m/s), and the pole's angle from upright (rad) and angular
+/// velocity (rad/s). Every action earns 1; the episode ends when the pole leans by more than 12° or the cart leaves
+/// ±2.4 m, and after 500 actions at the latest.
 ///
 /// ```
 /// use tpg_engine::Environment;
@@ -95,7 +95,7 @@ impl<S: Scalar> Environment<S> for CartPole {
     fn step(&self, state: &mut State, act: Act<'_, S>) -> Step {
         let [x, v, theta, omega] = *state;
         let force = if act.choice() == 1 { FORCE } else { -FORCE };
-        // The crate libm, not the platform's: the same pole on every machine.
+        // The crate libm instead of the platform's: the same results on every machine.
         let (sin, cos) = (libm::sin(theta), libm::cos(theta));
         let moved = (force + POLE_MASS * LENGTH * (omega * omega) * sin) / TOTAL_MASS;
         let turned = (GRAVITY * sin - cos * moved) / (LENGTH * (4.0 / 3.0 - POLE_MASS * (cos * cos) / TOTAL_MASS));
@@ -112,7 +112,7 @@ mod tests {
     use tpg_engine::{Act, Environment};
     use tpg_runtime::policy::ActionId;
 
-    /// One step of CartPole-v1, computed by hand from its published rules.
+    /// Checks one step of CartPole-v1, computed by hand from its published rules.
     #[test]
     fn the_rules_are_gymnasiums() {
         let mut state = [0.1, -0.2, 0.05, 0.3];

@@ -1,4 +1,4 @@
-//! The problems that come with the trainer, and the registry that finds them by name.
+//! The problems included with the trainer, and the registry that finds them by name.
 //!
 //! ```
 //! use tpg_problems::{Problem, ProblemName};
@@ -31,7 +31,7 @@ pub use registry::{Problem, ProblemName, Visitor};
 
 use tpg_graph::SourceDocument;
 
-/// A source of one value.
+/// Creates a source of one value.
 fn source(name: &str, unit: &str, range: [f64; 2]) -> SourceDocument {
     SourceDocument { name: name.to_owned(), length: 1, unit: unit.to_owned(), ranges: vec![range] }
 }

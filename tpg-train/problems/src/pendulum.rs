@@ -1,4 +1,4 @@
-//! Gymnasium's Pendulum-v1: swing a pendulum up with too weak a motor, and keep it up.
+//! Gymnasium's Pendulum-v1: swing a pendulum up with a motor that is too weak to lift it directly, and keep it up.
 
 use crate::source;
 use core::f64::consts::{PI, TAU};
@@ -9,13 +9,13 @@ use tpg_graph::SourceDocument;
 use tpg_graph::error::Finding;
 use tpg_runtime::scalar::Scalar;
 
-/// Greatest torque, N·m.
+/// Maximum torque, N·m.
 const TORQUE: f64 = 2.0;
-/// Greatest angular velocity, rad/s.
+/// Maximum angular velocity, rad/s.
 const FASTEST: f64 = 8.0;
 /// Seconds of one action.
 const STEP: f64 = 0.05;
-/// Acceleration of gravity, m/s², as Gymnasium has it.
+/// Acceleration of gravity, m/s², with Gymnasium's value.
 const GRAVITY: f64 = 10.0;
 /// Actions of an episode.
 const ACTIONS: u32 = 200;
@@ -24,7 +24,7 @@ const ACTIONS: u32 = 200;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Config {
-    /// The number of torques that a graph chooses among, evenly spaced from −2 to 2 N·m.
+    /// Number of torques that a graph chooses among, evenly spaced from −2 to 2 N·m.
     pub levels: u16,
 }
 
@@ -61,12 +61,12 @@ impl Config {
 #[derive(Clone, Copy, Debug)]
 pub struct Pendulum;
 
-/// A swing under way.
+/// A running episode.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Swing {
-    /// From upright, rad; not wrapped.
+    /// Angle from upright, rad; not wrapped.
     angle: f64,
-    /// rad/s.
+    /// Angular velocity, rad/s.
     velocity: f64,
 }
 
@@ -109,7 +109,7 @@ impl<S: Scalar> Environment<S> for Pendulum {
     }
 
     fn observe(&self, swing: &mut Swing, _wanted: SourceSet, state: &mut [S]) {
-        // The crate libm, not the platform's: the same swing on every machine.
+        // The crate libm instead of the platform's: the same results on every machine.
         let values = [libm::cos(swing.angle), libm::sin(swing.angle), swing.velocity];
         state.iter_mut().zip(values).for_each(|(slot, value)| *slot = S::from_f64(value));
     }
@@ -126,7 +126,7 @@ impl<S: Scalar> Environment<S> for Pendulum {
     }
 }
 
-/// The angle in −π..π.
+/// Wraps the angle to −π..π.
 fn wrapped(angle: f64) -> f64 {
     let turned = angle + PI;
     turned - TAU * (turned / TAU).floor() - PI
@@ -151,7 +151,7 @@ mod tests {
         }
     }
 
-    /// Three steps of Pendulum-v1, computed by hand from its published rules.
+    /// Checks three steps of Pendulum-v1, computed by hand from its published rules.
     #[test]
     fn the_rules_are_gymnasiums() {
         let mut swing = Swing { angle: 0.5, velocity: -1.0 };
@@ -159,7 +159,7 @@ mod tests {
         assert!((reward + (0.25 + 0.1 + 0.001 * 2.25)).abs() < 1e-12);
         let velocity = -1.0 + (15.0 * 0.5f64.sin() + 4.5) * 0.05;
         assert!((swing.velocity - velocity).abs() < 1e-12 && (swing.angle - (0.5 + 0.05 * velocity)).abs() < 1e-12);
-        // Torques beyond the limit count as the limit, in motion and in cost.
+        // Torques beyond the limit are clamped, in motion and in cost.
         let (mut a, mut b) = (swing, swing);
         assert_eq!((step(&mut a, 9.0), a), (step(&mut b, 2.0), b));
         // No velocity beyond 8 rad/s.

@@ -26,7 +26,7 @@ impl ProblemName {
     /// Every built-in problem.
     pub const ALL: [Self; 4] = [Self::Fs, Self::Rs, Self::Cartpole, Self::Pendulum];
 
-    /// The name on the command line and in configurations.
+    /// Returns the name used on the command line and in configurations.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Fs => "fs",
@@ -36,17 +36,17 @@ impl ProblemName {
         }
     }
 
-    /// The problem of that [`name`](Self::name).
+    /// Finds the problem with the given [`name`](Self::name).
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|problem| problem.name() == name)
     }
 
-    /// The names of all problems, for messages.
+    /// Returns the names of all problems, for messages.
     pub fn names() -> String {
         Self::ALL.map(Self::name).join(", ")
     }
 
-    /// The arm's start, where the problem is the arm's.
+    /// Returns the arm's start, if this is a problem of the arm.
     pub const fn start(self) -> Option<Start> {
         match self {
             Self::Fs => Some(Start::Fs),
@@ -76,29 +76,29 @@ pub enum Problem {
     Pendulum(pendulum::Config),
 }
 
-/// Receives an environment whose type is known only now: see [`Problem::open`].
+/// Receives an environment whose type is only known at run time: see [`Problem::open`].
 pub trait Visitor<S: ArmScalar> {
     /// The result.
     type Output;
 
-    /// Works with the environment. Its actions are the problem's own: a box where it has outputs.
+    /// Works with the environment. Its actions are the problem's own: a box if it has outputs.
     fn visit<E: Environment<S>>(self, environment: E) -> Self::Output;
 }
 
-/// A file with a section `[problem]`; the rest of it is somebody else's.
+/// A file with a section `[problem]`; the other sections belong to other readers.
 #[derive(Deserialize)]
 struct File<P> {
     problem: P,
 }
 
-/// The name alone.
+/// Only the name.
 #[derive(Deserialize)]
 struct Name {
     name: String,
 }
 
 impl Problem {
-    /// A problem with its usual settings.
+    /// Returns a problem with its default settings.
     pub fn usual(name: ProblemName) -> Self {
         match name {
             ProblemName::Fs => Self::Arm(Start::Fs, arm::Config::default()),
@@ -108,7 +108,7 @@ impl Problem {
         }
     }
 
-    /// The problem's name.
+    /// Returns the problem's name.
     pub fn name(&self) -> ProblemName {
         match self {
             Self::Arm(start, _) => (*start).into(),
@@ -117,7 +117,7 @@ impl Problem {
         }
     }
 
-    /// The number of levels that each output takes where a policy chooses among named actions.
+    /// Returns the number of levels of each output for policies that choose among named actions.
     pub fn levels(&self) -> u16 {
         match self {
             Self::Pendulum(config) => config.levels,
@@ -149,7 +149,7 @@ impl Problem {
         }
     }
 
-    /// The section `[problem]`, every setting written out.
+    /// Returns the section `[problem]` with every setting written out.
     ///
     /// # Panics
     /// Never: every setting can be written.
@@ -164,7 +164,7 @@ impl Problem {
         table
     }
 
-    /// Gives the problem's environment to `visitor`.
+    /// Passes the problem's environment to `visitor`.
     pub fn open<S: ArmScalar, V: Visitor<S>>(&self, visitor: V) -> V::Output {
         match self {
             Self::Arm(start, config) => visitor.visit(config.environment::<S>(*start)),

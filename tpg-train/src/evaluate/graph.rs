@@ -36,6 +36,34 @@ pub fn endings<S: Scalar, M: Maths<S>>(
 
 /// Evaluates a graph on an environment of your own: see [`endings`].
 ///
+/// ```
+/// use tpg_graph::Graph;
+/// use tpg_problems::CartPole;
+/// use tpg_runtime::ops::Own;
+/// use tpg_train::evaluate::graph::on_environment;
+///
+/// // Pushes to the side to which the pole is falling: `right` is bid theta + omega, `left` is bid 0.
+/// let text = r#"{
+///     "format": "tpg-graph", "version": 1, "scalar": "f32", "maths": "own", "registers": 1,
+///     "sources": [
+///         { "name": "theta", "length": 1, "unit": "rad", "ranges": [[-1, 1]] },
+///         { "name": "omega", "length": 1, "unit": "rad/s", "ranges": [[-9, 9]] }
+///     ],
+///     "instructions": ["add"],
+///     "actions": [{ "id": 0, "name": "left" }, { "id": 1, "name": "right" }],
+///     "root": 0,
+///     "teams": [{ "id": 0, "edges": [{ "program": 0, "action": 0 }, { "program": 1, "action": 1 }] }],
+///     "programs": [
+///         { "id": 0, "lines": [] },
+///         { "id": 1, "lines": [{ "to": 0, "op": "add", "args": ["theta[0]", "omega[0]"] }] }
+///     ]
+/// }"#;
+/// let graph = Graph::from_json("falling.json", text)?;
+/// let report = on_environment::<f32, Own>("cartpole", "falling.json", &graph, &CartPole, 10, 1)?;
+/// assert!(report.mean_score > 100.0, "{}", report.mean_score);
+/// # Ok::<(), tpg_graph::error::InputError>(())
+/// ```
+///
 /// # Errors
 /// As [`endings`].
 pub fn on_environment<S: Scalar, M: Maths<S>>(

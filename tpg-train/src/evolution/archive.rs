@@ -1,8 +1,10 @@
-//! The archive: what programs bid in the past, so that a new program is really new (`archive.h`, `archive.cpp`).
+//! The archive: recorded bids of earlier programs, used to check that a new program behaves differently (`archive.h`,
+//! `archive.cpp`).
 //!
-//! GEGELATI records every program execution of the training with a small probability and keeps the newest; with millions
-//! of executions a generation the archive then holds a few executions of the last roots. Here each generation draws as
-//! many recordings from all of its roots, episodes and steps: the same use, independent of the order of evaluation.
+//! GEGELATI records every program execution of the training with a small probability and keeps the newest; with
+//! millions of executions per generation its archive then holds a few executions of the last roots. Here each
+//! generation draws the same number of recordings from all of its roots, episodes and steps: the same use, independent
+//! of the order of evaluation.
 
 use super::genome::{Program, ProgramId};
 use super::vocabulary::Vocabulary;
@@ -13,17 +15,17 @@ use tpg_graph::ScalarType;
 use tpg_runtime::ops::{Maths, Own};
 use tpg_runtime::scalar::Scalar;
 
-/// Bids nearer than this are the same (`archive.h`, `areProgramResultsUnique`).
+/// Bids closer than this are considered equal (`archive.h`, `areProgramResultsUnique`).
 const TAU: f64 = 1e-4;
 
-/// One execution.
+/// A recorded execution.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Recording {
-    /// Who bid: deme and program.
+    /// The bidder: deme and program.
     pub program: (u64, ProgramId),
-    /// The whole flat state it saw.
+    /// The whole flat state that it read.
     pub state: Vec<f64>,
-    /// What it bid, as bits: a bid can be infinite or NaN, which JSON cannot write.
+    /// Its bid, as bits: a bid can be infinite or NaN, which JSON cannot represent.
     pub bid: u64,
 }
 
@@ -35,17 +37,17 @@ pub struct Archive {
 }
 
 impl Archive {
-    /// An empty archive of at most `size` recordings (`archiveSize`); of 0 it finds every program new.
+    /// Creates an empty archive of at most `size` recordings (`archiveSize`); with size 0 every program counts as new.
     pub fn new(size: usize) -> Self {
         Self { size, recordings: VecDeque::new() }
     }
 
-    /// How many recordings it keeps.
+    /// Returns the capacity of the archive.
     pub fn size(&self) -> usize {
         self.size
     }
 
-    /// Adds a recording; the oldest makes room.
+    /// Adds a recording and drops the oldest one if the archive is full.
     pub fn record(&mut self, recording: Recording) {
         self.recordings.push_back(recording);
         while self.recordings.len() > self.size {
@@ -53,7 +55,7 @@ impl Archive {
         }
     }
 
-    /// Whether no archived program bid the same on all of its states (`areProgramResultsUnique`).
+    /// True if no archived program bid the same on all of its states (`areProgramResultsUnique`).
     pub fn is_new(&self, program: &Program, vocabulary: &Vocabulary) -> bool {
         if self.recordings.is_empty() {
             return true;
@@ -62,14 +64,14 @@ impl Archive {
         let mut same: BTreeMap<(u64, ProgramId), bool> = BTreeMap::new();
         for recording in &self.recordings {
             let same = same.entry(recording.program).or_insert(true);
-            // Written so that a NaN is never the same, as in GEGELATI.
+            // Written so that NaN never equals anything, as in GEGELATI.
             *same = *same && (bid(&lines, vocabulary, &recording.state) - f64::from_bits(recording.bid)).abs() <= TAU;
         }
         !same.values().any(|&same| same)
     }
 }
 
-/// What a program bids in a state, in its scalar with the project's own maths; a NaN as it is.
+/// Returns a program's bid in a state, in its scalar type with the project's own maths; NaN is returned unchanged.
 pub fn bid(lines: &[Line], vocabulary: &Vocabulary, state: &[f64]) -> f64 {
     match vocabulary.scalar() {
         ScalarType::F32 => run::<f32>(lines, vocabulary.registers(), state),

@@ -1,4 +1,4 @@
-//! Checkpoints: all that a run needs to end in the same bytes as if it had never stopped.
+//! Checkpoints: everything a run needs to end with the same bytes as if it had never stopped.
 
 use super::config::Config;
 use super::state::State;
@@ -11,10 +11,10 @@ use tpg_graph::error::{InputError, Place};
 
 /// The value of [`Checkpoint::format`].
 const FORMAT: &str = "tpg-train checkpoint";
-/// Changes with every change to what a checkpoint holds or means.
+/// Incremented with every change to the content or meaning of checkpoints.
 const VERSION: u32 = 2;
 
-/// What is written.
+/// The serialised form.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(bound(deserialize = "Task: DeserializeOwned"))]
 struct Checkpoint<Task> {
@@ -24,7 +24,7 @@ struct Checkpoint<Task> {
     state: State<Task>,
 }
 
-/// Writes a checkpoint; the last good one stays until the new one is whole.
+/// Writes a checkpoint; the previous one is kept until the new one is complete.
 ///
 /// # Errors
 /// If it cannot be written.
@@ -32,14 +32,14 @@ pub fn save<Task: Serialize + Clone>(path: &Path, config: &Config, state: &State
     let checkpoint =
         Checkpoint { format: FORMAT.to_owned(), version: VERSION, config: config.to_toml(), state: state.clone() };
     let text = serde_json::to_string(&checkpoint)
-        .map_err(|error| InputError::io(path, &error.into(), "a task that JSON can write"))?;
+        .map_err(|error| InputError::io(path, &error.into(), "a task that can be written as JSON"))?;
     write_atomically(path, text.as_bytes())
 }
 
-/// What a checkpoint holds: its configuration and the state at the end of a generation.
+/// Reads a checkpoint: its configuration and the state at the end of a generation.
 ///
 /// # Errors
-/// If it cannot be read or is no checkpoint of this version.
+/// If it cannot be read or is not a checkpoint of this version.
 pub fn open<Task: DeserializeOwned>(path: &Path) -> Result<(Config, State<Task>), InputError> {
     let file = path.display().to_string();
     let text = read_text(path, "a checkpoint")?;
@@ -50,8 +50,9 @@ pub fn open<Task: DeserializeOwned>(path: &Path) -> Result<(Config, State<Task>)
 
 fn parse<Task: DeserializeOwned>(file: &str, text: &str) -> Result<Checkpoint<Task>, InputError> {
     let refuse = |found: String, accepted: &str| InputError::new(file, Place::Whole, found, accepted);
-    let checkpoint: Checkpoint<Task> = serde_json::from_str(text)
-        .map_err(|error| refuse(format!("no checkpoint: {error}"), "what this version of tpg-train wrote"))?;
+    let checkpoint: Checkpoint<Task> = serde_json::from_str(text).map_err(|error| {
+        refuse(format!("not a checkpoint: {error}"), "a checkpoint written by this version of tpg-train")
+    })?;
     if checkpoint.format != FORMAT || checkpoint.version != VERSION {
         let found = format!("{:?}, version {}", checkpoint.format, checkpoint.version);
         return Err(refuse(found, &format!("{FORMAT:?}, version {VERSION}")));
@@ -59,10 +60,11 @@ fn parse<Task: DeserializeOwned>(file: &str, text: &str) -> Result<Checkpoint<Ta
     Ok(checkpoint)
 }
 
-/// Reads a checkpoint; `None` where there is none.
+/// Reads a checkpoint; `None` if there is none.
 ///
 /// # Errors
-/// If it cannot be read, is no checkpoint, or belongs to another configuration or seed: then the difference is shown.
+/// If it cannot be read, is not a checkpoint, or belongs to another configuration or seed; the error shows the
+/// difference.
 pub fn load<Task: DeserializeOwned>(
     path: &Path,
     config: &Config,
@@ -76,8 +78,8 @@ pub fn load<Task: DeserializeOwned>(
     let refuse =
         |found: String, accepted: &str| InputError::new(path.display().to_string(), Place::Whole, found, accepted);
     let checkpoint: Checkpoint<Task> = parse(&path.display().to_string(), &text)?;
-    // Read and written again: a key that was added since has its default, and is no difference. A run may go further than
-    // was asked before.
+    // Read and written again: a key added since then has its default and does not count as a difference. A run may be
+    // extended by more generations.
     let generations = config.learning.nb_generations;
     let own = toml::from_str::<Config>(&checkpoint.config).map_or(checkpoint.config, |mut own| {
         own.learning.nb_generations = generations;
@@ -94,7 +96,7 @@ pub fn load<Task: DeserializeOwned>(
     Ok(Some(checkpoint.state))
 }
 
-/// The lines in which two configurations differ, with their sections.
+/// Returns the lines in which two configurations differ, with their sections.
 fn difference(of_checkpoint: &str, given: &str) -> Vec<String> {
     let entries = |text: &str| {
         let mut section = String::new();

@@ -27,7 +27,7 @@ const CHECKPOINT_SECONDS: u64 = 30;
 /// Evolve a tangled program graph.
 #[derive(Clone, Debug, Args)]
 pub struct TpgArgs {
-    /// The problem; `tpg-train problems` tells more. A configuration file can name it instead
+    /// The problem; `tpg-train problems` lists them. A configuration file can name it instead
     #[arg(long, value_enum)]
     pub problem: Option<ProblemName>,
     /// The arguments of every run.
@@ -36,27 +36,27 @@ pub struct TpgArgs {
     /// The seed
     #[arg(long, value_name = "S", default_value_t = 1, conflicts_with = "seeds")]
     pub seed: u64,
-    /// Several restarts, the last seed excluded; the best on the selection set is kept
+    /// Several restarts, excluding the last seed; the best one on the selection set is kept
     #[arg(long, value_name = "A..B", value_parser = seeds)]
     pub seeds: Option<Seeds>,
-    /// Threads; 0 for all. No result depends on it
+    /// Threads; 0 for all. Results do not depend on it
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub threads: usize,
-    /// Episodes side by side. No result depends on it
+    /// Parallel episodes. Results do not depend on it
     #[arg(long, value_name = "N", default_value_t = 112, value_parser = clap::value_parser!(u16).range(1..))]
     pub lanes: u16,
     /// Generations, instead of the configuration's; with --resume, a run can go further than before
     #[arg(long, value_name = "G", value_parser = clap::value_parser!(u64).range(1..))]
     pub generations: Option<u64>,
-    /// End the run when a root has this mean score on the selection set
+    /// End the run when a root reaches this mean score on the selection set
     #[arg(long, value_name = "SCORE", allow_negative_numbers = true)]
     pub target: Option<f64>,
-    /// End the run after the generation in which its episodes have had so many actions
+    /// End the run after the generation in which the total number of actions reaches N
     #[arg(long, value_name = "N")]
     pub max_steps: Option<u64>,
 }
 
-/// Seeds from the first to before the last.
+/// A range of seeds, excluding the last.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Seeds {
     first: u64,
@@ -68,13 +68,15 @@ fn seeds(text: &str) -> Result<Seeds, String> {
         let (first, end) = text.split_once("..")?;
         Some(Seeds { first: first.parse().ok()?, end: end.parse().ok()? })
     };
-    parse().filter(|seeds| seeds.first < seeds.end).ok_or_else(|| "two seeds A..B with A below B, as 1..9".to_owned())
+    parse()
+        .filter(|seeds| seeds.first < seeds.end)
+        .ok_or_else(|| "two seeds A..B with A below B, such as 1..9".to_owned())
 }
 
-/// Trains.
+/// Runs the training.
 ///
 /// # Errors
-/// A bad configuration, a folder with another run, files that cannot be written.
+/// An invalid configuration, a folder with another run, files that cannot be written.
 pub fn execute(args: &TpgArgs) -> Result<Verdict, RunError> {
     let (config, problem) = configuration(args)?;
     let stop = interrupt::watch();
@@ -85,10 +87,10 @@ pub fn execute(args: &TpgArgs) -> Result<Verdict, RunError> {
     }
 }
 
-/// The configuration and the problem that the arguments ask for.
+/// Returns the configuration and the problem requested by the arguments.
 ///
 /// # Errors
-/// If the configuration cannot be read or is refused, or nothing names a problem.
+/// If the configuration cannot be read or is rejected, or nothing names a problem.
 pub fn configuration(args: &TpgArgs) -> Result<(Config, Problem), InputError> {
     let (file, text) = match (&args.run.config, &args.run.preset, args.problem) {
         (Some(path), _, _) => {
@@ -110,7 +112,8 @@ pub fn configuration(args: &TpgArgs) -> Result<(Config, Problem), InputError> {
     Ok((config, problem))
 }
 
-/// The problem of a configuration, or of the command line. A preset made for another problem gives its parameters only.
+/// Returns the problem of a configuration, or of the command line. A preset made for another problem supplies only its
+/// parameters.
 fn problem_of(args: &TpgArgs, config: &Config, file: &str, text: &str) -> Result<Problem, InputError> {
     let own = (!config.problem.is_empty()).then(|| Problem::from_toml(file, text)).transpose()?;
     match (own, args.problem) {
@@ -135,7 +138,7 @@ fn preset(name: &str) -> Result<&'static Preset, InputError> {
     })
 }
 
-/// Training on an environment whose type the registry knows.
+/// Training on an environment whose type only the registry knows.
 struct Training<'a> {
     args: &'a TpgArgs,
     config: &'a Config,

@@ -1,7 +1,7 @@
-//! The configuration of a run: every parameter, strictly read.
+//! The configuration of a run: all parameters, strictly parsed.
 //!
-//! The sections `tpg`, `program` and `learning` have GEGELATI's parameters with GEGELATI's meaning, and its names in snake
-//! case; the others are this project's. The section `problem` belongs to the problem, which reads and checks it.
+//! The sections `tpg`, `program` and `learning` contain GEGELATI's parameters with GEGELATI's meaning, and its names in
+//! snake case; the others are this project's. The section `problem` belongs to the problem, which reads and checks it.
 //! `tpg-train config` prints the presets with a comment for every parameter.
 
 mod check;
@@ -16,17 +16,30 @@ use tpg_graph::settings;
 use tpg_runtime::ops::Instruction;
 use tpg_runtime::scalar::Scalar;
 
-/// The values that a configuration file may hold, for messages.
+/// The accepted content of a configuration file, for messages.
 const ACCEPTED: &str = "the parameters that `tpg-train config` prints";
 
-/// Everything that decides a run, but for its seed.
+/// Everything that determines a run except its seed.
+///
+/// ```
+/// use tpg_train::evolution::config::Config;
+/// use tpg_train::evolution::presets::Preset;
+///
+/// let text = Preset::find("general").expect("a built-in preset").text;
+/// let config = Config::from_toml("mine.toml", &text.replace("\nnb_roots = 200", "\nnb_roots = 100"))?;
+/// assert_eq!(config.tpg.nb_roots, 100);
+///
+/// let error = Config::from_toml("mine.toml", &text.replace("\np_swap", "\np_swop")).expect_err("a typing error");
+/// assert!(error.to_string().contains("unknown field `p_swop`"), "{error}");
+/// # Ok::<(), tpg_graph::error::InputError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Config {
-    /// The problem's own settings, as the problem wrote them; empty where a program brings its own environment.
+    /// The problem's own settings, as written by the problem; empty if a program supplies its own environment.
     #[serde(default, skip_serializing_if = "toml::Table::is_empty")]
     pub problem: toml::Table,
-    /// What programs are written with.
+    /// The language of programs.
     pub language: LanguageConfig,
     /// GEGELATI's parameters of teams.
     pub tpg: TpgParameters,
@@ -34,27 +47,27 @@ pub struct Config {
     pub program: ProgramParameters,
     /// GEGELATI's parameters of learning.
     pub learning: LearningParameters,
-    /// Who survives.
+    /// Selection of survivors.
     pub selection: SelectionConfig,
     /// Literal constants.
     pub literals: Literals,
     /// Demes.
     pub demes: DemeConfig,
-    /// The pool of hard episodes.
+    /// Pool of hard episodes.
     pub pool: PoolConfig,
-    /// Rougher episodes to begin with.
+    /// Coarser episodes in the first generations.
     pub curriculum: CurriculumConfig,
 }
 
-/// What programs are written with.
+/// The language of programs.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct LanguageConfig {
     /// `f32` or `f64`.
     pub scalar: ScalarType,
-    /// The instruction set, by name; the order numbers it.
+    /// Instruction set, by name; the order gives the numbers.
     pub instructions: Vec<String>,
-    /// Whether an operand may be a number of its own.
+    /// True if operands may be literal numbers.
     pub literals: bool,
 }
 
@@ -62,25 +75,25 @@ pub struct LanguageConfig {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct TpgParameters {
-    /// Roots after populating.
+    /// Number of roots after populating.
     pub nb_roots: usize,
-    /// Roots of the first population.
+    /// Number of roots of the first population.
     pub init_nb_roots: usize,
-    /// Most edges of a team of the first population.
+    /// Maximum number of edges of a team of the first population.
     pub max_init_outgoing_edges: usize,
-    /// Most edges of a team.
+    /// Maximum number of edges of a team.
     pub max_outgoing_edges: usize,
-    /// Probability of deleting one more edge: the first is deleted for certain.
+    /// Probability of deleting one more edge; the first deletion is certain.
     pub p_edge_deletion: f64,
-    /// Probability of adding one more edge: the first is added for certain.
+    /// Probability of adding one more edge; the first addition is certain.
     pub p_edge_addition: f64,
-    /// Probability of mutating the program of an edge; rounds repeat until one was mutated.
+    /// Probability of mutating the program of an edge; rounds repeat until at least one program is mutated.
     pub p_program_mutation: f64,
-    /// Whether a mutated program must differ in its effective lines.
+    /// True if a mutated program must differ in its effective lines.
     pub force_program_behavior_change_on_mutation: bool,
     /// Probability that a mutated edge gets another destination.
     pub p_edge_destination_change: f64,
-    /// Probability that it is an action.
+    /// Probability that the new destination is an action.
     pub p_edge_destination_is_action: f64,
 }
 
@@ -88,7 +101,7 @@ pub struct TpgParameters {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ProgramParameters {
-    /// Most lines.
+    /// Maximum number of lines.
     pub max_program_size: usize,
     /// Probability of deleting a line.
     pub p_delete: f64,
@@ -98,124 +111,124 @@ pub struct ProgramParameters {
     pub p_mutate: f64,
     /// Probability of swapping two lines.
     pub p_swap: f64,
-    /// Probability of drawing one of the program's constants anew.
+    /// Probability of redrawing one of the program's constants.
     pub p_constant_mutation: f64,
-    /// Probability of drawing a whole new program instead.
+    /// Probability of drawing an entirely new program instead.
     pub p_new_program: f64,
-    /// Least program constant.
+    /// Minimum program constant.
     pub min_const_value: i32,
-    /// Greatest program constant.
+    /// Maximum program constant.
     pub max_const_value: i32,
 }
 
-/// GEGELATI's `LearningParameters` (`learn/learningParameters.h`), but for `nbIterationsPerJob` (adversarial agents only),
-/// `nbThreads` (`--threads`: no result depends on it) and `doValidation` (see `validationInterval`).
+/// GEGELATI's `LearningParameters` (`learn/learningParameters.h`), except `nbIterationsPerJob` (adversarial agents
+/// only), `nbThreads` (`--threads`: results do not depend on it) and `doValidation` (see `validationInterval`).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct LearningParameters {
-    /// Recordings of the archive; 0 for none.
+    /// Capacity of the archive; 0 disables it.
     pub archive_size: usize,
-    /// Probability of recording a drawn program execution.
+    /// Probability of recording a sampled program execution.
     pub archiving_probability: f64,
-    /// Episodes of a root in a generation.
+    /// Number of episodes per root and generation.
     pub nb_iterations_per_policy_evaluation: usize,
-    /// Part of `nbRoots` that is deleted in a generation.
+    /// Fraction of `nbRoots` that is deleted in each generation.
     pub ratio_deleted_roots: f64,
-    /// Whether a first population larger than `nbRoots` is cut to the survivors of `nbRoots` at once. In GEGELATI it only
-    /// loses as many roots as any other, and has children when fewer than `nbRoots` are left.
+    /// True if a first population larger than `nbRoots` is cut to the survivors of `nbRoots` at once. GEGELATI removes
+    /// only as many roots as in any other generation, and breeds children only when fewer than `nbRoots` are left.
     pub cut_first_population: bool,
-    /// Generations.
+    /// Number of generations.
     pub nb_generations: u64,
-    /// After this many episodes a root's score is final.
+    /// Number of episodes after which a root's score is final.
     pub max_nb_evaluation_per_policy: u64,
-    /// Registers of a program.
+    /// Number of registers of a program.
     pub nb_registers: u16,
-    /// Constants of a program.
+    /// Number of constants of a program.
     pub nb_program_constant: u16,
 }
 
-/// How survivors are chosen.
+/// Method of selecting survivors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum SelectionMethod {
-    /// The best by running mean, as GEGELATI (`learningAgent.cpp`, `decimateWorstRoots`).
+    /// The best by running mean, as in GEGELATI (`learningAgent.cpp`, `decimateWorstRoots`).
     Truncation,
     /// The best of random groups.
     Tournament,
 }
 
-/// Who survives.
+/// Selection of survivors.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SelectionConfig {
-    /// How survivors are chosen.
+    /// Method of selecting survivors.
     pub method: SelectionMethod,
-    /// Roots of a tournament.
+    /// Number of roots in a tournament.
     pub tournament_size: usize,
-    /// Survivors chosen by lexicase instead.
+    /// Number of survivors selected by lexicase instead.
     pub lexicase_survivors: usize,
-    /// Lexicase chooses among the best so many by running mean.
+    /// Number of candidates for lexicase: the best by running mean.
     pub lexicase_candidates: usize,
-    /// Scores are equal for lexicase within this many median absolute deviations of an episode's scores.
+    /// Lexicase treats scores as equal within this many median absolute deviations of an episode's scores.
     pub lexicase_tolerance: f64,
-    /// The number of episodes after which only the best roots go on; 0 for no racing.
+    /// Number of episodes after which only the best roots continue; 0 disables racing.
     pub racing_episodes: usize,
-    /// The fraction of the roots that go on, 0 to 1; never fewer than survive.
+    /// Fraction of the roots that continue, 0 to 1; never fewer than survive.
     pub racing_share: f64,
-    /// The number of roots that a validation compares: the best by running mean.
+    /// Number of roots compared in a validation: the best by running mean.
     pub validation_roots: usize,
-    /// The number of episodes of the selection set, which the best of them does to the end.
+    /// Number of episodes in the selection set, all of which only the winner completes.
     pub validation_episodes: usize,
-    /// The fraction of a run's episodes that validations may take, 0 to 1.
+    /// Fraction of a run's episodes available for validation, 0 to 1.
     pub validation_share: f64,
 }
 
-/// Literal constants of operands, where the language has them.
+/// Literal constants of operands, if the language has them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Literals {
-    /// Standard deviations in units of an input's half range; one is drawn for each number, and an input for its unit.
+    /// Standard deviations in units of an input's half range; each number draws one of them, and an input for the unit.
     pub deviations: Vec<f64>,
-    /// Probability that altering a literal operand alters its number.
+    /// Probability that altering a literal operand changes its number.
     pub change: f64,
     /// Standard deviation of the factor's distance from 1 when a number is scaled.
     pub scaling: f64,
 }
 
-/// Demes: populations that seldom exchange roots.
+/// Demes: populations that rarely exchange roots.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct DemeConfig {
-    /// How many; each has `nbRoots` roots.
+    /// Number of demes; each has `nbRoots` roots.
     pub count: usize,
     /// Generations between migrations.
     pub migration_interval: u64,
-    /// Roots that a deme gives to the next.
+    /// Number of roots that a deme passes on to the next one.
     pub migrants: usize,
 }
 
-/// The pool of hard episodes.
+/// Pool of hard episodes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PoolConfig {
-    /// Most episodes it holds.
+    /// Capacity of the pool.
     pub size: usize,
-    /// Part of a generation's episodes that come from it.
+    /// Fraction of a generation's episodes that come from the pool.
     pub share: f64,
 }
 
-/// Rougher episodes to begin with.
+/// Coarser episodes in the first generations.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct CurriculumConfig {
-    /// Generations with rougher episodes; 0 for none.
+    /// Number of generations with coarser episodes; 0 disables the curriculum.
     pub generations: u64,
-    /// So many times larger are steps and tolerance at first; from there they fall evenly.
+    /// Initial factor of steps and tolerance; it decreases evenly to 1.
     pub roughness: u8,
 }
 
 impl CurriculumConfig {
-    /// How rough a generation's episodes are; 1 after the curriculum.
+    /// Returns the roughness of a generation's episodes; 1 after the curriculum.
     pub fn at(&self, generation: u64) -> u8 {
         let rough = u64::from(self.roughness);
         let fallen = (rough * generation).checked_div(self.generations).unwrap_or(rough);
@@ -227,13 +240,13 @@ impl Config {
     /// Reads a configuration from a file.
     ///
     /// # Errors
-    /// As [`from_toml`](Self::from_toml), or if there is no such file.
+    /// As [`from_toml`](Self::from_toml), or if the file does not exist.
     pub fn read(path: &Path) -> Result<Self, InputError> {
         let text = crate::files::read_text(path, "a configuration as `tpg-train config` prints")?;
         Self::from_toml(&path.display().to_string(), &text)
     }
 
-    /// Reads a configuration. Its section `problem` is taken as it is.
+    /// Reads a configuration. Its section `problem` is not checked.
     ///
     /// # Errors
     /// An unknown key, a value out of range or a contradiction, with its line and the accepted values.
@@ -243,8 +256,8 @@ impl Config {
         Ok(config)
     }
 
-    /// Reads a run's own configuration: with `--generations` it can be one that no file may have, such as a run that ends
-    /// before its curriculum.
+    /// Reads the configuration stored with a run. With `--generations` it may be one that is not accepted in a file,
+    /// such as a run that ends before its curriculum.
     ///
     /// # Errors
     /// An unknown key or a value of another type, with its line.
@@ -252,16 +265,16 @@ impl Config {
         settings::from_toml(file, text, ACCEPTED)
     }
 
-    /// The configuration as TOML, without comments: what a run's folder and a checkpoint keep.
+    /// Returns the configuration as TOML without comments, as stored in a run's folder and in checkpoints.
     ///
     /// # Panics
-    /// Never: every part can be written.
+    /// Never: every part can be serialised.
     pub fn to_toml(&self) -> String {
         toml::to_string(self).expect("a configuration is plain data")
     }
 
-    /// The vocabulary of programs for an environment. `scales` are the units of literals, one for each value of the flat
-    /// state.
+    /// Creates the vocabulary of programs for an environment. `scales` are the units of literals, one for each value of
+    /// the flat state.
     pub fn vocabulary<S: Scalar>(&self, environment: &impl Environment<S>, scales: Vec<f64>) -> Vocabulary {
         let sources = environment.sources();
         let bounds = environment.bid_bounds();
@@ -279,19 +292,19 @@ impl Config {
         }
     }
 
-    /// The instruction set, by name.
+    /// Returns the instruction set, looked up by name.
     pub fn instructions(&self) -> Vec<Instruction> {
         self.language.instructions.iter().filter_map(|name| Instruction::from_name(name)).collect()
     }
 
-    /// Roots that survive a generation that begins with that many, at least 1.
+    /// Returns the number of survivors of a generation that begins with `roots` roots, at least 1.
     pub fn survivors_of(&self, roots: usize) -> usize {
         let deleted = (self.learning.ratio_deleted_roots * self.tpg.nb_roots as f64).floor() as usize;
         let roots = if self.learning.cut_first_population { roots.min(self.tpg.nb_roots) } else { roots };
         roots.saturating_sub(deleted).max(1)
     }
 
-    /// Roots that survive a generation of `nbRoots`.
+    /// Returns the number of survivors of a generation of `nbRoots`.
     pub fn survivors(&self) -> usize {
         self.survivors_of(self.tpg.nb_roots)
     }

@@ -1,8 +1,9 @@
-//! From a policy of the engine to a graph that can be written, compiled and run anywhere.
+//! Export of an engine policy to a graph that can be written, compiled and run anywhere.
 
 use super::vocabulary::Vocabulary;
 use std::collections::BTreeMap;
-use tpg_engine::{ActionSpace, Destination, Operand, Policy, effective};
+use tpg_engine::{ActionSpace, Destination, Operand, Policy};
+use tpg_graph::dataflow::effective;
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::{
     Document, EdgeDocument, FORMAT, Graph, LineDocument, MathsProvider, OperandDocument, ProgramDocument, Provenance,
@@ -10,11 +11,11 @@ use tpg_graph::{
 };
 use tpg_runtime::ops::Instruction;
 
-/// The graph of a policy. Lines without effect are left out; a program that bids for several destinations becomes several
-/// (a graph's program has one).
+/// Converts a policy to a graph. Lines without effect are removed; a program that bids for several destinations is
+/// duplicated, because a graph's program has only one.
 ///
 /// # Errors
-/// If the actions are not named, or the graph is not valid: a defect of the trainer.
+/// If the actions are not named, or the graph is invalid, which would be a defect of the trainer.
 pub fn graph(
     policy: &Policy,
     vocabulary: &Vocabulary,
@@ -69,7 +70,8 @@ pub fn graph(
     Graph::from_document("<evolved graph>", document)
 }
 
-/// A range's ends must be exact in the graph's scalar: they are moved outwards to the next number that is.
+/// Moves the ends of a range outwards to the next numbers that are exact in the graph's scalar type, as a graph
+/// requires.
 fn exact(source: SourceDocument, scalar: ScalarType) -> SourceDocument {
     let outwards = |[min, max]: [f64; 2]| match scalar {
         ScalarType::F64 => [min, max],
@@ -90,7 +92,7 @@ fn lines(policy: &Policy, program: u32, names: &[String]) -> Vec<LineDocument> {
         Operand::Input(input) => OperandDocument::Place(names[usize::from(input)].clone()),
         Operand::Constant(value) => OperandDocument::Constant(value),
     };
-    (lines.iter().zip(effective(policy.registers, lines)))
+    (lines.iter().zip(effective(policy.registers.into(), lines)))
         .filter(|(_, effective)| *effective)
         .map(|(line, _)| LineDocument {
             to: u32::from(line.to),

@@ -1,4 +1,4 @@
-//! One generation: populate, evaluate, select, remember.
+//! One generation: populate, evaluate, select, record.
 
 use super::archive::{Recording, bid};
 use super::config::Config;
@@ -12,11 +12,12 @@ use std::collections::BTreeSet;
 use std::marker::PhantomData;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{
-    Ending, Environment, EvaluationError, Evaluator, Summary, UnitKey, Visit, Work, WorkUnit, bounded, finite,
+    Ending, Environment, EvaluationError, Evaluator, Preference, Summary, UnitKey, Visit, Work, WorkUnit, bounded,
+    finite,
 };
 use tpg_runtime::scalar::Scalar;
 
-/// Evolution of one problem, wherever its roots are evaluated.
+/// Evolution on one problem, independent of where its roots are evaluated.
 #[derive(Debug)]
 pub struct Evolution<'e, S: Scalar, E: Environment<S>, V> {
     pub(super) config: &'e Config,
@@ -29,16 +30,16 @@ pub struct Evolution<'e, S: Scalar, E: Environment<S>, V> {
     number: PhantomData<S>,
 }
 
-/// The conditions under which a run ends before its last generation.
+/// Conditions under which a run ends before its last generation.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Goal {
-    /// A mean score on the selection set that is good enough.
+    /// Target for the mean score on the selection set.
     pub target: Option<f64>,
-    /// The number of environment steps after which the run ends.
+    /// Number of environment steps after which the run ends.
     pub max_steps: Option<u64>,
 }
 
-/// The number of a root in its run: deme and team.
+/// Returns the number of a root in its run, made of deme and team.
 pub(super) fn root_number(deme: usize, team: TeamId) -> u64 {
     (deme as u64) << 40 | team.0
 }
@@ -51,11 +52,28 @@ struct Evaluated {
     dropped: bool,
 }
 
+/// The figures of an evaluation by which roots are selected.
+struct Judged {
+    scores: Vec<f64>,
+    solved: Vec<bool>,
+}
+
+impl Judged {
+    fn new(endings: &[Ending], preference: Preference) -> Self {
+        let scores = endings.iter().map(|ending| finite(ending.score)).collect();
+        let solved = match preference {
+            Preference::Score => Vec::new(),
+            Preference::Success => endings.iter().map(|ending| ending.success == Some(true)).collect(),
+        };
+        Self { scores, solved }
+    }
+}
+
 impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E, V> {
-    /// Evolution by that configuration; literals have the units of [`State::scales`].
+    /// Creates the evolution with the given configuration; literals have the units of [`State::scales`].
     ///
     /// # Panics
-    /// If the environment's actions are not named: [`Config::check_actions`] says so before.
+    /// If the environment's actions are not named, which [`Config::check_actions`] reports earlier.
     pub fn new(config: &'e Config, environment: &'e E, evaluator: &'e V, scales: Vec<f64>, goal: Goal) -> Self {
         let vocabulary = config.vocabulary(environment, scales);
         let selection_tasks = environment.validation_tasks(config.selection.validation_episodes);
@@ -63,12 +81,12 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         Self { config, vocabulary, environment, evaluator, selection_tasks, goal, actions, number: PhantomData }
     }
 
-    /// The vocabulary of programs.
+    /// Returns the vocabulary of programs.
     pub fn vocabulary(&self) -> &Vocabulary {
         &self.vocabulary
     }
 
-    /// Does one generation.
+    /// Runs one generation.
     ///
     /// # Errors
     /// If roots cannot be evaluated; the state is then unchanged except for newly bred children.
@@ -76,17 +94,18 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         let curriculum = &self.config.curriculum;
         let roughness = curriculum.at(state.generation);
         if state.generation > 0 && roughness != curriculum.at(state.generation - 1) {
-            // Scores of rougher episodes say nothing about these.
+            // Scores of coarser episodes are not comparable with these.
             state.pool.clear();
             state.demes.iter_mut().for_each(|deme| deme.records.clear());
         }
         self.breed(state);
         let tasks = self.tasks(state);
         let evaluated = self.evaluate(state, &tasks)?;
-        let scores: Vec<Vec<f64>> = evaluated.iter().map(|root| scores(&root.endings)).collect();
+        let preference = self.environment.preference();
+        let scores: Vec<Judged> = evaluated.iter().map(|root| Judged::new(&root.endings, preference)).collect();
         for (root, scores) in evaluated.iter().zip(&scores) {
-            if !scores.is_empty() {
-                state.demes[root.deme].records.entry(root.team).or_default().add(scores);
+            if !scores.scores.is_empty() {
+                state.demes[root.deme].records.entry(root.team).or_default().add(&scores.scores);
             }
         }
         let mut row = self.row(state, &evaluated, &scores);
@@ -108,13 +127,13 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         Ok(())
     }
 
-    /// Whether the generation under way is the run's last one.
+    /// True if the current generation is the run's last one.
     pub(super) fn is_last(&self, state: &State<E::Task>) -> bool {
         let steps_done = self.goal.max_steps.is_some_and(|most| state.steps >= most);
         steps_done || state.generation + 1 >= self.config.learning.nb_generations
     }
 
-    /// Whether the run is over after its last generation so far.
+    /// True if the run is over after its most recent generation.
     pub fn finished(&self, state: &State<E::Task>) -> bool {
         let reached =
             state.best.as_ref().zip(self.goal.target).is_some_and(|(best, target)| best.result.score >= target);
@@ -170,7 +189,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         if self.config.selection.racing_episodes > 0 && !open.is_empty() {
             done = self.config.selection.racing_episodes;
             self.evaluate_some(state, &tasks[..done], &mut roots, &open)?;
-            let mean = |root: &Evaluated| scores(&root.endings).iter().sum::<f64>() / done as f64;
+            let mean = |root: &Evaluated| Summary::of(&root.endings).score;
             let mut means: Vec<f64> = open.iter().map(|&place| mean(&roots[place])).collect();
             means.sort_by(|a, b| b.total_cmp(a));
             let survivors = self.config.survivors() * state.demes.len();
@@ -205,7 +224,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         Ok(())
     }
 
-    fn row(&self, state: &State<E::Task>, evaluated: &[Evaluated], scores: &[Vec<f64>]) -> Row {
+    fn row(&self, state: &State<E::Task>, evaluated: &[Evaluated], scores: &[Judged]) -> Row {
         let candidates = candidates(state, evaluated, scores, None);
         let order = ranked(&candidates);
         let best = &evaluated[order[0]];
@@ -223,14 +242,14 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         }
     }
 
-    /// Adds the episodes of this generation that its best root failed to the pool; where the problem knows no success, those
-    /// with a score below its mean.
+    /// Adds the episodes of this generation that its best root failed to the pool; if the problem does not define
+    /// success, those with a score below its mean.
     fn remember_hard_tasks(
         &self,
         state: &mut State<E::Task>,
         tasks: &[E::Task],
         evaluated: &[Evaluated],
-        scores: &[Vec<f64>],
+        scores: &[Judged],
     ) {
         if self.config.pool.size == 0 {
             return;
@@ -239,7 +258,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         let mean = Summary::of(&evaluated[best].endings).score;
         for (task, ending) in tasks.iter().zip(&evaluated[best].endings) {
             let hard = ending.success.map_or(ending.score < mean, |success| !success);
-            // A pool that could hold an episode twice would fill with the few that nobody can do.
+            // With duplicates, the pool would fill up with the few episodes that no root can solve.
             if hard && !state.pool.contains(task) {
                 state.pool.push_back(task.clone());
             }
@@ -249,7 +268,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         }
     }
 
-    fn select(&self, state: &mut State<E::Task>, evaluated: &[Evaluated], scores: &[Vec<f64>]) {
+    fn select(&self, state: &mut State<E::Task>, evaluated: &[Evaluated], scores: &[Judged]) {
         for deme in 0..state.demes.len() {
             let of_deme: Vec<&Evaluated> = evaluated.iter().filter(|root| root.deme == deme).collect();
             let candidates = candidates(state, evaluated, scores, Some(deme));
@@ -268,7 +287,8 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         }
     }
 
-    /// Each deme's best survivors go to the next deme, as they were before any of this generation's migrants.
+    /// Sends each deme's best survivors to the next deme, as they were before any of this generation's migrants
+    /// arrived.
     fn migrate(&self, state: &mut State<E::Task>) {
         let demes = state.demes.len();
         let config = &self.config.demes;
@@ -293,7 +313,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         }
     }
 
-    /// Draws recordings for the archive: a root, an episode, a state of it, and a program that bid there.
+    /// Draws recordings for the archive: a root, an episode, a state of it, and a program that bid in this state.
     fn record(
         &self,
         state: &mut State<E::Task>,
@@ -325,7 +345,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         Ok(())
     }
 
-    /// Every program that bids on the way from a root to its action.
+    /// Returns every program that bids on the walk from a root to its action, with its bid.
     fn walk(&self, state: &State<E::Task>, root: &Evaluated, seen: &[f64]) -> Vec<(ProgramId, f64)> {
         let genome = &state.demes[root.deme].genome;
         let mut bidders = Vec::new();
@@ -352,23 +372,18 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
     }
 }
 
-/// The scores, made fit for means.
-fn scores(endings: &[Ending]) -> Vec<f64> {
-    endings.iter().map(|ending| finite(ending.score)).collect()
-}
-
-/// The roots of a deme, or of all, as selection sees them.
+/// Returns the roots of one deme, or of all, as candidates for selection.
 fn candidates<'a, Task>(
     state: &State<Task>,
     evaluated: &[Evaluated],
-    scores: &'a [Vec<f64>],
+    scores: &'a [Judged],
     deme: Option<usize>,
 ) -> Vec<Candidate<'a>> {
     (evaluated.iter().zip(scores))
         .filter(|(root, _)| deme.is_none_or(|deme| root.deme == deme))
         .map(|(root, scores)| {
             let record = state.demes[root.deme].records.get(&root.team).copied().unwrap_or(Record::default());
-            Candidate { mean: record.mean, scores, dropped: root.dropped }
+            Candidate { mean: record.mean, scores: &scores.scores, solved: &scores.solved, dropped: root.dropped }
         })
         .collect()
 }

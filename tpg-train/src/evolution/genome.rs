@@ -1,55 +1,56 @@
-//! The genome: teams and programs in one arena; a root is a team that no edge leads to.
+//! The genome: teams and programs in one arena. A root is a team without incoming edges.
 
 use super::vocabulary::{Gene, InstructionIndex, OPERANDS, Vocabulary};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
-use tpg_engine::{self, Line, Policy, effective};
+use tpg_engine::{self, Line, Policy};
+use tpg_graph::dataflow::effective;
 
-/// A team's number. Numbers only grow: none is ever given twice.
+/// Number of a team. Numbers only increase and are never reused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub struct TeamId(pub u64);
 
-/// A program's number. Numbers only grow: none is ever given twice.
+/// Number of a program. Numbers only increase and are never reused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub struct ProgramId(pub u64);
 
-/// Where an edge leads.
+/// Destination of an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Destination {
-    /// To a team.
+    /// A team.
     Team(TeamId),
-    /// To an action.
+    /// An action.
     Action(u16),
 }
 
 /// A program that bids for a destination. Edges of several teams may share a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Edge {
-    /// Who bids.
+    /// The bidding program.
     pub program: ProgramId,
-    /// For what.
+    /// The destination it bids for.
     pub to: Destination,
 }
 
-/// A team; of equal bids the last edge wins.
+/// A team; among equal bids the last edge wins.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Team {
     /// Its edges.
     pub edges: Vec<Edge>,
 }
 
-/// A line as it evolves.
+/// A line of an evolving program.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct GenomeLine {
-    /// The instruction's place in its set.
+    /// Index of the instruction in its set.
     pub instruction: InstructionIndex,
-    /// The register that takes the result.
+    /// Destination register.
     pub to: u16,
     /// Its operands; those beyond the instruction's arity are kept but not read.
     pub operands: [Gene; OPERANDS],
 }
 
-/// A program as it evolves.
+/// An evolving program.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Program {
     /// GEGELATI's program constants (`data/constantHandler.h`).
@@ -59,7 +60,7 @@ pub struct Program {
 }
 
 impl Program {
-    /// The lines with every operand looked up.
+    /// Returns the lines with every operand resolved.
     pub fn lines(&self, vocabulary: &Vocabulary) -> Vec<Line> {
         let line = |line: &GenomeLine| Line {
             to: line.to,
@@ -69,10 +70,11 @@ impl Program {
         self.lines.iter().map(line).collect()
     }
 
-    /// What GEGELATI's `Program::hasIdenticalBehavior` compares: the effective lines, without what they do not read.
+    /// Returns what GEGELATI's `Program::hasIdenticalBehavior` compares: the effective lines, without operands they do
+    /// not read.
     pub fn behaviour(&self, vocabulary: &Vocabulary) -> Vec<Line> {
         let lines = self.lines(vocabulary);
-        let effective = effective(vocabulary.registers(), &lines);
+        let effective = effective(vocabulary.registers().into(), &lines);
         let kept = lines.into_iter().zip(effective).filter(|(_, effective)| *effective);
         kept.map(|(line, _)| {
             let [a, b] = line.operands;
@@ -82,7 +84,7 @@ impl Program {
     }
 }
 
-/// Teams and programs.
+/// All teams and programs of a population.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Genome {
     next: u64,
@@ -91,27 +93,27 @@ pub struct Genome {
 }
 
 impl Genome {
-    /// The teams, by number.
+    /// Returns the teams, by number.
     pub fn teams(&self) -> &BTreeMap<TeamId, Team> {
         &self.teams
     }
 
-    /// A team.
+    /// Returns a team.
     pub fn team(&self, id: TeamId) -> &Team {
         &self.teams[&id]
     }
 
-    /// A team's edges, to be changed. The caller sees to it that no cycle comes of it: new teams lead to older ones.
+    /// Returns a team's edges for modification. The caller must not create a cycle: new teams lead to older ones.
     pub fn edges_mut(&mut self, id: TeamId) -> &mut Vec<Edge> {
         &mut self.teams.get_mut(&id).expect("the team exists").edges
     }
 
-    /// A program.
+    /// Returns a program.
     pub fn program(&self, id: ProgramId) -> &Program {
         &self.programs[&id]
     }
 
-    /// How many programs there are.
+    /// Returns the number of programs.
     pub fn program_count(&self) -> usize {
         self.programs.len()
     }
@@ -130,7 +132,7 @@ impl Genome {
         id
     }
 
-    /// Puts another program in a program's place.
+    /// Replaces a program.
     pub fn replace_program(&mut self, id: ProgramId, program: Program) {
         self.programs.insert(id, program);
     }
@@ -140,7 +142,7 @@ impl Genome {
         self.next
     }
 
-    /// The teams that no edge leads to, by number.
+    /// Returns the teams without incoming edges, by number.
     pub fn roots(&self) -> Vec<TeamId> {
         let edges = self.teams.values().flat_map(|team| &team.edges);
         let entered: BTreeSet<TeamId> = edges
@@ -152,8 +154,8 @@ impl Genome {
         self.teams.keys().copied().filter(|team| !entered.contains(team)).collect()
     }
 
-    /// Removes roots. Teams that only they led to become roots, as in GEGELATI (`tpgGraph.cpp`, `removeVertex`);
-    /// programs that nobody uses any more go.
+    /// Removes roots. Teams that only they led to become roots, as in GEGELATI (`tpgGraph.cpp`, `removeVertex`); unused
+    /// programs are removed.
     pub fn remove_roots(&mut self, roots: &[TeamId]) {
         for root in roots {
             self.teams.remove(root);
@@ -163,7 +165,7 @@ impl Genome {
         self.programs.retain(|id, _| used.contains(id));
     }
 
-    /// The teams that a root reaches, itself included, by number.
+    /// Returns the teams reachable from a root, including itself, by number.
     pub fn reachable(&self, root: TeamId) -> BTreeSet<TeamId> {
         let mut reached = BTreeSet::from([root]);
         let mut open = vec![root];
@@ -179,7 +181,7 @@ impl Genome {
         reached
     }
 
-    /// Copies a root with all it reaches from another genome, under new numbers.
+    /// Copies a root with everything reachable from it out of another genome, under new numbers.
     pub fn adopt(&mut self, from: &Self, root: TeamId) -> TeamId {
         let reached = from.reachable(root);
         let mut programs = BTreeMap::new();
@@ -207,7 +209,7 @@ impl Genome {
         teams[&root]
     }
 
-    /// A root as the engine takes it.
+    /// Converts a root to an engine policy.
     pub fn policy(&self, root: TeamId, vocabulary: &Vocabulary) -> Policy {
         let reached: Vec<TeamId> = self.reachable(root).into_iter().collect();
         let place = |id: TeamId| reached.binary_search(&id).expect("the team is reached") as u32;

@@ -1,5 +1,5 @@
-//! The logs of a run: one row for each generation, from generation 0. Without a clock, so that equal runs have equal logs;
-//! times go to a file of their own.
+//! The logs of a run: one row per generation, from generation 0. They contain no times, so that equal runs have equal
+//! logs; times go to a separate file.
 
 use super::state::Row;
 use crate::files::write_atomically;
@@ -44,10 +44,11 @@ pub fn write(folder: &Path, rows: &[Row]) -> Result<(), InputError> {
     write_atomically(&folder.join("generations.jsonl"), json.as_bytes())
 }
 
-/// Seconds of CPU time so far of this process and of those that it waited for, where the system tells (Linux).
+/// Returns the CPU time so far, in seconds, of this process and its finished children, if the system reports it
+/// (Linux).
 pub fn cpu_seconds() -> Option<f64> {
     let stat = fs::read_to_string("/proc/self/stat").ok()?;
-    // Fields 14 to 17, in ticks of 1/100 s; the second field, in brackets, may hold spaces.
+    // Fields 14 to 17, in ticks of 1/100 s; the second field, in brackets, may contain spaces.
     let fields = stat.rsplit_once(')')?.1.split_whitespace().skip(11).take(4);
     let ticks: Option<Vec<u64>> = fields.map(|field| field.parse().ok()).collect();
     Some(ticks?.iter().sum::<u64>() as f64 / 100.0)

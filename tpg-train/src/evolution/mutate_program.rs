@@ -5,19 +5,19 @@ use super::genome::{GenomeLine, Program};
 use super::vocabulary::{Gene, Kind, OPERANDS, Vocabulary};
 use tpg_engine::random::Stream;
 
-/// What a mutation needs to know.
+/// Parameters of program mutations.
 #[derive(Clone, Copy, Debug)]
 pub struct ProgramMutator<'a> {
-    /// What programs are written with.
+    /// The vocabulary of programs.
     pub vocabulary: &'a Vocabulary,
     /// GEGELATI's parameters.
     pub parameters: &'a ProgramParameters,
-    /// How literal constants are drawn and changed.
+    /// Parameters for drawing and changing literal constants.
     pub literals: &'a Literals,
 }
 
 impl ProgramMutator<'_> {
-    /// A random program (`ProgramMutator::initRandomProgram`): 1 to `maxProgramSize` lines.
+    /// Creates a random program (`ProgramMutator::initRandomProgram`) of 1 to `maxProgramSize` lines.
     pub fn random(&self, stream: &mut Stream) -> Program {
         let constants = (0..self.vocabulary.constants()).map(|_| self.random_constant(stream)).collect();
         let mut program = Program { constants, lines: Vec::new() };
@@ -28,7 +28,7 @@ impl ProgramMutator<'_> {
         program
     }
 
-    /// One round of mutation (`ProgramMutator::mutateProgram`); whether anything was done.
+    /// Performs one round of mutation (`ProgramMutator::mutateProgram`); returns true if anything was done.
     pub fn mutate(&self, program: &mut Program, stream: &mut Stream) -> bool {
         let parameters = self.parameters;
         let mut any = false;
@@ -47,7 +47,7 @@ impl ProgramMutator<'_> {
             any = true;
         }
         if stream.chance(parameters.p_swap) {
-            // As in GEGELATI this counts as done even where there is only one line.
+            // As in GEGELATI, this counts as done even if there is only one line.
             swap_lines(program, stream);
             any = true;
         }
@@ -69,7 +69,7 @@ impl ProgramMutator<'_> {
         program.lines.insert(place, line);
     }
 
-    /// `LineMutator::initRandomCorrectLine`: every choice uniform.
+    /// Draws a line with every choice uniform (`LineMutator::initRandomCorrectLine`).
     fn random_line(&self, stream: &mut Stream) -> GenomeLine {
         GenomeLine {
             to: stream.below(self.vocabulary.registers().into()) as u16,
@@ -82,7 +82,8 @@ impl ProgramMutator<'_> {
         }
     }
 
-    /// `LineMutator::alterCorrectLine`: one field, each as likely as it has bits in GEGELATI's encoding.
+    /// Alters one field of a line (`LineMutator::alterCorrectLine`), chosen in proportion to its bits in GEGELATI's
+    /// encoding.
     fn alter_line(&self, line: &mut GenomeLine, stream: &mut Stream) {
         let vocabulary = self.vocabulary;
         let bits = |values: usize| values.next_power_of_two().trailing_zeros() as usize;
@@ -97,7 +98,7 @@ impl ProgramMutator<'_> {
             line.to = other(line.to.into(), vocabulary.registers().into(), stream) as u16;
         } else {
             let selected = selected - instruction - destination;
-            // Without operand bits (one source of one place) there is nothing to alter.
+            // Without operand bits (one source with one location) there is nothing to alter.
             let Some(place) = selected.checked_div(operand) else { return };
             let gene = &mut line.operands[place];
             if vocabulary.kind(gene.source) == Kind::Literal && stream.chance(self.literals.change) {
@@ -110,8 +111,8 @@ impl ProgramMutator<'_> {
         }
     }
 
-    /// A literal: normal, with one of a few widths, because bids are sums of large and small numbers, in the unit of an
-    /// input.
+    /// Draws a literal in the unit of an input. It is normally distributed with one of a few widths, because bids are
+    /// sums of large and small numbers.
     fn random_literal(&self, stream: &mut Stream) -> f64 {
         let width = *stream.pick(&self.literals.deviations);
         let scales = self.vocabulary.scales();
@@ -119,7 +120,7 @@ impl ProgramMutator<'_> {
         self.vocabulary.scalar().round(unit * width * stream.normal())
     }
 
-    /// Scaled a little (half of the time), negated, or drawn anew.
+    /// Changes a literal: scaled slightly (half of the time), negated, or redrawn.
     fn changed_literal(&self, literal: f64, stream: &mut Stream) -> f64 {
         let changed = match stream.below(4) {
             0 | 1 => literal * (1.0 + self.literals.scaling * stream.normal()),
@@ -131,7 +132,7 @@ impl ProgramMutator<'_> {
     }
 }
 
-/// `ProgramMutator::swapRandomLines`: two different lines change places.
+/// Swaps two different lines (`ProgramMutator::swapRandomLines`).
 fn swap_lines(program: &mut Program, stream: &mut Stream) {
     if program.lines.len() >= 2 {
         let first = stream.below(program.lines.len());
@@ -140,7 +141,7 @@ fn swap_lines(program: &mut Program, stream: &mut Stream) {
     }
 }
 
-/// Another number below `bound` than `current`; `current` where there is none.
+/// Draws a number below `bound` other than `current`; `current` if there is none.
 fn other(current: usize, bound: usize, stream: &mut Stream) -> usize {
     if bound < 2 {
         return current;

@@ -7,10 +7,10 @@ use super::mutate_program::ProgramMutator;
 use std::collections::BTreeMap;
 use tpg_engine::random::{Purpose, Stream};
 
-/// Which population, and when: the first half of every stream's address.
+/// Seed, generation and deme: the first half of every stream's address.
 #[derive(Clone, Copy, Debug)]
 pub struct Moment {
-    /// The run's seed.
+    /// Seed of the run.
     pub seed: u64,
     /// The generation.
     pub generation: u64,
@@ -19,16 +19,16 @@ pub struct Moment {
 }
 
 impl Moment {
-    /// The stream for a purpose. `index` counts within the deme, below 2⁴⁰.
+    /// Returns the stream for a purpose. `index` counts within the deme and is below 2⁴⁰.
     pub fn stream(self, purpose: Purpose, index: u64) -> Stream {
         Stream::new(self.seed, self.generation, purpose, self.deme << 40 | index)
     }
 }
 
-/// A random population (`TPGMutator::initRandomTPG`).
+/// Creates a random population (`TPGMutator::initRandomTPG`).
 ///
-/// Each root gets two programs for two different actions, and up to `maxInitOutgoingEdges` − 2 programs of others, of two
-/// drawn the one that fewer teams use.
+/// Each root gets two programs for two different actions, and up to `maxInitOutgoingEdges` − 2 programs of other roots:
+/// of two candidates, the one used by fewer teams.
 pub fn random_population(
     mutator: &ProgramMutator<'_>,
     parameters: &TpgParameters,
@@ -39,7 +39,7 @@ pub fn random_population(
     let roots = parameters.init_nb_roots;
     let actions = usize::from(actions);
     let programs: Vec<ProgramId> = (0..2 * roots).map(|_| genome.add_program(mutator.random(stream))).collect();
-    // GEGELATI spreads the actions over the first roots in order, then draws them.
+    // GEGELATI assigns the actions to the first roots in order, then draws them at random.
     let action_of: Vec<u16> = (0..2 * roots)
         .map(|index| if index < 2 * actions { (index / 2 + index % 2) % actions } else { stream.below(actions) } as u16)
         .collect();
@@ -72,8 +72,8 @@ pub fn random_population(
 
 /// Adds children until there are `nbRoots` roots (`TPGMutator::populateTPG`).
 ///
-/// A child copies a root, each equally likely, and is mutated. It can swallow a root (an edge of the child leads there),
-/// so roots are counted after every child.
+/// A child is a mutated copy of a root, each root being equally likely. If an edge of the child leads to a root, that
+/// team is no longer a root, so roots are counted again after every child.
 pub fn populate(
     genome: &mut Genome,
     mutator: &ProgramMutator<'_>,
@@ -112,14 +112,14 @@ pub fn populate(
     }
 }
 
-/// What there was before any child: children lead only there, so no cycle can come about.
+/// The teams and programs that existed before any child: children lead only to these, so no cycle can arise.
 struct Before<'a> {
     teams: &'a [TeamId],
     edges: &'a [Edge],
     actions: u16,
 }
 
-/// `TPGMutator::mutateTPGTeam`.
+/// Mutates a team (`TPGMutator::mutateTPGTeam`).
 fn mutate_team(
     genome: &mut Genome,
     child: TeamId,
@@ -151,7 +151,8 @@ fn mutate_team(
     *genome.edges_mut(child) = edges;
 }
 
-/// `TPGMutator::mutateOutgoingEdge`: a copy of the program takes its place and will be mutated; the destination may change.
+/// Mutates an edge (`TPGMutator::mutateOutgoingEdge`): replaces its program by a copy to be mutated, and may change the
+/// destination.
 fn mutate_edge(
     genome: &mut Genome,
     edge: &mut Edge,
@@ -172,7 +173,7 @@ fn mutate_edge(
     }
 }
 
-/// `TPGMutator::mutateProgramBehaviorAgainstArchive`: mutates until no archived program behaves the same.
+/// Mutates a program until no archived program behaves the same (`TPGMutator::mutateProgramBehaviorAgainstArchive`).
 fn new_behaviour(
     original: &Program,
     mutator: &ProgramMutator<'_>,

@@ -1,4 +1,4 @@
-//! The configurations that come with the trainer, with a comment for every parameter.
+//! The configurations included with the trainer, with a comment for every parameter.
 
 use super::config::Config;
 use crate::sac;
@@ -11,7 +11,7 @@ use tpg_problems::arm::description::WIDOWX_TOML;
 /// Print a commented configuration.
 #[derive(Clone, Debug, Args)]
 pub struct ConfigArgs {
-    /// The preset, or widowx for the section that describes the arm; --list shows them all
+    /// The preset, or widowx for the section that describes the arm; --list shows all of them
     #[arg(value_name = "NAME", default_value = "general")]
     pub name: String,
     /// A preset of `tpg-train sac` instead of `tpg-train tpg`
@@ -25,7 +25,7 @@ pub struct ConfigArgs {
 /// Prints a preset, or the list of all.
 ///
 /// # Errors
-/// If there is no preset of that name, or stdout is closed.
+/// If there is no preset with that name, or stdout is closed.
 pub fn print_config(args: &ConfigArgs) -> Result<(), InputError> {
     let presets: &[Preset] = if args.sac { &sac::presets::PRESETS } else { &PRESETS };
     let arm = ("widowx", "the section [problem.arm], to append and to change: links, limits, collision shapes");
@@ -47,12 +47,12 @@ pub fn print_config(args: &ConfigArgs) -> Result<(), InputError> {
     written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))
 }
 
-/// A configuration that comes with the trainer.
+/// A configuration included with the trainer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Preset {
     /// Its name.
     pub name: &'static str,
-    /// What it is, in a line.
+    /// One-line description.
     pub about: &'static str,
     /// Its commented text.
     pub text: &'static str,
@@ -76,22 +76,22 @@ pub const PRESETS: [Preset; 7] = [
         about: "the paper's learning problem, random start",
         text: include_str!("presets/paper-rs.toml"),
     },
-    Preset { name: "best-fs", about: "ours, fixed start", text: include_str!("presets/best-fs.toml") },
+    Preset { name: "best-fs", about: "this project's, fixed start", text: include_str!("presets/best-fs.toml") },
     Preset {
         name: "polar-fs",
-        about: "ours, fixed start, that knows less of the arm than best-fs",
+        about: "this project's, fixed start, with less knowledge of the arm than best-fs",
         text: include_str!("presets/polar-fs.toml"),
     },
-    Preset { name: "best-rs", about: "ours, random start", text: include_str!("presets/best-rs.toml") },
+    Preset { name: "best-rs", about: "this project's, random start", text: include_str!("presets/best-rs.toml") },
 ];
 
 impl Preset {
-    /// The preset of that name.
+    /// Finds a preset by name.
     pub fn find(name: &str) -> Option<&'static Self> {
         PRESETS.iter().find(|preset| preset.name == name)
     }
 
-    /// The preset that is used for a problem where none is asked for.
+    /// Returns the preset used for a problem by default.
     ///
     /// # Panics
     /// Never: each of these presets is in the list.
@@ -104,12 +104,12 @@ impl Preset {
         Self::find(name).expect("it is in the list")
     }
 
-    /// The name that messages call it by, and its text.
+    /// Returns the preset's name in messages, and its text.
     pub fn file(&self) -> (String, String) {
         (format!("<preset {}>", self.name), self.text.to_owned())
     }
 
-    /// The configuration.
+    /// Returns the configuration.
     ///
     /// # Errors
     /// None: a test reads every preset.

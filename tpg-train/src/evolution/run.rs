@@ -18,13 +18,13 @@ use tpg_graph::error::{Finding, InputError, Place};
 use tpg_graph::{Graph, Provenance};
 use tpg_runtime::scalar::Scalar;
 
-/// The way a run is done. Only the [goal](Self::goal) changes its result: it ends the run early.
+/// Options of a run. Only the [goal](Self::goal) affects its result: it can end the run early.
 #[derive(Clone, Debug)]
 pub struct RunOptions {
     /// The run's own folder.
     pub folder: PathBuf,
-    /// Continue from the folder's checkpoint, where there is one; the configuration may ask for more generations than
-    /// before.
+    /// If true, continue from the folder's checkpoint if there is one; the configuration may ask for more generations
+    /// than before.
     pub resume: bool,
     /// Time between checkpoints.
     pub checkpoint_every: Duration,
@@ -39,51 +39,75 @@ impl Default for RunOptions {
     }
 }
 
-/// A run after one of its generations.
+/// Progress of a run after a generation.
 #[derive(Clone, Copy, Debug)]
 pub struct Progress<'a> {
-    /// The run's seed.
+    /// Seed of the run.
     pub seed: u64,
-    /// The generations done.
+    /// Number of finished generations.
     pub generations: u64,
-    /// The generations of the whole run, if nothing ends it early.
+    /// Number of generations of the whole run, unless it ends early.
     pub of: u64,
-    /// The actions of all episodes so far.
+    /// Number of actions of all episodes so far.
     pub steps: u64,
-    /// The newest line of the logs; none before the first generation.
+    /// Newest row of the logs; none before the first generation.
     pub row: Option<&'a Row>,
-    /// The best root on the selection set so far.
+    /// Best root on the selection set so far.
     pub best: Option<&'a Best>,
 }
 
-/// How a run ended.
+/// Outcome of a run.
 #[derive(Clone, Debug)]
 pub enum RunEnd {
-    /// It did all of its generations or reached its goal.
+    /// The run completed all of its generations or reached its goal.
     Finished(Box<Best>),
-    /// It was asked to stop, and can be resumed.
+    /// The run was asked to stop and can be resumed.
     Interrupted,
 }
 
-/// Why a run could not go on.
+/// Reason why a run could not continue.
 #[derive(Debug, thiserror::Error)]
 pub enum RunError {
-    /// A file.
+    /// A file could not be read or written.
     #[error(transparent)]
     File(#[from] InputError),
-    /// A parameter that does not go with the environment.
+    /// A parameter does not fit the environment.
     #[error(transparent)]
     Setting(#[from] Finding),
-    /// The evaluation.
+    /// The evaluation failed.
     #[error(transparent)]
     Evaluation(#[from] EvaluationError),
 }
 
-/// Trains with one seed. `watch` is told of the run at its beginning and after every generation; where it breaks, the run
+/// Trains with one seed. `watch` is called at the beginning and after every generation; if it returns `Break`, the run
 /// is saved and stops.
 ///
+/// ```
+/// use std::ops::ControlFlow;
+/// use tpg_engine::{LocalThreads, Options};
+/// use tpg_problems::CartPole;
+/// use tpg_runtime::ops::Own;
+/// use tpg_train::evolution::presets::Preset;
+/// use tpg_train::evolution::run::{RunEnd, RunOptions, run};
+///
+/// let mut config = Preset::find("general").expect("a built-in preset").config()?;
+/// (config.tpg.nb_roots, config.tpg.init_nb_roots) = (20, 20);
+/// config.learning.nb_generations = 2;
+/// config.selection.validation_episodes = 20;
+///
+/// let folder = tempfile::tempdir()?;
+/// let options = RunOptions { folder: folder.path().to_owned(), ..RunOptions::default() };
+/// let evaluator = LocalThreads::<f32, Own, _>::new(&CartPole, Options::default(), 1)?;
+/// let end = run(&config, 1, &CartPole, &evaluator, &options, |_progress| ControlFlow::Continue(()))?;
+/// let RunEnd::Finished(best) = end else { panic!("nothing stopped the run") };
+/// assert!(best.result.score > 0.0);
+/// assert!(folder.path().join("graph.json").exists());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
-/// If the folder has another run, or files cannot be written, or roots cannot be evaluated. The last checkpoint stays.
+/// If the folder contains another run, files cannot be written, or roots cannot be evaluated. The last checkpoint is
+/// kept.
 pub fn run<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
     config: &Config,
     seed: u64,
@@ -112,7 +136,7 @@ pub fn run<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
     let evolution = Evolution::new(config, environment, evaluator, state.scales.clone(), options.goal);
     let mut times = Times::new(&options.folder);
     if state.generation > 0 {
-        // The run may have been killed between its checkpoint and what is made of it.
+        // The run may have been killed between writing its checkpoint and its results.
         write_results(config, &options.folder, &state, &evolution, environment)?;
     }
     let mut stopped = watch(&progress(config, &state)).is_break();
@@ -149,7 +173,7 @@ fn progress<'a, Task>(config: &Config, state: &'a State<Task>) -> Progress<'a> {
     }
 }
 
-/// The logs and the best graph.
+/// Writes the logs and the best graph.
 fn write_results<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
     config: &Config,
     folder: &Path,

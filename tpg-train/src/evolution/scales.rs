@@ -1,4 +1,4 @@
-//! The units of literals: half the range of each input, measured where the environment does not know it.
+//! The units of literals: half the range of each input, estimated if the environment does not declare it.
 
 use super::config::Config;
 use super::generation::{Evolution, Goal};
@@ -8,12 +8,12 @@ use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{Environment, EvaluationError, Evaluator};
 use tpg_runtime::scalar::Scalar;
 
-/// Random roots that explore an environment, and the episodes of each.
+/// Number of random roots that explore an environment, and of episodes for each.
 const EXPLORERS: usize = 16;
 const EPISODES: usize = 2;
 
-/// Half the range of each value of the flat state that programs can read. Ends that the environment does not know are
-/// taken from states that random roots visit.
+/// Returns half the range of each value of the flat state that programs can read. Ends that the environment does not
+/// know are estimated from states visited by random roots.
 ///
 /// # Errors
 /// If the episodes cannot be run.
@@ -34,7 +34,7 @@ pub fn scales<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
     Ok(ranges.iter().enumerate().map(|(input, range)| unit(*range, &states, input)).collect())
 }
 
-/// States that random roots visit.
+/// Returns states visited by random roots.
 fn explore<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
     config: &Config,
     environment: &E,
@@ -53,7 +53,7 @@ fn explore<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
     evolution.visited(&policies[..EXPLORERS.min(policies.len())], EPISODES)
 }
 
-/// Half of a range, by visited values where an end is not known; 1 where all values are equal.
+/// Returns half of a range, using visited values for unknown ends; 1 if all values are equal.
 fn unit([min, max]: [f64; 2], states: &[Vec<f64>], input: usize) -> f64 {
     let values = || states.iter().map(|state| state[input]).filter(|value| value.is_finite());
     let min = if min.is_finite() { min } else { values().fold(f64::INFINITY, f64::min) };

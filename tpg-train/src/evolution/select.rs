@@ -1,26 +1,28 @@
-//! Who survives a generation.
+//! Selection: the roots that survive a generation.
 
 use super::config::{SelectionConfig, SelectionMethod};
 use tpg_engine::random::Stream;
 
-/// A root that was evaluated.
+/// An evaluated root.
 #[derive(Clone, Debug)]
 pub struct Candidate<'a> {
-    /// Its mean score over all of its evaluations.
+    /// Mean score over all of its evaluations.
     pub mean: f64,
-    /// Its scores of this generation, one for each episode; empty for a root that racing dropped or whose score is final.
+    /// Scores of this generation, one per episode; empty for a root that was dropped by racing or whose score is final.
     pub scores: &'a [f64],
-    /// Whether racing dropped it: it is worse than any that was not.
+    /// The episodes that it solved, where policies are compared by success; empty otherwise.
+    pub solved: &'a [bool],
+    /// True if racing dropped it: it ranks below every root that was not dropped.
     pub dropped: bool,
 }
 
-/// Lexicase gives up after so many draws for each survivor: duplicates are refused.
+/// Lexicase gives up after this many draws per survivor, because it rejects duplicates.
 const TRIES_PER_SURVIVOR: usize = 8;
 
-/// The places of the survivors, best mean first.
+/// Returns the indices of the survivors, best mean first.
 ///
-/// `count` of them: [`lexicase_survivors`](SelectionConfig::lexicase_survivors) by lexicase, the others by the method of
-/// the configuration.
+/// Selects `count` roots: [`lexicase_survivors`](SelectionConfig::lexicase_survivors) by lexicase, the others by the
+/// configured method.
 pub fn survivors(
     candidates: &[Candidate<'_>],
     count: usize,
@@ -57,7 +59,7 @@ pub fn survivors(
         SelectionMethod::Tournament => {
             while chosen.len() < count {
                 let rest: Vec<usize> = ranked.iter().copied().filter(|place| !chosen.contains(place)).collect();
-                // `rest` is in order of rank, so the least place drawn is the best.
+                // `rest` is in order of rank, so the smallest index drawn is the best root.
                 let best = (0..config.tournament_size).map(|_| stream.below(rest.len())).min().unwrap_or(0);
                 chosen.push(rest[best]);
             }
@@ -67,7 +69,7 @@ pub fn survivors(
     chosen
 }
 
-/// Places from the best mean to the worst; of equal means the older root first, a NaN last.
+/// Ranks the indices by mean, best first; ties go to the older root, NaN comes last.
 pub fn ranked(candidates: &[Candidate<'_>]) -> Vec<usize> {
     let worth = |place: usize| {
         let candidate = &candidates[place];
@@ -82,7 +84,7 @@ pub fn ranked(candidates: &[Candidate<'_>]) -> Vec<usize> {
     places
 }
 
-/// One winner: episodes in random order, each keeps the roots near the best on it.
+/// Selects one winner: episodes are visited in random order, and each keeps only the roots close to the best on it.
 fn lexicase(candidates: &[Candidate<'_>], among: &[usize], tolerance: f64, stream: &mut Stream) -> usize {
     let mut left = among.to_vec();
     let mut episodes: Vec<usize> = (0..candidates[among[0]].scores.len()).collect();
@@ -92,6 +94,12 @@ fn lexicase(candidates: &[Candidate<'_>], among: &[usize], tolerance: f64, strea
             break;
         }
         let score = |place: usize| candidates[place].scores[episode];
+        // Solved is solved: nothing is gained by solving it faster.
+        let solved = |place: usize| candidates[place].solved.get(episode).copied().unwrap_or(false);
+        if left.iter().any(|&place| solved(place)) {
+            left.retain(|&place| solved(place));
+            continue;
+        }
         let best = left.iter().map(|&place| score(place)).fold(f64::NEG_INFINITY, f64::max);
         let spread = median_deviation(among.iter().map(|&place| score(place)).collect());
         left.retain(|&place| score(place) >= best - tolerance * spread);
@@ -99,8 +107,8 @@ fn lexicase(candidates: &[Candidate<'_>], among: &[usize], tolerance: f64, strea
     *stream.pick(&left)
 }
 
-/// The median absolute deviation from the median: a spread that few extreme scores do not change (ε-lexicase selection, La
-/// Cava et al. 2016).
+/// Returns the median absolute deviation from the median: a measure of spread that is robust to extreme scores
+/// (ε-lexicase selection, La Cava et al. 2016).
 fn median_deviation(mut scores: Vec<f64>) -> f64 {
     let middle = |values: &mut Vec<f64>| {
         values.sort_by(f64::total_cmp);
@@ -133,7 +141,7 @@ mod tests {
 
     fn candidates(scores: &[Vec<f64>]) -> Vec<Candidate<'_>> {
         let mean = |scores: &Vec<f64>| scores.iter().sum::<f64>() / scores.len() as f64;
-        scores.iter().map(|scores| Candidate { mean: mean(scores), scores, dropped: false }).collect()
+        scores.iter().map(|scores| Candidate { mean: mean(scores), scores, solved: &[], dropped: false }).collect()
     }
 
     #[test]
@@ -159,12 +167,26 @@ mod tests {
             &mut Stream::new(1, 0, Purpose::Test, 0),
         );
         assert!(!truncation.contains(&9));
-        // Each draw tries episode 3 first with a chance of a quarter.
+        // Each draw tries episode 3 first with a probability of one quarter.
         let kept = (0..50).filter(|&index| {
             let mut stream = Stream::new(1, 0, Purpose::Test, index);
             survivors(&candidates, 5, &config(SelectionMethod::Truncation, 5), &mut stream).contains(&9)
         });
         assert!(kept.count() > 40);
+    }
+
+    #[test]
+    fn where_success_counts_lexicase_does_not_prefer_the_faster() {
+        // The first root solves both episodes slowly, the second one of them fast.
+        let scores = [vec![10.0, 10.0], vec![11.0, -1.0]];
+        let solved = [vec![true, true], vec![true, false]];
+        let candidates: Vec<Candidate<'_>> = (scores.iter().zip(&solved))
+            .map(|(scores, solved)| Candidate { mean: 0.0, scores, solved, dropped: false })
+            .collect();
+        for index in 0..20 {
+            let mut stream = Stream::new(1, 0, Purpose::Test, index);
+            assert_eq!(survivors(&candidates, 1, &config(SelectionMethod::Truncation, 1), &mut stream), [0]);
+        }
     }
 
     #[test]

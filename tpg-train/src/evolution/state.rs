@@ -1,4 +1,4 @@
-//! All that a run is at the end of a generation: what a checkpoint holds.
+//! The state of a run at the end of a generation: the content of a checkpoint.
 
 use super::archive::Archive;
 use super::genome::{Genome, TeamId};
@@ -6,12 +6,12 @@ use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, VecDeque};
 use tpg_engine::{Policy, Summary};
 
-/// How a root did so far (`learn/evaluationResult.h`): the mean over all of its episodes, and how many they were.
+/// A root's record so far (`learn/evaluationResult.h`): the mean over all of its episodes, and their number.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Record {
     /// Mean score.
     pub mean: f64,
-    /// Episodes.
+    /// Number of episodes.
     pub evaluations: u64,
 }
 
@@ -24,7 +24,7 @@ impl Record {
     }
 }
 
-/// A population that breeds on its own.
+/// A population that breeds separately.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Deme {
     /// Its teams and programs.
@@ -36,17 +36,17 @@ pub struct Deme {
 /// The best root on the selection set so far.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Best {
-    /// The generation that it was found in.
+    /// Generation in which it was found.
     pub generation: u64,
     /// Its result on the selection set.
     pub result: Summary,
     /// The root.
     pub policy: Policy,
-    /// The ranges of the inputs, where the environment does not know them all.
+    /// Ranges of the inputs, if the environment does not know all of them.
     pub ranges: Option<Vec<[f64; 2]>>,
 }
 
-/// One line of the logs. No clock: logs are equal for any number of threads, and after a resume.
+/// One row of the logs. It contains no times: logs are equal for any number of threads, and after a resume.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Row {
     /// The generation, from 0.
@@ -55,21 +55,21 @@ pub struct Row {
     pub best_score: f64,
     /// Median of the roots' running means.
     pub median_score: f64,
-    /// Fraction of this generation's episodes that the best root solved, where the problem knows success.
+    /// Fraction of this generation's episodes that the best root solved, if the problem defines success.
     pub best_success: Option<f64>,
     /// Mean of the problem's measure at the end of the best root's episodes.
     pub best_measure: f64,
-    /// Roots evaluated.
+    /// Number of roots evaluated.
     pub roots: usize,
-    /// Teams after selection.
+    /// Number of teams after selection.
     pub teams: usize,
-    /// Programs after selection.
+    /// Number of programs after selection.
     pub programs: usize,
-    /// The result of the best root on the selection set, in generations that validate.
+    /// Result of the best root on the selection set, in generations that validate.
     pub validation: Option<Summary>,
 }
 
-/// A run at the end of a generation.
+/// State of a run at the end of a generation.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct State<Task> {
     /// The run's seed.
@@ -86,18 +86,18 @@ pub struct State<Task> {
     pub best: Option<Best>,
     /// The logs.
     pub rows: Vec<Row>,
-    /// The units of literals: half the range of each value of the flat state.
+    /// Units of literals: half the range of each value of the flat state.
     pub scales: Vec<f64>,
-    /// Episodes of training so far.
+    /// Number of training episodes so far.
     pub training_episodes: u64,
-    /// Episodes of validation so far.
+    /// Number of validation episodes so far.
     pub selection_episodes: u64,
-    /// Actions of all episodes so far.
+    /// Number of actions of all episodes so far.
     pub steps: u64,
 }
 
 impl<Task> State<Task> {
-    /// A run before its first generation.
+    /// Creates the state of a run before its first generation.
     pub fn new(seed: u64, demes: usize, archive_size: usize) -> Self {
         Self {
             seed,

@@ -1,22 +1,22 @@
 //! Validation: the best roots race on the selection set, within a budget.
 //!
-//! Running means are noisy, so the root that is kept is chosen on episodes that no root was trained on. The best few by
-//! running mean start; after a part of the episodes the better half goes on (successive halving), and the last one does
-//! them all. Validations take no more than a fixed share of a run's episodes: one is done when the budget allows for it
-//! and for the one at the end of the run.
+//! Running means are noisy, so the root to keep is chosen on episodes that no root was trained on. The best few roots
+//! by running mean start; after part of the episodes the better half continues (successive halving), and the last one
+//! completes all of them. Validations take no more than a fixed share of a run's episodes: one is done when the budget
+//! allows for it and for the final one.
 
 use super::generation::{Evolution, root_number};
 use super::state::{Best, State};
 use tpg_engine::{Ending, Environment, EvaluationError, Evaluator, Policy, Summary, UnitKey, Visit, Work, WorkUnit};
 use tpg_runtime::scalar::Scalar;
 
-/// Episodes of the last validation where the budget has none left.
+/// Number of episodes of the last validation if the budget is exhausted.
 const LEAST: usize = 20;
-/// Episodes from which unknown ranges of inputs are learned, and states of each.
+/// Number of episodes from which unknown ranges of inputs are estimated, and of states in each.
 const EPISODES_FOR_RANGES: usize = 16;
 const STATES_FOR_RANGES: u32 = 16;
 
-/// The episodes that a race of `roots` takes in all, where the last one does `episodes`.
+/// Returns the total number of episodes of a race of `roots` whose winner completes `episodes`.
 fn cost(roots: usize, episodes: usize) -> u64 {
     let mut left = roots;
     let mut total = 0;
@@ -29,14 +29,14 @@ fn cost(roots: usize, episodes: usize) -> u64 {
     total
 }
 
-/// The numbers of episodes after which the field is halved; the last is `episodes`.
+/// Returns the numbers of episodes after which the field is halved; the last is `episodes`.
 fn stages(roots: usize, episodes: usize) -> Vec<usize> {
     let halvings = roots.next_power_of_two().trailing_zeros();
     (0..=halvings).rev().map(|halving| (episodes >> halving).max(1)).collect()
 }
 
 impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V> {
-    /// Validates if it is time to; the result of the race's winner, and the best root so far is kept.
+    /// Validates if it is time to; returns the result of the winner, and updates the best root so far.
     pub(super) fn validate(&self, state: &mut State<E::Task>) -> Result<Option<Summary>, EvaluationError> {
         let Some(episodes) = self.episodes_to_spend(state) else { return Ok(None) };
         let (policy, result) = self.race(state, episodes)?;
@@ -48,7 +48,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         Ok(Some(result))
     }
 
-    /// The number of episodes for the winner of a race now; `None` where there is none now.
+    /// Returns the number of episodes for the winner of a race now; `None` if it is not time for one.
     fn episodes_to_spend(&self, state: &State<E::Task>) -> Option<usize> {
         let selection = &self.config.selection;
         let all = selection.validation_episodes;
@@ -66,13 +66,13 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         (promising || left >= 2 * cost).then_some(all)
     }
 
-    /// The best running mean of a root.
+    /// Returns the best running mean of a root.
     fn best_mean(&self, state: &State<E::Task>) -> f64 {
         let records = state.demes.iter().flat_map(|deme| deme.records.values());
         records.map(|record| record.mean).fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// The roots that race: the best by running mean, of equal means those of the earlier deme and the older.
+    /// Returns the roots that race: the best by running mean; ties go to the earlier deme, then to the older root.
     fn field(&self, state: &State<E::Task>) -> Vec<WorkUnit> {
         let mut roots: Vec<_> = (state.demes.iter().enumerate())
             .flat_map(|(deme, population)| {
@@ -102,7 +102,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
                 endings.extend(answer.endings);
             }
             done = stage;
-            // Stable: of equal results, the root with the better running mean stays.
+            // The sort is stable: among equal results, the root with the better running mean stays.
             field.sort_by(|(_, a), (_, b)| Summary::of(b).compare(&Summary::of(a), preference));
             if stage < episodes {
                 field.truncate(field.len().div_ceil(2));
@@ -112,7 +112,8 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         Ok((winner.policy, Summary::of(&endings)))
     }
 
-    /// The ranges of inputs where the environment does not know them all: what the policy visits, a quarter wider.
+    /// Returns the ranges of inputs if the environment does not know all of them: those visited by the policy, widened
+    /// by a quarter.
     fn learned_ranges(&self, policy: &Policy) -> Result<Option<Vec<[f64; 2]>>, EvaluationError> {
         let sources = self.environment.sources();
         let declared: Vec<[f64; 2]> = sources.into_iter().flat_map(|source| source.ranges).collect();
@@ -123,7 +124,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         Ok(Some((declared.into_iter().enumerate()).map(|(input, range)| widened(range, &states, input)).collect()))
     }
 
-    /// States along the episodes of policies, each policy on the first of the selection tasks.
+    /// Returns states along the episodes of policies, each policy on the first of the selection tasks.
     pub(super) fn visited(&self, policies: &[Policy], episodes: usize) -> Result<Vec<Vec<f64>>, EvaluationError> {
         let tasks = &self.selection_tasks[..episodes.min(self.selection_tasks.len())];
         let units = policies.iter().enumerate().map(|(place, policy)| WorkUnit {
@@ -145,7 +146,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
     }
 }
 
-/// A declared range whose infinite ends are replaced by what was visited, a quarter wider; never empty.
+/// Returns a declared range whose infinite ends are replaced by visited values, widened by a quarter; never empty.
 fn widened(declared: [f64; 2], states: &[Vec<f64>], input: usize) -> [f64; 2] {
     let values = || states.iter().map(|state| state[input]).filter(|value| value.is_finite());
     let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));

@@ -1,62 +1,62 @@
-//! What programs can be written with: instructions, registers and sources, numbered as GEGELATI numbers them.
+//! The vocabulary of programs: instructions, registers and sources, numbered as in GEGELATI.
 
 use serde::{Deserialize, Serialize};
 use tpg_engine::Operand;
 use tpg_graph::{ScalarType, SourceDocument};
 use tpg_runtime::ops::Instruction;
 
-/// Operands of a line. GEGELATI calls it `maxNbOperands`; the instruction set has no instruction with more.
+/// Number of operands of a line, GEGELATI's `maxNbOperands`; no instruction has more.
 pub const OPERANDS: usize = 2;
 
-/// The place of an instruction in its set, as a line stores it.
+/// Index of an instruction in its set, as stored in a line.
 pub type InstructionIndex = u8;
 
-/// An operand of a genome's line: GEGELATI's pair of data source and location (`program/line.h`), and a number of its own
-/// where literal constants are allowed.
+/// An operand of a genome's line: GEGELATI's pair of data source and location (`program/line.h`), and a literal number
+/// if literals are allowed.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Gene {
-    /// Which source, by [`Vocabulary::kind`].
+    /// Number of the source, see [`Vocabulary::kind`].
     pub source: u8,
-    /// Where in the source, modulo its length.
+    /// Location in the source, modulo its length.
     pub location: u16,
-    /// The number read where the source is [`Kind::Literal`]; kept, unused, otherwise.
+    /// The number read if the source is [`Kind::Literal`]; otherwise kept but unused.
     pub literal: f64,
 }
 
-/// What a source number stands for.
+/// Meaning of a source number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// The registers: always source 0.
     Registers,
-    /// The program's constants, where a program has some: source 1.
+    /// The program's constants, if programs have any: source 1.
     Constants,
-    /// A data source of the environment: its first place in the flat state, and its length.
+    /// A data source of the environment: its first index in the flat state, and its length.
     Data(u16, u16),
-    /// The operand's own number, where that is allowed: the last source.
+    /// The operand's own number, if literals are allowed: the last source.
     Literal,
 }
 
-/// What programs can be written with.
+/// The vocabulary of programs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Vocabulary {
     instructions: Vec<Instruction>,
     registers: u16,
     constants: u16,
     kinds: Vec<Kind>,
-    /// GEGELATI, `environment.cpp`, `computeLargestAddressSpace`: locations are drawn below this.
+    /// Exclusive upper bound of locations (GEGELATI, `environment.cpp`, `computeLargestAddressSpace`).
     largest_address_space: u16,
     scalar: ScalarType,
-    /// The units of literals: half the range of each value of the flat state; empty without literals.
+    /// Units of literals: half the range of each value of the flat state; empty without literals.
     scales: Vec<f64>,
-    /// The upper bounds of the bids for the first actions: place and number, behind all values that programs can name.
+    /// Upper bounds of the bids for the first actions: first index and count, after all values that programs can read.
     bounds: Option<(u16, u16)>,
 }
 
 impl Vocabulary {
-    /// Puts a vocabulary together; `literals` are their units, where operands can be numbers of their own.
+    /// Creates a vocabulary; `literals` are the units of literals, if operands can be literal numbers.
     ///
     /// # Panics
-    /// If there is no register, or no or more than 256 instructions: a configuration is checked before.
+    /// If there are no registers, no instructions or more than 256: configurations are checked earlier.
     pub fn new(
         instructions: Vec<Instruction>,
         registers: u16,
@@ -92,8 +92,8 @@ impl Vocabulary {
         }
     }
 
-    /// The same with a last source that bounds bids from above, one value for each of the first actions; no operand can
-    /// name it.
+    /// Appends a source that bounds bids from above, one value for each of the first actions; operands cannot refer to
+    /// it.
     #[must_use]
     pub fn with_bounds(self, source: &SourceDocument) -> Self {
         let readable = self.kinds.iter().filter_map(|kind| match *kind {
@@ -104,57 +104,57 @@ impl Vocabulary {
         Self { bounds: Some((place, source.length as u16)), ..self }
     }
 
-    /// The place of an action's bound in the flat state, where it has one.
+    /// Returns the index of an action's bound in the flat state, if it has one.
     pub fn bound(&self, action: u16) -> Option<u16> {
         self.bounds.filter(|&(_, length)| action < length).map(|(place, _)| place + action)
     }
 
-    /// The units of literals; empty where there are none.
+    /// Returns the units of literals; empty if there are none.
     pub fn scales(&self) -> &[f64] {
         &self.scales
     }
 
-    /// The instruction set.
+    /// Returns the instruction set.
     pub fn instructions(&self) -> &[Instruction] {
         &self.instructions
     }
 
-    /// The instruction at a place of the set.
+    /// Returns the instruction at an index of the set.
     pub fn instruction(&self, index: InstructionIndex) -> Instruction {
         self.instructions[usize::from(index)]
     }
 
-    /// Registers of a program.
+    /// Returns the number of registers of a program.
     pub fn registers(&self) -> u16 {
         self.registers
     }
 
-    /// Constants of a program.
+    /// Returns the number of constants of a program.
     pub fn constants(&self) -> u16 {
         self.constants
     }
 
-    /// How many sources an operand can name.
+    /// Returns the number of sources that an operand can refer to.
     pub fn sources(&self) -> usize {
         self.kinds.len()
     }
 
-    /// What a source number stands for.
+    /// Returns the meaning of a source number.
     pub fn kind(&self, source: u8) -> Kind {
         self.kinds[usize::from(source)]
     }
 
-    /// Locations are drawn below this.
+    /// Returns the exclusive upper bound of locations.
     pub fn largest_address_space(&self) -> u16 {
         self.largest_address_space
     }
 
-    /// The scalar that programs compute in.
+    /// Returns the scalar type that programs compute in.
     pub fn scalar(&self) -> ScalarType {
         self.scalar
     }
 
-    /// What an operand reads; `constants` are its program's.
+    /// Resolves an operand; `constants` are those of its program.
     pub fn read(&self, gene: &Gene, constants: &[f64]) -> Operand {
         match self.kind(gene.source) {
             Kind::Registers => Operand::Register(gene.location % self.registers),

@@ -1,4 +1,4 @@
-//! What the cells say: means over pairs, the Pareto front, the setting to take.
+//! Evaluation of the cells: means over pairs, the Pareto front, the setting to use.
 
 use super::cost::Costs;
 use super::setting::{Detector, HandBack, Setting};
@@ -10,12 +10,12 @@ use serde::Serialize;
 pub struct Spread {
     /// The mean.
     pub mean: f64,
-    /// The standard deviation; 0 of a single value.
+    /// The standard deviation; 0 for a single value.
     pub sd: f64,
 }
 
 impl Spread {
-    /// Of some values.
+    /// Computes mean and standard deviation of values.
     pub fn of(values: &[f64]) -> Self {
         let count = values.len().max(1) as f64;
         let mean = values.iter().sum::<f64>() / count;
@@ -24,48 +24,48 @@ impl Spread {
     }
 }
 
-/// One row of `settings.csv`: a setting over all pairs.
+/// One row of `settings.csv`: a setting, averaged over all pairs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Summary {
     /// The guard's name.
     pub guard: String,
-    /// How cycles were noticed.
+    /// Method of detecting cycles.
     pub cycle_detector: Detector,
     /// The paper's `nbItGoBackTPG`.
     pub hand_back_after: HandBack,
     /// The paper's `sepDistance`, mm.
     pub separation_mm: f64,
-    /// Mean over pairs, and its standard deviation.
+    /// Mean success rate over pairs.
     pub success: f64,
-    /// Over pairs.
+    /// Its standard deviation over pairs.
     pub success_sd: f64,
-    /// Mean over pairs.
+    /// Mean collision rate over pairs.
     pub collision: f64,
-    /// Over pairs.
+    /// Its standard deviation over pairs.
     pub collision_sd: f64,
-    /// Mean over pairs.
+    /// Mean final distance over pairs.
     pub distance_mm: f64,
-    /// Over pairs.
+    /// Its standard deviation over pairs.
     pub distance_sd: f64,
-    /// Mean over pairs.
+    /// Mean number of actions over pairs.
     pub actions: f64,
-    /// Mean over pairs: part of all actions that the graph chose.
+    /// Mean over pairs of the fraction of actions that the graph chose.
     pub tpg_action_ratio: f64,
-    /// Mean over pairs: time of one action on this machine, by the costs in `timing.csv`.
+    /// Mean over pairs of the time of one action on this machine, by the costs in `timing.csv`.
     pub ns_per_action: f64,
-    /// Whether no other setting is at least as good in distance, success and time, and better in one.
+    /// True if no other setting is at least as good in distance, success and time, and better in one of them.
     pub on_front: bool,
-    /// Whether it is the one to take.
+    /// True if this is the setting to use.
     pub chosen: bool,
 }
 
 impl Summary {
-    /// The setting.
+    /// Returns the setting.
     pub fn setting(&self, cells: &[Cell]) -> Option<Setting> {
         cells.iter().find(|cell| self.is_of(cell)).map(Cell::setting)
     }
 
-    /// Whether a cell is one of those that this summarises.
+    /// True if the summary includes the cell.
     pub fn is_of(&self, cell: &Cell) -> bool {
         cell.guard == self.guard
             && cell.cycle_detector == self.cycle_detector
@@ -84,10 +84,10 @@ impl Summary {
     }
 }
 
-/// Every setting over all pairs, with front and choice marked.
+/// Summarises every setting over all pairs and marks front and choice.
 ///
-/// The choice: of all settings whose mean success lies within one standard error of the highest, the one with the least
-/// time per action; of equals, the first.
+/// Among all settings whose mean success lies within one standard error of the highest, the choice is the one with the
+/// least time per action; ties go to the first.
 pub fn summarise(cells: &[Cell], settings: &[Setting], costs: &Costs) -> Vec<Summary> {
     let mut summaries: Vec<Summary> = settings.iter().map(|setting| summary(cells, setting, costs)).collect();
     let front: Vec<bool> =
@@ -164,9 +164,9 @@ mod tests {
     fn the_cheapest_of_the_good_is_chosen_and_what_is_dominated_is_not_on_the_front() {
         let costs = Costs { tpg: vec![100.0], sac: vec![1000.0, 1000.0], guards: [0.0, 5.0, 50.0, 50.0] };
         let cells = [
-            cell(0, 1.0, 0.96, 3.0, 0.1), // best, and slow
+            cell(0, 1.0, 0.96, 3.0, 0.1), // best, but slow
             cell(1, 1.0, 0.94, 5.0, 0.1),
-            cell(0, 3.0, 0.94, 4.0, 0.9), // within the standard error of 1.5 points, and quick
+            cell(0, 3.0, 0.94, 4.0, 0.9), // within the standard error of 1.5 points, and fast
             cell(1, 3.0, 0.94, 4.0, 0.9),
             cell(0, 10.0, 0.80, 9.0, 0.5), // dominated
             cell(1, 10.0, 0.80, 9.0, 0.5),

@@ -1,8 +1,9 @@
 //! `tpg-train hybrid`: the study of both parameters.
 //!
-//! The folder of a study holds `study.toml` (what was asked), `cells.csv` (a row for each pair and setting),
-//! `settings.csv` (means over pairs, front, choice), `alone.csv`, `hybrid.toml` (the chosen setting with the best pair),
-//! `timing.csv` (the one measurement that differs between equal runs, and with it the times elsewhere) and `report.html`.
+//! The folder of a study contains `study.toml` (the request), `cells.csv` (a row for each pair and setting),
+//! `settings.csv` (means over pairs, front, choice), `alone.csv`, `hybrid.toml` (the chosen setting with the best
+//! pair), `timing.csv` (the only measurement that differs between equal runs, and with it the times elsewhere) and
+//! `report.html`.
 
 use super::choice::{self, Summary};
 use super::cost::Costs;
@@ -12,6 +13,7 @@ use super::setting::{Detector, HybridFile};
 use super::study::{Cell, Study, settings, to_csv};
 use crate::actor::file::Actor;
 use crate::files::{make_folder, read_text, write_atomically};
+use crate::interrupt;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
@@ -19,8 +21,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+
 use tpg_arm::WIDOWX;
 use tpg_arm::hybrid::Guard;
 use tpg_graph::command::Verdict;
@@ -42,10 +43,10 @@ pub struct HybridArgs {
     /// The folder of the study
     #[arg(long, value_name = "RUN")]
     pub out: PathBuf,
-    /// Go on with the folder's study
+    /// Continue the study in the folder
     #[arg(long)]
     pub resume: bool,
-    /// Validation episodes of a pair and setting
+    /// Validation episodes for each pair and setting
     #[arg(long, value_name = "N", default_value_t = 500)]
     pub episodes: usize,
     /// The seed of the validation episodes
@@ -55,42 +56,42 @@ pub struct HybridArgs {
     #[arg(long, value_name = "GUARD", value_delimiter = ',', default_value = "none,joint-limits,collisions,both",
           value_parser = guard)]
     pub guard: Vec<Guard>,
-    /// How cycles are noticed
+    /// Methods of detecting cycles
     #[arg(long, value_enum, value_name = "DETECTOR", value_delimiter = ',', default_value = "visited")]
     pub cycle_detector: Vec<Detector>,
-    /// Threads; 0 for one each core
+    /// Threads; 0 for one per core
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub threads: usize,
 }
 
-/// A guard by its name.
+/// Finds a guard by name.
 ///
 /// # Errors
-/// If there is none.
+/// If there is no guard with that name.
 pub fn guard(name: &str) -> Result<Guard, String> {
     Guard::from_name(name).ok_or_else(|| format!("accepted: {}", Guard::ALL.map(Guard::name).join(", ")))
 }
 
-/// One row of `alone.csv`: a policy without the other.
+/// One row of `alone.csv`: a policy acting alone.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Alone {
     /// `tpg` or `sac`.
     pub kind: &'static str,
-    /// Its place on the command line, from 0.
+    /// Its position on the command line, from 0.
     pub place: usize,
     /// Its file.
     pub file: String,
-    /// Part of the episodes that reached their target.
+    /// Fraction of the episodes that reached their target.
     pub success: f64,
-    /// Part of the episodes that an invalid action ended.
+    /// Fraction of the episodes that ended with an invalid action.
     pub collision: f64,
-    /// Mean distance at the end.
+    /// Mean final distance.
     pub distance_mm: f64,
     /// Mean number of actions.
     pub actions: f64,
 }
 
-/// `study.toml`.
+/// Content of `study.toml`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct Asked {
     problem: Start,
@@ -102,7 +103,7 @@ struct Asked {
     policy: Vec<Input>,
 }
 
-/// A file with what it held.
+/// An input file with its content.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct Input {
     file: String,
@@ -117,10 +118,10 @@ impl Input {
     }
 }
 
-/// Studies.
+/// Runs the study.
 ///
 /// # Errors
-/// Files that are no policies, a folder with another study, files that cannot be written.
+/// Files that are not policies, a folder with another study, files that cannot be written.
 pub fn execute(args: &HybridArgs) -> Result<Verdict, InputError> {
     let inputs = |paths: &[PathBuf]| paths.iter().map(|path| Input::of(path)).collect::<Result<Vec<_>, _>>();
     let asked = Asked {
@@ -140,11 +141,11 @@ pub fn execute(args: &HybridArgs) -> Result<Verdict, InputError> {
         tasks: tasks(&WIDOWX, args.seed, Set::Validation, args.problem, args.episodes),
     };
     open_folder(args, &asked)?;
-    let stop = Arc::new(AtomicBool::new(false));
-    let asked_to_stop = Arc::clone(&stop);
-    let _ = ctrlc::set_handler(move || asked_to_stop.store(true, Ordering::Relaxed));
+    let stop = interrupt::watch();
     let pool = rayon::ThreadPoolBuilder::new().num_threads(args.threads).build();
-    let pool = pool.map_err(|e| InputError::new("--threads", Place::Whole, e.to_string(), "threads that start"))?;
+    let pool = pool.map_err(|e| {
+        InputError::new("--threads", Place::Whole, e.to_string(), "a number of threads that can be started")
+    })?;
     let progress = ProgressBar::new(study.size() as u64);
     let style = ProgressStyle::with_template("{bar:30} {pos} of {len}  {eta} left");
     progress.set_style(style.expect("a template that is right"));
@@ -167,7 +168,7 @@ fn open_folder(args: &HybridArgs, asked: &Asked) -> Result<(), InputError> {
             return Err(InputError::new(name, Place::Whole, "a study", "an empty folder, or --resume"));
         }
         if read_text(&path, "a study.toml")? != text {
-            let accepted = "the arguments and the very files it was begun with";
+            let accepted = "the same arguments and the same files as at the start";
             return Err(InputError::new(name, Place::Whole, "another study", accepted));
         }
     }
@@ -225,7 +226,8 @@ fn finish(args: &HybridArgs, study: &Study, costs: &Costs, cells: &[Cell], alone
     Ok(())
 }
 
-/// The chosen setting with the pair that has the most success under it; of equals, the one that ends nearer.
+/// Returns the chosen setting with the pair that has the highest success rate under it; ties go to the smaller final
+/// distance.
 fn best_pair(args: &HybridArgs, cells: &[Cell], chosen: &Summary) -> Option<String> {
     let better = |a: &&Cell, b: &&Cell| a.success.total_cmp(&b.success).then(b.distance_mm.total_cmp(&a.distance_mm));
     let best = cells.iter().filter(|cell| chosen.is_of(cell)).max_by(better)?;

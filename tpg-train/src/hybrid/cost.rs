@@ -1,4 +1,4 @@
-//! What one decision costs on this machine, in the trainer's own evaluation. (Compiled code: `tpg-train table2`.)
+//! Time of one decision on this machine, in the trainer's own evaluation. (Compiled code: `tpg-train table2`.)
 
 use super::graph::GraphPolicy;
 use super::narrowed::Narrowed;
@@ -17,14 +17,14 @@ use tpg_problems::arm::ArmScalar;
 use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::Policy;
 
-/// Nanoseconds of one decision.
+/// Nanoseconds per decision.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Costs {
-    /// Of each graph.
+    /// For each graph.
     pub tpg: Vec<f64>,
-    /// Of each actor.
+    /// For each actor.
     pub sac: Vec<f64>,
-    /// Of each guard, in the order of [`Guard::ALL`].
+    /// For each guard, in the order of [`Guard::ALL`].
     pub guards: [f64; 4],
 }
 
@@ -32,7 +32,7 @@ impl Costs {
     /// Measures every policy of a study on states of its own tasks.
     ///
     /// # Errors
-    /// If a graph is none for the arm.
+    /// If a graph does not fit the arm.
     pub fn measure(study: &Study) -> Result<Self, InputError> {
         let tpg = study.tpgs.iter().map(|(file, graph)| of_graph(file, graph, study)).collect::<Result<_, _>>()?;
         let arm = WIDOWX.to_f32();
@@ -46,16 +46,16 @@ impl Costs {
         let states = states::<f32, _>(&Narrowed::<f32, _>::new(&*policy), study);
         let single = Move([3, 0, 0, 0]);
         let guards = Guard::ALL.map(|guard| best_of(&states, |seen| guard.refuses(&arm, seen.pose, single)));
-        // What the loop itself costs: the time of the guard that does nothing.
+        // Cost of the loop itself: the time of the guard that does nothing.
         let [nothing, ..] = guards;
         Ok(Self { tpg, sac, guards: guards.map(|ns| (ns - nothing).max(0.0)) })
     }
 
-    /// The mean time of an action in a cell: decisions of both policies and guard checks, counted exactly, times their
-    /// costs.
+    /// Returns the mean time of an action in a cell: decisions of both policies and guard checks, counted exactly,
+    /// times their costs.
     pub fn ns_per_action(&self, cell: &Cell) -> f64 {
         let guard = Guard::ALL.iter().position(|guard| guard.name() == cell.guard).unwrap_or(0);
-        // A refused decision was made, too.
+        // A refused decision also took time.
         let of_network = if cell.guard == Guard::Both.name() { self.guards[guard] } else { 0.0 };
         let tpg_decisions = cell.tpg_action_ratio + cell.hand_overs_guard / cell.actions.max(1.0);
         tpg_decisions * (self.tpg[cell.tpg] + self.guards[guard])
@@ -73,12 +73,12 @@ fn of<S: ArmScalar, M: Maths<S>>(file: &str, graph: &Graph, study: &Study) -> Re
     Ok(best_of(&states, |seen| policy.decide(seen)))
 }
 
-/// Episodes whose states are measured.
+/// Number of episodes whose states are measured.
 const EPISODES: usize = 20;
-/// The fastest of so many rounds counts: what is slower was disturbed.
+/// Number of rounds; the fastest counts because slower ones were disturbed.
 const ROUNDS: usize = 5;
 
-/// What a policy sees on the way to the first targets.
+/// Returns the observations of a policy on the way to the first targets.
 fn states<S, P>(policy: &P, study: &Study) -> Vec<Observation<S>>
 where
     S: ArmScalar,

@@ -1,4 +1,4 @@
-//! A graph as a policy of the arm, in the trainer's own evaluation.
+//! Graphs as policies of the arm, in the trainer's own evaluation.
 
 use crate::files::read_text;
 use std::cell::RefCell;
@@ -16,12 +16,12 @@ use tpg_runtime::policy::Policy;
 /// Reads a `graph.json`.
 ///
 /// # Errors
-/// If it cannot be read or is no graph.
+/// If it cannot be read or is not a graph.
 pub fn read_graph(path: &Path) -> Result<Graph, InputError> {
     Graph::from_json(&path.display().to_string(), &read_text(path, "a graph.json")?)
 }
 
-/// A graph that drives the arm.
+/// A graph that controls the arm.
 #[derive(Debug)]
 pub struct GraphPolicy<S: Copy, M> {
     arm: Arm<S>,
@@ -32,10 +32,10 @@ pub struct GraphPolicy<S: Copy, M> {
 }
 
 impl<S: ArmScalar, M: Maths<S>> GraphPolicy<S, M> {
-    /// Of a graph; `file` is what an error names.
+    /// Creates the policy of a graph; `file` is the name shown in errors.
     ///
     /// # Errors
-    /// If the graph reads sources that the arm does not have, or has actions that do not say what they move.
+    /// If the graph reads sources that the arm does not have, or has actions that do not state their move.
     pub fn new(file: &str, graph: &Graph) -> Result<Self, InputError> {
         let binding = Binding::of(file, graph)?;
         let plan = Plan::new::<M>(&Root::from(graph), &graph.to_document().sources, Options::default());

@@ -1,4 +1,4 @@
-//! A tangled program graph and a soft actor-critic that share the arm: settings, study, table.
+//! Hybrids: a tangled program graph and a soft actor-critic that share the arm. Settings, study, table.
 //!
 //! The switch itself is [`tpg_arm::hybrid`].
 //!
@@ -9,8 +9,8 @@
 //! | [`narrowed`] | an actor for an arm in any precision |
 //! | [`trial`] | a hybrid on many tasks |
 //! | [`study`] | every pair under every setting |
-//! | [`cost`] | what a decision costs |
-//! | [`choice`] | means over pairs, Pareto front, the setting to take |
+//! | [`cost`] | time of a decision |
+//! | [`choice`] | means over pairs, Pareto front, the setting to use |
 //! | [`report`] | the study as a page |
 //! | [`command`] | `tpg-train hybrid` |
 

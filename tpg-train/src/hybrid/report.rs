@@ -7,7 +7,7 @@ use super::study::{Cell, HAND_BACKS, SEPARATIONS};
 use crate::picture::{Axis, Colour, Figure, FiveNumbers, Page, Plot, Section, Table};
 use tpg_problems::arm::targets::Start;
 
-/// The page.
+/// Renders the page.
 pub fn page(start: Start, cells: &[Cell], summaries: &[Summary], alone: &[Alone]) -> String {
     let problem = match start {
         Start::Fs => "fixed start",
@@ -42,7 +42,7 @@ fn section(title: &str, figures: Vec<Figure>) -> Section {
     Section { title: title.to_owned(), figures, ..Section::default() }
 }
 
-/// A figure for each guard.
+/// Draws a figure for each guard.
 fn figures(summaries: &[Summary], draw: impl Fn(&str, &[&Summary]) -> Figure) -> Vec<Figure> {
     let mut guards: Vec<&str> = summaries.iter().map(|summary| summary.guard.as_str()).collect();
     guards.dedup();

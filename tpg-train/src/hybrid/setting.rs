@@ -1,4 +1,4 @@
-//! How a graph and an actor share an arm, as a file: `hybrid.toml`.
+//! Settings for sharing an arm between a graph and an actor, and their file `hybrid.toml`.
 
 use crate::files::{read_text, write_atomically};
 use serde::{Deserialize, Serialize};
@@ -7,12 +7,12 @@ use tpg_arm::hybrid::{Guard, NEVER, Settings};
 use tpg_graph::error::{InputError, Place};
 use tpg_runtime::scalar::Scalar;
 
-/// When the network gives the arm back.
+/// Number of actions after which the network hands the arm back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct HandBack(pub u32);
 
 impl HandBack {
-    /// The hand-over is for good.
+    /// The network never hands the arm back.
     pub const NEVER: Self = Self(NEVER);
 }
 
@@ -56,7 +56,7 @@ impl<'de> Deserialize<'de> for HandBack {
     }
 }
 
-/// Who notices that the graph comes to a pose again.
+/// Method of detecting that the graph has returned to an earlier pose.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, clap::ValueEnum)]
 #[serde(rename_all = "kebab-case")]
 pub enum Detector {
@@ -68,7 +68,7 @@ pub enum Detector {
 }
 
 impl Detector {
-    /// The name in files.
+    /// Returns the name used in files.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Visited => "visited",
@@ -84,20 +84,20 @@ pub struct Setting {
     pub hand_back_after: HandBack,
     /// The paper's `sepDistance`, mm.
     pub separation_mm: f64,
-    /// Which of the graph's actions are not executed.
+    /// Actions of the graph that are not executed.
     pub guard: Guard,
-    /// How cycles are noticed.
+    /// Method of detecting cycles.
     pub detector: Detector,
 }
 
 impl Setting {
-    /// The paper's choice for each problem.
+    /// The paper's setting for fixed starts.
     pub const PAPER_FS: Self =
         Self { hand_back_after: HandBack(100), separation_mm: 20.0, guard: Guard::None, detector: Detector::Visited };
-    /// For random starts.
+    /// The paper's setting for random starts.
     pub const PAPER_RS: Self = Self { separation_mm: 10.0, ..Self::PAPER_FS };
 
-    /// As the runtime takes it.
+    /// Converts the setting for the runtime.
     pub fn settings<S: Scalar>(&self) -> Settings<S> {
         Settings {
             hand_back_after: self.hand_back_after.0,
@@ -106,7 +106,7 @@ impl Setting {
         }
     }
 
-    /// For people: `100 actions, 20 mm, guard joint-limits, brent`.
+    /// Describes the setting: `100 actions, 20 mm, guard joint-limits, brent`.
     pub fn sentence(&self) -> String {
         let back = match self.hand_back_after {
             HandBack::NEVER => "for good".to_owned(),
@@ -117,22 +117,22 @@ impl Setting {
     }
 }
 
-/// A distance, infinity as ∞.
+/// Formats a distance; infinity is shown as ∞.
 pub fn shown(mm: f64) -> String {
     if mm == f64::INFINITY { "∞".to_owned() } else { mm.to_string() }
 }
 
-/// `hybrid.toml`: a hybrid whole. Paths are relative to the file.
+/// A complete hybrid, as written in `hybrid.toml`. Paths are relative to the file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct HybridFile {
     /// The graph.
     pub graph: String,
-    /// The actor, in integers or not.
+    /// The actor, integer or floating-point.
     pub actor: String,
-    /// Actions of the network before the graph is asked again, or "never".
+    /// Number of actions of the network before the graph takes over again, or "never".
     pub hand_back_after: HandBack,
-    /// The network takes over when the hand is further away than its best by this, mm; `inf` for never.
+    /// The network takes over when the hand is this much further away than at its closest, mm; `inf` for never.
     pub separation_mm: f64,
     /// "none", "joint-limits", "collisions" or "both".
     pub guard: String,
@@ -144,7 +144,7 @@ impl HybridFile {
     /// Reads a file.
     ///
     /// # Errors
-    /// If it cannot be read or says something that no hybrid can do.
+    /// If it cannot be read or contains an impossible setting.
     pub fn read(path: &Path) -> Result<Self, InputError> {
         let name = path.display().to_string();
         let text = read_text(path, "a hybrid.toml")?;
@@ -157,10 +157,10 @@ impl HybridFile {
         Ok(file)
     }
 
-    /// What it says about sharing the arm; otherwise key, what stands there and what may.
+    /// Returns the setting; the error is the key, the value found and the accepted values.
     ///
     /// # Errors
-    /// An unknown guard, or a separation that is no distance.
+    /// An unknown guard, or a separation that is not a distance.
     pub fn setting(&self) -> Result<Setting, (String, String, String)> {
         let guard = Guard::from_name(&self.guard).ok_or_else(|| {
             let accepted = Guard::ALL.map(Guard::name).join(", ");
@@ -174,7 +174,7 @@ impl HybridFile {
         Ok(Setting { hand_back_after, separation_mm, guard, detector })
     }
 
-    /// The same as constants of a Rust crate that uses `tpg_runtime`.
+    /// Returns the setting as constants of a Rust crate that uses `tpg_runtime`.
     ///
     /// # Errors
     /// As [`setting`](Self::setting).
@@ -208,7 +208,7 @@ impl HybridFile {
     }
 }
 
-/// Turn a hybrid.toml into constants of Rust.
+/// Turn a hybrid.toml into Rust constants
 #[derive(Clone, Debug, clap::Args)]
 pub struct ConstantsArgs {
     /// The hybrid.toml
@@ -221,7 +221,7 @@ pub struct ConstantsArgs {
 /// Writes the constants.
 ///
 /// # Errors
-/// If the file is no `hybrid.toml`, or the other cannot be written.
+/// If the file is not a `hybrid.toml`, or the output cannot be written.
 pub fn constants(args: &ConstantsArgs) -> Result<(), InputError> {
     let name = args.hybrid.display().to_string();
     let rust = HybridFile::read(&args.hybrid)?.to_rust();

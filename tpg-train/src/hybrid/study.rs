@@ -17,14 +17,14 @@ use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
 use tpg_problems::arm::targets::{Start, Task};
 
-/// The paper's values of `nbItGoBackTPG`, and ours: never.
+/// The paper's values of `nbItGoBackTPG`, plus "never".
 pub const HAND_BACKS: [HandBack; 7] =
     [HandBack(1), HandBack(5), HandBack(10), HandBack(50), HandBack(100), HandBack(1000), HandBack::NEVER];
 
 /// The paper's values of `sepDistance`, mm.
 pub const SEPARATIONS: [f64; 6] = [1.0, 3.0, 10.0, 20.0, 100.0, f64::INFINITY];
 
-/// Every setting with those guards and detectors.
+/// Returns every setting with the given guards and detectors.
 pub fn settings(guards: &[Guard], detectors: &[Detector]) -> Vec<Setting> {
     let mut all = Vec::new();
     for &guard in guards {
@@ -45,45 +45,45 @@ pub fn settings(guards: &[Guard], detectors: &[Detector]) -> Vec<Setting> {
 /// One row of `cells.csv`: a pair under a setting. Rates lie in 0..1.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Cell {
-    /// The graph's place on the command line, from 0.
+    /// Position of the graph on the command line, from 0.
     pub tpg: usize,
-    /// The actor's place on the command line, from 0.
+    /// Position of the actor on the command line, from 0.
     pub sac: usize,
     /// The guard's name.
     pub guard: String,
-    /// How cycles were noticed.
+    /// Method of detecting cycles.
     pub cycle_detector: Detector,
     /// The paper's `nbItGoBackTPG`.
     pub hand_back_after: HandBack,
     /// The paper's `sepDistance`, mm.
     pub separation_mm: f64,
-    /// Episodes.
+    /// Number of episodes.
     pub episodes: usize,
-    /// Part of the episodes that reached their target.
+    /// Fraction of the episodes that reached their target.
     pub success: f64,
-    /// Part of the episodes that an invalid action ended.
+    /// Fraction of the episodes that ended with an invalid action.
     pub collision: f64,
-    /// Mean distance at the end.
+    /// Mean final distance.
     pub distance_mm: f64,
     /// Mean number of actions.
     pub actions: f64,
-    /// Part of all actions that the graph chose.
+    /// Fraction of all actions that the graph chose.
     pub tpg_action_ratio: f64,
-    /// The same for each episode, then the mean.
+    /// The same fraction for each episode, averaged over episodes.
     pub tpg_ratio_of_episodes: f64,
-    /// Hand-overs an episode because the guard refused.
+    /// Hand-overs per episode because the guard refused.
     pub hand_overs_guard: f64,
-    /// Because the hand strayed.
+    /// Hand-overs per episode because the hand strayed.
     pub hand_overs_drift: f64,
-    /// Because the graph stopped.
+    /// Hand-overs per episode because the graph stopped.
     pub hand_overs_stop: f64,
-    /// Because the graph cycled.
+    /// Hand-overs per episode because the graph cycled.
     pub hand_overs_cycle: f64,
-    /// Times an episode that the network gave the arm back.
+    /// Number of times per episode that the network handed the arm back.
     pub hand_backs: f64,
 }
 
-/// What tells cells apart, in the order of `cells.csv`.
+/// Identity of a cell, in the order of `cells.csv`.
 type Key = (usize, usize, String, Detector, HandBack, u64);
 
 impl Cell {
@@ -92,7 +92,7 @@ impl Cell {
         (tpg, sac, self.guard.clone(), cycle_detector, hand_back_after, separation_mm.to_bits())
     }
 
-    /// The setting.
+    /// Returns the setting.
     pub fn setting(&self) -> Setting {
         Setting {
             hand_back_after: self.hand_back_after,
@@ -103,7 +103,7 @@ impl Cell {
     }
 }
 
-/// What a study is about.
+/// Subject of a study.
 #[derive(Debug)]
 pub struct Study {
     /// The graphs, with their files.
@@ -112,25 +112,25 @@ pub struct Study {
     pub sacs: Vec<(String, Actor)>,
     /// The settings.
     pub settings: Vec<Setting>,
-    /// Where episodes start.
+    /// Start of the episodes.
     pub start: Start,
-    /// The episodes.
+    /// Tasks of the episodes.
     pub tasks: Vec<Task>,
 }
 
-/// Seconds between two savings of what is done.
+/// Interval between saves of finished cells.
 const SAVE_EVERY: Duration = Duration::from_secs(10);
 
 impl Study {
-    /// How many cells there are.
+    /// Returns the number of cells.
     pub fn size(&self) -> usize {
         self.tpgs.len() * self.sacs.len() * self.settings.len()
     }
 
-    /// One cell.
+    /// Computes one cell.
     ///
     /// # Errors
-    /// If the graph is none for the arm.
+    /// If the graph does not fit the arm.
     pub fn cell(&self, tpg: usize, sac: usize, setting: &Setting) -> Result<Cell, InputError> {
         let (file, graph) = &self.tpgs[tpg];
         let done = trial::run(file, graph, &self.sacs[sac].1, setting, self.start, &self.tasks)?;
@@ -157,11 +157,11 @@ impl Study {
         })
     }
 
-    /// All cells that `path` does not hold yet; it always holds whole rows of finished cells, in order. `None` where
-    /// `stop` was set before all were done.
+    /// Computes all cells that `path` does not hold yet; the file always contains whole rows of finished cells, in
+    /// order. `None` if `stop` was set before all were done.
     ///
     /// # Errors
-    /// If the file is not a study's, a graph is none for the arm, or the file cannot be written.
+    /// If the file does not belong to a study, a graph does not fit the arm, or the file cannot be written.
     pub fn run(&self, path: &Path, progress: &ProgressBar, stop: &AtomicBool) -> Result<Option<Vec<Cell>>, InputError> {
         let known = if path.exists() { read(path)? } else { Vec::new() };
         let cells: BTreeMap<Key, Cell> = known.into_iter().map(|cell| (cell.key(), cell)).collect();
@@ -196,7 +196,7 @@ impl Study {
     }
 }
 
-/// Rows as CSV.
+/// Writes rows as CSV.
 pub fn to_csv<'a, T: Serialize + 'a>(rows: impl Iterator<Item = &'a T>) -> Vec<u8> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     rows.for_each(|row| writer.serialize(row).expect("plain data in memory"));
@@ -210,7 +210,7 @@ fn write<'a>(path: &Path, cells: impl Iterator<Item = &'a Cell>) -> Result<(), I
 /// Reads `cells.csv`.
 ///
 /// # Errors
-/// If it cannot be read or is no such file.
+/// If it cannot be read or has a different format.
 pub fn read(path: &Path) -> Result<Vec<Cell>, InputError> {
     let name = path.display().to_string();
     let mut reader = csv::Reader::from_path(path)

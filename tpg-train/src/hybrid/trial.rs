@@ -1,4 +1,4 @@
-//! A hybrid put to a list of tasks.
+//! Trials of a hybrid on a list of tasks.
 
 use super::graph::GraphPolicy;
 use super::narrowed::Narrowed;
@@ -8,7 +8,7 @@ use serde::Serialize;
 use tpg_arm::cycle::{Brent, CycleDetector, Visited};
 use tpg_arm::hybrid::{CAUSES, Hybrid, HybridEpisode, HybridSummary};
 use tpg_arm::observation::Observation;
-use tpg_arm::{Move, WIDOWX};
+use tpg_arm::{Move, Pose, WIDOWX};
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
 use tpg_graph::in_arithmetic_of;
@@ -18,29 +18,29 @@ use tpg_problems::arm::trial::{self, Trial};
 use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::Policy;
 
-/// What came of many episodes of a hybrid.
+/// Results of many episodes of a hybrid.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct HybridTrial {
-    /// As for any policy.
+    /// Statistics as for any policy.
     #[serde(flatten)]
     pub trial: Trial,
-    /// Part of all actions that the graph chose.
+    /// Fraction of all actions that the graph chose.
     pub tpg_action_ratio: f64,
-    /// The same for each episode, then the mean: the paper's ratio.
+    /// The same fraction for each episode, averaged over episodes: the paper's ratio.
     pub tpg_ratio_of_episodes: f64,
-    /// Hand-overs an episode, by cause: guard, drift, stop, cycle.
+    /// Hand-overs per episode, by cause: guard, drift, stop, cycle.
     pub hand_overs: [f64; CAUSES],
-    /// Times an episode that the network gave the arm back.
+    /// Number of times per episode that the network handed the arm back.
     pub hand_backs: f64,
 }
 
-/// Poses that an exact set must hold: the action limit of random starts, and the start.
+/// Capacity of the exact set of poses: the action limit of random starts, plus the start.
 const CAPACITY: usize = 4096;
 
 /// Lets a graph and an actor do every task together.
 ///
 /// # Errors
-/// If the graph is none for the arm; `file` names it.
+/// If the graph does not fit the arm; `file` is its name in errors.
 pub fn run(
     file: &str,
     graph: &Graph,
@@ -67,10 +67,10 @@ fn of<S: ArmScalar, M: Maths<S>>(
     Ok(trial(&hybrid, setting.detector, start, tasks))
 }
 
-/// Lets a graph do every task without anyone's help.
+/// Lets a graph do every task alone.
 ///
 /// # Errors
-/// If the graph is none for the arm; `file` names it.
+/// If the graph does not fit the arm; `file` is its name in errors.
 pub fn graph_alone(file: &str, graph: &Graph, start: Start, tasks: &[Task]) -> Result<Trial, InputError> {
     in_arithmetic_of!(graph, alone(file, graph, start, tasks))
 }
@@ -108,7 +108,7 @@ where
     S: ArmScalar,
     T: Policy<State = Observation<S>, Action = Move>,
     P: Policy<State = Observation<S>, Action = Move>,
-    D: CycleDetector + Clone,
+    D: CycleDetector<Pose> + Clone,
 {
     let episode = |task: &Task| HybridEpisode::new(hybrid, task.problem(start), detector.clone()).run(|_, _| ());
     tasks.iter().map(episode).collect()

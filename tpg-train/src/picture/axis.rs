@@ -1,19 +1,19 @@
-//! Axes: where a value stands, and where numbers are written.
+//! Axes: mapping from values to positions, and tick labels.
 
-/// How values are spread along an axis.
+/// Distribution of values along an axis.
 #[derive(Clone, Debug, PartialEq)]
 enum Scale {
     Linear,
-    /// By their logarithm.
+    /// Logarithmic.
     Log,
-    /// One place for each name: place k is the value k.
+    /// One position per name: name k is at the value k.
     Names(Vec<String>),
 }
 
 /// One axis of a plot.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
-    /// What it shows, with its unit.
+    /// Label with the unit.
     pub label: String,
     scale: Scale,
     low: Option<f64>,
@@ -21,28 +21,28 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// An axis with equal steps.
+    /// Creates a linear axis.
     pub fn linear(label: &str) -> Self {
         Self { label: label.to_owned(), scale: Scale::Linear, low: None, high: None }
     }
 
-    /// A logarithmic axis; values below `low` are shown at `low`.
+    /// Creates a logarithmic axis; values below `low` are shown at `low`.
     pub fn log(label: &str, low: f64) -> Self {
         Self { label: label.to_owned(), scale: Scale::Log, low: Some(low), high: None }
     }
 
-    /// An axis of names: the k-th, from 0, stands at the value k.
+    /// Creates an axis of names: the k-th name, from 0, is at the value k.
     pub fn names(label: &str, names: Vec<String>) -> Self {
         let high = names.len() as f64 - 0.5;
         Self { label: label.to_owned(), scale: Scale::Names(names), low: Some(-0.5), high: Some(high) }
     }
 
-    /// The same with ends that do not depend on the data.
+    /// Returns the same axis with fixed ends that do not depend on the data.
     pub fn between(self, low: f64, high: f64) -> Self {
         Self { low: Some(low), high: Some(high), ..self }
     }
 
-    /// The axis with ends, for that data.
+    /// Fits the ends of the axis to the data.
     pub(super) fn fit(&self, data: impl Iterator<Item = f64>) -> Fitted<'_> {
         let finite = data.filter(|value| value.is_finite());
         let (least, most) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
@@ -53,7 +53,7 @@ impl Axis {
     }
 }
 
-/// An axis with its ends.
+/// An axis with known ends.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Fitted<'a> {
     axis: &'a Axis,
@@ -62,11 +62,11 @@ pub(super) struct Fitted<'a> {
 }
 
 impl Fitted<'_> {
-    /// Where a value stands: 0 at the low end, 1 at the high end.
+    /// Returns the position of a value: 0 at the low end, 1 at the high end.
     pub(super) fn place(&self, value: f64) -> f64 {
         let value = value.clamp(self.low, self.high);
         match self.axis.scale {
-            // The crate libm, not the system's: the same bytes on every machine.
+            // The crate libm instead of the system's: the same bytes on every machine.
             Scale::Log => {
                 let low = libm::log10(self.low);
                 (libm::log10(value) - low) / (libm::log10(self.high) - low)
@@ -75,7 +75,7 @@ impl Fitted<'_> {
         }
     }
 
-    /// Values to be written at the axis, with their text.
+    /// Returns the values to be labelled on the axis, with their text.
     pub(super) fn ticks(&self) -> Vec<(f64, String)> {
         match &self.axis.scale {
             Scale::Linear => self.round_steps(),
@@ -88,7 +88,7 @@ impl Fitted<'_> {
         }
     }
 
-    /// Multiples of 1, 2 or 5 times a power of ten, about five of them.
+    /// Returns about five multiples of 1, 2 or 5 times a power of ten.
     fn round_steps(&self) -> Vec<(f64, String)> {
         let wanted = (self.high - self.low) / 5.0;
         let power = libm::floor(libm::log10(wanted)) as i32;
@@ -104,7 +104,7 @@ fn power_of_ten(power: i32) -> f64 {
     if power < 0 { 1.0 / power_of_ten(-power) } else { (0..power).fold(1.0, |product, _| product * 10.0) }
 }
 
-/// A number with the decimals that a step of that power of ten needs.
+/// Formats a number with the decimals needed for steps of that power of ten.
 fn number(value: f64, power: i32) -> String {
     format!("{value:.*}", usize::try_from(-power).unwrap_or(0))
 }

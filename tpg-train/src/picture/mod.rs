@@ -1,5 +1,5 @@
-//! Pictures for reports: SVG as text, plots of it, and the page that holds them. No script, no network, no clock: the
-//! same data gives the same bytes.
+//! Pictures for reports: SVG as text, plots, and the HTML page that contains them. No scripts, no network, no clock:
+//! the same data gives the same bytes.
 //!
 //! [`Svg`] draws shapes, [`Plot`] draws data, [`Page`] is the HTML around them; colours and fonts are the page's.
 

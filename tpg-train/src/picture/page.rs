@@ -1,4 +1,4 @@
-//! The page: one HTML file with everything in it.
+//! The page: one self-contained HTML file.
 
 use askama::Template;
 
@@ -8,7 +8,7 @@ use askama::Template;
 pub struct Page {
     /// Its title.
     pub title: String,
-    /// A sentence or two below it.
+    /// One or two sentences below the title.
     pub lead: String,
     /// Its sections.
     pub sections: Vec<Section>,
@@ -19,7 +19,7 @@ pub struct Page {
 pub struct Section {
     /// Its title.
     pub title: String,
-    /// What is to be said before its tables and pictures.
+    /// Text before its tables and pictures.
     pub text: String,
     /// Tables.
     pub tables: Vec<Table>,
@@ -30,26 +30,26 @@ pub struct Section {
 /// A table.
 #[derive(Clone, Debug, Default)]
 pub struct Table {
-    /// One text for each column.
+    /// One text per column.
     pub header: Vec<String>,
     /// Rows of as many texts; the first column is aligned left, the others right.
     pub rows: Vec<Vec<String>>,
 }
 
-/// A picture with what it shows.
+/// A picture with its caption.
 #[derive(Clone, Debug, Default)]
 pub struct Figure {
-    /// An SVG element, by [`Svg`](super::Svg) or [`Plot`](super::Plot).
+    /// An SVG element, created with [`Svg`](super::Svg) or [`Plot`](super::Plot).
     pub svg: String,
-    /// What it shows.
+    /// Caption.
     pub caption: String,
 }
 
 impl Page {
-    /// The page as text.
+    /// Renders the page.
     ///
     /// # Panics
-    /// Never: a template only fails where a value cannot be shown.
+    /// Never: a template fails only if a value cannot be formatted.
     pub fn html(&self) -> String {
         self.render().expect("texts can be shown")
     }

@@ -4,12 +4,12 @@ use super::axis::{Axis, Fitted};
 use super::svg::{Point, Svg};
 
 const SIZE: [f64; 2] = [620.0, 340.0];
-/// Left, top, right, bottom: room for numbers and labels.
+/// Left, top, right and bottom margins for numbers and labels.
 const MARGIN: [f64; 4] = [62.0, 12.0, 14.0, 44.0];
 const LEGEND_ROW: f64 = 18.0;
 const LEGEND_COLUMN: f64 = 270.0;
 
-/// One of eight colours that people tell apart, the colour-blind too (Okabe and Ito).
+/// One of eight colours that are distinguishable, including for colour-blind readers (Okabe and Ito).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Colour(pub usize);
 
@@ -19,7 +19,7 @@ impl Colour {
     }
 }
 
-/// A sample in five numbers.
+/// A five-number summary of a sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FiveNumbers {
     /// The fifth percentile.
@@ -35,7 +35,7 @@ pub struct FiveNumbers {
 }
 
 impl FiveNumbers {
-    /// Of a sample; `None` where it is empty.
+    /// Summarises a sample; `None` if it is empty.
     pub fn of(sample: &[f64]) -> Option<Self> {
         let mut sorted = sample.to_vec();
         sorted.sort_by(f64::total_cmp);
@@ -53,16 +53,16 @@ impl FiveNumbers {
 #[derive(Clone, Debug)]
 enum Mark {
     Line(Vec<Point>),
-    /// x, lower and upper y.
+    /// A band: x, lower and upper y.
     Band(Vec<[f64; 3]>),
     Points(Vec<(Point, String)>),
-    /// At x.
+    /// A box at x.
     Box(f64, FiveNumbers),
-    /// Across the plot at y.
+    /// A horizontal rule at y.
     Rule(f64, String),
 }
 
-/// A plot under way.
+/// A plot under construction.
 #[derive(Clone, Debug)]
 pub struct Plot {
     x: Axis,
@@ -72,42 +72,42 @@ pub struct Plot {
 }
 
 impl Plot {
-    /// An empty plot.
+    /// Creates an empty plot.
     pub fn new(x: Axis, y: Axis) -> Self {
         Self { x, y, marks: Vec::new(), legend: Vec::new() }
     }
 
-    /// Names a colour below the plot.
+    /// Adds a colour to the legend below the plot.
     pub fn name(&mut self, colour: Colour, name: &str) {
         self.legend.push((colour, name.to_owned()));
     }
 
-    /// A line.
+    /// Adds a line.
     pub fn line(&mut self, colour: Colour, points: Vec<Point>) {
         self.marks.push((colour, Mark::Line(points)));
     }
 
-    /// A band between two lines: x, lower and upper y.
+    /// Adds a band between two lines: x, lower and upper y.
     pub fn band(&mut self, colour: Colour, band: Vec<[f64; 3]>) {
         self.marks.push((colour, Mark::Band(band)));
     }
 
-    /// Points, each with a hint that appears under the pointer.
+    /// Adds points, each with a tooltip.
     pub fn points(&mut self, colour: Colour, points: Vec<(Point, String)>) {
         self.marks.push((colour, Mark::Points(points)));
     }
 
-    /// A box from quartile to quartile, with whiskers, at x.
+    /// Adds a box from quartile to quartile, with whiskers, at x.
     pub fn five(&mut self, colour: Colour, x: f64, five: FiveNumbers) {
         self.marks.push((colour, Mark::Box(x, five)));
     }
 
-    /// A line across the plot, with a word at its end.
+    /// Adds a horizontal rule with a label at its end.
     pub fn rule(&mut self, y: f64, text: &str) {
         self.marks.push((Colour(0), Mark::Rule(y, text.to_owned())));
     }
 
-    /// The plot as an element of a page.
+    /// Returns the plot as an element of a page.
     pub fn svg(&self, title: &str) -> String {
         let [width, height] = SIZE;
         let rows = self.legend.len().div_ceil(2) as f64;
@@ -127,7 +127,7 @@ impl Plot {
         svg.finish(title)
     }
 
-    /// Points between which everything lies; NaN where a mark does not care.
+    /// Returns points that span all marks; NaN where a mark imposes no limit.
     fn extent(&self) -> Vec<Point> {
         self.marks
             .iter()
@@ -159,7 +159,7 @@ impl Plot {
     }
 }
 
-/// Both axes: from values to places in the picture.
+/// Both axes: maps values to positions in the picture.
 struct Frame<'a> {
     x: Fitted<'a>,
     y: Fitted<'a>,

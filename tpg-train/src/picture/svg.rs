@@ -1,11 +1,11 @@
-//! Shapes, written as SVG. How they look is said by CSS classes of the page.
+//! Shapes, written as SVG. CSS classes of the page define their appearance.
 
 use std::fmt::{self, Write as _};
 
-/// A place in the picture: x to the right, y downwards.
+/// A position in the picture: x to the right, y downwards.
 pub type Point = [f64; 2];
 
-/// A picture under way.
+/// A picture under construction.
 #[derive(Clone, Debug)]
 pub struct Svg {
     size: [f64; 2],
@@ -13,28 +13,28 @@ pub struct Svg {
 }
 
 impl Svg {
-    /// An empty picture.
+    /// Creates an empty picture.
     pub fn new(width: f64, height: f64) -> Self {
         Self { size: [width, height], body: String::new() }
     }
 
-    /// A straight line.
+    /// Adds a straight line.
     pub fn line(&mut self, class: &str, from: Point, to: Point) {
         let ([x1, y1], [x2, y2]) = (from.map(Number), to.map(Number));
         self.put(format_args!("<line class=\"{class}\" x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\"/>"));
     }
 
-    /// Straight lines from point to point.
+    /// Adds straight lines from point to point.
     pub fn polyline(&mut self, class: &str, points: &[Point]) {
         self.put(format_args!("<polyline class=\"{class}\" points=\"{}\"/>", Points(points)));
     }
 
-    /// An area.
+    /// Adds an area.
     pub fn polygon(&mut self, class: &str, points: &[Point]) {
         self.put(format_args!("<polygon class=\"{class}\" points=\"{}\"/>", Points(points)));
     }
 
-    /// A curve that leaves and arrives vertically.
+    /// Adds a curve that starts and ends vertically.
     pub fn curve(&mut self, class: &str, [x, y]: Point, [to_x, to_y]: Point) {
         let middle = Number((y + to_y) / 2.0);
         let [x, y, to_x, to_y] = [x, y, to_x, to_y].map(Number);
@@ -42,14 +42,14 @@ impl Svg {
         self.put(format_args!("<path class=\"{class}\" d=\"{path}\"/>"));
     }
 
-    /// A rectangle by its upper left corner, width and height.
+    /// Adds a rectangle, given by its upper left corner, width and height; `hint` is its tooltip.
     pub fn rect(&mut self, class: &str, corner: Point, size: [f64; 2], hint: &str) {
         let ([x, y], [width, height]) = (corner.map(Number), size.map(Number));
         let shape = format_args!("class=\"{class}\" x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\"");
         self.put(format_args!("<rect {shape}>{}</rect>", Hint(hint)));
     }
 
-    /// A circle; `hint` appears under the pointer.
+    /// Adds a circle; `hint` is its tooltip.
     pub fn circle(&mut self, class: &str, centre: Point, radius: f64, hint: &str) {
         let ([x, y], radius) = (centre.map(Number), Number(radius));
         self.put(format_args!(
@@ -58,20 +58,20 @@ impl Svg {
         ));
     }
 
-    /// A word or two. The classes `middle` and `end` say which part of it stands at the place.
+    /// Adds a short text. The classes `middle` and `end` select which part of it is placed at `at`.
     pub fn text(&mut self, class: &str, at: Point, text: &str) {
         let [x, y] = at.map(Number);
         self.put(format_args!("<text class=\"{class}\" x=\"{x}\" y=\"{y}\">{}</text>", Escaped(text)));
     }
 
-    /// A word or two, from below upwards.
+    /// Adds a short text that reads upwards.
     pub fn upright_text(&mut self, class: &str, at: Point, text: &str) {
         let [x, y] = at.map(Number);
         let turn = format_args!("transform=\"translate({x} {y}) rotate(-90)\"");
         self.put(format_args!("<text class=\"{class}\" {turn}>{}</text>", Escaped(text)));
     }
 
-    /// The picture as an element of a page; `title` tells a screen reader what it shows.
+    /// Returns the picture as an element of a page; `title` describes it to screen readers.
     pub fn finish(self, title: &str) -> String {
         let [width, height] = self.size.map(Number);
         let title = Escaped(title);
@@ -86,13 +86,13 @@ impl Svg {
     }
 }
 
-/// A coordinate: one decimal, which is enough on paper too.
+/// A coordinate with one decimal, which is enough even in print.
 struct Number(f64);
 
 impl fmt::Display for Number {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let tenths = (self.0 * 10.0).round();
-        // −0 and what is no number would make different or broken text.
+        // −0 would make equal pictures differ, and NaN or infinities would make invalid text.
         let tenths = if tenths.is_finite() && tenths != 0.0 { tenths } else { 0.0 };
         write!(f, "{}", tenths / 10.0)
     }

@@ -4,7 +4,7 @@ use super::runs::{Group, Run};
 use crate::picture::{Axis, Colour, Figure, Plot, Section};
 use std::collections::BTreeMap;
 
-/// Mean, and standard deviation of the sample where there are two values or more; `None` of no value.
+/// Returns the mean, and the sample standard deviation if there are at least two values; `None` for no values.
 pub(super) fn mean_and_sd(values: &[f64]) -> Option<(f64, Option<f64>)> {
     let count = values.len() as f64;
     let mean = if values.is_empty() { return None } else { values.iter().sum::<f64>() / count };
@@ -12,7 +12,7 @@ pub(super) fn mean_and_sd(values: &[f64]) -> Option<(f64, Option<f64>)> {
     Some((mean, (values.len() > 1).then(|| (squares / (count - 1.0)).sqrt())))
 }
 
-/// A curve and how it is shown.
+/// A curve with its presentation.
 struct Shown {
     curve: &'static str,
     y: Axis,
@@ -65,7 +65,7 @@ fn section(title: &str, x: &str, groups: &[&Group], shown: &[Shown]) -> Option<S
     if groups.is_empty() {
         return None;
     }
-    // A problem may know no success, or no measure.
+    // A problem may define no success or no measure.
     let known = |shown: &&Shown| {
         groups
             .iter()
@@ -91,9 +91,9 @@ fn section(title: &str, x: &str, groups: &[&Group], shown: &[Shown]) -> Option<S
     })
 }
 
-/// x, mean and standard deviation, wherever a run has a value.
+/// Returns x, mean and standard deviation wherever a run has a value.
 fn over_seeds(runs: &[Run], curve: &str) -> Vec<(f64, f64, Option<f64>)> {
-    // x are counts, so their bits sort as they do.
+    // x values are counts, so their bits sort in the same order.
     let mut at: BTreeMap<u64, Vec<f64>> = BTreeMap::new();
     for [x, y] in runs.iter().filter_map(|run| run.curves.get(curve)).flatten() {
         at.entry(x.to_bits()).or_default().push(*y);

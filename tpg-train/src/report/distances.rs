@@ -1,13 +1,13 @@
-//! Final distances: how they are distributed within each run, and between the seeds of a group (the paper's figures 3
-//! and 5 show such distributions).
+//! Final distances: their distribution within each run, and between the seeds of a group (the paper's figures 3 and 5
+//! show such distributions).
 
 use super::runs::Group;
 use super::test::Tested;
 use crate::picture::{Axis, Colour, Figure, FiveNumbers, Plot, Section};
 
-/// Nearer than this is shown as this, mm.
+/// Smaller distances are shown as this one, mm.
 const NEAREST: f64 = 0.1;
-/// Points of a cumulative curve.
+/// Number of points of a cumulative curve.
 const POINTS: usize = 240;
 
 pub(super) fn section(groups: &[Group], tested: &[Vec<Option<Tested>>]) -> Option<Section> {
@@ -21,7 +21,7 @@ pub(super) fn section(groups: &[Group], tested: &[Vec<Option<Tested>>]) -> Optio
         Axis::names("group", groups.iter().map(|group| group.name.clone()).collect()),
         Axis::log("mean final distance, mm", 1.0),
     );
-    let mut cumulative = Plot::new(distance(), Axis::linear("part of the episodes").between(0.0, 1.0));
+    let mut cumulative = Plot::new(distance(), Axis::linear("fraction of the episodes").between(0.0, 1.0));
     let mut place = 0.0;
     for ((colour, group), tested) in (0..).map(Colour).zip(groups).zip(tested) {
         let mut all = Vec::new();
@@ -55,12 +55,12 @@ pub(super) fn section(groups: &[Group], tested: &[Vec<Option<Tested>>]) -> Optio
         figures: vec![
             figure(&boxes, "Each seed's episodes: median, quartiles, 5th and 95th percentile."),
             figure(&seeds, "Each seed's mean distance as a point; boxes as on the left, over the seeds of a group."),
-            figure(&cumulative, "Part of a group's episodes, all seeds together, that end nearer than a distance."),
+            figure(&cumulative, "Fraction of a group's episodes, all seeds together, that end closer than a distance."),
         ],
     })
 }
 
-/// A run's name beside its group's: its seed.
+/// Returns a run's name for use next to its group's name: its seed.
 fn short(group: &Group, name: &str, seed: Option<u64>) -> String {
     if group.runs.len() == 1 && seed.is_none() {
         name.to_owned()
@@ -69,7 +69,7 @@ fn short(group: &Group, name: &str, seed: Option<u64>) -> String {
     }
 }
 
-/// The empirical distribution, at so many of its points.
+/// Returns the empirical distribution, at a limited number of points.
 fn curve(mut distances: Vec<f64>) -> Vec<[f64; 2]> {
     distances.sort_by(f64::total_cmp);
     let count = distances.len();

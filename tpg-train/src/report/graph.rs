@@ -7,10 +7,10 @@ use tpg_graph::{Destination, Graph};
 const WIDTH: f64 = 960.0;
 const LAYER: f64 = 84.0;
 const TOP: f64 = 24.0;
-/// Times that nodes are sorted by where their neighbours above are: after a few it changes little.
+/// Number of passes that sort nodes by the positions of their neighbours above; more passes change little.
 const SWEEPS: usize = 4;
 
-/// A team or an action, by its place in the graph.
+/// A team or an action, by its index in the graph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Node {
     Team(usize),
@@ -26,7 +26,7 @@ pub(super) fn figure(graph: &Graph) -> Figure {
             Node::Action(action) => format!("thin c{}", joint_colour(graph, action)),
             Node::Team(_) => "thin c7".to_owned(),
         };
-        // Two edges between the same two nodes would hide each other: a bundle is drawn once, and thicker.
+        // Two edges between the same nodes would hide each other, so a bundle is drawn once, and thicker.
         let class = if count > 1 { class.replace("thin", "line") } else { class };
         svg.curve(&class, places[&from], places[&to]);
     }
@@ -58,14 +58,14 @@ pub(super) fn figure(graph: &Graph) -> Figure {
     Figure { svg: svg.finish("the graph"), caption }
 }
 
-/// Actions that move the same joint have the same colour.
+/// Returns the colour of an action: actions that move the same joint share a colour.
 fn joint_colour(graph: &Graph, action: usize) -> usize {
     let effect = graph.actions()[action].effect.as_ref();
     let joint = effect.and_then(|effect| effect.values.iter().position(|&ticks| ticks != 0.0));
     joint.map_or(action % 7, |joint| joint + 1)
 }
 
-/// Edges with equal ends, counted.
+/// Merges edges with equal ends and counts them.
 fn edges(graph: &Graph) -> Vec<(Node, Node, usize)> {
     let mut counts: BTreeMap<(Node, Node), usize> = BTreeMap::new();
     for (from, team) in graph.teams().iter().enumerate() {
@@ -80,11 +80,11 @@ fn edges(graph: &Graph) -> Vec<(Node, Node, usize)> {
     counts.into_iter().map(|((from, to), count)| (from, to, count)).collect()
 }
 
-/// Teams by their longest way from the root, then the actions; each layer sorted so that few edges cross.
+/// Returns teams by their longest path from the root, then the actions; each layer is sorted to reduce crossings.
 fn layers(graph: &Graph) -> Vec<Vec<Node>> {
     let edges = edges(graph);
     let mut depth = vec![0usize; graph.teams().len()];
-    // Graphs have no cycles, so this ends after as many rounds as there are layers.
+    // Graphs are acyclic, so this ends after at most as many rounds as there are layers.
     let mut changed = true;
     while changed {
         changed = false;
@@ -121,7 +121,7 @@ fn layers(graph: &Graph) -> Vec<Vec<Node>> {
 fn places(layers: &[Vec<Node>]) -> BTreeMap<Node, Point> {
     let layer = |(row, nodes): (usize, &Vec<Node>)| {
         let step = WIDTH / nodes.len().max(1) as f64;
-        // Neighbours stand at two heights, so that many of them have room.
+        // Neighbours alternate between two heights to make room.
         let dodge = |k: usize| if nodes.len() > 12 && k % 2 == 1 { LAYER / 3.0 } else { 0.0 };
         let place =
             move |(k, node): (usize, &Node)| (*node, [(k as f64 + 0.5) * step, TOP + row as f64 * LAYER + dodge(k)]);

@@ -1,7 +1,7 @@
 //! `tpg-train report`: runs in one HTML file. Learning curves, final distances on the test episodes, graphs, trajectories.
 //!
-//! `runs` reads folders, `test` puts what they trained to the test episodes; the others draw. Nothing depends on the
-//! clock or on where the folders are: the same runs give the same bytes.
+//! `runs` reads folders, `test` runs the trained policies on the test episodes; the other modules draw. Nothing depends
+//! on the clock or on the location of the folders: the same runs give the same bytes.
 
 mod curves;
 mod distances;
@@ -26,7 +26,7 @@ use tpg_graph::error::InputError;
 /// Runs with equal configurations are one group: curves are their mean, with a band of one standard deviation.
 #[derive(Clone, Debug, Args)]
 pub struct ReportArgs {
-    /// Folders of runs, of `tpg` or `sac`; a folder of `--seeds` stands for all of its seeds
+    /// Folders of `tpg` or `sac` runs; a folder of `--seeds` stands for all of its seeds
     #[arg(value_name = "RUN", required = true)]
     pub runs: Vec<PathBuf>,
     /// The file to write; - for stdout
@@ -43,12 +43,12 @@ pub struct ReportArgs {
 /// Writes the report.
 ///
 /// # Errors
-/// If a folder is no run, or the file cannot be written.
+/// If a folder is not a run, or the file cannot be written.
 pub fn report(args: &ReportArgs) -> Result<(), InputError> {
     report_with(args, None)
 }
 
-/// Writes the report; runs on an environment that is not built in are tested by `own`.
+/// Writes the report; `own` tests the runs on environments that are not built in.
 ///
 /// # Errors
 /// As [`report`].
@@ -93,13 +93,13 @@ fn page(groups: &[Group], episodes: usize, seed: u64, own: Option<Tester<'_>>) -
     Ok(Page { title, lead, sections })
 }
 
-/// The run with the highest success, where there is such a thing, then with the highest mean score; the first where none
+/// Returns the run with the highest success rate, if defined, then with the highest mean score; the first one if none
 /// was tested.
 fn best(tested: &[Option<Tested>]) -> Option<usize> {
     let worth = |place: &usize| {
         let summary = tested[*place].as_ref().map(Tested::summary);
         summary.map_or((-1.0, f64::NEG_INFINITY), |summary| (summary.success.unwrap_or(0.0), summary.score))
     };
-    // Of equals the first.
+    // Ties go to the first.
     (0..tested.len()).rev().max_by(|a, b| worth(a).partial_cmp(&worth(b)).unwrap_or(std::cmp::Ordering::Equal))
 }

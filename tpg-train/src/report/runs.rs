@@ -1,4 +1,4 @@
-//! Folders of runs, read and grouped.
+//! Reading and grouping of run folders.
 
 use crate::actor::version1::upgraded;
 use crate::evolution::config::Config;
@@ -19,22 +19,22 @@ use tpg_problems::{ContinuousProblem, Problem};
 /// Runs with the same configuration.
 #[derive(Debug)]
 pub(super) struct Group {
-    /// What their names have in common.
+    /// Common part of their names.
     pub(super) name: String,
-    /// In the order of their seeds.
+    /// The runs, in the order of their seeds.
     pub(super) runs: Vec<Run>,
 }
 
 /// One run.
 #[derive(Debug)]
 pub(super) struct Run {
-    /// The folder's name; of a restart, with the folder above.
+    /// Name of the folder; for a restart, with its parent folder.
     pub(super) name: String,
-    /// The seed, where the run says it.
+    /// Seed, if the run states it.
     pub(super) seed: Option<u64>,
     /// The curves of its log: for each name, x and y.
     pub(super) curves: BTreeMap<&'static str, Vec<[f64; 2]>>,
-    /// Seconds of CPU time, where the run says it.
+    /// CPU time in seconds, if the run states it.
     pub(super) cpu: Option<f64>,
     /// The trained policy.
     pub(super) kind: Kind,
@@ -45,7 +45,7 @@ pub(super) struct Run {
 pub(super) enum Kind {
     /// A tangled program graph.
     Tpg {
-        /// The problem; `None` where a program brought its own environment.
+        /// The problem; `None` if a program supplied its own environment.
         problem: Option<Box<Problem>>,
         /// The graph.
         graph: Box<Graph>,
@@ -71,7 +71,7 @@ impl Kind {
     }
 }
 
-/// Reads every run and puts those with equal configurations together, in the order they are given.
+/// Reads all runs and groups those with equal configurations, in the given order.
 pub(super) fn read(folders: &[PathBuf]) -> Result<Vec<Group>, InputError> {
     let mut groups: Vec<(String, Group)> = Vec::new();
     for (folder, name) in folders.iter().map(|folder| with_restarts(folder)).collect::<Result<Vec<_>, _>>()?.concat() {
@@ -93,7 +93,7 @@ pub(super) fn read(folders: &[PathBuf]) -> Result<Vec<Group>, InputError> {
     Ok(groups.into_iter().map(|(_, group)| named(group)).collect())
 }
 
-/// The folder itself, or its restarts; each with its name.
+/// Returns the folder itself, or its restarts, with their names.
 fn with_restarts(folder: &Path) -> Result<Vec<(PathBuf, String)>, InputError> {
     let last =
         |path: &Path| path.file_name().map_or_else(|| ".".to_owned(), |name| name.to_string_lossy().into_owned());
@@ -153,7 +153,7 @@ fn tpg(folder: &Path, name: String, config: &str) -> Result<Run, InputError> {
     })
 }
 
-/// `timing.csv` counts within a session: where the time falls, another one began.
+/// Sums `timing.csv` over sessions: it counts within a session, so a decreasing time marks the next session.
 fn cpu_of_sessions(timing: &str) -> Option<f64> {
     let (mut done, mut last) = (0.0, 0.0);
     for line in timing.lines().skip(1) {
@@ -195,7 +195,7 @@ fn sac(folder: &Path, name: String) -> Result<Run, InputError> {
     })
 }
 
-/// One JSON value for each line.
+/// Parses one JSON value per line.
 fn lines<T: serde::de::DeserializeOwned>(path: &Path) -> Result<Vec<T>, InputError> {
     let parse = |(line, text): (usize, &str)| {
         serde_json::from_str(text).map_err(|error| {
@@ -214,6 +214,6 @@ mod tests {
         let header = "generation,session_wall_s,session_cpu_s,session_steps\n";
         let timing = format!("{header}0,1.0,2.0,5\n1,2.0,3.5,9\n2,0.5,0.5,4\n");
         assert_eq!(cpu_of_sessions(&timing), Some(4.0));
-        assert_eq!(cpu_of_sessions(&format!("{header}0,1.0,,5\n")), None, "a system that does not tell");
+        assert_eq!(cpu_of_sessions(&format!("{header}0,1.0,,5\n")), None, "a system that does not report CPU times");
     }
 }

@@ -1,4 +1,4 @@
-//! The tables: what each run is and how it did, and each group's mean.
+//! The tables: description and result of each run, and the mean of each group.
 
 use super::runs::{Group, Kind, Run};
 use super::test::Tested;
@@ -95,7 +95,7 @@ fn one_decimal(value: f64) -> String {
     format!("{value:.1}")
 }
 
-/// Mean ± standard deviation (of the sample, n − 1); of one value, itself.
+/// Formats mean ± standard deviation (of the sample, n − 1); for a single value, the value itself.
 fn spread(values: &[f64]) -> String {
     match super::curves::mean_and_sd(values) {
         None => String::new(),

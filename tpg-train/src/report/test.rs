@@ -1,4 +1,4 @@
-//! The test of a run: what it trained, on the test episodes.
+//! Tests of runs: the trained policy on the test episodes.
 
 use super::runs::{Kind, Run};
 use crate::actor::file::FloatActor;
@@ -17,21 +17,21 @@ use tpg_problems::arm::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
 use tpg_problems::{ContinuousProblem, Problem, Visitor};
 use tpg_runtime::ops::Maths;
 
-/// Runs a graph on test episodes of an environment that a program brought itself: the file's name, the graph, the number
-/// of episodes and the seed.
+/// Runs a graph on test episodes of a user-defined environment; arguments are the file's name, the graph, the number of
+/// episodes and the seed.
 pub type Tester<'a> = &'a dyn Fn(&str, &Graph, usize, u64) -> Result<Vec<Ending>, InputError>;
 
-/// Trajectories that are kept: the first episodes that succeed, and the first that fail.
+/// Number of trajectories to keep: the first successful and the first failed episodes.
 const KEPT: [usize; 2] = [3, 3];
 
-/// The result of a run on the test episodes.
+/// Result of a run on the test episodes.
 #[derive(Debug)]
 pub(super) struct Tested {
     /// The episodes.
     pub(super) endings: Vec<Ending>,
-    /// The quantity beside the score, where the problem has one.
+    /// Quantity reported in addition to the score, if the problem has one.
     pub(super) measure: Option<Measure>,
-    /// What only the arm has.
+    /// Results that only the arm has.
     pub(super) arm: Option<OnTheArm>,
 }
 
@@ -40,40 +40,40 @@ pub(super) struct Tested {
 pub(super) struct OnTheArm {
     /// The arm.
     pub(super) arm: Arm<f64>,
-    /// Success is nearer than this, mm.
+    /// Success is a final distance below this, mm.
     pub(super) tolerance: f64,
-    /// A few episodes, pose by pose.
+    /// Some episodes, pose by pose.
     pub(super) walks: Vec<Walk>,
 }
 
 /// One episode, pose by pose.
 #[derive(Debug)]
 pub(super) struct Walk {
-    /// Its place among the test episodes.
+    /// Index among the test episodes.
     pub(super) number: usize,
-    /// Where the hand was to go, mm.
+    /// Target of the hand, mm.
     pub(super) target: [f64; 3],
-    /// From the start to the end.
+    /// Poses from start to end.
     pub(super) poses: Vec<Pose>,
-    /// How it ended, of [`OUTCOMES`].
+    /// Outcome, one of [`OUTCOMES`].
     pub(super) outcome: &'static str,
     /// Final distance, mm.
     pub(super) distance: f64,
 }
 
 impl Tested {
-    /// The means.
+    /// Returns the means.
     pub(super) fn summary(&self) -> Summary {
         Summary::of(&self.endings)
     }
 
-    /// The measure of each episode: on the arm, the final distance in mm.
+    /// Returns the measure of each episode: on the arm, the final distance in mm.
     pub(super) fn measures(&self) -> Vec<f64> {
         self.endings.iter().map(|ending| ending.measure).collect()
     }
 }
 
-/// Tests a run; `None` where nothing can run its environment.
+/// Tests a run; `None` if its environment is not available.
 pub(super) fn test(
     run: &Run,
     episodes: usize,
@@ -150,7 +150,7 @@ impl OnAProblem<'_> {
     }
 }
 
-/// A test in the maths of `M`.
+/// Runs the test with the maths of `M`.
 struct In<'a, M>(&'a OnAProblem<'a>, std::marker::PhantomData<M>);
 
 impl<S: ArmScalar, M: Maths<S>> Visitor<S> for In<'_, M> {
@@ -166,7 +166,7 @@ impl<S: ArmScalar, M: Maths<S>> Visitor<S> for In<'_, M> {
     }
 }
 
-/// The places of the episodes that are drawn.
+/// Returns the indices of the episodes to draw.
 fn chosen(endings: &[Ending]) -> Vec<usize> {
     let of = |success: bool, count: usize| {
         (0..endings.len()).filter(move |&place| endings[place].success == Some(success)).take(count)
@@ -178,7 +178,7 @@ fn walk(number: usize, target: [f64; 3], poses: Vec<Pose>, ending: Ending) -> Wa
     Walk { number, target, poses, outcome: OUTCOMES[usize::from(ending.outcome)], distance: ending.measure }
 }
 
-/// The engine gives the actions, the arm the poses that they lead to.
+/// Returns trajectories: actions come from the engine, the resulting poses from the arm.
 fn walks<S: ArmScalar, M: Maths<S>>(
     run: &Run,
     graph: &Graph,
@@ -198,7 +198,7 @@ fn walks<S: ArmScalar, M: Maths<S>>(
                 poses.push(environment.arm().step(last, moves).pose);
             })
             .map_err(|error| InputError::new(&run.name, Place::Whole, error.to_string(), "episodes that can be run"))?;
-        // The engine notices a cycle late; the episode ended at its first repeat.
+        // The engine detects a cycle late; the episode ended at its first repeat.
         poses.truncate(ending.actions as usize + 1);
         Ok(walk(number, task.target, poses, ending))
     };

@@ -1,11 +1,11 @@
-//! Episodes, drawn: the arm from its side, and from above.
+//! Drawings of episodes: the arm from the side and from above.
 
 use super::test::{OnTheArm, Walk};
 use crate::picture::{Figure, Point, Svg};
 use tpg_arm::kinematics::{Plane, Vector, base_direction};
 use tpg_arm::{Arm, Pose};
 
-/// Pixels of a panel; there are two.
+/// Size of a panel in pixels; there are two panels.
 const PANEL: f64 = 300.0;
 
 pub(super) fn figures(of: &OnTheArm) -> Vec<Figure> {
@@ -33,7 +33,7 @@ fn figure(arm: &Arm<f64>, walk: &Walk) -> Figure {
         let joints = joints(arm, pose);
         svg.polyline(class, &joints.map(|joint| view.side([joint[0], joint[2]])));
         let base = base_direction::<f64>(pose);
-        // As `Plane::hand_in_world` turns the tip.
+        // Rotated as the tip in `Plane::hand_in_world`.
         svg.polyline(class, &joints.map(|joint| view.above([joint[0] * base.sin, -(joint[0] * base.cos)])));
     }
     let hands: Vec<(Pose, Vector<f64>)> =
@@ -56,14 +56,14 @@ fn figure(arm: &Arm<f64>, walk: &Walk) -> Figure {
     Figure { svg: svg.finish("an episode"), caption }
 }
 
-/// Shoulder, bracket, elbow, wrist and tip in the arm's plane: x, nothing, z.
+/// Returns shoulder, bracket, elbow, wrist and tip in the arm's plane, as x, 0, z.
 fn joints(arm: &Arm<f64>, pose: Pose) -> [[f64; 3]; 6] {
     let plane = Plane::at(arm, pose);
     let [bracket, elbow, wrist, tip] = [plane.bracket, plane.elbow, plane.wrist, plane.tip].map(|p| [p.x, 0.0, p.z]);
     [[0.0, 0.0, 0.0], [0.0, 0.0, arm.links.base], bracket, elbow, wrist, tip]
 }
 
-/// From mm to places in the picture.
+/// Maps mm to positions in the picture.
 struct View {
     reach: f64,
     scale: f64,
@@ -77,13 +77,13 @@ impl View {
         Self { reach, scale: PANEL / (2.0 * reach) }
     }
 
-    /// A point of the arm's plane.
+    /// Maps a point of the arm's plane.
     fn side(&self, [x, z]: [f64; 2]) -> Point {
-        // The table lies below the middle: an arm reaches higher over it than to its sides.
+        // The table is below the middle: an arm reaches further up than to its sides.
         [(x + self.reach) * self.scale, PANEL * 0.93 - z * self.scale]
     }
 
-    /// A point of the table, seen from above.
+    /// Maps a point of the table, seen from above.
     fn above(&self, [x, y]: [f64; 2]) -> Point {
         [PANEL + (x + self.reach) * self.scale, (self.reach - y) * self.scale]
     }

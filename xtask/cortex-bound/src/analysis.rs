@@ -1,4 +1,4 @@
-//! A function with all that it calls.
+//! Analysis of a function together with its callees.
 
 use super::facts::{Calls, Limit, LoopBounds, Turns};
 use super::flow::Flow;
@@ -8,7 +8,7 @@ use super::longest::{Endless, Header, headers, longest};
 use super::refusal::Refusal;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The worst case of a function, what it calls included.
+/// The worst case of a function, including its callees.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Bound {
     /// Instructions on the longest path, from the first to the return.
@@ -17,12 +17,12 @@ pub struct Bound {
     pub stack: u64,
 }
 
-/// An instruction that decides by data what runs.
+/// An instruction whose control flow depends on data.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Site {
     /// The function.
     pub function: String,
-    /// Where.
+    /// Its address.
     pub address: u64,
     /// The instruction.
     pub text: String,
@@ -33,44 +33,44 @@ pub struct Site {
 pub struct Loop {
     /// The function.
     pub function: String,
-    /// Where it begins.
+    /// Address of its first instruction.
     pub address: u64,
-    /// How often control comes there at most each time that the loop is entered, where a bound was given.
+    /// Maximum number of times that control reaches that address each time the loop is entered, if a bound was given.
     pub turns: Option<u64>,
-    /// The addresses of the instructions outside that lead there.
+    /// Addresses of the instructions outside the loop that lead into it.
     pub entered_from: Vec<u64>,
 }
 
-/// What a function adds to a worst case.
+/// A function's contribution to a worst case.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Share {
     /// The function.
     pub function: String,
-    /// How often it runs on the longest path.
+    /// Number of runs on the longest path.
     pub runs: u64,
-    /// Instructions of its own in all these runs.
+    /// The function's own instructions in all these runs.
     pub own: u64,
-    /// Instructions of one run with all that it calls, without what a [`Limit`] counts elsewhere.
+    /// Instructions of one run including callees, except those that a [`Limit`] counts elsewhere.
     pub each: u64,
-    /// What it calls, the dearest first.
+    /// Callees, the most expensive first.
     pub parts: Vec<Share>,
 }
 
-/// Functions that are counted elsewhere, by a limit.
+/// Functions that a limit counts elsewhere.
 type Elsewhere = BTreeSet<usize>;
 
-/// One function's worst case with its parts.
+/// The worst case of one function, with its parts.
 #[derive(Clone, Debug)]
-struct Known {
+struct WorstCase {
     instructions: u64,
     own: u64,
-    /// How often it calls what, and what that counts as there.
+    /// For each callee the number of calls, and the functions counted elsewhere in this context.
     calls: Vec<(usize, u64, Elsewhere)>,
 }
 
 static NO_CALLS: Calls = Calls::new();
 
-/// Finds bounds in a listing; what was found is kept.
+/// Finds bounds in a listing and caches the results.
 #[derive(Debug)]
 pub struct Analyser<'a> {
     listing: &'a Listing,
@@ -78,53 +78,53 @@ pub struct Analyser<'a> {
     calls: &'a Calls,
     limits: &'a [Limit],
     flows: BTreeMap<usize, Flow>,
-    known: BTreeMap<(usize, Elsewhere), Known>,
+    known: BTreeMap<(usize, Elsewhere), WorstCase>,
     stacks: BTreeMap<usize, u64>,
 }
 
 impl<'a> Analyser<'a> {
-    /// Of a listing, with bounds for loops that have none themselves.
+    /// Creates the analyser of a listing, with bounds for loops that have none of their own.
     pub fn new(listing: &'a Listing, bounds: &'a LoopBounds) -> Self {
         let (flows, known, stacks) = (BTreeMap::new(), BTreeMap::new(), BTreeMap::new());
         Self { listing, bounds, calls: &NO_CALLS, limits: &[], flows, known, stacks }
     }
 
-    /// With what calls through registers reach.
+    /// Adds the targets of calls through registers.
     #[must_use]
     pub fn calling(self, calls: &'a Calls) -> Self {
         Self { calls, ..self }
     }
 
-    /// With limits on how often functions run.
+    /// Adds limits on how often functions run.
     #[must_use]
     pub fn limited(self, limits: &'a [Limit]) -> Self {
         Self { limits, ..self }
     }
 
-    /// The worst case of a function.
+    /// Returns the worst case of a function.
     ///
     /// # Errors
-    /// Why there is none.
+    /// The reason why there is none.
     pub fn bound(&mut self, name: &str) -> Result<Bound, Refusal> {
         let place = self.place(name)?;
         let stack = self.stack(place, &mut Vec::new())?;
         Ok(Bound { instructions: self.of(place, &Elsewhere::new())?.instructions, stack })
     }
 
-    /// What makes up the worst case of a function.
+    /// Returns the parts of a function's worst case.
     ///
     /// # Errors
-    /// Why there is none.
+    /// The reason why there is none.
     pub fn explain(&mut self, name: &str) -> Result<Share, Refusal> {
         let place = self.place(name)?;
         self.stack(place, &mut Vec::new())?;
         self.share(place, 1, &Elsewhere::new())
     }
 
-    /// Every loop of a function and all that it calls.
+    /// Returns every loop of a function and its callees.
     ///
     /// # Errors
-    /// Why there is no bound.
+    /// The reason why there is no bound.
     pub fn loops(&mut self, name: &str) -> Result<Vec<Loop>, Refusal> {
         let mut loops = Vec::new();
         for place in self.reached(name)? {
@@ -142,10 +142,10 @@ impl<'a> Analyser<'a> {
         Ok(loops)
     }
 
-    /// Every instruction that decides by data what runs, in a function and all that it calls.
+    /// Returns every instruction whose control flow depends on data, in a function and its callees.
     ///
     /// # Errors
-    /// When the control flow is not known: calls through registers, callees that are not there.
+    /// If the control flow is unknown: calls through registers, missing callees.
     pub fn decisions(&self, name: &str) -> Result<Vec<Site>, Refusal> {
         let mut open = vec![self.place(name)?];
         let mut seen: BTreeSet<usize> = open.iter().copied().collect();
@@ -173,7 +173,7 @@ impl<'a> Analyser<'a> {
         &self.listing.functions()[place].name
     }
 
-    /// A function and all that it may call.
+    /// Returns a function and everything that it may call.
     fn reached(&mut self, name: &str) -> Result<BTreeSet<usize>, Refusal> {
         let mut open = vec![self.place(name)?];
         let mut seen: BTreeSet<usize> = open.iter().copied().collect();
@@ -195,7 +195,7 @@ impl<'a> Analyser<'a> {
         Ok(&self.flows[&place])
     }
 
-    /// Bytes of stack; the walk that also finds recursion.
+    /// Returns the bytes of stack; this traversal also detects recursion.
     fn stack(&mut self, place: usize, open: &mut Vec<usize>) -> Result<u64, Refusal> {
         if let Some(&stack) = self.stacks.get(&place) {
             return Ok(stack);
@@ -219,7 +219,7 @@ impl<'a> Analyser<'a> {
         headers(&self.flow(place)?.next, 0).map_err(|endless| self.endless(place, endless))
     }
 
-    /// The bounds of a function's loops, by their headers.
+    /// Returns the bounds of a function's loops, by their headers.
     fn turns(&self, place: usize, headers: &[Header]) -> Result<BTreeMap<usize, u64>, Refusal> {
         let name = self.name(place);
         let nodes = headers.iter().map(|header| header.node);
@@ -250,7 +250,7 @@ impl<'a> Analyser<'a> {
         }
     }
 
-    /// The functions that limits of this one speak of and that are not counted elsewhere already.
+    /// Returns the functions that this function's limits apply to and that are not counted elsewhere already.
     fn limits(&self, place: usize, elsewhere: &Elsewhere) -> Result<Vec<(usize, u64)>, Refusal> {
         let here = self.limits.iter().filter(|limit| limit.within == self.name(place));
         let mut limits = Vec::new();
@@ -263,9 +263,9 @@ impl<'a> Analyser<'a> {
         Ok(limits)
     }
 
-    fn of(&mut self, place: usize, elsewhere: &Elsewhere) -> Result<Known, Refusal> {
+    fn of(&mut self, place: usize, elsewhere: &Elsewhere) -> Result<WorstCase, Refusal> {
         if elsewhere.contains(&place) {
-            return Ok(Known { instructions: 0, own: 0, calls: vec![] });
+            return Ok(WorstCase { instructions: 0, own: 0, calls: vec![] });
         }
         let key = (place, elsewhere.clone());
         if let Some(known) = self.known.get(&key) {
@@ -278,7 +278,7 @@ impl<'a> Analyser<'a> {
         let turns = self.turns(place, &headers)?;
         let flow = self.flow(place)?.clone();
         let mut costs = Vec::with_capacity(flow.calls.len());
-        let mut dearest = Vec::with_capacity(flow.calls.len());
+        let mut most_expensive = Vec::with_capacity(flow.calls.len());
         for callees in &flow.calls {
             let mut most = None;
             for &callee in callees {
@@ -288,22 +288,22 @@ impl<'a> Analyser<'a> {
                 }
             }
             costs.push(1 + most.map_or(0, |(_, instructions)| instructions));
-            dearest.push(most.map(|(callee, _)| callee));
+            most_expensive.push(most.map(|(callee, _)| callee));
         }
         let found = longest(&flow.next, &costs, 0, &turns).map_err(|endless| self.endless(place, endless))?;
         let mut calls: BTreeMap<usize, u64> = BTreeMap::new();
-        for (callee, &visits) in dearest.into_iter().zip(&found.visits) {
+        for (callee, &visits) in most_expensive.into_iter().zip(&found.visits) {
             if let Some(callee) = callee.filter(|callee| visits > 0 && !without.contains(callee)) {
                 *calls.entry(callee).or_default() += visits;
             }
         }
-        let mut known = Known {
+        let mut known = WorstCase {
             instructions: found.cost,
             own: found.visits.iter().sum(),
             calls: calls.into_iter().map(|(callee, times)| (callee, times, without.clone())).collect(),
         };
         for &(function, times) in &limits {
-            // What this one calls of the others is counted with them.
+            // Calls from this function to the others are counted with them.
             let others: Elsewhere = without.iter().copied().filter(|&other| other != function).collect();
             known.instructions += times * self.of(function, &others)?.instructions;
             known.calls.push((function, times, others));
@@ -313,7 +313,7 @@ impl<'a> Analyser<'a> {
     }
 
     fn share(&mut self, place: usize, runs: u64, elsewhere: &Elsewhere) -> Result<Share, Refusal> {
-        let Known { instructions, own, calls } = self.of(place, elsewhere)?;
+        let WorstCase { instructions, own, calls } = self.of(place, elsewhere)?;
         let mut parts = Vec::with_capacity(calls.len());
         for (callee, times, elsewhere) in calls {
             parts.push(self.share(callee, runs * times, &elsewhere)?);

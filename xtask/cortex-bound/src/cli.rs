@@ -4,27 +4,27 @@ use crate::{Analyser, Calls, Limit, Listing, LoopBounds, Refusal, Share, Turns, 
 use clap::Args;
 use std::path::PathBuf;
 
-/// Print the worst case of functions of a Cortex-M object or image: instructions and bytes of stack, callees included.
+/// Print the worst case of functions of a Cortex-M object or image: instructions and bytes of stack, including callees.
 #[derive(Clone, Debug, Args)]
 pub struct WcetArgs {
     /// An object file or a linked image for a Cortex-M
     object: PathBuf,
-    /// The functions; without one, every function of the object
+    /// The functions; by default every function of the object
     functions: Vec<String>,
-    /// No loop of this function turns more than N times; with several numbers, each of its loops, in the order of their
-    /// first instructions
+    /// No loop of this function iterates more than N times; several numbers are bounds for each of its loops, in the
+    /// order of their first instructions
     #[arg(long, value_name = "FUNCTION=N[,N…]", value_parser = loop_bound)]
     loop_bound: Vec<(String, Turns)>,
-    /// Calls through a register in this function reach these functions and no others
+    /// Calls through a register in this function reach only these functions
     #[arg(long, value_name = "FUNCTION=CALLEE[,CALLEE…]", value_parser = calls)]
     calls: Vec<(String, Vec<String>)>,
-    /// While FUNCTION runs once, CALLEE runs no more than N times, wherever it is called from
+    /// While FUNCTION runs once, CALLEE runs no more than N times, regardless of its caller
     #[arg(long, value_name = "FUNCTION:CALLEE=N", value_parser = limit)]
     at_most: Vec<Limit>,
-    /// Print what makes up each worst case, and every loop with its bound
+    /// Print the parts of each worst case, and every loop with its bound
     #[arg(long)]
     explain: bool,
-    /// Fail where anything decides by data what runs: branches, predicated blocks, tables
+    /// Fail if control flow depends on data: branches, predicated blocks, tables
     #[arg(long)]
     constant_time: bool,
     /// Print one JSON object for each function
@@ -33,7 +33,7 @@ pub struct WcetArgs {
 }
 
 impl WcetArgs {
-    /// Analyses; whether every function that was asked for has a bound.
+    /// Runs the analysis; returns true if every requested function has a bound.
     pub fn run(&self) -> bool {
         match disassemble(&self.object) {
             Ok(listing) => self.report(&listing),
@@ -62,7 +62,7 @@ impl WcetArgs {
                 Ok(bound) => println!("{name}: {} instructions, {} bytes of stack", bound.instructions, bound.stack),
                 Err(refusal) => {
                     eprintln!("{name}: no bound: {refusal}");
-                    // Of all functions, some have none: their callers say whether that matters.
+                    // If all functions are analysed, some may lack a bound: their callers show whether that matters.
                     good &= self.functions.is_empty();
                 }
             }
@@ -93,7 +93,7 @@ impl WcetArgs {
     }
 }
 
-/// Prints the loops of a function and all that it calls, and then, where there is a bound, what makes it up.
+/// Prints the loops of a function and its callees and, if there is a bound, its parts.
 fn explain(analyser: &mut Analyser<'_>, name: &str) -> Result<(), Refusal> {
     for found in analyser.loops(name)? {
         let turns = found.turns.map_or("no bound".to_owned(), |turns| format!("{turns} turns"));
@@ -104,7 +104,7 @@ fn explain(analyser: &mut Analyser<'_>, name: &str) -> Result<(), Refusal> {
     Ok(())
 }
 
-/// Parts of a hundredth and more.
+/// Prints the parts of at least one hundredth.
 fn tree(share: &Share, whole: u64, depth: usize) {
     let total = share.runs * share.each;
     println!("{:>8}{:indent$}{} × {} (own {})", total, "", share.runs, share.function, share.own, indent = 2 * depth);

@@ -1,30 +1,30 @@
-//! What the analyser is told, because the code alone does not show it. A bound holds where these hold.
+//! Facts supplied by the user that the code alone does not show. A bound holds only if these hold.
 
 use std::collections::BTreeMap;
 
-/// How often the loops of a function turn at most: how often control comes to a loop's first instruction.
+/// Maximum iterations of a function's loops: how often control reaches a loop's first instruction.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Turns {
     /// Every loop.
     Every(u64),
-    /// Each loop, in the order of their first instructions. Where the function has another number of loops there is no
-    /// bound: it is not the code that these were found for.
+    /// One bound for each loop, in the order of their first instructions. If the function has a different number of
+    /// loops there is no bound: the code has changed since the bounds were determined.
     Each(Vec<u64>),
 }
 
-/// Turns of loops, by function.
+/// Iterations of loops, by function.
 pub type LoopBounds = BTreeMap<String, Turns>;
 
-/// The functions that a function's calls through a register may reach, by the caller.
+/// The possible targets of a function's calls through a register, by the caller.
 pub type Calls = BTreeMap<String, Vec<String>>;
 
-/// No more than so many runs of one function while another one runs once: less than its calls say.
+/// A limit on the runs of one function while another one runs once, below the number implied by its calls.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Limit {
-    /// While this one runs once,
+    /// While this function runs once,
     pub within: String,
-    /// this one, wherever it is called from,
+    /// this function, regardless of its caller,
     pub function: String,
-    /// runs no more than so many times.
+    /// runs at most this number of times.
     pub times: u64,
 }

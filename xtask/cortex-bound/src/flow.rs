@@ -6,19 +6,19 @@ use super::listing::{Function, Line, Listing};
 use super::refusal::Refusal;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A function as a graph: its instructions are the nodes.
+/// The control-flow graph of a function; its nodes are instructions.
 #[derive(Clone, Debug)]
 pub(super) struct Flow {
-    /// The instructions that may follow each.
+    /// Successors of each instruction.
     pub(super) next: Vec<Vec<usize>>,
-    /// The functions that each may call, a call at the end included: their places in the listing.
+    /// Functions that each instruction may call, including tail calls, as indices into the listing.
     pub(super) calls: Vec<Vec<usize>>,
     /// Bytes of stack of the function itself.
     pub(super) frame: u64,
 }
 
 impl Flow {
-    /// Of a function of a listing. What cannot be reached (padding before data) is left out.
+    /// Builds the graph of a function of a listing. Unreachable instructions (padding before data) are ignored.
     pub(super) fn of(listing: &Listing, function: &Function, through: &Calls) -> Result<Self, Refusal> {
         let place: BTreeMap<u64, usize> = (function.lines.iter().map(|line| line.address)).zip(0..).collect();
         let count = function.lines.len();
@@ -37,7 +37,7 @@ impl Flow {
         Ok(flow)
     }
 
-    /// Every function that it may call.
+    /// Returns every function that it may call.
     pub(super) fn callees(&self) -> BTreeSet<usize> {
         self.calls.iter().flatten().copied().collect()
     }
@@ -76,7 +76,7 @@ impl Flow {
                     To::Function(callee) => vec![callee],
                     To::Here(_) => return Err(astray(function, line)),
                 };
-                // What follows no instruction is never come back to: the callee does not return.
+                // A call that no instruction follows never returns.
                 goes_on = follower(function, index).is_some();
             }
             Kind::Return { conditional } => goes_on = conditional,
@@ -112,14 +112,14 @@ fn goes_by_register(line: &Line) -> bool {
     matches!(kind(line), Kind::Indirect { .. })
 }
 
-/// The instruction right behind another, without data between them.
+/// Returns the instruction directly after another one, with no data in between.
 fn follower(function: &Function, index: usize) -> Option<usize> {
     let [here, next] = [function.lines.get(index)?, function.lines.get(index + 1)?];
     (next.address - here.address <= 4).then_some(index + 1)
 }
 
-/// Where a `tbb` or `tbh` may lead: every entry of the table behind it. What else lies there is taken for entries, too:
-/// that adds ways, or leads astray.
+/// Returns the targets of a `tbb` or `tbh`: every entry of the table that follows it. Other data in that place is also
+/// read as entries, which either adds paths or leads to an invalid target.
 fn table(function: &Function, line: &Line) -> Option<Vec<u64>> {
     let width = match line.mnemonic.as_str() {
         "tbb" => 1,
@@ -131,20 +131,20 @@ fn table(function: &Function, line: &Line) -> Option<Vec<u64>> {
     }
     let base = line.address + 4;
     let mut bytes: Vec<u8> = (base..).map_while(|address| function.data.get(&address).copied()).collect();
-    // What aligns the code behind it: a nop. As entries it would lead into the table, or 97 KB away.
+    // Alignment of the following code, a nop. As entries it would lead into the table, or 97 KB away.
     while bytes.len().is_multiple_of(2) && bytes.ends_with(&[0x00, 0xbf]) {
         bytes.truncate(bytes.len() - 2);
     }
     let entries = bytes.chunks_exact(width).map(|entry| entry.iter().rfold(0, |sum, &byte| sum << 8 | u64::from(byte)));
-    // An entry of 0 would lead into the table: it is what aligns the code behind it.
+    // An entry of 0 would lead into the table: it aligns the following code.
     let targets: Vec<u64> = entries.filter(|&entry| entry > 0).map(|entry| base + 2 * entry).collect();
     (!targets.is_empty()).then_some(targets)
 }
 
 enum To {
-    /// An address in the function itself.
+    /// An address within the function.
     Here(u64),
-    /// A function's beginning.
+    /// The start of a function.
     Function(usize),
 }
 
@@ -162,7 +162,7 @@ fn target(listing: &Listing, function: &Function, line: &Line) -> Result<To, Ref
     let address = u64::from_str_radix(number, 16).map_err(|_| astray(function, line))?;
     let inside = function.lines.iter().any(|line| line.address == address);
     match listing.at(&function.section, address) {
-        // A branch to the own beginning is a loop, a call of it a recursion.
+        // A branch to the function's own start is a loop, a call of it is a recursion.
         Some(callee) if kind(line) == Kind::Call || !inside => Ok(To::Function(callee)),
         _ if inside => Ok(To::Here(address)),
         _ => Err(astray(function, line)),

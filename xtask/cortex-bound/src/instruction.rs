@@ -1,32 +1,33 @@
-//! What an instruction of Thumb-2 does to control flow and stack, by its mnemonic and operands as objdump writes them.
+//! Effects of Thumb-2 instructions on control flow and stack, derived from mnemonics and operands in objdump's
+//! notation.
 
 use super::listing::Line;
 
-/// Where control goes.
+/// Kind of control flow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// On to the next instruction.
+    /// Continues with the next instruction.
     Plain,
-    /// To the target; on, too, where `conditional`.
+    /// Branches to the target; may also continue if `conditional`.
     Branch {
-        /// Whether it may go on.
+        /// True if execution may continue with the next instruction.
         conditional: bool,
     },
-    /// Into a function and back.
+    /// Calls a function and returns.
     Call,
-    /// Back to the caller; on, too, where `conditional`.
+    /// Returns to the caller; may also continue if `conditional`.
     Return {
-        /// Whether it may go on.
+        /// True if execution may continue with the next instruction.
         conditional: bool,
     },
-    /// Nowhere: an undefined instruction ends the run.
+    /// Ends the run: an undefined instruction.
     Trap,
-    /// To where a register says; on, too, where `goes_on`: a call, or a jump with a condition.
+    /// Goes to an address in a register; may also continue if `goes_on`: a call, or a conditional jump.
     Indirect {
-        /// Whether the next instruction may follow.
+        /// True if the next instruction may follow.
         goes_on: bool,
     },
-    /// To where a table says.
+    /// Jumps to an address from a table.
     JumpTable,
 }
 
@@ -75,7 +76,7 @@ pub fn kind(line: &Line) -> Kind {
     }
 }
 
-/// Whether the instruction decides by data what runs: a conditional branch, a predicated block, a table.
+/// True if the instruction's control flow depends on data: a conditional branch, a predicated block, a table.
 pub fn is_decision(line: &Line) -> bool {
     let conditional = matches!(kind(line), Kind::Branch { conditional: true } | Kind::Return { conditional: true });
     let block =
@@ -83,18 +84,19 @@ pub fn is_decision(line: &Line) -> bool {
     conditional || block || matches!(kind(line), Kind::JumpTable | Kind::Indirect { .. })
 }
 
-/// How the stack pointer moves.
+/// Change of the stack pointer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stack {
-    /// Not down.
+    /// Not decreased.
     Same,
-    /// Down by so many bytes.
+    /// Decreased by this number of bytes.
     Down(u64),
-    /// By what only the run knows.
+    /// Decreased by an amount known only at run time.
     Unknown,
 }
 
-/// What an instruction does to the stack pointer. What it gives back is not counted: the bound is on the safe side.
+/// Returns the effect of an instruction on the stack pointer. Releasing stack is not counted, which keeps the bound
+/// safe.
 pub fn stack(line: &Line) -> Stack {
     let (name, operands) = (bare(&line.mnemonic), line.operands.as_str());
     if is(name, "push").is_some() {
@@ -119,11 +121,11 @@ pub fn stack(line: &Line) -> Stack {
     if is(name, "sub").is_some() || is(name, "subw").is_some() || is(name, "subs").is_some() {
         return by_number().map_or(Stack::Unknown, Stack::Down);
     }
-    // Storing at it without moving it: `stmia sp, {r3, r5}`.
+    // Stores at the stack pointer without changing it: `stmia sp, {r3, r5}`.
     if name.starts_with("str") || name.starts_with("stm") || name.starts_with("vstm") {
         return Stack::Same;
     }
-    // Giving back: by a number, or from the frame pointer that kept what it was.
+    // Releases stack: by a constant, or from the frame pointer that saved the previous value.
     let gives_back = (is(name, "add").is_some() || is(name, "addw").is_some()) && by_number().is_some();
     if gives_back || (is(name, "mov").is_some() && operands == "sp, r7") || is_compare(name) {
         return Stack::Same;
@@ -135,12 +137,12 @@ fn is_compare(name: &str) -> bool {
     is(name, "cmp").is_some() || is(name, "cmn").is_some() || is(name, "tst").is_some()
 }
 
-/// A mnemonic without its width.
+/// Removes the width from a mnemonic.
 fn bare(mnemonic: &str) -> &str {
     mnemonic.trim_end_matches(".n").trim_end_matches(".w")
 }
 
-/// Whether a mnemonic is `base`; `Some(true)` where it has a condition.
+/// Returns `Some` if a mnemonic is `base`: `Some(true)` if it has a condition.
 fn is(name: &str, base: &str) -> Option<bool> {
     let condition = name.strip_prefix(base)?;
     if condition.is_empty() {
@@ -149,23 +151,23 @@ fn is(name: &str, base: &str) -> Option<bool> {
     CONDITIONS.contains(&condition).then_some(true)
 }
 
-/// `pop`, `ldmia` and its like.
+/// Matches `pop`, `ldmia` and similar instructions.
 fn loads_many(name: &str) -> Option<bool> {
     ["pop", "ldmia", "ldmfd", "ldmdb", "ldm"].into_iter().find_map(|base| is(name, base))
 }
 
-/// How many registers a list in braces names.
+/// Counts the registers in a list in braces.
 fn registers(operands: &str) -> u64 {
     list(operands).map(|(first, last)| last - first + 1).sum()
 }
 
-/// Bytes of a list of `s` or `d` registers.
+/// Returns the bytes of a list of `s` or `d` registers.
 fn floats(operands: &str) -> u64 {
     let width = if operands.contains('d') { 8 } else { 4 };
     width * registers(operands)
 }
 
-/// The ranges of a list in braces: single registers are ranges of one.
+/// Returns the ranges of a list in braces; single registers are ranges of one.
 fn list(operands: &str) -> impl Iterator<Item = (u64, u64)> + '_ {
     let inside = operands.split_once('{').map_or("", |(_, rest)| rest.trim_end_matches('}'));
     inside.split(',').map(str::trim).filter(|name| !name.is_empty()).map(|name| match name.split_once('-') {
@@ -174,7 +176,7 @@ fn list(operands: &str) -> impl Iterator<Item = (u64, u64)> + '_ {
     })
 }
 
-/// The number of a register in a range.
+/// Returns the number of a register in a range.
 fn of(name: &str) -> u64 {
     match name.trim() {
         "sl" => 10,

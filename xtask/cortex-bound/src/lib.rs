@@ -1,22 +1,23 @@
-//! The worst case of compiled code for a Cortex-M, found without running it: most instructions on any path through a
-//! function and all that it calls, and most bytes of stack.
+//! Static worst-case analysis of compiled code for a Cortex-M: maximum instructions on any path through a function and
+//! its callees, and maximum bytes of stack.
 //!
-//! It reads what `arm-none-eabi-objdump -dr` prints of an object or a linked image. Every instruction is a node of a graph;
-//! predicated ones count whether or not their condition holds, as they take their slot either way. What has no bound is
-//! refused, with the place and the reason: loops that no `--loop-bound` is given for, recursion, calls through registers
-//! that no `--calls` is given for, jumps through tables that do not lie behind them, a stack pointer that moves by what only the run knows, callees
-//! that are not in the object. What it was told ([`facts`]) it believes: whoever signs a bound signs those, too.
+//! The input is the output of `arm-none-eabi-objdump -dr` for an object or a linked image. Every instruction is a node
+//! of a graph; predicated ones count whether or not their condition holds, since they take their slot either way. Code
+//! without a bound is rejected, with the place and the reason: loops without a `--loop-bound`, recursion, calls through
+//! registers without `--calls`, jumps through tables that do not directly follow them, a stack pointer that changes by
+//! an amount known only at run time, callees that are not in the object. The supplied [`facts`] are trusted: a bound is
+//! only as reliable as they are.
 //!
-//! What it does not know: how long an instruction takes, wait states of the memory, interrupts.
+//! Not covered: the duration of an instruction, wait states of the memory, interrupts.
 //!
 //! | module | subject |
 //! | --- | --- |
-//! | [`listing`] | the text that objdump prints, as functions of instructions |
-//! | [`instruction`] | what an instruction does to control flow and stack |
-//! | `flow` | the control flow of one function |
-//! | [`facts`] | what it is told: turns of loops, what calls through registers reach, how often functions run |
-//! | `longest`, `path` | the longest path through it, and how often that comes where |
-//! | [`analysis`] | a function with all that it calls |
+//! | [`listing`] | objdump's output, as functions of instructions |
+//! | [`instruction`] | effects of an instruction on control flow and stack |
+//! | `flow` | control flow of one function |
+//! | [`facts`] | facts supplied by the user: loop bounds, targets of calls through registers, limits on runs |
+//! | `longest`, `path` | the longest path through it, and its visits of each instruction |
+//! | [`analysis`] | a function together with its callees |
 
 pub mod analysis;
 pub mod cli;

@@ -1,4 +1,4 @@
-//! The text that `objdump -dr` prints, as functions of instructions.
+//! Output of `objdump -dr`, as functions of instructions.
 
 use std::collections::BTreeMap;
 use std::io;
@@ -8,18 +8,18 @@ use std::process::Command;
 /// An instruction as printed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Line {
-    /// Where it lies in its section.
+    /// Address in its section.
     pub address: u64,
     /// The mnemonic, with condition and width: `bne.n`.
     pub mnemonic: String,
-    /// The operands, without comment.
+    /// The operands, without comments.
     pub operands: String,
-    /// The symbol that the linker shall put in, where the object leaves that open.
+    /// The symbol to be inserted by the linker, for a relocation.
     pub symbol: Option<String>,
 }
 
 impl Line {
-    /// As it is written.
+    /// Returns the text of the instruction.
     pub fn text(&self) -> String {
         format!("{} {}", self.mnemonic, self.operands).trim_end().to_owned()
     }
@@ -30,13 +30,13 @@ impl Line {
 pub struct Function {
     /// Its name.
     pub name: String,
-    /// The section that it lies in.
+    /// Section of the function.
     pub section: String,
-    /// Where it begins.
+    /// Start address.
     pub address: u64,
     /// Its instructions.
     pub lines: Vec<Line>,
-    /// The bytes between them that are none: constants, tables.
+    /// Bytes of data between the instructions: constants, tables.
     pub data: BTreeMap<u64, u8>,
 }
 
@@ -49,7 +49,7 @@ pub struct Listing {
 }
 
 impl Listing {
-    /// Reads what objdump printed.
+    /// Parses the output of objdump.
     pub fn parse(text: &str) -> Self {
         let mut listing = Self::default();
         let mut section = String::new();
@@ -74,17 +74,17 @@ impl Listing {
         self.functions.push(function);
     }
 
-    /// All functions, in the order of the listing.
+    /// Returns all functions, in the order of the listing.
     pub fn functions(&self) -> &[Function] {
         &self.functions
     }
 
-    /// The place of a function by its name.
+    /// Returns the index of a function by its name.
     pub fn named(&self, name: &str) -> Option<usize> {
         self.by_name.get(name).copied()
     }
 
-    /// The place of the function that begins there.
+    /// Returns the index of the function that starts at the address.
     pub fn at(&self, section: &str, address: u64) -> Option<usize> {
         self.by_address.get(&(section.to_owned(), address)).copied()
     }
@@ -93,7 +93,7 @@ impl Listing {
 /// Disassembles an object or image.
 ///
 /// # Errors
-/// When `arm-none-eabi-objdump` is missing or finds nothing to read.
+/// If `arm-none-eabi-objdump` is missing or finds nothing to read.
 pub fn disassemble(object: &Path) -> io::Result<Listing> {
     let program = "arm-none-eabi-objdump";
     let output = Command::new(program).args(["-d", "-r", "-z", "--no-show-raw-insn", "-w"]).arg(object).output();
@@ -104,15 +104,15 @@ pub fn disassemble(object: &Path) -> io::Result<Listing> {
     Ok(Listing::parse(&String::from_utf8_lossy(&output.stdout)))
 }
 
-/// `00000010 <name>:`
+/// Parses `00000010 <name>:`.
 fn header(line: &str) -> Option<(u64, String)> {
     let (address, rest) = line.split_once(" <")?;
     let name = rest.strip_suffix(">:")?;
     Some((u64::from_str_radix(address, 16).ok()?, name.to_owned()))
 }
 
-/// Fields between tabs: `e:`, `bl`, `0 <g>`, and where the linker has work left `e: R_ARM_THM_CALL`, `g`. Data (`.word`) is
-/// no instruction.
+/// Parses tab-separated fields: `e:`, `bl`, `0 <g>`, and for a relocation `e: R_ARM_THM_CALL`, `g`. Data (`.word`) is
+/// not an instruction.
 fn instruction(line: &str) -> Option<Line> {
     let (address, rest) = line.split_once(':')?;
     let address = u64::from_str_radix(address.trim(), 16).ok()?;
@@ -126,7 +126,7 @@ fn instruction(line: &str) -> Option<Line> {
     is_code.then(|| Line { address, mnemonic: mnemonic.to_owned(), operands: operands.to_owned(), symbol })
 }
 
-/// The bytes of a line of data, `12: .short 0x0302` with tabs between, at their addresses.
+/// Returns the bytes of a line of data, `12: .short 0x0302` with tabs in between, with their addresses.
 fn data(line: &str) -> Option<impl Iterator<Item = (u64, u8)> + use<>> {
     let (address, rest) = line.split_once(':')?;
     let address = u64::from_str_radix(address.trim(), 16).ok()?;

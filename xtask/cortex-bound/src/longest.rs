@@ -1,29 +1,29 @@
-//! The longest path through a graph whose loops have bounds.
+//! The longest path through a graph whose loops are bounded.
 //!
-//! A loop is a strongly connected part with one entry, its header. Between two times that control comes to the header, it
-//! takes at most the longest path from there back; a loop that turns at most n times costs n − 1 of those and then the
-//! longest path from the header to where it is left. Loops inside are found by cutting the ways back to the header.
+//! A loop is a strongly connected component with one entry, its header. Each iteration costs at most the longest path
+//! from the header back to it; a loop of at most n iterations costs n − 1 of those plus the longest path from the
+//! header to the exit. Nested loops are found by removing the edges back to the header.
 
 use super::path::{Paths, Step};
 use std::collections::BTreeMap;
 
-/// Why there is none.
+/// Reason why there is no longest path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Endless {
-    /// A loop with this header without a bound.
+    /// A loop with this header has no bound.
     Loop(usize),
-    /// A loop at this node that has several entries.
+    /// A loop at this node has several entries.
     Tangled(usize),
 }
 
-/// The longest path: what it costs, and how often it comes to each node.
+/// The longest path: its cost, and the number of visits of each node.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Longest {
     pub(super) cost: u64,
     pub(super) visits: Vec<u64>,
 }
 
-/// Finds it, from `entry` on. `turns` says how often the loop of a header turns at most.
+/// Finds the longest path from `entry`. `turns` holds the maximum iterations of the loop of each header.
 pub(super) fn longest(
     next: &[Vec<usize>],
     cost: &[u64],
@@ -39,14 +39,14 @@ pub(super) fn longest(
     Ok(Longest { cost, visits })
 }
 
-/// A loop: the node that it begins at, and those outside of it that lead there.
+/// A loop: its first node, and the nodes outside that lead to it.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Header {
     pub(super) node: usize,
     pub(super) entered_from: Vec<usize>,
 }
 
-/// All loops, in the order of the nodes.
+/// Returns all loops, in the order of the nodes.
 pub(super) fn headers(next: &[Vec<usize>], entry: usize) -> Result<Vec<Header>, Endless> {
     let cost = vec![0; next.len()];
     let mut search = Search::new(next, &cost, entry, None);
@@ -55,7 +55,7 @@ pub(super) fn headers(next: &[Vec<usize>], entry: usize) -> Result<Vec<Header>, 
     Ok(search.headers)
 }
 
-/// The longest way to a node, the node included.
+/// The longest path to a node, including the node.
 #[derive(Clone, Copy)]
 struct Reach {
     cost: u64,
@@ -65,7 +65,7 @@ struct Reach {
 struct Search<'a> {
     next: Vec<Vec<usize>>,
     cost: Vec<u64>,
-    /// Without it one turn each: to see which loops there are.
+    /// If `None`, every loop has one iteration: used to find the loops.
     turns: Option<&'a BTreeMap<usize, u64>>,
     headers: Vec<Header>,
     paths: Paths,
@@ -74,7 +74,7 @@ struct Search<'a> {
 impl<'a> Search<'a> {
     fn new(next: &[Vec<usize>], cost: &[u64], entry: usize, turns: Option<&'a BTreeMap<usize, u64>>) -> Self {
         Self {
-            // A node before the first, so that a loop may begin there.
+            // A virtual node before the first one, so that a loop may begin there.
             next: next.iter().cloned().chain([vec![entry]]).collect(),
             cost: cost.iter().copied().chain([0]).collect(),
             turns,
@@ -83,7 +83,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// In the part of the graph that is `inside`, without ways back to `entry`.
+    /// Finds the longest paths in the subgraph `inside`, ignoring edges back to `entry`.
     fn walk(&mut self, inside: &[bool], entry: usize) -> Result<Vec<Option<Reach>>, Endless> {
         let parts = components(&self.next, inside, entry);
         let mut part_of = vec![usize::MAX; self.next.len()];
@@ -91,10 +91,10 @@ impl<'a> Search<'a> {
             part.iter().for_each(|&node| part_of[node] = number);
         }
         let mut found: Vec<Option<Reach>> = vec![None; self.next.len()];
-        // The longest way before a node.
+        // The longest path before a node.
         let mut before: Vec<Option<Reach>> = vec![None; self.next.len()];
         before[entry] = Some(Reach { cost: 0, path: None });
-        // Components come last first.
+        // Components are in reverse topological order.
         for part in parts.iter().rev() {
             let alone = part[0];
             if part.len() > 1 || self.next[alone].iter().any(|&to| to == alone && to != entry) {
@@ -115,7 +115,7 @@ impl<'a> Search<'a> {
         Ok(found)
     }
 
-    /// A loop.
+    /// Handles a loop.
     fn turn(&mut self, part: &[usize], before: &[Option<Reach>], found: &mut [Option<Reach>]) -> Result<(), Endless> {
         let mut entries = part.iter().copied().filter(|&node| before[node].is_some());
         let (Some(header), None) = (entries.next(), entries.next()) else {
@@ -127,7 +127,7 @@ impl<'a> Search<'a> {
         };
         let mut body = vec![false; self.next.len()];
         part.iter().for_each(|&node| body[node] = true);
-        // Not the node before the first, which is no instruction.
+        // Excludes the virtual first node, which is not an instruction.
         let outside = (0..self.next.len() - 1).filter(|&node| !body[node] && self.next[node].contains(&header));
         self.headers.push(Header { node: header, entered_from: outside.collect() });
         let within = self.walk(&body, header)?;
@@ -146,8 +146,8 @@ impl<'a> Search<'a> {
     }
 }
 
-/// The strongly connected parts that can be reached from `entry` (Tarjan), each after those that it leads to. Without
-/// recursion: functions have thousands of instructions.
+/// Returns the strongly connected components reachable from `entry` (Tarjan), each after its successors. Iterative
+/// because functions have thousands of instructions.
 fn components(next: &[Vec<usize>], inside: &[bool], entry: usize) -> Vec<Vec<usize>> {
     let count = next.len();
     let (mut number, mut low) = (vec![usize::MAX; count], vec![0; count]);
@@ -205,7 +205,7 @@ mod tests {
         next.iter().map(|to| to.to_vec()).collect()
     }
 
-    /// With every loop turning as often, or with none bounded.
+    /// Returns the cost if every loop has the same bound, or none has.
     fn most(next: &[&[usize]], turns: Option<u64>) -> Result<u64, Endless> {
         let next = graph(next);
         let headers = if turns.is_some() { headers(&next, 0)? } else { vec![] };
@@ -229,15 +229,15 @@ mod tests {
         let looped: &[&[usize]] = &[&[1], &[2], &[1, 3], &[]];
         assert_eq!(most(looped, None), Err(Endless::Loop(1)));
         assert_eq!(most(looped, Some(10)), Ok(1 + 10 * 2 + 1));
-        // A loop that is left at its entry: the last turn stops there.
+        // A loop that is left at its entry: the last iteration stops there.
         assert_eq!(most(&[&[1], &[2, 3], &[1], &[]], Some(10)), Ok(1 + 9 * 2 + 2));
-        // A node that leads to itself.
+        // A node with an edge to itself.
         assert_eq!(most(&[&[1], &[1, 2], &[]], Some(4)), Ok(1 + 4 + 1));
     }
 
     #[test]
     fn loops_in_loops_multiply() {
-        // 1 to 3 is the outer loop, 2 turns on itself.
+        // 1 to 3 form the outer loop, 2 loops on itself.
         let nested: &[&[usize]] = &[&[1], &[2], &[2, 3], &[1, 4], &[]];
         assert_eq!(most(nested, Some(5)), Ok(1 + 5 * (1 + 5 + 1) + 1));
     }

@@ -1,4 +1,4 @@
-//! Paths that share their beginnings: how often each node is come to is counted only for the longest.
+//! Paths with shared prefixes: visits of nodes are counted only for the longest path.
 
 /// The end of a path among [`Paths`].
 #[derive(Clone, Copy, Debug)]
@@ -6,9 +6,9 @@ pub(super) struct Step(usize);
 
 #[derive(Clone, Copy, Debug)]
 enum Link {
-    /// A node behind a path.
+    /// A path followed by a node.
     Node(Option<Step>, usize),
-    /// A path, and behind it another one so many times.
+    /// A path followed by a number of repetitions of another path.
     Times(Option<Step>, Step, u64),
 }
 
@@ -22,12 +22,12 @@ impl Paths {
         Step(self.0.len() - 1)
     }
 
-    /// A path and then a node.
+    /// Appends a node to a path.
     pub(super) fn then(&mut self, path: Option<Step>, node: usize) -> Step {
         self.add(Link::Node(path, node))
     }
 
-    /// A path and then another one so many times.
+    /// Appends a number of repetitions of another path to a path.
     pub(super) fn repeat(&mut self, path: Option<Step>, turn: Option<Step>, times: u64) -> Option<Step> {
         match turn {
             Some(turn) if times > 0 => Some(self.add(Link::Times(path, turn, times))),
@@ -35,12 +35,12 @@ impl Paths {
         }
     }
 
-    /// A path and then another one.
+    /// Appends another path to a path.
     pub(super) fn join(&mut self, path: Option<Step>, end: Option<Step>) -> Option<Step> {
         self.repeat(path, end, 1)
     }
 
-    /// How often a path comes to each of `count` nodes.
+    /// Returns the number of visits of each of `count` nodes on a path.
     pub(super) fn visits(&self, path: Option<Step>, count: usize) -> Vec<u64> {
         let mut visits = vec![0; count];
         let mut open: Vec<(Step, u64)> = path.into_iter().map(|step| (step, 1)).collect();

@@ -1,36 +1,36 @@
-//! Why there is no bound.
+//! Reasons why there is no bound.
 
-/// Why a function has no bound, and where: addresses are those of the listing.
+/// The reason why a function has no bound, and the place: addresses are those of the listing.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Refusal {
     /// The object has no such function.
     NoFunction {
-        /// What was asked for.
+        /// The requested name.
         name: String,
     },
-    /// A function that is called, but lies elsewhere: link it, or leave it out.
+    /// A called function that is not in the object: link it, or ignore the caller.
     NotHere {
-        /// Who calls.
+        /// The caller.
         function: String,
-        /// Where.
+        /// Address of the call.
         address: u64,
-        /// What it calls.
+        /// The callee.
         callee: String,
     },
-    /// A loop that nobody has given a bound for.
+    /// A loop without a bound.
     Loop {
         /// The function.
         function: String,
-        /// Where the loop begins.
+        /// Address of the loop's first instruction.
         address: u64,
     },
-    /// Bounds for another number of loops than there are.
+    /// The number of bounds differs from the number of loops.
     OtherLoops {
         /// The function.
         function: String,
-        /// Where its loops begin.
+        /// Addresses of its loops.
         found: Vec<u64>,
-        /// How many bounds were given.
+        /// Number of bounds given.
         given: usize,
     },
     /// A loop with several entries: no bound can be given for it.
@@ -40,21 +40,21 @@ pub enum Refusal {
         /// An instruction in it.
         address: u64,
     },
-    /// A function that calls itself, perhaps by way of others.
+    /// A function that calls itself, possibly through others.
     Recursion {
-        /// The functions of the circle, in the order of their calls.
+        /// The functions of the cycle, in the order of their calls.
         functions: Vec<String>,
     },
-    /// A call or a jump to where a register says.
+    /// A call or a jump to an address in a register.
     Indirect {
         /// The function.
         function: String,
-        /// Where.
+        /// Its address.
         address: u64,
         /// The instruction.
         text: String,
     },
-    /// A function that was said to call through a register, but does not.
+    /// A function with targets for calls through a register that it does not contain.
     NotIndirect {
         /// The function.
         function: String,
@@ -63,25 +63,25 @@ pub enum Refusal {
     JumpTable {
         /// The function.
         function: String,
-        /// Where.
+        /// Its address.
         address: u64,
         /// The instruction.
         text: String,
     },
-    /// A stack pointer that moves by what only the run knows.
+    /// A stack pointer that changes by an amount known only at run time.
     DynamicStack {
         /// The function.
         function: String,
-        /// Where.
+        /// Its address.
         address: u64,
         /// The instruction.
         text: String,
     },
-    /// A branch into the middle of another function, or to where there is no instruction; or a path past the end.
+    /// A branch into the middle of another function, or to an address without an instruction; or a path past the end.
     Astray {
         /// The function.
         function: String,
-        /// Where.
+        /// Its address.
         address: u64,
         /// The instruction.
         text: String,
@@ -100,47 +100,51 @@ impl std::fmt::Display for Refusal {
             }
             Self::Loop { function, address } => write!(
                 f,
-                "{function} has a loop at {address:#x}: without a bound it has no worst case; accepted: straight code, or \
-                 --loop-bound {function}=N where no loop of it turns more than N times"
+                "{function} has a loop at {address:#x}: without a bound it has no worst case; accepted: code without \
+                 loops, or --loop-bound {function}=N if none of its loops iterates more than N times"
             ),
             Self::OtherLoops { function, found, given } => {
                 let places: Vec<String> = found.iter().map(|address| format!("{address:#x}")).collect();
                 write!(
                     f,
-                    "{function} has {} loops (at {}), bounds were given for {given}: one for each is accepted, in this \
+                    "{function} has {} loops (at {}), but {given} bounds were given: accepted is one for each, in this \
                      order",
                     found.len(),
                     places.join(", ")
                 )
             }
             Self::TangledLoop { function, address } => {
-                write!(f, "{function} has a loop with several entries at {address:#x}: its turns cannot be bounded")
+                write!(
+                    f,
+                    "{function} has a loop with several entries at {address:#x}: its iterations cannot be bounded"
+                )
             }
             Self::Recursion { functions } => write!(f, "recursion: {}", functions.join(" calls ")),
             Self::Indirect { function, address, text } => {
                 write!(
                     f,
-                    "{function} goes where a register says at {address:#x} ({text}): where to is not known here; \
+                    "{function} branches through a register at {address:#x} ({text}) to an unknown target; \
                      accepted: --calls {function}=CALLEE,… with every function that it may reach"
                 )
             }
             Self::NotIndirect { function } => {
-                write!(f, "{function} calls nothing through a register, so --calls {function}=… says nothing")
+                write!(f, "{function} calls nothing through a register, so --calls {function}=… has no effect")
             }
             Self::JumpTable { function, address, text } => {
                 write!(
                     f,
-                    "{function} jumps through a table at {address:#x} ({text}) that does not lie behind it: \
+                    "{function} jumps through a table at {address:#x} ({text}) that does not directly follow it: \
                      -fno-jump-tables avoids them"
                 )
             }
             Self::DynamicStack { function, address, text } => {
-                write!(f, "{function} moves its stack pointer by what only the run knows at {address:#x} ({text})")
+                write!(f, "{function} moves its stack pointer by an unknown amount at {address:#x} ({text})")
             }
             Self::Astray { function, address, text } => {
                 write!(
                     f,
-                    "{function} at {address:#x} ({text}) leads to no instruction of it and no function's beginning"
+                    "{function} at {address:#x} ({text}) leads neither to one of its instructions nor to the start of \
+                     a function"
                 )
             }
         }

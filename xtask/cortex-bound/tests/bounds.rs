@@ -1,11 +1,11 @@
-//! Bounds of hand-written assembly: as a listing, and assembled where there is an assembler.
+//! Bounds of hand-written assembly: as a listing, and assembled if an assembler is available.
 
 use cortex_bound::{Analyser, Bound, Calls, Limit, Listing, LoopBounds, Refusal, Turns, disassemble};
 use std::fs;
 use std::process::Command;
 use tempfile::TempDir;
 
-/// A listing as objdump prints it: `label:` begins a function, every other line is an instruction two bytes long.
+/// Creates a listing in objdump's format: `label:` begins a function, every other line is an instruction of two bytes.
 fn listing(text: &str) -> Listing {
     let mut out = String::from("Disassembly of section .text:\n\n");
     for (address, line) in (0..).step_by(2).zip(text.lines().map(str::trim).filter(|line| !line.is_empty())) {
@@ -97,12 +97,12 @@ fn recursion_names_its_circle() {
 #[test]
 fn what_is_not_known_is_refused() {
     for (instruction, expected) in [
-        ("blx r3", "goes where a register says"),
-        ("bx r3", "goes where a register says"),
+        ("blx r3", "branches through a register"),
+        ("bx r3", "branches through a register"),
         ("tbb [pc, r0]", "jumps through a table"),
         ("sub.w sp, sp, r3", "moves its stack pointer"),
-        ("b.n 4000 <elsewhere+0x10>", "leads to no instruction"),
-        ("add r0, r1", "leads to no instruction"), // and past the end
+        ("b.n 4000 <elsewhere+0x10>", "leads neither"),
+        ("add r0, r1", "leads neither"), // and past the end
     ] {
         let text = format!("f:\n{instruction}");
         let refusal = bound(&text, "f").unwrap_err().to_string();
@@ -201,7 +201,7 @@ fn assembled_code_is_read_with_its_relocations_and_data() {
     assert!(refusal.contains("calls sinf, which is not in the object"), "{refusal}");
 }
 
-/// What `f` calls through a register. A label is an instruction, too.
+/// Code of `f` with calls through a register. A label is also an instruction.
 const INDIRECT: &str = "
     f:
     push {r4, lr}
@@ -224,7 +224,7 @@ fn calls_through_registers_reach_what_was_said() {
     let names = |names: &[&str]| names.iter().map(|&name| name.to_owned()).collect::<Vec<_>>();
     let calls = Calls::from([("f".to_owned(), names(&["g", "h"])), ("t".to_owned(), names(&["g"]))]);
     let mut analyser = Analyser::new(&listing, &bounds).calling(&calls);
-    assert_eq!(analyser.bound("f"), Ok(Bound { instructions: 4 + 5, stack: 8 + 24 }), "the dearer one");
+    assert_eq!(analyser.bound("f"), Ok(Bound { instructions: 4 + 5, stack: 8 + 24 }), "the more expensive one");
     assert_eq!(analyser.bound("t"), Ok(Bound { instructions: 2 + 2, stack: 0 }), "a jump does not come back");
 
     let refusal = Analyser::new(&listing, &bounds).bound("f").unwrap_err().to_string();
@@ -235,7 +235,7 @@ fn calls_through_registers_reach_what_was_said() {
     let needless = Calls::from([("g".to_owned(), names(&["h"]))]);
     let refusal = Analyser::new(&listing, &bounds).calling(&needless).bound("g").unwrap_err();
     assert_eq!(refusal, Refusal::NotIndirect { function: "g".to_owned() });
-    // A function that calls itself by way of a register.
+    // A function that calls itself through a register.
     let circle = Calls::from([("f".to_owned(), names(&["f"]))]);
     let refusal = Analyser::new(&listing, &bounds).calling(&circle).bound("f").unwrap_err();
     assert_eq!(refusal.to_string(), "recursion: f calls f");

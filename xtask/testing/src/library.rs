@@ -1,50 +1,51 @@
-//! `libtpg_runtime.a` as users get it: one object file that exports `tpg_*` and nothing else.
+//! `libtpg_runtime.a` as delivered to users: one object file that exports only `tpg_*`.
 //!
-//! What rustc makes is an archive of some 5 MB and hundreds of members: the compiler's builtins, which could shadow
-//! libgcc's or clash with another Rust library's, and LLVM bitcode. Linked in advance, with what is unreachable left
-//! out, 20 to 30 KB remain, and every choice is made.
+//! rustc creates an archive of some 5 MB with hundreds of members: the compiler's builtins, which could shadow libgcc's
+//! or clash with another Rust library's, and LLVM bitcode. Linking it in advance and dropping unreachable code leaves
+//! 20 to 30 KB without such conflicts.
 
 use crate::tool;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs};
 
-/// Targets that a library is made for, beside the host.
+/// Targets that a library is built for, in addition to the host.
 pub const TARGETS: [&str; 3] = ["thumbv7em-none-eabihf", "thumbv7em-none-eabi", "thumbv6m-none-eabi"];
 
 /// The package of a target's binutils.
 const CROSS: &str = "gcc-arm-none-eabi";
 
-/// Why there is no library.
+/// Reason why there is no library.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Missing {
-    /// A tool or target is not installed; the skip has been noted.
+    /// A tool or target is not installed; the skip has been reported.
     Tool,
-    /// A command failed: its words and what it printed.
+    /// A command failed: its arguments and its output.
     Failed(String),
 }
 
-/// The repository's top folder.
+/// Returns the repository's top folder.
 pub fn top() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).map(Path::to_owned).unwrap_or_default()
 }
 
-/// The host's triple.
+/// Returns the host's triple.
 pub fn host() -> &'static str {
     env!("XTASK_HOST")
 }
 
-/// Cargo's target folder.
+/// Returns cargo's target folder.
 pub fn target_folder() -> PathBuf {
     env::var_os("CARGO_TARGET_DIR").map_or_else(|| top().join("target"), PathBuf::from)
 }
 
-/// Where a target's libraries are installed to when nobody says where.
+/// Returns the default installation folder of a target's libraries.
 pub fn dist() -> PathBuf {
     target_folder().join("tpg_runtime")
 }
 
-/// Makes the library for a target (or [`host`]) under `folder`, with header, CMake and pkg-config files; where it lies.
+/// Builds the library for a target (or [`host`]) in `folder`, with header, CMake and pkg-config files; returns its
+/// location.
 ///
 /// # Errors
 /// See [`Missing`].
@@ -55,8 +56,8 @@ pub fn make(target: &str, folder: &Path) -> Result<PathBuf, Missing> {
         return Err(Missing::Tool);
     }
     let library = folder.join("lib").join(target);
-    let room = folder.join("objects").join(target);
-    for folder in [&library, &room] {
+    let objects = folder.join("objects").join(target);
+    for folder in [&library, &objects] {
         fs::create_dir_all(folder).map_err(|error| Missing::Failed(format!("{}: {error}", folder.display())))?;
     }
     let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
@@ -66,10 +67,10 @@ pub fn make(target: &str, folder: &Path) -> Result<PathBuf, Missing> {
     let made = target_folder().join(target).join("firmware/libtpg_runtime_capi.a");
 
     let run = |program: &str, arguments: &[&str]| {
-        output(Command::new(format!("{prefix}{program}")).current_dir(&room).args(arguments))
+        output(Command::new(format!("{prefix}{program}")).current_dir(&objects).args(arguments))
     };
     let path = made.to_string_lossy();
-    // Debian's linker aborts on bitcode in what it links in advance.
+    // Debian's linker aborts on bitcode when linking in advance.
     run("objcopy", &["--strip-debug", "-R", ".llvmbc", "-R", ".llvmcmd", &path, "all.a"])?;
     let symbols = run("nm", &["--defined-only", "--extern-only", "--format=posix", "all.a"])?;
     let mut names: Vec<&str> =
@@ -88,7 +89,7 @@ pub fn make(target: &str, folder: &Path) -> Result<PathBuf, Missing> {
     Ok(archive)
 }
 
-/// Copies what stands beside the library.
+/// Copies the files that accompany the library.
 fn install(target: &str, folder: &Path) -> Result<(), Missing> {
     let source = top().join("tpg-runtime-nostd/capi");
     let description = fs::read_to_string(source.join("tpg_runtime.pc.in"))
@@ -106,10 +107,10 @@ fn install(target: &str, folder: &Path) -> Result<(), Missing> {
     put(&format!("lib/{target}/pkgconfig/tpg_runtime.pc"), description)
 }
 
-/// Whether the compiler in use has a target's core library; where not, `what` is skipped, or fails.
+/// True if the compiler in use has a target's core library; otherwise `what` is skipped, or fails.
 ///
 /// # Panics
-/// Where the target is missing and nothing may be.
+/// If the target is missing and missing tools must fail.
 pub fn rust_target(target: &str, what: &str) -> bool {
     let output = Command::new("rustc").args(["--print", "sysroot"]).current_dir(top()).output();
     let sysroot = output.map(|output| String::from_utf8_lossy(&output.stdout).trim().to_owned()).unwrap_or_default();
@@ -122,10 +123,10 @@ pub fn rust_target(target: &str, what: &str) -> bool {
     false
 }
 
-/// What a command printed.
+/// Returns a command's output.
 ///
 /// # Errors
-/// Where it failed.
+/// If the command fails.
 pub fn output(command: &mut Command) -> Result<String, Missing> {
     let result = command.output();
     let failed = |text: String| Missing::Failed(format!("{command:?}:\n{text}"));

@@ -1,6 +1,6 @@
 //! The recorded files: starts and targets, end states, step traces, reference poses.
 //!
-//! Columns are read by name, since not every file has all of them.
+//! Columns are found by name because some files lack some of them.
 
 mod table;
 
@@ -12,41 +12,41 @@ use tpg_arm::kinematics::Vector;
 use tpg_arm::{Collision, Pose};
 use tpg_graph::error::InputError;
 
-/// What an episode was asked to do.
+/// The task of an episode.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Task {
-    /// Where the arm starts.
+    /// Start of the arm.
     pub start: Pose,
-    /// Where its hand shall go, mm.
+    /// Target of the hand, mm.
     pub target: Vector<f64>,
 }
 
-/// How an episode ended.
+/// End of an episode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct End {
-    /// The recorded books.
+    /// Recorded end state.
     pub state: EndState,
-    /// The actions that the TPG chose; absent where the artifact has no such column.
+    /// Number of actions chosen by the TPG; `None` if the artifact has no such column.
     pub tpg_actions: Option<u32>,
 }
 
-/// A recorded hand and collision answer.
+/// A recorded hand position and collision result.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReferencePose {
     /// The pose.
     pub pose: Pose,
-    /// Its hand, mm.
+    /// Position of the hand, mm.
     pub hand: Vector<f64>,
-    /// What the arm hits there.
+    /// Collision in that pose.
     pub collision: Option<Collision>,
 }
 
-/// Something for each row, by its number.
+/// Values by row number.
 pub type ByRow<T> = BTreeMap<u32, T>;
 
 const POSITIONS: [&str; 4] = ["m0", "m1", "m2", "m3"];
 const ANY_POSITION: std::ops::RangeInclusive<i16> = 0..=4095;
-/// Far more than anything recorded, and a bound that an error message can name.
+/// Far more than any recorded value, and a bound to name in error messages.
 const ANY_LENGTH: std::ops::RangeInclusive<f64> = -1e6..=1e6;
 const ANY_COUNT: std::ops::RangeInclusive<i64> = -1_000_000_000..=1_000_000_000;
 const ANY_ROW: std::ops::RangeInclusive<u32> = 0..=u32::MAX;
@@ -55,7 +55,7 @@ const ANY_ACTIONS: std::ops::RangeInclusive<u32> = 1..=1_000_000;
 /// Reads starts and targets.
 ///
 /// # Errors
-/// What is wrong with the file, by line.
+/// Any error in the file, with its line.
 pub fn tasks(path: &Path) -> Result<ByRow<Task>, InputError> {
     let table = Table::read(path)?;
     let row = table.column("row")?;
@@ -64,7 +64,7 @@ pub fn tasks(path: &Path) -> Result<ByRow<Task>, InputError> {
     by_row(&table, row, |line| Ok(Task { start: pose(line, positions)?, target: point(line, target)? }))
 }
 
-/// The columns of an end state.
+/// Columns of an end state.
 struct EndColumns {
     row: Column,
     score: Column,
@@ -97,40 +97,40 @@ impl EndColumns {
     }
 }
 
-/// Reads end states, each of a row among `tasks`.
+/// Reads end states, each for a row of `tasks`.
 ///
 /// # Errors
-/// What is wrong with the file, by line.
+/// Any error in the file, with its line.
 pub fn ends(path: &Path, tasks: &ByRow<Task>) -> Result<ByRow<End>, InputError> {
     let table = Table::read(path)?;
     let columns = EndColumns::of(&table)?;
     by_row(&table, columns.row, |line| columns.read(line, tasks))
 }
 
-/// How an episode of a hybrid ended.
+/// End of a hybrid's episode.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HybridEnd {
-    /// Which of the recorded graphs.
+    /// Number of the recorded graph.
     pub tpg_seed: u32,
-    /// Which of the recorded actors.
+    /// Number of the recorded actor.
     pub sac_seed: u32,
-    /// `sepDistance`, mm; infinite where it was switched off (10,000 in the file).
+    /// `sepDistance`, mm; infinite if it was disabled (10,000 in the file).
     pub separation_mm: f64,
     /// `nbItGoBackTPG`.
     pub hand_back_after: u32,
-    /// The task.
+    /// Row of the task.
     pub row: u32,
-    /// How it ended.
+    /// End of the episode.
     pub end: End,
 }
 
-/// The artifact's way to say that the distance never hands over, mm.
+/// The artifact's value for a separation that never causes a hand-over, mm.
 const NO_SEPARATION: f64 = 10_000.0;
 
-/// Reads end states of hybrids, each of a row among `tasks`.
+/// Reads end states of hybrids, each for a row of `tasks`.
 ///
 /// # Errors
-/// What is wrong with the file, by line.
+/// Any error in the file, with its line.
 pub fn hybrid_ends(path: &Path, tasks: &ByRow<Task>) -> Result<Vec<HybridEnd>, InputError> {
     let table = Table::read(path)?;
     let [tpg_seed, sac_seed, separation, hand_back] = columns(&table, ["tpg_seed", "sac_seed", "sep_mm", "nb_it"])?;
@@ -150,10 +150,10 @@ pub fn hybrid_ends(path: &Path, tasks: &ByRow<Task>) -> Result<Vec<HybridEnd>, I
     table.rows().map(read).collect()
 }
 
-/// Reads step traces, each of a row among `tasks`: the pose after every action, the first action's first.
+/// Reads step traces, each for a row of `tasks`: the pose after every action, in order.
 ///
 /// # Errors
-/// What is wrong with the file, by line.
+/// Any error in the file, with its line.
 pub fn traces(path: &Path, tasks: &ByRow<Task>) -> Result<ByRow<Vec<Pose>>, InputError> {
     let table = Table::read(path)?;
     let [row, step] = columns(&table, ["row", "step"])?;
@@ -173,7 +173,7 @@ pub fn traces(path: &Path, tasks: &ByRow<Task>) -> Result<ByRow<Vec<Pose>>, Inpu
 /// Reads reference poses.
 ///
 /// # Errors
-/// What is wrong with the file, by line.
+/// Any error in the file, with its line.
 pub fn reference_poses(path: &Path) -> Result<Vec<ReferencePose>, InputError> {
     let table = Table::read(path)?;
     let positions = columns(&table, POSITIONS)?;
@@ -209,7 +209,7 @@ fn by_row<'t, T>(
         .collect()
 }
 
-/// The row's number, which must be one of the tasks'.
+/// Returns the row's number, which must be that of a task.
 fn known(line: Row<'_>, row: Column, tasks: &ByRow<Task>) -> Result<u32, InputError> {
     let number = line.number(row, ANY_ROW)?;
     if tasks.contains_key(&number) {

@@ -51,7 +51,7 @@ impl Table {
         Ok(Self { file, headers, records })
     }
 
-    /// The column of that name.
+    /// Finds a column by name.
     pub(super) fn column(&self, name: &str) -> Result<Column, InputError> {
         let mut places = self.headers.iter().enumerate().filter(|(_, header)| *header == name);
         match (places.next(), places.next()) {
@@ -59,12 +59,13 @@ impl Table {
             (Some(_), Some(_)) => Err(self.bad_header(format!("two columns {name:?}"), format!("one column {name:?}"))),
             (None, _) => {
                 let names: Vec<&str> = self.headers.iter().collect();
-                Err(self.bad_header(format!("the columns {}", names.join(", ")), format!("a column {name:?} too")))
+                Err(self
+                    .bad_header(format!("the columns {}", names.join(", ")), format!("an additional column {name:?}")))
             }
         }
     }
 
-    /// The column of that name, where there is one.
+    /// Finds a column by name, if it exists.
     pub(super) fn column_if_there(&self, name: &str) -> Result<Option<Column>, InputError> {
         self.headers.iter().any(|header| header == name).then(|| self.column(name)).transpose()
     }
@@ -73,14 +74,14 @@ impl Table {
         InputError::new(&self.file, Place::Line(1), found, accepted)
     }
 
-    /// The rows, in order.
+    /// Returns the rows, in order.
     pub(super) fn rows(&self) -> impl Iterator<Item = Row<'_>> {
         self.records.iter().map(|record| Row { table: self, record })
     }
 }
 
 impl Row<'_> {
-    /// The number in a column.
+    /// Parses the number in a column.
     pub(super) fn number<T>(&self, column: Column, allowed: RangeInclusive<T>) -> Result<T, InputError>
     where
         T: FromStr + PartialOrd + Display,
@@ -93,17 +94,17 @@ impl Row<'_> {
         })
     }
 
-    /// The 0 or 1 in a column.
+    /// Parses the 0 or 1 in a column.
     pub(super) fn flag(&self, column: Column) -> Result<bool, InputError> {
         Ok(self.number(column, 0..=1)? == 1_u8)
     }
 
-    /// Something wrong with this row.
+    /// Creates an error about this row.
     pub(super) fn error(&self, found: impl Into<String>, accepted: impl Into<String>) -> InputError {
         InputError::new(&self.table.file, Place::Line(self.line()), found, accepted)
     }
 
-    /// Its line in the file.
+    /// Returns the row's line in the file.
     pub(super) fn line(&self) -> usize {
         self.record.position().map_or(0, |position| position.line() as usize)
     }

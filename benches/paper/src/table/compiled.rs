@@ -1,4 +1,4 @@
-//! The shipped policies as users compile them: the generated Rust, with this program's own options.
+//! The shipped policies as compiled by users: the generated Rust, with this program's own options.
 
 use super::reference::Reference;
 use super::timing::{self, Time};
@@ -7,7 +7,7 @@ use tpg_arm::cycle::{Brent, CycleDetector, Visited};
 use tpg_arm::hybrid::{Guard, Hybrid, Settings};
 use tpg_arm::observation::{ArmPolicy, Observation};
 use tpg_arm::sac::packed::{Model, PackedPolicy};
-use tpg_arm::{JOINTS, Move};
+use tpg_arm::{JOINTS, Move, Pose};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_generated::widowx_fs::WidowxFs;
 use tpg_generated::widowx_fs_fast::WidowxFsFast;
@@ -35,7 +35,7 @@ pub struct Times {
     pub hybrid: Time,
 }
 
-/// What else is measured in the same run.
+/// Other times measured in the same run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Costs {
     /// The shipped hybrid and its parts.
@@ -46,7 +46,7 @@ pub struct Costs {
     pub detectors: [Time; 2],
     /// The paper's network alone, 13-256-256-4 in `f32`.
     pub reference: Time,
-    /// The same shape by the trainer's matrix product, on the widest vectors that the machine has.
+    /// The same shape with the trainer's matrix product, on the widest vectors of the machine.
     pub wide: Time,
 }
 
@@ -55,7 +55,7 @@ fn network() -> impl Policy<State = Observation<f32>, Action = Move> + Copy {
     PackedPolicy::<{ widowx_sac::SCRATCH }>::new(&ARM, model).expect("its own scratch memory")
 }
 
-/// Times on those tasks.
+/// Measures the times on the given tasks.
 pub fn times(start: Start, tasks: &[Task]) -> Times {
     use {widowx_fs_hybrid as of_fs, widowx_rs_hybrid as of_rs};
     match start {
@@ -64,10 +64,10 @@ pub fn times(start: Start, tasks: &[Task]) -> Times {
     }
 }
 
-/// Tasks that are timed.
+/// Number of tasks that are timed.
 const TIMED: usize = 100;
 
-/// Everything that is compared in one run.
+/// Measures everything that is compared in one run.
 pub fn measure(start: Start, tasks: &[Task]) -> Costs {
     let tasks = &tasks[..TIMED.min(tasks.len())];
     let reference = timing::of_policy_along(&ARM, &Reference::random(1), &network(), start, tasks);
@@ -79,7 +79,8 @@ pub fn measure(start: Start, tasks: &[Task]) -> Costs {
     Costs { shipped, guards, detectors, reference, wide: wide(start, tasks) }
 }
 
-/// The paper's network by the trainer's own matrix product; its weights are random, so that it goes the shipped one's way.
+/// Measures the paper's network with the trainer's own matrix product; its weights are random, so it follows the
+/// shipped policy's trajectory.
 fn wide(start: Start, tasks: &[Task]) -> Time {
     let preset = presets::find("paper-fs").expect("it comes with the trainer");
     let actor = presets::config(preset).expect("it is accepted").actor;
@@ -110,7 +111,7 @@ fn rs() -> impl Policy<State = Observation<f32>, Action = Move> + Clone {
 fn parts<T, D>(start: Start, tasks: &[Task], tpg: T, settings: Settings<f32>, detector: &D) -> Times
 where
     T: Policy<State = Observation<f32>, Action = Move> + Clone,
-    D: CycleDetector + Clone,
+    D: CycleDetector<Pose> + Clone,
 {
     Times {
         tpg: timing::of_policy(&ARM, &tpg, start, tasks),

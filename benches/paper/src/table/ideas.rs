@@ -1,4 +1,4 @@
-//! What guards, hand-overs for good and detectors change, with the shipped graph and actor, on validation episodes.
+//! Effects of guards, permanent hand-overs and detectors, with the shipped graph and actor, on validation episodes.
 
 use super::ProblemInputs;
 use super::rows::{Row, Shipped};
@@ -10,14 +10,14 @@ use tpg_train::hybrid::graph::read_graph;
 use tpg_train::hybrid::setting::{Detector, HandBack, Setting};
 use tpg_train::hybrid::trial;
 
-/// The seed of the episodes: neither training nor the choice of what is shipped read them.
+/// Seed of the episodes, used neither in training nor in choosing the shipped policies.
 const SEED: u64 = 11;
 const EPISODES: usize = 1000;
 
-/// A row for each idea.
+/// Measures a row for each idea.
 ///
 /// # Errors
-/// Files that are no policies.
+/// Files that are not policies.
 pub fn measure(start: Start, inputs: &ProblemInputs) -> Result<Vec<Row>, InputError> {
     let shipped = Shipped::read(&inputs.shipped)?;
     let tasks = tasks(&WIDOWX, SEED, Set::Validation, start, EPISODES);

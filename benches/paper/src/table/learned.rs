@@ -1,4 +1,5 @@
-//! Policies that differ in what they were taught: the paper's learning problem, rewards without a planner, ours.
+//! Policies trained on different observations or rewards: the paper's learning problem, rewards without a planner, and
+//! this project's.
 
 use super::ProblemInputs;
 use super::rows::{Row, STRAIGHT};
@@ -17,11 +18,11 @@ use tpg_train::actor::file::Actor;
 use tpg_train::evaluate::arm::shielded_endings_of;
 use tpg_train::hybrid::graph::read_graph;
 
-/// Trainings that differ in their seed alone: `[[fs.learned]]` and `[[rs.learned]]`.
+/// Trainings that differ only in their seed: `[[fs.learned]]` and `[[rs.learned]]`.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Learned {
-    /// What was trained.
+    /// Name of the training.
     pub name: String,
     /// Graphs.
     #[serde(default)]
@@ -34,16 +35,16 @@ pub struct Learned {
 /// The same policies on two sets of tasks.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LearnedRow {
-    /// On the committed test episodes.
+    /// Result on the committed test episodes.
     pub test: Row,
-    /// On the paper's recorded targets, where they are at hand.
+    /// Result on the paper's recorded targets, if available.
     pub paper: Option<Row>,
 }
 
-/// A row for each kind of training, and the classical policies.
+/// Measures a row for each kind of training, and for the classical policies.
 ///
 /// # Errors
-/// Files that are no policies, or a folder that is not the paper's.
+/// Files that are not policies, or a folder that is not the paper's.
 pub fn measure(
     start: Start,
     inputs: &ProblemInputs,
@@ -100,7 +101,7 @@ fn actors(learned: &Learned, start: Start, tasks: &[Task]) -> Result<Row, InputE
     Ok(Row::of(&learned.name, &trials?))
 }
 
-/// The paper's targets; `None` where the folder is missing.
+/// Reads the paper's targets; `None` if the folder is missing.
 fn recorded(start: Start, folder: Option<&Path>) -> Result<Option<Vec<Task>>, InputError> {
     let Some(folder) = folder else { return Ok(None) };
     let name = if start == Start::Fs { "targets_fs.csv" } else { "targets_rs.csv" };

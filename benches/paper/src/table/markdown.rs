@@ -1,4 +1,4 @@
-//! `docs/results.md` as text.
+//! Renders `docs/results.md`.
 
 use super::compiled::Costs;
 use super::cortex_m4::{Count, Counts};
@@ -9,22 +9,22 @@ use super::timing::Time;
 use tpg_problems::arm::targets::Start;
 use tpg_train::hybrid::choice::Spread;
 
-/// All that is said about one problem.
+/// All results of one problem.
 #[derive(Debug)]
 pub struct Problem {
-    /// Which.
+    /// Start of the episodes.
     pub start: Start,
-    /// Test episodes.
+    /// Number of test episodes.
     pub episodes: usize,
     /// The table.
     pub rows: Vec<Row>,
     /// Times of compiled code.
     pub costs: Costs,
-    /// Ideas, on validation episodes.
+    /// Results of the ideas, on validation episodes.
     pub ideas: Vec<Row>,
     /// Policies of other learning problems.
     pub learned: Vec<LearnedRow>,
-    /// The paper's policies, where they are at hand.
+    /// The paper's policies, if available.
     pub paper: Option<Vec<Measured>>,
 }
 
@@ -61,7 +61,7 @@ trainings that differ in their seed alone, with the shipped settings: what to ex
 (on validation episodes).
 ";
 
-/// The file.
+/// Renders the file.
 pub fn page(problems: &[Problem], counts: &Counts) -> String {
     let mut text = LEAD.to_owned();
     text += "\n## Table 2\n\n";
@@ -107,7 +107,7 @@ fn capital(name: &str) -> String {
     letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }
 
-/// A table: the first column is text, the others are numbers.
+/// Renders a table: the first column is text, the others are numbers.
 fn grid<const N: usize>(names: [&str; N], rows: impl IntoIterator<Item = [String; N]>) -> String {
     let line = |cells: [String; N]| format!("| {} |\n", cells.join(" | "));
     let rule = std::array::from_fn(|place| if place == 0 { "---" } else { "--:" }.to_owned());
@@ -168,7 +168,7 @@ fn table(rows: &[Row]) -> String {
     grid(names, rows.iter().map(cells))
 }
 
-/// Success and collisions in %, distance in mm with so many digits, and actions.
+/// Formats success and collisions in %, distance in mm with the given number of digits, and actions.
 fn outcome(row: &Row, digits: usize) -> [String; 4] {
     let many = row.policies > 1;
     [
@@ -239,7 +239,7 @@ fn costs(problem: &Problem) -> String {
     text
 }
 
-/// What the parts of the hybrids take on a Cortex-M4.
+/// Describes the cost of the hybrids' parts on a Cortex-M4.
 fn on_target(problems: &[Problem], counts: &Counts) -> String {
     let mut text =
         "**On a Cortex-M4** (`cargo xtask qemu`: both firmwares, 100 to 200 test targets, every instruction counted; \

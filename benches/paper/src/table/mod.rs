@@ -1,15 +1,15 @@
-//! `tpg-paper table2`: the paper's table 2 with our policies in it, and the rest of `docs/results.md`.
+//! `tpg-paper table2`: the paper's table 2 with this project's policies, and the rest of `docs/results.md`.
 //!
 //! | module | subject |
 //! | --- | --- |
 //! | [`rows`] | every policy on the committed test episodes |
 //! | [`timing`] | measured times |
-//! | [`compiled`] | the shipped policies as they are compiled |
-//! | [`mod@reference`] | the network that the paper measures against |
+//! | [`compiled`] | the shipped policies as compiled code |
+//! | [`mod@reference`] | the network that the paper compares with |
 //! | [`cortex_m4`] | instructions counted on the target |
-//! | [`learned`] | policies that were taught something else |
-//! | [`ideas`] | what guards, hand-overs and detectors change, on validation episodes |
-//! | [`paper`] | the paper's figures, and its own policies run by us |
+//! | [`learned`] | policies trained on other observations or rewards |
+//! | [`ideas`] | effects of guards, hand-overs and detectors, on validation episodes |
+//! | [`paper`] | the paper's figures, and its own policies run by this project |
 //! | [`markdown`] | the text |
 
 pub mod compiled;
@@ -33,7 +33,7 @@ use tpg_train::files::{make_folder, read_text, write_atomically};
 /// Measure every kind of policy and write docs/results.md.
 #[derive(Clone, Debug, Args)]
 pub struct Table2Args {
-    /// Which policies: a TOML file; paths in it are relative to it
+    /// The policies to measure: a TOML file; paths in it are relative to it
     #[arg(long, value_name = "TOML", default_value = "docs/results.toml")]
     pub inputs: PathBuf,
     /// The file to write
@@ -50,7 +50,7 @@ pub struct Table2Args {
     pub conformance: Option<PathBuf>,
 }
 
-/// `docs/results.toml`.
+/// Content of `docs/results.toml`.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct InputsFile {
@@ -68,9 +68,9 @@ pub struct ProblemInputs {
     pub tpg: Vec<PathBuf>,
     /// Actors of several seeds.
     pub sac: Vec<PathBuf>,
-    /// A graph that was evolved with the hand-over priced in, if there is one.
+    /// A graph evolved with the cost of the hand-over included, if there is one.
     pub priced: Option<PathBuf>,
-    /// Policies of other learning problems, and ours beside them.
+    /// Policies of other learning problems, including this project's for comparison.
     #[serde(default)]
     pub learned: Vec<learned::Learned>,
 }
@@ -85,10 +85,10 @@ impl ProblemInputs {
     }
 }
 
-/// Measures and writes.
+/// Measures the policies and writes the file.
 ///
 /// # Errors
-/// Files that are not what they should be, or a file that cannot be written.
+/// Invalid files, or a file that cannot be written.
 pub fn execute(args: &Table2Args) -> Result<(), InputError> {
     let name = args.inputs.display().to_string();
     let text = read_text(&args.inputs, "a list of policies")?;
@@ -98,7 +98,7 @@ pub fn execute(args: &Table2Args) -> Result<(), InputError> {
     })?;
     let conformance = args.conformance.as_deref();
     if conformance.is_none() {
-        eprintln!("no --conformance: without the rows of the paper's own policies");
+        eprintln!("no --conformance: the rows of the paper's own policies are omitted");
     }
     let counts = cortex_m4::Counts::read(&args.counts)?;
     let folder = args.inputs.parent().unwrap_or(Path::new(""));

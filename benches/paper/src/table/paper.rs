@@ -1,4 +1,4 @@
-//! The paper's own figures, and its own policies run by us where their recordings are at hand.
+//! The paper's own figures, and its own policies run by this project if their recordings are available.
 
 use super::ProblemInputs;
 use super::rows::Shipped;
@@ -7,7 +7,7 @@ use crate::chain::Chain;
 use crate::data::{self, ByRow, Task};
 use crate::episode::{EndState, Rules};
 use crate::hybrid::{HybridDone, Sampled, episode};
-use crate::replay_command::Problem;
+use crate::limits::{max_actions, max_actor_actions};
 use crate::sac;
 use rayon::prelude::*;
 use std::path::Path;
@@ -25,8 +25,8 @@ use tpg_train::hybrid::graph::GraphPolicy;
 use tpg_train::hybrid::narrowed::Narrowed;
 use tpg_train::hybrid::setting::{HandBack, Setting};
 
-/// A row of the paper's table 2: distance mm, success %, collision %, as printed; and what its artifact's own files
-/// give, mean and standard deviation over seeds.
+/// A row of the paper's table 2: distance in mm, success in % and collision in %, as printed; and the mean and standard
+/// deviation over seeds computed from its artifact's own files.
 #[derive(Clone, Copy, Debug)]
 pub struct Printed {
     /// The policy.
@@ -37,7 +37,7 @@ pub struct Printed {
     pub recomputed: [&'static str; 3],
 }
 
-/// The paper's rows.
+/// Returns the paper's rows.
 pub const fn printed(start: Start) -> &'static [Printed] {
     match start {
         Start::Fs => &[
@@ -87,20 +87,20 @@ pub const fn printed(start: Start) -> &'static [Printed] {
     }
 }
 
-/// A row of the paper's policies, run by us. Rates lie in 0..1.
+/// A row of the paper's policies, run by this project. Rates lie in 0..1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measured {
     /// The policies.
     pub name: String,
-    /// How many policies or pairs the means are of.
+    /// Number of policies or pairs averaged.
     pub policies: usize,
-    /// At the end, mm.
+    /// Final distance, mm.
     pub distance: Spread,
-    /// Part of the episodes that reached their target.
+    /// Fraction of the episodes that reached their target.
     pub success: Spread,
-    /// Part of the episodes whose last action was invalid.
+    /// Fraction of the episodes whose last action was invalid.
     pub collision: Spread,
-    /// Of an episode.
+    /// Number of actions in an episode.
     pub actions: Spread,
 }
 
@@ -132,10 +132,10 @@ struct Recordings {
     rules: Rules,
 }
 
-/// The paper's policies in the paper's environment; `None` where no folder is given.
+/// Runs the paper's policies in the paper's environment; `None` if no folder is given.
 ///
 /// # Errors
-/// If a file in the folder is not what it should be.
+/// If a file in the folder is invalid.
 pub fn measured(
     start: Start,
     folder: Option<&Path>,
@@ -143,8 +143,8 @@ pub fn measured(
 ) -> Result<Option<Vec<Measured>>, InputError> {
     let Some(folder) = folder else { return Ok(None) };
     let (name, problem, setting) = match start {
-        Start::Fs => ("fs", Problem::Fs, Setting::PAPER_FS),
-        Start::Rs => ("rs", Problem::Rs, Setting::PAPER_RS),
+        Start::Fs => ("fs", Start::Fs, Setting::PAPER_FS),
+        Start::Rs => ("rs", Start::Rs, Setting::PAPER_RS),
     };
     let graph = |seed| import::load(&folder.join(format!("tpg/{name}_final_s{seed}.dot")), Some(Profile::Ecta24), None);
     let actor = |seed| {
@@ -156,10 +156,10 @@ pub fn measured(
         tasks: data::tasks(&folder.join(format!("targets_{name}.csv")))?,
         graphs: (0..TPG_SEEDS).map(graph).collect::<Result<_, _>>()?,
         actors: (0..SAC_SEEDS).map(actor).collect::<Result<_, _>>()?,
-        rules: Rules { max_actions: problem.max_actions(), tolerance: 3.0 },
+        rules: Rules { max_actions: max_actions(problem), tolerance: 3.0 },
     };
     let of_actors = |end_at_collision| {
-        let rules = sac::Rules { max_actions: problem.max_actor_actions(), tolerance: 3.0, end_at_collision };
+        let rules = sac::Rules { max_actions: max_actor_actions(problem), tolerance: 3.0, end_at_collision };
         let ends = |actor: &RecordedActor| {
             let done = sac::run(&recordings.chain, rules, &recordings.tasks, actor);
             done.into_values().map(|done| done.end).collect()
@@ -194,11 +194,11 @@ pub fn measured(
     ]))
 }
 
-/// What an actor is put into: it does an episode with it.
+/// Receives an actor and runs an episode with it.
 type HybridOf<'a> = &'a dyn Fn(&dyn Policy<State = Observation<f64>, Action = Move>) -> HybridDone;
 
 impl Recordings {
-    /// The graphs alone, by the recorded rules: a hybrid could not end a cycle as the artifact did.
+    /// Runs the graphs alone, by the recorded rules: a hybrid could not end a cycle as the artifact did.
     fn graphs_alone(&self) -> Result<Vec<Vec<EndState>>, InputError> {
         let ends = |graph: &Graph| {
             let policy = GraphPolicy::<f64, System>::new("recorded", graph)?;
@@ -212,7 +212,7 @@ impl Recordings {
         self.graphs.par_iter().map(ends).collect()
     }
 
-    /// Every graph with so many actors: `act` makes the actor of an episode and hands it on.
+    /// Runs every graph with the given number of actors: `act` creates the actor of an episode and passes it on.
     fn with_everyone(
         &self,
         settings: Settings<f64>,

@@ -1,5 +1,5 @@
-//! The network that the paper measures against, 13-256-256-4 in `f32` with LayerNorm, written to be quick: rows in eight
-//! partial sums, which compilers turn into vector instructions. What its weights are does not change its time.
+//! The network that the paper compares with, 13-256-256-4 in `f32` with LayerNorm, optimised for speed: rows in eight
+//! partial sums, which compilers vectorise. Its time does not depend on its weights.
 
 use std::cell::RefCell;
 use tpg_arm::observation::Observation;
@@ -14,7 +14,7 @@ const LANES: usize = 8;
 /// The network, with random weights.
 #[derive(Debug)]
 pub struct Reference {
-    /// Inputs are padded with zeros to whole lanes.
+    /// Weights of the first layer; inputs are padded with zeros to whole lanes.
     first: Vec<f32>,
     second: Vec<f32>,
     last: Vec<f32>,
@@ -24,7 +24,7 @@ pub struct Reference {
 const PADDED: usize = INPUTS.next_multiple_of(LANES);
 
 impl Reference {
-    /// With weights of that seed.
+    /// Creates the network with random weights of the given seed.
     pub fn random(seed: u64) -> Self {
         let mut random = Stream::new(seed, 0, Purpose::Weights, 0);
         let mut weights = |rows: usize, columns: usize| {
@@ -39,7 +39,7 @@ impl Reference {
         }
     }
 
-    /// The paper's four outputs.
+    /// Computes the paper's four outputs.
     pub fn forward(&self, inputs: &[f32; PADDED]) -> [f32; JOINTS] {
         let mut hidden = self.hidden.borrow_mut();
         let [first, second] = &mut *hidden;
@@ -58,12 +58,12 @@ impl Policy for Reference {
         let motors = seen.pose.0.map(|ticks| f32::from(ticks) / 1024.0 - 2.0);
         let mut inputs = [0.0; PADDED];
         inputs.iter_mut().zip(lengths.chain(motors)).for_each(|(slot, value)| *slot = value);
-        // |tanh µ| above a third, without the tanh.
+        // Tests |tanh µ| > 1/3 without computing the tanh.
         Move(self.forward(&inputs).map(|mean| if mean > 0.3466 { 3 } else { -3 * i8::from(mean < -0.3466) }))
     }
 }
 
-/// Linear, ReLU, LayerNorm (of gain 1 and shift 0).
+/// Applies Linear, ReLU and LayerNorm (with gain 1 and shift 0).
 fn layer(weights: &[f32], inputs: &[f32], outputs: &mut [f32; UNITS]) {
     for (output, row) in outputs.iter_mut().zip(weights.chunks_exact(inputs.len())) {
         *output = dot(row, inputs).max(0.0);

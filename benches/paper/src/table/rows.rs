@@ -23,33 +23,33 @@ use tpg_train::hybrid::trial::{self, HybridTrial};
 pub struct Row {
     /// The policy.
     pub name: String,
-    /// How many of its kind the means are of.
+    /// Number of policies averaged.
     pub policies: usize,
-    /// Part of the episodes that reached their target.
+    /// Fraction of the episodes that reached their target.
     pub success: Spread,
-    /// Part of the episodes that an invalid action ended.
+    /// Fraction of the episodes that ended with an invalid action.
     pub collision: Spread,
-    /// At the end, mm.
+    /// Final distance, mm.
     pub distance: Spread,
-    /// Of an episode.
+    /// Number of actions in an episode.
     pub actions: Spread,
-    /// Part of the actions that the graph chose, where there is a choice.
+    /// Fraction of the actions chosen by the graph, for hybrids.
     pub by_graph: Option<Spread>,
-    /// Measured on this machine.
+    /// Time measured on this machine.
     pub time: Option<Time>,
-    /// Of the model on a Cortex-M4F: with the graph's C in profile `fast`, and in profile `small`.
+    /// Size of the model on a Cortex-M4F: with the graph's C in profile `fast`, and in profile `small`.
     pub bytes: Option<[usize; 2]>,
 }
 
 impl Row {
-    /// Of some trials.
+    /// Summarises trials.
     pub fn of(name: &str, trials: &[Trial]) -> Self {
         let values =
             |trial: &Trial| [trial.success_rate, trial.collision_rate, trial.mean_distance_mm, trial.mean_actions];
         Self::of_values(name, &trials.iter().map(values).collect::<Vec<_>>())
     }
 
-    /// Of some policies: part of the episodes that succeeded and that collided, mean distance in mm and number of actions.
+    /// Summarises policies given as success rate, collision rate, mean distance in mm and number of actions.
     pub fn of_values(name: &str, policies: &[[f64; 4]]) -> Self {
         let [success, collision, distance, actions] =
             [0, 1, 2, 3].map(|place| Spread::of(&policies.iter().map(|values| values[place]).collect::<Vec<_>>()));
@@ -66,7 +66,7 @@ impl Row {
         }
     }
 
-    /// Of hybrids.
+    /// Summarises hybrids.
     pub fn of_hybrids(name: &str, hybrids: &[HybridTrial]) -> Self {
         let trials: Vec<Trial> = hybrids.iter().map(|hybrid| hybrid.trial.clone()).collect();
         let ratios: Vec<f64> = hybrids.iter().map(|hybrid| hybrid.tpg_action_ratio).collect();
@@ -74,22 +74,22 @@ impl Row {
     }
 }
 
-/// A shipped hybrid, read.
+/// A shipped hybrid, read from its files.
 #[derive(Debug)]
 pub struct Shipped {
     /// The graph's file, and the graph.
     pub graph: (String, Graph),
     /// The actor.
     pub actor: Actor,
-    /// How they share the arm.
+    /// Setting for sharing the arm.
     pub setting: Setting,
 }
 
 impl Shipped {
-    /// Reads a `hybrid.toml` and what it names.
+    /// Reads a `hybrid.toml` and the files it names.
     ///
     /// # Errors
-    /// If any of it is not what it should be.
+    /// If any of them is invalid.
     pub fn read(path: &Path) -> Result<Self, InputError> {
         let file = HybridFile::read(path)?;
         let setting = file.setting().map_err(|(key, found, accepted)| {
@@ -102,8 +102,8 @@ impl Shipped {
     }
 }
 
-/// Bytes of a graph's C on a Cortex-M4F, compiled for size: profile `fast` and profile `small`; nothing where the compiler
-/// is missing.
+/// Returns the size in bytes of a graph's C code on a Cortex-M4F, compiled for size, in profile `fast` and profile
+/// `small`; `None` if the compiler is missing.
 pub fn graph_bytes(graph: &Graph) -> Option<[usize; 2]> {
     let of = |profile| {
         let options = Options { profile: Some(profile), ..Options::new("policy".parse::<Prefix>().ok()?) };
@@ -113,18 +113,18 @@ pub fn graph_bytes(graph: &Graph) -> Option<[usize; 2]> {
     Some([of(Profile::Fast)?, of(Profile::Small)?])
 }
 
-/// The name of the classical policy that fits a microcontroller.
+/// Name of the classical policy that fits a microcontroller.
 pub const STRAIGHT: &str = "one goal, straight (`stance`)";
 
-/// Tasks whose states are timed.
+/// Number of tasks whose states are timed.
 const TIMED: usize = 100;
-/// The planner is slow: fewer.
+/// The same number for the planner, which is slow.
 const TIMED_PLANNER: usize = 20;
 
-/// The rows of one problem.
+/// Measures the rows of one problem.
 ///
 /// # Errors
-/// Files that are no policies.
+/// Files that are not policies.
 pub fn measure(start: Start, inputs: &ProblemInputs, tasks: &[Task]) -> Result<Vec<Row>, InputError> {
     let arm = WIDOWX.to_f32();
     let mut rows = Vec::new();
@@ -162,7 +162,7 @@ pub fn measure(start: Start, inputs: &ProblemInputs, tasks: &[Task]) -> Result<V
     Ok(rows)
 }
 
-/// Means over seeds: what to expect of another training, not of a chosen one.
+/// Computes means over seeds, which predict another training, as opposed to a selected one.
 fn of_seeds(start: Start, inputs: &ProblemInputs, shipped: &Shipped, tasks: &[Task]) -> Result<Vec<Row>, InputError> {
     let arm = WIDOWX.to_f32();
     let read = |path: &PathBuf| Ok((path.display().to_string(), read_graph(path)?));
@@ -185,7 +185,7 @@ fn of_seeds(start: Start, inputs: &ProblemInputs, shipped: &Shipped, tasks: &[Ta
         Row::of("TPG, all seeds", &alone),
         Row::of_hybrids("hybrid, all pairs", &together),
     ];
-    // What there is only one of stands above already.
+    // Groups with a single policy are already listed above.
     rows.retain(|row| row.policies > 1);
     Ok(rows)
 }

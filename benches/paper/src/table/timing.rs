@@ -1,7 +1,7 @@
-//! Measured times: from motor positions to a move, with all that lies between.
+//! Measured times from motor positions to a move, including everything in between.
 //!
-//! Episodes are done once to learn the poses, and then decided again along those poses with a clock running: the
-//! kinematics that a controller needs, the policy, and for a hybrid its guard and its switch, but no simulated arm.
+//! Episodes are run once to record the poses, and the decisions along these poses are then timed: the kinematics that a
+//! controller needs, the policy, and for a hybrid its guard and its switch, but no simulated arm.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -14,25 +14,25 @@ use tpg_arm::{Arm, Move, Pose};
 use tpg_problems::arm::targets::{Start, Task};
 use tpg_runtime::policy::Policy;
 
-/// Nanoseconds of an action.
+/// Nanoseconds per action.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Time {
-    /// The mean over all actions; of each episode the quickest round.
+    /// Mean over all actions; the fastest round of each episode counts.
     pub mean: f64,
-    /// The slowest action; of each action the quickest round, and a clock's overhead in it.
+    /// Slowest action; the fastest round of each action counts, including the clock's overhead.
     pub worst: f64,
 }
 
-/// The quickest of so many rounds counts.
+/// Number of rounds, of which the fastest counts.
 const ROUNDS: usize = 7;
 
-/// One episode's way.
+/// The recorded trajectory of an episode.
 struct Way<S> {
     target: Vector<S>,
     poses: Vec<Pose>,
 }
 
-/// A policy that acts alone.
+/// Times a policy that acts alone.
 pub fn of_policy<S, P>(arm: &Arm<S>, policy: &P, start: Start, tasks: &[Task]) -> Time
 where
     S: Lattice,
@@ -41,7 +41,7 @@ where
     of_policy_along(arm, policy, policy, start, tasks)
 }
 
-/// A policy on another's way.
+/// Times a policy along the trajectories of another one.
 pub fn of_policy_along<S, P, G>(arm: &Arm<S>, policy: &P, guide: &G, start: Start, tasks: &[Task]) -> Time
 where
     S: Lattice,
@@ -51,20 +51,20 @@ where
     let ways = ways(tasks, |task, poses| {
         Episode::new(arm, task.problem(start), Brent::new()).run(guide, |pose| poses.push(pose));
     });
-    // A policy that keeps something of its target must not know it yet.
+    // A policy that caches values of its target must start with an empty cache.
     let begin = || {
         policy.decide(&Observation::at(arm, arm.home, [S::ZERO; 3]));
     };
     along(&ways, begin, |(), way, pose, _| policy.decide(&Observation::at(arm, pose, way.target)))
 }
 
-/// Two policies that share the arm.
+/// Times two policies that share the arm.
 pub fn of_hybrid<S, T, P, D>(hybrid: &Hybrid<'_, S, T, P>, detector: &D, start: Start, tasks: &[Task]) -> Time
 where
     S: Lattice,
     T: Policy<State = Observation<S>, Action = Move>,
     P: Policy<State = Observation<S>, Action = Move>,
-    D: CycleDetector + Clone,
+    D: CycleDetector<Pose> + Clone,
 {
     let ways = ways(tasks, |task, poses| {
         HybridEpisode::new(hybrid, task.problem(start), detector.clone()).run(|_, pose| poses.push(pose));
@@ -76,7 +76,7 @@ where
             *state = Some((Switch::new(hybrid.settings, detector.clone(), &seen), None));
         }
         let (switch, chosen) = state.as_mut().expect("a first pose came");
-        // What became of the last action is known only now.
+        // The effect of the previous action is known only now.
         if let Some(chosen) = chosen.take() {
             switch.acted(chosen, &seen);
         }
@@ -90,14 +90,14 @@ fn ways<S: Lattice>(tasks: &[Task], mut go: impl FnMut(&Task, &mut Vec<Pose>)) -
     let way = |task: &Task| {
         let mut poses = vec![task.start];
         go(task, &mut poses);
-        // Nobody decides where the episode has ended.
+        // No decision is made in the final pose.
         poses.pop();
         Way { target: task.target.map(S::from_f64), poses }
     };
     tasks.iter().map(way).collect()
 }
 
-/// Times each episode for itself, some times over: an episode takes less than a millisecond, so that of several rounds one
+/// Times each episode separately, several times: an episode takes less than a millisecond, so that at least one round
 /// is undisturbed even on a busy machine.
 fn along<S, T>(ways: &[Way<S>], begin: impl Fn() -> T, decide: impl Fn(&mut T, &Way<S>, Pose, bool) -> Move) -> Time {
     let actions: usize = ways.iter().map(|way| way.poses.len()).sum();

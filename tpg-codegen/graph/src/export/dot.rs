@@ -1,14 +1,14 @@
 //! GEGELATI's `.dot` format.
 //!
-//! With its [sidecar](super::sidecar) the text reads back as the same graph: nodes keep their numbers and stand in the
-//! graph's order. Programs therefore come before the edges, where GEGELATI's own exporter mixes the two; its reader takes
-//! both.
+//! Together with its [sidecar](super::sidecar) the text reads back as the same graph: nodes keep their numbers and the
+//! graph's order. Programs therefore come before the edges, whereas GEGELATI's own exporter mixes the two; its reader
+//! accepts both.
 
 use crate::model::{Destination, Graph, Input, Line, Operand, Program};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-/// The text of the `.dot` file.
+/// Returns the text of the `.dot` file.
 pub fn text(graph: &Graph) -> String {
     Writer::new(graph).text()
 }
@@ -16,11 +16,11 @@ pub fn text(graph: &Graph) -> String {
 struct Writer<'g> {
     graph: &'g Graph,
     constants: Vec<Constants>,
-    /// Whether all constants are integers of 32 bits, which GEGELATI 1 has; others only GEGELATI 2 has.
+    /// True if all constants are 32-bit integers, the only kind GEGELATI 1 supports; other constants need GEGELATI 2.
     integers: bool,
-    /// How many constants each program has: as many as the one with the most needs.
+    /// Constants per program: the number needed by the program with the most constants.
     count: usize,
-    /// How many operands each line has: as many as the widest instruction of the set reads.
+    /// Operands per line: the number read by the widest instruction of the set.
     operands: usize,
     /// Source and location of every input.
     inputs: Vec<(usize, usize)>,
@@ -104,7 +104,7 @@ impl<'g> Writer<'g> {
         self.put(format_args!("&#92;n"));
     }
 
-    /// A program's first edge says where it leads, the others only that it bids there.
+    /// Writes the edges. Only the first edge of a program states its destination.
     fn edges(&mut self) {
         let graph = self.graph;
         let mut led = vec![false; graph.programs().len()];
@@ -135,10 +135,10 @@ impl<'g> Writer<'g> {
     }
 }
 
-/// The constants of one program: each once, in the order in which its lines read them.
+/// The constants of one program: each once, in the order in which the lines read them.
 struct Constants {
     values: Vec<f64>,
-    /// By bits, since −0 is another constant than 0.
+    /// Keyed by bits because −0 and 0 are different constants.
     places: BTreeMap<u64, usize>,
 }
 
@@ -158,7 +158,7 @@ impl Constants {
     }
 }
 
-/// Whether `value` is an integer of 32 bits; −0 is none.
+/// True if `value` is a 32-bit integer; −0 is not.
 fn is_integer(value: f64) -> bool {
     f64::from(value as i32).to_bits() == value.to_bits()
 }

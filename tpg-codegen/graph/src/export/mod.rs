@@ -1,4 +1,4 @@
-//! Writing graphs in other formats than `graph.json`.
+//! Export of graphs to formats other than `graph.json`.
 
 pub mod dot;
 pub mod sidecar;

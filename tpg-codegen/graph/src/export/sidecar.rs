@@ -1,9 +1,9 @@
-//! The sidecar of a `.dot` file: everything of a graph that the `.dot` leaves out.
+//! The sidecar of a `.dot` file: everything about a graph that the `.dot` format leaves out.
 
 use crate::model::{ActionDocument, Effect, Graph, SourceDocument};
 use std::fmt::Write as _;
 
-/// The text of the sidecar, with which [`dot`](super::dot) reads back as the same graph.
+/// Returns the text of the sidecar, with which [`dot`](super::dot) reads back as the same graph.
 pub fn text(graph: &Graph) -> String {
     let document = graph.to_document();
     let instructions: Vec<String> = document.instructions.iter().map(|name| string(name)).collect();
@@ -48,13 +48,13 @@ fn action(action: &ActionDocument) -> String {
     }
 }
 
-/// Whole numbers without a fraction.
+/// Formats numbers; whole numbers are written without a fraction.
 fn numbers(values: &[f64]) -> String {
     let number = |value: &f64| if value.fract() == 0.0 { format!("{value:.0}") } else { format!("{value:?}") };
     format!("[{}]", values.iter().map(number).collect::<Vec<_>>().join(", "))
 }
 
-/// A string as TOML quotes it.
+/// Quotes a string for TOML.
 fn string(text: &str) -> String {
     toml::Value::from(text).to_string()
 }

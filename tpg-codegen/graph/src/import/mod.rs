@@ -1,4 +1,4 @@
-//! Reading graphs: `graph.json`, or GEGELATI's `.dot` with a description of what that format leaves out.
+//! Import of graphs: `graph.json`, or GEGELATI's `.dot` with a description of what that format leaves out.
 
 mod dot;
 mod profile;
@@ -16,13 +16,13 @@ use std::path::Path;
 /// The name of standard input on the command line.
 const STDIN: &str = "-";
 
-/// Reads a graph from a file, or from standard input where the path is `-`.
+/// Reads a graph from a file, or from standard input if the path is `-`.
 ///
-/// What begins with `{` is a `graph.json`, what begins with `//` or `digraph` a GEGELATI `.dot`. The latter says nothing
-/// of sources, instructions and actions: a built-in `profile` or a `sidecar` file must.
+/// Text that begins with `{` is a `graph.json`; text that begins with `//` or `digraph` is a GEGELATI `.dot`. The
+/// latter does not describe sources, instructions and actions, so a built-in `profile` or a `sidecar` file must.
 ///
 /// # Errors
-/// Whatever is wrong with the file, its sidecar or the choice between the two.
+/// Any error in the file, its sidecar or the choice between the two.
 pub fn load(path: &Path, profile: Option<Profile>, sidecar: Option<&Path>) -> Result<Graph, InputError> {
     let (file, text) = read(path)?;
     let description = match (profile, sidecar) {
@@ -40,7 +40,34 @@ pub fn load(path: &Path, profile: Option<Profile>, sidecar: Option<&Path>) -> Re
     from_text(&file, &text, description.as_ref())
 }
 
-/// Reads a graph from text: see [`load`]. `file` is what messages call it.
+/// Reads a graph from text: see [`load`]. `file` is its name in messages.
+///
+/// ```
+/// use tpg_graph::import::{self, Sidecar};
+///
+/// let sidecar = r#"
+///     scalar = "f64"
+///     maths = "system"
+///     registers = 1
+///     sources = [{ name = "x", length = 1, unit = "mm", range = [-1, 1] }]
+///     instructions = ["add"]
+///     actions = [{ id = 0, name = "left" }]
+/// "#;
+/// // One team and one program, whose only line is r0 = r0 + x[0].
+/// let dot = r#"digraph{
+///     T0 []
+///     P0 [] //
+///     I0 [label="0|0&0|0#1|0&#92;n"]
+///     P0 -> I0[]
+///     A0 [label="0"]
+///     T0 -> P0 -> A0
+///     { rank= same T0 }
+/// }
+/// "#;
+/// let graph = import::from_text("small.dot", dot, Some(&Sidecar::from_toml("small.toml", sidecar)?))?;
+/// assert_eq!(graph.program(graph.teams()[0].edges[0].program).lines.len(), 1);
+/// # Ok::<(), tpg_graph::error::InputError>(())
+/// ```
 ///
 /// # Errors
 /// As [`load`].
@@ -51,7 +78,7 @@ pub fn from_text(file: &str, text: &str, description: Option<&Sidecar>) -> Resul
         (Format::Empty, _) => whole("an empty file", "a graph.json or a GEGELATI .dot file"),
         (Format::Json, None) => Graph::from_json(file, text),
         (Format::Json, Some(_)) => {
-            whole("a graph.json with --profile-of or --sidecar", "neither: a graph.json says everything itself")
+            whole("a graph.json with --profile-of or --sidecar", "neither: a graph.json is complete in itself")
         }
         (Format::Dot, Some(description)) => dot::read(file, text, description),
         (Format::Dot, None) => whole(
@@ -65,7 +92,7 @@ pub fn from_text(file: &str, text: &str, description: Option<&Sidecar>) -> Resul
     }
 }
 
-/// What a text is, by its beginning.
+/// Format of a text, judged by its beginning.
 enum Format {
     Empty,
     Json,
@@ -85,7 +112,7 @@ impl Format {
     }
 }
 
-/// A file's name for messages, and its text.
+/// Returns a file's name for messages, and its text.
 pub(crate) fn read(path: &Path) -> Result<(String, String), InputError> {
     let (file, bytes) = if path == Path::new(STDIN) {
         let mut bytes = Vec::new();

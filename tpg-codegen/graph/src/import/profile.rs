@@ -1,4 +1,4 @@
-//! Built-in descriptions of what a `.dot` file leaves out.
+//! Built-in descriptions for `.dot` files, which supply what the format leaves out.
 
 use super::sidecar::Sidecar;
 use clap::ValueEnum;
@@ -11,7 +11,7 @@ pub enum Profile {
 }
 
 impl Profile {
-    /// The description. It is a sidecar like a user's own, so that it reads as an example of one.
+    /// Returns the description. It is a sidecar like a user's own and serves as an example of one.
     pub fn sidecar(self) -> Sidecar {
         let (name, text) = match self {
             Self::Ecta24 => ("<profile ecta24>", include_str!("profiles/ecta24.toml")),

@@ -1,4 +1,4 @@
-//! The sidecar: a TOML file that says what a `.dot` file leaves out.
+//! The sidecar: a TOML file that supplies what a `.dot` file leaves out.
 
 use crate::error::{InputError, Place, serde_message};
 use crate::model::{
@@ -8,21 +8,21 @@ use serde::Deserialize;
 use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
-/// What a `.dot` file leaves out: everything of a `graph.json` but teams and programs, with its names and meanings.
+/// The contents of a `graph.json` that a `.dot` file leaves out: everything except teams and programs.
 ///
 /// ```
 /// use tpg_graph::import::Sidecar;
 ///
 /// let text = r#"
-///     scalar = "f64"              # what programs compute in: "f32" or "f64"
-///     maths = "system"            # who computes sin, cos, ln, exp: "own" or "system"
+///     scalar = "f64"              # scalar type of programs: "f32" or "f64"
+///     maths = "system"            # provider of sin, cos, ln, exp: "own" or "system"
 ///     registers = 8
 ///     sources = [                 # in the order of the environment, without the registers and program constants
 ///         { name = "position", length = 3, unit = "mm", range = [-600, 600] },
 ///         { name = "motors", length = 2, unit = "ticks", ranges = [[0, 4095], [512, 512]] },
 ///     ]
 ///     instructions = ["sub", "add", "mul", "cos"]     # in the order of their numbers in the file
-///     actions = [                 # by the label of their nodes; "move", or effect = { name, values }, is the problem's
+///     actions = [                 # by node label; "move" or effect = { name, values } is for the problem
 ///         { id = 0, name = "left", move = [-3, 0, 0, 0] },
 ///         { id = 1, name = "right", move = [3, 0, 0, 0] },
 ///     ]
@@ -32,7 +32,7 @@ use toml::de::{DeTable, DeValue};
 /// # Ok::<(), tpg_graph::error::InputError>(())
 /// ```
 ///
-/// `provenance`, where given, is the JSON text of that field of `graph.json`: exports carry it there.
+/// `provenance`, if given, is the JSON text of that field of `graph.json`; exports write it.
 #[derive(Clone, Debug)]
 pub struct Sidecar {
     file: String,
@@ -41,7 +41,7 @@ pub struct Sidecar {
     has_provenance: bool,
 }
 
-/// The file as it is written.
+/// The file as written.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Described {
@@ -54,7 +54,7 @@ struct Described {
     provenance: Option<String>,
 }
 
-/// A source, with one range for all its values or one for each.
+/// A source, with either one range for all its values or one range per value.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct DescribedSource {
@@ -66,10 +66,10 @@ struct DescribedSource {
 }
 
 impl Sidecar {
-    /// Reads and validates a sidecar. `file` is what messages call it.
+    /// Reads and validates a sidecar. `file` is its name in messages.
     ///
     /// # Errors
-    /// Whatever is wrong with it, by line and column.
+    /// Any error in the sidecar, with line and column.
     pub fn from_toml(file: &str, text: &str) -> Result<Self, InputError> {
         let described: Described = toml::from_str(text).map_err(|error| {
             let place = error.span().map_or(Place::Whole, |span| place_of(text, &span));
@@ -90,17 +90,17 @@ impl Sidecar {
         Ok(sidecar)
     }
 
-    /// What the sidecar says, as a document that lacks root, teams and programs.
+    /// Returns the described document, which lacks root, teams and programs.
     pub fn document(&self) -> &Document {
         &self.document
     }
 
-    /// Whether it says where the graph comes from.
+    /// True if the sidecar states where the graph comes from.
     pub fn has_provenance(&self) -> bool {
         self.has_provenance
     }
 
-    /// An error of this sidecar's document, moved from its JSON path to the place in the TOML text.
+    /// Moves an error about the sidecar's document from its JSON path to the place in the TOML text.
     pub(super) fn place_error(&self, error: InputError) -> InputError {
         match &error.place {
             Place::Path(path) => InputError { file: self.file.clone(), place: self.place(path), ..error },
@@ -151,7 +151,7 @@ impl Sidecar {
         })
     }
 
-    /// Where the text says what a JSON path names, or the nearest thing around it that the text has.
+    /// Finds the place in the text that a JSON path names, or else the nearest enclosing element that the text has.
     fn place(&self, path: &str) -> Place {
         let Ok(table) = DeTable::parse(&self.text) else { return Place::Whole };
         let mut steps = path.trim_start_matches('$').split(['.', '[']).filter(|step| !step.is_empty());

@@ -1,4 +1,4 @@
-//! `graph.json` as it is written: plain data, not yet validated.
+//! `graph.json` as written: plain data, not yet validated.
 
 use super::effect::{Effect, WrittenAction};
 use schemars::JsonSchema;
@@ -14,7 +14,7 @@ pub const FORMAT: &str = "tpg-graph";
 /// The version of the format that this tool reads and writes.
 pub const VERSION: u32 = 1;
 
-/// A tangled program graph with everything that decides its behaviour.
+/// A tangled program graph with everything that determines its behaviour.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "graph.json")]
@@ -27,21 +27,21 @@ pub struct Document {
     pub version: u32,
     /// The type programs compute in.
     pub scalar: ScalarType,
-    /// Who computes sin, cos, ln and exp.
+    /// Provider of sin, cos, ln and exp.
     pub maths: MathsProvider,
-    /// Registers of a program, all zero when it starts; register 0 holds its bid when it ends.
+    /// Number of registers of a program. All are zero when it starts; register 0 holds its bid when it ends.
     #[schemars(range(min = 1, max = 256))]
     pub registers: u32,
-    /// What programs can read, in the order of the state.
+    /// The values that programs can read, in the order of the state.
     #[schemars(length(min = 1))]
     pub sources: Vec<SourceDocument>,
-    /// The instructions that programs may use. The order numbers them for GEGELATI's `.dot` format.
+    /// The instructions that programs may use. Their order numbers them for GEGELATI's `.dot` format.
     #[schemars(length(min = 1), extend("items" = {"type": "string", "enum": instruction_names()}))]
     pub instructions: Vec<String>,
-    /// What the policy can do; an action's id is its place in this list.
+    /// The actions of the policy; the id of an action is its index in this list.
     #[schemars(length(min = 1))]
     pub actions: Vec<ActionDocument>,
-    /// The id of the team where the walk starts: the one team that no edge leads to.
+    /// The id of the team where the walk starts: the only team without incoming edges.
     pub root: u32,
     /// The teams.
     #[schemars(length(min = 1))]
@@ -49,7 +49,7 @@ pub struct Document {
     /// The programs.
     #[schemars(length(min = 1))]
     pub programs: Vec<ProgramDocument>,
-    /// Where the graph comes from. It does not decide behaviour.
+    /// Origin of the graph. It does not affect behaviour.
     #[serde(default)]
     pub provenance: Provenance,
 }
@@ -66,7 +66,7 @@ pub enum ScalarType {
 }
 
 impl ScalarType {
-    /// `f32` or `f64`.
+    /// Returns `f32` or `f64`.
     pub const fn name(self) -> &'static str {
         match self {
             Self::F32 => "f32",
@@ -74,7 +74,7 @@ impl ScalarType {
         }
     }
 
-    /// The value nearest to `value`, as an `f64`.
+    /// Rounds `value` to the nearest value of this type, returned as an `f64`.
     pub fn round(self, value: f64) -> f64 {
         match self {
             Self::F32 => f64::from(value as f32),
@@ -87,7 +87,7 @@ impl ScalarType {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum MathsProvider {
-    /// This project's loop-free kernels: the same bits everywhere.
+    /// This project's loop-free kernels, which give the same bits on every platform.
     Own,
     /// The platform's libm.
     #[default]
@@ -95,7 +95,7 @@ pub enum MathsProvider {
 }
 
 impl MathsProvider {
-    /// `own` or `system`.
+    /// Returns `own` or `system`.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Own => "own",
@@ -104,19 +104,19 @@ impl MathsProvider {
     }
 }
 
-/// A data source: a named run of values.
+/// A data source: a named, contiguous group of values.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SourceDocument {
     /// An identifier: a lower-case letter, then lower-case letters, digits and underscores.
     #[schemars(regex(pattern = r"^[a-z][a-z0-9_]*$"))]
     pub name: String,
-    /// How many values.
+    /// Number of values.
     #[schemars(range(min = 1))]
     pub length: u32,
-    /// Their unit, for people.
+    /// Unit of the values, for human readers.
     pub unit: String,
-    /// The lowest and highest value of each, finite.
+    /// Lowest and highest value of each, both finite.
     pub ranges: Vec<[f64; 2]>,
 }
 
@@ -124,11 +124,11 @@ pub struct SourceDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(try_from = "WrittenAction", into = "WrittenAction")]
 pub struct ActionDocument {
-    /// Its place in the list, from 0.
+    /// Index in the list, from 0.
     pub id: u32,
-    /// What it is called.
+    /// Name of the action.
     pub name: String,
-    /// The numbers it carries for its problem.
+    /// Numbers that the action carries for its problem.
     pub effect: Option<Effect>,
 }
 
@@ -136,24 +136,24 @@ pub struct ActionDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TeamDocument {
-    /// Any number that no other team has.
+    /// A number that no other team has.
     pub id: u32,
-    /// Its bidders. The highest bid wins, of equal bids the last; a NaN counts as −∞.
+    /// The bidders. The highest bid wins, and among equal bids the last; NaN counts as −∞.
     #[schemars(length(min = 1))]
     pub edges: Vec<EdgeDocument>,
 }
 
-/// An edge of a team: a program and what it bids for.
+/// An edge of a team: a program and the destination it bids for.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("oneOf" = [{"required": ["team"]}, {"required": ["action"]}]))]
 pub struct EdgeDocument {
-    /// The id of the program that bids.
+    /// The id of the bidding program.
     pub program: u32,
-    /// The id of the team it leads to; exactly one of `team` and `action` is given.
+    /// The id of the team that the edge leads to; exactly one of `team` and `action` is given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub team: Option<u32>,
-    /// The id of the action it leads to.
+    /// The id of the action that the edge leads to.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub action: Option<u32>,
 }
@@ -162,7 +162,7 @@ pub struct EdgeDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ProgramDocument {
-    /// Any number that no other program has.
+    /// A number that no other program has.
     pub id: u32,
     /// Its lines, in order.
     pub lines: Vec<LineDocument>,
@@ -172,12 +172,12 @@ pub struct ProgramDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LineDocument {
-    /// The register that takes the result.
+    /// Destination register.
     pub to: u32,
     /// An instruction of the declared set.
     #[schemars(extend("enum" = instruction_names()))]
     pub op: String,
-    /// Its operands, as many as it has.
+    /// Operands, as many as the instruction takes.
     #[schemars(length(min = 1, max = 2))]
     pub args: Vec<OperandDocument>,
 }
@@ -196,7 +196,7 @@ pub enum OperandDocument {
     Place(#[schemars(regex(pattern = r"^(r[0-9]+|[a-z][a-z0-9_]*\[[0-9]+\])$"))] String),
 }
 
-/// By hand, because a derived one says of anything else only that it "did not match any variant".
+/// Written by hand because the derived implementation reports any other value only as "did not match any variant".
 impl<'de> Deserialize<'de> for OperandDocument {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         struct OperandVisitor;
@@ -225,26 +225,26 @@ impl<'de> Deserialize<'de> for OperandDocument {
     }
 }
 
-/// Where a graph comes from.
+/// Origin of a graph.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Provenance {
-    /// The program that made it.
+    /// Program that created it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tool: Option<String>,
-    /// That program's version.
+    /// Version of that program.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub version: Option<String>,
-    /// The seed it was trained with.
+    /// Seed used in training.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub seed: Option<u64>,
-    /// The configuration it was trained with.
+    /// Configuration used in training.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub config: Option<serde_json::Value>,
     /// Scores, by name.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub scores: BTreeMap<String, f64>,
-    /// Anything else worth knowing.
+    /// Any other remark.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub note: Option<String>,
 }

@@ -1,17 +1,17 @@
-//! Effects: numbers that an action carries for the problem it belongs to.
+//! Effects: numbers that an action carries for its problem.
 
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Serialize, Serializer};
 use std::borrow::Cow;
 
-/// A named list of numbers that an action carries. Their meaning is the problem's: changes of motor
-/// positions, say, or a torque. To a graph they are opaque.
+/// A named list of numbers that an action carries. The problem defines their meaning, such as changes of motor
+/// positions or a torque; the graph does not interpret them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Effect {
-    /// Its name, by which a problem recognises it.
+    /// Name by which a problem recognises the effect.
     pub name: String,
-    /// Its numbers, finite; as many for every action of a graph that has an effect.
+    /// Finite numbers; equally many for every action of a graph that has an effect.
     #[serde(serialize_with = "numbers")]
     pub values: Vec<f64>,
 }
@@ -20,7 +20,7 @@ impl Effect {
     /// The name of the effect that `graph.json` writes as `"move": [3, 0, 0, 0]`.
     pub const MOVE: &str = "move";
 
-    /// An effect of that name.
+    /// Creates an effect.
     ///
     /// ```
     /// use tpg_graph::Effect;
@@ -33,15 +33,15 @@ impl Effect {
     }
 }
 
-/// An action as `graph.json` writes it.
+/// An action as written in `graph.json`.
 #[derive(Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(super) struct WrittenAction {
-    /// Its place in the list, from 0.
+    /// Index in the list, from 0.
     id: u32,
-    /// What it is called.
+    /// Name of the action.
     name: String,
-    /// Short for the effect "move": changes of motor positions, say.
+    /// Shorthand for the effect "move", such as changes of motor positions.
     #[serde(rename = "move", default, skip_serializing_if = "Option::is_none")]
     moves: Option<Numbers>,
     /// Any other effect; at most one of `move` and `effect` is given.
@@ -49,7 +49,7 @@ pub(super) struct WrittenAction {
     effect: Option<Effect>,
 }
 
-/// Numbers, of which whole ones are written without a fraction.
+/// Numbers; whole ones are written without a fraction.
 #[derive(Deserialize)]
 struct Numbers(Vec<f64>);
 
@@ -79,7 +79,7 @@ struct Number(f64);
 
 impl Serialize for Number {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        // Compared by its bits: −0 is not 0.
+        // Compared by bits because −0 differs from 0.
         match self.0 as i32 {
             whole if f64::from(whole).to_bits() == self.0.to_bits() => serializer.serialize_i32(whole),
             _ => serializer.serialize_f64(self.0),

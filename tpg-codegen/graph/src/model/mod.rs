@@ -1,7 +1,8 @@
-//! The graph: a policy with everything that decides its behaviour.
+//! The graph: a policy with everything that determines its behaviour.
 //!
-//! A [`Graph`] is validated once, when it is made from a [`Document`]; after that every id is an index that exists, every
-//! register and input is in range, and the teams form an acyclic graph with one root. Passes and emitters never check again.
+//! A [`Graph`] is validated once, when it is built from a [`Document`]. After that every id is a valid index, every
+//! register and input is in range, and the teams form an acyclic graph with one root. Passes and emitters never check
+//! again.
 
 mod document;
 mod effect;
@@ -24,11 +25,11 @@ use std::fmt::Write as _;
 use tpg_runtime::ops::Instruction;
 pub use tpg_runtime::policy::ActionId;
 
-/// The place of a team in [`Graph::teams`].
+/// Index of a team in [`Graph::teams`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct TeamId(pub(crate) u32);
 
-/// The place of a program in [`Graph::programs`].
+/// Index of a program in [`Graph::programs`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ProgramId(pub(crate) u32);
 
@@ -36,47 +37,47 @@ pub struct ProgramId(pub(crate) u32);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Reg(pub(crate) u16);
 
-/// An index into the flat state: the values of all sources, one source after another.
+/// An index into the flat state, which concatenates the values of all sources.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Input(pub u16);
 
 impl TeamId {
-    /// As an index.
+    /// Returns the id as an index.
     pub fn index(self) -> usize {
         self.0 as usize
     }
 }
 
 impl ProgramId {
-    /// As an index.
+    /// Returns the id as an index.
     pub fn index(self) -> usize {
         self.0 as usize
     }
 }
 
 impl Reg {
-    /// The register whose value after the program is its bid.
+    /// The register whose final value is the program's bid.
     pub const BID: Self = Self(0);
 
-    /// As an index.
+    /// Returns the register as an index.
     pub fn index(self) -> usize {
         usize::from(self.0)
     }
 }
 
 impl Input {
-    /// As an index.
+    /// Returns the input as an index.
     pub fn index(self) -> usize {
         usize::from(self.0)
     }
 }
 
-/// A data source: a named run of values that programs read.
+/// A data source: a named, contiguous group of values that programs read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Source {
     /// A C and Rust identifier.
     pub name: String,
-    /// The unit of its values, for people.
+    /// Unit of the values, for human readers.
     pub unit: String,
     /// The declared range of each value, both ends included and finite.
     pub ranges: Vec<Range>,
@@ -91,31 +92,22 @@ pub struct Range {
     pub max: f64,
 }
 
-impl Source {
-    /// The range that holds every value of the source.
-    pub fn envelope(&self) -> Range {
-        let min = self.ranges.iter().map(|range| range.min).fold(f64::INFINITY, f64::min);
-        let max = self.ranges.iter().map(|range| range.max).fold(f64::NEG_INFINITY, f64::max);
-        Range { min, max }
-    }
-}
-
 impl std::fmt::Display for Range {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{} to {}", self.min, self.max)
     }
 }
 
-/// Something a policy can do.
+/// An action of the policy.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Action {
-    /// What it is called.
+    /// Name of the action.
     pub name: String,
-    /// The numbers it carries for its problem; of one length for all actions that have them.
+    /// Numbers that the action carries for its problem; equally many for all actions that have an effect.
     pub effect: Option<Effect>,
 }
 
-/// Where an instruction reads.
+/// An operand of an instruction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Operand {
     /// A register.
@@ -129,24 +121,24 @@ pub enum Operand {
 /// One line of a program: `to = instruction(operands)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line {
-    /// Where the result goes.
+    /// Destination register.
     pub to: Reg,
-    /// What is computed.
+    /// The instruction.
     pub instruction: Instruction,
-    /// As many operands as the instruction's arity says; the second of a one-operand instruction repeats the first.
+    /// As many operands as the instruction's arity; a one-operand instruction repeats its operand.
     pub operands: [Operand; 2],
 }
 
-/// A program: lines in order, registers zero before the first; its bid is register 0 after the last.
+/// A program: lines run in order on registers that start at zero; the bid is the final value of register 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Program {
-    /// Its id in the source file.
+    /// Id in the source file.
     pub label: u32,
-    /// Its lines.
+    /// Lines of the program.
     pub lines: Vec<Line>,
 }
 
-/// Where an edge leads.
+/// Destination of an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Destination {
     /// To another team: the walk goes on.
@@ -158,18 +150,18 @@ pub enum Destination {
 /// A program that bids for its destination.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Edge {
-    /// Who bids.
+    /// The bidding program.
     pub program: ProgramId,
-    /// For what.
+    /// The destination it bids for.
     pub to: Destination,
 }
 
-/// A team: its edges bid, the highest bid wins, of equal bids the last.
+/// A team: its edges bid; the highest bid wins, and among equal bids the last.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Team {
-    /// Its id in the source file.
+    /// Id in the source file.
     pub label: u32,
-    /// Its edges, at least one; the order decides ties.
+    /// Edges, at least one; their order decides ties.
     pub edges: Vec<Edge>,
 }
 
@@ -189,82 +181,82 @@ pub struct Graph {
 }
 
 impl Graph {
-    /// The type programs compute in.
+    /// Returns the type programs compute in.
     pub fn scalar(&self) -> ScalarType {
         self.scalar
     }
 
-    /// Who computes sin, cos, ln and exp.
+    /// Returns the provider of sin, cos, ln and exp.
     pub fn maths(&self) -> MathsProvider {
         self.maths
     }
 
-    /// Registers of a program.
+    /// Returns the number of registers of a program.
     pub fn registers(&self) -> u16 {
         self.registers
     }
 
-    /// The data sources, in the order of the state.
+    /// Returns the data sources, in the order of the state.
     pub fn sources(&self) -> &[Source] {
         &self.sources
     }
 
-    /// The declared instruction set, in its order (which `.dot` files refer to by number).
+    /// Returns the declared instruction set in its order, which gives the numbers in `.dot` files.
     pub fn instructions(&self) -> &[Instruction] {
         &self.instructions
     }
 
-    /// The actions, by id.
+    /// Returns the actions, by id.
     pub fn actions(&self) -> &[Action] {
         &self.actions
     }
 
-    /// Where the walk starts.
+    /// Returns the team where the walk starts.
     pub fn root(&self) -> TeamId {
         self.root
     }
 
-    /// The teams, by id.
+    /// Returns the teams, by id.
     pub fn teams(&self) -> &[Team] {
         &self.teams
     }
 
-    /// The programs, by id.
+    /// Returns the programs, by id.
     pub fn programs(&self) -> &[Program] {
         &self.programs
     }
 
-    /// A team.
+    /// Returns a team.
     pub fn team(&self, id: TeamId) -> &Team {
         &self.teams[id.index()]
     }
 
-    /// A program.
+    /// Returns a program.
     pub fn program(&self, id: ProgramId) -> &Program {
         &self.programs[id.index()]
     }
 
-    /// Where the graph comes from.
+    /// Returns the origin of the graph.
     pub fn provenance(&self) -> &Provenance {
         &self.provenance
     }
 
-    /// How many values a state has: the lengths of all sources together.
+    /// Returns the number of values in a state: the total length of all sources.
     pub fn state_length(&self) -> usize {
         self.sources.iter().map(|source| source.ranges.len()).sum()
     }
 
-    /// Every input of a state, in order.
+    /// Iterates over the inputs of a state, in order.
     pub fn inputs(&self) -> impl Iterator<Item = Input> + use<> {
         (0..self.state_length()).map(|place| Input(place as u16))
     }
 
-    /// The declared range of each value of the state.
+    /// Iterates over the declared range of each value of the state.
     pub fn state_ranges(&self) -> impl Iterator<Item = Range> + '_ {
         self.sources.iter().flat_map(|source| source.ranges.iter().copied())
     }
 
-    /// The source that an input belongs to, and its place there.
+    /// Returns the source that an input belongs to, and the input's index in it.
     pub fn source_of(&self, input: Input) -> (&Source, usize) {
         let mut place = input.index();
         for source in &self.sources {
@@ -276,18 +268,18 @@ impl Graph {
         unreachable!("inputs are validated against the sources")
     }
 
-    /// An input as it is written: `target[0]`.
+    /// Returns the written form of an input: `target[0]`.
     pub fn input_name(&self, input: Input) -> String {
         let (source, place) = self.source_of(input);
         format!("{}[{place}]", source.name)
     }
 
-    /// The canonical text of `graph.json`: the same graph always gives the same bytes.
+    /// Returns the canonical text of `graph.json`: the same graph always gives the same bytes.
     pub fn to_json(&self) -> String {
         text::write(&self.to_document())
     }
 
-    /// SHA-256 of the [canonical text](Self::to_json), in hexadecimal.
+    /// Returns the SHA-256 of the [canonical text](Self::to_json) in hexadecimal.
     pub fn sha256(&self) -> String {
         Sha256::digest(self.to_json()).iter().fold(String::new(), |mut hex, byte| {
             let _ = write!(hex, "{byte:02x}");

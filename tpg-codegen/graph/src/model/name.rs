@@ -1,7 +1,7 @@
-//! What things in a graph may be called.
+//! Rules for names in a graph.
 
-/// Words that C, C++ or Rust keep for themselves, and two that compilers in GNU mode define as 1: no field of a generated
-/// struct can be called so.
+/// Keywords of C, C++ and Rust, and two words that compilers in GNU mode define as 1: none of them can name a field of
+/// a generated struct.
 #[rustfmt::skip] // a line for each word otherwise
 const KEYWORDS: [&str; 130] = [
     "abstract", "alignas", "alignof", "and", "and_eq", "as", "asm", "async", "auto", "await", "become", "bitand",
@@ -18,14 +18,14 @@ const KEYWORDS: [&str; 130] = [
     "wchar_t", "where", "while", "xor", "xor_eq",
 ];
 
-/// What [`is_source`] takes, for messages.
+/// The names accepted by [`is_source`], for messages.
 pub(super) const SOURCE: &str = "a lower-case letter, then lower-case letters, digits and underscores; \
                                  not r and digits, no keyword of C, C++ or Rust";
 
-/// What [`is_text`] takes, for messages.
+/// The texts accepted by [`is_text`], for messages.
 pub(super) const TEXT: &str = "one line of text without /* or */";
 
-/// Whether a source can be called that, in the graph and as a field in C and Rust.
+/// True if the name is valid for a source, in the graph and as a field in C and Rust.
 pub(super) fn is_source(name: &str) -> bool {
     name.starts_with(|c: char| c.is_ascii_lowercase())
         && name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')
@@ -33,17 +33,17 @@ pub(super) fn is_source(name: &str) -> bool {
         && KEYWORDS.binary_search(&name).is_err()
 }
 
-/// `r` and digits: how a register is written, so no source may be called that.
+/// True for `r` followed by digits: the written form of a register, which no source may be called.
 pub(super) fn is_register(name: &str) -> bool {
     name.strip_prefix('r').is_some_and(is_number)
 }
 
-/// Digits and nothing else: `str::parse` would take a sign.
+/// True if the text consists of digits only: `str::parse` would accept a sign.
 pub(super) fn is_number(text: &str) -> bool {
     !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit())
 }
 
-/// Whether a text can stand in a comment of generated code without ending it.
+/// True if a text can be placed in a comment of generated code without ending it.
 pub(super) fn is_text(text: &str) -> bool {
     let breaks = |c: char| c.is_control() || matches!(c, '\u{2028}' | '\u{2029}');
     !text.chars().any(breaks) && !text.contains("/*") && !text.contains("*/") && !text.ends_with(['\\', '/', '*'])

@@ -1,5 +1,5 @@
-//! The canonical text of `graph.json`: one line for each source, action, team and program line, so that a change to a
-//! graph is a readable difference.
+//! The canonical text of `graph.json`: one line for each source, action, team and program line, so that diffs of graphs
+//! are readable.
 
 use super::document::{Document, ProgramDocument};
 use serde::Serialize;

@@ -1,4 +1,4 @@
-//! From document to graph and back. Everything that can be wrong with a graph is found here, once.
+//! Conversion between document and graph. Every possible error in a graph is detected here, once.
 
 use super::document::{
     ActionDocument, Document, EdgeDocument, FORMAT, LineDocument, OperandDocument, ProgramDocument, SourceDocument,
@@ -8,22 +8,46 @@ use super::{
     Action, ActionId, Destination, Edge, Effect, Graph, Input, Line, Operand, Program, ProgramId, Range, Reg, Source,
     Team, TeamId, name,
 };
+use crate::dataflow::{Cycle, depth_first};
 use crate::error::{InputError, Place, counted, serde_message};
 use std::collections::BTreeMap;
 use tpg_runtime::ops::Instruction;
 
-/// What is accepted where nothing more exact can be said.
+/// The accepted form, where nothing more specific can be said.
 const SCHEMA: &str = "what `tpg-codegen schema` describes";
-/// Most registers a program can have, as GEGELATI's line format.
+/// Maximum number of registers of a program, as in GEGELATI's line format.
 const MAX_REGISTERS: u32 = 256;
-/// Most values a state can have, and most actions: both are numbered in 16 bits.
+/// Maximum number of values in a state and of actions: both are numbered in 16 bits.
 pub const MAX_NUMBERED: usize = 1 << 16;
 
 impl Graph {
     /// Reads `graph.json`.
     ///
+    /// ```
+    /// use tpg_graph::Graph;
+    ///
+    /// let text = r#"{
+    ///     "format": "tpg-graph", "version": 1, "scalar": "f32", "maths": "own", "registers": 1,
+    ///     "sources": [{ "name": "x", "length": 1, "unit": "mm", "ranges": [[-1, 1]] }],
+    ///     "instructions": ["add"],
+    ///     "actions": [{ "id": 0, "name": "left" }, { "id": 1, "name": "right" }],
+    ///     "root": 0,
+    ///     "teams": [{ "id": 0, "edges": [{ "program": 0, "action": 0 }, { "program": 1, "action": 1 }] }],
+    ///     "programs": [
+    ///         { "id": 0, "lines": [] },
+    ///         { "id": 1, "lines": [{ "to": 0, "op": "add", "args": ["r0", "x[0]"] }] }
+    ///     ]
+    /// }"#;
+    /// let graph = Graph::from_json("small.json", text)?;
+    /// assert_eq!((graph.teams().len(), graph.programs().len()), (1, 2));
+    ///
+    /// let error = Graph::from_json("small.json", &text.replace("x[0]", "y[0]")).expect_err("there is no source y");
+    /// assert_eq!(error.found, "unknown source \"y\"");
+    /// # Ok::<(), tpg_graph::error::InputError>(())
+    /// ```
+    ///
     /// # Errors
-    /// Whatever is wrong with it, by line and column for JSON itself, by JSON path for what it says.
+    /// Any error: by line and column if the text is not JSON, by JSON path if its content is wrong.
     pub fn from_json(file: &str, text: &str) -> Result<Self, InputError> {
         let mut deserializer = serde_json::Deserializer::from_str(text);
         let document: Document = serde_path_to_error::deserialize(&mut deserializer).map_err(|error| {
@@ -40,12 +64,12 @@ impl Graph {
     /// Validates a document.
     ///
     /// # Errors
-    /// The first thing that is wrong, by JSON path.
+    /// The first error found, by JSON path.
     pub fn from_document(file: &str, document: Document) -> Result<Self, InputError> {
         Validator { file, document: &document }.graph()
     }
 
-    /// The graph as a document.
+    /// Converts the graph to a document.
     pub fn to_document(&self) -> Document {
         let operand = |operand: &Operand| match *operand {
             Operand::Register(reg) => OperandDocument::Place(format!("r{}", reg.0)),
@@ -86,7 +110,7 @@ impl Graph {
 }
 
 impl Document {
-    /// Checks everything but root, teams and programs.
+    /// Checks everything except root, teams and programs.
     pub(crate) fn check_declarations(&self, file: &str) -> Result<(), InputError> {
         let validator = Validator { file, document: self };
         validator.header()?;
@@ -109,9 +133,9 @@ fn action_document(id: u32, action: &Action) -> ActionDocument {
     ActionDocument { id, name: action.name.clone(), effect: action.effect.clone() }
 }
 
-/// What keeps the text from being a document: by path where it is JSON, else by line and column.
+/// Explains why the text is not a document: by path if it is JSON, otherwise by line and column.
 ///
-/// Another version may have any fields, so that the version is the first thing to be said.
+/// A wrong version is reported first, since other versions may have any fields.
 fn json_error(file: &str, text: &str, path: String, error: &serde_json::Error) -> InputError {
     #[derive(serde::Deserialize)]
     struct Header {
@@ -151,9 +175,9 @@ struct Validator<'a> {
     document: &'a Document,
 }
 
-/// The graph's named things by what the file calls them.
+/// Named elements of the graph, indexed by their names in the file.
 struct Names<'a> {
-    /// First input of each source, and its length.
+    /// First input and length of each source.
     sources: BTreeMap<&'a str, (usize, usize)>,
     teams: BTreeMap<u32, TeamId>,
     programs: BTreeMap<u32, ProgramId>,
@@ -358,8 +382,8 @@ impl Validator<'_> {
         Ok(Edge { program, to })
     }
 
-    /// A program bids for one thing: GEGELATI clones a program before it gives it another destination, and `.dot` cannot
-    /// say anything else.
+    /// Checks that each program has one destination. GEGELATI clones a program before it changes the destination, and
+    /// `.dot` cannot express anything else.
     fn one_destination_each(&self, teams: &[Team]) -> Result<(), InputError> {
         let mut destination = BTreeMap::new();
         for (index, team) in teams.iter().enumerate() {
@@ -385,8 +409,8 @@ impl Validator<'_> {
         }
     }
 
-    /// The one team that no edge leads to must be the declared root; with [`acyclic`](Self::acyclic) that makes every
-    /// team reachable.
+    /// Checks that the declared root is the only team without incoming edges. Together with [`acyclic`](Self::acyclic)
+    /// this makes every team reachable.
     fn root(&self, names: &Names<'_>, teams: &[Team]) -> Result<TeamId, InputError> {
         let declared = self.document.root;
         let root = *names.teams.get(&declared).ok_or_else(|| {
@@ -412,48 +436,20 @@ impl Validator<'_> {
         }
     }
 
-    /// Depth-first search with its own stack: a graph may be deeper than the machine's.
+    /// Checks that no team leads back to itself.
     fn acyclic(&self, teams: &[Team]) -> Result<(), InputError> {
-        #[derive(Clone, Copy, PartialEq)]
-        enum Mark {
-            New,
-            Open,
-            Done,
-        }
-        let mut marks = vec![Mark::New; teams.len()];
-        for start in 0..teams.len() {
-            if marks[start] != Mark::New {
-                continue;
-            }
-            marks[start] = Mark::Open;
-            let mut path = vec![(start, 0)];
-            while let Some((team, next)) = path.last_mut() {
-                let Some(edge) = teams[*team].edges.get(*next) else {
-                    marks[*team] = Mark::Done;
-                    path.pop();
-                    continue;
-                };
-                let place = format!("$.teams[{team}].edges[{next}]");
-                *next += 1;
-                let Destination::Team(to) = edge.to else { continue };
-                match marks[to.index()] {
-                    Mark::Done => {}
-                    Mark::New => {
-                        marks[to.index()] = Mark::Open;
-                        path.push((to.index(), 0));
-                    }
-                    Mark::Open => {
-                        let from = path.iter().position(|&(team, _)| team == to.index()).unwrap_or(0);
-                        let cycle: Vec<String> = (path[from..].iter().map(|&(team, _)| team).chain([to.index()]))
-                            .map(|team| teams[team].label.to_string())
-                            .collect();
-                        let found = format!("a cycle: team {}", cycle.join(" → "));
-                        return Err(self.error(place, found, "edges that never lead back"));
-                    }
-                }
-            }
-        }
-        Ok(())
+        let edge = |team: usize, place: usize| {
+            teams[team].edges.get(place).map(|edge| match edge.to {
+                Destination::Team(to) => Some(to.index()),
+                Destination::Action(_) => None,
+            })
+        };
+        depth_first(teams.len(), 0..teams.len(), edge).map(drop).map_err(|Cycle { nodes, closed_by: (team, place) }| {
+            let names: Vec<String> =
+                nodes.iter().chain(nodes.first()).map(|&team| teams[team].label.to_string()).collect();
+            let found = format!("a cycle: team {}", names.join(" → "));
+            self.error(format!("$.teams[{team}].edges[{place}]"), found, "edges that never lead back")
+        })
     }
 
     fn programs(&self, names: &Names<'_>) -> Result<Vec<Program>, InputError> {
@@ -488,7 +484,7 @@ impl Validator<'_> {
         Ok(Line { to, instruction, operands })
     }
 
-    /// `None` is a number that does not fit, written as `found`.
+    /// Checks a register. `None` is a number that does not fit and was written as `found`.
     fn register(&self, path: &str, register: Option<u32>, found: &str) -> Result<Reg, InputError> {
         match register {
             Some(register) if register < self.document.registers => Ok(Reg(register as u16)),

@@ -2,7 +2,8 @@
 //! switch. Nothing is optimised: it is what the profiles are measured against.
 
 use super::expression::Printer;
-use super::{vertex, walk};
+use super::walk;
+use crate::emit::syntax::Syntax;
 use crate::ir::{Bidder, Module, Node, NodeId};
 use askama::Template;
 
@@ -11,7 +12,7 @@ use askama::Template;
 struct Gegelati<'a> {
     prefix: &'a str,
     scalar: &'a str,
-    vertex: &'a str,
+    vertex: String,
     programs: Vec<ProgramView>,
     teams: Vec<TeamView>,
     /// The entry point.
@@ -31,17 +32,22 @@ struct TeamView {
 }
 
 /// Renders the body.
-pub(super) fn render(printer: &Printer<'_>, module: &Module, upper: &str) -> String {
+pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, upper: &str) -> String {
     let gegelati = Gegelati {
         prefix: printer.prefix,
         scalar: printer.scalar(),
-        vertex: super::vertex_type(printer.graph, module),
+        vertex: printer.vertex_type(module.vertices()),
         programs: module.bidders.iter().map(|bidder| program(printer, module, bidder)).collect(),
         teams: (module.teams.iter())
             .map(|team| TeamView {
                 label: team.label,
                 programs: team.edges.iter().map(|edge| module.bidders[edge.bidder].label).collect(),
-                next: team.edges.iter().map(|edge| vertex(module, edge.to)).collect::<Vec<_>>().join(", "),
+                next: team
+                    .edges
+                    .iter()
+                    .map(|edge| format!("{}U", module.vertex(edge.to)))
+                    .collect::<Vec<_>>()
+                    .join(", "),
             })
             .collect(),
         walk: walk::render(printer, module, upper),
@@ -49,7 +55,7 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module, upper: &str) -> Str
     gegelati.render().expect("the template renders")
 }
 
-fn program(printer: &Printer<'_>, module: &Module, bidder: &Bidder) -> ProgramView {
+fn program(printer: &Printer<'_>, module: &Module<'_>, bidder: &Bidder) -> ProgramView {
     let operations: Vec<NodeId> = module.operations_of(bidder.value);
     debug_assert!(operations.iter().all(|&id| matches!(module.node(id), Node::Operation(..))));
     ProgramView {

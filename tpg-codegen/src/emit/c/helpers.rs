@@ -1,11 +1,11 @@
-//! The static functions that expressions call. An unused one would be a warning, so only those that are called are there.
+//! The static functions that expressions call. Only those that are called: an unused one would be a warning.
 
-use super::constant_time;
-use super::expression::{Printer, literal};
-use crate::ir::Node;
-use crate::passes::{bound, estimate};
+use super::expression::Printer;
+use super::own::OwnMaths;
+use crate::emit::helpers::{Calls, ExpEstimate, LnEstimate};
+use crate::emit::syntax::Syntax;
+use crate::passes::bound;
 use askama::Template;
-use std::collections::BTreeSet;
 use tpg_graph::{MathsProvider, ScalarType};
 use tpg_runtime::ops::Instruction;
 
@@ -15,12 +15,12 @@ struct Helpers<'a> {
     prefix: &'a str,
     scalar: &'a str,
     f64: bool,
-    own: bool,
+    own: Option<OwnMaths>,
     uses_sin: bool,
     uses_cos: bool,
     uses_ln: bool,
     uses_exp: bool,
-    /// Whether comparisons are made on integers.
+    /// Compare on integers.
     branch_free: bool,
     compares: bool,
     selects: bool,
@@ -46,35 +46,16 @@ struct ShortExp {
     zero_below: String,
 }
 
-struct LnEstimate {
-    scale: String,
-    offset: String,
-}
-
-struct ExpEstimate {
-    from: String,
-    to: String,
-    scale: String,
-    offset: String,
-    below: String,
-    infinite_above: String,
-}
-
 /// Renders what `nodes` call.
 pub(super) fn render(printer: &Printer<'_>, branch_free: bool) -> String {
-    let used: BTreeSet<Instruction> = (printer.nodes.iter())
-        .filter_map(|node| if let Node::Operation(instruction, _) = *node { Some(instruction) } else { None })
-        .collect();
-    let bounded: BTreeSet<Instruction> = (printer.nodes.iter())
-        .filter_map(|node| if let Node::Upper(instruction, _) = *node { Some(instruction) } else { None })
-        .collect();
+    let calls = Calls::of(printer.nodes);
     let scalar = printer.graph.scalar();
-    let number = |value: f64| literal(scalar, value);
-    let own = printer.graph.maths() == MathsProvider::Own;
-    let uses = |instruction| used.contains(&instruction);
-    let short = !own && printer.short_cuts;
+    let provider = printer.graph.maths();
+    let uses = |instruction| calls.any(&[instruction]);
+    let short = provider == MathsProvider::System && printer.short_cuts;
+    let maths = [Instruction::Sin, Instruction::Cos, Instruction::Ln, Instruction::Exp];
+    let calls_maths = provider == MathsProvider::Own && calls.any(&maths);
     let (infinite_above, zero_below) = bound::beyond_exponentials(scalar);
-    let estimate = estimate::of(scalar);
     // The order of a number's bits: what is negative upside down, below what is positive.
     let (key, top, sign, infinity, minus_infinity) = match scalar {
         ScalarType::F32 => ("uint32_t", 31, "0x80000000U", "0xff800000U", "0x007fffffU"),
@@ -82,8 +63,8 @@ pub(super) fn render(printer: &Printer<'_>, branch_free: bool) -> String {
     };
     let helpers = Helpers {
         branch_free,
-        compares: constant_time::compares(printer.nodes),
-        selects: uses(Instruction::Min) || uses(Instruction::Max),
+        compares: calls.any(&[Instruction::NegateIfLess, Instruction::Min, Instruction::Max]),
+        selects: calls.any(&[Instruction::Min, Instruction::Max]),
         key,
         top,
         sign,
@@ -92,7 +73,7 @@ pub(super) fn render(printer: &Printer<'_>, branch_free: bool) -> String {
         prefix: printer.prefix,
         scalar: printer.scalar(),
         f64: scalar == ScalarType::F64,
-        own,
+        own: calls_maths.then(|| OwnMaths::of(printer)),
         uses_sin: uses(Instruction::Sin),
         uses_cos: uses(Instruction::Cos),
         uses_ln: uses(Instruction::Ln),
@@ -103,21 +84,12 @@ pub(super) fn render(printer: &Printer<'_>, branch_free: bool) -> String {
         short_ln: (short && uses(Instruction::Ln)).then(|| printer.of_scalar("log")),
         short_exp: (short && uses(Instruction::Exp)).then(|| ShortExp {
             call: printer.of_scalar("exp"),
-            infinite_above: number(infinite_above),
-            zero_below: number(zero_below),
+            infinite_above: printer.literal(infinite_above),
+            zero_below: printer.literal(zero_below),
         }),
         signed: if scalar == ScalarType::F64 { "int64_t" } else { "int32_t" },
-        ln_estimate: bounded
-            .contains(&Instruction::Ln)
-            .then(|| LnEstimate { scale: number(estimate.ln_scale), offset: number(estimate.ln_offset) }),
-        exp_estimate: bounded.contains(&Instruction::Exp).then(|| ExpEstimate {
-            from: number(estimate.exp_between.0),
-            to: number(estimate.exp_between.1),
-            scale: number(estimate.exp_scale),
-            offset: format!("{:#x}U{}", estimate.exp_offset, if scalar == ScalarType::F64 { "LL" } else { "" }),
-            below: number(estimate.exp_below),
-            infinite_above: number(estimate.exp_infinite_above),
-        }),
+        ln_estimate: calls.ln_estimate(printer),
+        exp_estimate: calls.exp_estimate(printer, if scalar == ScalarType::F64 { "ULL" } else { "U" }),
     };
     helpers.render().expect("the template renders")
 }

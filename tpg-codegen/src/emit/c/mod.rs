@@ -5,18 +5,19 @@ mod expression;
 mod fast;
 mod gegelati;
 mod helpers;
+mod own;
 mod small;
 mod walk;
 
-use super::{File, Language, Options, Profile, Style, banner, layout, moves::moves};
+use super::interface::{SourceView, sources};
+use super::syntax::Syntax;
+use super::{Backend, File, banner, layout, moves::moves};
 use crate::cost::{Cost, Costs};
-use crate::ir::{Module, Target};
-use crate::passes::{self, schedule};
+use crate::program::{Program, Shape};
 use askama::Template;
-use expression::{Printer, literal};
-use tpg_graph::interpret;
-use tpg_graph::states;
+use expression::Printer;
 use tpg_graph::{Graph, MathsProvider, ScalarType};
+use tpg_graph::{interpret, states};
 
 /// States in the self-test.
 const VECTORS: usize = 16;
@@ -62,79 +63,70 @@ struct Source<'a> {
     gegelati: bool,
 }
 
-struct SourceView {
-    name: String,
-    length: usize,
-    unit: String,
-    range: String,
-}
-
 struct VectorView {
     state: String,
     action: u16,
 }
 
-/// Emits the two files.
-pub(super) fn emit(graph: &Graph, options: &Options) -> Vec<File> {
-    let prefix = options.prefix.lower();
-    let upper = options.prefix.upper();
-    let gegelati = options.style == Style::Gegelati;
-    let module = if gegelati { Module::lower(graph) } else { passes::optimise(graph, options.assumption).0 };
-    let printer = Printer { graph, nodes: &module.nodes, prefix, gegelati, short_cuts: false };
-    let (helpers, body, costs) = if gegelati {
-        let costs = Costs::bid_by_bid(module.clone());
-        (helpers::render(&printer, false), gegelati::render(&printer, &module, &upper), costs)
-    } else {
-        match options.shape(Language::C, &module) {
-            Profile::Fast => {
-                let schedule = schedule::schedule(graph, &module, options.recorded());
+/// C99, which is C++11 too.
+pub(super) struct C;
+
+impl Backend for C {
+    /// The two files.
+    fn files(&self, program: &Program<'_>) -> Vec<File> {
+        let (graph, module) = (program.graph(), &program.module);
+        let prefix = program.options.prefix.lower();
+        let upper = program.options.prefix.upper();
+        let gegelati = program.shape == Shape::Gegelati;
+        let printer = Printer { graph, nodes: &module.nodes, prefix, gegelati, short_cuts: false };
+        let (helpers, body) = match &program.shape {
+            Shape::Gegelati => (helpers::render(&printer, false), gegelati::render(&printer, module, &upper)),
+            Shape::Fast { schedule, available } => {
                 let printer = Printer { nodes: &schedule.nodes, short_cuts: true, ..printer };
-                let costs = Costs::scheduled(module.clone(), &schedule, Language::C);
-                (helpers::render(&printer, false), fast::render(&printer, &module, &schedule, &upper), costs)
+                let body = fast::render(&printer, module, schedule, available, &upper);
+                (helpers::render(&printer, false), body)
             }
-            Profile::Small => {
-                let costs = Costs::bid_by_bid(module.clone());
-                (helpers::render(&printer, false), small::render(&printer, &module, &upper), costs)
+            Shape::Small(code) => (helpers::render(&printer, false), small::render(&printer, code, &upper)),
+            Shape::ConstantTime(functions) => {
+                let body = constant_time::render(&printer, module, functions, &upper);
+                (helpers::render(&printer, true), body)
             }
-            Profile::ConstantTime => {
-                let costs = Costs::everything(module.clone());
-                (helpers::render(&printer, true), constant_time::render(&printer, &module, &upper), costs)
-            }
-        }
-    };
-    let banner = banner::lines(graph, &module, options, Language::C);
-    let sources: Vec<SourceView> = graph.sources().iter().map(source_view).collect();
-    let header = Header {
-        banner: &banner,
-        prefix,
-        upper: &upper,
-        scalar: printer.scalar(),
-        sources: &sources,
-        actions: graph.actions().iter().map(|action| comment(&action.name)).collect(),
-        teams: module.teams.len(),
-        depth: module.depth,
-        worst: costs.worst(),
-        gegelati,
-        system_maths: graph.maths() == MathsProvider::System,
-        arm: arm_view(graph),
-    };
-    let source = Source {
-        banner: &banner,
-        prefix,
-        upper: &upper,
-        scalar: printer.scalar(),
-        f64: graph.scalar() == ScalarType::F64,
-        needs_string: helpers.contains("memcpy") || body.contains("memcpy"),
-        helpers,
-        body,
-        sources: &sources,
-        vectors: vectors(graph),
-        gegelati,
-    };
-    vec![
-        File { name: format!("{prefix}.h"), text: layout::tidy(&header.render().expect("the template renders")) },
-        File { name: format!("{prefix}.c"), text: layout::tidy(&source.render().expect("the template renders")) },
-    ]
+        };
+        let banner = banner::lines(program);
+        let sources = sources(graph, comment);
+        let header = Header {
+            banner: &banner,
+            prefix,
+            upper: &upper,
+            scalar: printer.scalar(),
+            sources: &sources,
+            actions: graph.actions().iter().map(|action| comment(&action.name)).collect(),
+            teams: module.teams.len(),
+            depth: module.depth,
+            worst: Costs::of(program).worst(),
+            gegelati,
+            system_maths: graph.maths() == MathsProvider::System,
+            arm: arm_view(graph),
+        };
+        let source = Source {
+            banner: &banner,
+            prefix,
+            upper: &upper,
+            scalar: printer.scalar(),
+            f64: graph.scalar() == ScalarType::F64,
+            needs_string: helpers.contains("memcpy") || body.contains("memcpy"),
+            helpers,
+            body,
+            sources: &sources,
+            vectors: vectors(&printer),
+            gegelati,
+        };
+        let text = |text: askama::Result<String>| layout::tidy(&text.expect("the template renders"));
+        vec![
+            File { name: format!("{prefix}.h"), text: text(header.render()) },
+            File { name: format!("{prefix}.c"), text: text(source.render()) },
+        ]
+    }
 }
 
 /// `None` where the runtime's C interface cannot drive the arm with it: it computes in `f32`.
@@ -148,39 +140,20 @@ fn arm_view(graph: &Graph) -> Option<ArmView> {
     Some(ArmView { sources: sources.collect(), moves: moves.collect() })
 }
 
-/// Teams are numbered from 0, the actions after them.
-fn vertex(module: &Module, target: Target) -> String {
-    let number = match target {
-        Target::Team(team) => team,
-        Target::Action(action) => module.teams.len() + usize::from(action.0),
-    };
-    format!("{number}U")
-}
-
-/// The least type that numbers them.
-fn vertex_type(graph: &Graph, module: &Module) -> &'static str {
-    match module.teams.len() + graph.actions().len() {
-        0..=0x100 => "uint8_t",
-        0x101..=0x1_0000 => "uint16_t",
-        _ => "uint32_t",
-    }
-}
-
-/// Text that may stand in a C comment.
+/// Text that may stand in a C comment: in one line, with a space in the midst of what would begin or end a comment.
 fn comment(text: &str) -> String {
-    text.chars().map(|c| if c.is_control() || c == '*' || c == '/' { ' ' } else { c }).collect()
-}
-
-fn source_view(source: &tpg_graph::Source) -> SourceView {
-    SourceView {
-        name: source.name.clone(),
-        length: source.ranges.len(),
-        unit: comment(&source.unit),
-        range: source.envelope().to_string(),
+    let mut safe = String::with_capacity(text.len());
+    for c in text.chars().map(|c| if c.is_control() { ' ' } else { c }) {
+        if matches!((safe.chars().next_back(), c), (Some('/'), '*' | '/') | (Some('*'), '/')) {
+            safe.push(' ');
+        }
+        safe.push(c);
     }
+    safe
 }
 
-fn vectors(graph: &Graph) -> Vec<VectorView> {
+fn vectors(printer: &Printer<'_>) -> Vec<VectorView> {
+    let graph = printer.graph;
     let states = states::sample_in_range(graph, VECTORS, VECTOR_SEED);
     let actions = interpret::actions(graph, &states);
     (states.chunks_exact(graph.state_length()).zip(actions))
@@ -188,11 +161,24 @@ fn vectors(graph: &Graph) -> Vec<VectorView> {
             let mut values = state.iter();
             let members = graph.sources().iter().map(|source| {
                 let values: Vec<String> =
-                    values.by_ref().take(source.ranges.len()).map(|&v| literal(graph.scalar(), v)).collect();
+                    values.by_ref().take(source.ranges.len()).map(|&value| printer.literal(value)).collect();
                 format!("{{ {} }}", values.join(", "))
             });
             let state = format!("{{ {} }}", members.collect::<Vec<_>>().join(", "));
             VectorView { state, action: action.0 }
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::comment;
+
+    #[test]
+    fn only_what_begins_or_ends_a_comment_is_taken_apart() {
+        assert_eq!(comment("rad/s, N*m"), "rad/s, N*m");
+        assert_eq!(comment("a */ b /* c // d"), "a * / b / * c / / d");
+        assert_eq!(comment("/*/**//"), "/ * / ** / /");
+        assert_eq!(comment("a\n*\r/"), "a * /");
+    }
 }

@@ -26,7 +26,7 @@ struct Case {
 }
 
 /// Renders GEGELATI's entry point.
-pub(super) fn render(printer: &Printer<'_>, module: &Module, upper: &str) -> String {
+pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, upper: &str) -> String {
     let cases: Vec<Case> =
         module.teams.iter().enumerate().map(|(vertex, team)| Case { vertex, label: team.label }).collect();
     let groups = cases.chunks(GROUP).collect();

@@ -3,11 +3,13 @@
 //! (`tpg_runtime::ops::constant_time`): it has no condition to make a branch or an IT block of. Where there are
 //! many teams, they are in several functions, each of which returns what its teams decide.
 
+use super::Parts;
 use super::expression::Printer;
-use super::{Parts, vertex, vertex_type};
+use crate::emit::choice::{self, KeyView, TeamView};
 use crate::emit::layout;
+use crate::emit::syntax::Syntax;
 use crate::ir::{Module, NodeId};
-use crate::passes::functions::{self, Function};
+use crate::passes::functions::Function;
 use askama::Template;
 use std::ops::Range;
 use tpg_graph::ScalarType;
@@ -19,8 +21,8 @@ use tpg_runtime::ops::constant_time as ct;
 struct Whole<'a> {
     decided: &'a str,
     teams: usize,
-    /// The names of the teams' choices, and the actions; then, what makes a place of every number of so many bits: numbers
-    /// that differ, for many zeros would be a call of `memset`.
+    /// The names of the teams' choices, then the actions, padded to a power of two by numbers that all differ: many zeros
+    /// would become a call of `memset`.
     next: Vec<String>,
     size: usize,
     vertex: &'a str,
@@ -55,7 +57,7 @@ struct FunctionView {
     next: Vec<String>,
 }
 
-/// What decides for the teams of a function.
+/// The choices of a function's teams.
 #[derive(Template)]
 #[template(path = "rust/constant_time_teams.rs", escape = "none")]
 struct Teams<'a> {
@@ -66,33 +68,13 @@ struct Teams<'a> {
     vertex: &'a str,
 }
 
-/// The key of a bid: an integer in the order of bids.
-struct KeyView {
-    name: String,
-    value: String,
-}
-
-struct TeamView {
-    label: u32,
-    number: usize,
-    first: EdgeView,
-    others: Vec<EdgeView>,
-}
-
-struct EdgeView {
-    key: String,
-    to: usize,
-}
-
 /// Renders the profile.
-pub(super) fn render(printer: &Printer<'_>, module: &Module) -> Parts {
-    let functions = functions::of(module);
-    let teams = module.teams.len();
-    let vertices = teams + printer.graph.actions().len();
-    let (vertex, depth) = (vertex_type(printer.graph, module), module.depth);
-    if let [function] = &functions[..] {
+pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, functions: &[Function]) -> Parts {
+    let (teams, vertices) = (module.teams.len(), module.vertices());
+    let (vertex, depth) = (&*printer.vertex_type(vertices), module.depth);
+    if let [function] = functions {
         let size = vertices.next_power_of_two();
-        let decided = decided(printer, module, function);
+        let decided = decided(printer, module, function, vertex);
         let whole = Whole { decided: &decided, teams, next: next(0..size, teams), size, vertex, depth };
         return Parts { body: whole.render().expect("the template renders"), items: String::new() };
     }
@@ -103,7 +85,7 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module) -> Parts {
     let rows = Rows { rows, row, teams, vertex, depth };
     let function = |function: &Function| FunctionView {
         // A function is a level further out than a method.
-        decided: decided(printer, module, function).replace("        ", "    "),
+        decided: decided(printer, module, function, vertex).replace("        ", "    "),
         next: next(function.teams.start..function.teams.start + row, teams),
     };
     let items = Items {
@@ -118,23 +100,28 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module) -> Parts {
     Parts { body, items }
 }
 
-/// What vertices lead to: teams, to what is decided there; others, to themselves.
+/// The successors of vertices: a team's is its choice; any other vertex is its own.
 fn next(vertices: Range<usize>, teams: usize) -> Vec<String> {
     vertices.map(|vertex| if vertex < teams { format!("t{vertex}") } else { vertex.to_string() }).collect()
 }
 
-fn decided(printer: &Printer<'_>, module: &Module, function: &Function) -> String {
+fn decided(printer: &Printer<'_>, module: &Module<'_>, function: &Function, vertex: &str) -> String {
     let teams = Teams {
         scalar: printer.graph.scalar().name(),
         statements: function.operations.iter().map(|&id| printer.statement(id)).collect(),
-        keys: function.bids.iter().map(|&id| KeyView { name: key(id), value: key_value(printer, id) }).collect(),
-        teams: function.teams.clone().map(|number| team_view(module, number)).collect(),
-        vertex: vertex_type(printer.graph, module),
+        keys: function
+            .bids
+            .iter()
+            .map(|&id| KeyView { name: choice::key(id), value: key_value(printer, id) })
+            .collect(),
+        teams: function.teams.clone().map(|number| choice::team(module, number)).collect(),
+        vertex,
     };
     teams.render().expect("the template renders").trim_matches('\n').to_owned()
 }
 
-/// A constant's key is known here; the compiler, to whom masks say nothing, would compute it each time.
+/// The key of a bid. A constant's is computed here: the compiler does not see through the masks and would compute it each
+/// time.
 fn key_value(printer: &Printer<'_>, bid: NodeId) -> String {
     let value = printer.value(bid);
     match (printer.nodes[bid.index()].as_constant(), printer.graph.scalar()) {
@@ -144,18 +131,4 @@ fn key_value(printer: &Printer<'_>, bid: NodeId) -> String {
         }
         (Some(bid), ScalarType::F64) => format!("{}_i64; // {value}", ct::ConstantTime::<f64>::default().key(bid)),
     }
-}
-
-fn key(bid: NodeId) -> String {
-    format!("k{}", bid.0)
-}
-
-fn team_view(module: &Module, number: usize) -> TeamView {
-    let team = &module.teams[number];
-    let mut edges = team
-        .edges
-        .iter()
-        .map(|edge| EdgeView { key: key(module.bidders[edge.bidder].value), to: vertex(module, edge.to) });
-    let first = edges.next().expect("a team has an edge");
-    TeamView { label: team.label, number, first, others: edges.collect() }
 }

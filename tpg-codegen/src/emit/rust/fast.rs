@@ -4,22 +4,21 @@
 //! The best bid starts at the lowest finite number, and a NaN is never as high: so only bids above −∞ win, and where there
 //! is none, nobody wins, which is how the team's last edge does. No bid needs a test for NaN.
 //!
-//! What a team has computed, it does not hand on to the next (as [C does](crate::passes::available)): with arguments for
-//! that, most policies took more instructions.
-//!
 //! A bid of 0 goes through `black_box`: LLVM 22 takes `if v > 0 { v } else { 0 }` of a `v = max(0, x)` for v, which it is not
 //! where x is NaN. Where what is best is no constant, it does not.
 
-use super::expression::{Printer, literal};
+use super::expression::Printer;
 use super::{Parts, helpers};
+use crate::emit::reuse::Reuse;
+use crate::emit::syntax::Syntax;
 use crate::emit::{layout, questions};
-use crate::ir::{Module, NodeId, Target, needed};
+use crate::ir::{Module, NodeId, Target};
 use crate::passes::schedule::{Bid, Infinite, LazyBid, Plan, Schedule};
 use askama::Template;
 use std::collections::BTreeSet;
 
-/// Beyond so many teams, each stays a function: LLVM would put all that have one caller into it, and takes more than linear
-/// time for what comes of it.
+/// Above this number of teams, none is inlined: LLVM would inline every team that has one caller, and its passes take
+/// superlinear time on the result.
 const MANY: usize = 64;
 
 #[derive(Template)]
@@ -41,11 +40,11 @@ struct TeamView {
     eager: Vec<BidView>,
     eager_before: Vec<BidView>,
     lazy: Vec<BidView>,
-    /// Where the edges lead, by way or place; the last is where nobody's win leads.
+    /// The edges' destinations, by way or place; the last is taken if no bid wins.
     ways: Vec<(usize, String)>,
 }
 
-/// What is asked first.
+/// The bid that is tested first, for infinity.
 struct InfiniteView {
     statements: Vec<String>,
     condition: String,
@@ -55,7 +54,7 @@ struct InfiniteView {
 #[derive(Default)]
 struct BidView {
     before: Vec<String>,
-    /// Whether to look at it at all.
+    /// The condition for evaluating even the bound.
     considered: Option<String>,
     bound_statements: Vec<String>,
     guard: Option<String>,
@@ -66,7 +65,7 @@ struct BidView {
 }
 
 /// Renders the profile.
-pub(super) fn render(printer: &Printer<'_>, module: &Module, schedule: &Schedule) -> Parts {
+pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, schedule: &Schedule) -> Parts {
     let teams: Vec<TeamView> =
         schedule.plans.iter().map(|plan| TeamPrinter::new(printer, module, plan).view()).collect();
     let body = format!("        ActionId(team_{}(s))", schedule.plans[0].label);
@@ -82,19 +81,25 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module, schedule: &Schedule
 
 struct TeamPrinter<'a> {
     printer: &'a Printer<'a>,
-    module: &'a Module,
+    module: &'a Module<'a>,
     plan: &'a Plan,
-    /// Where edges lead, each once; the last is where the last edge does.
+    /// The distinct destinations of the edges; the last is the last edge's.
     targets: Vec<Target>,
-    /// Whether every bid is looked at in turn: then, the way that the winner goes is enough to know.
-    in_turn: bool,
+    /// All bids are evaluated in ascending order: the winner's destination identifies it well enough.
+    ascending: bool,
     computed: BTreeSet<NodeId>,
 }
 
+impl Reuse for TeamPrinter<'_> {
+    fn computed(&mut self) -> &mut BTreeSet<NodeId> {
+        &mut self.computed
+    }
+}
+
 impl<'a> TeamPrinter<'a> {
-    fn new(printer: &'a Printer<'a>, module: &'a Module, plan: &'a Plan) -> Self {
-        let in_turn = plan.infinite.is_none() && plan.bids().all(|bid| bid.in_turn);
-        Self { printer, module, plan, targets: plan.destinations(), in_turn, computed: BTreeSet::new() }
+    fn new(printer: &'a Printer<'a>, module: &'a Module<'a>, plan: &'a Plan) -> Self {
+        let ascending = plan.infinite.is_none() && plan.bids().all(|bid| bid.ascending);
+        Self { printer, module, plan, targets: plan.destinations(), ascending, computed: BTreeSet::new() }
     }
 
     fn view(mut self) -> TeamView {
@@ -108,7 +113,7 @@ impl<'a> TeamPrinter<'a> {
             lazy.extend(self.plan.lazy.iter().map(|lazy| self.lazy(lazy)));
         }
         let last = self.way(self.targets[self.targets.len() - 1]);
-        let ways = if self.in_turn || self.targets.len() == 1 {
+        let ways = if self.ascending || self.targets.len() == 1 {
             (1..).zip(self.targets.iter().map(|&target| self.way(target))).collect()
         } else {
             let places = self.plan.targets.iter().map(|&target| self.way(target)).chain([last.clone()]);
@@ -116,8 +121,8 @@ impl<'a> TeamPrinter<'a> {
         };
         TeamView {
             label: self.plan.label,
-            winner: if self.in_turn { "way" } else { "edge" },
-            nobody: if self.in_turn { self.targets.len() } else { 0 },
+            winner: if self.ascending { "way" } else { "edge" },
+            nobody: if self.ascending { self.targets.len() } else { 0 },
             infinite,
             eager,
             eager_before,
@@ -126,7 +131,7 @@ impl<'a> TeamPrinter<'a> {
         }
     }
 
-    /// What is decided there.
+    /// The decision at a target.
     fn way(&self, target: Target) -> String {
         match target {
             Target::Team(team) => format!("team_{}(s)", self.module.teams[team].label),
@@ -136,24 +141,16 @@ impl<'a> TeamPrinter<'a> {
 
     fn rank(&self, bid: &Bid) -> usize {
         let target = self.plan.targets[bid.place];
-        match self.targets.iter().position(|&other| self.in_turn && other == target) {
+        match self.targets.iter().position(|&other| self.ascending && other == target) {
             Some(way) => way + 1,
             None => bid.place + 1,
         }
     }
 
-    /// What is computed meanwhile is not there afterwards.
-    fn in_braces<T>(&mut self, print: impl FnOnce(&mut Self) -> T) -> T {
-        let outside = self.computed.clone();
-        let printed = print(self);
-        self.computed = outside;
-        printed
-    }
-
     fn infinite(&mut self, infinite: &Infinite) -> InfiniteView {
         let statements = self.statements(infinite.argument, true);
         let argument = self.printer.value(infinite.argument);
-        let condition = format!("{argument} > {}", literal(self.printer.graph.scalar(), infinite.above));
+        let condition = format!("{argument} > {}", self.printer.literal(infinite.above));
         InfiniteView { statements, condition, rank: infinite.place + 1 }
     }
 
@@ -178,13 +175,13 @@ impl<'a> TeamPrinter<'a> {
         let before = lazy.sparing.map(|sparing| self.statements(sparing.argument, true)).unwrap_or_default();
         let considered = questions::considered(self.printer, lazy, &self.rank(&lazy.bid).to_string());
         let view = match considered {
-            Some(_) => self.in_braces(|team| team.looked_at(lazy, false)),
-            None => self.looked_at(lazy, true),
+            Some(_) => self.in_braces(|team| team.guarded(lazy, false)),
+            None => self.guarded(lazy, true),
         };
         BidView { before, considered, ..view }
     }
 
-    fn looked_at(&mut self, lazy: &LazyBid, stays: bool) -> BidView {
+    fn guarded(&mut self, lazy: &LazyBid, stays: bool) -> BidView {
         let LazyBid { bid, bound, .. } = lazy;
         let rank = self.rank(bid);
         let bound_statements = bound.map(|bound| self.statements(bound, true)).unwrap_or_default();
@@ -203,13 +200,9 @@ impl<'a> TeamPrinter<'a> {
         }
     }
 
-    /// What must still be computed for a value; later bids can use it where it `stays`.
+    /// Statements for the operations that a value still needs; later bids reuse them if it `stays` in scope.
     fn statements(&mut self, value: NodeId, stays: bool) -> Vec<String> {
-        let missing = needed(self.printer.nodes, value, |id| !self.computed.contains(&id));
-        let statements = missing.iter().map(|&id| self.printer.statement(id)).collect();
-        if stays {
-            self.computed.extend(missing);
-        }
-        statements
+        let printer = self.printer;
+        self.missing(printer.nodes, value, stays).into_iter().map(|id| printer.statement(id)).collect()
     }
 }

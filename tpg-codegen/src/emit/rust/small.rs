@@ -1,10 +1,12 @@
 //! The profile `small`: the policy as tables, and one small evaluator.
 
 use super::Parts;
-use super::expression::{Printer, literal};
+use super::expression::Printer;
 use crate::emit::layout;
+use crate::emit::syntax::Syntax;
+use crate::emit::table::{Table, cases, table};
 use crate::ir::Module;
-use crate::passes::bytecode::{self, Bytecode};
+use crate::passes::bytecode::Bytecode;
 use askama::Template;
 
 #[derive(Template)]
@@ -33,59 +35,34 @@ struct Body<'a> {
     teams: usize,
 }
 
-struct Table {
-    kind: &'static str,
-    values: Vec<String>,
-}
-
 /// Renders the profile.
-pub(super) fn render(printer: &Printer<'_>, module: &Module) -> Parts {
-    let graph = printer.graph;
-    let Bytecode { code, programs, bidders, targets, teams, constants, first_result, frame, operand_bits, used } =
-        bytecode::encode(graph, module);
-    let zero = literal(graph.scalar(), 0.0);
+pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, code: &Bytecode) -> Parts {
+    let zero = printer.literal(0.0);
     let body = Body {
-        scalar: graph.scalar().name(),
+        scalar: printer.scalar(),
         zero: zero.clone(),
-        frame,
-        constants: !constants.is_empty(),
+        frame: code.frame,
+        constants: !code.constants.is_empty(),
         teams: module.teams.len(),
     };
-    let operands = ["a".to_owned(), "b".to_owned()];
+    let table = |values: &[u64]| table(printer, values, |_| "");
     let small = Small {
-        scalar: graph.scalar().name(),
+        scalar: printer.scalar(),
         zero,
-        wide: if operand_bits * 2 + 4 > 32 { "u64" } else { "u32" },
+        wide: if code.operand_bits * 2 + 4 > 32 { "u64" } else { "u32" },
         tables: vec![
-            ("CODE", "Instructions: from the highest bits, an operation and two places.", table(&code)),
-            ("PROGRAMS", "Where each program begins, and where the last ends.", table(&programs)),
-            ("BIDDERS", "The program of each edge.", table(&bidders)),
-            ("TARGETS", "Where each edge leads: teams from 0, the root; the actions follow.", table(&targets)),
-            ("TEAMS", "Where each team's edges begin, and where the last team's end.", table(&teams)),
+            ("CODE", "Instructions: from the highest bits, an operation and two places.", table(&code.code)),
+            ("PROGRAMS", "Where each program begins, and where the last ends.", table(&code.programs)),
+            ("BIDDERS", "The program of each edge.", table(&code.bidders)),
+            ("TARGETS", "Where each edge leads: teams from 0, the root; the actions follow.", table(&code.targets)),
+            ("TEAMS", "Where each team's edges begin, and where the last team's end.", table(&code.teams)),
         ],
-        constants: constants.iter().map(|&constant| literal(graph.scalar(), constant)).collect(),
-        first_result,
-        frame,
-        operand_bits,
-        operand_mask: (1 << operand_bits) - 1,
-        cases: (used.iter())
-            .map(|&operation| {
-                let expression =
-                    operation.map_or_else(|| "a".to_owned(), |instruction| printer.instruction(instruction, &operands));
-                (bytecode::number(operation), expression)
-            })
-            .collect(),
+        constants: code.constants.iter().map(|&constant| printer.literal(constant)).collect(),
+        first_result: code.first_result,
+        frame: code.frame,
+        operand_bits: code.operand_bits,
+        operand_mask: (1 << code.operand_bits) - 1,
+        cases: cases(printer, code),
     };
     Parts { body: body.render().expect("the template renders"), items: small.render().expect("the template renders") }
-}
-
-/// A table in the least type that holds it.
-fn table(values: &[u64]) -> Table {
-    let kind = match values.iter().copied().max().unwrap_or(0) {
-        0..=0xff => "u8",
-        0x100..=0xffff => "u16",
-        0x1_0000..=0xffff_ffff => "u32",
-        _ => "u64",
-    };
-    Table { kind, values: values.iter().map(u64::to_string).collect() }
 }

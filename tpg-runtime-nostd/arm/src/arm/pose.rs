@@ -11,8 +11,15 @@ pub const TICKS_PER_TURN: i32 = 4096;
 pub struct Joint(pub u8);
 
 /// The motor positions of the four joints, in ticks (0..=4095; 2048 is the middle of a joint's travel, 0 rad).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Pose(pub [i16; JOINTS]);
+
+/// By the [`packed`](Pose::packed) number: one word for the hasher instead of four and a length.
+impl core::hash::Hash for Pose {
+    fn hash<H: core::hash::Hasher>(&self, state: &mut H) {
+        state.write_u64(self.packed());
+    }
+}
 
 impl Pose {
     /// The pose of a [`packed`](Self::packed) number.

@@ -36,7 +36,7 @@ where
     S: Lattice,
     T: Policy<State = Observation<S>, Action = Move>,
     P: Policy<State = Observation<S>, Action = Move>,
-    D: CycleDetector,
+    D: CycleDetector<Pose>,
 {
     /// Puts the arm at the problem's start.
     pub fn new(hybrid: &'a Hybrid<'a, S, T, P>, problem: Problem<S>, detector: D) -> Self {

@@ -49,10 +49,11 @@
 
 mod episode;
 mod part;
-mod switch;
+mod turns;
 
 pub use episode::{HybridEpisode, HybridSummary};
-pub use switch::{CAUSES, Cause, Chosen, Counts, Driver, Switch};
+pub use tpg_runtime::switch::NEVER;
+pub use turns::{CAUSES, Cause, Chosen, Counts, Driver, Switch};
 
 use crate::arm::{Arm, Invalid, Move, Pose};
 use crate::cycle::CycleDetector;
@@ -60,9 +61,7 @@ use crate::kinematics::Lattice;
 use crate::observation::Observation;
 use part::valid_part;
 use tpg_runtime::policy::Policy;
-
-/// For [`Settings::hand_back_after`]: the network keeps the arm until the episode ends.
-pub const NEVER: u32 = u32::MAX;
+use tpg_runtime::switch;
 
 /// How two policies share an arm.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -141,27 +140,34 @@ where
     T: Policy<State = Observation<S>, Action = Move>,
     P: Policy<State = Observation<S>, Action = Move>,
 {
-    /// The next action and whose it is. A guard may hand over here: then both policies are asked, once each.
-    pub fn decide<D: CycleDetector>(&self, switch: &mut Switch<S, D>, seen: &Observation<S>) -> Chosen {
-        let guard = self.settings.guard;
-        let graph =
-            || Some(self.tpg.decide(seen)).filter(|&wanted| guard.refuses(self.arm, seen.pose, wanted).is_none());
-        let graph_drives = switch.driver() == Driver::Tpg;
-        if graph_drives {
-            if let Some(wanted) = graph() {
-                return Chosen { driver: Driver::Tpg, wanted };
-            }
-            switch.refused();
-        }
-        let wanted = self.sac.decide(seen);
-        if guard != Guard::Both {
+    /// The next action and the policy that chose it. A guard may hand over here: then both policies are asked, once each.
+    pub fn decide<D: CycleDetector<Pose>>(&self, switch: &mut Switch<S, D>, seen: &Observation<S>) -> Chosen {
+        let both = switch::Hybrid { tpg: &self.tpg, sac: &self.sac };
+        both.decide(&mut switch.0, seen, &Guarded { arm: self.arm, guard: self.settings.guard })
+    }
+}
+
+/// A guard of an arm.
+struct Guarded<'a, S> {
+    arm: &'a Arm<S>,
+    guard: Guard,
+}
+
+impl<S: Lattice> switch::Guard<Observation<S>, Move> for Guarded<'_, S> {
+    #[inline(always)]
+    fn refuses(&self, seen: &Observation<S>, &wanted: &Move) -> bool {
+        self.guard.refuses(self.arm, seen.pose, wanted).is_some()
+    }
+
+    #[inline(always)]
+    fn mend(&self, seen: &Observation<S>, wanted: Move, again: impl FnOnce() -> Option<Move>) -> Chosen {
+        if self.guard != Guard::Both {
             return Chosen { driver: Driver::Sac, wanted };
         }
         if let Some(wanted) = valid_part(self.arm, seen.pose, wanted) {
             return Chosen { driver: Driver::Sac, wanted };
         }
-        // Refused once, it would be refused again.
-        match if graph_drives { None } else { graph() } {
+        match again() {
             Some(wanted) if wanted != Move::STOP => Chosen { driver: Driver::Tpg, wanted },
             _ => Chosen { driver: Driver::Sac, wanted: Move::STOP },
         }

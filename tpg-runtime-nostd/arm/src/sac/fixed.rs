@@ -1,4 +1,4 @@
-//! The arm's network in integers: two hidden layers between the [features](super::features) and four preferences.
+//! The arm's network in integers: two hidden layers between the [`features`](super::features()) and four preferences.
 //!
 //! Features enter as whole multiples of 1/4096 ([`quantise`]), preferences leave as multiples of 1/2048. The arithmetic is
 //! [`tpg_runtime::net`]'s.

@@ -14,7 +14,7 @@ const NAN: u32 = 0x7fc0_0000;
 
 /// `floor(2/π · 2^(8i + 5)) mod 2³²`: a window on the bits of 2/π for every byte of the exponent, so that no word needs
 /// to be shifted after loading. The zeros are never read: they make a place of every number of five bits and 8.
-const TWO_OVER_PI: [u32; 40] = [
+pub const TWO_OVER_PI: [u32; 40] = [
     0x0000_0014,
     0x0000_145f,
     0x0014_5f30,
@@ -58,16 +58,23 @@ const TWO_OVER_PI: [u32; 40] = [
 ];
 
 /// `floor(π/2 · 2³¹)`.
-const HALF_PI: u64 = 0xc90f_daa2;
+pub const HALF_PI: u64 = 0xc90f_daa2;
 
 /// Row 0: `sin r = r + r·s·P(s)`, row 1: `cos r = 1 + 1·s·P(s)`, both for `s = r²`, `|r| ≤ π/4`;
 /// relative errors of the polynomials 2.0e-10 and 1.2e-10.
-const CIRCLE: [[f32; 4]; 2] =
+pub const CIRCLE: [[f32; 4]; 2] =
     [[-0.16666667, 0.008333372, -0.00019849911, 2.800547e-6], [-0.5, 0.041666646, -0.0013887311, 2.4432566e-5]];
 
 /// ln 2, the first part short enough that its product with an exponent is exact.
-const LN_2_HIGH: f32 = 0.69314575;
-const LN_2_LOW: f32 = 1.4286068e-6;
+pub const LN_2_HIGH: f32 = 0.69314575;
+/// What [`LN_2_HIGH`] lacks of ln 2.
+pub const LN_2_LOW: f32 = 1.4286068e-6;
+
+/// `ln((1 + s) / (1 − s)) = 2·s + s·w·P(w)` for `w = s²`, from the constant term on.
+pub const LN: [f32; 3] = [0.66666776, 0.39977583, 0.2987083];
+
+/// `eʳ = 1 + (r + r²·P(r))` for `|r| ≤ ½ ln 2`, from the constant term on.
+pub const EXP: [f32; 5] = [0.4999999, 0.16666521, 0.041668963, 0.008368675, 0.0013782504];
 
 /// Sine of `x` radians: off by at most 8.8e-8, and by at most 1.5 ulp, for every finite `x`; odd, and never beyond ±1.
 #[inline]
@@ -192,10 +199,11 @@ pub(in crate::ops) fn ln_by(top: u32, x: f32) -> f32 {
     let g = f + 2.0;
     let s = f / g;
     let w = s * s;
-    let p = 0.2987083 * w;
-    let p = p + 0.39977583;
+    let [c0, c1, c2] = LN;
+    let p = c2 * w;
+    let p = p + c1;
     let p = p * w;
-    let p = p + 0.66666776;
+    let p = p + c0;
     let p = p * w;
     let p = f - p;
     let p = p * s;
@@ -242,14 +250,15 @@ pub(in crate::ops) fn exp_by(top: u32, x: f32) -> f32 {
     let r = r - low;
 
     // eʳ = 1 + (r + r²·P(r)).
-    let p = 0.0013782504 * r;
-    let p = p + 0.008368675;
+    let [c0, c1, c2, c3, c4] = EXP;
+    let p = c4 * r;
+    let p = p + c3;
     let p = p * r;
-    let p = p + 0.041668963;
+    let p = p + c2;
     let p = p * r;
-    let p = p + 0.16666521;
+    let p = p + c1;
     let p = p * r;
-    let p = p + 0.4999999;
+    let p = p + c0;
     let p = p * r;
     let p = p * r;
     let p = p + r;

@@ -11,7 +11,7 @@ const MINUS_INFINITY: u64 = 0xfff0_0000_0000_0000;
 const NAN: u64 = 0x7ff8_0000_0000_0000;
 
 /// The bits of 2/π: 64 zeros, then those behind the binary point.
-const TWO_OVER_PI: [u32; 39] = [
+pub const TWO_OVER_PI: [u32; 39] = [
     0x0000_0000,
     0x0000_0000,
     0xa2f9_836e,
@@ -54,11 +54,11 @@ const TWO_OVER_PI: [u32; 39] = [
 ];
 
 /// `floor(π/2 · 2⁶³)`.
-const HALF_PI: u64 = 0xc90f_daa2_2168_c234;
+pub const HALF_PI: u64 = 0xc90f_daa2_2168_c234;
 
 /// Row 0: `sin r = r + r·s·P(s)`, row 1: `cos r = 1 + 1·s·P(s)`, both for `s = r²`, `|r| ≤ π/4`;
 /// relative errors of the polynomials 1.2e-19 and 5.7e-20.
-const CIRCLE: [[f64; 7]; 2] = [
+pub const CIRCLE: [[f64; 7]; 2] = [
     [
         -0.16666666666666666,
         0.0083333333333331,
@@ -80,8 +80,34 @@ const CIRCLE: [[f64; 7]; 2] = [
 ];
 
 /// ln 2, the first part short enough that its product with an exponent is exact.
-const LN_2_HIGH: f64 = 0.6931471805601177;
-const LN_2_LOW: f64 = -1.7239444525614835e-13;
+pub const LN_2_HIGH: f64 = 0.6931471805601177;
+/// What [`LN_2_HIGH`] lacks of ln 2.
+pub const LN_2_LOW: f64 = -1.7239444525614835e-13;
+
+/// `ln((1 + s) / (1 − s)) = 2·s + s·w·P(w)` for `w = s²`, from the constant term on.
+pub const LN: [f64; 7] = [
+    0.6666666666666734,
+    0.3999999999941674,
+    0.2857142874200941,
+    0.22222198605607052,
+    0.18183562917324905,
+    0.15314080455230586,
+    0.14795705382583219,
+];
+
+/// `eʳ = 1 + (r + r²·P(r))` for `|r| ≤ ½ ln 2`, from the constant term on.
+pub const EXP: [f64; 10] = [
+    0.5000000000000011,
+    0.16666666666666424,
+    0.041666666666526936,
+    0.008333333333487038,
+    0.0013888888944362959,
+    0.00019841269522593547,
+    2.480149241561441e-5,
+    2.7557572053764215e-6,
+    2.763047317939756e-7,
+    2.5004611754833166e-8,
+];
 
 /// Sine of `x` radians: off by at most 1.7e-16, and by at most 1.5 ulp, for every finite `x`; odd, and never beyond ±1.
 pub fn sin(x: f64) -> f64 {
@@ -209,18 +235,19 @@ pub fn ln(x: f64) -> f64 {
     let g = f + 2.0;
     let s = f / g;
     let w = s * s;
-    let p = 0.14795705382583219 * w;
-    let p = p + 0.15314080455230586;
+    let [c0, c1, c2, c3, c4, c5, c6] = LN;
+    let p = c6 * w;
+    let p = p + c5;
     let p = p * w;
-    let p = p + 0.18183562917324905;
+    let p = p + c4;
     let p = p * w;
-    let p = p + 0.22222198605607052;
+    let p = p + c3;
     let p = p * w;
-    let p = p + 0.2857142874200941;
+    let p = p + c2;
     let p = p * w;
-    let p = p + 0.3999999999941674;
+    let p = p + c1;
     let p = p * w;
-    let p = p + 0.6666666666666734;
+    let p = p + c0;
     let p = p * w;
     let p = f - p;
     let p = p * s;
@@ -261,24 +288,25 @@ pub fn exp(x: f64) -> f64 {
     let r = r - low;
 
     // eʳ = 1 + (r + r²·P(r)).
-    let p = 2.5004611754833166e-8 * r;
-    let p = p + 2.763047317939756e-7;
+    let [c0, c1, c2, c3, c4, c5, c6, c7, c8, c9] = EXP;
+    let p = c9 * r;
+    let p = p + c8;
     let p = p * r;
-    let p = p + 2.7557572053764215e-6;
+    let p = p + c7;
     let p = p * r;
-    let p = p + 2.480149241561441e-5;
+    let p = p + c6;
     let p = p * r;
-    let p = p + 0.00019841269522593547;
+    let p = p + c5;
     let p = p * r;
-    let p = p + 0.0013888888944362959;
+    let p = p + c4;
     let p = p * r;
-    let p = p + 0.008333333333487038;
+    let p = p + c3;
     let p = p * r;
-    let p = p + 0.041666666666526936;
+    let p = p + c2;
     let p = p * r;
-    let p = p + 0.16666666666666424;
+    let p = p + c1;
     let p = p * r;
-    let p = p + 0.5000000000000011;
+    let p = p + c0;
     let p = p * r;
     let p = p * r;
     let p = p + r;

@@ -2,8 +2,8 @@
 //!
 //! Everything is computed whatever the argument: no condition decides what is executed, so that a program has one
 //! instruction count. The statements are in the order of the operations, none of which is fused or reassociated, and the
-//! C templates `own_f32.c` and `own_f64.c` of `tpg-codegen` hold the same ones: the bits are the same on every machine
-//! that rounds to nearest.
+//! C templates `own_f32.c` and `own_f64.c` of `tpg-codegen` hold the same ones, with tables and coefficients that are printed
+//! from the constants here: the bits are the same on every machine that rounds to nearest.
 //!
 //! # Method
 //!

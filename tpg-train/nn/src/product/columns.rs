@@ -4,10 +4,10 @@ use super::Finish;
 use crate::Real;
 use pulp::Simd;
 
-/// From so many rows on, a column costs more than to look whether it is multiplied with a zero.
+/// From this number of rows on, multiplying a column is more expensive than testing whether its factor is zero.
 const MANY: usize = 128;
 
-/// As [`by_columns`], without the columns that a zero is multiplied with; `kept` is space for the indices of the others.
+/// As [`by_columns`], skipping columns whose factor is zero; `kept` is a buffer for the indices of the others.
 #[inline(always)]
 pub(super) fn by_columns_of_sparse<T: Real, S: Simd>(
     simd: S,
@@ -21,7 +21,7 @@ pub(super) fn by_columns_of_sparse<T: Real, S: Simd>(
     if rows < MANY {
         return by_columns(simd, out, a.chunks_exact(rows).zip(b.iter().copied()), finish);
     }
-    // Every index is written and the next one over it where its number is zero: no branch that depends on the numbers.
+    // Branch-free compaction: every index is written and overwritten by the next one if its number is zero.
     kept.resize(b.len(), 0);
     let mut count = 0;
     for (index, &value) in b.iter().enumerate() {
@@ -32,7 +32,7 @@ pub(super) fn by_columns_of_sparse<T: Real, S: Simd>(
     by_columns(simd, out, columns, finish);
 }
 
-/// The sums of many rows stay in registers while the matrix's columns, each with its factor, pass by.
+/// Keeps the sums of many rows in registers while iterating over the matrix's columns and their factors.
 #[inline(always)]
 pub(super) fn by_columns<'a, T: Real, S: Simd>(
     simd: S,
@@ -58,7 +58,7 @@ pub(super) fn by_columns<'a, T: Real, S: Simd>(
     }
 }
 
-/// `N` rows from `first` on.
+/// Computes `N` rows from `first` on.
 #[inline(always)]
 fn few_rows<'a, T: Real, const N: usize>(
     out: &mut [T],
@@ -78,7 +78,7 @@ fn few_rows<'a, T: Real, const N: usize>(
     }
 }
 
-/// Rows from `first` on, `M` vectors of them at once; answers the first row that is left.
+/// Computes rows from `first` on, `M` vectors at once; returns the first remaining row.
 #[inline(always)]
 fn rows_of_vectors<'a, T: Real, S: Simd, const M: usize>(
     simd: S,

@@ -1,16 +1,16 @@
-//! A product tile by tile (Goto and van de Geijn 2008): panels of the left factor are copied side by side, a tile of the
-//! product stays in registers while a panel passes by.
+//! Tiled product (Goto and van de Geijn 2008): panels of the left factor are packed, and a tile of the product stays in
+//! registers while a panel is traversed.
 
 use super::{Factor, Finish, Product, Scratch};
 use crate::Real;
 use pulp::Simd;
 
-/// Columns of a tile where the widest one does not fit any more, and where that does not fit either.
+/// Tile widths, in columns, for when the widest tile no longer fits, and for when this one no longer fits either.
 const NARROW: usize = 8;
 const LAST: usize = 4;
 
 impl<T: Real> Product<'_, T> {
-    /// Tiles of `M` vectors by `N` columns, and narrower ones for the columns that are left.
+    /// Computes tiles of `M` vectors by `N` columns, and narrower ones for the remaining columns.
     #[inline(always)]
     pub(super) fn by_tiles<S: Simd, const M: usize, const N: usize>(self, simd: S) {
         let Self { out, a, b, finish, scratch: Scratch { panels, rest, sums, .. } } = self;
@@ -45,7 +45,7 @@ impl<T: Real> Product<'_, T> {
     }
 }
 
-/// A left factor, `M` vectors of rows in a panel.
+/// The left factor, packed into panels of `M` vectors of rows.
 struct Panels<'a, T: Real, S: Simd, const M: usize> {
     vectors: &'a [T::Vector<S>],
     rows: usize,
@@ -53,7 +53,7 @@ struct Panels<'a, T: Real, S: Simd, const M: usize> {
 }
 
 impl<T: Real, S: Simd, const M: usize> Panels<'_, T, S, M> {
-    /// Each panel and its first row.
+    /// Iterates over the panels with their first rows.
     #[inline(always)]
     fn each(&self) -> impl Iterator<Item = (&[T::Vector<S>], usize)> {
         let size = M * self.inner;
@@ -61,7 +61,8 @@ impl<T: Real, S: Simd, const M: usize> Panels<'_, T, S, M> {
         firsts.enumerate().map(move |(index, first)| (&self.vectors[index * size..][..size], first))
     }
 
-    /// The product's columns from `first` on, as far as they fill tiles of `N`; answers the first one that is left.
+    /// Computes the product's columns from `first` on, as long as they fill tiles of `N`; returns the first remaining
+    /// column.
     #[inline(always)]
     fn times_whole<const N: usize>(
         &self,
@@ -89,7 +90,7 @@ impl<T: Real, S: Simd, const M: usize> Panels<'_, T, S, M> {
     }
 }
 
-/// Copies `M` vectors of a factor's rows from row `first` on, column after column; zeros where there are no more rows.
+/// Copies `M` vectors of a factor's rows from row `first` on, column after column, padded with zeros.
 #[inline(always)]
 fn pack<T: Real, S: Simd, const M: usize>(panel: &mut [T], a: Factor<'_, T>, first: usize) {
     let (rows, inner) = a.size();
@@ -111,7 +112,7 @@ fn pack<T: Real, S: Simd, const M: usize>(panel: &mut [T], a: Factor<'_, T>, fir
             slots[..there].copy_from_slice(&column[first..]);
         }
     } else {
-        // Vectors of a known number, no call for each column.
+        // A fixed number of vectors, so there is no call per column.
         for (slots, column) in slots.zip(a.values.chunks_exact(rows)) {
             let (slots, values) = (T::vectors_mut::<S>(slots), T::vectors::<S>(&column[first..first + height]));
             slots[..M].copy_from_slice(&values[..M]);
@@ -119,7 +120,7 @@ fn pack<T: Real, S: Simd, const M: usize>(panel: &mut [T], a: Factor<'_, T>, fir
     }
 }
 
-/// The tile of a panel and the rows of `b`, `N` numbers each, into `sums`, column by column.
+/// Multiplies a panel by the rows of `b`, `N` numbers each, into `sums`, column by column.
 #[inline(always)]
 fn tile<'a, T: Real, S: Simd, const M: usize, const N: usize>(
     simd: S,
@@ -139,7 +140,7 @@ fn tile<'a, T: Real, S: Simd, const M: usize, const N: usize>(
     leave::<T, S, M, N>(tile, sums);
 }
 
-/// The tile of a panel and `N` whole columns of `b`, `inner` numbers each, into `sums`, column by column.
+/// Multiplies a panel by `N` whole columns of `b`, `inner` numbers each, into `sums`, column by column.
 #[inline(always)]
 fn tile_of_columns<T: Real, S: Simd, const M: usize, const N: usize>(
     simd: S,
@@ -161,7 +162,7 @@ fn tile_of_columns<T: Real, S: Simd, const M: usize, const N: usize>(
     leave::<T, S, M, N>(tile, sums);
 }
 
-/// Leaves a tile in memory. It is in registers until then, for nothing else asks where it lies.
+/// Stores a tile in memory. Until then it stays in registers because nothing takes its address.
 #[inline(always)]
 fn leave<T: Real, S: Simd, const M: usize, const N: usize>(tile: [[T::Vector<S>; M]; N], sums: &mut [T]) {
     let slots = &mut T::vectors_mut::<S>(sums)[..M * N];
@@ -172,8 +173,8 @@ fn leave<T: Real, S: Simd, const M: usize, const N: usize>(tile: [[T::Vector<S>;
     }
 }
 
-/// Finishes a tile of `M` vectors of rows and puts it into a product of so many rows, from that row and column on, as far as
-/// `out` goes.
+/// Finishes a tile of `M` vectors of rows and stores it in a product with the given number of rows, from that row and
+/// column on, as far as `out` extends.
 #[inline(always)]
 fn store<T: Real, S: Simd, const M: usize>(
     simd: S,
@@ -196,7 +197,7 @@ fn store<T: Real, S: Simd, const M: usize>(
         return;
     }
     let columns = columns.map(|(first, out, sums)| (first, T::vectors_mut::<S>(out), T::vectors::<S>(sums)));
-    // One loop for each way to finish, so that none of them asks which it is.
+    // One loop per kind of finish, so that the loops do not test it.
     match finish {
         Finish::Plain => {
             for (_, out, sums) in columns {

@@ -1,13 +1,13 @@
-//! Columns of zeros on the right of a product: samples that a loss does not depend on, as the half of a batch for which
-//! the other critic has the smaller opinion.
+//! Columns of zeros in the right factor: samples that a loss does not depend on, such as the half of a batch for which
+//! the other critic has the smaller value.
 
 use super::{Factor, Finish, Product};
 use crate::Real;
 use pulp::Simd;
 
 impl<T: Real> Product<'_, T> {
-    /// As [`by_tiles`](Self::by_tiles), without multiplying columns of zeros on the right where that factor is
-    /// [`sparse`](Factor::sparse) and they are enough to save a tile.
+    /// As [`by_tiles`](Self::by_tiles), but skips columns of zeros in a [`sparse`](Factor::sparse) right factor if
+    /// there are enough of them to save a tile.
     #[inline(always)]
     pub(super) fn by_tiles_of_samples<S: Simd, const M: usize, const N: usize>(self, simd: S) {
         let Self { out, a, b, finish, scratch } = self;
@@ -37,7 +37,7 @@ impl<T: Real> Product<'_, T> {
     }
 }
 
-/// Lists the columns that are not all zeros; answers whether at least `least` others are.
+/// Lists the columns that are not all zeros; returns true if at least `least` columns are all zeros.
 fn keep<T: Real>(kept: &mut Vec<usize>, b: Factor<'_, T>, least: usize) -> bool {
     let (inner, columns) = b.size();
     kept.clear();
@@ -46,9 +46,9 @@ fn keep<T: Real>(kept: &mut Vec<usize>, b: Factor<'_, T>, least: usize) -> bool 
     columns - kept.len() >= least
 }
 
-/// Moves the columns that lie side by side in front to where they belong, with zeros between them.
+/// Moves the packed columns back to their positions, with zeros between them.
 fn spread<T: Real>(out: &mut [T], rows: usize, columns: usize, kept: &[usize]) {
-    // Last to first: none moves to the left, so that none is written over before it has moved.
+    // Last to first: columns only move to the right, so none is overwritten before it has moved.
     let mut end = columns;
     for (from, &column) in kept.iter().enumerate().rev() {
         out[(column + 1) * rows..end * rows].fill(T::zero());

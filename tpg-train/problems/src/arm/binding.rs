@@ -1,4 +1,4 @@
-//! A graph's sources and actions in terms of the arm.
+//! Translation between a graph's sources and actions and those of the arm.
 
 use tpg_arm::binding;
 use tpg_arm::observation::{Observation, Source, TargetMemo};
@@ -7,10 +7,10 @@ use tpg_graph::error::{InputError, Place};
 use tpg_graph::{Action, Graph, ScalarType};
 use tpg_runtime::policy::ActionId;
 
-/// The arm's sources that make up a graph's state, and the move of each of its actions.
+/// Finds the arm's sources that make up a graph's state, and the move of each of its actions.
 ///
 /// # Errors
-/// If the arm has no such source, or an action does not say what it moves.
+/// If the arm has no such source, or an action does not state its move.
 pub fn bind(file: &str, graph: &Graph) -> Result<(Vec<Source>, Vec<Move>), InputError> {
     let error = |path: String, found: String, accepted: &str| {
         InputError::new(file, Place::Path(path), found, accepted.to_owned())
@@ -33,7 +33,7 @@ pub fn bind(file: &str, graph: &Graph) -> Result<(Vec<Source>, Vec<Move>), Input
     Ok((sources, graph.actions().iter().enumerate().map(moved).collect::<Result<_, _>>()?))
 }
 
-/// The way to fill the flat state of an engine, and to read its answer.
+/// Fills an engine's flat state and interprets its answer.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Binding {
     scalar: ScalarType,
@@ -42,31 +42,31 @@ pub struct Binding {
 }
 
 impl Binding {
-    /// Of a policy with these sources, in this order, and these actions.
+    /// Creates the binding of a policy with these sources, in this order, and these actions.
     pub fn new(scalar: ScalarType, sources: Vec<Source>, moves: Vec<Move>) -> Self {
         Self { scalar, sources, moves }
     }
 
-    /// Of a graph.
+    /// Creates the binding of a graph.
     ///
     /// # Errors
-    /// When a source is no part of the observation, or an action moves nothing that the arm knows.
+    /// If a source is not part of the observation, or an action has no move that the arm knows.
     pub fn of(file: &str, graph: &Graph) -> Result<Self, InputError> {
         let (sources, moves) = bind(file, graph)?;
         Ok(Self::new(graph.scalar(), sources, moves))
     }
 
-    /// The parts of the observation that a state is made of, in order.
+    /// Returns the parts of the observation that make up a state, in order.
     pub fn sources(&self) -> &[Source] {
         &self.sources
     }
 
-    /// How many values a state has.
+    /// Returns the number of values in a state.
     pub fn state_length(&self) -> usize {
         self.sources.iter().map(|source| source.length()).sum()
     }
 
-    /// Appends what is seen to a batch of flat states, exact in the policy's scalar type.
+    /// Appends an observation to a batch of flat states, exact in the policy's scalar type.
     pub fn push_state(&self, observation: &Observation<f64>, states: &mut Vec<f64>) {
         let start = states.len();
         states.resize(start + self.state_length(), 0.0);
@@ -77,7 +77,7 @@ impl Binding {
         }
     }
 
-    /// What an action moves; `None` for an action that the policy does not have.
+    /// Returns the move of an action; `None` for an action that the policy does not have.
     pub fn wanted(&self, action: ActionId) -> Option<Move> {
         self.moves.get(usize::from(action.0)).copied()
     }

@@ -1,4 +1,4 @@
-//! The section `[problem]` of a configuration for the arm.
+//! The section `[problem]` of a configuration, for the arm.
 
 use super::description::ArmDescription;
 use super::environment::{ArmEnvironment, ArmProblem, ArmScalar};
@@ -10,36 +10,36 @@ use tpg_arm::observation::shield::STEP;
 use tpg_arm::{Arm, WIDOWX};
 use tpg_graph::error::Finding;
 
-/// The section `[problem]` for the arm: what it is asked, what programs read, and how it is scored.
+/// The section `[problem]` for the arm: the task, the sources that programs read, and the scoring.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Config {
-    /// The names of the sources that programs read, in order.
+    /// Names of the sources that programs read, in order.
     pub sources: Vec<String>,
-    /// The actions that no policy can choose; needs actions of 3 ticks.
+    /// Actions that are masked for every policy; requires actions of 3 ticks.
     pub shield: Shield,
-    /// The distance below which the hand has reached its target, mm.
+    /// Distance below which the hand has reached its target, mm.
     pub tolerance: f64,
-    /// The ticks of one action.
+    /// Ticks moved by one action.
     pub step: i8,
-    /// Whether there is an action that does nothing and ends the episode.
+    /// True if there is an action that does nothing and ends the episode.
     pub may_stop: bool,
-    /// The most actions of an episode; as many as the problem's where it is left out.
+    /// Maximum number of actions in an episode; the problem's own limit if omitted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub max_actions: Option<u32>,
-    /// The score of a success; a failure scores minus the distance in mm.
+    /// Score of a success; a failure scores minus the distance in mm.
     pub bonus_success: f64,
-    /// Added to a success for each action that it did not need.
+    /// Bonus added to a success for each unused action.
     pub coef_reward_multiplication: f64,
-    /// The most that a failure costs, mm: less than infinite where a network takes over from the graph.
+    /// Maximum cost of a failure, mm: finite if a network takes over from the graph.
     pub hand_over_price: f64,
-    /// The arm; the WidowX where it is left out.
+    /// The arm; the WidowX if omitted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub arm: Option<ArmDescription>,
 }
 
 impl Default for Config {
-    /// The paper's problem, read by the pose that solves the task and the height over the table.
+    /// Returns the paper's problem, with the pose that solves the task and the height above the table as sources.
     fn default() -> Self {
         Self {
             sources: [Source::Stance, Source::Floor].map(|source| source.name().to_owned()).to_vec(),
@@ -57,10 +57,10 @@ impl Default for Config {
 }
 
 impl Config {
-    /// Checks ranges, names and contradictions.
+    /// Checks ranges, names and consistency.
     ///
     /// # Errors
-    /// The first setting that is wrong.
+    /// The first invalid setting.
     pub fn check(&self) -> Result<(), Finding> {
         if self.shield != Shield::None && self.step != STEP {
             let accepted = format!("\"none\": a shield knows actions of {STEP} ticks only");
@@ -78,7 +78,7 @@ impl Config {
         Finding::range("problem.hand_over_price", self.hand_over_price, 0.0, f64::INFINITY)
     }
 
-    /// Each source known, and each once.
+    /// Checks that each source exists and occurs once.
     fn check_sources(&self) -> Result<(), Finding> {
         let readable = |source: &&str| !source.starts_with("shield_");
         let known: Vec<&str> = Source::ALL.iter().map(|source| source.name()).filter(readable).collect();
@@ -94,12 +94,12 @@ impl Config {
         }
     }
 
-    /// The arm.
+    /// Returns the arm.
     pub fn arm(&self) -> Arm<f64> {
         self.arm.as_ref().map_or(WIDOWX, Arm::from)
     }
 
-    /// The problem of that start.
+    /// Returns the problem with the given start.
     pub fn problem(&self, start: Start) -> ArmProblem {
         let sources = self.sources.iter().filter_map(|name| Source::from_name(name));
         ArmProblem {
@@ -115,7 +115,7 @@ impl Config {
         }
     }
 
-    /// The environment of that start.
+    /// Returns the environment with the given start.
     pub fn environment<S: ArmScalar>(&self, start: Start) -> ArmEnvironment<S> {
         ArmEnvironment::new(&self.arm(), self.problem(start))
     }

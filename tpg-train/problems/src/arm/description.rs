@@ -1,6 +1,7 @@
-//! An arm as a section of a configuration: `[problem.arm]`, `[problem.arm.links]` and `[problem.arm.shapes]`. Without it the arm is the WidowX.
+//! An arm as a section of a configuration: `[problem.arm]`, `[problem.arm.links]` and `[problem.arm.shapes]`. By
+//! default the arm is the WidowX.
 //!
-//! `tpg-train config widowx` prints the WidowX's own section, commented, to start from.
+//! `tpg-train config widowx` prints the WidowX's own section, commented, as a starting point.
 
 use crate::arm::targets::stands_free;
 use serde::{Deserialize, Serialize};
@@ -8,17 +9,17 @@ use tpg_arm::kinematics::Plane;
 use tpg_arm::{Arm, BaseEdge, JOINTS, JointRange, Links, Pose, Shapes, TICKS_PER_TURN};
 use tpg_graph::error::Finding;
 
-/// The WidowX's section, commented.
+/// The WidowX's section, with comments.
 pub const WIDOWX_TOML: &str = include_str!("widowx.toml");
 
-/// Positions tried for each joint of the plane, to see whether an arm can stand anywhere.
+/// Positions tried for each joint of the plane when checking that an arm has a free pose.
 const TRIED: i32 = 16;
 
-/// An arm, as it is written down.
+/// An arm as written in a configuration.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ArmDescription {
-    /// Where a fixed-start episode begins, ticks.
+    /// Start of a fixed-start episode, ticks.
     pub home: [i16; JOINTS],
     /// Positions of the servos that never move, ticks.
     pub fixed_servos: [i16; 2],
@@ -34,7 +35,7 @@ pub struct ArmDescription {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct LinksDescription {
-    /// Height of the shoulder over the table.
+    /// Height of the shoulder above the table.
     pub base: f64,
     /// Shoulder to the elbow's bracket.
     pub upper_arm: f64,
@@ -52,13 +53,13 @@ pub struct LinksDescription {
 pub struct ShapesDescription {
     /// Wrist to the face of the hand's tip.
     pub hand_length: f64,
-    /// From the hand's axis to its two long edges.
+    /// Distances from the hand's axis to its two long edges.
     pub hand_edges: [f64; 2],
-    /// How far the forearm's end face lies beyond the wrist.
+    /// Distance from the wrist to the forearm's end face beyond it.
     pub forearm_overhang: f64,
-    /// From the forearm's axis to its two long edges.
+    /// Distances from the forearm's axis to its two long edges.
     pub forearm_edges: [f64; 2],
-    /// The outline of the base: each edge's first and last distance from the axis, first and last height.
+    /// Outline of the base: for each edge the first and last distance from the axis, then the first and last height.
     pub base: [[f64; 4]; 4],
 }
 
@@ -103,7 +104,7 @@ impl From<&ArmDescription> for Arm<f64> {
 }
 
 impl ArmDescription {
-    /// Checks what the types cannot.
+    /// Checks what the types cannot express.
     ///
     /// # Errors
     /// A value out of range, or values that contradict each other.
@@ -162,7 +163,7 @@ impl ArmDescription {
         }
         for [x0, x1, z0, z1] in shapes.base {
             let inside = [x0, x1, z0, z1].iter().all(|value| (0.0..=LONGEST).contains(value));
-            // The collision test knows horizontal and vertical edges.
+            // The collision test supports only horizontal and vertical edges.
             if !inside || (x0 != x1 && z0 != z1) {
                 let found = format!("{:?}", [x0, x1, z0, z1]);
                 let accepted = format!("0 to {LONGEST} mm, horizontal (equal heights) or vertical (equal distances)");
@@ -185,7 +186,7 @@ impl ArmDescription {
     }
 }
 
-/// No length is more, mm: the sample of the reachable space must fit into memory.
+/// Maximum length, mm: the sample of the reachable space must fit into memory.
 const LONGEST: f64 = 1000.0;
 
 #[cfg(test)]

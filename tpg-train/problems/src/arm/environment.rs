@@ -1,7 +1,7 @@
-//! The arm as an [`Environment`]: the runtime's rules, kept from step to step where nothing changed.
+//! The arm as an [`Environment`]: the runtime's rules, with unchanged values cached from step to step.
 //!
-//! Every value comes from the runtime's own functions on the same arguments, so it has the same bits as an observation
-//! made from scratch; a test walks both side by side.
+//! Every value comes from the runtime's own functions applied to the same arguments, so it has the same bits as a fresh
+//! observation; a test compares both step by step.
 
 mod clearance;
 mod episode;
@@ -28,9 +28,9 @@ use tpg_engine::{
 use tpg_graph::error::InputError;
 use tpg_graph::{ActionDocument, Effect, Graph, SourceDocument};
 
-/// The scalars that an arm exists in.
+/// Scalars that the arm supports.
 pub trait ArmScalar: Lattice {
-    /// The arm, rounded to this scalar.
+    /// Rounds the arm to this scalar.
     fn arm(arm: &Arm<f64>) -> Arm<Self>;
 }
 
@@ -46,10 +46,10 @@ impl ArmScalar for f64 {
     }
 }
 
-/// The measure of an episode: from the hand to the target at its end.
+/// The measure of an episode: distance from the hand to the target at its end.
 pub const DISTANCE: Measure = Measure { name: "distance", unit: "mm" };
 
-/// The arm.
+/// The environment of the arm.
 #[derive(Clone, Debug)]
 pub struct ArmEnvironment<S> {
     arm: Arm<S>,
@@ -57,20 +57,20 @@ pub struct ArmEnvironment<S> {
     problem: ArmProblem,
     tolerance: S,
     moves: Vec<Move>,
-    /// First place of each source in the flat state.
+    /// First index of each source in the flat state.
     places: Vec<usize>,
     clearances: Clearances<S>,
-    /// How far an action of the shield moves any point of the arm at most, mm.
+    /// Maximum distance that a shielded action moves any point of the arm, mm.
     swing: S,
-    /// Left out where sines are computed.
+    /// `None` if sines are computed.
     sines: Option<Box<Sines<S>>>,
-    /// Whether lanes do their usual steps all at once.
+    /// True if lanes take their usual steps all at once.
     vectors: bool,
-    /// Where training tasks come from.
+    /// Source of training tasks.
     space: Option<Space>,
 }
 
-/// Sine of every tick of a turn.
+/// Sines of all ticks of a turn.
 type Sines<S> = [S; TICKS_PER_TURN as usize];
 
 #[inline(always)]
@@ -81,16 +81,16 @@ fn look_up<S: ArmScalar>(sines: &Sines<S>, angle: Angle) -> Direction<S> {
     Direction { cos: sines[ahead], sin: sines[ticks] }
 }
 
-/// The base's angle; 0 at motor position 2048.
+/// Returns the base's angle; 0 at motor position 2048.
 #[inline(always)]
 fn base_angle(pose: Pose) -> Angle {
     Angle(i32::from(pose.0[0]) - TICKS_PER_TURN / 2)
 }
 
 impl<S: ArmScalar> ArmEnvironment<S> {
-    /// An environment.
+    /// Creates an environment.
     ///
-    /// Its training tasks come from the space's own sample; validation tasks from another.
+    /// Training tasks come from one sample of the reachable space, validation tasks from another.
     pub fn new(arm: &Arm<f64>, problem: ArmProblem) -> Self {
         let mut environment = Self::for_evaluation(arm, problem, Vec::new());
         environment.moves = (0..JOINTS as u8)
@@ -106,7 +106,7 @@ impl<S: ArmScalar> ArmEnvironment<S> {
         environment
     }
 
-    /// An environment with a policy's own actions, for tasks that are given: none can be drawn.
+    /// Creates an environment with a policy's own actions, for given tasks: none can be drawn.
     pub fn for_evaluation(arm: &Arm<f64>, problem: ArmProblem, moves: Vec<Move>) -> Self {
         let places = (0..problem.sources.len())
             .map(|place| problem.sources[..place].iter().map(|source| source.length()).sum())
@@ -126,36 +126,36 @@ impl<S: ArmScalar> ArmEnvironment<S> {
         }
     }
 
-    /// An environment for a graph's tests: its sources, its actions.
+    /// Creates an environment for a graph's tests, with the graph's sources and actions.
     ///
     /// # Errors
-    /// If the graph reads sources that the arm does not have, or has actions that do not say what they move.
+    /// If the graph reads sources that the arm does not have, or has actions that do not state their move.
     pub fn for_graph(file: &str, graph: &Graph, arm: &Arm<f64>, problem: ArmProblem) -> Result<Self, InputError> {
         let (sources, moves) = bind(file, graph)?;
         Ok(Self::for_evaluation(arm, ArmProblem { sources, ..problem }, moves))
     }
 
-    /// The same environment with sines by libm: for a benchmark of the tables, its results differ in the last bits.
+    /// Returns the same environment with libm's sines, for benchmarks of the tables; results differ in the last bits.
     pub fn without_tables(self) -> Self {
         Self { sines: None, ..self }
     }
 
-    /// The same environment, one lane at a time: for a benchmark of the vectors.
+    /// Returns the same environment without vectorised steps, for benchmarks of the vectors.
     pub fn without_vectors(self) -> Self {
         Self { vectors: false, ..self }
     }
 
-    /// The arm in this environment's scalar.
+    /// Returns the arm in this environment's scalar.
     pub fn arm(&self) -> &Arm<S> {
         &self.arm
     }
 
-    /// What is asked.
+    /// Returns the problem.
     pub fn problem(&self) -> &ArmProblem {
         &self.problem
     }
 
-    /// What each action moves.
+    /// Returns the move of each action.
     pub fn moves(&self) -> &[Move] {
         &self.moves
     }
@@ -180,7 +180,7 @@ impl<S: ArmScalar> ArmEnvironment<S> {
         self.direction(base_angle(pose))
     }
 
-    /// [`Source::ShieldCollision`], without a look where the arm is far from everything.
+    /// Returns [`Source::ShieldCollision`], skipping the collision test if the arm is far from everything.
     fn shield(&self, episode: &ArmEpisode<S>) -> [S; shield::SHIELDED] {
         let step = episode.shielded_step();
         if episode.roughness == 1 && self.clearances.leaves_free(&episode.plane, self.swing) {
@@ -191,7 +191,7 @@ impl<S: ArmScalar> ArmEnvironment<S> {
         })
     }
 
-    /// The arm comes to a pose, with its plane where that is another one.
+    /// Moves the arm to a pose; `plane` is given if it changed.
     fn arrive(&self, episode: &mut ArmEpisode<S>, pose: Pose, plane: Option<Plane<S>>) {
         if pose.0[0] != episode.pose.0[0] {
             episode.base = self.base(pose);
@@ -204,14 +204,14 @@ impl<S: ArmScalar> ArmEnvironment<S> {
         episode.hand = episode.plane.hand_in_world(episode.base);
     }
 
-    /// Takes one action; the episode's ending, if it ended. The only reward is the score at the end.
+    /// Takes one action and returns the ending if the episode ended. The only reward is the score at the end.
     fn advance(&self, episode: &mut ArmEpisode<S>, action: usize) -> Option<Ending> {
         let wanted = self.moves.get(action).copied().unwrap_or(Move::STOP);
         let wanted = Move(wanted.0.map(|ticks| ticks.saturating_mul(episode.roughness as i8)));
         let before = episode.pose;
         let mut moved_plane = None;
         let step = self.arm.step_with(before, wanted, |moved| {
-            // The plane, and with it every collision, is the same for every angle of the base.
+            // The plane, and with it every collision, does not depend on the angle of the base.
             let plane_moved = (moved.packed() ^ before.packed()) >> 16 != 0;
             if !plane_moved && !episode.collides {
                 return None;
@@ -226,7 +226,7 @@ impl<S: ArmScalar> ArmEnvironment<S> {
             self.arrive(episode, step.pose, moved_plane);
         }
         let distance = kinematics::distance(episode.target, episode.hand);
-        // The order of the runtime's episode; cycles are the engine's.
+        // The same order as in the runtime's episode; cycles are detected by the engine.
         let outcome = if let Some(invalid) = step.invalid {
             Outcome::Invalid(invalid)
         } else if distance < self.tolerance * S::from_i32(i32::from(episode.roughness)) {

@@ -1,33 +1,33 @@
 //! Inverse kinematics in closed form: poses that put the hand on a target.
 //!
-//! Knowledge about the arm that only training rewards and the classical yardsticks use; no learned policy sees it.
+//! Used only by training rewards and classical baselines; no learned policy sees it.
 //!
-//! For a pitch of the hand the wrist is known, and base, upper arm and forearm follow as a two-link triangle: the upper
-//! arm and its bracket act as one link of length √(upper² + offset²), turned by atan(offset/upper).
+//! A pitch of the hand fixes the wrist; base, upper arm and forearm then follow from a two-link triangle: the upper arm
+//! and its bracket act as one link of length √(upper² + offset²), turned by atan(offset/upper).
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use tpg_arm::kinematics::{self, Plane};
 use tpg_arm::{Arm, Pose, TICKS_PER_TURN};
 
-/// Pitches of the hand that are tried, evenly round the circle.
+/// Number of pitches of the hand that are tried, evenly spaced around the circle.
 const PITCHES: u32 = 144;
-/// A goal's hand lies within this of the target, mm: rounding to ticks costs up to about 1 mm.
+/// Maximum distance from a goal's hand to the target, mm: rounding to ticks costs up to about 1 mm.
 const TOLERANCE: f64 = 4.0;
 
-/// The free poses that put the hand on `target` (mm), for 144 pitches of the hand, both sides of the base and both
-/// bends of the elbow: none where the target is out of reach, 576 at most. In a fixed order.
+/// Returns the free poses that put the hand on `target` (mm), for 144 pitches of the hand, both sides of the base and
+/// both bends of the elbow: at most 576, none if the target is out of reach. Their order is fixed.
 pub fn goals(arm: &Arm<f64>, target: [f64; 3]) -> Vec<Pose> {
     goals_of_pitches(arm, target, PITCHES)
 }
 
-/// [`goals`] for another number of pitches: a target at the rim of the space may need one between the 144.
+/// As [`goals`], for another number of pitches: a target at the rim of the space may need one between the 144.
 pub fn goals_of_pitches(arm: &Arm<f64>, target: [f64; 3], pitches: u32) -> Vec<Pose> {
     let [x, y, z] = target;
     let range = x.hypot(y);
     let front = libm::atan2(-x, y);
     let back = if front > 0.0 { front - PI } else { front + PI };
     let mut goals = Vec::new();
-    // The arm plane's x runs against the radius: in front of the base it is negative.
+    // The arm plane's x is opposite to the radius: in front of the base it is negative.
     for (base, plane_x) in [(front, -range), (back, range)] {
         for pitch in 0..pitches {
             let hand = TAU * f64::from(pitch) / f64::from(pitches);
@@ -42,7 +42,8 @@ pub fn goals_of_pitches(arm: &Arm<f64>, target: [f64; 3], pitches: u32) -> Vec<P
     goals
 }
 
-/// The angles of upper arm and forearm, for both bends of the elbow, that bring the wrist to a point of the plane.
+/// Returns the angles of upper arm and forearm that bring the wrist to a point of the plane, for both bends of the
+/// elbow.
 fn two_links(arm: &Arm<f64>, (x, z): (f64, f64)) -> [Option<(f64, f64)>; 2] {
     let links = &arm.links;
     let z = z - links.base;
@@ -59,7 +60,7 @@ fn two_links(arm: &Arm<f64>, (x, z): (f64, f64)) -> [Option<(f64, f64)>; 2] {
     })
 }
 
-/// Motor positions of four angles (rad, 0 = motor position 0), where all lie inside their ranges.
+/// Returns the motor positions of four angles (rad, 0 = motor position 0), if all lie inside their ranges.
 fn on_lattice(arm: &Arm<f64>, angles: [f64; 4]) -> Option<Pose> {
     let ticks = angles.map(|angle| {
         let ticks = libm::round(angle * f64::from(TICKS_PER_TURN) / TAU) as i32;
@@ -93,7 +94,7 @@ mod tests {
                 assert!(off < TOLERANCE && Plane::at(&WIDOWX, pose).collision(&WIDOWX.shapes).is_none());
             }
         }
-        // Targets at the rim of the space need one exact pitch, which may fall between two that are tried.
+        // Targets at the rim of the space need one exact pitch, which may fall between two tried ones.
         assert!(without <= 6, "{without} of 300 targets without a goal");
     }
 

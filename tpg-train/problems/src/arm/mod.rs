@@ -1,17 +1,17 @@
-//! The planar four-joint arm: its environment, its tasks, and classical controllers to compare with.
+//! The planar four-joint arm: its environment, its tasks, and classical controllers as baselines.
 //!
 //! | module | subject |
 //! | --- | --- |
-//! | [`environment`] | the arm as an [`Environment`](tpg_engine::Environment), many episodes at once |
-//! | [`binding`] | a graph's sources and actions in terms of the arm |
+//! | [`environment`] | the arm as an [`Environment`](tpg_engine::Environment), many episodes in parallel |
+//! | [`binding`] | translation of a graph's sources and actions |
 //! | [`config`] | the arm's section of a configuration |
 //! | [`shield`] | actions that a graph cannot choose |
 //! | [`motors`] | the arm by its four motors, for policies with outputs |
 //! | [`description`] | an arm as a section of a configuration |
 //! | [`targets`] | tasks over the reachable space |
-//! | [`ik`] | poses that solve a task, by inverse kinematics |
-//! | [`planner`] | controllers that learn nothing |
-//! | [`trial`] | one policy on many tasks |
+//! | [`ik`] | inverse kinematics: poses that solve a task |
+//! | [`planner`] | classical controllers |
+//! | [`trial`] | results of one policy on many tasks |
 
 pub mod binding;
 pub mod config;

@@ -1,4 +1,4 @@
-//! Classical yardsticks: policies that know the arm's inverse kinematics and learn nothing.
+//! Classical baselines: controllers that use the arm's inverse kinematics and learn nothing.
 
 use crate::arm::ik;
 use crate::arm::targets::TOLERANCE;
@@ -8,18 +8,18 @@ use tpg_arm::observation::Observation;
 use tpg_arm::{Arm, JOINTS, Move, Pose};
 use tpg_runtime::policy::Policy;
 
-/// Which way of choosing among the poses that solve a task.
+/// Rule for choosing among the poses that solve a task.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Choice {
-    /// The nearest, whatever stands between.
+    /// The nearest pose, ignoring obstacles.
     Nearest,
-    /// The nearest that a straight walk reaches without a collision. If there is none, the nearest that a walk of one
-    /// joint after the other reaches, in any order of the joints; the nearest if there is none either.
+    /// The nearest pose reachable by a straight walk without a collision; else the nearest reachable by moving one
+    /// joint after another, in any order of the joints; else the nearest.
     NearestFree,
 }
 
-/// Walks to a pose that solves the task, choosing anew at every step. Memoryless: what it
-/// keeps is a function of the target.
+/// Walks to a pose that solves the task, choosing again at every step. Memoryless: its cache depends only on the
+/// target.
 #[derive(Debug)]
 pub struct Planner<'a> {
     arm: &'a Arm<f64>,
@@ -28,22 +28,22 @@ pub struct Planner<'a> {
     solved: RefCell<([f64; 3], Vec<Pose>)>,
 }
 
-/// Pitches of the hand that are tried; the second number where the first finds nothing.
+/// Number of pitches of the hand that are tried; the second number is used if the first finds no pose.
 const PITCHES: u32 = 144;
 const FINE_PITCHES: u32 = 2880;
 
-/// The most a motor moves in a step, ticks.
+/// Maximum motion of a motor per step, ticks.
 const STEP: i16 = 3;
 
 impl<'a> Planner<'a> {
-    /// A planner for that arm.
+    /// Creates a planner for an arm.
     pub fn new(arm: &'a Arm<f64>, choice: Choice) -> Self {
         Self { arm, choice, solved: RefCell::new(([f64::NAN; 3], Vec::new())) }
     }
 
     fn solve(&self, target: [f64; 3]) -> Vec<Pose> {
         let reaches = |pose: &Pose| {
-            // A little less than the tolerance: episodes may be run in single precision.
+            // Slightly below the tolerance: episodes may run in single precision.
             kinematics::distance(kinematics::hand(self.arm, *pose), target) < 0.95 * TOLERANCE
         };
         let solve = |pitches| -> Vec<Pose> {
@@ -53,7 +53,7 @@ impl<'a> Planner<'a> {
         if goals.is_empty() { solve(FINE_PITCHES) } else { goals }
     }
 
-    /// Whether a walk from `pose` to `goal` does only valid steps. (It stays within the ranges: both ends do.)
+    /// True if a walk from `pose` to `goal` has only valid steps. (It stays within the ranges because both ends do.)
     fn free(&self, mut pose: Pose, goal: Pose, walk: Walk) -> bool {
         while pose != goal {
             let Move(deltas) = walk.step(pose, goal);
@@ -65,7 +65,7 @@ impl<'a> Planner<'a> {
         true
     }
 
-    /// The first step of the first free walk to one of `goals`.
+    /// Returns the first step of the first free walk to one of `goals`.
     fn free_step(&self, pose: Pose, goals: &[Pose]) -> Option<Move> {
         let straight = goals.iter().map(|&goal| (goal, Walk::Straight));
         let in_order = goals.iter().flat_map(|&goal| orders().map(move |order| (goal, Walk::InOrder(order))));
@@ -74,12 +74,12 @@ impl<'a> Planner<'a> {
     }
 }
 
-/// A way from pose to pose.
+/// A way to walk between two poses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Walk {
-    /// Every motor moves, up to three ticks a step, until it has arrived.
+    /// All motors move at once, up to three ticks per step, until each has arrived.
     Straight,
-    /// One motor after the other.
+    /// One motor moves after another.
     InOrder([usize; JOINTS]),
 }
 
@@ -96,7 +96,7 @@ impl Walk {
     }
 }
 
-/// The 24 orders of four joints.
+/// Returns the 24 orders of four joints.
 fn orders() -> impl Iterator<Item = [usize; JOINTS]> {
     (0..JOINTS.pow(JOINTS as u32)).filter_map(|code| {
         let order: [usize; JOINTS] = std::array::from_fn(|place| code / JOINTS.pow(place as u32) % JOINTS);
@@ -104,7 +104,7 @@ fn orders() -> impl Iterator<Item = [usize; JOINTS]> {
     })
 }
 
-/// Steps to go with all motors moving, hundredths of a tick; ties go to the smaller sum.
+/// Returns the number of steps with all motors moving, in hundredths of a tick; ties go to the smaller sum.
 fn cost(pose: Pose, goal: Pose) -> i32 {
     let ticks: [i32; JOINTS] = std::array::from_fn(|joint| i32::from((goal.0[joint] - pose.0[joint]).abs()));
     100 * ticks.into_iter().max().unwrap_or(0) + 2 * ticks.into_iter().sum::<i32>()
@@ -151,7 +151,7 @@ mod tests {
             let success = |choice| trial::run(&WIDOWX, &Planner::new(&WIDOWX, choice), start, &tasks).success_rate;
             let (nearest, free) = (success(Choice::Nearest), success(Choice::NearestFree));
             assert!(free >= 0.97 && free >= nearest && nearest >= 0.9, "{start:?}: {nearest} {free}");
-            // The one that fits a microcontroller looks at four poses only.
+            // The variant that fits a microcontroller looks at only four poses.
             let stance = trial::run(&WIDOWX, &Straight::new(&WIDOWX), start, &tasks).success_rate;
             assert!(nearest >= stance && stance >= 0.85, "{start:?}: {stance}");
         }

@@ -1,12 +1,13 @@
-//! Tasks: where the arm starts and where its hand shall go.
+//! Tasks: the start of the arm and the target of its hand.
 //!
-//! Targets are uniform in the reachable space. The reachable space is sampled: motor positions drawn at the resolution
-//! of one tick, those thrown away that collide or stand inside the base, the rest sorted into cubes of 20 mm by where
-//! the hand is. A target is a uniformly chosen cube, then a uniformly chosen pose in it; so is a random start. (The
-//! paper's own list of targets is not public; on a coarser grid than one tick a policy can exploit the grid.)
+//! Targets are uniform in the reachable space, which is sampled: motor positions are drawn at a resolution of one tick,
+//! poses that collide or are inside the base are rejected, and the others are sorted into cubes of 20 mm by the
+//! position of the hand. A target is a uniformly chosen cube, then a uniformly chosen pose in it; random starts are
+//! drawn in the same way. (The paper's own list of targets is not public; on a grid coarser than one tick a policy can
+//! exploit the grid.)
 //!
-//! Training, validation and test tasks never share a random stream, whatever the seed: [`Purpose`](Set) is a part of
-//! the stream's key.
+//! Training, validation and test tasks never share a random stream, for any seed: [`Purpose`](Set) is part of the
+//! stream's key.
 
 mod file;
 
@@ -21,23 +22,23 @@ use tpg_engine::random::{Purpose, Stream};
 
 /// The edge of a cube, mm.
 const CUBE: f64 = 20.0;
-/// A cube remembers this many poses, the first drawn.
+/// Maximum number of poses kept per cube, the first ones drawn.
 const POSES_PER_CUBE: usize = 8;
-/// Poses drawn to sample the reachable space: about 60 for each cube.
+/// Number of poses drawn to sample the reachable space: about 60 per cube.
 const DRAWS: u32 = 2_000_000;
 
-/// What tasks are for. Sets of different kinds are independent for every seed.
+/// Purpose of a set of tasks. Sets with different purposes are independent for every seed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Set {
-    /// To learn from.
+    /// Used for learning.
     Training = 1,
-    /// To choose between policies.
+    /// Used to choose between policies.
     Validation = 2,
-    /// To report; no training and no selection may read them.
+    /// Used for reports; never read in training or selection.
     Test = 3,
 }
 
-/// Where episodes start.
+/// Start of episodes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, clap::ValueEnum)]
 #[serde(rename_all = "lowercase")]
 #[value(rename_all = "lowercase")]
@@ -49,7 +50,7 @@ pub enum Start {
 }
 
 impl Start {
-    /// Actions after which an episode is over.
+    /// Returns the number of actions after which an episode ends.
     pub fn max_actions(self) -> u32 {
         match self {
             Self::Fs => 1707,
@@ -64,14 +65,14 @@ pub const TOLERANCE: f64 = 3.0;
 /// One task.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Task {
-    /// Where the arm starts.
+    /// Start of the arm.
     pub start: Pose,
-    /// Where the hand shall go, mm.
+    /// Target of the hand, mm.
     pub target: [f64; 3],
 }
 
 impl Task {
-    /// The task as a problem with the paper's tolerance.
+    /// Converts the task to a problem with the paper's tolerance.
     pub fn problem<S: Lattice>(&self, start: Start) -> Problem<S> {
         Problem {
             start: self.start,
@@ -82,21 +83,21 @@ impl Task {
     }
 }
 
-/// A sample of the poses that an arm can take, evened out over where the hand is.
+/// A sample of the poses that an arm can take, evenly distributed over the positions of the hand.
 #[derive(Clone, Debug)]
 pub struct Reach {
     home: Pose,
     arm: Arm<f64>,
     poses: Vec<Pose>,
-    /// Where each cube's poses begin in `poses`; one more than there are cubes.
+    /// Offset of each cube's poses in `poses`; one more than there are cubes.
     cubes: Vec<usize>,
 }
 
 impl Reach {
-    /// Samples the space that the arm reaches. Takes under a second.
+    /// Samples the arm's reachable space in less than a second.
     ///
     /// # Panics
-    /// If the arm has no pose that is free.
+    /// If the arm has no free pose.
     pub fn sample(arm: &Arm<f64>, seed: u64, set: Set) -> Self {
         let mut random = Stream::new(seed, set as u64, Purpose::Reach, 0);
         let links = &arm.links;
@@ -128,19 +129,19 @@ impl Reach {
         Self { home: arm.home, arm: *arm, poses: found.into_iter().map(|(.., pose)| pose).collect(), cubes }
     }
 
-    /// How many cubes the hand reaches.
+    /// Returns the number of cubes that the hand reaches.
     pub fn cubes(&self) -> usize {
         self.cubes.len() - 1
     }
 
-    /// A pose: uniform over the cubes, then over the cube's poses.
+    /// Draws a pose: uniform over the cubes, then over the cube's poses.
     pub fn pose(&self, random: &mut Stream) -> Pose {
         let cube = random.below(self.cubes());
         let poses = &self.poses[self.cubes[cube]..self.cubes[cube + 1]];
         *random.pick(poses)
     }
 
-    /// A task.
+    /// Draws a task.
     pub fn task(&self, start: Start, random: &mut Stream) -> Task {
         let target = kinematics::hand(&self.arm, self.pose(random));
         let start = match start {
@@ -151,8 +152,8 @@ impl Reach {
     }
 }
 
-/// Whether nothing collides and neither hand nor forearm stands inside the base (which the collision test, made of
-/// edges alone, does not see).
+/// True if nothing collides and neither hand nor forearm is inside the base (which the collision test misses because it
+/// checks only edges).
 pub fn stands_free(arm: &Arm<f64>, plane: &Plane<f64>) -> bool {
     let outside = || {
         let Clearance { hand, forearm } = Clearance::of(plane, &arm.shapes);
@@ -161,7 +162,7 @@ pub fn stands_free(arm: &Arm<f64>, plane: &Plane<f64>) -> bool {
     plane.collision(&arm.shapes).is_none() && outside()
 }
 
-/// That many tasks of a set. The first tasks of a longer list are the shorter list.
+/// Returns `count` tasks of a set. A shorter list is a prefix of a longer one.
 pub fn tasks(arm: &Arm<f64>, seed: u64, set: Set, start: Start, count: usize) -> Vec<Task> {
     let reach = Reach::sample(arm, seed, set);
     let stream = |index| Stream::new(seed, (set as u64) << 8 | start as u64, Purpose::Task, index);

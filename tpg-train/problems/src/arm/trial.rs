@@ -1,4 +1,4 @@
-//! A policy put to a list of tasks: how often it succeeds, and how it fails.
+//! Trials: success rate and failures of a policy on a list of tasks.
 
 use crate::arm::environment::{ArmProblem, OUTCOMES};
 use crate::arm::targets::{Start, Task};
@@ -11,36 +11,36 @@ use tpg_arm::{Arm, Move, Pose, Step};
 use tpg_engine::Ending;
 use tpg_runtime::policy::Policy;
 
-/// The figures of many episodes of one problem. Rates lie in 0..1, distances are in mm.
+/// Statistics of many episodes of one problem. Rates lie in 0..1, distances are in mm.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Trial {
-    /// Which start.
+    /// Start of the episodes.
     pub problem: Start,
-    /// How many episodes.
+    /// Number of episodes.
     pub episodes: usize,
-    /// Episodes that ended at the target.
+    /// Rate of episodes that ended at the target.
     pub success_rate: f64,
-    /// Episodes that ended by an invalid action, joint limits included, as in the paper.
+    /// Rate of episodes that ended with an invalid action, including joint limits, as in the paper.
     pub collision_rate: f64,
-    /// Of the final distances.
+    /// Mean final distance.
     pub mean_distance_mm: f64,
-    /// Of the final distances.
+    /// Median final distance.
     pub median_distance_mm: f64,
-    /// Of all episodes.
+    /// Mean number of actions of all episodes.
     pub mean_actions: f64,
-    /// Of the successful episodes; 0 where there is none.
+    /// Mean number of actions of the successful episodes; 0 if there are none.
     pub mean_actions_on_success: f64,
-    /// Why the others failed.
+    /// Reasons for the failures.
     pub failures: Failures,
     /// The episodes, in order.
     #[serde(skip)]
     pub endings: Vec<Ending>,
 }
 
-/// Failed episodes by their end.
+/// Failed episodes by the kind of their end.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Failures {
-    /// A pose came again.
+    /// A pose was repeated.
     pub cycle: usize,
     /// The policy chose not to move.
     pub stop: usize,
@@ -64,7 +64,7 @@ where
     summarise(start, &tasks.iter().map(episode).collect::<Vec<_>>())
 }
 
-/// Runs one episode; `each` sees the pose after every action.
+/// Runs one episode and calls `each` with the pose after every action.
 pub fn watch<S, P>(arm: &Arm<S>, policy: &P, start: Start, task: &Task, each: impl FnMut(Pose)) -> Summary<S>
 where
     S: Lattice,
@@ -73,8 +73,8 @@ where
     Episode::new(arm, task.problem(start), Brent::new()).run(policy, each)
 }
 
-/// Runs one episode of a policy that draws its actions: neither rest nor a pose that comes again ends it. `each` sees the
-/// pose after every action.
+/// Runs one episode of a policy that samples its actions: neither standing still nor repeating a pose ends it. Calls
+/// `each` with the pose after every action.
 pub fn watch_drawn<S: Lattice>(
     arm: &Arm<S>,
     decide: impl FnMut(&Observation<S>) -> Move,
@@ -90,9 +90,9 @@ pub fn watch_drawn<S: Lattice>(
     })
 }
 
-/// As [`run`], but an invalid action ends nothing: what can move moves, or the arm stays, and the episode goes on. An
-/// episode counts as a collision if its last action was invalid, as in the paper. A policy that stands still where its
-/// action is refused has come to its end: a cycle.
+/// As [`run`], but an invalid action does not end the episode: the joints that can move do, or the arm stays. An
+/// episode counts as a collision if its last action was invalid, as in the paper. A policy that stands still because
+/// its action is refused has reached a cycle, which ends the episode.
 pub fn run_allowing_collisions<S, P>(arm: &Arm<S>, policy: &P, start: Start, tasks: &[Task]) -> Trial
 where
     S: Lattice,
@@ -123,7 +123,7 @@ where
     summarise(start, &tasks.iter().map(episode).collect::<Vec<_>>())
 }
 
-/// Acts until an outcome is found for a step, given whether it reached the target, and whether another action is allowed.
+/// Acts until a step has an outcome, given whether it reached the target and whether another action is allowed.
 fn walk<S: Lattice>(
     arm: &Arm<S>,
     problem: &Problem<S>,
@@ -143,7 +143,7 @@ fn walk<S: Lattice>(
     }
 }
 
-/// The figures of episodes with the paper's scores.
+/// Computes the statistics of episodes with the paper's scores.
 pub fn summarise<S: Lattice>(problem: Start, summaries: &[Summary<S>]) -> Trial {
     let rules = ArmProblem::new(problem, Vec::new());
     let ending = |summary: &Summary<S>| rules.ending(summary.outcome, summary.actions, summary.distance.to_f64());
@@ -151,7 +151,7 @@ pub fn summarise<S: Lattice>(problem: Start, summaries: &[Summary<S>]) -> Trial 
 }
 
 impl Trial {
-    /// The figures of episodes of the arm.
+    /// Computes the statistics of the arm's episodes.
     pub fn of(problem: Start, endings: Vec<Ending>) -> Self {
         let failed = |name: &str| endings.iter().filter(|ending| OUTCOMES[usize::from(ending.outcome)] == name).count();
         let failures = Failures {
@@ -198,7 +198,7 @@ mod tests {
     use crate::arm::targets::{Set, tasks};
     use tpg_arm::{Joint, WIDOWX};
 
-    /// Always the same move.
+    /// A policy that always takes the same move.
     struct Always(Move);
 
     impl Policy for Always {

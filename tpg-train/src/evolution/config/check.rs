@@ -1,4 +1,4 @@
-//! The values that a configuration may hold.
+//! Validity of configurations.
 
 use super::Config;
 use tpg_engine::ActionSpace;
@@ -6,10 +6,10 @@ use tpg_graph::error::Finding;
 use tpg_runtime::ops::Instruction;
 
 impl Config {
-    /// Ranges, names and contradictions.
+    /// Checks ranges, names and consistency.
     ///
     /// # Errors
-    /// The first parameter that is wrong.
+    /// The first invalid parameter.
     pub(super) fn check(&self) -> Result<(), Finding> {
         let number = Finding::range::<f64>;
         let probability = |key: &str, value: f64| number(key, value, 0.0, 1.0);
@@ -23,7 +23,7 @@ impl Config {
         count("tpg.max_outgoing_edges", tpg.max_outgoing_edges, tpg.max_init_outgoing_edges, 1000)?;
         probability("tpg.p_edge_deletion", tpg.p_edge_deletion)?;
         probability("tpg.p_edge_addition", tpg.p_edge_addition)?;
-        // At 0 GEGELATI would mutate for ever: rounds repeat until a program was mutated.
+        // With 0, GEGELATI would never stop: rounds repeat until a program is mutated.
         number("tpg.p_program_mutation", tpg.p_program_mutation, 1e-3, 1.0)?;
         probability("tpg.p_edge_destination_change", tpg.p_edge_destination_change)?;
         probability("tpg.p_edge_destination_is_action", tpg.p_edge_destination_is_action)?;
@@ -92,20 +92,20 @@ impl Config {
         Ok(())
     }
 
-    /// Checks what only the environment can tell: its actions are choices, and there are enough roots and edges for them.
+    /// Checks the environment-dependent conditions: actions are named, and there are enough roots and edges for them.
     ///
     /// # Errors
-    /// The first parameter that does not go with these actions.
+    /// The first parameter that does not fit these actions.
     pub fn check_actions(&self, actions: &ActionSpace) -> Result<(), Finding> {
         let Some(count) = actions.count() else {
-            let accepted = "named actions: tpg_engine::Choices makes them of any action space";
+            let accepted = "named actions: tpg_engine::Choices converts any action space";
             return Err(Finding::new("problem", "actions that are not a list of names", accepted));
         };
         Finding::range("problem.actions", count, 2, 1 << 16)?;
         Finding::range("tpg.init_nb_roots", self.tpg.init_nb_roots, count, usize::MAX)
     }
 
-    /// Each instruction known, and each once.
+    /// Checks that each instruction exists and occurs once.
     fn check_instructions(&self) -> Result<(), Finding> {
         let names = &self.language.instructions;
         let accepted = || format!("one or more of {}, each once", Instruction::ALL.map(Instruction::name).join(", "));

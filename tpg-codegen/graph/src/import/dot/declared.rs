@@ -1,11 +1,11 @@
-//! The nodes that a file declares, wherever in the file it does.
+//! The nodes that a file declares, in any part of the file.
 
 use super::Fault;
 use super::statement::{Located, Node, ProgramLine, Statement};
 use crate::error::InputError;
 use std::collections::BTreeMap;
 
-/// Nodes of one kind: in file order, and by number.
+/// Nodes of one kind, in file order and indexed by number.
 #[derive(Debug)]
 pub(super) struct Table<T> {
     items: Vec<T>,
@@ -19,17 +19,17 @@ impl<T> Default for Table<T> {
 }
 
 impl<T> Table<T> {
-    /// All of them, in file order.
+    /// Returns all nodes in file order.
     pub(super) fn items(&self) -> &[T] {
         &self.items
     }
 
-    /// The place in [`items`](Self::items) of the node with that number.
+    /// Returns the index in [`items`](Self::items) of the node with the given number.
     pub(super) fn place(&self, number: u32) -> Option<usize> {
         self.places.get(&number).copied()
     }
 
-    /// The node with that number.
+    /// Returns the node with the given number.
     pub(super) fn get(&self, number: u32) -> Option<&T> {
         self.place(number).map(|place| &self.items[place])
     }
@@ -44,14 +44,14 @@ impl<T> Table<T> {
     }
 }
 
-/// A team's node.
+/// Node of a team.
 #[derive(Debug)]
 pub(super) struct Team {
     pub(super) number: u32,
     pub(super) line: usize,
 }
 
-/// A program's node.
+/// Node of a program.
 #[derive(Debug)]
 pub(super) struct Program<'s> {
     pub(super) number: u32,
@@ -59,7 +59,7 @@ pub(super) struct Program<'s> {
     pub(super) constants: &'s [f64],
 }
 
-/// The node of a program's lines.
+/// Node that holds a program's lines.
 #[derive(Debug)]
 pub(super) struct Lines<'s> {
     pub(super) line: usize,
@@ -81,15 +81,15 @@ pub(super) struct Declared<'s> {
     pub(super) teams: Table<Team>,
     pub(super) programs: Table<Program<'s>>,
     pub(super) lines: Table<Lines<'s>>,
-    /// The action of each of its nodes.
+    /// Action of each action node.
     pub(super) actions: Table<u32>,
     pub(super) rank: Option<Rank<'s>>,
-    /// The line of the closing brace.
+    /// Line of the closing brace.
     pub(super) close: usize,
 }
 
 impl<'s> Declared<'s> {
-    /// Collects the nodes of a file; a number that is given twice is an error.
+    /// Collects the nodes of a file; a duplicate number is an error.
     pub(super) fn collect(file: &str, statements: &'s [Located]) -> Result<Self, InputError> {
         let mut declared = Self::default();
         for Located { line, statement } in statements {

@@ -1,17 +1,17 @@
-//! The lines of a program and its constants, as labels and comments write them.
+//! Parsing of program lines and constants from labels and comments.
 
 use super::Fault;
 use super::lexer::quote;
 use super::statement::{OperandText, ProgramLine};
 use std::str::FromStr;
 
-/// What ends every line of a program: how the exporter spells Graphviz's `\n`.
+/// Terminator of every program line: the exporter's spelling of Graphviz's `\n`.
 const END: &str = "&#92;n";
 
-/// How a line is written, for messages.
+/// Syntax of a line, for messages.
 const LINE: &str = "instruction|register&source|location#source|location&#92;n";
 
-/// Reads the label of a node of lines.
+/// Parses the label of a node that holds program lines.
 pub(super) fn lines(label: &str) -> Result<Vec<ProgramLine>, Fault> {
     let mut lines = Vec::new();
     let mut rest = label;
@@ -47,17 +47,17 @@ fn line(text: &str) -> Option<ProgramLine> {
     Some(line)
 }
 
-/// Digits only: `FromStr` would take a sign.
+/// Parses digits only: `FromStr` would accept a sign.
 fn number<N: FromStr>(text: &str) -> Option<N> {
     text.bytes().all(|byte| byte.is_ascii_digit()).then(|| text.parse().ok()).flatten()
 }
 
-/// Reads the integer constants of GEGELATI 1: `3|-5|`.
+/// Parses the integer constants of GEGELATI 1: `3|-5|`.
 pub(super) fn integers(comment: &str) -> Result<Vec<f64>, Fault> {
     constants(comment, "integers of 32 bits, each followed by |", |text| text.parse::<i32>().ok().map(f64::from))
 }
 
-/// Reads the real constants of GEGELATI 2: `0.63|-0.4|`.
+/// Parses the real constants of GEGELATI 2: `0.63|-0.4|`.
 pub(super) fn reals(comment: &str) -> Result<Vec<f64>, Fault> {
     let finite = |text: &str| text.parse::<f64>().ok().filter(|value| value.is_finite());
     constants(comment, "finite numbers, each followed by |", finite)

@@ -1,4 +1,4 @@
-//! The tokens of one line.
+//! Tokens of one line.
 
 use super::Fault;
 
@@ -7,17 +7,17 @@ use super::Fault;
 pub(super) enum Token<'t> {
     /// Letters, digits, `_` and `.`: `T12`, `rank`, `0.03`.
     Word(&'t str),
-    /// What stands between quotes.
+    /// The text between quotes.
     Text(&'t str),
     /// `->`
     Arrow,
     /// One of `[ ] { } = ,`
     Mark(char),
-    /// What follows `//`, to the end of the line.
+    /// The text after `//`, up to the end of the line.
     Comment(&'t str),
 }
 
-/// Takes one line apart, appending to `tokens`.
+/// Splits one line into tokens and appends them to `tokens`.
 pub(super) fn tokens<'t>(line: &'t str, tokens: &mut Vec<Token<'t>>) -> Result<(), Fault> {
     let mut rest = line.trim();
     while let Some(first) = rest.chars().next() {
@@ -46,7 +46,7 @@ fn is_word(c: char) -> bool {
     c.is_ascii_alphanumeric() || c == '_' || c == '.'
 }
 
-/// Text of the file as messages show it: quoted, and not too much of it.
+/// Quotes text of the file for messages and shortens it if it is long.
 pub(super) fn quote(text: &str) -> String {
     const MOST: usize = 60;
     let text = text.trim();

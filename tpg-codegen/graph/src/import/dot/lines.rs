@@ -1,36 +1,36 @@
-//! Where in the `.dot` file the things of a document stand.
+//! Source locations: the line of the `.dot` file for each element of a document.
 
-/// Lines of the file, by place in the document.
+/// Line numbers in the file, indexed by position in the document.
 #[derive(Debug, Default)]
 pub(super) struct Lines {
-    /// Of the statement that says what the root is, or of the root itself.
+    /// Line of the statement that names the root, or of the root's own node.
     pub(super) root: usize,
-    /// Of each team.
+    /// Lines of each team.
     pub(super) teams: Vec<TeamLines>,
-    /// Of each program.
+    /// Lines of each program.
     pub(super) programs: Vec<ProgramLines>,
 }
 
-/// Where a team stands.
+/// Lines of a team.
 #[derive(Debug)]
 pub(super) struct TeamLines {
-    /// Its node.
+    /// Line of its node.
     pub(super) node: usize,
-    /// Its edges.
+    /// Lines of its edges.
     pub(super) edges: Vec<usize>,
 }
 
-/// Where a program stands.
+/// Lines of a program.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ProgramLines {
-    /// Its node.
+    /// Line of its node.
     pub(super) node: usize,
-    /// The node of its lines.
+    /// Line of the node that holds its program lines.
     pub(super) lines: usize,
 }
 
 impl Lines {
-    /// The line of what a JSON path names; `None` where the path leads into what the sidecar says.
+    /// Returns the line of the element that a JSON path names; `None` if the path leads into the sidecar.
     pub(super) fn of(&self, path: &str) -> Option<usize> {
         let mut steps = path.split(['.', '[', ']']).filter(|step| !step.is_empty() && *step != "$");
         let list = steps.next()?;

@@ -1,8 +1,8 @@
-//! GEGELATI's `.dot` format, read strictly: every statement is understood or refused by its line.
+//! Strict reader of GEGELATI's `.dot` format: every statement is either understood or rejected with its line.
 //!
-//! One statement stands on one line, so a file is read line by line: [`lexer`] makes tokens of a line, [`parser`] a
-//! [`statement`] of the tokens ([`label`] takes programs apart), and [`resolve`] makes a document of the statements. The
-//! graph's own validation then finds what is wrong with the whole, and [`lines`] tells on which line it stands.
+//! Each statement occupies one line, so a file is read line by line. [`lexer`] splits a line into tokens, [`parser`]
+//! turns the tokens into a [`statement`] ([`label`] parses programs), and [`resolve`] builds a document from the
+//! statements. The graph's own validation then checks the whole, and [`lines`] maps its errors to lines of the file.
 //!
 //! ```text
 //! file        = comment* "digraph{" statement* "}"
@@ -10,10 +10,10 @@
 //!             | "T"n attributes                                                  a team
 //!             | "P"n attributes "//" (integer "|")*                              a program, its constants
 //!             | "I"n "[… label="line*"]" ["//" (number "|")*]                    its lines; GEGELATI 2 has constants here
-//!             | "P"n "->" "I"n attributes                                        says nothing new
+//!             | "P"n "->" "I"n attributes                                        redundant
 //!             | "A"n "[… label="action"]"                                        an action; equal labels are one action
 //!             | "T"n "->" "P"n "->" ("T"n | "A"n)                                an edge
-//!             | "T"n "->" "P"n                                                   an edge to where the program leads elsewhere
+//!             | "T"n "->" "P"n                                                   an edge to P's known destination
 //!             | "{ rank= same" ("T"n)* "}"                                       the root
 //! line        = instruction "|" register "&" operand ("#" operand)* "&#92;n"
 //! operand     = source "|" location
@@ -32,7 +32,7 @@ use super::sidecar::Sidecar;
 use crate::error::{InputError, Place};
 use crate::model::Graph;
 
-/// What is wrong on one line.
+/// An error on one line.
 #[derive(Debug)]
 struct Fault {
     found: String,
@@ -49,7 +49,7 @@ impl Fault {
     }
 }
 
-/// Reads a `.dot` file whose sources, instructions and actions are as `sidecar` says.
+/// Reads a `.dot` file whose sources, instructions and actions are described by `sidecar`.
 pub(super) fn read(file: &str, text: &str, sidecar: &Sidecar) -> Result<Graph, InputError> {
     let statements = parser::statements(file, text)?;
     let (document, lines) = resolve::document(file, &statements, sidecar)?;

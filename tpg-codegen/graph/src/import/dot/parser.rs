@@ -6,12 +6,12 @@ use super::lexer::{self, Token, quote};
 use super::statement::{Kind, Located, Node, Statement, Target};
 use crate::error::InputError;
 
-/// The statements inside the braces, for messages.
+/// The statements allowed inside the braces, for messages.
 const STATEMENTS: &str = "a team `T0 […]`, a program `P0 […] //`, its lines `I0 [… label=\"…\"]`, a link `P0 -> I0[…]`, an action \
                           `A0 [… label=\"0\"]`, an edge `T0 -> P0 -> T1`, `T0 -> P0 -> A0` or `T0 -> P0`, the roots \
                           `{ rank= same T0 }`, or the closing }";
 
-/// Reads all statements; those that only say how to draw the graph are left out.
+/// Parses all statements, skipping those that only affect how the graph is drawn.
 pub(super) fn statements(file: &str, text: &str) -> Result<Vec<Located>, InputError> {
     let mut statements = Vec::new();
     let mut section = Section::Before;
@@ -32,7 +32,7 @@ pub(super) fn statements(file: &str, text: &str) -> Result<Vec<Located>, InputEr
     }
 }
 
-/// Where in the file a line stands.
+/// Section of the file that a line belongs to.
 #[derive(Clone, Copy)]
 enum Section {
     Before,
@@ -41,7 +41,7 @@ enum Section {
 }
 
 impl Section {
-    /// One line; `None` for one that says nothing of the graph.
+    /// Parses one line; `None` if it carries no information about the graph.
     fn statement(&mut self, content: &str, tokens: &[Token<'_>]) -> Result<Option<Statement>, Fault> {
         match (*self, tokens) {
             (_, []) => Ok(None),
@@ -62,7 +62,7 @@ impl Section {
     }
 }
 
-/// `File exported with GEGELATI v1.3.1`
+/// Parses the exporter's comment: `File exported with GEGELATI v1.3.1`.
 fn exporter(comment: &str) -> Option<Statement> {
     let (tool, version) = comment.strip_prefix("File exported with ")?.rsplit_once(" v")?;
     Some(Statement::Exporter { tool: tool.to_owned(), version: version.to_owned() })
@@ -144,7 +144,7 @@ fn without_label(node: Node) -> Fault {
     Fault::new(format!("{node} without a label"), format!("`{node} [… label=\"…\"]`"))
 }
 
-/// Nodes with arrows between them; `None` for anything else.
+/// Parses nodes joined by arrows; `None` for anything else.
 fn path(tokens: &[Token<'_>]) -> Result<Option<Vec<Node>>, Fault> {
     let mut nodes = Vec::new();
     for (place, token) in tokens.iter().enumerate() {
@@ -157,7 +157,7 @@ fn path(tokens: &[Token<'_>]) -> Result<Option<Vec<Node>>, Fault> {
     Ok((tokens.len() % 2 == 1).then_some(nodes))
 }
 
-/// `T12`; `None` for what is no node.
+/// Parses a node name such as `T12`; `None` if the token is not a node name.
 fn node(token: &Token<'_>) -> Result<Option<Node>, Fault> {
     let Token::Word(word) = *token else { return Ok(None) };
     let kind = match word.as_bytes().first() {
@@ -181,7 +181,7 @@ fn digits(text: &str) -> Option<u32> {
     text.bytes().all(|byte| byte.is_ascii_digit()).then(|| text.parse().ok()).flatten()
 }
 
-/// The label among attributes `[name=value …]`, or no attributes at all. The others only say how to draw.
+/// Returns the label from attributes `[name=value …]`, which may be absent. The other attributes only affect drawing.
 fn label_of<'t>(attributes: &[Token<'t>]) -> Result<Option<&'t str>, Fault> {
     let accepted = "attributes `[name=value …]`";
     let mut rest = match attributes {

@@ -1,4 +1,4 @@
-//! Programs: from numbers of the file to names of the document.
+//! Translation of programs from the numbers of the file to the names of the document.
 
 use super::Fault;
 use super::statement::{OperandText, ProgramLine};
@@ -6,19 +6,19 @@ use crate::error::counted;
 use crate::model::{Document, LineDocument, OperandDocument};
 use tpg_runtime::ops::Instruction;
 
-/// What the numbers in the lines of one program mean.
+/// Context that gives the numbers in a program's lines their meaning.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Meaning<'d> {
-    /// What the sidecar says.
+    /// The document described by the sidecar.
     pub(super) document: &'d Document,
-    /// The same instruction set, as the runtime knows it.
+    /// The same instruction set as the runtime's instructions.
     pub(super) instructions: &'d [Instruction],
-    /// The program's constants. Where programs have any, they are source 1, before those of the environment.
+    /// Constants of the program. If programs have any, they are source 1, before the environment's sources.
     pub(super) constants: &'d [f64],
 }
 
 impl Meaning<'_> {
-    /// All lines of the program.
+    /// Translates all lines of the program.
     pub(super) fn lines(&self, lines: &[ProgramLine]) -> Result<Vec<LineDocument>, Fault> {
         (1..)
             .zip(lines)
@@ -39,7 +39,7 @@ impl Meaning<'_> {
             let accepted = format!("0 to {}", self.document.registers - 1);
             return Err(Fault::new(format!("register {}", line.to), accepted));
         }
-        // Operands beyond the arity are written and never read.
+        // Operands beyond the arity are present in the file but never read.
         let Some(operands) = line.operands.get(..instruction.arity()).filter(|_| instruction.arity() <= line.written)
         else {
             let found = format!("{} of {}", counted(line.written, "operand"), instruction.name());
@@ -49,7 +49,7 @@ impl Meaning<'_> {
         Ok(LineDocument { to: line.to, op: instruction.name().to_owned(), args })
     }
 
-    /// GEGELATI takes every location modulo the size of its source, so that any number is a valid one.
+    /// Translates an operand. GEGELATI takes every location modulo the size of its source, so every number is valid.
     fn operand(&self, operand: OperandText) -> Result<OperandDocument, Fault> {
         let first = if self.constants.is_empty() { 1 } else { 2 };
         let place = |size: usize| (operand.location % size as u64) as usize;
@@ -65,7 +65,7 @@ impl Meaning<'_> {
         }
     }
 
-    /// Every source by number, for messages.
+    /// Lists all sources by number, for messages.
     fn sources(&self, first: usize) -> String {
         let constants = if self.constants.is_empty() { "" } else { ", 1 constants" };
         let named: Vec<String> = (first..)

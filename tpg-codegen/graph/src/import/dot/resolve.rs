@@ -1,4 +1,4 @@
-//! From statements to a document: numbers of the file become names and ids.
+//! Translation of statements to a document: numbers of the file become names and ids.
 
 use super::Fault;
 use super::declared::{Declared, Rank};
@@ -11,7 +11,7 @@ use crate::model::{Document, EdgeDocument, ProgramDocument, TeamDocument};
 use std::collections::BTreeMap;
 use tpg_runtime::ops::Instruction;
 
-/// Makes a document of the statements of a whole file, and remembers where its things stand.
+/// Builds a document from the statements of a whole file and records where its elements are located.
 pub(super) fn document(file: &str, statements: &[Located], sidecar: &Sidecar) -> Result<(Document, Lines), InputError> {
     let resolver =
         Resolver { file, document: sidecar.document(), statements, declared: Declared::collect(file, statements)? };
@@ -29,7 +29,7 @@ pub(super) fn document(file: &str, statements: &[Located], sidecar: &Sidecar) ->
     Ok((Document { root, teams, programs, provenance, ..resolver.document.clone() }, lines))
 }
 
-/// Where a program leads.
+/// Destination of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Destination {
     Team(u32),
@@ -38,7 +38,7 @@ enum Destination {
 
 struct Resolver<'s> {
     file: &'s str,
-    /// What the sidecar says.
+    /// The document described by the sidecar.
     document: &'s Document,
     statements: &'s [Located],
     declared: Declared<'s>,
@@ -59,7 +59,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// Links say nothing new, but what they name must exist.
+    /// Checks the links. They are redundant, but the nodes that they name must exist.
     fn links(&self) -> Result<(), InputError> {
         for Located { line, statement } in self.statements {
             if let Statement::Link { program } = statement {
@@ -78,7 +78,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// The teams with their edges, each team's in file order, which decides ties.
+    /// Builds the teams. Each team keeps its edges in file order, which decides ties.
     fn teams(&self, lines: &mut Lines) -> Result<Vec<TeamDocument>, InputError> {
         let destinations = self.destinations()?;
         let mut teams = Vec::new();
@@ -106,8 +106,8 @@ impl Resolver<'_> {
         Ok(teams)
     }
 
-    /// Where each program leads, and the line that says so. GEGELATI clones a program before it changes where it leads, so
-    /// an edge that names no destination can mean only one.
+    /// Finds the destination of each program and the line that states it. GEGELATI clones a program before it changes
+    /// the destination, so an edge without a destination is unambiguous.
     fn destinations(&self) -> Result<BTreeMap<u32, (Destination, usize)>, InputError> {
         let mut destinations = BTreeMap::new();
         for Located { line, statement } in self.statements {
@@ -165,7 +165,8 @@ impl Resolver<'_> {
                     return Err(self.error(content.line, format!("constants of P{number} a second time"), accepted));
                 }
             };
-            // How many there are decides what the source numbers mean, for all programs alike.
+            // The number of constants determines the meaning of source numbers, so it must be the same for all
+            // programs.
             let (first, first_line) = *constants_of_first.get_or_insert((constants.len(), line));
             if constants.len() != first {
                 let accepted = format!("as many in each program: {first} on line {first_line}");
@@ -179,8 +180,8 @@ impl Resolver<'_> {
         Ok(programs)
     }
 
-    /// The root is what the file says it is, where it says so (a sub-graph's export does not), and must be the one team
-    /// that no edge leads to; whether there is one such team, the graph's validation finds.
+    /// Finds the root. It is the root that the file declares, if any (the export of a sub-graph declares none), and it
+    /// must be the only team without incoming edges. The graph's validation checks that there is exactly one such team.
     fn root(&self, teams: &[TeamDocument], lines: &mut Lines) -> Result<u32, InputError> {
         let mut entered = vec![false; teams.len()];
         for edge in teams.iter().flat_map(|team| &team.edges) {

@@ -1,20 +1,20 @@
-//! The statements of a `.dot` file.
+//! Statements of a `.dot` file.
 
 use std::fmt;
 
-/// A statement and the line it stands on.
+/// A statement with its line number.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Located {
     /// Counted from 1.
     pub(super) line: usize,
-    /// What it says.
+    /// The statement.
     pub(super) statement: Statement,
 }
 
-/// What a line says, as far as it matters to the graph.
+/// The content of a line, as far as it matters to the graph.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Statement {
-    /// Who wrote the file, from its first comment: a tool and its version.
+    /// The exporter named in the first comment: a tool and its version.
     Exporter { tool: String, version: String },
     /// A team.
     Team { team: u32 },
@@ -24,7 +24,7 @@ pub(super) enum Statement {
     Lines { program: u32, lines: Vec<ProgramLine>, constants: Vec<f64> },
     /// A link from a program to its lines.
     Link { program: u32 },
-    /// A node of an action. The node's number says nothing, its label is the action.
+    /// An action node. Its number is meaningless; its label is the action.
     Action { node: u32, action: u32 },
     /// An edge.
     Edge { team: u32, program: u32, to: Target },
@@ -34,36 +34,36 @@ pub(super) enum Statement {
     Close,
 }
 
-/// Where an edge leads.
+/// Destination of an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Target {
     /// To a team.
     Team(u32),
     /// To the action of this node.
     ActionNode(u32),
-    /// To where its program leads in another edge.
+    /// The destination that another edge states for the same program.
     OfProgram,
 }
 
-/// One line of a program, in the numbers of the file.
+/// One line of a program, with the numbers of the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct ProgramLine {
-    /// Place in the instruction set.
+    /// Index in the instruction set.
     pub(super) instruction: u32,
-    /// The register that takes the result.
+    /// Destination register.
     pub(super) to: u32,
-    /// How many operands are written: as many as the widest instruction of the set reads.
+    /// Number of operands in the file: as many as the widest instruction of the set reads.
     pub(super) written: usize,
-    /// The first of them, as many as an instruction can read here.
+    /// The leading operands, up to the maximum that an instruction here can read.
     pub(super) operands: [OperandText; 2],
 }
 
-/// An operand, in the numbers of the file.
+/// An operand, with the numbers of the file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct OperandText {
-    /// 0 the registers, then the constants where there are any, then the environment's sources.
+    /// 0 for the registers, then the constants if there are any, then the environment's sources.
     pub(super) source: u32,
-    /// Taken modulo the source's size.
+    /// Location, taken modulo the size of the source.
     pub(super) location: u64,
 }
 

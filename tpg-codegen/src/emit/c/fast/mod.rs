@@ -1,8 +1,8 @@
 //! The profile `fast`: control goes from team to team, always forward, without a loop and without a table. Cheap bids are
 //! computed; the others only where a bound says that they can still win.
 //!
-//! What a team computes whatever it decides, the teams behind it [read](crate::passes::available) from variables of the
-//! function. Where there are many teams, they are in several functions.
+//! Values that a team computes unconditionally are [reused](crate::passes::available) by its successors: they are variables
+//! of the function. Where there are many teams, they are in several functions.
 //!
 //! The best bid starts at the lowest finite number, and a NaN is never as high: so only bids above −∞ win, and where there
 //! is none, nobody wins, which is how the team's last edge does. No bid needs a test for NaN.
@@ -15,9 +15,9 @@ mod view;
 
 use super::expression::Printer;
 use crate::emit::layout;
-use crate::ir::{Module, NodeId, topological};
+use crate::emit::syntax::Syntax;
+use crate::ir::{Module, NodeId};
 use crate::passes::available::Available;
-use crate::passes::functions;
 use crate::passes::schedule::Schedule;
 use askama::Template;
 use std::collections::BTreeSet;
@@ -39,43 +39,46 @@ struct Fast<'a> {
 }
 
 /// Renders the body.
-pub(super) fn render(printer: &Printer<'_>, module: &Module, schedule: &Schedule, upper: &str) -> String {
-    let order = topological(&module.teams);
+pub(super) fn render(
+    printer: &Printer<'_>,
+    module: &Module<'_>,
+    schedule: &Schedule,
+    available: &Available,
+    upper: &str,
+) -> String {
+    let order = available.order();
     let mut places = vec![0; order.len()];
     for (place, &team) in order.iter().enumerate() {
         places[team] = place;
     }
     let mut late = Vec::new();
-    let together = functions::together(order.len());
-    let available = Available::analyse(schedule, &order, together);
-    let functions = (order.chunks(together).zip((0..).step_by(together)))
-        .map(|(teams, start)| {
-            let whole = teams.len() == order.len();
-            let shared = teams.iter().flat_map(|&team| available.read(team)).copied().collect();
-            let span = Span { places: &places, start, end: start + teams.len(), whole, shared };
-            let mut reads_state = false;
-            let entries = (teams.iter().filter(|&&team| available.is_entry(team)).filter(|_| !whole))
-                .map(|&team| EntryView { number: format!("{}U", places[team]), label: module.teams[team].label })
-                .collect();
-            let teams = teams.iter().map(|&team| {
-                let mut printed =
-                    TeamPrinter::new(printer, module, &schedule.plans[team], &span, available.on_entry(team).clone());
-                let view = printed.view(!whole || team != 0);
-                reads_state |= printed.reads_state;
-                late.extend(printed.late_team());
-                view
-            });
-            let teams = teams.collect();
-            let shared = span.shared.iter().map(|&id| printer.value(id)).collect();
-            FunctionView { shared, entries, teams, end: span.end, reads_state }
-        })
-        .collect();
+    let functions = available.functions().map(|teams| {
+        let (start, whole) = (places[teams[0]], teams.len() == order.len());
+        let shared = teams.iter().flat_map(|&team| available.read(team)).copied().collect();
+        let span = Span { places: &places, start, end: start + teams.len(), whole, shared };
+        let mut reads_state = false;
+        let entries = (teams.iter().filter(|&&team| available.is_entry(team)).filter(|_| !whole))
+            .map(|&team| EntryView { number: format!("{}U", places[team]), label: module.teams[team].label })
+            .collect();
+        let teams = teams.iter().map(|&team| {
+            let computed = available.on_entry(team).clone();
+            let mut printed = TeamPrinter::new(printer, module, &schedule.plans[team], &span, computed);
+            let view = printed.view(!whole || team != 0);
+            reads_state |= printed.reads_state;
+            late.extend(printed.late_team());
+            view
+        });
+        let teams = teams.collect();
+        let shared = span.shared.iter().map(|&id| printer.value(id)).collect();
+        FunctionView { shared, entries, teams, end: span.end, reads_state }
+    });
+    let functions = functions.collect();
     let fast = Fast {
         prefix: printer.prefix,
         upper,
         scalar: printer.scalar(),
         lowest: if printer.graph.scalar() == ScalarType::F32 { "FLT_MAX" } else { "DBL_MAX" },
-        infinity: printer.constant(f64::INFINITY),
+        infinity: printer.number(f64::INFINITY),
         late,
         functions,
     };
@@ -88,8 +91,8 @@ struct Span<'a> {
     places: &'a [usize],
     start: usize,
     end: usize,
-    /// Whether these are all teams there are.
+    /// The function holds all teams of the graph.
     whole: bool,
-    /// Values that a team reads from those before it.
+    /// Values that teams reuse from their predecessors.
     shared: BTreeSet<NodeId>,
 }

@@ -1,42 +1,50 @@
-//! One team: what is asked of its bids, in order, and where its winner goes.
+//! One team: the tests of its bids, in order, and the jump to the winner's destination.
 
 use super::Span;
 use super::view::{EagerView, InfiniteView, LateTeamView, LateView, LazyView, TeamView, WayView};
 use crate::emit::c::expression::Printer;
 use crate::emit::questions;
+use crate::emit::reuse::Reuse;
+use crate::emit::syntax::Syntax;
 use crate::ir::{Module, Node, NodeId, Target, needed};
 use crate::passes::schedule::{Bid, Infinite, LazyBid, Plan};
 use std::collections::BTreeSet;
 
 pub(super) struct TeamPrinter<'a> {
     printer: &'a Printer<'a>,
-    module: &'a Module,
+    module: &'a Module<'a>,
     plan: &'a Plan,
     span: &'a Span<'a>,
-    /// Where edges lead, each once; the last is where the last edge does.
+    /// The distinct destinations of the edges; the last is the last edge's.
     targets: Vec<Target>,
-    /// Whether every bid is looked at in turn: then, the way that the winner goes is enough to know.
-    in_turn: bool,
-    /// Values that are there, at first what the teams before have left.
+    /// All bids are evaluated in ascending order: the winner's destination identifies it well enough.
+    ascending: bool,
+    /// Values computed so far; at first those available on entry.
     computed: BTreeSet<NodeId>,
     pub(super) reads_state: bool,
-    /// Whether the leader may be a bid that was not computed.
+    /// The leader may be a bid that was not computed.
     pending: bool,
+}
+
+impl Reuse for TeamPrinter<'_> {
+    fn computed(&mut self) -> &mut BTreeSet<NodeId> {
+        &mut self.computed
+    }
 }
 
 impl<'a> TeamPrinter<'a> {
     pub(super) fn new(
         printer: &'a Printer<'a>,
-        module: &'a Module,
+        module: &'a Module<'a>,
         plan: &'a Plan,
         span: &'a Span<'a>,
         computed: BTreeSet<NodeId>,
     ) -> Self {
-        let in_turn = plan.infinite.is_none() && plan.bids().all(|bid| bid.in_turn);
-        let in_turn = in_turn && plan.lazy.iter().all(|lazy| lazy.certain.is_none());
+        let ascending = plan.infinite.is_none() && plan.bids().all(|bid| bid.ascending);
+        let ascending = ascending && plan.lazy.iter().all(|lazy| lazy.certain.is_none());
         let targets = plan.destinations();
         let (reads_state, pending) = (false, false);
-        Self { printer, module, plan, span, targets, in_turn, computed, reads_state, pending }
+        Self { printer, module, plan, span, targets, ascending, computed, reads_state, pending }
     }
 
     pub(super) fn view(&mut self, is_entered: bool) -> TeamView {
@@ -59,8 +67,8 @@ impl<'a> TeamPrinter<'a> {
         TeamView {
             label: self.plan.label,
             is_entered,
-            winner: if self.in_turn { "way" } else { "edge" },
-            nobody: if self.in_turn { format!("{}U", self.targets.len()) } else { "0U".to_owned() },
+            winner: if self.ascending { "way" } else { "edge" },
+            nobody: if self.ascending { format!("{}U", self.targets.len()) } else { "0U".to_owned() },
             infinite,
             eager,
             eager_before,
@@ -69,9 +77,9 @@ impl<'a> TeamPrinter<'a> {
         }
     }
 
-    /// When to go to a target, and how.
+    /// The condition for a target, and the jump to it.
     fn way(&self, target: Target) -> WayView {
-        let condition = if self.in_turn {
+        let condition = if self.ascending {
             format!("way == {}", self.number(target))
         } else {
             let leads_there = |&(_, &to): &(usize, &Target)| to == target;
@@ -101,21 +109,13 @@ impl<'a> TeamPrinter<'a> {
     }
 
     fn rank(&self, bid: &Bid) -> String {
-        if self.in_turn { self.number(self.plan.targets[bid.place]) } else { format!("{}U", bid.place + 1) }
-    }
-
-    /// What is computed meanwhile is not there afterwards.
-    fn in_braces<T>(&mut self, print: impl FnOnce(&mut Self) -> T) -> T {
-        let outside = self.computed.clone();
-        let printed = print(self);
-        self.computed = outside;
-        printed
+        if self.ascending { self.number(self.plan.targets[bid.place]) } else { format!("{}U", bid.place + 1) }
     }
 
     fn infinite(&mut self, infinite: &Infinite) -> InfiniteView {
         let statements = self.statements(infinite.argument, true);
         let argument = self.printer.value(infinite.argument);
-        let condition = format!("{argument} > {}", self.printer.constant(infinite.above));
+        let condition = format!("{argument} > {}", self.printer.number(infinite.above));
         InfiniteView { statements, condition, rank: format!("{}U", infinite.place + 1) }
     }
 
@@ -128,21 +128,21 @@ impl<'a> TeamPrinter<'a> {
             statements.push(format!("const {scalar} zero = constant;"));
             value = "zero".to_owned();
         }
-        EagerView { statements, value, rank: self.rank(bid), in_turn: bid.in_turn, last: false }
+        EagerView { statements, value, rank: self.rank(bid), ascending: bid.ascending, last: false }
     }
 
     fn lazy(&mut self, lazy: &LazyBid) -> LazyView {
         let before = lazy.sparing.map(|sparing| self.statements(sparing.argument, true)).unwrap_or_default();
         let considered = questions::considered(self.printer, lazy, &self.rank(&lazy.bid));
         let mut view = match considered {
-            Some(_) => self.in_braces(|team| team.looked_at(lazy, considered)),
-            None => self.looked_at(lazy, None),
+            Some(_) => self.in_braces(|team| team.guarded(lazy, considered)),
+            None => self.guarded(lazy, None),
         };
         view.before = before;
         view
     }
 
-    fn looked_at(&mut self, lazy: &LazyBid, considered: Option<String>) -> LazyView {
+    fn guarded(&mut self, lazy: &LazyBid, considered: Option<String>) -> LazyView {
         let LazyBid { bid, bound, certain, .. } = lazy;
         let rank = self.rank(bid);
         let mut bound_statements = bound.map(|bound| self.statements(bound, true)).unwrap_or_default();
@@ -177,7 +177,7 @@ impl<'a> TeamPrinter<'a> {
         }
     }
 
-    /// The bids that may lead without having been computed, each with all that it needs.
+    /// The bids that may lead without having been computed, each with the operations it needs.
     pub(super) fn late_team(&self) -> Option<LateTeamView> {
         let mut reads_state = false;
         let bids: Vec<LateView> = (self.plan.lazy.iter().filter(|lazy| lazy.certain.is_some()))
@@ -199,21 +199,17 @@ impl<'a> TeamPrinter<'a> {
         })
     }
 
-    /// What must still be computed for a value; later bids can use it where it `stays`.
+    /// Statements for the operations that a value still needs; later bids reuse them if it `stays` in scope.
     fn statements(&mut self, value: NodeId, stays: bool) -> Vec<String> {
-        let missing = needed(self.printer.nodes, value, |id| !self.computed.contains(&id));
+        let missing = self.missing(self.printer.nodes, value, stays);
         self.reads_state |= self.reads_input(value, &missing);
         let statement = |&id: &NodeId| {
             if self.span.shared.contains(&id) { self.printer.assignment(id) } else { self.printer.statement(id) }
         };
-        let statements = missing.iter().map(statement).collect();
-        if stays {
-            self.computed.extend(missing);
-        }
-        statements
+        missing.iter().map(statement).collect()
     }
 
-    /// Whether an input is a value, or an operand of what is computed for it.
+    /// Tests whether a value is an input, or an operation in `computed` has one as an operand.
     fn reads_input(&self, value: NodeId, computed: &[NodeId]) -> bool {
         let nodes = self.printer.nodes;
         let is_input = |id: NodeId| matches!(nodes[id.index()], Node::Input(_));

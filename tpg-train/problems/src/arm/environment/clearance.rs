@@ -1,12 +1,12 @@
-//! Whether the arm is far from everything, known without a look at its collision shapes.
+//! A cheap test that the arm is far from everything, without looking at its collision shapes.
 
 use super::ArmScalar;
 use tpg_arm::kinematics::Plane;
 use tpg_arm::observation::shield;
 use tpg_arm::{Arm, TICKS_PER_TURN};
 
-/// How far the corners of the collision shapes lie from the joints that they belong to, and the extent of the base; mm,
-/// rounded up by enough for every rounding of the kinematics.
+/// Distances from the corners of the collision shapes to their joints, and the extent of the base; mm, rounded up to
+/// cover every rounding error of the kinematics.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Clearances<S> {
     elbow: S,
@@ -17,7 +17,7 @@ pub(super) struct Clearances<S> {
 }
 
 impl<S: ArmScalar> Clearances<S> {
-    /// Of an arm.
+    /// Computes the clearances of an arm.
     pub(super) fn of(arm: &Arm<f64>) -> Self {
         let shapes = &arm.shapes;
         let widest = |edges: [f64; 2]| edges[0].abs().max(edges[1].abs());
@@ -35,8 +35,8 @@ impl<S: ArmScalar> Clearances<S> {
         Self { elbow, wrist, tip, top, side }
     }
 
-    /// Whether the arm is certainly free, with `more` mm to spare: high enough over the table, and above the base or on one
-    /// side of it. Without a branch, for vectors.
+    /// True if the arm is certainly free, with `more` mm to spare: high enough above the table, and above the base or
+    /// to one side of it. Branch-free, for vectorisation.
     #[inline(always)]
     pub(super) fn leaves_free(&self, plane: &Plane<S>, more: S) -> bool {
         let Clearances { elbow, wrist, tip, top, side } = *self;
@@ -52,7 +52,7 @@ impl<S: ArmScalar> Clearances<S> {
     }
 }
 
-/// How far an action of the shield moves any point of the arm at most, mm, rounded up.
+/// Returns the maximum distance that a shielded action moves any point of the arm, mm, rounded up.
 pub(super) fn swing(arm: &Arm<f64>) -> f64 {
     let links = &arm.links;
     let length = links.upper_arm + links.elbow_offset + links.forearm + links.hand;

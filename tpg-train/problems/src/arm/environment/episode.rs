@@ -1,11 +1,11 @@
-//! An episode of the arm, and what of it is kept from step to step.
+//! An episode of the arm, with the values cached from step to step.
 
 use tpg_arm::frame::Frame;
 use tpg_arm::kinematics::{Direction, Lattice, Plane, Vector};
 use tpg_arm::observation::{Aim, Reach, ReachTarget, Stance, shield};
 use tpg_arm::{Arm, Pose};
 
-/// An episode under way, and what of it need not be computed again.
+/// A running episode with its cached values.
 #[derive(Clone, Debug)]
 pub struct ArmEpisode<S> {
     pub(super) pose: Pose,
@@ -17,21 +17,21 @@ pub struct ArmEpisode<S> {
     pub(super) collides: bool,
     pub(super) actions: u32,
     pub(super) aim: Option<Aim<S>>,
-    /// Elevation and reach of the hand; forgotten when the plane moves.
+    /// Elevation and reach of the hand; cleared when the plane moves.
     pub(super) hand_polar: Option<[S; 2]>,
     pub(super) reach_target: Option<ReachTarget<S>>,
     pub(super) stance: Option<Stance<S>>,
-    /// For the wrist position beside it.
+    /// Reach, with the wrist position that it is valid for.
     pub(super) reach: Option<(i16, Reach<S>)>,
 }
 
 impl<S: Lattice> ArmEpisode<S> {
-    /// The pose.
+    /// Returns the pose.
     pub fn pose(&self) -> Pose {
         self.pose
     }
 
-    /// The shield of a rougher episode refuses its own steps.
+    /// Returns the step that the shield checks: that of the episode, which may be coarser than the problem's.
     pub(super) fn shielded_step(&self) -> i8 {
         shield::STEP.saturating_mul(self.roughness as i8)
     }

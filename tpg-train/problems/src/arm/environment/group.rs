@@ -1,23 +1,23 @@
-//! The columns of neighbouring lanes.
+//! The values of neighbouring lanes in columns.
 
 use std::array::from_fn;
 use tpg_arm::{JOINTS, Pose};
 use tpg_engine::{BLOCK, Block};
 
-/// What a usual step needs of one lane.
+/// The values of one lane that usual steps need.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Lane<S> {
     pub(super) ticks: [i32; JOINTS],
     pub(super) target: [S; 3],
     pub(super) hand: [S; 3],
-    /// A squared distance above this is no success, mm²; NaN where no step is usual.
+    /// A squared distance above this is not a success, mm²; NaN if no step is usual.
     pub(super) far: S,
     pub(super) roughness: i32,
-    /// Actions before the last one that is allowed; from 0 on, steps are not usual.
+    /// Remaining actions, minus the last one allowed; from 0 on, steps are not usual.
     pub(super) left: i32,
 }
 
-/// Neighbouring lanes, each value of theirs a column.
+/// Neighbouring lanes, one column per value.
 #[derive(Clone, Debug)]
 pub(super) struct Group<S> {
     pub(super) ticks: [Block<i32>; JOINTS],
@@ -26,14 +26,14 @@ pub(super) struct Group<S> {
     pub(super) far: Block<S>,
     pub(super) roughness: Block<i32>,
     pub(super) left: Block<i32>,
-    /// The ticks before the last action.
+    /// Ticks before the last action.
     pub(super) before: [Block<i32>; JOINTS],
-    /// Whether the last action was not a usual one.
+    /// True if the last action was not a usual step.
     pub(super) other: Block<bool>,
 }
 
 impl<S: Copy> Group<S> {
-    /// A group of equal lanes.
+    /// Creates a group of equal lanes.
     pub(super) fn of(lane: Lane<S>) -> Self {
         let ticks = lane.ticks.map(|ticks| [ticks; BLOCK]);
         Self {
@@ -48,7 +48,7 @@ impl<S: Copy> Group<S> {
         }
     }
 
-    /// A lane of it.
+    /// Returns one lane.
     pub(super) fn lane(&self, lane: usize) -> Lane<S> {
         Lane {
             ticks: self.ticks.map(|ticks| ticks[lane]),
@@ -60,7 +60,7 @@ impl<S: Copy> Group<S> {
         }
     }
 
-    /// Puts a lane there.
+    /// Stores a lane.
     pub(super) fn put(&mut self, lane: usize, new: Lane<S>) {
         (0..JOINTS).for_each(|joint| self.ticks[joint][lane] = new.ticks[joint]);
         (0..3).for_each(|axis| self.target[axis][lane] = new.target[axis]);
@@ -70,13 +70,13 @@ impl<S: Copy> Group<S> {
         self.left[lane] = new.left;
     }
 
-    /// Undoes a lane's last action, which was not a usual one. Its hand is that of an arm that did it.
+    /// Undoes a lane's last action, which was not a usual step. The hand stays as if it had been done.
     pub(super) fn take_back(&mut self, lane: usize) {
         (0..JOINTS).for_each(|joint| self.ticks[joint][lane] = self.before[joint][lane]);
         self.left[lane] += 1;
     }
 
-    /// A lane's pose.
+    /// Returns a lane's pose.
     pub(super) fn pose(&self, lane: usize) -> Pose {
         Pose(from_fn(|joint| self.ticks[joint][lane] as i16))
     }

@@ -1,9 +1,9 @@
-//! Many arms side by side.
+//! Many arms in parallel.
 //!
-//! Nearly every step is a usual one: a joint moves within its range, the arm stays clear of everything, the hand is not
-//! near the target yet. [Usual steps](Usual) are done in vectors, by the same functions; every other one by
-//! [`ArmEnvironment::step`], which alone knows the rules. What programs read most is shown in vectors as well, the rest by
-//! [`ArmEnvironment::observe`].
+//! Nearly every step is a usual one: a joint moves within its range, the arm stays clear of everything, and the hand is
+//! not yet near the target. [Usual steps](Usual) are vectorised with the same functions; all others go through
+//! [`ArmEnvironment::step`], which alone implements the rules. The most common sources are observed in vectors as well,
+//! the others by [`ArmEnvironment::observe`].
 
 use super::group::{Group, Lane};
 use super::usual::Usual;
@@ -17,11 +17,11 @@ use tpg_runtime::policy::ActionId;
 /// [`ArmEnvironment::lanes`].
 pub(super) struct ArmLanes<'e, S> {
     environment: &'e ArmEnvironment<S>,
-    /// What each action moves, and at last what an action moves that does not exist.
+    /// Move of each action, followed by the move used for actions that do not exist.
     moves: Vec<[i32; JOINTS]>,
     groups: Vec<Group<S>>,
     keys: Vec<Block<u64>>,
-    /// What usual steps do not need; its pose is out of date.
+    /// Data that usual steps do not need; the poses are stale.
     episodes: Vec<ArmEpisode<S>>,
     state: Vec<S>,
     arch: Arch,
@@ -42,7 +42,7 @@ impl<'e, S: ArmScalar> ArmLanes<'e, S> {
         }
     }
 
-    /// A lane's episode, with its pose and all that follows from it.
+    /// Brings a lane's episode up to date: its pose and everything derived from it.
     fn caught_up(&mut self, lane: usize) -> &mut ArmEpisode<S> {
         let group = &self.groups[lane / BLOCK];
         let pose = group.pose(lane % BLOCK);
@@ -56,14 +56,14 @@ impl<'e, S: ArmScalar> ArmLanes<'e, S> {
         episode
     }
 
-    /// A lane as its episode is.
+    /// Returns the lane that corresponds to an episode.
     fn lane(&self, episode: &ArmEpisode<S>) -> Lane<S> {
         let tolerance = self.environment.tolerance * S::from_i32(i32::from(episode.roughness));
         Lane {
             ticks: episode.pose.0.map(i32::from),
             target: episode.target,
             hand: episode.hand,
-            // Wide enough for every rounding. An arm that collides where it stands is never usual.
+            // Wide enough for every rounding error. An arm that collides in its current pose never takes a usual step.
             far: if episode.collides { S::from_f64(f64::NAN) } else { tolerance * tolerance * S::from_f64(1.01) },
             roughness: i32::from(episode.roughness as i8),
             left: self.environment.problem.max_actions as i32 - 1 - episode.actions as i32,
@@ -159,7 +159,7 @@ impl<S: ArmScalar> Episodes<S, ArmTask> for ArmLanes<'_, S> {
 }
 
 impl<S: ArmScalar> ArmLanes<'_, S> {
-    /// Shows a source in every lane, if it is one of those that need no more than ticks, hand and target.
+    /// Writes a source in every lane, if it depends only on ticks, hand and target; returns false otherwise.
     fn show(&self, source: Source, at: usize, view: &mut View<'_, S>) -> bool {
         let mut fill = |value: usize, each: &dyn Fn(&Group<S>) -> Block<S>| {
             if let Some(column) = view.column(at + value) {

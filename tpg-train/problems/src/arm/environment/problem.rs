@@ -1,4 +1,4 @@
-//! What is asked of the arm, how it is scored, and how episodes end.
+//! The arm's problem: tasks, scores and endings.
 
 use crate::arm::targets::{self, Start, Task};
 use serde::{Deserialize, Serialize};
@@ -7,31 +7,32 @@ use tpg_arm::observation::Source;
 use tpg_arm::{Collision, Invalid, JOINTS};
 use tpg_engine::Ending;
 
-/// What is asked of the arm, and how it is scored.
+/// The arm's problem and its scoring.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ArmProblem {
-    /// Where episodes start.
+    /// Start of episodes.
     pub start: Start,
-    /// An episode succeeds nearer than this, mm.
+    /// An episode succeeds below this distance, mm.
     pub tolerance: f64,
-    /// After this many actions it is over.
+    /// Maximum number of actions.
     pub max_actions: u32,
-    /// Ticks that an action moves one joint.
+    /// Ticks by which an action moves one joint.
     pub step: i8,
-    /// Whether there is an action that does nothing (and so ends the episode).
+    /// True if there is an action that does nothing (and so ends the episode).
     pub may_stop: bool,
-    /// What a policy sees.
+    /// Sources that a policy sees.
     pub sources: Vec<Source>,
     /// Score of a success; a failure scores −distance in mm.
     pub bonus: f64,
-    /// The most that a failure costs, mm. Infinite where the policy acts alone; less where another policy takes over.
+    /// Maximum cost of a failure, mm. Infinite if the policy acts alone, finite if another policy takes over.
     pub hand_over_price: f64,
-    /// Added to a success for each action that was not needed.
+    /// Bonus added to a success for each unused action.
     pub per_unused_action: f64,
 }
 
 impl ArmProblem {
-    /// The project's problem: actions of 3 ticks, 3 mm, the paper's score, with those sources.
+    /// Creates the project's problem with the given sources: actions of 3 ticks, a tolerance of 3 mm, the paper's
+    /// score.
     pub fn new(start: Start, sources: Vec<Source>) -> Self {
         Self {
             start,
@@ -48,8 +49,8 @@ impl ArmProblem {
 }
 
 impl ArmProblem {
-    /// The ending of an episode, with its score: for a success the bonus and the actions it did not need, for a failure
-    /// minus the distance, mm.
+    /// Returns the ending of an episode with its score: for a success the bonus plus that for unused actions, for a
+    /// failure minus the distance, mm.
     pub fn ending(&self, outcome: Outcome, actions: u32, distance: f64) -> Ending {
         let success = outcome == Outcome::Reached;
         let unused = f64::from(self.max_actions.saturating_sub(actions));
@@ -59,14 +60,14 @@ impl ArmProblem {
     }
 }
 
-/// One episode's task.
+/// The task of one episode.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ArmTask {
-    /// Where the arm starts, ticks.
+    /// Start of the arm, ticks.
     pub start: [i16; JOINTS],
-    /// Where the hand shall go, mm.
+    /// Target of the hand, mm.
     pub target: [f64; 3],
-    /// So many times larger than the problem's are steps and tolerance: 1, or more early in a curriculum.
+    /// Factor by which steps and tolerance exceed the problem's: 1, or more early in a curriculum.
     pub roughness: u8,
 }
 
@@ -76,10 +77,10 @@ impl From<Task> for ArmTask {
     }
 }
 
-/// Names of the outcomes, as `eval --json` counts them.
+/// Names of the outcomes, as counted by `eval --json`.
 pub const OUTCOMES: [&str; 7] = ["reached", "cycle", "stop", "joint_limit", "table", "base", "timeout"];
 
-/// Place of an outcome in [`OUTCOMES`].
+/// Returns the index of an outcome in [`OUTCOMES`].
 pub fn outcome_number(outcome: Outcome) -> u8 {
     match outcome {
         Outcome::Reached => 0,

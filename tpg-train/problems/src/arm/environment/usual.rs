@@ -1,4 +1,4 @@
-//! The usual step of many arms: done by the same functions as any step, one lane beside the other.
+//! The usual step of many arms, computed by the same functions as any step, vectorised over lanes.
 
 use super::group::Group;
 use super::{ArmEnvironment, ArmScalar, base_angle, look_up};
@@ -11,7 +11,7 @@ use tpg_runtime::policy::ActionId;
 /// The usual steps.
 pub(super) struct Usual<'a, S> {
     pub(super) environment: &'a ArmEnvironment<S>,
-    /// What each action moves, and at last what an action moves that does not exist.
+    /// Move of each action, followed by the move used for actions that do not exist.
     pub(super) moves: &'a [[i32; JOINTS]],
     pub(super) groups: &'a mut [Group<S>],
     pub(super) keys: &'a mut [Block<u64>],
@@ -47,7 +47,7 @@ impl<S: ArmScalar> WithSimd for Usual<'_, S> {
     }
 }
 
-/// Each loop has a body without branches and reads single values of arrays: then it becomes vectors.
+/// Each loop has a branch-free body that reads single array elements, so that it can be vectorised.
 #[inline(always)]
 #[allow(
     clippy::needless_range_loop,

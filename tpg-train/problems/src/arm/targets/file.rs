@@ -10,7 +10,7 @@ use tpg_graph::error::{InputError, Place};
 const HEADER: [&str; JOINTS + 3] =
     ["start_base", "start_shoulder", "start_elbow", "start_wrist", "target_x_mm", "target_y_mm", "target_z_mm"];
 
-/// The header of the paper's recorded targets: the same columns after a row number.
+/// Header of the paper's recorded targets: the same columns after a row number.
 const RECORDED_HEADER: [&str; JOINTS + 4] = ["row", "m0", "m1", "m2", "m3", "tx", "ty", "tz"];
 
 /// Writes tasks as CSV: a header, then start (ticks) and target (mm, the shortest digits that give the same number).
@@ -25,7 +25,7 @@ pub fn to_csv(tasks: &[Task]) -> String {
 /// Reads a file that [`to_csv`] wrote, or the paper's recorded targets.
 ///
 /// # Errors
-/// If the file cannot be read, has another header, or a value that is no number of the arm's range.
+/// If the file cannot be read, has a different header, or contains a value that is not a number in the arm's range.
 pub fn read_csv(arm: &Arm<f64>, path: &Path) -> Result<Vec<Task>, InputError> {
     let text = fs::read_to_string(path).map_err(|error| InputError::io(path, &error, "a file of episodes"))?;
     parse_csv(arm, &path.display().to_string(), &text)
@@ -42,7 +42,7 @@ fn parse_csv(arm: &Arm<f64>, file: &str, text: &str) -> Result<Vec<Task>, InputE
     reader.records().map(row).collect()
 }
 
-/// The first column that belongs to a task, as the header tells.
+/// Returns the index of the first column that belongs to a task, according to the header.
 fn first_column(file: &str, reader: &mut Reader<&[u8]>) -> Result<usize, InputError> {
     let header = reader.headers().map_err(|error| unreadable(file, &error))?;
     if header == HEADER.as_slice() {
@@ -61,7 +61,7 @@ fn unreadable(file: &str, error: &csv::Error) -> InputError {
     InputError::new(file, Place::Line(line), error.to_string(), "comma-separated text in UTF-8")
 }
 
-/// One row; on error, the text found and what is accepted instead.
+/// Parses one row; the error holds the text found and what is accepted instead.
 fn task(arm: &Arm<f64>, record: &StringRecord, first: usize) -> Result<Task, (String, String)> {
     let fields: Vec<&str> = record.iter().skip(first).collect();
     let Ok([base, shoulder, elbow, wrist, x, y, z]) = <[&str; JOINTS + 3]>::try_from(fields) else {

@@ -31,7 +31,7 @@ impl Prefix {
         words.parse().unwrap_or_else(|_| Self("policy".to_owned()))
     }
 
-    /// As it is: for functions, types and files.
+    /// The prefix itself: for functions, types and files.
     pub fn lower(&self) -> &str {
         &self.0
     }

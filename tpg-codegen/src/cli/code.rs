@@ -1,0 +1,86 @@
+//! The options that select code, shared by `generate` and `verify`.
+
+use super::GraphArgs;
+use super::scalar::{Chosen, ScalarArgs, StatesArgs};
+use crate::options::{Language, Options, Prefix, Profile, Style};
+use crate::passes::interval::Assumption;
+use clap::{Args, ValueEnum};
+use tpg_graph::Graph;
+use tpg_graph::command::CommandError;
+
+/// A graph, and the code to generate from it.
+#[derive(Clone, Debug, Args)]
+pub(super) struct CodeArgs {
+    #[command(flatten)]
+    pub(super) graph: GraphArgs,
+    /// The language
+    #[arg(long, value_enum, default_value_t = LanguageArg::All)]
+    pub(super) lang: LanguageArg,
+    /// The interface of the C [default: pure; verify: both]
+    #[arg(long, value_enum)]
+    pub(super) style: Option<Style>,
+    /// The goal of the optimisation [default: fast in C, constant-time in Rust; verify: every profile]
+    #[arg(long, value_enum)]
+    pub(super) profile: Option<Profile>,
+    /// Assume that inputs lie in their declared ranges: outside them, the action may differ from the interpreter's
+    #[arg(long)]
+    assume_ranges: bool,
+    #[command(flatten)]
+    scalar: ScalarArgs,
+    #[command(flatten)]
+    states: StatesArgs,
+    /// The prefix of every generated name [default: from the file's name]
+    #[arg(long, value_name = "NAME")]
+    prefix: Option<Prefix>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum LanguageArg {
+    C,
+    Rust,
+    All,
+}
+
+impl LanguageArg {
+    pub(super) fn languages(self) -> &'static [Language] {
+        match self {
+            Self::C => &[Language::C],
+            Self::Rust => &[Language::Rust],
+            Self::All => &[Language::C, Language::Rust],
+        }
+    }
+}
+
+impl CodeArgs {
+    /// The graph, in the requested scalar type, and the options.
+    pub(super) fn load(&self) -> Result<(Graph, Options), CommandError> {
+        let Chosen { graph, conversion } = self.scalar.choose(&self.graph, self.graph.load()?, &self.states)?;
+        let options = Options {
+            style: self.style.unwrap_or_default(),
+            profile: self.profile,
+            assumption: if self.assume_ranges { Assumption::DeclaredRanges } else { Assumption::Nothing },
+            conversion,
+            trace: self.states.recorded(&graph)?,
+            ..Options::new(self.prefix.clone().unwrap_or_else(|| Prefix::of_file(&self.graph.graph)))
+        };
+        Ok((graph, options))
+    }
+
+    /// Every combination of language, style and profile that the arguments admit.
+    pub(super) fn shapes(&self) -> Vec<(Language, Style, Option<Profile>)> {
+        let profiles = self.profile.map_or(Profile::ALL.to_vec(), |profile| vec![profile]);
+        let pure = |language| profiles.iter().map(move |&profile| (language, Style::Pure, Some(profile)));
+        let mut shapes = Vec::new();
+        for &language in self.lang.languages() {
+            let (with_gegelati, with_pure) = match (language, self.style) {
+                (Language::Rust, _) | (Language::C, Some(Style::Pure)) => (false, true),
+                (Language::C, Some(Style::Gegelati)) => (true, false),
+                // GEGELATI's style has no profile.
+                (Language::C, None) => (self.profile.is_none(), true),
+            };
+            shapes.extend(with_gegelati.then_some((language, Style::Gegelati, None)));
+            shapes.extend(pure(language).filter(|_| with_pure));
+        }
+        shapes
+    }
+}

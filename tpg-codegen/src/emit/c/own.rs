@@ -1,0 +1,73 @@
+//! The tables and coefficients of own maths in C, printed from the constants of the runtime: the numbers stand once.
+
+use super::expression::Printer;
+use crate::emit::syntax::Syntax;
+use tpg_graph::ScalarType;
+use tpg_runtime::ops::own::{f32 as single, f64 as double};
+
+/// The constants as C literals.
+pub(super) struct OwnMaths {
+    pub(super) two_over_pi: Vec<String>,
+    /// The rows of the polynomials of sine and cosine.
+    pub(super) circle: [String; 2],
+    pub(super) half_pi: String,
+    pub(super) ln_2_high: String,
+    pub(super) ln_2_low: String,
+    pub(super) log2_e: String,
+    pub(super) ln: Vec<String>,
+    pub(super) exp: Vec<String>,
+}
+
+/// Entries of the `f32` table of 2/π that are read; the zeros after them save a bounds check in Rust.
+const READ: usize = 25;
+
+impl OwnMaths {
+    pub(super) fn of(printer: &Printer<'_>) -> Self {
+        match printer.graph.scalar() {
+            ScalarType::F32 => Self::single(printer),
+            ScalarType::F64 => Self::double(printer),
+        }
+    }
+
+    fn single(printer: &Printer<'_>) -> Self {
+        let number = |value: f32| number(printer, f64::from(value));
+        Self {
+            two_over_pi: words(&single::TWO_OVER_PI[..READ]),
+            circle: single::CIRCLE.map(|row| row.map(number).join(", ")),
+            half_pi: format!("{:#x}U", single::HALF_PI),
+            ln_2_high: number(single::LN_2_HIGH),
+            ln_2_low: number(single::LN_2_LOW),
+            log2_e: number(std::f32::consts::LOG2_E),
+            ln: single::LN.map(number).to_vec(),
+            exp: single::EXP.map(number).to_vec(),
+        }
+    }
+
+    fn double(printer: &Printer<'_>) -> Self {
+        let number = |value: f64| number(printer, value);
+        let row = |row: [f64; 7]| {
+            let (first, second) = row.split_at(5);
+            let line = |numbers: &[f64]| numbers.iter().map(|&value| number(value)).collect::<Vec<_>>().join(", ");
+            format!("{},\n         {}", line(first), line(second))
+        };
+        Self {
+            two_over_pi: words(&double::TWO_OVER_PI),
+            circle: double::CIRCLE.map(row),
+            half_pi: format!("((uint64_t){:#x}U << 32) | {:#x}U", double::HALF_PI >> 32, double::HALF_PI as u32),
+            ln_2_high: number(double::LN_2_HIGH),
+            ln_2_low: number(double::LN_2_LOW),
+            log2_e: number(std::f64::consts::LOG2_E),
+            ln: double::LN.map(number).to_vec(),
+            exp: double::EXP.map(number).to_vec(),
+        }
+    }
+}
+
+/// A literal, its suffix in lower case as in the rest of these kernels.
+fn number(printer: &Printer<'_>, value: f64) -> String {
+    printer.literal(value).to_ascii_lowercase()
+}
+
+fn words(table: &[u32]) -> Vec<String> {
+    table.iter().map(|word| format!("{word:#010x}U")).collect()
+}

@@ -1,0 +1,55 @@
+//! The sources of a state as generated code documents them.
+
+use tpg_graph::{Graph, Range};
+
+/// A source.
+pub(super) struct SourceView {
+    pub(super) name: String,
+    /// The places of its values in a flat state: from the first to the one behind the last.
+    pub(super) first: usize,
+    pub(super) end: usize,
+    pub(super) length: usize,
+    pub(super) unit: String,
+    pub(super) range: String,
+}
+
+/// Every source, its unit made safe for a comment.
+pub(super) fn sources(graph: &Graph, safe: impl Fn(&str) -> String) -> Vec<SourceView> {
+    let mut end = 0;
+    (graph.sources().iter())
+        .map(|source| {
+            let length = source.ranges.len();
+            end += length;
+            SourceView {
+                name: source.name.clone(),
+                first: end - length,
+                end,
+                length,
+                unit: safe(&source.unit),
+                range: range(&source.ranges),
+            }
+        })
+        .collect()
+}
+
+/// The common range of the values, or if ranges differ, each value's own in order.
+fn range(ranges: &[Range]) -> String {
+    match ranges {
+        [first, others @ ..] if others.iter().all(|range| range == first) => first.to_string(),
+        _ => ranges.iter().map(Range::to_string).collect::<Vec<_>>().join("; "),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::range;
+    use tpg_graph::Range;
+
+    #[test]
+    fn each_value_has_its_own_range_where_they_differ() {
+        let of = |min, max| Range { min, max };
+        assert_eq!(range(&[of(-1.0, 1.0)]), "-1 to 1");
+        assert_eq!(range(&[of(-1.0, 1.0), of(-1.0, 1.0)]), "-1 to 1");
+        assert_eq!(range(&[of(-1.0, 1.0), of(0.0, 2.5)]), "-1 to 1; 0 to 2.5");
+    }
+}

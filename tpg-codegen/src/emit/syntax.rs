@@ -1,0 +1,68 @@
+//! Values and operations as expressions: what is the same in every language, and what each spells its own way.
+
+use crate::ir::{Node, NodeId};
+use crate::passes::bytecode::Width;
+use tpg_graph::{Graph, Input};
+use tpg_runtime::ops::Instruction;
+
+/// A language's spelling.
+pub(super) trait Syntax {
+    /// The graph.
+    fn graph(&self) -> &Graph;
+    /// The nodes that expressions name.
+    fn nodes(&self) -> &[Node];
+    /// The name of the graph's scalar type.
+    fn scalar(&self) -> &'static str;
+    /// The name of a type of unsigned integers.
+    fn unsigned(&self, width: Width) -> String;
+    /// A number, so that the compiler reads the very same one.
+    fn literal(&self, value: f64) -> String;
+    /// A value of the state.
+    fn input(&self, input: Input) -> String;
+    /// A call of an estimate.
+    fn upper(&self, instruction: Instruction, argument: &str) -> String;
+    /// A call of an instruction that is no operator.
+    fn call(&self, instruction: Instruction, arguments: &str) -> String;
+
+    /// A number as an operand.
+    fn number(&self, value: f64) -> String {
+        self.literal(value)
+    }
+
+    /// A node as an operand: a number, an input, or the name of what was computed.
+    fn value(&self, id: NodeId) -> String {
+        match self.nodes()[id.index()] {
+            Node::Constant(bits) => self.number(f64::from_bits(bits)),
+            Node::Input(input) => self.input(input),
+            Node::Operation(..) | Node::Upper(..) => format!("v{}", id.0),
+        }
+    }
+
+    /// The expression that computes a node.
+    fn operation(&self, id: NodeId) -> String {
+        let node = self.nodes()[id.index()];
+        let operands: Vec<String> = node.operands().iter().map(|&operand| self.value(operand)).collect();
+        match node {
+            Node::Constant(_) | Node::Input(_) => self.value(id),
+            Node::Upper(instruction, _) => self.upper(instruction, &operands.concat()),
+            Node::Operation(instruction, _) => self.instruction(instruction, &operands),
+        }
+    }
+
+    /// An instruction on operands; one-operand instructions ignore the second.
+    fn instruction(&self, instruction: Instruction, operands: &[String]) -> String {
+        let operands = &operands[..instruction.arity()];
+        match instruction {
+            Instruction::Sub => operands.join(" - "),
+            Instruction::Add => operands.join(" + "),
+            Instruction::Mul => operands.join(" * "),
+            Instruction::Div => operands.join(" / "),
+            _ => self.call(instruction, &operands.join(", ")),
+        }
+    }
+
+    /// The least type that numbers a module's vertices.
+    fn vertex_type(&self, vertices: usize) -> String {
+        self.unsigned(Width::up_to(vertices as u64 - 1))
+    }
+}

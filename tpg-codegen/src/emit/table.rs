@@ -1,0 +1,27 @@
+//! Tables of unsigned integers in the least type that holds them.
+
+use super::syntax::Syntax;
+use crate::passes::bytecode::{self, Bytecode, Width};
+
+/// A table: its type, and its values as a language writes them.
+pub(super) struct Table {
+    pub(super) kind: String,
+    pub(super) values: Vec<String>,
+}
+
+/// A table whose values have no suffix, or one that depends on their width.
+pub(super) fn table(syntax: &impl Syntax, values: &[u64], suffix: impl Fn(Width) -> &'static str) -> Table {
+    let width = Width::of(values);
+    let value = |value: &u64| format!("{value}{}", suffix(width));
+    Table { kind: syntax.unsigned(width), values: values.iter().map(value).collect() }
+}
+
+/// The operations of tables, by number: expressions of `a` and `b`.
+pub(super) fn cases(syntax: &impl Syntax, code: &Bytecode) -> Vec<(u32, String)> {
+    let operands = ["a".to_owned(), "b".to_owned()];
+    let expression = |operation: Option<_>| match operation {
+        Some(instruction) => syntax.instruction(instruction, &operands),
+        None => "a".to_owned(),
+    };
+    code.used.iter().map(|&operation| (bytecode::number(operation), expression(operation))).collect()
+}

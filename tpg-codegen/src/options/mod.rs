@@ -1,0 +1,130 @@
+//! Options of the generated code: language, interface, profile, prefix.
+
+mod prefix;
+
+pub use prefix::Prefix;
+
+use crate::passes::interval::Assumption;
+use tpg_graph::conversion::Conversion;
+use tpg_graph::states::StateSet;
+
+/// A language to emit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, clap::ValueEnum)]
+pub enum Language {
+    /// C99, compiling as C++11 too.
+    C,
+    /// Rust, `no_std`.
+    Rust,
+}
+
+impl Language {
+    /// The name for people.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::C => "C",
+            Self::Rust => "Rust",
+        }
+    }
+}
+
+/// The interface of the C that is emitted.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+pub enum Style {
+    /// A pure, reentrant function over a const state; every symbol prefixed.
+    #[default]
+    Pure,
+    /// GEGELATI's own entry points, `inferenceTPG()` over the globals `in1`, `in2`, …: a drop-in for its output.
+    Gegelati,
+}
+
+/// The goal of the optimisation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, clap::ValueEnum)]
+pub enum Profile {
+    /// Least mean time: a function for each team, which computes expensive bids only where they can win.
+    Fast,
+    /// Least flash: tables, and one small evaluator.
+    Small,
+    /// The same instructions for every state: everything is computed, nothing branches.
+    ConstantTime,
+}
+
+impl Profile {
+    /// Every profile.
+    pub const ALL: [Self; 3] = [Self::Fast, Self::Small, Self::ConstantTime];
+
+    /// The name on the command line.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Fast => "fast",
+            Self::Small => "small",
+            Self::ConstantTime => "constant-time",
+        }
+    }
+
+    /// The default profile of a language.
+    pub const fn default_of(language: Language) -> Self {
+        match language {
+            Language::C => Self::Fast,
+            Language::Rust => Self::ConstantTime,
+        }
+    }
+}
+
+/// The options of a compilation.
+///
+/// ```
+/// use tpg_codegen::options::{Language, Options, Profile};
+/// use tpg_codegen::passes::interval::Assumption;
+///
+/// let options = Options::new("arm".parse()?);
+/// assert_eq!(options.profile_in(Language::C), Profile::Fast);
+/// let small = Options { profile: Some(Profile::Small), assumption: Assumption::DeclaredRanges, ..options };
+/// assert_eq!(small.profile_in(Language::Rust), Profile::Small);
+/// # Ok::<(), String>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    /// The prefix of every name.
+    pub prefix: Prefix,
+    /// The interface of C.
+    pub style: Style,
+    /// The profile; each language has its default. GEGELATI's style has none.
+    pub profile: Option<Profile>,
+    /// The assumption about the inputs.
+    pub assumption: Assumption,
+    /// The graph's original scalar type and maths, if they were changed.
+    pub conversion: Option<Conversion>,
+    /// Recorded states: [`Profile::Fast`] evaluates first the bids that win most often along them.
+    pub trace: Option<StateSet>,
+}
+
+impl Options {
+    /// The default options.
+    pub fn new(prefix: Prefix) -> Self {
+        Self {
+            prefix,
+            style: Style::Pure,
+            profile: None,
+            assumption: Assumption::Nothing,
+            conversion: None,
+            trace: None,
+        }
+    }
+
+    /// The profile in a language.
+    pub fn profile_in(&self, language: Language) -> Profile {
+        self.profile.unwrap_or(Profile::default_of(language))
+    }
+
+    /// The recorded states that order the bids of a language's code, if any do.
+    pub(crate) fn ordered_by(&self, language: Language) -> Option<&StateSet> {
+        let is_fast = self.profile_in(language) == Profile::Fast;
+        let has_profile = language == Language::Rust || self.style == Style::Pure;
+        self.trace.as_ref().filter(|_| is_fast && has_profile)
+    }
+
+    /// The recorded states, flat; empty if there are none.
+    pub(crate) fn recorded(&self) -> &[f64] {
+        self.trace.as_ref().map_or(&[], |trace| &trace.states)
+    }
+}

@@ -1,0 +1,166 @@
+//! A graph compiled for a language: all decisions are made before any text is printed.
+
+use crate::ir::{Module, topological};
+use crate::options::{Language, Options, Profile, Style};
+use crate::passes::available::Available;
+use crate::passes::bytecode::{self, Bytecode};
+use crate::passes::functions::{self, Function};
+use crate::passes::interval::Assumption;
+use crate::passes::schedule::{self, Schedule};
+use crate::passes::{self, Log};
+use tpg_graph::Graph;
+
+/// A compiled graph, which is then printed, costed, measured, explained and proven.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Program<'g> {
+    /// The lowered graph, optimised but in GEGELATI's style.
+    pub module: Module<'g>,
+    /// The language it is for.
+    pub language: Language,
+    /// The options it was compiled with.
+    pub options: Options,
+    /// The shape of the code.
+    pub shape: Shape,
+    /// The removals of the passes.
+    pub log: Log,
+}
+
+/// The shape of code, with the results of its passes.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shape {
+    /// See [`Profile::Fast`].
+    Fast {
+        /// The order of each team's bids.
+        schedule: Schedule,
+        /// The functions, and the values that teams of one hand on.
+        available: Available,
+    },
+    /// See [`Profile::Small`].
+    Small(Bytecode),
+    /// See [`Profile::ConstantTime`].
+    ConstantTime(Vec<Function>),
+    /// See [`Style::Gegelati`].
+    Gegelati,
+}
+
+/// Compiles a graph.
+///
+/// ```
+/// use tpg_codegen::cost::Costs;
+/// use tpg_codegen::emit::Code;
+/// use tpg_codegen::options::{Language, Options};
+/// use tpg_codegen::compile;
+/// use tpg_graph::sample::{self, Shape};
+///
+/// let graph = sample::graph(&Shape::default(), 7);
+/// let program = compile(&graph, &Options::new("arm".parse()?), Language::C);
+/// assert_eq!(program.name(), "C, fast");
+/// assert!(Costs::of(&program).worst().teams <= program.module.teams.len() as u64);
+/// let code = Code::of(program);
+/// assert_eq!(code.files[1].name, "arm.c");
+/// # Ok::<(), String>(())
+/// ```
+pub fn compile<'g>(graph: &'g Graph, options: &Options, language: Language) -> Program<'g> {
+    let program = |module, shape, log| Program { module, language, options: options.clone(), shape, log };
+    if language == Language::C && options.style == Style::Gegelati {
+        return program(Module::lower(graph), Shape::Gegelati, Log::default());
+    }
+    let (module, log) = passes::optimise_logged(graph, options.assumption);
+    // If no bid matters any more, tables and masks gain nothing in C: the plainest text is the best.
+    let chooses = module.teams.iter().any(|team| team.edges.len() > 1);
+    let profile = if language == Language::C && !chooses { Profile::Fast } else { options.profile_in(language) };
+    let shape = match profile {
+        Profile::Fast => fast(&module, language, options.recorded()),
+        Profile::Small => Shape::Small(bytecode::encode(&module)),
+        Profile::ConstantTime => Shape::ConstantTime(functions::of(&module)),
+    };
+    program(module, shape, log)
+}
+
+fn fast(module: &Module<'_>, language: Language, recorded: &[f64]) -> Shape {
+    let mut schedule = schedule::schedule(module, recorded);
+    let order = topological(&module.teams);
+    let together = match language {
+        Language::C => functions::together(order.len()),
+        // Each team is a function without further arguments: passing values on took more instructions in most policies. A
+        // bid that is certain to win is computed nevertheless.
+        Language::Rust => {
+            schedule.plans.iter_mut().flat_map(|plan| &mut plan.lazy).for_each(|lazy| lazy.certain = None);
+            1
+        }
+    };
+    let available = Available::analyse(&schedule, order, together);
+    Shape::Fast { schedule, available }
+}
+
+impl<'g> Program<'g> {
+    /// The graph.
+    pub fn graph(&self) -> &'g Graph {
+        self.module.graph
+    }
+
+    /// The SHA-256 of the graph as it was given, before any change of its scalar type.
+    pub fn graph_sha256(&self) -> String {
+        self.options.conversion.as_ref().map_or_else(|| self.graph().sha256(), |was| was.sha256.clone())
+    }
+
+    /// The language, the shape, and the options that change what the code does.
+    pub fn name(&self) -> String {
+        let Self { language, options, .. } = self;
+        let mut name = match self.shape {
+            Shape::Gegelati => "C in GEGELATI's style".to_owned(),
+            _ => format!("{}, {}", language.name(), options.profile_in(*language).name()),
+        };
+        if options.assumption == Assumption::DeclaredRanges {
+            name.push_str(", --assume-ranges");
+        }
+        if options.ordered_by(*language).is_some() {
+            name.push_str(", --trace");
+        }
+        if options.conversion.is_some() {
+            name = format!("{name}, --scalar {}", self.graph().scalar().name());
+        }
+        name
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Shape, compile};
+    use crate::options::{Language, Options, Profile, Style};
+    use tpg_graph::sample;
+
+    fn options(profile: Profile) -> Options {
+        Options { profile: Some(profile), ..Options::new("arm".parse().expect("a prefix")) }
+    }
+
+    #[test]
+    fn only_c_hands_values_on_and_leaves_certain_winners_uncomputed() {
+        let (mut saved, mut certain) = (0, 0);
+        for seed in 0..100 {
+            let graph = sample::graph(&sample::Shape::random(seed), seed);
+            for language in [Language::C, Language::Rust] {
+                let program = compile(&graph, &options(Profile::Fast), language);
+                let Shape::Fast { schedule, available } = program.shape else { panic!("{:?}", program.shape) };
+                let mut lazy = schedule.plans.iter().flat_map(|plan| &plan.lazy);
+                let (reused, is_certain) = (available.saved(), lazy.any(|lazy| lazy.certain.is_some()));
+                if language == Language::Rust {
+                    assert!(reused == 0 && !is_certain, "graph {seed}");
+                }
+                saved += reused;
+                certain += usize::from(is_certain);
+            }
+        }
+        assert!(saved > 0 && certain > 0, "{saved} values, {certain} graphs");
+    }
+
+    #[test]
+    fn gegelati_is_a_style_of_c_and_optimises_nothing() {
+        let graph = sample::graph(&sample::Shape::default(), 1);
+        let gegelati = Options { style: Style::Gegelati, ..options(Profile::Small) };
+        let c = compile(&graph, &gegelati, Language::C);
+        assert_eq!(c.shape, Shape::Gegelati);
+        assert_eq!((&c.module, &*c.name()), (&crate::ir::Module::lower(&graph), "C in GEGELATI's style"));
+        assert!(matches!(compile(&graph, &gegelati, Language::Rust).shape, Shape::Small(_)));
+    }
+}

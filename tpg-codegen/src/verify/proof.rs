@@ -1,0 +1,66 @@
+//! Proof by comparison: generated text compiled, run, and compared with the interpreter.
+
+use super::{BuildError, Comparison, Process, Workshop, compare_under};
+use crate::emit::Code;
+use serde::{Serialize, Serializer};
+use std::{io, ptr};
+use tpg_graph::engine::Engine;
+
+/// The outcome for several pieces of generated code.
+#[derive(Debug, Serialize)]
+pub struct Proof {
+    /// The comparisons of code that was compiled and run.
+    pub comparisons: Vec<Comparison>,
+    /// Code that could not be compiled.
+    pub unproven: Vec<Unproven>,
+}
+
+/// Code that could not be compiled.
+#[derive(Debug, Serialize)]
+pub struct Unproven {
+    /// Its [name](crate::Program::name).
+    pub engine: String,
+    /// The reason.
+    #[serde(serialize_with = "as_text")]
+    pub error: BuildError,
+}
+
+impl Proof {
+    /// Compiles code, the very text that it is given, and compares it with the interpreter on `count` states drawn with
+    /// `seed`; code that assumes declared ranges, on states inside them.
+    ///
+    /// # Errors
+    /// When no temporary folder can be made or a compiled program dies.
+    pub fn of(codes: &[Code<'_>], count: usize, seed: u64) -> io::Result<Self> {
+        let workshop = Workshop::new()?;
+        let mut proof = Self { comparisons: Vec::new(), unproven: Vec::new() };
+        let kind = |code: &Code<'_>| (ptr::from_ref(code.program.graph()), code.program.options.assumption);
+        for codes in codes.chunk_by(|a, b| kind(a) == kind(b)) {
+            let (graph, assumption) = (codes[0].program.graph(), codes[0].program.options.assumption);
+            let mut programs: Vec<Process> = codes.iter().filter_map(|code| proof.start(&workshop, code)).collect();
+            let mut engines: Vec<&mut dyn Engine> =
+                programs.iter_mut().map(|program| program as &mut dyn Engine).collect();
+            proof.comparisons.extend(compare_under(assumption, graph, &mut engines, count, seed)?);
+        }
+        Ok(proof)
+    }
+
+    fn start(&mut self, workshop: &Workshop, code: &Code<'_>) -> Option<Process> {
+        match workshop.start(code) {
+            Ok(process) => Some(process),
+            Err(error) => {
+                self.unproven.push(Unproven { engine: code.program.name(), error });
+                None
+            }
+        }
+    }
+
+    /// Tests that all code was compared and never differed.
+    pub fn holds(&self) -> bool {
+        self.unproven.is_empty() && self.comparisons.iter().all(|comparison| comparison.differences == 0)
+    }
+}
+
+fn as_text<S: Serializer>(error: &BuildError, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(error)
+}
