@@ -145,8 +145,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> LocalThreads<'e, S, M, E> {
     /// # Errors
     /// If the threads cannot be started.
     pub fn new(environment: &'e E, options: Options, threads: usize) -> Result<Self, EvaluationError> {
-        let pool = (rayon::ThreadPoolBuilder::new().num_threads(threads).build())
-            .map_err(|error| EvaluationError::new(error))?;
+        let pool = (rayon::ThreadPoolBuilder::new().num_threads(threads).build()).map_err(EvaluationError::new)?;
         let sources = environment.sources();
         Ok(Self { environment, sources, options, pool, steps: AtomicU64::new(0), number: PhantomData })
     }

@@ -34,11 +34,11 @@ pub struct Config {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Actor {
-    /// Whether the network reads inputs less the middle of their range, divided by half of it, where both ends are known.
+    /// True if the network reads inputs less the middle of their range, divided by half of it, where both ends are known.
     pub scaled_inputs: bool,
     /// Units of each hidden layer.
     pub hidden: Vec<usize>,
-    /// Whether hidden layers are normalised.
+    /// LayerNorm behind each hidden layer.
     pub layer_norm: bool,
     /// The meaning of the second half of its outputs.
     pub spread: Spread,

@@ -21,7 +21,7 @@ pub struct Config {
     /// "none" or "joint-limits".
     #[serde(with = "mask_name")]
     pub mask: Mask,
-    /// Whether the arm may rest; otherwise the strongest preference moves.
+    /// Lets the arm rest; otherwise the strongest preference moves.
     pub may_rest: bool,
     /// The fraction of training episodes that start at home; the others start anywhere.
     pub fixed_start_share: f64,
@@ -33,13 +33,13 @@ pub struct Config {
     pub repeat_per_mm: f32,
     /// The most steps that an action is repeated for. 1: no repeats.
     pub repeat_most: u32,
-    /// Whether an invalid step ends a training episode. The paper's training went on after it.
+    /// Ends a training episode at an invalid step. The paper's training went on after it.
     pub invalid_ends: bool,
     /// Ticks of a coarse action in training. Tests always move by 3.
     pub step: i8,
     /// The distance below which a training episode succeeds, mm. In tests it is 3 mm.
     pub tolerance: f64,
-    /// Whether rest, and a pose that comes again, end a test: no if the policy draws its actions.
+    /// Ends a test at rest, or at a pose that comes again: false for a policy that draws its actions.
     pub stuck_ends: bool,
     /// The reward of training.
     pub reward: Reward,
@@ -68,7 +68,7 @@ pub struct Reward {
 }
 
 impl Reward {
-    /// Whether the reward knows poses that solve the task.
+    /// True if the reward knows poses that solve the task.
     pub fn knows_goals(&self) -> bool {
         self.steps_to_goal != 0.0
     }

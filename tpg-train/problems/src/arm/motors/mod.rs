@@ -52,9 +52,9 @@ pub struct Motors {
 /// One episode's task.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MotorsTask {
-    /// Where the arm starts, ticks.
+    /// The pose at the start, ticks.
     pub start: [i16; JOINTS],
-    /// Where the hand shall go, mm.
+    /// The point that the hand shall reach, mm.
     pub target: [f64; 3],
     /// The rules of the episode.
     pub rules: Rules,
