@@ -23,10 +23,10 @@ struct Worker<'e> {
 
 impl Worker<'_> {
     fn ask(&self, message: &str) -> Result<String, EvaluationError> {
-        let work: Work<ArmTask> = serde_json::from_str(message).map_err(|error| EvaluationError::new(error))?;
+        let work: Work<ArmTask> = serde_json::from_str(message).map_err(EvaluationError::new)?;
         let engine = LocalThreads::<f32, Own, _>::new(self.environment, Options { lanes: 3, ..Options::default() }, 1)?;
         let answers = engine.evaluate(&work)?;
-        serde_json::to_string(&answers).map_err(|error| EvaluationError::new(error))
+        serde_json::to_string(&answers).map_err(EvaluationError::new)
     }
 }
 
@@ -41,9 +41,8 @@ impl Evaluator<ArmTask> for Wire<'_> {
         let mut answers = Vec::new();
         for unit in work.units.iter().rev() {
             let one = Work::<ArmTask> { tasks: work.tasks.clone(), units: vec![unit.clone()] };
-            let message = serde_json::to_string(&one).map_err(|error| EvaluationError::new(error))?;
-            let reply: Vec<Answer> =
-                serde_json::from_str(&self.worker.ask(&message)?).map_err(|error| EvaluationError::new(error))?;
+            let message = serde_json::to_string(&one).map_err(EvaluationError::new)?;
+            let reply: Vec<Answer> = serde_json::from_str(&self.worker.ask(&message)?).map_err(EvaluationError::new)?;
             let ([answer], WorkUnit { key, .. }) = (&reply[..], unit) else {
                 return Err(EvaluationError::new(format!("{} answers to a unit", reply.len())));
             };
