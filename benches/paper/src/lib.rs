@@ -20,7 +20,9 @@
 //! | [`replay`] | all rows of a file in lockstep, compared with the recording |
 //! | [`fk`] | forward kinematics and collisions against recorded values, including the runtime's fast paths |
 //! | [`clearance`] | distance of an arm from a change of its collision result |
-//! | [`command`] | `tpg-paper replay` |
+//! | [`replay_command`] | `tpg-paper replay` |
+//! | [`table`] | `tpg-paper table2` |
+//! | [`cli`] | the command line |
 
 pub mod actor;
 pub mod chain;

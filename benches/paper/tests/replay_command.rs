@@ -50,7 +50,7 @@ impl Input {
     }
 
     fn replay(&self) -> Command {
-        let mut command = Command::cargo_bin("tpg-train").unwrap();
+        let mut command = Command::cargo_bin("tpg-paper").unwrap();
         command.args(["replay", "--problem", "fs"]);
         for (option, file) in
             [("--graph", "graph.json"), ("--targets", "targets.csv"), ("--ends", "ends.csv"), ("--trace", "trace.csv")]
@@ -175,7 +175,7 @@ fn a_missing_file_is_refused() {
 #[test]
 fn there_must_be_something_to_compare() {
     let input = Input::new();
-    let mut command = Command::cargo_bin("tpg-train").unwrap();
+    let mut command = Command::cargo_bin("tpg-paper").unwrap();
     command.args(["replay", "--problem", "fs", "--graph"]).arg(input.path("graph.json"));
     command.arg("--targets").arg(input.path("targets.csv")).assert().code(2).stdout("");
 }

@@ -50,10 +50,10 @@ impl Visitor<f32> for Test<'_> {
     }
 }
 
-/// Evaluates a network on a problem: see [`test`].
+/// Evaluates a network on a problem: see [`test()`].
 ///
 /// # Errors
-/// As [`test`].
+/// As [`test()`].
 pub fn on_problem(
     problem: &ContinuousProblem,
     file: &str,

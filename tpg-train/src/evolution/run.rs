@@ -98,7 +98,8 @@ pub enum RunError {
 /// let folder = tempfile::tempdir()?;
 /// let options = RunOptions { folder: folder.path().to_owned(), ..RunOptions::default() };
 /// let evaluator = LocalThreads::<f32, Own, _>::new(&CartPole, Options::default(), 1)?;
-/// let end = run(&config, 1, &CartPole, &evaluator, &options, |_progress| ControlFlow::Continue(()))?;
+/// let watch = |_progress: &_| ControlFlow::Continue(());
+/// let end = run::<f32, _, _>(&config, 1, &CartPole, &evaluator, &options, watch)?;
 /// let RunEnd::Finished(best) = end else { panic!("nothing stopped the run") };
 /// assert!(best.result.score > 0.0);
 /// assert!(folder.path().join("graph.json").exists());

@@ -6,8 +6,8 @@
 //! | [`config`] | the section `[problem]` |
 //! | [`inputs`] | the inputs of an actor |
 //! | [`decision`] | from preferences to a move |
-//! | [`lesson`] | an episode under the rules of training: shaped reward, repeated actions |
-//! | [`trial`] | an episode under the rules of tests |
+//! | `lesson` | an episode under the rules of training: shaped reward, repeated actions |
+//! | `trial` | an episode under the rules of tests |
 
 pub mod config;
 pub mod decision;
