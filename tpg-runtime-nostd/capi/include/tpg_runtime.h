@@ -162,7 +162,7 @@
 #define TPG_MEMO_WORDS 12
 
 // Words of a tpg_network_t.
-#define TPG_NETWORK_WORDS 36
+#define TPG_NETWORK_WORDS 26
 
 // The most floats that the sources of a policy may have together.
 #define TPG_STATE_LENGTH 48
@@ -216,7 +216,7 @@
 #define TPG_SOURCE_SHIELD_COLLISION 15
 
 // Words of a tpg_sac_t.
-#define TPG_SAC_WORDS 40
+#define TPG_SAC_WORDS 30
 
 // An arm, ready for use. Opaque; initialised by tpg_arm_init or tpg_arm_init_widowx, constant from then on.
 typedef struct {

@@ -8,7 +8,7 @@ use crate::memory::{self, Opaque};
 use tpg_runtime::net::{Answer, Model, ModelError};
 
 /// Words of a tpg_network_t.
-pub const TPG_NETWORK_WORDS: usize = 36;
+pub const TPG_NETWORK_WORDS: usize = 26;
 
 /// A network in integers, checked. Opaque; initialised by tpg_network_init, constant from then on.
 #[repr(C)]

@@ -10,7 +10,7 @@ use tpg_arm::sac::FEATURES;
 use tpg_arm::sac::packed::Model;
 
 /// Words of a tpg_sac_t.
-pub const TPG_SAC_WORDS: usize = 40;
+pub const TPG_SAC_WORDS: usize = 30;
 
 /// The arm's network in integers, checked. Opaque; initialised by tpg_sac_init, constant from then on.
 #[repr(C)]

@@ -26,10 +26,22 @@ pub enum ModelError {
 struct View<'a> {
     blocks: &'a [u32],
     kind: Kind,
-    /// Padded inputs, in words of two columns.
-    inputs: usize,
+    /// Padded inputs, in words of two columns; at most half of [`WIDTH`], padding included.
+    inputs: u16,
     /// Padded outputs, in words of two.
-    outputs: usize,
+    outputs: u16,
+}
+
+impl View<'_> {
+    #[inline(always)]
+    fn inputs(&self) -> usize {
+        usize::from(self.inputs)
+    }
+
+    #[inline(always)]
+    fn outputs(&self) -> usize {
+        usize::from(self.outputs)
+    }
 }
 
 /// A checked model, borrowed from where it lies.
@@ -136,8 +148,8 @@ impl<'a> Model<'a> {
             let (these, rest) =
                 blocks.split_at_checked(rows / ROWS * kind.block(columns_in / 2)).ok_or(ModelError::Layers)?;
             blocks = rest;
-            let view = View { blocks: these, kind, inputs: columns_in / 2, outputs: rows / 2 };
-            self.width = self.width.max(view.inputs);
+            let view = View { blocks: these, kind, inputs: (columns_in / 2) as u16, outputs: (rows / 2) as u16 };
+            self.width = self.width.max(view.inputs());
             if is_last {
                 self.last = view;
             } else {
@@ -282,7 +294,7 @@ impl<'a> Model<'a> {
     fn load(&self, inputs: &[i16], words: &mut [u32]) {
         let inputs = inputs.get(..self.inputs).unwrap_or(inputs);
         let first = self.first_layer();
-        if let Some(words) = words.get_mut(..first.inputs) {
+        if let Some(words) = words.get_mut(..first.inputs()) {
             match first.kind.form() {
                 Form::Pairs => tpg_kernels::pair_inputs(inputs, words),
                 Form::Split => tpg_kernels::split_inputs(inputs, words),
@@ -294,7 +306,7 @@ impl<'a> Model<'a> {
     fn load_state(&self, state: &[f32], words: &mut [u32]) {
         let first = self.first_layer();
         let mut number = 0;
-        for words in words.as_chunks_mut::<2>().0.iter_mut().take(first.inputs / 2) {
+        for words in words.as_chunks_mut::<2>().0.iter_mut().take(first.inputs() / 2) {
             let mut four = [0; 4];
             for slot in &mut four {
                 if let Some(&value) = state.get(number) {
@@ -318,12 +330,12 @@ impl<'a> Model<'a> {
         let hidden = self.hidden.get(..self.count).unwrap_or(&[]);
         for (index, layer) in hidden.iter().enumerate() {
             let form = hidden.get(index + 1).unwrap_or(&self.last).kind.form();
-            if let (Some(inputs), Some(outputs)) = (from.get(..layer.inputs), to.get_mut(..layer.outputs)) {
+            if let (Some(inputs), Some(outputs)) = (from.get(..layer.inputs()), to.get_mut(..layer.outputs())) {
                 tpg_kernels::hidden(layer.kind, form, layer.blocks, inputs, outputs);
             }
             (from, to) = (to, from);
         }
-        from.get(..self.last.inputs)
+        from.get(..self.last.inputs())
     }
 }
 
@@ -339,7 +351,7 @@ impl Model<'_> {
         use std::{vec, vec::Vec};
         use tpg_kernels::portable;
         let hidden = &self.hidden[..self.count];
-        let mut from = vec![0; self.first_layer().inputs];
+        let mut from = vec![0; self.first_layer().inputs()];
         match self.first_layer().kind.form() {
             Form::Pairs => tpg_kernels::pair_inputs(inputs, &mut from),
             Form::Split => tpg_kernels::split_inputs(inputs, &mut from),
