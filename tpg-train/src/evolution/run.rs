@@ -98,8 +98,7 @@ pub enum RunError {
 /// let folder = tempfile::tempdir()?;
 /// let options = RunOptions { folder: folder.path().to_owned(), ..RunOptions::default() };
 /// let evaluator = LocalThreads::<f32, Own, _>::new(&CartPole, Options::default(), 1)?;
-/// let watch = |_progress: &_| ControlFlow::Continue(());
-/// let end = run::<f32, _, _>(&config, 1, &CartPole, &evaluator, &options, watch)?;
+/// let end = run::<f32, _, _>(&config, 1, &CartPole, &evaluator, &options, |_| ControlFlow::Continue(()))?;
 /// let RunEnd::Finished(best) = end else { panic!("nothing stopped the run") };
 /// assert!(best.result.score > 0.0);
 /// assert!(folder.path().join("graph.json").exists());
