@@ -65,7 +65,7 @@ fn random(seed: u64) -> (FloatNetwork, Vec<Vec<f32>>) {
     (FloatNetwork { inputs, layers, output }, states)
 }
 
-/// How far a value may be from that of floating point, in parts of its range: rounded weights add up over the layers.
+/// Greatest accepted distance from floating point, in parts of the range: rounded weights add up over the layers.
 const fn bound(kind: Kind) -> f64 {
     match kind {
         Kind::W8A16 => 0.03,

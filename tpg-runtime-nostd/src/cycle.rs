@@ -22,7 +22,7 @@ use heapless::index_set::FnvIndexSet;
 pub trait CycleDetector<K> {
     /// Forgets everything and starts an episode at `start`.
     fn reset(&mut self, start: K);
-    /// Whether the episode is known to cycle once it has come to `key`.
+    /// Returns true if the episode is known to cycle once it has come to `key`.
     fn repeats(&mut self, key: K) -> bool;
 }
 

@@ -216,7 +216,7 @@ impl<S: Scalar, D> Switch<S, D> {
 
 /// A problem's say in which actions are executed.
 pub trait Guard<State: ?Sized, A> {
-    /// Whether the first policy's action must not be executed.
+    /// Returns true if the first policy's action must not be executed.
     fn refuses(&self, state: &State, wanted: &A) -> bool;
 
     /// The second policy's action as it may be executed. `again` asks the first policy once more; it answers `None` where

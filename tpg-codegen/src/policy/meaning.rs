@@ -79,7 +79,7 @@ pub struct Preferences {
     pub actions: String,
     /// "none" or "joint-limits".
     pub mask: String,
-    /// Whether the arm may rest.
+    /// True if the arm may rest.
     pub may_rest: bool,
 }
 

@@ -1,4 +1,4 @@
-//! What a graph's names and numbers mean on the arm: the one place where the two meet.
+//! Binding of a graph's names and numbers to the arm: the one place where the two meet.
 //!
 //! Generated code carries plain data, which [`sources`] and [`moves`] turn into the arm's own types when it is compiled. A
 //! graph that is read at run time goes through [`source`] and [`moved`], one declaration after another.

@@ -497,13 +497,13 @@ int32_t tpg_network_init(tpg_network_t *network,
                          const uint32_t *model,
                          size_t words);
 
-// How many 32-bit words of scratch memory a decision needs.
+// Gives the 32-bit words of scratch memory that a decision needs.
 int32_t tpg_network_scratch(const tpg_network_t *network, size_t *words);
 
-// How many numbers a state has.
+// Gives the count of numbers in a state.
 int32_t tpg_network_inputs(const tpg_network_t *network, size_t *inputs);
 
-// How many outputs the network has: values, or actions to choose from.
+// Gives the count of outputs of the network: values, or actions to choose from.
 int32_t tpg_network_outputs(const tpg_network_t *network, size_t *outputs);
 
 // The values that a network answers a state with. `scratch` is overwritten. TPG_LENGTH where `length` numbers of the state,

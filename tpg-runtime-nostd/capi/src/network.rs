@@ -48,7 +48,7 @@ pub unsafe extern "C" fn tpg_network_init(network: *mut tpg_network_t, model: *c
     }))
 }
 
-/// How many 32-bit words of scratch memory a decision needs.
+/// Gives the 32-bit words of scratch memory that a decision needs.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_network_scratch(network: *const tpg_network_t, words: *mut usize) -> i32 {
     // SAFETY: the header's contract.
@@ -56,7 +56,7 @@ pub unsafe extern "C" fn tpg_network_scratch(network: *const tpg_network_t, word
     code::answer(model.map(Model::scratch), words)
 }
 
-/// How many numbers a state has.
+/// Gives the count of numbers in a state.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_network_inputs(network: *const tpg_network_t, inputs: *mut usize) -> i32 {
     // SAFETY: the header's contract.
@@ -64,7 +64,7 @@ pub unsafe extern "C" fn tpg_network_inputs(network: *const tpg_network_t, input
     code::answer(model.map(Model::inputs), inputs)
 }
 
-/// How many outputs the network has: values, or actions to choose from.
+/// Gives the count of outputs of the network: values, or actions to choose from.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_network_outputs(network: *const tpg_network_t, outputs: *mut usize) -> i32 {
     // SAFETY: the header's contract.

@@ -3,7 +3,7 @@
 /// A preference of 1 as an integer.
 pub const PREFERENCE_ONE: f32 = 2048.0;
 
-/// How an accumulator becomes an output: times `factor`/2^`shift`.
+/// The conversion of an accumulator to an output: times `factor`/2^`shift`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rescale {
     /// 0..=32767.
@@ -53,9 +53,9 @@ impl Rescale {
     }
 }
 
-/// What a layer's outputs are clipped to from below: a hidden layer's ReLU.
+/// The lower limit of a hidden layer's outputs: its ReLU.
 pub const HIDDEN: i16 = 0;
-/// What the last layer's outputs are clipped to from below.
+/// The lower limit of the last layer's outputs.
 pub const LAST: i16 = -i16::MAX;
 
 /// The exact sum of products of one row. It wraps where a row is not [sound](Layer::is_sound).
@@ -98,7 +98,7 @@ impl<const I: usize, const O: usize> Layer<I, O> {
         outputs
     }
 
-    /// Whether no input can overflow an accumulator and every rescale is in its range.
+    /// Returns true if no input can overflow an accumulator and every rescale is in its range.
     ///
     /// Generated code asserts it in a `const`: an unsound network does not compile.
     pub const fn is_sound(&self) -> bool {

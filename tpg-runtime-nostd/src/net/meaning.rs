@@ -51,7 +51,7 @@ pub struct Value {
 }
 
 impl Value {
-    /// Whether the range is finite and not empty, and the exponent in its range.
+    /// Returns true if the range is finite and not empty, and the exponent in its range.
     pub const fn is_sound(&self) -> bool {
         let span = self.max - self.min;
         self.min.is_finite() && self.max.is_finite() && span.is_finite() && span >= 0.0 && self.exponent <= self.most()

@@ -10,7 +10,7 @@ use tpg_problems::{ContinuousProblem, Visitor};
 
 /// The test episodes of a network.
 pub struct Tested {
-    /// How each episode ended.
+    /// The ending of each episode.
     pub endings: Vec<Ending>,
     /// The environment's outcomes.
     pub outcomes: &'static [&'static str],

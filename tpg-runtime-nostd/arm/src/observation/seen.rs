@@ -30,7 +30,7 @@ impl<S: Lattice> Observation<S> {
         kinematics::distance(self.target, self.hand)
     }
 
-    /// What is seen at a pose.
+    /// Returns the observation at a pose.
     pub fn at(arm: &Arm<S>, pose: Pose, target: Vector<S>) -> Self {
         Self::new(arm, pose, kinematics::hand(arm, pose), target)
     }

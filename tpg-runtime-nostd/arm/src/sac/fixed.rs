@@ -28,7 +28,7 @@ pub struct Network<const A: usize, const B: usize> {
 }
 
 impl<const A: usize, const B: usize> Network<A, B> {
-    /// Whether every layer [is sound](Layer::is_sound).
+    /// Returns true if every layer [is sound](Layer::is_sound).
     pub const fn is_sound(&self) -> bool {
         self.first.is_sound() && self.second.is_sound() && self.last.is_sound()
     }
@@ -110,7 +110,7 @@ pub struct FixedPolicy<'a, const A: usize, const B: usize> {
     pub arm: &'a Arm<f32>,
     /// The network.
     pub network: &'a Network<A, B>,
-    /// What stands behind it.
+    /// The decision that follows the network.
     pub decision: FixedDecision,
 }
 

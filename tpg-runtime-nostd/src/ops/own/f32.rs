@@ -67,7 +67,7 @@ pub const CIRCLE: [[f32; 4]; 2] =
 
 /// ln 2, the first part short enough that its product with an exponent is exact.
 pub const LN_2_HIGH: f32 = 0.69314575;
-/// What [`LN_2_HIGH`] lacks of ln 2.
+/// The rest of ln 2 behind [`LN_2_HIGH`].
 pub const LN_2_LOW: f32 = 1.4286068e-6;
 
 /// `ln((1 + s) / (1 − s)) = 2·s + s·w·P(w)` for `w = s²`, from the constant term on.

@@ -81,7 +81,7 @@ pub const CIRCLE: [[f64; 7]; 2] = [
 
 /// ln 2, the first part short enough that its product with an exponent is exact.
 pub const LN_2_HIGH: f64 = 0.6931471805601177;
-/// What [`LN_2_HIGH`] lacks of ln 2.
+/// The rest of ln 2 behind [`LN_2_HIGH`].
 pub const LN_2_LOW: f64 = -1.7239444525614835e-13;
 
 /// `ln((1 + s) / (1 − s)) = 2·s + s·w·P(w)` for `w = s²`, from the constant term on.
