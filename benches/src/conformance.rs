@@ -48,10 +48,10 @@ fn compare(subject: &Subject, states: usize, total: &mut Total) -> Result<(), Bo
         Variant::ALL.iter().filter_map(|variant| build(&workshop, subject, *variant)).collect::<Result<_, _>>()?;
     let mut engines: Vec<&mut dyn Engine> = programs.iter_mut().map(|program| program as &mut dyn Engine).collect();
     let drawn = verify::compare(&subject.graph, &mut engines, states, 1)?;
-    let expected = interpret::actions(&subject.graph, &subject.states);
+    let expected = interpret::answers(&subject.graph, &subject.states);
     for (engine, drawn) in engines.iter_mut().zip(drawn) {
         let mut found = Vec::with_capacity(expected.len());
-        engine.decide(&subject.states, &mut found)?;
+        engine.answer(&subject.states, &mut found)?;
         let differences = expected.iter().zip(&found).filter(|(expected, found)| expected != found).count();
         let name = engine.name();
         println!(

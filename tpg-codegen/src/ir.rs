@@ -84,8 +84,18 @@ pub struct Edge {
 pub enum Target {
     /// To the team at this place of [`Module::teams`].
     Team(usize),
-    /// To an action.
+    /// To an action, or to the leaf at this place of [`Module::leaves`].
     Action(ActionId),
+}
+
+/// A leaf of the lowered graph.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Leaf {
+    /// Its id in the source file.
+    pub label: u32,
+    /// The value of each output before it is limited; a constant is within its output's range. Empty for a leaf that no
+    /// walk ends at any more.
+    pub values: Vec<NodeId>,
 }
 
 /// A team of the lowered graph.
@@ -108,6 +118,8 @@ pub struct Module<'g> {
     pub bidders: Vec<Bidder>,
     /// The teams, breadth first from the root, which is the first.
     pub teams: Vec<Team>,
+    /// The leaves, by the graph's numbers; empty for a policy without outputs.
+    pub leaves: Vec<Leaf>,
     /// Teams on the longest walk: no walk decides more often.
     pub depth: usize,
 }
@@ -120,7 +132,7 @@ impl<'g> Module<'g> {
 
     #[cfg(test)]
     pub(crate) fn empty(graph: &'g Graph) -> Self {
-        Self { graph, nodes: Vec::new(), bidders: Vec::new(), teams: Vec::new(), depth: 0 }
+        Self { graph, nodes: Vec::new(), bidders: Vec::new(), teams: Vec::new(), leaves: Vec::new(), depth: 0 }
     }
 
     /// A node.
@@ -128,7 +140,15 @@ impl<'g> Module<'g> {
         self.nodes[id.index()]
     }
 
-    /// The vertex of a target: teams are numbered from 0, the root, and the actions follow them.
+    /// The node of a number, added if there is none.
+    pub(crate) fn constant(&mut self, value: f64) -> NodeId {
+        let mut values = Values::of(std::mem::take(&mut self.nodes));
+        let id = values.intern(Node::constant(value));
+        self.nodes = values.into_nodes();
+        id
+    }
+
+    /// The vertex of a target: teams are numbered from 0, the root, and the actions or leaves follow them.
     pub fn vertex(&self, target: Target) -> usize {
         match target {
             Target::Team(team) => team,
@@ -138,13 +158,27 @@ impl<'g> Module<'g> {
 
     /// The number of vertices.
     pub fn vertices(&self) -> usize {
-        self.teams.len() + self.graph.actions().len()
+        self.teams.len() + self.graph.ends()
+    }
+
+
+    /// The leaf that every walk ends at, if there is one and nothing to decide.
+    pub fn only_leaf(&self) -> Option<&Leaf> {
+        match &*reached(&self.leaves).collect::<Vec<_>>() {
+            [(_, leaf)] if self.teams.len() == 1 => Some(leaf),
+            _ => None,
+        }
     }
 
     /// The operations that `value` needs, operands before operations.
     pub fn operations_of(&self, value: NodeId) -> Vec<NodeId> {
         needed(&self.nodes, value, |_| true)
     }
+}
+
+/// The leaves that walks end at, with their numbers.
+pub fn reached(leaves: &[Leaf]) -> impl Iterator<Item = (usize, &Leaf)> {
+    leaves.iter().enumerate().filter(|(_, leaf)| !leaf.values.is_empty())
 }
 
 /// The operations needed for `value`, operands before operations; nodes that are not `missing` are not visited.
@@ -197,7 +231,13 @@ impl<'g> Lowering<'g> {
             teams.push(Team { label: team.label, edges });
         }
         let depth = longest_walk(&teams);
-        Module { graph: self.graph, nodes: self.values.into_nodes(), bidders, teams, depth }
+        let leaves = (self.graph.leaves().iter())
+            .map(|leaf| Leaf {
+                label: leaf.label,
+                values: leaf.programs.iter().map(|&id| self.value(self.graph.program(id))).collect(),
+            })
+            .collect();
+        Module { graph: self.graph, nodes: self.values.into_nodes(), bidders, teams, leaves, depth }
     }
 
     /// Runs the lines that matter on symbols and returns what register 0 holds.

@@ -1,6 +1,6 @@
 //! A graph compiled for a language: all decisions are made before any text is printed.
 
-use crate::ir::{Module, topological};
+use crate::ir::{Module, NodeId, topological};
 use crate::options::{Language, Options, Profile, Style};
 use crate::passes::available::Available;
 use crate::passes::bytecode::{self, Bytecode};
@@ -8,6 +8,7 @@ use crate::passes::functions::{self, Function};
 use crate::passes::interval::Assumption;
 use crate::passes::schedule::{self, Schedule};
 use crate::passes::{self, Log};
+use std::collections::BTreeSet;
 use tpg_graph::Graph;
 
 /// A compiled graph, which is then printed, costed, measured, explained and proven.
@@ -39,11 +40,35 @@ pub enum Shape {
     Small(Bytecode),
     /// See [`Profile::ConstantTime`].
     ConstantTime(Vec<Function>),
+    /// Nothing to decide: the outputs of the only leaf. In any profile; without a branch for [`Profile::ConstantTime`].
+    Formula(Formula),
     /// See [`Style::Gegelati`].
     Gegelati,
 }
 
+/// The outputs of the only leaf.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Formula {
+    /// The value of each output, before it is limited.
+    pub values: Vec<NodeId>,
+    /// The operations that they need, operands before operations.
+    pub operations: BTreeSet<NodeId>,
+    /// No comparison may become a branch.
+    pub branch_free: bool,
+}
+
+impl Formula {
+    fn of(module: &Module<'_>, profile: Profile) -> Option<Self> {
+        let values = module.only_leaf()?.values.clone();
+        let operations = values.iter().flat_map(|&value| module.operations_of(value)).collect();
+        Some(Self { values, operations, branch_free: profile == Profile::ConstantTime })
+    }
+}
+
 /// Compiles a graph.
+///
+/// # Panics
+/// If the graph has outputs and the style is GEGELATI's, which answers with an action.
 ///
 /// ```
 /// use tpg_codegen::cost::Costs;
@@ -63,11 +88,15 @@ pub enum Shape {
 pub fn compile<'g>(graph: &'g Graph, options: &Options, language: Language) -> Program<'g> {
     let program = |module, shape, log| Program { module, language, options: options.clone(), shape, log };
     if language == Language::C && options.style == Style::Gegelati {
+        assert!(graph.outputs().is_empty(), "GEGELATI's style has no outputs");
         return program(Module::lower(graph), Shape::Gegelati, Log::default());
     }
     let (module, log) = passes::optimise_logged(graph, options.assumption);
     // If no bid matters any more, tables and masks gain nothing in C: the plainest text is the best.
     let chooses = module.teams.iter().any(|team| team.edges.len() > 1);
+    if let Some(formula) = Formula::of(&module, options.profile_in(language)) {
+        return program(module, Shape::Formula(formula), log);
+    }
     let profile = if language == Language::C && !chooses { Profile::Fast } else { options.profile_in(language) };
     let shape = match profile {
         Profile::Fast => fast(&module, language, options.recorded()),

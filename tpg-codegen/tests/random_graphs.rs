@@ -2,7 +2,8 @@
 //!
 //! The graphs hold ties, shared and empty programs, constants of every kind; the states hold NaN, infinities, denormals.
 //! `TPG_RANDOM_GRAPHS` says how many graphs, and there are ten times as many small ones, where a difference has fewer places
-//! to hide (in Rust, a quarter of both: its compiler takes longer), and some of more teams than a function has.
+//! to hide (in Rust, a quarter of both: its compiler takes longer), and some of more teams than a function has. As many again
+//! have outputs: formulas, leaves under teams, one to three values, each equal to the bit.
 
 use tpg_codegen::emit::{Language, Options, Profile};
 use tpg_codegen::passes;
@@ -39,8 +40,23 @@ fn small(seed: u64) -> Shape {
     Shape { teams: shape.teams.div_ceil(8), edges, ..shape }
 }
 
+const WITH_OUTPUTS: Kind = Kind { shape: Shape::random_with_outputs, batch: 60, states: 2000 };
+const SMALL_WITH_OUTPUTS: Kind = Kind { shape: small_with_outputs, batch: 200, states: 600 };
+const MANY_WITH_OUTPUTS: Kind = Kind { shape: many_with_outputs, batch: 4, states: 600 };
+
+/// Few teams, and often none.
+fn small_with_outputs(seed: u64) -> Shape {
+    let Shape { teams, outputs, .. } = Shape::random_with_outputs(seed);
+    Shape { teams: teams.div_ceil(8), outputs, ..small(seed) }
+}
+
+fn many_with_outputs(seed: u64) -> Shape {
+    Shape { outputs: 1 + (seed % 3) as u32, ..many(seed) }
+}
+
 fn count() -> usize {
-    std::env::var("TPG_RANDOM_GRAPHS").map_or(60, |text| text.parse().expect("TPG_RANDOM_GRAPHS is a number"))
+    let usual = tpg_testing::amount(10, 60);
+    std::env::var("TPG_RANDOM_GRAPHS").map_or(usual, |text| text.parse().expect("TPG_RANDOM_GRAPHS is a number"))
 }
 
 /// Every profile, and `fast` once more in the order of recorded wins.
@@ -91,6 +107,20 @@ fn rust_in_every_profile_acts_like_the_interpreter() {
     assert_equal(Language::Rust, LARGE, 1_000_000..1_000_000 + count() as u64 / 4);
     assert_equal(Language::Rust, SMALL, 3_000_000..3_000_000 + count() as u64 * 10 / 4);
     assert_equal(Language::Rust, MANY, 5_000_000..5_000_000 + count() as u64 / 15);
+}
+
+#[test]
+fn c_answers_with_the_interpreters_values_to_the_bit() {
+    assert_equal(Language::C, WITH_OUTPUTS, 6_000_000..6_000_000 + count() as u64);
+    assert_equal(Language::C, SMALL_WITH_OUTPUTS, 7_000_000..7_000_000 + count() as u64 * 10);
+    assert_equal(Language::C, MANY_WITH_OUTPUTS, 8_000_000..8_000_000 + count().div_ceil(5) as u64);
+}
+
+#[test]
+fn rust_answers_with_the_interpreters_values_to_the_bit() {
+    assert_equal(Language::Rust, WITH_OUTPUTS, 9_000_000..9_000_000 + count().div_ceil(4) as u64);
+    assert_equal(Language::Rust, SMALL_WITH_OUTPUTS, 10_000_000..10_000_000 + count() as u64 * 10 / 4);
+    assert_equal(Language::Rust, MANY_WITH_OUTPUTS, 11_000_000..11_000_000 + count().div_ceil(15) as u64);
 }
 
 #[test]

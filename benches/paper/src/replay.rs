@@ -10,6 +10,7 @@ use serde::Serialize;
 use std::io;
 use tpg_arm::Pose;
 use tpg_graph::engine::Engine;
+use tpg_graph::interpret::Answer;
 use tpg_problems::arm::binding::Binding;
 use tpg_runtime::policy::ActionId;
 
@@ -96,7 +97,13 @@ pub fn run(
 }
 
 fn ask(engine: &mut dyn Engine, states: &[f64], count: usize, actions: &mut Vec<ActionId>) -> Result<(), ReplayError> {
-    match engine.decide(states, actions) {
+    let mut answers = Vec::with_capacity(count);
+    let answered = engine.answer(states, &mut answers);
+    actions.extend(answers.into_iter().filter_map(|answer| match answer {
+        Answer::Action(action) => Some(action),
+        Answer::Values(_) => None,
+    }));
+    match answered {
         Ok(()) if actions.len() == count => Ok(()),
         Ok(()) => Err(ReplayError::Answer {
             engine: engine.name().to_owned(),
@@ -209,6 +216,7 @@ mod tests {
     use tpg_arm::{Joint, Move, Pose, WIDOWX};
     use tpg_graph::ScalarType;
     use tpg_graph::engine::Engine;
+use tpg_graph::interpret::Answer;
     use tpg_problems::arm::binding::Binding;
     use tpg_runtime::policy::ActionId;
 
@@ -223,9 +231,9 @@ mod tests {
             "script"
         }
 
-        fn decide(&mut self, states: &[f64], actions: &mut Vec<ActionId>) -> io::Result<()> {
+        fn answer(&mut self, states: &[f64], answers: &mut Vec<Answer>) -> io::Result<()> {
             self.batches.push(states.len() / 6);
-            actions.extend((self.decide)(states)?.into_iter().map(ActionId));
+            answers.extend((self.decide)(states)?.into_iter().map(|action| Answer::Action(ActionId(action))));
             Ok(())
         }
     }

@@ -2,19 +2,25 @@
 //! silently.
 
 use crate::error::InputError;
-use crate::interpret;
+use crate::interpret::{self, Answer};
 use crate::model::{Document, Graph, MathsProvider, ScalarType};
 use crate::states::StateSet;
 use serde::Serialize;
 use std::fmt;
 
-/// Counts how often two policies take the same action.
+/// The greatest difference of values that counts as agreement, as a share of the output's range.
+const TOLERANCE: f64 = 0.001;
+
+/// Counts how often two policies take the same action, or answer the same values but for a tolerance.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Agreement {
     /// States compared.
     pub states: usize,
-    /// States on which both take the same action.
+    /// States on which both take the same action, or answer values that differ by no more than the tolerance.
     pub equal: usize,
+    /// The tolerance as a share of each output's range; `None` for a policy without outputs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tolerance: Option<f64>,
     /// Origin of the states.
     pub origin: String,
 }
@@ -44,11 +50,26 @@ pub fn convert(
 ) -> Result<(Graph, Conversion), InputError> {
     let maths = if scalar == ScalarType::F32 { MathsProvider::Own } else { graph.maths() };
     let converted = Graph::from_document(file, Document { scalar, maths, ..graph.to_document() })?;
-    let pairs = interpret::actions(graph, &set.states).into_iter().zip(interpret::actions(&converted, &set.states));
-    let equal = pairs.filter(|(before, after)| before == after).count();
-    let agreement = Agreement { states: set.states.len() / graph.state_length(), equal, origin: set.origin.clone() };
+    let pairs = interpret::answers(graph, &set.states).into_iter().zip(interpret::answers(&converted, &set.states));
+    let mut agreement = Agreement { states: 0, equal: 0, tolerance: None, origin: set.origin.clone() };
+    agreement.tolerance = (!graph.outputs().is_empty()).then_some(TOLERANCE);
+    for (before, after) in pairs {
+        agreement.states += 1;
+        agreement.equal += usize::from(agree(graph, &before, &after));
+    }
     let conversion = Conversion { from: graph.scalar(), maths: graph.maths(), sha256: graph.sha256(), agreement };
     Ok((converted, conversion))
+}
+
+fn agree(graph: &Graph, before: &Answer, after: &Answer) -> bool {
+    match (before, after) {
+        (Answer::Values(before), Answer::Values(after)) => {
+            (graph.outputs().iter().zip(before.iter().zip(after))).all(|(output, (before, after))| {
+                (before - after).abs() <= TOLERANCE * (output.range.max - output.range.min)
+            })
+        }
+        _ => before == after,
+    }
 }
 
 impl Agreement {
@@ -65,9 +86,13 @@ impl Agreement {
 
 impl fmt::Display for Agreement {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { states, equal, origin } = self;
+        let Self { states, equal, tolerance, origin } = self;
+        let what = match tolerance {
+            None => "actions equal".to_owned(),
+            Some(share) => format!("answers equal within {} % of each output's range", share * 100.0),
+        };
         let thousandths = self.thousandths();
-        write!(f, "{equal} of {states} actions equal ({}.{:03} %): {origin}", thousandths / 1000, thousandths % 1000)
+        write!(f, "{equal} of {states} {what} ({}.{:03} %): {origin}", thousandths / 1000, thousandths % 1000)
     }
 }
 
@@ -80,7 +105,7 @@ mod tests {
 
     #[test]
     fn a_per_cent_is_never_rounded_up() {
-        let agreement = |equal| Agreement { states: 300_000, equal, origin: "here".to_owned() };
+        let agreement = |equal| Agreement { states: 300_000, equal, tolerance: None, origin: "here".to_owned() };
         assert_eq!(agreement(300_000).to_string(), "300000 of 300000 actions equal (100.000 %): here");
         assert_eq!(agreement(299_999).to_string(), "299999 of 300000 actions equal (99.999 %): here");
         assert!(agreement(299_999).reaches(99.999) && !agreement(299_999).reaches(100.0));

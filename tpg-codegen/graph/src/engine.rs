@@ -1,20 +1,19 @@
 //! Anything that decides like a graph: the interpreter, or a program built from generated code.
 
-use crate::interpret;
+use crate::interpret::{self, Answer};
 use crate::model::Graph;
 use std::io;
-use tpg_runtime::policy::ActionId;
 
-/// Decides for batches of states.
+/// Answers batches of states.
 pub trait Engine {
     /// Returns the name used in reports.
     fn name(&self) -> &str;
 
-    /// Appends one action for each of the flat `states`, whose values are exact in the graph's scalar type.
+    /// Appends one answer for each of the flat `states`, whose values are exact in the graph's scalar type.
     ///
     /// # Errors
     /// If the engine is a process and has died.
-    fn decide(&mut self, states: &[f64], actions: &mut Vec<ActionId>) -> io::Result<()>;
+    fn answer(&mut self, states: &[f64], answers: &mut Vec<Answer>) -> io::Result<()>;
 }
 
 /// The [interpreter](crate::interpret) as an engine.
@@ -35,8 +34,8 @@ impl Engine for Reference<'_> {
         "interpreter"
     }
 
-    fn decide(&mut self, states: &[f64], actions: &mut Vec<ActionId>) -> io::Result<()> {
-        actions.extend(interpret::actions(self.graph, states));
+    fn answer(&mut self, states: &[f64], answers: &mut Vec<Answer>) -> io::Result<()> {
+        answers.extend(interpret::answers(self.graph, states));
         Ok(())
     }
 }

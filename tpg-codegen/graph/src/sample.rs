@@ -13,12 +13,13 @@
 //! ```
 
 use crate::model::{
-    ActionDocument, Document, EdgeDocument, FORMAT, Graph, LineDocument, MathsProvider, OperandDocument,
-    ProgramDocument, Provenance, ScalarType, SourceDocument, TeamDocument, VERSION,
+    ActionDocument, Document, EdgeDocument, FORMAT, Graph, LeafDocument, LineDocument, MathsProvider, OperandDocument,
+    OutputDocument, ProgramDocument, Provenance, ScalarType, SourceDocument, TeamDocument,
 };
 use rand::seq::SliceRandom;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
+use std::collections::BTreeSet;
 use std::ops::RangeInclusive;
 use tpg_runtime::ops::Instruction;
 
@@ -35,8 +36,10 @@ pub struct Shape {
     pub registers: u32,
     /// Length of each source.
     pub sources: Vec<u32>,
-    /// Number of actions.
+    /// Number of actions, or of leaves if there are outputs.
     pub actions: u32,
+    /// Number of outputs; 0 for a policy that answers with an action.
+    pub outputs: u32,
     /// The instruction set.
     pub instructions: Vec<Instruction>,
     /// The type programs compute in.
@@ -70,6 +73,7 @@ impl Default for Shape {
             registers: 8,
             sources: vec![3, 3, 4],
             actions: 9,
+            outputs: 0,
             instructions: Instruction::ALL.to_vec(),
             scalar: ScalarType::F64,
             maths: MathsProvider::Own,
@@ -80,6 +84,13 @@ impl Default for Shape {
 }
 
 impl Shape {
+    /// Returns a random shape of a policy with outputs: formulas without a team, one leaf, many leaves.
+    pub fn random_with_outputs(seed: u64) -> Self {
+        let shape = Self::random(seed);
+        let teams = if seed.is_multiple_of(5) { 0 } else { shape.teams };
+        Self { teams, outputs: 1 + (seed % 3) as u32, ..shape }
+    }
+
     /// Returns a random shape: small graphs of every kind.
     pub fn random(seed: u64) -> Self {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
@@ -94,6 +105,7 @@ impl Shape {
             registers: random.random_range(1..=12),
             sources: (0..random.random_range(1..=4)).map(|_| random.random_range(1..=6)).collect(),
             actions: random.random_range(1..=9),
+            outputs: 0,
             instructions,
             scalar: if random.random() { ScalarType::F32 } else { ScalarType::F64 },
             maths: if random.random() { MathsProvider::Own } else { MathsProvider::System },
@@ -132,32 +144,40 @@ impl Sampler<'_> {
         let shape = self.shape;
         let edges = self.edges();
         let team_ids = self.ids(shape.teams);
+        let leaves = self.leaves();
         let program_ids = self.ids(self.programs.len());
         let edge = |&program: &usize| {
-            let (team, action) = match self.programs[program].0 {
-                Destination::Team(team) => (Some(team_ids[team]), None),
-                Destination::Action(action) => (None, Some(action)),
-            };
-            EdgeDocument { program: program_ids[program], team, action }
+            let mut edge = EdgeDocument { program: program_ids[program], ..EdgeDocument::default() };
+            match self.programs[program].0 {
+                Destination::Team(team) => edge.team = Some(team_ids[team]),
+                Destination::Action(action) if shape.outputs == 0 => edge.action = Some(action),
+                Destination::Action(leaf) => edge.leaf = Some(leaf),
+            }
+            edge
         };
         let mut teams: Vec<TeamDocument> = (team_ids.iter().zip(&edges))
             .map(|(&id, edges)| TeamDocument { id, edges: edges.iter().map(edge).collect() })
             .collect();
         let mut programs: Vec<ProgramDocument> =
             (program_ids.iter().zip(self.programs)).map(|(&id, (_, lines))| ProgramDocument { id, lines }).collect();
+        let leaves = (leaves.into_iter())
+            .map(|(id, programs)| LeafDocument { id, programs: programs.into_iter().map(|it| program_ids[it]).collect() })
+            .collect();
         teams.shuffle(&mut self.random);
         programs.shuffle(&mut self.random);
         Document {
             format: FORMAT.to_owned(),
-            version: VERSION,
+            version: if shape.outputs == 0 { 1 } else { 2 },
             scalar: shape.scalar,
             maths: shape.maths,
             registers: shape.registers,
             sources: (0..).zip(&shape.sources).map(|(index, &length)| source(index, length)).collect(),
             instructions: shape.instructions.iter().map(|instruction| instruction.name().to_owned()).collect(),
-            actions: (0..shape.actions).map(action).collect(),
-            root: team_ids[0],
+            actions: (0..if shape.outputs == 0 { shape.actions } else { 0 }).map(action).collect(),
+            outputs: (0..shape.outputs).map(output).collect(),
+            root: team_ids.first().copied(),
             teams,
+            leaves,
             programs,
             provenance: Provenance {
                 tool: Some("tpg-codegen sample".to_owned()),
@@ -184,6 +204,33 @@ impl Sampler<'_> {
             edges.shuffle(&mut self.random);
         }
         edges
+    }
+
+    /// Draws the programs of the leaves that edges lead to; without teams there is one leaf.
+    fn leaves(&mut self) -> Vec<(u32, Vec<usize>)> {
+        if self.shape.outputs == 0 {
+            return Vec::new();
+        }
+        let ends = self.programs.iter().filter_map(|&(to, _)| match to {
+            Destination::Action(leaf) => Some(leaf),
+            Destination::Team(_) => None,
+        });
+        let mut reached: BTreeSet<u32> = ends.collect();
+        if self.shape.teams == 0 {
+            reached.insert(0);
+        }
+        let outputs = 0..self.shape.outputs;
+        reached.into_iter().map(|leaf| (leaf, outputs.clone().map(|_| self.computing(leaf)).collect())).collect()
+    }
+
+    /// Draws a program that computes an output of a leaf: one that exists already, or a new one.
+    fn computing(&mut self, leaf: u32) -> usize {
+        let other = self.random.random_range(0..=self.programs.len());
+        if other < self.programs.len() && self.random.random_ratio(1, 4) {
+            other
+        } else {
+            self.program(Destination::Action(leaf))
+        }
     }
 
     /// Draws a program that may bid in a team: one of another team, a copy of another's lines, or a new one.
@@ -273,6 +320,18 @@ fn source(index: usize, length: u32) -> SourceDocument {
         _ => [512.0, 512.0],
     });
     SourceDocument { name: format!("s{index}"), length, unit: "mm".to_owned(), ranges: ranges.collect() }
+}
+
+/// Ranges of different kinds, and NaN as their lowest, highest, or a value between.
+fn output(index: u32) -> OutputDocument {
+    let (min, max, nan) = match index % 4 {
+        0 => (-2.0, 2.0, 0.0),
+        1 => (0.0, 1000.0, 0.0),
+        2 => (-1.0, 0.5, 0.5),
+        _ => (-3e38, 3e38, -1.5),
+    };
+    let [min, max] = [min, max].map(|end: f64| f64::from(end as f32));
+    OutputDocument { name: format!("out{index}"), unit: "N*m".to_owned(), min, max, nan }
 }
 
 fn action(id: u32) -> ActionDocument {

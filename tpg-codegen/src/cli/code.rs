@@ -7,6 +7,7 @@ use crate::passes::interval::Assumption;
 use clap::{Args, ValueEnum};
 use tpg_graph::Graph;
 use tpg_graph::command::CommandError;
+use tpg_graph::error::{InputError, Place};
 
 /// A graph, and the code to generate from it.
 #[derive(Clone, Debug, Args)]
@@ -63,11 +64,16 @@ impl CodeArgs {
             trace: self.states.recorded(&graph)?,
             ..Options::new(self.prefix.clone().unwrap_or_else(|| Prefix::of_file(&self.graph.graph)))
         };
+        if options.style == Style::Gegelati && !graph.outputs().is_empty() {
+            let found = "--style gegelati for a policy with outputs";
+            let file = self.graph.graph.display().to_string();
+            return Err(InputError::new(file, Place::Whole, found, "--style pure: GEGELATI's answers an action").into());
+        }
         Ok((graph, options))
     }
 
-    /// Every combination of language, style and profile that the arguments admit.
-    pub(super) fn shapes(&self) -> Vec<(Language, Style, Option<Profile>)> {
+    /// Every combination of language, style and profile that the arguments and the graph admit.
+    pub(super) fn shapes(&self, graph: &Graph) -> Vec<(Language, Style, Option<Profile>)> {
         let profiles = self.profile.map_or(Profile::ALL.to_vec(), |profile| vec![profile]);
         let pure = |language| profiles.iter().map(move |&profile| (language, Style::Pure, Some(profile)));
         let mut shapes = Vec::new();
@@ -76,7 +82,7 @@ impl CodeArgs {
                 (Language::Rust, _) | (Language::C, Some(Style::Pure)) => (false, true),
                 (Language::C, Some(Style::Gegelati)) => (true, false),
                 // GEGELATI's style has no profile.
-                (Language::C, None) => (self.profile.is_none(), true),
+                (Language::C, None) => (self.profile.is_none() && graph.outputs().is_empty(), true),
             };
             shapes.extend(with_gegelati.then_some((language, Style::Gegelati, None)));
             shapes.extend(pure(language).filter(|_| with_pure));

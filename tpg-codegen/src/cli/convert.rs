@@ -36,6 +36,10 @@ impl ConvertArgs {
     }
 
     fn write_dot(&self, graph: &Graph) -> Result<(), InputError> {
+        if !graph.outputs().is_empty() {
+            let found = "a policy with outputs, which GEGELATI's format cannot express";
+            return Err(InputError::new(self.out.display().to_string(), Place::Whole, found, "NAME.json, or -"));
+        }
         let sidecar = self.out.with_extension("toml");
         output::write_all(&[(&self.out, export::dot::text(graph)), (&sidecar, export::sidecar::text(graph))])?;
         eprintln!("{} needs --sidecar {} to be read", self.out.display(), sidecar.display());

@@ -32,7 +32,7 @@ pub(super) struct VerifyArgs {
 impl VerifyArgs {
     pub(super) fn run(&self) -> Result<Verdict, CommandError> {
         let (graph, options) = self.code.load()?;
-        let codes: Vec<Code<'_>> = (self.code.shapes().into_iter())
+        let codes: Vec<Code<'_>> = (self.code.shapes(&graph).into_iter())
             .map(|(language, style, profile)| {
                 Code::of(compile(&graph, &Options { style, profile, ..options.clone() }, language))
             })
@@ -84,7 +84,7 @@ fn sentence(comparison: &Comparison) -> String {
         None => format!("{engine} = interpreter on {states} states{whence}"),
         Some(first) => format!(
             "{engine} differs from the interpreter on {differences} of {states} states{whence}; the first, number {}: \
-             action {} instead of {} for [{}]",
+             {} instead of {} for [{}]",
             first.index,
             first.found,
             first.expected,

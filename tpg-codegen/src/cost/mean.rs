@@ -63,7 +63,10 @@ impl Costs<'_> {
             let edges = &self.module.teams[team].edges;
             match edges[place.unwrap_or(edges.len() - 1)].to {
                 Target::Team(next) => team = next,
-                Target::Action(action) => return action,
+                Target::Action(action) => {
+                    add(total, self.leaves.get(usize::from(action.0)).copied().unwrap_or_default());
+                    return action;
+                }
             }
         }
     }

@@ -113,13 +113,22 @@ pub struct Costs<'a> {
     teams: Vec<Vec<Step>>,
     /// Every team decides, on the walk or not.
     all_teams: bool,
+    /// Executed at each leaf.
+    leaves: Vec<Work>,
 }
 
 impl<'a> Costs<'a> {
     /// Counts a program.
     pub fn of(program: &'a Program<'a>) -> Self {
         let module = &program.module;
-        let costs = Self { module, nodes: &module.nodes, once: Work::default(), teams: Vec::new(), all_teams: false };
+        let costs = Self {
+            module,
+            nodes: &module.nodes,
+            once: Work::default(),
+            teams: Vec::new(),
+            all_teams: false,
+            leaves: module.leaves.iter().map(|leaf| needed_work(&module.nodes, &leaf.values)).collect(),
+        };
         match &program.shape {
             // Every bid of a team is computed by itself.
             Shape::Small(_) | Shape::Gegelati => {
@@ -128,17 +137,26 @@ impl<'a> Costs<'a> {
             }
             // Everything is computed, whatever the state.
             Shape::ConstantTime(functions) => {
-                let once = functions.iter().map(|function| work(&module.nodes, &function.operations));
+                let deciding = functions.iter().map(|function| work(&module.nodes, &function.operations));
+                let deciding = deciding.fold(Work::default(), Work::plus);
+                let known = if let [function] = &functions[..] { function.operations.clone() } else { BTreeSet::new() };
+                let values = module.leaves.iter().flat_map(|leaf| &leaf.values);
+                let missing: BTreeSet<NodeId> =
+                    values.flat_map(|&value| needed(&module.nodes, value, |id| !known.contains(&id))).collect();
+                let once = deciding.plus(work(&module.nodes, &missing));
                 let teams = in_order(module, |bid| Step::always(bid, Work::default()));
-                Self { once: once.fold(Work::default(), Work::plus), teams, all_teams: true, ..costs }
+                Self { once, teams, all_teams: true, leaves: Vec::new(), ..costs }
             }
+            // The root has one way to go, and its bids are not computed.
+            Shape::Formula(_) => Self { teams: vec![Vec::new()], ..costs },
             Shape::Fast { schedule, available } => {
                 let plans = schedule.plans.iter().enumerate();
                 let computed = |team| available.on_entry(team).clone();
                 let teams = plans
                     .map(|(team, plan)| planned(&schedule.nodes, plan, program.language, computed(team)))
                     .collect();
-                Self { nodes: &schedule.nodes, teams, ..costs }
+                let leaves = schedule.leaves.iter().map(|leaf| needed_work(&schedule.nodes, &leaf.values)).collect();
+                Self { nodes: &schedule.nodes, teams, leaves, ..costs }
             }
         }
     }
@@ -149,11 +167,12 @@ impl<'a> Costs<'a> {
             let team = |team: usize| self.teams[team].iter().map(weight).sum::<u64>();
             if self.all_teams { (0..self.teams.len()).map(team).sum() } else { heaviest_walk(&self.module.teams, team) }
         };
+        let leaf = self.leaves.iter().copied().fold(Work::default(), Work::most);
         Cost {
             teams: self.module.depth as u64,
             bids: heaviest(|step| u64::from(!matches!(step.guard, Guard::Infinite(_)))),
-            operations: self.once.operations + heaviest(|step| step.all().operations),
-            maths_calls: self.once.maths_calls + heaviest(|step| step.all().maths_calls),
+            operations: self.once.operations + heaviest(|step| step.all().operations) + leaf.operations,
+            maths_calls: self.once.maths_calls + heaviest(|step| step.all().maths_calls) + leaf.maths_calls,
         }
     }
 
@@ -161,6 +180,7 @@ impl<'a> Costs<'a> {
     pub(crate) fn written(&self) -> u64 {
         let steps = self.teams.iter().flatten();
         self.once.operations
+            + self.leaves.iter().map(|work| work.operations).sum::<u64>()
             + steps.map(|step| step.first.operations + step.before.operations + step.inside.operations).sum::<u64>()
     }
 }
@@ -248,6 +268,11 @@ impl Scope<'_> {
         }
         Step { sparing, before_infinite, guard, certain, first, before, ..Step::always(bid, inside) }
     }
+}
+
+/// The work of some values.
+fn needed_work(nodes: &[Node], values: &[NodeId]) -> Work {
+    work(nodes, &values.iter().flat_map(|&value| needed(nodes, value, |_| true)).collect::<BTreeSet<_>>())
 }
 
 fn work<'a>(nodes: &[Node], ids: impl IntoIterator<Item = &'a NodeId, IntoIter: Clone>) -> Work {

@@ -1,6 +1,7 @@
-//! The sources of a state as generated code documents them.
+//! The sources of a state and the outputs of an answer as generated code documents them.
 
-use tpg_graph::{Graph, Range};
+use super::syntax::Syntax;
+use tpg_graph::{Graph, Output, Range};
 
 /// A source.
 pub(super) struct SourceView {
@@ -28,6 +29,39 @@ pub(super) fn sources(graph: &Graph, safe: impl Fn(&str) -> String) -> Vec<Sourc
                 unit: safe(&source.unit),
                 range: range(&source.ranges),
             }
+        })
+        .collect()
+}
+
+/// An output.
+pub(super) struct OutputView {
+    pub(super) name: String,
+    pub(super) unit: String,
+    pub(super) range: String,
+    pub(super) nan: f64,
+    /// Its place among the outputs.
+    pub(super) place: usize,
+    /// The literals of its lowest value, its highest, and the value in place of NaN.
+    pub(super) limits: String,
+}
+
+impl OutputView {
+    /// The variable that holds its value before it is limited.
+    pub(super) fn variable(&self) -> String {
+        format!("out{}", self.place)
+    }
+}
+
+/// Every output, its unit made safe for a comment.
+pub(super) fn outputs(syntax: &impl Syntax, safe: impl Fn(&str) -> String) -> Vec<OutputView> {
+    (syntax.graph().outputs().iter().enumerate())
+        .map(|(place, Output { name, unit, range, nan })| OutputView {
+            name: name.clone(),
+            unit: safe(unit),
+            range: range.to_string(),
+            nan: *nan,
+            place,
+            limits: [range.min, range.max, *nan].map(|limit| syntax.literal(limit)).join(", "),
         })
         .collect()
 }

@@ -27,7 +27,7 @@ pub struct Available {
 impl Available {
     /// Analyses teams in topological order, `together` of them in each function: values of another function are not available.
     pub fn analyse(schedule: &Schedule, order: Vec<usize>, together: usize) -> Self {
-        let Schedule { nodes, plans } = schedule;
+        let Schedule { nodes, plans, .. } = schedule;
         let mut function = vec![0; order.len()];
         for (number, teams) in order.chunks(together).enumerate() {
             teams.iter().for_each(|&team| function[team] = number);
@@ -207,7 +207,7 @@ mod tests {
         let middle = Plan { eager: vec![bid(0, 5), bid(1, 0)], targets: vec![third, action], ..NONE };
         let last =
             Plan { eager: vec![bid(0, 4), bid(1, 5)], targets: vec![action, Target::Action(ActionId(1))], ..NONE };
-        Schedule { nodes: nodes(), plans: vec![root, middle, last] }
+        Schedule { nodes: nodes(), plans: vec![root, middle, last], leaves: Vec::new() }
     }
 
     #[test]

@@ -17,6 +17,8 @@ pub struct Bytecode {
     pub targets: Vec<u64>,
     /// The start of each team's edges, and the end of the last team's.
     pub teams: Vec<u64>,
+    /// The program of each output of each leaf, by the leaves' numbers; of a leaf that no walk ends at, any program.
+    pub leaves: Vec<u64>,
     /// The constants, which follow the state in the frame.
     pub constants: Vec<f64>,
     /// The place of a program's first result in the frame.
@@ -69,22 +71,27 @@ pub fn encode(module: &Module<'_>) -> Bytecode {
     let state_length = module.graph.state_length();
     let first_result = state_length + constants.len();
     let mut values: Vec<NodeId> = Vec::new();
-    let mut program_of = BTreeMap::new();
+    let mut numbers = BTreeMap::new();
+    let mut number_of = |value: NodeId| {
+        *numbers.entry(value).or_insert_with(|| {
+            values.push(value);
+            values.len() as u64 - 1
+        })
+    };
     let mut bidders = Vec::new();
     let mut targets = Vec::new();
     let mut teams = vec![0];
     for team in &module.teams {
         for edge in &team.edges {
             let value = module.bidders[edge.bidder].value;
-            let program = *program_of.entry(value).or_insert_with(|| {
-                values.push(value);
-                values.len() - 1
-            });
-            bidders.push(program as u64);
+            bidders.push(number_of(value));
             targets.push(module.vertex(edge.to) as u64);
         }
         teams.push(bidders.len() as u64);
     }
+    let outputs = module.graph.outputs().len();
+    let places = module.leaves.iter().flat_map(|leaf| (0..outputs).map(|output| leaf.values.get(output)));
+    let leaves = places.map(|value| value.map_or(0, |&value| number_of(value))).collect();
     let lists: Vec<Vec<NodeId>> = values.iter().map(|&value| module.operations_of(value)).collect();
     let longest = lists.iter().map(Vec::len).max().unwrap_or(0).max(1);
     let frame = first_result + longest;
@@ -119,6 +126,7 @@ pub fn encode(module: &Module<'_>) -> Bytecode {
         bidders,
         targets,
         teams,
+        leaves,
         constants: constants.into_iter().map(f64::from_bits).collect(),
         first_result,
         frame,

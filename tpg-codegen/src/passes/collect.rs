@@ -1,10 +1,20 @@
-//! Nodes that no bid needs any more.
+//! Nodes and leaves that no walk needs any more.
 
-use crate::ir::{Module, Node, NodeId, Values};
+use crate::ir::{Module, Node, NodeId, Target, Values};
+use std::collections::BTreeSet;
+use tpg_runtime::policy::ActionId;
 
 /// Removes them.
 pub(super) fn run(module: &mut Module<'_>) {
-    keep(&mut module.nodes, module.bidders.iter_mut().map(|bidder| &mut bidder.value).collect());
+    let ends: BTreeSet<Target> = module.teams.iter().flat_map(|team| &team.edges).map(|edge| edge.to).collect();
+    for (number, leaf) in module.leaves.iter_mut().enumerate() {
+        if !ends.contains(&Target::Action(ActionId(number as u16))) {
+            leaf.values.clear();
+        }
+    }
+    let bids = module.bidders.iter_mut().map(|bidder| &mut bidder.value);
+    let outputs = module.leaves.iter_mut().flat_map(|leaf| &mut leaf.values);
+    keep(&mut module.nodes, bids.chain(outputs).collect());
 }
 
 /// Keeps what `roots` need, and renumbers.

@@ -13,10 +13,13 @@
 //! Not exact, and so not rules: `x + 0` (−0 becomes 0), `0·x` and `x − x` (NaN for an infinite x), any reassociation.
 
 use super::arithmetic::Arithmetic;
-use crate::ir::{Module, Node, NodeId, Values};
-use tpg_runtime::ops::{Instruction, bid};
+use crate::ir::{Module, Node, NodeId, Target, Values};
+use std::collections::BTreeMap;
+use tpg_runtime::ops::{Instruction, bid, clamp};
+use tpg_runtime::policy::ActionId;
 
-/// Folds every node, then every bid: a bid of NaN is a bid of −∞, and one of −0 a bid of 0.
+/// Folds every node, then every bid: a bid of NaN is a bid of −∞, and one of −0 a bid of 0. An output that is constant is
+/// limited here, and of leaves with the same values one remains.
 pub(super) fn run(module: &mut Module<'_>, arithmetic: Arithmetic) {
     let mut values = Values::default();
     let mut folded: Vec<NodeId> = Vec::with_capacity(module.nodes.len());
@@ -38,7 +41,30 @@ pub(super) fn run(module: &mut Module<'_>, arithmetic: Arithmetic) {
             None => value,
         };
     }
+    for leaf in &mut module.leaves {
+        for (value, output) in leaf.values.iter_mut().zip(module.graph.outputs()) {
+            *value = folded[value.index()];
+            if let Some(constant) = values.node(*value).as_constant() {
+                let limited = clamp(constant, output.range.min, output.range.max, output.nan);
+                *value = values.intern(Node::constant(limited));
+            }
+        }
+    }
     module.nodes = values.into_nodes();
+    merge_leaves(module);
+}
+
+/// Leads every edge to a leaf to the first leaf with the same values.
+fn merge_leaves(module: &mut Module<'_>) {
+    let mut first = BTreeMap::new();
+    let same: Vec<usize> = (module.leaves.iter().enumerate())
+        .map(|(number, leaf)| *first.entry(leaf.values.clone()).or_insert(number))
+        .collect();
+    for edge in module.teams.iter_mut().flat_map(|team| &mut team.edges) {
+        if let (Target::Action(leaf), false) = (edge.to, same.is_empty()) {
+            edge.to = Target::Action(ActionId(same[usize::from(leaf.0)] as u16));
+        }
+    }
 }
 
 /// An operation, or what it always equals.

@@ -10,7 +10,7 @@ use super::bound::{Bounds, beyond_exponentials, is_worth_sparing};
 use super::collect;
 use super::interval::{self, Assumption, Interval};
 use super::wins::Wins;
-use crate::ir::{Module, Node, NodeId, Target, Values};
+use crate::ir::{Leaf, Module, Node, NodeId, Target, Values};
 use std::cmp::Reverse;
 use tpg_graph::ScalarType;
 use tpg_runtime::ops::Instruction;
@@ -106,6 +106,8 @@ pub struct Schedule {
     pub nodes: Vec<Node>,
     /// A plan for each team.
     pub plans: Vec<Plan>,
+    /// The module's leaves.
+    pub leaves: Vec<Leaf>,
 }
 
 /// Bids that cost more than this are guarded.
@@ -136,8 +138,10 @@ pub fn schedule(module: &Module<'_>, recorded: &[f64]) -> Schedule {
             roots.extend(bound.iter_mut().chain(certain).chain([&mut bid.value]));
         }
     }
+    let mut leaves = module.leaves.clone();
+    roots.extend(leaves.iter_mut().flat_map(|leaf| &mut leaf.values));
     collect::keep(&mut nodes, roots);
-    Schedule { nodes, plans }
+    Schedule { nodes, plans, leaves }
 }
 
 /// The nodes that need no sine, cosine, logarithm or exponential.

@@ -57,8 +57,12 @@ pub struct GraphCounts {
     pub edges: usize,
     /// Programs that bid on these edges.
     pub programs: usize,
-    /// Actions that the graph declares.
+    /// Actions that the graph declares; 0 for a policy with outputs.
     pub actions: usize,
+    /// Values that the policy answers; 0 for a policy that answers with an action.
+    pub outputs: usize,
+    /// Leaves, where outputs are computed.
+    pub leaves: usize,
     /// Values of a state.
     pub inputs: usize,
     /// Lines of the programs.
@@ -155,7 +159,10 @@ pub struct RustSize {
 
 /// Puts a report together; means are taken over `set`.
 pub fn report(graph: &Graph, options: &Options, targets: &[Target], set: &StateSet) -> Report {
-    let codes = ShapeName::ALL.map(|shape| (shape, Code::of(shape.compile(graph, options, Language::C))));
+    // GEGELATI's style has no outputs.
+    let shapes = ShapeName::ALL.into_iter().filter(|&it| it != ShapeName::Gegelati || graph.outputs().is_empty());
+    let codes: Vec<(ShapeName, Code<'_>)> =
+        shapes.map(|shape| (shape, Code::of(shape.compile(graph, options, Language::C)))).collect();
     let costs = codes.iter().map(|(shape, code)| {
         let costs = Costs::of(&code.program);
         ShapeCost { profile: *shape, worst: costs.worst(), mean: costs.mean(&set.states) }
@@ -182,7 +189,10 @@ fn counts(optimised: &Module<'_>) -> GraphCounts {
     let graph = optimised.graph;
     let lowered = Module::lower(graph);
     let labels: BTreeSet<u32> = lowered.bidders.iter().map(|bidder| bidder.label).collect();
-    let programs = || graph.programs().iter().filter(|program| labels.contains(&program.label));
+    let computing: BTreeSet<_> = graph.leaves().iter().flat_map(|leaf| &leaf.programs).collect();
+    let is_reached = |label: &u32, id: usize| labels.contains(label) || computing.iter().any(|it| it.index() == id);
+    let programs =
+        || graph.programs().iter().enumerate().filter(|(id, it)| is_reached(&it.label, *id)).map(|(_, program)| program);
     let effective: usize = programs()
         .map(|program| effective(graph.registers().into(), &program.lines))
         .map(|lines| lines.into_iter().filter(|&effective| effective).count())
@@ -194,6 +204,8 @@ fn counts(optimised: &Module<'_>) -> GraphCounts {
         edges: lowered.teams.iter().map(|team| team.edges.len()).sum(),
         programs: lowered.bidders.len(),
         actions: graph.actions().len(),
+        outputs: graph.outputs().len(),
+        leaves: graph.leaves().len(),
         inputs: graph.state_length(),
         lines,
         introns: lines - effective,

@@ -9,7 +9,12 @@ use tpg_graph::error::counted;
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let GraphCounts { teams, depth, edges, programs, actions, inputs, lines, introns, .. } = self.graph;
+        let GraphCounts { teams, depth, edges, programs, actions, outputs, leaves, inputs, lines, introns, .. } =
+            self.graph;
+        let answers = match outputs {
+            0 => counted(actions, "action"),
+            _ => format!("{} with {}", if leaves == 1 { "1 leaf".to_owned() } else { format!("{leaves} leaves") }, counted(outputs, "output")),
+        };
         writeln!(f, "graph     SHA-256 {}", self.graph_sha256)?;
         writeln!(
             f,
@@ -17,7 +22,7 @@ impl fmt::Display for Report {
             counted(teams, "team"),
             counted(edges, "edge"),
             counted(programs, "program"),
-            counted(actions, "action")
+            answers
         )?;
         writeln!(f, "computes  in {} with {} maths", self.scalar.name(), self.maths.name())?;
         if let Some(was) = &self.conversion {
@@ -30,7 +35,7 @@ impl fmt::Display for Report {
             )?;
         }
         let dead = if self.dead_inputs.is_empty() { "none".to_owned() } else { self.dead_inputs.join(", ") };
-        writeln!(f, "inputs    {inputs}; without effect on any action: {dead}")?;
+        writeln!(f, "inputs    {inputs}; without effect on any answer: {dead}")?;
         writeln!(f, "lines     {lines}; {introns} introns removed ({})", percent(introns, lines))?;
         self.removed(f)?;
         self.costs(f)?;

@@ -34,8 +34,8 @@ pub fn flash(program: &Program<'_>) -> u64 {
     let Weights { always, team, edge, operation, circular, exponential } = match (graph.scalar(), &program.shape) {
         (ScalarType::F32, Shape::Gegelati) => weights([0, 31, 4, 10, 651, 0]),
         (ScalarType::F64, Shape::Gegelati) => weights([4, 11, 10, 12, 1122, 803]),
-        (ScalarType::F32, Shape::Fast { .. }) => weights([0, 80, 2, 32, 873, 0]),
-        (ScalarType::F64, Shape::Fast { .. }) => weights([0, 31, 66, 19, 965, 638]),
+        (ScalarType::F32, Shape::Fast { .. } | Shape::Formula(_)) => weights([0, 80, 2, 32, 873, 0]),
+        (ScalarType::F64, Shape::Fast { .. } | Shape::Formula(_)) => weights([0, 31, 66, 19, 965, 638]),
         (ScalarType::F32, Shape::Small(_)) => weights([113, 0, 0, 23, 445, 359]),
         (ScalarType::F64, Shape::Small(_)) => weights([194, 0, 0, 23, 1068, 831]),
         (ScalarType::F32, Shape::ConstantTime(_)) => weights([21, 28, 7, 33, 136, 224]),
@@ -60,7 +60,7 @@ pub fn flash(program: &Program<'_>) -> u64 {
 }
 
 fn tables(code: &Bytecode, scalar: ScalarType) -> u64 {
-    let tables = [&code.code, &code.programs, &code.bidders, &code.targets, &code.teams];
+    let tables = [&code.code, &code.programs, &code.bidders, &code.targets, &code.teams, &code.leaves];
     let bytes = |table: &Vec<u64>| u64::from(Width::of(table).bits() / 8) * table.len() as u64;
     let scalar = if scalar == ScalarType::F32 { 4 } else { 8 };
     tables.into_iter().map(bytes).sum::<u64>() + scalar * code.constants.len() as u64

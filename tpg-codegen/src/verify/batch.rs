@@ -27,6 +27,7 @@ struct PolicyView {
     scalar: &'static str,
     state_length: usize,
     sources: Vec<(String, usize)>,
+    outputs: usize,
 }
 
 /// A program that holds many policies.
@@ -90,5 +91,6 @@ fn view(graph: &Graph, options: &Options, language: Language) -> PolicyView {
         },
         state_length: graph.state_length(),
         sources: graph.sources().iter().map(|source| (source.name.clone(), source.ranges.len())).collect(),
+        outputs: graph.outputs().len(),
     }
 }

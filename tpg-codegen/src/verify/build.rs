@@ -21,6 +21,7 @@ struct CHarness<'a> {
     scalar: &'a str,
     state_length: usize,
     sources: Vec<(String, usize)>,
+    outputs: usize,
     gegelati: bool,
 }
 
@@ -32,6 +33,7 @@ struct RustHarness<'a> {
     name: String,
     scalar: &'a str,
     state_length: usize,
+    outputs: usize,
 }
 
 /// A failure to build generated code.
@@ -113,6 +115,7 @@ impl Workshop {
             scalar: if graph.scalar() == ScalarType::F32 { "float" } else { "double" },
             state_length: graph.state_length(),
             sources: graph.sources().iter().map(|s| (s.name.clone(), s.ranges.len())).collect(),
+            outputs: graph.outputs().len(),
             gegelati: program.shape == Shape::Gegelati,
         };
         fs::write(folder.join("harness.c"), harness.render().map_err(io::Error::other)?)?;
@@ -133,6 +136,7 @@ impl Workshop {
             name: options.prefix.camel(),
             scalar: graph.scalar().name(),
             state_length: graph.state_length(),
+            outputs: graph.outputs().len(),
         };
         fs::write(folder.join("harness.rs"), harness.render().map_err(io::Error::other)?)?;
         let harness = folder.join("harness");

@@ -15,9 +15,9 @@ use crate::passes::interval::Assumption;
 use serde::Serialize;
 use std::io;
 use tpg_graph::engine::{Engine, Reference};
+use tpg_graph::interpret::Answer;
 use tpg_graph::states;
 use tpg_graph::{Graph, Range};
-use tpg_runtime::policy::ActionId;
 
 /// States per batch: bounds memory, does not affect results.
 const BATCH: usize = 8192;
@@ -31,7 +31,7 @@ pub struct Comparison {
     pub assumption: Assumption,
     /// States compared.
     pub states: usize,
-    /// States with another action.
+    /// States with another answer: another action, or other bits of an output.
     pub differences: usize,
     /// The first of them.
     pub first: Option<Difference>,
@@ -44,10 +44,10 @@ pub struct Difference {
     pub index: usize,
     /// Its values, as text: JSON has no NaN.
     pub state: Vec<String>,
-    /// The interpreter's action.
-    pub expected: u16,
-    /// The engine's action.
-    pub found: u16,
+    /// The interpreter's answer.
+    pub expected: Answer,
+    /// The engine's answer.
+    pub found: Answer,
 }
 
 /// Runs engines beside the interpreter on `count` states drawn with `seed`.
@@ -86,10 +86,10 @@ pub fn compare_under(
             move_into_ranges(graph, &mut states);
         }
         let mut expected = Vec::new();
-        reference.decide(&states, &mut expected)?;
+        reference.answer(&states, &mut expected)?;
         for (engine, comparison) in engines.iter_mut().zip(&mut comparisons) {
             let mut found = Vec::new();
-            engine.decide(&states, &mut found)?;
+            engine.answer(&states, &mut found)?;
             comparison.add(graph, start, &states, &expected, &found);
         }
     }
@@ -108,16 +108,16 @@ fn move_into_ranges(graph: &Graph, states: &mut [f64]) {
 }
 
 impl Comparison {
-    fn add(&mut self, graph: &Graph, start: usize, states: &[f64], expected: &[ActionId], found: &[ActionId]) {
+    fn add(&mut self, graph: &Graph, start: usize, states: &[f64], expected: &[Answer], found: &[Answer]) {
         self.states += expected.len();
         let rows = states.chunks_exact(graph.state_length()).zip(expected.iter().zip(found));
-        for (index, (state, (expected, found))) in rows.enumerate().filter(|(_, (_, (e, f)))| e != f) {
+        for (index, (state, (expected, found))) in rows.enumerate().filter(|(_, (_, (e, f)))| !e.same_bits(f)) {
             self.differences += 1;
             self.first.get_or_insert_with(|| Difference {
                 index: start + index,
                 state: state.iter().map(|value| format!("{value:?}")).collect(),
-                expected: expected.0,
-                found: found.0,
+                expected: expected.clone(),
+                found: found.clone(),
             });
         }
     }

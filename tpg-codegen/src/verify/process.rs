@@ -1,12 +1,13 @@
 //! A compiled policy in its own process, driven over a pipe.
 //!
 //! A batch goes in as a little-endian `u32` count and the states' values in the graph's scalar type, native byte order;
-//! out come as many native `u16` actions.
+//! out come as many native `u16` actions, or for a policy with outputs the values of each in the graph's scalar type.
 
 use std::io::{self, BufReader, BufWriter, Read, Write};
 use std::path::Path;
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use tpg_graph::engine::Engine;
+use tpg_graph::interpret::Answer;
 use tpg_graph::{Graph, ScalarType};
 use tpg_runtime::policy::ActionId;
 
@@ -22,6 +23,8 @@ pub struct Process {
     name: String,
     scalar: ScalarType,
     state_length: usize,
+    /// Values of an answer; 0 for a policy that answers with an action.
+    outputs: usize,
     child: Child,
     input: Option<BufWriter<ChildStdin>>,
     output: BufReader<ChildStdout>,
@@ -37,6 +40,7 @@ pub(super) fn start(program: &Path, arguments: &[String], name: &str, graph: &Gr
         name: name.to_owned(),
         scalar: graph.scalar(),
         state_length: graph.state_length(),
+        outputs: graph.outputs().len(),
         child,
         input: Some(BufWriter::new(input)),
         output: BufReader::new(output),
@@ -64,7 +68,7 @@ impl Process {
         })
     }
 
-    fn exchange(&mut self, states: &[f64], actions: &mut Vec<ActionId>) -> io::Result<()> {
+    fn exchange(&mut self, states: &[f64], answers: &mut Vec<Answer>) -> io::Result<()> {
         let count = states.len() / self.state_length;
         let input = self.input.as_mut().ok_or_else(|| io::Error::other("the process was closed"))?;
         input.write_all(&(count as u32).to_le_bytes())?;
@@ -76,11 +80,27 @@ impl Process {
         }
         input.flush()?;
         for _ in 0..count {
-            let mut action = [0; 2];
-            self.output.read_exact(&mut action)?;
-            actions.push(ActionId(u16::from_ne_bytes(action)));
+            let answer = if self.outputs == 0 {
+                Answer::Action(ActionId(u16::from_ne_bytes(self.read()?)))
+            } else {
+                Answer::Values((0..self.outputs).map(|_| self.value()).collect::<io::Result<_>>()?)
+            };
+            answers.push(answer);
         }
         Ok(())
+    }
+
+    fn value(&mut self) -> io::Result<f64> {
+        Ok(match self.scalar {
+            ScalarType::F32 => f64::from(f32::from_ne_bytes(self.read()?)),
+            ScalarType::F64 => f64::from_ne_bytes(self.read()?),
+        })
+    }
+
+    fn read<const N: usize>(&mut self) -> io::Result<[u8; N]> {
+        let mut bytes = [0; N];
+        self.output.read_exact(&mut bytes)?;
+        Ok(bytes)
     }
 }
 
@@ -89,9 +109,9 @@ impl Engine for Process {
         &self.name
     }
 
-    fn decide(&mut self, states: &[f64], actions: &mut Vec<ActionId>) -> io::Result<()> {
+    fn answer(&mut self, states: &[f64], answers: &mut Vec<Answer>) -> io::Result<()> {
         let mut batches = states.chunks(BATCH * self.state_length);
-        batches.try_for_each(|batch| self.exchange(batch, actions)).map_err(|error| self.ended(&error))
+        batches.try_for_each(|batch| self.exchange(batch, answers)).map_err(|error| self.ended(&error))
     }
 }
 

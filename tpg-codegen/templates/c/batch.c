@@ -9,10 +9,10 @@
 
 #define BATCH 1024U
 
-static uint16_t actions[BATCH];
 {% for policy in policies %}
 static int serve_{{ policy.prefix }}(void)
 {
+    static {% if policy.outputs == 0 %}uint16_t{% else %}{{ policy.prefix }}_action_t{% endif %} actions[BATCH];
     static {{ policy.scalar }} values[BATCH * {{ policy.state_length }}U];
     unsigned char head[4];
 
@@ -34,7 +34,11 @@ static int serve_{{ policy.prefix }}(void)
             memcpy(state.{{ name }}, value, sizeof(state.{{ name }}));
             value += {{ length }};
 {%- endfor %}
+{%- if policy.outputs == 0 %}
             actions[index] = {{ policy.prefix }}_infer(&state);
+{%- else %}
+            {{ policy.prefix }}_infer(&state, &actions[index]);
+{%- endif %}
         }
         if ((fwrite(actions, sizeof(actions[0]), count, stdout) != count) || (fflush(stdout) != 0)) {
             return 2;

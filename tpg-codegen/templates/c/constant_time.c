@@ -9,9 +9,15 @@ static void {{ prefix }}_teams_{{ loop.index0 }}(const {{ prefix }}_state_t *sta
 
 {% endif %}
 {%- endfor %}
+{% if outputs.is_empty() %}
 uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state)
 {
     {{ vertex }} next[{{ upper }}_TEAMS + {{ upper }}_ACTIONS];
+{%- else %}
+void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_action_t *action)
+{
+    {{ vertex }} next[{{ upper }}_TEAMS + {{ ends.len() }}U];
+{%- endif %}
 {%- if functions.len() == 1 %}
     {{ key }} best;
     uint32_t to;
@@ -29,16 +35,39 @@ uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state)
 {%- endif %}
 {%- endfor %}
 
-    /* An action leads to itself. */
-{%- for action in actions %}
-    next[{{ action }}] = {{ action }};
+    /* {% if outputs.is_empty() %}An action{% else %}A leaf{% endif %} leads to itself. */
+{%- for end in ends %}
+    next[{{ end }}] = {{ end }};
 {%- endfor %}
 
-    /* The longest walk decides {{ depth }} times; a shorter one waits at its action. No loop: nothing is left to a compiler. */
+    /* The longest walk decides {{ depth }} times; a shorter one waits at its {% if outputs.is_empty() %}action{% else %}leaf{% endif %}. No loop: nothing is left to a compiler. */
     vertex = next[0];
 {%- for _ in 1..depth %}
     vertex = next[vertex];
 {%- endfor %}
     vertex -= {{ upper }}_TEAMS;
+{%- if outputs.is_empty() %}
     return (uint16_t)vertex;
+{%- else %}
+    {
+        /* Every leaf's values, and the choice among them. */
+{%- for statement in statements %}
+        {{ statement }}
+{%- endfor %}
+{%- for leaf in leaves %}
+{%- if loop.first %}
+{%- for (variable, value) in leaf.values %}
+        {{ scalar }} {{ variable }} = {{ value }};
+{%- endfor %}
+{% else %}
+{%- for (variable, value) in leaf.values %}
+        {{ variable }} = {{ prefix }}_pick(vertex, {{ leaf.number }}U, {{ value }}, {{ variable }});
+{%- endfor %}
+{%- endif %}
+{%- endfor %}
+{% for assignment in assignments %}
+        {{ assignment }}
+{%- endfor %}
+    }
+{%- endif %}
 }

@@ -28,11 +28,19 @@ static {{ scalar }} {{ prefix }}_bid_{{ late.label }}(const {{ prefix }}_state_t
 {% for function in functions %}
 {% if functions.len() > 1 -%}
 static uint32_t {{ prefix }}_walk_{{ loop.index0 }}(const {{ prefix }}_state_t *state, uint32_t start)
-{%- else -%}
+{%- else if outputs.is_empty() -%}
 uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state)
+{%- else -%}
+void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_action_t *action)
 {%- endif %}
 {
+{%- if leaves.is_empty() %}
     uint32_t vertex;
+{%- else %}
+{%- for output in outputs %}
+    {{ scalar }} {{ output.variable() }};
+{%- endfor %}
+{%- endif %}
 {%- for value in function.shared %}
     {{ scalar }} {{ value }};
 {%- endfor %}
@@ -187,12 +195,39 @@ team_{{ team.label }}:
 {%- endif %}
     }
 {% endfor %}
+{% if leaves.is_empty() %}
 decided:
     return {% if functions.len() > 1 %}vertex{% else %}(uint16_t)vertex{% endif %};
+{%- else %}
+{% for leaf in leaves %}
+leaf_{{ leaf.label }}:
+    {
+{%- for statement in leaf.statements %}
+        {{ statement }}
+{%- endfor %}
+{% for (variable, value) in leaf.values %}
+        {{ variable }} = {{ value }};
+{%- endfor %}
+    }
+{%- if !loop.last %}
+    goto answered;
+{% endif %}
+{% endfor %}
+{%- if leaves.len() > 1 %}
+answered:
+{%- endif %}
+{%- for assignment in assignments %}
+    {{ assignment }}
+{%- endfor %}
+{%- endif %}
 }
 {% endfor %}
 {% if functions.len() > 1 %}
+{% if outputs.is_empty() -%}
 uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state)
+{%- else -%}
+static uint32_t {{ prefix }}_leaf(const {{ prefix }}_state_t *state)
+{%- endif %}
 {
     uint32_t vertex = {{ prefix }}_walk_0(state, 0U);
 {% for function in functions %}
@@ -203,6 +238,11 @@ uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state)
 {%- endif %}
 {%- endfor %}
     vertex -= {{ upper }}_TEAMS;
+{%- if outputs.is_empty() %}
     return (uint16_t)vertex;
+{%- else %}
+    return vertex;
+{%- endif %}
 }
+{{ entry }}
 {% endif %}

@@ -8,7 +8,7 @@
 #define BATCH 1024U
 
 static {{ scalar }} values[BATCH * LENGTH];
-static uint16_t actions[BATCH];
+{% if outputs == 0 %}static uint16_t actions[BATCH];{% else %}static {{ prefix }}_action_t actions[BATCH];{% endif %}
 {% if gegelati %}
 {%- for (_, length) in sources %}
 static {{ scalar }} source{{ loop.index }}[{{ length }}];
@@ -44,7 +44,11 @@ int main(void)
             memcpy(state.{{ name }}, value, sizeof(state.{{ name }}));
             value += {{ length }};
 {%- endfor %}
+{%- if outputs == 0 %}
             actions[index] = {{ prefix }}_infer(&state);
+{%- else %}
+            {{ prefix }}_infer(&state, &actions[index]);
+{%- endif %}
 {%- endif %}
         }
         if ((fwrite(actions, sizeof(actions[0]), count, stdout) != count) || (fflush(stdout) != 0)) {

@@ -12,12 +12,16 @@
 extern "C" {
 #endif
 
+{% if outputs.is_empty() %}
 /* The actions:
 {%- for action in actions %}
  * {{ loop.index0 }} {{ action }}
 {%- endfor %}
  */
 #define {{ upper }}_ACTIONS {{ actions.len() }}U
+{%- else %}
+#define {{ upper }}_OUTPUTS {{ outputs.len() }}U
+{%- endif %}
 /* Teams, and how many of them decide at most in one inference. */
 #define {{ upper }}_TEAMS {{ teams }}U
 #define {{ upper }}_DEPTH {{ depth }}U
@@ -41,8 +45,22 @@ typedef struct {{ prefix }}_state {
 {%- endfor %}
 } {{ prefix }}_state_t;
 
+{%- if outputs.is_empty() %}
+
 /* The action for a state, below {{ upper }}_ACTIONS. Pure and reentrant: no globals, no memory, no side effect. */
 uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state);
+{%- else %}
+
+/* The values that the policy answers, each in its range and never NaN. */
+typedef struct {{ prefix }}_action {
+{%- for output in outputs %}
+    {{ scalar }} {{ output.name }}; /* {{ output.unit }}, {{ output.range }} */
+{%- endfor %}
+} {{ prefix }}_action_t;
+
+/* The answer to a state. Pure and reentrant: no globals, no memory, no side effect but *action. */
+void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_action_t *action);
+{%- endif %}
 {% if let Some(arm) = arm %}
 /* For tpg_policy_t of tpg_runtime.h: the arm's sources that make up a state, and what each action moves, in ticks. */
 #define {{ upper }}_SOURCES { {{ arm.sources.join(", ") }} }

@@ -22,6 +22,15 @@ static {{ scalar }} {{ prefix }}_max({{ scalar }} a, {{ scalar }} b)
     return (a > b) ? a : b;
 }
 {% endif %}
+{% if clamps %}
+/* An output in its range. */
+static {{ scalar }} {{ prefix }}_clamp({{ scalar }} value, {{ scalar }} low, {{ scalar }} high, {{ scalar }} nan)
+{
+    const {{ scalar }} raised = (value < low) ? low : value;
+    const {{ scalar }} limited = (raised > high) ? high : raised;
+    return (value == value) ? limited : nan;
+}
+{% endif %}
 {% endif %}
 {% if let Some(call) = short_ln %}
 /* The platform's logarithm, which takes its time to find that a negative number has none. */

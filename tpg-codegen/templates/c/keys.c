@@ -1,3 +1,4 @@
+{% if orders %}
 static {{ key }} {{ prefix }}_order({{ scalar }} x)
 {
     /* 0 for -0; then, as integers: what is negative upside down, below what is positive */
@@ -18,6 +19,7 @@ static {{ key }} {{ prefix }}_not_a_number({{ key }} order)
 {
     return {{ prefix }}_below(order, {{ minus_infinity }}) | {{ prefix }}_below({{ infinity }}, order);
 }
+{% endif %}
 {% if compares %}
 
 /* All ones where a < b, else 0; NaN is below nothing. */
@@ -71,6 +73,28 @@ static {{ scalar }} {{ prefix }}_max({{ scalar }} a, {{ scalar }} b)
     return {{ prefix }}_select({{ prefix }}_less(b, a), a, b);
 }
 {% endif %}
+{% if clamps %}
+
+/* An output in its range. */
+static {{ scalar }} {{ prefix }}_clamp({{ scalar }} value, {{ scalar }} low, {{ scalar }} high, {{ scalar }} nan)
+{
+    const {{ key }} order = {{ prefix }}_order(value);
+    const {{ scalar }} raised = {{ prefix }}_select({{ prefix }}_below(order, {{ prefix }}_order(low)), low, value);
+    const {{ scalar }} limited = {{ prefix }}_select({{ prefix }}_below({{ prefix }}_order(high), order), high, raised);
+    return {{ prefix }}_select({{ prefix }}_not_a_number(order), nan, limited);
+}
+{% endif %}
+{% if picks %}
+
+/* The candidate where the numbers are equal, else the value. */
+static {{ scalar }} {{ prefix }}_pick(uint32_t leaf, uint32_t number, {{ scalar }} candidate, {{ scalar }} value)
+{
+    const uint32_t different = leaf ^ number;
+    const {{ key }} mask = ({{ key }})((different | (0U - different)) >> 31);
+    return {{ prefix }}_select(mask - 1U, candidate, value);
+}
+{% endif %}
+{% if decides %}
 
 /* A bid as an integer in the order of bids: a NaN counts as minus infinity. */
 static {{ key }} {{ prefix }}_key({{ scalar }} bid)
@@ -88,3 +112,4 @@ static void {{ prefix }}_challenge({{ key }} *best, uint32_t *to, {{ key }} bid,
     *best = bid ^ ((bid ^ *best) & lower);
     *to = destination ^ ((destination ^ *to) & mask);
 }
+{% endif %}

@@ -45,9 +45,13 @@ static {{ scalar }} {{ prefix }}_run({{ scalar }} frame[], uint32_t program)
     return result;
 }
 
+{% if outputs.is_empty() -%}
 uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state)
+{%- else -%}
+void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_action_t *action)
+{%- endif %}
 {
-    /* The program of each edge, and where it leads: teams are numbered from 0, the root, and the actions follow them. */
+    /* The program of each edge, and where it leads: teams are numbered from 0, the root, and the {% if outputs.is_empty() %}actions{% else %}leaves{% endif %} follow them. */
     static const {{ bidders.kind }} bidders[{{ bidders.values.len() }}] = {
 {%- for line in bidders.values.chunks(12) %}
         {{ line.join(", ") }},
@@ -64,6 +68,15 @@ uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state)
         {{ line.join(", ") }},
 {%- endfor %}
     };
+{% if !outputs.is_empty() %}
+    /* The program of each output of each leaf. */
+    static const {{ leaves.kind }} leaves[{{ leaves.values.len() }}] = {
+{%- for line in leaves.values.chunks(12) %}
+        {{ line.join(", ") }},
+{%- endfor %}
+    };
+    const {{ leaves.kind }} *programs;
+{%- endif %}
 {% if !constants.is_empty() %}
     static const {{ scalar }} constants[{{ constants.len() }}] = {
 {%- for constant in constants %}
@@ -96,5 +109,12 @@ uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state)
         }
     }
     vertex -= {{ upper }}_TEAMS;
+{%- if outputs.is_empty() %}
     return (uint16_t)vertex;
+{%- else %}
+    programs = &leaves[vertex * {{ upper }}_OUTPUTS];
+{%- for assignment in assignments %}
+    {{ assignment }}
+{%- endfor %}
+{%- endif %}
 }

@@ -39,9 +39,17 @@ uint32_t {{ prefix }}_selftest(void)
         {{ vector.state }},
 {%- endfor %}
     };
+{%- if outputs.is_empty() %}
     static const uint16_t actions[{{ vectors.len() }}] = {
-        {% for vector in vectors %}{{ vector.action }}U{% if !loop.last %}, {% endif %}{% endfor %}
+        {% for vector in vectors %}{{ vector.answer }}{% if !loop.last %}, {% endif %}{% endfor %}
     };
+{%- else %}
+    static const {{ prefix }}_action_t actions[{{ vectors.len() }}] = {
+{%- for vector in vectors %}
+        {{ vector.answer }},
+{%- endfor %}
+    };
+{%- endif %}
     uint32_t failures = 0U;
     uint32_t vector;
 {%- if gegelati %}
@@ -59,8 +67,13 @@ uint32_t {{ prefix }}_selftest(void)
         in{{ loop.index }} = copy.{{ source.name }};
 {%- endfor %}
         if (inferenceTPG() != (int)actions[vector]) {
-{%- else %}
+{%- else if outputs.is_empty() %}
         if ({{ prefix }}_infer(&states[vector]) != actions[vector]) {
+{%- else %}
+        {{ prefix }}_action_t action;
+
+        {{ prefix }}_infer(&states[vector], &action);
+        if (memcmp(&action, &actions[vector], sizeof action) != 0) {
 {%- endif %}
             failures++;
         }

@@ -7,9 +7,10 @@ mod {{ policy.prefix }};
 use std::io::{self, Read, Write};
 use tpg_runtime::policy::{ActionId, Policy};
 
-fn serve<const N: usize, S: Copy + Default, const W: usize>(
-    policy: impl Policy<State = [S; N], Action = ActionId>,
+fn serve<const N: usize, S: Copy + Default, A, B: IntoIterator<Item = u8>, const W: usize>(
+    policy: impl Policy<State = [S; N], Action = A>,
     number: fn([u8; W]) -> S,
+    bytes_of: fn(A) -> B,
 ) -> io::Result<()> {
     let mut input = io::stdin().lock();
     let mut output = io::stdout().lock();
@@ -24,8 +25,7 @@ fn serve<const N: usize, S: Copy + Default, const W: usize>(
             for (slot, value) in state.iter_mut().zip(values.chunks_exact(W)) {
                 *slot = number(value.try_into().unwrap());
             }
-            let ActionId(action) = policy.decide(&state);
-            actions.extend(action.to_ne_bytes());
+            actions.extend(bytes_of(policy.decide(&state)));
         }
         output.write_all(&actions)?;
         output.flush()?;
@@ -36,7 +36,7 @@ fn serve<const N: usize, S: Copy + Default, const W: usize>(
 fn main() -> io::Result<()> {
     match std::env::args().nth(1).and_then(|number| number.parse::<usize>().ok()) {
 {%- for policy in policies %}
-        Some({{ loop.index0 }}) => serve({{ policy.prefix }}::{{ policy.name }}, {{ policy.scalar }}::from_ne_bytes),
+        Some({{ loop.index0 }}) => serve({{ policy.prefix }}::{{ policy.name }}, {{ policy.scalar }}::from_ne_bytes, {% if policy.outputs == 0 %}|ActionId(action)| action.to_ne_bytes(){% else %}|values| values.into_iter().flat_map({{ policy.scalar }}::to_ne_bytes){% endif %}),
 {%- endfor %}
         _ => Err(io::Error::other("no such policy")),
     }

@@ -7,4 +7,4 @@
 {%- for _ in 1..depth %}
         let vertex = next[(vertex & {{ size - 1 }}) as usize];
 {%- endfor %}
-        ActionId(vertex.wrapping_sub({{ teams }}) as u16)
+        {{ answer }}

@@ -5,4 +5,4 @@
 {%- for _ in 1..depth %}
         let vertex = next[((vertex / {{ row }}) & {{ rows.len() - 1 }}) as usize][(vertex % {{ row }}) as usize];
 {%- endfor %}
-        ActionId(vertex.wrapping_sub({{ teams }}) as u16)
+        {{ answer }}

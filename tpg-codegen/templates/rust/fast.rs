@@ -1,11 +1,21 @@
 {{ helpers }}
+{% for leaf in leaves %}
+
+/// What leaf {{ leaf.label }} answers, before it is limited.
+fn leaf_{{ leaf.label }}(s: &[{{ scalar }}; {{ state_length }}]) -> {{ answer }} {
+{%- for statement in leaf.statements %}
+{{ statement }}
+{%- endfor %}
+[{{ leaf.values.join(", ") }}]
+}
+{%- endfor %}
 {% for team in teams %}
 
 /// What team {{ team.label }} decides.
 {%- if many %}
 #[inline(never)]
 {%- endif %}
-fn team_{{ team.label }}(s: &[{{ scalar }}; {{ state_length }}]) -> u16 {
+fn team_{{ team.label }}(s: &[{{ scalar }}; {{ state_length }}]) -> {{ answer }} {
 {%- if team.ways.len() > 1 %}
 let mut best = {{ scalar }}::MIN;
 let mut {{ team.winner }} = {{ team.nobody }};

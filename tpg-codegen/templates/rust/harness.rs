@@ -5,7 +5,7 @@
 mod policy;
 
 use std::io::{self, Read, Write};
-use tpg_runtime::policy::{ActionId, Policy};
+use tpg_runtime::policy::{% if outputs == 0 %}{ActionId, Policy}{% else %}Policy{% endif %};
 
 const LENGTH: usize = {{ state_length }};
 const WIDTH: usize = size_of::<{{ scalar }}>();
@@ -24,8 +24,12 @@ fn main() -> io::Result<()> {
             for (slot, value) in state.iter_mut().zip(values.chunks_exact(WIDTH)) {
                 *slot = {{ scalar }}::from_ne_bytes(value.try_into().unwrap());
             }
+{%- if outputs == 0 %}
             let ActionId(action) = policy::{{ name }}.decide(&state);
             actions.extend(action.to_ne_bytes());
+{%- else %}
+            actions.extend(policy::{{ name }}.decide(&state).into_iter().flat_map({{ scalar }}::to_ne_bytes));
+{%- endif %}
         }
         output.write_all(&actions)?;
         output.flush()?;

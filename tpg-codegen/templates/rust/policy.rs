@@ -12,7 +12,7 @@
 {% for import in imports -%}
 use tpg_runtime::{{ import }};
 {% endfor -%}
-use tpg_runtime::policy::{ActionId, Policy};
+use tpg_runtime::policy::{% if outputs.is_empty() %}{ActionId, Policy}{% else %}Policy{% endif %};
 
 /// A tangled program graph: {{ title }}.
 ///
@@ -25,14 +25,22 @@ use tpg_runtime::policy::{ActionId, Policy};
 {% for action in actions -%}
 /// - {{ loop.index0 }}: {{ action }}
 {% endfor -%}
+{% for output in outputs -%}
+/// - `[{{ output.place }}]`: {{ output.name }}, {{ output.unit }}, {{ output.range }}; {{ output.nan }} in place of NaN
+{% endfor -%}
 #[derive(Clone, Copy, Debug, Default)]
 pub struct {{ name }};
 
 impl {{ name }} {
     /// Values of a state.
     pub const STATE: usize = {{ state_length }};
+{%- if outputs.is_empty() %}
     /// Actions.
     pub const ACTIONS: usize = {{ actions.len() }};
+{%- else %}
+    /// Outputs.
+    pub const OUTPUTS: usize = {{ outputs.len() }};
+{%- endif %}
     /// Teams on the longest walk.
     pub const DEPTH: usize = {{ depth }};
     /// Bids that one decision looks at, at most.
@@ -51,9 +59,9 @@ impl {{ name }} {
 
 impl Policy for {{ name }} {
     type State = [{{ scalar }}; {{ state_length }}];
-    type Action = ActionId;
+    type Action = {% if outputs.is_empty() %}ActionId{% else %}[{{ scalar }}; {{ outputs.len() }}]{% endif %};
 
-    fn decide(&self, s: &[{{ scalar }}; {{ state_length }}]) -> ActionId {
+    fn decide(&self, s: &[{{ scalar }}; {{ state_length }}]) -> {% if outputs.is_empty() %}ActionId{% else %}[{{ scalar }}; {{ outputs.len() }}]{% endif %} {
 {{ body }}
     }
 }

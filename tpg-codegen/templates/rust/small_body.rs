@@ -28,4 +28,13 @@
             }
             vertex = winner as usize;
         }
+{%- if outputs.is_empty() %}
         ActionId(vertex.wrapping_sub({{ teams }}) as u16)
+{%- else %}
+        let first = vertex.wrapping_sub({{ teams }}).wrapping_mul({{ outputs.len() }});
+{%- for output in outputs %}
+        let program = LEAVES.get(first.wrapping_add({{ output.place }}));
+        let {{ output.variable() }} = program.map_or({{ zero }}, |&program| run(&mut frame, program as usize));
+{%- endfor %}
+        {{ limited }}
+{%- endif %}

@@ -46,6 +46,23 @@ macro_rules! constant_time {
                 $scalar::from_bits(a.to_bits() ^ sign.cast_unsigned())
             }
 
+            /// [`clamp`](super::clamp).
+            #[inline(always)]
+            pub fn clamp(self, value: $scalar, low: $scalar, high: $scalar, nan: $scalar) -> $scalar {
+                let order = self.order(value);
+                let raised = Self::choose(self.below(order, self.order(low)), low, value);
+                let limited = Self::choose(self.below(self.order(high), order), high, raised);
+                Self::choose(self.is_nan(value), nan, limited)
+            }
+
+            /// Returns `then` where `a` equals `b`, else `otherwise`.
+            #[inline(always)]
+            pub fn if_equal(self, a: u32, b: u32, then: $scalar, otherwise: $scalar) -> $scalar {
+                let different = a ^ b;
+                let sign = (different | different.wrapping_neg()).cast_signed();
+                Self::choose(self.mask($key::from(sign)), otherwise, then)
+            }
+
             /// A bid as an integer in the order of bids; a NaN counts as −∞.
             #[inline(always)]
             pub fn key(self, bid: $scalar) -> $key {
@@ -151,6 +168,12 @@ mod tests {
                     prop_assert_eq!(ct.min(a, b).to_bits(), ops::min(a, b).to_bits());
                     prop_assert_eq!(ct.max(a, b).to_bits(), ops::max(a, b).to_bits());
                     prop_assert_eq!(ct.negate_if_less(a, b).to_bits(), ops::negate_if_less(a, b).to_bits());
+                    for (low, high, nan) in [(-1.0, 1.0, 0.0), (-0.0, 0.0, -0.0), (0.0, $scalar::MAX, 0.0), (2.0, 3.0, 3.0)] {
+                        let expected = ops::clamp(a, low, high, nan);
+                        prop_assert_eq!(ct.clamp(a, low, high, nan).to_bits(), expected.to_bits());
+                    }
+                    prop_assert_eq!(ct.if_equal(3, 3, a, b).to_bits(), a.to_bits());
+                    prop_assert_eq!(ct.if_equal(3, 3 + (1 << 31), a, b).to_bits(), b.to_bits());
                     let (_, to) = ct.challenge((ct.key(a), 1), (ct.key(b), 2));
                     prop_assert_eq!(to, ops::challenge((ops::bid(a), 1), (ops::bid(b), 2)).1);
                 });

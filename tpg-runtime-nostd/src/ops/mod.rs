@@ -23,3 +23,23 @@ pub fn bid<S: crate::scalar::Scalar>(value: S) -> S {
 pub fn challenge<S: crate::scalar::Scalar, To>(best: (S, To), challenger: (S, To)) -> (S, To) {
     if challenger.0 >= best.0 { challenger } else { best }
 }
+
+/// Limits an output to its range: `low` where `value` is lower, `high` where it is higher, and `nan` where it is NaN.
+///
+/// ```
+/// use tpg_runtime::ops::clamp;
+///
+/// assert_eq!([-3.0, 0.5, 9.0, f32::NAN].map(|value| clamp(value, -2.0, 2.0, 0.0)), [-2.0, 0.5, 2.0, 0.0]);
+/// ```
+#[inline(always)]
+pub fn clamp<S: crate::scalar::Scalar>(value: S, low: S, high: S, nan: S) -> S {
+    if value.is_nan() {
+        nan
+    } else if value < low {
+        low
+    } else if value > high {
+        high
+    } else {
+        value
+    }
+}

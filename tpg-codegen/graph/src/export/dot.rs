@@ -9,7 +9,11 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 /// Returns the text of the `.dot` file.
+///
+/// # Panics
+/// If the graph has outputs, which the format cannot express.
 pub fn text(graph: &Graph) -> String {
+    assert!(graph.outputs().is_empty(), "the format has no outputs");
     Writer::new(graph).text()
 }
 

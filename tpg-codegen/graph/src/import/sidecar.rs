@@ -2,7 +2,7 @@
 
 use crate::error::{InputError, Place, serde_message};
 use crate::model::{
-    ActionDocument, Document, FORMAT, MAX_NUMBERED, MathsProvider, Provenance, ScalarType, SourceDocument, VERSION,
+    ActionDocument, Document, FORMAT, MAX_NUMBERED, MathsProvider, Provenance, ScalarType, SourceDocument,
 };
 use serde::Deserialize;
 use std::ops::Range;
@@ -139,7 +139,7 @@ impl Sidecar {
         };
         Ok(Document {
             format: FORMAT.to_owned(),
-            version: VERSION,
+            version: 1,
             scalar: described.scalar,
             maths: described.maths,
             registers: described.registers,

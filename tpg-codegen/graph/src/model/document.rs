@@ -11,19 +11,22 @@ use tpg_runtime::ops::Instruction;
 /// The value of [`Document::format`].
 pub const FORMAT: &str = "tpg-graph";
 
-/// The version of the format that this tool reads and writes.
-pub const VERSION: u32 = 1;
+/// The versions of the format that this tool reads. Version 2 adds outputs; a graph without them is written as version 1.
+pub const VERSIONS: [u32; 2] = [1, 2];
 
 /// A tangled program graph with everything that determines its behaviour.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[schemars(title = "graph.json")]
+#[schemars(title = "graph.json", extend("oneOf" = [
+    {"required": ["actions", "root", "teams"], "properties": {"outputs": false, "leaves": false}},
+    {"required": ["outputs", "leaves"], "properties": {"actions": false, "version": {"const": 2}}},
+]))]
 pub struct Document {
     /// Always "tpg-graph".
     #[schemars(extend("const" = FORMAT))]
     pub format: String,
-    /// Always 1.
-    #[schemars(extend("const" = VERSION))]
+    /// 1, or 2 for a policy with outputs.
+    #[schemars(extend("enum" = VERSIONS))]
     pub version: u32,
     /// The type programs compute in.
     pub scalar: ScalarType,
@@ -38,14 +41,21 @@ pub struct Document {
     /// The instructions that programs may use. Their order numbers them for GEGELATI's `.dot` format.
     #[schemars(length(min = 1), extend("items" = {"type": "string", "enum": instruction_names()}))]
     pub instructions: Vec<String>,
-    /// The actions of the policy; the id of an action is its index in this list.
-    #[schemars(length(min = 1))]
+    /// The actions of the policy; the id of an action is its index in this list. Empty for a policy with outputs.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub actions: Vec<ActionDocument>,
-    /// The id of the team where the walk starts: the only team without incoming edges.
-    pub root: u32,
-    /// The teams.
-    #[schemars(length(min = 1))]
+    /// Version 2: the values that the policy answers, in order, instead of actions.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub outputs: Vec<OutputDocument>,
+    /// The id of the team where the walk starts: the only team without incoming edges. Absent if there are no teams.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub root: Option<u32>,
+    /// The teams. A policy with outputs and a single leaf needs none.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub teams: Vec<TeamDocument>,
+    /// Version 2: the leaves, where a walk ends in a policy with outputs.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub leaves: Vec<LeafDocument>,
     /// The programs.
     #[schemars(length(min = 1))]
     pub programs: Vec<ProgramDocument>,
@@ -132,6 +142,34 @@ pub struct ActionDocument {
     pub effect: Option<Effect>,
 }
 
+/// A value that a policy answers: the result of a leaf's program, limited to a range.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct OutputDocument {
+    /// An identifier: a lower-case letter, then lower-case letters, digits and underscores.
+    #[schemars(regex(pattern = r"^[a-z][a-z0-9_]*$"))]
+    pub name: String,
+    /// Unit of the value, for human readers.
+    pub unit: String,
+    /// Lowest value.
+    pub min: f64,
+    /// Highest value.
+    pub max: f64,
+    /// The value in place of NaN, from `min` to `max`.
+    pub nan: f64,
+}
+
+/// A leaf: the programs that compute the outputs.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct LeafDocument {
+    /// A number that no other leaf has.
+    pub id: u32,
+    /// The id of the program of each output, in the order of the outputs. Leaves and outputs may share programs.
+    #[schemars(length(min = 1))]
+    pub programs: Vec<u32>,
+}
+
 /// A team.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -144,18 +182,21 @@ pub struct TeamDocument {
 }
 
 /// An edge of a team: a program and the destination it bids for.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[schemars(extend("oneOf" = [{"required": ["team"]}, {"required": ["action"]}]))]
+#[schemars(extend("oneOf" = [{"required": ["team"]}, {"required": ["action"]}, {"required": ["leaf"]}]))]
 pub struct EdgeDocument {
     /// The id of the bidding program.
     pub program: u32,
-    /// The id of the team that the edge leads to; exactly one of `team` and `action` is given.
+    /// The id of the team that the edge leads to; exactly one of `team`, `action` and `leaf` is given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub team: Option<u32>,
     /// The id of the action that the edge leads to.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub action: Option<u32>,
+    /// The id of the leaf that the edge leads to.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub leaf: Option<u32>,
 }
 
 /// A program.

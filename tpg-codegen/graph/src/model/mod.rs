@@ -7,13 +7,15 @@
 mod document;
 mod effect;
 mod name;
+mod read;
 mod schema;
 mod text;
 mod validate;
+mod write;
 
 pub use document::{
-    ActionDocument, Document, EdgeDocument, FORMAT, LineDocument, MathsProvider, OperandDocument, ProgramDocument,
-    Provenance, ScalarType, SourceDocument, TeamDocument, VERSION,
+    ActionDocument, Document, EdgeDocument, FORMAT, LeafDocument, LineDocument, MathsProvider, OperandDocument,
+    OutputDocument, ProgramDocument, Provenance, ScalarType, SourceDocument, TeamDocument, VERSIONS,
 };
 
 pub use effect::Effect;
@@ -56,8 +58,8 @@ impl ProgramId {
 }
 
 impl Reg {
-    /// The register whose final value is the program's bid.
-    pub const BID: Self = Self(0);
+    /// The register whose final value is the program's result: a bid, or an output.
+    pub const RESULT: Self = Self(0);
 
     /// Returns the register as an index.
     pub fn index(self) -> usize {
@@ -107,6 +109,28 @@ pub struct Action {
     pub effect: Option<Effect>,
 }
 
+/// A value that a policy answers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Output {
+    /// A C and Rust identifier.
+    pub name: String,
+    /// Unit of the value, for human readers.
+    pub unit: String,
+    /// The range that the value is limited to; its ends are exact in the graph's scalar type.
+    pub range: Range,
+    /// The value in place of NaN, in the range.
+    pub nan: f64,
+}
+
+/// A leaf: the action of a policy with outputs.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Leaf {
+    /// Id in the source file.
+    pub label: u32,
+    /// The program of each output, in the order of the outputs.
+    pub programs: Vec<ProgramId>,
+}
+
 /// An operand of an instruction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Operand {
@@ -129,7 +153,7 @@ pub struct Line {
     pub operands: [Operand; 2],
 }
 
-/// A program: lines run in order on registers that start at zero; the bid is the final value of register 0.
+/// A program: lines run in order on registers that start at zero; the final value of register 0 is its bid, or an output.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Program {
     /// Id in the source file.
@@ -143,7 +167,7 @@ pub struct Program {
 pub enum Destination {
     /// To another team: the walk goes on.
     Team(TeamId),
-    /// To an action: the walk ends.
+    /// To an action: the walk ends. In a policy with outputs, the number is that of a leaf.
     Action(ActionId),
 }
 
@@ -174,7 +198,11 @@ pub struct Graph {
     sources: Vec<Source>,
     instructions: Vec<Instruction>,
     actions: Vec<Action>,
+    outputs: Vec<Output>,
+    leaves: Vec<Leaf>,
     root: TeamId,
+    /// The only leaf was written without a team: the root stands for it.
+    is_formula: bool,
     teams: Vec<Team>,
     programs: Vec<Program>,
     provenance: Provenance,
@@ -206,9 +234,38 @@ impl Graph {
         &self.instructions
     }
 
-    /// Returns the actions, by id.
+    /// Returns the actions, by id; empty for a policy with outputs.
     pub fn actions(&self) -> &[Action] {
         &self.actions
+    }
+
+    /// Returns the outputs, in order; empty for a policy that answers with an action.
+    pub fn outputs(&self) -> &[Output] {
+        &self.outputs
+    }
+
+    /// Returns the leaves, by number; empty for a policy that answers with an action.
+    pub fn leaves(&self) -> &[Leaf] {
+        &self.leaves
+    }
+
+    /// Returns the number of ends of a walk: actions, or leaves.
+    pub fn ends(&self) -> usize {
+        self.actions.len() + self.leaves.len()
+    }
+
+    /// Tests for a policy without a decision: a single leaf, and no team in the file. The root then has one edge, to it.
+    pub fn is_formula(&self) -> bool {
+        self.is_formula
+    }
+
+    /// Names the end of a walk: "action 3 left", or "leaf 7" by the leaf's id in the file.
+    pub fn end_name(&self, end: ActionId) -> String {
+        let number = usize::from(end.0);
+        match self.leaves.get(number) {
+            Some(leaf) => format!("leaf {}", leaf.label),
+            None => format!("action {number} {}", self.actions[number].name),
+        }
     }
 
     /// Returns the team where the walk starts.

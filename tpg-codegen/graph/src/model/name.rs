@@ -1,18 +1,18 @@
 //! Rules for names in a graph.
 
-/// Keywords of C, C++ and Rust, and two words that compilers in GNU mode define as 1: none of them can name a field of
-/// a generated struct.
+/// Keywords of C, C++ and Rust, two words that compilers in GNU mode define as 1, and the macros in lower case of the
+/// headers that generated code includes: none of them can name a field of a generated struct.
 #[rustfmt::skip] // a line for each word otherwise
-const KEYWORDS: [&str; 130] = [
+const KEYWORDS: [&str; 136] = [
     "abstract", "alignas", "alignof", "and", "and_eq", "as", "asm", "async", "auto", "await", "become", "bitand",
     "bitor", "bool", "box", "break", "case", "catch", "char", "char16_t", "char32_t", "char8_t", "class", "co_await",
     "co_return", "co_yield", "compl", "concept", "const", "const_cast", "consteval", "constexpr", "constinit",
     "continue", "crate", "decltype", "default", "delete", "do", "double", "dyn", "dynamic_cast", "else", "enum",
-    "explicit", "export", "extern", "false", "final", "float", "fn", "for", "friend", "gen", "goto", "if", "impl", "in",
-    "inline", "int", "let", "linux", "long", "loop", "macro", "match", "mod", "move", "mut", "mutable", "namespace",
+    "errno", "explicit", "export", "extern", "false", "final", "float", "fn", "for", "friend", "gen", "goto", "if", "impl", "in",
+    "inline", "int", "let", "linux", "long", "loop", "macro", "match", "math_errhandling", "mod", "move", "mut", "mutable", "namespace",
     "new", "noexcept", "noreturn", "not", "not_eq", "nullptr", "operator", "or", "or_eq", "override", "priv", "private",
     "protected", "pub", "public", "ref", "register", "reinterpret_cast", "requires", "restrict", "return", "self",
-    "short", "signed", "sizeof", "static", "static_assert", "static_cast", "struct", "super", "switch", "template",
+    "short", "signed", "signgam", "sizeof", "static", "static_assert", "static_cast", "stderr", "stdin", "stdout", "struct", "super", "switch", "template",
     "this", "thread_local", "throw", "trait", "true", "try", "type", "typedef", "typeid", "typename", "typeof",
     "typeof_unqual", "union", "unix", "unsafe", "unsigned", "unsized", "use", "using", "virtual", "void", "volatile",
     "wchar_t", "where", "while", "xor", "xor_eq",
@@ -20,7 +20,7 @@ const KEYWORDS: [&str; 130] = [
 
 /// The names accepted by [`is_source`], for messages.
 pub(super) const SOURCE: &str = "a lower-case letter, then lower-case letters, digits and underscores; \
-                                 not r and digits, no keyword of C, C++ or Rust";
+                                 not r and digits, no keyword of C, C++ or Rust, no macro of the C library";
 
 /// The texts accepted by [`is_text`], for messages.
 pub(super) const TEXT: &str = "one line of text without /* or */";
@@ -59,12 +59,12 @@ mod tests {
     }
 
     #[test]
-    fn sources() {
+    fn names_of_sources_and_outputs() {
         for good in ["target", "s0", "r", "rx", "r0x", "hand_tip", "register_0"] {
             assert!(is_source(good), "{good}");
         }
         for bad in
-            ["", "r0", "r12", "Target", "0s", "_x", "hand tip", "é", "int", "fn", "class", "while", "xor", "abstract"]
+            ["", "r0", "r12", "Target", "0s", "_x", "hand tip", "é", "int", "fn", "class", "while", "xor", "abstract", "math_errhandling"]
         {
             assert!(!is_source(bad), "{bad}");
         }

@@ -19,9 +19,18 @@ pub(super) fn write(document: &Document) -> String {
     field("registers", &json(&document.registers), false);
     field("sources", &list(document.sources.iter().map(json), 4), false);
     field("instructions", &json(&document.instructions), false);
-    field("actions", &list(document.actions.iter().map(json), 4), false);
-    field("root", &json(&document.root), false);
-    field("teams", &list(document.teams.iter().map(json), 4), false);
+    if document.outputs.is_empty() {
+        field("actions", &list(document.actions.iter().map(json), 4), false);
+    } else {
+        field("outputs", &list(document.outputs.iter().map(json), 4), false);
+    }
+    if let Some(root) = document.root {
+        field("root", &json(&root), false);
+        field("teams", &list(document.teams.iter().map(json), 4), false);
+    }
+    if !document.leaves.is_empty() {
+        field("leaves", &list(document.leaves.iter().map(json), 4), false);
+    }
     field("programs", &list(document.programs.iter().map(program), 4), false);
     field("provenance", &json(&document.provenance), true);
     out.push_str("}\n");

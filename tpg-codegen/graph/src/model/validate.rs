@@ -1,66 +1,26 @@
-//! Conversion between document and graph. Every possible error in a graph is detected here, once.
+//! Conversion of a document to a graph. Every possible error in a graph is detected here, once.
+
+mod values;
 
 use super::document::{
-    ActionDocument, Document, EdgeDocument, FORMAT, LineDocument, OperandDocument, ProgramDocument, SourceDocument,
-    TeamDocument, VERSION,
+    ActionDocument, Document, EdgeDocument, FORMAT, LineDocument, OperandDocument, SourceDocument, VERSIONS,
 };
+use super::read::other_version;
 use super::{
-    Action, ActionId, Destination, Edge, Effect, Graph, Input, Line, Operand, Program, ProgramId, Range, Reg, Source,
+    Action, ActionId, Destination, Edge, Effect, Graph, Input, Leaf, Line, Operand, Program, ProgramId, Range, Reg, Source,
     Team, TeamId, name,
 };
 use crate::dataflow::{Cycle, depth_first};
-use crate::error::{InputError, Place, counted, serde_message};
-use std::collections::BTreeMap;
+use crate::error::{InputError, Place, counted};
+use std::collections::{BTreeMap, BTreeSet};
 use tpg_runtime::ops::Instruction;
 
-/// The accepted form, where nothing more specific can be said.
-const SCHEMA: &str = "what `tpg-codegen schema` describes";
 /// Maximum number of registers of a program, as in GEGELATI's line format.
 const MAX_REGISTERS: u32 = 256;
 /// Maximum number of values in a state and of actions: both are numbered in 16 bits.
 pub const MAX_NUMBERED: usize = 1 << 16;
 
 impl Graph {
-    /// Reads `graph.json`.
-    ///
-    /// ```
-    /// use tpg_graph::Graph;
-    ///
-    /// let text = r#"{
-    ///     "format": "tpg-graph", "version": 1, "scalar": "f32", "maths": "own", "registers": 1,
-    ///     "sources": [{ "name": "x", "length": 1, "unit": "mm", "ranges": [[-1, 1]] }],
-    ///     "instructions": ["add"],
-    ///     "actions": [{ "id": 0, "name": "left" }, { "id": 1, "name": "right" }],
-    ///     "root": 0,
-    ///     "teams": [{ "id": 0, "edges": [{ "program": 0, "action": 0 }, { "program": 1, "action": 1 }] }],
-    ///     "programs": [
-    ///         { "id": 0, "lines": [] },
-    ///         { "id": 1, "lines": [{ "to": 0, "op": "add", "args": ["r0", "x[0]"] }] }
-    ///     ]
-    /// }"#;
-    /// let graph = Graph::from_json("small.json", text)?;
-    /// assert_eq!((graph.teams().len(), graph.programs().len()), (1, 2));
-    ///
-    /// let error = Graph::from_json("small.json", &text.replace("x[0]", "y[0]")).expect_err("there is no source y");
-    /// assert_eq!(error.found, "unknown source \"y\"");
-    /// # Ok::<(), tpg_graph::error::InputError>(())
-    /// ```
-    ///
-    /// # Errors
-    /// Any error: by line and column if the text is not JSON, by JSON path if its content is wrong.
-    pub fn from_json(file: &str, text: &str) -> Result<Self, InputError> {
-        let mut deserializer = serde_json::Deserializer::from_str(text);
-        let document: Document = serde_path_to_error::deserialize(&mut deserializer).map_err(|error| {
-            let path = match error.path().to_string().as_str() {
-                "." => "$".to_owned(),
-                path => format!("$.{path}"),
-            };
-            json_error(file, text, path, error.inner())
-        })?;
-        deserializer.end().map_err(|error| not_json(file, &error))?;
-        Self::from_document(file, document)
-    }
-
     /// Validates a document.
     ///
     /// # Errors
@@ -69,44 +29,6 @@ impl Graph {
         Validator { file, document: &document }.graph()
     }
 
-    /// Converts the graph to a document.
-    pub fn to_document(&self) -> Document {
-        let operand = |operand: &Operand| match *operand {
-            Operand::Register(reg) => OperandDocument::Place(format!("r{}", reg.0)),
-            Operand::Input(input) => OperandDocument::Place(self.input_name(input)),
-            Operand::Constant(value) => OperandDocument::Constant(value),
-        };
-        let edge = |edge: &Edge| {
-            let (team, action) = match edge.to {
-                Destination::Team(id) => (Some(self.team(id).label), None),
-                Destination::Action(id) => (None, Some(u32::from(id.0))),
-            };
-            EdgeDocument { program: self.program(edge.program).label, team, action }
-        };
-        let line = |line: &Line| LineDocument {
-            to: u32::from(line.to.0),
-            op: line.instruction.name().to_owned(),
-            args: line.operands.iter().take(line.instruction.arity()).map(operand).collect(),
-        };
-        Document {
-            format: FORMAT.to_owned(),
-            version: VERSION,
-            scalar: self.scalar,
-            maths: self.maths,
-            registers: u32::from(self.registers),
-            sources: self.sources.iter().map(source_document).collect(),
-            instructions: self.instructions.iter().map(|i| i.name().to_owned()).collect(),
-            actions: (0..).zip(&self.actions).map(|(id, action)| action_document(id, action)).collect(),
-            root: self.team(self.root).label,
-            teams: (self.teams.iter())
-                .map(|team| TeamDocument { id: team.label, edges: team.edges.iter().map(edge).collect() })
-                .collect(),
-            programs: (self.programs.iter())
-                .map(|program| ProgramDocument { id: program.label, lines: program.lines.iter().map(line).collect() })
-                .collect(),
-            provenance: self.provenance.clone(),
-        }
-    }
 }
 
 impl Document {
@@ -120,56 +42,6 @@ impl Document {
     }
 }
 
-fn source_document(source: &Source) -> SourceDocument {
-    SourceDocument {
-        name: source.name.clone(),
-        length: source.ranges.len() as u32,
-        unit: source.unit.clone(),
-        ranges: source.ranges.iter().map(|range| [range.min, range.max]).collect(),
-    }
-}
-
-fn action_document(id: u32, action: &Action) -> ActionDocument {
-    ActionDocument { id, name: action.name.clone(), effect: action.effect.clone() }
-}
-
-/// Explains why the text is not a document: by path if it is JSON, otherwise by line and column.
-///
-/// A wrong version is reported first, since other versions may have any fields.
-fn json_error(file: &str, text: &str, path: String, error: &serde_json::Error) -> InputError {
-    #[derive(serde::Deserialize)]
-    struct Header {
-        version: u64,
-    }
-    if let Ok(Header { version }) = serde_json::from_str(text)
-        && version != u64::from(VERSION)
-    {
-        return other_version(file, version);
-    }
-    let message = error.to_string();
-    let (found, accepted) = serde_message(&message);
-    if error.is_data() {
-        return InputError::new(file, Place::Path(path), found, accepted.unwrap_or(SCHEMA));
-    }
-    if message.starts_with("number out of range") {
-        return InputError::new(file, Place::Path(path), found, format!("a magnitude of at most {:e}", f64::MAX));
-    }
-    not_json(file, error)
-}
-
-fn other_version(file: &str, version: u64) -> InputError {
-    let accepted = format!("{VERSION}, the version this tool knows");
-    InputError::new(file, Place::Path("$.version".to_owned()), version.to_string(), accepted)
-}
-
-fn not_json(file: &str, error: &serde_json::Error) -> InputError {
-    let place = Place::Column(error.line(), error.column());
-    let message = error.to_string();
-    let message = message.rsplit_once(" at line ").map_or(message.as_str(), |(message, _)| message);
-    let found = if error.is_eof() { "the file ends here, unfinished" } else { message };
-    InputError::new(file, place, format!("not JSON: {found}"), SCHEMA)
-}
-
 struct Validator<'a> {
     file: &'a str,
     document: &'a Document,
@@ -180,6 +52,7 @@ struct Names<'a> {
     /// First input and length of each source.
     sources: BTreeMap<&'a str, (usize, usize)>,
     teams: BTreeMap<u32, TeamId>,
+    leaves: BTreeMap<u32, ActionId>,
     programs: BTreeMap<u32, ProgramId>,
     instructions: Vec<Instruction>,
 }
@@ -195,12 +68,23 @@ impl Validator<'_> {
             sources: self.sources()?,
             instructions: self.instructions()?,
             teams: self.numbered("teams", self.document.teams.iter().map(|team| team.id), TeamId)?,
+            leaves: self.leaf_ids()?,
             programs: self.numbered("programs", self.document.programs.iter().map(|p| p.id), ProgramId)?,
         };
-        self.actions()?;
-        let teams = self.teams(&names)?;
-        self.one_destination_each(&teams)?;
-        let root = self.root(&names, &teams)?;
+        let outputs = self.outputs()?;
+        if outputs.is_empty() {
+            self.actions()?;
+        }
+        let leaves = self.leaves(&names)?;
+        let is_formula = self.is_formula()?;
+        let (root, teams) = if is_formula {
+            (TeamId(0), vec![Team::leading_to(&leaves[0])])
+        } else {
+            let teams = self.teams(&names)?;
+            (self.root(&names, &teams)?, teams)
+        };
+        self.one_destination_each(&teams, &leaves)?;
+        self.every_leaf_is_reached(&teams)?;
         self.acyclic(&teams)?;
         let programs = self.programs(&names)?;
         Ok(Graph {
@@ -210,7 +94,10 @@ impl Validator<'_> {
             sources: self.document.sources.iter().map(source).collect(),
             instructions: names.instructions,
             actions: self.document.actions.iter().map(action).collect(),
+            outputs,
+            leaves,
             root,
+            is_formula,
             teams,
             programs,
             provenance: self.document.provenance.clone(),
@@ -222,7 +109,7 @@ impl Validator<'_> {
         if format != FORMAT {
             return Err(self.error("$.format", format!("{format:?}"), format!("{FORMAT:?}")));
         }
-        if *version != VERSION {
+        if !VERSIONS.contains(version) {
             return Err(other_version(self.file, u64::from(*version)));
         }
         if !(1..=MAX_REGISTERS).contains(registers) {
@@ -298,9 +185,6 @@ impl Validator<'_> {
                 return Err(self.error(path, format!("{id} a second time"), "an id that no other one of the list has"));
             }
         }
-        if by_id.is_empty() {
-            return Err(self.error(format!("$.{list}"), "an empty list", "at least one"));
-        }
         Ok(by_id)
     }
 
@@ -343,6 +227,9 @@ impl Validator<'_> {
     }
 
     fn teams(&self, names: &Names<'_>) -> Result<Vec<Team>, InputError> {
+        if self.document.teams.is_empty() {
+            return Err(self.error("$.teams", "an empty list", "at least one"));
+        }
         let mut teams = Vec::new();
         for (index, team) in self.document.teams.iter().enumerate() {
             if team.edges.is_empty() {
@@ -362,29 +249,43 @@ impl Validator<'_> {
             let found = format!("program {}, which does not exist", edge.program);
             self.error(format!("{path}.program"), found, "the id of a program")
         })?;
-        let to = match (edge.team, edge.action) {
-            (Some(team), None) => Destination::Team(*names.teams.get(&team).ok_or_else(|| {
+        let (end, last) = if self.document.outputs.is_empty() {
+            ("action", self.document.actions.len() - 1)
+        } else {
+            ("leaf", self.document.leaves.len() - 1)
+        };
+        let accepted = format!("either \"team\" or \"{end}\"");
+        let to = match (edge.team, edge.action, edge.leaf) {
+            (Some(team), None, None) => Destination::Team(*names.teams.get(&team).ok_or_else(|| {
                 let found = format!("team {team}, which does not exist");
                 self.error(format!("{path}.team"), found, "the id of a team")
             })?),
-            (None, Some(action)) if (action as usize) < self.document.actions.len() => {
+            (None, Some(action), None) if end == "action" => {
+                if action as usize > last {
+                    let accepted = format!("0 to {last}");
+                    return Err(self.error(format!("{path}.action"), format!("action {action}"), accepted));
+                }
                 Destination::Action(ActionId(action as u16))
             }
-            (None, Some(action)) => {
-                let accepted = format!("0 to {}", self.document.actions.len() - 1);
-                return Err(self.error(format!("{path}.action"), format!("action {action}"), accepted));
+            (None, None, Some(leaf)) if end == "leaf" => Destination::Action(*names.leaves.get(&leaf).ok_or_else(|| {
+                let found = format!("leaf {leaf}, which does not exist");
+                self.error(format!("{path}.leaf"), found, "the id of a leaf")
+            })?),
+            (None, Some(_), None) => {
+                return Err(self.error(format!("{path}.action"), "an action of a policy with outputs", accepted));
             }
-            (Some(_), Some(_)) => {
-                return Err(self.error(path, "two destinations", "either \"team\" or \"action\""));
+            (None, None, Some(_)) => {
+                return Err(self.error(format!("{path}.leaf"), "a leaf of a policy without outputs", accepted));
             }
-            (None, None) => return Err(self.error(path, "no destination", "either \"team\" or \"action\"")),
+            (None, None, None) => return Err(self.error(path, "no destination", accepted)),
+            _ => return Err(self.error(path, "several destinations", accepted)),
         };
         Ok(Edge { program, to })
     }
 
     /// Checks that each program has one destination. GEGELATI clones a program before it changes the destination, and
     /// `.dot` cannot express anything else.
-    fn one_destination_each(&self, teams: &[Team]) -> Result<(), InputError> {
+    fn one_destination_each(&self, teams: &[Team], leaves: &[Leaf]) -> Result<(), InputError> {
         let mut destination = BTreeMap::new();
         for (index, team) in teams.iter().enumerate() {
             for (place, edge) in team.edges.iter().enumerate() {
@@ -398,7 +299,9 @@ impl Validator<'_> {
                 }
             }
         }
-        let unused = (0u32..).zip(&self.document.programs).find(|(id, _)| !destination.contains_key(&ProgramId(*id)));
+        let computing: BTreeSet<ProgramId> = leaves.iter().flat_map(|leaf| leaf.programs.iter().copied()).collect();
+        let is_used = |id: ProgramId| destination.contains_key(&id) || computing.contains(&id);
+        let unused = (0u32..).zip(&self.document.programs).find(|(id, _)| !is_used(ProgramId(*id)));
         match unused {
             Some((index, program)) => Err(self.error(
                 format!("$.programs[{index}]"),
@@ -412,7 +315,7 @@ impl Validator<'_> {
     /// Checks that the declared root is the only team without incoming edges. Together with [`acyclic`](Self::acyclic)
     /// this makes every team reachable.
     fn root(&self, names: &Names<'_>, teams: &[Team]) -> Result<TeamId, InputError> {
-        let declared = self.document.root;
+        let declared = self.document.root.ok_or_else(|| self.error("$.root", "nothing", "the id of a team"))?;
         let root = *names.teams.get(&declared).ok_or_else(|| {
             self.error("$.root", format!("team {declared}, which does not exist"), "the id of a team")
         })?;

@@ -3,11 +3,14 @@
 //! they are in several functions, which are called one after another.
 
 use super::expression::Printer;
+use super::leaves::{self, LeafView};
 use crate::emit::choice::{self, KeyView, TeamView};
+use crate::emit::interface::OutputView;
 use crate::emit::syntax::Syntax;
-use crate::ir::{Module, Node};
+use crate::ir::{Module, Node, NodeId};
 use crate::passes::functions::Function;
 use askama::Template;
+use std::collections::BTreeSet;
 use tpg_graph::ScalarType;
 
 #[derive(Template)]
@@ -19,9 +22,15 @@ struct ConstantTime<'a> {
     vertex: &'a str,
     /// The bodies of the functions: the choices of their teams.
     functions: Vec<String>,
-    /// The vertices that are actions.
-    actions: Vec<String>,
+    /// The vertices that are actions or leaves.
+    ends: Vec<String>,
     depth: usize,
+    outputs: &'a [OutputView],
+    leaves: Vec<LeafView>,
+    /// The statements of all leaves, where they are not among those of the only function.
+    statements: Vec<String>,
+    assignments: Vec<String>,
+    scalar: &'a str,
 }
 
 /// Some teams, and what they need.
@@ -38,7 +47,16 @@ struct Teams<'a> {
 }
 
 /// Renders the body.
-pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, functions: &[Function], upper: &str) -> String {
+pub(super) fn render(
+    printer: &Printer<'_>,
+    module: &Module<'_>,
+    functions: &[Function],
+    outputs: &[OutputView],
+    upper: &str,
+) -> String {
+    let all: BTreeSet<NodeId> = module.leaves.iter().flat_map(|leaf| &leaf.values).copied().collect();
+    let operations = all.iter().flat_map(|&value| module.operations_of(value)).collect::<BTreeSet<_>>();
+    let known = if let [function] = functions { function.operations.clone() } else { BTreeSet::new() };
     let vertex = &printer.vertex_type(module.vertices());
     let constant_time = ConstantTime {
         prefix: printer.prefix,
@@ -46,8 +64,13 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, functions: &[Fu
         key: key_type(printer),
         vertex,
         functions: functions.iter().map(|function| teams(printer, module, function, vertex)).collect(),
-        actions: (module.teams.len()..module.vertices()).map(|place| format!("{place}U")).collect(),
+        ends: (module.teams.len()..module.vertices()).map(|place| format!("{place}U")).collect(),
         depth: module.depth,
+        outputs,
+        leaves: leaves::views(printer, &module.leaves, outputs, &BTreeSet::new()),
+        statements: operations.difference(&known).map(|&id| printer.statement(id)).collect(),
+        assignments: leaves::assignments(printer, outputs),
+        scalar: printer.scalar(),
     };
     constant_time.render().expect("the template renders")
 }

@@ -101,6 +101,17 @@ impl Printer<'_> {
         }
     }
 
+    /// The literal of a constant node.
+    pub(super) fn literal_of(&self, id: NodeId) -> String {
+        self.nodes[id.index()].as_constant().map_or_else(|| self.value(id), |constant| self.literal(constant))
+    }
+
+    /// Tests whether a value is an input, or an operation has one as an operand.
+    pub(super) fn reads_state<'i>(&self, ids: impl IntoIterator<Item = &'i NodeId>) -> bool {
+        let is_input = |id: &NodeId| matches!(self.nodes[id.index()], Node::Input(_));
+        ids.into_iter().any(|id| is_input(id) || self.nodes[id.index()].operands().iter().any(is_input))
+    }
+
     /// The name of a function of `<math.h>` in the graph's scalar type.
     pub(super) fn of_scalar(&self, name: &str) -> String {
         match self.graph.scalar() {

@@ -22,6 +22,10 @@ struct Helpers<'a> {
     uses_exp: bool,
     /// Compare on integers.
     branch_free: bool,
+    /// Teams choose among bids.
+    decides: bool,
+    /// Numbers are compared as integers.
+    orders: bool,
     compares: bool,
     selects: bool,
     key: &'a str,
@@ -32,6 +36,10 @@ struct Helpers<'a> {
     uses_negate_if_less: bool,
     uses_min: bool,
     uses_max: bool,
+    /// Outputs are limited.
+    clamps: bool,
+    /// Outputs of several leaves are chosen without a branch.
+    picks: bool,
     short_ln: Option<String>,
     short_exp: Option<ShortExp>,
     signed: &'a str,
@@ -46,9 +54,11 @@ struct ShortExp {
     zero_below: String,
 }
 
-/// Renders what `nodes` call.
-pub(super) fn render(printer: &Printer<'_>, branch_free: bool) -> String {
+/// Renders what nodes and the body call.
+pub(super) fn render(printer: &Printer<'_>, branch_free: bool, body: &str) -> String {
     let calls = Calls::of(printer.nodes);
+    let is_called = |name: &str| body.contains(&format!("{}_{name}(", printer.prefix));
+    let compares = calls.any(&[Instruction::NegateIfLess, Instruction::Min, Instruction::Max]);
     let scalar = printer.graph.scalar();
     let provider = printer.graph.maths();
     let uses = |instruction| calls.any(&[instruction]);
@@ -63,8 +73,12 @@ pub(super) fn render(printer: &Printer<'_>, branch_free: bool) -> String {
     };
     let helpers = Helpers {
         branch_free,
-        compares: calls.any(&[Instruction::NegateIfLess, Instruction::Min, Instruction::Max]),
-        selects: calls.any(&[Instruction::Min, Instruction::Max]),
+        decides: is_called("challenge"),
+        clamps: is_called("clamp"),
+        picks: is_called("pick"),
+        orders: compares || is_called("challenge") || is_called("clamp"),
+        compares,
+        selects: is_called("clamp") || is_called("pick") || calls.any(&[Instruction::Min, Instruction::Max]),
         key,
         top,
         sign,

@@ -3,13 +3,15 @@
 mod constant_time;
 mod expression;
 mod fast;
+mod formula;
 mod gegelati;
 mod helpers;
+mod leaves;
 mod own;
 mod small;
 mod walk;
 
-use super::interface::{SourceView, sources};
+use super::interface::{OutputView, SourceView, outputs, sources};
 use super::syntax::Syntax;
 use super::{Backend, File, banner, layout, moves::moves};
 use crate::cost::{Cost, Costs};
@@ -17,7 +19,8 @@ use crate::program::{Program, Shape};
 use askama::Template;
 use expression::Printer;
 use tpg_graph::{Graph, MathsProvider, ScalarType};
-use tpg_graph::{interpret, states};
+use tpg_graph::interpret::{self, Answer};
+use tpg_graph::states;
 
 /// States in the self-test.
 const VECTORS: usize = 16;
@@ -33,6 +36,7 @@ struct Header<'a> {
     scalar: &'a str,
     sources: &'a [SourceView],
     actions: Vec<String>,
+    outputs: &'a [OutputView],
     teams: usize,
     depth: usize,
     worst: Cost<u64>,
@@ -60,12 +64,13 @@ struct Source<'a> {
     body: String,
     sources: &'a [SourceView],
     vectors: Vec<VectorView>,
+    outputs: &'a [OutputView],
     gegelati: bool,
 }
 
 struct VectorView {
     state: String,
-    action: u16,
+    answer: String,
 }
 
 /// C99, which is C++11 too.
@@ -79,19 +84,21 @@ impl Backend for C {
         let upper = program.options.prefix.upper();
         let gegelati = program.shape == Shape::Gegelati;
         let printer = Printer { graph, nodes: &module.nodes, prefix, gegelati, short_cuts: false };
-        let (helpers, body) = match &program.shape {
-            Shape::Gegelati => (helpers::render(&printer, false), gegelati::render(&printer, module, &upper)),
+        let outputs = outputs(&printer, comment);
+        let (printer, body, branch_free) = match &program.shape {
+            Shape::Gegelati => (printer, gegelati::render(&printer, module, &upper), false),
             Shape::Fast { schedule, available } => {
                 let printer = Printer { nodes: &schedule.nodes, short_cuts: true, ..printer };
-                let body = fast::render(&printer, module, schedule, available, &upper);
-                (helpers::render(&printer, false), body)
+                let body = fast::render(&printer, module, schedule, available, &outputs, &upper);
+                (printer, body, false)
             }
-            Shape::Small(code) => (helpers::render(&printer, false), small::render(&printer, code, &upper)),
+            Shape::Small(code) => (printer, small::render(&printer, code, &outputs, &upper), false),
             Shape::ConstantTime(functions) => {
-                let body = constant_time::render(&printer, module, functions, &upper);
-                (helpers::render(&printer, true), body)
+                (printer, constant_time::render(&printer, module, functions, &outputs, &upper), true)
             }
+            Shape::Formula(formula) => (printer, formula::render(&printer, formula, &outputs), formula.branch_free),
         };
+        let helpers = helpers::render(&printer, branch_free, &body);
         let banner = banner::lines(program);
         let sources = sources(graph, comment);
         let header = Header {
@@ -101,6 +108,7 @@ impl Backend for C {
             scalar: printer.scalar(),
             sources: &sources,
             actions: graph.actions().iter().map(|action| comment(&action.name)).collect(),
+            outputs: &outputs,
             teams: module.teams.len(),
             depth: module.depth,
             worst: Costs::of(program).worst(),
@@ -114,11 +122,12 @@ impl Backend for C {
             upper: &upper,
             scalar: printer.scalar(),
             f64: graph.scalar() == ScalarType::F64,
-            needs_string: helpers.contains("memcpy") || body.contains("memcpy"),
+            needs_string: helpers.contains("memcpy") || body.contains("memcpy") || !outputs.is_empty(),
             helpers,
             body,
             sources: &sources,
             vectors: vectors(&printer),
+            outputs: &outputs,
             gegelati,
         };
         let text = |text: askama::Result<String>| layout::tidy(&text.expect("the template renders"));
@@ -155,9 +164,9 @@ fn comment(text: &str) -> String {
 fn vectors(printer: &Printer<'_>) -> Vec<VectorView> {
     let graph = printer.graph;
     let states = states::sample_in_range(graph, VECTORS, VECTOR_SEED);
-    let actions = interpret::actions(graph, &states);
-    (states.chunks_exact(graph.state_length()).zip(actions))
-        .map(|(state, action)| {
+    let answers = interpret::answers(graph, &states);
+    (states.chunks_exact(graph.state_length()).zip(answers))
+        .map(|(state, answer)| {
             let mut values = state.iter();
             let members = graph.sources().iter().map(|source| {
                 let values: Vec<String> =
@@ -165,7 +174,14 @@ fn vectors(printer: &Printer<'_>) -> Vec<VectorView> {
                 format!("{{ {} }}", values.join(", "))
             });
             let state = format!("{{ {} }}", members.collect::<Vec<_>>().join(", "));
-            VectorView { state, action: action.0 }
+            let answer = match answer {
+                Answer::Action(action) => format!("{}U", action.0),
+                Answer::Values(values) => {
+                    let values: Vec<String> = values.iter().map(|&value| printer.literal(value)).collect();
+                    format!("{{ {} }}", values.join(", "))
+                }
+            };
+            VectorView { state, answer }
         })
         .collect()
 }

@@ -5,6 +5,8 @@
 //! 16 bits for up to 64 places.
 
 use super::expression::Printer;
+use super::leaves;
+use crate::emit::interface::OutputView;
 use crate::emit::syntax::Syntax;
 use crate::emit::table::{Table, cases, table};
 use crate::passes::bytecode::Bytecode;
@@ -32,10 +34,14 @@ struct Small<'a> {
     /// Some operation reads a second operand.
     two_operands: bool,
     cases: Vec<(u32, String)>,
+    outputs: &'a [OutputView],
+    leaves: Table,
+    /// The assignment of each output, by its place in a leaf.
+    assignments: Vec<String>,
 }
 
 /// Renders the body.
-pub(super) fn render(printer: &Printer<'_>, code: &Bytecode, upper: &str) -> String {
+pub(super) fn render(printer: &Printer<'_>, code: &Bytecode, outputs: &[OutputView], upper: &str) -> String {
     let graph = printer.graph;
     let f64 = graph.scalar() == tpg_graph::ScalarType::F64;
     let table = |values: &[u64]| table(printer, values, |width| if width.bits() == 64 { "ULL" } else { "U" });
@@ -58,6 +64,15 @@ pub(super) fn render(printer: &Printer<'_>, code: &Bytecode, upper: &str) -> Str
         operand_mask: (1 << code.operand_bits) - 1,
         two_operands: code.used.iter().flatten().any(|instruction| instruction.arity() == 2),
         cases: cases(printer, code),
+        outputs,
+        leaves: table(&code.leaves),
+        assignments: outputs.iter().map(|output| assignment(printer, output)).collect(),
     };
     small.render().expect("the template renders")
+}
+
+fn assignment(printer: &Printer<'_>, output: &OutputView) -> String {
+    let program = format!("programs[{}]", output.place);
+    let value = format!("{}_run(frame, {program})", printer.prefix);
+    format!("action->{} = {};", output.name, leaves::limited(printer, output, &value))
 }

@@ -4,13 +4,15 @@
 //! many teams, they are in several functions, each of which returns what its teams decide.
 
 use super::Parts;
-use super::expression::Printer;
+use super::{expression::Printer, leaves};
+use crate::emit::interface::OutputView;
 use crate::emit::choice::{self, KeyView, TeamView};
 use crate::emit::layout;
 use crate::emit::syntax::Syntax;
-use crate::ir::{Module, NodeId};
+use crate::ir::{Module, NodeId, reached};
 use crate::passes::functions::Function;
 use askama::Template;
+use std::collections::BTreeSet;
 use std::ops::Range;
 use tpg_graph::ScalarType;
 use tpg_runtime::ops::constant_time as ct;
@@ -20,13 +22,13 @@ use tpg_runtime::ops::constant_time as ct;
 #[template(path = "rust/constant_time.rs", escape = "none")]
 struct Whole<'a> {
     decided: &'a str,
-    teams: usize,
     /// The names of the teams' choices, then the actions, padded to a power of two by numbers that all differ: many zeros
     /// would become a call of `memset`.
     next: Vec<String>,
     size: usize,
     vertex: &'a str,
     depth: usize,
+    answer: &'a str,
 }
 
 /// The functions' results, a row each.
@@ -35,9 +37,9 @@ struct Whole<'a> {
 struct Rows<'a> {
     rows: Vec<String>,
     row: usize,
-    teams: usize,
     vertex: &'a str,
     depth: usize,
+    answer: &'a str,
 }
 
 /// The functions.
@@ -69,20 +71,26 @@ struct Teams<'a> {
 }
 
 /// Renders the profile.
-pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, functions: &[Function]) -> Parts {
+pub(super) fn render(
+    printer: &Printer<'_>,
+    module: &Module<'_>,
+    functions: &[Function],
+    outputs: &[OutputView],
+) -> Parts {
     let (teams, vertices) = (module.teams.len(), module.vertices());
     let (vertex, depth) = (&*printer.vertex_type(vertices), module.depth);
+    let answer = &*answer(printer, module, functions, outputs);
     if let [function] = functions {
         let size = vertices.next_power_of_two();
         let decided = decided(printer, module, function, vertex);
-        let whole = Whole { decided: &decided, teams, next: next(0..size, teams), size, vertex, depth };
+        let whole = Whole { decided: &decided, next: next(0..size, teams), size, vertex, depth, answer };
         return Parts { body: whole.render().expect("the template renders"), items: String::new() };
     }
     let row = functions[0].teams.len();
     let count = vertices.div_ceil(row).next_power_of_two();
     let calls = (0..functions.len()).map(|number| format!("teams_{number}(s)"));
     let rows = calls.chain((functions.len()..count).map(|number| format!("themselves({})", number * row))).collect();
-    let rows = Rows { rows, row, teams, vertex, depth };
+    let rows = Rows { rows, row, vertex, depth, answer };
     let function = |function: &Function| FunctionView {
         // A function is a level further out than a method.
         decided: decided(printer, module, function, vertex).replace("        ", "    "),
@@ -98,6 +106,34 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, functions: &[Fu
     };
     let [body, items] = [rows.render(), items.render()].map(|text| text.expect("the template renders"));
     Parts { body, items }
+}
+
+/// The statements that turn the vertex of the walk's end into the answer.
+fn answer(printer: &Printer<'_>, module: &Module<'_>, functions: &[Function], outputs: &[OutputView]) -> String {
+    let teams = module.teams.len();
+    if outputs.is_empty() {
+        return format!("ActionId(vertex.wrapping_sub({teams}) as u16)");
+    }
+    let mut known = if let [function] = functions { function.operations.clone() } else { BTreeSet::new() };
+    let mut lines = Vec::new();
+    if functions.len() > 1 {
+        lines.push(leaves::masks(printer));
+    }
+    lines.push(format!("let leaf = (vertex as u32).wrapping_sub({teams});"));
+    lines.push("// Every leaf's values, and the choice among them.".to_owned());
+    for (place, (number, leaf)) in reached(&module.leaves).enumerate() {
+        lines.extend(leaves::statements(printer, &leaf.values, &known));
+        known.extend(leaf.values.iter().flat_map(|&value| module.operations_of(value)));
+        for (output, &value) in outputs.iter().zip(&leaf.values) {
+            let (variable, value) = (output.variable(), printer.value(value));
+            lines.push(match place {
+                0 => format!("let {variable} = {value};"),
+                _ => format!("let {variable} = ct.if_equal(leaf, {number}, {value}, {variable});"),
+            });
+        }
+    }
+    lines.push(leaves::limited(printer, outputs));
+    lines.join("\n        ")
 }
 
 /// The successors of vertices: a team's is its choice; any other vertex is its own.

@@ -86,6 +86,11 @@ impl Printer<'_> {
         format!("let v{} = {};", id.0, self.operation(id))
     }
 
+    /// A value limited to an output's range.
+    pub(super) fn clamp(&self, value: &str, limits: &str) -> String {
+        format!("{}clamp({value}, {limits})", if self.branch_free { "ct." } else { "ops::" })
+    }
+
     /// Tests whether `ct` implements the graph's maths.
     fn masked_maths(&self) -> bool {
         self.branch_free && self.graph.maths() == MathsProvider::Own && self.graph.scalar() == ScalarType::F32

@@ -8,7 +8,9 @@
 //! where x is NaN. Where what is best is no constant, it does not.
 
 use super::expression::Printer;
+use super::leaves::{self, LeafView};
 use super::{Parts, helpers};
+use crate::emit::interface::OutputView;
 use crate::emit::reuse::Reuse;
 use crate::emit::syntax::Syntax;
 use crate::emit::{layout, questions};
@@ -27,6 +29,9 @@ struct Fast<'a> {
     scalar: &'a str,
     state_length: usize,
     many: bool,
+    /// The type of an answer.
+    answer: String,
+    leaves: Vec<LeafView>,
     teams: Vec<TeamView>,
     helpers: String,
 }
@@ -65,12 +70,26 @@ struct BidView {
 }
 
 /// Renders the profile.
-pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, schedule: &Schedule) -> Parts {
+pub(super) fn render(
+    printer: &Printer<'_>,
+    module: &Module<'_>,
+    schedule: &Schedule,
+    outputs: &[OutputView],
+) -> Parts {
     let teams: Vec<TeamView> =
         schedule.plans.iter().map(|plan| TeamPrinter::new(printer, module, plan).view()).collect();
-    let body = format!("        ActionId(team_{}(s))", schedule.plans[0].label);
+    let scalar = printer.graph.scalar().name();
+    let root = format!("team_{}(s)", schedule.plans[0].label);
+    let (body, answer) = if outputs.is_empty() {
+        (format!("        ActionId({root})"), "u16".to_owned())
+    } else {
+        let (variables, limited) = (leaves::variables(outputs), leaves::limited(printer, outputs));
+        (format!("        let {variables} = {root};\n        {limited}"), format!("[{scalar}; {}]", outputs.len()))
+    };
     let fast = Fast {
-        scalar: printer.graph.scalar().name(),
+        scalar,
+        answer,
+        leaves: leaves::views(printer, &schedule.leaves),
         state_length: printer.graph.state_length(),
         many: teams.len() > MANY,
         teams,
@@ -135,6 +154,9 @@ impl<'a> TeamPrinter<'a> {
     fn way(&self, target: Target) -> String {
         match target {
             Target::Team(team) => format!("team_{}(s)", self.module.teams[team].label),
+            Target::Action(leaf) if !self.module.leaves.is_empty() => {
+                format!("leaf_{}(s)", self.module.leaves[usize::from(leaf.0)].label)
+            }
             Target::Action(action) => action.0.to_string(),
         }
     }

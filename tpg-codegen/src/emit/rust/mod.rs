@@ -4,9 +4,10 @@ mod constant_time;
 mod expression;
 mod fast;
 mod helpers;
+mod leaves;
 mod small;
 
-use super::interface::{SourceView, sources};
+use super::interface::{OutputView, SourceView, outputs, sources};
 use super::{Backend, File, banner, layout, moves::moves};
 use crate::cost::{Cost, Costs};
 use crate::program::{Program, Shape};
@@ -26,6 +27,7 @@ struct Policy<'a> {
     state_length: usize,
     sources: Vec<SourceView>,
     actions: Vec<String>,
+    outputs: &'a [OutputView],
     arm: Option<ArmView>,
     depth: usize,
     worst: Cost<u64>,
@@ -56,16 +58,22 @@ impl Backend for Rust {
     fn files(&self, program: &Program<'_>) -> Vec<File> {
         let (graph, module, prefix) = (program.graph(), &program.module, &program.options.prefix);
         let printer = Printer { graph, nodes: &module.nodes, short_cuts: false, branch_free: false };
+        let outputs = outputs(&printer, one_line);
         let (title, parts) = match &program.shape {
             Shape::Fast { schedule, .. } => {
                 let printer = Printer { nodes: &schedule.nodes, short_cuts: true, ..printer };
-                ("expensive bids are computed only where they can win", fast::render(&printer, module, schedule))
+                ("expensive bids are computed only where they can win", fast::render(&printer, module, schedule, &outputs))
             }
-            Shape::Small(code) => ("tables and one small evaluator", small::render(&printer, module, code)),
+            Shape::Small(code) => ("tables and one small evaluator", small::render(&printer, module, code, &outputs)),
             Shape::ConstantTime(functions) => {
                 let printer = Printer { branch_free: true, ..printer };
-                let parts = constant_time::render(&printer, module, functions);
+                let parts = constant_time::render(&printer, module, functions, &outputs);
                 ("branch-free, the same time for every state", parts)
+            }
+            Shape::Formula(formula) => {
+                let printer = Printer { branch_free: formula.branch_free, ..printer };
+                let body = leaves::formula(&printer, formula, &outputs);
+                ("a formula", Parts { body, items: String::new() })
             }
             Shape::Gegelati => unreachable!("GEGELATI's style is C's alone"),
         };
@@ -78,6 +86,7 @@ impl Backend for Rust {
             state_length: graph.state_length(),
             sources: sources(graph, one_line),
             actions: graph.actions().iter().map(|action| one_line(&action.name)).collect(),
+            outputs: &outputs,
             arm: arm_view(graph),
             depth: module.depth,
             worst: Costs::of(program).worst(),

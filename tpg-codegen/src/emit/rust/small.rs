@@ -1,7 +1,8 @@
 //! The profile `small`: the policy as tables, and one small evaluator.
 
 use super::Parts;
-use super::expression::Printer;
+use super::{expression::Printer, leaves};
+use crate::emit::interface::OutputView;
 use crate::emit::layout;
 use crate::emit::syntax::Syntax;
 use crate::emit::table::{Table, cases, table};
@@ -33,10 +34,12 @@ struct Body<'a> {
     frame: usize,
     constants: bool,
     teams: usize,
+    outputs: &'a [OutputView],
+    limited: String,
 }
 
 /// Renders the profile.
-pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, code: &Bytecode) -> Parts {
+pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, code: &Bytecode, outputs: &[OutputView]) -> Parts {
     let zero = printer.literal(0.0);
     let body = Body {
         scalar: printer.scalar(),
@@ -44,19 +47,24 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, code: &Bytecode
         frame: code.frame,
         constants: !code.constants.is_empty(),
         teams: module.teams.len(),
+        outputs,
+        limited: leaves::limited(printer, outputs),
     };
     let table = |values: &[u64]| table(printer, values, |_| "");
+    let tables = vec![
+        ("CODE", "Instructions: from the highest bits, an operation and two places.", table(&code.code)),
+        ("PROGRAMS", "Where each program begins, and where the last ends.", table(&code.programs)),
+        ("BIDDERS", "The program of each edge.", table(&code.bidders)),
+        ("TARGETS", "Where each edge leads: teams from 0, the root; the actions follow.", table(&code.targets)),
+        ("TEAMS", "Where each team's edges begin, and where the last team's end.", table(&code.teams)),
+    ];
     let small = Small {
         scalar: printer.scalar(),
         zero,
         wide: if code.operand_bits * 2 + 4 > 32 { "u64" } else { "u32" },
-        tables: vec![
-            ("CODE", "Instructions: from the highest bits, an operation and two places.", table(&code.code)),
-            ("PROGRAMS", "Where each program begins, and where the last ends.", table(&code.programs)),
-            ("BIDDERS", "The program of each edge.", table(&code.bidders)),
-            ("TARGETS", "Where each edge leads: teams from 0, the root; the actions follow.", table(&code.targets)),
-            ("TEAMS", "Where each team's edges begin, and where the last team's end.", table(&code.teams)),
-        ],
+        tables: tables.into_iter().chain((!outputs.is_empty()).then(|| {
+            ("LEAVES", "The program of each output of each leaf.", table(&code.leaves))
+        })).collect(),
         constants: code.constants.iter().map(|&constant| printer.literal(constant)).collect(),
         first_result: code.first_result,
         frame: code.frame,

@@ -26,7 +26,7 @@ pub(super) fn document(file: &str, statements: &[Located], sidecar: &Sidecar) ->
         provenance.tool = Some(tool.to_owned());
         provenance.version = Some(version.to_owned());
     }
-    Ok((Document { root, teams, programs, provenance, ..resolver.document.clone() }, lines))
+    Ok((Document { root: Some(root), teams, programs, provenance, ..resolver.document.clone() }, lines))
 }
 
 /// Destination of a program.
@@ -100,7 +100,7 @@ impl Resolver<'_> {
                 Destination::Team(team) => (Some(team), None),
                 Destination::Action(action) => (None, Some(action)),
             };
-            teams[place].edges.push(EdgeDocument { program, team, action });
+            teams[place].edges.push(EdgeDocument { program, team, action, leaf: None });
             lines.teams[place].edges.push(*line);
         }
         Ok(teams)

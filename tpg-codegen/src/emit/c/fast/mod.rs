@@ -14,6 +14,8 @@ mod team;
 mod view;
 
 use super::expression::Printer;
+use super::leaves::{self, LeafView};
+use crate::emit::interface::OutputView;
 use crate::emit::layout;
 use crate::emit::syntax::Syntax;
 use crate::ir::{Module, NodeId};
@@ -36,6 +38,12 @@ struct Fast<'a> {
     /// For teams with bids that may lead without having been computed.
     late: Vec<LateTeamView>,
     functions: Vec<FunctionView>,
+    outputs: &'a [OutputView],
+    /// The leaves, where the only function computes them: its walks jump there.
+    leaves: Vec<LeafView>,
+    assignments: Vec<String>,
+    /// The entry point over several functions that decide on a leaf.
+    entry: String,
 }
 
 /// Renders the body.
@@ -44,6 +52,7 @@ pub(super) fn render(
     module: &Module<'_>,
     schedule: &Schedule,
     available: &Available,
+    outputs: &[OutputView],
     upper: &str,
 ) -> String {
     let order = available.order();
@@ -72,8 +81,22 @@ pub(super) fn render(
         let shared = span.shared.iter().map(|&id| printer.value(id)).collect();
         FunctionView { shared, entries, teams, end: span.end, reads_state }
     });
-    let functions = functions.collect();
+    let mut functions: Vec<FunctionView> = functions.collect();
+    let (mut leaves, mut entry) = (Vec::new(), String::new());
+    match &mut functions[..] {
+        [whole] if !outputs.is_empty() => {
+            let shared = order.iter().flat_map(|&team| available.read(team)).copied().collect();
+            leaves = leaves::views(printer, &schedule.leaves, outputs, &shared);
+            whole.reads_state |= leaves.iter().any(|leaf| leaf.reads_state);
+        }
+        _ if !outputs.is_empty() => entry = leaves::render(printer, &schedule.leaves, outputs),
+        _ => {}
+    }
     let fast = Fast {
+        outputs,
+        leaves,
+        assignments: leaves::assignments(printer, outputs),
+        entry,
         prefix: printer.prefix,
         upper,
         scalar: printer.scalar(),

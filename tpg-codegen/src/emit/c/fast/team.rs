@@ -94,6 +94,9 @@ impl<'a> TeamPrinter<'a> {
                 (None, format!("team_{}", self.module.teams[team].label))
             }
             Target::Team(team) => (Some(places[team]), "decided".to_owned()),
+            Target::Action(leaf) if whole && !self.module.leaves.is_empty() => {
+                (None, format!("leaf_{}", self.module.leaves[usize::from(leaf.0)].label))
+            }
             Target::Action(action) => {
                 let before = if whole { 0 } else { places.len() };
                 (Some(before + usize::from(action.0)), "decided".to_owned())

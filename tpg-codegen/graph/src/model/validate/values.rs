@@ -1,0 +1,135 @@
+//! Outputs and leaves: the part of a document that makes a policy answer with values.
+
+use super::super::{Edge, Leaf, Output, ProgramId, Range, Team};
+use super::{MAX_NUMBERED, Names, Validator, name};
+use crate::error::{InputError, counted};
+use crate::model::{ActionId, Destination, OutputDocument};
+use std::collections::{BTreeMap, BTreeSet};
+
+impl Validator<'_> {
+    pub(super) fn outputs(&self) -> Result<Vec<Output>, InputError> {
+        let document = self.document;
+        if document.outputs.is_empty() {
+            return Ok(Vec::new());
+        }
+        let found = || counted(document.outputs.len(), "output");
+        if document.version < 2 {
+            return Err(self.error("$.outputs", found(), "none in version 1: a policy with outputs is version 2"));
+        }
+        if !document.actions.is_empty() {
+            let found = format!("{} beside {}", counted(document.actions.len(), "action"), found());
+            return Err(self.error("$.actions", found, "either \"actions\" or \"outputs\""));
+        }
+        if document.outputs.len() > MAX_NUMBERED {
+            return Err(self.error("$.outputs", found(), format!("1 to {MAX_NUMBERED}")));
+        }
+        let mut names = BTreeSet::new();
+        (document.outputs.iter().enumerate())
+            .map(|(index, output)| {
+                let path = format!("$.outputs[{index}]");
+                let output = self.output(&path, output)?;
+                if names.insert(output.name.clone()) {
+                    return Ok(output);
+                }
+                let found = format!("{:?} a second time", output.name);
+                Err(self.error(format!("{path}.name"), found, "a name that no other output has"))
+            })
+            .collect()
+    }
+
+    fn output(&self, path: &str, output: &OutputDocument) -> Result<Output, InputError> {
+        let OutputDocument { name, unit, min, max, nan } = output;
+        if !name::is_source(name) {
+            return Err(self.error(format!("{path}.name"), format!("{name:?}"), name::SOURCE));
+        }
+        if !name::is_text(unit) {
+            return Err(self.error(format!("{path}.unit"), format!("{unit:?}"), name::TEXT));
+        }
+        let scalar = self.document.scalar;
+        let exact = |value: &f64| value.is_finite() && scalar.round(*value) == *value;
+        if !(min <= max && exact(min) && exact(max)) {
+            let accepted = format!("min not above max, both finite and exact in {}", scalar.name());
+            return Err(self.error(path, format!("min {min} and max {max}"), accepted));
+        }
+        if !((min..=max).contains(&nan) && exact(nan)) {
+            let accepted = format!("a number from {min} to {max}, exact in {}", scalar.name());
+            return Err(self.error(format!("{path}.nan"), nan.to_string(), accepted));
+        }
+        Ok(Output { name: name.clone(), unit: unit.clone(), range: Range { min: *min, max: *max }, nan: *nan })
+    }
+
+    pub(super) fn leaf_ids(&self) -> Result<BTreeMap<u32, ActionId>, InputError> {
+        let count = self.document.leaves.len();
+        if count > MAX_NUMBERED {
+            return Err(self.error("$.leaves", format!("{count} leaves"), format!("1 to {MAX_NUMBERED}")));
+        }
+        self.numbered("leaves", self.document.leaves.iter().map(|leaf| leaf.id), |index| ActionId(index as u16))
+    }
+
+    pub(super) fn leaves(&self, names: &Names<'_>) -> Result<Vec<Leaf>, InputError> {
+        let (leaves, outputs) = (&self.document.leaves, self.document.outputs.len());
+        match (outputs, leaves.len()) {
+            (0, 0) => return Ok(Vec::new()),
+            (0, count) => {
+                let found = format!("{count} leaves of a policy without outputs");
+                return Err(self.error("$.leaves", found, "\"outputs\" beside them"));
+            }
+            (_, 0) => return Err(self.error("$.leaves", "an empty list", "at least one leaf: there are outputs")),
+            _ => {}
+        }
+        (leaves.iter().enumerate())
+            .map(|(index, leaf)| {
+                let path = format!("$.leaves[{index}].programs");
+                if leaf.programs.len() != outputs {
+                    let found = counted(leaf.programs.len(), "program");
+                    return Err(self.error(path, found, format!("{outputs}, one for each output")));
+                }
+                let program = |(place, id): (usize, &u32)| -> Result<ProgramId, InputError> {
+                    names.programs.get(id).copied().ok_or_else(|| {
+                        let found = format!("program {id}, which does not exist");
+                        self.error(format!("{path}[{place}]"), found, "the id of a program")
+                    })
+                };
+                let programs = leaf.programs.iter().enumerate().map(program).collect::<Result<_, _>>()?;
+                Ok(Leaf { label: leaf.id, programs })
+            })
+            .collect()
+    }
+
+    pub(super) fn every_leaf_is_reached(&self, teams: &[Team]) -> Result<(), InputError> {
+        let ends = teams.iter().flat_map(|team| &team.edges).map(|edge| edge.to);
+        let reached: BTreeSet<Destination> = ends.collect();
+        let is_reached = |index: usize| reached.contains(&Destination::Action(ActionId(index as u16)));
+        match self.document.leaves.iter().enumerate().find(|&(index, _)| !is_reached(index)) {
+            Some((index, leaf)) => {
+                let found = format!("leaf {}, which no edge leads to", leaf.id);
+                Err(self.error(format!("$.leaves[{index}]"), found, "leaves that some edge leads to"))
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Tests for a leaf without a team, where nothing needs to be decided.
+    pub(super) fn is_formula(&self) -> Result<bool, InputError> {
+        let document = self.document;
+        if document.outputs.is_empty() || !document.teams.is_empty() {
+            return Ok(false);
+        }
+        if document.leaves.len() > 1 {
+            let found = format!("no team to choose among {} leaves", document.leaves.len());
+            return Err(self.error("$.teams", found, "at least one team, or a single leaf"));
+        }
+        match document.root {
+            Some(root) => Err(self.error("$.root", format!("team {root}, but there are no teams"), "no root")),
+            None => Ok(true),
+        }
+    }
+}
+
+impl Team {
+    /// Makes the team that stands for a leaf without a team: its only edge leads there, so its bid does not matter.
+    pub(super) fn leading_to(leaf: &Leaf) -> Self {
+        let edge = Edge { program: leaf.programs[0], to: Destination::Action(ActionId(0)) };
+        Self { label: 0, edges: vec![edge] }
+    }
+}

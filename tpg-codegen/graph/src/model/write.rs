@@ -1,0 +1,77 @@
+//! Conversion of a graph to the document that `graph.json` holds.
+
+use super::document::{
+    ActionDocument, Document, EdgeDocument, FORMAT, LeafDocument, LineDocument, OperandDocument, OutputDocument,
+    ProgramDocument, SourceDocument, TeamDocument,
+};
+use super::{Action, Destination, Edge, Graph, Line, Operand, Output, Source};
+
+impl Graph {
+    /// Converts the graph to a document.
+    pub fn to_document(&self) -> Document {
+        let operand = |operand: &Operand| match *operand {
+            Operand::Register(reg) => OperandDocument::Place(format!("r{}", reg.0)),
+            Operand::Input(input) => OperandDocument::Place(self.input_name(input)),
+            Operand::Constant(value) => OperandDocument::Constant(value),
+        };
+        let edge = |edge: &Edge| {
+            let mut document = EdgeDocument { program: self.program(edge.program).label, ..EdgeDocument::default() };
+            match edge.to {
+                Destination::Team(id) => document.team = Some(self.team(id).label),
+                Destination::Action(id) => match self.leaves.get(usize::from(id.0)) {
+                    Some(leaf) => document.leaf = Some(leaf.label),
+                    None => document.action = Some(u32::from(id.0)),
+                },
+            }
+            document
+        };
+        let line = |line: &Line| LineDocument {
+            to: u32::from(line.to.0),
+            op: line.instruction.name().to_owned(),
+            args: line.operands.iter().take(line.instruction.arity()).map(operand).collect(),
+        };
+        Document {
+            format: FORMAT.to_owned(),
+            version: if self.outputs.is_empty() { 1 } else { 2 },
+            scalar: self.scalar,
+            maths: self.maths,
+            registers: u32::from(self.registers),
+            sources: self.sources.iter().map(source_document).collect(),
+            instructions: self.instructions.iter().map(|i| i.name().to_owned()).collect(),
+            actions: (0..).zip(&self.actions).map(|(id, action)| action_document(id, action)).collect(),
+            outputs: self.outputs.iter().map(output_document).collect(),
+            root: (!self.is_formula).then(|| self.team(self.root).label),
+            teams: (self.teams.iter().filter(|_| !self.is_formula))
+                .map(|team| TeamDocument { id: team.label, edges: team.edges.iter().map(edge).collect() })
+                .collect(),
+            leaves: (self.leaves.iter())
+                .map(|leaf| LeafDocument {
+                    id: leaf.label,
+                    programs: leaf.programs.iter().map(|&program| self.program(program).label).collect(),
+                })
+                .collect(),
+            programs: (self.programs.iter())
+                .map(|program| ProgramDocument { id: program.label, lines: program.lines.iter().map(line).collect() })
+                .collect(),
+            provenance: self.provenance.clone(),
+        }
+    }
+}
+
+fn source_document(source: &Source) -> SourceDocument {
+    SourceDocument {
+        name: source.name.clone(),
+        length: source.ranges.len() as u32,
+        unit: source.unit.clone(),
+        ranges: source.ranges.iter().map(|range| [range.min, range.max]).collect(),
+    }
+}
+
+fn action_document(id: u32, action: &Action) -> ActionDocument {
+    ActionDocument { id, name: action.name.clone(), effect: action.effect.clone() }
+}
+
+fn output_document(output: &Output) -> OutputDocument {
+    let Output { name, unit, range, nan } = output;
+    OutputDocument { name: name.clone(), unit: unit.clone(), min: range.min, max: range.max, nan: *nan }
+}

@@ -1,0 +1,29 @@
+
+void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_action_t *action)
+{
+{%- for variable in variables %}
+    {{ scalar }} {{ variable }};
+{%- endfor %}
+
+    switch ({{ prefix }}_leaf(state)) {
+{%- for leaf in leaves %}
+{%- if loop.last %}
+    default:
+{%- else %}
+    case {{ leaf.number }}U:
+{%- endif %}
+        { /* leaf {{ leaf.label }} */
+{%- for statement in leaf.statements %}
+            {{ statement }}
+{%- endfor %}
+{% for (variable, value) in leaf.values %}
+            {{ variable }} = {{ value }};
+{%- endfor %}
+            break;
+        }
+{%- endfor %}
+    }
+{%- for assignment in assignments %}
+    {{ assignment }}
+{%- endfor %}
+}
