@@ -43,7 +43,7 @@ fn stretched(teams: u32, actions: u32) -> Graph {
         (action.id, action.name) = (id, format!("action {id} "));
         action
     }));
-    let root = document.root;
+    let root = document.root.expect("a root");
     for new in 0..teams {
         let mut team = document.teams[0].clone();
         team.id = 1000 + new;
@@ -53,7 +53,7 @@ fn stretched(teams: u32, actions: u32) -> Graph {
         team.edges[0].program = team.id;
         team.edges[0].action = None;
         team.edges[0].team = Some(if new == 0 { root } else { team.id - 1 });
-        document.root = team.id;
+        document.root = Some(team.id);
         document.teams.push(team);
     }
     Graph::from_document("stretched", document).expect("a valid graph")

@@ -54,13 +54,71 @@ const JSON: &str = r#"{
 }
 "#;
 
+const OUTPUTS: &str = r#"{
+  "format": "tpg-graph", "version": 2, "scalar": "f32", "maths": "own", "registers": 4,
+  "sources": [{"name":"angle","length":2,"unit":"rad","ranges":[[-1.0,1.0],[-8.0,8.0]]}],
+  "instructions": ["add","cos"],
+  "outputs": [
+    {"name":"torque","unit":"N*m","min":-2.0,"max":2.0,"nan":0.0},
+    {"name":"brake","unit":"1","min":0.0,"max":1.0,"nan":1.0}
+  ],
+  "root": 7,
+  "teams": [{"id":7,"edges":[{"program":1,"leaf":4},{"program":2,"leaf":5}]}],
+  "leaves": [{"id":4,"programs":[2,3]},{"id":5,"programs":[3,3]}],
+  "programs": [
+    {"id":1,"lines":[{"to":0,"op":"add","args":["r0","angle[0]"]}]},
+    {"id":2,"lines":[]},
+    {"id":3,"lines":[{"to":0,"op":"cos","args":["angle[1]"]}]}
+  ]
+}
+"#;
+
+#[test]
+fn outputs_and_leaves() {
+    let leaves = r#"  "leaves": [{"id":4,"programs":[2,3]},{"id":5,"programs":[3,3]}],
+"#;
+    let teams = r#"  "root": 7,
+  "teams": [{"id":7,"edges":[{"program":1,"leaf":4},{"program":2,"leaf":5}]}],
+"#;
+    let cases: &[Case<'_>] = &[
+        ("outputs in version 1", &[("\"version\": 2", "\"version\": 1")]),
+        ("an unknown version", &[("\"version\": 2", "\"version\": 3")]),
+        ("actions and outputs", &[("\"root\": 7,", "\"actions\": [{\"id\":0,\"name\":\"left\"}], \"root\": 7,")]),
+        ("a name of no field", &[("\"torque\"", "\"Torque\"")]),
+        ("a macro of the C library", &[("\"torque\"", "\"math_errhandling\"")]),
+        ("the same name twice", &[("\"brake\"", "\"torque\"")]),
+        ("a unit that ends a comment", &[("N*m", "N*/m")]),
+        ("no bound", &[("\"min\":-2.0,", "")]),
+        ("ends in the wrong order", &[("\"max\":2.0", "\"max\":-3.0")]),
+        ("an end that f32 does not have", &[("\"max\":2.0", "\"max\":2.1")]),
+        ("a value for NaN outside the range", &[("\"nan\":0.0", "\"nan\":2.5")]),
+        ("no leaves", &[(leaves, "")]),
+        ("leaves without outputs", &[("\"outputs\": [", "\"actions\": [{\"id\":0,\"name\":\"left\"}],\n  \"outputs\": ["),
+            ("{\"name\":\"torque\",\"unit\":\"N*m\",\"min\":-2.0,\"max\":2.0,\"nan\":0.0},", ""),
+            ("{\"name\":\"brake\",\"unit\":\"1\",\"min\":0.0,\"max\":1.0,\"nan\":1.0}", "")]),
+        ("too few programs", &[("\"programs\":[2,3]", "\"programs\":[2]")]),
+        ("a program that does not exist", &[("\"programs\":[2,3]", "\"programs\":[2,9]")]),
+        ("two leaves of one id", &[("{\"id\":5,\"programs\"", "{\"id\":4,\"programs\"")]),
+        ("a leaf that does not exist", &[("\"leaf\":5", "\"leaf\":6")]),
+        ("a leaf that no edge leads to", &[("\"leaf\":5", "\"leaf\":4")]),
+        ("an action of a policy with outputs", &[("\"leaf\":5", "\"action\":0")]),
+        ("two destinations", &[("\"leaf\":5", "\"leaf\":5,\"team\":7")]),
+        ("no destination", &[(",\"leaf\":5", "")]),
+        ("no team to choose a leaf", &[(teams, "")]),
+        ("a root without teams", &[(teams, "  \"root\": 7,\n"), (",{\"id\":5,\"programs\":[3,3]}", "")]),
+        ("no root", &[("\"root\": 7,", "")]),
+        ("a program that nothing uses", &[("\"programs\":[2,3]", "\"programs\":[2,2]"), ("[3,3]", "[2,2]")]),
+    ];
+    insta::assert_snapshot!(messages(OUTPUTS, cases, |text| Graph::from_json("x.json", text)));
+}
+
 #[test]
 fn json() {
     let cases: &[Case<'_>] = &[
         ("not JSON", &[("\"root\": 7,", "\"root\": seven,")]),
         ("truncated", &[("{\"id\":2,\"lines\":[]},\n    {\"id\":3,\"lines\":[]}\n  ]\n}\n", "{\"id\":2,\"li")]),
         ("something after the end", &[("  ]\n}\n", "  ]\n}\n{}\n")]),
-        ("another version", &[("\"version\": 1", "\"version\": 2")]),
+        ("another version", &[("\"version\": 1", "\"version\": 3")]),
         ("another version with other fields", &[("\"version\": 1", "\"version\": 2, \"memory\": []")]),
         ("another format", &[("tpg-graph", "tpg-tree")]),
         ("an unknown field", &[("\"root\": 7", "\"rot\": 7")]),

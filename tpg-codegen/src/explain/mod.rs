@@ -2,14 +2,14 @@
 
 mod formula;
 
-use crate::ir::{Module, Target};
+use crate::ir::{Module, Target, reached};
 use crate::options::{Language, Options, Profile, Style};
 use crate::passes::Log;
 use crate::program::{Program, Shape, compile};
 use formula::Formulas;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::{self, Write as _};
-use tpg_graph::Graph;
+use tpg_graph::{Graph, Output};
 use tpg_graph::dataflow;
 use tpg_runtime::ops::Instruction;
 
@@ -46,15 +46,21 @@ impl<'a> Explanation<'a> {
         self.introns(out)?;
         self.removed(out)?;
         self.guards(out)?;
-        self.teams(out)
+        if !matches!(self.program.shape, Shape::Formula(_)) {
+            self.teams(out)?;
+        }
+        self.leaves(out)
     }
 
     /// Reachability, introns, value numbering and folding.
     fn introns(&self, out: &mut String) -> fmt::Result {
-        let reached: BTreeSet<u32> = self.lowered.bidders.iter().map(|bidder| bidder.label).collect();
+        let computing = self.graph.leaves().iter().flat_map(|leaf| &leaf.programs);
+        let reached: BTreeSet<u32> = (self.lowered.bidders.iter().map(|bidder| bidder.label))
+            .chain(computing.map(|&program| self.graph.program(program).label))
+            .collect();
         let programs = self.graph.programs().iter();
         let (reached, unused): (Vec<_>, Vec<_>) = programs.partition(|program| reached.contains(&program.label));
-        section(out, "reachability", unused.len(), "programs that bid in no team")?;
+        section(out, "reachability", unused.len(), "programs that no walk runs")?;
         list(out, "programs", unused.iter().map(|program| program.label.to_string()))?;
 
         let mut lines = 0;
@@ -70,13 +76,13 @@ impl<'a> Explanation<'a> {
                 affected.push(format!("{} ({} of {all})", program.label, all - count));
             }
         }
-        section(out, "introns", lines - effective, &format!("of {lines} lines, that no bid depends on"))?;
+        section(out, "introns", lines - effective, &format!("of {lines} lines, that no result depends on"))?;
         list(out, "programs", affected.into_iter())?;
         let distinct = self.lowered.nodes.iter().filter(|node| node.is_computed()).count();
         let merged = effective - distinct;
         section(out, "value numbering", merged, &format!("of {effective} lines compute what another one does"))?;
         let what =
-            format!("of {distinct} operations are constant, equal to an operand, or of use to no bid that is left");
+            format!("of {distinct} operations are constant, equal to an operand, or of use to no result that is left");
         section(out, "folding", self.program.log.operations, &what)
     }
 
@@ -115,10 +121,7 @@ impl<'a> Explanation<'a> {
     fn teams(&self, out: &mut String) -> fmt::Result {
         writeln!(out, "\nWhat the teams compute\n")?;
         writeln!(out, "The highest bid wins, of equal bids the last; a NaN is the lowest.")?;
-        let negates = |i: &Instruction| *i == Instruction::NegateIfLess;
-        if self.graph.instructions().iter().any(negates) {
-            writeln!(out, "negate_if_less(a, b) is -a where a < b, else a.")?;
-        }
+        self.words(out)?;
         for (index, team) in self.program.module.teams.iter().enumerate() {
             writeln!(out, "\nteam {}{}", team.label, if index == 0 { ", the root" } else { "" })?;
             let bids: Vec<_> = team.edges.iter().map(|edge| self.program.module.bidders[edge.bidder].value).collect();
@@ -129,9 +132,7 @@ impl<'a> Explanation<'a> {
             for (edge, &bid) in team.edges.iter().zip(&bids) {
                 let to = match edge.to {
                     Target::Team(team) => format!("team {}", self.program.module.teams[team].label),
-                    Target::Action(action) => {
-                        format!("action {} {}", action.0, self.graph.actions()[usize::from(action.0)].name)
-                    }
+                    Target::Action(end) => self.graph.end_name(end),
                 };
                 writeln!(
                     out,
@@ -139,6 +140,41 @@ impl<'a> Explanation<'a> {
                     self.program.module.bidders[edge.bidder].label,
                     formulas.of(bid)
                 )?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Explanation<'_> {
+    /// The meaning of words that do not explain themselves.
+    fn words(&self, out: &mut String) -> fmt::Result {
+        let negates = |i: &Instruction| *i == Instruction::NegateIfLess;
+        if self.graph.instructions().iter().any(negates) {
+            writeln!(out, "negate_if_less(a, b) is -a where a < b, else a.")?;
+        }
+        Ok(())
+    }
+
+    /// The outputs of each leaf as formulas.
+    fn leaves(&self, out: &mut String) -> fmt::Result {
+        let outputs = self.graph.outputs();
+        if outputs.is_empty() {
+            return Ok(());
+        }
+        writeln!(out, "\nWhat the leaves compute\n")?;
+        for Output { name, unit, range, nan } in outputs {
+            writeln!(out, "{name} is limited to {range} {unit}; {nan} takes the place of NaN.")?;
+        }
+        self.words(out)?;
+        for (_, leaf) in reached(&self.program.module.leaves) {
+            writeln!(out, "\nleaf {}", leaf.label)?;
+            let formulas = Formulas::new(&self.program.module, &leaf.values);
+            for (name, formula) in formulas.shared() {
+                writeln!(out, "    {name} = {formula}")?;
+            }
+            for (output, &value) in outputs.iter().zip(&leaf.values) {
+                writeln!(out, "  {} = {}", output.name, formulas.of(value))?;
             }
         }
         Ok(())

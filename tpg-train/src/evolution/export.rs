@@ -7,7 +7,7 @@ use tpg_graph::dataflow::effective;
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::{
     Document, EdgeDocument, FORMAT, Graph, LineDocument, MathsProvider, OperandDocument, ProgramDocument, Provenance,
-    ScalarType, SourceDocument, TeamDocument, VERSION,
+    ScalarType, SourceDocument, TeamDocument,
 };
 use tpg_runtime::ops::Instruction;
 
@@ -44,7 +44,7 @@ pub fn graph(
                 programs.push(ProgramDocument { id, lines: lines(policy, edge.program, &names) });
                 id
             });
-            EdgeDocument { program, team: to_team, action: to_action }
+            EdgeDocument { program, team: to_team, action: to_action, leaf: None }
         });
         teams.push(TeamDocument { id, edges: edges.collect() });
     }
@@ -55,17 +55,18 @@ pub fn graph(
     let sources = sources.into_iter().map(|source| exact(source, vocabulary.scalar())).collect();
     let document = Document {
         format: FORMAT.to_owned(),
-        version: VERSION,
+        version: 1,
         scalar: vocabulary.scalar(),
         maths: MathsProvider::Own,
         registers: u32::from(policy.registers),
         sources,
         instructions: instructions.iter().map(|i| i.name().to_owned()).collect(),
         actions,
-        root: 0,
+        root: Some(0),
         teams,
         programs,
         provenance,
+        ..Document::default()
     };
     Graph::from_document("<evolved graph>", document)
 }
