@@ -44,9 +44,12 @@ pub fn convert(
 ) -> Result<(Graph, Conversion), InputError> {
     let maths = if scalar == ScalarType::F32 { MathsProvider::Own } else { graph.maths() };
     let converted = Graph::from_document(file, Document { scalar, maths, ..graph.to_document() })?;
-    let pairs = interpret::actions(graph, &set.states).into_iter().zip(interpret::actions(&converted, &set.states));
-    let equal = pairs.filter(|(before, after)| before == after).count();
-    let agreement = Agreement { states: set.states.len() / graph.state_length(), equal, origin: set.origin.clone() };
+    let mut equal = 0;
+    set.each_batch(|states| {
+        let pairs = interpret::actions(graph, states).into_iter().zip(interpret::actions(&converted, states));
+        equal += pairs.filter(|(before, after)| before == after).count();
+    });
+    let agreement = Agreement { states: set.count(), equal, origin: set.origin.clone() };
     let conversion = Conversion { from: graph.scalar(), maths: graph.maths(), sha256: graph.sha256(), agreement };
     Ok((converted, conversion))
 }
