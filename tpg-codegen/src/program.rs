@@ -99,7 +99,7 @@ pub fn compile<'g>(graph: &'g Graph, options: &Options, language: Language) -> P
     }
     let profile = if language == Language::C && !chooses { Profile::Fast } else { options.profile_in(language) };
     let shape = match profile {
-        Profile::Fast => fast(&module, language, options.recorded()),
+        Profile::Fast => fast(&module, language, &options.recorded()),
         Profile::Small => Shape::Small(bytecode::encode(&module)),
         Profile::ConstantTime => Shape::ConstantTime(functions::of(&module)),
     };

@@ -45,7 +45,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
     for name in &names {
         if Path::new(name).is_dir() {
-            let (config, state) = checkpoint::open(&Path::new(name).join("checkpoint.json"))?;
+            let (config, state) = checkpoint::open(Path::new(name))?;
             let title = format!("{name}, generation {}", state.generation);
             match config.language.scalar {
                 ScalarType::F32 => population(&title, &config, state, extent)?,
@@ -77,6 +77,9 @@ fn population(
         return Err("only runs on the arm".into());
     };
     let environment = arm.environment::<f32>(start);
+    if state.generation > 0 {
+        state.check(config, &environment)?;
+    }
     let learning = &config.learning;
     let vocabulary = config.vocabulary(&environment, state.scales.clone());
     let mutator = ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };

@@ -3,8 +3,18 @@
 use std::fs;
 use std::path::Path;
 use tpg_graph::error::InputError;
-use tpg_graph::output::UNFINISHED;
-pub use tpg_graph::output::write_atomically;
+use tpg_graph::output::{self, remove_unfinished};
+
+/// Writes one file whole or not at all, and removes what killed programs left beside it.
+///
+/// # Errors
+/// If the file cannot be written. Nothing has changed in that case.
+pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), InputError> {
+    if let Some(folder) = path.parent() {
+        remove_unfinished(if folder.as_os_str().is_empty() { Path::new(".") } else { folder });
+    }
+    output::write_atomically(path, bytes)
+}
 
 /// Creates a folder and its parents.
 ///
@@ -12,16 +22,6 @@ pub use tpg_graph::output::write_atomically;
 /// If the folder cannot be created.
 pub fn make_folder(folder: &Path) -> Result<(), InputError> {
     fs::create_dir_all(folder).map_err(|error| InputError::io(folder, &error, "a folder that can be created"))
-}
-
-/// Removes unfinished files that a killed program left in its folder. Files that cannot be removed stay, which is
-/// harmless.
-pub fn remove_unfinished(folder: &Path) {
-    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
-        if entry.file_name().to_string_lossy().starts_with(UNFINISHED) {
-            let _ = fs::remove_file(entry.path());
-        }
-    }
 }
 
 /// Reads a text file.

@@ -14,16 +14,21 @@
 //! | [`hybrid`] | a graph and an actor that share the arm: settings and study |
 //! | [`interrupt`] | Ctrl-C |
 //! | [`picture`] | SVG, plots and the HTML page that contains them |
-//! | [`files`] | atomic file writes |
+//! | [`configuration`] | the configuration and problem that a run's arguments ask for |
+//! | [`csv_text`], [`files`] | CSV, atomic file writes |
+//! | [`folder`] | a run's folder: lock, checkpoints |
 //! | [`problems`] | `tpg-train problems` |
 //! | [`progress`], [`run_args`] | the progress bar and the arguments of every run |
 //! | [`report`] | runs in one HTML file |
 
 pub mod actor;
 pub mod cli;
+pub mod configuration;
+pub mod csv_text;
 pub mod evaluate;
 pub mod evolution;
 pub mod files;
+pub mod folder;
 pub mod hybrid;
 pub mod interrupt;
 pub mod picture;

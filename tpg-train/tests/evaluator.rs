@@ -80,7 +80,7 @@ fn train<V: Evaluator<ArmTask>>(folder: &Path, environment: &ArmEnvironment<f32>
     let end = run(&config(), 7, environment, evaluator, &options, |_| ControlFlow::Continue(()));
     assert!(matches!(end, Ok(RunEnd::Finished(_))), "{end:?}");
     let read = |name| fs::read(folder.join(name)).expect("a run leaves it");
-    ["graph.json", "generations.csv", "generations.jsonl", "checkpoint.json"].map(read).to_vec()
+    ["graph.json", "generations.csv", "generations.jsonl", "checkpoint"].map(read).to_vec()
 }
 
 #[test]
@@ -130,5 +130,5 @@ fn a_lost_machine_is_an_error_and_the_run_can_be_resumed() {
     assert!(error.contains("connection lost"), "{error}");
     assert!(matches!(go(), Ok(RunEnd::Finished(_))));
     let read = |name| fs::read(options.folder.join(name)).expect("a run leaves it");
-    assert!(["graph.json", "generations.csv", "generations.jsonl", "checkpoint.json"].map(read).to_vec() == expected);
+    assert!(["graph.json", "generations.csv", "generations.jsonl", "checkpoint"].map(read).to_vec() == expected);
 }

@@ -45,7 +45,7 @@ fn refusal(mut command: Command) -> String {
 
 /// Returns all results except the times.
 fn results(folder: &Path) -> Vec<(String, Vec<u8>)> {
-    ["graph.json", "generations.csv", "generations.jsonl", "checkpoint.json", "config.toml"]
+    ["graph.json", "generations.csv", "generations.jsonl", "checkpoint", "config.toml"]
         .map(|name| (name.to_owned(), fs::read(folder.join(name)).unwrap_or_else(|_| panic!("{name} is missing"))))
         .to_vec()
 }
@@ -129,6 +129,14 @@ fn a_run_can_go_further_than_it_was_asked_before() {
     assert_eq!(rows().lines().count(), 6, "a header and five generations");
 }
 
+/// Returns the state in a checkpoint: one line of JSON before the checksum.
+fn state(folder: &Path) -> serde_json::Value {
+    let checkpoint = fs::read_to_string(folder.join("checkpoint")).expect("a checkpoint");
+    let mut content: serde_json::Value =
+        serde_json::from_str(checkpoint.lines().next().expect("a line")).expect("JSON");
+    content["state"].take()
+}
+
 #[test]
 fn a_target_and_a_number_of_steps_end_a_run_early() {
     let place = tempfile::tempdir().expect("a temporary folder");
@@ -139,8 +147,7 @@ fn a_target_and_a_number_of_steps_end_a_run_early() {
         assert!(command.stderr(Stdio::null()).status().expect("it runs").success());
         let rows = fs::read_to_string(folder.join("generations.csv")).expect("the log").lines().count();
         assert!(rows < 60, "{goal}: {rows} rows of 101");
-        let checkpoint = fs::read_to_string(folder.join("checkpoint.json")).expect("a checkpoint");
-        let state = &serde_json::from_str::<serde_json::Value>(&checkpoint).expect("JSON")["state"];
+        let state = state(&folder);
         let number = |key: &str| state[key].as_u64().expect("a count");
         assert!(goal == "--target" || number("steps") >= 200_000, "{} steps", number("steps"));
     }
@@ -154,8 +161,7 @@ fn selection_takes_no_more_than_a_tenth_of_the_episodes() {
         let mut command = Command::new(env!("CARGO_BIN_EXE_tpg-train"));
         command.args(["tpg", "--problem", "pendulum", "--preset", preset, "--generations", "30", "--out"]).arg(&folder);
         assert!(command.stderr(Stdio::null()).status().expect("it runs").success());
-        let checkpoint = fs::read_to_string(folder.join("checkpoint.json")).expect("a checkpoint");
-        let state = &serde_json::from_str::<serde_json::Value>(&checkpoint).expect("JSON")["state"];
+        let state = state(&folder);
         let number = |key: &str| state[key].as_u64().expect("a count");
         let (training, selection) = (number("training_episodes"), number("selection_episodes"));
         assert!(10 * selection <= training + selection && selection > 0, "{preset}: {selection} beside {training}");
@@ -255,7 +261,8 @@ fn ctrl_c_leaves_a_checkpoint_that_ends_in_the_same_bytes() {
         assert_eq!(code, Some(130), "{stderr}");
         assert!(stderr.contains("--resume"), "{stderr}");
         let rows = fs::read_to_string(folder.join("generations.csv")).expect("the log").lines().count();
-        assert!((2..26).contains(&rows), "a header and some generations, not {rows} rows");
+        // The signal may come before the first generation ends.
+        assert!((1..26).contains(&rows), "a header and some generations, not {rows} rows");
         assert!(train(&folder, &config, &["--resume"]).status().expect("it runs").success());
         assert!(results(&folder) == results(&undisturbed), "{name}: other bytes");
     }
@@ -281,7 +288,7 @@ fn restarts_keep_the_best_and_go_on_where_they_stopped() {
 
     let arguments = ["--seeds", "1..4", "--checkpoint-seconds", "0", "--resume"];
     let mut run = train(&stopped, &config, &arguments).spawn().expect("it starts");
-    wait_for(&stopped.join("seed-2/checkpoint.json"));
+    wait_for(&stopped.join("seed-2/checkpoint"));
     run.kill().expect("it can be killed");
     run.wait().expect("it ends");
     assert!(train(&stopped, &config, &arguments).status().expect("it runs").success());
@@ -316,14 +323,14 @@ fn a_full_disk_is_an_error_and_keeps_the_last_good_checkpoint() {
     fs::write(&config, small_config().to_toml()).expect("it can be written");
     assert!(train(&undisturbed, &config, &[]).status().expect("it runs").success());
 
-    stopped(&folder, &config, &["--checkpoint-seconds", "0", "--lanes", "1"], "checkpoint.json", "KILL");
-    let checkpoint = fs::read(folder.join("checkpoint.json")).expect("a checkpoint");
+    stopped(&folder, &config, &["--checkpoint-seconds", "0", "--lanes", "1"], "checkpoint", "KILL");
+    let checkpoint = fs::read(folder.join("checkpoint")).expect("a checkpoint");
     let blocks = fs::metadata(folder.join("config.toml")).expect("a configuration").len() / 512 + 1;
     assert!((checkpoint.len() as u64) > 512 * blocks, "the checkpoint is what does not fit");
 
     let error = refusal(train_on_a_full_disk(&folder, &config, blocks));
-    assert!(error.contains("checkpoint.json") && error.contains("space"), "{error}");
-    assert!(fs::read(folder.join("checkpoint.json")).expect("a checkpoint") == checkpoint, "it is as it was");
+    assert!(error.contains("checkpoint") && error.contains("space"), "{error}");
+    assert!(fs::read(folder.join("checkpoint")).expect("a checkpoint") == checkpoint, "it is as it was");
     let left: Vec<_> = fs::read_dir(&folder).expect("a folder").map(|e| e.expect("an entry").file_name()).collect();
     assert!(left.iter().all(|name| !name.to_string_lossy().starts_with('.')), "no half file is left: {left:?}");
     assert!(train(&folder, &config, &["--resume"]).status().expect("it runs").success());

@@ -47,7 +47,7 @@ fn train(folder: &Path, more: &[&str]) -> std::process::Command {
 
 /// Everything but the times.
 fn results(folder: &Path) -> Vec<Vec<u8>> {
-    ["policy.safetensors", "log.csv", "log.jsonl", "checkpoint.safetensors", "config.toml"]
+    ["policy.safetensors", "log.csv", "log.jsonl", "checkpoint", "config.toml"]
         .map(|name| fs::read(folder.join(name)).unwrap_or_else(|_| panic!("{name} is missing")))
         .to_vec()
 }
@@ -66,9 +66,50 @@ fn killed_and_resumed_a_run_ends_in_the_same_bytes() {
         run.kill().expect("it can be killed");
         run.wait().expect("it ends");
     }
-    assert!(killed.join("checkpoint.safetensors").exists(), "it was never saved before it was killed");
+    assert!(killed.join("checkpoint").exists(), "it was never saved before it was killed");
     assert!(train(&killed, &["--resume"]).status().expect("it runs").success());
     assert!(results(&killed) == results(&undisturbed), "other bytes");
+}
+
+#[test]
+fn no_output_depends_on_how_the_configuration_is_called() {
+    let place = tempfile::tempdir().expect("a temporary folder");
+    let text = presets::find("general").expect("a preset").text;
+    fs::create_dir(place.path().join("other")).expect("it can be made");
+    ["mine.toml", "other/same.toml"].iter().for_each(|name| {
+        fs::write(place.path().join(name), text).expect("it can be written");
+    });
+    let run = |config: &str, folder: &str| {
+        let mut command = tpg_train();
+        command.current_dir(place.path()).args(["sac", "--problem", "pendulum", "--max-steps", "1500"]);
+        command.args(["--config", config, "--out", folder]).assert().success();
+        results(&place.path().join(folder))
+    };
+    let expected = run("mine.toml", "a");
+    assert!(run("./mine.toml", "b") == expected && run("other/same.toml", "c") == expected, "other bytes");
+}
+
+#[test]
+fn neither_trainer_overwrites_a_run_of_the_other() {
+    let place = tempfile::tempdir().expect("a temporary folder");
+    let run = |trainer: &str, folder: &str, more: &[&str]| {
+        let mut command = tpg_train();
+        command.current_dir(place.path()).args([trainer, "--problem", "pendulum", "--max-steps", "1"]);
+        if trainer == "tpg" {
+            command.args(["--preset", "general", "--generations", "1"]);
+        }
+        let output = command.args(["--out", folder]).args(more).output().expect("it starts");
+        (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+    };
+    for (first, second) in [("tpg", "sac"), ("sac", "tpg")] {
+        assert_eq!(run(first, first, &[]).0, Some(0));
+        let before = fs::read(place.path().join(first).join("checkpoint")).expect("a checkpoint");
+        let (code, error) = run(second, first, &[]);
+        assert!(code == Some(2) && error.contains("a run; accepted: an empty folder"), "{error}");
+        let (code, error) = run(second, first, &["--resume"]);
+        assert!(code == Some(2) && error.contains(&format!("a run of tpg-train {first}")), "{error}");
+        assert!(fs::read(place.path().join(first).join("checkpoint")).is_ok_and(|left| left == before));
+    }
 }
 
 #[test]

@@ -3,6 +3,7 @@
 mod check;
 mod setup;
 mod summary;
+mod torture;
 
 use clap::{Parser, Subcommand};
 use std::path::PathBuf;
@@ -47,6 +48,8 @@ enum Task {
     Lint,
     /// The worst case of compiled code for a Cortex-M: instructions and stack
     Wcet(cortex_bound::cli::WcetArgs),
+    /// Kill, stop and starve training runs at random moments: in the end they have the bytes of an undisturbed run
+    Torture(torture::TortureArgs),
 }
 
 fn main() -> ExitCode {
@@ -59,6 +62,7 @@ fn main() -> ExitCode {
         Task::Size => check::harness(&["size"]),
         Task::Lint => check::lint(),
         Task::Wcet(arguments) => arguments.run(),
+        Task::Torture(arguments) => arguments.run(),
     };
     if good { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }

@@ -50,13 +50,13 @@ pub fn convert(
 ) -> Result<(Graph, Conversion), InputError> {
     let maths = if scalar == ScalarType::F32 { MathsProvider::Own } else { graph.maths() };
     let converted = Graph::from_document(file, Document { scalar, maths, ..graph.to_document() })?;
-    let pairs = interpret::answers(graph, &set.states).into_iter().zip(interpret::answers(&converted, &set.states));
-    let mut agreement = Agreement { states: 0, equal: 0, tolerance: None, origin: set.origin.clone() };
-    agreement.tolerance = (!graph.outputs().is_empty()).then_some(TOLERANCE);
-    for (before, after) in pairs {
-        agreement.states += 1;
-        agreement.equal += usize::from(agree(graph, &before, &after));
-    }
+    let mut equal = 0;
+    set.each_batch(|states| {
+        let pairs = interpret::answers(graph, states).into_iter().zip(interpret::answers(&converted, states));
+        equal += pairs.filter(|(before, after)| agree(graph, before, after)).count();
+    });
+    let tolerance = (!graph.outputs().is_empty()).then_some(TOLERANCE);
+    let agreement = Agreement { states: set.count(), equal, tolerance, origin: set.origin.clone() };
     let conversion = Conversion { from: graph.scalar(), maths: graph.maths(), sha256: graph.sha256(), agreement };
     Ok((converted, conversion))
 }

@@ -47,6 +47,23 @@ pub fn write_all<P: AsRef<Path>, B: AsRef<[u8]>>(files: &[(P, B)]) -> Result<(),
     Ok(())
 }
 
+/// Writes one file as [`write_atomically`] does and keeps the file that it replaces under the name `previous`, in the
+/// same folder.
+///
+/// At every moment one of the two names holds a whole file: the new one is complete before any is renamed.
+///
+/// # Errors
+/// As [`write_atomically`]; nothing has changed in that case, unless the folder disappeared between the last write and
+/// the renaming.
+pub fn write_keeping_previous(path: &Path, previous: &Path, bytes: &[u8]) -> Result<(), InputError> {
+    let pending = Pending::write(path, bytes).map_err(|error| refused(path, &error))?;
+    match fs::rename(path, previous) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(refused(previous, &error)),
+        _ => {}
+    }
+    pending.appear().map_err(|(path, error)| refused(&path, &error))
+}
+
 /// Creates a folder and writes a set of files into it as [`write_all`] does. If that fails, the created folders are
 /// removed again.
 ///
@@ -118,15 +135,32 @@ fn folder_of(path: &Path) -> &Path {
 }
 
 /// Prefix of unfinished files. A program that was killed leaves them behind.
-pub const UNFINISHED: &str = ".tpg-";
+const UNFINISHED: &str = ".tpg-unfinished-";
 
-/// Creates a temporary file with the permissions of ordinary new files; by default only the owner could read it.
+/// Removes the unfinished files that killed programs left in a folder. Files of programs that still write them stay:
+/// they are locked. Files that cannot be removed stay, too, which is harmless.
+pub fn remove_unfinished(folder: &Path) {
+    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+        if entry.file_name().to_string_lossy().starts_with(UNFINISHED) {
+            let abandoned = File::open(entry.path()).is_ok_and(|file| file.try_lock().is_ok());
+            if abandoned {
+                let _ = fs::remove_file(entry.path());
+            }
+        }
+    }
+}
+
+/// Creates a temporary file with the permissions of ordinary new files; by default only the owner could read it. It is
+/// locked as long as it is open, so that [`remove_unfinished`] knows it from one that was abandoned.
 fn temporary_in(folder: &Path) -> io::Result<NamedTempFile> {
     let mut builder = Builder::new();
     builder.prefix(UNFINISHED);
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    builder.tempfile_in(folder)
+    let file = builder.tempfile_in(folder)?;
+    // On a file system without locks the file is only unprotected for the moment of its writing.
+    let _ = file.as_file().try_lock();
+    Ok(file)
 }
 
 #[cfg(test)]
@@ -178,6 +212,30 @@ mod tests {
         fs::write(folder.path().join("plain"), "").expect("written");
         let error = write_folder(&folder.path().join("plain/b"), &[(new.join("x"), "")]).expect_err("refused");
         assert!(error.file.ends_with("plain/b"), "{error}");
+    }
+
+    #[test]
+    fn the_replaced_file_is_kept() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let [file, previous] = ["file", "previous"].map(|name| folder.path().join(name));
+        let read = |path: &Path| fs::read_to_string(path).ok();
+        for (text, before) in [("one", None), ("two", Some("one")), ("three", Some("two"))] {
+            write_keeping_previous(&file, &previous, text.as_bytes()).expect("written");
+            assert_eq!((read(&file).as_deref(), read(&previous).as_deref()), (Some(text), before));
+        }
+        write_keeping_previous(&folder.path().join("missing/file"), &previous, b"text").expect_err("refused");
+        assert_eq!(read(&previous).as_deref(), Some("two"), "a refused write renames nothing");
+    }
+
+    #[test]
+    fn only_abandoned_files_are_removed() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let held = temporary_in(folder.path()).expect("written");
+        let held_name = held.path().file_name().expect("a name").to_string_lossy().into_owned();
+        fs::write(folder.path().join(format!("{UNFINISHED}AbCdEf")), "half").expect("written");
+        fs::write(folder.path().join("file"), "whole").expect("written");
+        remove_unfinished(folder.path());
+        assert_eq!(names(folder.path()), [held_name, "file".to_owned()]);
     }
 
     #[cfg(target_os = "linux")]

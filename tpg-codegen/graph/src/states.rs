@@ -4,11 +4,12 @@
 //! infinities, denormals, arbitrary bits. Implementations must agree on every one.
 
 use crate::error::InputError;
-use crate::model::{Graph, Range};
+use crate::model::{Graph, Range, ScalarType};
 use crate::trace;
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use sha2::{Digest, Sha256};
+use std::borrow::Cow;
 use std::path::Path;
 
 /// Samples flat states, concatenated, each of [`Graph::state_length`] values that are exact in the graph's scalar type.
@@ -25,12 +26,12 @@ pub fn sample(graph: &Graph, count: usize, seed: u64) -> Vec<f64> {
 
 /// Samples flat states inside the declared ranges, as used by the embedded self-test.
 pub fn sample_in_range(graph: &Graph, count: usize, seed: u64) -> Vec<f64> {
-    let mut random = ChaCha8Rng::seed_from_u64(seed);
-    let ranges: Vec<Range> = graph.state_ranges().collect();
-    (0..count * ranges.len())
-        .map(|place| Kind::InRange.value(ranges[place % ranges.len()], &mut random))
-        .map(|value| graph.scalar().round(value))
-        .collect()
+    Sampled { ranges: graph.state_ranges().collect(), scalar: graph.scalar(), count, seed }.values().collect()
+}
+
+/// Number of states of that length to hold at a time, at most `most`: 64 MiB of values, and at least one state.
+pub fn batch(state_length: usize, most: usize) -> usize {
+    ((8 << 20) / state_length.max(1)).clamp(1, most.max(1))
 }
 
 /// Distribution of the values of one state.
@@ -96,20 +97,61 @@ impl Kind {
     }
 }
 
-/// States for a measurement, and their origin.
+/// States for a measurement, and their origin. Sampled states are drawn anew each time, so that many states of many values
+/// take no memory.
+///
+/// ```
+/// use tpg_graph::sample::{self, Shape};
+/// use tpg_graph::states::{self, StateSet};
+///
+/// let graph = sample::graph(&Shape::default(), 7);
+/// let set = StateSet::sampled(&graph, 100, 1);
+/// let mut count = 0;
+/// set.each_batch(|states| count += states.len() / graph.state_length());
+/// assert_eq!((count, set.count()), (100, 100));
+/// assert_eq!(set.all(), states::sample_in_range(&graph, 100, 1));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct StateSet {
-    /// Flat states, concatenated.
-    pub states: Vec<f64>,
+    source: Source,
+    state_length: usize,
     /// Origin of the states, for human readers, without a path or a time.
     pub origin: String,
 }
+
+#[derive(Clone, Debug, PartialEq)]
+enum Source {
+    Recorded(Vec<f64>),
+    Sampled(Sampled),
+}
+
+/// States drawn inside ranges.
+#[derive(Clone, Debug, PartialEq)]
+struct Sampled {
+    ranges: Vec<Range>,
+    scalar: ScalarType,
+    count: usize,
+    seed: u64,
+}
+
+impl Sampled {
+    /// Returns the values of all states, one after another.
+    fn values(&self) -> impl Iterator<Item = f64> + '_ {
+        let mut random = ChaCha8Rng::seed_from_u64(self.seed);
+        let ranges = (0..self.count).flat_map(|_| &self.ranges);
+        ranges.map(move |range| self.scalar.round(Kind::InRange.value(*range, &mut random)))
+    }
+}
+
+/// Number of states that [`StateSet::each_batch`] holds at a time, unless they are long.
+const BATCH: usize = 8192;
 
 impl StateSet {
     /// Samples states inside the declared ranges.
     pub fn sampled(graph: &Graph, count: usize, seed: u64) -> Self {
         let origin = format!("{count} states sampled uniformly in the declared ranges, seed {seed}");
-        Self { states: sample_in_range(graph, count, seed), origin }
+        let sampled = Sampled { ranges: graph.state_ranges().collect(), scalar: graph.scalar(), count, seed };
+        Self { source: Source::Sampled(sampled), state_length: graph.state_length(), origin }
     }
 
     /// Reads recorded states: see [`trace`].
@@ -120,6 +162,43 @@ impl StateSet {
         let (states, text) = trace::load(path, graph)?;
         let count = states.len() / graph.state_length();
         let hash = Sha256::digest(text).iter().take(8).fold(String::new(), |hex, byte| format!("{hex}{byte:02x}"));
-        Ok(Self { states, origin: format!("{count} recorded states, SHA-256 {hash}...") })
+        let origin = format!("{count} recorded states, SHA-256 {hash}...");
+        Ok(Self { source: Source::Recorded(states), state_length: graph.state_length(), origin })
+    }
+
+    /// Returns the number of states.
+    pub fn count(&self) -> usize {
+        match &self.source {
+            Source::Recorded(states) => states.len() / self.state_length,
+            Source::Sampled(sampled) => sampled.count,
+        }
+    }
+
+    /// Returns all flat states, concatenated.
+    pub fn all(&self) -> Cow<'_, [f64]> {
+        match &self.source {
+            Source::Recorded(states) => Cow::Borrowed(states),
+            Source::Sampled(sampled) => sampled.values().collect::<Vec<_>>().into(),
+        }
+    }
+
+    /// Calls `use_batch` with some flat states after others, concatenated, until it has had all.
+    pub fn each_batch(&self, mut use_batch: impl FnMut(&[f64])) {
+        let length = batch(self.state_length, BATCH) * self.state_length;
+        match &self.source {
+            Source::Recorded(states) => states.chunks(length).for_each(use_batch),
+            Source::Sampled(sampled) => {
+                let mut values = sampled.values();
+                let mut states = Vec::new();
+                loop {
+                    states.clear();
+                    states.extend(values.by_ref().take(length));
+                    if states.is_empty() {
+                        break;
+                    }
+                    use_batch(&states);
+                }
+            }
+        }
     }
 }

@@ -6,6 +6,7 @@ use crate::passes::arithmetic::Arithmetic;
 use crate::passes::evaluate::evaluate;
 use crate::passes::schedule::Sparing;
 use tpg_graph::in_arithmetic_of;
+use tpg_graph::states::StateSet;
 use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
@@ -16,17 +17,34 @@ impl Costs<'_> {
     /// # Panics
     /// If the states' length is no multiple of [`Graph::state_length`](tpg_graph::Graph::state_length).
     pub fn mean(&self, states: &[f64]) -> Cost<f64> {
-        self.count(states).0
+        let (total, actions) = self.count(states);
+        divided(total, actions.len())
     }
 
-    /// The mean, and the action of every state: tests check by the actions that the right steps were counted.
-    pub(super) fn count(&self, states: &[f64]) -> (Cost<f64>, Vec<ActionId>) {
+    /// The mean cost of a decision over a set of states; 0 without states.
+    ///
+    /// # Panics
+    /// If the set is of another graph.
+    pub fn mean_over(&self, set: &StateSet) -> Cost<f64> {
+        let mut total = Cost::<u64>::default();
+        set.each_batch(|states| {
+            let Cost { teams, bids, operations, maths_calls } = self.count(states).0;
+            total.teams += teams;
+            total.bids += bids;
+            total.operations += operations;
+            total.maths_calls += maths_calls;
+        });
+        divided(total, set.count())
+    }
+
+    /// The sum, and the action of every state: tests check by the actions that the right steps were counted.
+    pub(super) fn count(&self, states: &[f64]) -> (Cost<u64>, Vec<ActionId>) {
         let graph = self.module.graph;
         assert_eq!(states.len() % graph.state_length(), 0, "whole states");
         in_arithmetic_of!(graph, self.count_in(states))
     }
 
-    fn count_in<S: Scalar, M: Maths<S>>(&self, states: &[f64]) -> (Cost<f64>, Vec<ActionId>) {
+    fn count_in<S: Scalar, M: Maths<S>>(&self, states: &[f64]) -> (Cost<u64>, Vec<ActionId>) {
         let graph = self.module.graph;
         let arithmetic = Arithmetic::of(graph);
         let lowest = -S::from_f64(arithmetic.greatest());
@@ -37,12 +55,8 @@ impl Costs<'_> {
                 evaluate::<S, M>(graph.scalar(), self.nodes, state, &mut values);
                 self.walk(&values, lowest, &mut total)
             })
-            .collect::<Vec<_>>();
-        let mean = |sum: u64| if actions.is_empty() { 0.0 } else { sum as f64 / actions.len() as f64 };
-        let Cost { teams, bids, operations, maths_calls } = total;
-        let mean =
-            Cost { teams: mean(teams), bids: mean(bids), operations: mean(operations), maths_calls: mean(maths_calls) };
-        (mean, actions)
+            .collect();
+        (total, actions)
     }
 
     fn walk<S: Scalar>(&self, values: &[S], lowest: S, total: &mut Cost<u64>) -> ActionId {
@@ -70,6 +84,12 @@ impl Costs<'_> {
             }
         }
     }
+}
+
+fn divided(total: Cost<u64>, count: usize) -> Cost<f64> {
+    let mean = |sum: u64| if count == 0 { 0.0 } else { sum as f64 / count as f64 };
+    let Cost { teams, bids, operations, maths_calls } = total;
+    Cost { teams: mean(teams), bids: mean(bids), operations: mean(operations), maths_calls: mean(maths_calls) }
 }
 
 /// The place of the winning bid; none where every bid is −∞ or NaN, for the code begins with the lowest finite number.

@@ -5,6 +5,7 @@ mod prefix;
 pub use prefix::Prefix;
 
 use crate::passes::interval::Assumption;
+use std::borrow::Cow;
 use tpg_graph::conversion::Conversion;
 use tpg_graph::states::StateSet;
 
@@ -124,7 +125,7 @@ impl Options {
     }
 
     /// The recorded states, flat; empty if there are none.
-    pub(crate) fn recorded(&self) -> &[f64] {
-        self.trace.as_ref().map_or(&[], |trace| &trace.states)
+    pub(crate) fn recorded(&self) -> Cow<'_, [f64]> {
+        self.trace.as_ref().map_or(Cow::Borrowed(&[]), StateSet::all)
     }
 }

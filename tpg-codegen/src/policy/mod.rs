@@ -131,7 +131,8 @@ impl QuantisedPolicy {
         let mut inputs = self.inputs.len();
         for (index, (layer, kind)) in self.layers.iter().zip(self.layer_kinds()).enumerate() {
             let path = |field: &str| format!("$.layers[{index}].{field}");
-            let sizes = [layer.inputs, layer.outputs * layer.inputs, layer.outputs, layer.outputs, layer.outputs];
+            let sizes =
+                [layer.inputs, layer.outputs.saturating_mul(layer.inputs), layer.outputs, layer.outputs, layer.outputs];
             let lengths = [inputs, layer.weights.len(), layer.bias.len(), layer.factor.len(), layer.shift.len()];
             if sizes != lengths || layer.inputs == 0 || layer.outputs == 0 {
                 return refuse(

@@ -165,7 +165,7 @@ pub fn report(graph: &Graph, options: &Options, targets: &[Target], set: &StateS
         shapes.map(|shape| (shape, Code::of(shape.compile(graph, options, Language::C)))).collect();
     let costs = codes.iter().map(|(shape, code)| {
         let costs = Costs::of(&code.program);
-        ShapeCost { profile: *shape, worst: costs.worst(), mean: costs.mean(&set.states) }
+        ShapeCost { profile: *shape, worst: costs.worst(), mean: costs.mean_over(set) }
     });
     let sizes = targets.iter().flat_map(|&target| codes.iter().map(move |(shape, code)| size_of(code, target, *shape)));
     let Program { module: optimised, log, .. } = &codes[0].1.program;

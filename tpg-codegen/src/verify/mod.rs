@@ -79,9 +79,10 @@ pub fn compare_under(
             first: None,
         })
         .collect();
-    for (batch, start) in (0..count).step_by(BATCH).enumerate() {
+    let length = states::batch(graph.state_length(), BATCH);
+    for (batch, start) in (0..count).step_by(length).enumerate() {
         // Each batch has its own stream, so that a run of more states begins with the states of a shorter one.
-        let mut states = states::sample(graph, BATCH.min(count - start), seed.wrapping_add((batch as u64) << 32));
+        let mut states = states::sample(graph, length.min(count - start), seed.wrapping_add((batch as u64) << 32));
         if assumption == Assumption::DeclaredRanges {
             move_into_ranges(graph, &mut states);
         }

@@ -69,6 +69,43 @@ pub enum Act<'a, S> {
     Choices(&'a [u16]),
 }
 
+/// The actions of a policy in all lanes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Acts<'a, S> {
+    /// An action for each lane.
+    Choices(&'a [ActionId]),
+    /// A value for each output, lane after lane.
+    Values {
+        /// The values.
+        values: &'a [S],
+        /// The number of outputs.
+        outputs: usize,
+    },
+}
+
+impl<'a, S> Acts<'a, S> {
+    /// Returns the actions of the lanes, in order.
+    pub fn iter(self) -> impl Iterator<Item = Act<'a, S>> {
+        let (actions, values, outputs) = match self {
+            Self::Choices(actions) => (actions, &[][..], 1),
+            Self::Values { values, outputs } => (&[][..], values, outputs),
+        };
+        let choices = actions.iter().map(|&action| Act::Choice(action));
+        choices.chain(values.chunks_exact(outputs).map(Act::Values))
+    }
+
+    /// Returns the actions of a policy that chooses among them.
+    ///
+    /// # Panics
+    /// If the policy has outputs: the environment declared named actions.
+    pub fn choices(self) -> &'a [ActionId] {
+        match self {
+            Self::Choices(actions) => actions,
+            Self::Values { .. } => panic!("a discrete environment is given choices"),
+        }
+    }
+}
+
 impl<'a, S> Act<'a, S> {
     /// Returns the number of the action in a discrete space.
     ///

@@ -6,8 +6,8 @@ use tpg_graph::error::{InputError, Place};
 use tpg_graph::{Graph, Input};
 use tpg_runtime::scalar::Scalar;
 
-/// Turns a graph into a policy for an environment with named actions. Sources and actions are matched by name, in any
-/// order.
+/// Turns a graph into a policy for an environment with named actions, or with outputs. Sources, actions and outputs are
+/// matched by name, in any order.
 ///
 /// # Errors
 /// If the graph reads a source that the environment does not have, or takes an action that it does not know. `file` is
@@ -32,6 +32,15 @@ pub fn bind<S: Scalar>(file: &str, graph: &Graph, environment: &impl Environment
         places.extend((first..first + length).map(|place| place as u16));
     }
     let space = environment.actions();
+    if let (crate::ActionSpace::Box(known), false) = (&space, graph.outputs().is_empty()) {
+        let outputs = outputs(graph, known, refuse)?;
+        let Policy { outputs: limits, leaves, .. } = Policy::from(graph);
+        let order = |list: &[u32]| outputs.iter().map(|&at| list[at]).collect();
+        let limits = outputs.iter().map(|&at| limits[at]).collect();
+        let leaves = leaves.iter().map(|leaf| order(leaf)).collect();
+        let ends: Vec<u16> = (0..graph.leaves().len() as u16).collect();
+        return Ok(renumbered(Policy::from(graph), &places, &ends).with_outputs(limits, leaves));
+    }
     let crate::ActionSpace::Discrete(named) = space else {
         let found = format!("a graph that chooses among {} actions", graph.actions().len());
         return Err(refuse("$.actions".to_owned(), found, "a problem with named actions".to_owned()));
@@ -48,6 +57,33 @@ pub fn bind<S: Scalar>(file: &str, graph: &Graph, environment: &impl Environment
     Ok(renumbered(Policy::from(graph), &places, &actions))
 }
 
+/// Returns the place in the graph of each output that the environment expects.
+fn outputs(
+    graph: &Graph,
+    known: &[crate::Output],
+    refuse: impl Fn(String, String, String) -> InputError,
+) -> Result<Vec<usize>, InputError> {
+    if graph.outputs().len() != known.len() {
+        let names: Vec<&str> = known.iter().map(|output| output.name.as_str()).collect();
+        let found = format!("{} outputs", graph.outputs().len());
+        return Err(refuse("$.outputs".to_owned(), found, format!("{}: {}", known.len(), names.join(", "))));
+    }
+    let mut places = Vec::new();
+    for output in known {
+        let Some(at) = graph.outputs().iter().position(|other| other.name == output.name) else {
+            let found = "no output of that name".to_owned();
+            return Err(refuse("$.outputs".to_owned(), found, format!("{:?}", output.name)));
+        };
+        let range = graph.outputs()[at].range;
+        if range.min < output.min || range.max > output.max {
+            let (found, accepted) = (range.to_string(), format!("at least {}, at most {}", output.min, output.max));
+            return Err(refuse(format!("$.outputs[{at}]"), found, accepted));
+        }
+        places.push(at);
+    }
+    Ok(places)
+}
+
 /// Renumbers the inputs and actions of a policy.
 fn renumbered(policy: Policy, places: &[u16], actions: &[u16]) -> Policy {
     let operand = |operand: Operand| match operand {
@@ -59,8 +95,10 @@ fn renumbered(policy: Policy, places: &[u16], actions: &[u16]) -> Policy {
         Destination::Action(action) => Edge { to: Destination::Action(actions[usize::from(action)]), ..edge },
         Destination::Team(_) => edge,
     };
-    let Policy { registers, teams, programs } = policy;
+    let Policy { registers, teams, programs, outputs, leaves } = policy;
     Policy {
+        outputs,
+        leaves,
         registers,
         teams: teams.into_iter().map(|team| team.into_iter().map(edge).collect()).collect(),
         programs: programs.into_iter().map(|lines| lines.into_iter().map(line).collect()).collect(),

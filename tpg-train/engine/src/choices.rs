@@ -207,6 +207,9 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Choices<S, E> {
     fn bid_bounds(&self) -> Option<usize> {
         self.environment.bid_bounds()
     }
+    fn accepts(&self, task: &E::Task) -> bool {
+        self.environment.accepts(task)
+    }
     fn lanes(&self) -> Box<dyn crate::Episodes<S, E::Task> + '_> {
         match self.meaning {
             Meaning::Same => self.environment.lanes(),

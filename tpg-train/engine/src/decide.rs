@@ -9,6 +9,7 @@
 //! Everything from [`Decider::decide`] on is one function, compiled for each vector width; its loops use masks instead
 //! of conditions, which the compiler would turn into branches.
 
+use crate::action::Acts;
 use crate::columns::Columns;
 use crate::plan::{Code, LazyEdge, Plan, PlannedTeam};
 use crate::view::{BLOCK, Block};
@@ -37,6 +38,8 @@ pub(super) struct Decider<S> {
     /// All ones in the lanes where a lazy bid could win.
     open: Vec<Block<u32>>,
     actions: Vec<ActionId>,
+    /// The outputs of a policy that has some: lane after lane.
+    values: Vec<S>,
     arch: Arch,
 }
 
@@ -67,6 +70,7 @@ impl<S: Scalar> Decider<S> {
             winner: vec![[0; BLOCK]; blocks],
             open: vec![[0; BLOCK]; blocks],
             actions: vec![ActionId(0); lanes],
+            values: Vec::new(),
             arch: Arch::new(),
         }
     }
@@ -85,6 +89,14 @@ impl<S: Scalar> Decider<S> {
     ) -> &[ActionId] {
         self.arch.dispatch(Decision { decider: self, plan, columns, all });
         &self.actions[..all]
+    }
+
+    /// Returns the actions or values that were decided for the first lanes.
+    pub(super) fn acts(&self, plan: &Plan<S>, lanes: usize) -> Acts<'_, S> {
+        match plan.limits.len() {
+            0 => Acts::Choices(&self.actions[..lanes]),
+            outputs => Acts::Values { values: &self.values[..lanes * outputs], outputs },
+        }
     }
 
     #[inline(always)]
@@ -127,6 +139,30 @@ impl<S: Scalar> Decider<S> {
         }
         for (action, &at) in self.actions[..all].iter_mut().zip(self.at.as_flattened()) {
             *action = plan.actions[at as usize - plan.teams.len()];
+        }
+        if !plan.leaves.is_empty() {
+            self.compute_outputs(plan, columns, all);
+        }
+    }
+
+    /// Computes the outputs of every lane at its leaf, and limits them.
+    #[inline(always)]
+    fn compute_outputs<M: Maths<S>>(&mut self, plan: &Plan<S>, columns: &mut Columns<S, M>, all: usize) {
+        let outputs = plan.limits.len();
+        self.values.resize(self.actions.len() * outputs, S::ZERO);
+        let at = &self.at.as_flattened()[..all];
+        for (place, leaf) in (plan.teams.len() as u32..).zip(&plan.leaves) {
+            if !at.contains(&place) {
+                continue;
+            }
+            columns.compute(plan, &leaf.needs, all);
+            for (lane, values) in self.values.chunks_exact_mut(outputs).take(all).enumerate() {
+                if at[lane] == place {
+                    for ((value, &node), &[low, high, nan]) in values.iter_mut().zip(&leaf.values).zip(&plan.limits) {
+                        *value = ops::clamp(columns.get(node, lane), low, high, nan);
+                    }
+                }
+            }
         }
     }
 

@@ -145,6 +145,12 @@ pub trait Environment<S: Scalar>: Sync {
         None
     }
 
+    /// Returns true if an episode can start from a task. Tasks read from a checkpoint are checked with it; those that
+    /// [`draw`](Self::draw) returns are always possible. By default every task is.
+    fn accepts(&self, _task: &Self::Task) -> bool {
+        true
+    }
+
     /// Creates parallel episodes; the default steps them one after another.
     fn lanes(&self) -> Box<dyn Episodes<S, Self::Task> + '_>
     where
@@ -222,6 +228,9 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for &E {
     }
     fn bid_bounds(&self) -> Option<usize> {
         E::bid_bounds(self)
+    }
+    fn accepts(&self, task: &Self::Task) -> bool {
+        E::accepts(self, task)
     }
     fn lanes(&self) -> Box<dyn Episodes<S, Self::Task> + '_> {
         E::lanes(self)

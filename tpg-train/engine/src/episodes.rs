@@ -1,10 +1,10 @@
 //! Parallel episodes: the interface between lanes and an environment.
 
+use crate::action::Acts;
 use crate::ending::Ending;
 use crate::error::EvaluationError;
 use crate::source_set::SourceSet;
 use crate::view::View;
-use tpg_runtime::policy::ActionId;
 
 /// Parallel episodes of an environment, one in each lane.
 ///
@@ -20,7 +20,7 @@ pub trait Episodes<S, Task> {
     fn begin(&mut self, lane: usize, task: &Task) -> Result<(), EvaluationError>;
 
     /// Takes one action in each lane; appends the lanes whose episode ended, in ascending order.
-    fn step(&mut self, actions: &[ActionId], ended: &mut Vec<(usize, Ending)>) -> Result<(), EvaluationError>;
+    fn step(&mut self, acts: Acts<'_, S>, ended: &mut Vec<(usize, Ending)>) -> Result<(), EvaluationError>;
 
     /// Returns [`Environment::key`](crate::Environment::key) of each lane; empty if the problem has none.
     fn keys(&self) -> &[u64];

@@ -141,7 +141,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
             self.running.iter().zip(actions).for_each(|(&(task, _), &action)| watch(task, action));
             self.steps += actions.len() as u64;
             self.ended.clear();
-            self.episodes.step(actions, &mut self.ended)?;
+            self.episodes.step(self.decider.acts(plan, self.running.len()), &mut self.ended)?;
             self.end_cycles();
             // From the last lane down, so that compaction only moves running lanes.
             while let Some((lane, ending)) = self.ended.pop() {

@@ -40,7 +40,7 @@ mod single;
 mod source_set;
 mod view;
 
-pub use action::{Act, ActionSpace, Choice, Output};
+pub use action::{Act, ActionSpace, Acts, Choice, Output};
 pub use binding::bind;
 pub use choices::{Choices, TooManyActions};
 pub use ending::{End, Ending, Measure, Preference, Step, Summary, finite};

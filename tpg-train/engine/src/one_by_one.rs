@@ -1,13 +1,12 @@
 //! Parallel episodes that are stepped one after another: the default of [`Environment::lanes`].
 
-use crate::action::Act;
+use crate::action::{Act, Acts};
 use crate::ending::Ending;
 use crate::environment::Environment;
 use crate::episodes::Episodes;
 use crate::error::EvaluationError;
 use crate::source_set::SourceSet;
 use crate::view::{BLOCK, View};
-use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
 
 /// Steps one episode after another.
@@ -53,9 +52,9 @@ impl<S: Scalar, E: Environment<S>> Episodes<S, E::Task> for OneByOne<'_, S, E> {
         Ok(())
     }
 
-    fn step(&mut self, actions: &[ActionId], ended: &mut Vec<(usize, Ending)>) -> Result<(), EvaluationError> {
-        for (place, (lane, &action)) in self.lanes.iter_mut().zip(actions).enumerate() {
-            ended.extend(lane.step(self.environment, self.limit, Act::Choice(action)).map(|ending| (place, ending)));
+    fn step(&mut self, acts: Acts<'_, S>, ended: &mut Vec<(usize, Ending)>) -> Result<(), EvaluationError> {
+        for (place, (lane, act)) in self.lanes.iter_mut().zip(acts.iter()).enumerate() {
+            ended.extend(lane.step(self.environment, self.limit, act).map(|ending| (place, ending)));
             self.environment.key(&lane.episode).into_iter().for_each(|key| self.keys[place] = key);
         }
         Ok(())

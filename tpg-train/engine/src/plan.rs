@@ -69,13 +69,24 @@ pub(super) struct PlannedTeam<S> {
     pub(super) next: Vec<u32>,
 }
 
+/// A leaf: its values before they are limited, and the operations that they depend on.
+#[derive(Clone, Debug)]
+pub(super) struct PlannedLeaf {
+    pub(super) values: Vec<NodeId>,
+    pub(super) needs: NodeSet,
+}
+
 /// A root, ready for evaluation.
 #[derive(Clone, Debug)]
 pub struct Plan<S> {
     pub(super) nodes: Vec<Node<S>>,
     pub(super) teams: Vec<PlannedTeam<S>>,
-    /// The actions that edges lead to.
+    /// The actions or leaves that edges lead to.
     pub(super) actions: Vec<ActionId>,
+    /// The leaves among these, in the same order; empty for a policy without outputs.
+    pub(super) leaves: Vec<PlannedLeaf>,
+    /// The lowest value of each output, its highest, and that in place of NaN.
+    pub(super) limits: Vec<[S; 3]>,
     /// The node of each value of the flat state; `u32::MAX` if nothing reads it.
     pub(super) places: Vec<u32>,
     pub(super) wanted: SourceSet,
@@ -99,6 +110,13 @@ impl<S: Scalar> Plan<S> {
                 planned_team(arena.nodes(), &facts, &edges, |to| place(policy, &actions, to))
             })
             .collect();
+        let leaf = |&ActionId(leaf): &ActionId| {
+            let programs = policy.leaves[usize::from(leaf)].iter();
+            let values: Vec<NodeId> = programs.map(|&program| bids[program as usize]).collect();
+            PlannedLeaf { needs: needs(arena.nodes(), values.iter().copied()), values }
+        };
+        let leaves = if policy.outputs.is_empty() { Vec::new() } else { actions.iter().map(leaf).collect() };
+        let limits = policy.outputs.iter().map(|it| [it.min, it.max, it.nan].map(S::from_f64)).collect();
         let mut places = vec![u32::MAX; sources.iter().map(|source| source.length as usize).sum()];
         for (place, node) in (0u32..).zip(arena.nodes()) {
             if let Node::Input(input) = node {
@@ -107,12 +125,17 @@ impl<S: Scalar> Plan<S> {
         }
         let read = (0u16..).zip(&places).filter(|(_, place)| **place != u32::MAX).map(|(input, _)| input);
         let wanted = SourceSet::of_inputs(sources, read);
-        Self { nodes: arena.nodes().to_vec(), teams, actions, places, wanted }
+        Self { nodes: arena.nodes().to_vec(), teams, actions, leaves, limits, places, wanted }
     }
 
     /// Returns the number of values in the flat state.
     pub fn state_length(&self) -> usize {
         self.places.len()
+    }
+
+    /// Returns the number of outputs; 0 for a policy that chooses among actions.
+    pub fn outputs(&self) -> usize {
+        self.limits.len()
     }
 
     /// Returns the number of distinct operations of the whole root.
@@ -142,6 +165,12 @@ fn planned_team<S: Scalar>(
     edges: &[PlannedEdge],
     place: impl Fn(Destination) -> u32,
 ) -> PlannedTeam<S> {
+    if let [PlannedEdge { to, .. }] = *edges {
+        // Nothing to decide.
+        let next = if matches!(to, Destination::Team(_)) { vec![place(to)] } else { Vec::new() };
+        let first = Code::new(0, place(to));
+        return PlannedTeam { first, eager: Vec::new(), needs: needs(nodes, []), lazy: Vec::new(), next };
+    }
     let bounded = |bid: NodeId| facts[bid.index()].most.filter(|_| facts[bid.index()].expensive);
     let (mut eager, mut lazy) = (Vec::new(), Vec::new());
     let always = needs(nodes, edges.iter().map(|edge| edge.bid).filter(|&bid| bounded(bid).is_none()));

@@ -1,5 +1,7 @@
 //! A policy in the engine's form: plain data that a work unit can carry to any thread or machine.
 
+mod check;
+
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use tpg_graph::Graph;
@@ -60,6 +62,23 @@ pub struct Policy {
     pub teams: Vec<Vec<Edge>>,
     /// The programs.
     pub programs: Vec<Vec<Line>>,
+    /// The outputs; empty for a policy that chooses among actions.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub outputs: Vec<Limits>,
+    /// The leaves, which edges lead to in place of actions: the program of each output.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub leaves: Vec<Vec<u32>>,
+}
+
+/// The limits of an output.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Limits {
+    /// Lowest value, exact in the policy's scalar type.
+    pub min: f64,
+    /// Highest value, exact in the policy's scalar type.
+    pub max: f64,
+    /// The value in place of NaN.
+    pub nan: f64,
 }
 
 impl Policy {
@@ -78,12 +97,19 @@ impl Policy {
             Destination::Action(_) => *edge,
         };
         let teams = order.iter().map(|&old| teams[old].iter().map(renumbered).collect()).collect();
-        Self { registers, teams, programs }
+        Self { registers, teams, programs, outputs: Vec::new(), leaves: Vec::new() }
+    }
+
+    /// Returns the same policy with outputs: its edges lead to leaves in place of actions.
+    #[must_use]
+    pub fn with_outputs(self, outputs: Vec<Limits>, leaves: Vec<Vec<u32>>) -> Self {
+        Self { outputs, leaves, ..self }
     }
 }
 
 impl Policy {
-    /// Returns the same policy under a shield: each bid for an action is capped by a value of the state.
+    /// Returns the same policy under a shield: each bid for an action is capped by a value of the state. A policy with
+    /// outputs has no shield.
     ///
     /// `bound` returns the index of an action's bound in the flat state; `None` if the action is not shielded. Each
     /// program that bids for a shielded action gets [`bounded`] as its last line; programs that bid for several are
@@ -106,7 +132,7 @@ impl Policy {
         };
         let mut edge = edge;
         let teams = self.teams.iter().map(|team| team.iter().map(&mut edge).collect()).collect();
-        Self { registers: self.registers, teams, programs }
+        Self { registers: self.registers, teams, programs, outputs: Vec::new(), leaves: Vec::new() }
     }
 }
 
@@ -138,7 +164,14 @@ impl From<&Graph> for Policy {
         };
         let teams = graph.teams().iter().map(|team| team.edges.iter().map(edge).collect()).collect();
         let programs = graph.programs().iter().map(|program| program.lines.iter().map(line).collect()).collect();
+        let limits = |output: &tpg_graph::Output| Limits {
+            min: output.range.min,
+            max: output.range.max,
+            nan: output.nan,
+        };
+        let leaf = |leaf: &tpg_graph::Leaf| leaf.programs.iter().map(|program| program.index() as u32).collect();
         Self::new(graph.registers(), graph.root().index() as u32, teams, programs)
+            .with_outputs(graph.outputs().iter().map(limits).collect(), graph.leaves().iter().map(leaf).collect())
     }
 }
 

@@ -1,5 +1,6 @@
 //! Evaluation of one state at a time, for callers that act between two decisions, such as a hybrid.
 
+use crate::action::Acts;
 use crate::columns::Columns;
 use crate::decide::Decider;
 use crate::options::Options;
@@ -9,6 +10,7 @@ use std::cell::RefCell;
 use std::io;
 use tpg_graph::Graph;
 use tpg_graph::engine::Engine;
+use tpg_graph::interpret::Answer;
 use tpg_graph::in_arithmetic_of;
 use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::ActionId;
@@ -30,11 +32,26 @@ impl<S: Scalar, M: Maths<S>> Single<S, M> {
         Self { plan, lane: RefCell::new((columns, decider)) }
     }
 
-    /// Returns the action for a flat state, the same as the interpreter's.
+    /// Returns the action for a flat state, or the leaf of a policy with outputs, the same as the interpreter's.
     ///
     /// # Panics
     /// If the state is shorter than [`Plan::state_length`].
     pub fn decide(&self, state: &[S]) -> ActionId {
+        self.ask(state, |_, end| end)
+    }
+
+    /// Returns the answer to a flat state, the same as the interpreter's.
+    ///
+    /// # Panics
+    /// As [`decide`](Self::decide).
+    pub fn answer(&self, state: &[S]) -> Answer {
+        self.ask(state, |decider, end| match decider.acts(&self.plan, 1) {
+            Acts::Choices(_) => Answer::Action(end),
+            Acts::Values { values, .. } => Answer::Values(values.iter().map(|value| value.to_f64()).collect()),
+        })
+    }
+
+    fn ask<T>(&self, state: &[S], answer: impl FnOnce(&Decider<S>, ActionId) -> T) -> T {
         let (columns, decider) = &mut *self.lane.borrow_mut();
         let mut view = columns.view(&self.plan.places);
         for (input, &value) in state[..self.plan.state_length()].iter().enumerate() {
@@ -42,8 +59,8 @@ impl<S: Scalar, M: Maths<S>> Single<S, M> {
                 block[0] = value;
             }
         }
-        let [action] = decider.decide(&self.plan, columns, 1) else { unreachable!("one lane has one action") };
-        *action
+        let &[end] = decider.decide(&self.plan, columns, 1) else { unreachable!("one lane has one end") };
+        answer(decider, end)
     }
 }
 
@@ -52,10 +69,10 @@ impl<S: Scalar, M: Maths<S>> Engine for Single<S, M> {
         "trainer"
     }
 
-    fn decide(&mut self, states: &[f64], actions: &mut Vec<ActionId>) -> io::Result<()> {
+    fn answer(&mut self, states: &[f64], answers: &mut Vec<Answer>) -> io::Result<()> {
         for state in states.chunks_exact(self.plan.state_length()) {
             let state: Vec<S> = state.iter().map(|&value| S::from_f64(value)).collect();
-            actions.push(Single::decide(self, &state));
+            answers.push(Single::answer(self, &state));
         }
         Ok(())
     }
@@ -78,12 +95,13 @@ mod tests {
 
     #[test]
     fn it_acts_like_the_interpreter() {
-        for seed in 0..40 {
-            let graph = sample::graph(&Shape::random(seed), seed);
+        for seed in 0..80 {
+            let shape = if seed % 2 == 0 { Shape::random(seed) } else { Shape::random_with_outputs(seed) };
+            let graph = sample::graph(&shape, seed);
             let states = states::sample(&graph, 1000, seed);
-            let mut actions = Vec::new();
-            single(&graph).decide(&states, &mut actions).expect("no process, no error");
-            assert_eq!(actions, interpret::actions(&graph, &states), "graph {seed}");
+            let mut answers = Vec::new();
+            single(&graph).answer(&states, &mut answers).expect("no process, no error");
+            assert_eq!(answers, interpret::answers(&graph, &states), "graph {seed}");
         }
     }
 }

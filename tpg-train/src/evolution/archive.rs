@@ -12,6 +12,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, VecDeque};
 use tpg_engine::{Line, Operand};
 use tpg_graph::ScalarType;
+use tpg_graph::error::Finding;
 use tpg_runtime::ops::{Maths, Own};
 use tpg_runtime::scalar::Scalar;
 
@@ -45,6 +46,20 @@ impl Archive {
     /// Returns the capacity of the archive.
     pub fn size(&self) -> usize {
         self.size
+    }
+
+    /// Checks recordings that were read from a file.
+    ///
+    /// # Errors
+    /// If there are too many, or one is of no deme or has another number of inputs.
+    pub fn check(&self, demes: usize, inputs: usize) -> Result<(), Finding> {
+        Finding::range("recordings", self.recordings.len(), 0, self.size)?;
+        for (place, recording) in self.recordings.iter().enumerate() {
+            let (deme, states) = (recording.program.0, recording.state.len());
+            Finding::range(&format!("recordings[{place}].program[0]"), deme, 0, demes as u64 - 1)?;
+            Finding::range(&format!("recordings[{place}].state"), states, inputs, inputs)?;
+        }
+        Ok(())
     }
 
     /// Adds a recording and drops the oldest one if the archive is full.

@@ -1,83 +1,73 @@
-//! Checkpoints: everything a run needs to end with the same bytes as if it had never stopped.
+//! The content of a checkpoint: everything a run needs to end with the same bytes as if it had never stopped.
 
 use super::config::Config;
 use super::state::State;
-use crate::files::{read_text, write_atomically};
+use crate::folder::{Trainer, checkpoint::look};
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
-use std::fs;
-use std::io::ErrorKind;
 use std::path::Path;
+use tpg_engine::Environment;
 use tpg_graph::error::{InputError, Place};
+use tpg_runtime::scalar::Scalar;
 
-/// The value of [`Checkpoint::format`].
-const FORMAT: &str = "tpg-train checkpoint";
 /// Incremented with every change to the content or meaning of checkpoints.
-const VERSION: u32 = 2;
+pub const VERSION: u32 = 3;
 
-/// The serialised form.
+/// The serialised form, one line of JSON.
 #[derive(Debug, Serialize, Deserialize)]
-#[serde(bound(deserialize = "Task: DeserializeOwned"))]
+#[serde(bound(deserialize = "Task: DeserializeOwned"), deny_unknown_fields)]
 struct Checkpoint<Task> {
-    format: String,
-    version: u32,
     config: String,
     state: State<Task>,
 }
 
-/// Writes a checkpoint; the previous one is kept until the new one is complete.
+/// Returns the content of a checkpoint.
 ///
 /// # Errors
-/// If it cannot be written.
-pub fn save<Task: Serialize + Clone>(path: &Path, config: &Config, state: &State<Task>) -> Result<(), InputError> {
-    let checkpoint =
-        Checkpoint { format: FORMAT.to_owned(), version: VERSION, config: config.to_toml(), state: state.clone() };
-    let text = serde_json::to_string(&checkpoint)
-        .map_err(|error| InputError::io(path, &error.into(), "a task that can be written as JSON"))?;
-    write_atomically(path, text.as_bytes())
+/// If a task of the environment cannot be written as JSON; `file` is named in the error.
+pub fn to_bytes<Task: Serialize + Clone>(
+    file: &str,
+    config: &Config,
+    state: &State<Task>,
+) -> Result<Vec<u8>, InputError> {
+    let checkpoint = Checkpoint { config: config.to_toml(), state: state.clone() };
+    serde_json::to_vec(&checkpoint)
+        .map_err(|error| InputError::new(file, Place::Whole, error.to_string(), "a task that can be written as JSON"))
 }
 
-/// Reads a checkpoint: its configuration and the state at the end of a generation.
+/// Reads the checkpoint of a run's folder, for programs that only look at it: its configuration and the state at the
+/// end of a generation. Check it with [`State::check`] before it is used.
 ///
 /// # Errors
 /// If it cannot be read or is not a checkpoint of this version.
-pub fn open<Task: DeserializeOwned>(path: &Path) -> Result<(Config, State<Task>), InputError> {
-    let file = path.display().to_string();
-    let text = read_text(path, "a checkpoint")?;
-    let checkpoint: Checkpoint<Task> = parse(&file, &text)?;
-    let config = Config::of_run(&format!("{file}, config"), &checkpoint.config)?;
-    Ok((config, checkpoint.state))
+pub fn open<Task: DeserializeOwned>(folder: &Path) -> Result<(Config, State<Task>), InputError> {
+    look(folder, Trainer::Tpg, VERSION, |file, content| {
+        let checkpoint: Checkpoint<Task> = parse(file, content)?;
+        let config = Config::of_run(&format!("{file}, config"), &checkpoint.config)?;
+        Ok((config, checkpoint.state))
+    })
 }
 
-fn parse<Task: DeserializeOwned>(file: &str, text: &str) -> Result<Checkpoint<Task>, InputError> {
-    let refuse = |found: String, accepted: &str| InputError::new(file, Place::Whole, found, accepted);
-    let checkpoint: Checkpoint<Task> = serde_json::from_str(text).map_err(|error| {
-        refuse(format!("not a checkpoint: {error}"), "a checkpoint written by this version of tpg-train")
-    })?;
-    if checkpoint.format != FORMAT || checkpoint.version != VERSION {
-        let found = format!("{:?}, version {}", checkpoint.format, checkpoint.version);
-        return Err(refuse(found, &format!("{FORMAT:?}, version {VERSION}")));
-    }
-    Ok(checkpoint)
+fn parse<Task: DeserializeOwned>(file: &str, content: &[u8]) -> Result<Checkpoint<Task>, InputError> {
+    serde_json::from_slice(content).map_err(|error| {
+        let found = format!("not a checkpoint: {error}");
+        InputError::new(file, Place::Whole, found, "a checkpoint written by this version of tpg-train")
+    })
 }
 
-/// Reads a checkpoint; `None` if there is none.
+/// Reads the content of a checkpoint and checks it.
 ///
 /// # Errors
-/// If it cannot be read, is not a checkpoint, or belongs to another configuration or seed; the error shows the
-/// difference.
-pub fn load<Task: DeserializeOwned>(
-    path: &Path,
+/// If it is not a checkpoint, belongs to another configuration or seed (the error shows the difference), or is not a
+/// state that a run on this environment can be in.
+pub fn from_bytes<S: Scalar, E: Environment<S>>(
+    file: &str,
+    content: &[u8],
     config: &Config,
     seed: u64,
-) -> Result<Option<State<Task>>, InputError> {
-    let text = match fs::read_to_string(path) {
-        Ok(text) => text,
-        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
-        Err(error) => return Err(InputError::io(path, &error, "a checkpoint that can be read")),
-    };
-    let refuse =
-        |found: String, accepted: &str| InputError::new(path.display().to_string(), Place::Whole, found, accepted);
-    let checkpoint: Checkpoint<Task> = parse(&path.display().to_string(), &text)?;
+    environment: &E,
+) -> Result<State<E::Task>, InputError> {
+    let refuse = |found: String, accepted: &str| InputError::new(file, Place::Whole, found, accepted);
+    let checkpoint: Checkpoint<E::Task> = parse(file, content)?;
     // Read and written again: a key added since then has its default and does not count as a difference. A run may be
     // extended by more generations.
     let generations = config.learning.nb_generations;
@@ -90,10 +80,15 @@ pub fn load<Task: DeserializeOwned>(
         let found = format!("a checkpoint of another configuration:\n{}", difference.join("\n"));
         return Err(refuse(found, "the configuration that the run began with, or another --out"));
     }
-    if checkpoint.state.seed != seed {
-        return Err(refuse(format!("a checkpoint of seed {}", checkpoint.state.seed), &format!("seed {seed}")));
+    let state = checkpoint.state;
+    if state.seed != seed {
+        return Err(refuse(format!("a checkpoint of seed {}", state.seed), &format!("seed {seed}")));
     }
-    Ok(Some(checkpoint.state))
+    state.check(config, environment).map_err(|finding| {
+        let place = Place::Path(finding.key);
+        InputError::new(file, place, finding.found, finding.accepted)
+    })?;
+    Ok(state)
 }
 
 /// Returns the lines in which two configurations differ, with their sections.
@@ -116,3 +111,6 @@ fn difference(of_checkpoint: &str, given: &str) -> Vec<String> {
     };
     [only(&old, &new, '-'), only(&new, &old, '+')].concat()
 }
+
+#[cfg(test)]
+mod tests;

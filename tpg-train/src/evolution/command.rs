@@ -5,12 +5,14 @@ use super::generation::Goal;
 use super::presets::{PRESETS, Preset};
 use super::run::{RunEnd, RunError, RunOptions, run};
 use super::state::Best;
-use crate::files::{make_folder, read_text, write_atomically};
+use crate::configuration::{Chosen, Configuration};
+use crate::csv_text::{optional, table};
+use crate::files::{read_text, write_atomically};
+use crate::folder::{RunFolder, Trainer};
 use crate::interrupt;
 use crate::progress::Bar;
 use crate::run_args::{RunArgs, command_line};
 use clap::Args;
-use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 use tpg_engine::{Choices, Environment, LocalThreads, Options, Summary};
@@ -78,7 +80,10 @@ fn seeds(text: &str) -> Result<Seeds, String> {
 /// # Errors
 /// An invalid configuration, a folder with another run, files that cannot be written.
 pub fn execute(args: &TpgArgs) -> Result<Verdict, RunError> {
-    let (config, problem) = configuration(args)?;
+    let Chosen { mut config, problem, .. } = Chosen::<Config>::by(&args.run, args.problem)?;
+    if let Some(generations) = args.generations {
+        config.learning.nb_generations = generations;
+    }
     let stop = interrupt::watch();
     let training = Training { args, config: &config, problem: &problem, stop: &stop };
     match config.language.scalar {
@@ -87,55 +92,20 @@ pub fn execute(args: &TpgArgs) -> Result<Verdict, RunError> {
     }
 }
 
-/// Returns the configuration and the problem requested by the arguments.
-///
-/// # Errors
-/// If the configuration cannot be read or is rejected, or nothing names a problem.
-pub fn configuration(args: &TpgArgs) -> Result<(Config, Problem), InputError> {
-    let (file, text) = match (&args.run.config, &args.run.preset, args.problem) {
-        (Some(path), _, _) => {
-            (path.display().to_string(), read_text(path, "a configuration as `tpg-train config` prints")?)
-        }
-        (None, Some(name), _) => preset(name)?.file(),
-        (None, None, Some(problem)) => Preset::usual(problem).file(),
-        (None, None, None) => {
-            let accepted = format!("--problem {}, --preset NAME or --config FILE", ProblemName::names());
-            return Err(command_line("no problem", accepted));
-        }
-    };
-    let mut config = Config::from_toml(&file, &text)?;
-    let problem = problem_of(args, &config, &file, &text)?;
-    config.problem = problem.to_table();
-    if let Some(generations) = args.generations {
-        config.learning.nb_generations = generations;
-    }
-    Ok((config, problem))
-}
+impl Configuration for Config {
+    type Problem = Problem;
+    const PRESETS: &'static [Preset] = &PRESETS;
+    const PRINTED_BY: &'static str = "tpg-train config";
 
-/// Returns the problem of a configuration, or of the command line. A preset made for another problem supplies only its
-/// parameters.
-fn problem_of(args: &TpgArgs, config: &Config, file: &str, text: &str) -> Result<Problem, InputError> {
-    let own = (!config.problem.is_empty()).then(|| Problem::from_toml(file, text)).transpose()?;
-    match (own, args.problem) {
-        (Some(problem), None) => Ok(problem),
-        (Some(problem), Some(name)) if problem.name() == name => Ok(problem),
-        (Some(problem), Some(name)) if args.run.config.is_some() => {
-            let found = format!("--problem {} with a configuration for {}", name.name(), problem.name().name());
-            Err(command_line(found, "the same problem twice, or no --problem"))
-        }
-        (_, Some(name)) => Ok(Problem::usual(name)),
-        (None, None) => {
-            let accepted = format!("--problem {}, or a section [problem] with a name", ProblemName::names());
-            Err(command_line(format!("no problem, neither in the arguments nor in {file}"), accepted))
-        }
+    fn usual(problem: ProblemName) -> &'static Preset {
+        Preset::usual(problem)
     }
-}
-
-fn preset(name: &str) -> Result<&'static Preset, InputError> {
-    Preset::find(name).ok_or_else(|| {
-        let accepted = PRESETS.map(|preset| preset.name).join(", ");
-        command_line(format!("the preset {name:?}"), accepted)
-    })
+    fn from_toml(file: &str, text: &str) -> Result<Self, InputError> {
+        Self::from_toml(file, text)
+    }
+    fn problem(&mut self) -> &mut toml::Table {
+        &mut self.problem
+    }
 }
 
 /// Training on an environment whose type only the registry knows.
@@ -185,7 +155,7 @@ impl Training<'_> {
             };
         };
         let out = args.run.folder(problem.name(), seeds.first);
-        make_folder(&out)?;
+        let _folder = RunFolder::open(&out, Trainer::Restarts, args.run.resume)?;
         let mut finished = Vec::new();
         for seed in seeds.first..seeds.end {
             let folder = out.join(format!("seed-{seed}"));
@@ -208,13 +178,12 @@ fn keep_best<S: ArmScalar>(
     finished: &[(u64, Box<Best>)],
     environment: &impl Environment<S>,
 ) -> Result<(), InputError> {
-    let mut csv = String::from("seed,generation,validation_score,validation_success,validation_measure\n");
-    for (seed, best) in finished {
+    let header = ["seed", "generation", "validation_score", "validation_success", "validation_measure"];
+    let rows = finished.iter().map(|(seed, best)| {
         let Summary { score, success, measure, .. } = best.result;
-        let success = success.map(|success| success.to_string()).unwrap_or_default();
-        let _ = writeln!(csv, "{seed},{},{score},{success},{measure}", best.generation);
-    }
-    write_atomically(&folder.join("restarts.csv"), csv.as_bytes())?;
+        [seed.to_string(), best.generation.to_string(), score.to_string(), optional(success), measure.to_string()]
+    });
+    write_atomically(&folder.join("restarts.csv"), &table(header, rows))?;
     let preference = environment.preference();
     let better = |a: &Best, b: &Best| b.result.compare(&a.result, preference).is_gt();
     let best = finished.iter().reduce(|a, b| if better(&a.1, &b.1) { b } else { a });

@@ -108,6 +108,16 @@ impl Genome {
         &mut self.teams.get_mut(&id).expect("the team exists").edges
     }
 
+    /// Returns the programs, by number.
+    pub fn programs(&self) -> &BTreeMap<ProgramId, Program> {
+        &self.programs
+    }
+
+    /// Returns the highest number given to a team or program so far.
+    pub fn newest(&self) -> u64 {
+        self.next
+    }
+
     /// Returns a program.
     pub fn program(&self, id: ProgramId) -> &Program {
         &self.programs[&id]

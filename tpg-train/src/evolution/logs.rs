@@ -2,8 +2,8 @@
 //! logs; times go to a separate file.
 
 use super::state::Row;
+use crate::csv_text::{optional, table};
 use crate::files::write_atomically;
-use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 use tpg_engine::Summary;
@@ -14,33 +14,38 @@ use tpg_graph::error::InputError;
 /// # Errors
 /// If they cannot be written.
 pub fn write(folder: &Path, rows: &[Row]) -> Result<(), InputError> {
-    let mut csv = String::from(
-        "generation,best_score,median_score,best_success,best_measure,roots,teams,programs,\
-         validation_score,validation_success,validation_measure\n",
-    );
-    let mut json = String::new();
-    for row in rows {
-        let optional = |value: Option<f64>| value.map(|value| value.to_string()).unwrap_or_default();
+    const HEADER: [&str; 11] = [
+        "generation",
+        "best_score",
+        "median_score",
+        "best_success",
+        "best_measure",
+        "roots",
+        "teams",
+        "programs",
+        "validation_score",
+        "validation_success",
+        "validation_measure",
+    ];
+    let fields = |row: &Row| {
         let validation = |value: fn(&Summary) -> f64| optional(row.validation.as_ref().map(value));
-        let _ = writeln!(
-            csv,
-            "{},{},{},{},{},{},{},{},{},{},{}",
-            row.generation,
-            row.best_score,
-            row.median_score,
+        [
+            row.generation.to_string(),
+            row.best_score.to_string(),
+            row.median_score.to_string(),
             optional(row.best_success),
-            row.best_measure,
-            row.roots,
-            row.teams,
-            row.programs,
+            row.best_measure.to_string(),
+            row.roots.to_string(),
+            row.teams.to_string(),
+            row.programs.to_string(),
             validation(|result| result.score),
             optional(row.validation.and_then(|result| result.success)),
             validation(|result| result.measure),
-        );
-        json.push_str(&serde_json::to_string(row).expect("a row is plain data"));
-        json.push('\n');
-    }
-    write_atomically(&folder.join("generations.csv"), csv.as_bytes())?;
+        ]
+    };
+    let json = |row: &Row| serde_json::to_string(row).expect("a row is plain data") + "\n";
+    write_atomically(&folder.join("generations.csv"), &table(HEADER, rows.iter().map(fields)))?;
+    let json: String = rows.iter().map(json).collect();
     write_atomically(&folder.join("generations.jsonl"), json.as_bytes())
 }
 

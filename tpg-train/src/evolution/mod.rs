@@ -1,6 +1,7 @@
 //! Evolution: genome, mutation, selection, demes, archive, and the loop over generations.
 
 pub mod archive;
+mod check_state;
 pub mod checkpoint;
 pub mod command;
 pub mod config;

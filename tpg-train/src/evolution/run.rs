@@ -7,9 +7,10 @@ use super::generation::{Evolution, Goal};
 use super::logs;
 use super::scales::scales;
 use super::state::{Best, Row, State};
-use crate::files::{make_folder, remove_unfinished, write_atomically};
+use crate::csv_text;
+use crate::files::write_atomically;
+use crate::folder::{RunFolder, Trainer};
 use std::collections::BTreeMap;
-use std::fmt::Write as _;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -24,7 +25,7 @@ pub struct RunOptions {
     /// The run's own folder.
     pub folder: PathBuf,
     /// If true, continue from the folder's checkpoint if there is one; the configuration may ask for more generations
-    /// than before.
+    /// than before. If false, a folder with a run is refused.
     pub resume: bool,
     /// Time between checkpoints.
     pub checkpoint_every: Duration,
@@ -106,8 +107,8 @@ pub enum RunError {
 /// ```
 ///
 /// # Errors
-/// If the folder contains another run, files cannot be written, or roots cannot be evaluated. The last checkpoint is
-/// kept.
+/// If the folder contains another run or another process uses it, its checkpoints are damaged, files cannot be written,
+/// or roots cannot be evaluated. The last checkpoint is kept.
 pub fn run<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
     config: &Config,
     seed: u64,
@@ -117,14 +118,9 @@ pub fn run<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
     mut watch: impl FnMut(&Progress<'_>) -> ControlFlow<()>,
 ) -> Result<RunEnd, RunError> {
     config.check_actions(&environment.actions())?;
-    make_folder(&options.folder)?;
-    let path = options.folder.join("checkpoint.json");
-    let found = checkpoint::load(&path, config, seed)?;
-    if found.is_some() && !options.resume {
-        let file = options.folder.display().to_string();
-        return Err(InputError::new(file, Place::Whole, "a run", "--resume, or another folder").into());
-    }
-    remove_unfinished(&options.folder);
+    let folder = RunFolder::open(&options.folder, Trainer::Tpg, options.resume)?;
+    let found = folder
+        .load(checkpoint::VERSION, |file, content| checkpoint::from_bytes(file, content, config, seed, environment))?;
     write_atomically(&options.folder.join("config.toml"), config.to_toml().as_bytes())?;
     let mut state = match found {
         Some(state) => state,
@@ -149,7 +145,8 @@ pub fn run<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
         }
         let last = evolution.finished(&state);
         if last || stopped || saved.elapsed() >= options.checkpoint_every {
-            checkpoint::save(&path, config, &state)?;
+            let file = folder.path().display().to_string();
+            folder.save(checkpoint::VERSION, checkpoint::to_bytes(&file, config, &state)?)?;
             write_results(config, &options.folder, &state, &evolution, environment)?;
             times.write(&options.folder)?;
             saved = Instant::now();
@@ -158,7 +155,12 @@ pub fn run<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
             return Ok(RunEnd::Interrupted);
         }
     }
-    let best = state.best.expect("the last generation validates");
+    // A run that is resumed with fewer generations or steps than it has had may never have validated.
+    let Some(best) = state.best else {
+        let found = format!("a run of {} generations without a validation", state.generation);
+        let accepted = "more generations or steps than the run has had";
+        return Err(InputError::new(folder.path().display().to_string(), Place::Whole, found, accepted).into());
+    };
     Ok(RunEnd::Finished(Box::new(best)))
 }
 
@@ -220,23 +222,24 @@ fn best_graph<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
 struct Times {
     began: Instant,
     cpu_before: Option<f64>,
-    text: String,
+    text: Vec<u8>,
 }
 
 impl Times {
     fn new(folder: &Path) -> Self {
-        let text = std::fs::read_to_string(folder.join("timing.csv"))
-            .unwrap_or_else(|_| "generation,session_wall_s,session_cpu_s,session_steps\n".to_owned());
+        let header = ["generation", "session_wall_s", "session_cpu_s", "session_steps"];
+        let text = std::fs::read(folder.join("timing.csv")).unwrap_or_else(|_| csv_text::row(header));
         Self { began: Instant::now(), cpu_before: logs::cpu_seconds(), text }
     }
 
     fn after_generation<Task>(&mut self, state: &State<Task>, steps: u64) {
-        let wall = self.began.elapsed().as_secs_f64();
+        let generation = (state.generation - 1).to_string();
+        let wall = format!("{:.2}", self.began.elapsed().as_secs_f64());
         let cpu = logs::cpu_seconds().zip(self.cpu_before).map(|(now, before)| format!("{:.2}", now - before));
-        let _ = writeln!(self.text, "{},{wall:.2},{},{steps}", state.generation - 1, cpu.unwrap_or_default());
+        self.text.extend(csv_text::row([generation, wall, cpu.unwrap_or_default(), steps.to_string()]));
     }
 
     fn write(&self, folder: &Path) -> Result<(), InputError> {
-        write_atomically(&folder.join("timing.csv"), self.text.as_bytes())
+        write_atomically(&folder.join("timing.csv"), &self.text)
     }
 }

@@ -1,6 +1,6 @@
-//! Checkpoints: all that a run needs to end in the same bytes as if it had never stopped.
+//! The content of a checkpoint: all that a run needs to end in the same bytes as if it had never stopped.
 //!
-//! A safetensors file: networks, optimisers, replay buffer and best candidate as flat tensors, tasks and counters as JSON.
+//! The bytes of a safetensors file: networks, optimisers, replay buffer and best candidate as flat tensors, tasks and counters as JSON.
 //! An episode under way is its task and the actions so far, which are done again. There is no random state: every stream is
 //! a function of the seed and the counters.
 
@@ -8,25 +8,22 @@ use super::agent::{Agent, Bootstrap, Learner};
 use super::config::Config;
 use super::lanes::Lanes;
 use super::replay::Replay;
-use super::tensors::{Tensor, Tensors};
+use super::tensors::{Tensor, Tensors, place};
 use super::training::{Best, Recent, Training, agent, interface};
 use serde::{Deserialize, Serialize};
-use std::path::Path;
 use tpg_engine::{Environment, Summary};
 use tpg_graph::error::{Finding, InputError};
 use tpg_nn::{Adam, Mlp, Shape};
 
-const FORMAT: &str = "tpg-train sac checkpoint";
-const VERSION: u32 = 4;
-/// No checkpoint is larger, bytes: the largest replay buffer of the presets makes a sixth of it.
-const LIMIT: u64 = 4 << 30;
+/// Incremented with every change to the content or meaning of checkpoints.
+pub const VERSION: u32 = 5;
+/// No run counts further: sums of two such counts do not overflow, and `f64` holds them exactly.
+const MOST: u64 = 1 << 53;
 
 /// Everything but the numbers of networks, buffer and actions.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct State<Task> {
-    format: String,
-    version: u32,
     config: Config,
     seed: u64,
     decisions: u64,
@@ -47,21 +44,15 @@ struct State<Task> {
 /// The part that tells whose checkpoint it is, for any problem.
 #[derive(Deserialize)]
 struct Header {
-    format: String,
-    version: u32,
     config: Config,
     seed: u64,
 }
 
-/// Writes a checkpoint; the last good one stays until the new one is whole. `log` is kept for the run's log files.
+/// Returns the content of a checkpoint. `log` is kept for the run's log files.
 ///
-/// # Errors
-/// If it cannot be written.
-pub fn save<E: Environment<f32>>(
-    path: &Path,
-    training: &Training<'_, E>,
-    log: &[serde_json::Value],
-) -> Result<(), InputError> {
+/// # Panics
+/// If a task of the environment cannot be written as JSON.
+pub fn to_bytes<E: Environment<f32>>(training: &Training<'_, E>, log: &[serde_json::Value]) -> Vec<u8> {
     let Training { config, seed, agent, average, replay, lanes, decisions, updates, best, curve, recent, .. } =
         training;
     let mut tensors = Tensors::default();
@@ -93,8 +84,6 @@ pub fn save<E: Environment<f32>>(
     let actions: Vec<f32> = lanes.lanes.iter().flat_map(|lane| &lane.actions).copied().collect();
     insert("actions", &actions);
     let state = State {
-        format: FORMAT.to_owned(),
-        version: VERSION,
         config: config.clone(),
         seed: *seed,
         decisions: *decisions,
@@ -110,7 +99,7 @@ pub fn save<E: Environment<f32>>(
         log: log.to_vec(),
     };
     tensors.text = Some(serde_json::to_string(&state).expect("plain data"));
-    tensors.write(path)
+    tensors.to_bytes()
 }
 
 fn learners(agent: &Agent<f32>) -> Vec<(&'static str, &Learner<f32>)> {
@@ -132,18 +121,21 @@ fn followers(agent: &Agent<f32>) -> Vec<(&'static str, &Mlp<f32>)> {
 /// A run under way, and the rows of its log.
 pub type Loaded<'e, E> = (Training<'e, E>, Vec<serde_json::Value>);
 
-/// Reads a checkpoint.
+/// Reads the content of a checkpoint and checks it; `file` is named in errors.
 ///
 /// # Errors
-/// If it cannot be read, is no checkpoint, or belongs to another configuration or seed.
-pub fn load<'e, E: Environment<f32>>(
-    path: &Path,
+/// If it is not a checkpoint, belongs to another configuration or seed, or is not a state that a run on this environment
+/// can be in.
+pub fn from_bytes<'e, E: Environment<f32>>(
+    file: &str,
+    content: &[u8],
     environment: &'e E,
     config: &Config,
     seed: u64,
 ) -> Result<Loaded<'e, E>, InputError> {
-    let tensors = Tensors::read(path, LIMIT)?;
-    restore(tensors, environment, config, seed).map_err(|finding| super::tensors::place(path, finding))
+    Tensors::from_bytes(content)
+        .and_then(|tensors| restore(tensors, environment, config, seed))
+        .map_err(|finding| place(file.as_ref(), finding))
 }
 
 /// Takes tensors out of a checkpoint.
@@ -209,9 +201,10 @@ fn restore<'e, E: Environment<f32>>(
     let text = file.text.take().unwrap_or_default();
     check_header(&text, config, seed)?;
     let state: State<E::Task> = parse(&text)?;
-    let mut numbers = Numbers(file);
     let interface = interface(environment, config)?;
     let (inputs, actions) = (interface.inputs.len(), interface.outputs.len());
+    state.check(config, environment, actions).map_err(|finding| finding.within("metadata.tpg"))?;
+    let mut numbers = Numbers(file);
     // The weights drawn here are all overwritten: only the shapes count.
     let mut agent = agent(config, &interface, seed);
     numbers.agent(&mut agent, &state.adam_steps)?;
@@ -224,15 +217,18 @@ fn restore<'e, E: Environment<f32>>(
     let rows = numbers.take("replay", None)?;
     let replay = Replay::from_state(inputs, actions, config.learning.replay, state.replayed, rows)
         .ok_or_else(|| Finding::new("replay", "another number of rows", "the rows that were replayed from"))?;
-    if state.lanes.len() != config.learning.lanes {
-        return Err(Finding::new("metadata.tpg.lanes", state.lanes.len(), config.learning.lanes.to_string()));
-    }
     let mut lanes = Lanes::empty(environment, interface, config, seed);
     let done = numbers.take("actions", Some(state.lanes.iter().map(|(_, count)| count).sum()))?;
     let mut done = done.as_slice();
-    for (task, count) in state.lanes {
+    for (place, (task, count)) in state.lanes.into_iter().enumerate() {
         let (of_lane, rest) = done.split_at(count);
-        lanes.resume(task, of_lane);
+        if let Some(action) = of_lane.iter().find(|action| !(-1.0..=1.0).contains(*action)) {
+            return Err(Finding::new("actions", action, "-1 to 1"));
+        }
+        if !lanes.resume(task, of_lane) {
+            let key = format!("metadata.tpg.lanes[{place}]");
+            return Err(Finding::new(key, "actions after the end of the episode", "an episode under way"));
+        }
         done = rest;
     }
     lanes.episodes = state.episodes;
@@ -252,13 +248,58 @@ fn parse<T: serde::de::DeserializeOwned>(text: &str) -> Result<T, Finding> {
         .map_err(|error| Finding::new("metadata.tpg", error, "the text that this version of tpg-train writes"))
 }
 
-/// Refuses the checkpoint of another version, configuration or seed.
+impl<Task> State<Task> {
+    /// Checks counts and tasks: everything behind relies on them.
+    fn check<E: Environment<f32, Task = Task>>(
+        &self,
+        config: &Config,
+        environment: &E,
+        outputs: usize,
+    ) -> Result<(), Finding> {
+        let learning = &config.learning;
+        let equal = |key: &str, found: u64, accepted: u64| {
+            if found == accepted { Ok(()) } else { Err(Finding::new(key, found, accepted.to_string())) }
+        };
+        Finding::range("decisions", self.decisions, 0, MOST)?;
+        let rest = self.decisions % learning.lanes as u64;
+        equal("decisions", self.decisions, self.decisions - rest)?;
+        let due = self.decisions.checked_sub(learning.random_decisions).unwrap_or(0) / learning.decisions_per_update;
+        equal("updates", self.updates, due)?;
+        equal("replayed", self.replayed, self.decisions)?;
+        Finding::range("episodes", self.episodes, learning.lanes as u64, MOST)?;
+        self.adam_steps.iter().try_for_each(|&steps| Finding::range("adam_steps", steps, 0, MOST))?;
+        Finding::range("recent.updates", self.recent.updates, 0, self.updates)?;
+        Finding::range("recent.steps", self.recent.steps, 0, MOST)?;
+        self.recent.ends.iter().try_for_each(|&ends| Finding::range("recent.ends", ends, 0, self.episodes))?;
+        if let Some((_, decisions)) = self.best {
+            Finding::range("best[1]", decisions, 0, self.decisions)?;
+        }
+        equal("lanes", self.lanes.len() as u64, learning.lanes as u64)?;
+        let limit = environment.time_limit() as usize;
+        for (place, (task, count)) in self.lanes.iter().enumerate() {
+            check_task(environment, &format!("lanes[{place}][0]"), task)?;
+            if count.checked_rem(outputs) != Some(0) || *count > limit.saturating_mul(outputs) {
+                let accepted = format!("{outputs} for each action, at most {limit} actions");
+                return Err(Finding::new(format!("lanes[{place}][1]"), count, accepted));
+            }
+        }
+        let most = config.retry.map_or(0, |retry| retry.remembered);
+        Finding::range("failures", self.failures.len(), 0, most)?;
+        (self.failures.iter().enumerate())
+            .try_for_each(|(place, task)| check_task(environment, &format!("failures[{place}]"), task))
+    }
+}
+
+fn check_task<E: Environment<f32>>(environment: &E, key: &str, task: &E::Task) -> Result<(), Finding> {
+    if environment.accepts(task) {
+        return Ok(());
+    }
+    Err(Finding::new(key, format!("{task:?}"), "a task of the problem"))
+}
+
+/// Refuses the checkpoint of another configuration or seed.
 fn check_header(text: &str, config: &Config, seed: u64) -> Result<(), Finding> {
     let header: Header = parse(text)?;
-    if header.format != FORMAT || header.version != VERSION {
-        let found = format!("{:?}, version {}", header.format, header.version);
-        return Err(Finding::new("metadata.tpg.format", found, format!("{FORMAT:?}, version {VERSION}")));
-    }
     if header.config != *config {
         let accepted = "the configuration that the run began with, or another --out";
         return Err(Finding::new("metadata.tpg.config", "another configuration", accepted));
@@ -307,27 +348,20 @@ mod tests {
     }
 
     fn check_resumed<E: Environment<f32>>(environment: &E, config: &Config) {
-        let folder = tempfile::tempdir().expect("a temporary folder");
-        let path = folder.path().join("checkpoint.safetensors");
         let new = || Training::new(environment, config.clone(), 9).expect("an environment with outputs");
         let (mut undisturbed, mut stopped) = (new(), new());
         (0..100).for_each(|_| stopped.tick());
-        save(&path, &stopped, &[serde_json::json!({"row": 1})]).expect("the folder can be written");
-        let (mut resumed, log) = load(&path, environment, config, 9).expect("a good checkpoint");
+        let content = to_bytes(&stopped, &[serde_json::json!({"row": 1})]);
+        let (mut resumed, log) = from_bytes("x", &content, environment, config, 9).expect("a good checkpoint");
         assert_eq!(log, [serde_json::json!({"row": 1})]);
         for training in [&mut undisturbed, &mut resumed] {
             while !training.finished() {
                 training.tick();
             }
         }
-        let bytes = |training: &Training<'_, E>| {
-            let path = folder.path().join("end");
-            save(&path, training, &[]).expect("the folder can be written");
-            std::fs::read(path).expect("it was just written")
-        };
         assert!(undisturbed.updates() > 40);
         assert_eq!(undisturbed.lanes.failures.places.len(), config.retry.map_or(0, |retry| retry.remembered));
-        assert!(bytes(&undisturbed) == bytes(&resumed), "the checkpoints at the end differ");
+        assert!(to_bytes(&undisturbed, &[]) == to_bytes(&resumed, &[]), "the checkpoints at the end differ");
     }
 
     #[test]
@@ -341,21 +375,18 @@ mod tests {
     #[test]
     fn a_checkpoint_of_another_seed_or_configuration_is_refused() {
         let config = small("general");
-        let folder = tempfile::tempdir().expect("a temporary folder");
-        let path = folder.path().join("checkpoint.safetensors");
         let mut training = Training::new(&Pendulum, config.clone(), 9).expect("a torque");
         training.tick();
-        save(&path, &training, &[]).expect("the folder can be written");
-        let refusal = |config: &Config, seed: u64| match load(&path, &Pendulum, config, seed) {
-            Ok(_) => panic!("it is read"),
-            Err(error) => error.to_string(),
-        };
-        assert!(refusal(&config, 10).contains("seed"));
+        let whole = to_bytes(&training, &[]);
+        let refusal =
+            |content: &[u8], config: &Config, seed: u64| match from_bytes("x", content, &Pendulum, config, seed) {
+                Ok(_) => panic!("it is read"),
+                Err(error) => error.to_string(),
+            };
+        assert!(refusal(&whole, &config, 10).contains("seed"));
         let mut other = config.clone();
         other.learning.rate = 0.5;
-        assert!(refusal(&other, 9).contains("config"));
-        let bytes = std::fs::read(&path).expect("it was just written");
-        std::fs::write(&path, &bytes[..bytes.len() / 2]).expect("the folder can be written");
-        assert!(refusal(&config, 9).contains("safetensors"));
+        assert!(refusal(&whole, &other, 9).contains("config"));
+        assert!(refusal(&whole[..whole.len() / 2], &config, 9).contains("safetensors"));
     }
 }

@@ -1,27 +1,30 @@
 //! `tpg-train sac`: a training run in a folder of its own.
 //!
 //! The folder holds `config.toml` (what was asked for), `log.csv` and `log.jsonl` (a row for each validation), `time.json`
-//! (what it cost), `checkpoint.safetensors`, and, from the first validation on, `policy.safetensors`: the best candidate so
+//! (what it cost), `checkpoint`, and, from the first validation on, `policy.safetensors`: the best candidate so
 //! far, and at the end the last one.
 
 use super::config::Config;
 use super::contract::{Contract, Provenance};
-use super::training::{Best, Training};
+use super::training::{Best, Training, interface};
 use super::weights::to_tensors;
 use super::{checkpoint, log, presets};
+use crate::configuration::{Chosen, Configuration};
 use crate::evolution::generation::Goal;
-use crate::files::{make_folder, read_text, write_atomically};
+use crate::evolution::presets::Preset;
+use crate::files::write_atomically;
+use crate::folder::{RunFolder, Trainer};
 use crate::interrupt;
 use crate::run_args::{RunArgs, command_line};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::Value;
-use std::path::PathBuf;
+use sha2::{Digest as _, Sha256};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use tpg_engine::{Environment, Summary};
 use tpg_graph::command::Verdict;
-use tpg_graph::error::{InputError, Place};
+use tpg_graph::error::{Finding, InputError};
 use tpg_problems::{ContinuousProblem, ProblemName, Visitor};
 
 /// Seconds between checkpoints: those of a large replay buffer take a while.
@@ -55,64 +58,37 @@ pub struct SacArgs {
 /// # Errors
 /// A bad configuration, a problem without outputs, a folder with another run, files that cannot be written.
 pub fn execute(args: &SacArgs) -> Result<Verdict, InputError> {
-    let (name, config, problem) = configuration(args)?;
+    let Chosen { preset, mut config, problem } = Chosen::<Config>::by(&args.run, args.problem)?;
+    if let Some(decisions) = args.decisions {
+        config.learning.decisions = decisions;
+    }
+    let name = preset.map_or_else(|| name_by_content(&config), str::to_owned);
     let stop = interrupt::watch();
     let command = Command { args, name: &name, config, problem: problem.name(), stop: &stop };
     problem.open(args.seed, command)
 }
 
-/// The configuration's name, the configuration, and the problem that the arguments ask for.
-///
-/// # Errors
-/// If the configuration cannot be read or is refused, or nothing names a problem.
-pub fn configuration(args: &SacArgs) -> Result<(String, Config, ContinuousProblem), InputError> {
-    let (name, file, text) = match (&args.run.config, &args.run.preset, args.problem) {
-        (Some(path), _, _) => {
-            let file = path.display().to_string();
-            (file.clone(), file, read_text(path, "a configuration as `tpg-train config --sac` prints")?)
-        }
-        (None, Some(name), _) => {
-            let preset =
-                presets::find(name).ok_or_else(|| command_line(format!("the preset {name:?}"), presets::names()))?;
-            let (file, text) = preset.file();
-            (name.clone(), file, text)
-        }
-        (None, None, Some(problem)) => {
-            let preset = presets::usual(problem);
-            let (file, text) = preset.file();
-            (preset.name.to_owned(), file, text)
-        }
-        (None, None, None) => {
-            let accepted = format!("--problem {}, --preset NAME or --config FILE", ProblemName::names());
-            return Err(command_line("no problem", accepted));
-        }
-    };
-    let mut config = Config::from_toml(&file, &text)?;
-    let problem = problem_of(args, &config, &file, &text)?;
-    config.problem = problem.to_table();
-    if let Some(decisions) = args.decisions {
-        config.learning.decisions = decisions;
+impl Configuration for Config {
+    type Problem = ContinuousProblem;
+    const PRESETS: &'static [Preset] = &presets::PRESETS;
+    const PRINTED_BY: &'static str = "tpg-train config --sac";
+
+    fn usual(problem: ProblemName) -> &'static Preset {
+        presets::usual(problem)
     }
-    Ok((name, config, problem))
+    fn from_toml(file: &str, text: &str) -> Result<Self, InputError> {
+        Self::from_toml(file, text)
+    }
+    fn problem(&mut self) -> &mut toml::Table {
+        &mut self.problem
+    }
 }
 
-/// The problem of a configuration, or of the command line. A preset made for another problem gives its parameters only.
-fn problem_of(args: &SacArgs, config: &Config, file: &str, text: &str) -> Result<ContinuousProblem, InputError> {
-    let own = (!config.problem.is_empty()).then(|| ContinuousProblem::from_toml(file, text)).transpose()?;
-    match (own, args.problem) {
-        (Some(problem), None) => Ok(problem),
-        (Some(problem), Some(name)) if problem.name() == name => Ok(problem),
-        (Some(problem), Some(name)) if args.run.config.is_some() => {
-            let found = format!("--problem {} with a configuration for {}", name.name(), problem.name().name());
-            Err(command_line(found, "the same problem twice, or no --problem"))
-        }
-        (Some(problem), Some(name)) => Ok(problem.renamed(name)),
-        (None, Some(name)) => Ok(ContinuousProblem::usual(name)),
-        (None, None) => {
-            let accepted = format!("--problem {}, or a section [problem] with a name", ProblemName::names());
-            Err(command_line(format!("no problem, neither in the arguments nor in {file}"), accepted))
-        }
-    }
+/// Returns the name of a configuration from a file: a hash of its content, so that the policy does not depend on where
+/// the file lies.
+fn name_by_content(config: &Config) -> String {
+    let hash = Sha256::digest(config.to_toml());
+    hash.iter().take(8).fold("SHA-256 ".to_owned(), |text, byte| format!("{text}{byte:02x}"))
 }
 
 /// A run on an environment whose type the registry knows.
@@ -135,7 +111,7 @@ impl Visitor<f32> for Command<'_> {
 
 struct Run<'a, E: Environment<f32>> {
     environment: &'a E,
-    folder: PathBuf,
+    folder: RunFolder,
     name: &'a str,
     problem: ProblemName,
     seed: u64,
@@ -152,20 +128,19 @@ impl<'a, E: Environment<f32>> Run<'a, E> {
     fn begin(command: Command<'a>, environment: &'a E) -> Result<Self, InputError> {
         let Command { args, name, config, problem, .. } = command;
         let (seed, folder) = (args.seed, args.run.folder(problem, args.seed));
-        let path = folder.join("checkpoint.safetensors");
-        let (training, log) = if args.run.resume && path.exists() {
-            checkpoint::load(&path, environment, &config, seed)?
-        } else if folder.join("config.toml").exists() && !args.run.resume {
-            let accepted = "an empty folder, or --resume";
-            return Err(InputError::new(folder.display().to_string(), Place::Whole, "a run", accepted));
-        } else {
-            let training = Training::new(environment, config, seed).map_err(|finding| {
-                command_line(format!("--problem {}: {}", problem.name(), finding.found), finding.accepted)
-            })?;
-            (training, Vec::new())
+        let refused = |finding: Finding| {
+            command_line(format!("--problem {}: {}", problem.name(), finding.found), finding.accepted)
         };
-        make_folder(&folder)?;
-        write_atomically(&folder.join("config.toml"), training.config().to_toml().as_bytes())?;
+        interface(environment, &config).map_err(refused)?;
+        let folder = RunFolder::open(&folder, Trainer::Sac, args.run.resume)?;
+        let found = folder.load(checkpoint::VERSION, |file, content| {
+            checkpoint::from_bytes(file, content, environment, &config, seed)
+        })?;
+        let (training, log) = match found {
+            Some(found) => found,
+            None => (Training::new(environment, config, seed).map_err(refused)?, Vec::new()),
+        };
+        write_atomically(&folder.file("config.toml"), training.config().to_toml().as_bytes())?;
         let goal = Goal { target: args.target, max_steps: args.max_steps };
         let whole = training.config().learning.decisions;
         let progress = ProgressBar::new(goal.max_steps.map_or(whole, |most| most.min(whole)));
@@ -247,13 +222,13 @@ impl<'a, E: Environment<f32>> Run<'a, E> {
         let config = self.training.config();
         let contract =
             Contract::new(config.problem.clone(), self.training.interface(), config.actor.clone(), provenance);
-        to_tensors(&best.actor, &contract).write(&self.folder.join("policy.safetensors"))?;
+        to_tensors(&best.actor, &contract).write(&self.folder.file("policy.safetensors"))?;
         self.log.push(log::row(&self.training, &recent, &result, self.environment));
-        log::write(&self.folder, &self.log, self.began)
+        log::write(self.folder.path(), &self.log, self.began)
     }
 
     fn save(&self) -> Result<(), InputError> {
-        checkpoint::save(&self.folder.join("checkpoint.safetensors"), &self.training, &self.log)
+        self.folder.save(checkpoint::VERSION, checkpoint::to_bytes(&self.training, &self.log))
     }
 
     fn sentence(&self, best: &Best) -> String {

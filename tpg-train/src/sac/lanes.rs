@@ -63,14 +63,13 @@ impl<'e, E: Environment<f32>> Lanes<'e, E> {
         Self { environment, interface, limit, seed, lanes, episodes: 0, failures, retried, values }
     }
 
-    /// Adds a lane whose episode began with `task` and has had `actions`: they are done again.
-    pub fn resume(&mut self, task: E::Task, actions: &[f32]) {
+    /// Adds a lane whose episode began with `task` and has had `actions`: they are done again. False if the episode ends
+    /// before the last of them or with it.
+    pub fn resume(&mut self, task: E::Task, actions: &[f32]) -> bool {
         let lane = self.lane(task);
         self.lanes.push(lane);
         let last = self.lanes.len() - 1;
-        for action in actions.chunks_exact(self.interface.outputs.len()) {
-            self.act(last, action);
-        }
+        (actions.chunks_exact(self.interface.outputs.len())).all(|action| self.act(last, action).end.is_none())
     }
 
     /// A new episode, part of them where the actor failed.
@@ -135,7 +134,7 @@ mod tests {
             assert_eq!(lanes.act(0, &[(action as f32).sin()]).end, None);
         }
         let mut again = Lanes::empty(&Pendulum, interface, &config, 5);
-        again.resume(lanes.lanes[0].task, &lanes.lanes[0].actions);
+        assert!(again.resume(lanes.lanes[0].task, &lanes.lanes[0].actions));
         let (mut here, mut there) = ([0.0; 3], [0.0; 3]);
         lanes.observe(0, &mut here);
         again.observe(0, &mut there);

@@ -1,6 +1,7 @@
 //! The log of a run: a row for each validation, without a clock, so that equal runs have equal logs.
 
 use super::training::{Recent, Training};
+use crate::csv_text::table;
 use crate::evolution::logs::cpu_seconds;
 use crate::files::write_atomically;
 use serde_json::{Value, json};
@@ -47,16 +48,14 @@ pub fn row<E: Environment<f32>>(
 pub fn write(folder: &Path, rows: &[Value], began: Instant) -> Result<(), InputError> {
     let lines = rows.iter().map(|row| format!("{row}\n"));
     write_atomically(&folder.join("log.jsonl"), lines.collect::<String>().as_bytes())?;
-    write_atomically(&folder.join("log.csv"), csv(rows).as_bytes())?;
+    write_atomically(&folder.join("log.csv"), &csv(rows))?;
     let time = json!({ "cpu_seconds_of_this_process": cpu_seconds(), "seconds": began.elapsed().as_secs_f64() });
     write_atomically(&folder.join("time.json"), format!("{time}\n").as_bytes())
 }
 
-/// The rows as CSV. serde_json keeps an object's keys sorted: the columns are in the order of the alphabet.
-fn csv(rows: &[Value]) -> String {
+/// Returns the rows as CSV. serde_json keeps an object's keys sorted: the columns are in alphabetical order.
+fn csv(rows: &[Value]) -> Vec<u8> {
     let objects: Vec<_> = rows.iter().filter_map(Value::as_object).collect();
-    let line = |cells: Vec<String>| cells.join(",") + "\n";
-    let header = objects.first().map(|row| line(row.keys().cloned().collect()));
-    let body = objects.iter().map(|row| line(row.values().map(Value::to_string).collect()));
-    header.into_iter().chain(body).collect()
+    let Some(first) = objects.first() else { return Vec::new() };
+    table(first.keys(), objects.iter().map(|row| row.values().map(Value::to_string)))
 }

@@ -46,6 +46,12 @@ impl ArmScalar for f64 {
     }
 }
 
+/// True if joint positions are within two turns, far from any overflow. Joint limits are the rules' concern: a step that
+/// violates them ends the episode.
+pub(super) fn on_the_arm(ticks: [i16; JOINTS]) -> bool {
+    ticks.iter().all(|&ticks| i32::from(ticks).abs() <= 2 * TICKS_PER_TURN)
+}
+
 /// The measure of an episode: distance from the hand to the target at its end.
 pub const DISTANCE: Measure = Measure { name: "distance", unit: "mm" };
 
@@ -301,6 +307,10 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
 
     fn rougher(&self, task: ArmTask, factor: u8) -> ArmTask {
         ArmTask { roughness: factor, ..task }
+    }
+
+    fn accepts(&self, task: &ArmTask) -> bool {
+        on_the_arm(task.start) && (1..=127).contains(&task.roughness)
     }
 
     fn start(&self, task: &ArmTask) -> ArmEpisode<S> {

@@ -19,7 +19,7 @@ pub use config::{Config, Reward};
 pub use decision::Discretiser;
 pub use inputs::Inputs;
 
-use super::environment::{DISTANCE, OUTCOMES};
+use super::environment::{DISTANCE, OUTCOMES, on_the_arm};
 use super::ik;
 use super::targets::{self, Reach, Set, Start};
 use lesson::Lesson;
@@ -174,6 +174,11 @@ impl Environment<f32> for Motors {
         };
         let rules = Rules::Training;
         (f64::from(distance) > self.config.tolerance).then_some(MotorsTask { start: pose.0, target, rules })
+    }
+
+    fn accepts(&self, task: &MotorsTask) -> bool {
+        let needs_goals = task.rules == Rules::Training && self.config.reward.knows_goals();
+        on_the_arm(task.start) && (!needs_goals || !ik::goals(&WIDOWX, task.target).is_empty())
     }
 
     fn start(&self, task: &MotorsTask) -> MotorsEpisode {

@@ -1,7 +1,7 @@
 //! Lists of tasks as CSV files.
 
 use super::Task;
-use csv::{Reader, ReaderBuilder, StringRecord, Trim};
+use csv::{Reader, ReaderBuilder, StringRecord, Trim, Writer};
 use std::fs;
 use std::path::Path;
 use tpg_arm::{Arm, JOINTS, Pose};
@@ -14,12 +14,18 @@ const HEADER: [&str; JOINTS + 3] =
 const RECORDED_HEADER: [&str; JOINTS + 4] = ["row", "m0", "m1", "m2", "m3", "tx", "ty", "tz"];
 
 /// Writes tasks as CSV: a header, then start (ticks) and target (mm, the shortest digits that give the same number).
+///
+/// # Panics
+/// Never: memory can be written.
 pub fn to_csv(tasks: &[Task]) -> String {
-    let row = |task: &Task| {
-        let ([base, shoulder, elbow, wrist], [x, y, z]) = (task.start.0, task.target);
-        format!("{base},{shoulder},{elbow},{wrist},{x},{y},{z}\n")
-    };
-    [HEADER.join(",") + "\n"].into_iter().chain(tasks.iter().map(row)).collect()
+    let mut writer = Writer::from_writer(Vec::new());
+    writer.write_record(HEADER).expect("memory can be written");
+    for task in tasks {
+        let start = task.start.0.iter().map(ToString::to_string);
+        let target = task.target.iter().map(ToString::to_string);
+        writer.write_record(start.chain(target)).expect("memory can be written");
+    }
+    String::from_utf8(writer.into_inner().expect("memory can be written")).expect("numbers are text")
 }
 
 /// Reads a file that [`to_csv`] wrote, or the paper's recorded targets.
@@ -37,7 +43,7 @@ fn parse_csv(arm: &Arm<f64>, file: &str, text: &str) -> Result<Vec<Task>, InputE
     let row = |record: Result<StringRecord, csv::Error>| {
         let record = record.map_err(|error| unreadable(file, &error))?;
         let line = record.position().map_or(0, csv::Position::line) as usize;
-        task(arm, &record, first).map_err(|(found, accepted)| InputError::new(file, Place::Line(line), found, accepted))
+        task(arm, &record, first, &|found, accepted| InputError::new(file, Place::Line(line), found, accepted))
     };
     reader.records().map(row).collect()
 }
@@ -61,21 +67,30 @@ fn unreadable(file: &str, error: &csv::Error) -> InputError {
     InputError::new(file, Place::Line(line), error.to_string(), "comma-separated text in UTF-8")
 }
 
-/// Parses one row; the error holds the text found and what is accepted instead.
-fn task(arm: &Arm<f64>, record: &StringRecord, first: usize) -> Result<Task, (String, String)> {
+/// Parses one row; `refuse` makes an error of the text found and what is accepted instead.
+fn task(
+    arm: &Arm<f64>,
+    record: &StringRecord,
+    first: usize,
+    refuse: &dyn Fn(String, String) -> InputError,
+) -> Result<Task, InputError> {
     let fields: Vec<&str> = record.iter().skip(first).collect();
     let Ok([base, shoulder, elbow, wrist, x, y, z]) = <[&str; JOINTS + 3]>::try_from(fields) else {
-        return Err((format!("{} fields", record.len()), format!("{} fields", HEADER.len() + first)));
+        return Err(refuse(format!("{} fields", record.len()), format!("{} fields", HEADER.len() + first)));
     };
     let mut start = Pose([0; JOINTS]);
     for ((ticks, field), range) in start.0.iter_mut().zip([base, shoulder, elbow, wrist]).zip(&arm.ranges) {
         let accepted = || format!("a whole number of ticks from {} to {}", range.min, range.max);
-        *ticks = field.parse().ok().filter(|&t| range.contains(t)).ok_or_else(|| (format!("{field:?}"), accepted()))?;
+        *ticks = field
+            .parse()
+            .ok()
+            .filter(|&t| range.contains(t))
+            .ok_or_else(|| refuse(format!("{field:?}"), accepted()))?;
     }
     let mut target = [0.0; 3];
     for (value, field) in target.iter_mut().zip([x, y, z]) {
         let finite = field.parse().ok().filter(|v: &f64| v.is_finite());
-        *value = finite.ok_or_else(|| (format!("{field:?}"), "a finite number of mm".to_owned()))?;
+        *value = finite.ok_or_else(|| refuse(format!("{field:?}"), "a finite number of mm".to_owned()))?;
     }
     Ok(Task { start, target })
 }

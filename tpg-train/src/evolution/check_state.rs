@@ -1,0 +1,163 @@
+//! Validity of a state that was read from a checkpoint. Everything behind it relies on these conditions.
+
+use super::config::Config;
+use super::genome::{Destination, Edge, Genome, Program, TeamId};
+use super::state::{Best, Deme, State};
+use super::vocabulary::Vocabulary;
+use tpg_engine::Environment;
+use tpg_graph::error::Finding;
+use tpg_runtime::scalar::Scalar;
+
+/// No run counts further: sums of two such counts do not overflow, and `f64` holds them exactly.
+const MOST: u64 = 1 << 53;
+/// Teams and programs of a deme are numbered below this: a root's number in its run has 40 bits for it.
+const MOST_NUMBERS: u64 = 1 << 40;
+
+impl<Task: std::fmt::Debug> State<Task> {
+    /// Checks that a run with this configuration can be in this state.
+    ///
+    /// # Errors
+    /// The first index without its object, or value out of range; keys begin with `state`.
+    pub fn check<S: Scalar, E: Environment<S, Task = Task>>(
+        &self,
+        config: &Config,
+        environment: &E,
+    ) -> Result<(), Finding> {
+        self.check_parts::<S, E>(config, environment).map_err(|finding| finding.within("state"))
+    }
+
+    fn check_parts<S: Scalar, E: Environment<S, Task = Task>>(
+        &self,
+        config: &Config,
+        environment: &E,
+    ) -> Result<(), Finding> {
+        let sources = environment.sources();
+        let lengths = |count: usize| sources[..count].iter().map(|source| source.length as usize).sum::<usize>();
+        let inputs = lengths(sources.len());
+        let actions = environment.actions().count().unwrap_or(0);
+        for (key, count) in [
+            ("training_episodes", self.training_episodes),
+            ("selection_episodes", self.selection_episodes),
+            ("steps", self.steps),
+        ] {
+            Finding::range(key, count, 0, MOST)?;
+        }
+        Finding::range("generation", self.generation, 0, 1_000_000)?;
+        equal("rows", self.rows.len() as u64, self.generation)?;
+        for (place, row) in (0..).zip(&self.rows) {
+            equal(&format!("rows[{place}].generation"), row.generation, place)?;
+        }
+        equal("scales", self.scales.len(), lengths(environment.bid_bounds().unwrap_or(sources.len())))?;
+        equal("demes", self.demes.len(), config.demes.count)?;
+        let vocabulary = config.vocabulary(environment, self.scales.clone());
+        let limits = Limits { config, vocabulary: &vocabulary, actions };
+        for (place, deme) in self.demes.iter().enumerate() {
+            if self.generation > 0 && deme.genome.teams().is_empty() {
+                return Err(Finding::new(format!("demes[{place}].genome.teams"), "no team", "one or more"));
+            }
+            limits.deme(deme).map_err(|finding| finding.within(&format!("demes[{place}]")))?;
+        }
+        equal("archive.size", self.archive.size(), config.learning.archive_size)?;
+        self.archive.check(self.demes.len(), inputs).map_err(|finding| finding.within("archive"))?;
+        Finding::range("pool", self.pool.len(), 0, config.pool.size)?;
+        if let Some(place) = self.pool.iter().position(|task| !environment.accepts(task)) {
+            let key = format!("pool[{place}]");
+            return Err(Finding::new(key, format!("{:?}", self.pool[place]), "a task of the problem"));
+        }
+        let best = |best| check_best(best, self.generation, config, inputs, actions);
+        self.best.as_ref().map_or(Ok(()), best).map_err(|finding| finding.within("best"))
+    }
+}
+
+fn check_best(best: &Best, generation: u64, config: &Config, inputs: usize, actions: usize) -> Result<(), Finding> {
+    if best.generation >= generation {
+        return Err(Finding::new("generation", best.generation, format!("below {generation}")));
+    }
+    if let Some(ranges) = &best.ranges {
+        equal("ranges", ranges.len(), inputs)?;
+        if let Some(place) = ranges.iter().position(|[low, high]| low > high) {
+            return Err(Finding::new(
+                format!("ranges[{place}]"),
+                format!("{:?}", ranges[place]),
+                "a low and a high end",
+            ));
+        }
+    }
+    let policy = best.policy.check(config.learning.nb_registers, inputs, actions);
+    policy.map_err(|finding| finding.within("policy"))
+}
+
+fn equal<T: PartialEq + std::fmt::Display>(key: &str, found: T, accepted: T) -> Result<(), Finding> {
+    if found == accepted { Ok(()) } else { Err(Finding::new(key, found, accepted.to_string())) }
+}
+
+/// Bounds of a deme's indices.
+struct Limits<'a> {
+    config: &'a Config,
+    vocabulary: &'a Vocabulary,
+    actions: usize,
+}
+
+impl Limits<'_> {
+    fn deme(&self, deme: &Deme) -> Result<(), Finding> {
+        self.genome(&deme.genome).map_err(|finding| finding.within("genome"))?;
+        for (&team, record) in &deme.records {
+            let key = format!("records.{}", team.0);
+            if !deme.genome.teams().contains_key(&team) {
+                return Err(Finding::new(key, "a record of no team", "records of the deme's teams"));
+            }
+            Finding::range(&format!("{key}.evaluations"), record.evaluations, 0, MOST)?;
+        }
+        Ok(())
+    }
+
+    fn genome(&self, genome: &Genome) -> Result<(), Finding> {
+        let next = genome.newest();
+        Finding::range("next", next, 0, MOST_NUMBERS)?;
+        for (&id, team) in genome.teams() {
+            let key = format!("teams.{}", id.0);
+            Finding::range(&key, id.0, 1, next)?;
+            let most = self.config.tpg.max_outgoing_edges;
+            Finding::range(&format!("{key}.edges"), team.edges.len(), 1, most)?;
+            for (place, edge) in team.edges.iter().enumerate() {
+                self.edge(genome, id, edge).map_err(|finding| finding.within(&format!("{key}.edges[{place}]")))?;
+            }
+        }
+        for (id, program) in genome.programs() {
+            let key = format!("programs.{}", id.0);
+            Finding::range(&key, id.0, 1, next)?;
+            self.program(program).map_err(|finding| finding.within(&key))?;
+        }
+        Ok(())
+    }
+
+    /// Edges lead to older teams only: new teams are made of edges to those that exist.
+    fn edge(&self, genome: &Genome, from: TeamId, edge: &Edge) -> Result<(), Finding> {
+        if !genome.programs().contains_key(&edge.program) {
+            return Err(Finding::new("program", edge.program.0, "the number of a program"));
+        }
+        match edge.to {
+            Destination::Action(action) => Finding::below("to.Action", action.into(), self.actions),
+            Destination::Team(to) if to < from && genome.teams().contains_key(&to) => Ok(()),
+            Destination::Team(to) => Err(Finding::new("to.Team", to.0, format!("a team before {}", from.0))),
+        }
+    }
+
+    fn program(&self, program: &Program) -> Result<(), Finding> {
+        let Self { config, vocabulary, .. } = *self;
+        equal("constants", program.constants.len(), usize::from(vocabulary.constants()))?;
+        Finding::range("lines", program.lines.len(), 1, config.program.max_program_size)?;
+        for (place, line) in program.lines.iter().enumerate() {
+            let key = |name: &str| format!("lines[{place}].{name}");
+            Finding::below(&key("instruction"), line.instruction.into(), vocabulary.instructions().len())?;
+            Finding::below(&key("to"), line.to.into(), vocabulary.registers().into())?;
+            for (operand, gene) in line.operands.iter().enumerate() {
+                let key = |name: &str| key(&format!("operands[{operand}].{name}"));
+                Finding::below(&key("source"), gene.source.into(), vocabulary.sources())?;
+                let space = vocabulary.largest_address_space();
+                Finding::below(&key("location"), gene.location.into(), space.into())?;
+            }
+        }
+        Ok(())
+    }
+}

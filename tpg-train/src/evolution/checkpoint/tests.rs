@@ -1,0 +1,166 @@
+//! Damaged and forged states are refused at their place. The mutations are those with which a fuzzer once made training
+//! panic, allocate half a gigabyte, or go on from a changed state.
+
+use super::{VERSION, from_bytes, to_bytes};
+use crate::evolution::config::Config;
+use crate::evolution::presets::Preset;
+use crate::evolution::run::{RunOptions, run};
+use crate::evolution::state::State;
+use crate::folder::{Trainer, checkpoint::look};
+use serde_json::{Value, json};
+use std::ops::ControlFlow;
+use std::sync::OnceLock;
+use tpg_engine::{Choices, Environment, LocalThreads, Options};
+use tpg_graph::error::{InputError, Place};
+use tpg_problems::Pendulum;
+use tpg_problems::arm::shield::Shield;
+use tpg_problems::arm::targets::Start;
+use tpg_problems::arm::{self, ArmEnvironment};
+use tpg_runtime::ops::Own;
+
+type Swing = Choices<f32, Pendulum>;
+
+fn swing() -> Swing {
+    Choices::new(Pendulum, 3).expect("three torques")
+}
+
+fn config() -> Config {
+    let mut config = Preset::find("general").expect("a preset").config().expect("it is accepted");
+    (config.tpg.nb_roots, config.tpg.init_nb_roots) = (12, 14);
+    (config.demes.count, config.demes.migration_interval, config.demes.migrants) = (2, 2, 1);
+    (config.learning.archive_size, config.learning.archiving_probability) = (6, 1.0);
+    (config.learning.nb_iterations_per_policy_evaluation, config.learning.nb_generations) = (4, 4);
+    config.learning.nb_program_constant = 2;
+    (config.pool.size, config.pool.share) = (5, 0.5);
+    (config.selection.racing_episodes, config.selection.validation_roots) = (0, 3);
+    (config.selection.validation_episodes, config.selection.lexicase_survivors) = (4, 0);
+    (config.curriculum.generations, config.curriculum.roughness) = (0, 1);
+    config
+}
+
+/// Returns the content of the checkpoint of a real run.
+fn whole() -> &'static Value {
+    static CONTENT: OnceLock<Value> = OnceLock::new();
+    CONTENT.get_or_init(|| content(&config(), &swing()))
+}
+
+fn content<E: Environment<f32>>(config: &Config, environment: &E) -> Value {
+    let place = tempfile::tempdir().expect("a temporary folder");
+    let options = RunOptions { folder: place.path().to_owned(), ..RunOptions::default() };
+    let evaluator = LocalThreads::<f32, Own, _>::new(environment, Options::default(), 1).expect("a thread");
+    run(config, 1, environment, &evaluator, &options, |_| ControlFlow::Continue(())).expect("it runs");
+    let json = |_: &str, content: &[u8]| Ok(serde_json::from_slice(content).expect("JSON"));
+    look(place.path(), Trainer::Tpg, VERSION, json).expect("a checkpoint")
+}
+
+fn read(content: &Value) -> Result<State<[f64; 2]>, InputError> {
+    from_bytes("x", content.to_string().as_bytes(), &config(), 1, &swing())
+}
+
+/// Returns the first key of an object, in its order.
+fn first(object: &Value) -> String {
+    object.as_object().and_then(|object| object.keys().next()).expect("an object with keys").clone()
+}
+
+#[test]
+fn a_real_state_is_accepted_and_written_as_it_was_read() {
+    let state = read(whole()).expect("a real one");
+    assert!(!state.pool.is_empty() && state.best.is_some(), "a state that has every part");
+    let again = to_bytes("x", &config(), &state).expect("plain data");
+    assert_eq!(serde_json::from_slice::<Value>(&again).expect("JSON"), *whole());
+}
+
+#[test]
+fn a_real_state_of_a_shielded_arm_is_accepted() {
+    let mut config = config();
+    config.language.literals = true;
+    let (mut limits, mut small) = (arm::Config::default(), config);
+    limits.shield = Shield::LimitsAndCollision;
+    (small.learning.nb_iterations_per_policy_evaluation, small.learning.nb_generations) = (3, 2);
+    (small.tpg.nb_roots, small.tpg.init_nb_roots) = (12, 12);
+    let environment: ArmEnvironment<f32> = limits.environment(Start::Rs);
+    let content = content(&small, &environment).to_string();
+    let read = from_bytes("x", content.as_bytes(), &small, 1, &environment);
+    assert!(read.is_ok(), "{:?}", read.err());
+}
+
+#[test]
+fn a_state_with_an_index_of_nothing_is_refused_at_its_place() {
+    let deme = "/state/demes/0";
+    let genome = format!("{deme}/genome");
+    let at = |path: &str| whole().pointer(path).unwrap_or_else(|| panic!("{path}"));
+    let team = format!("{genome}/teams/{}", first(at(&format!("{genome}/teams"))));
+    let program = format!("{genome}/programs/{}", first(at(&format!("{genome}/programs"))));
+    let record = format!("{deme}/records/{}", first(at(&format!("{deme}/records"))));
+    let policy = "/state/best/policy";
+    let huge = json!(u64::MAX);
+    for (path, value, place) in [
+        (format!("{genome}/next"), huge.clone(), "genome.next"),
+        (format!("{genome}/next"), json!(3), "genome.teams."),
+        (format!("{team}/edges"), json!([]), ".edges"),
+        (format!("{team}/edges/0/program"), json!(999_999), ".edges[0].program"),
+        (format!("{team}/edges/0/to"), json!({"Action": 3}), ".edges[0].to.Action"),
+        (format!("{team}/edges/0/to"), json!({"Team": 999_999}), ".edges[0].to.Team"),
+        (format!("{program}/lines"), json!([]), ".lines"),
+        (format!("{program}/constants"), json!([]), ".constants"),
+        (format!("{program}/lines/0/to"), json!(48), ".lines[0].to"),
+        (format!("{program}/lines/0/instruction"), json!(255), ".lines[0].instruction"),
+        (format!("{program}/lines/0/operands/1/source"), json!(31), ".operands[1].source"),
+        (format!("{program}/lines/0/operands/0/location"), json!(16_601), ".operands[0].location"),
+        (format!("{record}/evaluations"), huge.clone(), ".evaluations"),
+        ("/state/demes".to_owned(), json!([]), "state.demes"),
+        ("/state/archive/size".to_owned(), json!(2_247_488), "state.archive.size"),
+        ("/state/archive/recordings/0/state".to_owned(), json!([1.0]), "recordings[0].state"),
+        ("/state/archive/recordings/0/program/0".to_owned(), json!(7), "recordings[0].program"),
+        ("/state/pool".to_owned(), json!(vec![[0.0, 0.0]; 6]), "state.pool"),
+        (format!("{policy}/registers"), json!(0), "best.policy.registers"),
+        (format!("{policy}/registers"), json!(65_535), "best.policy.registers"),
+        (format!("{policy}/teams"), json!([]), "best.policy.teams"),
+        (format!("{policy}/teams/0/0/program"), json!(128), "teams[0][0].program"),
+        (format!("{policy}/teams/0/0/to"), json!({"team": 0}), "teams[0][0].to.team"),
+        (format!("{policy}/teams/0/0/to"), json!({"action": 3}), "teams[0][0].to.action"),
+        (format!("{policy}/programs/0/0/to"), json!(32), "programs[0][0].to"),
+        (format!("{policy}/programs/0/0/operands/0"), json!({"input": 4095}), "operands[0].input"),
+        (format!("{policy}/programs/0/0/operands/0"), json!({"register": 99}), "operands[0].register"),
+        ("/state/best/generation".to_owned(), json!(4), "best.generation"),
+        ("/state/best/ranges".to_owned(), json!([[0.0, 1.0]]), "best.ranges"),
+        ("/state/rows".to_owned(), json!([]), "state.rows"),
+        ("/state/rows/1/generation".to_owned(), json!(5), "rows[1].generation"),
+        ("/state/generation".to_owned(), json!(9_999_999), "state.generation"),
+        ("/state/scales".to_owned(), json!([]), "state.scales"),
+        ("/state/steps".to_owned(), huge.clone(), "state.steps"),
+        ("/state/training_episodes".to_owned(), huge, "state.training_episodes"),
+    ] {
+        let mut content = whole().clone();
+        *content.pointer_mut(&path).unwrap_or_else(|| panic!("{path}")) = value;
+        let error = read(&content).expect_err(&path);
+        let Place::Path(key) = &error.place else { panic!("{path}: {error}") };
+        assert!(key.starts_with("state.") && key.contains(place), "{path}: {error}");
+    }
+}
+
+#[test]
+fn a_team_that_leads_to_itself_or_to_a_later_one_is_refused() {
+    let teams = "/state/demes/0/genome/teams";
+    let ids: Vec<u64> = (whole().pointer(teams).and_then(Value::as_object).expect("teams").keys())
+        .map(|id| id.parse().expect("a number"))
+        .collect();
+    let (low, high) = (ids.iter().min().expect("teams"), ids.iter().max().expect("teams"));
+    for to in [low, high] {
+        let mut content = whole().clone();
+        *content.pointer_mut(&format!("{teams}/{low}/edges/0/to")).expect("an edge") = json!({"Team": to});
+        let error = read(&content).expect_err("a cycle").to_string();
+        assert!(error.contains("a team before"), "{error}");
+    }
+}
+
+#[test]
+fn text_that_is_no_checkpoint_is_refused() {
+    for text in ["", "{}", "[]", "null", "{\"config\":\"\",\"state\":{}}", "\u{0}\u{ff}"] {
+        let refused = from_bytes("x", text.as_bytes(), &config(), 1, &swing()).expect_err(text);
+        assert!(refused.found.starts_with("not a checkpoint"), "{refused}");
+    }
+    let mut content = whole().clone();
+    *content.pointer_mut("/config").expect("a configuration") = json!("[tpg");
+    assert!(read(&content).expect_err("no configuration").found.contains("another configuration"));
+}

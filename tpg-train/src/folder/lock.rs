@@ -1,0 +1,97 @@
+//! The file `run.lock`: locked by the system as long as its process lives, and one line that says whose the folder is.
+//!
+//! The file stays when the run ends. Its line still names the trainer, and a lock file that is removed could be locked
+//! by two processes.
+
+use super::Trainer;
+use std::fs::{File, TryLockError};
+use std::io::{Read as _, Seek as _, Write as _};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, SystemTime};
+use tpg_graph::error::{InputError, Place};
+
+/// Name of the file.
+const NAME: &str = "run.lock";
+/// Longest line that is read, bytes.
+const LONGEST: u64 = 200;
+
+/// A locked folder.
+#[derive(Debug)]
+pub struct Lock(File);
+
+impl Lock {
+    /// True if another process has locked the folder.
+    pub fn is_held(folder: &Path) -> bool {
+        let file = File::open(folder.join(NAME));
+        file.is_ok_and(|file| matches!(file.try_lock(), Err(TryLockError::WouldBlock)))
+    }
+
+    /// Locks a folder for a trainer.
+    ///
+    /// # Errors
+    /// If another process has locked it, it belongs to another trainer, or it cannot be written.
+    pub fn take(folder: &Path, trainer: Trainer) -> Result<Self, InputError> {
+        let path = folder.join(NAME);
+        let io = |error: &std::io::Error| InputError::io(&path, error, "a folder that can be written");
+        let mut file = (File::options().read(true).write(true).create(true).truncate(false).open(&path))
+            .map_err(|error| io(&error))?;
+        match file.try_lock() {
+            Ok(()) => {}
+            Err(TryLockError::WouldBlock) => return Err(in_use(folder, &mut file)),
+            Err(TryLockError::Error(error)) if error.kind() == std::io::ErrorKind::Unsupported => {
+                eprintln!("warning: {}: no locks on this file system; run one process only", path.display());
+            }
+            Err(TryLockError::Error(error)) => return Err(io(&error)),
+        }
+        let line = first_line(&mut file);
+        if let Some(owner) = owner(&line).filter(|owner| *owner != trainer) {
+            let found = format!("a run of tpg-train {owner}");
+            let accepted = format!("a run of tpg-train {trainer}, or another --out");
+            return Err(InputError::new(folder.display().to_string(), Place::Whole, found, accepted));
+        }
+        Ok(Self(file))
+    }
+
+    /// Writes who has locked the folder, and since when.
+    ///
+    /// # Errors
+    /// If the file cannot be written.
+    pub fn write(&self, folder: &Path, trainer: Trainer) -> Result<(), InputError> {
+        let path: PathBuf = folder.join(NAME);
+        let now = humantime::format_rfc3339_seconds(SystemTime::now());
+        let line = format!("tpg-train {trainer}, process {}, since {now}\n", std::process::id());
+        let mut file = &self.0;
+        // Overwrites before it shortens: on a full disk the old bytes still have their place.
+        (file.rewind())
+            .and_then(|()| file.write_all(line.as_bytes()))
+            .and_then(|()| file.set_len(line.len() as u64))
+            .map_err(|error| InputError::io(&path, &error, "a file that can be written, with space for it"))
+    }
+}
+
+fn in_use(folder: &Path, file: &mut File) -> InputError {
+    // The other process may have the lock but not have written its line yet.
+    let mut line = first_line(file);
+    for _ in 0..20 {
+        if owner(&line).is_some() {
+            break;
+        }
+        std::thread::sleep(Duration::from_millis(10));
+        line = first_line(file);
+    }
+    let found = if owner(&line).is_some() { line } else { "another process".to_owned() };
+    let accepted = "one process at a time in a folder: wait for its end, or another --out";
+    InputError::new(folder.display().to_string(), Place::Whole, format!("in use by {found}"), accepted)
+}
+
+fn first_line(file: &mut File) -> String {
+    let mut bytes = Vec::new();
+    let read = file.rewind().and_then(|()| file.take(LONGEST).read_to_end(&mut bytes));
+    let text = String::from_utf8_lossy(&bytes);
+    if read.is_ok() { text.lines().next().unwrap_or_default().to_owned() } else { String::new() }
+}
+
+/// Returns the trainer that a line names.
+fn owner(line: &str) -> Option<Trainer> {
+    Trainer::from_name(line.strip_prefix("tpg-train ")?.split_once(", process ")?.0)
+}

@@ -1,0 +1,184 @@
+//! A run's folder: one process at a time, its checkpoints, and nothing left of processes that were killed.
+//!
+//! | module | subject |
+//! | --- | --- |
+//! | (root) | [`RunFolder`], the folder of a run under way |
+//! | [`lock`] | the file `run.lock` |
+//! | [`frame`] | the checksum of a checkpoint |
+//! | [`checkpoint`] | the newest checkpoint and the previous one |
+
+pub mod checkpoint;
+pub mod frame;
+pub mod lock;
+
+use crate::files::make_folder;
+use lock::Lock;
+use std::fmt;
+use std::path::{Path, PathBuf};
+use tpg_graph::error::{InputError, Place};
+use tpg_graph::output::remove_unfinished;
+
+/// A command that keeps its state in a folder.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Trainer {
+    /// `tpg-train tpg`, one seed.
+    Tpg,
+    /// `tpg-train tpg --seeds`: the folder that holds a folder for each seed.
+    Restarts,
+    /// `tpg-train sac`.
+    Sac,
+    /// `tpg-train hybrid`.
+    Hybrid,
+}
+
+impl Trainer {
+    const ALL: [Self; 4] = [Self::Tpg, Self::Restarts, Self::Sac, Self::Hybrid];
+
+    /// Returns the name in a run's files.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Tpg => "tpg",
+            Self::Restarts => "tpg --seeds",
+            Self::Sac => "sac",
+            Self::Hybrid => "hybrid",
+        }
+    }
+
+    /// Finds the trainer with the given [`name`](Self::name).
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|trainer| trainer.name() == name)
+    }
+}
+
+impl fmt::Display for Trainer {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// Files that show that a folder holds a run.
+const MARKS: [&str; 5] = ["config.toml", "restarts.csv", "study.toml", checkpoint::NEWEST, checkpoint::PREVIOUS];
+
+/// Checkpoints of earlier versions, which had no checksum.
+const EARLIER: [&str; 2] = ["checkpoint.json", "checkpoint.safetensors"];
+
+/// The folder of a run under way. It is locked until this is dropped or the process ends, by whatever cause.
+#[derive(Debug)]
+pub struct RunFolder {
+    path: PathBuf,
+    trainer: Trainer,
+    _lock: Lock,
+}
+
+impl RunFolder {
+    /// Creates the folder if it does not exist, locks it, and removes unfinished files of killed processes.
+    ///
+    /// ```
+    /// use tpg_train::folder::{RunFolder, Trainer};
+    ///
+    /// let place = tempfile::tempdir()?;
+    /// let run = place.path().join("run");
+    /// let folder = RunFolder::open(&run, Trainer::Tpg, false)?;
+    /// let refused = RunFolder::open(&run, Trainer::Tpg, true).expect_err("it is in use");
+    /// assert!(refused.found.contains(&format!("process {}", std::process::id())));
+    ///
+    /// folder.save(1, b"content".to_vec())?;
+    /// drop(folder);
+    /// let folder = RunFolder::open(&run, Trainer::Tpg, true)?;
+    /// assert_eq!(folder.load(1, |_file, content| Ok(content.to_vec()))?, Some(b"content".to_vec()));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If another process uses the folder, it holds a run and `resume` is false, the run belongs to another trainer or
+    /// an earlier version, or the folder cannot be written.
+    pub fn open(path: &Path, trainer: Trainer, resume: bool) -> Result<Self, InputError> {
+        make_folder(path)?;
+        // First without the lock: a folder that is refused stays as it is.
+        if !resume && !Lock::is_held(path) {
+            refuse_run(path)?;
+        }
+        let lock = Lock::take(path, trainer)?;
+        if !resume {
+            refuse_run(path)?;
+        }
+        if let Some(file) = EARLIER.map(|name| path.join(name)).iter().find(|file| file.exists()) {
+            let accepted = "a folder without it: only the version that wrote it can continue the run";
+            let file = file.display().to_string();
+            return Err(InputError::new(file, Place::Whole, "a checkpoint of an earlier version", accepted));
+        }
+        remove_unfinished(path);
+        lock.write(path, trainer)?;
+        Ok(Self { path: path.to_owned(), trainer, _lock: lock })
+    }
+
+    /// Returns the path of the folder.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Returns the path of a file in the folder.
+    pub fn file(&self, name: &str) -> PathBuf {
+        self.path.join(name)
+    }
+}
+
+fn refuse_run(path: &Path) -> Result<(), InputError> {
+    if MARKS.iter().chain(&EARLIER).any(|name| path.join(name).exists()) {
+        let accepted = "an empty folder, or --resume";
+        return Err(InputError::new(path.display().to_string(), Place::Whole, "a run", accepted));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{MARKS, RunFolder, Trainer};
+    use std::fs;
+
+    #[test]
+    fn a_folder_belongs_to_one_trainer_and_to_one_process_at_a_time() {
+        let place = tempfile::tempdir().expect("a temporary folder");
+        let run = place.path().join("a/run");
+        let open = |trainer, resume| RunFolder::open(&run, trainer, resume).map_err(|error| error.to_string());
+        let folder = open(Trainer::Sac, false).expect("a new folder");
+        let refused = open(Trainer::Sac, true).expect_err("in use");
+        let process = format!("process {}, since 20", std::process::id());
+        assert!(refused.contains(&process) && refused.contains("one process"), "{refused}");
+        assert!(open(Trainer::Sac, false).expect_err("in use").contains(&process));
+        drop(folder);
+        for trainer in [Trainer::Tpg, Trainer::Restarts, Trainer::Hybrid] {
+            let refused = open(trainer, true).expect_err("of another trainer");
+            assert!(refused.contains("tpg-train sac") && refused.contains(trainer.name()), "{refused}");
+        }
+        assert!(open(Trainer::Sac, true).is_ok());
+    }
+
+    #[test]
+    fn a_run_is_not_begun_again_by_mistake_and_the_folder_stays_as_it_was() {
+        for mark in MARKS.into_iter().chain(super::EARLIER) {
+            let folder = tempfile::tempdir().expect("a temporary folder");
+            fs::write(folder.path().join(mark), "content").expect("written");
+            let refused = RunFolder::open(folder.path(), Trainer::Tpg, false).expect_err(mark);
+            assert!(refused.accepted.contains("--resume"), "{refused}");
+            assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 1, "{mark} alone");
+        }
+    }
+
+    #[test]
+    fn a_checkpoint_of_an_earlier_version_is_not_overlooked() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        fs::write(folder.path().join("checkpoint.json"), "{}").expect("written");
+        let refused = RunFolder::open(folder.path(), Trainer::Tpg, true).expect_err("an old one");
+        assert!(refused.file.ends_with("checkpoint.json") && refused.found.contains("earlier version"), "{refused}");
+    }
+
+    #[test]
+    fn what_killed_processes_left_is_removed() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let left = folder.path().join(".tpg-unfinished-AbCdEf");
+        fs::write(&left, "half").expect("written");
+        RunFolder::open(folder.path(), Trainer::Hybrid, true).expect("a folder");
+        assert!(!left.exists());
+    }
+}

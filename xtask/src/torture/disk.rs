@@ -1,0 +1,74 @@
+//! A full disk, and a folder that cannot be written: a small file system in memory, which only root can make.
+
+use super::subject::Subject;
+use super::table::Row;
+use super::{Checked, fresh};
+use rand_chacha::ChaCha8Rng;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Runs on a disk with half of the space that the run needs, then with enough.
+pub(super) fn full(subject: &Subject, _random: &mut ChaCha8Rng) -> Checked {
+    let mut row = Row::new(subject.name, "full disk");
+    let disk = Disk::mount(&fresh(subject, "full"), subject.size / 2)?;
+    let folder = disk.0.join("run");
+    for _ in 0..3 {
+        let output = subject.finish(&folder);
+        let error = String::from_utf8_lossy(&output.stderr).into_owned();
+        let is_full = error.contains("space") || error.contains("No space");
+        row.note(output.status.code() == Some(2) && is_full, || format!("not a full disk: {error}"));
+    }
+    disk.remount("size=1g")?;
+    row.finish(subject, &folder);
+    Ok(row)
+}
+
+/// Continues a run that was killed in a folder that cannot be written, then in one that can.
+pub(super) fn read_only(subject: &Subject, _random: &mut ChaCha8Rng) -> Checked {
+    let mut row = Row::new(subject.name, "read-only folder");
+    let disk = Disk::mount(&fresh(subject, "read-only"), 1 << 30)?;
+    let folder = disk.0.join("run");
+    let mut child = subject.start(&folder);
+    std::thread::sleep(subject.time / 2);
+    let _ = child.kill();
+    let _ = child.wait();
+    disk.remount("ro")?;
+    let output = subject.finish(&folder);
+    let error = String::from_utf8_lossy(&output.stderr).into_owned();
+    row.note(output.status.code() == Some(2) && !error.contains("panicked"), || format!("not refused: {error}"));
+    disk.remount("rw")?;
+    row.finish(subject, &folder);
+    Ok(row)
+}
+
+/// A mounted file system; unmounted when dropped.
+struct Disk(PathBuf);
+
+impl Disk {
+    fn mount(path: &Path, size: u64) -> Result<Self, String> {
+        fs::create_dir_all(path).map_err(|error| error.to_string())?;
+        run(Command::new("mount").args(["-t", "tmpfs", "-o", &format!("size={size}"), "tmpfs"]).arg(path))?;
+        Ok(Self(path.to_owned()))
+    }
+
+    fn remount(&self, option: &str) -> Result<(), String> {
+        run(Command::new("mount").args(["-o", &format!("remount,{option}")]).arg(&self.0))
+    }
+}
+
+impl Drop for Disk {
+    fn drop(&mut self) {
+        let _ = run(Command::new("umount").arg(&self.0));
+    }
+}
+
+fn run(command: &mut Command) -> Result<(), String> {
+    let output = command.output().map_err(|error| format!("no mount: {error}"))?;
+    let why = String::from_utf8_lossy(&output.stderr).trim().to_owned();
+    if output.status.success() {
+        Ok(())
+    } else {
+        Err(format!("a file system cannot be mounted (only root can): {why}"))
+    }
+}
