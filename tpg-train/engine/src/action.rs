@@ -1,6 +1,7 @@
 //! Action spaces, and the actions that policies take in them.
 
-use tpg_graph::ActionDocument;
+use crate::policy::Limits;
+use tpg_graph::{ActionDocument, ScalarType};
 use tpg_runtime::policy::ActionId;
 
 /// The actions that a policy can take.
@@ -36,6 +37,23 @@ pub struct Choice {
     pub options: Vec<String>,
 }
 
+impl Output {
+    /// Returns the limits of a policy's output in a scalar type: the output's range, rounded inwards. NaN becomes 0, or the
+    /// nearest value of the range.
+    pub fn limits(&self, scalar: ScalarType) -> Limits {
+        let inwards = |value: f64, towards: fn(f32) -> f32, is_outside: fn(&f64, &f64) -> bool| match scalar {
+            ScalarType::F64 => value,
+            ScalarType::F32 => {
+                let near = value as f32;
+                f64::from(if is_outside(&f64::from(near), &value) { towards(near) } else { near })
+            }
+        };
+        let min = inwards(self.min, f32::next_up, f64::lt);
+        let max = inwards(self.max, f32::next_down, f64::gt);
+        Limits { min, max, nan: 0.0_f64.clamp(min, max) }
+    }
+}
+
 impl ActionSpace {
     /// Creates a discrete space of named actions without effects.
     ///
@@ -47,6 +65,14 @@ impl ActionSpace {
     pub fn discrete<'a>(names: impl IntoIterator<Item = &'a str>) -> Self {
         let action = |(id, name): (u32, &str)| ActionDocument { id, name: name.to_owned(), effect: None };
         Self::Discrete((0..).zip(names).map(action).collect())
+    }
+
+    /// Returns the outputs of a box; empty for any other space.
+    pub fn outputs(&self) -> &[Output] {
+        match self {
+            Self::Box(outputs) => outputs,
+            Self::Discrete(_) | Self::MultiDiscrete(_) => &[],
+        }
     }
 
     /// Returns the number of named actions; `None` unless the space is discrete.

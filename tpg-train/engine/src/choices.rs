@@ -35,7 +35,7 @@ use tpg_runtime::scalar::Scalar;
 /// #     }
 /// # }
 /// // `Motor` has one output, a torque of -2 to 2 N·m.
-/// let ActionSpace::Discrete(actions) = Choices::new(Motor, 3)?.actions() else { panic!("named actions") };
+/// let ActionSpace::Discrete(actions) = Choices::new(Motor, Some(3))?.actions() else { panic!("named actions") };
 /// let names: Vec<&str> = actions.iter().map(|action| action.name.as_str()).collect();
 /// assert_eq!(names, ["torque -2", "torque 0", "torque 2"]);
 /// # Ok::<(), tpg_engine::TooManyActions>(())
@@ -43,7 +43,7 @@ use tpg_runtime::scalar::Scalar;
 #[derive(Clone, Debug)]
 pub struct Choices<S, E> {
     environment: E,
-    actions: Vec<ActionDocument>,
+    actions: ActionSpace,
     meaning: Meaning<S>,
 }
 
@@ -71,17 +71,18 @@ const MOST: u128 = 1 << 16;
 
 impl<S: Scalar, E: Environment<S>> Choices<S, E> {
     /// Names the actions of `environment`; each output of a box takes `levels` evenly spaced values, both ends included.
+    /// Without `levels`, a box stays as it is.
     ///
     /// # Errors
     /// If there are more than 65,536 combinations.
     ///
     /// # Panics
     /// If `levels` is below 2.
-    pub fn new(environment: E, levels: u16) -> Result<Self, TooManyActions> {
-        assert!(levels >= 2, "an output has at least its lowest and its highest value");
-        let (actions, meaning) = match environment.actions() {
-            ActionSpace::Discrete(actions) => (actions, Meaning::Same),
-            ActionSpace::Box(outputs) => {
+    pub fn new(environment: E, levels: Option<u16>) -> Result<Self, TooManyActions> {
+        let (actions, meaning) = match (environment.actions(), levels) {
+            (space @ ActionSpace::Discrete(_), _) | (space @ ActionSpace::Box(_), None) => (space, Meaning::Same),
+            (ActionSpace::Box(outputs), Some(levels)) => {
+                assert!(levels >= 2, "an output has at least its lowest and its highest value");
                 let combinations = combinations(&vec![levels; outputs.len()])?;
                 let name = |levels_of: &Vec<u16>| {
                     let parts = outputs.iter().zip(levels_of);
@@ -102,7 +103,7 @@ impl<S: Scalar, E: Environment<S>> Choices<S, E> {
                 let meaning = Meaning::Values(values);
                 (named(combinations.iter().map(name), &effects), meaning)
             }
-            ActionSpace::MultiDiscrete(choices) => {
+            (ActionSpace::MultiDiscrete(choices), _) => {
                 let sizes: Vec<u16> = choices.iter().map(|choice| choice.options.len() as u16).collect();
                 let combinations = combinations(&sizes)?;
                 let name = |options: &Vec<u16>| {
@@ -129,9 +130,9 @@ fn level(output: &Output, at: u16, levels: u16) -> f64 {
     (output.min + share * (output.max - output.min)).clamp(output.min, output.max)
 }
 
-fn named(names: impl Iterator<Item = String>, effects: &[Effect]) -> Vec<ActionDocument> {
+fn named(names: impl Iterator<Item = String>, effects: &[Effect]) -> ActionSpace {
     let action = |(id, name): (u32, String)| ActionDocument { id, name, effect: effects.get(id as usize).cloned() };
-    (0..).zip(names).map(action).collect()
+    ActionSpace::Discrete((0..).zip(names).map(action).collect())
 }
 
 /// Returns every combination; the last position varies fastest.
@@ -152,7 +153,7 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Choices<S, E> {
     type Episode = E::Episode;
 
     fn actions(&self) -> ActionSpace {
-        ActionSpace::Discrete(self.actions.clone())
+        self.actions.clone()
     }
     fn step(&self, episode: &mut E::Episode, act: Act<'_, S>) -> Step {
         let inner = match &self.meaning {

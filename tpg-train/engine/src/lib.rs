@@ -54,7 +54,7 @@ pub use nodes::{Arena, Node, NodeId};
 pub use one_by_one::OneByOne;
 pub use options::Options;
 pub use plan::Plan;
-pub use policy::{Destination, Edge, Line, Operand, Policy, bounded};
+pub use policy::{Destination, Edge, Limits, Line, Operand, Policy, bounded};
 pub use single::{Single, single};
 pub use source_set::SourceSet;
 pub use view::{BLOCK, Block, View};

@@ -4,7 +4,7 @@ use std::error::Error;
 use std::fmt;
 use tpg_engine::random::Stream;
 use tpg_engine::{
-    Act, ActionSpace, Destination, Edge, Ending, Environment, Episodes, EvaluationError, Evaluator, LocalThreads,
+    Act, ActionSpace, Acts, Destination, Edge, Ending, Environment, Episodes, EvaluationError, Evaluator, LocalThreads,
     OneByOne, Options, Policy, SourceSet, Step, UnitKey, View, Work, WorkUnit,
 };
 use tpg_graph::SourceDocument;
@@ -71,12 +71,12 @@ impl Episodes<f32, u32> for Remote<'_> {
         self.fragile |= *task > 100;
         self.inner.begin(lane, task)
     }
-    fn step(&mut self, actions: &[ActionId], ended: &mut Vec<(usize, Ending)>) -> Result<(), EvaluationError> {
+    fn step(&mut self, acts: Acts<'_, f32>, ended: &mut Vec<(usize, Ending)>) -> Result<(), EvaluationError> {
         self.step += 1;
         if self.fragile && self.step == 3 {
             return Err(EvaluationError::new(Unplugged { step: self.step }));
         }
-        self.inner.step(actions, ended)
+        self.inner.step(acts, ended)
     }
     fn keys(&self) -> &[u64] {
         self.inner.keys()

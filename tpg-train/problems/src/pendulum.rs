@@ -21,17 +21,13 @@ const GRAVITY: f64 = 10.0;
 const ACTIONS: u32 = 200;
 
 /// The section `[problem]` of a configuration for the pendulum.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Config {
-    /// Number of torques that a graph chooses among, evenly spaced from −2 to 2 N·m.
-    pub levels: u16,
-}
-
-impl Default for Config {
-    fn default() -> Self {
-        Self { levels: 3 }
-    }
+    /// Number of torques that a graph chooses among, evenly spaced from −2 to 2 N·m. Without it, a graph computes the
+    /// torque.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub levels: Option<u16>,
 }
 
 impl Config {
@@ -40,7 +36,7 @@ impl Config {
     /// # Errors
     /// If there are fewer than 2 or more than 1,001.
     pub fn check(&self) -> Result<(), Finding> {
-        Finding::range("problem.levels", self.levels, 2, 1001)
+        self.levels.map_or(Ok(()), |levels| Finding::range("problem.levels", levels, 2, 1001))
     }
 }
 

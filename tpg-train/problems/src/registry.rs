@@ -7,7 +7,10 @@ use crate::pendulum::{self, Pendulum};
 use serde::{Deserialize, de::DeserializeOwned};
 use tpg_engine::Environment;
 use tpg_graph::error::{Finding, InputError};
-use tpg_graph::settings;
+use tpg_graph::{Graph, settings};
+
+/// The levels of an output for a graph that chooses among named actions, where nothing else is said.
+pub const USUAL_LEVELS: u16 = 3;
 
 /// A built-in problem.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, clap::ValueEnum)]
@@ -118,12 +121,19 @@ impl Problem {
         }
     }
 
-    /// Returns the number of levels of each output for policies that choose among named actions.
-    pub fn levels(&self) -> u16 {
+    /// Returns the number of levels of each output for policies that choose among named actions; `None` for policies that
+    /// compute the outputs.
+    pub fn levels(&self) -> Option<u16> {
         match self {
             Self::Pendulum(config) => config.levels,
-            Self::Arm(..) | Self::Cartpole(_) => 2,
+            Self::Arm(..) | Self::Cartpole(_) => None,
         }
+    }
+
+    /// Returns the number of levels for a graph: none for one that computes outputs, otherwise [`levels`](Self::levels), or
+    /// [`USUAL_LEVELS`] where the settings name none.
+    pub fn levels_for(&self, graph: &Graph) -> Option<u16> {
+        graph.outputs().is_empty().then(|| self.levels().unwrap_or(USUAL_LEVELS))
     }
 
     /// Reads the section `[problem]` of a configuration.

@@ -118,7 +118,7 @@ impl<S: ArmScalar, M: Maths<S>> Visitor<S> for In<'_, M> {
 
     fn visit<E: Environment<S>>(self, environment: E) -> Self::Output {
         let Evaluation { problem, file, graph, episodes, seed } = *self.0;
-        let choices = Choices::new(environment, problem.levels())
+        let choices = Choices::new(environment, problem.levels_for(graph))
             .map_err(|error| InputError::new(file, Place::Whole, error.to_string(), "fewer problem.levels"))?;
         on_environment::<S, M>(problem.name().name(), file, graph, &choices, episodes, seed)
     }

@@ -4,7 +4,7 @@ use super::config::Config;
 use super::genome::{Destination, Edge, Genome, Program, TeamId};
 use super::state::{Best, Deme, State};
 use super::vocabulary::Vocabulary;
-use tpg_engine::Environment;
+use tpg_engine::{ActionSpace, Environment};
 use tpg_graph::error::Finding;
 use tpg_runtime::scalar::Scalar;
 
@@ -34,7 +34,8 @@ impl<Task: std::fmt::Debug> State<Task> {
         let sources = environment.sources();
         let lengths = |count: usize| sources[..count].iter().map(|source| source.length as usize).sum::<usize>();
         let inputs = lengths(sources.len());
-        let actions = environment.actions().count().unwrap_or(0);
+        let space = environment.actions();
+        let actions = space.count().unwrap_or(0);
         for (key, count) in [
             ("training_episodes", self.training_episodes),
             ("selection_episodes", self.selection_episodes),
@@ -64,12 +65,12 @@ impl<Task: std::fmt::Debug> State<Task> {
             let key = format!("pool[{place}]");
             return Err(Finding::new(key, format!("{:?}", self.pool[place]), "a task of the problem"));
         }
-        let best = |best| check_best(best, self.generation, config, inputs, actions);
+        let best = |best| check_best(best, self.generation, config, inputs, &space);
         self.best.as_ref().map_or(Ok(()), best).map_err(|finding| finding.within("best"))
     }
 }
 
-fn check_best(best: &Best, generation: u64, config: &Config, inputs: usize, actions: usize) -> Result<(), Finding> {
+fn check_best(best: &Best, generation: u64, config: &Config, inputs: usize, space: &ActionSpace) -> Result<(), Finding> {
     if best.generation >= generation {
         return Err(Finding::new("generation", best.generation, format!("below {generation}")));
     }
@@ -83,7 +84,7 @@ fn check_best(best: &Best, generation: u64, config: &Config, inputs: usize, acti
             ));
         }
     }
-    let policy = best.policy.check(config.learning.nb_registers, inputs, actions);
+    let policy = best.policy.check(config.learning.nb_registers, inputs, space);
     policy.map_err(|finding| finding.within("policy"))
 }
 
@@ -123,6 +124,14 @@ impl Limits<'_> {
                 self.edge(genome, id, edge).map_err(|finding| finding.within(&format!("{key}.edges[{place}]")))?;
             }
         }
+        for (id, leaf) in genome.leaves() {
+            let key = format!("leaves.{}", id.0);
+            Finding::range(&key, id.0, 1, next)?;
+            equal(&format!("{key}.programs"), leaf.programs.len(), self.vocabulary.outputs().len())?;
+            if let Some(program) = leaf.programs.iter().find(|program| !genome.programs().contains_key(program)) {
+                return Err(Finding::new(format!("{key}.programs"), program.0, "the numbers of programs"));
+            }
+        }
         for (id, program) in genome.programs() {
             let key = format!("programs.{}", id.0);
             Finding::range(&key, id.0, 1, next)?;
@@ -138,6 +147,8 @@ impl Limits<'_> {
         }
         match edge.to {
             Destination::Action(action) => Finding::below("to.Action", action.into(), self.actions),
+            Destination::Leaf(leaf) if genome.leaves().contains_key(&leaf) => Ok(()),
+            Destination::Leaf(leaf) => Err(Finding::new("to.Leaf", leaf.0, "the number of a leaf")),
             Destination::Team(to) if to < from && genome.teams().contains_key(&to) => Ok(()),
             Destination::Team(to) => Err(Finding::new("to.Team", to.0, format!("a team before {}", from.0))),
         }
@@ -146,7 +157,11 @@ impl Limits<'_> {
     fn program(&self, program: &Program) -> Result<(), Finding> {
         let Self { config, vocabulary, .. } = *self;
         equal("constants", program.constants.len(), usize::from(vocabulary.constants()))?;
-        Finding::range("lines", program.lines.len(), 1, config.program.max_program_size)?;
+        let most = match vocabulary.outputs() {
+            [] => config.program.max_program_size,
+            _ => config.program.max_program_size.max(config.leaves.max_program_size),
+        };
+        Finding::range("lines", program.lines.len(), 1, most)?;
         for (place, line) in program.lines.iter().enumerate() {
             let key = |name: &str| format!("lines[{place}].{name}");
             Finding::below(&key("instruction"), line.instruction.into(), vocabulary.instructions().len())?;

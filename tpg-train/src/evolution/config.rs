@@ -49,6 +49,9 @@ pub struct Config {
     pub learning: LearningParameters,
     /// Selection of survivors.
     pub selection: SelectionConfig,
+    /// Leaves, where a problem has outputs in place of actions.
+    #[serde(default)]
+    pub leaves: LeafConfig,
     /// Literal constants.
     pub literals: Literals,
     /// Demes.
@@ -195,6 +198,43 @@ pub struct Literals {
     pub scaling: f64,
 }
 
+/// Evolution of policies with outputs: they start as single leaves, and structure is added rarely.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct LeafConfig {
+    /// Maximum number of lines of a leaf's program.
+    pub max_program_size: usize,
+    /// Maximum number of rounds of mutation of a leaf's program in a child.
+    pub rounds: usize,
+    /// Probability that a child changes only the literals of a leaf.
+    pub p_literals: f64,
+    /// Standard deviations of the change of a literal, relative to it; each child draws one of them.
+    pub refinements: Vec<f64>,
+    /// Probability that a child with several edges changes a bid.
+    pub p_bid: f64,
+    /// Probability that a child with several edges loses one.
+    pub p_edge_deletion: f64,
+    /// Probability that a child gets another edge.
+    pub p_edge_addition: f64,
+    /// Probability that an added edge leads to a team, not to a leaf.
+    pub p_team: f64,
+}
+
+impl Default for LeafConfig {
+    fn default() -> Self {
+        Self {
+            max_program_size: 32,
+            rounds: 3,
+            p_literals: 0.3,
+            refinements: vec![0.3, 0.1, 0.03],
+            p_bid: 0.5,
+            p_edge_deletion: 0.15,
+            p_edge_addition: 0.1,
+            p_team: 0.1,
+        }
+    }
+}
+
 /// Demes: populations that rarely exchange roots.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -286,6 +326,8 @@ impl Config {
             self.language.literals.then_some(scales),
             self.language.scalar,
         );
+        let limits = environment.actions().outputs().iter().map(|output| output.limits(self.language.scalar)).collect();
+        let vocabulary = vocabulary.with_outputs(limits);
         match bounds {
             Some(place) => vocabulary.with_bounds(&sources[place]),
             None => vocabulary,

@@ -2,11 +2,12 @@
 
 use super::vocabulary::Vocabulary;
 use std::collections::BTreeMap;
-use tpg_engine::{ActionSpace, Destination, Operand, Policy};
+use tpg_engine::{ActionSpace, Destination, Limits, Operand, Output, Policy};
 use tpg_graph::dataflow::effective;
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::{
-    Document, EdgeDocument, FORMAT, Graph, LineDocument, MathsProvider, OperandDocument, ProgramDocument, Provenance,
+    Document, EdgeDocument, FORMAT, Graph, LeafDocument, LineDocument, MathsProvider, OperandDocument, OutputDocument,
+    ProgramDocument, Provenance,
     ScalarType, SourceDocument, TeamDocument,
 };
 use tpg_runtime::ops::Instruction;
@@ -23,9 +24,18 @@ pub fn graph(
     actions: ActionSpace,
     provenance: Provenance,
 ) -> Result<Graph, InputError> {
-    let ActionSpace::Discrete(actions) = actions else {
-        let found = "actions that are not a list of names";
-        return Err(InputError::new("<evolved graph>", Place::Whole, found, "a discrete action space"));
+    let outputs: Vec<OutputDocument> = (actions.outputs().iter().zip(vocabulary.outputs()))
+        .map(|(Output { name, unit, .. }, &Limits { min, max, nan })| {
+            OutputDocument { name: name.clone(), unit: unit.clone(), min, max, nan }
+        })
+        .collect();
+    let actions = match actions {
+        ActionSpace::Discrete(actions) => actions,
+        ActionSpace::Box(_) => Vec::new(),
+        ActionSpace::MultiDiscrete(_) => {
+            let found = "several choices at once";
+            return Err(InputError::new("<evolved graph>", Place::Whole, found, "named actions, or outputs"));
+        }
     };
     let names: Vec<String> = (sources.iter())
         .flat_map(|source| (0..source.length).map(move |index| format!("{}[{index}]", source.name)))
@@ -33,21 +43,33 @@ pub fn graph(
     let mut copies: BTreeMap<(u32, (u8, u32)), u32> = BTreeMap::new();
     let mut programs = Vec::new();
     let mut teams = Vec::new();
-    for (id, team) in (0..).zip(&policy.teams) {
+    let mut copy = |program: u32, destination: (u8, u32)| {
+        *copies.entry((program, destination)).or_insert_with(|| {
+            let id = programs.len() as u32;
+            programs.push(ProgramDocument { id, lines: lines(policy, program, &names) });
+            id
+        })
+    };
+    // A single leaf needs no team, and its bid does not matter.
+    let is_formula = matches!(&policy.teams[..], [team] if team.len() == 1) && !outputs.is_empty();
+    for (id, team) in (0..).zip(policy.teams.iter().filter(|_| !is_formula)) {
         let edges = team.iter().map(|edge| {
-            let (destination, to_team, to_action) = match edge.to {
-                Destination::Team(team) => ((0, team), Some(team), None),
-                Destination::Action(action) => ((1, u32::from(action)), None, Some(u32::from(action))),
+            let (destination, team) = match edge.to {
+                Destination::Team(team) => ((0, team), Some(team)),
+                Destination::Action(end) => ((1, u32::from(end)), None),
             };
-            let program = *copies.entry((edge.program, destination)).or_insert_with(|| {
-                let id = programs.len() as u32;
-                programs.push(ProgramDocument { id, lines: lines(policy, edge.program, &names) });
-                id
-            });
-            EdgeDocument { program, team: to_team, action: to_action, leaf: None }
+            let program = copy(edge.program, destination);
+            let end = team.is_none().then_some(destination.1);
+            let (action, leaf) = if outputs.is_empty() { (end, None) } else { (None, end) };
+            EdgeDocument { program, team, action, leaf }
         });
         teams.push(TeamDocument { id, edges: edges.collect() });
     }
+    let leaves = (0..).zip(&policy.leaves).map(|(id, leaf)| {
+        let computing = leaf.iter().map(|&program| copy(program, (2, 0))).collect();
+        LeafDocument { id, programs: computing }
+    });
+    let leaves: Vec<LeafDocument> = leaves.collect();
     let mut instructions = vocabulary.instructions().to_vec();
     if vocabulary.bound(0).is_some() && !instructions.contains(&Instruction::Min) {
         instructions.push(Instruction::Min);
@@ -55,18 +77,19 @@ pub fn graph(
     let sources = sources.into_iter().map(|source| exact(source, vocabulary.scalar())).collect();
     let document = Document {
         format: FORMAT.to_owned(),
-        version: 1,
+        version: if outputs.is_empty() { 1 } else { 2 },
         scalar: vocabulary.scalar(),
         maths: MathsProvider::Own,
         registers: u32::from(policy.registers),
         sources,
         instructions: instructions.iter().map(|i| i.name().to_owned()).collect(),
         actions,
-        root: Some(0),
+        outputs,
+        root: (!is_formula).then_some(0),
         teams,
+        leaves,
         programs,
         provenance,
-        ..Document::default()
     };
     Graph::from_document("<evolved graph>", document)
 }

@@ -3,6 +3,7 @@
 use super::archive::{Recording, bid};
 use super::config::Config;
 use super::genome::{Destination, ProgramId, TeamId};
+use super::mutate_leaf::LeafMutator;
 use super::mutate_program::ProgramMutator;
 use super::mutate_team::{Moment, populate, random_population};
 use super::select::{Candidate, ranked, survivors};
@@ -73,11 +74,11 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
     /// Creates the evolution with the given configuration; literals have the units of [`State::scales`].
     ///
     /// # Panics
-    /// If the environment's actions are not named, which [`Config::check_actions`] reports earlier.
+    /// If the environment has neither outputs nor named actions, which [`Config::check_actions`] reports earlier.
     pub fn new(config: &'e Config, environment: &'e E, evaluator: &'e V, scales: Vec<f64>, goal: Goal) -> Self {
         let vocabulary = config.vocabulary(environment, scales);
         let selection_tasks = environment.validation_tasks(config.selection.validation_episodes);
-        let actions = environment.actions().count().expect("named actions") as u16;
+        let actions = environment.actions().count().unwrap_or(0) as u16;
         Self { config, vocabulary, environment, evaluator, selection_tasks, goal, actions, number: PhantomData }
     }
 
@@ -147,8 +148,20 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
             parameters: &self.config.program,
             literals: &self.config.literals,
         };
+        let longer = LeafMutator::longer(&self.config.program, &self.config.leaves);
+        let leaves = ProgramMutator { parameters: &longer, ..mutator };
+        let growing =
+            LeafMutator { bids: mutator, leaves, parameters: &self.config.leaves, tpg: &self.config.tpg };
         for (index, deme) in (0..).zip(&mut state.demes) {
             let moment = Moment { seed: state.seed, generation: state.generation, deme: index };
+            if !self.vocabulary.outputs().is_empty() {
+                if deme.genome.teams().is_empty() {
+                    let mut stream = moment.stream(Purpose::Initial, 0);
+                    deme.genome = growing.random_population(self.config.tpg.init_nb_roots, &mut stream);
+                }
+                growing.populate(&mut deme.genome, moment);
+                continue;
+            }
             if deme.genome.teams().is_empty() {
                 let mut stream = moment.stream(Purpose::Initial, 0);
                 deme.genome = random_population(&mutator, &self.config.tpg, self.actions, &mut stream);

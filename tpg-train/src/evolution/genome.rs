@@ -14,6 +14,10 @@ pub struct TeamId(pub u64);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub struct ProgramId(pub u64);
 
+/// Number of a leaf. Numbers only increase and are never reused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+pub struct LeafId(pub u64);
+
 /// Destination of an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Destination {
@@ -21,6 +25,15 @@ pub enum Destination {
     Team(TeamId),
     /// An action.
     Action(u16),
+    /// A leaf, where there are outputs in place of actions.
+    Leaf(LeafId),
+}
+
+/// A leaf: the program of each output.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Leaf {
+    /// Its programs, in the order of the outputs.
+    pub programs: Vec<ProgramId>,
 }
 
 /// A program that bids for a destination. Edges of several teams may share a program.
@@ -90,9 +103,23 @@ pub struct Genome {
     next: u64,
     teams: BTreeMap<TeamId, Team>,
     programs: BTreeMap<ProgramId, Program>,
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    leaves: BTreeMap<LeafId, Leaf>,
 }
 
 impl Genome {
+    /// Returns the leaves, by number.
+    pub fn leaves(&self) -> &BTreeMap<LeafId, Leaf> {
+        &self.leaves
+    }
+
+    /// Adds a leaf.
+    pub fn add_leaf(&mut self, leaf: Leaf) -> LeafId {
+        let id = LeafId(self.number());
+        self.leaves.insert(id, leaf);
+        id
+    }
+
     /// Returns the teams, by number.
     pub fn teams(&self) -> &BTreeMap<TeamId, Team> {
         &self.teams
@@ -158,20 +185,23 @@ impl Genome {
         let entered: BTreeSet<TeamId> = edges
             .filter_map(|edge| match edge.to {
                 Destination::Team(team) => Some(team),
-                Destination::Action(_) => None,
+                Destination::Action(_) | Destination::Leaf(_) => None,
             })
             .collect();
         self.teams.keys().copied().filter(|team| !entered.contains(team)).collect()
     }
 
     /// Removes roots. Teams that only they led to become roots, as in GEGELATI (`tpgGraph.cpp`, `removeVertex`); unused
-    /// programs are removed.
+    /// leaves and programs are removed.
     pub fn remove_roots(&mut self, roots: &[TeamId]) {
         for root in roots {
             self.teams.remove(root);
         }
-        let used: BTreeSet<ProgramId> =
-            self.teams.values().flat_map(|team| &team.edges).map(|edge| edge.program).collect();
+        let edges = || self.teams.values().flat_map(|team| &team.edges);
+        let reached: BTreeSet<Destination> = edges().map(|edge| edge.to).collect();
+        let mut used: BTreeSet<ProgramId> = edges().map(|edge| edge.program).collect();
+        self.leaves.retain(|&id, _| reached.contains(&Destination::Leaf(id)));
+        used.extend(self.leaves.values().flat_map(|leaf| &leaf.programs));
         self.programs.retain(|id, _| used.contains(id));
     }
 
@@ -195,28 +225,42 @@ impl Genome {
     pub fn adopt(&mut self, from: &Self, root: TeamId) -> TeamId {
         let reached = from.reachable(root);
         let mut programs = BTreeMap::new();
+        let mut leaves = BTreeMap::new();
         let teams: BTreeMap<TeamId, TeamId> =
             reached.iter().map(|&old| (old, self.add_team(Team::default()))).collect();
         for (&old, &new) in &teams {
             let mut edges = Vec::new();
             for edge in &from.team(old).edges {
-                let program = match programs.get(&edge.program) {
-                    Some(&program) => program,
-                    None => {
-                        let program = self.add_program(from.program(edge.program).clone());
-                        programs.insert(edge.program, program);
-                        program
-                    }
-                };
+                let program = self.adopt_program(from, edge.program, &mut programs);
                 let to = match edge.to {
                     Destination::Team(team) => Destination::Team(teams[&team]),
                     action @ Destination::Action(_) => action,
+                    Destination::Leaf(leaf) => Destination::Leaf(match leaves.get(&leaf) {
+                        Some(&leaf) => leaf,
+                        None => {
+                            let computing = from.leaves[&leaf].programs.iter();
+                            let computing = computing.map(|&program| self.adopt_program(from, program, &mut programs));
+                            let copy = Leaf { programs: computing.collect() };
+                            let new = self.add_leaf(copy);
+                            leaves.insert(leaf, new);
+                            new
+                        }
+                    }),
                 };
                 edges.push(Edge { program, to });
             }
             *self.edges_mut(new) = edges;
         }
         teams[&root]
+    }
+
+    fn adopt_program(
+        &mut self,
+        from: &Self,
+        old: ProgramId,
+        known: &mut BTreeMap<ProgramId, ProgramId>,
+    ) -> ProgramId {
+        *known.entry(old).or_insert_with(|| self.add_program(from.program(old).clone()))
     }
 
     /// Converts a root to an engine policy.
@@ -226,21 +270,32 @@ impl Genome {
         let mut programs = Vec::new();
         let mut numbers = BTreeMap::new();
         let mut teams = Vec::new();
+        let (mut leaves, mut leaf_numbers) = (Vec::new(), BTreeMap::new());
+        let mut number = |id: ProgramId| {
+            *numbers.entry(id).or_insert_with(|| {
+                programs.push(self.program(id).lines(vocabulary));
+                programs.len() as u32 - 1
+            })
+        };
         for &team in &reached {
             let edges = self.team(team).edges.iter().map(|edge| {
-                let program = *numbers.entry(edge.program).or_insert_with(|| {
-                    programs.push(self.program(edge.program).lines(vocabulary));
-                    programs.len() as u32 - 1
-                });
+                let program = number(edge.program);
                 let to = match edge.to {
                     Destination::Team(team) => tpg_engine::Destination::Team(place(team)),
                     Destination::Action(action) => tpg_engine::Destination::Action(action),
+                    Destination::Leaf(leaf) => tpg_engine::Destination::Action(
+                        *leaf_numbers.entry(leaf).or_insert_with(|| {
+                            leaves.push(self.leaves[&leaf].programs.iter().map(|&id| number(id)).collect());
+                            leaves.len() as u16 - 1
+                        }),
+                    ),
                 };
                 tpg_engine::Edge { program, to }
             });
             teams.push(edges.collect());
         }
-        let policy = Policy::new(vocabulary.registers(), place(root), teams, programs);
+        let policy = Policy::new(vocabulary.registers(), place(root), teams, programs)
+            .with_outputs(vocabulary.outputs().to_vec(), leaves);
         if vocabulary.bound(0).is_some() { policy.shielded(|action| vocabulary.bound(action)) } else { policy }
     }
 }

@@ -9,6 +9,7 @@ pub mod export;
 pub mod generation;
 pub mod genome;
 pub mod logs;
+pub mod mutate_leaf;
 pub mod mutate_program;
 pub mod mutate_team;
 pub mod presets;

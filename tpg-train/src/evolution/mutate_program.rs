@@ -4,6 +4,7 @@ use super::config::{Literals, ProgramParameters};
 use super::genome::{GenomeLine, Program};
 use super::vocabulary::{Gene, Kind, OPERANDS, Vocabulary};
 use tpg_engine::random::Stream;
+use tpg_graph::dataflow::effective;
 
 /// Parameters of program mutations.
 #[derive(Clone, Copy, Debug)]
@@ -26,6 +27,23 @@ impl ProgramMutator<'_> {
             self.insert_line(&mut program, stream);
         }
         program
+    }
+
+    /// Changes every literal that a program reads, each by a factor near 1; returns true if there is one.
+    pub fn refine(&self, program: &mut Program, deviation: f64, stream: &mut Stream) -> bool {
+        let effective = effective(self.vocabulary.registers().into(), &program.lines(self.vocabulary));
+        let mut any = false;
+        for (line, _) in program.lines.iter_mut().zip(effective).filter(|(_, effective)| *effective) {
+            let arity = self.vocabulary.instruction(line.instruction).arity();
+            for gene in line.operands[..arity].iter_mut() {
+                if self.vocabulary.kind(gene.source) == Kind::Literal {
+                    let changed = self.vocabulary.scalar().round(gene.literal * (1.0 + deviation * stream.normal()));
+                    gene.literal = if changed.is_finite() { changed } else { gene.literal };
+                    any = true;
+                }
+            }
+        }
+        any
     }
 
     /// Performs one round of mutation (`ProgramMutator::mutateProgram`); returns true if anything was done.

@@ -59,8 +59,13 @@ pub struct Preset {
 }
 
 /// Every preset.
-pub const PRESETS: [Preset; 7] = [
-    Preset { name: "general", about: "for any problem", text: include_str!("presets/general.toml") },
+pub const PRESETS: [Preset; 8] = [
+    Preset { name: "general", about: "for any problem with named actions", text: include_str!("presets/general.toml") },
+    Preset {
+        name: "continuous",
+        about: "for any problem with outputs: forces, torques, speeds",
+        text: include_str!("presets/continuous.toml"),
+    },
     Preset {
         name: "kelly",
         about: "Kelly's parameters, GEGELATI's defaults, on the paper's fixed-start problem",
@@ -99,7 +104,8 @@ impl Preset {
         let name = match problem {
             ProblemName::Fs => "best-fs",
             ProblemName::Rs => "best-rs",
-            ProblemName::Cartpole | ProblemName::Pendulum => "general",
+            ProblemName::Cartpole => "general",
+            ProblemName::Pendulum => "continuous",
         };
         Self::find(name).expect("it is in the list")
     }

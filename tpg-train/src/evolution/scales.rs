@@ -2,6 +2,7 @@
 
 use super::config::Config;
 use super::generation::{Evolution, Goal};
+use super::mutate_leaf::LeafMutator;
 use super::mutate_program::ProgramMutator;
 use super::mutate_team::random_population;
 use tpg_engine::random::{Purpose, Stream};
@@ -48,7 +49,12 @@ fn explore<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
     let actions = environment.actions().count().unwrap_or(0);
     let few = super::config::TpgParameters { init_nb_roots: EXPLORERS.max(actions), ..config.tpg.clone() };
     let mut stream = Stream::new(seed, 0, Purpose::Scales, 0);
-    let population = random_population(&mutator, &few, actions as u16, &mut stream);
+    let population = if vocabulary.outputs().is_empty() {
+        random_population(&mutator, &few, actions as u16, &mut stream)
+    } else {
+        let growing = LeafMutator { bids: mutator, leaves: mutator, parameters: &config.leaves, tpg: &config.tpg };
+        growing.random_population(EXPLORERS, &mut stream)
+    };
     let policies: Vec<_> = population.roots().into_iter().map(|root| population.policy(root, vocabulary)).collect();
     evolution.visited(&policies[..EXPLORERS.min(policies.len())], EPISODES)
 }

@@ -1,7 +1,7 @@
 //! The vocabulary of programs: instructions, registers and sources, numbered as in GEGELATI.
 
 use serde::{Deserialize, Serialize};
-use tpg_engine::Operand;
+use tpg_engine::{Limits, Operand};
 use tpg_graph::{ScalarType, SourceDocument};
 use tpg_runtime::ops::Instruction;
 
@@ -50,6 +50,8 @@ pub struct Vocabulary {
     scales: Vec<f64>,
     /// Upper bounds of the bids for the first actions: first index and count, after all values that programs can read.
     bounds: Option<(u16, u16)>,
+    /// The outputs, where there are some in place of actions.
+    outputs: Vec<Limits>,
 }
 
 impl Vocabulary {
@@ -89,7 +91,19 @@ impl Vocabulary {
             scalar,
             scales: literals.unwrap_or_default(),
             bounds: None,
+            outputs: Vec::new(),
         }
+    }
+
+    /// Adds the outputs of the problem, which leaves compute.
+    #[must_use]
+    pub fn with_outputs(self, outputs: Vec<Limits>) -> Self {
+        Self { outputs, ..self }
+    }
+
+    /// Returns the outputs; empty if a policy chooses among actions.
+    pub fn outputs(&self) -> &[Limits] {
+        &self.outputs
     }
 
     /// Appends a source that bounds bids from above, one value for each of the first actions; operands cannot refer to

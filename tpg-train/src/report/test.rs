@@ -159,7 +159,7 @@ impl<S: ArmScalar, M: Maths<S>> Visitor<S> for In<'_, M> {
     fn visit<E: Environment<S>>(self, environment: E) -> Self::Output {
         let OnAProblem { problem, file, graph, episodes, seed } = *self.0;
         let measure = environment.measure();
-        let choices = Choices::new(environment, problem.levels())
+        let choices = Choices::new(environment, problem.levels_for(graph))
             .map_err(|error| InputError::new(file, Place::Whole, error.to_string(), "fewer problem.levels"))?;
         let endings = endings::<S, M>(file, graph, &choices, episodes, seed)?;
         Ok(Tested { endings, measure, arm: None })

@@ -21,7 +21,7 @@ use tpg_runtime::ops::Own;
 type Swing = Choices<f32, Pendulum>;
 
 fn swing() -> Swing {
-    Choices::new(Pendulum, 3).expect("three torques")
+    Choices::new(Pendulum, Some(3)).expect("three torques")
 }
 
 fn config() -> Config {

@@ -74,6 +74,22 @@ impl Config {
             let found = format!("{:?}", self.literals.deviations);
             return Err(Finding::new("literals.deviations", found, "at least one, each 1e-9 to 1e9".to_owned()));
         }
+        let leaves = &self.leaves;
+        count("leaves.max_program_size", leaves.max_program_size, 1, 1000)?;
+        count("leaves.rounds", leaves.rounds, 1, 100)?;
+        for (key, value) in [
+            ("leaves.p_literals", leaves.p_literals),
+            ("leaves.p_bid", leaves.p_bid),
+            ("leaves.p_edge_deletion", leaves.p_edge_deletion),
+            ("leaves.p_edge_addition", leaves.p_edge_addition),
+            ("leaves.p_team", leaves.p_team),
+        ] {
+            probability(key, value)?;
+        }
+        if leaves.refinements.is_empty() || leaves.refinements.iter().any(|it| !(0.0..=10.0).contains(it)) {
+            let found = format!("{:?}", leaves.refinements);
+            return Err(Finding::new("leaves.refinements", found, "at least one, each 0 to 10"));
+        }
         probability("literals.change", self.literals.change)?;
         number("literals.scaling", self.literals.scaling, 0.0, 100.0)?;
         count("demes.count", self.demes.count, 1, 1000)?;
@@ -92,11 +108,17 @@ impl Config {
         Ok(())
     }
 
-    /// Checks the environment-dependent conditions: actions are named, and there are enough roots and edges for them.
+    /// Checks the environment-dependent conditions: there are outputs, or actions are named and there are enough roots and
+    /// edges for them.
     ///
     /// # Errors
     /// The first parameter that does not fit these actions.
     pub fn check_actions(&self, actions: &ActionSpace) -> Result<(), Finding> {
+        if !actions.outputs().is_empty() {
+            let accepted = "0: programs of leaves are not compared with an archive";
+            let size = self.learning.archive_size;
+            return if size == 0 { Ok(()) } else { Err(Finding::new("learning.archive_size", size, accepted)) };
+        }
         let Some(count) = actions.count() else {
             let accepted = "named actions: tpg_engine::Choices converts any action space";
             return Err(Finding::new("problem", "actions that are not a list of names", accepted));

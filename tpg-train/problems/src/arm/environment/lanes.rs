@@ -11,8 +11,7 @@ use super::{ArmEnvironment, ArmEpisode, ArmScalar, ArmTask};
 use pulp::Arch;
 use tpg_arm::observation::Source;
 use tpg_arm::{JOINTS, Move};
-use tpg_engine::{BLOCK, Block, Ending, Environment, Episodes, EvaluationError, SourceSet, View};
-use tpg_runtime::policy::ActionId;
+use tpg_engine::{Acts, BLOCK, Block, Ending, Environment, Episodes, EvaluationError, SourceSet, View};
 
 /// [`ArmEnvironment::lanes`].
 pub(super) struct ArmLanes<'e, S> {
@@ -89,7 +88,8 @@ impl<S: ArmScalar> Episodes<S, ArmTask> for ArmLanes<'_, S> {
         Ok(())
     }
 
-    fn step(&mut self, actions: &[ActionId], ended: &mut Vec<(usize, Ending)>) -> Result<(), EvaluationError> {
+    fn step(&mut self, acts: Acts<'_, S>, ended: &mut Vec<(usize, Ending)>) -> Result<(), EvaluationError> {
+        let actions = acts.choices();
         let Self { environment, moves, groups, keys, .. } = self;
         self.arch.dispatch(Usual { environment, moves, groups, keys, actions });
         for (lane, &action) in actions.iter().enumerate() {

@@ -1,0 +1,182 @@
+//! The first population and the children of policies with outputs.
+//!
+//! A policy starts as a single leaf: a formula. Children mostly change the programs of a leaf; edges, bids and teams come
+//! and go rarely. Of the variants that were compared on Pendulum-v1, this one was the best: a graph that starts with teams
+//! has to learn to choose before it can compute.
+
+use super::config::{LeafConfig, ProgramParameters, TpgParameters};
+use super::genome::{Destination, Edge, Genome, Leaf, LeafId, Team, TeamId};
+use super::mutate_program::ProgramMutator;
+use super::mutate_team::Moment;
+use std::collections::BTreeMap;
+use tpg_engine::random::{Purpose, Stream};
+
+/// Draws and changes policies with outputs.
+#[derive(Clone, Copy, Debug)]
+pub struct LeafMutator<'a> {
+    /// Draws and changes the programs that bid.
+    pub bids: ProgramMutator<'a>,
+    /// Draws and changes the programs of leaves.
+    pub leaves: ProgramMutator<'a>,
+    /// Parameters of leaves.
+    pub parameters: &'a LeafConfig,
+    /// Parameters of teams.
+    pub tpg: &'a TpgParameters,
+}
+
+impl<'a> LeafMutator<'a> {
+    /// Returns the parameters of a leaf's programs: those of bids, but longer.
+    pub fn longer(bids: &ProgramParameters, leaves: &LeafConfig) -> ProgramParameters {
+        ProgramParameters { max_program_size: leaves.max_program_size, ..bids.clone() }
+    }
+
+    /// Draws a population of formulas: each root has one edge, to a leaf of its own.
+    pub fn random_population(&self, roots: usize, stream: &mut Stream) -> Genome {
+        let mut genome = Genome::default();
+        for _ in 0..roots {
+            let edge = self.edge_to_new_leaf(&mut genome, stream);
+            genome.add_team(Team { edges: vec![edge] });
+        }
+        genome
+    }
+
+    fn edge_to_new_leaf(&self, genome: &mut Genome, stream: &mut Stream) -> Edge {
+        let outputs = self.leaves.vocabulary.outputs().len();
+        let programs = (0..outputs).map(|_| genome.add_program(self.leaves.random(stream))).collect();
+        let leaf = genome.add_leaf(Leaf { programs });
+        Edge { program: genome.add_program(self.bids.random(stream)), to: Destination::Leaf(leaf) }
+    }
+
+    /// Adds children until there are `nbRoots` roots. A child is a changed copy of a root, each root being equally likely.
+    /// If an edge of the child leads to a root, that team is no longer a root, so roots are counted again.
+    pub fn populate(&self, genome: &mut Genome, moment: Moment) {
+        let roots = genome.roots();
+        let teams: Vec<TeamId> = genome.teams().keys().copied().collect();
+        let leaves: Vec<LeafId> = genome.leaves().keys().copied().collect();
+        let before = Before { teams: &teams, leaves: &leaves };
+        let mut is_root: BTreeMap<TeamId, bool> = roots.iter().map(|&root| (root, true)).collect();
+        let mut count = roots.len();
+        let mut children = 0;
+        while count < self.tpg.nb_roots {
+            let mut stream = moment.stream(Purpose::Child, children);
+            let parent = *stream.pick(&roots);
+            let child = self.child(genome, parent, &before, &mut stream);
+            count += 1;
+            for edge in &genome.team(child).edges {
+                if let Destination::Team(to) = edge.to
+                    && std::mem::replace(is_root.entry(to).or_insert(false), false)
+                {
+                    count -= 1;
+                }
+            }
+            children += 1;
+        }
+    }
+
+    fn child(&self, genome: &mut Genome, parent: TeamId, before: &Before<'_>, stream: &mut Stream) -> TeamId {
+        let parameters = self.parameters;
+        let mut edges = genome.team(parent).edges.clone();
+        let changed = stream.below(edges.len());
+        match edges[changed].to {
+            Destination::Leaf(leaf) => edges[changed].to = Destination::Leaf(self.changed_leaf(genome, leaf, stream)),
+            Destination::Team(_) | Destination::Action(_) => self.change_bid(genome, &mut edges[changed], stream),
+        }
+        if edges.len() > 1 && stream.chance(parameters.p_bid) {
+            let place = stream.below(edges.len());
+            self.change_bid(genome, &mut edges[place], stream);
+        }
+        if edges.len() > 1 && stream.chance(parameters.p_edge_deletion) {
+            edges.remove(stream.below(edges.len()));
+        }
+        if edges.len() < self.tpg.max_outgoing_edges && stream.chance(parameters.p_edge_addition) {
+            let to = if stream.chance(parameters.p_team) {
+                Destination::Team(*stream.pick(before.teams))
+            } else {
+                Destination::Leaf(*stream.pick(before.leaves))
+            };
+            edges.push(Edge { program: genome.add_program(self.bids.random(stream)), to });
+        }
+        genome.add_team(Team { edges })
+    }
+
+    /// Copies a leaf and changes the program of one output, or only its literals.
+    fn changed_leaf(&self, genome: &mut Genome, leaf: LeafId, stream: &mut Stream) -> LeafId {
+        let mut programs = genome.leaves()[&leaf].programs.clone();
+        let output = stream.below(programs.len());
+        let mut program = genome.program(programs[output]).clone();
+        let refined = stream.chance(self.parameters.p_literals) && {
+            let deviation = *stream.pick(&self.parameters.refinements);
+            self.leaves.refine(&mut program, deviation, stream)
+        };
+        if !refined {
+            for _ in 0..1 + stream.below(self.parameters.rounds) {
+                self.leaves.mutate(&mut program, stream);
+            }
+        }
+        programs[output] = genome.add_program(program);
+        genome.add_leaf(Leaf { programs })
+    }
+
+    fn change_bid(&self, genome: &mut Genome, edge: &mut Edge, stream: &mut Stream) {
+        let mut program = genome.program(edge.program).clone();
+        self.bids.mutate(&mut program, stream);
+        edge.program = genome.add_program(program);
+    }
+}
+
+/// The teams and leaves that existed before any child: children lead only to these, so no cycle can arise.
+struct Before<'a> {
+    teams: &'a [TeamId],
+    leaves: &'a [LeafId],
+}
+
+#[cfg(test)]
+mod tests {
+    use super::LeafMutator;
+    use crate::evolution::genome::{Destination, Genome};
+    use crate::evolution::mutate_program::ProgramMutator;
+    use crate::evolution::mutate_team::Moment;
+    use crate::evolution::presets::Preset;
+    use crate::evolution::vocabulary::Vocabulary;
+    use tpg_engine::Limits;
+    use tpg_engine::random::{Purpose, Stream};
+    use tpg_graph::{ScalarType, SourceDocument};
+
+    fn evolved(generations: u64) -> Genome {
+        let config = Preset::find("continuous").expect("it is there").config().expect("it is accepted");
+        let source = SourceDocument { name: "s".into(), length: 3, unit: "1".into(), ranges: vec![[-1.0, 1.0]; 3] };
+        let limits = Limits { min: -1.0, max: 1.0, nan: 0.0 };
+        let vocabulary = Vocabulary::new(config.instructions(), 4, 0, &[source], Some(vec![1.0; 3]), ScalarType::F32)
+            .with_outputs(vec![limits; 2]);
+        let bids =
+            ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
+        let longer = LeafMutator::longer(&config.program, &config.leaves);
+        let leaves = ProgramMutator { parameters: &longer, ..bids };
+        let mutator = LeafMutator { bids, leaves, parameters: &config.leaves, tpg: &config.tpg };
+        let mut genome = mutator.random_population(40, &mut Stream::new(1, 0, Purpose::Test, 0));
+        for generation in 0..generations {
+            mutator.populate(&mut genome, Moment { seed: 1, generation, deme: 0 });
+            let doomed: Vec<_> = genome.roots().into_iter().step_by(2).collect();
+            genome.remove_roots(&doomed);
+        }
+        for root in genome.roots() {
+            let policy = genome.policy(root, &vocabulary);
+            assert!(policy.leaves.iter().all(|leaf| leaf.len() == 2) && !policy.leaves.is_empty());
+        }
+        genome
+    }
+
+    #[test]
+    fn a_policy_starts_as_a_formula_and_structure_is_added_rarely() {
+        assert!(evolved(0).teams().values().all(|team| team.edges.len() == 1));
+        let genome = evolved(30);
+        let edges: Vec<usize> = genome.teams().values().map(|team| team.edges.len()).collect();
+        assert!(edges.iter().any(|&edges| edges > 1), "{edges:?}");
+        let to_teams = genome.teams().values().flat_map(|team| &team.edges);
+        assert!(to_teams.clone().any(|edge| matches!(edge.to, Destination::Team(_))), "some edge leads to a team");
+        assert!(to_teams.clone().all(|edge| !matches!(edge.to, Destination::Action(_))));
+        let used: std::collections::BTreeSet<_> = to_teams.map(|edge| edge.to).collect();
+        assert!(genome.leaves().keys().all(|&leaf| used.contains(&Destination::Leaf(leaf))), "no leaf is left over");
+        assert_eq!(evolved(30), genome, "the same seed, the same genome");
+    }
+}
