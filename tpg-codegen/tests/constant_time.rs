@@ -33,7 +33,7 @@ fn graphs() -> Vec<(String, Graph)> {
         let graph = import::load(&folder.join(name).join("graph.json"), None, None).expect("a committed graph");
         (name.to_owned(), graph)
     });
-    let random = (0..6).map(|seed| {
+    let random = (0..tpg_testing::amount(2, 6)).map(|seed| {
         let shape = Shape { teams: 12, scalar: ScalarType::F32, maths: MathsProvider::Own, ..Shape::random(seed) };
         (format!("random {seed}"), sample::graph(&shape, seed))
     });

@@ -92,7 +92,7 @@ fn a_plan_looks_at_every_bid_of_its_team_once() {
 fn only_what_is_expensive_waits_and_only_for_what_is_cheap() {
     let mut bounded = 0;
     for (seed, graph) in graphs() {
-        let (_, Schedule { nodes, plans }) = planned(seed, &graph);
+        let (_, Schedule { nodes, plans, .. }) = planned(seed, &graph);
         for lazy in plans.iter().flat_map(|plan| &plan.lazy) {
             assert!(transcendental(&nodes, lazy.bid.value), "graph {seed}: {lazy:?}");
             for bound in lazy.bound.iter().chain(&lazy.certain) {

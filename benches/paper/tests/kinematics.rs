@@ -8,7 +8,9 @@ use tpg_paper::fk::{self, CollisionDifference, Nearness};
 use tpg_paper::plane;
 
 /// Number of poses drawn. With 20,000,000 the figures stated by `tpg_arm::kinematics` are reproduced.
-const POSES: usize = 1_000_000;
+fn poses_to_draw() -> usize {
+    tpg_testing::amount(1_000_000 / 10, 1_000_000)
+}
 /// Bounds stated by `tpg_arm::kinematics`, mm.
 const F64_BOUND: f64 = 5e-13;
 const F32_BOUND: f64 = 1.1e-4;
@@ -29,10 +31,10 @@ fn poses(arm: &Arm<f64>, count: usize) -> impl Iterator<Item = Pose> {
 
 fn check<S: Lattice>(name: &str, arm: &Arm<S>, bound: f64) {
     let chain = Chain::new(WIDOWX);
-    let drawn = poses(&WIDOWX, POSES).map(|pose| fk::reference(&chain, pose));
+    let drawn = poses(&WIDOWX, poses_to_draw()).map(|pose| fk::reference(&chain, pose));
     let Nearness { poses, worst, differences } = fk::nearness(&chain, arm, drawn);
     println!("{name}: {poses} poses, worst error {worst:e} mm, {} collision answers differ", differences.len());
-    assert_eq!(poses, POSES);
+    assert_eq!(poses, poses_to_draw());
     assert!(worst <= bound, "{name}: {worst:e} mm");
     assert_touching(name, bound, &differences);
 }

@@ -119,7 +119,7 @@ fn json() {
         ("truncated", &[("{\"id\":2,\"lines\":[]},\n    {\"id\":3,\"lines\":[]}\n  ]\n}\n", "{\"id\":2,\"li")]),
         ("something after the end", &[("  ]\n}\n", "  ]\n}\n{}\n")]),
         ("another version", &[("\"version\": 1", "\"version\": 3")]),
-        ("another version with other fields", &[("\"version\": 1", "\"version\": 2, \"memory\": []")]),
+        ("another version with other fields", &[("\"version\": 1", "\"version\": 3, \"memory\": []")]),
         ("another format", &[("tpg-graph", "tpg-tree")]),
         ("an unknown field", &[("\"root\": 7", "\"rot\": 7")]),
         ("a missing field", &[("  \"root\": 7,\n", "")]),

@@ -9,7 +9,6 @@ use tpg_engine::{
 };
 use tpg_graph::SourceDocument;
 use tpg_runtime::ops::Own;
-use tpg_runtime::policy::ActionId;
 
 /// The exception of a user's environment.
 #[derive(Debug, PartialEq)]

@@ -305,8 +305,8 @@ impl Validator<'_> {
         match unused {
             Some((index, program)) => Err(self.error(
                 format!("$.programs[{index}]"),
-                format!("program {}, which no edge uses", program.id),
-                "programs that bid for something",
+                format!("program {}, which no edge and no leaf uses", program.id),
+                "programs that bid, or compute an output",
             )),
             None => Ok(()),
         }
@@ -315,7 +315,7 @@ impl Validator<'_> {
     /// Checks that the declared root is the only team without incoming edges. Together with [`acyclic`](Self::acyclic)
     /// this makes every team reachable.
     fn root(&self, names: &Names<'_>, teams: &[Team]) -> Result<TeamId, InputError> {
-        let declared = self.document.root.ok_or_else(|| self.error("$.root", "nothing", "the id of a team"))?;
+        let declared = self.document.root.ok_or_else(|| self.error("$.root", "no root", "the id of a team"))?;
         let root = *names.teams.get(&declared).ok_or_else(|| {
             self.error("$.root", format!("team {declared}, which does not exist"), "the id of a team")
         })?;
