@@ -46,8 +46,10 @@ fn everywhere(mut check: impl FnMut(&Path)) {
     // More teams than one switch takes, which passes leave as they are.
     let many =
         Shape { teams: 70, edges: 2..=4, lines: 6..=9, registers: 2, constants: Constants::None, ..Shape::default() };
-    for graph in fixtures.chain(random).chain([sample::graph(&many, 1)]) {
-        for shape in SHAPES {
+    // A formula, and leaves under teams.
+    let outputs = [5, 7].map(|seed| sample::graph(&Shape::random_with_outputs(seed), seed));
+    for graph in fixtures.chain(random).chain([sample::graph(&many, 1)]).chain(outputs) {
+        for shape in SHAPES.into_iter().filter(|shape| shape.0 == Style::Pure || graph.outputs().is_empty()) {
             let folder = TempDir::new().expect("a temporary folder");
             emit_into(folder.path(), &graph, Language::C, &shaped("arm", shape));
             fs::write(folder.path().join("user.c"), user(&graph, shape.0)).expect("the folder can be written");
@@ -59,7 +61,14 @@ fn everywhere(mut check: impl FnMut(&Path)) {
 /// A program that uses all of the interface: without one, whole-program checks take the interface for unused.
 fn user(graph: &Graph, style: Style) -> String {
     let scalar = if graph.scalar().name() == "f32" { "float" } else { "double" };
+    let uses_outputs = graph.outputs().iter().map(|output| format!("(action.{0} <= action.{0})", output.name));
+    let uses_outputs: Vec<String> = uses_outputs.collect();
+    let check = if uses_outputs.is_empty() { "action < ARM_ACTIONS".to_owned() } else { uses_outputs.join(" && ") };
     let (definitions, call) = match style {
+        Style::Pure if !graph.outputs().is_empty() => (
+            String::new(),
+            "static arm_state_t state;\n    arm_action_t action;\n\n    arm_infer(&state, &action);".to_owned(),
+        ),
         Style::Pure => {
             (String::new(), "static arm_state_t state;\n    uint32_t action = arm_infer(&state);".to_owned())
         }
@@ -75,7 +84,7 @@ fn user(graph: &Graph, style: Style) -> String {
     };
     format!(
         "#include \"arm.h\"\n{definitions}int main(void)\n{{\n    {call}\n    \
-         return ((action < ARM_ACTIONS) && (arm_selftest() == 0U)) ? 0 : 1;\n}}\n"
+         return (({check}) && (arm_selftest() == 0U)) ? 0 : 1;\n}}\n"
     )
 }
 

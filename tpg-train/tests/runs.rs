@@ -18,6 +18,7 @@ const KILLS: usize = 20;
 fn small_config() -> Config {
     let mut config = Preset::find("best-rs").expect("it comes with the trainer").config().expect("it is accepted");
     config.problem = Problem::usual(ProblemName::Pendulum).to_table();
+    config.problem.insert("levels".to_owned(), 3.into());
     (config.tpg.nb_roots, config.tpg.init_nb_roots, config.tpg.max_init_outgoing_edges) = (24, 40, 3);
     (config.demes.count, config.demes.migration_interval, config.demes.migrants) = (2, 3, 1);
     (config.pool.size, config.pool.share) = (20, 0.3);
@@ -159,7 +160,7 @@ fn selection_takes_no_more_than_a_tenth_of_the_episodes() {
     for preset in ["kelly", "general"] {
         let folder = place.path().join(preset);
         let mut command = Command::new(env!("CARGO_BIN_EXE_tpg-train"));
-        command.args(["tpg", "--problem", "pendulum", "--preset", preset, "--generations", "30", "--out"]).arg(&folder);
+        command.args(["tpg", "--problem", "cartpole", "--preset", preset, "--generations", "30", "--out"]).arg(&folder);
         assert!(command.stderr(Stdio::null()).status().expect("it runs").success());
         let state = state(&folder);
         let number = |key: &str| state[key].as_u64().expect("a count");
@@ -266,6 +267,36 @@ fn ctrl_c_leaves_a_checkpoint_that_ends_in_the_same_bytes() {
         assert!(train(&folder, &config, &["--resume"]).status().expect("it runs").success());
         assert!(results(&folder) == results(&undisturbed), "{name}: other bytes");
     }
+}
+
+/// A policy that computes the torque: leaves, teams and refined numbers, two demes with migration.
+#[test]
+fn a_policy_with_outputs_has_the_same_bytes_on_other_threads_and_after_a_stop() {
+    let place = tempfile::tempdir().expect("a temporary folder");
+    let path = place.path().join("config.toml");
+    let mut config = Preset::find("continuous").expect("it comes with the trainer").config().expect("it is accepted");
+    (config.tpg.nb_roots, config.tpg.init_nb_roots, config.demes.count) = (30, 60, 2);
+    (config.demes.migration_interval, config.learning.nb_generations) = (5, 25);
+    (config.leaves.p_edge_addition, config.leaves.p_team) = (0.3, 0.3);
+    config.selection.validation_episodes = 30;
+    config.problem = Problem::usual(ProblemName::Pendulum).to_table();
+    fs::write(&path, config.to_toml()).expect("it can be written");
+    let [one, other, stopped] = ["one", "other", "stopped"].map(|name| place.path().join(name));
+    assert!(train(&one, &path, &["--threads", "1"]).status().expect("it runs").success());
+    assert!(train(&other, &path, &["--threads", "3", "--lanes", "5"]).status().expect("it runs").success());
+    assert!(results(&one) == results(&other), "threads and lanes change nothing");
+    let checkpoints = ["--checkpoint-seconds", "0", "--lanes", "1"];
+    let mut run = train(&stopped, &path, &checkpoints).spawn().expect("it starts");
+    wait_for(&stopped.join("checkpoint"));
+    run.kill().expect("it can be killed");
+    run.wait().expect("it ends");
+    assert!(train(&stopped, &path, &["--resume"]).status().expect("it runs").success());
+    assert!(results(&one) == results(&stopped), "a kill changes nothing");
+
+    let text = fs::read_to_string(one.join("graph.json")).expect("a graph");
+    let graph = tpg_graph::Graph::from_json("graph.json", &text).expect("a valid graph");
+    assert_eq!(graph.outputs().len(), 1);
+    assert!(graph.actions().is_empty() && !graph.leaves().is_empty());
 }
 
 #[test]

@@ -28,7 +28,7 @@ static {{ scalar }} {{ prefix }}_clamp({{ scalar }} value, {{ scalar }} low, {{ 
 {
     const {{ scalar }} raised = (value < low) ? low : value;
     const {{ scalar }} limited = (raised > high) ? high : raised;
-    return (value == value) ? limited : nan;
+    return (isnan(value) != 0) ? nan : limited;
 }
 {% endif %}
 {% endif %}

@@ -16,16 +16,19 @@
 //! | [`continuous`] | the same for policies with outputs |
 //! | [`arm`] | reaching with a robot arm: `fs` and `rs` |
 //! | [`cartpole`] | balancing a pole on a cart |
+//! | [`mountain_car_continuous`] | driving out of a valley |
 //! | [`pendulum`] | swinging a pendulum up |
 
 pub mod arm;
 pub mod cartpole;
 pub mod continuous;
+pub mod mountain_car_continuous;
 pub mod pendulum;
 pub mod registry;
 
 pub use cartpole::CartPole;
 pub use continuous::ContinuousProblem;
+pub use mountain_car_continuous::MountainCarContinuous;
 pub use pendulum::Pendulum;
 pub use registry::{Problem, ProblemName, Visitor};
 

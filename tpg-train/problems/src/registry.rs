@@ -3,6 +3,7 @@
 use crate::arm::targets::Start;
 use crate::arm::{self, ArmScalar};
 use crate::cartpole::{self, CartPole};
+use crate::mountain_car_continuous::{self, MountainCarContinuous};
 use crate::pendulum::{self, Pendulum};
 use serde::{Deserialize, de::DeserializeOwned};
 use tpg_engine::Environment;
@@ -23,11 +24,13 @@ pub enum ProblemName {
     Cartpole,
     /// A weak motor swings a pendulum up: Gymnasium's Pendulum-v1
     Pendulum,
+    /// A weak car drives out of a valley: Gymnasium's MountainCarContinuous-v0
+    MountainCarContinuous,
 }
 
 impl ProblemName {
     /// Every built-in problem.
-    pub const ALL: [Self; 4] = [Self::Fs, Self::Rs, Self::Cartpole, Self::Pendulum];
+    pub const ALL: [Self; 5] = [Self::Fs, Self::Rs, Self::Cartpole, Self::Pendulum, Self::MountainCarContinuous];
 
     /// Returns the name used on the command line and in configurations.
     pub const fn name(self) -> &'static str {
@@ -36,6 +39,7 @@ impl ProblemName {
             Self::Rs => "rs",
             Self::Cartpole => "cartpole",
             Self::Pendulum => "pendulum",
+            Self::MountainCarContinuous => "mountain-car-continuous",
         }
     }
 
@@ -54,7 +58,7 @@ impl ProblemName {
         match self {
             Self::Fs => Some(Start::Fs),
             Self::Rs => Some(Start::Rs),
-            Self::Cartpole | Self::Pendulum => None,
+            Self::Cartpole | Self::Pendulum | Self::MountainCarContinuous => None,
         }
     }
 }
@@ -78,6 +82,8 @@ pub enum Problem {
     Cartpole(cartpole::Config),
     /// The pendulum.
     Pendulum(pendulum::Config),
+    /// The car in a valley.
+    MountainCarContinuous(mountain_car_continuous::Config),
 }
 
 /// Receives an environment whose type is only known at run time: see [`Problem::open`].
@@ -109,6 +115,9 @@ impl Problem {
             ProblemName::Rs => Self::Arm(Start::Rs, arm::Config::default()),
             ProblemName::Cartpole => Self::Cartpole(cartpole::Config::default()),
             ProblemName::Pendulum => Self::Pendulum(pendulum::Config::default()),
+            ProblemName::MountainCarContinuous => {
+                Self::MountainCarContinuous(mountain_car_continuous::Config::default())
+            }
         }
     }
 
@@ -118,6 +127,7 @@ impl Problem {
             Self::Arm(start, _) => (*start).into(),
             Self::Cartpole(_) => ProblemName::Cartpole,
             Self::Pendulum(_) => ProblemName::Pendulum,
+            Self::MountainCarContinuous(_) => ProblemName::MountainCarContinuous,
         }
     }
 
@@ -126,7 +136,7 @@ impl Problem {
     pub fn levels(&self) -> Option<u16> {
         match self {
             Self::Pendulum(config) => config.levels,
-            Self::Arm(..) | Self::Cartpole(_) => None,
+            Self::Arm(..) | Self::Cartpole(_) | Self::MountainCarContinuous(_) => None,
         }
     }
 
@@ -147,6 +157,7 @@ impl Problem {
             ProblemName::Rs => Self::Arm(Start::Rs, section(file, text)?),
             ProblemName::Cartpole => Self::Cartpole(section(file, text)?),
             ProblemName::Pendulum => Self::Pendulum(section(file, text)?),
+            ProblemName::MountainCarContinuous => Self::MountainCarContinuous(section(file, text)?),
         };
         problem.check().map_err(|finding| settings::place(file, text, finding))?;
         Ok(problem)
@@ -155,7 +166,8 @@ impl Problem {
     fn check(&self) -> Result<(), Finding> {
         match self {
             Self::Arm(_, config) => config.check(),
-            Self::Cartpole(cartpole::Config {}) => Ok(()),
+            Self::Cartpole(cartpole::Config {})
+            | Self::MountainCarContinuous(mountain_car_continuous::Config {}) => Ok(()),
             Self::Pendulum(config) => config.check(),
         }
     }
@@ -169,6 +181,7 @@ impl Problem {
             Self::Arm(_, config) => toml::Table::try_from(config),
             Self::Cartpole(config) => toml::Table::try_from(config),
             Self::Pendulum(config) => toml::Table::try_from(config),
+            Self::MountainCarContinuous(config) => toml::Table::try_from(config),
         }
         .expect("settings are plain data");
         table.insert("name".to_owned(), self.name().name().into());
@@ -181,6 +194,7 @@ impl Problem {
             Self::Arm(start, config) => visitor.visit(config.environment::<S>(*start)),
             Self::Cartpole(_) => visitor.visit(CartPole),
             Self::Pendulum(_) => visitor.visit(Pendulum),
+            Self::MountainCarContinuous(_) => visitor.visit(MountainCarContinuous),
         }
     }
 }

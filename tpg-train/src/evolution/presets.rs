@@ -105,7 +105,7 @@ impl Preset {
             ProblemName::Fs => "best-fs",
             ProblemName::Rs => "best-rs",
             ProblemName::Cartpole => "general",
-            ProblemName::Pendulum => "continuous",
+            ProblemName::Pendulum | ProblemName::MountainCarContinuous => "continuous",
         };
         Self::find(name).expect("it is in the list")
     }

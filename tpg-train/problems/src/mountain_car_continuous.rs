@@ -1,0 +1,151 @@
+//! Gymnasium's MountainCarContinuous-v0: drive a weak car out of a valley, with as little force as possible.
+
+use crate::source;
+use serde::{Deserialize, Serialize};
+use tpg_engine::random::Stream;
+use tpg_engine::{Act, ActionSpace, End, Environment, Output, SourceSet, Step};
+use tpg_graph::SourceDocument;
+use tpg_runtime::scalar::Scalar;
+
+/// Greatest force.
+const FORCE: f32 = 1.0;
+/// Acceleration of the greatest force in one action.
+const POWER: f32 = 0.0015;
+/// Acceleration of the steepest slope in one action.
+const SLOPE: f64 = 0.0025;
+/// Ends of the track.
+const TRACK: [f64; 2] = [-1.2, 0.6];
+/// Greatest speed, a position each action.
+const FASTEST: f64 = 0.07;
+/// The goal.
+const GOAL: f64 = 0.45;
+/// Reward of the goal.
+const REWARD: f64 = 100.0;
+/// Price of the squared force.
+const PRICE: f64 = 0.1;
+/// Actions of an episode.
+const ACTIONS: u32 = 999;
+
+/// The section `[problem]` of a configuration for the car: it has no settings.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Config {}
+
+/// A car in a valley, too weak to drive out directly, by the rules of Gymnasium's MountainCarContinuous-v0.
+///
+/// The state is position and velocity; the action is a force from −1 to 1. The goal earns 100, and every action costs a
+/// tenth of its squared force; an episode ends at the goal, and after 999 actions at the latest. Position and velocity are
+/// `f32` values after the first action, as they are in Gymnasium.
+///
+/// ```
+/// use tpg_engine::{Act, Environment};
+/// use tpg_problems::MountainCarContinuous;
+///
+/// let mut car = Environment::<f32>::start(&MountainCarContinuous, &-0.5);
+/// let step = Environment::<f32>::step(&MountainCarContinuous, &mut car, Act::Values(&[0.5]));
+/// assert!((step.reward + 0.025).abs() < 1e-12 && step.end.is_none());
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct MountainCarContinuous;
+
+/// A running episode.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drive {
+    position: f64,
+    velocity: f64,
+    /// The position has been rounded to `f32`: after the first action.
+    is_rounded: bool,
+}
+
+impl<S: Scalar> Environment<S> for MountainCarContinuous {
+    /// The first position.
+    type Task = f64;
+    type Episode = Drive;
+
+    fn sources(&self) -> Vec<SourceDocument> {
+        vec![source("position", "", TRACK), source("velocity", "", [-FASTEST, FASTEST])]
+    }
+
+    fn actions(&self) -> ActionSpace {
+        let (name, unit, force) = ("force".to_owned(), String::new(), f64::from(FORCE));
+        ActionSpace::Box(vec![Output { name, unit, min: -force, max: force }])
+    }
+
+    fn outcomes(&self) -> &'static [&'static str] {
+        &["goal", "time limit"]
+    }
+
+    fn time_limit(&self) -> u32 {
+        ACTIONS
+    }
+
+    fn draw(&self, stream: &mut Stream) -> f64 {
+        -0.6 + 0.2 * stream.unit()
+    }
+
+    fn start(&self, &position: &f64) -> Drive {
+        Drive { position, velocity: 0.0, is_rounded: false }
+    }
+
+    fn observe(&self, drive: &mut Drive, _wanted: SourceSet, state: &mut [S]) {
+        let values = [drive.position, drive.velocity].map(|value| f64::from(value as f32));
+        state.iter_mut().zip(values).for_each(|(slot, value)| *slot = S::from_f64(value));
+    }
+
+    fn step(&self, drive: &mut Drive, act: Act<'_, S>) -> Step {
+        let wanted = act.values()[0].to_f64();
+        let force = (wanted as f32).clamp(-FORCE, FORCE);
+        // NumPy multiplies an f32 by 3 in f32; the first position is an f64. The crate libm instead of the platform's: the
+        // same results on every machine.
+        let angle = if drive.is_rounded { f64::from(3.0 * drive.position as f32) } else { 3.0 * drive.position };
+        let change = force * POWER - (SLOPE * libm::cos(angle)) as f32;
+        let (mut position, mut velocity) = if drive.is_rounded {
+            let velocity = (drive.velocity as f32 + change).clamp(-FASTEST as f32, FASTEST as f32);
+            (f64::from(drive.position as f32 + velocity), f64::from(velocity))
+        } else {
+            let velocity = (drive.velocity + f64::from(change)).clamp(-FASTEST, FASTEST);
+            (drive.position + velocity, velocity)
+        };
+        position = position.clamp(TRACK[0], TRACK[1]);
+        if position <= TRACK[0] && velocity < 0.0 {
+            velocity = 0.0;
+        }
+        let arrived = position >= GOAL && velocity >= 0.0;
+        *drive = Drive {
+            position: f64::from(position as f32),
+            velocity: f64::from(velocity as f32),
+            is_rounded: true,
+        };
+        let price = PRICE * wanted * wanted;
+        if arrived { Step::reward(REWARD - price).ending(End::new(0)) } else { Step::reward(-price) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Drive, MountainCarContinuous};
+    use tpg_engine::{Act, Environment, Step};
+
+    fn step(drive: &mut Drive, force: f64) -> Step {
+        Environment::<f64>::step(&MountainCarContinuous, drive, Act::Values(&[force]))
+    }
+
+    /// Checks three steps of MountainCarContinuous-v0, computed by hand from its published rules.
+    #[test]
+    fn the_rules_are_gymnasiums() {
+        let mut drive = Environment::<f64>::start(&MountainCarContinuous, &-0.5);
+        let first = step(&mut drive, 1.0);
+        let velocity = 0.0015 - 0.0025 * (-1.5_f64).cos();
+        assert!((first.reward + 0.1).abs() < 1e-12 && first.end.is_none());
+        assert!((drive.velocity - velocity).abs() < 1e-9 && (drive.position - (velocity - 0.5)).abs() < 1e-7);
+        assert_eq!(f64::from(drive.position as f32), drive.position);
+        // The left end of the track stops the car, the right end is behind the goal.
+        let mut left = Drive { position: -1.19, velocity: -0.07, is_rounded: true };
+        step(&mut left, -1.0);
+        assert_eq!((left.position as f32, left.velocity), (-1.2, 0.0));
+        let mut right = Drive { position: 0.44, velocity: 0.05, is_rounded: true };
+        let last = step(&mut right, 0.5);
+        assert!((last.reward - (100.0 - 0.025)).abs() < 1e-12);
+        assert!(last.end.is_some_and(|end| end.outcome == 0 && !end.truncated));
+    }
+}
