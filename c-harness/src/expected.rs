@@ -1,9 +1,10 @@
-//! What the host does with the same problems: the runtime's own definitions, the network as it was before packing.
+//! The same problems on the host: the runtime's own definitions, the network as it was before packing.
 
 use crate::Failure;
 use crate::line::Line;
 use crate::problems::{PARTS, Start};
 use crate::record::{Hash, code};
+use crate::table;
 use tpg_arm::binding;
 use tpg_arm::cycle::Brent;
 use tpg_arm::episode::{Episode, Problem};
@@ -18,6 +19,17 @@ const ARM: Arm<f32> = WIDOWX.to_f32();
 
 const NETWORK: FixedPolicy<'static, 64, 64> =
     FixedPolicy { arm: &ARM, network: &widowx_sac::NETWORK, decision: widowx_sac::DECISION };
+
+/// The lines of every scenario of sensor faults.
+pub(crate) fn faults() -> Vec<Line> {
+    let tpg = ArmPolicy::new(
+        WidowxFs,
+        &ARM,
+        &const { binding::sources(WidowxFs::SOURCES) },
+        &const { binding::moves(WidowxFs::MOVES) },
+    );
+    table::lines(&Hybrid { arm: &ARM, tpg, sac: NETWORK, settings: Start::Fixed.settings() })
+}
 
 /// The lines of every episode, in the firmwares' order.
 pub(crate) fn lines() -> Result<Vec<Line>, Failure> {

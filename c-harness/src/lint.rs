@@ -20,7 +20,7 @@ const PROGRAMS: [&[&str]; 4] = [
 const TIDY: &str = "-*,bugprone-*,cert-*,clang-analyzer-*,-bugprone-easily-swappable-parameters,\
                     -bugprone-reserved-identifier,-cert-dcl37-c,-cert-dcl51-cpp,-clang-analyzer-optin.performance.Padding";
 
-/// Where headers are: the example's, generated ones, the library's.
+/// Folders of headers: the example's, generated ones, the library's.
 struct Headers([PathBuf; 3]);
 
 impl Headers {
@@ -81,7 +81,7 @@ fn cppcheck(headers: &Headers) -> Command {
     command
 }
 
-/// Whether a linter finds nothing.
+/// Succeeds if a linter finds nothing.
 fn clean(command: &mut Command) -> Result<(), Failure> {
     library::output(command).map(|_| ()).map_err(|error| Failure::new(format!("{error:?}")))
 }

@@ -1,4 +1,4 @@
-//! What the firmwares are asked: the first test episodes of each start, and how graph and network share the arm.
+//! Tasks of the firmwares: the first test episodes of each start, and the settings of the hybrid.
 
 use crate::Failure;
 use std::fmt::Write as _;
@@ -15,7 +15,7 @@ pub(crate) const PARTS: usize = 25;
 /// Success is nearer than this, mm.
 const TOLERANCE: f32 = 3.0;
 
-/// Where the arm starts.
+/// The start of an episode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Start {
     /// At home.
@@ -44,7 +44,7 @@ impl Start {
         }
     }
 
-    /// How the shipped graph and network share the arm.
+    /// The settings of the shipped hybrid.
     pub(crate) const fn settings(self) -> Settings<f32> {
         match self {
             Self::Fixed => widowx_fs_hybrid::SETTINGS,

@@ -1,4 +1,4 @@
-//! How an episode is written down, on the host and in the firmware alike: its outcome as `tpg_runtime.h` numbers it, and a
+//! Records of episodes, on the host and in the firmware alike: its outcome as `tpg_runtime.h` numbers it, and a
 //! hash of every motor position.
 #![allow(dead_code, reason = "each of the programs that include this file uses a part")]
 

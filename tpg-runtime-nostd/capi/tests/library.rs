@@ -31,7 +31,7 @@ fn source(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/c").join(name)
 }
 
-/// What a command prints, and whether it succeeded.
+/// Runs a command; returns true if it succeeded, and the text that it prints.
 fn run(command: &mut Command) -> (bool, String) {
     let output = command.output().expect("it starts");
     let text = [output.stdout, output.stderr].map(|text| String::from_utf8_lossy(&text).into_owned()).concat();

@@ -1,4 +1,4 @@
-//! How weights and activations lie in words.
+//! Layouts of weights and activations in words.
 
 /// Rows of a block.
 pub const ROWS: usize = 4;
@@ -20,7 +20,7 @@ pub enum Kind {
     W8A8,
 }
 
-/// How activations lie in words, two words for four of them.
+/// Layout of activations in words, two words for four of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Form {
     /// (x₀, x₁), (x₂, x₃): neighbours share a word, the first in its low half. Outputs clipped to 0..=32767.
@@ -83,7 +83,7 @@ impl Kind {
         }
     }
 
-    /// How its inputs lie in words.
+    /// Layout of its inputs in words.
     pub const fn form(self) -> Form {
         match self {
             Self::W8A16 | Self::W16A16 => Form::Pairs,
