@@ -20,10 +20,10 @@ use scenarios::SCENARIOS;
 use tpg_arm::binding;
 use tpg_arm::cycle::Brent;
 use tpg_arm::episode::Problem;
-use tpg_arm::hybrid::{Control, Hybrid, Switch};
+use tpg_arm::hybrid::{Chosen, Control, Hybrid, Switch};
 use tpg_arm::observation::{ArmPolicy, Observation};
 use tpg_arm::sac::packed::{Model, PackedPolicy};
-use tpg_arm::sensors::{Watch, Watchdog};
+use tpg_arm::sensors::{Fault, Watch};
 use tpg_arm::{Arm, Move, Pose, WIDOWX};
 use tpg_generated::{widowx_fs_fast::WidowxFsFast, widowx_fs_hybrid, widowx_sac};
 use tpg_runtime::policy::Policy;
@@ -62,16 +62,15 @@ impl Tally {
     }
 }
 
-/// The checks of a step alone, on the readings of whole episodes; and whole steps with and without them.
+/// Whole control steps along episodes, with the checks of readings and without: observe, tell the switch, decide.
 fn costs<P>(counter: &mut Counter, hybrid: &Hybrid<'_, f32, P, Network>)
 where
     P: Policy<State = Observation<f32>, Action = Move>,
 {
-    let [mut checks, mut with, mut without] = [Tally::default(), Tally::default(), Tally::default()];
+    let [mut with, mut without] = [Tally::default(), Tally::default()];
     for &Problem { start, target, tolerance, .. } in FS_PROBLEMS.iter().take(PARTS) {
         let mut motors = start;
         let mut seen = Observation::at(&ARM, motors, target);
-        let mut watchdog = Watchdog::new(&ARM, Watch::DEFAULT, motors);
         let Ok(mut control) = Control::new(&ARM, hybrid.settings, Watch::DEFAULT, Brent::new(), &seen) else {
             platform::exit(false)
         };
@@ -81,23 +80,16 @@ where
         let mut executed = None;
         for _ in 0..STEPS {
             let reading = black_box(motors);
-            let (step, instructions) = counter.measure(|| hybrid_step(hybrid, &mut control, reading, black_box(target)));
+            let (chosen, instructions) = counter.measure(|| checked(hybrid, &mut control, reading, &target, &mut seen));
             with.add(instructions);
-            let (chosen, instructions) = counter.measure(|| unchecked(hybrid, &mut switch, reading, black_box(target), executed));
+            let mut again = seen;
+            let (same, instructions) =
+                counter.measure(|| unchecked(hybrid, &mut switch, reading, &target, &mut again, &mut executed));
             without.add(instructions);
-            executed = Some(chosen);
-            let (fault, instructions) = counter.measure(|| {
-                let checked = watchdog.check(reading, black_box(&target));
-                watchdog.commanded(reading, chosen.wanted);
-                checked
-            });
-            checks.add(instructions);
-            // The same decision, with checks and without.
-            let Ok((observation, same)) = step else { platform::exit(false) };
-            if same != chosen || fault.is_err() {
+            let Ok(chosen) = chosen else { platform::exit(false) };
+            if same != chosen || again != seen {
                 platform::exit(false);
             }
-            seen = observation;
             if seen.distance() < tolerance {
                 break;
             }
@@ -105,22 +97,22 @@ where
         }
         black_box(&seen);
     }
-    checks.tell("checks");
     with.tell("step");
     without.tell("step without checks");
 }
 
 #[inline(never)]
-fn hybrid_step<P>(
+fn checked<P>(
     hybrid: &Hybrid<'_, f32, P, Network>,
     control: &mut Control<f32, Brent>,
     motors: Pose,
-    target: [f32; 3],
-) -> Result<(Observation<f32>, tpg_arm::hybrid::Chosen), tpg_arm::sensors::Fault>
+    target: &[f32; 3],
+    seen: &mut Observation<f32>,
+) -> Result<Chosen, Fault>
 where
     P: Policy<State = Observation<f32>, Action = Move>,
 {
-    hybrid.step(control, motors, target)
+    hybrid.step_into(control, motors, target, seen)
 }
 
 #[inline(never)]
@@ -128,17 +120,20 @@ fn unchecked<P>(
     hybrid: &Hybrid<'_, f32, P, Network>,
     switch: &mut Switch<f32, Brent>,
     motors: Pose,
-    target: [f32; 3],
-    executed: Option<tpg_arm::hybrid::Chosen>,
-) -> tpg_arm::hybrid::Chosen
+    target: &[f32; 3],
+    seen: &mut Observation<f32>,
+    executed: &mut Option<Chosen>,
+) -> Chosen
 where
     P: Policy<State = Observation<f32>, Action = Move>,
 {
-    let seen = Observation::at(hybrid.arm, motors, target);
-    if let Some(executed) = executed {
-        switch.acted(executed, &seen);
+    *seen = Observation::at(hybrid.arm, motors, *target);
+    if let Some(executed) = *executed {
+        switch.acted(executed, seen);
     }
-    hybrid.decide(switch, &seen)
+    let chosen = hybrid.decide(switch, seen);
+    *executed = Some(chosen);
+    chosen
 }
 
 #[entry]

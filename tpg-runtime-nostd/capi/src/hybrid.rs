@@ -318,15 +318,8 @@ pub unsafe extern "C" fn tpg_hybrid_step(
         )
     };
     code::of(hybrid.and_then(|Both { hybrid, .. }| {
-        let (control, motors, &target, seen, chosen) = (control?, motors?, target?, seen?, chosen?);
-        let step = hybrid.step(control, Pose(motors.ticks), target);
-        decided(
-            chosen,
-            step.map(|(observation, chosen)| {
-                *seen = tpg_observation_t::of(&observation);
-                chosen
-            }),
-        )
+        let (control, motors, target, seen, chosen) = (control?, motors?, target?, seen?, chosen?);
+        decided(chosen, hybrid.step_into(control, Pose(motors.ticks), target, seen.get_mut()))
     }))
 }
 

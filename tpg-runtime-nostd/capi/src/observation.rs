@@ -34,6 +34,11 @@ impl tpg_observation_t {
         // SAFETY: both are laid out as in C, with the same fields in the same places: see below.
         unsafe { &*core::ptr::from_ref(self).cast::<Observation<f32>>() }
     }
+
+    pub(crate) fn get_mut(&mut self) -> &mut Observation<f32> {
+        // SAFETY: as in `get`; any numbers are an observation.
+        unsafe { &mut *core::ptr::from_mut(self).cast::<Observation<f32>>() }
+    }
 }
 
 const _: () = {
@@ -110,8 +115,11 @@ pub unsafe extern "C" fn tpg_observe(
         let target = memory::read(target.cast::<[f32; 3]>());
         (memory::content(arm), memory::read(pose), target, memory::write(observation))
     };
-    let seen = arm.and_then(|Ready { arm, .. }| Ok(Observation::at(arm, Pose(pose?.ticks), *target?)));
-    code::answer(seen.map(|seen| tpg_observation_t::of(&seen)), observation)
+    code::of(arm.and_then(|Ready { arm, .. }| {
+        let (pose, target, observation) = (pose?, target?, observation?);
+        *observation.get_mut() = Observation::at(arm, Pose(pose.ticks), *target);
+        Ok(())
+    }))
 }
 
 /// Hand to target, mm.

@@ -123,15 +123,33 @@ where
         motors: Pose,
         target: Vector<S>,
     ) -> Result<(Observation<S>, Chosen), Fault> {
-        control.watchdog.check(motors, &target)?;
-        let seen = Observation::at(self.arm, motors, target);
+        let nothing = [S::ZERO; 3];
+        let mut seen = Observation { pose: motors, fixed_servos: [0; 2], hand: nothing, target, difference: nothing };
+        let chosen = self.step_into(control, motors, &target, &mut seen)?;
+        Ok((seen, chosen))
+    }
+
+    /// [`step`](Self::step), with a place for what is seen; it is not written where there is a fault.
+    ///
+    /// # Errors
+    /// As [`step`](Self::step).
+    #[inline(always)] // one step is one function: the one that calls it
+    pub fn step_into<D: CycleDetector<Pose>>(
+        &self,
+        control: &mut Control<S, D>,
+        motors: Pose,
+        target: &Vector<S>,
+        seen: &mut Observation<S>,
+    ) -> Result<Chosen, Fault> {
+        control.watchdog.check(motors, target)?;
+        *seen = Observation::at(self.arm, motors, *target);
         if let Some(executed) = control.executed {
-            control.switch.acted(executed, &seen);
+            control.switch.acted(executed, seen);
         }
-        let chosen = self.decide(&mut control.switch, &seen);
+        let chosen = self.decide(&mut control.switch, seen);
         control.watchdog.commanded(motors, chosen.wanted);
         control.executed = Some(chosen);
-        Ok((seen, chosen))
+        Ok(chosen)
     }
 
     /// The next action for an observation: a part of [`step`](Self::step), for loops that observe themselves and tell

@@ -1,7 +1,7 @@
 //! The readings that an arm can give at all.
 
 use super::Fault;
-use super::lanes::{self, Lanes, TOP};
+use super::lanes::{self, Ranges, TOP};
 use crate::arm::{Arm, JointRange, Pose, TICKS_PER_TURN};
 use crate::kinematics::{Lattice, Vector};
 use crate::observation::Observation;
@@ -9,13 +9,12 @@ use crate::observation::Observation;
 /// Added to an arm's reach, mm: the hand of a stretched arm must not be out of reach by a rounding.
 const SLACK: f64 = 1.0;
 
-/// An arm's joint ranges and reach, as a control step compares readings with them: some forty instructions.
+/// An arm's joint ranges and reach, as a control step compares readings with them: some thirty instructions.
 ///
 /// Positions outside 0..=4095 are never accepted, whatever the arm's ranges say.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits<S> {
-    lowest: Lanes,
-    highest: Lanes,
+    pub(super) ranges: Ranges,
     /// Height of the shoulder over the table, mm.
     shoulder: S,
     /// The square of the greatest distance from the shoulder, mm².
@@ -28,10 +27,11 @@ impl<S: Lattice> Limits<S> {
         let end = |pick: fn(JointRange) -> i16| {
             lanes::of(Pose(arm.ranges.map(|range| pick(range).clamp(0, (TICKS_PER_TURN - 1) as i16))))
         };
+        // Of an empty range one position is left: what is compared must not be reversed.
+        let ranges = Ranges::new(end(|range| range.min), end(|range| range.max.max(range.min)));
         let reach = arm.reach() + S::from_f64(SLACK);
         Self {
-            lowest: end(|range| range.min),
-            highest: end(|range| range.max),
+            ranges,
             shoulder: arm.links.base,
             reach_squared: reach * reach,
         }
@@ -50,17 +50,7 @@ impl<S: Lattice> Limits<S> {
 
     /// Returns true if every motor is within its joint's range.
     pub fn hold(&self, motors: Pose) -> bool {
-        let motors = lanes::of(motors);
-        self.held(motors) & TOP == TOP
-    }
-
-    /// Leaves both [`TOP`] bits where every motor is within its joint's range.
-    #[inline(always)]
-    pub(super) fn held(&self, [low, high]: Lanes) -> u32 {
-        let between = |at: u32, lowest: u32, highest: u32| {
-            lanes::not_less(at, lowest) & lanes::not_less(highest, at) & !at
-        };
-        between(low, self.lowest[0], self.highest[0]) & between(high, self.lowest[1], self.highest[1])
+        self.ranges.hold(lanes::of(motors)) & TOP == TOP
     }
 
     /// Checks an observation.

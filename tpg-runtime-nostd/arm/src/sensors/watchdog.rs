@@ -1,6 +1,6 @@
 //! The watch over what motors do with their commands.
 
-use super::lanes::{self, Lanes, TOP};
+use super::lanes::{self, Expected, TOP};
 use super::{Fault, Limits};
 use crate::arm::{Arm, Move, Pose, TICKS_PER_TURN};
 use crate::kinematics::{Lattice, Vector};
@@ -41,11 +41,8 @@ impl Default for Watch {
 #[derive(Clone, Debug)]
 pub struct Watchdog<S> {
     limits: Limits<S>,
-    /// The places where the commands led plus the threshold, in lanes with [`TOP`] added: a sum below zero takes that bit
-    /// away instead of a neighbour's.
-    most: Lanes,
-    /// The threshold twice, in lanes with [`TOP`] added.
-    width: u32,
+    /// The places where the commands led, the threshold on either side.
+    expected: Expected,
     patience: u16,
     /// Steps until the comparison starts anew.
     left: u16,
@@ -54,17 +51,16 @@ pub struct Watchdog<S> {
 impl<S: Lattice> Watchdog<S> {
     /// A watchdog over an arm whose motors are there.
     pub fn new(arm: &Arm<S>, watch: Watch, motors: Pose) -> Self {
+        // Nothing has checked the reading yet.
+        let motors = Pose(motors.0.map(|ticks| ticks.clamp(0, (TICKS_PER_TURN - 1) as i16)));
         Self::within(Limits::of(arm), watch, motors)
     }
 
-    /// A watchdog over an arm of these limits whose motors are there.
+    /// A watchdog over an arm of these limits whose motors are there, within their ranges.
     pub fn within(limits: Limits<S>, watch: Watch, motors: Pose) -> Self {
         let threshold = watch.threshold.min(TICKS_PER_TURN as u16);
         let patience = watch.patience.max(1);
-        let mut watchdog =
-            Self { limits, most: [TOP; 2], width: lanes::both(2 * threshold) | TOP, patience, left: patience };
-        watchdog.anchor(lanes::of(motors));
-        watchdog
+        Self { limits, expected: Expected::around(lanes::of(motors), threshold), patience, left: patience }
     }
 
     /// Starts anew from where the motors are, after a fault whose cause was removed.
@@ -75,14 +71,14 @@ impl<S: Lattice> Watchdog<S> {
         if !self.limits.hold(motors) {
             return Err(Fault::Sensor);
         }
-        self.anchor(lanes::of(motors));
+        self.anchor(motors);
         Ok(())
     }
 
-    #[inline(always)]
-    fn anchor(&mut self, motors: Lanes) {
-        let threshold = (self.width & !TOP) >> 1;
-        self.most = motors.map(|pair| (pair & !TOP).wrapping_add(threshold) | TOP);
+    #[cold]
+    #[inline(never)]
+    fn anchor(&mut self, motors: Pose) {
+        self.expected = self.expected.anew(lanes::of(motors));
         self.left = self.patience;
     }
 
@@ -93,7 +89,7 @@ impl<S: Lattice> Watchdog<S> {
     #[inline(always)]
     pub fn check(&self, motors: Pose, target: &Vector<S>) -> Result<(), Fault> {
         let at = lanes::of(motors);
-        if self.limits.held(at) & self.near(at) & TOP == TOP && self.limits.reaches(target) {
+        if self.limits.ranges.hold(at) & self.expected.hold(at) & TOP == TOP && self.limits.reaches(target) {
             Ok(())
         } else {
             Err(self.fault(motors, target))
@@ -117,18 +113,9 @@ impl<S: Lattice> Watchdog<S> {
     pub fn commanded(&mut self, motors: Pose, wanted: Move) {
         self.left = self.left.wrapping_sub(1);
         if self.left == 0 {
-            self.anchor(lanes::of(motors));
+            self.anchor(motors);
         }
-        self.most = lanes::moved(self.most, wanted);
-    }
-
-    /// Leaves both [`TOP`] bits where every motor is within the threshold of where the commands led it. For motors within
-    /// their ranges.
-    #[inline(always)]
-    fn near(&self, [low, high]: Lanes) -> u32 {
-        let between =
-            |at: u32, most: u32| most.wrapping_sub(at) & at.wrapping_add(self.width).wrapping_sub(most & !TOP);
-        between(low, self.most[0]) & between(high, self.most[1])
+        self.expected.shift(wanted);
     }
 
     /// The first fault of a reading that has one.
