@@ -80,7 +80,12 @@ impl World {
 }
 
 /// The observation that a caller makes who gets the hand wrong; `None` in the other phases.
-fn garbled<T, P>(hybrid: &Hybrid<'_, f32, T, P>, motors: Pose, target: [f32; 3], reading: Reading) -> Option<Observation<f32>> {
+fn garbled<T, P>(
+    hybrid: &Hybrid<'_, f32, T, P>,
+    motors: Pose,
+    target: [f32; 3],
+    reading: Reading,
+) -> Option<Observation<f32>> {
     let mut seen = Observation::at(hybrid.arm, motors, target);
     match reading {
         Reading::HandNan => seen.hand[1] = f32::NAN,

@@ -106,7 +106,11 @@ pub(crate) static SCENARIOS: [Scenario; 24] = [
     scenario("stuck-and-freed", &[good(20), phase(60, Reading::Stuck, STUCK, 45), resumed(60, Reading::Good, OK, 0)]),
     scenario(
         "stuck-and-not-freed",
-        &[phase(60, Reading::Stuck, STUCK, 45), resumed(60, Reading::Stuck, STUCK, 45), resumed(9, Reading::Good, OK, 0)],
+        &[
+            phase(60, Reading::Stuck, STUCK, 45),
+            resumed(60, Reading::Stuck, STUCK, 45),
+            resumed(9, Reading::Good, OK, 0),
+        ],
     ),
     Scenario {
         name: "stuck-by-a-strict-watch",
@@ -147,10 +151,20 @@ pub(crate) static SCENARIOS: [Scenario; 24] = [
     scenario("target-out-of-reach", &[aimed(10, Target::Far), good(30)]),
     scenario(
         "hand-no-number",
-        &[good(10), phase(5, Reading::HandNan, BAD_SENSOR, 0), phase(5, Reading::HandInfinite, BAD_SENSOR, 0), good(20)],
+        &[
+            good(10),
+            phase(5, Reading::HandNan, BAD_SENSOR, 0),
+            phase(5, Reading::HandInfinite, BAD_SENSOR, 0),
+            good(20),
+        ],
     ),
     scenario(
         "difference-of-another-hand",
-        &[good(10), phase(5, Reading::DifferenceInfinite, BAD_SENSOR, 0), phase(5, Reading::HandOff, BAD_SENSOR, 0), good(20)],
+        &[
+            good(10),
+            phase(5, Reading::DifferenceInfinite, BAD_SENSOR, 0),
+            phase(5, Reading::HandOff, BAD_SENSOR, 0),
+            good(20),
+        ],
     ),
 ];

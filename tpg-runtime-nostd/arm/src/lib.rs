@@ -55,6 +55,6 @@ pub mod sac;
 pub mod sensors;
 
 pub use arm::{
-    Arm, ArmError, BaseEdge, Collision, Invalid, JOINTS, Joint, JointRange, Links, Move, Pose, Shapes, Step, TICKS_PER_TURN,
-    WIDOWX,
+    Arm, ArmError, BaseEdge, Collision, Invalid, JOINTS, Joint, JointRange, Links, Move, Pose, Shapes, Step,
+    TICKS_PER_TURN, WIDOWX,
 };

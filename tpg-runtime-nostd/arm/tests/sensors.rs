@@ -27,9 +27,11 @@ impl Plain {
 
     fn check(&self, motors: Pose) -> Result<(), Fault> {
         let held = motors.0.iter().zip(ARM.ranges).all(|(&ticks, range)| range.contains(ticks));
-        let near = motors.0.iter().zip(self.expected).all(|(&ticks, expected)| {
-            (i32::from(ticks) - expected).abs() <= i32::from(self.watch.threshold)
-        });
+        let near = motors
+            .0
+            .iter()
+            .zip(self.expected)
+            .all(|(&ticks, expected)| (i32::from(ticks) - expected).abs() <= i32::from(self.watch.threshold));
         match (held, near) {
             (false, _) => Err(Fault::Sensor),
             (true, false) => Err(Fault::Stuck),
@@ -156,7 +158,8 @@ fn bad_readings_leave_no_trace() {
         let (plain, hybrid) = (hybrid(guard), hybrid(guard));
         let first = Observation::at(&ARM, ARM.home, TARGET);
         let mut switch = Switch::new(plain.settings, Brent::new(), &first);
-        let mut control = Control::new(&ARM, hybrid.settings, Watch::DEFAULT, Brent::new(), &first).expect("a good one");
+        let mut control =
+            Control::new(&ARM, hybrid.settings, Watch::DEFAULT, Brent::new(), &first).expect("a good one");
         let (mut motors, mut executed) = (ARM.home, None);
         for step in 0..300 {
             let seen = Observation::at(&ARM, motors, TARGET);
@@ -200,7 +203,11 @@ fn stuck_motors_are_found_and_a_caller_can_go_on() {
     assert_eq!(found, Some((11, Fault::Stuck)));
     assert_eq!(hybrid.step(&mut control, ARM.home, TARGET).map(|_| ()), Err(Fault::Stuck), "it stays so");
     assert_eq!(control.resume(Pose([0; 4])), Err(Fault::Sensor));
-    assert_eq!(hybrid.step(&mut control, ARM.home, TARGET).map(|_| ()), Err(Fault::Stuck), "a bad place changes nothing");
+    assert_eq!(
+        hybrid.step(&mut control, ARM.home, TARGET).map(|_| ()),
+        Err(Fault::Stuck),
+        "a bad place changes nothing"
+    );
     assert_eq!(control.resume(ARM.home), Ok(()));
     let (_, chosen) = hybrid.step(&mut control, ARM.home, TARGET).expect("a good reading");
     assert_ne!(chosen.wanted, Move::STOP);

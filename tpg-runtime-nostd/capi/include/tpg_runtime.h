@@ -1,17 +1,25 @@
 /*
  * The runtime of learned policies, in two parts.
  *
- * For any problem: TPG_VERSION and tpg_version, the codes TPG_OK to TPG_MODEL_VERSION, and networks in integers: tpg_network_t
+ * For any problem: TPG_VERSION and tpg_version, the codes from TPG_OK on, and networks in integers: tpg_network_t
  * and tpg_network_*. Graphs that tpg-codegen compiled need nothing of this library.
  *
  * For the arm, everything else: kinematics and steps (tpg_arm_*), observation (tpg_observe, tpg_observation_*, tpg_memo_*),
  * generated policies and networks that drive it (tpg_policy_*, tpg_sac_*), two that share it (tpg_hybrid_*, tpg_switch_*),
- * episodes (tpg_episode_*, tpg_hybrid_episode_*).
+ * the watch over its motors (tpg_watchdog_*), episodes in simulation (tpg_episode_*, tpg_hybrid_episode_*).
  *
- * Every function answers TPG_OK or says by a code why it did nothing. A pointer may be NULL or misaligned, which gives
- * TPG_NULL or TPG_MISALIGNED; otherwise it must point to as much memory as its type, and the length beside it, say.
- * All memory is the caller's; there is no heap and no variable, so functions may run at the same time on different data.
+ * Every function answers TPG_OK or says by a code why it did nothing. A pointer that is NULL or misaligned gives TPG_NULL or
+ * TPG_MISALIGNED. No other bad pointer can be noticed: one must point to as much memory as its type, and the length beside
+ * it, say, and no two to memory that overlaps and is written, but where a function says so.
  * Opaque structures are initialised before use: zero one first if it may be used before (TPG_STATE is the answer then).
+ *
+ * All memory is the caller's; there is no heap and no variable. Nothing behind a pointer to const is ever written. So any
+ * number of tasks may share a tpg_arm_t, tpg_sac_t, tpg_network_t, tpg_policy_t, a model and settings. Each task needs its own
+ * tpg_hybrid_t, tpg_switch_t, tpg_watchdog_t, tpg_memo_t, episodes and scratch memory: two tasks must not use one of these at
+ * the same time.
+ *
+ * Readings that cannot be move nothing: a decision answers TPG_BAD_TARGET, TPG_BAD_SENSOR or TPG_STUCK with a move of zero,
+ * and what it keeps is as before. docs/sensors.md has the whole contract, and how a caller recovers.
  *
  * Made by cbindgen; do not edit.
  */
@@ -332,8 +340,8 @@ typedef struct {
 
 // A policy and a network with their settings. Opaque; initialised by tpg_hybrid_init.
 //
-// It belongs to one task: functions that take it as const write to it all the same, to what it keeps about the target and
-// to its scratch memory. Two tasks need two hybrids with a scratch memory each; they may share arm, policy and network.
+// It belongs to one task: it keeps what it has computed about the target. Two tasks need two hybrids with a scratch memory
+// each; they may share arm, policy and network.
 typedef struct {
   // The library's.
   uint64_t opaque[TPG_HYBRID_WORDS];
@@ -515,7 +523,7 @@ int32_t tpg_switch_init(tpg_switch_t *switch_,
 // TPG_BAD_TARGET, TPG_BAD_SENSOR or TPG_STUCK where nothing may move; docs/sensors.md has the contract. The chosen move is
 // zero then, the observation is not written, and the switch is as before: the next step with a good reading goes on. After
 // TPG_STUCK it does once the motors are where the commands led them, or after tpg_switch_resume.
-int32_t tpg_hybrid_step(const tpg_hybrid_t *hybrid,
+int32_t tpg_hybrid_step(tpg_hybrid_t *hybrid,
                         tpg_switch_t *switch_,
                         const tpg_pose_t *motors,
                         const float *target,
@@ -530,7 +538,7 @@ int32_t tpg_switch_resume(tpg_switch_t *switch_,
 // The next action: a part of tpg_hybrid_step, for loops that observe themselves. They tell tpg_switch_acted what is seen
 // after the action, and do not call tpg_hybrid_step. Codes and move as there; also TPG_BAD_SENSOR where hand, target and
 // difference do not belong together.
-int32_t tpg_hybrid_decide(const tpg_hybrid_t *hybrid,
+int32_t tpg_hybrid_decide(tpg_hybrid_t *hybrid,
                           tpg_switch_t *switch_,
                           const tpg_observation_t *observation,
                           tpg_chosen_t *chosen);
@@ -545,11 +553,10 @@ int32_t tpg_switch_acted(tpg_switch_t *switch_,
 // Gives the counts so far.
 int32_t tpg_switch_counts(const tpg_switch_t *switch_, tpg_counts_t *counts);
 
-// Puts the simulated arm at a problem's start. `hybrid` must stay where it is for as long as the episode is used.
+// Puts the simulated arm at a problem's start. `hybrid` must stay where it is for as long as the episode
+// is used, which decides with it.
 // TPG_BAD_TARGET for a target out of reach, TPG_BAD_SENSOR for a start outside the joints' ranges.
-int32_t tpg_hybrid_episode_init(tpg_hybrid_episode_t *episode,
-                                const tpg_hybrid_t *hybrid,
-                                const tpg_problem_t *problem);
+int32_t tpg_hybrid_episode_init(tpg_hybrid_episode_t *episode, tpg_hybrid_t *hybrid, const tpg_problem_t *problem);
 
 // Gives what the policies see now.
 int32_t tpg_hybrid_episode_observation(const tpg_hybrid_episode_t *episode, tpg_observation_t *observation);

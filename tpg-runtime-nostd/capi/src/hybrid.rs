@@ -164,8 +164,8 @@ pub const TPG_HYBRID_WORDS: usize = 28;
 
 /// A policy and a network with their settings. Opaque; initialised by tpg_hybrid_init.
 ///
-/// It belongs to one task: functions that take it as const write to it all the same, to what it keeps about the target and
-/// to its scratch memory. Two tasks need two hybrids with a scratch memory each; they may share arm, policy and network.
+/// It belongs to one task: it keeps what it has computed about the target. Two tasks need two hybrids with a scratch memory
+/// each; they may share arm, policy and network.
 #[repr(C)]
 pub struct tpg_hybrid_t {
     /// The library's.
@@ -299,7 +299,7 @@ fn decided(chosen: &mut tpg_chosen_t, decided: Result<Chosen, Fault>) -> Result<
 /// TPG_STUCK it does once the motors are where the commands led them, or after tpg_switch_resume.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_hybrid_step(
-    hybrid: *const tpg_hybrid_t,
+    hybrid: *mut tpg_hybrid_t,
     switch_: *mut tpg_switch_t,
     motors: *const tpg_pose_t,
     target: *const f32,
@@ -337,7 +337,7 @@ pub unsafe extern "C" fn tpg_switch_resume(switch_: *mut tpg_switch_t, motors: *
 /// difference do not belong together.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_hybrid_decide(
-    hybrid: *const tpg_hybrid_t,
+    hybrid: *mut tpg_hybrid_t,
     switch_: *mut tpg_switch_t,
     observation: *const tpg_observation_t,
     chosen: *mut tpg_chosen_t,
@@ -381,12 +381,13 @@ pub unsafe extern "C" fn tpg_switch_counts(switch_: *const tpg_switch_t, counts:
     code::answer(control.map(|control| tpg_counts_t::of(control.switch().counts())), counts)
 }
 
-/// Puts the simulated arm at a problem's start. `hybrid` must stay where it is for as long as the episode is used.
+/// Puts the simulated arm at a problem's start. `hybrid` must stay where it is for as long as the episode
+/// is used, which decides with it.
 /// TPG_BAD_TARGET for a target out of reach, TPG_BAD_SENSOR for a start outside the joints' ranges.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_hybrid_episode_init(
     episode: *mut tpg_hybrid_episode_t,
-    hybrid: *const tpg_hybrid_t,
+    hybrid: *mut tpg_hybrid_t,
     problem: *const tpg_problem_t,
 ) -> i32 {
     // SAFETY: the header's contract; the caller keeps the hybrid for as long as the episode lives.

@@ -76,6 +76,49 @@ fn every_code_in_c99_and_cpp11() {
     }
 }
 
+/// The line of a mode of `sensors.c`, by name: steps OK, bad targets, bad sensors, stuck.
+fn steps(text: &str, name: &str) -> [u32; 4] {
+    let line = text.lines().find(|line| line.starts_with(&format!("{name} "))).expect("every mode has a line");
+    let mut values = line.split(['=', ' ']).filter_map(|word| word.parse().ok());
+    std::array::from_fn(|_| values.next().expect("four numbers"))
+}
+
+#[test]
+fn the_shipped_hybrids_move_nothing_on_readings_that_cannot_be() {
+    let Some(archive) = made(library::host()) else { return };
+    if !tpg_testing::tool("gcc", "gcc", "the shipped hybrids on bad readings") {
+        return;
+    }
+    let folder = TempDir::new().expect("a temporary folder");
+    write_model(folder.path());
+    let program = folder.path().join("sensors");
+    let mut gcc = Command::new("gcc");
+    gcc.args(["-std=c99", "-O1", "-g", "-ffp-contract=off", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]);
+    gcc.args(["-fsanitize=undefined", "-fno-sanitize-recover=all"]);
+    gcc.arg(include()).arg(format!("-I{}", folder.path().display())).arg(source("sensors.c"));
+    for name in ["fs", "rs"] {
+        let generated = library::top().join(format!("generated/widowx-{name}"));
+        gcc.arg(format!("-I{}", generated.display())).arg(generated.join(format!("widowx_{name}.c")));
+    }
+    let (good, text) = run(gcc.arg(&archive).arg("-lm").arg("-o").arg(&program));
+    assert!(good, "{text}");
+    let episodes = tpg_testing::amount(60, 2_000);
+    let (good, text) = run(Command::new(&program).args(["1", &episodes.to_string()]));
+    assert!(good, "{text}");
+    for hybrid in ["fs", "rs"] {
+        let of = |mode: &str| steps(&text, &format!("{hybrid} {mode}"));
+        let [_, target, sensor, stuck] = of("clean");
+        assert_eq!([target, sensor, stuck], [0; 3], "good readings are good: {text}");
+        let each = |mode: &str, place: usize| assert!(of(mode)[place] > 100, "{mode}: {text}");
+        each("stuck", 3);
+        each("pose-jumps", 3);
+        each("any-pose", 2);
+        each("any-target", 1);
+        each("any-hand", 2);
+        assert!(of("stuck")[0] < 45 * episodes, "{text}");
+    }
+}
+
 #[test]
 fn only_the_interface_is_exported() {
     for target in library::TARGETS.into_iter().chain([library::host()]) {

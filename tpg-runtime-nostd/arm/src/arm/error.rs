@@ -56,9 +56,8 @@ impl<S: Lattice> Arm<S> {
     /// The first [`ArmError`], in the order of the enumeration.
     pub fn check(&self) -> Result<(), ArmError> {
         let joints = || (0u8..).map(Joint).zip(self.ranges.iter().zip(self.home.0));
-        let possible = |range: &JointRange| {
-            0 <= range.min && range.min <= range.max && i32::from(range.max) < TICKS_PER_TURN
-        };
+        let possible =
+            |range: &JointRange| 0 <= range.min && range.min <= range.max && i32::from(range.max) < TICKS_PER_TURN;
         if let Some((joint, _)) = joints().find(|(_, (range, _))| !possible(range)) {
             return Err(ArmError::Range(joint));
         }

@@ -30,11 +30,7 @@ impl<S: Lattice> Limits<S> {
         // Of an empty range one position is left: what is compared must not be reversed.
         let ranges = Ranges::new(end(|range| range.min), end(|range| range.max.max(range.min)));
         let reach = arm.reach() + S::from_f64(SLACK);
-        Self {
-            ranges,
-            shoulder: arm.links.base,
-            reach_squared: reach * reach,
-        }
+        Self { ranges, shoulder: arm.links.base, reach_squared: reach * reach }
     }
 
     /// Returns true if a target, mm, is a point that the stretched arm could reach: no farther from the shoulder than it is
