@@ -17,7 +17,6 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#include <string.h>
 
 /* Steps that a reading may be late. */
 #define REMEMBERED 32U
@@ -142,7 +141,9 @@ static void target_of(const phase_t *phase, float target[3])
     static const float good[3] = GOOD_TARGET;
     static const float far[3] = FAR_TARGET;
 
-    (void)memcpy(target, (phase->target == TARGET_FAR) ? far : good, sizeof good);
+    for (size_t k = 0U; k < 3U; k++) {
+        target[k] = (phase->target == TARGET_FAR) ? far[k] : good[k];
+    }
     if (phase->target == TARGET_NAN) {
         target[1] = NAN;
     } else if (phase->target == TARGET_INFINITE) {
@@ -181,16 +182,28 @@ static int32_t control(const scenario_t *scenario, const phase_t *phase, const t
     return tpg_hybrid_step(&hybrid, &turn, motors, target, &seen, chosen);
 }
 
-static bool small(const tpg_move_t *wanted, bool zero)
+/* No joint moves by more ticks than that. */
+static bool small(const tpg_move_t *wanted, int8_t most)
 {
     bool all = true;
 
     for (size_t joint = 0U; joint < (size_t)TPG_JOINTS; joint++) {
         const int8_t ticks = wanted->ticks[joint];
 
-        all = all && (zero ? (ticks == 0) : ((ticks >= -3) && (ticks <= 3)));
+        all = all && (ticks >= -most) && (ticks <= most);
     }
     return all;
+}
+
+static bool same_counts(const tpg_counts_t *a, const tpg_counts_t *b)
+{
+    bool same = (a->graph_actions == b->graph_actions) && (a->network_actions == b->network_actions)
+        && (a->hand_backs == b->hand_backs);
+
+    for (size_t cause = 0U; cause < (size_t)TPG_CAUSES; cause++) {
+        same = same && (a->hand_overs[cause] == b->hand_overs[cause]);
+    }
+    return same;
 }
 
 static void note(run_log_t *log, int32_t code, const tpg_chosen_t *chosen)
@@ -255,8 +268,8 @@ static bool run(const scenario_t *scenario)
             }
             step++;
             right = (code == due) || ((index < phase->within) && ((code == before) || (code == TPG_OK)));
-            right = right && small(&chosen.wanted, code != TPG_OK);
-            right = right && ((code == TPG_OK) || (memcmp(&counts, &after, sizeof counts) == 0));
+            right = right && small(&chosen.wanted, (code == TPG_OK) ? 3 : 0);
+            right = right && ((code == TPG_OK) || same_counts(&counts, &after));
             if (!right && (log.broken == 0U)) {
                 log.broken = step;
             }
@@ -301,13 +314,13 @@ static bool costs(void)
         const tpg_problem_t *problem = &fs_problems[index];
         tpg_pose_t motors = problem->start;
         tpg_observation_t seen;
-        float distance = INFINITY;
+        float distance;
 
         if ((tpg_observe(&arm, &motors, problem->target, &seen) != TPG_OK)
             || (tpg_switch_init(&turn, &hybrid, NULL, &seen) != TPG_OK)) {
             return false;
         }
-        for (uint32_t step = 0U; (step < STEPS) && (distance >= problem->tolerance); step++) {
+        for (uint32_t step = 0U; step < STEPS; step++) {
             tpg_chosen_t chosen;
             int32_t validity;
             uint32_t count;
@@ -323,6 +336,9 @@ static bool costs(void)
             if ((tpg_observation_distance(&seen, &distance) != TPG_OK)
                 || (tpg_arm_step(&arm, &motors, &chosen.wanted, &motors, &validity) != TPG_OK)) {
                 return false;
+            }
+            if (distance < problem->tolerance) {
+                break;
             }
         }
     }
