@@ -72,7 +72,7 @@ pub(crate) fn generated_c() -> Result<PathBuf, Failure> {
     files.push(models::file()?);
     files.push(table::file());
     let mut modules = String::new();
-    for start in ["fs", "rs"] {
+    for start in problems::STARTS.map(problems::name) {
         let path = library::top().join(format!("generated/widowx-{start}/graph.json"));
         let text = fs::read_to_string(&path).map_err(|error| Failure::at(&path, error))?;
         let graph = Graph::from_json(&path.display().to_string(), &text).map_err(Failure::new)?;

@@ -1,4 +1,4 @@
-//! Instructions an action costs, beside what is committed in `costs.toml`.
+//! Instructions of an action, compared with the counts committed in `costs.toml`.
 
 use crate::Failure;
 use crate::build;

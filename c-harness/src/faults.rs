@@ -79,7 +79,7 @@ impl World {
     }
 }
 
-/// The observation that a caller makes who gets the hand wrong; `None` in the other phases.
+/// An observation with a wrong hand or difference; `None` in the other phases.
 fn garbled<T, P>(
     hybrid: &Hybrid<'_, f32, T, P>,
     motors: Pose,

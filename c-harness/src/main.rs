@@ -56,7 +56,7 @@ impl Failure {
     }
 }
 
-/// Builds the firmwares, runs them under QEMU and compares them with the host and with what is committed.
+/// Builds the firmwares, runs them under QEMU and compares them with the host and with committed figures.
 #[derive(Debug, Parser)]
 #[command(bin_name = "cargo xtask")]
 struct Cli {
@@ -177,7 +177,7 @@ fn fits(language: &str, builder: Builder) -> Result<(), Failure> {
     compare(&format!("{language} on netduinoplus2"), &expected::lines()?, &lines)
 }
 
-/// Every episode as on the host: its end, who acted, and a hash of every motor position of every step.
+/// Checks that every episode is as on the host: its end, the actions of each policy, and a hash of every motor position.
 fn compare(language: &str, expected: &[Line], lines: &[Line]) -> Result<(), Failure> {
     let found = lines.iter().filter(|line| line.words.first().is_some_and(|word| word == "episode"));
     let found: Vec<Line> = found.map(|line| line.without(&["instructions", "worst"])).collect();

@@ -14,7 +14,7 @@ pub(crate) enum Reading {
     Late(u8),
     /// This joint reads so many ticks too much.
     Jump(u8, i16),
-    /// This joint reads that, wherever it is.
+    /// This joint always reads that.
     Fixed(u8, i16),
     /// Good at every other step; this joint reads that in between, first of all.
     Flicker(u8, i16),

@@ -76,7 +76,7 @@ pub fn paint_stack() -> usize {
 /// Bytes of stack below an address that were written to since.
 pub fn stack_used(below: usize) -> u32 {
     let mut at = top() - PAINTED;
-    // SAFETY: stack memory, which any number may be read from.
+    // SAFETY: stack memory, from which any number may be read.
     while at < below && unsafe { (at as *const u32).read_volatile() } == PAINT {
         at += 4;
     }

@@ -52,7 +52,7 @@ pub struct Summary<S> {
     pub distance: S,
 }
 
-/// The part of an episode that does not ask who decides: the arm on its way, and the ends that every policy shares.
+/// The part of an episode that is the same for any policy: the arm on its way, and the ends that every policy shares.
 #[derive(Clone, Debug)]
 pub(crate) struct Course<'a, S> {
     arm: &'a Arm<S>,

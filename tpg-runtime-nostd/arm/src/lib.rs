@@ -35,7 +35,7 @@
 //! | [`binding`] | a graph's names and numbers as sources and moves |
 //! | [`cycle`] | detection of poses where the arm has been before |
 //! | [`episode`] | one episode and how it ended |
-//! | [`hybrid`] | two policies that share an arm: who drives, and when they change |
+//! | [`hybrid`] | two policies that share an arm: the one that drives, and when they change |
 //! | [`sensors`] | readings that a control step refuses, and the watch over stuck motors |
 //! | [`sac`] | the soft actor-critic's features, its network in integers, its decision |
 //!

@@ -79,7 +79,7 @@
 // A structure was not initialised, or not by this version of the library; or the episode is over.
 #define TPG_STATE 4
 
-// A number outside what is accepted.
+// A number outside the accepted range.
 #define TPG_ARGUMENT 5
 
 // The words are no model: they do not begin like one.
@@ -380,7 +380,8 @@ typedef struct {
   int32_t guard;
 } tpg_settings_t;
 
-// The state of a control loop towards one target: whose turn it is, what the motors were told, where they should be.
+// The state of a control loop towards one target: the one whose turn it is, the last move that was commanded, the places
+// where the motors should be.
 // Opaque; initialised by tpg_switch_init for every target.
 typedef struct {
   // The library's.
@@ -501,7 +502,7 @@ int32_t tpg_episode_advance(tpg_episode_t *episode,
 // Joins a generated policy and a network. `arm`, `policy`, `sac` and `scratch` must stay where they are for as long as
 // the hybrid is used; `scratch`, of as many words as tpg_sac_scratch says, is the hybrid's alone.
 //
-// TPG_ARGUMENT for settings outside what is accepted: hand_back_after from 1, separation from 0 mm.
+// TPG_ARGUMENT for settings that are not accepted: hand_back_after from 1, separation from 0 mm.
 int32_t tpg_hybrid_init(tpg_hybrid_t *hybrid,
                         const tpg_arm_t *arm,
                         const tpg_policy_t *policy,
@@ -654,7 +655,7 @@ int32_t tpg_sac_decide(const tpg_sac_t *sac,
                        size_t words,
                        tpg_move_t *wanted);
 
-// Starts to watch an arm whose motors are there. `watch` may be NULL: the defaults. TPG_BAD_SENSOR for a motor outside its
+// Starts to watch an arm whose motors are at `motors`. `watch` may be NULL: the defaults. TPG_BAD_SENSOR for a motor outside its
 // joint's range.
 int32_t tpg_watchdog_init(tpg_watchdog_t *watchdog,
                           const tpg_arm_t *arm,
@@ -667,7 +668,7 @@ int32_t tpg_watchdog_check(const tpg_watchdog_t *watchdog,
                            const tpg_pose_t *motors,
                            const float *target);
 
-// Notes that a move goes to the motors, which were there when it was decided on.
+// Notes a move that goes to the motors, and the positions at which it was decided on.
 int32_t tpg_watchdog_commanded(tpg_watchdog_t *watchdog, const tpg_pose_t *motors, const tpg_move_t *wanted);
 
 // Starts to compare anew, from where the motors are: the way out of TPG_STUCK once its cause is removed. TPG_BAD_SENSOR for

@@ -14,7 +14,7 @@ pub const TPG_MISALIGNED: i32 = 2;
 pub const TPG_LENGTH: i32 = 3;
 /// A structure was not initialised, or not by this version of the library; or the episode is over.
 pub const TPG_STATE: i32 = 4;
-/// A number outside what is accepted.
+/// A number outside the accepted range.
 pub const TPG_ARGUMENT: i32 = 5;
 /// The words are no model: they do not begin like one.
 pub const TPG_MODEL: i32 = 6;

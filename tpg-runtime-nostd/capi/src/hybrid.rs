@@ -189,7 +189,8 @@ unsafe impl Opaque for tpg_hybrid_t {
 /// Words of a tpg_switch_t.
 pub const TPG_SWITCH_WORDS: usize = 15;
 
-/// The state of a control loop towards one target: whose turn it is, what the motors were told, where they should be.
+/// The state of a control loop towards one target: the one whose turn it is, the last move that was commanded, the places
+/// where the motors should be.
 /// Opaque; initialised by tpg_switch_init for every target.
 #[repr(C)]
 pub struct tpg_switch_t {
@@ -229,7 +230,7 @@ unsafe impl Opaque for tpg_hybrid_episode_t {
 /// Joins a generated policy and a network. `arm`, `policy`, `sac` and `scratch` must stay where they are for as long as
 /// the hybrid is used; `scratch`, of as many words as tpg_sac_scratch says, is the hybrid's alone.
 ///
-/// TPG_ARGUMENT for settings outside what is accepted: hand_back_after from 1, separation from 0 mm.
+/// TPG_ARGUMENT for settings that are not accepted: hand_back_after from 1, separation from 0 mm.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_hybrid_init(
     hybrid: *mut tpg_hybrid_t,

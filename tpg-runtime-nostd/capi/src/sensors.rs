@@ -65,7 +65,7 @@ unsafe impl Opaque for tpg_watchdog_t {
     const TAG: u32 = 0x5744_4701;
 }
 
-/// Starts to watch an arm whose motors are there. `watch` may be NULL: the defaults. TPG_BAD_SENSOR for a motor outside its
+/// Starts to watch an arm whose motors are at `motors`. `watch` may be NULL: the defaults. TPG_BAD_SENSOR for a motor outside its
 /// joint's range.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_watchdog_init(
@@ -100,7 +100,7 @@ pub unsafe extern "C" fn tpg_watchdog_check(
     code::of(watchdog.and_then(|watchdog| watchdog.check(Pose(motors?.ticks), target?).map_err(code::fault)))
 }
 
-/// Notes that a move goes to the motors, which were there when it was decided on.
+/// Notes a move that goes to the motors, and the positions at which it was decided on.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_watchdog_commanded(
     watchdog: *mut tpg_watchdog_t,

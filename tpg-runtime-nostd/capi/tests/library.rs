@@ -76,6 +76,33 @@ fn every_code_in_c99_and_cpp11() {
     }
 }
 
+#[test]
+fn random_calls_are_answered_by_codes() {
+    let Some(archive) = made(library::host()) else { return };
+    if !tpg_testing::tool("gcc", "gcc", "random calls of the C interface") {
+        return;
+    }
+    let folder = TempDir::new().expect("a temporary folder");
+    let (program, generated) = (folder.path().join("calls"), library::top().join("generated/widowx-sac"));
+    let mut gcc = Command::new("gcc");
+    gcc.args(["-std=c99", "-O1", "-g", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]);
+    // The library itself is instrumented by `cargo xtask sanitize`, with a nightly compiler.
+    gcc.args(["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]);
+    gcc.arg(include()).arg(format!("-I{}", generated.display())).arg(source("calls.c"));
+    gcc.arg(generated.join("widowx_sac.c")).arg(&archive).arg("-lm").arg("-o").arg(&program);
+    let (good, text) = run(&mut gcc);
+    assert!(good, "{text}");
+    for seed in 0..tpg_testing::amount(2, 20) {
+        let mut calls = Command::new(&program);
+        let (good, text) = run(calls.args([&seed.to_string(), "20000"]).env("ASAN_OPTIONS", "detect_leaks=0"));
+        assert!(good, "seed {seed}: {text}");
+        // Codes are reached, or the driver tests nothing. Behind a wrong checksum no other damage of a model is looked for.
+        let reached: Vec<&str> = text.split_whitespace().filter(|word| word.contains(':')).collect();
+        let unreached: Vec<&str> = reached.iter().copied().filter(|word| word.ends_with(":0")).collect();
+        assert!(reached.len() == 14 && unreached == ["8:0", "9:0"], "seed {seed}: {text}");
+    }
+}
+
 /// The line of a mode of `sensors.c`, by name: steps OK, bad targets, bad sensors, stuck.
 fn steps(text: &str, name: &str) -> [u32; 4] {
     let line = text.lines().find(|line| line.starts_with(&format!("{name} "))).expect("every mode has a line");

@@ -100,7 +100,7 @@ impl Kind {
         of_weights.saturating_add(2 * ROWS)
     }
 
-    /// By how many bits an accumulator is greater than the sum of products.
+    /// Bits by which an accumulator is greater than the sum of products.
     pub(crate) const fn scale(self) -> u32 {
         match self {
             Self::W8A16 | Self::W16A16 => 0,

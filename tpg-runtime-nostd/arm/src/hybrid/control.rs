@@ -8,7 +8,8 @@ use crate::observation::Observation;
 use crate::sensors::{Fault, Limits, Watch, Watchdog};
 use tpg_runtime::policy::Policy;
 
-/// The state of a control loop towards one target: whose turn it is, what the motors were told, and where they should be.
+/// The state of a control loop towards one target: the policy whose turn it is, the last move that was commanded, and the
+/// places where the motors should be.
 #[derive(Clone, Debug)]
 pub struct Control<S, D> {
     switch: Switch<S, D>,
@@ -62,7 +63,7 @@ impl<S: Lattice, D: CycleDetector<Pose>> Control<S, D> {
         self.watchdog.resume(motors)
     }
 
-    /// Tells the switch what is seen after an action, as [`Switch::acted`]: for loops that call [`Hybrid::drive`].
+    /// Tells the switch the observation after an action, as [`Switch::acted`]: for loops that call [`Hybrid::drive`].
     ///
     /// # Errors
     /// See [`Fault`]. Nothing changes then: the action can be told again with a better observation.
@@ -79,8 +80,8 @@ where
     T: Policy<State = Observation<S>, Action = Move>,
     P: Policy<State = Observation<S>, Action = Move>,
 {
-    /// One step of a control loop: what is seen at the motors' positions with a target in mm, and the next action, which the
-    /// caller sends to the motors before the next step.
+    /// Does one step of a control loop: takes the motors' positions and a target in mm, returns the observation and the next
+    /// action, which the caller sends to the motors before the next step.
     ///
     /// It does all there is to do with a reading: checks it, observes, tells the switch about the previous action, decides.
     ///
@@ -129,7 +130,7 @@ where
         Ok((seen, chosen))
     }
 
-    /// [`step`](Self::step), with a place for what is seen; it is not written where there is a fault.
+    /// Does a [`step`](Self::step) and writes the observation to `seen`, but not if there is a fault.
     ///
     /// # Errors
     /// As [`step`](Self::step).

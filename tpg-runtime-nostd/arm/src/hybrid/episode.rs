@@ -19,7 +19,7 @@ pub struct HybridSummary<S> {
 
 /// An episode under way.
 ///
-/// It ends when the hand is at its target, at an invalid action, whoever chose it, and at the action limit. Stops and
+/// It ends when the hand is at its target, at an invalid action of either policy, and at the action limit. Stops and
 /// cycles of the graph are the [`Switch`]'s business. Where the network never hands back and comes to a pose again, it
 /// will for ever: that ends the episode as a cycle, too.
 #[derive(Clone, Debug)]
@@ -55,7 +55,7 @@ where
         &self.switch
     }
 
-    /// Does one action; tells who chose it, and how the episode ended if it did.
+    /// Does one action; returns the policy that chose it, and the episode's end if it ended.
     ///
     /// If several ends fall together, the first of these holds: invalid, reached, cycle, timeout.
     pub fn advance(&mut self) -> (Driver, Option<Outcome>) {
@@ -86,7 +86,7 @@ where
         if cycles { Some(Outcome::Cycle) } else { self.course.timeout() }
     }
 
-    /// Lets the hybrid act until the end; `each` sees who acted and the pose after every action.
+    /// Lets the hybrid act until the end; `each` sees the policy that acted and the pose after every action.
     pub fn run(mut self, mut each: impl FnMut(Driver, Pose)) -> HybridSummary<S> {
         loop {
             let (driver, outcome) = self.advance();

@@ -9,7 +9,7 @@
 //! | --- | --- |
 //! | [`Settings`] | the paper's two parameters, and two of our own: a guard, and a hand-over that is final |
 //! | [`Hybrid`] | two policies with their settings: constant, shared by all episodes |
-//! | [`Switch`] | whose turn it is: the state of one episode, a few words and a cycle detector |
+//! | [`Switch`] | the policy whose turn it is: the state of one episode, a few words and a cycle detector |
 //! | [`HybridEpisode`] | one episode in the simulated arm |
 //! | [`Control`] | the state of a control loop on a real arm, whose readings may be wrong |
 //!

@@ -1,7 +1,7 @@
 //! The shield: those of the paper's eight actions that the arm would refuse.
 //!
 //! A policy that may not bid for what would be refused is another policy than one that has learned to avoid it, so a
-//! shield is a part of its graph: a source like any other, whose values the bids for actions are bounded by.
+//! shield is a part of its graph: a source like any other, whose values bound the bids for actions.
 
 use crate::arm::{Arm, JOINTS, Joint, Move, Pose};
 use crate::kinematics::{Lattice, Plane};

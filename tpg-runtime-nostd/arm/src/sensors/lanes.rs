@@ -21,7 +21,7 @@ pub(super) const fn of(Pose([base, shoulder, elbow, wrist]): Pose) -> Lanes {
     [pair(base, shoulder), pair(elbow, wrist)]
 }
 
-/// An interval for each position, for good.
+/// A fixed interval for each position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Ranges {
     /// [`TOP`] less the lower ends: at `a` the sum has the bit where `a` is not less.

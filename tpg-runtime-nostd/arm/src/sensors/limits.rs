@@ -27,7 +27,7 @@ impl<S: Lattice> Limits<S> {
         let end = |pick: fn(JointRange) -> i16| {
             lanes::of(Pose(arm.ranges.map(|range| pick(range).clamp(0, (TICKS_PER_TURN - 1) as i16))))
         };
-        // Of an empty range one position is left: what is compared must not be reversed.
+        // Of an empty range one position is left: `Ranges` needs ends in order.
         let ranges = Ranges::new(end(|range| range.min), end(|range| range.max.max(range.min)));
         let reach = arm.reach() + S::from_f64(SLACK);
         Self { ranges, shoulder: arm.links.base, reach_squared: reach * reach }

@@ -6,10 +6,10 @@ use crate::arm::{Arm, Move, Pose, TICKS_PER_TURN};
 use crate::kinematics::{Lattice, Vector};
 use crate::observation::Observation;
 
-/// How much commanded and observed motion may differ.
+/// The difference that commanded and observed motion may have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Watch {
-    /// Ticks that a motor may be away from where the commands led it; 4096 and more never finds it stuck.
+    /// Ticks that a motor may be away from the place to which the commands led it; from 4096 on it is never found stuck.
     pub threshold: u16,
     /// Steps over which differences add up, from 1. After so many the comparison starts anew from where the motors are, so
     /// that motors which always fall a little short are not taken for stuck ones: by up to threshold / patience ticks a
@@ -30,7 +30,7 @@ impl Default for Watch {
     }
 }
 
-/// Compares where motors are with where the commands led them, and readings with an arm's [`Limits`].
+/// Compares the motors' positions with the places to which the commands led them, and with an arm's [`Limits`].
 ///
 /// Ask [`check`](Self::check) about every reading before anything is decided, and tell [`commanded`](Self::commanded) every
 /// move that goes to the motors. Both together cost some fifty instructions on a Cortex-M4.
@@ -41,7 +41,7 @@ impl Default for Watch {
 #[derive(Clone, Debug)]
 pub struct Watchdog<S> {
     limits: Limits<S>,
-    /// The places where the commands led, the threshold on either side.
+    /// The places to which the commands led, with the threshold on either side.
     expected: Expected,
     patience: u16,
     /// Steps until the comparison starts anew.
@@ -49,21 +49,21 @@ pub struct Watchdog<S> {
 }
 
 impl<S: Lattice> Watchdog<S> {
-    /// A watchdog over an arm whose motors are there.
+    /// A watchdog over an arm whose motors are at `motors`.
     pub fn new(arm: &Arm<S>, watch: Watch, motors: Pose) -> Self {
         // Nothing has checked the reading yet.
         let motors = Pose(motors.0.map(|ticks| ticks.clamp(0, (TICKS_PER_TURN - 1) as i16)));
         Self::within(Limits::of(arm), watch, motors)
     }
 
-    /// A watchdog over an arm of these limits whose motors are there, within their ranges.
+    /// A watchdog over an arm of these limits whose motors are at `motors`, within their ranges.
     pub fn within(limits: Limits<S>, watch: Watch, motors: Pose) -> Self {
         let threshold = watch.threshold.min(TICKS_PER_TURN as u16);
         let patience = watch.patience.max(1);
         Self { limits, expected: Expected::around(lanes::of(motors), threshold), patience, left: patience }
     }
 
-    /// Starts anew from where the motors are, after a fault whose cause was removed.
+    /// Starts anew from the motors' positions, after the cause of a fault was removed.
     ///
     /// # Errors
     /// [`Fault::Sensor`] for a motor outside its joint's range; nothing changes then.
@@ -82,7 +82,7 @@ impl<S: Lattice> Watchdog<S> {
         self.left = self.patience;
     }
 
-    /// Checks where the motors are, and a target in mm.
+    /// Checks the motors' positions, and a target in mm.
     ///
     /// # Errors
     /// See [`Fault`]. Nothing changes then.
@@ -108,7 +108,7 @@ impl<S: Lattice> Watchdog<S> {
         }
     }
 
-    /// Notes that a move goes to the motors, which are there.
+    /// Notes a move that goes to the motors, and their positions before it.
     #[inline(always)]
     pub fn commanded(&mut self, motors: Pose, wanted: Move) {
         self.left = self.left.wrapping_sub(1);
