@@ -15,6 +15,8 @@
 
 #define TOLERANCE_MM 3.0F
 #define MAX_ACTIONS 1707U
+/* Readings in a row that the library may refuse before the loop gives up. */
+#define MAX_FAULTS 10U
 
 /* All memory there is, beside the stack. */
 static tpg_arm_t arm;
@@ -35,7 +37,7 @@ static const tpg_policy_t policy = { infer, sources, WIDOWX_FS_SOURCE_COUNT, mov
 /* As generated/widowx-fs/hybrid.toml has them. */
 static const tpg_settings_t settings = { 5U, INFINITY, TPG_GUARD_BOTH };
 
-/* Where the model's motors are. */
+/* Positions of the model's motors. */
 static tpg_pose_t motors;
 
 static tpg_pose_t read_motors(void)
@@ -50,37 +52,39 @@ static bool write_motors(const tpg_move_t *wanted)
     return (tpg_arm_step(&arm, &motors, wanted, &motors, &validity) == TPG_OK) && (validity == TPG_VALID);
 }
 
-/* Goes to a target; whether the hand is there, and after how many actions. */
+/* Goes to a target; answers true if the hand is there, and counts the actions. */
 static bool go_to(const float target[3], uint32_t *actions)
 {
     tpg_pose_t pose = read_motors();
     tpg_observation_t seen;
-    tpg_chosen_t chosen;
-    int32_t cause;
-    uint32_t done;
-    float distance;
+    uint32_t faults = 0U;
 
-    if ((tpg_observe(&arm, &pose, target, &seen) != TPG_OK) || (tpg_switch_init(&turn, &settings, &seen) != TPG_OK)) {
+    *actions = 0U;
+    if ((tpg_observe(&arm, &pose, target, &seen) != TPG_OK) || (tpg_switch_init(&turn, &hybrid, NULL, &seen) != TPG_OK)) {
         return false;
     }
-    for (done = 0U; done < MAX_ACTIONS; done++) {
-        *actions = done;
+    while ((*actions < MAX_ACTIONS) && (faults < MAX_FAULTS)) {
+        tpg_chosen_t chosen;
+        float distance;
+
+        pose = read_motors();
+        if (tpg_hybrid_step(&hybrid, &turn, &pose, target, &seen, &chosen) != TPG_OK) {
+            /* TPG_BAD_TARGET, TPG_BAD_SENSOR, TPG_STUCK: nothing moves, the next reading may be better. */
+            faults++;
+            continue;
+        }
+        faults = 0U;
         if (tpg_observation_distance(&seen, &distance) != TPG_OK) {
             return false;
         }
         if (distance < TOLERANCE_MM) {
             return true;
         }
-        if ((tpg_hybrid_decide(&hybrid, &turn, &seen, &chosen) != TPG_OK) || !write_motors(&chosen.wanted)) {
+        if (!write_motors(&chosen.wanted)) {
             return false;
         }
-        pose = read_motors();
-        if ((tpg_observe(&arm, &pose, target, &seen) != TPG_OK)
-            || (tpg_switch_acted(&turn, &chosen, &seen, &cause) != TPG_OK)) {
-            return false;
-        }
+        (*actions)++;
     }
-    *actions = MAX_ACTIONS;
     return false;
 }
 

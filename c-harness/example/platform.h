@@ -1,4 +1,4 @@
-/* What the control loop asks of the machine it runs on: printing, counting instructions, ending. */
+/* Functions of the machine that the control loop runs on: print, count instructions, end. */
 #ifndef PLATFORM_H
 #define PLATFORM_H
 

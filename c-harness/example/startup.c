@@ -77,7 +77,7 @@ uint32_t platform_stack_of(void (*function)(void *argument), void *argument)
     volatile uint32_t *at = _stack_limit;
     const uint32_t *here;
 
-    /* What lies below the stack pointer is nobody's: no interrupt is on. */
+    /* Memory below the stack pointer is free: no interrupt is on. */
     __asm volatile("mov %0, sp" : "=r"(here));
     while (at < here) {
         *at = PAINT;

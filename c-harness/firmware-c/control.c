@@ -54,7 +54,7 @@ typedef struct run {
     uint32_t count;
 } run_t;
 
-/* What an episode comes to. */
+/* Result of an episode. */
 typedef struct result {
     int32_t outcome;
     uint32_t actions;
@@ -218,7 +218,7 @@ static bool stack_of_decisions(const run_t *run)
     return true;
 }
 
-/* What every controller pays beside its decision: seeing where the arm is, and telling the switch. */
+/* Counts the work of a controller beside its decision: it observes the arm and tells the switch. */
 static bool observing(void)
 {
     tpg_observation_t seen;
@@ -235,7 +235,8 @@ static bool observing(void)
         return false;
     }
     observe = platform_count() - overhead;
-    if (tpg_switch_init(&turn, &rs_settings, &seen) != TPG_OK) {
+    if ((tpg_hybrid_init(&hybrid, &arm, &rs_policy, &sac, &rs_settings, scratch, WIDOWX_SAC_SCRATCH) != TPG_OK)
+        || (tpg_switch_init(&turn, &hybrid, NULL, &seen) != TPG_OK)) {
         return false;
     }
     platform_count_from();

@@ -1,4 +1,4 @@
-//! Where the linker finds the board's memories: in the folder that TPG_BOARD names.
+//! Tells the linker the folder of the board's memories, which TPG_BOARD names.
 
 use std::env;
 use std::path::PathBuf;

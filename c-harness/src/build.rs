@@ -1,7 +1,7 @@
 //! Compiles the firmwares.
 
 use crate::Failure;
-use crate::{models, problems};
+use crate::{models, problems, table};
 use std::env;
 use std::fmt::Write as _;
 use std::fs;
@@ -15,13 +15,13 @@ use tpg_testing::library::{self, Missing};
 /// The target of both boards.
 pub(crate) const TARGET: &str = "thumbv7em-none-eabihf";
 
-/// What gcc is told of the core.
+/// Options that tell gcc which core it is.
 pub(crate) const CORE: [&str; 4] = ["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"];
 
 /// A board, as QEMU names it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Board {
-    /// Where instructions are counted.
+    /// The board on which instructions are counted.
     Mps2An386,
     /// An STM32F405: does it fit?
     NetduinoPlus2,
@@ -37,7 +37,7 @@ impl Board {
     }
 }
 
-/// Where everything is built.
+/// The folder in which everything is built.
 pub(crate) fn room() -> Result<PathBuf, Failure> {
     let folder = library::target_folder().join("harness");
     fs::create_dir_all(&folder).map_err(|error| Failure::at(&folder, error))?;
@@ -70,8 +70,9 @@ pub(crate) fn generated_c() -> Result<PathBuf, Failure> {
     fs::create_dir_all(&folder).map_err(|error| Failure::at(&folder, error))?;
     let mut files = Vec::from(problems::files()?);
     files.push(models::file()?);
+    files.push(table::file());
     let mut modules = String::new();
-    for start in ["fs", "rs"] {
+    for start in problems::STARTS.map(problems::name) {
         let path = library::top().join(format!("generated/widowx-{start}/graph.json"));
         let text = fs::read_to_string(&path).map_err(|error| Failure::at(&path, error))?;
         let graph = Graph::from_json(&path.display().to_string(), &text).map_err(Failure::new)?;
@@ -114,19 +115,20 @@ fn there<T>(result: Result<T, Missing>) -> Result<Option<T>, Failure> {
     }
 }
 
-/// The control program in C, for this machine; `None` where a tool is missing.
-pub(crate) fn host() -> Result<Option<PathBuf>, Failure> {
-    if !tpg_testing::tool("gcc", "gcc", "the control program in C on this machine") {
+/// A firmware's program in C, for this machine; `None` where a tool is missing.
+pub(crate) fn host(program: &str) -> Result<Option<PathBuf>, Failure> {
+    if !tpg_testing::tool("gcc", "gcc", &format!("the {program} program in C on this machine")) {
         return Ok(None);
     }
     let Some(archive) = there(library::make(library::host(), &library::dist()))? else { return Ok(None) };
     let generated = generated_c()?;
-    let image = room()?.join("control-host");
+    let image = room()?.join(format!("{program}-host"));
     let mut gcc = Command::new("gcc");
     gcc.args(["-std=c99", "-O2", "-ffp-contract=off", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]);
     gcc.arg(format!("-I{}", harness().join("example").display())).arg(format!("-I{}", generated.display()));
     gcc.arg(format!("-I{}", library::dist().join("include").display()));
-    gcc.args(["firmware-c/control.c", "firmware-c/host.c", "example/report.c"].map(|name| harness().join(name)));
+    gcc.arg(harness().join(format!("firmware-c/{program}.c")));
+    gcc.args(["firmware-c/host.c", "example/report.c"].map(|name| harness().join(name)));
     gcc.args(["widowx_fs.c", "widowx_rs.c", "widowx_sac.c"].map(|name| generated.join(name)));
     there(library::output(gcc.arg(archive).arg("-o").arg(&image)))?;
     Ok(Some(image))
@@ -135,6 +137,7 @@ pub(crate) fn host() -> Result<Option<PathBuf>, Failure> {
 /// The C firmware `program` for a board; `None` where a tool is missing.
 pub(crate) fn c(program: &str, board: Board) -> Result<Option<PathBuf>, Failure> {
     let names: &[&str] = match program {
+        "faults" => &["widowx_fs", "widowx_sac"],
         "costs" => &["fs_fast_c", "fs_small_c", "fs_constant_c", "rs_fast_c", "rs_small_c", "rs_constant_c"],
         _ => &["widowx_fs", "widowx_rs", "widowx_sac"],
     };

@@ -1,4 +1,4 @@
-//! Instructions an action costs, beside what is committed in `costs.toml`.
+//! Instructions of an action, compared with the counts committed in `costs.toml`.
 
 use crate::Failure;
 use crate::build;
@@ -12,11 +12,11 @@ const FILE: &str = "costs.toml";
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Cost {
-    /// How many actions.
+    /// Number of actions.
     pub(crate) actions: u64,
     /// Instructions of all of them.
     pub(crate) instructions: u64,
-    /// Instructions of the dearest.
+    /// Instructions of the most expensive one.
     pub(crate) worst: u64,
 }
 
@@ -26,7 +26,7 @@ pub(crate) struct Cost {
 pub(crate) struct Costs {
     /// The compilers that these counts belong to, by their own words.
     pub(crate) compilers: BTreeMap<String, String>,
-    /// What was counted, by name.
+    /// Counts, by name.
     #[serde(default)]
     pub(crate) cost: BTreeMap<String, Cost>,
 }
@@ -76,7 +76,7 @@ impl Costs {
         }
     }
 
-    /// What differs from the committed counts. With other compilers 2 % are allowed, and that is said.
+    /// Differences from the committed counts. With other compilers 2 % are allowed, and a line says so.
     pub(crate) fn differences(&self) -> Result<Vec<String>, Failure> {
         let committed: Self = toml::from_str(&build::committed(FILE)?).map_err(Failure::new)?;
         let exact = committed.compilers == self.compilers;

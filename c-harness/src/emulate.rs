@@ -9,7 +9,7 @@ use std::process::Command;
 /// Longer than any machine needs; a hang must end.
 const SECONDS: &str = "600";
 
-/// What an image prints on a board, line by line.
+/// Runs an image on a board and returns the lines that it prints.
 pub(crate) fn run(board: Board, image: &Path) -> Result<Vec<Line>, Failure> {
     let mut qemu = Command::new("timeout");
     qemu.args([

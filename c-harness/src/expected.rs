@@ -1,9 +1,10 @@
-//! What the host does with the same problems: the runtime's own definitions, the network as it was before packing.
+//! The same problems on the host: the runtime's own definitions, the network as it was before packing.
 
 use crate::Failure;
 use crate::line::Line;
-use crate::problems::{PARTS, Start};
+use crate::problems::{self, PARTS, problems, settings};
 use crate::record::{Hash, code};
+use crate::table;
 use tpg_arm::binding;
 use tpg_arm::cycle::Brent;
 use tpg_arm::episode::{Episode, Problem};
@@ -12,12 +13,24 @@ use tpg_arm::observation::{ArmPolicy, Observation};
 use tpg_arm::sac::fixed::FixedPolicy;
 use tpg_arm::{Arm, Move, Pose, WIDOWX};
 use tpg_generated::{widowx_fs::WidowxFs, widowx_rs::WidowxRs, widowx_sac};
+use tpg_problems::arm::targets::Start;
 use tpg_runtime::policy::Policy;
 
 const ARM: Arm<f32> = WIDOWX.to_f32();
 
 const NETWORK: FixedPolicy<'static, 64, 64> =
     FixedPolicy { arm: &ARM, network: &widowx_sac::NETWORK, decision: widowx_sac::DECISION };
+
+/// The lines of every scenario of sensor faults.
+pub(crate) fn faults() -> Vec<Line> {
+    let tpg = ArmPolicy::new(
+        WidowxFs,
+        &ARM,
+        &const { binding::sources(WidowxFs::SOURCES) },
+        &const { binding::moves(WidowxFs::MOVES) },
+    );
+    table::lines(&Hybrid { arm: &ARM, tpg, sac: NETWORK, settings: settings(Start::Fs) })
+}
 
 /// The lines of every episode, in the firmwares' order.
 pub(crate) fn lines() -> Result<Vec<Line>, Failure> {
@@ -34,13 +47,13 @@ pub(crate) fn lines() -> Result<Vec<Line>, Failure> {
         &const { binding::sources(WidowxRs::SOURCES) },
         &const { binding::moves(WidowxRs::MOVES) },
     );
-    let [fixed, random] = [Start::Fixed.problems()?, Start::Random.problems()?];
-    hybrid(&mut lines, Start::Fixed, fs.clone(), &fixed);
-    hybrid(&mut lines, Start::Random, rs.clone(), &random);
-    single(&mut lines, Start::Fixed, "graph", &fs, &fixed);
-    single(&mut lines, Start::Random, "graph", &rs, &random);
-    single(&mut lines, Start::Fixed, "network", &NETWORK, &fixed);
-    single(&mut lines, Start::Random, "network", &NETWORK, &random);
+    let [fixed, random] = [problems(Start::Fs)?, problems(Start::Rs)?];
+    hybrid(&mut lines, Start::Fs, fs.clone(), &fixed);
+    hybrid(&mut lines, Start::Rs, rs.clone(), &random);
+    single(&mut lines, Start::Fs, "graph", &fs, &fixed);
+    single(&mut lines, Start::Rs, "graph", &rs, &random);
+    single(&mut lines, Start::Fs, "network", &NETWORK, &fixed);
+    single(&mut lines, Start::Rs, "network", &NETWORK, &random);
     Ok(lines)
 }
 
@@ -48,7 +61,7 @@ fn hybrid<P>(lines: &mut Vec<Line>, start: Start, graph: P, problems: &[Problem<
 where
     P: Policy<State = Observation<f32>, Action = Move>,
 {
-    let hybrid = Hybrid { arm: &ARM, tpg: graph, sac: NETWORK, settings: start.settings() };
+    let hybrid = Hybrid { arm: &ARM, tpg: graph, sac: NETWORK, settings: settings(start) };
     for (index, &problem) in problems.iter().enumerate() {
         let mut poses = Hash::new();
         let summary = HybridEpisode::new(&hybrid, problem, Brent::new()).run(|_, pose| poses.add_pose(pose));
@@ -76,7 +89,7 @@ fn line(start: Start, name: &str, index: usize, end: (i32, u32, Pose), who: [u32
     Line::parse(&format!(
         "episode {} {name} index={index} outcome={outcome} actions={actions} graph={graph} network={network} \
          switches={switches} base={base} shoulder={shoulder} elbow={elbow} wrist={wrist} poses={:016x}",
-        start.name(),
+        problems::name(start),
         poses.0
     ))
 }

@@ -1,4 +1,4 @@
-//! What the analyser is told about the firmwares, each with its reason: whoever signs a bound signs these.
+//! Facts about the firmwares that the analyser takes for granted, each with its reason: a bound is as good as they are.
 //!
 //! Functions are named by a part of their name, their loops by their order in the code. A fact about a function that is not
 //! there, or that has another number of loops, is a failure.
@@ -7,9 +7,9 @@ use tpg_arm::sac::FEATURES;
 
 /// All about one image.
 pub(crate) struct Facts {
-    /// What one decision is.
+    /// The function that is one decision.
     pub(crate) roots: &'static str,
-    /// What the painted stack is that of.
+    /// The function whose stack is painted.
     pub(crate) stack_roots: &'static str,
     /// A part of a function's name, and the turns of its loops.
     pub(crate) loops: Vec<(&'static str, Vec<u64>)>,
@@ -26,7 +26,7 @@ const BLOCKS: u64 = 64 / 4;
 /// Features as words: four a turn, and one more for the rest.
 const FOURS: u64 = FEATURES as u64 / 4 + 1;
 
-/// What both images have: the library's functions.
+/// Facts about functions of the library, which both images have.
 fn common() -> Facts {
     let kernels =
         ["3dsp10w16a16_raw", "3dsp10w8a8_pairs", "3dsp10w8a8_split", "3dsp11w8a16_pairs", "3dsp11w8a16_split"];

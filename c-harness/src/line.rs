@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 /// One line of output.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Line {
-    /// What comes before the first value.
+    /// The words before the first value.
     pub(crate) words: Vec<String>,
     /// The values, by name.
     pub(crate) values: BTreeMap<String, String>,

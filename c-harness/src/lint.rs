@@ -8,11 +8,13 @@ use std::process::Command;
 use tpg_testing::library;
 
 /// The files of each program: rules about a whole program need to see one, and no more.
-const PROGRAMS: [&[&str]; 4] = [
+const PROGRAMS: [&[&str]; 6] = [
     &["example/main.c", "example/startup.c", "example/qemu.c", "example/report.c"],
     &["firmware-c/control.c", "example/startup.c", "example/qemu.c", "example/report.c"],
     &["firmware-c/costs.c", "example/startup.c", "example/qemu.c", "example/report.c"],
+    &["firmware-c/faults.c", "example/startup.c", "example/qemu.c", "example/report.c"],
     &["firmware-c/control.c", "firmware-c/host.c", "example/report.c"],
+    &["firmware-c/faults.c", "firmware-c/host.c", "example/report.c"],
 ];
 
 /// Two parameters of one type are what coordinates need. A linker script's symbols begin with an underscore. Padding differs
@@ -20,7 +22,7 @@ const PROGRAMS: [&[&str]; 4] = [
 const TIDY: &str = "-*,bugprone-*,cert-*,clang-analyzer-*,-bugprone-easily-swappable-parameters,\
                     -bugprone-reserved-identifier,-cert-dcl37-c,-cert-dcl51-cpp,-clang-analyzer-optin.performance.Padding";
 
-/// Where headers are: the example's, generated ones, the library's.
+/// Folders of headers: the example's, generated ones, the library's.
 struct Headers([PathBuf; 3]);
 
 impl Headers {
@@ -81,7 +83,7 @@ fn cppcheck(headers: &Headers) -> Command {
     command
 }
 
-/// Whether a linter finds nothing.
+/// Succeeds if a linter finds nothing.
 fn clean(command: &mut Command) -> Result<(), Failure> {
     library::output(command).map(|_| ()).map_err(|error| Failure::new(format!("{error:?}")))
 }

@@ -8,6 +8,7 @@
 //! | [`emulate`] | QEMU |
 //! | [`expected`] | the host's trajectories |
 //! | [`record`] | how an episode is written down, here and in the firmware |
+//! | [`scenarios`], [`faults`], [`table`] | the table of sensor faults: the table, its run in Rust, its comparison |
 //! | [`costs`] | instructions beside `costs.toml` |
 //! | [`symbols`] | what must not be in an image |
 //! | [`mod@worst`], [`facts`] | the static worst case of a decision, and what it rests on |
@@ -19,13 +20,16 @@ mod costs;
 mod emulate;
 mod expected;
 mod facts;
+mod faults;
 mod line;
 mod lint;
 mod models;
 mod problems;
 mod record;
+mod scenarios;
 mod size;
 mod symbols;
+mod table;
 mod worst;
 
 use build::Board;
@@ -52,7 +56,7 @@ impl Failure {
     }
 }
 
-/// Builds the firmwares, runs them under QEMU and compares them with the host and with what is committed.
+/// Builds the firmwares, runs them under QEMU and compares them with the host and with committed figures.
 #[derive(Debug, Parser)]
 #[command(bin_name = "cargo xtask")]
 struct Cli {
@@ -72,7 +76,7 @@ enum Check {
     Size,
     /// clang-tidy, and cppcheck with its MISRA addon, on the firmwares' and the example's C
     Lint,
-    /// What makes up the static worst case of a decision; runs nothing
+    /// Print the parts of a decision's static worst case; runs nothing
     Worst,
 }
 
@@ -92,7 +96,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// How a language's image is built.
+/// Builder of a language's image.
 type Builder = fn(&str, Board) -> Result<Option<PathBuf>, Failure>;
 
 const LANGUAGES: [(&str, Builder); 2] = [("C", build::c), ("Rust", build::rust)];
@@ -102,10 +106,13 @@ fn qemu(update: bool) -> Result<(), Failure> {
         return Ok(());
     }
     let expected = expected::lines()?;
-    if let Some(program) = build::host()? {
-        let text =
-            tpg_testing::library::output(&mut Command::new(program)).map_err(|error| Failure(format!("{error:?}")))?;
-        compare("C on this machine", &expected, &text.lines().map(Line::parse).collect::<Vec<_>>())?;
+    if let Some(lines) = on_this_machine("control")? {
+        compare("C on this machine", &expected, &lines)?;
+    }
+    let faults = expected::faults();
+    table::check("Rust on this machine", &faults, &faults)?;
+    if let Some(lines) = on_this_machine("faults")? {
+        table::check("C on this machine", &faults, &lines)?;
     }
     let mut costs = Costs::new();
     let mut all = true;
@@ -128,6 +135,12 @@ fn qemu(update: bool) -> Result<(), Failure> {
             }
             costs.add(language, &lines);
         }
+        if let Some(image) = builder("faults", Board::Mps2An386)? {
+            symbols::check(&image)?;
+            let lines = emulate::run(Board::Mps2An386, &image)?;
+            table::check(language, &faults, &lines)?;
+            costs.add(language, &lines);
+        }
         fits(language, builder)?;
     }
     costs.print();
@@ -136,6 +149,13 @@ fn qemu(update: bool) -> Result<(), Failure> {
     }
     let differences = costs.differences()?;
     if differences.is_empty() { Ok(()) } else { Err(Failure::new(differences.join("\n"))) }
+}
+
+/// The lines of a firmware's program in C, run here; `None` where a tool is missing.
+fn on_this_machine(program: &str) -> Result<Option<Vec<Line>>, Failure> {
+    let Some(image) = build::host(program)? else { return Ok(None) };
+    let text = tpg_testing::library::output(&mut Command::new(image)).map_err(|error| Failure(format!("{error:?}")))?;
+    Ok(Some(text.lines().map(Line::parse).collect()))
 }
 
 /// The worst cases in parts.
@@ -157,7 +177,7 @@ fn fits(language: &str, builder: Builder) -> Result<(), Failure> {
     compare(&format!("{language} on netduinoplus2"), &expected::lines()?, &lines)
 }
 
-/// Every episode as on the host: its end, who acted, and a hash of every motor position of every step.
+/// Checks that every episode is as on the host: its end, the actions of each policy, and a hash of every motor position.
 fn compare(language: &str, expected: &[Line], lines: &[Line]) -> Result<(), Failure> {
     let found = lines.iter().filter(|line| line.words.first().is_some_and(|word| word == "episode"));
     let found: Vec<Line> = found.map(|line| line.without(&["instructions", "worst"])).collect();

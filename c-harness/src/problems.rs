@@ -1,70 +1,43 @@
-//! What the firmwares are asked: the first test episodes of each start, and how graph and network share the arm.
+//! Tasks of the firmwares: the first test episodes of each start, and the settings of the hybrid.
 
 use crate::Failure;
 use std::fmt::Write as _;
-use tpg_arm::Pose;
 use tpg_arm::episode::Problem;
 use tpg_arm::hybrid::{Guard, Settings};
+use tpg_arm::{Pose, WIDOWX};
 use tpg_codegen::emit::File;
 use tpg_generated::{widowx_fs_hybrid, widowx_rs_hybrid};
+use tpg_problems::arm::targets::{Start, read_csv};
 
 /// Episodes of the hybrid, for each start.
 pub(crate) const PROBLEMS: usize = 100;
 /// Episodes of each part alone.
 pub(crate) const PARTS: usize = 25;
-/// Success is nearer than this, mm.
-const TOLERANCE: f32 = 3.0;
 
-/// Where the arm starts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Start {
-    /// At home.
-    Fixed,
-    /// Anywhere.
-    Random,
+/// Both starts.
+pub(crate) const STARTS: [Start; 2] = [Start::Fs, Start::Rs];
+
+/// The name of a start in lines and names.
+pub(crate) const fn name(start: Start) -> &'static str {
+    match start {
+        Start::Fs => "fs",
+        Start::Rs => "rs",
+    }
 }
 
-impl Start {
-    /// Both.
-    pub(crate) const ALL: [Self; 2] = [Self::Fixed, Self::Random];
-
-    /// In lines and names.
-    pub(crate) const fn name(self) -> &'static str {
-        match self {
-            Self::Fixed => "fs",
-            Self::Random => "rs",
-        }
+/// The settings of the shipped hybrid.
+pub(crate) const fn settings(start: Start) -> Settings<f32> {
+    match start {
+        Start::Fs => widowx_fs_hybrid::SETTINGS,
+        Start::Rs => widowx_rs_hybrid::SETTINGS,
     }
+}
 
-    /// The paper's limit.
-    const fn max_actions(self) -> u32 {
-        match self {
-            Self::Fixed => 1707,
-            Self::Random => 3414,
-        }
-    }
-
-    /// How the shipped graph and network share the arm.
-    pub(crate) const fn settings(self) -> Settings<f32> {
-        match self {
-            Self::Fixed => widowx_fs_hybrid::SETTINGS,
-            Self::Random => widowx_rs_hybrid::SETTINGS,
-        }
-    }
-
-    /// The committed test episodes.
-    pub(crate) fn problems(self) -> Result<Vec<Problem<f32>>, Failure> {
-        let path = tpg_testing::library::top().join(format!("generated/test-targets/{}.csv", self.name()));
-        let mut reader = csv::Reader::from_path(&path).map_err(|error| Failure::at(&path, error))?;
-        let rows = reader.deserialize().take(PROBLEMS);
-        rows.map(|row| {
-            let (a, b, c, d, x, y, z): (i16, i16, i16, i16, f64, f64, f64) =
-                row.map_err(|error| Failure::at(&path, error))?;
-            let target = [x, y, z].map(|v| v as f32);
-            Ok(Problem { start: Pose([a, b, c, d]), target, tolerance: TOLERANCE, max_actions: self.max_actions() })
-        })
-        .collect()
-    }
+/// The first of the committed test episodes.
+pub(crate) fn problems(start: Start) -> Result<Vec<Problem<f32>>, Failure> {
+    let path = tpg_testing::library::top().join(format!("generated/test-targets/{}.csv", name(start)));
+    let tasks = read_csv(&WIDOWX, &path).map_err(Failure::new)?;
+    Ok(tasks.iter().take(PROBLEMS).map(|task| task.problem(start)).collect())
 }
 
 /// `problems.h` and `problems.rs`.
@@ -74,9 +47,9 @@ pub(crate) fn files() -> Result<[File; 2], Failure> {
     let mut rust = String::new();
     let _ = writeln!(c, "#define PROBLEMS {PROBLEMS}U\n#define PARTS {PARTS}U\n");
     let _ = writeln!(rust, "const PARTS: usize = {PARTS};");
-    for start in Start::ALL {
-        let (name, upper) = (start.name(), start.name().to_ascii_uppercase());
-        let Settings { hand_back_after, separation, guard } = start.settings();
+    for start in STARTS {
+        let (name, upper) = (name(start), name(start).to_ascii_uppercase());
+        let Settings { hand_back_after, separation, guard } = settings(start);
         let guard_code = Guard::ALL.iter().position(|&other| other == guard).unwrap_or(0);
         let separation = if separation.is_finite() { format!("{separation:?}F") } else { "INFINITY".to_owned() };
         let _ = writeln!(
@@ -85,7 +58,7 @@ pub(crate) fn files() -> Result<[File; 2], Failure> {
              static const tpg_problem_t {name}_problems[PROBLEMS] = {{"
         );
         let _ = writeln!(rust, "static {upper}_PROBLEMS: [Problem<f32>; {PROBLEMS}] = [");
-        for Problem { start: Pose([p, q, r, s]), target: [x, y, z], tolerance, max_actions } in start.problems()? {
+        for Problem { start: Pose([p, q, r, s]), target: [x, y, z], tolerance, max_actions } in problems(start)? {
             let _ = writeln!(
                 c,
                 "    {{ {{ {{ {p}, {q}, {r}, {s} }} }}, {{ {x:?}F, {y:?}F, {z:?}F }}, {tolerance:?}F, {max_actions}U }},"

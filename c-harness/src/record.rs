@@ -1,5 +1,5 @@
-//! How an episode is written down, on the host and in the firmware alike: its outcome as `tpg_runtime.h` numbers it, and a
-//! hash of every motor position.
+//! Records of episodes, the same on the host and in the firmware: the outcome as `tpg_runtime.h` numbers it, and a hash of
+//! every motor position.
 #![allow(dead_code, reason = "each of the programs that include this file uses a part")]
 
 use tpg_arm::episode::Outcome;

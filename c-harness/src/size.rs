@@ -7,7 +7,7 @@ use serde::Deserialize;
 use std::fs;
 use std::path::Path;
 
-/// What the stack may hold, bytes: the linker script keeps it free.
+/// Bytes for the stack: the linker script keeps them free.
 pub(crate) const STACK: u64 = 3072;
 
 /// `sizes.toml`.

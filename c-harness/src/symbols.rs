@@ -1,4 +1,4 @@
-//! What must not be in an image: ways to panic, a heap, doubles in software.
+//! Search for what must not be in an image: ways to panic, a heap, doubles in software.
 
 use crate::Failure;
 use object::{Object as _, ObjectSymbol as _};
@@ -17,7 +17,7 @@ const FORBIDDEN: [(&str, &str); 8] = [
     ("__rust_alloc", "a heap"),
 ];
 
-/// What is wrong with an image's symbols, of a name with its reason.
+/// Finds forbidden symbols in an image: each with its reason.
 pub(crate) fn forbidden(image: &[u8]) -> Result<Vec<String>, Failure> {
     let file = object::File::parse(image).map_err(Failure::new)?;
     let names = file.symbols().filter_map(|symbol| symbol.name().ok().map(str::to_owned));

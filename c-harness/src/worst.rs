@@ -12,7 +12,7 @@ struct Told {
     loops: LoopBounds,
     calls: Calls,
     limits: Vec<Limit>,
-    /// Where decisions begin: what is counted, and what the stack is measured of.
+    /// The functions that begin a decision: the ones that are counted, and the ones whose stack is measured.
     roots: Vec<String>,
     stack_roots: Vec<String>,
 }
@@ -96,7 +96,7 @@ fn tree(share: &Share, whole: u64, depth: usize) {
     }
 }
 
-/// What was measured must not exceed the bound.
+/// Checks that no measurement exceeds the bound.
 pub(crate) fn check(language: &str, image: &Path, lines: &[Line]) -> Result<(), Failure> {
     let bound = Told::of(language, image)?.bound()?;
     let of = |first: &str, last: &str, value: &str| {

@@ -1,6 +1,6 @@
 //! The runtime of learned policies: what trainer, interpreter, generated code and firmware share.
 //!
-//! Every meaning has its one definition here. A policy decides alike in training, in the interpreter, in generated Rust, in
+//! Every meaning has its one definition here. A policy decides the same in training, in the interpreter, in generated Rust, in
 //! generated C and on a Cortex-M4 because they all stand on this crate.
 //!
 //! # Map
@@ -10,7 +10,7 @@
 //! | [`policy`] | the [`Policy`](policy::Policy) trait that generated code implements |
 //! | [`ops`] | the instruction set, and sin, cos, ln, exp with the same bits everywhere |
 //! | [`cycle`] | has this been here before? |
-//! | [`switch`] | two policies over one problem: whose turn it is |
+//! | [`switch`] | two policies over one problem, and the rules by which they take turns |
 //! | [`net`] | networks in integers, of any shape |
 //! | [`scalar`] | `f32` and `f64` |
 //!

@@ -1,4 +1,4 @@
-//! What a policy is: a pure function from a state to an action.
+//! Policies: pure functions from a state to an action.
 
 /// The number of an action, as a graph declares it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -9,9 +9,9 @@ pub struct ActionId(pub u16);
 /// Generated code implements it over its flat state (`[f64; 15]` say, the sources one after another). A problem lifts such
 /// a policy to its own terms: on the arm of `tpg-arm` the state is an observation, and the action a move of the motors.
 pub trait Policy {
-    /// What the policy sees.
+    /// The state that the policy sees.
     type State: ?Sized;
-    /// What the policy answers.
+    /// The action that the policy answers.
     type Action;
 
     /// Decides. Never panics, whatever the state holds: NaN and infinities are legal values.

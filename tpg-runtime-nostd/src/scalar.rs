@@ -38,9 +38,9 @@ pub trait Scalar:
     fn abs(self) -> Self;
     /// Truncated towards zero; the nearest end where `i32` has no such number, 0 for a NaN.
     fn to_i32(self) -> i32;
-    /// Whether both are the same bits: a NaN is the same as itself, 0 is not −0.
+    /// Returns true if both are the same bits: a NaN is the same as itself, 0 is not −0.
     fn same_bits(self, other: Self) -> bool;
-    /// Whether this is not a number.
+    /// Returns true if this is not a number.
     #[expect(clippy::eq_op, reason = "a NaN is the only value unequal to itself")]
     fn is_nan(self) -> bool {
         self != self

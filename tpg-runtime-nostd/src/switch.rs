@@ -1,4 +1,4 @@
-//! Two policies over one problem: whose turn it is, and when they change.
+//! Two policies over one problem, and the rules by which they take turns.
 //!
 //! The first policy drives: a tangled program graph that is cheap and good far from difficulties. The second one helps for
 //! a number of actions wherever the first has got worse, rests, goes in circles, or wants what a guard refuses: a network,

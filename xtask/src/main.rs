@@ -1,6 +1,7 @@
 //! `cargo xtask`: every CI step, for local use.
 
 mod check;
+mod nightly;
 mod setup;
 mod summary;
 mod torture;
@@ -46,6 +47,14 @@ enum Task {
     /// Only the lint of C, generated and the firmwares' own: gcc, clang, clang-tidy, cppcheck with its MISRA addon, Frama-C
     /// EVA
     Lint,
+    /// Run tests of the runtime, the kernels, the arm and the C interface under Miri (nightly)
+    Miri,
+    /// Random calls of the C interface under ASan and UBSan, with overflow checks (nightly, gcc)
+    Sanitize {
+        /// Seeds, some 57,000 calls each
+        #[arg(long, default_value_t = 20)]
+        seeds: u32,
+    },
     /// The worst case of compiled code for a Cortex-M: instructions and stack
     Wcet(cortex_bound::cli::WcetArgs),
     /// Kill, stop and starve training runs at random moments: in the end they have the bytes of an undisturbed run
@@ -61,6 +70,8 @@ fn main() -> ExitCode {
         Task::Qemu { update } => check::harness(if update { &["qemu", "--update"] } else { &["qemu"] }),
         Task::Size => check::harness(&["size"]),
         Task::Lint => check::lint(),
+        Task::Miri => nightly::miri(),
+        Task::Sanitize { seeds } => nightly::sanitize(seeds),
         Task::Wcet(arguments) => arguments.run(),
         Task::Torture(arguments) => arguments.run(),
     };

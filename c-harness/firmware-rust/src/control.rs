@@ -29,7 +29,7 @@ static ARM: Arm<f32> = WIDOWX.to_f32();
 
 type Network = PackedPolicy<'static, { widowx_sac::SCRATCH }>;
 
-/// What an episode comes to.
+/// Counts of an episode.
 struct Tally {
     actions: u32,
     instructions: u32,
@@ -142,7 +142,7 @@ where
     }
 }
 
-/// What every controller pays beside its decision: seeing where the arm is, and telling the switch.
+/// Counts the work of a controller beside its decision: it observes the arm and tells the switch.
 fn around(counter: &mut Counter) {
     let Some(&problem) = RS_PROBLEMS.first() else { return };
     let (seen, observe) = counter.measure(|| Observation::at(&ARM, core::hint::black_box(problem.start), problem.target));

@@ -1,4 +1,4 @@
-//! Instructions of each profile's Rust on the same states, of networks of each kind and size, and of what is around them.
+//! Counts instructions: each profile's Rust on the same states, networks of each kind and size, and the work around them.
 
 #![no_std]
 #![no_main]

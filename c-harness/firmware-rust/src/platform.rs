@@ -22,7 +22,7 @@ impl Counter {
         counter
     }
 
-    /// What `work` gives, and the instructions that it took.
+    /// Returns the result of `work`, and the instructions that it took.
     #[inline(always)]
     pub fn measure<T>(&mut self, work: impl FnOnce() -> T) -> (T, u32) {
         self.timer.clear_current();
@@ -53,7 +53,7 @@ unsafe extern "C" {
 }
 
 const PAINT: u32 = 0xc5c5_c5c5;
-/// How far below the top the stack is painted, bytes.
+/// Depth to which the stack is painted below its top, bytes.
 const PAINTED: usize = 8192;
 
 fn top() -> usize {
@@ -76,7 +76,7 @@ pub fn paint_stack() -> usize {
 /// Bytes of stack below an address that were written to since.
 pub fn stack_used(below: usize) -> u32 {
     let mut at = top() - PAINTED;
-    // SAFETY: stack memory, which any number may be read from.
+    // SAFETY: stack memory, from which any number may be read.
     while at < below && unsafe { (at as *const u32).read_volatile() } == PAINT {
         at += 4;
     }

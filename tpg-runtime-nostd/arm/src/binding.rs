@@ -26,7 +26,7 @@ pub const MOVE: &str = "move";
 /// The arm's sources of those names.
 ///
 /// # Panics
-/// If the arm has no source of a name: at compile time, in the constants of those who call it.
+/// If the arm has no source of a name: at compile time, where the result is a constant.
 pub const fn sources<const N: usize>(names: [&str; N]) -> [Source; N] {
     let mut sources = [Source::Target; N];
     let mut place = 0;

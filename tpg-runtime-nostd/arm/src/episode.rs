@@ -11,12 +11,12 @@ use crate::kinematics::Vector;
 use crate::observation::Observation;
 use tpg_runtime::policy::Policy;
 
-/// What is asked of the arm.
+/// A task for the arm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Problem<S> {
-    /// Where the arm starts.
+    /// The pose in which the arm starts.
     pub start: Pose,
-    /// Where the hand's tip shall go, mm.
+    /// The place where the hand's tip shall go, mm.
     pub target: Vector<S>,
     /// The episode succeeds when hand and target are less than this apart, mm.
     pub tolerance: S,
@@ -24,7 +24,7 @@ pub struct Problem<S> {
     pub max_actions: u32,
 }
 
-/// How an episode ended.
+/// The end of an episode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Outcome {
     /// The hand is at its target: the only success.
@@ -39,10 +39,10 @@ pub enum Outcome {
     Timeout,
 }
 
-/// How an episode ended and where.
+/// The end of an episode, and its place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Summary<S> {
-    /// How it ended.
+    /// The end.
     pub outcome: Outcome,
     /// Actions done, the last one included.
     pub actions: u32,
@@ -52,7 +52,7 @@ pub struct Summary<S> {
     pub distance: S,
 }
 
-/// The part of an episode that does not ask who decides: the arm on its way, and the ends that every policy shares.
+/// The part of an episode that is the same for any policy: the arm on its way, and the ends that every policy shares.
 #[derive(Clone, Debug)]
 pub(crate) struct Course<'a, S> {
     arm: &'a Arm<S>,
@@ -109,7 +109,7 @@ impl<'a, S: Lattice, D: CycleDetector<Pose>> Episode<'a, S, D> {
         Self { course: Course::new(arm, problem), detector }
     }
 
-    /// What the policy sees now.
+    /// The observation that the policy sees now.
     pub fn observation(&self) -> &Observation<S> {
         self.course.observation()
     }
@@ -121,7 +121,7 @@ impl<'a, S: Lattice, D: CycleDetector<Pose>> Episode<'a, S, D> {
 
     /// Does one action; `Some` when it ended the episode.
     ///
-    /// Where several ends fall together, the first of these holds: invalid, reached, stop, cycle, timeout.
+    /// If several ends fall together, the first of these holds: invalid, reached, stop, cycle, timeout.
     pub fn advance(&mut self, wanted: Move) -> Option<Outcome> {
         if let Some(end) = self.course.step(wanted) {
             Some(end)

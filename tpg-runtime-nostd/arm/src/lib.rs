@@ -33,9 +33,10 @@
 //! | [`observation`] | the 13 values a policy sees, and a graph's data sources |
 //! | [`frame`] | quantities derived from an observation: polar errors, gradients, clearances |
 //! | [`binding`] | a graph's names and numbers as sources and moves |
-//! | [`cycle`] | has the arm been here before? |
+//! | [`cycle`] | detection of poses where the arm has been before |
 //! | [`episode`] | one episode and how it ended |
-//! | [`hybrid`] | two policies that share an arm: who drives, and when they change |
+//! | [`hybrid`] | two policies that share an arm: the one that drives, and when they change |
+//! | [`sensors`] | readings that a control step refuses, and the watch over stuck motors |
 //! | [`sac`] | the soft actor-critic's features, its network in integers, its decision |
 //!
 //! No heap, no panic, no `unsafe`; builds for `thumbv7em-none-eabihf` and `thumbv6m-none-eabi`. MSRV 1.89.
@@ -51,8 +52,9 @@ pub mod hybrid;
 pub mod kinematics;
 pub mod observation;
 pub mod sac;
+pub mod sensors;
 
 pub use arm::{
-    Arm, BaseEdge, Collision, Invalid, JOINTS, Joint, JointRange, Links, Move, Pose, Shapes, Step, TICKS_PER_TURN,
-    WIDOWX,
+    Arm, ArmError, BaseEdge, Collision, Invalid, JOINTS, Joint, JointRange, Links, Move, Pose, Shapes, Step,
+    TICKS_PER_TURN, WIDOWX,
 };

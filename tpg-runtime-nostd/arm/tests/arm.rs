@@ -150,7 +150,7 @@ fn inside() -> impl Strategy<Value = [i16; JOINTS]> {
     [2..=4094_i16, 1025..=3071_i16, 1025..=3071_i16, 1025..=3071_i16]
 }
 
-/// What holds for every step from inside the limits, in any scalar.
+/// Checks that hold for every step from inside the limits, in any scalar.
 fn check_step<S: Lattice>(arm: &Arm<S>, pose: Pose, wanted: Move) -> Result<(), TestCaseError> {
     let Step { pose: after, invalid } = arm.step(pose, wanted);
     prop_assert!(after.0.iter().zip(&arm.ranges).all(|(&ticks, range)| range.contains(ticks)));

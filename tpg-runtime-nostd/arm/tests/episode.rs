@@ -49,7 +49,7 @@ fn run(problem: Problem<f64>, moves: &[Move]) -> Summary<f64> {
     run_with(Visited::<2048>::new(), problem, moves).0
 }
 
-/// Where the hand is after some moves from home.
+/// The place of the hand after some moves from home.
 fn hand_after(moves: &[Move]) -> [f64; 3] {
     let pose = moves.iter().fold(WIDOWX.home, |pose, &wanted| WIDOWX.step(pose, wanted).pose);
     kinematics::hand(&WIDOWX, pose)

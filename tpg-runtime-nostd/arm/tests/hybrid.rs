@@ -1,4 +1,4 @@
-//! Who drives, when they change and why, and how an episode of two policies ends.
+//! The driver, the reasons for changes, and the ends of episodes of two policies.
 
 use proptest::prelude::*;
 use std::cell::Cell;

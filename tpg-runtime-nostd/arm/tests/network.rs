@@ -1,4 +1,4 @@
-//! The arm's network: packed and not, it moves the arm alike.
+//! The arm's network: packed or not, it decides for the same moves.
 
 use tpg_arm::observation::Observation;
 use tpg_arm::sac::fixed::{FixedDecision, FixedPolicy, Network, quantise};
@@ -7,28 +7,15 @@ use tpg_arm::sac::{Actions, FEATURES, Mask, features};
 use tpg_arm::{Arm, Pose, WIDOWX, frame::Frame};
 use tpg_runtime::net::{self, Answer, Layer, Meaning, ModelError, Rescale};
 use tpg_runtime::policy::Policy as _;
+use tpg_testing::numbers::Numbers;
 
 const ARM: Arm<f32> = WIDOWX.to_f32();
 
-/// A stream of numbers without a pattern.
-struct Numbers(u64);
-
-impl Numbers {
-    fn next(&mut self) -> u32 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) as u32
-    }
-
-    fn below(&mut self, bound: i32) -> i32 {
-        (self.next() % (2 * bound as u32 + 1)) as i32 - bound
-    }
-
-    fn layer<const I: usize, const O: usize>(&mut self, shift: u8) -> Layer<I, O> {
-        Layer {
-            weights: core::array::from_fn(|_| core::array::from_fn(|_| self.below(127) as i8)),
-            bias: core::array::from_fn(|_| self.below(100_000)),
-            rescale: [Rescale { factor: 20_000, shift }; O],
-        }
+fn layer<const I: usize, const O: usize>(numbers: &mut Numbers, shift: u8) -> Layer<I, O> {
+    Layer {
+        weights: core::array::from_fn(|_| core::array::from_fn(|_| numbers.within(127) as i8)),
+        bias: core::array::from_fn(|_| numbers.within(100_000)),
+        rescale: [Rescale { factor: 20_000, shift }; O],
     }
 }
 
@@ -39,7 +26,11 @@ fn decision() -> FixedDecision {
 #[test]
 fn a_million_observations_answer_the_same_packed_and_not() {
     let mut numbers = Numbers(7);
-    let network = Network::<16, 16> { first: numbers.layer(22), second: numbers.layer(22), last: numbers.layer(24) };
+    let network = Network::<16, 16> {
+        first: layer(&mut numbers, 22),
+        second: layer(&mut numbers, 22),
+        last: layer(&mut numbers, 24),
+    };
     let words: [u32; Network::<16, 16>::WORDS] = network.pack(&decision());
     let model = Model::parse(&words).expect("what was packed");
     let wide: [u32; Network::<16, 16>::WIDE_WORDS] = network.pack_wide(&decision());
@@ -49,9 +40,9 @@ fn a_million_observations_answer_the_same_packed_and_not() {
     let plain = FixedPolicy { arm: &ARM, network: &network, decision: decision() };
     let mut scratch = [0; Network::<16, 16>::SCRATCH];
     for _ in 0..1_000_000 {
-        let mut joint = |low: i32, high: i32| (low + (numbers.next() % (high - low + 1) as u32) as i32) as i16;
+        let mut joint = |low: i32, high: i32| (low + (numbers.next_u32() % (high - low + 1) as u32) as i32) as i16;
         let pose = Pose([joint(2, 4094), joint(1025, 3071), joint(1025, 3071), joint(1025, 3071)]);
-        let target = [0; 3].map(|_: i32| numbers.below(45_000) as f32 / 100.0);
+        let target = [0; 3].map(|_: i32| numbers.within(45_000) as f32 / 100.0);
         let seen = Observation::at(&ARM, pose, target);
         let values = quantise(&features(&Frame::of(&ARM, &seen)));
         assert_eq!(model.preferences(&values, &mut scratch), network.preferences(&values));
@@ -75,7 +66,7 @@ fn every_decision_survives_as_flags() {
 #[test]
 fn networks_of_other_problems_are_refused() {
     let mut numbers = Numbers(9);
-    let layer: Layer<FEATURES, 4> = numbers.layer(22);
+    let layer: Layer<FEATURES, 4> = layer(&mut numbers, 22);
     let rows = net::LayerRows {
         inputs: FEATURES,
         kind: net::Kind::W8A16,

@@ -1,17 +1,25 @@
 /*
  * The runtime of learned policies, in two parts.
  *
- * For any problem: TPG_VERSION and tpg_version, the codes TPG_OK to TPG_MODEL_VERSION, and networks in integers: tpg_network_t
+ * For any problem: TPG_VERSION and tpg_version, the codes from TPG_OK on, and networks in integers: tpg_network_t
  * and tpg_network_*. Graphs that tpg-codegen compiled need nothing of this library.
  *
  * For the arm, everything else: kinematics and steps (tpg_arm_*), observation (tpg_observe, tpg_observation_*, tpg_memo_*),
  * generated policies and networks that drive it (tpg_policy_*, tpg_sac_*), two that share it (tpg_hybrid_*, tpg_switch_*),
- * episodes (tpg_episode_*, tpg_hybrid_episode_*).
+ * the watch over its motors (tpg_watchdog_*), episodes in simulation (tpg_episode_*, tpg_hybrid_episode_*).
  *
- * Every function answers TPG_OK or says by a code why it did nothing. A pointer may be NULL or misaligned, which gives
- * TPG_NULL or TPG_MISALIGNED; otherwise it must point to as much memory as its type, and the length beside it, say.
- * All memory is the caller's; there is no heap and no variable, so functions may run at the same time on different data.
+ * Every function answers TPG_OK or says by a code why it did nothing. A pointer that is NULL or misaligned gives TPG_NULL or
+ * TPG_MISALIGNED. No other bad pointer can be noticed: one must point to as much memory as its type, and the length beside
+ * it, say, and no two to memory that overlaps and is written, but where a function says so.
  * Opaque structures are initialised before use: zero one first if it may be used before (TPG_STATE is the answer then).
+ *
+ * All memory is the caller's; there is no heap and no variable. Nothing behind a pointer to const is ever written. So any
+ * number of tasks may share a tpg_arm_t, tpg_sac_t, tpg_network_t, tpg_policy_t, a model and settings. Each task needs its own
+ * tpg_hybrid_t, tpg_switch_t, tpg_watchdog_t, tpg_memo_t, episodes and scratch memory: two tasks must not use one of these at
+ * the same time.
+ *
+ * Readings that cannot be move nothing: a decision answers TPG_BAD_TARGET, TPG_BAD_SENSOR or TPG_STUCK with a move of zero,
+ * and what it keeps is as before. docs/sensors.md has the whole contract, and how a caller recovers.
  *
  * Made by cbindgen; do not edit.
  */
@@ -30,7 +38,7 @@
 #define TPG_JOINTS 4
 
 // Words of a tpg_arm_t.
-#define TPG_ARM_WORDS 18
+#define TPG_ARM_WORDS 21
 
 // The step was done.
 #define TPG_VALID 0
@@ -71,7 +79,7 @@
 // A structure was not initialised, or not by this version of the library; or the episode is over.
 #define TPG_STATE 4
 
-// A number outside what is accepted.
+// A number outside the accepted range.
 #define TPG_ARGUMENT 5
 
 // The words are no model: they do not begin like one.
@@ -88,6 +96,16 @@
 
 // The model is of another version of the format than this library's: pack it again.
 #define TPG_MODEL_VERSION 10
+
+// The target is no number, or farther from the shoulder than the stretched arm reaches. Nothing may move.
+#define TPG_BAD_TARGET 11
+
+// A motor is outside its joint's range, or hand, target and difference of an observation do not belong together. Nothing
+// may move.
+#define TPG_BAD_SENSOR 12
+
+// The motors are not where the commands led them: stuck, moved by something else, or read too late. Nothing may move.
+#define TPG_STUCK 13
 
 // The episode goes on.
 #define TPG_RUNNING 0
@@ -153,7 +171,7 @@
 #define TPG_HYBRID_WORDS 28
 
 // Words of a tpg_switch_t.
-#define TPG_SWITCH_WORDS 14
+#define TPG_SWITCH_WORDS 15
 
 // Words of a tpg_hybrid_episode_t.
 #define TPG_HYBRID_EPISODE_WORDS 32
@@ -194,7 +212,7 @@
 // By how many ticks base, shoulder and elbow are off, if the wrist stays.
 #define TPG_SOURCE_REACH 8
 
-// What stands against that: ticks, ticks, mm.
+// Excess of that: ticks beyond the ranges of shoulder and elbow, mm out of reach.
 #define TPG_SOURCE_REACH_EXCESS 9
 
 // The hand's pitch there, 1 value in ticks.
@@ -218,6 +236,18 @@
 // Words of a tpg_sac_t.
 #define TPG_SAC_WORDS 30
 
+// Default threshold of a tpg_watch_t, ticks: 2.8 degrees.
+#define TPG_WATCH_THRESHOLD 32
+
+// Default patience of a tpg_watch_t, steps.
+#define TPG_WATCH_PATIENCE 64
+
+// A threshold that never finds a motor stuck, ticks.
+#define TPG_WATCH_NEVER 4096
+
+// Words of a tpg_watchdog_t.
+#define TPG_WATCHDOG_WORDS 6
+
 // An arm, ready for use. Opaque; initialised by tpg_arm_init or tpg_arm_init_widowx, constant from then on.
 typedef struct {
   // The library's.
@@ -240,7 +270,7 @@ typedef struct {
 
 // An arm as data: a base that turns, and shoulder, elbow and wrist in one vertical plane. Lengths in mm.
 typedef struct {
-  // Where a fixed-start episode begins.
+  // The pose in which a fixed-start episode begins.
   tpg_pose_t home;
   // Positions of the servos that never move (wrist rotation, gripper), ticks.
   int16_t fixed_servos[2];
@@ -262,7 +292,7 @@ typedef struct {
   float hand_length;
   // From the hand's axis to its long edges, positive downwards with the arm stretched forwards.
   float hand_edges[2];
-  // How far the forearm's end face lies beyond the wrist.
+  // Distance of the forearm's end face beyond the wrist.
   float forearm_overhang;
   // From the forearm's axis to its long edges.
   float forearm_edges[2];
@@ -270,7 +300,7 @@ typedef struct {
   tpg_edge_t base_edges[4];
 } tpg_arm_description_t;
 
-// What an action asks of the motors.
+// A change of the motor positions, which an action asks for.
 typedef struct {
   // A change for each joint, ticks.
   int8_t ticks[TPG_JOINTS];
@@ -282,11 +312,11 @@ typedef struct {
   uint64_t opaque[TPG_EPISODE_WORDS];
 } tpg_episode_t;
 
-// What is asked of the arm.
+// A task for the arm.
 typedef struct {
-  // Where the arm starts.
+  // The pose in which the arm starts.
   tpg_pose_t start;
-  // Where the hand's tip shall go, mm.
+  // The place where the hand's tip shall go, mm.
   float target[3];
   // The episode succeeds when hand and target are less than this apart, mm.
   float tolerance;
@@ -294,7 +324,7 @@ typedef struct {
   uint32_t max_actions;
 } tpg_problem_t;
 
-// What a policy sees of the arm and its target.
+// The arm and its target as a policy sees them. tpg_observe makes one; fill in none by hand.
 typedef struct {
   // Motor positions.
   tpg_pose_t pose;
@@ -308,8 +338,10 @@ typedef struct {
   float difference[3];
 } tpg_observation_t;
 
-// A policy and a network with their settings. Opaque; initialised by tpg_hybrid_init. For one
-// task at a time: it keeps what it has computed about the target.
+// A policy and a network with their settings. Opaque; initialised by tpg_hybrid_init.
+//
+// It belongs to one task: it keeps what it has computed about the target. Two tasks need two hybrids with a scratch memory
+// each; they may share arm, policy and network.
 typedef struct {
   // The library's.
   uint64_t opaque[TPG_HYBRID_WORDS];
@@ -324,11 +356,11 @@ typedef struct {
   tpg_infer_t infer;
   // TPG_SOURCE codes, in order: PREFIX_SOURCES of the generated header.
   const uint8_t *sources;
-  // How many there are.
+  // Number of sources.
   size_t source_count;
-  // What each action moves: PREFIX_MOVES of the generated header. An action past the end moves nothing.
+  // The move of each action: PREFIX_MOVES of the generated header. An action past the end moves nothing.
   const tpg_move_t *moves;
-  // How many there are.
+  // Number of moves.
   size_t move_count;
 } tpg_policy_t;
 
@@ -338,9 +370,9 @@ typedef struct {
   uint64_t opaque[TPG_SAC_WORDS];
 } tpg_sac_t;
 
-// How graph and network share an arm.
+// The times at which graph and network change, and the guard.
 typedef struct {
-  // Actions of the network before the graph is asked again, from 1; TPG_NEVER for a hand-over for good.
+  // Actions of the network before the graph is asked again, from 1; with TPG_NEVER the network keeps the arm.
   uint32_t hand_back_after;
   // The network takes over when the distance exceeds the best one so far by more than this, mm.
   float separation;
@@ -348,21 +380,32 @@ typedef struct {
   int32_t guard;
 } tpg_settings_t;
 
-// Whose turn it is. Opaque; initialised by tpg_switch_init at the start of every episode.
+// The state of a control loop towards one target: the one whose turn it is, the last move that was commanded, the places
+// where the motors should be.
+// Opaque; initialised by tpg_switch_init for every target.
 typedef struct {
   // The library's.
   uint64_t opaque[TPG_SWITCH_WORDS];
 } tpg_switch_t;
 
-// An action and whose it is.
+// The difference that commanded and observed motion may have.
 typedef struct {
-  // What the motors shall do.
+  // Ticks that a motor may be away from where the commands led it, up to TPG_WATCH_NEVER.
+  uint16_t threshold;
+  // Steps over which differences add up, from 1; then the comparison starts anew from where the motors are. With a
+  // patience greater than the threshold a motor is found that is asked for a tick a step and does not move.
+  uint16_t patience;
+} tpg_watch_t;
+
+// An action, and the one that chose it.
+typedef struct {
+  // The move that goes to the motors.
   tpg_move_t wanted;
   // A TPG_DRIVER code.
   int32_t driver;
 } tpg_chosen_t;
 
-// Who acted how often, and why they changed.
+// Actions of each, and the reasons of their changes.
 typedef struct {
   // Actions of the graph.
   uint32_t graph_actions;
@@ -380,7 +423,7 @@ typedef struct {
   uint64_t opaque[TPG_HYBRID_EPISODE_WORDS];
 } tpg_hybrid_episode_t;
 
-// What was computed about a target, kept while decisions ask for the same one. It changes no result and saves most of the
+// Values about a target, kept while decisions ask for the same one. It changes no result and saves most of the
 // cost of sources that take inverse tangents or collision tests. Opaque; initialised by tpg_memo_init. For one task at a
 // time.
 typedef struct {
@@ -394,6 +437,13 @@ typedef struct {
   uint64_t opaque[TPG_NETWORK_WORDS];
 } tpg_network_t;
 
+// The watch over an arm's motors, for control loops without a hybrid: tpg_watchdog_check before every decision,
+// tpg_watchdog_commanded after it. A tpg_switch_t holds one of its own. Opaque; initialised by tpg_watchdog_init.
+typedef struct {
+  // The library's.
+  uint64_t opaque[TPG_WATCHDOG_WORDS];
+} tpg_watchdog_t;
+
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
@@ -404,16 +454,21 @@ uint32_t tpg_version(void);
 // Makes the paper's arm, a WidowX with four joints.
 int32_t tpg_arm_init_widowx(tpg_arm_t *arm);
 
-// Makes an arm of your own. TPG_ARGUMENT where a lowest position lies above the highest.
+// Makes an arm of your own. TPG_ARGUMENT for one that cannot be:
+//
+// - a joint's range that is empty or goes beyond 0 to 4095, or a home position outside it;
+// - a length that is not finite, or above 100 m: all of them. Not above 0: upper arm, forearm and hand. Below 0: the
+//   base's height and the elbow's offset;
+// - an edge of the base that is neither horizontal nor vertical.
 int32_t tpg_arm_init(tpg_arm_t *arm, const tpg_arm_description_t *description);
 
 // The pose in which a fixed-start episode begins.
 int32_t tpg_arm_home(const tpg_arm_t *arm, tpg_pose_t *pose);
 
-// Forward kinematics: where the hand's tip is at a pose; x, y, z in mm.
+// Forward kinematics: the place of the hand's tip at a pose; x, y, z in mm.
 int32_t tpg_arm_hand(const tpg_arm_t *arm, const tpg_pose_t *pose, float *hand);
 
-// Whether the arm collides at a pose: TPG_VALID or one of a code of TPG_COLLISION.
+// Tests whether the arm collides at a pose: TPG_VALID or a code of TPG_COLLISION.
 int32_t tpg_arm_collision(const tpg_arm_t *arm, const tpg_pose_t *pose, int32_t *collision);
 
 // Tries a move: the pose afterwards, and TPG_VALID, or a code of TPG_LIMIT or TPG_COLLISION.
@@ -426,10 +481,13 @@ int32_t tpg_arm_step(const tpg_arm_t *arm,
                      tpg_pose_t *after,
                      int32_t *validity);
 
-// Puts an arm at a problem's start. `arm` must stay where it is for as long as the episode is used.
-int32_t tpg_episode_init(tpg_episode_t *episode, const tpg_arm_t *arm, const tpg_problem_t *problem);
+// Puts an arm at a problem's start. `arm` must stay where it is for as long as the episode is used. TPG_BAD_TARGET for a
+// target out of reach, TPG_BAD_SENSOR for a start outside the joints' ranges.
+int32_t tpg_episode_init(tpg_episode_t *episode,
+                         const tpg_arm_t *arm,
+                         const tpg_problem_t *problem);
 
-// What a policy sees now.
+// Gives what a policy sees now.
 int32_t tpg_episode_observation(const tpg_episode_t *episode, tpg_observation_t *observation);
 
 // Actions done so far.
@@ -444,7 +502,7 @@ int32_t tpg_episode_advance(tpg_episode_t *episode,
 // Joins a generated policy and a network. `arm`, `policy`, `sac` and `scratch` must stay where they are for as long as
 // the hybrid is used; `scratch`, of as many words as tpg_sac_scratch says, is the hybrid's alone.
 //
-// TPG_ARGUMENT for settings outside what is accepted: hand_back_after from 1, separation from 0 mm.
+// TPG_ARGUMENT for settings that are not accepted: hand_back_after from 1, separation from 0 mm.
 int32_t tpg_hybrid_init(tpg_hybrid_t *hybrid,
                         const tpg_arm_t *arm,
                         const tpg_policy_t *policy,
@@ -453,30 +511,55 @@ int32_t tpg_hybrid_init(tpg_hybrid_t *hybrid,
                         uint32_t *scratch,
                         size_t words);
 
-// Begins an episode on a real arm, or anyone's: the graph drives.
-int32_t tpg_switch_init(tpg_switch_t *switch_, const tpg_settings_t *settings, const tpg_observation_t *observation);
+// Begins a control loop towards a target: the graph drives, by the settings of the hybrid. `watch` may be NULL: the
+// defaults. TPG_BAD_TARGET or TPG_BAD_SENSOR for an observation that cannot be.
+int32_t tpg_switch_init(tpg_switch_t *switch_,
+                        const tpg_hybrid_t *hybrid,
+                        const tpg_watch_t *watch,
+                        const tpg_observation_t *observation);
 
-// The next action and whose it is.
-int32_t tpg_hybrid_decide(const tpg_hybrid_t *hybrid,
+// One step of a control loop: takes a reading of the motors and the target (x, y, z in mm), answers what is seen and the
+// action that goes to the motors before the next step.
+//
+// TPG_BAD_TARGET, TPG_BAD_SENSOR or TPG_STUCK where nothing may move; docs/sensors.md has the contract. The chosen move is
+// zero then, the observation is not written, and the switch is as before: the next step with a good reading goes on. After
+// TPG_STUCK it does once the motors are where the commands led them, or after tpg_switch_resume.
+int32_t tpg_hybrid_step(tpg_hybrid_t *hybrid,
+                        tpg_switch_t *switch_,
+                        const tpg_pose_t *motors,
+                        const float *target,
+                        tpg_observation_t *observation,
+                        tpg_chosen_t *chosen);
+
+// Starts to compare commanded with observed motion anew, from where the motors are: the way out of TPG_STUCK once its cause
+// is removed. The switch goes on as it is. TPG_BAD_SENSOR for a motor outside its joint's range.
+int32_t tpg_switch_resume(tpg_switch_t *switch_,
+                          const tpg_pose_t *motors);
+
+// The next action: a part of tpg_hybrid_step, for loops that observe themselves. They tell tpg_switch_acted what is seen
+// after the action, and do not call tpg_hybrid_step. Codes and move as there; also TPG_BAD_SENSOR where hand, target and
+// difference do not belong together.
+int32_t tpg_hybrid_decide(tpg_hybrid_t *hybrid,
                           tpg_switch_t *switch_,
                           const tpg_observation_t *observation,
                           tpg_chosen_t *chosen);
 
-// Tells the switch what is seen after an action; `cause` is a TPG_CAUSE code: why the network acts next, if it newly does.
+// Tells the switch what is seen after an action; `cause` is a TPG_CAUSE code: the reason why the network acts next, if it
+// newly does. Codes as tpg_hybrid_decide: nothing is noted then, and the action can be told again with a better observation.
 int32_t tpg_switch_acted(tpg_switch_t *switch_,
                          const tpg_chosen_t *chosen,
                          const tpg_observation_t *observation,
                          int32_t *cause);
 
-// Who acted how often.
+// Gives the counts so far.
 int32_t tpg_switch_counts(const tpg_switch_t *switch_, tpg_counts_t *counts);
 
-// Puts the simulated arm at a problem's start. `hybrid` must stay where it is for as long as the episode is used.
-int32_t tpg_hybrid_episode_init(tpg_hybrid_episode_t *episode,
-                                const tpg_hybrid_t *hybrid,
-                                const tpg_problem_t *problem);
+// Puts the simulated arm at a problem's start. `hybrid` must stay where it is for as long as the episode
+// is used, which decides with it.
+// TPG_BAD_TARGET for a target out of reach, TPG_BAD_SENSOR for a start outside the joints' ranges.
+int32_t tpg_hybrid_episode_init(tpg_hybrid_episode_t *episode, tpg_hybrid_t *hybrid, const tpg_problem_t *problem);
 
-// What the policies see now.
+// Gives what the policies see now.
 int32_t tpg_hybrid_episode_observation(const tpg_hybrid_episode_t *episode, tpg_observation_t *observation);
 
 // Decides on one action, without doing it.
@@ -485,7 +568,7 @@ int32_t tpg_hybrid_episode_decide(tpg_hybrid_episode_t *episode, tpg_chosen_t *c
 // Does the action decided on; `outcome` as tpg_episode_advance has it. An episode that is over answers TPG_STATE.
 int32_t tpg_hybrid_episode_act(tpg_hybrid_episode_t *episode, const tpg_chosen_t *chosen, int32_t *outcome);
 
-// Who acted how often.
+// Gives the counts so far.
 int32_t tpg_hybrid_episode_counts(const tpg_hybrid_episode_t *episode, tpg_counts_t *counts);
 
 // Empties a memo: before its first use, and after the arm that it was used with was initialised anew.
@@ -526,7 +609,7 @@ int32_t tpg_network_choose(const tpg_network_t *network,
                            size_t words,
                            uint16_t *action);
 
-// What is seen at a pose, with the target's x, y, z in mm.
+// Observes the arm at a pose, with the target's x, y, z in mm. It checks neither: a decision does.
 int32_t tpg_observe(const tpg_arm_t *arm, const tpg_pose_t *pose, const float *target, tpg_observation_t *observation);
 
 // Hand to target, mm.
@@ -544,7 +627,8 @@ int32_t tpg_observation_state(const tpg_arm_t *arm,
                               float *state,
                               size_t length);
 
-// The move that a generated policy decides for.
+// The move that a generated policy decides for. TPG_BAD_TARGET or TPG_BAD_SENSOR, and a move of zero, for an observation
+// that cannot be; docs/sensors.md has the contract. Stuck motors it cannot see: see tpg_watchdog_t.
 //
 // `memo` is NULL, or keeps from call to call what depends on the target alone.
 int32_t tpg_policy_decide(const tpg_policy_t *policy,
@@ -559,16 +643,38 @@ int32_t tpg_sac_init(tpg_sac_t *sac,
                      const uint32_t *model,
                      size_t words);
 
-// How many 32-bit words of scratch memory tpg_sac_decide needs.
+// Gives the 32-bit words of scratch memory that tpg_sac_decide needs.
 int32_t tpg_sac_scratch(const tpg_sac_t *sac, size_t *words);
 
-// The move that a network decides for. `scratch` is overwritten; TPG_LENGTH where `words` are too few.
+// The move that a network decides for. `scratch` is overwritten; TPG_LENGTH where `words` are too few. TPG_BAD_TARGET or
+// TPG_BAD_SENSOR, and a move of zero, for an observation that cannot be; docs/sensors.md has the contract.
 int32_t tpg_sac_decide(const tpg_sac_t *sac,
                        const tpg_arm_t *arm,
                        const tpg_observation_t *observation,
                        uint32_t *scratch,
                        size_t words,
                        tpg_move_t *wanted);
+
+// Starts to watch an arm whose motors are at `motors`. `watch` may be NULL: the defaults. TPG_BAD_SENSOR for a motor outside its
+// joint's range.
+int32_t tpg_watchdog_init(tpg_watchdog_t *watchdog,
+                          const tpg_arm_t *arm,
+                          const tpg_watch_t *watch,
+                          const tpg_pose_t *motors);
+
+// Checks a reading of the motors and a target, x, y, z in mm: TPG_BAD_TARGET, TPG_BAD_SENSOR or TPG_STUCK where nothing may
+// move.
+int32_t tpg_watchdog_check(const tpg_watchdog_t *watchdog,
+                           const tpg_pose_t *motors,
+                           const float *target);
+
+// Notes a move that goes to the motors, and the positions at which it was decided on.
+int32_t tpg_watchdog_commanded(tpg_watchdog_t *watchdog, const tpg_pose_t *motors, const tpg_move_t *wanted);
+
+// Starts to compare anew, from where the motors are: the way out of TPG_STUCK once its cause is removed. TPG_BAD_SENSOR for
+// a motor outside its joint's range.
+int32_t tpg_watchdog_resume(tpg_watchdog_t *watchdog,
+                            const tpg_pose_t *motors);
 
 #ifdef __cplusplus
 }  // extern "C"

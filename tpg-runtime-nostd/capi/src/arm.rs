@@ -3,6 +3,7 @@
 use crate::code::{self, Refusal, TPG_ARGUMENT};
 use crate::memory::{self, Opaque};
 use tpg_arm::kinematics::{self, Plane};
+use tpg_arm::sensors::Limits;
 use tpg_arm::{Arm, BaseEdge, Collision, Invalid, JointRange, Links, Move, Pose, Shapes, Step, WIDOWX};
 
 /// Joints: base, shoulder, elbow, wrist.
@@ -16,7 +17,7 @@ pub struct tpg_pose_t {
     pub ticks: [i16; TPG_JOINTS],
 }
 
-/// What an action asks of the motors.
+/// A change of the motor positions, which an action asks for.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct tpg_move_t {
@@ -38,7 +39,7 @@ pub struct tpg_edge_t {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct tpg_arm_description_t {
-    /// Where a fixed-start episode begins.
+    /// The pose in which a fixed-start episode begins.
     pub home: tpg_pose_t,
     /// Positions of the servos that never move (wrist rotation, gripper), ticks.
     pub fixed_servos: [i16; 2],
@@ -60,7 +61,7 @@ pub struct tpg_arm_description_t {
     pub hand_length: f32,
     /// From the hand's axis to its long edges, positive downwards with the arm stretched forwards.
     pub hand_edges: [f32; 2],
-    /// How far the forearm's end face lies beyond the wrist.
+    /// Distance of the forearm's end face beyond the wrist.
     pub forearm_overhang: f32,
     /// From the forearm's axis to its long edges.
     pub forearm_edges: [f32; 2],
@@ -69,7 +70,7 @@ pub struct tpg_arm_description_t {
 }
 
 /// Words of a tpg_arm_t.
-pub const TPG_ARM_WORDS: usize = 18;
+pub const TPG_ARM_WORDS: usize = 21;
 
 /// An arm, ready for use. Opaque; initialised by tpg_arm_init or tpg_arm_init_widowx, constant from then on.
 #[repr(C)]
@@ -78,12 +79,24 @@ pub struct tpg_arm_t {
     pub opaque: [u64; TPG_ARM_WORDS],
 }
 
+/// The content of a tpg_arm_t.
+pub struct Ready {
+    pub(crate) arm: Arm<f32>,
+    pub(crate) limits: Limits<f32>,
+}
+
+impl Ready {
+    fn new(arm: Arm<f32>) -> Self {
+        Self { limits: Limits::of(&arm), arm }
+    }
+}
+
 const _: () = assert!(memory::fits::<tpg_arm_t>());
 
 // SAFETY: it fits, and any bytes are an array of integers.
 unsafe impl Opaque for tpg_arm_t {
-    type Content = Arm<f32>;
-    const TAG: u32 = 0x4150_4701;
+    type Content = Ready;
+    const TAG: u32 = 0x4150_4702;
 }
 
 /// The step was done.
@@ -125,19 +138,21 @@ pub(crate) fn validity(invalid: Option<Invalid>) -> i32 {
 pub unsafe extern "C" fn tpg_arm_init_widowx(arm: *mut tpg_arm_t) -> i32 {
     const ARM: Arm<f32> = WIDOWX.to_f32();
     // SAFETY: the header's contract.
-    code::of(unsafe { memory::initialise(arm, ARM) })
+    code::of(unsafe { memory::initialise(arm, Ready::new(ARM)) })
 }
 
-/// Makes an arm of your own. TPG_ARGUMENT where a lowest position lies above the highest.
+/// Makes an arm of your own. TPG_ARGUMENT for one that cannot be:
+///
+/// - a joint's range that is empty or goes beyond 0 to 4095, or a home position outside it;
+/// - a length that is not finite, or above 100 m: all of them. Not above 0: upper arm, forearm and hand. Below 0: the
+///   base's height and the elbow's offset;
+/// - an edge of the base that is neither horizontal nor vertical.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_arm_init(arm: *mut tpg_arm_t, description: *const tpg_arm_description_t) -> i32 {
     // SAFETY: the header's contract.
     let done = unsafe { memory::read(description) }.and_then(|it| {
         let range = |joint: usize| JointRange { min: it.min[joint], max: it.max[joint] };
         let ranges = [range(0), range(1), range(2), range(3)];
-        if ranges.iter().any(|range| range.min > range.max) {
-            return Err(Refusal(TPG_ARGUMENT));
-        }
         let made = Arm {
             home: Pose(it.home.ticks),
             fixed_servos: it.fixed_servos,
@@ -157,8 +172,9 @@ pub unsafe extern "C" fn tpg_arm_init(arm: *mut tpg_arm_t, description: *const t
                 base: it.base_edges.map(|edge| BaseEdge { x: edge.x, z: edge.z }),
             },
         };
+        made.check().map_err(|_| Refusal(TPG_ARGUMENT))?;
         // SAFETY: the header's contract.
-        unsafe { memory::initialise(arm, made) }
+        unsafe { memory::initialise(arm, Ready::new(made)) }
     });
     code::of(done)
 }
@@ -168,24 +184,24 @@ pub unsafe extern "C" fn tpg_arm_init(arm: *mut tpg_arm_t, description: *const t
 pub unsafe extern "C" fn tpg_arm_home(arm: *const tpg_arm_t, pose: *mut tpg_pose_t) -> i32 {
     // SAFETY: the header's contract.
     let (arm, pose) = unsafe { (memory::content(arm), memory::write(pose)) };
-    code::answer(arm.map(|arm| tpg_pose_t { ticks: arm.home.0 }), pose)
+    code::answer(arm.map(|Ready { arm, .. }| tpg_pose_t { ticks: arm.home.0 }), pose)
 }
 
-/// Forward kinematics: where the hand's tip is at a pose; x, y, z in mm.
+/// Forward kinematics: the place of the hand's tip at a pose; x, y, z in mm.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_arm_hand(arm: *const tpg_arm_t, pose: *const tpg_pose_t, hand: *mut f32) -> i32 {
     // SAFETY: the header's contract.
     let (arm, pose, hand) =
         unsafe { (memory::content(arm), memory::read(pose), memory::write(hand.cast::<[f32; 3]>())) };
-    code::answer(arm.and_then(|arm| Ok(kinematics::hand(arm, Pose(pose?.ticks)))), hand)
+    code::answer(arm.and_then(|Ready { arm, .. }| Ok(kinematics::hand(arm, Pose(pose?.ticks)))), hand)
 }
 
-/// Whether the arm collides at a pose: TPG_VALID or one of a code of TPG_COLLISION.
+/// Tests whether the arm collides at a pose: TPG_VALID or a code of TPG_COLLISION.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_arm_collision(arm: *const tpg_arm_t, pose: *const tpg_pose_t, collision: *mut i32) -> i32 {
     // SAFETY: the header's contract.
     let (arm, pose, collision) = unsafe { (memory::content(arm), memory::read(pose), memory::write(collision)) };
-    let found = |arm: &Arm<f32>| Ok(Plane::at(arm, Pose(pose?.ticks)).collision(&arm.shapes));
+    let found = |Ready { arm, .. }: &Ready| Ok(Plane::at(arm, Pose(pose?.ticks)).collision(&arm.shapes));
     code::answer(arm.and_then(found).map(collision_code), collision)
 }
 
@@ -204,7 +220,7 @@ pub unsafe extern "C" fn tpg_arm_step(
     // SAFETY: the header's contract. The pose is copied before `after` is written.
     let (arm, pose, wanted) =
         unsafe { (memory::content(arm), memory::read(pose).copied(), memory::read(wanted).copied()) };
-    code::of(arm.and_then(|arm| {
+    code::of(arm.and_then(|Ready { arm, .. }| {
         let (pose, wanted) = (pose?, wanted?);
         // SAFETY: the header's contract.
         let (after, validity) = unsafe { (memory::write(after)?, memory::write(validity)?) };

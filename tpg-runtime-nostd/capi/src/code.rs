@@ -1,4 +1,8 @@
-//! What functions answer.
+//! The codes that functions answer.
+
+use crate::arm::tpg_move_t;
+use tpg_arm::Move;
+use tpg_arm::sensors::Fault;
 
 /// All went well.
 pub const TPG_OK: i32 = 0;
@@ -10,7 +14,7 @@ pub const TPG_MISALIGNED: i32 = 2;
 pub const TPG_LENGTH: i32 = 3;
 /// A structure was not initialised, or not by this version of the library; or the episode is over.
 pub const TPG_STATE: i32 = 4;
-/// A number outside what is accepted.
+/// A number outside the accepted range.
 pub const TPG_ARGUMENT: i32 = 5;
 /// The words are no model: they do not begin like one.
 pub const TPG_MODEL: i32 = 6;
@@ -23,16 +27,43 @@ pub const TPG_MODEL_LAYERS: i32 = 9;
 /// The model is of another version of the format than this library's: pack it again.
 pub const TPG_MODEL_VERSION: i32 = 10;
 
-/// Why a function did nothing: a code other than [`TPG_OK`].
+/// The target is no number, or farther from the shoulder than the stretched arm reaches. Nothing may move.
+pub const TPG_BAD_TARGET: i32 = 11;
+/// A motor is outside its joint's range, or hand, target and difference of an observation do not belong together. Nothing
+/// may move.
+pub const TPG_BAD_SENSOR: i32 = 12;
+/// The motors are not where the commands led them: stuck, moved by something else, or read too late. Nothing may move.
+pub const TPG_STUCK: i32 = 13;
+
+/// The code of a reading that a control step refuses.
+pub fn fault(fault: Fault) -> Refusal {
+    Refusal(match fault {
+        Fault::Target => TPG_BAD_TARGET,
+        Fault::Sensor => TPG_BAD_SENSOR,
+        Fault::Stuck => TPG_STUCK,
+    })
+}
+
+/// The reason why a function did nothing: a code other than [`TPG_OK`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Refusal(pub i32);
 
-/// Writes what a function found where the caller wants it; the code.
+/// Writes what a function found to where the caller wants it; returns the code.
 #[inline(always)]
 pub fn answer<T>(found: Result<T, Refusal>, to: Result<&mut T, Refusal>) -> i32 {
     of(found.and_then(|found| {
         *to? = found;
         Ok(())
+    }))
+}
+
+/// Writes a move that was decided on, or zero where there is none; returns the code.
+#[inline(always)]
+pub(crate) fn moves(decided: Result<Move, Refusal>, to: Result<&mut tpg_move_t, Refusal>) -> i32 {
+    of(to.and_then(|to| {
+        let Move(ticks) = decided.unwrap_or(Move::STOP);
+        *to = tpg_move_t { ticks };
+        decided.map(|_| ())
     }))
 }
 

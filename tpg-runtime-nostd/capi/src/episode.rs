@@ -1,12 +1,13 @@
 //! One episode.
 
-use crate::arm::{TPG_VALID, tpg_arm_t, tpg_move_t, tpg_pose_t, validity};
-use crate::code::{self, Refusal, TPG_STATE};
+use crate::arm::{Ready, TPG_VALID, tpg_arm_t, tpg_move_t, tpg_pose_t, validity};
+use crate::code::{self, Refusal, TPG_BAD_SENSOR, TPG_BAD_TARGET, TPG_STATE};
 use crate::memory::{self, Opaque};
 use crate::observation::tpg_observation_t;
 use tpg_arm::cycle::Brent;
 use tpg_arm::episode::{Episode, Outcome, Problem};
-use tpg_arm::{Arm, Move, Pose};
+use tpg_arm::sensors::Limits;
+use tpg_arm::{Move, Pose};
 
 /// The episode goes on.
 pub const TPG_RUNNING: i32 = 0;
@@ -21,13 +22,13 @@ pub const TPG_TIMEOUT: i32 = 4;
 /// The policy asked for something impossible; a TPG_LIMIT or TPG_COLLISION code is added.
 pub const TPG_INVALID: i32 = 16;
 
-/// What is asked of the arm.
+/// A task for the arm.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct tpg_problem_t {
-    /// Where the arm starts.
+    /// The pose in which the arm starts.
     pub start: tpg_pose_t,
-    /// Where the hand's tip shall go, mm.
+    /// The place where the hand's tip shall go, mm.
     pub target: [f32; 3],
     /// The episode succeeds when hand and target are less than this apart, mm.
     pub tolerance: f32,
@@ -36,9 +37,17 @@ pub struct tpg_problem_t {
 }
 
 impl tpg_problem_t {
-    pub(crate) fn get(&self) -> Problem<f32> {
+    /// The problem, if an arm of these limits can be at its start and reach its target.
+    pub(crate) fn get(&self, limits: &Limits<f32>) -> Result<Problem<f32>, Refusal> {
         let Self { start, target, tolerance, max_actions } = *self;
-        Problem { start: Pose(start.ticks), target, tolerance, max_actions }
+        let start = Pose(start.ticks);
+        if !limits.reaches(&target) {
+            Err(Refusal(TPG_BAD_TARGET))
+        } else if !limits.hold(start) {
+            Err(Refusal(TPG_BAD_SENSOR))
+        } else {
+            Ok(Problem { start, target, tolerance, max_actions })
+        }
     }
 }
 
@@ -52,7 +61,7 @@ pub struct tpg_episode_t {
     pub opaque: [u64; TPG_EPISODE_WORDS],
 }
 
-/// An episode and whether it is over.
+/// An episode, and a note that it is over.
 pub struct Running<E> {
     pub(crate) episode: E,
     over: bool,
@@ -64,7 +73,7 @@ impl<E> Running<E> {
         Self { episode, over: false }
     }
 
-    /// Does an action; how that ends the episode, as a code.
+    /// Does an action; returns how that ends the episode, as a code.
     #[inline(always)]
     pub(crate) fn act(&mut self, action: impl FnOnce(&mut E) -> Option<Outcome>) -> Result<i32, Refusal> {
         if self.over {
@@ -95,7 +104,8 @@ fn outcome_code(outcome: Option<Outcome>) -> i32 {
     }
 }
 
-/// Puts an arm at a problem's start. `arm` must stay where it is for as long as the episode is used.
+/// Puts an arm at a problem's start. `arm` must stay where it is for as long as the episode is used. TPG_BAD_TARGET for a
+/// target out of reach, TPG_BAD_SENSOR for a start outside the joints' ranges.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_episode_init(
     episode: *mut tpg_episode_t,
@@ -104,14 +114,14 @@ pub unsafe extern "C" fn tpg_episode_init(
 ) -> i32 {
     // SAFETY: the header's contract; the caller keeps the arm for as long as the episode lives.
     let (arm, problem) = unsafe { (memory::content::<'static, _>(arm), memory::read(problem)) };
-    code::of(arm.and_then(|arm: &'static Arm<f32>| {
-        let running = Running::new(Episode::new(arm, problem?.get(), Brent::new()));
+    code::of(arm.and_then(|Ready { arm, limits }: &'static Ready| {
+        let running = Running::new(Episode::new(arm, problem?.get(limits)?, Brent::new()));
         // SAFETY: the header's contract.
         unsafe { memory::initialise(episode, running) }
     }))
 }
 
-/// What a policy sees now.
+/// Gives what a policy sees now.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_episode_observation(
     episode: *const tpg_episode_t,

@@ -1,17 +1,19 @@
 //! A generated policy and a network that share an arm.
 
-use crate::arm::{tpg_arm_t, tpg_move_t};
+use crate::arm::{Ready, tpg_arm_t, tpg_move_t, tpg_pose_t};
 use crate::code::{self, Refusal, TPG_ARGUMENT, TPG_LENGTH};
 use crate::episode::{Running, tpg_problem_t};
 use crate::memory::{self, Opaque};
 use crate::observation::tpg_observation_t;
 use crate::policy::{Checked, tpg_policy_t};
 use crate::sac::tpg_sac_t;
+use crate::sensors::tpg_watch_t;
 use tpg_arm::cycle::Brent;
-use tpg_arm::hybrid::{CAUSES, Chosen, Counts, Driver, Guard, Hybrid, HybridEpisode, Settings, Switch};
+use tpg_arm::hybrid::{CAUSES, Chosen, Control, Counts, Driver, Guard, Hybrid, HybridEpisode, Settings};
 use tpg_arm::observation::{Observation, TargetMemo};
 use tpg_arm::sac::packed::Model;
-use tpg_arm::{Arm, Move};
+use tpg_arm::sensors::{Fault, Limits};
+use tpg_arm::{Arm, Move, Pose};
 use tpg_runtime::policy::Policy;
 
 /// The network keeps the arm until the episode ends.
@@ -47,11 +49,11 @@ pub const TPG_CAUSES: usize = 4;
 
 const _: () = assert!(TPG_CAUSES == CAUSES);
 
-/// How graph and network share an arm.
+/// The times at which graph and network change, and the guard.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct tpg_settings_t {
-    /// Actions of the network before the graph is asked again, from 1; TPG_NEVER for a hand-over for good.
+    /// Actions of the network before the graph is asked again, from 1; with TPG_NEVER the network keeps the arm.
     pub hand_back_after: u32,
     /// The network takes over when the distance exceeds the best one so far by more than this, mm.
     pub separation: f32,
@@ -75,11 +77,11 @@ impl tpg_settings_t {
     }
 }
 
-/// An action and whose it is.
+/// An action, and the one that chose it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct tpg_chosen_t {
-    /// What the motors shall do.
+    /// The move that goes to the motors.
     pub wanted: tpg_move_t,
     /// A TPG_DRIVER code.
     pub driver: i32,
@@ -101,7 +103,7 @@ impl tpg_chosen_t {
     }
 }
 
-/// Who acted how often, and why they changed.
+/// Actions of each, and the reasons of their changes.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct tpg_counts_t {
@@ -160,29 +162,36 @@ impl Policy for Network {
 /// Words of a tpg_hybrid_t.
 pub const TPG_HYBRID_WORDS: usize = 28;
 
-/// A policy and a network with their settings. Opaque; initialised by tpg_hybrid_init. For one
-/// task at a time: it keeps what it has computed about the target.
+/// A policy and a network with their settings. Opaque; initialised by tpg_hybrid_init.
+///
+/// It belongs to one task: it keeps what it has computed about the target. Two tasks need two hybrids with a scratch memory
+/// each; they may share arm, policy and network.
 #[repr(C)]
 pub struct tpg_hybrid_t {
     /// The library's.
     pub opaque: [u64; TPG_HYBRID_WORDS],
 }
 
-/// What lies in a tpg_hybrid_t.
-pub struct Both(Hybrid<'static, f32, Graph, Network>);
+/// The content of a tpg_hybrid_t.
+pub struct Both {
+    hybrid: Hybrid<'static, f32, Graph, Network>,
+    limits: &'static Limits<f32>,
+}
 
 const _: () = assert!(memory::fits::<tpg_hybrid_t>());
 
 // SAFETY: it fits, and any bytes are an array of integers.
 unsafe impl Opaque for tpg_hybrid_t {
     type Content = Both;
-    const TAG: u32 = 0x4859_4201;
+    const TAG: u32 = 0x4859_4202;
 }
 
 /// Words of a tpg_switch_t.
-pub const TPG_SWITCH_WORDS: usize = 14;
+pub const TPG_SWITCH_WORDS: usize = 15;
 
-/// Whose turn it is. Opaque; initialised by tpg_switch_init at the start of every episode.
+/// The state of a control loop towards one target: the one whose turn it is, the last move that was commanded, the places
+/// where the motors should be.
+/// Opaque; initialised by tpg_switch_init for every target.
 #[repr(C)]
 pub struct tpg_switch_t {
     /// The library's.
@@ -193,8 +202,8 @@ const _: () = assert!(memory::fits::<tpg_switch_t>());
 
 // SAFETY: it fits, and any bytes are an array of integers.
 unsafe impl Opaque for tpg_switch_t {
-    type Content = Switch<f32, Brent>;
-    const TAG: u32 = 0x5357_4901;
+    type Content = Control<f32, Brent>;
+    const TAG: u32 = 0x5357_4902;
 }
 
 /// Words of a tpg_hybrid_episode_t.
@@ -207,7 +216,7 @@ pub struct tpg_hybrid_episode_t {
     pub opaque: [u64; TPG_HYBRID_EPISODE_WORDS],
 }
 
-/// What lies in a tpg_hybrid_episode_t.
+/// The content of a tpg_hybrid_episode_t.
 pub struct Simulated(Running<HybridEpisode<'static, f32, Graph, Network, Brent>>);
 
 const _: () = assert!(memory::fits::<tpg_hybrid_episode_t>());
@@ -221,7 +230,7 @@ unsafe impl Opaque for tpg_hybrid_episode_t {
 /// Joins a generated policy and a network. `arm`, `policy`, `sac` and `scratch` must stay where they are for as long as
 /// the hybrid is used; `scratch`, of as many words as tpg_sac_scratch says, is the hybrid's alone.
 ///
-/// TPG_ARGUMENT for settings outside what is accepted: hand_back_after from 1, separation from 0 mm.
+/// TPG_ARGUMENT for settings that are not accepted: hand_back_after from 1, separation from 0 mm.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_hybrid_init(
     hybrid: *mut tpg_hybrid_t,
@@ -241,7 +250,7 @@ pub unsafe extern "C" fn tpg_hybrid_init(
             memory::read(settings),
         )
     };
-    code::of(arm.and_then(|arm| {
+    code::of(arm.and_then(|Ready { arm, limits }| {
         // SAFETY: as above.
         let policy = unsafe { Checked::new(policy?) }?;
         let (model, settings) = (model?, settings?.get()?);
@@ -250,53 +259,102 @@ pub unsafe extern "C" fn tpg_hybrid_init(
         if words < model.scratch() {
             return Err(Refusal(TPG_LENGTH));
         }
-        let both = Both(Hybrid {
-            arm,
-            tpg: Graph { arm, policy, memo: TargetMemo::new() },
-            sac: Network { arm, model, scratch, words },
-            settings,
-        });
+        let tpg = Graph { arm, policy, memo: TargetMemo::new() };
+        let both = Both { hybrid: Hybrid { arm, tpg, sac: Network { arm, model, scratch, words }, settings }, limits };
         // SAFETY: the header's contract.
         unsafe { memory::initialise(hybrid, both) }
     }))
 }
 
-/// Begins an episode on a real arm, or anyone's: the graph drives.
+/// Begins a control loop towards a target: the graph drives, by the settings of the hybrid. `watch` may be NULL: the
+/// defaults. TPG_BAD_TARGET or TPG_BAD_SENSOR for an observation that cannot be.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_switch_init(
     switch_: *mut tpg_switch_t,
-    settings: *const tpg_settings_t,
+    hybrid: *const tpg_hybrid_t,
+    watch: *const tpg_watch_t,
     observation: *const tpg_observation_t,
 ) -> i32 {
     // SAFETY: the header's contract.
-    let (settings, seen) = unsafe { (memory::read(settings), memory::read(observation)) };
-    code::of(settings.and_then(|settings| {
-        let switch = Switch::new(settings.get()?, Brent::new(), &seen?.get());
+    let (hybrid, watch, seen) =
+        unsafe { (memory::content(hybrid), tpg_watch_t::get(watch), memory::read(observation)) };
+    code::of(hybrid.and_then(|Both { hybrid, limits }| {
+        let control = Control::within(**limits, hybrid.settings, watch?, Brent::new(), seen?.get());
         // SAFETY: the header's contract.
-        unsafe { memory::initialise(switch_, switch) }
+        unsafe { memory::initialise(switch_, control.map_err(code::fault)?) }
     }))
 }
 
-/// The next action and whose it is.
+/// Writes an action, or where a reading is at fault that nothing moves.
+#[inline(always)]
+fn decided(chosen: &mut tpg_chosen_t, decided: Result<Chosen, Fault>) -> Result<(), Refusal> {
+    *chosen = tpg_chosen_t::of(decided.unwrap_or(Chosen { driver: Driver::Tpg, wanted: Move::STOP }));
+    decided.map(|_| ()).map_err(code::fault)
+}
+
+/// One step of a control loop: takes a reading of the motors and the target (x, y, z in mm), answers what is seen and the
+/// action that goes to the motors before the next step.
+///
+/// TPG_BAD_TARGET, TPG_BAD_SENSOR or TPG_STUCK where nothing may move; docs/sensors.md has the contract. The chosen move is
+/// zero then, the observation is not written, and the switch is as before: the next step with a good reading goes on. After
+/// TPG_STUCK it does once the motors are where the commands led them, or after tpg_switch_resume.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tpg_hybrid_step(
+    hybrid: *mut tpg_hybrid_t,
+    switch_: *mut tpg_switch_t,
+    motors: *const tpg_pose_t,
+    target: *const f32,
+    observation: *mut tpg_observation_t,
+    chosen: *mut tpg_chosen_t,
+) -> i32 {
+    // SAFETY: the header's contract.
+    let (hybrid, control, motors, target, seen, chosen) = unsafe {
+        (
+            memory::content(hybrid),
+            memory::content_mut(switch_),
+            memory::read(motors),
+            memory::read(target.cast::<[f32; 3]>()),
+            memory::write(observation),
+            memory::write(chosen),
+        )
+    };
+    code::of(hybrid.and_then(|Both { hybrid, .. }| {
+        let (control, motors, target, seen, chosen) = (control?, motors?, target?, seen?, chosen?);
+        decided(chosen, hybrid.step_into(control, Pose(motors.ticks), target, seen.get_mut()))
+    }))
+}
+
+/// Starts to compare commanded with observed motion anew, from where the motors are: the way out of TPG_STUCK once its cause
+/// is removed. The switch goes on as it is. TPG_BAD_SENSOR for a motor outside its joint's range.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tpg_switch_resume(switch_: *mut tpg_switch_t, motors: *const tpg_pose_t) -> i32 {
+    // SAFETY: the header's contract.
+    let (control, motors) = unsafe { (memory::content_mut(switch_), memory::read(motors)) };
+    code::of(control.and_then(|control| control.resume(Pose(motors?.ticks)).map_err(code::fault)))
+}
+
+/// The next action: a part of tpg_hybrid_step, for loops that observe themselves. They tell tpg_switch_acted what is seen
+/// after the action, and do not call tpg_hybrid_step. Codes and move as there; also TPG_BAD_SENSOR where hand, target and
+/// difference do not belong together.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_hybrid_decide(
-    hybrid: *const tpg_hybrid_t,
+    hybrid: *mut tpg_hybrid_t,
     switch_: *mut tpg_switch_t,
     observation: *const tpg_observation_t,
     chosen: *mut tpg_chosen_t,
 ) -> i32 {
     // SAFETY: the header's contract.
-    let (hybrid, switch, seen, chosen) = unsafe {
+    let (hybrid, control, seen, chosen) = unsafe {
         (memory::content(hybrid), memory::content_mut(switch_), memory::read(observation), memory::write(chosen))
     };
-    code::of(hybrid.and_then(|Both(hybrid)| {
-        let chosen = chosen?;
-        *chosen = tpg_chosen_t::of(hybrid.decide(switch?, &seen?.get()));
-        Ok(())
+    code::of(hybrid.and_then(|Both { hybrid, .. }| {
+        let (control, seen, chosen) = (control?, seen?.get(), chosen?);
+        decided(chosen, hybrid.drive(control, seen))
     }))
 }
 
-/// Tells the switch what is seen after an action; `cause` is a TPG_CAUSE code: why the network acts next, if it newly does.
+/// Tells the switch what is seen after an action; `cause` is a TPG_CAUSE code: the reason why the network acts next, if it
+/// newly does. Codes as tpg_hybrid_decide: nothing is noted then, and the action can be told again with a better observation.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_switch_acted(
     switch_: *mut tpg_switch_t,
@@ -305,41 +363,44 @@ pub unsafe extern "C" fn tpg_switch_acted(
     cause: *mut i32,
 ) -> i32 {
     // SAFETY: the header's contract.
-    let (switch, chosen, seen, cause) = unsafe {
+    let (control, chosen, seen, cause) = unsafe {
         (memory::content_mut(switch_), memory::read(chosen), memory::read(observation), memory::write(cause))
     };
-    code::of(switch.and_then(|switch| {
-        let (chosen, seen, cause) = (chosen?.get()?, seen?, cause?);
-        *cause = switch.acted(chosen, &seen.get()).map_or(TPG_CAUSE_NONE, |cause| cause as i32 + TPG_CAUSE_GUARD);
+    code::of(control.and_then(|control| {
+        let (chosen, seen, cause) = (chosen?.get()?, seen?.get(), cause?);
+        let found = control.acted(chosen, seen).map_err(code::fault)?;
+        *cause = found.map_or(TPG_CAUSE_NONE, |cause| cause as i32 + TPG_CAUSE_GUARD);
         Ok(())
     }))
 }
 
-/// Who acted how often.
+/// Gives the counts so far.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_switch_counts(switch_: *const tpg_switch_t, counts: *mut tpg_counts_t) -> i32 {
     // SAFETY: the header's contract.
-    let (switch, counts) = unsafe { (memory::content(switch_), memory::write(counts)) };
-    code::answer(switch.map(|switch| tpg_counts_t::of(switch.counts())), counts)
+    let (control, counts) = unsafe { (memory::content(switch_), memory::write(counts)) };
+    code::answer(control.map(|control| tpg_counts_t::of(control.switch().counts())), counts)
 }
 
-/// Puts the simulated arm at a problem's start. `hybrid` must stay where it is for as long as the episode is used.
+/// Puts the simulated arm at a problem's start. `hybrid` must stay where it is for as long as the episode
+/// is used, which decides with it.
+/// TPG_BAD_TARGET for a target out of reach, TPG_BAD_SENSOR for a start outside the joints' ranges.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_hybrid_episode_init(
     episode: *mut tpg_hybrid_episode_t,
-    hybrid: *const tpg_hybrid_t,
+    hybrid: *mut tpg_hybrid_t,
     problem: *const tpg_problem_t,
 ) -> i32 {
     // SAFETY: the header's contract; the caller keeps the hybrid for as long as the episode lives.
     let (hybrid, problem) = unsafe { (memory::content::<'static, tpg_hybrid_t>(hybrid), memory::read(problem)) };
-    code::of(hybrid.and_then(|Both(hybrid)| {
-        let simulated = Simulated(Running::new(HybridEpisode::new(hybrid, problem?.get(), Brent::new())));
+    code::of(hybrid.and_then(|Both { hybrid, limits }| {
+        let simulated = Simulated(Running::new(HybridEpisode::new(hybrid, problem?.get(limits)?, Brent::new())));
         // SAFETY: the header's contract.
         unsafe { memory::initialise(episode, simulated) }
     }))
 }
 
-/// What the policies see now.
+/// Gives what the policies see now.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_hybrid_episode_observation(
     episode: *const tpg_hybrid_episode_t,
@@ -384,7 +445,7 @@ pub unsafe extern "C" fn tpg_hybrid_episode_act(
     }))
 }
 
-/// Who acted how often.
+/// Gives the counts so far.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_hybrid_episode_counts(
     episode: *const tpg_hybrid_episode_t,

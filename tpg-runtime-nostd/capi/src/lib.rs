@@ -6,15 +6,16 @@
 //!
 //! | module | subject |
 //! | --- | --- |
-//! | [`code`] | what functions answer |
+//! | [`code`] | the codes that functions answer |
 //! | [`memory`] | pointers from C, checked; opaque structures |
 //! | [`arm`] | the arm, forward kinematics, collisions, one step |
-//! | [`observation`] | what a policy sees, and a graph's sources |
-//! | [`memo`] | what sources are made of that depends on the target alone |
+//! | [`observation`] | observations, and a graph's sources |
+//! | [`memo`] | the parts of sources that depend on the target alone |
 //! | [`policy`] | the hook for generated code |
 //! | [`network`] | a network in integers, for any problem |
 //! | [`sac`] | the arm's network in integers |
 //! | [`hybrid`] | a generated policy and a network that share an arm |
+//! | [`sensors`] | the watch over motors, for control loops without a hybrid |
 //! | [`episode`] | one episode of one policy |
 
 #![cfg_attr(target_os = "none", no_std)]
@@ -30,6 +31,7 @@ pub mod network;
 pub mod observation;
 pub mod policy;
 pub mod sac;
+pub mod sensors;
 
 /// Version of this header.
 pub const TPG_VERSION: u32 = 0x0000_0100;

@@ -1,4 +1,4 @@
-//! What sources are made of that depends on the target alone, in the caller's memory.
+//! The parts of sources that depend on the target alone, kept in the caller's memory.
 
 use crate::code::{self, Refusal};
 use crate::memory::{self, Opaque};
@@ -9,7 +9,7 @@ use tpg_arm::observation::TargetMemo;
 /// Words of a tpg_memo_t.
 pub const TPG_MEMO_WORDS: usize = 12;
 
-/// What was computed about a target, kept while decisions ask for the same one. It changes no result and saves most of the
+/// Values about a target, kept while decisions ask for the same one. It changes no result and saves most of the
 /// cost of sources that take inverse tangents or collision tests. Opaque; initialised by tpg_memo_init. For one task at a
 /// time.
 #[repr(C)]

@@ -16,7 +16,7 @@ fn check<T>(pointer: *const T) -> Result<(), Refusal> {
     }
 }
 
-/// What a pointer to a C structure points to.
+/// The structure that a pointer from C points to.
 ///
 /// # Safety
 /// The header's contract.
@@ -27,7 +27,7 @@ pub unsafe fn read<'a, T>(pointer: *const T) -> Result<&'a T, Refusal> {
     Ok(unsafe { &*pointer })
 }
 
-/// Where a result goes.
+/// The place for a result.
 ///
 /// # Safety
 /// The header's contract.
@@ -71,20 +71,20 @@ pub unsafe fn array_mut<'a, T>(pointer: *mut T, length: usize) -> Result<&'a mut
 /// # Safety
 /// `Self` must have room for a [`Tagged`] content and its alignment ([`fits`] proves it), and accept any bytes.
 pub unsafe trait Opaque: Sized {
-    /// What lies in it. Nothing is ever dropped.
+    /// The content. Nothing is ever dropped.
     type Content;
-    /// What it begins with once it is initialised; another one for every type.
+    /// The mark of an initialised structure, in its first word; another one for every type.
     const TAG: u32;
 }
 
-/// What lies in an opaque structure.
+/// The content of an opaque structure, with its mark.
 #[repr(C)]
 pub struct Tagged<T> {
     tag: u32,
     content: T,
 }
 
-/// Whether `O` has room for its content.
+/// Returns true if `O` has room for its content.
 pub const fn fits<O: Opaque>() -> bool {
     size_of::<O>() >= size_of::<Tagged<O::Content>>()
         && align_of::<O>() >= align_of::<Tagged<O::Content>>()
@@ -103,7 +103,7 @@ pub unsafe fn initialise<O: Opaque>(pointer: *mut O, content: O::Content) -> Res
     Ok(())
 }
 
-/// What lies in an initialised opaque structure.
+/// The content of an initialised opaque structure.
 ///
 /// # Safety
 /// The header's contract.
@@ -116,7 +116,7 @@ pub unsafe fn content<'a, O: Opaque>(pointer: *const O) -> Result<&'a O::Content
     unsafe { if (*tagged).tag == O::TAG { Ok(&(*tagged).content) } else { Err(Refusal(TPG_STATE)) } }
 }
 
-/// What lies in an initialised opaque structure, to change it.
+/// The content of an initialised opaque structure, to change it.
 ///
 /// # Safety
 /// The header's contract.

@@ -1,13 +1,14 @@
-//! What a policy sees, and how it fills a graph's sources.
+//! Observations, and the sources of a graph that they fill.
 
-use crate::arm::{tpg_arm_t, tpg_pose_t};
+use crate::arm::{Ready, tpg_arm_t, tpg_pose_t};
 use crate::code::{self, Refusal, TPG_ARGUMENT, TPG_LENGTH};
 use crate::memo::{self, tpg_memo_t};
 use crate::memory;
+use core::mem::offset_of;
 use tpg_arm::observation::{Observation, Source, TargetMemo};
 use tpg_arm::{Arm, Pose};
 
-/// What a policy sees of the arm and its target.
+/// The arm and its target as a policy sees them. tpg_observe makes one; fill in none by hand.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct tpg_observation_t {
@@ -29,11 +30,27 @@ impl tpg_observation_t {
         Self { pose: tpg_pose_t { ticks: pose.0 }, fixed_servos, hand, target, difference }
     }
 
-    pub(crate) fn get(&self) -> Observation<f32> {
-        let Self { pose, fixed_servos, hand, target, difference } = *self;
-        Observation { pose: Pose(pose.ticks), fixed_servos, hand, target, difference }
+    pub(crate) fn get(&self) -> &Observation<f32> {
+        // SAFETY: both are laid out as in C, with the same fields in the same places: see below.
+        unsafe { &*core::ptr::from_ref(self).cast::<Observation<f32>>() }
+    }
+
+    pub(crate) fn get_mut(&mut self) -> &mut Observation<f32> {
+        // SAFETY: as in `get`; any numbers are an observation.
+        unsafe { &mut *core::ptr::from_mut(self).cast::<Observation<f32>>() }
     }
 }
+
+const _: () = {
+    type Here = tpg_observation_t;
+    type There = Observation<f32>;
+    assert!(size_of::<Here>() == size_of::<There>() && align_of::<Here>() == align_of::<There>());
+    assert!(offset_of!(Here, pose) == offset_of!(There, pose));
+    assert!(offset_of!(Here, fixed_servos) == offset_of!(There, fixed_servos));
+    assert!(offset_of!(Here, hand) == offset_of!(There, hand));
+    assert!(offset_of!(Here, target) == offset_of!(There, target));
+    assert!(offset_of!(Here, difference) == offset_of!(There, difference));
+};
 
 /// The most floats that the sources of a policy may have together.
 pub const TPG_STATE_LENGTH: usize = 48;
@@ -56,7 +73,7 @@ pub const TPG_SOURCE_POLAR: u8 = 6;
 pub const TPG_SOURCE_BEARING: u8 = 7;
 /// By how many ticks base, shoulder and elbow are off, if the wrist stays.
 pub const TPG_SOURCE_REACH: u8 = 8;
-/// What stands against that: ticks, ticks, mm.
+/// Excess of that: ticks beyond the ranges of shoulder and elbow, mm out of reach.
 pub const TPG_SOURCE_REACH_EXCESS: u8 = 9;
 /// The hand's pitch there, 1 value in ticks.
 pub const TPG_SOURCE_REACH_PITCH: u8 = 10;
@@ -85,7 +102,7 @@ pub(crate) fn fill(arm: &Arm<f32>, seen: &Observation<f32>, memo: &TargetMemo<f3
     Source::fill_each(sources, arm, seen, memo, state);
 }
 
-/// What is seen at a pose, with the target's x, y, z in mm.
+/// Observes the arm at a pose, with the target's x, y, z in mm. It checks neither: a decision does.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_observe(
     arm: *const tpg_arm_t,
@@ -98,8 +115,11 @@ pub unsafe extern "C" fn tpg_observe(
         let target = memory::read(target.cast::<[f32; 3]>());
         (memory::content(arm), memory::read(pose), target, memory::write(observation))
     };
-    let seen = arm.and_then(|arm| Ok(Observation::at(arm, Pose(pose?.ticks), *target?)));
-    code::answer(seen.map(|seen| tpg_observation_t::of(&seen)), observation)
+    code::of(arm.and_then(|Ready { arm, .. }| {
+        let (pose, target, observation) = (pose?, target?, observation?);
+        *observation.get_mut() = Observation::at(arm, Pose(pose.ticks), *target);
+        Ok(())
+    }))
 }
 
 /// Hand to target, mm.
@@ -133,7 +153,7 @@ pub unsafe extern "C" fn tpg_observation_state(
             memory::array_mut(state, length),
         )
     };
-    code::of(arm.and_then(|arm| {
+    code::of(arm.and_then(|Ready { arm, .. }| {
         let (seen, sources, state) = (seen?.get(), sources?, state?);
         let mut wanted = 0usize;
         for &number in sources {
@@ -143,6 +163,6 @@ pub unsafe extern "C" fn tpg_observation_state(
             return Err(Refusal(TPG_LENGTH));
         }
         // SAFETY: the header's contract.
-        unsafe { memo::with(memo, arm, |memo| fill(arm, &seen, memo, sources, state)) }
+        unsafe { memo::with(memo, arm, |memo| fill(arm, seen, memo, sources, state)) }
     }))
 }

@@ -1,6 +1,6 @@
 //! The hook for policies that `tpg-codegen` compiled.
 
-use crate::arm::{tpg_arm_t, tpg_move_t};
+use crate::arm::{Ready, tpg_arm_t, tpg_move_t};
 use crate::code::{self, Refusal, TPG_LENGTH, TPG_NULL};
 use crate::memo::{self, tpg_memo_t};
 use crate::memory;
@@ -19,11 +19,11 @@ pub struct tpg_policy_t {
     pub infer: tpg_infer_t,
     /// TPG_SOURCE codes, in order: PREFIX_SOURCES of the generated header.
     pub sources: *const u8,
-    /// How many there are.
+    /// Number of sources.
     pub source_count: usize,
-    /// What each action moves: PREFIX_MOVES of the generated header. An action past the end moves nothing.
+    /// The move of each action: PREFIX_MOVES of the generated header. An action past the end moves nothing.
     pub moves: *const tpg_move_t,
-    /// How many there are.
+    /// Number of moves.
     pub move_count: usize,
 }
 
@@ -62,7 +62,8 @@ impl<'a> Checked<'a> {
     }
 }
 
-/// The move that a generated policy decides for.
+/// The move that a generated policy decides for. TPG_BAD_TARGET or TPG_BAD_SENSOR, and a move of zero, for an observation
+/// that cannot be; docs/sensors.md has the contract. Stuck motors it cannot see: see tpg_watchdog_t.
 ///
 /// `memo` is NULL, or keeps from call to call what depends on the target alone.
 #[unsafe(no_mangle)]
@@ -79,10 +80,10 @@ pub unsafe extern "C" fn tpg_policy_decide(
     let decided = policy.and_then(|policy| {
         // SAFETY: the header's contract.
         let policy = unsafe { Checked::new(policy) }?;
-        let (arm, seen) = (arm?, seen?.get());
+        let (Ready { arm, limits }, seen) = (arm?, seen?.get());
+        limits.check(seen).map_err(code::fault)?;
         // SAFETY: the header's contract.
-        let Move(ticks) = unsafe { memo::with(memo, arm, |memo| policy.decide(arm, &seen, memo)) }?;
-        Ok(tpg_move_t { ticks })
+        unsafe { memo::with(memo, arm, |memo| policy.decide(arm, seen, memo)) }
     });
-    code::answer(decided, wanted)
+    code::moves(decided, wanted)
 }

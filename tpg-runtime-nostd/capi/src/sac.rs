@@ -1,11 +1,10 @@
 //! The arm's network in integers: a preference for each joint.
 
-use crate::arm::{tpg_arm_t, tpg_move_t};
+use crate::arm::{Ready, tpg_arm_t, tpg_move_t};
 use crate::code::{self, Refusal, TPG_LENGTH, TPG_MODEL_FEATURES};
 use crate::memory::{self, Opaque};
 use crate::network::model_code;
 use crate::observation::tpg_observation_t;
-use tpg_arm::Move;
 use tpg_arm::sac::FEATURES;
 use tpg_arm::sac::packed::Model;
 
@@ -42,7 +41,7 @@ pub unsafe extern "C" fn tpg_sac_init(sac: *mut tpg_sac_t, model: *const u32, wo
     }))
 }
 
-/// How many 32-bit words of scratch memory tpg_sac_decide needs.
+/// Gives the 32-bit words of scratch memory that tpg_sac_decide needs.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_sac_scratch(sac: *const tpg_sac_t, words: *mut usize) -> i32 {
     // SAFETY: the header's contract.
@@ -50,7 +49,8 @@ pub unsafe extern "C" fn tpg_sac_scratch(sac: *const tpg_sac_t, words: *mut usiz
     code::answer(model.map(Model::scratch), words)
 }
 
-/// The move that a network decides for. `scratch` is overwritten; TPG_LENGTH where `words` are too few.
+/// The move that a network decides for. `scratch` is overwritten; TPG_LENGTH where `words` are too few. TPG_BAD_TARGET or
+/// TPG_BAD_SENSOR, and a move of zero, for an observation that cannot be; docs/sensors.md has the contract.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_sac_decide(
     sac: *const tpg_sac_t,
@@ -71,12 +71,12 @@ pub unsafe extern "C" fn tpg_sac_decide(
         )
     };
     let decided = model.and_then(|model| {
-        let (arm, seen, scratch) = (arm?, seen?, scratch?);
+        let (Ready { arm, limits }, seen, scratch) = (arm?, seen?.get(), scratch?);
+        limits.check(seen).map_err(code::fault)?;
         if scratch.len() < model.scratch() {
             return Err(Refusal(TPG_LENGTH));
         }
-        let Move(ticks) = model.decide(arm, &seen.get(), scratch);
-        Ok(tpg_move_t { ticks })
+        Ok(model.decide(arm, seen, scratch))
     });
-    code::answer(decided, wanted)
+    code::moves(decided, wanted)
 }

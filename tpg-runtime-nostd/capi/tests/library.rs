@@ -31,7 +31,7 @@ fn source(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/c").join(name)
 }
 
-/// What a command prints, and whether it succeeded.
+/// Runs a command; returns true if it succeeded, and the text that it prints.
 fn run(command: &mut Command) -> (bool, String) {
     let output = command.output().expect("it starts");
     let text = [output.stdout, output.stderr].map(|text| String::from_utf8_lossy(&text).into_owned()).concat();
@@ -73,6 +73,76 @@ fn every_code_in_c99_and_cpp11() {
         assert!(good, "{program}: {text}");
         let (good, text) = run(&mut Command::new(folder.path().join(program)));
         assert!(good, "{program}: {text}");
+    }
+}
+
+#[test]
+fn random_calls_are_answered_by_codes() {
+    let Some(archive) = made(library::host()) else { return };
+    if !tpg_testing::tool("gcc", "gcc", "random calls of the C interface") {
+        return;
+    }
+    let folder = TempDir::new().expect("a temporary folder");
+    let (program, generated) = (folder.path().join("calls"), library::top().join("generated/widowx-sac"));
+    let mut gcc = Command::new("gcc");
+    gcc.args(["-std=c99", "-O1", "-g", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]);
+    // The library itself is instrumented by `cargo xtask sanitize`, with a nightly compiler.
+    gcc.args(["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]);
+    gcc.arg(include()).arg(format!("-I{}", generated.display())).arg(source("calls.c"));
+    gcc.arg(generated.join("widowx_sac.c")).arg(&archive).arg("-lm").arg("-o").arg(&program);
+    let (good, text) = run(&mut gcc);
+    assert!(good, "{text}");
+    for seed in 0..tpg_testing::amount(2, 20) {
+        let mut calls = Command::new(&program);
+        let (good, text) = run(calls.args([&seed.to_string(), "20000"]).env("ASAN_OPTIONS", "detect_leaks=0"));
+        assert!(good, "seed {seed}: {text}");
+        // Codes are reached, or the driver tests nothing. Behind a wrong checksum no other damage of a model is looked for.
+        let reached: Vec<&str> = text.split_whitespace().filter(|word| word.contains(':')).collect();
+        let unreached: Vec<&str> = reached.iter().copied().filter(|word| word.ends_with(":0")).collect();
+        assert!(reached.len() == 14 && unreached == ["8:0", "9:0"], "seed {seed}: {text}");
+    }
+}
+
+/// The line of a mode of `sensors.c`, by name: steps OK, bad targets, bad sensors, stuck.
+fn steps(text: &str, name: &str) -> [u32; 4] {
+    let line = text.lines().find(|line| line.starts_with(&format!("{name} "))).expect("every mode has a line");
+    let mut values = line.split(['=', ' ']).filter_map(|word| word.parse().ok());
+    std::array::from_fn(|_| values.next().expect("four numbers"))
+}
+
+#[test]
+fn the_shipped_hybrids_move_nothing_on_readings_that_cannot_be() {
+    let Some(archive) = made(library::host()) else { return };
+    if !tpg_testing::tool("gcc", "gcc", "the shipped hybrids on bad readings") {
+        return;
+    }
+    let folder = TempDir::new().expect("a temporary folder");
+    write_model(folder.path());
+    let program = folder.path().join("sensors");
+    let mut gcc = Command::new("gcc");
+    gcc.args(["-std=c99", "-O1", "-g", "-ffp-contract=off", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]);
+    gcc.args(["-fsanitize=undefined", "-fno-sanitize-recover=all"]);
+    gcc.arg(include()).arg(format!("-I{}", folder.path().display())).arg(source("sensors.c"));
+    for name in ["fs", "rs"] {
+        let generated = library::top().join(format!("generated/widowx-{name}"));
+        gcc.arg(format!("-I{}", generated.display())).arg(generated.join(format!("widowx_{name}.c")));
+    }
+    let (good, text) = run(gcc.arg(&archive).arg("-lm").arg("-o").arg(&program));
+    assert!(good, "{text}");
+    let episodes = tpg_testing::amount(60, 2_000);
+    let (good, text) = run(Command::new(&program).args(["1", &episodes.to_string()]));
+    assert!(good, "{text}");
+    for hybrid in ["fs", "rs"] {
+        let of = |mode: &str| steps(&text, &format!("{hybrid} {mode}"));
+        let [_, target, sensor, stuck] = of("clean");
+        assert_eq!([target, sensor, stuck], [0; 3], "good readings are good: {text}");
+        let each = |mode: &str, place: usize| assert!(of(mode)[place] > 100, "{mode}: {text}");
+        each("stuck", 3);
+        each("pose-jumps", 3);
+        each("any-pose", 2);
+        each("any-target", 1);
+        each("any-hand", 2);
+        assert!(of("stuck")[0] < 45 * episodes, "{text}");
     }
 }
 

@@ -9,23 +9,18 @@ use tpg_codegen::emit::Prefix;
 use tpg_codegen::policy::{FloatLayer, FloatNetwork, FloatOutput, FloatValue, Input, to_c, to_words};
 use tpg_runtime::net::{Answer, Kind, Model, Squash};
 use tpg_testing::library::{self, Missing};
+use tpg_testing::numbers::Numbers;
 
-/// A stream of numbers without a pattern.
-struct Numbers(u32);
-
-impl Numbers {
-    /// From −1 to 1.
-    fn unit(&mut self) -> f32 {
-        self.0 = self.0.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        (self.0 >> 8) as f32 / (1 << 23) as f32 - 1.0
-    }
+/// A number from −1 to 1.
+fn unit(numbers: &mut Numbers) -> f32 {
+    numbers.within(1 << 23) as f32 / (1 << 23) as f32
 }
 
 fn network(sizes: &[usize], argmax: bool, numbers: &mut Numbers) -> FloatNetwork {
     let layers = sizes.windows(2).map(|pair| FloatLayer {
         inputs: pair[0],
-        weights: (0..pair[0] * pair[1]).map(|_| numbers.unit()).collect(),
-        bias: (0..pair[1]).map(|_| numbers.unit()).collect(),
+        weights: (0..pair[0] * pair[1]).map(|_| unit(numbers)).collect(),
+        bias: (0..pair[1]).map(|_| unit(numbers)).collect(),
     });
     let layers = layers.collect();
     let outputs = sizes[sizes.len() - 1];
@@ -36,11 +31,7 @@ fn network(sizes: &[usize], argmax: bool, numbers: &mut Numbers) -> FloatNetwork
     };
     FloatNetwork {
         inputs: (0..sizes[0])
-            .map(|number| Input {
-                name: format!("input {number}"),
-                offset: numbers.unit(),
-                scale: 0.5 + numbers.unit(),
-            })
+            .map(|number| Input { name: format!("input {number}"), offset: unit(numbers), scale: 0.5 + unit(numbers) })
             .collect(),
         layers,
         output: if argmax {
@@ -87,7 +78,7 @@ fn c_answers_with_the_same_bits_as_rust_for_any_shape() {
     for (number, (sizes, kind)) in shapes.iter().flat_map(|sizes| Kind::ALL.map(|kind| (sizes, kind))).enumerate() {
         let float = network(sizes, number % 4 == 3, &mut numbers);
         let mut states: Vec<Vec<f32>> =
-            (0..300).map(|_| (0..sizes[0]).map(|_| 4.0 * numbers.unit()).collect()).collect();
+            (0..300).map(|_| (0..sizes[0]).map(|_| 4.0 * unit(numbers)).collect()).collect();
         let policy = float.quantise(&states, kind, "0".repeat(64)).expect("it fits");
         states.push(vec![f32::NAN; sizes[0]]);
         states.push(vec![f32::INFINITY; sizes[0]]);

@@ -12,7 +12,7 @@ use core::arch::x86_64::{
 
 cpufeatures::new!(avx2, "avx2");
 
-/// Whether this machine has it.
+/// Returns true if this machine has it.
 pub(crate) fn is_there() -> bool {
     avx2::get()
 }

@@ -216,7 +216,7 @@ pub(crate) fn accumulate(kind: Kind, block: &[u32], inputs: &[u32]) -> [i32; ROW
     }
 }
 
-/// How many turns a kernel makes, if block and inputs are as long as it will read: 4 words of inputs and their weights a
+/// Number of turns that a kernel makes, if block and inputs are as long as it will read: 4 words of inputs and their weights a
 /// turn, biases before them and multipliers behind.
 #[inline(always)]
 fn turns(kind: Kind, block: &[u32], inputs: &[u32]) -> Option<usize> {

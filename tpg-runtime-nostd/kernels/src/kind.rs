@@ -1,4 +1,4 @@
-//! How weights and activations lie in words.
+//! Layouts of weights and activations in words.
 
 /// Rows of a block.
 pub const ROWS: usize = 4;
@@ -20,7 +20,7 @@ pub enum Kind {
     W8A8,
 }
 
-/// How activations lie in words, two words for four of them.
+/// Layout of activations in words, two words for four of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Form {
     /// (x₀, x₁), (x₂, x₃): neighbours share a word, the first in its low half. Outputs clipped to 0..=32767.
@@ -83,7 +83,7 @@ impl Kind {
         }
     }
 
-    /// How its inputs lie in words.
+    /// Layout of its inputs in words.
     pub const fn form(self) -> Form {
         match self {
             Self::W8A16 | Self::W16A16 => Form::Pairs,
@@ -100,7 +100,7 @@ impl Kind {
         of_weights.saturating_add(2 * ROWS)
     }
 
-    /// By how many bits an accumulator is greater than the sum of products.
+    /// Bits by which an accumulator is greater than the sum of products.
     pub(crate) const fn scale(self) -> u32 {
         match self {
             Self::W8A16 | Self::W16A16 => 0,

@@ -1,4 +1,4 @@
-//! The inner loops of a network in integers, and a square root: what plain Rust compiles to too many instructions.
+//! The inner loops of a network in integers, and a square root: for these plain Rust compiles to too many instructions.
 //!
 //! Weights lie in blocks of four rows, so that one load of four registers fetches the same columns of four rows (on a
 //! Cortex-M) or one vector register (on x86-64). A block is, in 32-bit words:
@@ -9,8 +9,8 @@
 //! | 4 (`i8`) or 8 (`i16`) for every 4 columns | weights, word by word of the four rows |
 //! | 4 | multipliers: an output is (accumulator · multiplier + 2³¹) >> 32 |
 //!
-//! Columns are padded with zeros to a multiple of [`COLUMNS`]. What a word of weights holds, and what the words of the
-//! inputs then are, is a matter of the [`Kind`]. The arithmetic is exact integer arithmetic modulo 2³²: every form of a
+//! Columns are padded with zeros to a multiple of [`COLUMNS`]. The [`Kind`] says which weights a word holds, and in which
+//! words the inputs then lie. The arithmetic is exact integer arithmetic modulo 2³²: every form of a
 //! kernel gives the same bits, whatever the numbers are.
 //!
 //! | form | where | module |

@@ -1,4 +1,4 @@
-//! The kernels in plain Rust: what they mean.
+//! The kernels in plain Rust, which define what all others compute.
 
 use crate::activations::{pairs, split};
 use crate::{Form, Kind, ROWS};

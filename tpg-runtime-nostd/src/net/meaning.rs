@@ -94,7 +94,7 @@ pub struct Meaning<'a> {
     /// A checksum of the inputs' names ([`contract`](super::contract)), for those who must know that they feed the right
     /// network.
     pub contract: u32,
-    /// The inputs' scales; none where whoever asks gives inputs in multiples of 1/4096, or values that are so scaled.
+    /// The inputs' scales; none where the caller gives inputs in multiples of 1/4096, or values that are so scaled.
     pub inputs: &'a [Scaling],
     /// The kind of answer.
     pub answer: Answer,

@@ -50,13 +50,13 @@ pub enum Weights<'a> {
 pub struct LayerRows<'a> {
     /// Columns of a row.
     pub inputs: usize,
-    /// How it is to be packed.
+    /// The kind that it is packed as.
     pub kind: Kind,
     /// Its weights.
     pub weights: Weights<'a>,
     /// Its biases.
     pub bias: &'a [i32],
-    /// How its accumulators become outputs.
+    /// The factors that turn accumulators into outputs.
     pub rescale: &'a [Rescale],
 }
 
@@ -100,7 +100,7 @@ impl LayerRows<'_> {
         worst * scale
     }
 
-    /// Whether every weight is one of its kind and no input can overflow an accumulator.
+    /// Returns true if every weight is one of its kind and no input can overflow an accumulator.
     const fn is_sound(&self) -> bool {
         let (least, greatest) = self.kind.weights();
         let mut row = 0;

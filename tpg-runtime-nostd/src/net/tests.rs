@@ -1,23 +1,10 @@
 use super::model::columns;
 use super::*;
 use proptest::prelude::*;
+use tpg_testing::numbers::Numbers;
 
 use std::vec;
 use std::vec::Vec;
-
-/// A stream of numbers without a pattern.
-struct Numbers(u64);
-
-impl Numbers {
-    fn next(&mut self) -> u32 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) as u32
-    }
-
-    fn below(&mut self, bound: i32) -> i32 {
-        (self.next() % (2 * bound as u32 + 1)) as i32 - bound
-    }
-}
 
 struct Random {
     inputs: usize,
@@ -36,13 +23,13 @@ impl Random {
         Self {
             inputs,
             kind,
-            small: (0..count).map(|_| numbers.below(127) as i8).collect(),
-            wide: (0..count).map(|_| numbers.below(wide) as i16).collect(),
-            bias: (0..outputs).map(|_| numbers.below(20_000)).collect(),
+            small: (0..count).map(|_| numbers.within(127) as i8).collect(),
+            wide: (0..count).map(|_| numbers.within(wide) as i16).collect(),
+            bias: (0..outputs).map(|_| numbers.within(20_000)).collect(),
             rescale: (0..outputs)
                 .map(|_| Rescale {
-                    factor: (16_384 + numbers.next() % 16_384) as i16,
-                    shift: 17 + (numbers.next() % if matches!(kind, Kind::W8A8) { 10 } else { 8 }) as u8,
+                    factor: (16_384 + numbers.next_u32() % 16_384) as i16,
+                    shift: 17 + (numbers.next_u32() % if matches!(kind, Kind::W8A8) { 10 } else { 8 }) as u8,
                 })
                 .collect(),
         }
@@ -124,7 +111,7 @@ proptest! {
         let mut scratch = vec![0xdead_beef; model.scratch()];
         for _ in 0..8 {
             let inputs: Vec<i16> = (0..sizes[0])
-                .map(|_| if extreme { [i16::MIN, i16::MAX, 0][(numbers.next() % 3) as usize] } else { numbers.next() as i16 })
+                .map(|_| if extreme { [i16::MIN, i16::MAX, 0][(numbers.next_u32() % 3) as usize] } else { numbers.next_u32() as i16 })
                 .collect();
             let expected = by_definition(&layers, &inputs);
             let mut found = vec![7; outputs];
@@ -146,7 +133,7 @@ proptest! {
     ) {
         let mut numbers = Numbers(seed);
         let layers = network(&sizes, &kinds, &mut numbers);
-        let mut float = |bound: i32| numbers.below(bound) as f32 / 1000.0;
+        let mut float = |bound: i32| numbers.within(bound) as f32 / 1000.0;
         let scales: Vec<_> = (0..sizes[0]).map(|_| Scaling { offset: float(3000), scale: float(2000) }).collect();
         let scales = if scaled { scales } else { Vec::new() };
         let outputs = sizes[sizes.len() - 1];
@@ -219,7 +206,7 @@ fn a_million_inputs_answer_the_same_in_every_kind_and_form() {
         let model = Model::parse(&words).expect("what was packed");
         let mut scratch = vec![0; model.scratch()];
         for number in 0..1_000_000 {
-            let inputs: [i16; 38] = core::array::from_fn(|_| numbers.below(8192) as i16);
+            let inputs: [i16; 38] = core::array::from_fn(|_| numbers.within(8192) as i16);
             let answer = model.first(&inputs, &mut scratch);
             if number % 10 == 0 {
                 assert_eq!(
@@ -283,9 +270,10 @@ fn a_network_that_does_not_fit_is_not_packed() {
 fn a_multiplier_is_its_rescale() {
     let mut numbers = Numbers(9);
     for _ in 0..100_000 {
-        let rescale = Rescale { factor: (numbers.next() & 0x7fff) as i16, shift: 1 + (numbers.next() % 47) as u8 };
+        let rescale =
+            Rescale { factor: (numbers.next_u32() & 0x7fff) as i16, shift: 1 + (numbers.next_u32() % 47) as u8 };
         let Some(multiplier) = rescale.multiplier() else { continue };
-        let accumulator = (numbers.next() as i32) << (numbers.next() % 4);
+        let accumulator = (numbers.next_u32() as i32) << (numbers.next_u32() % 4);
         let value = (i64::from(accumulator) * i64::from(multiplier) + (1 << 31)) >> 32;
         assert_eq!(i64::from(rescale.apply(accumulator, LAST)), value.clamp(-32767, 32767), "{rescale:?}");
     }

@@ -74,7 +74,7 @@ impl Instruction {
         Self::ALL.into_iter().find(|instruction| instruction.name() == name)
     }
 
-    /// How many operands it reads: 1 or 2. With 1, the second operand is ignored.
+    /// Number of operands that it reads: 1 or 2. With 1, the second operand is ignored.
     pub const fn arity(self) -> usize {
         match self {
             Self::Cos | Self::Sin | Self::Ln | Self::Exp | Self::Abs => 1,

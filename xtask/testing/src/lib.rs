@@ -5,6 +5,7 @@
 //! missing tool is a failure instead.
 
 pub mod library;
+pub mod numbers;
 
 use std::fs::OpenOptions;
 use std::io::{self, Write as _};

@@ -7,7 +7,7 @@ use super::{BaseEdge, Shapes};
 use crate::kinematics::{Direction, Plane, Point};
 use tpg_runtime::scalar::Scalar;
 
-/// What the arm hits.
+/// The obstacle that the arm hits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Collision {
     /// A joint or the hand's tip lies below the table.
@@ -59,8 +59,8 @@ impl<S: Scalar> Plane<S> {
     }
 }
 
-/// Whether all faces lie above the whole base, or all on the same side of it: then no segment meets an edge. Most poses
-/// are spared 32 tests by this; with a NaN among the faces none is.
+/// Returns true if all faces lie above the whole base, or all on the same side of it: then no segment meets an edge. This
+/// saves most poses 32 tests; with a NaN among the faces it is false.
 fn clear_of_base<S: Scalar>(faces: &[(Point<S>, Point<S>); 4], shapes: &Shapes<S>) -> bool {
     let (mut top, mut side) = (S::ZERO, S::ZERO);
     for edge in &shapes.base {
@@ -93,7 +93,7 @@ fn across<S: Scalar>(origin: Point<S>, aside: Direction<S>, by: S) -> Point<S> {
 
 /// A segment with what every edge asks of it: computed once, not for each of the eight.
 struct Face<S> {
-    /// Where it begins and ends, the lesser one first.
+    /// Its two ends, the lesser one first.
     x: [S; 2],
     z: [S; 2],
     /// The line through it. Undefined where it is upright.
@@ -108,7 +108,7 @@ impl<S: Scalar> Face<S> {
     }
 }
 
-/// Whether a face meets an axis-aligned edge; touching counts, and so does an undefined crossing.
+/// Returns true if a face meets an axis-aligned edge; touching counts, and so does an undefined crossing.
 fn meets<S: Scalar>(faces: &[Face<S>; 4], edge: BaseEdge<S>) -> bool {
     let x = sorted(edge.x);
     let z = sorted(edge.z);

@@ -4,14 +4,18 @@
 //! motor ticks of 1/4096 turn, so that a trajectory is a list of integers on every machine.
 
 mod collision;
+mod error;
 mod pose;
 mod step;
 mod widowx;
 
 pub use collision::Collision;
+pub use error::ArmError;
 pub use pose::{JOINTS, Joint, Move, Pose, TICKS_PER_TURN};
 pub use step::{Invalid, Step};
 pub use widowx::WIDOWX;
+
+use crate::kinematics::Lattice;
 
 /// The positions that a joint may take, both ends included.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,7 +27,7 @@ pub struct JointRange {
 }
 
 impl JointRange {
-    /// Whether `ticks` lies in the range.
+    /// Returns true if `ticks` lies in the range.
     pub const fn contains(self, ticks: i16) -> bool {
         self.min <= ticks && ticks <= self.max
     }
@@ -60,7 +64,7 @@ pub struct Shapes<S> {
     pub hand_length: S,
     /// From the hand's axis to its two long edges, measured across, positive downwards with the arm stretched forwards.
     pub hand_edges: [S; 2],
-    /// How far the forearm's end face lies beyond the wrist.
+    /// Distance of the forearm's end face beyond the wrist.
     pub forearm_overhang: S,
     /// From the forearm's axis to its two long edges, measured as [`hand_edges`](Self::hand_edges).
     pub forearm_edges: [S; 2],
@@ -71,7 +75,7 @@ pub struct Shapes<S> {
 /// A four-joint arm: a base that turns, and shoulder, elbow and wrist in one vertical plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arm<S> {
-    /// Where a fixed-start episode begins.
+    /// The pose in which a fixed-start episode begins.
     pub home: Pose,
     /// Positions of the servos that never move (wrist rotation, gripper), ticks.
     pub fixed_servos: [i16; 2],
@@ -81,6 +85,14 @@ pub struct Arm<S> {
     pub links: Links<S>,
     /// Collision shapes.
     pub shapes: Shapes<S>,
+}
+
+impl<S: Lattice> Arm<S> {
+    /// Returns the distance from the shoulder to the hand's tip with the arm stretched, mm.
+    pub fn reach(&self) -> S {
+        let Links { upper_arm, elbow_offset, forearm, hand, .. } = self.links;
+        (upper_arm * upper_arm + elbow_offset * elbow_offset).sqrt() + forearm + hand
+    }
 }
 
 impl Arm<f64> {

@@ -12,6 +12,7 @@ pub struct Joint(pub u8);
 
 /// The motor positions of the four joints, in ticks (0..=4095; 2048 is the middle of a joint's travel, 0 rad).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[repr(transparent)]
 pub struct Pose(pub [i16; JOINTS]);
 
 /// By the [`packed`](Pose::packed) number: one word for the hasher instead of four and a length.
@@ -35,7 +36,7 @@ impl Pose {
     }
 }
 
-/// What an action asks of the motors: a change in ticks for each joint.
+/// A change of the motor positions, which an action asks for: ticks for each joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Move(pub [i8; JOINTS]);
 

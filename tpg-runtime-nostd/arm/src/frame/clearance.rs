@@ -1,4 +1,4 @@
-//! How near the hand and the forearm are to the arm's own base, in the arm plane.
+//! Clearance of the hand and the forearm from the arm's own base, in the arm plane.
 
 use crate::arm::{Arm, Pose, Shapes};
 use crate::kinematics::{Direction, Lattice, Plane, Point};
@@ -107,7 +107,7 @@ fn to_side<S: Lattice>(point: Point<S>, side: &Side<S>) -> S {
     dx * dx + dz * dz
 }
 
-/// How far `to` lies from `from` along a direction.
+/// Distance of `to` from `from` along a direction.
 fn dot<S: Lattice>(direction: Direction<S>, from: Point<S>, to: Point<S>) -> S {
     (to.x - from.x) * direction.cos + (to.z - from.z) * direction.sin
 }

@@ -1,5 +1,5 @@
-//! What an observation says about the geometry of arm and target: the derived quantities that the SAC's features and
-//! a graph's derived sources share.
+//! The geometry of arm and target in an observation: the derived quantities that the SAC's features and a graph's derived
+//! sources share.
 //!
 //! Everything here follows from the 13 values of an [`Observation`] and the arm's own description, without memory and
 //! without search. It is knowledge about the arm that the paper's policies did not have, and is named as such wherever
@@ -210,7 +210,7 @@ impl<'a, S: Lattice> Frame<'a, S> {
         (radius * radius + height * height).sqrt()
     }
 
-    /// How far off the hand is at right angles to the line from the shoulder, in the arm plane, mm:
+    /// Error of the hand at right angles to the line from the shoulder, in the arm plane, mm:
     /// (ρ ζt − ζh t_r) / reach of the hand, where ζ is the height over the shoulder.
     ///
     /// Positive where the hand must rise (on the front side). 0/0 = NaN when the hand is at the shoulder, which no
@@ -245,7 +245,7 @@ impl<'a, S: Lattice> Frame<'a, S> {
         if lower.z < upper.z { lower.z } else { upper.z }
     }
 
-    /// How near hand and forearm are to the arm's own base.
+    /// Clearance of hand and forearm from the arm's own base.
     pub fn clearance(&self) -> Clearance<S> {
         Clearance::of(&self.plane, &self.arm.shapes)
     }

@@ -8,18 +8,18 @@ use crate::kinematics::Lattice;
 use crate::observation::Observation;
 use tpg_runtime::policy::Policy;
 
-/// How a hybrid's episode ended, and who did what.
+/// The end of a hybrid's episode, and the actions of each policy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HybridSummary<S> {
-    /// How it ended and where.
+    /// The end and its place.
     pub summary: Summary<S>,
-    /// Who acted, the last action included, and why they changed.
+    /// Actions of each policy, the last one included, and the reasons of their changes.
     pub counts: Counts,
 }
 
 /// An episode under way.
 ///
-/// It ends when the hand is at its target, at an invalid action, whoever chose it, and at the action limit. Stops and
+/// It ends when the hand is at its target, at an invalid action of either policy, and at the action limit. Stops and
 /// cycles of the graph are the [`Switch`]'s business. Where the network never hands back and comes to a pose again, it
 /// will for ever: that ends the episode as a cycle, too.
 #[derive(Clone, Debug)]
@@ -27,7 +27,7 @@ pub struct HybridEpisode<'a, S, T, P, D> {
     hybrid: &'a Hybrid<'a, S, T, P>,
     course: Course<'a, S>,
     switch: Switch<S, D>,
-    /// Watches the network once it has the arm for good.
+    /// Watches the network once it keeps the arm to the end.
     last_turn: Option<Brent>,
 }
 
@@ -45,7 +45,7 @@ where
         Self { hybrid, course, switch, last_turn: None }
     }
 
-    /// What the policies see now.
+    /// The observation that the policies see now.
     pub fn observation(&self) -> &Observation<S> {
         self.course.observation()
     }
@@ -55,9 +55,9 @@ where
         &self.switch
     }
 
-    /// Does one action; tells who chose it, and how the episode ended if it did.
+    /// Does one action; returns the policy that chose it, and the episode's end if it ended.
     ///
-    /// Where several ends fall together, the first of these holds: invalid, reached, cycle, timeout.
+    /// If several ends fall together, the first of these holds: invalid, reached, cycle, timeout.
     pub fn advance(&mut self) -> (Driver, Option<Outcome>) {
         let chosen = self.decide();
         (chosen.driver, self.act(chosen))
@@ -86,7 +86,7 @@ where
         if cycles { Some(Outcome::Cycle) } else { self.course.timeout() }
     }
 
-    /// Lets the hybrid act until the end; `each` sees who acted and the pose after every action.
+    /// Lets the hybrid act until the end; `each` sees the policy that acted and the pose after every action.
     pub fn run(mut self, mut each: impl FnMut(Driver, Pose)) -> HybridSummary<S> {
         loop {
             let (driver, outcome) = self.advance();

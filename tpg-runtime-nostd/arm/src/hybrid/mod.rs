@@ -7,12 +7,14 @@
 //!
 //! | item | subject |
 //! | --- | --- |
-//! | [`Settings`] | the paper's two parameters, and ours: a guard and a hand-over for good |
+//! | [`Settings`] | the paper's two parameters, and two of our own: a guard, and a hand-over that is final |
 //! | [`Hybrid`] | two policies with their settings: constant, shared by all episodes |
-//! | [`Switch`] | whose turn it is: the state of one episode, a few words and a cycle detector |
+//! | [`Switch`] | the policy whose turn it is: the state of one episode, a few words and a cycle detector |
 //! | [`HybridEpisode`] | one episode in the simulated arm |
+//! | [`Control`] | the state of a control loop on a real arm, whose readings may be wrong |
 //!
-//! On a real arm there is no [`HybridEpisode`]: the control loop asks and tells the [`Switch`] itself.
+//! On a real arm there is no [`HybridEpisode`]: the control loop calls [`Hybrid::step`], which [checks](crate::sensors) every
+//! reading. A simulation of your own asks and tells the [`Switch`] itself; nothing is checked there:
 //!
 //! ```
 //! use tpg_arm::{Joint, Move, WIDOWX};
@@ -47,10 +49,12 @@
 //! assert_eq!(switch.driver(), Driver::Sac);
 //! ```
 
+mod control;
 mod episode;
 mod part;
 mod turns;
 
+pub use control::Control;
 pub use episode::{HybridEpisode, HybridSummary};
 pub use tpg_runtime::switch::NEVER;
 pub use turns::{CAUSES, Cause, Chosen, Counts, Driver, Switch};
@@ -63,20 +67,20 @@ use part::valid_part;
 use tpg_runtime::policy::Policy;
 use tpg_runtime::switch;
 
-/// How two policies share an arm.
+/// The rules by which two policies share an arm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings<S> {
     /// Actions of the network before the graph is asked again: the paper's `nbItGoBackTPG`, from 1. [`NEVER`] makes the
-    /// hand-over one for good.
+    /// hand-over final.
     pub hand_back_after: u32,
     /// The network takes over when the distance exceeds the best one so far by more than this, mm: the paper's
     /// `sepDistance`. With infinity it never does for that reason.
     pub separation: S,
-    /// Which of the graph's actions are not executed.
+    /// The actions that are not executed.
     pub guard: Guard,
 }
 
-/// Which actions are not executed. The paper has no guard.
+/// The actions that are not executed. The paper has no guard.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Guard {
     /// Every action is executed, and an invalid one ends the episode.
@@ -110,7 +114,7 @@ impl Guard {
         Self::ALL.into_iter().find(|guard| guard.name() == name)
     }
 
-    /// Why an action of the graph must not be executed, if so.
+    /// Returns the reason why an action of the graph must not be executed, if there is one.
     pub fn refuses<S: Lattice>(self, arm: &Arm<S>, pose: Pose, wanted: Move) -> Option<Invalid> {
         match self {
             Self::None => None,
@@ -130,7 +134,7 @@ pub struct Hybrid<'a, S, T, P> {
     pub tpg: T,
     /// Helps: a soft actor-critic's network.
     pub sac: P,
-    /// How they share the arm.
+    /// The rules by which they share the arm.
     pub settings: Settings<S>,
 }
 
@@ -174,7 +178,7 @@ impl<S: Lattice> switch::Guard<Observation<S>, Move> for Guarded<'_, S> {
     }
 }
 
-/// Whether more than the base moves. The base alone changes nothing in the arm's plane, where collisions are.
+/// Returns true if more than the base moves. The base alone changes nothing in the arm's plane, where collisions are.
 fn moves_in_plane(Move([_, plane @ ..]): Move) -> bool {
     plane.iter().any(|&delta| delta != 0)
 }

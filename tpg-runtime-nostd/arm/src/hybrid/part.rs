@@ -1,4 +1,4 @@
-//! Which part of the network's move can be done.
+//! The part of the network's move that can be done.
 
 use crate::arm::{Arm, Move, Pose};
 use crate::kinematics::Lattice;

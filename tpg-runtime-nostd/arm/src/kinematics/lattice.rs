@@ -1,4 +1,4 @@
-//! What kinematics needs of a scalar beyond arithmetic.
+//! Functions of a scalar that kinematics needs beyond arithmetic.
 
 use super::Direction;
 use tpg_runtime::scalar::Scalar;

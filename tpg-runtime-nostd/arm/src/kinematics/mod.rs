@@ -5,7 +5,7 @@
 //! sines come exactly from a quarter-wave table ([`Angle`]), in a handful of instructions that never vary.
 //! [`Plane::from_radians`] is the reference for any angle, by libm.
 //!
-//! How far the hand is from where others put it, mm, at poses inside the WidowX's limits:
+//! Distance of the hand from the place where other definitions put it, mm, at poses inside the WidowX's limits:
 //!
 //! | the lattice path in | against the `f64` matrix chain of the paper's artifact | against libm in the same scalar |
 //! | --- | --- | --- |
@@ -214,12 +214,12 @@ pub fn upper_arm_direction<S: Lattice>(pose: Pose) -> Direction<S> {
     upper_arm.direction()
 }
 
-/// Where the hand's tip is at a pose, mm.
+/// The place of the hand's tip at a pose, mm.
 pub fn hand<S: Lattice>(arm: &Arm<S>, pose: Pose) -> Vector<S> {
     Plane::at(arm, pose).hand_in_world(base_direction(pose))
 }
 
-/// Where the hand's tip is at any joint angles (rad, 0 = motor position 2048), by libm: the reference.
+/// The place of the hand's tip at any joint angles (rad, 0 = motor position 2048), by libm: the reference.
 pub fn hand_from_radians<S: Lattice>(arm: &Arm<S>, joints: [S; 4]) -> Vector<S> {
     let [base, shoulder, elbow, wrist] = joints;
     Plane::from_radians(arm, shoulder, elbow, wrist).hand_in_world(S::direction_of(base))

@@ -7,7 +7,7 @@ use crate::arm::{Arm, JOINTS, Pose, TICKS_PER_TURN};
 use crate::frame::Frame;
 use crate::kinematics::{Lattice, Vector};
 
-/// What follows from the target alone: constant over an episode.
+/// Angles that follow from the target alone: constant over an episode.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Aim<S> {
     /// Base angle of the arm plane that holds the target on its front side, rad.

@@ -1,4 +1,4 @@
-//! What sources are made of that depends on the target alone, kept while the target stays.
+//! The parts of sources that depend on the target alone, kept while the target stays.
 //!
 //! A control loop asks hundreds of times about one target. Its direction, and a stance that reaches it, take inverse
 //! tangents and collision tests: on a Cortex-M4 more than a graph. Kept values are the ones that would be computed again,
@@ -11,7 +11,7 @@ use crate::arm::Arm;
 use crate::kinematics::{Lattice, Vector};
 use core::cell::Cell;
 
-/// What is known about one target, for one arm. Empty at first; a new target makes it forget.
+/// Values about one target, for one arm. Empty at first; a new target makes it forget.
 #[derive(Clone, Debug)]
 pub struct TargetMemo<S: Copy> {
     target: Cell<Option<Vector<S>>>,

@@ -1,4 +1,4 @@
-//! What a policy sees of the arm and its target, and how that fills a graph's data sources.
+//! The observation of arm and target, and the data sources of a graph that it fills.
 
 pub mod derived;
 mod memo;
@@ -23,7 +23,7 @@ use crate::frame::Frame;
 use crate::kinematics::Lattice;
 use tpg_runtime::policy::{ActionId, Policy};
 
-/// What several sources are made of: computed once, when the first of them asks.
+/// Parts that several sources share: computed once, when the first of them asks.
 struct Parts<'a, S: Copy> {
     arm: &'a Arm<S>,
     seen: &'a Observation<S>,

@@ -16,8 +16,7 @@ impl Source {
             return [0.0, 0.0];
         }
         let links = &arm.links;
-        let upper = Lattice::sqrt(links.upper_arm * links.upper_arm + links.elbow_offset * links.elbow_offset);
-        let reach = upper + links.forearm + links.hand + SLACK;
+        let reach = arm.reach() + SLACK;
         let half_turn = f64::from(TICKS_PER_TURN / 2) + SLACK;
         let around = |bound: f64| [-bound, bound];
         // The tip of a free arm is never below the table.
@@ -65,7 +64,7 @@ impl Source {
     }
 }
 
-/// How far the hand's corners can lie from its tip, mm.
+/// The greatest distance of the hand's corners from its tip, mm.
 fn corner_reach(arm: &Arm<f64>) -> f64 {
     let ahead = arm.shapes.hand_length - arm.links.hand;
     let [a, b] = arm.shapes.hand_edges;

@@ -32,7 +32,7 @@ pub struct ReachTarget<S> {
     upper_angle: S,
 }
 
-/// Where base, shoulder and elbow must go; depends on the wrist's position and the target alone.
+/// Goals of base, shoulder and elbow; they depend on the wrist's position and the target alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reach<S> {
     base: S,
@@ -40,7 +40,7 @@ pub struct Reach<S> {
     deficit: S,
 }
 
-/// Where the joints must go, with the elbow bent one way.
+/// Goals of the joints, with the elbow bent one way.
 pub(super) struct Goal<S> {
     /// Ticks.
     pub(super) base: S,
@@ -52,7 +52,7 @@ pub(super) struct Goal<S> {
     pub(super) excess: [S; 3],
 }
 
-/// How far a pose is from its [`Reach`].
+/// Distance of a pose from its [`Reach`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReachErrors<S> {
     /// Base, shoulder and elbow: goal less position, ticks.
@@ -133,7 +133,7 @@ impl<S: Lattice> Reach<S> {
         }
     }
 
-    /// How far off a pose is. Of the two bends of the elbow, the one that the joint ranges allow better; where both are
+    /// Errors of a pose. Of the two bends of the elbow, the one that the joint ranges allow better; where both are
     /// equally good, the nearer.
     pub fn errors(&self, arm: &Arm<S>, pose: Pose) -> ReachErrors<S> {
         let [base, shoulder, elbow, _] = pose.0.map(|ticks| S::from_i32(i32::from(ticks)));

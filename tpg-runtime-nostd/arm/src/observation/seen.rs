@@ -1,10 +1,13 @@
-//! The observation itself: what is seen of the arm and its target.
+//! The observation itself: the arm and its target as a policy sees them.
 
 use crate::arm::{Arm, Pose};
 use crate::kinematics::{self, Lattice, Vector};
 
 /// The paper's 13 values: four motor positions, and hand, target and their difference in mm (section 4.2).
+///
+/// Its memory is laid out as in C: a C interface may hand in its own structure.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct Observation<S> {
     /// Motor positions, ticks.
     pub pose: Pose,
@@ -31,6 +34,7 @@ impl<S: Lattice> Observation<S> {
     }
 
     /// Returns the observation at a pose.
+    #[inline(never)] // once in flash
     pub fn at(arm: &Arm<S>, pose: Pose, target: Vector<S>) -> Self {
         Self::new(arm, pose, kinematics::hand(arm, pose), target)
     }

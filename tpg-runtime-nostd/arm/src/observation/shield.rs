@@ -1,7 +1,7 @@
-//! The shield: which of the paper's eight actions the arm would refuse.
+//! The shield: those of the paper's eight actions that the arm would refuse.
 //!
 //! A policy that may not bid for what would be refused is another policy than one that has learned to avoid it, so a
-//! shield is a part of its graph: a source like any other, whose values the bids for actions are bounded by.
+//! shield is a part of its graph: a source like any other, whose values bound the bids for actions.
 
 use crate::arm::{Arm, JOINTS, Joint, Move, Pose};
 use crate::kinematics::{Lattice, Plane};
@@ -9,10 +9,10 @@ use crate::kinematics::{Lattice, Plane};
 /// The actions that a shield speaks of: each joint in turn, first raised, then lowered.
 pub const SHIELDED: usize = 2 * JOINTS;
 
-/// How far they move their joint, ticks (the paper, section 4.2).
+/// Ticks by which they move their joint (the paper, section 4.2).
 pub const STEP: i8 = 3;
 
-/// What an action's bid is bounded by: the value where the action is allowed; where it would be refused, its negative.
+/// The bound of an action's bid where the action is allowed; where it would be refused, the bound is the negative.
 ///
 /// 2¹²⁷, exact in both scalars. An infinity would do the same, but JSON, and so a graph's ranges, has none. A program's
 /// last line `min(shield, bid)` makes the bid its own where it is less, keeps a NaN, and lets nothing past a refusal.
@@ -31,10 +31,10 @@ fn bounds<S: Lattice>(step: i8, allowed: impl Fn(Move) -> bool) -> [S; SHIELDED]
 
 /// The action at a place of the shield, of `step` ticks.
 pub const fn action(place: u8, step: i8) -> Move {
-    Move::single(Joint(place / 2), if place.is_multiple_of(2) { step } else { -step })
+    Move::single(Joint(place / 2), if place.is_multiple_of(2) { step } else { step.saturating_neg() })
 }
 
-/// Whether every joint stays in its range.
+/// Returns true if every joint stays in its range.
 fn within<S: Lattice>(arm: &Arm<S>, pose: Pose, wanted: Move) -> bool {
     let joints = pose.0.into_iter().zip(wanted.0).zip(arm.ranges);
     joints.into_iter().all(|((ticks, delta), range)| range.contains(ticks.saturating_add(i16::from(delta))))
@@ -63,13 +63,19 @@ pub fn collision_with<S: Lattice>(
             && !if base != 0 {
                 here
             } else {
-                collides(Pose([pose.0[0], at_shoulder + shoulder, at_elbow + elbow, at_wrist + wrist]))
+                // Each is within its range, and so no sum overflows but for a joint at the end of `i16` itself.
+                collides(Pose([
+                    pose.0[0],
+                    at_shoulder.saturating_add(shoulder),
+                    at_elbow.saturating_add(elbow),
+                    at_wrist.saturating_add(wrist),
+                ]))
             }
     })
 }
 
 /// [`Source::ShieldCollision`](super::Source::ShieldCollision).
-#[inline(never)] // dear, and few graphs have it: a static bound can leave it out
+#[inline(never)] // expensive, and few graphs have it: a static bound can leave it out
 pub fn collision<S: Lattice>(arm: &Arm<S>, pose: Pose) -> [S; SHIELDED] {
     collision_with(arm, pose, STEP, |pose| Plane::at(arm, pose).collision(&arm.shapes).is_some())
 }

@@ -24,7 +24,7 @@ pub enum Source {
     /// By how many ticks base, shoulder and elbow are off, if the wrist stays: the closed-form inverse kinematics of
     /// the other three joints.
     Reach,
-    /// What stands against [`Reach`](Self::Reach): ticks by which the shoulder's and the elbow's goal lie outside their
+    /// Excess of [`Reach`](Self::Reach): ticks by which the shoulder's and the elbow's goal lie outside their
     /// range, and mm by which the target is too far away or too near.
     ReachExcess,
     /// The hand's pitch at that goal, ticks below the horizontal.
@@ -99,7 +99,7 @@ impl Source {
         None
     }
 
-    /// How many values it has.
+    /// Number of its values.
     pub const fn length(self) -> usize {
         match self {
             Self::ReachPitch | Self::Floor => 1,

@@ -9,18 +9,18 @@ use super::reach::{Goal, ReachTarget};
 use crate::arm::{Arm, JOINTS, Pose};
 use crate::kinematics::{Lattice, Plane, Vector};
 
-/// How far the wrist is from straight, ticks, in the order of preference. Raising the wrist's motor turns the hand back.
+/// Distances of the wrist from straight, ticks, in the order of preference. Raising the wrist's motor turns the hand back.
 /// 948 ticks are 83°, short of the limits. Of 1,000 reachable targets 898 have a free pose with the first, 989 with one.
 const WRISTS: [i16; 4] = [0, -448, -948, 948];
 
-/// Where every joint must go. Depends on the target alone: who decides many times about the same target may keep it.
+/// A goal for every joint. It depends on the target alone, so it can be kept while the target stays.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stance<S> {
     /// Base, shoulder, elbow and wrist, ticks.
     goal: [S; JOINTS],
 }
 
-/// A pose that is considered.
+/// A pose that may become the stance.
 struct Candidate<S> {
     goal: [S; JOINTS],
     /// 0 where nothing stands against it; otherwise ticks outside of ranges and mm out of reach, and more for a collision.
@@ -30,18 +30,19 @@ struct Candidate<S> {
 impl<S: Lattice> Stance<S> {
     /// For a target in mm: the first pose that the arm can take. Where it can take none, the one against which the least
     /// stands; a collision counts like 4,096 ticks.
-    #[inline(never)] // dear and rare: a static bound counts it once a target
+    #[inline(never)] // expensive and rare: a static bound counts it once a target
     pub fn at(arm: &Arm<S>, target: Vector<S>) -> Self {
         let seen = ReachTarget::at(arm, target);
+        // Wrapping: a home that no arm has must not panic. `Arm::check` refuses it.
         let [.., straight] = arm.home.0;
         let [first, others @ ..] = WRISTS;
-        let mut best = candidate(arm, &seen, straight + first);
+        let mut best = candidate(arm, &seen, straight.wrapping_add(first));
         for wrist in others {
             // Nothing can be better than a pose against which nothing stands, as for most targets the first is.
             if best.against == S::ZERO {
                 break;
             }
-            let next = candidate(arm, &seen, straight + wrist);
+            let next = candidate(arm, &seen, straight.wrapping_add(wrist));
             if next.against < best.against {
                 best = next;
             }

@@ -6,7 +6,7 @@ use crate::arm::{JOINTS, JointRange, Move, Pose};
 pub trait Magnitude: Copy + PartialOrd {
     /// The distance from zero; the greatest value of the type where that has none.
     fn magnitude(self) -> Self;
-    /// Whether it lies below zero.
+    /// Returns true if it lies below zero.
     fn is_negative(self) -> bool;
 }
 
@@ -52,7 +52,7 @@ impl Actions {
     }
 }
 
-/// Which moves a policy refuses by itself. It is part of the policy and named wherever its results are.
+/// The moves that a policy refuses by itself. It is part of the policy and named wherever its results are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Mask {
     /// None.
@@ -76,7 +76,7 @@ impl Mask {
     }
 }
 
-/// How preferences become a move: the least magnitude from which a joint moves by that many ticks.
+/// The rule by which preferences become a move: the least magnitude from which a joint moves by that many ticks.
 ///
 /// A preference that reaches no threshold leaves its joint at rest. If that holds for all joints and the arm may not
 /// rest, the one with the greatest magnitude moves by the smallest step (the first of equals): a policy that stands
@@ -85,9 +85,9 @@ impl Mask {
 pub struct Decision<T, const STEPS: usize> {
     /// Threshold and ticks, both rising.
     pub steps: [(T, i8); STEPS],
-    /// What is refused.
+    /// The moves that are refused.
     pub mask: Mask,
-    /// Whether no joint at all may move. The paper's policies may rest.
+    /// True if the arm may rest: no joint moves. The paper's policies may.
     pub may_rest: bool,
 }
 

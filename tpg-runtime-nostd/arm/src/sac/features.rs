@@ -1,10 +1,10 @@
-//! What the network reads of a [`Frame`].
+//! The features of a [`Frame`] that the network reads.
 
 use crate::arm::Joint;
 use crate::frame::Frame;
 use crate::kinematics;
 
-/// How many features there are.
+/// Number of features.
 pub const FEATURES: usize = 38;
 
 /// Lengths are divided by this, mm: about the arm's reach, halved.

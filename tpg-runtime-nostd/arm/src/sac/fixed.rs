@@ -96,10 +96,16 @@ impl FixedDecision {
         pose: crate::arm::Pose,
         ranges: &[crate::arm::JointRange; JOINTS],
     ) -> Move {
-        match self {
-            Self::Fine(decision) => decision.decide(preferences, pose, ranges),
-            Self::Coarse(decision) => decision.decide(preferences, pose, ranges),
-        }
+        // One function for both: it is long, and flash is short. A step that stands three times is as one.
+        let widened;
+        let decision = match self {
+            Self::Fine(decision) => decision,
+            Self::Coarse(Decision { steps: [step], mask, may_rest }) => {
+                widened = Decision { steps: [*step; 3], mask: *mask, may_rest: *may_rest };
+                &widened
+            }
+        };
+        decision.decide(preferences, pose, ranges)
     }
 }
 

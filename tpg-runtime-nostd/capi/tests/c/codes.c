@@ -82,6 +82,20 @@ static void arm_and_observation(void)
     CHECK(memcmp(&arm, &own, sizeof arm) == 0);
     bad.min[2] = 4000;
     CHECK(tpg_arm_init(&own, &bad) == TPG_ARGUMENT);
+    bad = widowx;
+    bad.home.ticks[3] = 1024;
+    CHECK(tpg_arm_init(&own, &bad) == TPG_ARGUMENT);
+    bad = widowx;
+    bad.max[0] = 4096;
+    CHECK(tpg_arm_init(&own, &bad) == TPG_ARGUMENT);
+    bad = widowx;
+    bad.forearm = NAN;
+    CHECK(tpg_arm_init(&own, &bad) == TPG_ARGUMENT);
+    bad.forearm = 0.0F;
+    CHECK(tpg_arm_init(&own, &bad) == TPG_ARGUMENT);
+    bad = widowx;
+    bad.base_edges[1].z[0] = INFINITY;
+    CHECK(tpg_arm_init(&own, &bad) == TPG_ARGUMENT);
     CHECK(tpg_arm_init(&own, NULL) == TPG_NULL);
     CHECK(tpg_arm_home(&arm, &pose) == TPG_OK);
     CHECK(pose.ticks[0] == 2048);
@@ -168,6 +182,7 @@ static void policies(void)
     tpg_policy_t other = policy;
     tpg_pose_t pose;
     tpg_observation_t seen;
+    tpg_observation_t garbled;
     tpg_move_t wanted;
     size_t words = 0U;
     const float target[3] = { -250.0F, 239.0F, 267.0F };
@@ -175,6 +190,7 @@ static void policies(void)
     CHECK(tpg_arm_init_widowx(&arm) == TPG_OK);
     CHECK(tpg_arm_home(&arm, &pose) == TPG_OK);
     CHECK(tpg_observe(&arm, &pose, target, &seen) == TPG_OK);
+    garbled = seen;
     CHECK(tpg_policy_decide(&policy, &arm, &seen, NULL, &wanted) == TPG_OK);
     CHECK(wanted.ticks[0] == 3);
     CHECK(tpg_policy_decide(NULL, &arm, &seen, NULL, &wanted) == TPG_NULL);
@@ -192,6 +208,15 @@ static void policies(void)
     other = policy;
     other.moves = NULL;
     CHECK(tpg_policy_decide(&other, &arm, &seen, NULL, &wanted) == TPG_NULL);
+    wanted.ticks[0] = 3;
+    garbled.target[2] = NAN;
+    CHECK(tpg_policy_decide(&policy, &arm, &garbled, NULL, &wanted) == TPG_BAD_TARGET);
+    CHECK(wanted.ticks[0] == 0);
+    garbled = seen;
+    garbled.hand[0] += 1.0F;
+    wanted.ticks[0] = 3;
+    CHECK(tpg_policy_decide(&policy, &arm, &garbled, NULL, &wanted) == TPG_BAD_SENSOR);
+    CHECK(wanted.ticks[0] == 0);
 
     CHECK(tpg_sac_init(&sac, model, MODEL_WORDS) == TPG_OK);
     CHECK(tpg_sac_init(NULL, model, MODEL_WORDS) == TPG_NULL);
@@ -212,6 +237,8 @@ static void policies(void)
     CHECK(tpg_sac_decide(&sac, &arm, &seen, scratch, MODEL_SCRATCH - 1U, &wanted) == TPG_LENGTH);
     CHECK(tpg_sac_decide(&sac, &arm, &seen, NULL, MODEL_SCRATCH, &wanted) == TPG_NULL);
     CHECK(tpg_sac_decide(&raw, &arm, &seen, scratch, MODEL_SCRATCH, &wanted) == TPG_STATE);
+    CHECK(tpg_sac_decide(&sac, &arm, &garbled, scratch, MODEL_SCRATCH, &wanted) == TPG_BAD_SENSOR);
+    CHECK((wanted.ticks[0] == 0) && (wanted.ticks[1] == 0) && (wanted.ticks[2] == 0) && (wanted.ticks[3] == 0));
 }
 
 static void episodes(void)
@@ -224,10 +251,16 @@ static void episodes(void)
     int32_t outcome = TPG_RUNNING;
     uint32_t actions = 0U;
     const tpg_problem_t problem = { { { 2048, 2048, 2048, 2048 } }, { -250.0F, 239.2F, 267.0F }, 3.0F, 1707U };
+    tpg_problem_t impossible = problem;
 
     CHECK(tpg_arm_init_widowx(&arm) == TPG_OK);
     CHECK(tpg_episode_init(NULL, &arm, &problem) == TPG_NULL);
     CHECK(tpg_episode_init(&episode, &arm, NULL) == TPG_NULL);
+    impossible.target[0] = INFINITY;
+    CHECK(tpg_episode_init(&episode, &arm, &impossible) == TPG_BAD_TARGET);
+    impossible = problem;
+    impossible.start.ticks[0] = -1;
+    CHECK(tpg_episode_init(&episode, &arm, &impossible) == TPG_BAD_SENSOR);
     CHECK(tpg_episode_observation(&raw, &seen) == TPG_STATE);
     CHECK(tpg_episode_init(&episode, &arm, &problem) == TPG_OK);
     while (outcome == TPG_RUNNING) {
@@ -258,7 +291,10 @@ static void hybrids(void)
     tpg_counts_t counts;
     int32_t cause = TPG_CAUSE_NONE;
     int32_t outcome = TPG_RUNNING;
+    const tpg_watch_t no_patience = { TPG_WATCH_THRESHOLD, 0U };
+    const tpg_watch_t too_great = { TPG_WATCH_NEVER + 1U, TPG_WATCH_PATIENCE };
     const tpg_problem_t problem = { { { 2048, 2048, 2048, 2048 } }, { 120.0F, 300.0F, 200.0F }, 3.0F, 1707U };
+    tpg_problem_t impossible = problem;
 
     idle.infer = never_moves;
     CHECK(tpg_arm_init_widowx(&arm) == TPG_OK);
@@ -276,7 +312,12 @@ static void hybrids(void)
 
     /* By hand: the graph does not move, so the network takes over. */
     CHECK(tpg_observe(&arm, &problem.start, problem.target, &seen) == TPG_OK);
-    CHECK(tpg_switch_init(&turn, &settings, &seen) == TPG_OK);
+    CHECK(tpg_switch_init(&turn, &raw, NULL, &seen) == TPG_STATE);
+    CHECK(tpg_switch_init(&turn, &hybrid, NULL, NULL) == TPG_NULL);
+    CHECK(tpg_switch_init(&turn, &hybrid, MISALIGNED(tpg_watch_t), &seen) == TPG_MISALIGNED);
+    CHECK(tpg_switch_init(&turn, &hybrid, &no_patience, &seen) == TPG_ARGUMENT);
+    CHECK(tpg_switch_init(&turn, &hybrid, &too_great, &seen) == TPG_ARGUMENT);
+    CHECK(tpg_switch_init(&turn, &hybrid, NULL, &seen) == TPG_OK);
     CHECK(tpg_hybrid_decide(&hybrid, &turn, &seen, &chosen) == TPG_OK);
     CHECK(chosen.driver == TPG_DRIVER_GRAPH);
     CHECK(tpg_switch_acted(&turn, &chosen, &seen, &cause) == TPG_OK);
@@ -289,6 +330,11 @@ static void hybrids(void)
     CHECK((counts.graph_actions == 1U) && (counts.hand_overs[2] == 1U));
 
     /* Simulated. */
+    impossible.target[1] = NAN;
+    CHECK(tpg_hybrid_episode_init(&episode, &hybrid, &impossible) == TPG_BAD_TARGET);
+    impossible = problem;
+    impossible.start.ticks[2] = 0;
+    CHECK(tpg_hybrid_episode_init(&episode, &hybrid, &impossible) == TPG_BAD_SENSOR);
     CHECK(tpg_hybrid_episode_init(&episode, &hybrid, &problem) == TPG_OK);
     while (outcome == TPG_RUNNING) {
         CHECK(tpg_hybrid_episode_decide(&episode, &chosen) == TPG_OK);
@@ -302,6 +348,91 @@ static void hybrids(void)
     CHECK(tpg_hybrid_episode_observation(&episode, NULL) == TPG_NULL);
 }
 
+/* The control step of a real arm, and the watchdog of a loop without a hybrid. */
+static void steps(void)
+{
+    static tpg_arm_t arm;
+    static tpg_sac_t sac;
+    static tpg_hybrid_t hybrid;
+    static tpg_switch_t turn;
+    static tpg_switch_t raw;
+    static tpg_watchdog_t watchdog;
+    static uint32_t scratch[MODEL_SCRATCH];
+    const tpg_settings_t settings = { 5U, 20.0F, TPG_GUARD_BOTH };
+    const tpg_watch_t watch = { 4U, 8U };
+    const float target[3] = { -250.0F, 239.0F, 267.0F };
+    const float far_away[3] = { 0.0F, 460.0F, 125.0F };
+    tpg_pose_t motors;
+    tpg_pose_t nowhere = { { 2048, 2048, 0, 2048 } };
+    tpg_observation_t seen;
+    tpg_chosen_t chosen;
+    tpg_counts_t counts;
+    tpg_counts_t after;
+    int32_t code = TPG_OK;
+    uint32_t done = 0U;
+
+    CHECK(tpg_arm_init_widowx(&arm) == TPG_OK);
+    CHECK(tpg_sac_init(&sac, model, MODEL_WORDS) == TPG_OK);
+    CHECK(tpg_hybrid_init(&hybrid, &arm, &policy, &sac, &settings, scratch, MODEL_SCRATCH) == TPG_OK);
+    CHECK(tpg_observe(&arm, &nowhere, target, &seen) == TPG_OK);
+    CHECK(tpg_switch_init(&turn, &hybrid, &watch, &seen) == TPG_BAD_SENSOR);
+    CHECK(tpg_arm_home(&arm, &motors) == TPG_OK);
+    CHECK(tpg_observe(&arm, &motors, target, &seen) == TPG_OK);
+    CHECK(tpg_switch_init(&turn, &hybrid, &watch, &seen) == TPG_OK);
+    CHECK(tpg_hybrid_step(&hybrid, &raw, &motors, target, &seen, &chosen) == TPG_STATE);
+    CHECK(tpg_hybrid_step(&hybrid, &turn, NULL, target, &seen, &chosen) == TPG_NULL);
+    CHECK(tpg_hybrid_step(&hybrid, &turn, &motors, NULL, &seen, &chosen) == TPG_NULL);
+    CHECK(tpg_hybrid_step(&hybrid, &turn, &motors, target, NULL, &chosen) == TPG_NULL);
+    CHECK(tpg_hybrid_step(&hybrid, &turn, &motors, target, &seen, NULL) == TPG_NULL);
+    CHECK(tpg_hybrid_step(&hybrid, &turn, &motors, MISALIGNED(float), &seen, &chosen) == TPG_MISALIGNED);
+    CHECK(tpg_switch_resume(&raw, &motors) == TPG_STATE);
+    CHECK(tpg_switch_resume(&turn, NULL) == TPG_NULL);
+    CHECK(tpg_switch_resume(&turn, &nowhere) == TPG_BAD_SENSOR);
+
+    CHECK(tpg_hybrid_step(&hybrid, &turn, &motors, target, &seen, &chosen) == TPG_OK);
+    CHECK(chosen.wanted.ticks[0] == 3);
+    CHECK(tpg_switch_counts(&turn, &counts) == TPG_OK);
+    CHECK(tpg_hybrid_step(&hybrid, &turn, &motors, far_away, &seen, &chosen) == TPG_BAD_TARGET);
+    CHECK((chosen.wanted.ticks[0] == 0) && (seen.target[0] == target[0]));
+    chosen.wanted.ticks[1] = 3;
+    CHECK(tpg_hybrid_step(&hybrid, &turn, &nowhere, target, &seen, &chosen) == TPG_BAD_SENSOR);
+    CHECK(chosen.wanted.ticks[1] == 0);
+    CHECK(tpg_switch_counts(&turn, &after) == TPG_OK);
+    CHECK(memcmp(&counts, &after, sizeof counts) == 0);
+
+    /* Motors that do not move. */
+    while ((code == TPG_OK) && (done < 100U)) {
+        code = tpg_hybrid_step(&hybrid, &turn, &motors, target, &seen, &chosen);
+        done++;
+    }
+    CHECK((code == TPG_STUCK) && (done < 8U));
+    CHECK((chosen.wanted.ticks[0] == 0) && (chosen.driver == TPG_DRIVER_GRAPH));
+    CHECK(tpg_hybrid_decide(&hybrid, &turn, &seen, &chosen) == TPG_STUCK);
+    CHECK(tpg_switch_acted(&turn, &chosen, &seen, &code) == TPG_STUCK);
+    CHECK(tpg_switch_resume(&turn, &motors) == TPG_OK);
+    CHECK(tpg_hybrid_step(&hybrid, &turn, &motors, target, &seen, &chosen) == TPG_OK);
+    seen.difference[0] = NAN;
+    CHECK(tpg_hybrid_decide(&hybrid, &turn, &seen, &chosen) == TPG_BAD_SENSOR);
+    CHECK(tpg_switch_acted(&turn, &chosen, &seen, &code) == TPG_BAD_SENSOR);
+
+    CHECK(tpg_watchdog_check(&watchdog, &motors, target) == TPG_STATE);
+    CHECK(tpg_watchdog_init(&watchdog, &arm, NULL, &nowhere) == TPG_BAD_SENSOR);
+    CHECK(tpg_watchdog_init(&watchdog, NULL, NULL, &motors) == TPG_NULL);
+    CHECK(tpg_watchdog_init(&watchdog, &arm, &watch, &motors) == TPG_OK);
+    CHECK(tpg_watchdog_check(&watchdog, &motors, far_away) == TPG_BAD_TARGET);
+    CHECK(tpg_watchdog_check(&watchdog, &nowhere, target) == TPG_BAD_SENSOR);
+    CHECK(tpg_watchdog_check(&watchdog, NULL, target) == TPG_NULL);
+    CHECK(tpg_watchdog_commanded(&watchdog, &motors, NULL) == TPG_NULL);
+    for (done = 0U; done < 2U; done++) {
+        CHECK(tpg_watchdog_check(&watchdog, &motors, target) == TPG_OK);
+        CHECK(tpg_watchdog_commanded(&watchdog, &motors, &moves[0]) == TPG_OK);
+    }
+    CHECK(tpg_watchdog_check(&watchdog, &motors, target) == TPG_STUCK);
+    CHECK(tpg_watchdog_resume(&watchdog, &nowhere) == TPG_BAD_SENSOR);
+    CHECK(tpg_watchdog_resume(&watchdog, &motors) == TPG_OK);
+    CHECK(tpg_watchdog_check(&watchdog, &motors, target) == TPG_OK);
+}
+
 int main(void)
 {
     arm_and_observation();
@@ -309,5 +440,6 @@ int main(void)
     policies();
     episodes();
     hybrids();
+    steps();
     return (failures == 0) ? 0 : 1;
 }

@@ -1,0 +1,170 @@
+//! The table of sensor faults: readings, and the codes that the contract asks for. Host, C and firmwares run the same one.
+#![allow(dead_code, reason = "each of the programs that include this file uses a part")]
+
+/// The reading in a phase, made from where the simulated motors really are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Reading {
+    /// The motors do as they are told, and say so.
+    Good,
+    /// No motor moves.
+    Stuck,
+    /// This joint's motor does not move.
+    JointStuck(u8),
+    /// The reading is so many steps old.
+    Late(u8),
+    /// This joint reads so many ticks too much.
+    Jump(u8, i16),
+    /// This joint always reads that.
+    Fixed(u8, i16),
+    /// Good at every other step; this joint reads that in between, first of all.
+    Flicker(u8, i16),
+    /// Observed by the caller, with a hand that is NaN.
+    HandNan,
+    /// With an infinite difference.
+    DifferenceInfinite,
+    /// With a hand that is 50 mm off, but not its difference.
+    HandOff,
+    /// With an infinite hand, and the difference that belongs to it.
+    HandInfinite,
+}
+
+/// The target in a phase.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Target {
+    /// One that the arm reaches.
+    Good,
+    /// One coordinate is NaN.
+    Nan,
+    /// One coordinate is infinite.
+    Infinite,
+    /// One coordinate is 10³⁸ mm.
+    Huge,
+    /// Some millimetres farther than the arm is long.
+    Far,
+}
+
+/// The codes of `tpg_runtime.h`.
+pub(crate) const OK: i32 = 0;
+pub(crate) const BAD_TARGET: i32 = 11;
+pub(crate) const BAD_SENSOR: i32 = 12;
+pub(crate) const STUCK: i32 = 13;
+
+/// Some steps of a scenario.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Phase {
+    pub(crate) steps: u16,
+    pub(crate) reading: Reading,
+    pub(crate) target: Target,
+    /// True where the caller says first that it removed the cause.
+    pub(crate) resume: bool,
+    /// The code of every step from `within` on; before that, OK and the code of the phase before are right, too.
+    pub(crate) code: i32,
+    pub(crate) within: u16,
+}
+
+/// A run from home towards one target.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Scenario {
+    pub(crate) name: &'static str,
+    /// Threshold and patience.
+    pub(crate) watch: (u16, u16),
+    pub(crate) phases: &'static [Phase],
+}
+
+/// The reachable target, mm.
+pub(crate) const GOOD_TARGET: [f32; 3] = [-250.0, 239.0, 267.0];
+/// The target out of reach, mm: the arm is 447.2 mm long from a shoulder at a height of 125 mm.
+pub(crate) const FAR_TARGET: [f32; 3] = [0.0, 450.0, 125.0];
+
+const fn phase(steps: u16, reading: Reading, code: i32, within: u16) -> Phase {
+    Phase { steps, reading, target: Target::Good, resume: false, code, within }
+}
+
+const fn resumed(steps: u16, reading: Reading, code: i32, within: u16) -> Phase {
+    Phase { resume: true, ..phase(steps, reading, code, within) }
+}
+
+const fn aimed(steps: u16, target: Target) -> Phase {
+    Phase { target, ..phase(steps, Reading::Good, BAD_TARGET, 0) }
+}
+
+const fn good(steps: u16) -> Phase {
+    phase(steps, Reading::Good, OK, 0)
+}
+
+const fn scenario(name: &'static str, phases: &'static [Phase]) -> Scenario {
+    Scenario { name, watch: (32, 64), phases }
+}
+
+/// The table.
+pub(crate) static SCENARIOS: [Scenario; 24] = [
+    scenario("healthy", &[good(150)]),
+    // Stuck.
+    scenario("stuck-from-the-start", &[phase(60, Reading::Stuck, STUCK, 45)]),
+    scenario("stuck-on-the-way", &[good(40), phase(60, Reading::Stuck, STUCK, 45)]),
+    scenario("one-joint-stuck", &[good(20), phase(80, Reading::JointStuck(0), STUCK, 60)]),
+    scenario("stuck-and-freed", &[good(20), phase(60, Reading::Stuck, STUCK, 45), resumed(60, Reading::Good, OK, 0)]),
+    scenario(
+        "stuck-and-not-freed",
+        &[
+            phase(60, Reading::Stuck, STUCK, 45),
+            resumed(60, Reading::Stuck, STUCK, 45),
+            resumed(9, Reading::Good, OK, 0),
+        ],
+    ),
+    Scenario {
+        name: "stuck-by-a-strict-watch",
+        watch: (4, 8),
+        phases: &[good(30), phase(20, Reading::Stuck, STUCK, 8), resumed(30, Reading::Good, OK, 0)],
+    },
+    // Jumping.
+    scenario("a-reading-jumps", &[good(30), phase(1, Reading::Jump(1, 500), STUCK, 0), good(30)]),
+    scenario("a-small-jump-is-borne", &[good(30), phase(3, Reading::Jump(2, 20), OK, 0), good(30)]),
+    scenario(
+        "a-jump-that-stays",
+        &[good(30), phase(20, Reading::Jump(3, -200), STUCK, 0), resumed(20, Reading::Jump(3, -200), OK, 0)],
+    ),
+    scenario("readings-flicker", &[good(10), phase(40, Reading::Flicker(0, -1), BAD_SENSOR, 40), good(10)]),
+    // Motors outside their ranges: what a bus says when a servo does not answer.
+    scenario("all-ones", &[good(10), phase(10, Reading::Fixed(2, -1), BAD_SENSOR, 0), good(30)]),
+    scenario("the-greatest-number", &[good(10), phase(10, Reading::Fixed(0, i16::MAX), BAD_SENSOR, 0), good(30)]),
+    scenario("the-least-number", &[good(10), phase(10, Reading::Fixed(3, i16::MIN), BAD_SENSOR, 0), good(30)]),
+    scenario("a-tick-too-far", &[good(10), phase(10, Reading::Fixed(1, 3072), BAD_SENSOR, 0), good(30)]),
+    scenario("bad-from-the-start", &[phase(10, Reading::Fixed(1, 0), BAD_SENSOR, 0), good(30)]),
+    // Late.
+    scenario("a-step-late", &[good(10), phase(80, Reading::Late(1), OK, 0), good(30)]),
+    scenario("five-steps-late", &[good(10), phase(80, Reading::Late(5), OK, 0), good(30)]),
+    // It is found out, the arm waits, the readings come, and it goes on by itself.
+    scenario(
+        "late-until-it-comes",
+        &[
+            good(10),
+            phase(1, Reading::Late(30), OK, 0),
+            phase(20, Reading::Late(30), STUCK, 0),
+            phase(10, Reading::Late(30), OK, 0),
+            good(40),
+        ],
+    ),
+    // No numbers.
+    scenario("target-nan", &[good(10), aimed(10, Target::Nan), good(30)]),
+    scenario("target-infinite", &[good(10), aimed(10, Target::Infinite), aimed(10, Target::Huge), good(30)]),
+    scenario("target-out-of-reach", &[aimed(10, Target::Far), good(30)]),
+    scenario(
+        "hand-no-number",
+        &[
+            good(10),
+            phase(5, Reading::HandNan, BAD_SENSOR, 0),
+            phase(5, Reading::HandInfinite, BAD_SENSOR, 0),
+            good(20),
+        ],
+    ),
+    scenario(
+        "difference-of-another-hand",
+        &[
+            good(10),
+            phase(5, Reading::DifferenceInfinite, BAD_SENSOR, 0),
+            phase(5, Reading::HandOff, BAD_SENSOR, 0),
+            good(20),
+        ],
+    ),
+];

@@ -1,0 +1,102 @@
+//! Checks that need a nightly compiler: Miri, and sanitizers over the C interface. Without their tools they are skipped loudly.
+
+use std::path::Path;
+use std::process::{Command, Stdio};
+use tpg_testing::library;
+
+/// The packages and tests that Miri interprets, with the reason for a choice.
+const MIRI: [&[&str]; 4] = [
+    // Not the million states of the integration tests: minutes each under Miri.
+    &["-p", "tpg-runtime", "--lib"],
+    &["-p", "tpg-kernels"],
+    &["-p", "tpg-arm", "--test", "sensors", "--test", "episode"],
+    &["-p", "tpg-runtime-capi", "--test", "calls"],
+];
+
+/// Rounds of random calls for each seed, some 57,000 calls.
+const ROUNDS: &str = "20000";
+
+/// Runs Miri on the runtime, the kernels, the arm and the C interface; returns true if it found nothing.
+pub(crate) fn miri() -> bool {
+    if !there(&["+nightly", "miri", "--version"], "rustup component add --toolchain nightly miri rust-src", "Miri") {
+        return !tpg_testing::required();
+    }
+    MIRI.iter().fold(true, |good, arguments| {
+        println!("\n==== Miri: {}", arguments.join(" "));
+        let mut cargo = Command::new("cargo");
+        cargo.args(["+nightly", "miri", "test"]).args(*arguments).env_remove("RUSTC").env_remove("RUSTDOC");
+        // Few cases of each property; files of earlier failures are not read in isolation.
+        cargo.env("PROPTEST_CASES", "4").env("MIRIFLAGS", "-Zmiri-disable-isolation");
+        cargo.env("CARGO_TARGET_DIR", library::target_folder().join("miri")).env_remove("RUSTUP_TOOLCHAIN");
+        cargo.current_dir(library::top()).stdin(Stdio::null()).status().is_ok_and(|status| status.success()) && good
+    })
+}
+
+/// Runs random calls of the C interface with the library and its caller instrumented: addresses, undefined behaviour,
+/// overflow checks. Returns true if nothing was found.
+pub(crate) fn sanitize(seeds: u32) -> bool {
+    let what = "the C interface under ASan and UBSan";
+    if !there(&["+nightly", "--version"], "rustup toolchain install nightly", what)
+        || !tpg_testing::tool("gcc", "gcc", what)
+    {
+        return !tpg_testing::required();
+    }
+    match instrumented() {
+        Ok(program) => (0..seeds).all(|seed| run(&program, seed)),
+        Err(message) => {
+            eprintln!("{what}: {message}");
+            false
+        }
+    }
+}
+
+/// Builds library and driver; returns the program.
+fn instrumented() -> Result<std::path::PathBuf, String> {
+    let (top, folder) = (library::top(), library::target_folder().join("sanitize"));
+    let mut cargo = Command::new("cargo");
+    cargo.args(["+nightly", "build", "-p", "tpg-runtime-capi", "--lib", "--target", library::host()]);
+    cargo.env("RUSTFLAGS", "-Zsanitizer=address -Coverflow-checks=on -Cdebug-assertions=on");
+    cargo.env("CARGO_TARGET_DIR", &folder).env_remove("RUSTC").env_remove("RUSTUP_TOOLCHAIN").current_dir(&top);
+    library::output(&mut cargo).map_err(|error| format!("{error:?}"))?;
+    let (capi, generated) = (top.join("tpg-runtime-nostd/capi"), top.join("generated/widowx-sac"));
+    let program = folder.join("calls");
+    let mut gcc = Command::new("gcc");
+    gcc.args(["-std=c99", "-O1", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]);
+    gcc.arg(format!("-I{}", capi.join("include").display())).arg(format!("-I{}", generated.display()));
+    gcc.arg(capi.join("tests/c/calls.c")).arg(generated.join("widowx_sac.c"));
+    gcc.arg(folder.join(library::host()).join("debug/libtpg_runtime_capi.a"));
+    gcc.args(["-lm", "-lpthread", "-ldl", "-o"]).arg(&program);
+    library::output(&mut gcc).map_err(|error| format!("{error:?}"))?;
+    Ok(program)
+}
+
+fn run(program: &Path, seed: u32) -> bool {
+    let mut calls = Command::new(program);
+    calls.args([&seed.to_string(), ROUNDS]).env("ASAN_OPTIONS", "detect_leaks=0");
+    match library::output(&mut calls) {
+        Ok(text) => {
+            print!("seed {seed}: {text}");
+            true
+        }
+        Err(error) => {
+            eprintln!("seed {seed}: {error:?}");
+            false
+        }
+    }
+}
+
+/// True if cargo answers so; otherwise that `what` is skipped is reported, with the command that installs it.
+fn there(arguments: &[&str], remedy: &str, what: &str) -> bool {
+    let mut cargo = Command::new("cargo");
+    cargo
+        .args(arguments)
+        .env_remove("RUSTUP_TOOLCHAIN")
+        .stdin(Stdio::null())
+        .stdout(Stdio::null())
+        .stderr(Stdio::null());
+    let found = cargo.status().is_ok_and(|status| status.success());
+    if !found {
+        tpg_testing::skip(&format!("{what}: not installed ({remedy})"));
+    }
+    found
+}
