@@ -1,7 +1,8 @@
-//! Folders and text files, with errors that name them. Files are written by [`write_atomically`].
+//! Folders, text files and graphs, with errors that name them. Files are written by [`write_atomically`].
 
 use std::fs;
 use std::path::Path;
+use tpg_graph::Graph;
 use tpg_graph::error::InputError;
 use tpg_graph::output::UNFINISHED;
 pub use tpg_graph::output::write_atomically;
@@ -22,6 +23,14 @@ pub fn remove_unfinished(folder: &Path) {
             let _ = fs::remove_file(entry.path());
         }
     }
+}
+
+/// Reads a `graph.json`.
+///
+/// # Errors
+/// If it cannot be read or is not a graph.
+pub fn read_graph(path: &Path) -> Result<Graph, InputError> {
+    Graph::from_json(&path.display().to_string(), &read_text(path, "a graph.json")?)
 }
 
 /// Reads a text file.
