@@ -138,13 +138,13 @@ impl HybridFile {
     /// "never". The unit of the distances is the problem's.
     pub fn to_rust(&self) -> String {
         let Setting { hand_back_after, separation, patience, detector } = self.setting();
-        let never = if hand_back_after == Span::NEVER { "NEVER, " } else { "" };
+        let import = if hand_back_after == Span::NEVER { "{NEVER, Settings}" } else { "Settings" };
         let (back, separation) = (hand_back_after.to_rust(), rust_distance(separation));
         let mut text = format!(
             "//! Settings for sharing the problem between this folder's graph and network: made from `hybrid.toml` by\n\
              //! `tpg-train constants`; do not edit.\n\
              \n\
-             use tpg_runtime::switch::{{{never}Settings}};\n\
+             use tpg_runtime::switch::{import};\n\
              \n\
              /// The distance and the number of actions at which the policies take turns.\n\
              pub const SETTINGS: Settings<f32> = Settings {{ hand_back_after: {back}, separation: {separation} }};\n"
@@ -213,6 +213,7 @@ mod tests {
         let file: HybridFile = toml::from_str(TEXT).expect("a good file");
         assert_eq!(toml::to_string(&file).expect("plain data"), TEXT);
         let rust = file.to_rust();
+        assert!(rust.contains("use tpg_runtime::switch::Settings;"), "{rust}");
         assert!(rust.contains("Settings { hand_back_after: 20, separation: 2.5 };"), "{rust}");
         assert!(!rust.contains("PATIENCE") && !rust.contains("Detector"), "{rust}");
         let other = HybridFile {
