@@ -161,7 +161,6 @@ impl<'g> Module<'g> {
         self.teams.len() + self.graph.ends()
     }
 
-
     /// The leaf that every walk ends at, if there is one and nothing to decide.
     pub fn only_leaf(&self) -> Option<&Leaf> {
         match &*reached(&self.leaves).collect::<Vec<_>>() {

@@ -25,8 +25,8 @@
 pub mod actor;
 pub mod cli;
 pub mod configuration;
-pub mod csv_text;
 pub mod course;
+pub mod csv_text;
 pub mod evaluate;
 pub mod evolution;
 pub mod files;

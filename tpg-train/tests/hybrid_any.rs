@@ -250,7 +250,7 @@ const UPWARDS: &str = r#"{"format": "tpg network in integers", "version": 2,
     "layers": [{"inputs": 1, "outputs": 1, "weights": [0], "bias": [1000000], "factor": [16384], "shift": [20]}]}"#;
 
 fn line(folder: &Path) -> (OwnProblem<f64, Own, Line>, Hybrid) {
-    let problem = OwnProblem::new("line", Choices::new(Line, 3).expect("few actions"));
+    let problem = OwnProblem::new("line", Choices::new(Line, Some(3)).expect("few actions"));
     let network = folder.join("upwards.q.json");
     fs::write(&network, UPWARDS).expect("a file");
     let graph = Graph::from_json("up.json", UP_TO_4).expect("a good graph");

@@ -216,7 +216,7 @@ mod tests {
     use tpg_arm::{Joint, Move, Pose, WIDOWX};
     use tpg_graph::ScalarType;
     use tpg_graph::engine::Engine;
-use tpg_graph::interpret::Answer;
+    use tpg_graph::interpret::Answer;
     use tpg_problems::arm::binding::Binding;
     use tpg_runtime::policy::ActionId;
 

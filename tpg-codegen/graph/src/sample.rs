@@ -161,7 +161,10 @@ impl Sampler<'_> {
         let mut programs: Vec<ProgramDocument> =
             (program_ids.iter().zip(self.programs)).map(|(&id, (_, lines))| ProgramDocument { id, lines }).collect();
         let leaves = (leaves.into_iter())
-            .map(|(id, programs)| LeafDocument { id, programs: programs.into_iter().map(|it| program_ids[it]).collect() })
+            .map(|(id, programs)| LeafDocument {
+                id,
+                programs: programs.into_iter().map(|it| program_ids[it]).collect(),
+            })
             .collect();
         teams.shuffle(&mut self.random);
         programs.shuffle(&mut self.random);

@@ -93,9 +93,14 @@ fn outputs_and_leaves() {
         ("an end that f32 does not have", &[("\"max\":2.0", "\"max\":2.1")]),
         ("a value for NaN outside the range", &[("\"nan\":0.0", "\"nan\":2.5")]),
         ("no leaves", &[(leaves, "")]),
-        ("leaves without outputs", &[("\"outputs\": [", "\"actions\": [{\"id\":0,\"name\":\"left\"}],\n  \"outputs\": ["),
-            ("{\"name\":\"torque\",\"unit\":\"N*m\",\"min\":-2.0,\"max\":2.0,\"nan\":0.0},", ""),
-            ("{\"name\":\"brake\",\"unit\":\"1\",\"min\":0.0,\"max\":1.0,\"nan\":1.0}", "")]),
+        (
+            "leaves without outputs",
+            &[
+                ("\"outputs\": [", "\"actions\": [{\"id\":0,\"name\":\"left\"}],\n  \"outputs\": ["),
+                ("{\"name\":\"torque\",\"unit\":\"N*m\",\"min\":-2.0,\"max\":2.0,\"nan\":0.0},", ""),
+                ("{\"name\":\"brake\",\"unit\":\"1\",\"min\":0.0,\"max\":1.0,\"nan\":1.0}", ""),
+            ],
+        ),
         ("too few programs", &[("\"programs\":[2,3]", "\"programs\":[2]")]),
         ("a program that does not exist", &[("\"programs\":[2,3]", "\"programs\":[2,9]")]),
         ("two leaves of one id", &[("{\"id\":5,\"programs\"", "{\"id\":4,\"programs\"")]),

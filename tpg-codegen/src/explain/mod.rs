@@ -9,8 +9,8 @@ use crate::program::{Program, Shape, compile};
 use formula::Formulas;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::{self, Write as _};
-use tpg_graph::{Graph, Output};
 use tpg_graph::dataflow;
+use tpg_graph::{Graph, Output};
 use tpg_runtime::ops::Instruction;
 
 /// Columns of a line.

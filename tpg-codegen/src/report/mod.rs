@@ -191,8 +191,9 @@ fn counts(optimised: &Module<'_>) -> GraphCounts {
     let labels: BTreeSet<u32> = lowered.bidders.iter().map(|bidder| bidder.label).collect();
     let computing: BTreeSet<_> = graph.leaves().iter().flat_map(|leaf| &leaf.programs).collect();
     let is_reached = |label: &u32, id: usize| labels.contains(label) || computing.iter().any(|it| it.index() == id);
-    let programs =
-        || graph.programs().iter().enumerate().filter(|(id, it)| is_reached(&it.label, *id)).map(|(_, program)| program);
+    let programs = || {
+        graph.programs().iter().enumerate().filter(|(id, it)| is_reached(&it.label, *id)).map(|(_, program)| program)
+    };
     let effective: usize = programs()
         .map(|program| effective(graph.registers().into(), &program.lines))
         .map(|lines| lines.into_iter().filter(|&effective| effective).count())

@@ -13,7 +13,11 @@ impl fmt::Display for Report {
             self.graph;
         let answers = match outputs {
             0 => counted(actions, "action"),
-            _ => format!("{} with {}", if leaves == 1 { "1 leaf".to_owned() } else { format!("{leaves} leaves") }, counted(outputs, "output")),
+            _ => format!(
+                "{} with {}",
+                if leaves == 1 { "1 leaf".to_owned() } else { format!("{leaves} leaves") },
+                counted(outputs, "output")
+            ),
         };
         writeln!(f, "graph     SHA-256 {}", self.graph_sha256)?;
         writeln!(

@@ -41,6 +41,14 @@ pub fn bind<S: Scalar>(file: &str, graph: &Graph, environment: &impl Environment
         let ends: Vec<u16> = (0..graph.leaves().len() as u16).collect();
         return Ok(renumbered(Policy::from(graph), &places, &ends).with_outputs(limits, leaves));
     }
+    if !graph.outputs().is_empty() {
+        let found = format!("a graph with {} outputs", graph.outputs().len());
+        return Err(refuse(
+            "$.outputs".to_owned(),
+            found,
+            "a graph that chooses among the problem's actions".to_owned(),
+        ));
+    }
     let crate::ActionSpace::Discrete(named) = space else {
         let found = format!("a graph that chooses among {} actions", graph.actions().len());
         return Err(refuse("$.actions".to_owned(), found, "a problem with named actions".to_owned()));

@@ -164,11 +164,8 @@ impl From<&Graph> for Policy {
         };
         let teams = graph.teams().iter().map(|team| team.edges.iter().map(edge).collect()).collect();
         let programs = graph.programs().iter().map(|program| program.lines.iter().map(line).collect()).collect();
-        let limits = |output: &tpg_graph::Output| Limits {
-            min: output.range.min,
-            max: output.range.max,
-            nan: output.nan,
-        };
+        let limits =
+            |output: &tpg_graph::Output| Limits { min: output.range.min, max: output.range.max, nan: output.nan };
         let leaf = |leaf: &tpg_graph::Leaf| leaf.programs.iter().map(|program| program.index() as u32).collect();
         Self::new(graph.registers(), graph.root().index() as u32, teams, programs)
             .with_outputs(graph.outputs().iter().map(limits).collect(), graph.leaves().iter().map(leaf).collect())

@@ -111,11 +111,7 @@ impl<S: Scalar> Environment<S> for MountainCarContinuous {
             velocity = 0.0;
         }
         let arrived = position >= GOAL && velocity >= 0.0;
-        *drive = Drive {
-            position: f64::from(position as f32),
-            velocity: f64::from(velocity as f32),
-            is_rounded: true,
-        };
+        *drive = Drive { position: f64::from(position as f32), velocity: f64::from(velocity as f32), is_rounded: true };
         let price = PRICE * wanted * wanted;
         if arrived { Step::reward(REWARD - price).ending(End::new(0)) } else { Step::reward(-price) }
     }

@@ -166,8 +166,9 @@ impl Problem {
     fn check(&self) -> Result<(), Finding> {
         match self {
             Self::Arm(_, config) => config.check(),
-            Self::Cartpole(cartpole::Config {})
-            | Self::MountainCarContinuous(mountain_car_continuous::Config {}) => Ok(()),
+            Self::Cartpole(cartpole::Config {}) | Self::MountainCarContinuous(mountain_car_continuous::Config {}) => {
+                Ok(())
+            }
             Self::Pendulum(config) => config.check(),
         }
     }

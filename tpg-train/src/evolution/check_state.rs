@@ -70,7 +70,13 @@ impl<Task: std::fmt::Debug> State<Task> {
     }
 }
 
-fn check_best(best: &Best, generation: u64, config: &Config, inputs: usize, space: &ActionSpace) -> Result<(), Finding> {
+fn check_best(
+    best: &Best,
+    generation: u64,
+    config: &Config,
+    inputs: usize,
+    space: &ActionSpace,
+) -> Result<(), Finding> {
     if best.generation >= generation {
         return Err(Finding::new("generation", best.generation, format!("below {generation}")));
     }

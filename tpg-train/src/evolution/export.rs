@@ -7,8 +7,7 @@ use tpg_graph::dataflow::effective;
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::{
     Document, EdgeDocument, FORMAT, Graph, LeafDocument, LineDocument, MathsProvider, OperandDocument, OutputDocument,
-    ProgramDocument, Provenance,
-    ScalarType, SourceDocument, TeamDocument,
+    ProgramDocument, Provenance, ScalarType, SourceDocument, TeamDocument,
 };
 use tpg_runtime::ops::Instruction;
 
@@ -25,8 +24,12 @@ pub fn graph(
     provenance: Provenance,
 ) -> Result<Graph, InputError> {
     let outputs: Vec<OutputDocument> = (actions.outputs().iter().zip(vocabulary.outputs()))
-        .map(|(Output { name, unit, .. }, &Limits { min, max, nan })| {
-            OutputDocument { name: name.clone(), unit: unit.clone(), min, max, nan }
+        .map(|(Output { name, unit, .. }, &Limits { min, max, nan })| OutputDocument {
+            name: name.clone(),
+            unit: unit.clone(),
+            min,
+            max,
+            nan,
         })
         .collect();
     let actions = match actions {

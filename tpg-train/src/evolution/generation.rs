@@ -150,8 +150,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         };
         let longer = LeafMutator::longer(&self.config.program, &self.config.leaves);
         let leaves = ProgramMutator { parameters: &longer, ..mutator };
-        let growing =
-            LeafMutator { bids: mutator, leaves, parameters: &self.config.leaves, tpg: &self.config.tpg };
+        let growing = LeafMutator { bids: mutator, leaves, parameters: &self.config.leaves, tpg: &self.config.tpg };
         for (index, deme) in (0..).zip(&mut state.demes) {
             let moment = Moment { seed: state.seed, generation: state.generation, deme: index };
             if !self.vocabulary.outputs().is_empty() {

@@ -254,12 +254,7 @@ impl Genome {
         teams[&root]
     }
 
-    fn adopt_program(
-        &mut self,
-        from: &Self,
-        old: ProgramId,
-        known: &mut BTreeMap<ProgramId, ProgramId>,
-    ) -> ProgramId {
+    fn adopt_program(&mut self, from: &Self, old: ProgramId, known: &mut BTreeMap<ProgramId, ProgramId>) -> ProgramId {
         *known.entry(old).or_insert_with(|| self.add_program(from.program(old).clone()))
     }
 
@@ -283,12 +278,12 @@ impl Genome {
                 let to = match edge.to {
                     Destination::Team(team) => tpg_engine::Destination::Team(place(team)),
                     Destination::Action(action) => tpg_engine::Destination::Action(action),
-                    Destination::Leaf(leaf) => tpg_engine::Destination::Action(
-                        *leaf_numbers.entry(leaf).or_insert_with(|| {
+                    Destination::Leaf(leaf) => {
+                        tpg_engine::Destination::Action(*leaf_numbers.entry(leaf).or_insert_with(|| {
                             leaves.push(self.leaves[&leaf].programs.iter().map(|&id| number(id)).collect());
                             leaves.len() as u16 - 1
-                        }),
-                    ),
+                        }))
+                    }
                 };
                 tpg_engine::Edge { program, to }
             });

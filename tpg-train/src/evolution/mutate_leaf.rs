@@ -148,8 +148,7 @@ mod tests {
         let limits = Limits { min: -1.0, max: 1.0, nan: 0.0 };
         let vocabulary = Vocabulary::new(config.instructions(), 4, 0, &[source], Some(vec![1.0; 3]), ScalarType::F32)
             .with_outputs(vec![limits; 2]);
-        let bids =
-            ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
+        let bids = ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
         let longer = LeafMutator::longer(&config.program, &config.leaves);
         let leaves = ProgramMutator { parameters: &longer, ..bids };
         let mutator = LeafMutator { bids, leaves, parameters: &config.leaves, tpg: &config.tpg };

@@ -121,6 +121,9 @@ impl Visitor<f32> for FactsOf {
 trait Job {
     type Output;
 
+    /// Returns the graph that acts, if one does.
+    fn graph(&self) -> Option<&Graph>;
+
     fn run<S: Scalar, M: Maths<S>, E: Environment<S>>(
         self,
         choices: &Choices<S, E>,
@@ -143,6 +146,10 @@ struct Trial<'a> {
 impl Job for Trial<'_> {
     type Output = HybridTrial;
 
+    fn graph(&self) -> Option<&Graph> {
+        self.acting.graph()
+    }
+
     fn run<S: Scalar, M: Maths<S>, E: Environment<S>>(
         self,
         choices: &Choices<S, E>,
@@ -158,6 +165,10 @@ struct Rises<'a> {
 
 impl Job for Rises<'_> {
     type Output = Vec<f64>;
+
+    fn graph(&self) -> Option<&Graph> {
+        Some(&self.graph.1)
+    }
 
     fn run<S: Scalar, M: Maths<S>, E: Environment<S>>(self, choices: &Choices<S, E>) -> Result<Vec<f64>, InputError> {
         rises::<S, M, _>(choices, self.graph, &self.episodes.tasks(choices))
@@ -175,14 +186,14 @@ impl<S: ArmScalar, M: Maths<S>, J: Job> Visitor<S> for In<'_, M, J> {
     type Output = Result<J::Output, InputError>;
 
     fn visit<E: Environment<S>>(self, environment: E) -> Self::Output {
-        let levels = self.problem.levels();
+        let levels = self.job.graph().and_then(|graph| self.problem.levels_for(graph));
         let choices = Choices::new(environment, levels)
             .map_err(|error| InputError::new("problem", Place::Whole, error.to_string(), "fewer problem.levels"))?;
         self.job.run::<S, M, _>(&choices)
     }
 }
 
-/// An environment of your own, in one arithmetic.
+/// An environment of your own, in one arithmetic. Graphs with outputs need `Choices` without levels.
 ///
 /// ```
 /// use tpg_engine::Choices;
@@ -190,7 +201,7 @@ impl<S: ArmScalar, M: Maths<S>, J: Job> Visitor<S> for In<'_, M, J> {
 /// use tpg_runtime::ops::Own;
 /// use tpg_train::hybrid::shared::{OwnProblem, Shared};
 ///
-/// let swing = OwnProblem::<f32, Own, _>::new("swing", Choices::new(Pendulum, 3)?);
+/// let swing = OwnProblem::<f32, Own, _>::new("swing", Choices::new(Pendulum, Some(3))?);
 /// assert_eq!(swing.name(), "swing");
 /// assert!(!swing.facts().has_key, "so cycles cannot be detected");
 /// # Ok::<(), tpg_engine::TooManyActions>(())

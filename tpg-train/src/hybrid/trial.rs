@@ -9,6 +9,7 @@ use std::marker::PhantomData;
 use tpg_engine::{Choices, Ending, Environment, Options, Plan, Single, bind};
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
+use tpg_graph::interpret::Answer;
 use tpg_runtime::cycle::{Brent, CycleDetector, Visited};
 use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::Policy;
@@ -195,7 +196,10 @@ impl<S: Scalar, M: Maths<S>> Policy for GraphPolicy<S, M> {
     type Action = Decision<S>;
 
     fn decide(&self, state: &[S]) -> Decision<S> {
-        Decision::Choice(self.0.decide(state))
+        match self.0.answer(state) {
+            Answer::Action(action) => Decision::Choice(action),
+            Answer::Values(values) => Decision::Values(values.into_iter().map(S::from_f64).collect()),
+        }
     }
 }
 

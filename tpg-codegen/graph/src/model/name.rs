@@ -63,9 +63,23 @@ mod tests {
         for good in ["target", "s0", "r", "rx", "r0x", "hand_tip", "register_0"] {
             assert!(is_source(good), "{good}");
         }
-        for bad in
-            ["", "r0", "r12", "Target", "0s", "_x", "hand tip", "é", "int", "fn", "class", "while", "xor", "abstract", "math_errhandling"]
-        {
+        for bad in [
+            "",
+            "r0",
+            "r12",
+            "Target",
+            "0s",
+            "_x",
+            "hand tip",
+            "é",
+            "int",
+            "fn",
+            "class",
+            "while",
+            "xor",
+            "abstract",
+            "math_errhandling",
+        ] {
             assert!(!is_source(bad), "{bad}");
         }
     }

@@ -74,7 +74,8 @@ fn json_error(file: &str, text: &str, path: String, error: &serde_json::Error) -
 }
 
 pub(super) fn other_version(file: &str, version: u64) -> InputError {
-    let accepted = format!("{}, the versions this tool knows", VERSIONS.map(|version| version.to_string()).join(" or "));
+    let accepted =
+        format!("{}, the versions this tool knows", VERSIONS.map(|version| version.to_string()).join(" or "));
     InputError::new(file, Place::Path("$.version".to_owned()), version.to_string(), accepted)
 }
 

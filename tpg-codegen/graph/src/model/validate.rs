@@ -7,8 +7,8 @@ use super::document::{
 };
 use super::read::other_version;
 use super::{
-    Action, ActionId, Destination, Edge, Effect, Graph, Input, Leaf, Line, Operand, Program, ProgramId, Range, Reg, Source,
-    Team, TeamId, name,
+    Action, ActionId, Destination, Edge, Effect, Graph, Input, Leaf, Line, Operand, Program, ProgramId, Range, Reg,
+    Source, Team, TeamId, name,
 };
 use crate::dataflow::{Cycle, depth_first};
 use crate::error::{InputError, Place, counted};
@@ -28,7 +28,6 @@ impl Graph {
     pub fn from_document(file: &str, document: Document) -> Result<Self, InputError> {
         Validator { file, document: &document }.graph()
     }
-
 }
 
 impl Document {
@@ -267,10 +266,12 @@ impl Validator<'_> {
                 }
                 Destination::Action(ActionId(action as u16))
             }
-            (None, None, Some(leaf)) if end == "leaf" => Destination::Action(*names.leaves.get(&leaf).ok_or_else(|| {
-                let found = format!("leaf {leaf}, which does not exist");
-                self.error(format!("{path}.leaf"), found, "the id of a leaf")
-            })?),
+            (None, None, Some(leaf)) if end == "leaf" => {
+                Destination::Action(*names.leaves.get(&leaf).ok_or_else(|| {
+                    let found = format!("leaf {leaf}, which does not exist");
+                    self.error(format!("{path}.leaf"), found, "the id of a leaf")
+                })?)
+            }
             (None, Some(_), None) => {
                 return Err(self.error(format!("{path}.action"), "an action of a policy with outputs", accepted));
             }

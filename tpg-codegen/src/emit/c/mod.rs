@@ -18,9 +18,9 @@ use crate::cost::{Cost, Costs};
 use crate::program::{Program, Shape};
 use askama::Template;
 use expression::Printer;
-use tpg_graph::{Graph, MathsProvider, ScalarType};
 use tpg_graph::interpret::{self, Answer};
 use tpg_graph::states;
+use tpg_graph::{Graph, MathsProvider, ScalarType};
 
 /// States in the self-test.
 const VECTORS: usize = 16;

@@ -5,8 +5,8 @@
 
 use super::Parts;
 use super::{expression::Printer, leaves};
-use crate::emit::interface::OutputView;
 use crate::emit::choice::{self, KeyView, TeamView};
+use crate::emit::interface::OutputView;
 use crate::emit::layout;
 use crate::emit::syntax::Syntax;
 use crate::ir::{Module, NodeId, reached};

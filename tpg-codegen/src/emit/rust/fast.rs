@@ -70,12 +70,7 @@ struct BidView {
 }
 
 /// Renders the profile.
-pub(super) fn render(
-    printer: &Printer<'_>,
-    module: &Module<'_>,
-    schedule: &Schedule,
-    outputs: &[OutputView],
-) -> Parts {
+pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, schedule: &Schedule, outputs: &[OutputView]) -> Parts {
     let teams: Vec<TeamView> =
         schedule.plans.iter().map(|plan| TeamPrinter::new(printer, module, plan).view()).collect();
     let scalar = printer.graph.scalar().name();

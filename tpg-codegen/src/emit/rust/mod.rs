@@ -62,7 +62,10 @@ impl Backend for Rust {
         let (title, parts) = match &program.shape {
             Shape::Fast { schedule, .. } => {
                 let printer = Printer { nodes: &schedule.nodes, short_cuts: true, ..printer };
-                ("expensive bids are computed only where they can win", fast::render(&printer, module, schedule, &outputs))
+                (
+                    "expensive bids are computed only where they can win",
+                    fast::render(&printer, module, schedule, &outputs),
+                )
             }
             Shape::Small(code) => ("tables and one small evaluator", small::render(&printer, module, code, &outputs)),
             Shape::ConstantTime(functions) => {

@@ -62,9 +62,13 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, code: &Bytecode
         scalar: printer.scalar(),
         zero,
         wide: if code.operand_bits * 2 + 4 > 32 { "u64" } else { "u32" },
-        tables: tables.into_iter().chain((!outputs.is_empty()).then(|| {
-            ("LEAVES", "The program of each output of each leaf.", table(&code.leaves))
-        })).collect(),
+        tables: tables
+            .into_iter()
+            .chain(
+                (!outputs.is_empty())
+                    .then(|| ("LEAVES", "The program of each output of each leaf.", table(&code.leaves))),
+            )
+            .collect(),
         constants: code.constants.iter().map(|&constant| printer.literal(constant)).collect(),
         first_result: code.first_result,
         frame: code.frame,
