@@ -72,7 +72,7 @@ pub trait Shared: Sync {
     /// If a policy is not one for this problem.
     fn trial(&self, acting: Acting<'_>, episodes: Episodes) -> Result<HybridTrial, InputError>;
 
-    /// Returns the [rises](rises) of a graph's episodes.
+    /// Returns the [`rises`] of a graph's episodes.
     ///
     /// # Errors
     /// If the graph is not one for this problem.
