@@ -2,7 +2,7 @@
 
 use crate::picture::{Figure, Point, Svg};
 use std::collections::BTreeMap;
-use tpg_graph::{Destination, Graph};
+use tpg_graph::{ActionId, Destination, Graph};
 
 const WIDTH: f64 = 960.0;
 const LAYER: f64 = 84.0;
@@ -41,26 +41,30 @@ pub(super) fn figure(graph: &Graph) -> Figure {
                 svg.text(class, [at[0], at[1] + 4.0], &of_team.edges.len().to_string());
             }
             Node::Action(action) => {
-                let name = &graph.actions()[action].name;
-                svg.rect("body", [at[0] - 44.0, at[1] - 11.0], [88.0, 22.0], name);
-                svg.text("middle", [at[0], at[1] + 4.0], name);
+                let name = match graph.actions().get(action) {
+                    Some(action) => action.name.clone(),
+                    None => graph.end_name(ActionId(action as u16)),
+                };
+                svg.rect("body", [at[0] - 44.0, at[1] - 11.0], [88.0, 22.0], &name);
+                svg.text("middle", [at[0], at[1] + 4.0], &name);
             }
         }
     }
     let edges: usize = graph.teams().iter().map(|team| team.edges.len()).sum();
     let caption = format!(
-        "The graph: {} teams, {edges} edges, {} programs, {} actions. A circle is a team with its number of edges, the root \
+        "The graph: {} teams, {edges} edges, {} programs, {} {}. A circle is a team with its number of edges, the root \
          is filled; edges to actions have the colour of the joint; several edges between the same two are one thick line.",
         graph.teams().len(),
         graph.programs().len(),
-        graph.actions().len()
+        graph.ends(),
+        if graph.outputs().is_empty() { "actions" } else { "leaves" }
     );
     Figure { svg: svg.finish("the graph"), caption }
 }
 
 /// Returns the colour of an action: actions that move the same joint share a colour.
 fn joint_colour(graph: &Graph, action: usize) -> usize {
-    let effect = graph.actions()[action].effect.as_ref();
+    let effect = graph.actions().get(action).and_then(|action| action.effect.as_ref());
     let joint = effect.and_then(|effect| effect.values.iter().position(|&ticks| ticks != 0.0));
     joint.map_or(action % 7, |joint| joint + 1)
 }
@@ -101,7 +105,7 @@ fn layers(graph: &Graph) -> Vec<Vec<Node>> {
     let of_depth = |layer| (0..depth.len()).filter(|&team| depth[team] == layer).map(Node::Team).collect();
     let mut layers: Vec<Vec<Node>> = (0..=deepest).map(of_depth).collect();
     let used = |action: &Node| edges.iter().any(|(_, to, _)| to == action);
-    layers.push((0..graph.actions().len()).map(Node::Action).filter(used).collect());
+    layers.push((0..graph.ends()).map(Node::Action).filter(used).collect());
     for _ in 0..SWEEPS {
         for layer in 1..layers.len() - 1 {
             let places = places(&layers);
