@@ -92,7 +92,7 @@ fn what_has_no_outputs_says_so() {
     fs::write(folder.path().join("swing.json"), SWING_UP).expect("writable");
     for (arguments, found) in [
         (&["swing.json", "--style", "gegelati"][..], "--style gegelati for a policy with outputs"),
-        (&["convert", "swing.json", "-o", "swing.dot"][..], "which GEGELATI's format cannot express"),
+        (&["convert", "swing.json", "swing.dot"][..], "which GEGELATI's format cannot express"),
     ] {
         let output = tpg_codegen().current_dir(folder.path()).args(arguments).output().expect("it runs");
         let text = String::from_utf8_lossy(&output.stderr).into_owned();

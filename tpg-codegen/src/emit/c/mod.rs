@@ -122,7 +122,7 @@ impl Backend for C {
             upper: &upper,
             scalar: printer.scalar(),
             f64: graph.scalar() == ScalarType::F64,
-            needs_string: helpers.contains("memcpy") || body.contains("memcpy") || !outputs.is_empty(),
+            needs_string: helpers.contains("memcpy") || body.contains("memcpy"),
             helpers,
             body,
             sources: &sources,
