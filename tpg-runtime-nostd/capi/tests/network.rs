@@ -78,7 +78,7 @@ fn c_answers_with_the_same_bits_as_rust_for_any_shape() {
     for (number, (sizes, kind)) in shapes.iter().flat_map(|sizes| Kind::ALL.map(|kind| (sizes, kind))).enumerate() {
         let float = network(sizes, number % 4 == 3, &mut numbers);
         let mut states: Vec<Vec<f32>> =
-            (0..300).map(|_| (0..sizes[0]).map(|_| 4.0 * unit(numbers)).collect()).collect();
+            (0..300).map(|_| (0..sizes[0]).map(|_| 4.0 * unit(&mut numbers)).collect()).collect();
         let policy = float.quantise(&states, kind, "0".repeat(64)).expect("it fits");
         states.push(vec![f32::NAN; sizes[0]]);
         states.push(vec![f32::INFINITY; sizes[0]]);
