@@ -47,7 +47,7 @@ enum Task {
     /// Only the lint of C, generated and the firmwares' own: gcc, clang, clang-tidy, cppcheck with its MISRA addon, Frama-C
     /// EVA
     Lint,
-    /// Run tests of the runtime, the kernels, the arm and the C interface under Miri (nightly)
+    /// Run tests of the runtime, the kernels and the C interface under Miri (nightly)
     Miri,
     /// Random calls of the C interface under ASan and UBSan, with overflow checks (nightly, gcc)
     Sanitize {

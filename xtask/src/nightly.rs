@@ -4,19 +4,44 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use tpg_testing::library;
 
-/// The packages and tests that Miri interprets, with the reason for a choice.
+/// The tests that Miri interprets.
+///
+/// It is some thousand times slower, so tests are left out that compute a great many numbers in safe code, as they do
+/// without it. A machine without SIMD takes the kernels' portable form, and the crate `libm` without inline assembly, which
+/// Miri does not know; the kernels run on x86-64 too, by SSE2.
 const MIRI: [&[&str]; 4] = [
-    // Not the million states of the integration tests: minutes each under Miri.
-    &["-p", "tpg-runtime", "--lib"],
-    &["-p", "tpg-kernels"],
-    &["-p", "tpg-arm", "--test", "sensors", "--test", "episode"],
-    &["-p", "tpg-runtime-capi", "--test", "calls"],
+    &[
+        "--target",
+        PLAIN,
+        "-p",
+        "tpg-runtime",
+        "--lib",
+        "--",
+        "--skip",
+        "cycle::",
+        "--skip",
+        "ops::",
+        "--skip",
+        "a_million_inputs",
+        "--skip",
+        "a_multiplier_is_its_rescale",
+        "--skip",
+        "it_is_near_tanh",
+        "--skip",
+        "inputs_are_rounded",
+    ],
+    &["--target", PLAIN, "-p", "tpg-kernels"],
+    &["--target", "x86_64-unknown-linux-gnu", "-p", "tpg-kernels"],
+    &["--target", PLAIN, "-p", "tpg-runtime-capi", "--test", "calls"],
 ];
+
+/// A machine without SIMD and without inline assembly in `libm`.
+const PLAIN: &str = "riscv64gc-unknown-linux-gnu";
 
 /// Rounds of random calls for each seed, some 57,000 calls.
 const ROUNDS: &str = "20000";
 
-/// Runs Miri on the runtime, the kernels, the arm and the C interface; returns true if it found nothing.
+/// Runs Miri on the runtime, the kernels and the C interface; returns true if it found nothing.
 pub(crate) fn miri() -> bool {
     if !there(&["+nightly", "miri", "--version"], "rustup component add --toolchain nightly miri rust-src", "Miri") {
         return !tpg_testing::required();
