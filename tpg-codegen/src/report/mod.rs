@@ -156,10 +156,10 @@ pub struct RustSize {
 /// Puts a report together; means are taken over `set`.
 pub fn report(graph: &Graph, options: &Options, targets: &[Target], set: &StateSet) -> Report {
     let codes = ShapeName::ALL.map(|shape| (shape, Code::of(shape.compile(graph, options, Language::C))));
-    let costs = codes.iter().map(|(shape, code)| {
-        let costs = Costs::of(&code.program);
-        ShapeCost { profile: *shape, worst: costs.worst(), mean: costs.mean_over(set) }
-    });
+    let forms: Vec<Costs<'_>> = codes.iter().map(|(_, code)| Costs::of(&code.program)).collect();
+    let means = Costs::means(&forms, set);
+    let costs = codes.iter().zip(&forms).zip(means);
+    let costs = costs.map(|(((shape, _), form), mean)| ShapeCost { profile: *shape, worst: form.worst(), mean });
     let sizes = targets.iter().flat_map(|&target| codes.iter().map(move |(shape, code)| size_of(code, target, *shape)));
     let Program { module: optimised, log, .. } = &codes[0].1.program;
     Report {

@@ -263,7 +263,7 @@ impl<Task> State<Task> {
         Finding::range("decisions", self.decisions, 0, MOST)?;
         let rest = self.decisions % learning.lanes as u64;
         equal("decisions", self.decisions, self.decisions - rest)?;
-        let due = self.decisions.checked_sub(learning.random_decisions).unwrap_or(0) / learning.decisions_per_update;
+        let due = self.decisions.saturating_sub(learning.random_decisions) / learning.decisions_per_update;
         equal("updates", self.updates, due)?;
         equal("replayed", self.replayed, self.decisions)?;
         Finding::range("episodes", self.episodes, learning.lanes as u64, MOST)?;
