@@ -147,7 +147,7 @@ pub fn arm_of(file: &str, graph: &Graph) -> Result<Arm<f64>, InputError> {
     Ok(Arm::from(&arm))
 }
 
-/// The problem that a graph is evaluated on, except for its sources: a configuration's tolerance and action limit, or the paper's.
+/// What a graph is asked for, but for its sources: a configuration's tolerance and action limit, or the paper's.
 fn problem_of(start: Start, config: Option<&Config>) -> ArmProblem {
     let usual = ArmProblem::new(start, Vec::new());
     config.map_or(usual, |config| ArmProblem { sources: Vec::new(), ..config.problem(start) })
