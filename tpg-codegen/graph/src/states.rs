@@ -202,3 +202,22 @@ impl StateSet {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{StateSet, sample_in_range};
+    use crate::sample::{self, Shape};
+
+    #[test]
+    fn batches_of_long_states_are_small_and_hold_the_states_of_all() {
+        let graph = sample::graph(&Shape { sources: vec![60_000], ..Shape::default() }, 1);
+        let set = StateSet::sampled(&graph, 300, 1);
+        let (mut values, mut batches) = (Vec::new(), 0);
+        set.each_batch(|states| {
+            assert!(states.len() <= 8 << 20 && states.len() % graph.state_length() == 0, "{} values", states.len());
+            values.extend_from_slice(states);
+            batches += 1;
+        });
+        assert!(batches > 1 && values == sample_in_range(&graph, 300, 1));
+    }
+}

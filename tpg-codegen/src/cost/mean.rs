@@ -21,20 +21,23 @@ impl Costs<'_> {
         divided(total, actions.len())
     }
 
-    /// The mean cost of a decision over a set of states; 0 without states.
+    /// The mean cost of a decision over a set of states, for each of several forms of a graph; 0 without states. Sampled
+    /// states are drawn once, batch by batch.
     ///
     /// # Panics
     /// If the set is of another graph.
-    pub fn mean_over(&self, set: &StateSet) -> Cost<f64> {
-        let mut total = Cost::<u64>::default();
+    pub fn means(forms: &[Self], set: &StateSet) -> Vec<Cost<f64>> {
+        let mut totals = vec![Cost::<u64>::default(); forms.len()];
         set.each_batch(|states| {
-            let Cost { teams, bids, operations, maths_calls } = self.count(states).0;
-            total.teams += teams;
-            total.bids += bids;
-            total.operations += operations;
-            total.maths_calls += maths_calls;
+            for (form, total) in forms.iter().zip(&mut totals) {
+                let Cost { teams, bids, operations, maths_calls } = form.count(states).0;
+                total.teams += teams;
+                total.bids += bids;
+                total.operations += operations;
+                total.maths_calls += maths_calls;
+            }
         });
-        divided(total, set.count())
+        totals.into_iter().map(|total| divided(total, set.count())).collect()
     }
 
     /// The sum, and the action of every state: tests check by the actions that the right steps were counted.

@@ -302,6 +302,17 @@ mod tests {
     }
 
     #[test]
+    fn sizes_whose_product_has_no_number_are_refused() {
+        let quantised = quantise(&example(), &[1.0, 1.0], Kind::W8A16).expect("ordinary numbers");
+        let mut policy = policy(Kind::W8A16, quantised).expect("sound");
+        for outputs in [1_609_289_134_218_752_345, usize::MAX, usize::MAX / FEATURES + 1] {
+            policy.layers[0].outputs = outputs;
+            let error = QuantisedPolicy::from_json("q.json", &policy.to_json()).expect_err("no such layer");
+            assert!(error.to_string().contains("$.layers[0].inputs: [38, "), "{error}");
+        }
+    }
+
+    #[test]
     fn a_file_that_could_overflow_is_refused() {
         let quantised = quantise(&example(), &[1.0, 1.0], Kind::W8A16).expect("ordinary numbers");
         let mut policy = policy(Kind::W8A16, quantised).expect("sound");

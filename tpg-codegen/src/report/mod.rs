@@ -163,10 +163,10 @@ pub fn report(graph: &Graph, options: &Options, targets: &[Target], set: &StateS
     let shapes = ShapeName::ALL.into_iter().filter(|&it| it != ShapeName::Gegelati || graph.outputs().is_empty());
     let codes: Vec<(ShapeName, Code<'_>)> =
         shapes.map(|shape| (shape, Code::of(shape.compile(graph, options, Language::C)))).collect();
-    let costs = codes.iter().map(|(shape, code)| {
-        let costs = Costs::of(&code.program);
-        ShapeCost { profile: *shape, worst: costs.worst(), mean: costs.mean_over(set) }
-    });
+    let forms: Vec<Costs<'_>> = codes.iter().map(|(_, code)| Costs::of(&code.program)).collect();
+    let means = Costs::means(&forms, set);
+    let costs = codes.iter().zip(&forms).zip(means);
+    let costs = costs.map(|(((shape, _), form), mean)| ShapeCost { profile: *shape, worst: form.worst(), mean });
     let sizes = targets.iter().flat_map(|&target| codes.iter().map(move |(shape, code)| size_of(code, target, *shape)));
     let Program { module: optimised, log, .. } = &codes[0].1.program;
     Report {

@@ -1,8 +1,8 @@
 //! `tpg-train sac`: a training run in a folder of its own.
 //!
-//! The folder holds `config.toml` (what was asked for), `log.csv` and `log.jsonl` (a row for each validation), `time.json`
-//! (what it cost), `checkpoint`, and, from the first validation on, `policy.safetensors`: the best candidate so
-//! far, and at the end the last one.
+//! The folder contains `config.toml` (the request), `log.csv` and `log.jsonl` (a row for each validation), `time.json` (the
+//! run's time), `checkpoint`, and, from the first validation on, `policy.safetensors`: the best candidate so far, and at
+//! the end the last one.
 
 use super::config::Config;
 use super::contract::{Contract, Provenance};

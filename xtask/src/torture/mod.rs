@@ -36,6 +36,7 @@ pub(crate) struct TortureArgs {
 impl TortureArgs {
     /// Tortures all trainers and prints a table; returns true if nothing failed.
     pub(crate) fn run(self) -> bool {
+        // On a disk: a file takes long to reach it, so that many kills strike before it is whole.
         let place = match tempfile::tempdir() {
             Ok(place) => place,
             Err(error) => return complain(&format!("no temporary folder: {error}")),

@@ -33,9 +33,9 @@ pub(super) fn all(place: &Path) -> Result<Vec<Subject>, String> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().ok_or("no workspace")?;
     let generated = |name: &str| root.join("generated").join(name).into_os_string();
     let words = |text: &str| text.split(' ').map(OsString::from).collect::<Vec<_>>();
-    let tpg = "tpg --problem cartpole --preset general --generations 30 --max-steps 1000000000 --threads 2 \
-               --checkpoint-seconds 0";
-    let sac = "sac --problem pendulum --max-steps 4000 --checkpoint-seconds 0";
+    let tpg = "tpg --problem cartpole --preset general --generations 12 --threads 2 --checkpoint-seconds 0";
+    let mut sac = words("sac --problem pendulum --max-steps 1600 --checkpoint-seconds 0 --config");
+    sac.push(with_many_lanes(&program, place)?.into_os_string());
     let hybrid = "hybrid --problem fs --episodes 2 --guard none --threads 2";
     let mut hybrid = words(hybrid);
     for (option, file) in [("--tpg", "widowx-fs/graph.json"), ("--policy", "widowx-sac/policy.q.json")] {
@@ -44,7 +44,7 @@ pub(super) fn all(place: &Path) -> Result<Vec<Subject>, String> {
     let logs = ["graph.json", "generations.csv", "generations.jsonl", "checkpoint", "config.toml"].as_slice();
     let networks = ["policy.safetensors", "log.csv", "log.jsonl", "checkpoint", "config.toml"].as_slice();
     let cells = ["cells.csv", "alone.csv", "study.toml"].as_slice();
-    [("tpg", true, words(tpg), logs), ("sac", true, words(sac), networks), ("hybrid", false, hybrid, cells)]
+    [("tpg", true, words(tpg), logs), ("sac", true, sac, networks), ("hybrid", false, hybrid, cells)]
         .into_iter()
         .map(|(name, has_checkpoints, arguments, results)| {
             let mut subject = Subject {
@@ -72,6 +72,19 @@ fn built() -> Result<PathBuf, String> {
         return Err("tpg-train does not build".to_owned());
     }
     Ok(tpg_testing::library::target_folder().join("release").join("tpg-train"))
+}
+
+/// Writes a configuration of networks that saves less often: after each decision of all lanes.
+fn with_many_lanes(program: &Path, place: &Path) -> Result<PathBuf, String> {
+    let output = Command::new(program).args(["config", "--sac", "general"]).output();
+    let text = output.map(|output| String::from_utf8_lossy(&output.stdout).into_owned()).unwrap_or_default();
+    let (from, to) = ("\nlanes = 2\n", "\nlanes = 64\n");
+    if !text.contains(from) {
+        return Err("the preset general has no lanes = 2".to_owned());
+    }
+    let path = place.join("sac.toml");
+    fs::write(&path, text.replace(from, to)).map_err(|error| error.to_string())?;
+    Ok(path)
 }
 
 impl Subject {

@@ -104,7 +104,7 @@ fn a_state_with_an_index_of_nothing_is_refused_at_its_place() {
         (format!("{program}/lines"), json!([]), ".lines"),
         (format!("{program}/constants"), json!([]), ".constants"),
         (format!("{program}/lines/0/to"), json!(48), ".lines[0].to"),
-        (format!("{program}/lines/0/instruction"), json!(255), ".lines[0].instruction"),
+        (format!("{program}/lines/0/instruction"), json!(config().instructions().len()), ".lines[0].instruction"),
         (format!("{program}/lines/0/operands/1/source"), json!(31), ".operands[1].source"),
         (format!("{program}/lines/0/operands/0/location"), json!(16_601), ".operands[0].location"),
         (format!("{record}/evaluations"), huge.clone(), ".evaluations"),
