@@ -1,7 +1,7 @@
 //! Compiles the firmwares.
 
 use crate::Failure;
-use crate::{models, problems};
+use crate::{models, network, problems};
 use std::env;
 use std::fmt::Write as _;
 use std::fs;
@@ -70,6 +70,7 @@ pub(crate) fn generated_c() -> Result<PathBuf, Failure> {
     fs::create_dir_all(&folder).map_err(|error| Failure::at(&folder, error))?;
     let mut files = Vec::from(problems::files()?);
     files.push(models::file()?);
+    files.extend(network::files()?);
     let mut modules = String::new();
     for start in ["fs", "rs"] {
         let path = library::top().join(format!("generated/widowx-{start}/graph.json"));
@@ -136,6 +137,7 @@ pub(crate) fn host() -> Result<Option<PathBuf>, Failure> {
 pub(crate) fn c(program: &str, board: Board) -> Result<Option<PathBuf>, Failure> {
     let names: &[&str] = match program {
         "costs" => &["fs_fast_c", "fs_small_c", "fs_constant_c", "rs_fast_c", "rs_small_c", "rs_constant_c"],
+        "network" => &["pendulum"],
         _ => &["widowx_fs", "widowx_rs", "widowx_sac"],
     };
     gcc(program, &harness().join(format!("firmware-c/{program}.c")), names, board)

@@ -8,10 +8,11 @@ use std::process::Command;
 use tpg_testing::library;
 
 /// The files of each program: rules about a whole program need to see one, and no more.
-const PROGRAMS: [&[&str]; 4] = [
+const PROGRAMS: [&[&str]; 5] = [
     &["example/main.c", "example/startup.c", "example/qemu.c", "example/report.c"],
     &["firmware-c/control.c", "example/startup.c", "example/qemu.c", "example/report.c"],
     &["firmware-c/costs.c", "example/startup.c", "example/qemu.c", "example/report.c"],
+    &["firmware-c/network.c", "example/startup.c", "example/qemu.c", "example/report.c"],
     &["firmware-c/control.c", "firmware-c/host.c", "example/report.c"],
 ];
 

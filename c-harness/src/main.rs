@@ -5,6 +5,7 @@
 //! | [`problems`] | which episodes, and how graph and network share the arm |
 //! | [`build`] | the firmwares in C and Rust |
 //! | [`models`] | networks of every kind and size, to count |
+//! | [`network`] | a network of another problem than the arm's |
 //! | [`emulate`] | QEMU |
 //! | [`expected`] | the host's trajectories |
 //! | [`record`] | how an episode is written down, here and in the firmware |
@@ -22,6 +23,7 @@ mod facts;
 mod line;
 mod lint;
 mod models;
+mod network;
 mod problems;
 mod record;
 mod size;
@@ -127,6 +129,10 @@ fn qemu(update: bool) -> Result<(), Failure> {
                 println!("Rust: {count} preferences of networks of every kind: the same bits as on the host");
             }
             costs.add(language, &lines);
+        }
+        if let Some(image) = builder("network", Board::Mps2An386)? {
+            symbols::check(&image)?;
+            network::compare(language, &image, &emulate::run(Board::Mps2An386, &image)?)?;
         }
         fits(language, builder)?;
     }

@@ -17,7 +17,7 @@ use tpg_runtime::net::Kind;
 use tpg_runtime::policy::Policy;
 use tpg_train::actor::fixed::FixedActor;
 use tpg_train::evaluate::arm::trial_of;
-use tpg_train::hybrid::setting::HybridFile;
+use tpg_train::hybrid::arm::setting::HybridFile;
 use tpg_train::quantise::{QuantiseArgs, quantise as quantise_file};
 
 const ARM: Arm<f32> = WIDOWX.to_f32();

@@ -1,14 +1,15 @@
-//! How this folder's graph and its actor share the arm: made from `hybrid.toml` by `tpg-train`; do not edit.
+//! Settings for sharing the arm between this folder's graph and its actor: made from `hybrid.toml` by
+//! `tpg-train constants`; do not edit.
 
 use tpg_arm::cycle::Brent;
 use tpg_arm::hybrid::{Guard, Settings};
 
-/// When they change.
+/// The distance and the number of actions at which the policies take turns.
 pub const SETTINGS: Settings<f32> = Settings {
     hand_back_after: 1000,
     separation: f32::INFINITY,
     guard: Guard::Both,
 };
 
-/// What notices that the graph comes to a pose again.
+/// The detector of cycles: it notices that the graph returns to an earlier pose.
 pub type Detector = Brent;

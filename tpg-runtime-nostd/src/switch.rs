@@ -75,7 +75,7 @@ pub enum Cause {
     Guard,
     /// The distance is greater than it has been, by more than the separation.
     Drift,
-    /// The first policy chose to rest.
+    /// The first policy rests: it chose an action that changes nothing, or its [`Patience`] is at an end.
     Stop,
     /// The first policy came to a state where it had been before.
     Cycle,
@@ -165,7 +165,7 @@ impl<S: Scalar, D> Switch<S, D> {
     }
 
     /// Notes an action that did not end the episode, and the state behind it; the reason why the second policy acts next,
-    /// if it newly does.
+    /// if it newly does. `rests` is judged by the caller: the action changes nothing, or a [`Patience`] is at an end.
     #[inline(always)] // as `Hybrid::decide`
     pub fn acted<K>(&mut self, driver: Driver, rests: bool, key: K, distance: S) -> Option<Cause>
     where
@@ -211,6 +211,46 @@ impl<S: Scalar, D> Switch<S, D> {
         if let Some(count) = self.counts.hand_overs.get_mut(cause as usize) {
             *count = count.saturating_add(1);
         }
+    }
+}
+
+/// A limit on the first policy's actions without progress, for problems that know no action of rest.
+///
+/// Progress is a distance below the least one of the present turn. The answer of [`ends`](Self::ends) is what
+/// [`Switch::acted`] takes as `rests`.
+///
+/// ```
+/// use tpg_runtime::switch::{Driver, Patience};
+///
+/// let mut patience = Patience::new(2, 9.0);
+/// let ends = [8.0, 8.0, 7.0, 7.5, 7.0].map(|distance| patience.ends(Driver::Tpg, distance));
+/// assert_eq!(ends, [false, false, false, false, true]);
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Patience<S> {
+    limit: u32,
+    /// The least distance of the turn.
+    best: S,
+    /// Actions since then.
+    without: u32,
+}
+
+impl<S: Scalar> Patience<S> {
+    /// A count at the start of an episode. `limit` is a number of actions from 1, or [`NEVER`].
+    pub fn new(limit: u32, distance: S) -> Self {
+        Self { limit, best: distance, without: 0 }
+    }
+
+    /// Notes an action and the distance behind it. Returns true if the first policy has acted `limit` times without
+    /// progress; an action of the second one starts the count anew.
+    pub fn ends(&mut self, driver: Driver, distance: S) -> bool {
+        if driver == Driver::Sac || distance < self.best {
+            self.best = distance;
+            self.without = 0;
+            return false;
+        }
+        self.without = self.without.saturating_add(1);
+        self.limit != NEVER && self.without >= self.limit
     }
 }
 

@@ -5,11 +5,12 @@
 use std::ops::ControlFlow;
 use std::path::Path;
 use tpg_engine::random::Stream;
-use tpg_engine::{Act, ActionSpace, End, Environment, LocalThreads, Options, SourceSet, Step};
+use tpg_engine::{Act, ActionSpace, Choices, End, Environment, LocalThreads, Options, SourceSet, Step};
 use tpg_graph::{Graph, SourceDocument};
 use tpg_runtime::ops::Own;
-use tpg_train::evaluate::graph::{endings, on_environment};
+use tpg_train::evaluate::graph::on_environment;
 use tpg_train::evolution::{generation::Goal, presets::Preset, run::RunOptions, run::run};
+use tpg_train::hybrid::shared::OwnProblem;
 use tpg_train::report::{ReportArgs, report_with};
 
 pub(crate) struct Cart;
@@ -57,7 +58,7 @@ pub(crate) fn train(folder: &Path) -> Result<(), Box<dyn std::error::Error>> {
     let graph = Graph::from_json(&file, &std::fs::read_to_string(&file)?)?;
     print!("{}", on_environment::<_, Own>("cart", &file, &graph, &Cart, 1000, 1)?.to_table());
     let args = ReportArgs { runs: vec![folder.to_owned()], out: folder.join("report.html"), episodes: 1000, seed: 1 };
-    report_with(&args, Some(&|name, graph, episodes, seed| endings::<_, Own>(name, graph, &Cart, episodes, seed)))?;
+    report_with(&args, Some(&OwnProblem::<f32, Own, _>::new("cart", Choices::new(&Cart, 2)?)))?;
     Ok(())
 }
 

@@ -5,7 +5,7 @@ use crate::evaluate::{EvalArgs, eval};
 use crate::evolution::command::{TpgArgs, execute as execute_tpg};
 use crate::evolution::presets::{ConfigArgs, print_config};
 use crate::hybrid::command::{HybridArgs, execute as execute_hybrid};
-use crate::hybrid::setting::{ConstantsArgs, constants};
+use crate::hybrid::constants::{ConstantsArgs, constants};
 use crate::problems::print_problems;
 use crate::quantise::{QuantiseArgs, quantise};
 use crate::report::{ReportArgs, report};
@@ -33,7 +33,7 @@ enum Command {
     Tpg(TpgArgs),
     /// Train a soft actor-critic
     Sac(SacArgs),
-    /// Study how graphs and actors share the arm
+    /// Study how graphs and networks share a problem
     Hybrid(HybridArgs),
     /// Turn a hybrid.toml into Rust constants
     Constants(ConstantsArgs),

@@ -1,7 +1,8 @@
-//! Folders and text files, with errors that name them. Files are written by [`write_atomically`].
+//! Folders, text files and graphs, with errors that name them. Files are written by [`write_atomically`].
 
 use std::fs;
 use std::path::Path;
+use tpg_graph::Graph;
 use tpg_graph::error::InputError;
 use tpg_graph::output::{self, remove_unfinished};
 
@@ -22,6 +23,14 @@ pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), InputError> {
 /// If the folder cannot be created.
 pub fn make_folder(folder: &Path) -> Result<(), InputError> {
     fs::create_dir_all(folder).map_err(|error| InputError::io(folder, &error, "a folder that can be created"))
+}
+
+/// Reads a `graph.json`.
+///
+/// # Errors
+/// If it cannot be read or is not a graph.
+pub fn read_graph(path: &Path) -> Result<Graph, InputError> {
+    Graph::from_json(&path.display().to_string(), &read_text(path, "a graph.json")?)
 }
 
 /// Reads a text file.

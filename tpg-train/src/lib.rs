@@ -11,7 +11,8 @@
 //! | [`quantise`] | `tpg-train quantise` |
 //! | [`targets`] | tasks over the reachable space |
 //! | [`evaluate`] | test episodes of a policy |
-//! | [`hybrid`] | a graph and an actor that share the arm: settings and study |
+//! | [`hybrid`] | a graph and a network that share a problem: settings and study |
+//! | [`course`] | one episode, action by action |
 //! | [`interrupt`] | Ctrl-C |
 //! | [`picture`] | SVG, plots and the HTML page that contains them |
 //! | [`configuration`] | the configuration and problem that a run's arguments ask for |
@@ -24,6 +25,7 @@
 pub mod actor;
 pub mod cli;
 pub mod configuration;
+pub mod course;
 pub mod csv_text;
 pub mod evaluate;
 pub mod evolution;

@@ -36,7 +36,11 @@ fn threads_and_interruptions_do_not_matter() {
     study(&two, &["--resume"]).success();
     assert_eq!(text(&two, "cells.csv"), cells);
 
-    // The chosen hybrid can be used.
+    // The chosen hybrid can be used, and shown beside runs.
+    let mut report = Command::cargo_bin("tpg-train").expect("the program");
+    let output = report.arg("report").arg(&two).args(["--episodes", "3", "--out", "-"]).assert().success();
+    let html = String::from_utf8(output.get_output().stdout.clone()).expect("text");
+    assert!(html.contains("guard collisions") && html.contains("mean distance mm"), "{html}");
     assert!(text(&two, "report.html").contains("figure 7"));
     let mut eval = Command::cargo_bin("tpg-train").expect("the program");
     let eval = eval.args(["eval", "--problem", "fs", "--episodes", "3", "--json", "--hybrid"]);

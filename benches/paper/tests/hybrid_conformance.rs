@@ -19,7 +19,7 @@ use tpg_paper::limits::max_actions;
 use tpg_problems::arm::targets::Start;
 use tpg_runtime::ops::System;
 use tpg_runtime::policy::Policy;
-use tpg_train::hybrid::graph::GraphPolicy;
+use tpg_train::hybrid::arm::graph::GraphPolicy;
 
 const TPG_SEEDS: u32 = 5;
 const SAC_SEEDS: u32 = 3;

@@ -9,7 +9,8 @@ use tpg_graph::{ActionDocument, Effect, SourceDocument};
 use tpg_runtime::scalar::Scalar;
 
 /// An environment whose actions are named. Each output of a box takes one of a few evenly spaced levels; every
-/// combination of outputs, or of the options of several choices, is one action.
+/// combination of outputs, or of the options of several choices, is one action. An action of the inner environment is
+/// passed on as it is, so that a network and a graph can share an episode.
 ///
 /// ```
 /// use tpg_engine::{ActionSpace, Choices, Environment};
@@ -155,10 +156,10 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Choices<S, E> {
         ActionSpace::Discrete(self.actions.clone())
     }
     fn step(&self, episode: &mut E::Episode, act: Act<'_, S>) -> Step {
-        let inner = match &self.meaning {
-            Meaning::Same => act,
-            Meaning::Values(values) => Act::Values(&values[act.choice()]),
-            Meaning::Options(options) => Act::Choices(&options[act.choice()]),
+        let inner = match (&self.meaning, act) {
+            (Meaning::Values(values), Act::Choice(action)) => Act::Values(&values[usize::from(action.0)]),
+            (Meaning::Options(options), Act::Choice(action)) => Act::Choices(&options[usize::from(action.0)]),
+            (_, act) => act,
         };
         self.environment.step(episode, inner)
     }
@@ -221,6 +222,9 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Choices<S, E> {
     }
     fn cycle(&self, episode: &E::Episode, key: u64, actions: u32) -> Option<Ending> {
         self.environment.cycle(episode, key, actions)
+    }
+    fn distance(&self, episode: &E::Episode) -> Option<f64> {
+        self.environment.distance(episode)
     }
 }
 

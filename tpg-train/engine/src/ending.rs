@@ -123,6 +123,13 @@ impl Summary {
         }
     }
 
+    /// Returns the standard deviation of the scores of the same `endings` (of the sample, n − 1); 0 for a single one.
+    pub fn score_deviation(&self, endings: &[Ending]) -> f64 {
+        let square = |ending: &Ending| (ending.score - self.score) * (ending.score - self.score);
+        let squares: f64 = endings.iter().map(square).sum();
+        (squares / endings.len().saturating_sub(1).max(1) as f64).sqrt()
+    }
+
     /// Compares two results on a problem: the greater one is better.
     pub fn compare(&self, other: &Self, preference: Preference) -> Ordering {
         let by_score = self.score.total_cmp(&other.score);

@@ -172,6 +172,13 @@ pub trait Environment<S: Scalar>: Sync {
     fn cycle(&self, _episode: &Self::Episode, _key: u64, _actions: u32) -> Option<Ending> {
         None
     }
+
+    /// Returns the distance to the goal, in a unit of the problem's own; less is better. A hybrid hands over to its
+    /// network when the distance grows, or no longer falls. `None`, the default: the reward of the last action, with its
+    /// sign changed, takes its place.
+    fn distance(&self, _episode: &Self::Episode) -> Option<f64> {
+        None
+    }
 }
 
 impl<S: Scalar, E: Environment<S>> Environment<S> for &E {
@@ -240,5 +247,8 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for &E {
     }
     fn cycle(&self, episode: &Self::Episode, key: u64, actions: u32) -> Option<Ending> {
         E::cycle(self, episode, key, actions)
+    }
+    fn distance(&self, episode: &Self::Episode) -> Option<f64> {
+        E::distance(self, episode)
     }
 }

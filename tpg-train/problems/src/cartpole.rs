@@ -88,6 +88,11 @@ impl<S: Scalar> Environment<S> for CartPole {
         Some(*state)
     }
 
+    /// The larger of the pole's lean and the cart's way from the middle, as a fraction of what ends the episode.
+    fn distance(&self, [x, _, theta, _]: &State) -> Option<f64> {
+        Some((x.abs() / FAR).max(theta.abs() / LEANING))
+    }
+
     fn observe(&self, state: &mut State, _wanted: SourceSet, values: &mut [S]) {
         values.iter_mut().zip(state).for_each(|(slot, value)| *slot = S::from_f64(*value));
     }

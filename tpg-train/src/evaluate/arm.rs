@@ -3,9 +3,10 @@
 use super::EvalArgs;
 use super::report::Report;
 use crate::actor::file::Actor;
-use crate::hybrid::graph::read_graph;
-use crate::hybrid::setting::{HybridFile, Setting};
-use crate::hybrid::trial;
+use crate::files::read_graph;
+use crate::hybrid::arm::setting::{Detector, Hybrid, Setting};
+use crate::hybrid::arm::trial;
+use crate::hybrid::setting::Detector as AnyDetector;
 use crate::run_args::command_line;
 use serde::Deserialize as _;
 use std::path::Path;
@@ -27,6 +28,12 @@ use tpg_runtime::ops::Maths;
 /// # Errors
 /// If the policy or the episodes cannot be read, or the policy is not one for the arm.
 pub fn evaluate(args: &EvalArgs, start: Start) -> Result<Report, InputError> {
+    if args.separation.is_some() || args.patience.is_some() {
+        return Err(command_line(
+            "--separation or --patience on the arm",
+            "--separation-mm, --guard, --cycle-detector",
+        ));
+    }
     let config = args.config.as_deref().map(|path| arm_config(path, start)).transpose()?;
     let arm = arm_for(args, config.as_ref())?;
     let (tasks, seed) = match &args.targets {
@@ -34,24 +41,13 @@ pub fn evaluate(args: &EvalArgs, start: Start) -> Result<Report, InputError> {
         None => (targets::tasks(&arm, args.seed, Set::Test, start, args.episodes), Some(args.seed)),
     };
     match (&args.hybrid, &args.tpg, &args.policy) {
-        (Some(path), ..) => {
-            let file = HybridFile::read(path)?;
-            let beside = |name: &str| path.parent().unwrap_or(Path::new("")).join(name);
-            let setting = file.setting().map_err(|(key, found, accepted)| {
-                InputError::new(path.display().to_string(), Place::Path(key), found, accepted)
-            })?;
-            let (graph, actor) = (beside(&file.graph), beside(&file.actor));
-            of_hybrid(&path.display().to_string(), &graph, &actor, &setting, start, &tasks, seed)
-        }
+        (Some(path), ..) => of_hybrid(&path.display().to_string(), &Hybrid::read(path)?, start, &tasks, seed),
         (None, Some(graph), Some(actor)) => {
-            let setting = Setting {
-                hand_back_after: args.hand_back_after,
-                separation_mm: args.separation_mm,
-                guard: args.guard,
-                detector: args.cycle_detector,
-            };
+            let setting = setting(args)?;
             let name = format!("{} with {actor}: {}", graph.display(), setting.sentence());
-            of_hybrid(&name, graph, Path::new(actor), &setting, start, &tasks, seed)
+            let graph = (graph.display().to_string(), read_graph(graph)?);
+            let hybrid = Hybrid { graph, actor: Actor::read(Path::new(actor))?, setting };
+            of_hybrid(&name, &hybrid, start, &tasks, seed)
         }
         (None, Some(path), None) => {
             let problem = problem_of(start, config.as_ref());
@@ -64,6 +60,24 @@ pub fn evaluate(args: &EvalArgs, start: Start) -> Result<Report, InputError> {
             Ok(Report::of_trial(&trial, policy, Shield::None, 0.0, seed, began.elapsed().as_secs_f64()))
         }
     }
+}
+
+/// The setting that the arguments ask for; the paper's of fixed starts where they do not.
+fn setting(args: &EvalArgs) -> Result<Setting, InputError> {
+    let detector = match args.cycle_detector {
+        Some(AnyDetector::None) => {
+            return Err(command_line("--cycle-detector none on the arm", "visited, brent"));
+        }
+        Some(AnyDetector::Brent) => Detector::Brent,
+        Some(AnyDetector::Visited) | None => Detector::Visited,
+    };
+    let usual = Setting::PAPER_FS;
+    Ok(Setting {
+        hand_back_after: args.hand_back_after,
+        separation_mm: args.separation_mm.unwrap_or(usual.separation_mm),
+        guard: args.guard.unwrap_or(usual.guard),
+        detector,
+    })
 }
 
 /// Lets a policy do tasks: a `policy.safetensors`, a `policy.q.json`, or the classical `planner` or `nearest-goal`.
@@ -99,16 +113,14 @@ pub fn arm_config(path: &Path, start: Start) -> Result<Config, InputError> {
 
 fn of_hybrid(
     name: &str,
-    graph: &Path,
-    actor: &Path,
-    setting: &Setting,
+    hybrid: &Hybrid,
     start: Start,
     tasks: &[targets::Task],
     seed: Option<u64>,
 ) -> Result<Report, InputError> {
-    let (file, graph, actor) = (graph.display().to_string(), read_graph(graph)?, Actor::read(actor)?);
+    let Hybrid { graph: (file, graph), actor, setting } = hybrid;
     let began = Instant::now();
-    let done = trial::run(&file, &graph, &actor, setting, start, tasks)?;
+    let done = trial::run(file, graph, actor, setting, start, tasks)?;
     Ok(Report::of_hybrid(&done, name, seed, began.elapsed().as_secs_f64()))
 }
 
@@ -147,7 +159,7 @@ pub fn arm_of(file: &str, graph: &Graph) -> Result<Arm<f64>, InputError> {
     Ok(Arm::from(&arm))
 }
 
-/// What a graph is asked for, but for its sources: a configuration's tolerance and action limit, or the paper's.
+/// The problem without its sources: a configuration's tolerance and action limit, or the paper's.
 fn problem_of(start: Start, config: Option<&Config>) -> ArmProblem {
     let usual = ArmProblem::new(start, Vec::new());
     config.map_or(usual, |config| ArmProblem { sources: Vec::new(), ..config.problem(start) })

@@ -24,13 +24,26 @@ pub fn endings<S: Scalar, M: Maths<S>>(
     episodes: usize,
     seed: u64,
 ) -> Result<Vec<Ending>, InputError> {
-    let policy = bind(file, graph, environment)?;
     let tasks: Vec<_> = (0..episodes as u64)
         .map(|index| environment.draw(&mut Stream::new(seed, 0, Purpose::Evaluation, index)))
         .collect();
+    endings_on::<S, M, _>(file, graph, environment, &tasks)
+}
+
+/// Runs a graph on tasks of an environment, in the graph's own maths.
+///
+/// # Errors
+/// As [`endings`].
+pub fn endings_on<S: Scalar, M: Maths<S>, E: Environment<S>>(
+    file: &str,
+    graph: &Graph,
+    environment: &E,
+    tasks: &[E::Task],
+) -> Result<Vec<Ending>, InputError> {
+    let policy = bind(file, graph, environment)?;
     let plan = Plan::new::<M>(&policy, &environment.sources(), Options::default());
     Lanes::<S, M, _>::new(environment, Options::default())
-        .run(&plan, &tasks)
+        .run(&plan, tasks)
         .map_err(|error| InputError::new(file, Place::Whole, error.to_string(), "episodes that can be run"))
 }
 

@@ -1,6 +1,6 @@
 //! The figures that `tpg-train eval` prints.
 
-use crate::hybrid::trial::HybridTrial;
+use crate::hybrid::arm::trial::HybridTrial;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -41,6 +41,9 @@ pub struct Report {
     /// The arm's own figures.
     #[serde(flatten)]
     pub arm: Option<ArmFigures>,
+    /// The figures of a hybrid; the arm's are among its own figures.
+    #[serde(flatten)]
+    pub hybrid: Option<HybridFigures>,
     /// The name and unit of the problem's measure, and its mean; the arm's are among its own figures.
     #[serde(skip)]
     pub measure: Option<(Measure, f64)>,
@@ -70,6 +73,25 @@ pub struct ArmFigures {
     pub hand_overs: Option<BTreeMap<String, f64>>,
 }
 
+/// Figures that only a hybrid has.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct HybridFigures {
+    /// The fraction of all actions that the graph chose.
+    pub tpg_action_ratio: f64,
+    /// The actions per episode that the network chose.
+    pub network_actions: f64,
+    /// Hand-overs to the network per episode, by cause: drift, stall, cycle.
+    pub hand_overs: BTreeMap<String, f64>,
+    /// The number of times per episode that the network handed back.
+    pub hand_backs: f64,
+}
+
+/// Lists hand-overs for people.
+fn listed(ratio: f64, hand_overs: &BTreeMap<String, f64>) -> String {
+    let causes: Vec<String> = hand_overs.iter().map(|(name, count)| format!("{name} {count:.2}")).collect();
+    format!("{:.1} % of the actions; hand-overs an episode: {}", 100.0 * ratio, causes.join(", "))
+}
+
 impl Report {
     /// The report of episodes; `seconds` is the time they took.
     pub fn new(
@@ -81,8 +103,8 @@ impl Report {
         measure: Option<Measure>,
         seconds: f64,
     ) -> Self {
-        let Summary { score: mean, success, actions, measure: mean_measure, .. } = Summary::of(endings);
-        let squares: f64 = endings.iter().map(|ending| (ending.score - mean) * (ending.score - mean)).sum();
+        let summary = Summary::of(endings);
+        let Summary { score: mean, success, actions, measure: mean_measure, .. } = summary;
         let of = |place: usize| endings.iter().filter(|ending| usize::from(ending.outcome) == place).count();
         let judged = endings.iter().filter(|ending| ending.success.is_some()).count();
         Self {
@@ -91,7 +113,7 @@ impl Report {
             episodes: endings.len(),
             seed,
             mean_score: mean,
-            std_score: (squares / endings.len().saturating_sub(1).max(1) as f64).sqrt(),
+            std_score: summary.score_deviation(endings),
             min_score: endings.iter().map(|ending| ending.score).fold(f64::INFINITY, f64::min),
             mean_steps: actions,
             success_rate: success,
@@ -99,6 +121,7 @@ impl Report {
             outcomes: outcomes.iter().enumerate().map(|(place, &name)| (name.to_owned(), of(place))).collect(),
             ns_per_action: seconds * 1e9 / (actions * endings.len() as f64).max(1.0),
             arm: None,
+            hybrid: None,
             measure: measure.map(|measure| (measure, mean_measure)),
         }
     }
@@ -158,10 +181,7 @@ impl Report {
                 let (all, good) = (arm.mean_actions, arm.mean_actions_on_success);
                 row("actions", format!("{all:.0} mean, {good:.0} mean on success"));
                 if let Some(causes) = &arm.hand_overs {
-                    let causes: Vec<String> = causes.iter().map(|(name, count)| format!("{name} {count:.2}")).collect();
-                    let ratio = 100.0 * arm.tpg_action_ratio;
-                    let causes = causes.join(", ");
-                    row("by the graph", format!("{ratio:.1} % of the actions; hand-overs an episode: {causes}"));
+                    row("by the graph", listed(arm.tpg_action_ratio, causes));
                 }
             }
             (None, measure) => {
@@ -169,6 +189,9 @@ impl Report {
                     row(measure.name, format!("{mean:.3} {} mean", measure.unit));
                 }
                 row("actions", format!("{:.1} mean", self.mean_steps));
+                if let Some(hybrid) = &self.hybrid {
+                    row("by the graph", listed(hybrid.tpg_action_ratio, &hybrid.hand_overs));
+                }
             }
         }
         let ends = self.outcomes.iter().filter(|(_, count)| **count > 0);

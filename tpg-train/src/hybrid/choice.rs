@@ -1,186 +1,170 @@
 //! Evaluation of the cells: means over pairs, the Pareto front, the setting to use.
 
-use super::cost::Costs;
-use super::setting::{Detector, HandBack, Setting};
-use super::study::Cell;
+use super::cells::Cell;
+use super::setting::{Detector, Setting};
+use super::span::Span;
+use super::spread::Spread;
 use serde::Serialize;
-
-/// A mean with the population's standard deviation, as in the paper.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Spread {
-    /// The mean.
-    pub mean: f64,
-    /// The standard deviation; 0 for a single value.
-    pub sd: f64,
-}
-
-impl Spread {
-    /// Computes mean and standard deviation of values.
-    pub fn of(values: &[f64]) -> Self {
-        let count = values.len().max(1) as f64;
-        let mean = values.iter().sum::<f64>() / count;
-        let variance = values.iter().map(|value| (value - mean) * (value - mean)).sum::<f64>() / count;
-        Self { mean, sd: variance.sqrt() }
-    }
-}
+use tpg_engine::Preference;
 
 /// One row of `settings.csv`: a setting, averaged over all pairs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Summary {
-    /// The guard's name.
-    pub guard: String,
     /// Method of detecting cycles.
     pub cycle_detector: Detector,
-    /// The paper's `nbItGoBackTPG`.
-    pub hand_back_after: HandBack,
-    /// The paper's `sepDistance`, mm.
-    pub separation_mm: f64,
-    /// Mean success rate over pairs.
-    pub success: f64,
+    /// Number of actions of the network before the graph takes over again.
+    pub hand_back_after: Span,
+    /// The separation, in the unit of the problem's distance.
+    pub separation: f64,
+    /// The patience, in actions of the graph.
+    pub patience: Span,
+    /// Mean score over pairs.
+    pub score: f64,
     /// Its standard deviation over pairs.
-    pub success_sd: f64,
-    /// Mean collision rate over pairs.
-    pub collision: f64,
-    /// Its standard deviation over pairs.
-    pub collision_sd: f64,
-    /// Mean final distance over pairs.
-    pub distance_mm: f64,
-    /// Its standard deviation over pairs.
-    pub distance_sd: f64,
+    pub score_sd: f64,
+    /// Mean success rate over pairs; empty if the problem does not define success.
+    pub success: Option<f64>,
     /// Mean number of actions over pairs.
-    pub actions: f64,
+    pub steps: f64,
     /// Mean over pairs of the fraction of actions that the graph chose.
     pub tpg_action_ratio: f64,
-    /// Mean over pairs of the time of one action on this machine, by the costs in `timing.csv`.
-    pub ns_per_action: f64,
-    /// True if no other setting is at least as good in distance, success and time, and better in one of them.
+    /// Mean over pairs of the network's actions per episode.
+    pub network_actions: f64,
+    /// True if no other setting has at least this worth with at most this many actions of the network, and is better in
+    /// one of them.
     pub on_front: bool,
     /// True if this is the setting to use.
     pub chosen: bool,
 }
 
 impl Summary {
+    fn new(setting: &Setting, cells: &[&Cell]) -> Self {
+        let spread =
+            |value: &dyn Fn(&Cell) -> f64| Spread::of(&cells.iter().map(|cell| value(cell)).collect::<Vec<_>>());
+        let score = spread(&|cell| cell.mean_score);
+        let success = cells.iter().all(|cell| cell.success.is_some());
+        Self {
+            cycle_detector: setting.detector,
+            hand_back_after: setting.hand_back_after,
+            separation: setting.separation,
+            patience: setting.patience,
+            score: score.mean,
+            score_sd: score.sd,
+            success: success.then(|| spread(&|cell| cell.success.unwrap_or(0.0)).mean),
+            steps: spread(&|cell| cell.mean_steps).mean,
+            tpg_action_ratio: spread(&|cell| cell.tpg_action_ratio).mean,
+            network_actions: spread(&|cell| cell.network_actions).mean,
+            on_front: false,
+            chosen: false,
+        }
+    }
+
     /// Returns the setting.
-    pub fn setting(&self, cells: &[Cell]) -> Option<Setting> {
-        cells.iter().find(|cell| self.is_of(cell)).map(Cell::setting)
+    pub fn setting(&self) -> Setting {
+        let Self { hand_back_after, separation, patience, cycle_detector: detector, .. } = *self;
+        Setting { hand_back_after, separation, patience, detector }
     }
 
-    /// True if the summary includes the cell.
-    pub fn is_of(&self, cell: &Cell) -> bool {
-        cell.guard == self.guard
-            && cell.cycle_detector == self.cycle_detector
-            && cell.hand_back_after == self.hand_back_after
-            && cell.separation_mm == self.separation_mm
+    /// Returns the quantity that is preferred: the score, or the success rate.
+    fn worth(&self, preference: Preference) -> f64 {
+        worth(preference, self.score, self.success)
     }
+}
 
-    fn dominates(&self, other: &Self) -> bool {
-        let no_worse = self.distance_mm <= other.distance_mm
-            && self.success >= other.success
-            && self.ns_per_action <= other.ns_per_action;
-        let better = self.distance_mm < other.distance_mm
-            || self.success > other.success
-            || self.ns_per_action < other.ns_per_action;
-        no_worse && better
+fn worth(preference: Preference, score: f64, success: Option<f64>) -> f64 {
+    match (preference, success) {
+        (Preference::Success, Some(success)) => success,
+        _ => score,
     }
 }
 
 /// Summarises every setting over all pairs and marks front and choice.
 ///
-/// Among all settings whose mean success lies within one standard error of the highest, the choice is the one with the
-/// least time per action; ties go to the first.
-pub fn summarise(cells: &[Cell], settings: &[Setting], costs: &Costs) -> Vec<Summary> {
-    let mut summaries: Vec<Summary> = settings.iter().map(|setting| summary(cells, setting, costs)).collect();
-    let front: Vec<bool> =
-        summaries.iter().map(|summary| !summaries.iter().any(|other| other.dominates(summary))).collect();
-    summaries.iter_mut().zip(front).for_each(|(summary, on_front)| summary.on_front = on_front);
-    if let Some(chosen) = choose(cells, &summaries) {
+/// The choice is, among the settings whose worth (the mean score, or the success rate where the problem prefers it) lies
+/// within one standard error of the highest, the one with the fewest actions of the network; ties go to the first.
+pub fn summarise(cells: &[Cell], settings: &[Setting], preference: Preference) -> Vec<Summary> {
+    let of = |setting: &Setting| cells.iter().filter(|cell| cell.setting() == *setting).collect::<Vec<_>>();
+    let mut summaries: Vec<Summary> = settings.iter().map(|setting| Summary::new(setting, &of(setting))).collect();
+    let costs: Vec<(f64, f64)> =
+        summaries.iter().map(|summary| (summary.worth(preference), summary.network_actions)).collect();
+    for (summary, &(worth, actions)) in summaries.iter_mut().zip(&costs) {
+        let better = |&(w, a): &(f64, f64)| w >= worth && a <= actions && (w > worth || a < actions);
+        summary.on_front = !costs.iter().any(better);
+    }
+    let best = (0..costs.len()).rev().max_by(|&a, &b| costs[a].0.total_cmp(&costs[b].0));
+    let Some(best) = best else { return summaries };
+    let least = costs[best].0 - standard_error(&of(&settings[best]), preference);
+    let good = (0..costs.len()).filter(|&place| costs[place].0 >= least);
+    if let Some(chosen) = good.min_by(|&a, &b| costs[a].1.total_cmp(&costs[b].1)) {
         summaries[chosen].chosen = true;
     }
     summaries
 }
 
-fn summary(cells: &[Cell], setting: &Setting, costs: &Costs) -> Summary {
-    let of_setting: Vec<&Cell> = cells.iter().filter(|cell| cell.setting() == *setting).collect();
-    let spread =
-        |value: &dyn Fn(&Cell) -> f64| Spread::of(&of_setting.iter().map(|cell| value(cell)).collect::<Vec<_>>());
-    let (success, collision) = (spread(&|cell| cell.success), spread(&|cell| cell.collision));
-    let distance = spread(&|cell| cell.distance_mm);
-    Summary {
-        guard: setting.guard.name().to_owned(),
-        cycle_detector: setting.detector,
-        hand_back_after: setting.hand_back_after,
-        separation_mm: setting.separation_mm,
-        success: success.mean,
-        success_sd: success.sd,
-        collision: collision.mean,
-        collision_sd: collision.sd,
-        distance_mm: distance.mean,
-        distance_sd: distance.sd,
-        actions: spread(&|cell| cell.actions).mean,
-        tpg_action_ratio: spread(&|cell| cell.tpg_action_ratio).mean,
-        ns_per_action: spread(&|cell| costs.ns_per_action(cell)).mean,
-        on_front: false,
-        chosen: false,
-    }
+/// Returns the standard error of the mean worth of a setting's cells.
+fn standard_error(cells: &[&Cell], preference: Preference) -> f64 {
+    let variance = |cell: &Cell| match (preference, cell.success) {
+        (Preference::Success, Some(rate)) => rate * (1.0 - rate),
+        _ => cell.std_score * cell.std_score,
+    };
+    let sum: f64 = cells.iter().map(|cell| variance(cell) / cell.episodes.max(1) as f64).sum();
+    sum.sqrt() / cells.len().max(1) as f64
 }
 
-fn choose(cells: &[Cell], summaries: &[Summary]) -> Option<usize> {
-    let best = summaries.iter().map(|summary| summary.success).max_by(f64::total_cmp)?;
-    let episodes: usize = cells.iter().filter(|cell| summaries[0].is_of(cell)).map(|cell| cell.episodes).sum();
-    let standard_error = (best * (1.0 - best) / episodes.max(1) as f64).sqrt();
-    let good = summaries.iter().enumerate().filter(|(_, summary)| summary.success >= best - standard_error);
-    good.min_by(|(_, a), (_, b)| a.ns_per_action.total_cmp(&b.ns_per_action)).map(|(place, _)| place)
+/// Returns the pair with the highest worth under a setting; ties go to the first.
+pub fn best_pair<'a>(cells: &'a [Cell], setting: &Setting, preference: Preference) -> Option<&'a Cell> {
+    let of = |cell: &Cell| worth(preference, cell.mean_score, cell.success);
+    cells.iter().rev().filter(|cell| cell.setting() == *setting).max_by(|a, b| of(a).total_cmp(&of(b)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tpg_arm::hybrid::Guard;
 
-    fn cell(sac: usize, separation_mm: f64, success: f64, distance_mm: f64, tpg_action_ratio: f64) -> Cell {
+    fn cell(sac: usize, patience: u32, score: f64, network_actions: f64) -> Cell {
         Cell {
             tpg: 0,
             sac,
-            guard: "none".to_owned(),
-            cycle_detector: Detector::Visited,
-            hand_back_after: HandBack(10),
-            separation_mm,
+            cycle_detector: Detector::None,
+            hand_back_after: Span(10),
+            separation: 2.0,
+            patience: Span(patience),
             episodes: 100,
-            success,
-            collision: 0.0,
-            distance_mm,
-            actions: 100.0,
-            tpg_action_ratio,
-            tpg_ratio_of_episodes: tpg_action_ratio,
-            hand_overs_guard: 0.0,
-            hand_overs_drift: 1.0,
-            hand_overs_stop: 0.0,
+            mean_score: score,
+            std_score: 20.0,
+            success: Some(0.5),
+            mean_steps: 200.0,
+            tpg_action_ratio: 1.0 - network_actions / 200.0,
+            network_actions,
+            hand_overs_drift: 0.0,
+            hand_overs_stall: 1.0,
             hand_overs_cycle: 0.0,
             hand_backs: 1.0,
         }
     }
 
     #[test]
-    fn the_cheapest_of_the_good_is_chosen_and_what_is_dominated_is_not_on_the_front() {
-        let costs = Costs { tpg: vec![100.0], sac: vec![1000.0, 1000.0], guards: [0.0, 5.0, 50.0, 50.0] };
+    fn the_fewest_actions_of_the_network_among_the_good_are_chosen() {
         let cells = [
-            cell(0, 1.0, 0.96, 3.0, 0.1), // best, but slow
-            cell(1, 1.0, 0.94, 5.0, 0.1),
-            cell(0, 3.0, 0.94, 4.0, 0.9), // within the standard error of 1.5 points, and fast
-            cell(1, 3.0, 0.94, 4.0, 0.9),
-            cell(0, 10.0, 0.80, 9.0, 0.5), // dominated
-            cell(1, 10.0, 0.80, 9.0, 0.5),
+            cell(0, 1, -149.0, 90.0), // best on average
+            cell(1, 1, -151.0, 90.0),
+            cell(0, 2, -151.0, 40.0), // within the standard error of 1.41
+            cell(1, 2, -151.0, 40.0),
+            cell(0, 3, -160.0, 20.0), // on the front, but too bad
+            cell(1, 3, -160.0, 20.0),
+            cell(0, 4, -160.0, 60.0), // dominated
+            cell(1, 4, -160.0, 60.0),
         ];
-        let setting = |separation_mm| Setting {
-            hand_back_after: HandBack(10),
-            separation_mm,
-            guard: Guard::None,
-            detector: Detector::Visited,
+        let settings: Vec<Setting> = cells.iter().step_by(2).map(Cell::setting).collect();
+        let marks = |preference| {
+            let summaries = summarise(&cells, &settings, preference);
+            let front: Vec<bool> = summaries.iter().map(|summary| summary.on_front).collect();
+            (front, summaries.iter().position(|summary| summary.chosen))
         };
-        let summaries = summarise(&cells, &[setting(1.0), setting(3.0), setting(10.0)], &costs);
-        assert_eq!(summaries.iter().map(|s| s.on_front).collect::<Vec<_>>(), [true, true, false]);
-        assert_eq!(summaries.iter().map(|s| s.chosen).collect::<Vec<_>>(), [false, true, false]);
-        assert!((summaries[0].success - 0.95).abs() < 1e-12 && (summaries[0].success_sd - 0.01).abs() < 1e-12);
-        assert!((summaries[1].ns_per_action - 190.0).abs() < 1e-9, "{}", summaries[1].ns_per_action);
+        assert_eq!(marks(Preference::Score), (vec![true, true, true, false], Some(1)));
+        // All succeed as often: the cheapest is alone on the front.
+        assert_eq!(marks(Preference::Success), (vec![false, false, true, false], Some(2)));
+        let best = best_pair(&cells, &settings[0], Preference::Score).expect("a pair");
+        assert_eq!((best.sac, best.mean_score), (0, -149.0));
     }
 }

@@ -1,43 +1,56 @@
-//! `tpg-train hybrid`: the study of both parameters.
+//! `tpg-train hybrid`: the study of a hybrid's settings.
 //!
 //! The folder of a study contains `study.toml` (the request), `cells.csv` (a row for each pair and setting),
-//! `settings.csv` (means over pairs, front, choice), `alone.csv`, `hybrid.toml` (the chosen setting with the best
-//! pair), `timing.csv` (the only measurement that differs between equal runs, and with it the times elsewhere) and
-//! `report.html`.
+//! `settings.csv` (means over pairs, front, choice), `alone.csv`, `hybrid.toml` (the chosen setting with the best pair)
+//! and `report.html`; for the arm also `timing.csv`. All but the arm's times are the same bytes for equal runs.
 
-use super::choice::{self, Summary};
-use super::cost::Costs;
-use super::graph::read_graph;
+use super::arm::command as arm;
+use super::cells::{Subject, grid};
+use super::choice;
 use super::report;
-use super::setting::{Detector, HybridFile};
-use super::study::{Cell, Study, settings, to_csv};
-use crate::actor::file::Actor;
-use crate::files::{make_folder, read_text, write_atomically};
-use crate::interrupt;
+use super::setting::{Detector, HybridFile, Setting};
+use super::shared::{Episodes, Facts, Shared};
+use super::span::Span;
+use super::study::{self, Input, absolute, to_csv};
+use super::trial::Acting;
+use crate::files::{read_graph, write_atomically};
+use crate::run_args::command_line;
+use crate::sac::network::Network;
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
-use sha2::{Digest, Sha256};
-use std::fs;
-use std::path::{Path, PathBuf};
-
-use tpg_arm::WIDOWX;
+use std::path::PathBuf;
 use tpg_arm::hybrid::Guard;
+use tpg_engine::Summary;
+use tpg_engine::random::Purpose;
 use tpg_graph::command::Verdict;
-use tpg_graph::error::{InputError, Place};
-use tpg_problems::arm::targets::{Set, Start, tasks};
+use tpg_graph::error::{Finding, InputError};
+use tpg_problems::ProblemName;
 
-/// Study how graphs and actors share the arm, on validation episodes.
+/// Study how graphs and networks share a problem, on validation episodes.
 #[derive(Clone, Debug, Args)]
 pub struct HybridArgs {
-    /// The problem: fixed or random start
+    /// The problem
     #[arg(long, value_enum)]
-    pub problem: Start,
+    pub problem: ProblemName,
+    /// The arguments of a study on any problem
+    #[command(flatten)]
+    pub study: StudyArgs,
+    /// The problem's settings of this configuration. Default: those of the problem; the arm has only its usual ones
+    #[arg(long, value_name = "FILE")]
+    pub config: Option<PathBuf>,
+    /// The arm only: guards, none, joint-limits, collisions or both [default: every one]
+    #[arg(long, value_name = "GUARD", value_delimiter = ',', value_parser = guard)]
+    pub guard: Vec<Guard>,
+}
+
+/// The arguments of a study on any problem.
+#[derive(Clone, Debug, Args)]
+pub struct StudyArgs {
     /// Graphs
     #[arg(long, value_name = "GRAPH", num_args = 1.., required = true)]
     pub tpg: Vec<PathBuf>,
-    /// Actors: policy.safetensors or policy.q.json
+    /// Networks: policy.safetensors or policy.q.json
     #[arg(long, value_name = "FILE", num_args = 1.., required = true)]
     pub policy: Vec<PathBuf>,
     /// The folder of the study
@@ -52,13 +65,21 @@ pub struct HybridArgs {
     /// The seed of the validation episodes
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
-    /// Guards: none, joint-limits, collisions, both
-    #[arg(long, value_name = "GUARD", value_delimiter = ',', default_value = "none,joint-limits,collisions,both",
-          value_parser = guard)]
-    pub guard: Vec<Guard>,
-    /// Methods of detecting cycles
-    #[arg(long, value_enum, value_name = "DETECTOR", value_delimiter = ',', default_value = "visited")]
+    /// Methods of detecting cycles [default: visited; none where the problem has no keys]
+    #[arg(long, value_enum, value_name = "DETECTOR", value_delimiter = ',')]
     pub cycle_detector: Vec<Detector>,
+    /// Actions of the network before the graph takes over again, or `never` [default: 1, 5, 20, 50, 100 and never; the
+    /// paper's on the arm]
+    #[arg(long, value_name = "N", value_delimiter = ',')]
+    pub hand_back_after: Vec<Span>,
+    /// The network takes over when the distance to the goal exceeds its least by this, in the problem's own unit, or `inf`
+    /// [default: quantiles of what the graphs alone do, and inf; the paper's on the arm]
+    #[arg(long, value_name = "D", value_delimiter = ',')]
+    pub separation: Vec<f64>,
+    /// The network takes over after that many actions of the graph without progress, or `never` [default: 5, 10, 20, 50
+    /// and never]. Not on the arm
+    #[arg(long, value_name = "N", value_delimiter = ',')]
+    pub patience: Vec<Span>,
     /// Threads; 0 for one per core
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub threads: usize,
@@ -81,179 +102,205 @@ pub struct Alone {
     pub place: usize,
     /// Its file.
     pub file: String,
-    /// Fraction of the episodes that reached their target.
-    pub success: f64,
-    /// Fraction of the episodes that ended with an invalid action.
-    pub collision: f64,
-    /// Mean final distance.
-    pub distance_mm: f64,
+    /// Mean score.
+    pub mean_score: f64,
+    /// Standard deviation of the scores, over the episodes (of the sample, n − 1).
+    pub std_score: f64,
+    /// Fraction of successes, 0 to 1; empty if the problem does not define success.
+    pub success: Option<f64>,
     /// Mean number of actions.
-    pub actions: f64,
+    pub mean_steps: f64,
 }
 
 /// Content of `study.toml`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct Asked {
-    problem: Start,
     episodes: usize,
     seed: u64,
-    guards: Vec<String>,
     cycle_detectors: Vec<Detector>,
+    hand_back_after: Vec<Span>,
+    separation: Vec<f64>,
+    patience: Vec<Span>,
+    problem: toml::Table,
     tpg: Vec<Input>,
     policy: Vec<Input>,
 }
 
-/// An input file with its content.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-struct Input {
-    file: String,
-    sha256: String,
-}
-
-impl Input {
-    fn of(path: &Path) -> Result<Self, InputError> {
-        let bytes = fs::read(path).map_err(|error| InputError::io(path, &error, "a graph or an actor"))?;
-        let sha256 = Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect();
-        Ok(Self { file: path.display().to_string(), sha256 })
-    }
-}
-
-/// Runs the study.
+/// Runs the study that the command line asks for.
 ///
 /// # Errors
-/// Files that are not policies, a folder with another study, files that cannot be written.
+/// Files that are not policies of the problem, settings that it does not have, a folder with another study, files that
+/// cannot be written.
 pub fn execute(args: &HybridArgs) -> Result<Verdict, InputError> {
-    let inputs = |paths: &[PathBuf]| paths.iter().map(|path| Input::of(path)).collect::<Result<Vec<_>, _>>();
+    if let Some(start) = args.problem.start() {
+        return arm::execute(args, start);
+    }
+    if !args.guard.is_empty() {
+        let found = format!("--guard with --problem {}", args.problem.name());
+        return Err(command_line(found, "--guard with fs or rs: only the arm has guards"));
+    }
+    let problem = crate::evaluate::graph_problem(args.problem, args.config.as_deref())?;
+    study_on(&problem, &args.study)
+}
+
+/// Runs a study on a problem, such as [an environment of your own](super::shared::OwnProblem).
+///
+/// # Errors
+/// As [`execute`].
+pub fn study_on(problem: &dyn Shared, args: &StudyArgs) -> Result<Verdict, InputError> {
+    let facts = problem.facts();
+    let read_networks = args.policy.iter().map(|path| Ok((path.display().to_string(), Network::read(path)?)));
+    let mut subject = Subject {
+        problem,
+        graphs: args.tpg.iter().map(|p| Ok((p.display().to_string(), read_graph(p)?))).collect::<Result<_, _>>()?,
+        networks: read_networks.collect::<Result<_, InputError>>()?,
+        settings: Vec::new(),
+        episodes: Episodes { purpose: Purpose::Selection, count: args.episodes, seed: args.seed },
+    };
+    for (file, network) in &subject.networks {
+        crate::evaluate::same_problem(&problem.name(), file, network)?;
+    }
     let asked = Asked {
-        problem: args.problem,
         episodes: args.episodes,
         seed: args.seed,
-        guards: args.guard.iter().map(|guard| guard.name().to_owned()).collect(),
-        cycle_detectors: args.cycle_detector.clone(),
-        tpg: inputs(&args.tpg)?,
-        policy: inputs(&args.policy)?,
+        cycle_detectors: detectors(args, &facts, &problem.name())?,
+        hand_back_after: or_spans(&args.hand_back_after, &[1, 5, 20, 50, 100], &facts),
+        separation: separations(args, &subject)?,
+        patience: or_spans(&args.patience, &[5, 10, 20, 50], &facts),
+        problem: problem.table(),
+        tpg: Input::of(&args.tpg)?,
+        policy: Input::of(&args.policy)?,
     };
-    let study = Study {
-        tpgs: args.tpg.iter().map(|p| Ok((p.display().to_string(), read_graph(p)?))).collect::<Result<_, _>>()?,
-        sacs: args.policy.iter().map(|p| Ok((p.display().to_string(), Actor::read(p)?))).collect::<Result<_, _>>()?,
-        settings: settings(&args.guard, &args.cycle_detector),
-        start: args.problem,
-        tasks: tasks(&WIDOWX, args.seed, Set::Validation, args.problem, args.episodes),
+    subject.settings = grid(&asked.cycle_detectors, &asked.hand_back_after, &asked.separation, &asked.patience);
+    if subject.settings.is_empty() {
+        let accepted = "a finite --separation, a --patience in actions, or --cycle-detector visited or brent";
+        return Err(command_line("settings by which the graph never hands over", accepted));
+    }
+    // Policies that do not fit are refused before the folder is made.
+    let threads = study::threads(args.threads)?;
+    let alone = threads.install(|| alone(&subject))?;
+    study::open_folder(&args.out, args.resume, &asked)?;
+    let Some(cells) = study::in_folder(&subject, &args.out, &threads)? else { return Ok(Verdict::Interrupted) };
+    let summaries = choice::summarise(&cells, &subject.settings, facts.preference);
+    let file = |name: &str| args.out.join(name);
+    write_atomically(&file("settings.csv"), &to_csv(summaries.iter()))?;
+    write_atomically(&file("alone.csv"), &to_csv(alone.iter()))?;
+    write_atomically(&file("report.html"), report::page(&problem.name(), &cells, &summaries, &alone).as_bytes())?;
+    let Some(chosen) = summaries.iter().find(|summary| summary.chosen) else { return Ok(Verdict::Good) };
+    let Some(best) = choice::best_pair(&cells, &chosen.setting(), facts.preference) else { return Ok(Verdict::Good) };
+    let hybrid = HybridFile {
+        problem: problem.name(),
+        graph: absolute(&args.tpg[best.tpg]),
+        actor: absolute(&args.policy[best.sac]),
+        hand_back_after: chosen.hand_back_after,
+        separation: chosen.separation,
+        patience: chosen.patience,
+        cycle_detector: chosen.cycle_detector,
     };
-    open_folder(args, &asked)?;
-    let stop = interrupt::watch();
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(args.threads).build();
-    let pool = pool.map_err(|e| {
-        InputError::new("--threads", Place::Whole, e.to_string(), "a number of threads that can be started")
-    })?;
-    let progress = ProgressBar::new(study.size() as u64);
-    let style = ProgressStyle::with_template("{bar:30} {pos} of {len}  {eta} left");
-    progress.set_style(style.expect("a template that is right"));
-    let costs = Costs::measure(&study)?;
-    let Some(cells) = pool.install(|| study.run(&args.out.join("cells.csv"), &progress, &stop))? else {
-        return Ok(Verdict::Interrupted);
-    };
-    let alone = pool.install(|| alone(&study))?;
-    progress.finish_and_clear();
-    finish(args, &study, &costs, &cells, &alone)?;
+    write_atomically(&file("hybrid.toml"), toml::to_string(&hybrid).expect("plain data").as_bytes())?;
+    eprintln!(
+        "chosen: {}: score {:.2}, {:.1} of {:.1} actions by the network",
+        chosen.setting().sentence(),
+        chosen.score,
+        chosen.network_actions,
+        chosen.steps
+    );
+    for Alone { kind, file, mean_score, .. } in &alone {
+        eprintln!("{}: {file}: score {mean_score:.2}", if *kind == "tpg" { "graph alone" } else { "network alone" });
+    }
     Ok(Verdict::Good)
 }
 
-fn open_folder(args: &HybridArgs, asked: &Asked) -> Result<(), InputError> {
-    let path = args.out.join("study.toml");
-    let text = toml::to_string(asked).expect("plain data");
-    if path.exists() {
-        let name = path.display().to_string();
-        if !args.resume {
-            return Err(InputError::new(name, Place::Whole, "a study", "an empty folder, or --resume"));
-        }
-        if read_text(&path, "a study.toml")? != text {
-            let accepted = "the same arguments and the same files as at the start";
-            return Err(InputError::new(name, Place::Whole, "another study", accepted));
-        }
+/// Returns the detectors asked for, or the usual one.
+fn detectors(args: &StudyArgs, facts: &Facts, problem: &str) -> Result<Vec<Detector>, InputError> {
+    if args.cycle_detector.is_empty() {
+        return Ok(vec![if facts.has_key { Detector::Visited } else { Detector::None }]);
     }
-    make_folder(&args.out)?;
-    write_atomically(&path, text.as_bytes())
+    args.cycle_detector.iter().try_for_each(|&detector| check_detector(detector, facts.has_key, problem))?;
+    Ok(args.cycle_detector.clone())
 }
 
-fn alone(study: &Study) -> Result<Vec<Alone>, InputError> {
-    let tpgs = (0..study.tpgs.len()).map(|place| ("tpg", place));
-    let all: Vec<(&'static str, usize)> = tpgs.chain((0..study.sacs.len()).map(|place| ("sac", place))).collect();
+/// Refuses to detect cycles on a problem without keys.
+///
+/// # Errors
+/// If it has none and the detector needs them.
+pub fn check_detector(detector: Detector, has_key: bool, problem: &str) -> Result<(), InputError> {
+    if has_key || detector == Detector::None {
+        return Ok(());
+    }
+    let found = format!("cycle detector {} for {problem}, which has no keys to detect cycles by", detector.name());
+    Err(command_line(found, "none, with a separation or a patience; or an Environment with `key`"))
+}
+
+/// Returns the numbers asked for, or the usual ones that an episode can reach, and never.
+fn or_spans(asked: &[Span], usual: &[u32], facts: &Facts) -> Vec<Span> {
+    if !asked.is_empty() {
+        return asked.to_vec();
+    }
+    let reached = usual.iter().copied().filter(|&actions| actions < facts.time_limit).map(Span);
+    reached.chain([Span::NEVER]).collect()
+}
+
+/// Quantiles of a graph's rises above its least distance that become separations.
+const QUANTILES: [f64; 5] = [0.5, 0.75, 0.9, 0.95, 0.99];
+/// Number of episodes in which the rises are measured.
+const MEASURED: usize = 50;
+
+/// Returns the separations asked for, or quantiles of the rises of the graphs alone, to two digits, and infinity.
+fn separations(args: &StudyArgs, subject: &Subject<'_>) -> Result<Vec<f64>, InputError> {
+    if !args.separation.is_empty() {
+        let bad = args.separation.iter().find(|separation| !matches!(separation, 0.0..));
+        return match bad {
+            Some(bad) => Err(command_line(format!("--separation {bad}"), "distances from 0, or inf")),
+            None => Ok(args.separation.clone()),
+        };
+    }
+    let episodes = Episodes { count: MEASURED.min(args.episodes), ..subject.episodes };
+    let mut rises = Vec::new();
+    for graph in &subject.graphs {
+        rises.extend(subject.problem.rises(graph, episodes)?.into_iter().filter(|rise| rise.is_finite()));
+    }
+    rises.sort_by(f64::total_cmp);
+    let two_digits = |value: f64| format!("{value:.1e}").parse::<f64>().unwrap_or(value);
+    let quantile = |part: f64| rises.get((part * rises.len() as f64) as usize).map(|&rise| two_digits(rise));
+    let mut all: Vec<f64> = QUANTILES.into_iter().filter_map(quantile).filter(|&rise| rise > 0.0).collect();
+    all.push(f64::INFINITY);
+    all.dedup();
+    Ok(all)
+}
+
+fn alone(subject: &Subject<'_>) -> Result<Vec<Alone>, InputError> {
+    let graphs = subject.graphs.iter().map(|graph| ("tpg", &graph.0, Acting::Graph(graph))).enumerate();
+    let networks = subject.networks.iter().map(|network| ("sac", &network.0, Acting::Network(network))).enumerate();
+    let all: Vec<_> = graphs.chain(networks).collect();
     all.into_par_iter()
-        .map(|(kind, place)| {
-            let (file, trial) = if kind == "tpg" {
-                let (file, graph) = &study.tpgs[place];
-                (file, super::trial::graph_alone(file, graph, study.start, &study.tasks)?)
-            } else {
-                let (file, actor) = &study.sacs[place];
-                let arm = WIDOWX.to_f32();
-                (file, tpg_problems::arm::trial::run(&arm, &*actor.policy(), study.start, &study.tasks))
-            };
+        .map(|(place, (kind, file, acting))| {
+            let endings = subject.trial(acting)?.endings;
+            let summary = Summary::of(&endings);
             Ok(Alone {
                 kind,
                 place,
                 file: file.clone(),
-                success: trial.success_rate,
-                collision: trial.collision_rate,
-                distance_mm: trial.mean_distance_mm,
-                actions: trial.mean_actions,
+                mean_score: summary.score,
+                std_score: summary.score_deviation(&endings),
+                success: summary.success,
+                mean_steps: summary.actions,
             })
         })
         .collect()
 }
 
-fn finish(args: &HybridArgs, study: &Study, costs: &Costs, cells: &[Cell], alone: &[Alone]) -> Result<(), InputError> {
-    let summaries = choice::summarise(cells, &study.settings, costs);
-    let file = |name: &str| args.out.join(name);
-    write_atomically(&file("settings.csv"), &to_csv(summaries.iter()))?;
-    write_atomically(&file("alone.csv"), &to_csv(alone.iter()))?;
-    write_atomically(&file("timing.csv"), timing(study, costs).as_bytes())?;
-    write_atomically(&file("report.html"), report::page(args.problem, cells, &summaries, alone).as_bytes())?;
-    let Some(chosen) = summaries.iter().find(|summary| summary.chosen) else { return Ok(()) };
-    if let Some(text) = best_pair(args, cells, chosen) {
-        write_atomically(&file("hybrid.toml"), text.as_bytes())?;
-    }
-    if let Some(setting) = chosen.setting(cells) {
-        eprintln!(
-            "chosen: {}: {:.1} % success, {:.1} % collision, {:.2} mm, {:.0} % of the actions by the graph",
-            setting.sentence(),
-            100.0 * chosen.success,
-            100.0 * chosen.collision,
-            chosen.distance_mm,
-            100.0 * chosen.tpg_action_ratio
-        );
-    }
-    Ok(())
-}
-
-/// Returns the chosen setting with the pair that has the highest success rate under it; ties go to the smaller final
-/// distance.
-fn best_pair(args: &HybridArgs, cells: &[Cell], chosen: &Summary) -> Option<String> {
-    let better = |a: &&Cell, b: &&Cell| a.success.total_cmp(&b.success).then(b.distance_mm.total_cmp(&a.distance_mm));
-    let best = cells.iter().filter(|cell| chosen.is_of(cell)).max_by(better)?;
-    let absolute = |path: &Path| {
-        let path = path.canonicalize().unwrap_or_else(|_| path.to_owned());
-        path.display().to_string()
-    };
-    let file = HybridFile {
-        graph: absolute(&args.tpg[best.tpg]),
-        actor: absolute(&args.policy[best.sac]),
-        hand_back_after: best.hand_back_after,
-        separation_mm: best.separation_mm,
-        guard: best.guard.clone(),
-        cycle_detector: best.cycle_detector,
-    };
-    Some(toml::to_string(&file).expect("plain data"))
-}
-
-fn timing(study: &Study, costs: &Costs) -> String {
-    let mut text = "what,ns_per_decision\n".to_owned();
-    let files = study.tpgs.iter().map(|(file, _)| file).chain(study.sacs.iter().map(|(file, _)| file));
-    for (file, ns) in files.zip(costs.tpg.iter().chain(&costs.sac)) {
-        text += &format!("{file},{ns:.1}\n");
-    }
-    for (guard, ns) in Guard::ALL.iter().zip(costs.guards) {
-        text += &format!("guard {},{ns:.1}\n", guard.name());
-    }
-    text
+/// Returns the setting of a graph and a network that were named on the command line.
+///
+/// # Errors
+/// If it has no trigger, or one that the problem does not have.
+pub fn setting_of(
+    hand_back_after: Span,
+    separation: f64,
+    patience: Span,
+    detector: Detector,
+) -> Result<Setting, InputError> {
+    let setting = Setting { hand_back_after, separation, patience, detector };
+    setting.check().map_err(|Finding { key, found, accepted }| command_line(format!("{key} = {found}"), accepted))?;
+    Ok(setting)
 }

@@ -1,25 +1,30 @@
-//! Hybrids: a tangled program graph and a soft actor-critic that share the arm. Settings, study, table.
+//! Hybrids: a tangled program graph drives, and a network helps where the graph is stuck or lost. Settings and study.
 //!
-//! The switch itself is [`tpg_arm::hybrid`].
+//! The switch itself is [`tpg_runtime::switch`]. It hands over when the distance to the goal has grown too much (drift),
+//! when it has not fallen for too long (stall), or when the graph returns to an earlier state (cycle).
 //!
 //! | module | subject |
 //! | --- | --- |
-//! | [`setting`] | the parameters, and `hybrid.toml` |
-//! | [`graph`] | a graph as a policy of the arm |
-//! | [`narrowed`] | an actor for an arm in any precision |
-//! | [`trial`] | a hybrid on many tasks |
-//! | [`study`] | every pair under every setting |
-//! | [`cost`] | time of a decision |
-//! | [`choice`] | means over pairs, Pareto front, the setting to use |
+//! | [`setting`], [`span`] | the parameters, and `hybrid.toml` |
+//! | [`shared`] | the problems that a graph and a network can share |
+//! | [`trial`] | a hybrid, or one of its parts, on many tasks |
+//! | [`study`] | every pair under every setting, in a folder |
+//! | [`cells`] | the rows of a study |
+//! | [`choice`], [`spread`] | means over pairs, Pareto front, the setting to use |
 //! | [`report`] | the study as a page |
 //! | [`command`] | `tpg-train hybrid` |
+//! | [`constants`](mod@constants) | `tpg-train constants` |
+//! | [`arm`] | the arm's part: guards, and the paper's parameters |
 
+pub mod arm;
+pub mod cells;
 pub mod choice;
 pub mod command;
-pub mod cost;
-pub mod graph;
-pub mod narrowed;
+pub mod constants;
 pub mod report;
 pub mod setting;
+pub mod shared;
+pub mod span;
+pub mod spread;
 pub mod study;
 pub mod trial;

@@ -1,199 +1,95 @@
-//! The study's cells: every pair of a graph and an actor under every setting, in parallel and resumable.
+//! Studies: every pair of a graph and a network under every setting, in parallel and resumable.
 
-use super::setting::{Detector, HandBack, Setting};
-use super::trial;
-use crate::actor::file::Actor;
-use crate::files::write_atomically;
-use indicatif::ProgressBar;
+use crate::files::{make_folder, read_text, write_atomically};
+use crate::interrupt;
+use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::fs;
+use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
-use tpg_arm::hybrid::Guard;
-use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
-use tpg_problems::arm::targets::{Start, Task};
 
-/// The paper's values of `nbItGoBackTPG`, plus "never".
-pub const HAND_BACKS: [HandBack; 7] =
-    [HandBack(1), HandBack(5), HandBack(10), HandBack(50), HandBack(100), HandBack(1000), HandBack::NEVER];
+/// A study: its settings, and a cell for each pair and setting.
+pub trait Study: Sync {
+    /// A setting.
+    type Setting: Sync;
+    /// One row of `cells.csv`.
+    type Cell: Serialize + DeserializeOwned + Send;
+    /// Identity of a cell; `cells.csv` is in this order.
+    type Key: Ord + Send;
 
-/// The paper's values of `sepDistance`, mm.
-pub const SEPARATIONS: [f64; 6] = [1.0, 3.0, 10.0, 20.0, 100.0, f64::INFINITY];
+    /// Returns the number of graphs and of networks.
+    fn policies(&self) -> [usize; 2];
 
-/// Returns every setting with the given guards and detectors.
-pub fn settings(guards: &[Guard], detectors: &[Detector]) -> Vec<Setting> {
-    let mut all = Vec::new();
-    for &guard in guards {
-        for &detector in detectors {
-            for hand_back_after in HAND_BACKS {
-                all.extend(SEPARATIONS.map(|separation_mm| Setting {
-                    hand_back_after,
-                    separation_mm,
-                    guard,
-                    detector,
-                }));
-            }
-        }
+    /// Returns the settings.
+    fn settings(&self) -> &[Self::Setting];
+
+    /// Returns the identity of the cell of a graph, a network and a setting.
+    fn key(&self, tpg: usize, sac: usize, setting: &Self::Setting) -> Self::Key;
+
+    /// Returns the identity of a cell.
+    fn key_of(&self, cell: &Self::Cell) -> Self::Key;
+
+    /// Computes a cell.
+    ///
+    /// # Errors
+    /// If a policy does not fit the problem.
+    fn cell(&self, tpg: usize, sac: usize, setting: &Self::Setting) -> Result<Self::Cell, InputError>;
+
+    /// Returns the number of cells.
+    fn size(&self) -> usize {
+        self.policies().iter().product::<usize>() * self.settings().len()
     }
-    all
-}
-
-/// One row of `cells.csv`: a pair under a setting. Rates lie in 0..1.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Cell {
-    /// Position of the graph on the command line, from 0.
-    pub tpg: usize,
-    /// Position of the actor on the command line, from 0.
-    pub sac: usize,
-    /// The guard's name.
-    pub guard: String,
-    /// Method of detecting cycles.
-    pub cycle_detector: Detector,
-    /// The paper's `nbItGoBackTPG`.
-    pub hand_back_after: HandBack,
-    /// The paper's `sepDistance`, mm.
-    pub separation_mm: f64,
-    /// Number of episodes.
-    pub episodes: usize,
-    /// Fraction of the episodes that reached their target.
-    pub success: f64,
-    /// Fraction of the episodes that ended with an invalid action.
-    pub collision: f64,
-    /// Mean final distance.
-    pub distance_mm: f64,
-    /// Mean number of actions.
-    pub actions: f64,
-    /// Fraction of all actions that the graph chose.
-    pub tpg_action_ratio: f64,
-    /// The same fraction for each episode, averaged over episodes.
-    pub tpg_ratio_of_episodes: f64,
-    /// Hand-overs per episode because the guard refused.
-    pub hand_overs_guard: f64,
-    /// Hand-overs per episode because the hand strayed.
-    pub hand_overs_drift: f64,
-    /// Hand-overs per episode because the graph stopped.
-    pub hand_overs_stop: f64,
-    /// Hand-overs per episode because the graph cycled.
-    pub hand_overs_cycle: f64,
-    /// Number of times per episode that the network handed the arm back.
-    pub hand_backs: f64,
-}
-
-/// Identity of a cell, in the order of `cells.csv`.
-type Key = (usize, usize, String, Detector, HandBack, u64);
-
-impl Cell {
-    fn key(&self) -> Key {
-        let Self { tpg, sac, cycle_detector, hand_back_after, separation_mm, .. } = *self;
-        (tpg, sac, self.guard.clone(), cycle_detector, hand_back_after, separation_mm.to_bits())
-    }
-
-    /// Returns the setting.
-    pub fn setting(&self) -> Setting {
-        Setting {
-            hand_back_after: self.hand_back_after,
-            separation_mm: self.separation_mm,
-            guard: Guard::from_name(&self.guard).unwrap_or(Guard::None),
-            detector: self.cycle_detector,
-        }
-    }
-}
-
-/// Subject of a study.
-#[derive(Debug)]
-pub struct Study {
-    /// The graphs, with their files.
-    pub tpgs: Vec<(String, Graph)>,
-    /// The actors, with their files.
-    pub sacs: Vec<(String, Actor)>,
-    /// The settings.
-    pub settings: Vec<Setting>,
-    /// Start of the episodes.
-    pub start: Start,
-    /// Tasks of the episodes.
-    pub tasks: Vec<Task>,
 }
 
 /// Interval between saves of finished cells.
 const SAVE_EVERY: Duration = Duration::from_secs(10);
 
-impl Study {
-    /// Returns the number of cells.
-    pub fn size(&self) -> usize {
-        self.tpgs.len() * self.sacs.len() * self.settings.len()
-    }
-
-    /// Computes one cell.
-    ///
-    /// # Errors
-    /// If the graph does not fit the arm.
-    pub fn cell(&self, tpg: usize, sac: usize, setting: &Setting) -> Result<Cell, InputError> {
-        let (file, graph) = &self.tpgs[tpg];
-        let done = trial::run(file, graph, &self.sacs[sac].1, setting, self.start, &self.tasks)?;
-        let [guard, drift, stop, cycle] = done.hand_overs;
-        Ok(Cell {
-            tpg,
-            sac,
-            guard: setting.guard.name().to_owned(),
-            cycle_detector: setting.detector,
-            hand_back_after: setting.hand_back_after,
-            separation_mm: setting.separation_mm,
-            episodes: done.trial.episodes,
-            success: done.trial.success_rate,
-            collision: done.trial.collision_rate,
-            distance_mm: done.trial.mean_distance_mm,
-            actions: done.trial.mean_actions,
-            tpg_action_ratio: done.tpg_action_ratio,
-            tpg_ratio_of_episodes: done.tpg_ratio_of_episodes,
-            hand_overs_guard: guard,
-            hand_overs_drift: drift,
-            hand_overs_stop: stop,
-            hand_overs_cycle: cycle,
-            hand_backs: done.hand_backs,
-        })
-    }
-
-    /// Computes all cells that `path` does not hold yet; the file always contains whole rows of finished cells, in
-    /// order. `None` if `stop` was set before all were done.
-    ///
-    /// # Errors
-    /// If the file does not belong to a study, a graph does not fit the arm, or the file cannot be written.
-    pub fn run(&self, path: &Path, progress: &ProgressBar, stop: &AtomicBool) -> Result<Option<Vec<Cell>>, InputError> {
-        let known = if path.exists() { read(path)? } else { Vec::new() };
-        let cells: BTreeMap<Key, Cell> = known.into_iter().map(|cell| (cell.key(), cell)).collect();
-        let pairs = (0..self.tpgs.len()).flat_map(|tpg| (0..self.sacs.len()).map(move |sac| (tpg, sac)));
-        let key = |tpg, sac, s: &Setting| {
-            (tpg, sac, s.guard.name().to_owned(), s.detector, s.hand_back_after, s.separation_mm.to_bits())
-        };
-        let open: Vec<(usize, usize, &Setting)> = pairs
-            .flat_map(|(tpg, sac)| self.settings.iter().map(move |setting| (tpg, sac, setting)))
-            .filter(|&(tpg, sac, setting)| !cells.contains_key(&key(tpg, sac, setting)))
-            .collect();
-        progress.set_length(self.size() as u64);
-        progress.set_position((self.size() - open.len()) as u64);
-        let shared = Mutex::new((cells, Instant::now()));
-        open.par_iter().try_for_each(|&(tpg, sac, setting)| {
-            if stop.load(Ordering::Relaxed) {
-                return Ok(());
-            }
-            let cell = self.cell(tpg, sac, setting)?;
-            progress.inc(1);
-            let mut shared = shared.lock().expect("no thread panicked");
-            shared.0.insert(cell.key(), cell);
-            if shared.1.elapsed() > SAVE_EVERY {
-                write(path, shared.0.values())?;
-                shared.1 = Instant::now();
-            }
-            Ok(())
-        })?;
-        let (cells, _) = shared.into_inner().expect("no thread panicked");
-        write(path, cells.values())?;
-        Ok((cells.len() == self.size()).then(|| cells.into_values().collect()))
-    }
+/// Computes all cells that `path` does not hold yet; the file always contains whole rows of finished cells, in order.
+/// `None` if `stop` was set before all were done.
+///
+/// # Errors
+/// If the file does not belong to a study, a policy does not fit the problem, or the file cannot be written.
+pub fn run<T: Study>(
+    study: &T,
+    path: &Path,
+    progress: &ProgressBar,
+    stop: &AtomicBool,
+) -> Result<Option<Vec<T::Cell>>, InputError> {
+    let known = if path.exists() { read::<T::Cell>(path)? } else { Vec::new() };
+    let cells: BTreeMap<T::Key, T::Cell> = known.into_iter().map(|cell| (study.key_of(&cell), cell)).collect();
+    let [tpgs, sacs] = study.policies();
+    let pairs = (0..tpgs).flat_map(|tpg| (0..sacs).map(move |sac| (tpg, sac)));
+    let open: Vec<(usize, usize, &T::Setting)> = pairs
+        .flat_map(|(tpg, sac)| study.settings().iter().map(move |setting| (tpg, sac, setting)))
+        .filter(|&(tpg, sac, setting)| !cells.contains_key(&study.key(tpg, sac, setting)))
+        .collect();
+    progress.set_length(study.size() as u64);
+    progress.set_position((study.size() - open.len()) as u64);
+    let shared = Mutex::new((cells, Instant::now()));
+    open.par_iter().try_for_each(|&(tpg, sac, setting)| {
+        if stop.load(Ordering::Relaxed) {
+            return Ok(());
+        }
+        let cell = study.cell(tpg, sac, setting)?;
+        progress.inc(1);
+        let mut shared = shared.lock().expect("no thread panicked");
+        shared.0.insert(study.key_of(&cell), cell);
+        if shared.1.elapsed() > SAVE_EVERY {
+            write(path, shared.0.values())?;
+            shared.1 = Instant::now();
+        }
+        Ok(())
+    })?;
+    let (cells, _) = shared.into_inner().expect("no thread panicked");
+    write(path, cells.values())?;
+    Ok((cells.len() == study.size()).then(|| cells.into_values().collect()))
 }
 
 /// Writes rows as CSV.
@@ -203,21 +99,94 @@ pub fn to_csv<'a, T: Serialize + 'a>(rows: impl Iterator<Item = &'a T>) -> Vec<u
     writer.into_inner().expect("memory can be written")
 }
 
-fn write<'a>(path: &Path, cells: impl Iterator<Item = &'a Cell>) -> Result<(), InputError> {
+fn write<'a, T: Serialize + 'a>(path: &Path, cells: impl Iterator<Item = &'a T>) -> Result<(), InputError> {
     write_atomically(path, &to_csv(cells))
 }
 
 /// Reads `cells.csv`.
-///
-/// # Errors
-/// If it cannot be read or has a different format.
-pub fn read(path: &Path) -> Result<Vec<Cell>, InputError> {
+fn read<T: DeserializeOwned>(path: &Path) -> Result<Vec<T>, InputError> {
     let name = path.display().to_string();
     let mut reader = csv::Reader::from_path(path)
         .map_err(|error| InputError::new(&name, Place::Whole, error.to_string(), "a cells.csv of a study"))?;
-    let cells: Result<Vec<Cell>, csv::Error> = reader.deserialize().collect();
+    let cells: Result<Vec<T>, csv::Error> = reader.deserialize().collect();
     cells.map_err(|error| {
         let line = error.position().map_or(1, |position| position.line() as usize);
         InputError::new(&name, Place::Line(line), error.to_string(), "a row of a study")
     })
+}
+
+/// An input file with its content.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Input {
+    file: String,
+    sha256: String,
+}
+
+impl Input {
+    /// Reads files.
+    ///
+    /// # Errors
+    /// If one cannot be read.
+    pub fn of(paths: &[PathBuf]) -> Result<Vec<Self>, InputError> {
+        let one = |path: &PathBuf| {
+            let bytes = fs::read(path).map_err(|error| InputError::io(path, &error, "a graph or an actor"))?;
+            let sha256 = Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect();
+            Ok(Self { file: path.display().to_string(), sha256 })
+        };
+        paths.iter().map(one).collect()
+    }
+}
+
+/// Starts or resumes a study in a folder; `asked` is the content of its `study.toml`.
+///
+/// # Errors
+/// If the folder holds another study, or one that is not to be resumed, or cannot be written.
+pub fn open_folder(folder: &Path, resume: bool, asked: &impl Serialize) -> Result<(), InputError> {
+    let path = folder.join("study.toml");
+    let text = toml::to_string(asked).expect("plain data");
+    if path.exists() {
+        let name = path.display().to_string();
+        if !resume {
+            return Err(InputError::new(name, Place::Whole, "a study", "an empty folder, or --resume"));
+        }
+        if read_text(&path, "a study.toml")? != text {
+            let accepted = "the same arguments and the same files as at the start";
+            return Err(InputError::new(name, Place::Whole, "another study", accepted));
+        }
+    }
+    make_folder(folder)?;
+    write_atomically(&path, text.as_bytes())
+}
+
+/// Computes the cells of a study in its folder with that many threads; `None` if it was interrupted.
+///
+/// # Errors
+/// As [`run`], and if the threads cannot be started.
+pub fn in_folder<T: Study>(
+    study: &T,
+    folder: &Path,
+    threads: &rayon::ThreadPool,
+) -> Result<Option<Vec<T::Cell>>, InputError> {
+    let stop = interrupt::watch();
+    let progress = ProgressBar::new(study.size() as u64);
+    let style = ProgressStyle::with_template("{bar:30} {pos} of {len}  {eta} left");
+    progress.set_style(style.expect("a template that is right"));
+    let cells = threads.install(|| run(study, &folder.join("cells.csv"), &progress, &stop));
+    progress.finish_and_clear();
+    cells
+}
+
+/// Starts threads; 0 for one per core.
+///
+/// # Errors
+/// If they cannot be started.
+pub fn threads(count: usize) -> Result<rayon::ThreadPool, InputError> {
+    rayon::ThreadPoolBuilder::new().num_threads(count).build().map_err(|error| {
+        InputError::new("--threads", Place::Whole, error.to_string(), "a number of threads that can be started")
+    })
+}
+
+/// Returns the absolute path of a file.
+pub fn absolute(path: &Path) -> String {
+    path.canonicalize().unwrap_or_else(|_| path.to_owned()).display().to_string()
 }

@@ -1,136 +1,250 @@
-//! Trials of a hybrid on a list of tasks.
+//! Trials of a graph, a network, or both together, on any environment.
 
-use super::graph::GraphPolicy;
-use super::narrowed::Narrowed;
 use super::setting::{Detector, Setting};
-use crate::actor::file::Actor;
-use serde::Serialize;
-use tpg_arm::cycle::{Brent, CycleDetector, Visited};
-use tpg_arm::hybrid::{CAUSES, Hybrid, HybridEpisode, HybridSummary};
-use tpg_arm::observation::Observation;
-use tpg_arm::{Move, Pose, WIDOWX};
+use crate::course::{Course, Decision};
+use crate::evaluate::graph::endings_on;
+use crate::sac::network::Network;
+use std::cell::RefCell;
+use std::marker::PhantomData;
+use tpg_engine::{Choices, Ending, Environment, Options, Plan, Single, bind};
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
-use tpg_graph::in_arithmetic_of;
-use tpg_problems::arm::ArmScalar;
-use tpg_problems::arm::targets::{Start, Task};
-use tpg_problems::arm::trial::{self, Trial};
+use tpg_runtime::cycle::{Brent, CycleDetector, Visited};
 use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::Policy;
+use tpg_runtime::scalar::Scalar;
+use tpg_runtime::switch::{CAUSES, Cause, Counts, Hybrid, Patience, Switch, Unguarded};
 
-/// Results of many episodes of a hybrid.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+/// The policies that act, each with the name that errors show.
+#[derive(Clone, Copy, Debug)]
+pub enum Acting<'a> {
+    /// A graph alone.
+    Graph(&'a (String, Graph)),
+    /// A network alone.
+    Network(&'a (String, Network)),
+    /// A graph that hands over to a network.
+    Both(&'a (String, Graph), &'a (String, Network), &'a Setting),
+}
+
+impl<'a> Acting<'a> {
+    /// Returns the graph, if one acts.
+    pub fn graph(self) -> Option<&'a Graph> {
+        match self {
+            Self::Graph((_, graph)) | Self::Both((_, graph), ..) => Some(graph),
+            Self::Network(_) => None,
+        }
+    }
+}
+
+/// The causes of a hand-over, with their names in tables: no guard refuses and no action rests outside of the arm, so that
+/// [`Cause::Stop`] always is a [`Patience`] at its end.
+pub const TRIGGERS: [(&str, Cause); 3] = [("drift", Cause::Drift), ("stall", Cause::Stop), ("cycle", Cause::Cycle)];
+
+/// Results of many episodes.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct HybridTrial {
-    /// Statistics as for any policy.
-    #[serde(flatten)]
-    pub trial: Trial,
+    /// The ending of each episode.
+    pub endings: Vec<Ending>,
     /// Fraction of all actions that the graph chose.
     pub tpg_action_ratio: f64,
-    /// The same fraction for each episode, averaged over episodes: the paper's ratio.
-    pub tpg_ratio_of_episodes: f64,
-    /// Hand-overs per episode, by cause: guard, drift, stop, cycle.
-    pub hand_overs: [f64; CAUSES],
-    /// Number of times per episode that the network handed the arm back.
+    /// Actions per episode that the network chose.
+    pub network_actions: f64,
+    /// Hand-overs per episode, by cause, in the order of [`TRIGGERS`].
+    pub hand_overs: [f64; TRIGGERS.len()],
+    /// Number of times per episode that the network handed back.
     pub hand_backs: f64,
 }
 
-/// Capacity of the exact set of poses: the action limit of random starts, plus the start.
+/// Lets policies do every task.
+///
+/// # Errors
+/// If a policy reads something that the environment does not have, or answers something else than it takes.
+pub fn run<S: Scalar, M: Maths<S>, E: Environment<S>>(
+    environment: &Choices<S, E>,
+    acting: Acting<'_>,
+    tasks: &[E::Task],
+) -> Result<HybridTrial, InputError> {
+    let fit =
+        |(file, network): &(String, Network)| network.fit(file, &environment.sources(), &environment.inner().actions());
+    let episodes: Vec<(Ending, Counts)> = match acting {
+        Acting::Graph((file, graph)) => {
+            let endings = endings_on::<S, M, _>(file, graph, environment, tasks)?;
+            let counts = |tpg_actions| Counts { tpg_actions, ..Counts::default() };
+            endings.into_iter().map(|ending| (ending, counts(ending.actions))).collect()
+        }
+        Acting::Network(network) => {
+            fit(network)?;
+            let counts = |sac_actions| Counts { sac_actions, ..Counts::default() };
+            network.1.deciding(|decide| {
+                let network = NetworkPolicy::new(decide);
+                let ending = |task| Course::new(environment, task).run(|state| network.decide(state));
+                tasks.iter().map(ending).map(|ending| (ending, counts(ending.actions))).collect()
+            })
+        }
+        Acting::Both(graph, network, setting) => {
+            fit(network)?;
+            let tpg = GraphPolicy::<S, M>::new(graph, environment)?;
+            network.1.deciding(|decide| {
+                let hybrid = Hybrid { tpg, sac: NetworkPolicy::new(decide) };
+                tasks.iter().map(|task| together(environment, task, &hybrid, setting)).collect()
+            })
+        }
+    };
+    Ok(HybridTrial::of(&episodes))
+}
+
+/// Lets a graph do every task alone; how far the distance lies above the least one so far, after each action.
+///
+/// # Errors
+/// As [`run`].
+pub fn rises<S: Scalar, M: Maths<S>, E: Environment<S>>(
+    environment: &Choices<S, E>,
+    graph: &(String, Graph),
+    tasks: &[E::Task],
+) -> Result<Vec<f64>, InputError> {
+    let graph = GraphPolicy::<S, M>::new(graph, environment)?;
+    let mut rises = Vec::new();
+    for task in tasks {
+        let mut course = Course::new(environment, task);
+        let mut least = course.distance().to_f64();
+        loop {
+            let decision = graph.decide(course.observe());
+            if course.act(decision.act()).is_some() {
+                break;
+            }
+            let distance = course.distance().to_f64();
+            least = least.min(distance);
+            rises.push(distance - least);
+        }
+    }
+    Ok(rises)
+}
+
+/// One episode of both policies.
+fn together<S: Scalar, E: Environment<S>, T, P>(
+    environment: &E,
+    task: &E::Task,
+    hybrid: &Hybrid<T, P>,
+    setting: &Setting,
+) -> (Ending, Counts)
+where
+    T: Policy<State = [S], Action = Decision<S>>,
+    P: Policy<State = [S], Action = Decision<S>>,
+{
+    match setting.detector {
+        Detector::None => watched(environment, task, hybrid, setting, Blind),
+        Detector::Visited => watched(environment, task, hybrid, setting, Visited::<u64, CAPACITY>::new()),
+        Detector::Brent => watched(environment, task, hybrid, setting, Brent::new()),
+    }
+}
+
+fn watched<S: Scalar, E: Environment<S>, T, P>(
+    environment: &E,
+    task: &E::Task,
+    hybrid: &Hybrid<T, P>,
+    setting: &Setting,
+    detector: impl CycleDetector<u64>,
+) -> (Ending, Counts)
+where
+    T: Policy<State = [S], Action = Decision<S>>,
+    P: Policy<State = [S], Action = Decision<S>>,
+{
+    let mut course = Course::new(environment, task);
+    // Without keys the detector is blind.
+    let key = |course: &Course<'_, S, E>| course.key().unwrap_or_default();
+    let mut switch = Switch::new(setting.settings::<S>(), detector, key(&course), course.distance());
+    let mut patience = Patience::new(setting.patience.0, course.distance());
+    loop {
+        let chosen = hybrid.decide(&mut switch, course.observe(), &Unguarded);
+        if let Some(ending) = course.act(chosen.wanted.act()) {
+            switch.ended(chosen.driver);
+            return (ending, *switch.counts());
+        }
+        let distance = course.distance();
+        let stalls = patience.ends(chosen.driver, distance);
+        switch.acted(chosen.driver, stalls, key(&course), distance);
+    }
+}
+
+/// Capacity of the exact set of visited states. A longer episode may miss a repeat.
 const CAPACITY: usize = 4096;
 
-/// Lets a graph and an actor do every task together.
-///
-/// # Errors
-/// If the graph does not fit the arm; `file` is its name in errors.
-pub fn run(
-    file: &str,
-    graph: &Graph,
-    actor: &Actor,
-    setting: &Setting,
-    start: Start,
-    tasks: &[Task],
-) -> Result<HybridTrial, InputError> {
-    in_arithmetic_of!(graph, of(file, graph, actor, setting, start, tasks))
-}
+/// Detects no cycle.
+struct Blind;
 
-fn of<S: ArmScalar, M: Maths<S>>(
-    file: &str,
-    graph: &Graph,
-    actor: &Actor,
-    setting: &Setting,
-    start: Start,
-    tasks: &[Task],
-) -> Result<HybridTrial, InputError> {
-    let tpg = GraphPolicy::<S, M>::new(file, graph)?;
-    let sac = actor.policy();
-    let arm = S::arm(&WIDOWX);
-    let hybrid = Hybrid { arm: &arm, tpg, sac: Narrowed::<S, _>::new(&*sac), settings: setting.settings() };
-    Ok(trial(&hybrid, setting.detector, start, tasks))
-}
+impl CycleDetector<u64> for Blind {
+    fn reset(&mut self, _: u64) {}
 
-/// Lets a graph do every task alone.
-///
-/// # Errors
-/// If the graph does not fit the arm; `file` is its name in errors.
-pub fn graph_alone(file: &str, graph: &Graph, start: Start, tasks: &[Task]) -> Result<Trial, InputError> {
-    in_arithmetic_of!(graph, alone(file, graph, start, tasks))
-}
-
-fn alone<S: ArmScalar, M: Maths<S>>(
-    file: &str,
-    graph: &Graph,
-    start: Start,
-    tasks: &[Task],
-) -> Result<Trial, InputError> {
-    Ok(trial::run(&S::arm(&WIDOWX), &GraphPolicy::<S, M>::new(file, graph)?, start, tasks))
-}
-
-/// Runs one episode of each task.
-pub fn trial<S, T, P>(hybrid: &Hybrid<'_, S, T, P>, detector: Detector, start: Start, tasks: &[Task]) -> HybridTrial
-where
-    S: ArmScalar,
-    T: Policy<State = Observation<S>, Action = Move>,
-    P: Policy<State = Observation<S>, Action = Move>,
-{
-    let summaries = match detector {
-        Detector::Visited => episodes(hybrid, &Visited::<CAPACITY>::new(), start, tasks),
-        Detector::Brent => episodes(hybrid, &Brent::new(), start, tasks),
-    };
-    summarise(start, &summaries)
-}
-
-fn episodes<S, T, P, D>(
-    hybrid: &Hybrid<'_, S, T, P>,
-    detector: &D,
-    start: Start,
-    tasks: &[Task],
-) -> Vec<HybridSummary<S>>
-where
-    S: ArmScalar,
-    T: Policy<State = Observation<S>, Action = Move>,
-    P: Policy<State = Observation<S>, Action = Move>,
-    D: CycleDetector<Pose> + Clone,
-{
-    let episode = |task: &Task| HybridEpisode::new(hybrid, task.problem(start), detector.clone()).run(|_, _| ());
-    tasks.iter().map(episode).collect()
-}
-
-fn summarise<S: ArmScalar>(start: Start, summaries: &[HybridSummary<S>]) -> HybridTrial {
-    let episodes = summaries.len().max(1) as f64;
-    let (mut tpg, mut ratios, mut hand_backs, mut hand_overs) = (0.0, 0.0, 0.0, [0.0; CAUSES]);
-    for HybridSummary { summary, counts } in summaries {
-        tpg += f64::from(counts.tpg_actions);
-        ratios += f64::from(counts.tpg_actions) / f64::from(summary.actions.max(1));
-        hand_backs += f64::from(counts.hand_backs);
-        hand_overs.iter_mut().zip(counts.hand_overs).for_each(|(sum, count)| *sum += f64::from(count));
+    fn repeats(&mut self, _: u64) -> bool {
+        false
     }
-    let ended: Vec<_> = summaries.iter().map(|episode| episode.summary).collect();
-    let trial = trial::summarise(start, &ended);
-    let all = (trial.mean_actions * episodes).max(1.0);
-    HybridTrial {
-        trial,
-        tpg_action_ratio: tpg / all,
-        tpg_ratio_of_episodes: ratios / episodes,
-        hand_overs: hand_overs.map(|sum| sum / episodes),
-        hand_backs: hand_backs / episodes,
+}
+
+/// A graph as a policy of an environment.
+struct GraphPolicy<S, M>(Single<S, M>);
+
+impl<S: Scalar, M: Maths<S>> GraphPolicy<S, M> {
+    fn new((file, graph): &(String, Graph), environment: &impl Environment<S>) -> Result<Self, InputError> {
+        let policy = bind(file, graph, environment)?;
+        Ok(Self(Single::new(Plan::new::<M>(&policy, &environment.sources(), Options::default()))))
+    }
+}
+
+impl<S: Scalar, M: Maths<S>> Policy for GraphPolicy<S, M> {
+    type State = [S];
+    type Action = Decision<S>;
+
+    fn decide(&self, state: &[S]) -> Decision<S> {
+        Decision::Choice(self.0.decide(state))
+    }
+}
+
+/// A network as a policy of an environment in any precision: the state is rounded to `f32`.
+struct NetworkPolicy<'a, S> {
+    network: &'a dyn Fn(&[f32]) -> Decision<f32>,
+    state: RefCell<Vec<f32>>,
+    precision: PhantomData<S>,
+}
+
+impl<'a, S> NetworkPolicy<'a, S> {
+    fn new(network: &'a dyn Fn(&[f32]) -> Decision<f32>) -> Self {
+        Self { network, state: RefCell::default(), precision: PhantomData }
+    }
+}
+
+impl<S: Scalar> Policy for NetworkPolicy<'_, S> {
+    type State = [S];
+    type Action = Decision<S>;
+
+    fn decide(&self, state: &[S]) -> Decision<S> {
+        let mut narrow = self.state.borrow_mut();
+        narrow.clear();
+        narrow.extend(state.iter().map(|value| value.to_f64() as f32));
+        match (self.network)(&narrow) {
+            Decision::Choice(action) => Decision::Choice(action),
+            Decision::Values(values) => {
+                Decision::Values(values.into_iter().map(|value| S::from_f64(f64::from(value))).collect())
+            }
+        }
+    }
+}
+
+impl HybridTrial {
+    fn of(episodes: &[(Ending, Counts)]) -> Self {
+        let (mut tpg, mut sac, mut hand_backs, mut causes) = (0.0, 0.0, 0.0, [0.0; CAUSES]);
+        for (_, counts) in episodes {
+            tpg += f64::from(counts.tpg_actions);
+            sac += f64::from(counts.sac_actions);
+            hand_backs += f64::from(counts.hand_backs);
+            causes.iter_mut().zip(counts.hand_overs).for_each(|(sum, count)| *sum += f64::from(count));
+        }
+        let count = episodes.len().max(1) as f64;
+        Self {
+            endings: episodes.iter().map(|(ending, _)| *ending).collect(),
+            tpg_action_ratio: tpg / (tpg + sac).max(1.0),
+            network_actions: sac / count,
+            hand_overs: TRIGGERS.map(|(_, cause)| causes[cause as usize] / count),
+            hand_backs: hand_backs / count,
+        }
     }
 }

@@ -12,13 +12,13 @@ mod test;
 mod trajectory;
 
 use crate::files::write_atomically;
+use crate::hybrid::shared::Shared;
 use crate::picture::{Page, Section};
 use clap::Args;
 use runs::{Group, Kind};
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use test::Tested;
-pub use test::Tester;
 use tpg_graph::error::InputError;
 
 /// Show runs in one HTML file.
@@ -26,7 +26,7 @@ use tpg_graph::error::InputError;
 /// Runs with equal configurations are one group: curves are their mean, with a band of one standard deviation.
 #[derive(Clone, Debug, Args)]
 pub struct ReportArgs {
-    /// Folders of `tpg` or `sac` runs; a folder of `--seeds` stands for all of its seeds
+    /// Folders of `tpg`, `sac` or `hybrid` runs; a folder of `--seeds` stands for all of its seeds
     #[arg(value_name = "RUN", required = true)]
     pub runs: Vec<PathBuf>,
     /// The file to write; - for stdout
@@ -48,11 +48,11 @@ pub fn report(args: &ReportArgs) -> Result<(), InputError> {
     report_with(args, None)
 }
 
-/// Writes the report; `own` tests the runs on environments that are not built in.
+/// Writes the report; `own` tests the runs on an environment that is not built in.
 ///
 /// # Errors
 /// As [`report`].
-pub fn report_with(args: &ReportArgs, own: Option<Tester<'_>>) -> Result<(), InputError> {
+pub fn report_with(args: &ReportArgs, own: Option<&dyn Shared>) -> Result<(), InputError> {
     let groups = runs::read(&args.runs)?;
     let html = page(&groups, args.episodes as usize, args.seed, own)?.html();
     if args.out == Path::new("-") {
@@ -65,7 +65,7 @@ pub fn report_with(args: &ReportArgs, own: Option<Tester<'_>>) -> Result<(), Inp
     Ok(())
 }
 
-fn page(groups: &[Group], episodes: usize, seed: u64, own: Option<Tester<'_>>) -> Result<Page, InputError> {
+fn page(groups: &[Group], episodes: usize, seed: u64, own: Option<&dyn Shared>) -> Result<Page, InputError> {
     let tested: Vec<Vec<Option<Tested>>> = (groups.iter())
         .map(|group| group.runs.iter().map(|run| test::test(run, episodes, seed, own)).collect())
         .collect::<Result<_, _>>()?;
@@ -80,8 +80,10 @@ fn page(groups: &[Group], episodes: usize, seed: u64, own: Option<Tester<'_>>) -
         let Some(best) = best(tested) else { continue };
         let run = &group.runs[best];
         let mut figures = Vec::new();
-        if let Kind::Tpg { graph, .. } = &run.kind {
-            figures.push(graph::figure(graph));
+        match &run.kind {
+            Kind::Tpg { graph, .. } => figures.push(graph::figure(graph)),
+            Kind::Hybrid(together) => figures.push(graph::figure(together.graph())),
+            Kind::Sac { .. } => {}
         }
         if let Some(arm) = tested[best].as_ref().and_then(|tested| tested.arm.as_ref()) {
             figures.extend(trajectory::figures(arm));

@@ -4,17 +4,22 @@ use crate::actor::version1::upgraded;
 use crate::evolution::config::Config;
 use crate::evolution::state::Row;
 use crate::files::read_text;
+use crate::hybrid::arm::setting::Hybrid as ArmHybrid;
+use crate::hybrid::setting::Hybrid;
 use crate::sac::contract::Contract;
 use crate::sac::tensors::{Tensors, place};
 use crate::sac::weights::{LIMIT, from_tensors};
+use serde::Deserialize;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
+use tpg_graph::settings;
 use tpg_nn::Mlp;
-use tpg_problems::{ContinuousProblem, Problem};
+use tpg_problems::arm::targets::Start;
+use tpg_problems::{ContinuousProblem, Problem, ProblemName};
 
 /// Runs with the same configuration.
 #[derive(Debug)]
@@ -59,6 +64,37 @@ pub(super) enum Kind {
         /// Its inputs, outputs and origin.
         contract: Box<Contract>,
     },
+    /// A hybrid that a study has chosen.
+    Hybrid(Together),
+}
+
+/// A hybrid with its problem.
+#[derive(Debug)]
+pub(super) enum Together {
+    /// On the arm, from that start.
+    Arm(Start, Box<ArmHybrid>),
+    /// On any other built-in problem.
+    Other(Box<Problem>, Box<Hybrid>),
+    /// In an environment that a program supplied.
+    Own(Box<Hybrid>),
+}
+
+impl Together {
+    /// Returns the graph.
+    pub(super) fn graph(&self) -> &Graph {
+        match self {
+            Self::Arm(_, hybrid) => &hybrid.graph.1,
+            Self::Other(_, hybrid) | Self::Own(hybrid) => &hybrid.graph.1,
+        }
+    }
+
+    /// Describes the setting.
+    pub(super) fn sentence(&self) -> String {
+        match self {
+            Self::Arm(_, hybrid) => hybrid.setting.sentence(),
+            Self::Other(_, hybrid) | Self::Own(hybrid) => hybrid.setting.sentence(),
+        }
+    }
 }
 
 impl Kind {
@@ -67,6 +103,7 @@ impl Kind {
         match self {
             Self::Tpg { .. } => "TPG",
             Self::Sac { .. } => "SAC",
+            Self::Hybrid(_) => "hybrid",
         }
     }
 }
@@ -75,13 +112,19 @@ impl Kind {
 pub(super) fn read(folders: &[PathBuf]) -> Result<Vec<Group>, InputError> {
     let mut groups: Vec<(String, Group)> = Vec::new();
     for (folder, name) in folders.iter().map(|folder| with_restarts(folder)).collect::<Result<Vec<_>, _>>()?.concat() {
+        if folder.join("study.toml").exists() {
+            let text = read_text(&folder.join("study.toml"), "the study.toml of a study")?;
+            let group = Group { name: String::new(), runs: vec![study(&folder, name, &text)?] };
+            groups.push((folder.display().to_string(), group));
+            continue;
+        }
         let text = read_text(&folder.join("config.toml"), "the config.toml of a run")?;
         let run = if folder.join("generations.jsonl").exists() {
             tpg(&folder, name, &text)?
         } else if folder.join("log.jsonl").exists() {
             sac(&folder, name)?
         } else {
-            let accepted = "a folder of `tpg-train tpg` or `tpg-train sac` with a log";
+            let accepted = "a folder of `tpg-train tpg`, `sac` or `hybrid` that has begun";
             return Err(InputError::new(folder.display().to_string(), Place::Whole, "no run", accepted));
         };
         let key = format!("{}\n{text}", run.kind.name());
@@ -99,7 +142,7 @@ fn with_restarts(folder: &Path) -> Result<Vec<(PathBuf, String)>, InputError> {
         |path: &Path| path.file_name().map_or_else(|| ".".to_owned(), |name| name.to_string_lossy().into_owned());
     let whole = fs::canonicalize(folder).map_err(|error| InputError::io(folder, &error, "the folder of a run"))?;
     let name = last(&whole);
-    if folder.join("config.toml").exists() {
+    if folder.join("config.toml").exists() || folder.join("study.toml").exists() {
         return Ok(vec![(folder.to_owned(), name)]);
     }
     let entries = fs::read_dir(folder).map_err(|error| InputError::io(folder, &error, "the folder of a run"))?;
@@ -108,7 +151,8 @@ fn with_restarts(folder: &Path) -> Result<Vec<(PathBuf, String)>, InputError> {
         .collect();
     restarts.sort_by_key(|path| (last(path).len(), last(path)));
     if restarts.is_empty() {
-        let accepted = "the folder of a run, with config.toml, or of restarts, with seed-S";
+        let accepted =
+            "the folder of a run, with config.toml, of a study, with study.toml, or of restarts, with seed-S";
         return Err(InputError::new(folder.display().to_string(), Place::Whole, "neither", accepted));
     }
     Ok(restarts.into_iter().map(|path| (path.clone(), format!("{name}/{}", last(&path)))).collect())
@@ -193,6 +237,34 @@ fn sac(folder: &Path, name: String) -> Result<Run, InputError> {
         cpu,
         kind: Kind::Sac { problem, network: Box::new(network), contract: Box::new(contract) },
     })
+}
+
+/// Reads the hybrid of a study.
+fn study(folder: &Path, name: String, text: &str) -> Result<Run, InputError> {
+    #[derive(Deserialize)]
+    struct Asked {
+        problem: toml::Value,
+    }
+    let file = folder.join("study.toml").display().to_string();
+    let Asked { problem } = settings::from_toml(&file, text, "the study.toml of a study")?;
+    let path = folder.join("hybrid.toml");
+    let together = match &problem {
+        toml::Value::Table(table) => {
+            let hybrid = Box::new(Hybrid::read(&path)?);
+            let known = table.get("name").and_then(toml::Value::as_str).and_then(ProblemName::from_name);
+            match known {
+                Some(_) => Together::Other(Box::new(Problem::from_toml(&file, text)?), hybrid),
+                None => Together::Own(hybrid),
+            }
+        }
+        _ => {
+            let start = problem.try_into().map_err(|error: toml::de::Error| {
+                InputError::new(&file, Place::Path("problem".to_owned()), error.message(), "fs, rs or a section")
+            })?;
+            Together::Arm(start, Box::new(ArmHybrid::read(&path)?))
+        }
+    };
+    Ok(Run { name, seed: None, curves: BTreeMap::new(), cpu: None, kind: Kind::Hybrid(together) })
 }
 
 /// Parses one JSON value per line.

@@ -1,13 +1,19 @@
 //! Tests of runs: the trained policy on the test episodes.
 
-use super::runs::{Kind, Run};
+use super::runs::{Kind, Run, Together};
 use crate::actor::file::FloatActor;
 use crate::evaluate::arm::endings_of;
 use crate::evaluate::graph::endings;
-use crate::evaluate::network;
+use crate::evaluate::{hybrid, network};
+use crate::hybrid::arm::setting::Hybrid as ArmHybrid;
+use crate::hybrid::arm::trial;
+use crate::hybrid::setting::Hybrid;
+use crate::hybrid::shared::{Episodes, Shared};
+use crate::hybrid::trial::Acting;
 use crate::sac::network::Network;
 use crate::sac::tensors::place;
 use tpg_arm::{Arm, Pose, WIDOWX};
+use tpg_engine::random::Purpose;
 use tpg_engine::{Choices, Ending, Environment, Lanes, Measure, Options, Plan, Policy, Summary};
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::{Graph, in_arithmetic_of};
@@ -16,10 +22,6 @@ use tpg_problems::arm::targets::{self, Set, Start, TOLERANCE};
 use tpg_problems::arm::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
 use tpg_problems::{ContinuousProblem, Problem, Visitor};
 use tpg_runtime::ops::Maths;
-
-/// Runs a graph on test episodes of a user-defined environment; arguments are the file's name, the graph, the number of
-/// episodes and the seed.
-pub type Tester<'a> = &'a dyn Fn(&str, &Graph, usize, u64) -> Result<Vec<Ending>, InputError>;
 
 /// Number of trajectories to keep: the first successful and the first failed episodes.
 const KEPT: [usize; 2] = [3, 3];
@@ -78,12 +80,15 @@ pub(super) fn test(
     run: &Run,
     episodes: usize,
     seed: u64,
-    own: Option<Tester<'_>>,
+    own: Option<&dyn Shared>,
 ) -> Result<Option<Tested>, InputError> {
     match &run.kind {
         Kind::Tpg { problem: None, graph } => {
             let Some(own) = own else { return Ok(None) };
-            Ok(Some(Tested { endings: own(&run.name, graph, episodes, seed)?, measure: None, arm: None }))
+            let graph = (run.name.clone(), (**graph).clone());
+            let episodes = Episodes { purpose: Purpose::Evaluation, count: episodes, seed };
+            let endings = own.trial(Acting::Graph(&graph), episodes)?.endings;
+            Ok(Some(Tested { endings, measure: own.facts().measure, arm: None }))
         }
         Kind::Tpg { problem: Some(problem), graph } => match &**problem {
             Problem::Arm(start, config) => {
@@ -115,7 +120,28 @@ pub(super) fn test(
                 Ok(Some(Tested { endings, measure, arm: None }))
             }
         },
+        Kind::Hybrid(Together::Arm(start, hybrid)) => Ok(Some(of_an_arms_hybrid(hybrid, *start, episodes, seed)?)),
+        Kind::Hybrid(Together::Other(problem, hybrid)) => Ok(Some(of_a_hybrid(&**problem, hybrid, episodes, seed)?)),
+        Kind::Hybrid(Together::Own(hybrid)) => {
+            let Some(own) = own else { return Ok(None) };
+            Ok(Some(of_a_hybrid(own, hybrid, episodes, seed)?))
+        }
     }
+}
+
+/// A hybrid on its test episodes.
+fn of_a_hybrid(problem: &dyn Shared, hybrid: &Hybrid, episodes: usize, seed: u64) -> Result<Tested, InputError> {
+    let endings = hybrid::test(problem, hybrid, episodes, seed)?.endings;
+    Ok(Tested { endings, measure: problem.facts().measure, arm: None })
+}
+
+/// A hybrid of the arm on its test episodes.
+fn of_an_arms_hybrid(hybrid: &ArmHybrid, start: Start, episodes: usize, seed: u64) -> Result<Tested, InputError> {
+    let tasks = targets::tasks(&WIDOWX, seed, Set::Test, start, episodes);
+    let ArmHybrid { graph: (file, graph), actor, setting } = hybrid;
+    let endings = trial::run(file, graph, actor, setting, start, &tasks)?.trial.endings;
+    let arm = OnTheArm { arm: WIDOWX, tolerance: TOLERANCE, walks: Vec::new() };
+    Ok(Tested { endings, measure: Some(DISTANCE), arm: Some(arm) })
 }
 
 /// An actor of the arm on its test episodes.

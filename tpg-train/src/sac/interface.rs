@@ -19,6 +19,11 @@ pub struct Input {
     pub scale: f32,
 }
 
+/// The names of a network's inputs: one for each value of the flat state of these sources.
+pub fn input_names(sources: &[SourceDocument]) -> Vec<String> {
+    sources.iter().flat_map(|source| inputs(source, false)).map(|input| input.name).collect()
+}
+
 /// A network's inputs and outputs in terms of an environment.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Interface {

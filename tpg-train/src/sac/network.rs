@@ -1,16 +1,18 @@
 //! A policy file of either kind, ready to act.
 
 use super::contract::Contract;
-use super::episode::play;
-use super::interface::Interface;
+use super::interface::input_names;
 use super::policy::NetworkPolicy;
 use super::weights;
+use crate::course::{Course, Decision};
 use crate::files::read_text;
 use std::path::Path;
 use tpg_codegen::policy::{Output, QuantisedPolicy};
-use tpg_engine::{Ending, Environment};
+use tpg_engine::{ActionSpace, Ending, Environment};
+use tpg_graph::SourceDocument;
 use tpg_graph::error::{InputError, Place};
 use tpg_nn::Mlp;
+use tpg_runtime::policy::ActionId;
 
 /// A trained network: `policy.safetensors` or `policy.q.json`.
 #[derive(Clone, Debug)]
@@ -52,51 +54,72 @@ impl Network {
         environment: &E,
         tasks: &[E::Task],
     ) -> Result<Vec<Ending>, InputError> {
-        self.check(file, environment)?;
+        self.fit(file, &environment.sources(), &environment.actions())?;
         Ok(match self {
             Self::Float(actor) => {
                 let interface = actor.1.interface();
                 NetworkPolicy::new(&actor.0, &interface, &actor.1.actor).endings(environment, tasks)
             }
-            Self::Fixed(policy) => {
-                let answer = |state: &[f32], values: &mut Vec<f32>| *values = policy.values(state);
-                tasks.iter().map(|task| play(environment, task, answer, |_episode| ())).collect()
-            }
+            Self::Fixed(_) => self.deciding(|decide| {
+                let ending = |task| Course::new(environment, task).run(|state| decide(state));
+                tasks.iter().map(ending).collect()
+            }),
         })
     }
 
-    /// Compares inputs and outputs with the environment's, by name.
-    fn check(&self, file: &str, environment: &impl Environment<f32>) -> Result<(), InputError> {
-        let refuse = |found: String, accepted: String| Err(InputError::new(file, Place::Whole, found, accepted));
-        let expected = match Interface::new(environment, false) {
-            Ok(interface) => interface,
-            Err(finding) => return refuse(format!("a network for {}", finding.found), finding.accepted),
-        };
-        let (inputs, outputs): (Vec<&str>, Vec<&str>) = match self {
-            Self::Float(actor) => (
-                actor.1.inputs.iter().map(|input| input.name.as_str()).collect(),
-                actor.1.outputs.iter().map(|output| output.name.as_str()).collect(),
-            ),
-            Self::Fixed(policy) => {
-                (policy.inputs.iter().map(|input| input.name.as_str()).collect(), names(&policy.output))
+    /// Passes the network's decision to `act`: a function of the flat state, by the mean of its actions.
+    pub fn deciding<R>(&self, act: impl FnOnce(&dyn Fn(&[f32]) -> Decision<f32>) -> R) -> R {
+        match self {
+            Self::Float(actor) => {
+                let interface = actor.1.interface();
+                let policy = NetworkPolicy::new(&actor.0, &interface, &actor.1.actor);
+                act(&|state| {
+                    let mut values = Vec::new();
+                    policy.answer(state, &mut values);
+                    Decision::Values(values)
+                })
             }
+            Self::Fixed(policy) => act(&|state| match policy.output {
+                Output::Argmax(_) => Decision::Choice(ActionId(policy.choose(state) as u16)),
+                Output::Values(_) | Output::Preferences(_) => Decision::Values(policy.values(state)),
+            }),
+        }
+    }
+
+    /// Compares inputs and outputs with those of a problem, by name; `file` is what an error names.
+    ///
+    /// # Errors
+    /// If the network reads or answers something else.
+    pub fn fit(&self, file: &str, sources: &[SourceDocument], actions: &ActionSpace) -> Result<(), InputError> {
+        let refuse = |found: String, accepted: String| Err(InputError::new(file, Place::Whole, found, accepted));
+        let wanted = input_names(sources);
+        let inputs: Vec<&str> = match self {
+            Self::Float(actor) => actor.1.inputs.iter().map(|input| input.name.as_str()).collect(),
+            Self::Fixed(policy) => policy.inputs.iter().map(|input| input.name.as_str()).collect(),
         };
-        let wanted: Vec<&str> = expected.inputs.iter().map(|input| input.name.as_str()).collect();
         if inputs != wanted {
             return refuse(format!("the inputs {}", inputs.join(" ")), wanted.join(" "));
         }
-        let wanted: Vec<&str> = expected.outputs.iter().map(|output| output.name.as_str()).collect();
-        if outputs != wanted {
-            return refuse(format!("the outputs {}", outputs.join(" ")), wanted.join(" "));
+        let (answer, outputs) = match self {
+            Self::Float(actor) => ("values", actor.1.outputs.iter().map(|output| output.name.as_str()).collect()),
+            Self::Fixed(policy) => match &policy.output {
+                Output::Values(values) => ("values", values.iter().map(|value| value.name.as_str()).collect()),
+                Output::Argmax(names) => ("argmax", names.iter().map(String::as_str).collect()),
+                Output::Preferences(_) => ("preferences", Vec::new()),
+            },
+        };
+        let (accepted, wanted): (&str, Vec<&str>) = match actions {
+            ActionSpace::Box(outputs) => ("values", outputs.iter().map(|output| output.name.as_str()).collect()),
+            ActionSpace::Discrete(actions) => ("argmax", actions.iter().map(|action| action.name.as_str()).collect()),
+            ActionSpace::MultiDiscrete(choices) => {
+                let found = format!("a network for {} choices", choices.len());
+                return refuse(found, "a problem with outputs or with named actions".to_owned());
+            }
+        };
+        if (answer, &outputs) != (accepted, &wanted) {
+            let (found, wanted) = (outputs.join(" "), wanted.join(" "));
+            return refuse(format!("the outputs {found} ({answer})"), format!("{wanted} ({accepted})"));
         }
         Ok(())
-    }
-}
-
-/// The names of the values that a network in integers answers; none where it answers otherwise.
-fn names(output: &Output) -> Vec<&str> {
-    match output {
-        Output::Values(values) => values.iter().map(|value| value.name.as_str()).collect(),
-        Output::Preferences(_) | Output::Argmax(_) => Vec::new(),
     }
 }

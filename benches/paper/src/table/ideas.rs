@@ -1,14 +1,15 @@
-//! Effects of guards, permanent hand-overs and detectors, with the shipped graph and actor, on validation episodes.
+//! Effects of guards, final hand-overs and detectors, with the shipped graph and actor, on validation episodes.
 
 use super::ProblemInputs;
-use super::rows::{Row, Shipped};
+use super::rows::Row;
 use tpg_arm::WIDOWX;
 use tpg_arm::hybrid::Guard;
 use tpg_graph::error::InputError;
 use tpg_problems::arm::targets::{Set, Start, tasks};
-use tpg_train::hybrid::graph::read_graph;
-use tpg_train::hybrid::setting::{Detector, HandBack, Setting};
-use tpg_train::hybrid::trial;
+use tpg_train::files::read_graph;
+use tpg_train::hybrid::arm::setting::{Detector, Hybrid, Setting};
+use tpg_train::hybrid::arm::trial;
+use tpg_train::hybrid::span::Span;
 
 /// Seed of the episodes, used neither in training nor in choosing the shipped policies.
 const SEED: u64 = 11;
@@ -19,25 +20,25 @@ const EPISODES: usize = 1000;
 /// # Errors
 /// Files that are not policies.
 pub fn measure(start: Start, inputs: &ProblemInputs) -> Result<Vec<Row>, InputError> {
-    let shipped = Shipped::read(&inputs.shipped)?;
+    let shipped = Hybrid::read(&inputs.shipped)?;
     let tasks = tasks(&WIDOWX, SEED, Set::Validation, start, EPISODES);
     let (file, graph) = &shipped.graph;
     let paper = if start == Start::Fs { Setting::PAPER_FS } else { Setting::PAPER_RS };
-    let for_good = Setting { hand_back_after: HandBack::NEVER, ..paper };
-    let never_far = Setting { separation_mm: f64::INFINITY, ..for_good };
+    let no_hand_back = Setting { hand_back_after: Span::NEVER, ..paper };
+    let never_far = Setting { separation_mm: f64::INFINITY, ..no_hand_back };
     let guard = |setting, guard| Setting { guard, ..setting };
     let brent = |setting| Setting { detector: Detector::Brent, ..setting };
     let settings = [
         ("the paper's setting".to_owned(), paper),
-        ("and a guard for joint limits".to_owned(), guard(paper, Guard::JointLimits)),
-        ("and for collisions".to_owned(), guard(paper, Guard::Collisions)),
-        ("that, Brent instead of the exact set".to_owned(), brent(guard(paper, Guard::Collisions))),
-        ("for good, no guard".to_owned(), for_good),
-        ("for good, guard for joint limits".to_owned(), guard(for_good, Guard::JointLimits)),
-        ("for good, guard for collisions".to_owned(), guard(for_good, Guard::Collisions)),
-        ("and of the network".to_owned(), guard(for_good, Guard::Both)),
-        ("that, never because of the distance".to_owned(), guard(never_far, Guard::Both)),
-        ("that, Brent instead of the exact set".to_owned(), brent(guard(never_far, Guard::Both))),
+        ("the same with a guard for joint limits".to_owned(), guard(paper, Guard::JointLimits)),
+        ("the same with a guard for collisions too".to_owned(), guard(paper, Guard::Collisions)),
+        ("the same, Brent instead of the exact set".to_owned(), brent(guard(paper, Guard::Collisions))),
+        ("no hand-back, no guard".to_owned(), no_hand_back),
+        ("no hand-back, guard for joint limits".to_owned(), guard(no_hand_back, Guard::JointLimits)),
+        ("no hand-back, guard for collisions".to_owned(), guard(no_hand_back, Guard::Collisions)),
+        ("the same with a guard for the network too".to_owned(), guard(no_hand_back, Guard::Both)),
+        ("the same, never because of the distance".to_owned(), guard(never_far, Guard::Both)),
+        ("the same, Brent instead of the exact set".to_owned(), brent(guard(never_far, Guard::Both))),
         (format!("shipped: {}", shipped.setting.sentence()), shipped.setting),
     ];
     let arm = WIDOWX.to_f32();
@@ -52,10 +53,10 @@ pub fn measure(start: Start, inputs: &ProblemInputs) -> Result<Vec<Row>, InputEr
         let (file, priced) = (path.display().to_string(), read_graph(path)?);
         let together = trial::run(&file, &priced, &shipped.actor, &shipped.setting, start, &tasks)?;
         rows.push(Row::of(
-            "a graph with the hand-over priced in, alone",
+            "a graph evolved with a price for handing over, alone",
             &[trial::graph_alone(&file, &priced, start, &tasks)?],
         ));
-        rows.push(Row::of_hybrids("the same in the shipped setting", &[together]));
+        rows.push(Row::of_hybrids("that graph in the shipped setting", &[together]));
     }
     Ok(rows)
 }

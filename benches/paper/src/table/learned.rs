@@ -16,7 +16,7 @@ use tpg_problems::arm::trial::{Trial, run};
 use tpg_problems::arm::{ArmProblem, ArmTask};
 use tpg_train::actor::file::Actor;
 use tpg_train::evaluate::arm::shielded_endings_of;
-use tpg_train::hybrid::graph::read_graph;
+use tpg_train::files::read_graph;
 
 /// Trainings that differ only in their seed: `[[fs.learned]]` and `[[rs.learned]]`.
 #[derive(Clone, Debug, Deserialize)]

@@ -7,7 +7,7 @@ use super::paper::{self, Measured};
 use super::rows::{Row, STRAIGHT};
 use super::timing::Time;
 use tpg_problems::arm::targets::Start;
-use tpg_train::hybrid::choice::Spread;
+use tpg_train::hybrid::spread::Spread;
 
 /// All results of one problem.
 #[derive(Debug)]
@@ -39,26 +39,29 @@ impl Problem {
 
 const LEAD: &str = "# Results
 
-Made by `cargo run --release -p tpg-train -- table2` from the policies that `docs/results.toml` names; do not edit. Only the
-times change from run to run.
+Made by `cargo run --release -p tpg-paper -- table2` from the policies listed in `docs/results.toml`; do not edit. Only the
+times differ between runs.
 
-**What is asked.** The paper's WidowX arm: bring the hand within 3 mm of a target, in at most 1,707 actions from the home
-pose (fixed start) or 3,414 from anywhere (random start). Targets are uniform in the reachable space. An invalid action, one
-that leaves a joint's range or collides, ends an episode as a failure and is what *collision* counts, as in the paper. The
-1,000 test episodes of each problem are committed (`generated/test-targets`); no training and no choice read them.
+**Task.** The paper's WidowX arm must bring its hand within 3 mm of a target, in at most 1,707 actions from the home pose
+(fixed start) or 3,414 actions from any pose (random start). Targets are distributed uniformly over the reachable space. An
+action is invalid if it leaves a joint's range or causes a collision. An invalid action ends the episode as a failure and is
+counted as a *collision*, as in the paper. The 1,000 test episodes of each problem are committed
+(`generated/test-targets`). They were not used for training or for choosing policies.
 
-**What the policies know.** The graphs read errors in the arm's own geometry and the network 38 features, computed from
-the paper's 13 values by someone who knows the arm; the network's reward knew, in training only, poses that solve the task.
-This is not the paper's learning problem. The network holds a joint that would leave its range (its mask), and the guard of a
-hybrid hands over instead of executing such an action of the graph: both are part of the policy.
+**Prior knowledge.** The graphs read errors in the arm's own geometry, and the network reads 38 features. Both are computed
+from the paper's 13 values with knowledge of the arm. The network's reward also used poses that solve the task, during
+training only. This is therefore not the paper's learning problem. The network's mask holds a joint that would leave its
+range. The hybrid's guard hands over to the network instead of executing such an action of the graph. Both are part of the
+policy.
 ";
 
-const COLUMNS: &str = "**Columns.** *By graph*: part of all actions. *ns an action*: from motor positions to a move, on this \
-machine, kinematics included, the simulated arm excluded; code as it is compiled for users (the generated Rust, profile `fast`; the \
-network in integers; no option for this machine's own instructions), of each episode the quickest of seven rounds; *worst* is the slowest single action. *Bytes*: the graph's C for a Cortex-M4F \
-(`-Os`, code and constants, in the profiles `fast` and `small`) and the network's constants; the runtime that both share is not counted. *All seeds* and *all pairs*: mean ± standard deviation over \
-trainings that differ in their seed alone, with the shipped settings: what to expect, where the shipped ones were chosen \
-(on validation episodes).
+const COLUMNS: &str = "**Columns.** *By graph*: fraction of all actions that the graph chose. *ns per action*: time from motor positions to a move \
+on this machine, including kinematics but not the simulated arm. The code is compiled as for users: the generated Rust in \
+profile `fast` and the network in integers, with no option for this machine's own instructions. The fastest of seven rounds \
+counts for each episode. *Worst ns* is the slowest single action. *Bytes*: the graph's C for a Cortex-M4F (`-Os`, code and \
+constants, in the profiles `fast` and `small`) plus the network's constants; the runtime that both share is not counted. \
+*All seeds* and *all pairs*: mean ± standard deviation over trainings that differ only in their seed, with the shipped \
+settings. They show what to expect from another training; the shipped policies were chosen, on validation episodes.
 ";
 
 /// Renders the file.
@@ -70,20 +73,20 @@ pub fn page(problems: &[Problem], counts: &Counts) -> String {
         text += &format!("\n### {}, {} test episodes\n\n", capital(problem.name()), problem.episodes);
         text += &table(&problem.rows);
     }
-    text += "\n## What it costs\n\n";
+    text += "\n## Cost\n\n";
     for problem in problems {
         text += &costs(problem);
     }
     text += &on_target(problems, counts);
     text += PLANNER;
-    text += "\n## What each idea is worth\n\n";
-    text += "The shipped graph and actor on 1,000 validation episodes that neither training nor any choice read.\n";
+    text += "\n## Effect of each idea\n\n";
+    text += "The shipped graph and actor on 1,000 validation episodes that were not used for training or for choosing policies.\n";
     for problem in problems {
         text += &format!("\n{}:\n\n", capital(problem.name()));
         text += &ideas(&problem.ideas);
     }
     text += FAILED;
-    text += "\n## What was taught\n\n";
+    text += "\n## Other learning problems\n\n";
     text += TAUGHT;
     for problem in problems {
         text += &format!("\n{}:\n\n", capital(problem.name()));
@@ -95,7 +98,8 @@ pub fn page(problems: &[Problem], counts: &Counts) -> String {
         text += &format!("\n{}:\n\n", capital(problem.name()));
         text += &printed(problem);
         if let Some(measured) = &problem.paper {
-            text += "\nThe paper's own policies, run by us in the paper's environment on 60 of its targets:\n\n";
+            text +=
+                "\nThe paper's own policies, run by this project in the paper's environment on 60 of its targets:\n\n";
             text += &of_paper(measured);
         }
     }
@@ -140,7 +144,7 @@ fn table(rows: &[Row]) -> String {
         "distance mm",
         "actions",
         "by graph %",
-        "ns an action",
+        "ns per action",
         "worst ns",
         "bytes, fast · small",
     ];
@@ -192,11 +196,11 @@ fn costs(problem: &Problem) -> String {
         if factor >= 10.0 { format!("{factor:.0}") } else { format!("{factor:.1}") }
     };
     let mut text = format!(
-        "**{}.** In one run on this machine, a mean action takes {} ns with the hybrid, {} ns with its graph alone ({} ns in constant time), {} ns with \
-         its network alone, and {} ns with the network that the paper measures against, 13-256-256-4 in `f32` (all of it compiled \
-         without options for this machine; that network on the widest vectors it has: {} ns). The hybrid is \
-         **{} times quicker than that network** (the paper, its halving undone: {}) and {} times as quick as the small \
-         network alone. ",
+        "**{}.** In one run on this machine, a mean action takes {} ns with the hybrid, {} ns with its graph alone ({} ns in \
+         constant time) and {} ns with its network alone. The network that the paper compares with, 13-256-256-4 in `f32`, \
+         takes {} ns. All of this code is compiled without options for this machine; with the widest vectors it has, the \
+         paper's network takes {} ns. The hybrid is **{} times as fast as the paper's network** (the paper reports a factor \
+         of {} once its halved times are corrected) and {} times as fast as the small network alone. ",
         capital(problem.name()),
         thousands(shipped.hybrid.mean),
         thousands(shipped.tpg.mean),
@@ -210,8 +214,8 @@ fn costs(problem: &Problem) -> String {
     );
     if let Some(planner) = planner {
         text += &format!(
-            "The classical planner takes {} ns a mean action, {} times the hybrid's, and {} µs in its worst one; the \
-             hybrid's worst takes {} µs. ",
+            "A mean action of the classical planner takes {} ns, {} times as long as the hybrid's. Its slowest action takes \
+             {} µs, the hybrid's {} µs. ",
             thousands(planner.mean),
             times(planner.mean, shipped.hybrid.mean),
             thousands(planner.worst / 1000.0),
@@ -223,14 +227,14 @@ fn costs(problem: &Problem) -> String {
         thousands(row.map_or(0.0, |row| row.actions.mean) * time.mean / 1000.0)
     };
     text += &format!(
-        "A whole episode costs the hybrid {} µs and the small network alone, which moves all four motors at once and needs \
-         fewer actions, {} µs. ",
+        "A whole episode takes {} µs with the hybrid and {} µs with the small network alone, which moves all four motors at \
+         once and so needs fewer actions. ",
         episode("**hybrid, shipped**", shipped.hybrid),
         episode("SAC, shipped", shipped.sac),
     );
     text += &format!(
-        "Of the hybrid's time the guards take {} ns (joint limits), {} ns (collisions too) and {} ns (the network's too); the exact set of visited \
-         poses (48 KB) takes {} ns more than Brent's detector (16 bytes).\n\n",
+        "The guards add {} ns to the hybrid's time (joint limits), {} ns (collisions too) and {} ns (the network's actions \
+         too). The exact set of visited poses (48 KB) takes {} ns more than Brent's detector (16 bytes).\n\n",
         signed(limits.mean - none.mean),
         signed(collisions.mean - none.mean),
         signed(both.mean - none.mean),
@@ -242,8 +246,8 @@ fn costs(problem: &Problem) -> String {
 /// Describes the cost of the hybrids' parts on a Cortex-M4.
 fn on_target(problems: &[Problem], counts: &Counts) -> String {
     let mut text =
-        "**On a Cortex-M4** (`cargo xtask qemu`: both firmwares, 100 to 200 test targets, every instruction counted; \
-                    kinematics are in *network* and *graph*, the simulated arm is not):\n\n"
+        "**On a Cortex-M4** (`cargo xtask qemu`: both firmwares on 100 to 200 test targets, every instruction counted). The \
+         counts of *network* and *graph* include kinematics, but not the simulated arm:\n\n"
             .to_owned();
     let parts = problems.iter().flat_map(|problem| {
         [
@@ -269,13 +273,13 @@ fn on_target(problems: &[Problem], counts: &Counts) -> String {
         ]
     });
     text += &grid(
-        ["instructions", "C, mean action", "C, worst", "Rust, mean action", "Rust, worst", "C, an episode"],
+        ["instructions", "C, mean action", "C, worst", "Rust, mean action", "Rust, worst", "C, per episode"],
         cells,
     );
     let layers = ["f32", "i8"].map(|kind| counts.named(&format!("Rust layers 13-256-256-4 {kind}")));
     if let [Some(single), Some(integers)] = layers {
         text += &format!(
-            "\nThe layers alone of the paper's network, 13-256-256-4, take {} instructions in `f32` and {} in 8-bit integers \
+            "\nThe layers of the paper's network alone, 13-256-256-4, take {} instructions in `f32` and {} in 8-bit integers \
              with this project's kernels.\n\n",
             thousands(single.mean()),
             thousands(integers.mean()),
@@ -349,44 +353,47 @@ fn learned(rows: &[LearnedRow]) -> String {
     grid(names, rows.iter().map(cells))
 }
 
-const PLANNER: &str = "**Beside the classical planner.** It solves nearly everything, and no learned policy here is better at \
-that. Its simple form, straight to the nearest goal, does as well as the network at fixed start and collides more often at \
-random start; the form that looks ahead costs many times the hybrid, a list of goal poses in memory, and a worst action far \
-above the mean. Simpler still, *one goal, straight* goes to the first of four poses in closed form, the one that the graph of \
-random start reads as `stance`. It is the cheapest policy here, on a microcontroller too, and it moves all joints at once: \
-fewer actions than any graph. What the graph has learned beside it is in which order to move the joints, around table and base; \
-what the hybrid adds is that hardly any target is missed, and that nothing invalid is executed. All but the network need a \
-model of the arm (the guard's, for the hybrid). Anyone whose arm and surroundings are known and fixed may be best served by \
-the classical policies; the learned ones decide in constant memory with a worst case that is known at compile time, and can \
-be trained where no closed form is at hand. An obstacle that moves, or one that was not there when the model was made, costs \
-a planner a new plan at every step; nothing here measures how well a policy trained with such obstacles would do.
+const PLANNER: &str = "**Comparison with the classical planner.** The planner solves nearly every episode, and no learned policy here has a \
+higher success rate. Its simple form, straight to the nearest goal, does as well as the network at fixed start and collides \
+more often at random start. The form that looks ahead costs many times as much as the hybrid, needs a list of goal poses in \
+memory, and its slowest action takes far longer than its mean one. *One goal, straight* is simpler still: it goes to the \
+first of four poses in closed form, the one that the graph of random start reads as `stance`. It is the cheapest policy \
+here, also on a microcontroller, and it moves all joints at once, so it needs fewer actions than any graph. What the graph \
+has learned in addition is the order in which to move the joints around table and base. With the hybrid, hardly any target \
+is missed and no invalid action is executed. All policies but the network need a model of the arm; the hybrid needs it for its \
+guard. If the arm and its surroundings are known and fixed, a classical policy may be the best choice. The learned policies decide in \
+constant memory, with a worst case that is known at compile time, and can be trained where there is no closed form. A moving \
+obstacle, or one that was not in the model, forces a planner to plan anew at every step. How well a policy trained with such \
+obstacles would do is not measured here.
 ";
 
 const FAILED: &str = "
-What did not help, or not enough:
+Ideas that did not help, or not enough:
 
-- *Handing over because of the distance*: no more success than without it, and nearly every action is the graph's without it.
-  Not so with a weaker graph: the one before this at random start, 85 % alone, did best when it handed over 1 mm off its way.
-- *Handing over for good*: the fewer actions of the graph for no more success, as long as the guard holds for the network too.
-- *The exact set of visited poses*: Brent's detector hands over a few actions later, at the same success.
-- *Other seeds of graph and network*: *all pairs* in table 2.
-- *The hand-over priced in*: a graph that was evolved as the shipped one was, but for failures that cost 20 mm at most
-  (`handOverPrice`): it has no reason to come near where it fails.
-- *A guard on the paper's own hybrids*: little, since its network collides as often as its graphs. With our network the same
-  guard is worth 14 points at random start, and handing over for good four more (below).
+- *Handing over because of the distance*: no more success than without it. Without it, nearly every action is the graph's. A
+  weaker graph did benefit: the previous one at random start, with 85 % alone, did best when it handed over 1 mm off its way.
+- *Not handing back*: fewer actions of the graph and no more success, as long as the guard also applies to the network.
+- *The exact set of visited poses*: Brent's detector hands over a few actions later, with the same success.
+- *Other seeds of graph and network*: see *all pairs* in table 2.
+- *A price for handing over*: a graph that was evolved like the shipped one, except that a failure cost 20 mm at most
+  (`hand_over_price`). It has no reason to come near a target that it cannot reach.
+- *A guard on the paper's own hybrids*: little effect, because the paper's network collides as often as its graphs. With our
+  network, the same guard is worth 14 points at random start, and never handing back four more (see below).
 
-Not tried: a network trained on the states where graphs give up. These graphs fail in one or two episodes of a hundred, and the
-hybrid in none or one of a thousand.
+Not tried: training a network on the states in which graphs fail. These graphs fail in one or two episodes of a hundred, and
+the hybrid in none or one of a thousand.
 ";
 
-const TAUGHT: &str = "Rows of several trainings are means ± standard deviations over seeds. *The \
-paper's targets* are 60 of the recorded ones. A policy alone, no guard; networks with 38 features hold a joint that would leave \
-its range (their mask), graphs do so where *shielded*. The paper's learning problem: its 13 values, its score or reward, its \
-action set, its budget; its networks draw their actions, as in its tests. `paper-*` differs from its tools where \
-`tpg-train/README.md` says, which also has the paper's figures beside these. The planner, the memoryless inverse kinematics and the closed form learned nothing.
+const TAUGHT: &str = "Rows of several trainings are means ± standard deviations over seeds. *The paper's targets* are 60 of the recorded \
+ones. Each policy acts alone, without a guard. Networks with 38 features have a mask that holds a joint that would leave \
+its range; graphs have the same protection where the row says *shielded*. The paper's learning problem has its 13 values, \
+its score or reward, its action set and its budget; its networks draw their actions at random, as in the paper's tests. \
+`tpg-train/README.md` lists the differences between `paper-*` and the paper's tools, and gives the paper's figures beside \
+these. The planner, the memoryless inverse kinematics and the closed form were not trained.
 ";
 
-const PAPER: &str = "As printed, and what the artifact's own files give (population standard deviation over seeds). Its rows \
-*SAC, collisions allowed* are extrema of training curves. Its hybrid's times are halved: undone, 5.5 µs (fixed start) and \
-21.9 µs (random start) an action, beside 0.64 µs for a TPG and 61.5 µs for SAC; model sizes 13 KB and 292 KB.
+const PAPER: &str = "The figures as printed, and recomputed from the artifact's own files (population standard deviation over seeds). The \
+rows *SAC, collisions allowed* are extrema of training curves. The paper halved its hybrid's times. Without that, an action \
+takes 5.5 µs (fixed start) and 21.9 µs (random start), compared with 0.64 µs for a TPG and 61.5 µs for SAC. The models have \
+13 KB and 292 KB.
 ";

@@ -26,7 +26,8 @@ use clap::Args;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
 use tpg_arm::WIDOWX;
-use tpg_graph::error::{InputError, Place};
+use tpg_graph::error::InputError;
+use tpg_graph::settings;
 use tpg_problems::arm::targets::{self, Start};
 use tpg_train::files::{make_folder, read_text, write_atomically};
 
@@ -92,10 +93,7 @@ impl ProblemInputs {
 pub fn execute(args: &Table2Args) -> Result<(), InputError> {
     let name = args.inputs.display().to_string();
     let text = read_text(&args.inputs, "a list of policies")?;
-    let inputs: InputsFile = toml::from_str(&text).map_err(|error| {
-        let line = error.span().map_or(0, |span| text[..span.start].lines().count().max(1));
-        InputError::new(&name, Place::Line(line), error.message(), "[fs] and [rs] with shipped, tpg, sac")
-    })?;
+    let inputs: InputsFile = settings::from_toml(&name, &text, "[fs] and [rs] with shipped, tpg, sac")?;
     let conformance = args.conformance.as_deref();
     if conformance.is_none() {
         eprintln!("no --conformance: the rows of the paper's own policies are omitted");

@@ -1,7 +1,6 @@
 //! The paper's own figures, and its own policies run by this project if their recordings are available.
 
 use super::ProblemInputs;
-use super::rows::Shipped;
 use crate::actor::RecordedActor;
 use crate::chain::Chain;
 use crate::data::{self, ByRow, Task};
@@ -20,10 +19,11 @@ use tpg_graph::import::{self, Profile};
 use tpg_problems::arm::targets::Start;
 use tpg_runtime::ops::System;
 use tpg_runtime::policy::Policy;
-use tpg_train::hybrid::choice::Spread;
-use tpg_train::hybrid::graph::GraphPolicy;
-use tpg_train::hybrid::narrowed::Narrowed;
-use tpg_train::hybrid::setting::{HandBack, Setting};
+use tpg_train::hybrid::arm::graph::GraphPolicy;
+use tpg_train::hybrid::arm::narrowed::Narrowed;
+use tpg_train::hybrid::arm::setting::{Hybrid as Shipped, Setting};
+use tpg_train::hybrid::span::Span;
+use tpg_train::hybrid::spread::Spread;
 
 /// A row of the paper's table 2: distance in mm, success in % and collision in %, as printed; and the mean and standard
 /// deviation over seeds computed from its artifact's own files.
@@ -175,8 +175,8 @@ pub fn measured(
     };
     let paper = setting.settings();
     let guarded = Settings { guard: Guard::Collisions, ..paper };
-    let for_good = Settings { hand_back_after: HandBack::NEVER.0, ..guarded };
-    debug_assert_eq!(for_good.hand_back_after, NEVER);
+    let no_hand_back = Settings { hand_back_after: Span::NEVER.0, ..guarded };
+    debug_assert_eq!(no_hand_back.hand_back_after, NEVER);
     let sampled = |settings| {
         recordings.with_everyone(settings, SAC_SEEDS, |sac, seed, hybrid_of| {
             hybrid_of(&Sampled::new(&recordings.actors[sac], seed))
@@ -190,7 +190,7 @@ pub fn measured(
         Measured::of("hybrid with our guard for joint limits and collisions", &sampled(guarded)?),
         Measured::of("its TPGs, our actor", &ours(paper)?),
         Measured::of("its TPGs, our actor, our guard", &ours(guarded)?),
-        Measured::of("its TPGs, our actor, our guard, for good", &ours(for_good)?),
+        Measured::of("its TPGs, our actor, our guard, no hand-back", &ours(no_hand_back)?),
     ]))
 }
 

@@ -2,21 +2,21 @@
 
 use super::ProblemInputs;
 use super::timing::{self, Time};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use tpg_arm::WIDOWX;
 use tpg_arm::observation::Straight;
 use tpg_codegen::emit::{Options, Prefix, Profile};
 use tpg_codegen::size::{self, Target};
 use tpg_graph::Graph;
-use tpg_graph::error::{InputError, Place};
+use tpg_graph::error::InputError;
 use tpg_problems::arm::planner::{Choice, Planner};
 use tpg_problems::arm::targets::{Start, Task};
 use tpg_problems::arm::trial::{Trial, run, run_allowing_collisions};
 use tpg_train::actor::file::Actor;
-use tpg_train::hybrid::choice::Spread;
-use tpg_train::hybrid::graph::read_graph;
-use tpg_train::hybrid::setting::{HybridFile, Setting};
-use tpg_train::hybrid::trial::{self, HybridTrial};
+use tpg_train::files::read_graph;
+use tpg_train::hybrid::arm::setting::Hybrid;
+use tpg_train::hybrid::arm::trial::{self, HybridTrial};
+use tpg_train::hybrid::spread::Spread;
 
 /// One row of the table. Rates lie in 0..1.
 #[derive(Clone, Debug, PartialEq)]
@@ -74,34 +74,6 @@ impl Row {
     }
 }
 
-/// A shipped hybrid, read from its files.
-#[derive(Debug)]
-pub struct Shipped {
-    /// The graph's file, and the graph.
-    pub graph: (String, Graph),
-    /// The actor.
-    pub actor: Actor,
-    /// Setting for sharing the arm.
-    pub setting: Setting,
-}
-
-impl Shipped {
-    /// Reads a `hybrid.toml` and the files it names.
-    ///
-    /// # Errors
-    /// If any of them is invalid.
-    pub fn read(path: &Path) -> Result<Self, InputError> {
-        let file = HybridFile::read(path)?;
-        let setting = file.setting().map_err(|(key, found, accepted)| {
-            InputError::new(path.display().to_string(), Place::Path(key), found, accepted)
-        })?;
-        let beside = |name: &str| path.parent().unwrap_or(Path::new("")).join(name);
-        let graph = beside(&file.graph);
-        let actor = Actor::read(&beside(&file.actor))?;
-        Ok(Self { graph: (graph.display().to_string(), read_graph(&graph)?), actor, setting })
-    }
-}
-
 /// Returns the size in bytes of a graph's C code on a Cortex-M4F, compiled for size, in profile `fast` and profile
 /// `small`; `None` if the compiler is missing.
 pub fn graph_bytes(graph: &Graph) -> Option<[usize; 2]> {
@@ -140,7 +112,7 @@ pub fn measure(start: Start, inputs: &ProblemInputs, tasks: &[Task]) -> Result<V
     rows.push(Row { time, ..Row::of(STRAIGHT, &[run(&arm, &straight, start, tasks)]) });
     let classical = rows.len();
 
-    let shipped = Shipped::read(&inputs.shipped)?;
+    let shipped = Hybrid::read(&inputs.shipped)?;
     let (file, graph) = &shipped.graph;
     let actor = shipped.actor.policy();
     let actor_bytes = shipped.actor.bytes();
@@ -163,7 +135,7 @@ pub fn measure(start: Start, inputs: &ProblemInputs, tasks: &[Task]) -> Result<V
 }
 
 /// Computes means over seeds, which predict another training, as opposed to a selected one.
-fn of_seeds(start: Start, inputs: &ProblemInputs, shipped: &Shipped, tasks: &[Task]) -> Result<Vec<Row>, InputError> {
+fn of_seeds(start: Start, inputs: &ProblemInputs, shipped: &Hybrid, tasks: &[Task]) -> Result<Vec<Row>, InputError> {
     let arm = WIDOWX.to_f32();
     let read = |path: &PathBuf| Ok((path.display().to_string(), read_graph(path)?));
     let graphs = inputs.tpg.iter().map(read).collect::<Result<Vec<(String, Graph)>, InputError>>()?;

@@ -113,16 +113,16 @@ fn along<S, T>(ways: &[Way<S>], begin: impl Fn() -> T, decide: impl Fn(&mut T, &
             began.elapsed().as_secs_f64() * 1e9
         };
         whole += (0..ROUNDS).map(round).fold(f64::INFINITY, f64::min);
-        let mut quickest = vec![f64::INFINITY; way.poses.len()];
+        let mut fastest = vec![f64::INFINITY; way.poses.len()];
         for _ in 0..ROUNDS {
             let mut state = begin();
-            for (index, (&pose, quickest)) in way.poses.iter().zip(&mut quickest).enumerate() {
+            for (index, (&pose, fastest)) in way.poses.iter().zip(&mut fastest).enumerate() {
                 let began = Instant::now();
                 black_box(decide(&mut state, way, black_box(pose), index == 0));
-                *quickest = quickest.min(began.elapsed().as_secs_f64() * 1e9);
+                *fastest = fastest.min(began.elapsed().as_secs_f64() * 1e9);
             }
         }
-        worst = quickest.into_iter().fold(worst, f64::max);
+        worst = fastest.into_iter().fold(worst, f64::max);
     }
     Time { mean: whole / actions.max(1) as f64, worst }
 }

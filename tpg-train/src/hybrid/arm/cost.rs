@@ -1,4 +1,4 @@
-//! Time of one decision on this machine, in the trainer's own evaluation. (Compiled code: `tpg-train table2`.)
+//! Time of one decision on this machine, in the trainer's own evaluation. (Compiled code: `tpg-paper table2`.)
 
 use super::graph::GraphPolicy;
 use super::narrowed::Narrowed;

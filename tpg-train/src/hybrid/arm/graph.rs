@@ -1,8 +1,6 @@
 //! Graphs as policies of the arm, in the trainer's own evaluation.
 
-use crate::files::read_text;
 use std::cell::RefCell;
-use std::path::Path;
 use tpg_arm::observation::{Observation, Source, TargetMemo};
 use tpg_arm::{Arm, Move, WIDOWX};
 use tpg_engine::{Options, Plan, Policy as Root, Single};
@@ -12,14 +10,6 @@ use tpg_problems::arm::ArmScalar;
 use tpg_problems::arm::binding::Binding;
 use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::Policy;
-
-/// Reads a `graph.json`.
-///
-/// # Errors
-/// If it cannot be read or is not a graph.
-pub fn read_graph(path: &Path) -> Result<Graph, InputError> {
-    Graph::from_json(&path.display().to_string(), &read_text(path, "a graph.json")?)
-}
 
 /// A graph that controls the arm.
 #[derive(Debug)]

@@ -1,0 +1,158 @@
+//! The cells of a study on any problem but the arm's.
+
+use super::setting::{Detector, Setting};
+use super::shared::{Episodes, Shared};
+use super::span::Span;
+use super::study::Study;
+use super::trial::{Acting, HybridTrial};
+use crate::sac::network::Network;
+use serde::{Deserialize, Serialize};
+use tpg_engine::Summary;
+use tpg_graph::Graph;
+use tpg_graph::error::InputError;
+
+/// One row of `cells.csv`: a pair under a setting.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Cell {
+    /// Position of the graph on the command line, from 0.
+    pub tpg: usize,
+    /// Position of the network on the command line, from 0.
+    pub sac: usize,
+    /// Method of detecting cycles.
+    pub cycle_detector: Detector,
+    /// Number of actions of the network before the graph takes over again.
+    pub hand_back_after: Span,
+    /// The separation, in the unit of the problem's distance.
+    pub separation: f64,
+    /// The patience, in actions of the graph.
+    pub patience: Span,
+    /// Number of episodes.
+    pub episodes: usize,
+    /// Mean score.
+    pub mean_score: f64,
+    /// Standard deviation of the scores, over the episodes (of the sample, n − 1).
+    pub std_score: f64,
+    /// Fraction of successes, 0 to 1; empty if the problem does not define success.
+    pub success: Option<f64>,
+    /// Mean number of actions.
+    pub mean_steps: f64,
+    /// Fraction of all actions that the graph chose.
+    pub tpg_action_ratio: f64,
+    /// Actions per episode that the network chose.
+    pub network_actions: f64,
+    /// Hand-overs per episode because the distance grew.
+    pub hand_overs_drift: f64,
+    /// Hand-overs per episode because the graph made no progress.
+    pub hand_overs_stall: f64,
+    /// Hand-overs per episode because the graph cycled.
+    pub hand_overs_cycle: f64,
+    /// Number of times per episode that the network handed back.
+    pub hand_backs: f64,
+}
+
+impl Cell {
+    /// Returns the setting.
+    pub fn setting(&self) -> Setting {
+        let Self { hand_back_after, separation, patience, cycle_detector: detector, .. } = *self;
+        Setting { hand_back_after, separation, patience, detector }
+    }
+}
+
+/// Subject of a study.
+pub struct Subject<'a> {
+    /// The problem.
+    pub problem: &'a dyn Shared,
+    /// The graphs, with their files.
+    pub graphs: Vec<(String, Graph)>,
+    /// The networks, with their files.
+    pub networks: Vec<(String, Network)>,
+    /// The settings.
+    pub settings: Vec<Setting>,
+    /// The episodes of each cell.
+    pub episodes: Episodes,
+}
+
+impl Subject<'_> {
+    /// Lets policies do the study's episodes.
+    ///
+    /// # Errors
+    /// If a policy does not fit the problem.
+    pub fn trial(&self, acting: Acting<'_>) -> Result<HybridTrial, InputError> {
+        self.problem.trial(acting, self.episodes)
+    }
+}
+
+/// Identity of a cell, in the order of `cells.csv`.
+pub type Key = (usize, usize, Detector, Span, u64, Span);
+
+fn key(tpg: usize, sac: usize, setting: &Setting) -> Key {
+    let Setting { hand_back_after, separation, patience, detector } = *setting;
+    // No separation is negative, so their bits are in the order of their values.
+    (tpg, sac, detector, hand_back_after, separation.to_bits(), patience)
+}
+
+impl Study for Subject<'_> {
+    type Setting = Setting;
+    type Cell = Cell;
+    type Key = Key;
+
+    fn policies(&self) -> [usize; 2] {
+        [self.graphs.len(), self.networks.len()]
+    }
+
+    fn settings(&self) -> &[Setting] {
+        &self.settings
+    }
+
+    fn key(&self, tpg: usize, sac: usize, setting: &Setting) -> Key {
+        key(tpg, sac, setting)
+    }
+
+    fn key_of(&self, cell: &Cell) -> Key {
+        key(cell.tpg, cell.sac, &cell.setting())
+    }
+
+    fn cell(&self, tpg: usize, sac: usize, setting: &Setting) -> Result<Cell, InputError> {
+        let done = self.trial(Acting::Both(&self.graphs[tpg], &self.networks[sac], setting))?;
+        let summary = Summary::of(&done.endings);
+        let [hand_overs_drift, hand_overs_stall, hand_overs_cycle] = done.hand_overs;
+        Ok(Cell {
+            tpg,
+            sac,
+            cycle_detector: setting.detector,
+            hand_back_after: setting.hand_back_after,
+            separation: setting.separation,
+            patience: setting.patience,
+            episodes: summary.episodes,
+            mean_score: summary.score,
+            std_score: summary.score_deviation(&done.endings),
+            success: summary.success,
+            mean_steps: summary.actions,
+            tpg_action_ratio: done.tpg_action_ratio,
+            network_actions: done.network_actions,
+            hand_overs_drift,
+            hand_overs_stall,
+            hand_overs_cycle,
+            hand_backs: done.hand_backs,
+        })
+    }
+}
+
+/// Returns the settings of a grid that can hand over, in the order of `cells.csv`.
+pub fn grid(detectors: &[Detector], hand_backs: &[Span], separations: &[f64], patiences: &[Span]) -> Vec<Setting> {
+    let mut all = Vec::new();
+    for &detector in detectors {
+        for &hand_back_after in hand_backs {
+            for &separation in separations {
+                all.extend(patiences.iter().map(|&patience| Setting {
+                    hand_back_after,
+                    separation,
+                    patience,
+                    detector,
+                }));
+            }
+        }
+    }
+    all.retain(Setting::has_trigger);
+    all
+}
