@@ -50,18 +50,27 @@ pub fn write_all<P: AsRef<Path>, B: AsRef<[u8]>>(files: &[(P, B)]) -> Result<(),
 /// Writes one file as [`write_atomically`] does and keeps the file that it replaces under the name `previous`, in the
 /// same folder.
 ///
-/// At every moment one of the two names holds a whole file: the new one is complete before any is renamed.
+/// At every moment `path` holds a whole file, the old one or the new one; without hard links on the file system, at least
+/// one of the two names does.
 ///
 /// # Errors
 /// As [`write_atomically`]; nothing has changed in that case, unless the folder disappeared between the last write and
 /// the renaming.
 pub fn write_keeping_previous(path: &Path, previous: &Path, bytes: &[u8]) -> Result<(), InputError> {
     let pending = Pending::write(path, bytes).map_err(|error| refused(path, &error))?;
-    match fs::rename(path, previous) {
-        Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(refused(previous, &error)),
-        _ => {}
-    }
+    keep(path, previous).map_err(|error| refused(previous, &error))?;
     pending.appear().map_err(|(path, error)| refused(&path, &error))
+}
+
+/// Gives a file a second name; moves it to that name where there are no hard links.
+fn keep(path: &Path, name: &Path) -> io::Result<()> {
+    if !path.exists() {
+        return Ok(());
+    }
+    match fs::remove_file(name) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
+        _ => fs::hard_link(path, name).or_else(|_| fs::rename(path, name)),
+    }
 }
 
 /// Creates a folder and writes a set of files into it as [`write_all`] does. If that fails, the created folders are

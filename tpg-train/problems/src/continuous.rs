@@ -17,7 +17,7 @@ pub enum ContinuousProblem {
 }
 
 impl ContinuousProblem {
-    /// A problem with its usual settings.
+    /// Returns a problem with its default settings.
     pub fn usual(name: ProblemName) -> Self {
         match name.start() {
             Some(start) => Self::Motors(start, motors::Config::default()),
@@ -25,7 +25,7 @@ impl ContinuousProblem {
         }
     }
 
-    /// The problem's name.
+    /// Returns the problem's name.
     pub fn name(&self) -> ProblemName {
         match self {
             Self::Motors(start, _) => (*start).into(),
@@ -33,7 +33,7 @@ impl ContinuousProblem {
         }
     }
 
-    /// The problem of another name: the arm keeps its settings with another start.
+    /// Returns the problem of another name: the arm keeps its settings with another start.
     #[must_use]
     pub fn renamed(self, name: ProblemName) -> Self {
         match (self, name.start()) {
@@ -66,7 +66,7 @@ impl ContinuousProblem {
         })
     }
 
-    /// The section `[problem]`, every setting written out.
+    /// Returns the section `[problem]` with every setting written out.
     ///
     /// # Panics
     /// Never: every setting can be written.
@@ -81,7 +81,7 @@ impl ContinuousProblem {
         }
     }
 
-    /// Gives the problem's environment to `visitor`. The arm's tasks come from the sample of the space that `seed` draws.
+    /// Passes the problem's environment to `visitor`. The arm's tasks come from the sample of the space that `seed` draws.
     pub fn open<V: Visitor<f32>>(&self, seed: u64, visitor: V) -> V::Output {
         match self {
             Self::Motors(start, config) => visitor.visit(Motors::new(*start, config.clone(), seed)),

@@ -32,7 +32,7 @@ pub struct Rates {
     pub target_entropy: f64,
 }
 
-/// A batch as an update reads it: one column a sample, `noise` standard normal.
+/// A batch for one update: one column per sample; `noise` is standard normal.
 #[derive(Clone, Copy, Debug)]
 pub struct Experience<'a, T> {
     /// inputs × batch.
@@ -114,7 +114,7 @@ pub struct Agent<T> {
     gaussian: Gaussian,
 }
 
-/// Scratch memory of an update: made once, for one batch size.
+/// Scratch memory of an update, allocated once for one batch size.
 #[derive(Clone, Debug)]
 pub struct Workspace<T> {
     actor: Tape<T>,
@@ -131,7 +131,7 @@ pub struct Workspace<T> {
 }
 
 impl<T: Real> Agent<T> {
-    /// An agent with random weights, for states of that many inputs.
+    /// Creates an agent with random weights, for states of that many inputs.
     pub fn new(config: &Config, inputs: usize, gaussian: Gaussian, random: &mut Stream) -> Self {
         let norm = config.actor.layer_norm;
         let actor = Shape { inputs, hidden: config.actor.hidden.clone(), outputs: 2 * gaussian.actions, norm };
@@ -147,8 +147,8 @@ impl<T: Real> Agent<T> {
         Self::of_networks(actor, critics, value, gaussian, log_temperature)
     }
 
-    /// An agent of given networks, with fresh optimisers and slow copies equal to what they follow. With a value
-    /// network it learns by the paper's algorithm.
+    /// Creates an agent from given networks, with new optimisers and slow copies equal to the networks that they follow.
+    /// With a value network it learns by the paper's algorithm.
     pub fn of_networks(
         actor: Mlp<T>,
         critics: [Mlp<T>; 2],
@@ -165,7 +165,7 @@ impl<T: Real> Agent<T> {
         Self { actor, critics, bootstrap, log_alpha: T::of(log_alpha), alpha_adam: Adam::new(1), gaussian }
     }
 
-    /// Scratch memory for updates with `batch` samples.
+    /// Allocates scratch memory for updates with `batch` samples.
     pub fn workspace(&self, batch: usize) -> Workspace<T> {
         let (actor, critic) = (self.actor.network.shape(), self.critics[0].network.shape());
         let (zeros, actions) = (|rows: usize| vec![T::zero(); rows * batch], self.gaussian.actions);
@@ -350,7 +350,7 @@ impl<T: Real> Agent<T> {
         (loss * share).wide()
     }
 
-    /// The distribution behind the actor's outputs.
+    /// Returns the distribution that the actor's outputs parameterise.
     pub fn gaussian(&self) -> Gaussian {
         self.gaussian
     }

@@ -1,8 +1,8 @@
 //! The content of a checkpoint: all that a run needs to end in the same bytes as if it had never stopped.
 //!
-//! The bytes of a safetensors file: networks, optimisers, replay buffer and best candidate as flat tensors, tasks and counters as JSON.
-//! An episode under way is its task and the actions so far, which are done again. There is no random state: every stream is
-//! a function of the seed and the counters.
+//! The bytes of a safetensors file: networks, optimisers, replay buffer and best candidate as flat tensors, tasks and
+//! counters as JSON. A running episode is stored as its task and its actions so far, which are repeated. There is no random
+//! state: every stream is a function of the seed and the counters.
 
 use super::agent::{Agent, Bootstrap, Learner};
 use super::config::Config;
@@ -20,7 +20,7 @@ pub const VERSION: u32 = 5;
 /// No run counts further: sums of two such counts do not overflow, and `f64` holds them exactly.
 const MOST: u64 = 1 << 53;
 
-/// Everything but the numbers of networks, buffer and actions.
+/// Everything except the tensors: networks, replay buffer, actions.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct State<Task> {
@@ -41,7 +41,7 @@ struct State<Task> {
     log: Vec<serde_json::Value>,
 }
 
-/// The part that tells whose checkpoint it is, for any problem.
+/// The part that identifies a run, for any problem.
 #[derive(Deserialize)]
 struct Header {
     config: Config,

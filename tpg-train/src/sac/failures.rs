@@ -1,7 +1,7 @@
 //! Places where the actor under training fails: training episodes begin there again.
 //!
-//! Failures are rare, so episodes drawn at random hardly ever show them; and most are cycles, which the noise of training
-//! leaves and the actor without noise does not: the critics hardly see what is wrong with them. Now and then the actor tries
+//! Failures are rare, so random episodes hardly ever contain them. Most are cycles, which the noise of training breaks but
+//! the actor without noise does not, so the critics hardly learn about them. Now and then the actor tries
 //! fresh tasks, as it decides outside of training, and three places of each failed episode are remembered: its start, its
 //! middle and the last place but one (in a cycle: within it; before an invalid action: just before).
 
@@ -18,7 +18,7 @@ pub struct Failures<Task> {
 }
 
 impl<Task: Clone> Failures<Task> {
-    /// No failures yet.
+    /// Creates an empty list.
     pub const fn new() -> Self {
         Self { places: Vec::new() }
     }
@@ -51,7 +51,7 @@ impl<Task: Clone> Failures<Task> {
         self.places.extend(places.into_iter().filter_map(|place| visited[place].clone()));
     }
 
-    /// One of the places; `None` where there is none.
+    /// Draws one of the places; `None` if there is none.
     pub fn draw(&self, random: &mut Stream) -> Option<Task> {
         (!self.places.is_empty()).then(|| random.pick(&self.places).clone())
     }

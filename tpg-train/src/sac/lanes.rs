@@ -1,4 +1,4 @@
-//! Training episodes side by side: one that has ended makes way for the next.
+//! Parallel training episodes: when one ends, the next begins in its lane.
 
 use super::config::Config;
 use super::failures::Failures;
@@ -6,7 +6,7 @@ use super::interface::Interface;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{Act, End, Environment, SourceSet};
 
-/// One episode under way.
+/// A running episode.
 pub struct Lane<E: Environment<f32>> {
     /// The task that it began with.
     pub task: E::Task,
@@ -28,7 +28,7 @@ pub struct Consequence {
     pub end: Option<End>,
 }
 
-/// Episodes side by side.
+/// Parallel episodes.
 pub struct Lanes<'e, E: Environment<f32>> {
     environment: &'e E,
     interface: Interface,
@@ -55,7 +55,7 @@ impl<'e, E: Environment<f32>> Lanes<'e, E> {
         lanes
     }
 
-    /// No episode yet: see [`resume`](Self::resume).
+    /// Creates the lanes without episodes: see [`resume`](Self::resume).
     pub fn empty(environment: &'e E, interface: Interface, config: &Config, seed: u64) -> Self {
         let retried = config.retry.map_or(0.0, |retry| retry.share);
         let (limit, failures) = (environment.time_limit(), Failures::new());
@@ -72,7 +72,7 @@ impl<'e, E: Environment<f32>> Lanes<'e, E> {
         (actions.chunks_exact(self.interface.outputs.len())).all(|action| self.act(last, action).end.is_none())
     }
 
-    /// A new episode, part of them where the actor failed.
+    /// Begins the next episode; some begin where the actor failed.
     fn begin(&mut self) -> Lane<E> {
         let mut random = Stream::new(self.seed, self.episodes, Purpose::Reset, 0);
         self.episodes += 1;
@@ -85,7 +85,7 @@ impl<'e, E: Environment<f32>> Lanes<'e, E> {
         Lane { episode: self.environment.start(&task), task, actions: Vec::new(), done: 0 }
     }
 
-    /// Writes what a lane's actor reads.
+    /// Writes the actor's inputs in a lane.
     pub fn observe(&mut self, lane: usize, inputs: &mut [f32]) {
         self.environment.observe(&mut self.lanes[lane].episode, SourceSet::ALL, inputs);
         self.interface.scale(inputs);
@@ -107,12 +107,12 @@ impl<'e, E: Environment<f32>> Lanes<'e, E> {
         self.lanes[lane] = self.begin();
     }
 
-    /// The environment.
+    /// Returns the environment.
     pub fn environment(&self) -> &'e E {
         self.environment
     }
 
-    /// The network's inputs and outputs.
+    /// Returns the network's inputs and outputs.
     pub fn interface(&self) -> &Interface {
         &self.interface
     }

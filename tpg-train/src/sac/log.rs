@@ -10,7 +10,7 @@ use std::time::Instant;
 use tpg_engine::{Environment, Summary};
 use tpg_graph::error::InputError;
 
-/// The row of a validation.
+/// Returns the row of a validation.
 pub fn row<E: Environment<f32>>(
     training: &Training<'_, E>,
     recent: &Recent,

@@ -1,4 +1,4 @@
-//! The configurations that come with the trainer, with a comment for every setting.
+//! The configurations included with the trainer, with a comment for every setting.
 
 use super::config::Config;
 use crate::evolution::presets::Preset;
@@ -24,17 +24,12 @@ pub const PRESETS: [Preset; 9] = [
     preset!("paper-fs-no-collision-in-training", "as paper-fs, where an invalid step ends training episodes too"),
 ];
 
-/// The preset of that name.
+/// Finds a preset by name.
 pub fn find(name: &str) -> Option<&'static Preset> {
     PRESETS.iter().find(|preset| preset.name == name)
 }
 
-/// The names of all presets, for messages.
-pub fn names() -> String {
-    PRESETS.map(|preset| preset.name).join(", ")
-}
-
-/// The preset that is used for a problem where none is asked for.
+/// Returns the preset used for a problem by default.
 ///
 /// # Panics
 /// Never: each of these presets is in the list.
@@ -47,7 +42,7 @@ pub fn usual(problem: ProblemName) -> &'static Preset {
     find(name).expect("it is in the list")
 }
 
-/// The configuration of a preset.
+/// Returns the configuration of a preset.
 ///
 /// # Errors
 /// None: a test reads every preset.

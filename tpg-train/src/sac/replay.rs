@@ -45,7 +45,7 @@ pub struct Batch {
 }
 
 impl Batch {
-    /// An empty batch of that many samples.
+    /// Creates an empty batch of that many samples.
     pub fn new(inputs: usize, actions: usize, size: usize) -> Self {
         let zeros = |rows: usize| vec![0.0; rows * size];
         Self {
@@ -59,7 +59,7 @@ impl Batch {
 }
 
 impl Replay {
-    /// An empty buffer. It grows with what is added, up to `capacity` transitions.
+    /// Creates an empty buffer. It grows up to `capacity` transitions.
     ///
     /// # Panics
     /// If `capacity` is 0.
@@ -72,7 +72,7 @@ impl Replay {
         2 * self.inputs + self.actions + 2
     }
 
-    /// Transitions held.
+    /// Returns the number of transitions held.
     pub fn len(&self) -> usize {
         self.rows.len() / self.width()
     }
@@ -82,7 +82,7 @@ impl Replay {
         self.rows.is_empty()
     }
 
-    /// Adds a transition, in the place of the oldest where the buffer is full.
+    /// Adds a transition; replaces the oldest if the buffer is full.
     ///
     /// # Panics
     /// If a state has another number of values than the buffer's.
@@ -126,7 +126,7 @@ impl Replay {
         }
     }
 
-    /// Transitions ever added, and the rows as they lie.
+    /// Returns the number of transitions ever added, and the rows in memory order.
     pub fn state(&self) -> (u64, &[f32]) {
         (self.added, &self.rows)
     }

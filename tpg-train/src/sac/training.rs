@@ -16,12 +16,12 @@ use tpg_engine::{Environment, Preference, Summary};
 use tpg_graph::error::Finding;
 use tpg_nn::{Gaussian, Mlp, Samples, Tape};
 
-/// A training run under way.
+/// A running training.
 pub struct Training<'e, E: Environment<f32>> {
     pub(super) config: Config,
     pub(super) seed: u64,
     pub(super) agent: Agent<f32>,
-    /// The actor that is validated and kept, where it is an average of the one that learns.
+    /// The actor that is validated and kept, if it is an average of the learning one.
     pub(super) average: Option<Mlp<f32>>,
     pub(super) replay: Replay,
     pub(super) lanes: Lanes<'e, E>,
@@ -59,7 +59,7 @@ pub struct Recent {
     pub steps: u64,
 }
 
-/// Memory for acting and learning, none of it a part of a run's state.
+/// Scratch memory for acting and learning; not part of a run's state.
 #[derive(Debug)]
 struct Space {
     acting: Tape<f32>,
@@ -88,7 +88,7 @@ impl Space {
 }
 
 impl<'e, E: Environment<f32>> Training<'e, E> {
-    /// A run from the start.
+    /// Starts a run.
     ///
     /// # Errors
     /// If the environment's actions are not outputs, or it does not have what the configuration asks for.
@@ -108,22 +108,22 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
         Self { config, seed, agent, average, replay, lanes, decisions: 0, updates: 0, best: None, curve, recent, space }
     }
 
-    /// The configuration.
+    /// Returns the configuration.
     pub fn config(&self) -> &Config {
         &self.config
     }
 
-    /// The network's inputs and outputs.
+    /// Returns the network's inputs and outputs.
     pub fn interface(&self) -> &Interface {
         self.lanes.interface()
     }
 
-    /// Decisions done, of all lanes together.
+    /// Returns the number of decisions so far, in all lanes together.
     pub fn decisions(&self) -> u64 {
         self.decisions
     }
 
-    /// Updates done.
+    /// Returns the number of updates so far.
     pub fn updates(&self) -> u64 {
         self.updates
     }
@@ -138,17 +138,17 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
         flat(&self.curve, self.config.validation.flat_after)
     }
 
-    /// The best candidate so far.
+    /// Returns the best candidate so far.
     pub fn best(&self) -> Option<&Best> {
         self.best.as_ref()
     }
 
-    /// The result of the last validation.
+    /// Returns the result of the last validation.
     pub fn last(&self) -> Option<&Summary> {
         self.curve.last()
     }
 
-    /// The sums since the last call.
+    /// Returns the sums since the last call and resets them.
     pub fn take_progress(&mut self) -> Recent {
         std::mem::take(&mut self.recent)
     }
@@ -255,12 +255,12 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
         self.recent.add(report);
     }
 
-    /// The actor as it stands: the average, where there is one.
+    /// Returns the current actor: the average, if there is one.
     fn actor(&self) -> &Mlp<f32> {
         self.average.as_ref().unwrap_or(&self.agent.actor.network)
     }
 
-    /// The policy as it stands.
+    /// Returns the current policy.
     pub fn policy(&self) -> NetworkPolicy<'_> {
         NetworkPolicy::new(self.actor(), self.interface(), &self.config.actor)
     }
@@ -282,7 +282,7 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
     }
 }
 
-/// The interface that a configuration asks for.
+/// Returns the interface that a configuration asks for.
 pub(super) fn interface(environment: &impl Environment<f32>, config: &Config) -> Result<Interface, Finding> {
     if config.retry.is_some() && environment.preference() != Preference::Success {
         return Err(Finding::new(
@@ -294,7 +294,7 @@ pub(super) fn interface(environment: &impl Environment<f32>, config: &Config) ->
     Interface::new(environment, config.actor.scaled_inputs)
 }
 
-/// An agent with the run's first weights.
+/// Creates the agent with the run's initial weights.
 pub(super) fn agent(config: &Config, interface: &Interface, seed: u64) -> Agent<f32> {
     let gaussian = Gaussian { actions: interface.outputs.len(), spread: config.actor.spread };
     let mut random = Stream::new(seed, 0, Purpose::Weights, 0);
@@ -310,7 +310,7 @@ impl Recent {
         self.sums.temperature += report.temperature;
     }
 
-    /// The means of the updates' reports.
+    /// Returns the means of the updates' reports.
     pub fn means(&self) -> Report {
         let count = self.updates.max(1) as f64;
         let Report { critic_loss, actor_loss, entropy, temperature } = self.sums;

@@ -48,13 +48,13 @@ pub fn to_tensors(network: &Mlp<f32>, contract: &Contract) -> Tensors {
 /// Reads a policy file.
 ///
 /// # Errors
-/// If it is damaged, says another contract than this version's, lacks a tensor, has one too many or of another shape,
-/// or holds a number that is not finite.
+/// If it is damaged, has another version's contract, a missing, additional or misshapen tensor, or a number that is not
+/// finite.
 pub fn read(path: &Path) -> Result<(Mlp<f32>, Contract), InputError> {
     from_tensors(Tensors::read(path, LIMIT)?).map_err(|finding| place(path, finding))
 }
 
-/// The actor of a file.
+/// Returns the actor of a file.
 ///
 /// # Errors
 /// As [`read`].

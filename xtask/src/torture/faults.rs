@@ -64,16 +64,18 @@ pub(super) fn damaged(subject: &Subject, random: &mut ChaCha8Rng) -> Checked {
         sleep(subject.time.mul_f64(random.random_range(0.0..0.5)));
         let _ = child.kill();
         let _ = child.wait();
-        // Killed between two renames, there is no newest one: nothing to damage, and the run goes on all the same.
-        row.note(begun, || "there was no checkpoint".to_owned());
-        if newest.exists() {
-            damage(&newest, random);
+        row.note(begun && newest.exists(), || "there was no checkpoint".to_owned());
+        if !newest.exists() || !previous.exists() {
+            // Killed in the moment in which the previous one is replaced: the newest must stay whole.
+            row.finish(subject, &folder);
+            continue;
         }
+        damage(&newest, random);
         if round % 4 == 3 {
             let whole = fs::read(&previous).unwrap_or_default();
             damage(&previous, random);
             let refused = subject.finish(&folder).status.code() == Some(2);
-            row.note(refused || !newest.exists(), || "two damaged checkpoints were not refused".to_owned());
+            row.note(refused, || "two damaged checkpoints were not refused".to_owned());
             row.note(fs::write(&previous, whole).is_ok(), || "it cannot be repaired".to_owned());
         }
         row.finish(subject, &folder);
@@ -93,7 +95,9 @@ fn damage(path: &Path, random: &mut ChaCha8Rng) {
         }
         _ => bytes.push(0),
     }
-    fs::write(path, bytes).expect("a checkpoint of a run that was killed can be written");
+    // A new file: the old one may have a second name, as the previous checkpoint.
+    let written = fs::remove_file(path).and_then(|()| fs::write(path, bytes));
+    written.expect("a checkpoint of a run that was killed can be written");
 }
 
 /// Sends a signal.
