@@ -68,7 +68,7 @@ fn keep(path: &Path, name: &Path) -> io::Result<()> {
         return Ok(());
     }
     match fs::remove_file(name) {
-        Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
         _ => fs::hard_link(path, name).or_else(|_| fs::rename(path, name)),
     }
 }
