@@ -149,11 +149,9 @@ pub fn open_folder(folder: &Path, resume: bool, asked: &impl Serialize) -> Resul
     let opened = RunFolder::open(folder, Trainer::Hybrid, resume)?;
     let path = folder.join("study.toml");
     let text = toml::to_string(asked).expect("plain data");
-    if path.exists() {
-        if read_text(&path, "a study.toml")? != text {
-            let accepted = "the same arguments and the same files as at the start";
-            return Err(InputError::new(path.display().to_string(), Place::Whole, "another study", accepted));
-        }
+    if path.exists() && read_text(&path, "a study.toml")? != text {
+        let accepted = "the same arguments and the same files as at the start";
+        return Err(InputError::new(path.display().to_string(), Place::Whole, "another study", accepted));
     }
     write_atomically(&path, text.as_bytes())?;
     Ok(opened)
