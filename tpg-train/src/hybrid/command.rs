@@ -179,8 +179,8 @@ pub fn study_on(problem: &dyn Shared, args: &StudyArgs) -> Result<Verdict, Input
     // Policies that do not fit are refused before the folder is made.
     let threads = study::threads(args.threads)?;
     let alone = threads.install(|| alone(&subject))?;
-    study::open_folder(&args.out, args.resume, &asked)?;
-    let Some(cells) = study::in_folder(&subject, &args.out, &threads)? else { return Ok(Verdict::Interrupted) };
+    let folder = study::open_folder(&args.out, args.resume, &asked)?;
+    let Some(cells) = study::in_folder(&subject, &folder, &threads)? else { return Ok(Verdict::Interrupted) };
     let summaries = choice::summarise(&cells, &subject.settings, facts.preference);
     let file = |name: &str| args.out.join(name);
     write_atomically(&file("settings.csv"), &to_csv(summaries.iter()))?;

@@ -1,6 +1,7 @@
 //! Studies: every pair of a graph and a network under every setting, in parallel and resumable.
 
-use crate::files::{make_folder, read_text, write_atomically};
+use crate::files::{read_text, write_atomically};
+use crate::folder::{RunFolder, Trainer};
 use crate::interrupt;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
@@ -48,21 +49,24 @@ pub trait Study: Sync {
     }
 }
 
+/// Incremented with every change to the content or meaning of checkpoints: the finished cells as CSV.
+pub const VERSION: u32 = 1;
+
 /// Interval between saves of finished cells.
 const SAVE_EVERY: Duration = Duration::from_secs(10);
 
-/// Computes all cells that `path` does not hold yet; the file always contains whole rows of finished cells, in order.
-/// `None` if `stop` was set before all were done.
+/// Computes all cells that the folder's checkpoint does not hold yet; `cells.csv` always contains whole rows of finished
+/// cells, in order. `None` if `stop` was set before all were done.
 ///
 /// # Errors
-/// If the file does not belong to a study, a policy does not fit the problem, or the file cannot be written.
+/// If the checkpoint does not belong to a study, a policy does not fit the problem, or a file cannot be written.
 pub fn run<T: Study>(
     study: &T,
-    path: &Path,
+    folder: &RunFolder,
     progress: &ProgressBar,
     stop: &AtomicBool,
 ) -> Result<Option<Vec<T::Cell>>, InputError> {
-    let known = if path.exists() { read::<T::Cell>(path)? } else { Vec::new() };
+    let known = folder.load(VERSION, read::<T::Cell>)?.unwrap_or_default();
     let cells: BTreeMap<T::Key, T::Cell> = known.into_iter().map(|cell| (study.key_of(&cell), cell)).collect();
     let [tpgs, sacs] = study.policies();
     let pairs = (0..tpgs).flat_map(|tpg| (0..sacs).map(move |sac| (tpg, sac)));
@@ -82,13 +86,13 @@ pub fn run<T: Study>(
         let mut shared = shared.lock().expect("no thread panicked");
         shared.0.insert(study.key_of(&cell), cell);
         if shared.1.elapsed() > SAVE_EVERY {
-            write(path, shared.0.values())?;
+            write(folder, shared.0.values())?;
             shared.1 = Instant::now();
         }
         Ok(())
     })?;
     let (cells, _) = shared.into_inner().expect("no thread panicked");
-    write(path, cells.values())?;
+    write(folder, cells.values())?;
     Ok((cells.len() == study.size()).then(|| cells.into_values().collect()))
 }
 
@@ -99,19 +103,19 @@ pub fn to_csv<'a, T: Serialize + 'a>(rows: impl Iterator<Item = &'a T>) -> Vec<u
     writer.into_inner().expect("memory can be written")
 }
 
-fn write<'a, T: Serialize + 'a>(path: &Path, cells: impl Iterator<Item = &'a T>) -> Result<(), InputError> {
-    write_atomically(path, &to_csv(cells))
+fn write<'a, T: Serialize + 'a>(folder: &RunFolder, cells: impl Iterator<Item = &'a T>) -> Result<(), InputError> {
+    let cells = to_csv(cells);
+    write_atomically(&folder.file("cells.csv"), &cells)?;
+    folder.save(VERSION, cells)
 }
 
-/// Reads `cells.csv`.
-fn read<T: DeserializeOwned>(path: &Path) -> Result<Vec<T>, InputError> {
-    let name = path.display().to_string();
-    let mut reader = csv::Reader::from_path(path)
-        .map_err(|error| InputError::new(&name, Place::Whole, error.to_string(), "a cells.csv of a study"))?;
+/// Reads finished cells.
+fn read<T: DeserializeOwned>(name: &str, cells: &[u8]) -> Result<Vec<T>, InputError> {
+    let mut reader = csv::Reader::from_reader(cells);
     let cells: Result<Vec<T>, csv::Error> = reader.deserialize().collect();
     cells.map_err(|error| {
         let line = error.position().map_or(1, |position| position.line() as usize);
-        InputError::new(&name, Place::Line(line), error.to_string(), "a row of a study")
+        InputError::new(name, Place::Line(line), error.to_string(), "a row of a study")
     })
 }
 
@@ -140,22 +144,17 @@ impl Input {
 /// Starts or resumes a study in a folder; `asked` is the content of its `study.toml`.
 ///
 /// # Errors
-/// If the folder holds another study, or one that is not to be resumed, or cannot be written.
-pub fn open_folder(folder: &Path, resume: bool, asked: &impl Serialize) -> Result<(), InputError> {
+/// If the folder holds another study, or one that is not to be resumed, is in use, or cannot be written.
+pub fn open_folder(folder: &Path, resume: bool, asked: &impl Serialize) -> Result<RunFolder, InputError> {
+    let opened = RunFolder::open(folder, Trainer::Hybrid, resume)?;
     let path = folder.join("study.toml");
     let text = toml::to_string(asked).expect("plain data");
-    if path.exists() {
-        let name = path.display().to_string();
-        if !resume {
-            return Err(InputError::new(name, Place::Whole, "a study", "an empty folder, or --resume"));
-        }
-        if read_text(&path, "a study.toml")? != text {
-            let accepted = "the same arguments and the same files as at the start";
-            return Err(InputError::new(name, Place::Whole, "another study", accepted));
-        }
+    if path.exists() && read_text(&path, "a study.toml")? != text {
+        let accepted = "the same arguments and the same files as at the start";
+        return Err(InputError::new(path.display().to_string(), Place::Whole, "another study", accepted));
     }
-    make_folder(folder)?;
-    write_atomically(&path, text.as_bytes())
+    write_atomically(&path, text.as_bytes())?;
+    Ok(opened)
 }
 
 /// Computes the cells of a study in its folder with that many threads; `None` if it was interrupted.
@@ -164,14 +163,14 @@ pub fn open_folder(folder: &Path, resume: bool, asked: &impl Serialize) -> Resul
 /// As [`run`], and if the threads cannot be started.
 pub fn in_folder<T: Study>(
     study: &T,
-    folder: &Path,
+    folder: &RunFolder,
     threads: &rayon::ThreadPool,
 ) -> Result<Option<Vec<T::Cell>>, InputError> {
     let stop = interrupt::watch();
     let progress = ProgressBar::new(study.size() as u64);
     let style = ProgressStyle::with_template("{bar:30} {pos} of {len}  {eta} left");
     progress.set_style(style.expect("a template that is right"));
-    let cells = threads.install(|| run(study, &folder.join("cells.csv"), &progress, &stop));
+    let cells = threads.install(|| run(study, folder, &progress, &stop));
     progress.finish_and_clear();
     cells
 }

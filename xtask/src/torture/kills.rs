@@ -20,26 +20,34 @@ pub(super) fn kills(subject: &Subject, count: u32, random: &mut ChaCha8Rng) -> C
     let (mut done, mut run) = (0, 0);
     while done < count {
         let folder = fresh(subject, &format!("killed-{run}"));
-        for _ in 0..KILLS_OF_A_RUN.min(count - done) {
+        let most = KILLS_OF_A_RUN.min(count - done);
+        let mut killed = 0;
+        while killed < most {
             let mut child = subject.start(&folder);
             // A run has as many sessions as kills: each covers a part of it.
             sleep(subject.time.mul_f64(random.random_range(0.0..0.4)));
-            if done % 2 == 1 {
+            if killed % 2 == 1 {
                 wait_for_writing(&mut child, &folder, subject.time);
             }
             let _ = child.kill();
-            let status = child.wait();
-            // An error status would be the program's own, not the signal's.
-            row.note(status.is_ok_and(|status| status.success() || status.code().is_none()), || {
-                format!("{}: a session failed", folder.display())
-            });
+            let status = child.wait().ok();
+            if status.is_some_and(|status| status.code().is_some()) {
+                // It ended before the signal, well or by an error of its own.
+                row.note(status.is_some_and(|status| status.success()), || format!("{}: failed", folder.display()));
+                break;
+            }
             writing += u32::from(has_unfinished(&folder));
-            done += 1;
+            killed += 1;
+        }
+        done += killed;
+        row.note(run < 10 * count + 10, || "runs end before they are killed".to_owned());
+        if run >= 10 * count + 10 {
+            break;
         }
         row.finish(subject, &folder);
         run += 1;
     }
-    row.remark = format!("{writing} while a file was written");
+    row.remark = format!("{done} kills, {writing} of them while a file was written");
     Ok(row)
 }
 

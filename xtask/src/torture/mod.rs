@@ -50,13 +50,11 @@ impl TortureArgs {
             let mut random = ChaCha8Rng::seed_from_u64(self.seed);
             println!("{}: {:.2} s undisturbed", subject.name, subject.time.as_secs_f64());
             table.add(kills::kills(subject, self.kills * share / 5, &mut random));
-            for fault in [faults::stopped_and_continued, disk::full, disk::read_only] {
+            for fault in [faults::stopped_and_continued, faults::two_processes, disk::full, disk::read_only] {
                 table.add(fault(subject, &mut random));
             }
-            if subject.has_checkpoints {
-                for fault in [faults::two_processes, faults::damaged] {
-                    table.add(fault(subject, &mut random));
-                }
+            if subject.saves_often {
+                table.add(faults::damaged(subject, &mut random));
             }
         }
         table.print();

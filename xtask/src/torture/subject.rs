@@ -10,8 +10,8 @@ use std::time::{Duration, Instant};
 /// A run, and what it leaves when nothing disturbs it.
 pub(super) struct Subject {
     pub(super) name: &'static str,
-    /// True if it locks its folder and keeps a checkpoint and the previous one.
-    pub(super) has_checkpoints: bool,
+    /// True if it saves often enough to have a checkpoint and the previous one.
+    pub(super) saves_often: bool,
     /// Parent of all folders.
     pub(super) place: PathBuf,
     /// Time of the undisturbed run.
@@ -46,10 +46,10 @@ pub(super) fn all(place: &Path) -> Result<Vec<Subject>, String> {
     let cells = ["cells.csv", "alone.csv", "study.toml"].as_slice();
     [("tpg", true, words(tpg), logs), ("sac", true, sac, networks), ("hybrid", false, hybrid, cells)]
         .into_iter()
-        .map(|(name, has_checkpoints, arguments, results)| {
+        .map(|(name, saves_often, arguments, results)| {
             let mut subject = Subject {
                 name,
-                has_checkpoints,
+                saves_often,
                 place: place.to_owned(),
                 time: Duration::ZERO,
                 size: 0,

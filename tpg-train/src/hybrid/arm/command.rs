@@ -75,10 +75,10 @@ pub fn execute(args: &HybridArgs, start: Start) -> Result<Verdict, InputError> {
         start,
         tasks: tasks(&WIDOWX, args.seed, Set::Validation, start, args.episodes),
     };
-    study::open_folder(&args.out, args.resume, &asked)?;
+    let folder = study::open_folder(&args.out, args.resume, &asked)?;
     let threads = study::threads(args.threads)?;
     let costs = Costs::measure(&study)?;
-    let Some(cells) = study::in_folder(&study, &args.out, &threads)? else { return Ok(Verdict::Interrupted) };
+    let Some(cells) = study::in_folder(&study, &folder, &threads)? else { return Ok(Verdict::Interrupted) };
     let alone = threads.install(|| alone(&study))?;
     finish(args, &study, &costs, &cells, &alone)?;
     Ok(Verdict::Good)
