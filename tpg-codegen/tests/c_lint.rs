@@ -63,7 +63,11 @@ fn user(graph: &Graph, style: Style) -> String {
     let scalar = if graph.scalar().name() == "f32" { "float" } else { "double" };
     let uses_outputs = graph.outputs().iter().map(|output| format!("(action.{0} <= action.{0})", output.name));
     let uses_outputs: Vec<String> = uses_outputs.collect();
-    let check = if uses_outputs.is_empty() { "action < ARM_ACTIONS".to_owned() } else { format!("(ARM_OUTPUTS > 0U) && {}", uses_outputs.join(" && ")) };
+    let check = if uses_outputs.is_empty() {
+        "action < ARM_ACTIONS".to_owned()
+    } else {
+        format!("(ARM_OUTPUTS > 0U) && {}", uses_outputs.join(" && "))
+    };
     let (definitions, call) = match style {
         Style::Pure if !graph.outputs().is_empty() => (
             String::new(),

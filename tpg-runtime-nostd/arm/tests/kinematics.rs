@@ -75,8 +75,8 @@ fn the_arm_at_home() {
 fn worst_against_radians<S: Lattice>(arm: &Arm<S>) -> f64 {
     let positions = |joint: usize| {
         let range = arm.ranges[joint];
-        // A prime, so that ends, middles and everything between come up.
-        (range.min..=range.max).step_by(61).chain([range.max])
+        // Primes, so that ends, middles and everything between come up.
+        (range.min..=range.max).step_by(tpg_testing::amount(127, 61)).chain([range.max])
     };
     let mut worst = 0.0_f64;
     for base in positions(0) {
