@@ -73,8 +73,8 @@ static int32_t due(const tpg_observation_t *seen)
         square += from_shoulder * from_shoulder;
         good = good && isfinite(seen->hand[k]) && (seen->difference[k] == difference);
     }
-    /* The arm's length and a millimetre. A float may see it otherwise within a hundredth. */
-    if (!(square < 448.23 * 448.23)) {
+    /* The square of the arm's length and a millimetre, 200898.04: integers lie far enough from it for a float. */
+    if (!(square < (448.2165 * 448.2165))) {
         return TPG_BAD_TARGET;
     }
     for (size_t joint = 0U; joint < (size_t)TPG_JOINTS; joint++) {
