@@ -64,6 +64,15 @@ pub struct Swing {
     angle: f64,
     /// Angular velocity, rad/s.
     velocity: f64,
+    /// Sine of the angle: an observation and a step read it.
+    sine: f64,
+}
+
+impl Swing {
+    fn new(angle: f64, velocity: f64) -> Self {
+        // The crate libm instead of the platform's: the same results on every machine.
+        Self { angle, velocity, sine: libm::sin(angle) }
+    }
 }
 
 impl<S: Scalar> Environment<S> for Pendulum {
@@ -97,7 +106,7 @@ impl<S: Scalar> Environment<S> for Pendulum {
     }
 
     fn start(&self, &[angle, velocity]: &[f64; 2]) -> Swing {
-        Swing { angle, velocity }
+        Swing::new(angle, velocity)
     }
 
     fn task_from(&self, swing: &Swing) -> Option<[f64; 2]> {
@@ -105,19 +114,18 @@ impl<S: Scalar> Environment<S> for Pendulum {
     }
 
     fn observe(&self, swing: &mut Swing, _wanted: SourceSet, state: &mut [S]) {
-        // The crate libm instead of the platform's: the same results on every machine.
-        let values = [libm::cos(swing.angle), libm::sin(swing.angle), swing.velocity];
+        let values = [libm::cos(swing.angle), swing.sine, swing.velocity];
         state.iter_mut().zip(values).for_each(|(slot, value)| *slot = S::from_f64(value));
     }
 
     fn step(&self, swing: &mut Swing, act: Act<'_, S>) -> Step {
         let torque = act.values()[0].to_f64().clamp(-TORQUE, TORQUE);
-        let Swing { angle, velocity } = *swing;
+        let Swing { angle, velocity, sine } = *swing;
         let off = wrapped(angle);
         let cost = off * off + 0.1 * velocity * velocity + 0.001 * torque * torque;
-        let faster = velocity + (1.5 * GRAVITY * libm::sin(angle) + 3.0 * torque) * STEP;
-        swing.velocity = faster.clamp(-FASTEST, FASTEST);
-        swing.angle = angle + swing.velocity * STEP;
+        let faster = velocity + (1.5 * GRAVITY * sine + 3.0 * torque) * STEP;
+        let velocity = faster.clamp(-FASTEST, FASTEST);
+        *swing = Swing::new(angle + velocity * STEP, velocity);
         Step::reward(-cost)
     }
 }
@@ -150,7 +158,7 @@ mod tests {
     /// Checks three steps of Pendulum-v1, computed by hand from its published rules.
     #[test]
     fn the_rules_are_gymnasiums() {
-        let mut swing = Swing { angle: 0.5, velocity: -1.0 };
+        let mut swing = Swing::new(0.5, -1.0);
         let reward = step(&mut swing, 1.5);
         assert!((reward + (0.25 + 0.1 + 0.001 * 2.25)).abs() < 1e-12);
         let velocity = -1.0 + (15.0 * 0.5f64.sin() + 4.5) * 0.05;
@@ -159,7 +167,7 @@ mod tests {
         let (mut a, mut b) = (swing, swing);
         assert_eq!((step(&mut a, 9.0), a), (step(&mut b, 2.0), b));
         // No velocity beyond 8 rad/s.
-        let mut fast = Swing { angle: PI / 2.0, velocity: 7.9 };
+        let mut fast = Swing::new(PI / 2.0, 7.9);
         step(&mut fast, 2.0);
         assert_eq!(fast.velocity, 8.0);
     }
@@ -167,7 +175,7 @@ mod tests {
     #[test]
     fn the_state_is_gymnasiums_observation() {
         let mut state = [0f32; 3];
-        let mut swing = Swing { angle: PI / 2.0, velocity: -3.0 };
+        let mut swing = Swing::new(PI / 2.0, -3.0);
         Environment::<f32>::observe(&Pendulum, &mut swing, SourceSet::ALL, &mut state);
         assert!(state[0].abs() < 1e-7 && state[1] == 1.0 && state[2] == -3.0);
     }
