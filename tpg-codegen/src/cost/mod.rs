@@ -6,6 +6,7 @@ mod mean;
 use crate::ir::{Module, Node, NodeId, heaviest_walk, needed};
 use crate::options::Language;
 use crate::passes::arithmetic::is_transcendental;
+use crate::passes::functions;
 use crate::passes::schedule::{Bid, Infinite, LazyBid, Plan, Sparing};
 use crate::program::{Program, Shape};
 use serde::Serialize;
@@ -139,11 +140,7 @@ impl<'a> Costs<'a> {
             Shape::ConstantTime(functions) => {
                 let deciding = functions.iter().map(|function| work(&module.nodes, &function.operations));
                 let deciding = deciding.fold(Work::default(), Work::plus);
-                let known = if let [function] = &functions[..] { function.operations.clone() } else { BTreeSet::new() };
-                let values = module.leaves.iter().flat_map(|leaf| &leaf.values);
-                let missing: BTreeSet<NodeId> =
-                    values.flat_map(|&value| needed(&module.nodes, value, |id| !known.contains(&id))).collect();
-                let once = deciding.plus(work(&module.nodes, &missing));
+                let once = deciding.plus(work(&module.nodes, &functions::of_leaves(module, functions)));
                 let teams = in_order(module, |bid| Step::always(bid, Work::default()));
                 Self { once, teams, all_teams: true, leaves: Vec::new(), ..costs }
             }

@@ -39,3 +39,10 @@ pub(crate) fn of(module: &Module<'_>) -> Vec<Function> {
     };
     (0..all).step_by(together).map(function).collect()
 }
+
+/// The operations that leaves need and no function has computed: several functions hand nothing on.
+pub(crate) fn of_leaves(module: &Module<'_>, functions: &[Function]) -> BTreeSet<NodeId> {
+    let is_missing = |id: NodeId| !matches!(functions, [only] if only.operations.contains(&id));
+    let values = module.leaves.iter().flat_map(|leaf| &leaf.values);
+    values.flat_map(|&value| needed(&module.nodes, value, is_missing)).collect()
+}

@@ -1,8 +1,7 @@
 //! The first population and the children of policies with outputs.
 //!
 //! A policy starts as a single leaf: a formula. Children mostly change the programs of a leaf; edges, bids and teams come
-//! and go rarely. Of the variants that were compared on Pendulum-v1, this one was the best: a graph that starts with teams
-//! has to learn to choose before it can compute.
+//! and go rarely.
 
 use super::config::{LeafConfig, ProgramParameters, TpgParameters};
 use super::genome::{Destination, Edge, Genome, Leaf, LeafId, Team, TeamId};

@@ -7,8 +7,8 @@ use super::leaves::{self, LeafView};
 use crate::emit::choice::{self, KeyView, TeamView};
 use crate::emit::interface::OutputView;
 use crate::emit::syntax::Syntax;
-use crate::ir::{Module, Node, NodeId};
-use crate::passes::functions::Function;
+use crate::ir::{Module, Node};
+use crate::passes::functions::{self, Function};
 use askama::Template;
 use std::collections::BTreeSet;
 use tpg_graph::ScalarType;
@@ -54,9 +54,6 @@ pub(super) fn render(
     outputs: &[OutputView],
     upper: &str,
 ) -> String {
-    let all: BTreeSet<NodeId> = module.leaves.iter().flat_map(|leaf| &leaf.values).copied().collect();
-    let operations = all.iter().flat_map(|&value| module.operations_of(value)).collect::<BTreeSet<_>>();
-    let known = if let [function] = functions { function.operations.clone() } else { BTreeSet::new() };
     let vertex = &printer.vertex_type(module.vertices());
     let constant_time = ConstantTime {
         prefix: printer.prefix,
@@ -68,7 +65,7 @@ pub(super) fn render(
         depth: module.depth,
         outputs,
         leaves: leaves::views(printer, &module.leaves, outputs, &BTreeSet::new()),
-        statements: operations.difference(&known).map(|&id| printer.statement(id)).collect(),
+        statements: functions::of_leaves(module, functions).into_iter().map(|id| printer.statement(id)).collect(),
         assignments: leaves::assignments(printer, outputs),
         scalar: printer.scalar(),
     };

@@ -101,11 +101,6 @@ impl Printer<'_> {
         }
     }
 
-    /// The literal of a constant node.
-    pub(super) fn literal_of(&self, id: NodeId) -> String {
-        self.nodes[id.index()].as_constant().map_or_else(|| self.value(id), |constant| self.literal(constant))
-    }
-
     /// Tests whether a value is an input, or an operation has one as an operand.
     pub(super) fn reads_state<'i>(&self, ids: impl IntoIterator<Item = &'i NodeId>) -> bool {
         let is_input = |id: &NodeId| matches!(self.nodes[id.index()], Node::Input(_));

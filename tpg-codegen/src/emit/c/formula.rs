@@ -20,10 +20,9 @@ struct Straight<'a> {
 /// Renders the body.
 pub(super) fn render(printer: &Printer<'_>, formula: &Formula, outputs: &[OutputView]) -> String {
     let answers = outputs.iter().zip(&formula.values).map(|(output, &value)| {
-        let limited = match printer.nodes[value.index()].as_constant() {
-            Some(_) => printer.literal_of(value),
-            None => leaves::limited(printer, output, &printer.value(value)),
-        };
+        let is_constant = printer.nodes[value.index()].as_constant().is_some();
+        let value = printer.value(value);
+        let limited = if is_constant { value } else { leaves::limited(printer, output, &value) };
         (output.name.clone(), limited)
     });
     let straight = Straight {

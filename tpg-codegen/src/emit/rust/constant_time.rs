@@ -10,9 +10,8 @@ use crate::emit::interface::OutputView;
 use crate::emit::layout;
 use crate::emit::syntax::Syntax;
 use crate::ir::{Module, NodeId, reached};
-use crate::passes::functions::Function;
+use crate::passes::functions::{self, Function};
 use askama::Template;
-use std::collections::BTreeSet;
 use std::ops::Range;
 use tpg_graph::ScalarType;
 use tpg_runtime::ops::constant_time as ct;
@@ -114,16 +113,14 @@ fn answer(printer: &Printer<'_>, module: &Module<'_>, functions: &[Function], ou
     if outputs.is_empty() {
         return format!("ActionId(vertex.wrapping_sub({teams}) as u16)");
     }
-    let mut known = if let [function] = functions { function.operations.clone() } else { BTreeSet::new() };
     let mut lines = Vec::new();
     if functions.len() > 1 {
         lines.push(leaves::masks(printer));
     }
     lines.push(format!("let leaf = (vertex as u32).wrapping_sub({teams});"));
     lines.push("// Every leaf's values, and the choice among them.".to_owned());
+    lines.extend(functions::of_leaves(module, functions).into_iter().map(|id| printer.statement(id)));
     for (place, (number, leaf)) in reached(&module.leaves).enumerate() {
-        lines.extend(leaves::statements(printer, &leaf.values, &known));
-        known.extend(leaf.values.iter().flat_map(|&value| module.operations_of(value)));
         for (output, &value) in outputs.iter().zip(&leaf.values) {
             let (variable, value) = (output.variable(), printer.value(value));
             lines.push(match place {

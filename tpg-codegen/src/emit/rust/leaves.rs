@@ -16,19 +16,18 @@ pub(super) struct LeafView {
 
 /// Views the leaves that walks end at.
 pub(super) fn views(printer: &Printer<'_>, leaves: &[Leaf]) -> Vec<LeafView> {
-    let nothing = BTreeSet::new();
     let view = |(_, leaf): (usize, &Leaf)| LeafView {
         label: leaf.label,
-        statements: statements(printer, &leaf.values, &nothing),
+        statements: statements(printer, &leaf.values),
         values: leaf.values.iter().map(|&value| printer.value(value)).collect(),
     };
     reached(leaves).map(view).collect()
 }
 
-/// The statements that some values need, without operations that are `known`.
-pub(super) fn statements(printer: &Printer<'_>, values: &[NodeId], known: &BTreeSet<NodeId>) -> Vec<String> {
-    let missing = values.iter().flat_map(|&value| needed(printer.nodes, value, |id| !known.contains(&id)));
-    missing.collect::<BTreeSet<_>>().into_iter().map(|id| printer.statement(id)).collect()
+/// The statements that some values need.
+fn statements(printer: &Printer<'_>, values: &[NodeId]) -> Vec<String> {
+    let operations = values.iter().flat_map(|&value| needed(printer.nodes, value, |_| true));
+    operations.collect::<BTreeSet<_>>().into_iter().map(|id| printer.statement(id)).collect()
 }
 
 /// The values of variables, each limited to its output's range, as an array.

@@ -13,24 +13,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "numbers.h"
 #include "widowx_sac.h"
 
-static uint64_t state;
 static unsigned long calls;
 static unsigned long wrong;
 static unsigned long codes[TPG_STUCK + 1];
-
-/* SplitMix64. */
-static uint64_t number(void)
-{
-    uint64_t z;
-
-    state += 0x9E3779B97F4A7C15U;
-    z = state;
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
-    return z ^ (z >> 31);
-}
 
 static uint32_t below(uint32_t bound)
 {

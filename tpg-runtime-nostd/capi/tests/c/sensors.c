@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "model.h"
+#include "numbers.h"
 #include "widowx_fs.h"
 #include "widowx_rs.h"
 
@@ -18,20 +19,6 @@
 typedef enum mode { CLEAN, TARGET_MOVES, POSE_JUMPS, STUCK, ANY_POSE, ANY_TARGET, ANY_HAND, MODES } disturbance_t;
 
 static const char *const names[MODES] = { "clean", "target-moves", "pose-jumps", "stuck", "any-pose", "any-target", "any-hand" };
-
-static uint64_t state;
-
-/* SplitMix64. */
-static uint64_t number(void)
-{
-    uint64_t z;
-
-    state += 0x9E3779B97F4A7C15U;
-    z = state;
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
-    return z ^ (z >> 31);
-}
 
 static int32_t below(uint32_t bound)
 {

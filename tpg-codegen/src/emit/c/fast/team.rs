@@ -6,7 +6,7 @@ use crate::emit::c::expression::Printer;
 use crate::emit::questions;
 use crate::emit::reuse::Reuse;
 use crate::emit::syntax::Syntax;
-use crate::ir::{Module, Node, NodeId, Target, needed};
+use crate::ir::{Module, NodeId, Target, needed};
 use crate::passes::schedule::{Bid, Infinite, LazyBid, Plan};
 use std::collections::BTreeSet;
 
@@ -187,7 +187,7 @@ impl<'a> TeamPrinter<'a> {
             .map(|lazy| {
                 let value = lazy.bid.value;
                 let needed = needed(self.printer.nodes, value, |_| true);
-                reads_state |= self.reads_input(value, &needed);
+                reads_state |= self.printer.reads_state(needed.iter().chain([&value]));
                 LateView {
                     rank: self.rank(&lazy.bid),
                     statements: needed.iter().map(|&id| self.printer.statement(id)).collect(),
@@ -205,17 +205,10 @@ impl<'a> TeamPrinter<'a> {
     /// Statements for the operations that a value still needs; later bids reuse them if it `stays` in scope.
     fn statements(&mut self, value: NodeId, stays: bool) -> Vec<String> {
         let missing = self.missing(self.printer.nodes, value, stays);
-        self.reads_state |= self.reads_input(value, &missing);
+        self.reads_state |= self.printer.reads_state(missing.iter().chain([&value]));
         let statement = |&id: &NodeId| {
             if self.span.shared.contains(&id) { self.printer.assignment(id) } else { self.printer.statement(id) }
         };
         missing.iter().map(statement).collect()
-    }
-
-    /// Tests whether a value is an input, or an operation in `computed` has one as an operand.
-    fn reads_input(&self, value: NodeId, computed: &[NodeId]) -> bool {
-        let nodes = self.printer.nodes;
-        let is_input = |id: NodeId| matches!(nodes[id.index()], Node::Input(_));
-        is_input(value) || computed.iter().any(|id| nodes[id.index()].operands().iter().any(|&id| is_input(id)))
     }
 }
