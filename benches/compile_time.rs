@@ -11,9 +11,9 @@ use std::{env, fs};
 use tempfile::TempDir;
 use tpg_codegen::emit::{self, Language, Options, Profile, Style};
 use tpg_codegen::verify;
+use tpg_graph::Word;
 use tpg_graph::sample::{self, Constants, Shape};
 use tpg_graph::{Graph, ScalarType};
-use tpg_runtime::ops::Instruction;
 use tpg_train::evolution::logs;
 
 const SIZES: [usize; 4] = [10, 100, 1_000, 10_000];
@@ -67,7 +67,7 @@ fn graph(teams: usize) -> Graph {
         lines: 2..=10,
         registers: 3,
         scalar: ScalarType::F32,
-        instructions: names.iter().copied().filter_map(Instruction::from_name).collect(),
+        instructions: names.iter().copied().filter_map(Word::from_name).collect(),
         constants: Constants::None,
         ..Shape::default()
     };

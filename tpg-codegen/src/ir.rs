@@ -250,7 +250,13 @@ impl<'g> Lowering<'g> {
                 Operand::Input(input) => self.intern(Node::Input(input)),
                 Operand::Constant(value) => self.intern(Node::constant(value)),
             });
-            registers[line.to.index()] = Some(self.intern(Node::Operation(line.instruction, operands)));
+            let to = match registers[line.to.index()] {
+                Some(value) => value,
+                None if line.instruction.reads_destination() => self.intern(zero),
+                None => operands[0], // not read
+            };
+            let apply = |instruction, operands| self.intern(Node::Operation(instruction, operands));
+            registers[line.to.index()] = Some(line.instruction.compose(to, operands, apply));
         }
         registers[0].unwrap_or_else(|| self.intern(zero))
     }

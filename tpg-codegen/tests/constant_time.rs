@@ -13,10 +13,10 @@ use tempfile::TempDir;
 
 use tpg_codegen::emit::{self, Code, Language, Profile, Style};
 use tpg_codegen::size::RustForCortexM4;
+use tpg_graph::Word;
 use tpg_graph::sample::{self, Constants, Shape};
 use tpg_graph::{Graph, MathsProvider, ScalarType};
 use tpg_graph::{import, interpret, states};
-use tpg_runtime::ops::Instruction;
 
 const STATES: usize = 10_000;
 /// A language with a level of optimisation. (Not `z` of Rust: LLVM then calls a function through a register where it is
@@ -52,7 +52,7 @@ fn many_teams() -> Graph {
         registers: 3,
         scalar: ScalarType::F32,
         maths: MathsProvider::Own,
-        instructions: names.iter().copied().filter_map(Instruction::from_name).collect(),
+        instructions: names.iter().copied().filter_map(Word::from_name).collect(),
         constants: Constants::None,
         chain: true,
         ..Shape::default()

@@ -7,10 +7,10 @@ use common::{SHAPES, emit_into, run, shaped};
 use std::process::Command;
 use tempfile::TempDir;
 use tpg_codegen::emit::{Language, Profile};
+use tpg_graph::Word;
 use tpg_graph::sample::{self, Constants, Shape};
 use tpg_graph::{Document, Graph, ScalarType};
 use tpg_graph::{interpret, states};
-use tpg_runtime::ops::Instruction;
 
 fn teams() -> usize {
     tpg_testing::amount(2_000, 10_000)
@@ -28,7 +28,7 @@ fn from_text_to_object_file() {
         instructions: ["add", "sub", "mul", "negate_if_less", "cos"]
             .iter()
             .copied()
-            .filter_map(Instruction::from_name)
+            .filter_map(Word::from_name)
             .collect(),
         constants: Constants::None,
         chain: true,

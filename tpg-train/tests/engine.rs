@@ -13,6 +13,7 @@ use tpg_engine::{
     Destination, Edge, Ending, Environment, Evaluator, Lanes, Line, LocalThreads, Operand, Options, Plan, Policy,
     UnitKey, Work, WorkUnit,
 };
+use tpg_graph::Word;
 use tpg_graph::interpret::Interpreter;
 use tpg_graph::{Graph, Provenance, ScalarType};
 use tpg_problems::Problem;
@@ -33,7 +34,7 @@ use tpg_train::evolution::vocabulary::Vocabulary;
 fn config(scalar: ScalarType) -> Config {
     let mut config = Preset::find("best-rs").expect("it comes with the trainer").config().expect("it is accepted");
     config.language.scalar = scalar;
-    config.language.instructions = Instruction::ALL.map(|instruction| instruction.name().to_owned()).to_vec();
+    config.language.instructions = Word::ALL.map(|word| word.name().to_owned()).to_vec();
     config.learning.nb_program_constant = 2;
     config.tpg.nb_roots = 60;
     config.tpg.init_nb_roots = 20;
@@ -238,8 +239,11 @@ fn under_a_shield_too_every_step_is_the_interpreters() {
 /// masked, and the edges that the compiler keeps must decide like the graph.
 #[test]
 fn under_a_shield_equal_programs_for_different_actions_stay_two_bids() {
-    let line =
-        |input| Line { to: 0, instruction: Instruction::Add, operands: [Operand::Input(input), Operand::Register(1)] };
+    let line = |input| Line {
+        to: 0,
+        instruction: Instruction::Add.into(),
+        operands: [Operand::Input(input), Operand::Register(1)],
+    };
     let edge = |program, action| Edge { program, to: Destination::Action(action) };
     let policy = Policy::new(8, 0, vec![vec![edge(0, 0), edge(0, 1), edge(0, 0)]], vec![vec![line(0)]]);
     let config = config(ScalarType::F32);
@@ -295,7 +299,7 @@ fn no_option_and_no_number_of_threads_changes_an_answer() {
     for threads in [2, 5] {
         assert_eq!(answers(Options::default(), threads), reference, "{threads} threads");
     }
-    assert_eq!(world.config.language.instructions.len(), Instruction::ALL.len());
+    assert_eq!(world.config.language.instructions.len(), Word::ALL.len());
 }
 
 #[test]

@@ -116,10 +116,11 @@ impl Assignment for crate::Line {
     }
 
     fn reads(&self) -> impl Iterator<Item = usize> {
-        self.operands.iter().take(self.instruction.arity()).filter_map(|operand| match operand {
+        let operands = self.operands.iter().take(self.instruction.arity()).filter_map(|operand| match operand {
             crate::Operand::Register(register) => Some(register.index()),
             crate::Operand::Input(_) | crate::Operand::Constant(_) => None,
-        })
+        });
+        operands.chain(self.instruction.reads_destination().then(|| self.to.index()))
     }
 }
 

@@ -8,7 +8,7 @@ use crate::model::{Destination, Graph, Operand, Program, Reg, TeamId};
 use serde::{Serialize, Serializer};
 use std::fmt;
 use std::marker::PhantomData;
-use tpg_runtime::ops::{self, Maths};
+use tpg_runtime::ops::{self, Instruction, Maths};
 use tpg_runtime::policy::{ActionId, Policy};
 use tpg_runtime::scalar::Scalar;
 
@@ -80,7 +80,9 @@ impl<'g, S: Scalar, M: Maths<S>> Interpreter<'g, S, M> {
                 Operand::Input(input) => state[input.index()],
                 Operand::Constant(value) => S::from_f64(value),
             });
-            registers[line.to.index()] = line.instruction.apply::<S, M>(a, b);
+            let to = registers[line.to.index()];
+            let apply = |instruction: Instruction, [a, b]: [S; 2]| instruction.apply::<S, M>(a, b);
+            registers[line.to.index()] = line.instruction.compose(to, [a, b], apply);
         }
         registers[Reg::RESULT.index()]
     }

@@ -18,7 +18,7 @@
 //!
 //! | module | subject |
 //! | --- | --- |
-//! | (root) | [`Graph`], its parts, and [`Document`], its `graph.json` form |
+//! | (root) | [`Graph`], its parts, and [`Document`], its `graph.json` form; [`Word`], what a line of a program says |
 //! | [`import`], [`export`] | GEGELATI's `.dot` with its sidecar, in both directions |
 //! | [`interpret`] | the reference interpreter |
 //! | [`in_arithmetic_of`] | calls a generic function with the arithmetic that a graph names |
@@ -45,5 +45,7 @@ pub mod sample;
 pub mod settings;
 pub mod states;
 pub mod trace;
+mod word;
 
 pub use model::*;
+pub use word::Word;

@@ -12,6 +12,7 @@
 //! assert_ne!(graph, sample::graph(&Shape::default(), 8));
 //! ```
 
+use crate::Word;
 use crate::model::{
     ActionDocument, Document, EdgeDocument, FORMAT, Graph, LeafDocument, LineDocument, MathsProvider, OperandDocument,
     OutputDocument, ProgramDocument, Provenance, ScalarType, SourceDocument, TeamDocument,
@@ -41,7 +42,7 @@ pub struct Shape {
     /// Number of outputs; 0 for a policy that answers with an action.
     pub outputs: u32,
     /// The instruction set.
-    pub instructions: Vec<Instruction>,
+    pub instructions: Vec<Word>,
     /// The type programs compute in.
     pub scalar: ScalarType,
     /// Provider of sin, cos, ln and exp.
@@ -74,7 +75,7 @@ impl Default for Shape {
             sources: vec![3, 3, 4],
             actions: 9,
             outputs: 0,
-            instructions: Instruction::ALL.to_vec(),
+            instructions: Instruction::ALL.map(Word::Instruction).to_vec(),
             scalar: ScalarType::F64,
             maths: MathsProvider::Own,
             constants: Constants::Reals,
@@ -94,9 +95,9 @@ impl Shape {
     /// Returns a random shape: small graphs of every kind.
     pub fn random(seed: u64) -> Self {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
-        let mut instructions = Instruction::ALL.to_vec();
+        let mut instructions = Word::ALL.to_vec();
         instructions.shuffle(&mut random);
-        instructions.truncate(random.random_range(1..=Instruction::ALL.len()));
+        instructions.truncate(random.random_range(1..=Word::ALL.len()));
         let constants = [Constants::None, Constants::Integers, Constants::Reals];
         Self {
             teams: random.random_range(1..=30),

@@ -1,11 +1,13 @@
 //! GEGELATI's `.dot` files become graphs.
 
 use std::path::PathBuf;
+use tpg_graph::Word;
 use tpg_graph::error::InputError;
 use tpg_graph::export;
 use tpg_graph::import::{self, Profile, Sidecar};
+use tpg_graph::interpret::Interpreter;
 use tpg_graph::{Destination, Graph, Line, Operand};
-use tpg_runtime::ops::Instruction;
+use tpg_runtime::ops::{Instruction, Maths, Own};
 
 const SIDECAR: &str = r#"
 scalar = "f64"
@@ -67,14 +69,14 @@ fn numbers_become_names() {
     assert_eq!((right.0, again, shared), (1, Destination::Action(right), Destination::Action(right)));
     assert_eq!(graph.team(inner).label, 70);
     let [minus, cosine] = graph.programs()[0].lines[..] else { panic!("two lines") };
-    assert_eq!(written(&graph, &minus), (Instruction::Sub, 1, vec!["motors[1]".to_owned(), "r2".to_owned()]));
-    assert_eq!(written(&graph, &cosine), (Instruction::Cos, 0, vec!["target[1]".to_owned()]));
+    assert_eq!(written(&graph, &minus), (Instruction::Sub.into(), 1, vec!["motors[1]".to_owned(), "r2".to_owned()]));
+    assert_eq!(written(&graph, &cosine), (Instruction::Cos.into(), 0, vec!["target[1]".to_owned()]));
     assert!(graph.programs()[1].lines.is_empty());
     assert_eq!(graph.provenance().tool.as_deref(), Some("GEGELATI"));
     assert_eq!(graph.provenance().version.as_deref(), Some("1.3.1"));
 }
 
-fn written(graph: &Graph, line: &Line) -> (Instruction, usize, Vec<String>) {
+fn written(graph: &Graph, line: &Line) -> (Word, usize, Vec<String>) {
     let operands = line.operands[..line.instruction.arity()].iter().map(|operand| match *operand {
         Operand::Register(register) => format!("r{}", register.index()),
         Operand::Input(input) => graph.input_name(input),
@@ -133,4 +135,73 @@ fn the_papers_graphs() {
         }
     }
     assert_eq!(read, 26);
+}
+
+/// As GEGELATI 2 writes it: action nodes repeated, a label for programs, real constants.
+const SECOND: &str = r##"// File exported with GEGELATI v2.0.0
+// With the class File::TPGGraphDotExporter
+digraph{
+	graph[pad = "0.212, 0.055" bgcolor = lightgray]
+	node[shape=circle style = filled label = ""]
+		T5 [fillcolor="#1199bb"]
+		P1 [fillcolor="#cccccc" shape=point label="0"] //-2.884066|13.5|
+		I1 [shape=box style=invis label="2|0&2|1#1|3&#92;n"]
+		P1 -> I1[style=invis]
+		A100 [fillcolor="#ff3366" shape=box margin=0.03 width=0 height=0 label="0"]
+		T5 -> P1 -> A100
+		P2 [fillcolor="#cccccc" shape=point label="0"] //0.25|-1.5|
+		I2 [shape=box style=invis label="1|3&3|0#0|0&#92;n0|0&0|7#1|0&#92;n3|0&0|0#9|9&#92;n"]
+		P2 -> I2[style=invis]
+		A101 [fillcolor="#ff3366" shape=box margin=0.03 width=0 height=0 label="1"]
+		T5 -> P2 -> A101
+		P3 [fillcolor="#cccccc" shape=point label="0"] //0.25|1.5|
+		I3 [shape=box style=invis label="0|0&3|1#2|2&#92;n"]
+		P3 -> I3[style=invis]
+		A101 [fillcolor="#ff3366" shape=box margin=0.03 width=0 height=0 label="1"]
+		T5 -> P3 -> A101
+		{ rank= same T5 }
+}
+"##;
+
+/// The words of [`SECOND`]: two known ones, two composed, and one that no program uses.
+const COMPOSED: &str = r#"instructions = ["std_max", "cos", { name = "scale", is = "mul(a, div(b, 10))" },
+    { name = "turn", is = "add(sin(a), copy(3.5))" }, { name = "tan" }]"#;
+
+fn read_second(text: &str) -> Result<Graph, InputError> {
+    let sidecar = SIDECAR.replace("instructions = [\"sub\", \"cos\"]", COMPOSED);
+    import::from_text("x.dot", text, Some(&Sidecar::from_toml("x.toml", &sidecar)?))
+}
+
+#[test]
+fn gegelati_2_is_read_and_composed_instructions_become_lines() {
+    let graph = read_second(SECOND).unwrap_or_else(|error| panic!("{error}"));
+    let names: Vec<&str> = graph.instructions().iter().map(|word| word.name()).collect();
+    assert_eq!(names, ["std_max", "cos", "add", "mul", "div", "sin", "copy"], "the file's own order, then the rest");
+    assert_eq!(graph.registers(), 6, "four in the file, and two for intermediate values");
+    // Constants are source 1, `target` source 2, `motors` source 3; locations wrap, r7 is r3.
+    let state = [1.5, 2.0, f64::NAN, 900.0, 512.0];
+    let interpreter = Interpreter::<f64, Own>::new(&graph);
+    let bids: Vec<f64> = graph.programs().iter().map(|program| interpreter.run(program, &state)).collect();
+    let cosine = <Own as Maths<f64>>::cos(900.0);
+    let turned = <Own as Maths<f64>>::sin(cosine.max(0.25)) + 3.5;
+    assert_eq!(bids, [2.0 * (13.5 / 10.0), turned, 512.0], "and std::max(512, NaN) is 512");
+    assert_eq!(graph.provenance().version.as_deref(), Some("2.0.0"));
+}
+
+#[test]
+fn a_program_that_uses_what_the_sidecar_does_not_explain_is_refused() {
+    let error = read_second(&SECOND.replace("label=\"2|0", "label=\"4|0")).expect_err("tan is only named");
+    let expected =
+        "x.dot: line 8: program line 1: instruction 4, tan, whose meaning the sidecar does not give; accepted: ";
+    assert!(error.to_string().starts_with(expected), "{error}");
+}
+
+#[test]
+fn an_action_node_repeated_with_another_action_is_refused() {
+    let text = SECOND.replacen(
+        "A101 [fillcolor=\"#ff3366\" shape=box margin=0.03 width=0 height=0 label=\"1\"]",
+        "A101 [label=\"0\"]",
+        1,
+    );
+    assert!(read_second(&text).expect_err("two actions").to_string().contains("A101 a second time"));
 }

@@ -9,6 +9,7 @@ use crate::program::{Program, Shape, compile};
 use formula::Formulas;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::{self, Write as _};
+use tpg_graph::Word;
 use tpg_graph::dataflow;
 use tpg_graph::{Graph, Output};
 use tpg_runtime::ops::Instruction;
@@ -149,7 +150,7 @@ impl<'a> Explanation<'a> {
 impl Explanation<'_> {
     /// The meaning of words that do not explain themselves.
     fn words(&self, out: &mut String) -> fmt::Result {
-        let negates = |i: &Instruction| *i == Instruction::NegateIfLess;
+        let negates = |word: &Word| *word == Instruction::NegateIfLess.into();
         if self.graph.instructions().iter().any(negates) {
             writeln!(out, "negate_if_less(a, b) is -a where a < b, else a.")?;
         }

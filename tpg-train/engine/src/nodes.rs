@@ -78,7 +78,9 @@ impl<S: Scalar, M: Maths<S>> Arena<S, M> {
                 Operand::Input(input) => self.node(Node::Input(input)),
                 Operand::Constant(value) => self.constant(S::from_f64(value)),
             });
-            at[usize::from(line.to)] = self.operation(line.instruction, operands);
+            let to = at[usize::from(line.to)];
+            let apply = |instruction, operands| self.operation(instruction, operands);
+            at[usize::from(line.to)] = line.instruction.compose(to, operands, apply);
         }
         at[0]
     }
@@ -174,10 +176,11 @@ impl Assignment for Line {
     }
 
     fn reads(&self) -> impl Iterator<Item = usize> {
-        self.operands.iter().take(self.instruction.arity()).filter_map(|operand| match operand {
+        let operands = self.operands.iter().take(self.instruction.arity()).filter_map(|operand| match operand {
             Operand::Register(register) => Some(usize::from(*register)),
             Operand::Input(_) | Operand::Constant(_) => None,
-        })
+        });
+        operands.chain(self.instruction.reads_destination().then(|| usize::from(self.to)))
     }
 }
 
@@ -189,7 +192,7 @@ mod tests {
     use tpg_runtime::ops::{Instruction, Own};
 
     fn line(to: u16, instruction: Instruction, a: Operand, b: Operand) -> Line {
-        Line { to, instruction, operands: [a, b] }
+        Line { to, instruction: instruction.into(), operands: [a, b] }
     }
 
     const R0: Operand = Operand::Register(0);

@@ -5,6 +5,7 @@ mod check;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use tpg_graph::Graph;
+use tpg_graph::Word;
 use tpg_graph::dataflow::depth_first;
 use tpg_runtime::ops::Instruction;
 
@@ -25,10 +26,10 @@ pub enum Operand {
 pub struct Line {
     /// Destination register.
     pub to: u16,
-    /// The instruction.
+    /// The instruction, or the few that the line stands for.
     #[serde(with = "by_name")]
-    pub instruction: Instruction,
-    /// Its operands; the second is ignored by one-operand instructions.
+    pub instruction: Word,
+    /// Its operands; a word with one operand ignores the second.
     pub operands: [Operand; 2],
 }
 
@@ -140,7 +141,7 @@ impl Policy {
 ///
 /// With this order of operands, a NaN bid stays NaN.
 pub fn bounded(bound: u16) -> Line {
-    Line { to: 0, instruction: Instruction::Min, operands: [Operand::Input(bound), Operand::Register(0)] }
+    Line { to: 0, instruction: Instruction::Min.into(), operands: [Operand::Input(bound), Operand::Register(0)] }
 }
 
 impl From<&Graph> for Policy {
@@ -186,14 +187,14 @@ fn topological(root: u32, teams: &[Vec<Edge>]) -> Vec<usize> {
 /// Serialises instructions by name, as in `graph.json`.
 mod by_name {
     use serde::{Deserialize, Deserializer, Serializer, de::Error};
-    use tpg_runtime::ops::Instruction;
+    use tpg_graph::Word;
 
-    pub(super) fn serialize<S: Serializer>(instruction: &Instruction, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(instruction.name())
+    pub(super) fn serialize<S: Serializer>(word: &Word, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(word.name())
     }
 
-    pub(super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Instruction, D::Error> {
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Word, D::Error> {
         let name = String::deserialize(deserializer)?;
-        Instruction::from_name(&name).ok_or_else(|| D::Error::custom(format!("unknown instruction {name:?}")))
+        Word::from_name(&name).ok_or_else(|| D::Error::custom(format!("unknown instruction {name:?}")))
     }
 }

@@ -13,7 +13,7 @@ use std::collections::{BTreeMap, VecDeque};
 use tpg_engine::{Line, Operand};
 use tpg_graph::ScalarType;
 use tpg_graph::error::Finding;
-use tpg_runtime::ops::{Maths, Own};
+use tpg_runtime::ops::{Instruction, Maths, Own};
 use tpg_runtime::scalar::Scalar;
 
 /// Bids closer than this are considered equal (`archive.h`, `areProgramResultsUnique`).
@@ -105,7 +105,9 @@ where
             Operand::Input(index) => S::from_f64(state[usize::from(index)]),
             Operand::Constant(value) => S::from_f64(value),
         });
-        register[usize::from(line.to)] = line.instruction.apply::<S, Own>(a, b);
+        let to = register[usize::from(line.to)];
+        let apply = |instruction: Instruction, [a, b]: [S; 2]| instruction.apply::<S, Own>(a, b);
+        register[usize::from(line.to)] = line.instruction.compose(to, [a, b], apply);
     }
     register[0].to_f64()
 }

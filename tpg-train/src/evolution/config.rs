@@ -11,9 +11,9 @@ use serde::{Deserialize, Serialize};
 use std::path::Path;
 use tpg_engine::Environment;
 use tpg_graph::ScalarType;
+use tpg_graph::Word;
 use tpg_graph::error::InputError;
 use tpg_graph::settings;
-use tpg_runtime::ops::Instruction;
 use tpg_runtime::scalar::Scalar;
 
 /// The accepted content of a configuration file, for messages.
@@ -335,8 +335,8 @@ impl Config {
     }
 
     /// Returns the instruction set, looked up by name.
-    pub fn instructions(&self) -> Vec<Instruction> {
-        self.language.instructions.iter().filter_map(|name| Instruction::from_name(name)).collect()
+    pub fn instructions(&self) -> Vec<Word> {
+        self.language.instructions.iter().filter_map(|name| Word::from_name(name)).collect()
     }
 
     /// Returns the number of survivors of a generation that begins with `roots` roots, at least 1.

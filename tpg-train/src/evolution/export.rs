@@ -74,8 +74,8 @@ pub fn graph(
     });
     let leaves: Vec<LeafDocument> = leaves.collect();
     let mut instructions = vocabulary.instructions().to_vec();
-    if vocabulary.bound(0).is_some() && !instructions.contains(&Instruction::Min) {
-        instructions.push(Instruction::Min);
+    if vocabulary.bound(0).is_some() && !instructions.contains(&Instruction::Min.into()) {
+        instructions.push(Instruction::Min.into());
     }
     let sources = sources.into_iter().map(|source| exact(source, vocabulary.scalar())).collect();
     let document = Document {

@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 use tpg_engine::{Limits, Operand};
+use tpg_graph::Word;
 use tpg_graph::{ScalarType, SourceDocument};
-use tpg_runtime::ops::Instruction;
 
 /// Number of operands of a line, GEGELATI's `maxNbOperands`; no instruction has more.
 pub const OPERANDS: usize = 2;
@@ -39,7 +39,7 @@ pub enum Kind {
 /// The vocabulary of programs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Vocabulary {
-    instructions: Vec<Instruction>,
+    instructions: Vec<Word>,
     registers: u16,
     constants: u16,
     kinds: Vec<Kind>,
@@ -60,7 +60,7 @@ impl Vocabulary {
     /// # Panics
     /// If there are no registers, no instructions or more than 256: configurations are checked earlier.
     pub fn new(
-        instructions: Vec<Instruction>,
+        instructions: Vec<Word>,
         registers: u16,
         constants: u16,
         sources: &[SourceDocument],
@@ -129,12 +129,12 @@ impl Vocabulary {
     }
 
     /// Returns the instruction set.
-    pub fn instructions(&self) -> &[Instruction] {
+    pub fn instructions(&self) -> &[Word] {
         &self.instructions
     }
 
     /// Returns the instruction at an index of the set.
-    pub fn instruction(&self, index: InstructionIndex) -> Instruction {
+    pub fn instruction(&self, index: InstructionIndex) -> Word {
         self.instructions[usize::from(index)]
     }
 

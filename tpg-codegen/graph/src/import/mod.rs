@@ -1,5 +1,6 @@
 //! Import of graphs: `graph.json`, or GEGELATI's `.dot` with a description of what that format leaves out.
 
+mod composed;
 mod dot;
 mod profile;
 mod sidecar;

@@ -1,10 +1,13 @@
 //! The sidecar: a TOML file that supplies what a `.dot` file leaves out.
 
+use super::composed::{Expression, FORM, Operator};
+use crate::Word;
 use crate::error::{InputError, Place, serde_message};
 use crate::model::{
     ActionDocument, Document, FORMAT, MAX_NUMBERED, MathsProvider, Provenance, ScalarType, SourceDocument,
 };
 use serde::Deserialize;
+use std::collections::BTreeSet;
 use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
@@ -21,7 +24,11 @@ use toml::de::{DeTable, DeValue};
 ///         { name = "position", length = 3, unit = "mm", range = [-600, 600] },
 ///         { name = "motors", length = 2, unit = "ticks", ranges = [[0, 4095], [512, 512]] },
 ///     ]
-///     instructions = ["sub", "add", "mul", "cos"]     # in the order of their numbers in the file
+///     instructions = [            # in the order of their numbers in the file
+///         "sub", "std_max",
+///         { name = "scale", is = "mul(a, div(b, 10))" },     # composed of words; a and b are its operands
+///         { name = "tan" },       # no program of the file uses it
+///     ]
 ///     actions = [                 # by node label; "move" or effect = { name, values } is for the problem
 ///         { id = 0, name = "left", move = [-3, 0, 0, 0] },
 ///         { id = 1, name = "right", move = [3, 0, 0, 0] },
@@ -38,6 +45,9 @@ pub struct Sidecar {
     file: String,
     text: String,
     document: Document,
+    instructions: Vec<Operator>,
+    /// Registers of a program in the `.dot` file, without those for intermediate values.
+    registers: u32,
     has_provenance: bool,
 }
 
@@ -49,9 +59,24 @@ struct Described {
     maths: MathsProvider,
     registers: u32,
     sources: Vec<DescribedSource>,
-    instructions: Vec<String>,
+    instructions: Vec<DescribedInstruction>,
     actions: Vec<ActionDocument>,
     provenance: Option<String>,
+}
+
+/// An instruction: a word, or a name with what it is composed of.
+#[derive(Deserialize)]
+#[serde(untagged, expecting = "invalid instruction, expected a word, or { name = \"…\", is = \"…\" }")]
+enum DescribedInstruction {
+    Word(String),
+    Composed(Composed),
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Composed {
+    name: String,
+    is: Option<String>,
 }
 
 /// A source, with either one range for all its values or one range per value.
@@ -82,8 +107,15 @@ impl Sidecar {
             )
         })?;
         let has_provenance = described.provenance.is_some();
-        let mut sidecar =
-            Self { file: file.to_owned(), text: text.to_owned(), document: Document::default(), has_provenance };
+        let mut sidecar = Self {
+            file: file.to_owned(),
+            text: text.to_owned(),
+            document: Document::default(),
+            instructions: Vec::new(),
+            registers: described.registers,
+            has_provenance,
+        };
+        sidecar.instructions = sidecar.instructions_of(&described)?;
         sidecar.document = sidecar.document_of(described)?;
         let checked = sidecar.document.check_declarations(file);
         checked.map_err(|error| sidecar.place_error(error))?;
@@ -93,6 +125,16 @@ impl Sidecar {
     /// Returns the described document, which lacks root, teams and programs.
     pub fn document(&self) -> &Document {
         &self.document
+    }
+
+    /// Returns the meaning of each instruction number of the `.dot` file.
+    pub(super) fn instructions(&self) -> &[Operator] {
+        &self.instructions
+    }
+
+    /// Returns the number of registers of a program in the `.dot` file; the graph has more for intermediate values.
+    pub(super) fn registers(&self) -> u32 {
+        self.registers
     }
 
     /// True if the sidecar states where the graph comes from.
@@ -110,6 +152,53 @@ impl Sidecar {
 
     fn error(&self, path: &str, found: impl Into<String>, accepted: &str) -> InputError {
         InputError::new(&self.file, self.place(path), found, accepted)
+    }
+
+    fn instructions_of(&self, described: &Described) -> Result<Vec<Operator>, InputError> {
+        let mut operators: Vec<Operator> = Vec::new();
+        for (index, instruction) in described.instructions.iter().enumerate() {
+            let path = format!("$.instructions[{index}]");
+            let (name, value) = match instruction {
+                DescribedInstruction::Word(name) => {
+                    let found = || format!("unknown instruction {name:?}");
+                    let words = Word::ALL.map(Word::name).join(", ");
+                    let accepted = || format!("{words}; or {{ name = {name:?}, is = … }}, {FORM}");
+                    let word = Word::from_name(name).ok_or_else(|| self.error(&path, found(), &accepted()))?;
+                    (name, Some(Expression::of(word)))
+                }
+                DescribedInstruction::Composed(Composed { name, is: Some(text) }) => {
+                    let value = Expression::parse(text).map_err(|found| self.error(&path, found, FORM))?;
+                    (name, Some(value))
+                }
+                DescribedInstruction::Composed(Composed { name, is: None }) => (name, None),
+            };
+            if operators.iter().any(|operator| operator.name == *name) {
+                return Err(self.error(&path, format!("{name:?} a second time"), "each instruction once"));
+            }
+            operators.push(Operator { name: name.clone(), value });
+        }
+        Ok(operators)
+    }
+
+    /// Returns the words that the instructions are made of: the instruction set of the graph.
+    fn words(&self) -> Vec<String> {
+        let mut words = BTreeSet::new();
+        let calls = || self.instructions.iter().filter_map(|operator| operator.value.as_ref());
+        calls().for_each(|call| call.words(&mut words));
+        // The file's own order, where each number is a word: an export then gives the same numbers.
+        let own = calls().filter_map(|call| match call {
+            Expression::Call(word, _) if Expression::of(*word) == *call => Some(*word),
+            _ => None,
+        });
+        let own: Vec<Word> = own.collect();
+        let others = words.into_iter().filter(|word| !own.contains(word));
+        own.iter().copied().chain(others).map(|word| word.name().to_owned()).collect()
+    }
+
+    /// Returns the number of registers for intermediate values.
+    fn scratch(&self) -> u32 {
+        let values = self.instructions.iter().filter_map(|operator| operator.value.as_ref());
+        values.map(Expression::scratch).max().unwrap_or(0)
     }
 
     fn document_of(&self, described: Described) -> Result<Document, InputError> {
@@ -142,9 +231,9 @@ impl Sidecar {
             version: 1,
             scalar: described.scalar,
             maths: described.maths,
-            registers: described.registers,
+            registers: described.registers.saturating_add(self.scratch()),
             sources,
-            instructions: described.instructions,
+            instructions: self.words(),
             actions: described.actions,
             provenance,
             ..Document::default()

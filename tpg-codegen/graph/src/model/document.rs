@@ -1,12 +1,12 @@
 //! `graph.json` as written: plain data, not yet validated.
 
 use super::effect::{Effect, WrittenAction};
+use crate::word::Word;
 use schemars::JsonSchema;
 use serde::de::{Deserializer, Visitor};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fmt;
-use tpg_runtime::ops::Instruction;
 
 /// The value of [`Document::format`].
 pub const FORMAT: &str = "tpg-graph";
@@ -209,7 +209,7 @@ pub struct ProgramDocument {
     pub lines: Vec<LineDocument>,
 }
 
-/// A line: `to = op(args)`.
+/// A line: `to = op(args)`; `multiply_add` is `to = to + args[0] * args[1]`, two roundings.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LineDocument {
@@ -223,8 +223,8 @@ pub struct LineDocument {
     pub args: Vec<OperandDocument>,
 }
 
-fn instruction_names() -> [&'static str; Instruction::ALL.len()] {
-    Instruction::ALL.map(Instruction::name)
+fn instruction_names() -> [&'static str; Word::ALL.len()] {
+    Word::ALL.map(Word::name)
 }
 
 /// An operand: a number, a register `r3`, or a value of a source `target[0]`.

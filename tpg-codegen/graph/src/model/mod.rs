@@ -22,9 +22,9 @@ pub use effect::Effect;
 pub use schema::schema;
 pub use validate::MAX_NUMBERED;
 
+use crate::word::Word;
 use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
-use tpg_runtime::ops::Instruction;
 pub use tpg_runtime::policy::ActionId;
 
 /// Index of a team in [`Graph::teams`].
@@ -142,14 +142,14 @@ pub enum Operand {
     Constant(f64),
 }
 
-/// One line of a program: `to = instruction(operands)`.
+/// One line of a program: `to = word(operands)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line {
     /// Destination register.
     pub to: Reg,
-    /// The instruction.
-    pub instruction: Instruction,
-    /// As many operands as the instruction's arity; a one-operand instruction repeats its operand.
+    /// The instruction, or the few that the line stands for.
+    pub instruction: Word,
+    /// As many operands as the word's arity; a word with one operand repeats it.
     pub operands: [Operand; 2],
 }
 
@@ -196,7 +196,7 @@ pub struct Graph {
     maths: MathsProvider,
     registers: u16,
     sources: Vec<Source>,
-    instructions: Vec<Instruction>,
+    instructions: Vec<Word>,
     actions: Vec<Action>,
     outputs: Vec<Output>,
     leaves: Vec<Leaf>,
@@ -230,7 +230,7 @@ impl Graph {
     }
 
     /// Returns the declared instruction set in its order, which gives the numbers in `.dot` files.
-    pub fn instructions(&self) -> &[Instruction] {
+    pub fn instructions(&self) -> &[Word] {
         &self.instructions
     }
 

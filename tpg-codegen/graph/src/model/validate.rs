@@ -10,10 +10,10 @@ use super::{
     Action, ActionId, Destination, Edge, Effect, Graph, Input, Leaf, Line, Operand, Program, ProgramId, Range, Reg,
     Source, Team, TeamId, name,
 };
+use crate::Word;
 use crate::dataflow::{Cycle, depth_first};
 use crate::error::{InputError, Place, counted};
 use std::collections::{BTreeMap, BTreeSet};
-use tpg_runtime::ops::Instruction;
 
 /// Maximum number of registers of a program, as in GEGELATI's line format.
 const MAX_REGISTERS: u32 = 256;
@@ -53,7 +53,7 @@ struct Names<'a> {
     teams: BTreeMap<u32, TeamId>,
     leaves: BTreeMap<u32, ActionId>,
     programs: BTreeMap<u32, ProgramId>,
-    instructions: Vec<Instruction>,
+    instructions: Vec<Word>,
 }
 
 impl Validator<'_> {
@@ -154,11 +154,11 @@ impl Validator<'_> {
         Ok(places)
     }
 
-    fn instructions(&self) -> Result<Vec<Instruction>, InputError> {
+    fn instructions(&self) -> Result<Vec<Word>, InputError> {
         let mut set = Vec::new();
         for (index, name) in self.document.instructions.iter().enumerate() {
             let path = format!("$.instructions[{index}]");
-            let instruction = Instruction::from_name(name)
+            let instruction = Word::from_name(name)
                 .ok_or_else(|| self.error(&path, format!("unknown instruction {name:?}"), known_instructions()))?;
             if set.contains(&instruction) {
                 return Err(self.error(path, format!("{name:?} a second time"), "each instruction once"));
@@ -369,8 +369,8 @@ impl Validator<'_> {
 
     fn line(&self, path: &str, line: &LineDocument, names: &Names<'_>) -> Result<Line, InputError> {
         let to = self.register(&format!("{path}.to"), Some(line.to), &line.to.to_string())?;
-        let declared = |i: &Instruction| names.instructions.contains(i);
-        let instruction = Instruction::from_name(&line.op).filter(declared).ok_or_else(|| {
+        let declared = |i: &Word| names.instructions.contains(i);
+        let instruction = Word::from_name(&line.op).filter(declared).ok_or_else(|| {
             let accepted = format!("one of the declared instructions: {}", self.document.instructions.join(", "));
             self.error(format!("{path}.op"), format!("instruction {:?}", line.op), accepted)
         })?;
@@ -449,5 +449,5 @@ fn action(action: &ActionDocument) -> Action {
 }
 
 fn known_instructions() -> String {
-    Instruction::ALL.map(Instruction::name).join(", ")
+    Word::ALL.map(Word::name).join(", ")
 }

@@ -2,8 +2,8 @@
 
 use super::Config;
 use tpg_engine::ActionSpace;
+use tpg_graph::Word;
 use tpg_graph::error::Finding;
-use tpg_runtime::ops::Instruction;
 
 impl Config {
     /// Checks ranges, names and consistency.
@@ -130,12 +130,12 @@ impl Config {
     /// Checks that each instruction exists and occurs once.
     fn check_instructions(&self) -> Result<(), Finding> {
         let names = &self.language.instructions;
-        let accepted = || format!("one or more of {}, each once", Instruction::ALL.map(Instruction::name).join(", "));
+        let accepted = || format!("one or more of {}, each once", Word::ALL.map(Word::name).join(", "));
         if names.is_empty() {
             return Err(Finding::new("language.instructions", "an empty list", accepted()));
         }
         let wrong =
-            |&(place, name): &(usize, &String)| Instruction::from_name(name).is_none() || names[..place].contains(name);
+            |&(place, name): &(usize, &String)| Word::from_name(name).is_none() || names[..place].contains(name);
         match names.iter().enumerate().find(wrong) {
             Some((_, name)) => Err(Finding::new("language.instructions", format!("{name:?}"), accepted())),
             None => Ok(()),

@@ -108,7 +108,11 @@ impl<'s> Declared<'s> {
             Statement::Lines { program, lines, constants } => {
                 self.lines.insert('I', *program, Lines { line, lines, constants })?;
             }
-            Statement::Action { node, action } => self.actions.insert('A', *node, *action)?,
+            // GEGELATI 2 repeats an action's node before each edge to it.
+            Statement::Action { node, action } => match self.actions.get(*node) {
+                Some(known) if known == action => {}
+                _ => self.actions.insert('A', *node, *action)?,
+            },
             Statement::Rank { roots } => {
                 if self.rank.replace(Rank { line, roots }).is_some() {
                     return Err(Fault::new("the roots a second time", "one line `{ rank= same … }`"));

@@ -52,18 +52,10 @@ fn number<N: FromStr>(text: &str) -> Option<N> {
     text.bytes().all(|byte| byte.is_ascii_digit()).then(|| text.parse().ok()).flatten()
 }
 
-/// Parses the integer constants of GEGELATI 1: `3|-5|`.
-pub(super) fn integers(comment: &str) -> Result<Vec<f64>, Fault> {
-    constants(comment, "integers of 32 bits, each followed by |", |text| text.parse::<i32>().ok().map(f64::from))
-}
-
-/// Parses the real constants of GEGELATI 2: `0.63|-0.4|`.
-pub(super) fn reals(comment: &str) -> Result<Vec<f64>, Fault> {
+/// Parses a program's constants: the integers of GEGELATI 1, `3|-5|`, or the real numbers of GEGELATI 2, `0.63|-0.4|`.
+pub(super) fn constants(comment: &str) -> Result<Vec<f64>, Fault> {
+    let accepted = "finite numbers, each followed by |";
     let finite = |text: &str| text.parse::<f64>().ok().filter(|value| value.is_finite());
-    constants(comment, "finite numbers, each followed by |", finite)
-}
-
-fn constants(comment: &str, accepted: &str, read: impl Fn(&str) -> Option<f64>) -> Result<Vec<f64>, Fault> {
     if comment.is_empty() {
         return Ok(Vec::new());
     }
@@ -71,7 +63,7 @@ fn constants(comment: &str, accepted: &str, read: impl Fn(&str) -> Option<f64>) 
         .strip_suffix('|')
         .ok_or_else(|| Fault::new(format!("constants {} without a | at the end", quote(comment)), accepted))?;
     list.split('|')
-        .map(|text| read(text.trim()).ok_or_else(|| Fault::new(format!("the constant {}", quote(text)), accepted)))
+        .map(|text| finite(text.trim()).ok_or_else(|| Fault::new(format!("the constant {}", quote(text)), accepted)))
         .collect()
 }
 
@@ -114,14 +106,11 @@ mod tests {
 
     #[test]
     fn constants_of_both_versions() {
-        assert_eq!(integers("0|-5|2147483647|").expect("integers"), [0.0, -5.0, 2147483647.0]);
-        assert_eq!(reals("0.63|-0.40|1e-3|").expect("reals"), [0.63, -0.4, 1e-3]);
-        assert!(integers("").expect("none").is_empty());
-        for bad in ["1", "1|2", "1||", "0.5|", "2147483648|", "a note"] {
-            integers(bad).expect_err(bad);
-        }
-        for bad in ["1e999|", "nan|", "inf|", "x|"] {
-            reals(bad).expect_err(bad);
+        assert_eq!(constants("0|-5|2147483647|").expect("integers"), [0.0, -5.0, 2147483647.0]);
+        assert_eq!(constants("0.63|-0.40|1e-3|").expect("reals"), [0.63, -0.4, 1e-3]);
+        assert!(constants("").expect("none").is_empty());
+        for bad in ["1", "1|2", "1||", "a note", "1e999|", "nan|", "inf|", "x|"] {
+            constants(bad).expect_err(bad);
         }
     }
 }

@@ -8,8 +8,8 @@
 //! file        = comment* "digraph{" statement* "}"
 //! statement   = "graph" attributes | "node" attributes                           drawing only
 //!             | "T"n attributes                                                  a team
-//!             | "P"n attributes "//" (integer "|")*                              a program, its constants
-//!             | "I"n "[… label="line*"]" ["//" (number "|")*]                    its lines; GEGELATI 2 has constants here
+//!             | "P"n attributes "//" (number "|")*                               a program, its constants
+//!             | "I"n "[… label="line*"]" ["//" (number "|")*]                    its lines; or its constants here
 //!             | "P"n "->" "I"n attributes                                        redundant
 //!             | "A"n "[… label="action"]"                                        an action; equal labels are one action
 //!             | "T"n "->" "P"n "->" ("T"n | "A"n)                                an edge

@@ -103,12 +103,12 @@ fn inside(content: &str, tokens: &[Token<'_>]) -> Result<Option<Statement>, Faul
                 );
                 return Err(Fault::new(found, "programs that bid, without label or with \"0\""));
             }
-            Statement::Program { program, constants: label::integers(comment.unwrap_or_default())? }
+            Statement::Program { program, constants: label::constants(comment.unwrap_or_default())? }
         }
         [node @ Node { kind: Kind::Lines, number: program }] => Statement::Lines {
             program,
             lines: label::lines(label.ok_or_else(|| without_label(node))?)?,
-            constants: label::reals(comment.unwrap_or_default())?,
+            constants: label::constants(comment.unwrap_or_default())?,
         },
         [node @ Node { kind: Kind::Action, number }] => {
             let label = label.ok_or_else(|| without_label(node))?;

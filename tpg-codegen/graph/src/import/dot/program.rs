@@ -3,16 +3,18 @@
 use super::Fault;
 use super::statement::{OperandText, ProgramLine};
 use crate::error::counted;
+use crate::import::composed::{FORM, Operator};
 use crate::model::{Document, LineDocument, OperandDocument};
-use tpg_runtime::ops::Instruction;
 
 /// Context that gives the numbers in a program's lines their meaning.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Meaning<'d> {
     /// The document described by the sidecar.
     pub(super) document: &'d Document,
-    /// The same instruction set as the runtime's instructions.
-    pub(super) instructions: &'d [Instruction],
+    /// The meaning of each instruction number.
+    pub(super) instructions: &'d [Operator],
+    /// Number of registers in the file: the document has more for intermediate values.
+    pub(super) registers: u32,
     /// Constants of the program. If programs have any, they are source 1, before the environment's sources.
     pub(super) constants: &'d [f64],
 }
@@ -20,33 +22,38 @@ pub(super) struct Meaning<'d> {
 impl Meaning<'_> {
     /// Translates all lines of the program.
     pub(super) fn lines(&self, lines: &[ProgramLine]) -> Result<Vec<LineDocument>, Fault> {
-        (1..)
-            .zip(lines)
-            .map(|(place, line)| {
-                self.line(line)
-                    .map_err(|fault| Fault::new(format!("program line {place}: {}", fault.found), fault.accepted))
-            })
-            .collect()
+        let mut document = Vec::new();
+        for (place, line) in (1..).zip(lines) {
+            self.line(line, &mut document)
+                .map_err(|fault| Fault::new(format!("program line {place}: {}", fault.found), fault.accepted))?;
+        }
+        Ok(document)
     }
 
-    fn line(&self, line: &ProgramLine) -> Result<LineDocument, Fault> {
-        let Some(instruction) = self.instructions.get(line.instruction as usize) else {
-            let known = self.document.instructions.join(", ");
+    fn line(&self, line: &ProgramLine, document: &mut Vec<LineDocument>) -> Result<(), Fault> {
+        let Some(Operator { name, value }) = self.instructions.get(line.instruction as usize) else {
+            let known: Vec<&str> = self.instructions.iter().map(|operator| &*operator.name).collect();
+            let known = known.join(", ");
             let accepted = format!("0 to {}: {known}", self.instructions.len() - 1);
             return Err(Fault::new(format!("instruction {}", line.instruction), accepted));
         };
-        if line.to >= self.document.registers {
-            let accepted = format!("0 to {}", self.document.registers - 1);
+        let Some(value) = value else {
+            let found = format!("instruction {}, {name}, whose meaning the sidecar does not give", line.instruction);
+            return Err(Fault::new(found, format!("{{ name = {name:?}, is = … }} in the sidecar, {FORM}")));
+        };
+        if line.to >= self.registers {
+            let accepted = format!("0 to {}", self.registers - 1);
             return Err(Fault::new(format!("register {}", line.to), accepted));
         }
         // Operands beyond the arity are present in the file but never read.
-        let Some(operands) = line.operands.get(..instruction.arity()).filter(|_| instruction.arity() <= line.written)
-        else {
-            let found = format!("{} of {}", counted(line.written, "operand"), instruction.name());
-            return Err(Fault::new(found, format!("at least {}", instruction.arity())));
+        let arity = value.arity();
+        let Some(operands) = line.operands.get(..arity).filter(|_| arity <= line.written) else {
+            let found = format!("{} of {name}", counted(line.written, "operand"));
+            return Err(Fault::new(found, format!("at least {arity}")));
         };
-        let args = operands.iter().map(|operand| self.operand(*operand)).collect::<Result<_, _>>()?;
-        Ok(LineDocument { to: line.to, op: instruction.name().to_owned(), args })
+        let operands = operands.iter().map(|operand| self.operand(*operand)).collect::<Result<Vec<_>, _>>()?;
+        value.lines(&operands, line.to, self.registers, document);
+        Ok(())
     }
 
     /// Translates an operand. GEGELATI takes every location modulo the size of its source, so every number is valid.
@@ -54,7 +61,7 @@ impl Meaning<'_> {
         let first = if self.constants.is_empty() { 1 } else { 2 };
         let place = |size: usize| (operand.location % size as u64) as usize;
         if operand.source == 0 {
-            return Ok(OperandDocument::Place(format!("r{}", place(self.document.registers as usize))));
+            return Ok(OperandDocument::Place(format!("r{}", place(self.registers as usize))));
         }
         let Some(index) = (operand.source as usize).checked_sub(first) else {
             return Ok(OperandDocument::Constant(self.constants[place(self.constants.len())]));

@@ -9,12 +9,16 @@ use crate::error::{InputError, counted};
 use crate::import::sidecar::Sidecar;
 use crate::model::{Document, EdgeDocument, ProgramDocument, TeamDocument};
 use std::collections::BTreeMap;
-use tpg_runtime::ops::Instruction;
 
 /// Builds a document from the statements of a whole file and records where its elements are located.
 pub(super) fn document(file: &str, statements: &[Located], sidecar: &Sidecar) -> Result<(Document, Lines), InputError> {
-    let resolver =
-        Resolver { file, document: sidecar.document(), statements, declared: Declared::collect(file, statements)? };
+    let resolver = Resolver {
+        file,
+        document: sidecar.document(),
+        sidecar,
+        statements,
+        declared: Declared::collect(file, statements)?,
+    };
     resolver.is_something()?;
     resolver.links()?;
     let mut lines = Lines::default();
@@ -40,6 +44,7 @@ struct Resolver<'s> {
     file: &'s str,
     /// The document described by the sidecar.
     document: &'s Document,
+    sidecar: &'s Sidecar,
     statements: &'s [Located],
     declared: Declared<'s>,
 }
@@ -147,8 +152,6 @@ impl Resolver<'_> {
     }
 
     fn programs(&self, lines: &mut Lines) -> Result<Vec<ProgramDocument>, InputError> {
-        let instructions: Vec<Instruction> =
-            self.document.instructions.iter().filter_map(|name| Instruction::from_name(name)).collect();
         let mut programs = Vec::new();
         let mut constants_of_first = None;
         for node in self.declared.programs.items() {
@@ -172,7 +175,12 @@ impl Resolver<'_> {
                 let accepted = format!("as many in each program: {first} on line {first_line}");
                 return Err(self.error(line, counted(constants.len(), "constant"), accepted));
             }
-            let meaning = Meaning { document: self.document, instructions: &instructions, constants };
+            let meaning = Meaning {
+                document: self.document,
+                instructions: self.sidecar.instructions(),
+                registers: self.sidecar.registers(),
+                constants,
+            };
             let document = meaning.lines(content.lines).map_err(|fault| fault.on(self.file, content.line))?;
             programs.push(ProgramDocument { id: number, lines: document });
             lines.programs.push(ProgramLines { node: node.line, lines: content.line });

@@ -18,9 +18,9 @@ pub(super) enum Statement {
     Exporter { tool: String, version: String },
     /// A team.
     Team { team: u32 },
-    /// A program, with the integer constants of GEGELATI 1.
+    /// A program, and its constants.
     Program { program: u32, constants: Vec<f64> },
-    /// The lines of a program, with the real constants of GEGELATI 2.
+    /// The lines of a program; some files of GEGELATI 2 have its constants here.
     Lines { program: u32, lines: Vec<ProgramLine>, constants: Vec<f64> },
     /// A link from a program to its lines.
     Link { program: u32 },

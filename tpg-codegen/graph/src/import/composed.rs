@@ -1,0 +1,194 @@
+//! Instructions of a `.dot` file that a sidecar composes of words: `mul(a, div(b, 10))`.
+
+use crate::Word;
+use crate::model::{LineDocument, OperandDocument};
+use std::collections::BTreeSet;
+
+/// The meaning of an instruction number in a `.dot` file.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Operator {
+    /// Its name in messages.
+    pub(crate) name: String,
+    /// What it computes; `None` if the sidecar does not say, because no program uses it.
+    pub(crate) value: Option<Expression>,
+}
+
+/// What an instruction computes of its operands.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Expression {
+    /// The operand at this place: `a` is 0, `b` is 1.
+    Operand(usize),
+    /// A number.
+    Number(f64),
+    /// A word and its operands.
+    Call(Word, Vec<Expression>),
+}
+
+/// The accepted form, for messages.
+pub(crate) const FORM: &str =
+    "a word with its operands in brackets, each of them a, b, a number or such a call: mul(a, div(b, 10))";
+
+impl Expression {
+    /// Returns the expression that a word stands for by itself.
+    pub(crate) fn of(word: Word) -> Self {
+        Self::Call(word, (0..word.arity()).map(Self::Operand).collect())
+    }
+
+    /// Parses a call; the error says what was found.
+    pub(crate) fn parse(text: &str) -> Result<Self, String> {
+        let mut parser = Parser { rest: text };
+        match parser.expression()? {
+            call @ Self::Call(..) if parser.rest.trim().is_empty() => Ok(call),
+            Self::Call(..) => Err(format!("`{}` after the last bracket", parser.rest.trim())),
+            _ => Err(format!("`{text}`, which calls no word")),
+        }
+    }
+
+    /// Returns the number of operands that a line must have: 2 if `b` occurs, 1 if only `a` does.
+    pub(crate) fn arity(&self) -> usize {
+        match self {
+            Self::Operand(place) => place + 1,
+            Self::Number(_) => 0,
+            Self::Call(_, operands) => operands.iter().map(Self::arity).max().unwrap_or(0),
+        }
+    }
+
+    /// Adds the words that occur.
+    pub(crate) fn words(&self, words: &mut BTreeSet<Word>) {
+        if let Self::Call(word, operands) = self {
+            words.insert(*word);
+            operands.iter().for_each(|operand| operand.words(words));
+        }
+    }
+
+    /// Returns the number of registers that its intermediate values need.
+    pub(crate) fn scratch(&self) -> u32 {
+        let Self::Call(_, operands) = self else { return 0 };
+        let is_call = |operand: &&Self| matches!(operand, Self::Call(..));
+        (0..)
+            .zip(operands.iter().filter(is_call))
+            .map(|(held, operand)| held + 1 + operand.scratch())
+            .max()
+            .unwrap_or(0)
+    }
+
+    /// Appends the lines that leave the value in register `to`. Registers from `free` on are for intermediate values.
+    pub(crate) fn lines(&self, operands: &[OperandDocument], to: u32, free: u32, lines: &mut Vec<LineDocument>) {
+        let Self::Call(word, inner) = self else { return };
+        let mut held = free;
+        let args = inner
+            .iter()
+            .map(|operand| match operand {
+                Self::Operand(place) => operands[*place].clone(),
+                Self::Number(value) => OperandDocument::Constant(*value),
+                Self::Call(..) => {
+                    operand.lines(operands, held, held + 1, lines);
+                    held += 1;
+                    OperandDocument::Place(format!("r{}", held - 1))
+                }
+            })
+            .collect();
+        lines.push(LineDocument { to, op: word.name().to_owned(), args });
+    }
+}
+
+struct Parser<'t> {
+    rest: &'t str,
+}
+
+impl<'t> Parser<'t> {
+    fn expression(&mut self) -> Result<Expression, String> {
+        let text = self.word();
+        if !self.takes('(') {
+            return match text {
+                "a" => Ok(Expression::Operand(0)),
+                "b" => Ok(Expression::Operand(1)),
+                number => match number.parse::<f64>() {
+                    Ok(value) if value.is_finite() => Ok(Expression::Number(value)),
+                    _ => Err(format!("{text:?}, which is neither an operand nor a finite number")),
+                },
+            };
+        }
+        // A register that is written and read needs a line of its own.
+        let word =
+            Word::from_name(text).filter(|word| !word.reads_destination()).ok_or(format!("{text:?} as a word"))?;
+        let mut operands = vec![self.expression()?];
+        while self.takes(',') {
+            operands.push(self.expression()?);
+        }
+        if !self.takes(')') {
+            return Err(format!("`{text}(` without its closing bracket"));
+        }
+        if operands.len() == word.arity() {
+            Ok(Expression::Call(word, operands))
+        } else {
+            Err(format!("{} operands of {text}, which takes {}", operands.len(), word.arity()))
+        }
+    }
+
+    /// Takes everything up to a space, a bracket or a comma.
+    fn word(&mut self) -> &'t str {
+        let text = self.rest.trim_start();
+        let end = text.find(|c: char| c.is_whitespace() || "(),".contains(c)).unwrap_or(text.len());
+        self.rest = &text[end..];
+        &text[..end]
+    }
+
+    fn takes(&mut self, mark: char) -> bool {
+        let after = self.rest.trim_start().strip_prefix(mark);
+        self.rest = after.unwrap_or(self.rest);
+        after.is_some()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Expression;
+    use crate::model::OperandDocument;
+
+    fn written(text: &str) -> Vec<String> {
+        let expression = Expression::parse(text).expect("an expression");
+        let operands = ["x[0]", "r3"].map(|place| OperandDocument::Place(place.to_owned()));
+        let mut lines = Vec::new();
+        expression.lines(&operands, 1, 8, &mut lines);
+        let highest = lines.iter().map(|line| line.to).filter(|&to| to >= 8).map(|to| to - 7).max().unwrap_or(0);
+        assert_eq!(expression.scratch(), highest, "{text}");
+        let operand = |operand: &OperandDocument| match operand {
+            OperandDocument::Place(place) => place.clone(),
+            OperandDocument::Constant(value) => value.to_string(),
+        };
+        let line = |line: &crate::LineDocument| {
+            format!("r{} = {}({})", line.to, line.op, line.args.iter().map(operand).collect::<Vec<_>>().join(", "))
+        };
+        lines.iter().map(line).collect()
+    }
+
+    #[test]
+    fn calls_become_lines() {
+        assert_eq!(written("mul(a, div(b, 10))"), ["r8 = div(r3, 10)", "r1 = mul(x[0], r8)"]);
+        assert_eq!(written("copy(3.25)"), ["r1 = copy(3.25)"]);
+        let nested = ["r8 = sin(x[0])", "r9 = cos(r3)", "r10 = abs(r9)", "r9 = add(r10, 1)", "r1 = sub(r8, r9)"];
+        let found = written(" sub( sin(a), add(abs(cos(b)) ,1) ) ");
+        assert_eq!(found.len(), nested.len(), "{found:?}");
+        assert_eq!(found.last().map(String::as_str), Some("r1 = sub(r8, r9)"));
+    }
+
+    #[test]
+    fn what_is_no_call_is_refused() {
+        let texts = [
+            "",
+            "a",
+            "7",
+            "mul(a)",
+            "mul(a, b",
+            "plus(a, b)",
+            "mul(a, b) c",
+            "mul(a, c)",
+            "mul(a, nan)",
+            "multiply_add(a, b)",
+        ];
+        for text in texts {
+            Expression::parse(text).expect_err(text);
+        }
+    }
+}
