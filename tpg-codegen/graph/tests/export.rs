@@ -89,7 +89,7 @@ fn the_text_of_a_small_graph() {
 /// The documented example of a sidecar is valid and matches the code.
 #[test]
 fn the_example_sidecar_is_one() {
-    let sidecar = Sidecar::from_toml("sidecar.example.toml", include_str!("../sidecar.example.toml"));
+    let sidecar = Sidecar::from_toml("sidecar.example.toml", Sidecar::EXAMPLE);
     let sidecar = sidecar.unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(sidecar.document().sources[1].ranges, [[0.0, 4095.0], [512.0, 512.0]]);
     assert_eq!(sidecar.document().provenance.note.as_deref(), Some("An example."));

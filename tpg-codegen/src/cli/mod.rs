@@ -2,12 +2,14 @@
 
 mod code;
 mod convert;
+mod expected;
 mod flash;
 mod generate;
 mod policy;
 mod report;
 mod scalar;
 mod schema;
+mod sidecar;
 mod verify;
 
 pub use generate::GenerateArgs;
@@ -46,6 +48,8 @@ enum Command {
     Policy(policy::PolicyArgs),
     /// Print the JSON Schema of graph.json
     Schema(schema::SchemaArgs),
+    /// Print an example of a sidecar, the description that a .dot file lacks
+    Sidecar(sidecar::SidecarArgs),
 }
 
 /// The graph to read, and the description that a `.dot` file lacks.
@@ -95,6 +99,7 @@ impl Cli {
             Command::Convert(args) => args.run(),
             Command::Policy(args) => args.run(),
             Command::Schema(args) => args.run(),
+            Command::Sidecar(args) => args.run(),
         })
     }
 }

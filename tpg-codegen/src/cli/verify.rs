@@ -1,6 +1,7 @@
 //! `tpg-codegen verify`: interpreter = C = Rust, state by state.
 
 use super::code::CodeArgs;
+use super::expected::Expected;
 use crate::emit::Code;
 use crate::options::Options;
 use crate::passes::interval::Assumption;
@@ -8,6 +9,7 @@ use crate::program::compile;
 use crate::verify::{Comparison, Proof, Unproven};
 use clap::Args;
 use std::fmt::Write as _;
+use std::path::PathBuf;
 use tpg_graph::command::{CommandError, Verdict};
 
 /// Compile the generated code and compare it with the interpreter.
@@ -24,6 +26,10 @@ pub(super) struct VerifyArgs {
     /// The seed of the states
     #[arg(long, default_value_t = 1, value_name = "S")]
     seed: u64,
+    /// A CSV file with states and the actions that another tool took for them: the interpreter must take the same. A
+    /// column for each value of the state by its name, `x[0]`, and a column `action`, or one for each output
+    #[arg(long, value_name = "CSV")]
+    expect: Option<PathBuf>,
     /// Print one JSON object
     #[arg(long)]
     json: bool,
@@ -32,6 +38,7 @@ pub(super) struct VerifyArgs {
 impl VerifyArgs {
     pub(super) fn run(&self) -> Result<Verdict, CommandError> {
         let (graph, options) = self.code.load()?;
+        let expected = self.expect.as_deref().map(|path| Expected::check(path, &graph)).transpose()?;
         let codes: Vec<Code<'_>> = (self.code.shapes(&graph).into_iter())
             .map(|(language, style, profile)| {
                 Code::of(compile(&graph, &Options { style, profile, ..options.clone() }, language))
@@ -43,12 +50,18 @@ impl VerifyArgs {
             let sha256 = codes.first().map(|code| code.program.graph_sha256());
             println!(
                 "{}",
-                serde_json::json!({ "graph_sha256": sha256, "comparisons": comparisons, "unproven": unproven })
+                serde_json::json!({
+                    "graph_sha256": sha256, "expected": expected, "comparisons": comparisons, "unproven": unproven,
+                })
             );
         } else {
+            if let Some(expected) = &expected {
+                println!("{expected}");
+            }
             print!("{}", sentences(&proof));
         }
-        Ok(verdict(&proof))
+        let as_recorded = expected.is_none_or(|expected| expected.differences == 0);
+        Ok(if as_recorded { verdict(&proof) } else { Verdict::Failed })
     }
 }
 

@@ -91,6 +91,9 @@ struct DescribedSource {
 }
 
 impl Sidecar {
+    /// The text of an example, with a comment on each field.
+    pub const EXAMPLE: &'static str = include_str!("../../sidecar.example.toml");
+
     /// Reads and validates a sidecar. `file` is its name in messages.
     ///
     /// # Errors
@@ -103,7 +106,7 @@ impl Sidecar {
                 file,
                 place,
                 found,
-                accepted.unwrap_or("the fields that a sidecar has; see sidecar.example.toml"),
+                accepted.unwrap_or("the fields that a sidecar has: `tpg-codegen sidecar --example` prints one"),
             )
         })?;
         let has_provenance = described.provenance.is_some();
