@@ -14,8 +14,8 @@
 
 use crate::Word;
 use crate::model::{
-    ActionDocument, Document, EdgeDocument, FORMAT, Graph, LeafDocument, LineDocument, MathsProvider, OperandDocument,
-    OutputDocument, ProgramDocument, Provenance, ScalarType, SourceDocument, TeamDocument,
+    ActionDocument, Document, EdgeDocument, FORMAT, Graph, LeafDocument, LineDocument, MathsProvider, MemoryDocument,
+    OperandDocument, OutputDocument, ProgramDocument, Provenance, ScalarType, SourceDocument, TeamDocument,
 };
 use rand::seq::SliceRandom;
 use rand::{RngExt, SeedableRng};
@@ -41,6 +41,8 @@ pub struct Shape {
     pub actions: u32,
     /// Number of outputs; 0 for a policy that answers with an action.
     pub outputs: u32,
+    /// Number of values that leaves compute for the next decision; 0 without outputs.
+    pub memory: u32,
     /// The instruction set.
     pub instructions: Vec<Word>,
     /// The type programs compute in.
@@ -75,6 +77,7 @@ impl Default for Shape {
             sources: vec![3, 3, 4],
             actions: 9,
             outputs: 0,
+            memory: 0,
             instructions: Instruction::ALL.map(Word::Instruction).to_vec(),
             scalar: ScalarType::F64,
             maths: MathsProvider::Own,
@@ -85,11 +88,11 @@ impl Default for Shape {
 }
 
 impl Shape {
-    /// Returns a random shape of a policy with outputs: formulas without a team, one leaf, many leaves.
+    /// Returns a random shape of a policy with outputs: formulas without a team, one leaf, many leaves; most with memory.
     pub fn random_with_outputs(seed: u64) -> Self {
         let shape = Self::random(seed);
         let teams = if seed.is_multiple_of(5) { 0 } else { shape.teams };
-        Self { teams, outputs: 1 + (seed % 3) as u32, ..shape }
+        Self { teams, outputs: 1 + (seed % 3) as u32, memory: (seed / 3 % 4) as u32, ..shape }
     }
 
     /// Returns a random shape: small graphs of every kind.
@@ -107,6 +110,7 @@ impl Shape {
             sources: (0..random.random_range(1..=4)).map(|_| random.random_range(1..=6)).collect(),
             actions: random.random_range(1..=9),
             outputs: 0,
+            memory: 0,
             instructions,
             scalar: if random.random() { ScalarType::F32 } else { ScalarType::F64 },
             maths: if random.random() { MathsProvider::Own } else { MathsProvider::System },
@@ -162,9 +166,10 @@ impl Sampler<'_> {
         let mut programs: Vec<ProgramDocument> =
             (program_ids.iter().zip(self.programs)).map(|(&id, (_, lines))| ProgramDocument { id, lines }).collect();
         let leaves = (leaves.into_iter())
-            .map(|(id, programs)| LeafDocument {
-                id,
-                programs: programs.into_iter().map(|it| program_ids[it]).collect(),
+            .map(|(id, programs)| {
+                let mut programs: Vec<u32> = programs.into_iter().map(|it| program_ids[it]).collect();
+                let memory = programs.split_off(shape.outputs as usize);
+                LeafDocument { id, programs, memory }
             })
             .collect();
         teams.shuffle(&mut self.random);
@@ -179,6 +184,7 @@ impl Sampler<'_> {
             instructions: shape.instructions.iter().map(|instruction| instruction.name().to_owned()).collect(),
             actions: (0..if shape.outputs == 0 { shape.actions } else { 0 }).map(action).collect(),
             outputs: (0..shape.outputs).map(output).collect(),
+            memory: (0..shape.memory).map(memory).collect(),
             root: team_ids.first().copied(),
             teams,
             leaves,
@@ -223,8 +229,8 @@ impl Sampler<'_> {
         if self.shape.teams == 0 {
             reached.insert(0);
         }
-        let outputs = 0..self.shape.outputs;
-        reached.into_iter().map(|leaf| (leaf, outputs.clone().map(|_| self.computing(leaf)).collect())).collect()
+        let values = 0..self.shape.outputs + self.shape.memory;
+        reached.into_iter().map(|leaf| (leaf, values.clone().map(|_| self.computing(leaf)).collect())).collect()
     }
 
     /// Draws a program that computes an output of a leaf: one that exists already, or a new one.
@@ -281,9 +287,12 @@ impl Sampler<'_> {
             (0, Constants::Integers | Constants::Reals) => OperandDocument::Constant(self.constant()),
             (1..=3, _) => OperandDocument::Place(format!("r{}", self.random.random_range(0..self.shape.registers))),
             _ => {
-                let source = self.random.random_range(0..self.shape.sources.len());
-                let place = self.random.random_range(0..self.shape.sources[source]);
-                OperandDocument::Place(format!("s{source}[{place}]"))
+                let sources = self.shape.sources.len();
+                let source = self.random.random_range(0..sources + self.shape.memory as usize);
+                OperandDocument::Place(match source.checked_sub(sources) {
+                    Some(memory) => format!("m{memory}[0]"),
+                    None => format!("s{source}[{}]", self.random.random_range(0..self.shape.sources[source])),
+                })
             }
         }
     }
@@ -336,6 +345,11 @@ fn output(index: u32) -> OutputDocument {
     };
     let [min, max] = [min, max].map(|end: f64| f64::from(end as f32));
     OutputDocument { name: format!("out{index}"), unit: "N*m".to_owned(), min, max, nan }
+}
+
+fn memory(index: u32) -> MemoryDocument {
+    let OutputDocument { min, max, nan, .. } = output(index);
+    MemoryDocument { name: format!("m{index}"), min, max, initial: nan }
 }
 
 fn action(id: u32) -> ActionDocument {

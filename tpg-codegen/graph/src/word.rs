@@ -73,6 +73,13 @@ impl Word {
         matches!(self, Self::MultiplyAdd)
     }
 
+    /// Returns the number of instructions that the word stands for.
+    pub fn instructions(self) -> usize {
+        let mut count = 0;
+        self.compose((), [(), ()], |_, _| count += 1);
+        count
+    }
+
     /// Composes the word of its instructions: `apply` computes one of them, or adds it to a program under construction.
     ///
     /// `to` is the value of the destination before the line; only a word that

@@ -118,6 +118,41 @@ fn outputs_and_leaves() {
 }
 
 #[test]
+fn memory() {
+    let text = OUTPUTS
+        .replace(
+            "\"root\": 7,",
+            "\"memory\": [{\"name\":\"last\",\"min\":-1.0,\"max\":1.0,\"initial\":0.0}],\n  \"root\": 7,",
+        )
+        .replace("[2,3]}", "[2,3],\"memory\":[3]}")
+        .replace("[3,3]}", "[3,3],\"memory\":[2]}")
+        .replace("\"r0\",", "\"last[0]\",");
+    Graph::from_json("x.json", &text).expect("a graph with memory");
+    let cases: &[Case<'_>] = &[
+        ("memory in version 1", &[("\"version\": 2", "\"version\": 1")]),
+        ("a name of no field", &[("\"last\"", "\"Last\"")]),
+        ("the name of a source", &[("\"last\"", "\"angle\""), ("last[0]", "angle[0]")]),
+        ("the name of an output", &[("\"last\"", "\"brake\""), ("last[0]", "brake[0]")]),
+        ("no bound", &[("\"min\":-1.0,", "")]),
+        ("ends in the wrong order", &[("\"max\":1.0,\"initial", "\"max\":-3.0,\"initial")]),
+        ("a first value outside the range", &[("\"initial\":0.0", "\"initial\":2.5")]),
+        ("a second value that is read", &[("last[0]", "last[1]")]),
+        ("a leaf without memory", &[(",\"memory\":[3]", "")]),
+        ("too many programs", &[("\"memory\":[3]", "\"memory\":[3,2]")]),
+        ("a program that does not exist", &[("\"memory\":[3]", "\"memory\":[9]")]),
+        (
+            "no outputs",
+            &[
+                ("\"outputs\": [", "\"actions\": [{\"id\":0,\"name\":\"left\"}],\n  \"outputs\": ["),
+                ("{\"name\":\"torque\",\"unit\":\"N*m\",\"min\":-2.0,\"max\":2.0,\"nan\":0.0},", ""),
+                ("{\"name\":\"brake\",\"unit\":\"1\",\"min\":0.0,\"max\":1.0,\"nan\":1.0}", ""),
+            ],
+        ),
+    ];
+    insta::assert_snapshot!(messages(&text, cases, |text| Graph::from_json("x.json", text)));
+}
+
+#[test]
 fn json() {
     let cases: &[Case<'_>] = &[
         ("not JSON", &[("\"root\": 7,", "\"root\": seven,")]),

@@ -39,6 +39,8 @@ pub(super) struct OutputView {
     pub(super) unit: String,
     pub(super) range: String,
     pub(super) nan: f64,
+    /// The literal of that value, which is a memory's first.
+    pub(super) initial: String,
     /// Its place among the outputs.
     pub(super) place: usize,
     /// The literals of its lowest value, its highest, and the value in place of NaN.
@@ -60,6 +62,7 @@ pub(super) fn outputs(syntax: &impl Syntax, safe: impl Fn(&str) -> String) -> Ve
             unit: safe(unit),
             range: range.to_string(),
             nan: *nan,
+            initial: syntax.literal(*nan),
             place,
             limits: [range.min, range.max, *nan].map(|limit| syntax.literal(limit)).join(", "),
         })

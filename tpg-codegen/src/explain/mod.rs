@@ -65,11 +65,13 @@ impl<'a> Explanation<'a> {
         list(out, "programs", unused.iter().map(|program| program.label.to_string()))?;
 
         let mut lines = 0;
-        let mut effective = 0;
+        let (mut effective, mut instructions) = (0, 0);
         let mut affected = Vec::new();
         for program in reached {
-            let count =
-                dataflow::effective(self.graph.registers().into(), &program.lines).iter().filter(|&&e| e).count();
+            let needed = dataflow::effective(self.graph.registers().into(), &program.lines);
+            let needed = || program.lines.iter().zip(&needed).filter(|(_, needed)| **needed).map(|(line, _)| line);
+            let count = needed().count();
+            instructions += needed().map(|line| line.instruction.instructions()).sum::<usize>();
             let all = program.lines.len();
             lines += all;
             effective += count;
@@ -80,8 +82,9 @@ impl<'a> Explanation<'a> {
         section(out, "introns", lines - effective, &format!("of {lines} lines, that no result depends on"))?;
         list(out, "programs", affected.into_iter())?;
         let distinct = self.lowered.nodes.iter().filter(|node| node.is_computed()).count();
-        let merged = effective - distinct;
-        section(out, "value numbering", merged, &format!("of {effective} lines compute what another one does"))?;
+        let merged = instructions - distinct;
+        let what = format!("of {instructions} instructions compute what another one does");
+        section(out, "value numbering", merged, &what)?;
         let what =
             format!("of {distinct} operations are constant, equal to an operand, or of use to no result that is left");
         section(out, "folding", self.program.log.operations, &what)
@@ -164,8 +167,16 @@ impl Explanation<'_> {
             return Ok(());
         }
         writeln!(out, "\nWhat the leaves compute\n")?;
-        for Output { name, unit, range, nan } in outputs {
+        let (answers, memory) = outputs.split_at(outputs.len() - self.graph.memory());
+        for Output { name, unit, range, nan } in answers {
             writeln!(out, "{name} is limited to {range} {unit}; {nan} takes the place of NaN.")?;
+        }
+        for Output { name, range, nan, .. } in memory {
+            writeln!(
+                out,
+                "{name}[0] is what {name} was at the last decision, and {nan} at the first; {name} is limited to {range}; \
+                 {nan} takes the place of NaN."
+            )?;
         }
         self.words(out)?;
         for (_, leaf) in reached(&self.program.module.leaves) {

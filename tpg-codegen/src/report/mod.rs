@@ -61,6 +61,8 @@ pub struct GraphCounts {
     pub actions: usize,
     /// Values that the policy answers; 0 for a policy that answers with an action.
     pub outputs: usize,
+    /// Values that leaves compute for the next decision.
+    pub memory: usize,
     /// Leaves, where outputs are computed.
     pub leaves: usize,
     /// Values of a state.
@@ -205,9 +207,10 @@ fn counts(optimised: &Module<'_>) -> GraphCounts {
         edges: lowered.teams.iter().map(|team| team.edges.len()).sum(),
         programs: lowered.bidders.len(),
         actions: graph.actions().len(),
-        outputs: graph.outputs().len(),
+        outputs: graph.outputs().len() - graph.memory(),
+        memory: graph.memory(),
         leaves: graph.leaves().len(),
-        inputs: graph.state_length(),
+        inputs: graph.state_length() - graph.memory(),
         lines,
         introns: lines - effective,
         distinct_operations: operations(&lowered),

@@ -9,14 +9,16 @@ use tpg_graph::error::counted;
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let GraphCounts { teams, depth, edges, programs, actions, outputs, leaves, inputs, lines, introns, .. } =
-            self.graph;
+        let GraphCounts {
+            teams, depth, edges, programs, actions, outputs, memory, leaves, inputs, lines, introns, ..
+        } = self.graph;
         let answers = match outputs {
             0 => counted(actions, "action"),
             _ => format!(
-                "{} with {}",
+                "{} with {}{}",
                 if leaves == 1 { "1 leaf".to_owned() } else { format!("{leaves} leaves") },
-                counted(outputs, "output")
+                counted(outputs, "output"),
+                if memory == 0 { String::new() } else { format!(" and {} of memory", counted(memory, "value")) }
             ),
         };
         writeln!(f, "graph     SHA-256 {}", self.graph_sha256)?;

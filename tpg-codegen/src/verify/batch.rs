@@ -1,6 +1,6 @@
 //! Many policies compiled at once: one compiler run instead of one for each, so that thousands can be compared.
 
-use super::build::{BuildError, Workshop, c_command, compile, runtime_library, rustc};
+use super::build::{self, BuildError, Workshop, c_command, compile, runtime_library, rustc};
 use super::process::{self, Process};
 use crate::emit;
 use crate::options::{Language, Options};
@@ -28,6 +28,7 @@ struct PolicyView {
     state_length: usize,
     sources: Vec<(String, usize)>,
     outputs: usize,
+    memory: Vec<String>,
 }
 
 /// A program that holds many policies.
@@ -90,7 +91,8 @@ fn view(graph: &Graph, options: &Options, language: Language) -> PolicyView {
             (Language::Rust, scalar) => scalar.name(),
         },
         state_length: graph.state_length(),
-        sources: graph.sources().iter().map(|source| (source.name.clone(), source.ranges.len())).collect(),
+        sources: build::observed(graph),
         outputs: graph.outputs().len(),
+        memory: build::memory(graph),
     }
 }

@@ -20,8 +20,11 @@ struct CHarness<'a> {
     prefix: &'a str,
     scalar: &'a str,
     state_length: usize,
+    /// The observed sources: their names and lengths.
     sources: Vec<(String, usize)>,
     outputs: usize,
+    /// The names of the memory's values.
+    memory: Vec<String>,
     gegelati: bool,
 }
 
@@ -34,6 +37,8 @@ struct RustHarness<'a> {
     scalar: &'a str,
     state_length: usize,
     outputs: usize,
+    /// Values of the memory.
+    memory: usize,
 }
 
 /// A failure to build generated code.
@@ -114,8 +119,9 @@ impl Workshop {
             prefix,
             scalar: if graph.scalar() == ScalarType::F32 { "float" } else { "double" },
             state_length: graph.state_length(),
-            sources: graph.sources().iter().map(|s| (s.name.clone(), s.ranges.len())).collect(),
+            sources: observed(graph),
             outputs: graph.outputs().len(),
+            memory: memory(graph),
             gegelati: program.shape == Shape::Gegelati,
         };
         fs::write(folder.join("harness.c"), harness.render().map_err(io::Error::other)?)?;
@@ -137,6 +143,7 @@ impl Workshop {
             scalar: graph.scalar().name(),
             state_length: graph.state_length(),
             outputs: graph.outputs().len(),
+            memory: graph.memory(),
         };
         fs::write(folder.join("harness.rs"), harness.render().map_err(io::Error::other)?)?;
         let harness = folder.join("harness");
@@ -159,6 +166,17 @@ impl Workshop {
     pub fn path(&self) -> &Path {
         self.folder.path()
     }
+}
+
+/// The names and lengths of the sources that a caller gives.
+pub(super) fn observed(graph: &Graph) -> Vec<(String, usize)> {
+    let sources = &graph.sources()[..graph.sources().len() - graph.memory()];
+    sources.iter().map(|source| (source.name.clone(), source.ranges.len())).collect()
+}
+
+/// The names of the memory's values.
+pub(super) fn memory(graph: &Graph) -> Vec<String> {
+    graph.outputs()[graph.outputs().len() - graph.memory()..].iter().map(|value| value.name.clone()).collect()
 }
 
 /// The host's C compiler, as the crate `cc` finds it (`CC` is honoured).

@@ -12,7 +12,16 @@
 {% for policy in policies %}
 static int serve_{{ policy.prefix }}(void)
 {
-    static {% if policy.outputs == 0 %}uint16_t{% else %}{{ policy.prefix }}_action_t{% endif %} actions[BATCH];
+{%- if policy.outputs == 0 %}
+    static uint16_t actions[BATCH];
+{%- else if policy.memory.is_empty() %}
+    static {{ policy.prefix }}_action_t actions[BATCH];
+{%- else %}
+    static struct {
+        {{ policy.prefix }}_action_t action;
+        {{ policy.prefix }}_memory_t memory;
+    } actions[BATCH];
+{%- endif %}
     static {{ policy.scalar }} values[BATCH * {{ policy.state_length }}U];
     unsigned char head[4];
 
@@ -37,7 +46,15 @@ static int serve_{{ policy.prefix }}(void)
 {%- if policy.outputs == 0 %}
             actions[index] = {{ policy.prefix }}_infer(&state);
 {%- else %}
+{%- if policy.memory.is_empty() %}
             {{ policy.prefix }}_infer(&state, &actions[index]);
+{%- else %}
+{%- for name in policy.memory %}
+            actions[index].memory.{{ name }} = *value;
+            value++;
+{%- endfor %}
+            {{ policy.prefix }}_infer(&state, &actions[index].memory, &actions[index].action);
+{%- endif %}
 {%- endif %}
         }
         if ((fwrite(actions, sizeof(actions[0]), count, stdout) != count) || (fflush(stdout) != 0)) {

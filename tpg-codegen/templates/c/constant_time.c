@@ -1,7 +1,7 @@
 {% for function in functions %}
 {%- if functions.len() > 1 %}
 /* Some of the teams. */
-static void {{ prefix }}_teams_{{ loop.index0 }}(const {{ prefix }}_state_t *state, {{ vertex }} *next)
+static void {{ prefix }}_teams_{{ loop.index0 }}(const {{ entry.state }} *state, {{ vertex }} *next)
 {
     {{ key }} best;
     uint32_t to;{{ function }}
@@ -9,13 +9,11 @@ static void {{ prefix }}_teams_{{ loop.index0 }}(const {{ prefix }}_state_t *sta
 
 {% endif %}
 {%- endfor %}
-{% if outputs.is_empty() %}
-uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state)
+{{ entry.head }}
 {
+{%- if outputs.is_empty() %}
     {{ vertex }} next[{{ upper }}_TEAMS + {{ upper }}_ACTIONS];
 {%- else %}
-void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_action_t *action)
-{
     {{ vertex }} next[{{ upper }}_TEAMS + {{ ends.len() }}U];
 {%- endif %}
 {%- if functions.len() == 1 %}

@@ -1,6 +1,6 @@
 {% for late in late %}
 /* What the edge at a place of team {{ late.label }} bids; others than these have been computed. */
-static {{ scalar }} {{ prefix }}_bid_{{ late.label }}(const {{ prefix }}_state_t *state, uint32_t edge, {{ scalar }} computed)
+static {{ scalar }} {{ prefix }}_bid_{{ late.label }}(const {{ entry.state }} *state, uint32_t edge, {{ scalar }} computed)
 {
     {{ scalar }} bid = computed;
 {%- if !late.reads_state %}
@@ -27,11 +27,9 @@ static {{ scalar }} {{ prefix }}_bid_{{ late.label }}(const {{ prefix }}_state_t
 {% endif %}
 {% for function in functions %}
 {% if functions.len() > 1 -%}
-static uint32_t {{ prefix }}_walk_{{ loop.index0 }}(const {{ prefix }}_state_t *state, uint32_t start)
-{%- else if outputs.is_empty() -%}
-uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state)
+static uint32_t {{ prefix }}_walk_{{ loop.index0 }}(const {{ entry.state }} *state, uint32_t start)
 {%- else -%}
-void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_action_t *action)
+{{ entry.head }}
 {%- endif %}
 {
 {%- if leaves.is_empty() %}
@@ -224,9 +222,9 @@ answered:
 {% endfor %}
 {% if functions.len() > 1 %}
 {% if outputs.is_empty() -%}
-uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state)
+{{ entry.head }}
 {%- else -%}
-static uint32_t {{ prefix }}_leaf(const {{ prefix }}_state_t *state)
+static uint32_t {{ prefix }}_leaf(const {{ entry.state }} *state)
 {%- endif %}
 {
     uint32_t vertex = {{ prefix }}_walk_0(state, 0U);
@@ -244,5 +242,5 @@ static uint32_t {{ prefix }}_leaf(const {{ prefix }}_state_t *state)
     return vertex;
 {%- endif %}
 }
-{{ entry }}
+{{ over_functions }}
 {% endif %}

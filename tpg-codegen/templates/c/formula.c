@@ -1,4 +1,4 @@
-void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_action_t *action)
+{{ entry.head }}
 {
 {%- for statement in statements %}
     {{ statement }}

@@ -8,7 +8,16 @@
 #define BATCH 1024U
 
 static {{ scalar }} values[BATCH * LENGTH];
-{% if outputs == 0 %}static uint16_t actions[BATCH];{% else %}static {{ prefix }}_action_t actions[BATCH];{% endif %}
+{%- if outputs == 0 %}
+static uint16_t actions[BATCH];
+{%- else if memory.is_empty() %}
+static {{ prefix }}_action_t actions[BATCH];
+{%- else %}
+static struct {
+    {{ prefix }}_action_t action;
+    {{ prefix }}_memory_t memory;
+} actions[BATCH];
+{%- endif %}
 {% if gegelati %}
 {%- for (_, length) in sources %}
 static {{ scalar }} source{{ loop.index }}[{{ length }}];
@@ -47,7 +56,15 @@ int main(void)
 {%- if outputs == 0 %}
             actions[index] = {{ prefix }}_infer(&state);
 {%- else %}
+{%- if memory.is_empty() %}
             {{ prefix }}_infer(&state, &actions[index]);
+{%- else %}
+{%- for name in memory %}
+            actions[index].memory.{{ name }} = *value;
+            value++;
+{%- endfor %}
+            {{ prefix }}_infer(&state, &actions[index].memory, &actions[index].action);
+{%- endif %}
 {%- endif %}
 {%- endif %}
         }

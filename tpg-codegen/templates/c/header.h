@@ -58,8 +58,25 @@ typedef struct {{ prefix }}_action {
 {%- endfor %}
 } {{ prefix }}_action_t;
 
+{%- if memory.is_empty() %}
+
 /* The answer to a state. Pure and reentrant: no globals, no memory, no side effect but *action. */
 void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_action_t *action);
+{%- else %}
+
+/* The values that the policy carries from one decision to the next, each in its range and never NaN. */
+typedef struct {{ prefix }}_memory {
+{%- for value in memory %}
+    {{ scalar }} {{ value.name }}; /* {{ value.range }}; at first {{ value.nan }} */
+{%- endfor %}
+} {{ prefix }}_memory_t;
+
+/* Sets the memory as it is before the first decision of an episode. */
+void {{ prefix }}_reset({{ prefix }}_memory_t *memory);
+
+/* The answer to a state, and the next memory. Reentrant: no globals, no side effect but *memory and *action. */
+void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_memory_t *memory, {{ prefix }}_action_t *action);
+{%- endif %}
 {%- endif %}
 {% if let Some(arm) = arm %}
 /* For tpg_policy_t of tpg_runtime.h: the arm's sources that make up a state, and what each action moves, in ticks. */

@@ -1,5 +1,5 @@
 
-void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_action_t *action)
+{{ entry.head }}
 {
 {%- for variable in variables %}
     {{ scalar }} {{ variable }};

@@ -45,11 +45,7 @@ static {{ scalar }} {{ prefix }}_run({{ scalar }} frame[], uint32_t program)
     return result;
 }
 
-{% if outputs.is_empty() -%}
-uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state)
-{%- else -%}
-void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_action_t *action)
-{%- endif %}
+{{ entry.head }}
 {
     /* The program of each edge, and where it leads: teams are numbered from 0, the root, and the {% if outputs.is_empty() %}actions{% else %}leaves{% endif %} follow them. */
     static const {{ bidders.kind }} bidders[{{ bidders.values.len() }}] = {
@@ -112,7 +108,7 @@ void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_action_t
 {%- if outputs.is_empty() %}
     return (uint16_t)vertex;
 {%- else %}
-    programs = &leaves[vertex * {{ upper }}_OUTPUTS];
+    programs = &leaves[vertex * {{ outputs.len() }}U];
 {%- for assignment in assignments %}
     {{ assignment }}
 {%- endfor %}

@@ -26,7 +26,49 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 {{ helpers }}
+{%- if !parts.1.is_empty() %}
+/* A state and the memory as one; an answer and the next memory as one. */
+typedef struct {{ prefix }}_view {
+{%- for source in sources %}
+    {{ scalar }} {{ source.name }}[{{ source.length }}];
+{%- endfor %}
+} {{ entry.state }};
+
+typedef struct {{ prefix }}_answer {
+{%- for output in outputs %}
+    {{ scalar }} {{ output.name }};
+{%- endfor %}
+} {{ entry.answer }};
+{% endif %}
 {{ body }}
+{%- if !parts.1.is_empty() %}
+
+void {{ prefix }}_reset({{ prefix }}_memory_t *memory)
+{
+{%- for value in parts.1 %}
+    memory->{{ value.name }} = {{ value.initial }};
+{%- endfor %}
+}
+
+void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_memory_t *memory, {{ prefix }}_action_t *action)
+{
+    {{ entry.state }} view;
+    {{ entry.answer }} answer;
+{% for statement in observed %}
+    {{ statement }}
+{%- endfor %}
+{%- for value in parts.1 %}
+    view.{{ value.name }}[0] = memory->{{ value.name }};
+{%- endfor %}
+    {{ entry.function }}(&view, &answer);
+{%- for output in parts.0 %}
+    action->{{ output.name }} = answer.{{ output.name }};
+{%- endfor %}
+{%- for value in parts.1 %}
+    memory->{{ value.name }} = answer.{{ value.name }};
+{%- endfor %}
+}
+{% endif %}
 #ifndef {{ upper }}_NO_SELFTEST
 {% if gegelati %}
 typedef struct {{ prefix }}_vector {
@@ -37,7 +79,7 @@ typedef struct {{ prefix }}_vector {
 {% endif %}
 uint32_t {{ prefix }}_selftest(void)
 {
-    static const {{ prefix }}_{% if gegelati %}vector{% else %}state{% endif %}_t states[{{ vectors.len() }}] = {
+    static const {% if gegelati %}{{ prefix }}_vector_t{% else %}{{ entry.state }}{% endif %} states[{{ vectors.len() }}] = {
 {%- for vector in vectors %}
         {{ vector.state }},
 {%- endfor %}
@@ -47,7 +89,7 @@ uint32_t {{ prefix }}_selftest(void)
         {% for vector in vectors %}{{ vector.answer }}{% if !loop.last %}, {% endif %}{% endfor %}
     };
 {%- else %}
-    static const {{ prefix }}_action_t actions[{{ vectors.len() }}] = {
+    static const {{ entry.answer }} actions[{{ vectors.len() }}] = {
 {%- for vector in vectors %}
         {{ vector.answer }},
 {%- endfor %}
@@ -71,11 +113,11 @@ uint32_t {{ prefix }}_selftest(void)
 {%- endfor %}
         if (inferenceTPG() != (int)actions[vector]) {
 {%- else if outputs.is_empty() %}
-        if ({{ prefix }}_infer(&states[vector]) != actions[vector]) {
+        if ({{ entry.function }}(&states[vector]) != actions[vector]) {
 {%- else %}
-        {{ prefix }}_action_t action;
+        {{ entry.answer }} action;
 
-        {{ prefix }}_infer(&states[vector], &action);
+        {{ entry.function }}(&states[vector], &action);
         if ({% for output in outputs %}{% if !loop.first %} ||
             {% endif %}(action.{{ output.name }} < actions[vector].{{ output.name }}) || (action.{{ output.name }} > actions[vector].{{ output.name }}){% endfor %}) {
 {%- endif %}

@@ -5,7 +5,11 @@
 mod policy;
 
 use std::io::{self, Read, Write};
-use tpg_runtime::policy::{% if outputs == 0 %}{ActionId, Policy}{% else %}Policy{% endif %};
+{% if outputs == 0 -%}
+use tpg_runtime::policy::{ActionId, Policy};
+{%- else if memory == 0 -%}
+use tpg_runtime::policy::Policy;
+{%- endif %}
 
 const LENGTH: usize = {{ state_length }};
 const WIDTH: usize = size_of::<{{ scalar }}>();
@@ -28,7 +32,14 @@ fn main() -> io::Result<()> {
             let ActionId(action) = policy::{{ name }}.decide(&state);
             actions.extend(action.to_ne_bytes());
 {%- else %}
+{%- if memory == 0 %}
             actions.extend(policy::{{ name }}.decide(&state).into_iter().flat_map({{ scalar }}::to_ne_bytes));
+{%- else %}
+            let (state, memory) = state.split_at(LENGTH - {{ memory }});
+            let mut memory = memory.try_into().unwrap();
+            let values = policy::{{ name }}.infer(state.try_into().unwrap(), &mut memory);
+            actions.extend(values.into_iter().chain(memory).flat_map({{ scalar }}::to_ne_bytes));
+{%- endif %}
 {%- endif %}
         }
         output.write_all(&actions)?;

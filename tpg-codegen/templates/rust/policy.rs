@@ -32,14 +32,18 @@ use tpg_runtime::policy::{% if outputs.is_empty() %}{ActionId, Policy}{% else %}
 pub struct {{ name }};
 
 impl {{ name }} {
-    /// Values of a state.
+    /// Values of a state{% if !memory.is_empty() %} and the memory{% endif %}.
     pub const STATE: usize = {{ state_length }};
 {%- if outputs.is_empty() %}
     /// Actions.
     pub const ACTIONS: usize = {{ actions.len() }};
 {%- else %}
     /// Outputs.
-    pub const OUTPUTS: usize = {{ outputs.len() }};
+    pub const OUTPUTS: usize = {{ outputs.len() - memory.len() }};
+{%- endif %}
+{%- if !memory.is_empty() %}
+    /// The memory before the first decision of an episode.
+    pub const INITIAL: [{{ scalar }}; {{ memory.len() }}] = [{% for value in memory %}{{ value.initial }}{% if !loop.last %}, {% endif %}{% endfor %}];
 {%- endif %}
     /// Teams on the longest walk.
     pub const DEPTH: usize = {{ depth }};
@@ -57,6 +61,21 @@ impl {{ name }} {
 {%- endif %}
 }
 
+{% if !memory.is_empty() -%}
+impl {{ name }} {
+    /// Answers a state, and replaces the memory by the next one: [`INITIAL`](Self::INITIAL) before the first decision.
+    pub fn infer(&self, state: &[{{ scalar }}; {{ state_length - memory.len() }}], memory: &mut [{{ scalar }}; {{ memory.len() }}]) -> [{{ scalar }}; {{ outputs.len() - memory.len() }}] {
+        let [{% for output in outputs %}{{ output.variable() }}{% if !loop.last %}, {% endif %}{% endfor %}] = self.decide(&[
+            {%- for place in 0..state_length - memory.len() %}state[{{ place }}], {% endfor -%}
+            {%- for value in memory %}memory[{{ loop.index0 }}]{% if !loop.last %}, {% endif %}{% endfor -%}
+        ]);
+        *memory = [{% for value in memory %}{{ value.variable() }}{% if !loop.last %}, {% endif %}{% endfor %}];
+        [{% for output in outputs %}{% if loop.index0 < outputs.len() - memory.len() %}{% if !loop.first %}, {% endif %}{{ output.variable() }}{% endif %}{% endfor %}]
+    }
+}
+
+/// The decision as a function of a state{% if !memory.is_empty() %} and the memory behind it, to the outputs and the next memory behind them{% endif %}.
+{% endif -%}
 impl Policy for {{ name }} {
     type State = [{{ scalar }}; {{ state_length }}];
     type Action = {% if outputs.is_empty() %}ActionId{% else %}[{{ scalar }}; {{ outputs.len() }}]{% endif %};

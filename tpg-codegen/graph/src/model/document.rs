@@ -18,7 +18,7 @@ pub const VERSIONS: [u32; 2] = [1, 2];
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "graph.json", extend("oneOf" = [
-    {"required": ["actions", "root", "teams"], "properties": {"outputs": false, "leaves": false}},
+    {"required": ["actions", "root", "teams"], "properties": {"outputs": false, "leaves": false, "memory": false}},
     {"required": ["outputs", "leaves"], "properties": {"actions": false, "version": {"const": 2}}},
 ]))]
 pub struct Document {
@@ -47,6 +47,10 @@ pub struct Document {
     /// Version 2: the values that the policy answers, in order, instead of actions.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub outputs: Vec<OutputDocument>,
+    /// Version 2: the values that leaves compute for the next decision, in order. Programs read them like sources of one
+    /// value, `name[0]`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub memory: Vec<MemoryDocument>,
     /// The id of the team where the walk starts: the only team without incoming edges. Absent if there are no teams.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub root: Option<u32>,
@@ -159,7 +163,22 @@ pub struct OutputDocument {
     pub nan: f64,
 }
 
-/// A leaf: the programs that compute the outputs.
+/// A value that a leaf computes for the next decision.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MemoryDocument {
+    /// An identifier that no source and no output has: a lower-case letter, then lower-case letters, digits and underscores.
+    #[schemars(regex(pattern = r"^[a-z][a-z0-9_]*$"))]
+    pub name: String,
+    /// Lowest value.
+    pub min: f64,
+    /// Highest value.
+    pub max: f64,
+    /// The value at the first decision, and in place of NaN; from `min` to `max`.
+    pub initial: f64,
+}
+
+/// A leaf: the programs that compute the outputs and the next values of the memory.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LeafDocument {
@@ -168,6 +187,9 @@ pub struct LeafDocument {
     /// The id of the program of each output, in the order of the outputs. Leaves and outputs may share programs.
     #[schemars(length(min = 1))]
     pub programs: Vec<u32>,
+    /// The id of the program of each value of the memory, in its order.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub memory: Vec<u32>,
 }
 
 /// A team.

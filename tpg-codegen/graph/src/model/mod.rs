@@ -14,8 +14,8 @@ mod validate;
 mod write;
 
 pub use document::{
-    ActionDocument, Document, EdgeDocument, FORMAT, LeafDocument, LineDocument, MathsProvider, OperandDocument,
-    OutputDocument, ProgramDocument, Provenance, ScalarType, SourceDocument, TeamDocument, VERSIONS,
+    ActionDocument, Document, EdgeDocument, FORMAT, LeafDocument, LineDocument, MathsProvider, MemoryDocument,
+    OperandDocument, OutputDocument, ProgramDocument, Provenance, ScalarType, SourceDocument, TeamDocument, VERSIONS,
 };
 
 pub use effect::Effect;
@@ -118,7 +118,7 @@ pub struct Output {
     pub unit: String,
     /// The range that the value is limited to; its ends are exact in the graph's scalar type.
     pub range: Range,
-    /// The value in place of NaN, in the range.
+    /// The value in place of NaN, in the range; of a memory, also the first value.
     pub nan: f64,
 }
 
@@ -127,7 +127,7 @@ pub struct Output {
 pub struct Leaf {
     /// Id in the source file.
     pub label: u32,
-    /// The program of each output, in the order of the outputs.
+    /// The program of each value, in the order of [`Graph::outputs`].
     pub programs: Vec<ProgramId>,
 }
 
@@ -199,6 +199,7 @@ pub struct Graph {
     instructions: Vec<Word>,
     actions: Vec<Action>,
     outputs: Vec<Output>,
+    memory: usize,
     leaves: Vec<Leaf>,
     root: TeamId,
     /// The only leaf was written without a team: the root stands for it.
@@ -224,7 +225,7 @@ impl Graph {
         self.registers
     }
 
-    /// Returns the data sources, in the order of the state.
+    /// Returns the data sources, in the order of the state; the last ones are the memory, if there is any.
     pub fn sources(&self) -> &[Source] {
         &self.sources
     }
@@ -239,7 +240,17 @@ impl Graph {
         &self.actions
     }
 
-    /// Returns the outputs, in order; empty for a policy that answers with an action.
+    /// Returns the number of values that leaves compute for the next decision: the last of the [outputs](Self::outputs),
+    /// and, under the same names, the last of the [sources](Self::sources), each of one value.
+    ///
+    /// A decision therefore stays a function: of the observed values and the memory, to the answer and the next memory.
+    /// Whoever asks feeds the memory back; it begins with each one's [`Output::nan`].
+    pub fn memory(&self) -> usize {
+        self.memory
+    }
+
+    /// Returns the values that leaves compute, in order: the outputs, then the next values of the memory. Empty for a
+    /// policy that answers with an action.
     pub fn outputs(&self) -> &[Output] {
         &self.outputs
     }

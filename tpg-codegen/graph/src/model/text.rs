@@ -24,6 +24,9 @@ pub(super) fn write(document: &Document) -> String {
     } else {
         field("outputs", &list(document.outputs.iter().map(json), 4), false);
     }
+    if !document.memory.is_empty() {
+        field("memory", &list(document.memory.iter().map(json), 4), false);
+    }
     if let Some(root) = document.root {
         field("root", &json(&root), false);
         field("teams", &list(document.teams.iter().map(json), 4), false);

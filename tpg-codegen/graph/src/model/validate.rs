@@ -7,8 +7,8 @@ use super::document::{
 };
 use super::read::other_version;
 use super::{
-    Action, ActionId, Destination, Edge, Effect, Graph, Input, Leaf, Line, Operand, Program, ProgramId, Range, Reg,
-    Source, Team, TeamId, name,
+    Action, ActionId, Destination, Edge, Effect, Graph, Input, Leaf, Line, Operand, Output, Program, ProgramId, Range,
+    Reg, Source, Team, TeamId, name,
 };
 use crate::Word;
 use crate::dataflow::{Cycle, depth_first};
@@ -63,17 +63,20 @@ impl Validator<'_> {
 
     fn graph(&self) -> Result<Graph, InputError> {
         self.header()?;
+        let mut sources = self.sources()?;
+        let memory = self.memory(&mut sources)?;
         let names = Names {
-            sources: self.sources()?,
+            sources,
             instructions: self.instructions()?,
             teams: self.numbered("teams", self.document.teams.iter().map(|team| team.id), TeamId)?,
             leaves: self.leaf_ids()?,
             programs: self.numbered("programs", self.document.programs.iter().map(|p| p.id), ProgramId)?,
         };
-        let outputs = self.outputs()?;
+        let mut outputs = self.outputs()?;
         if outputs.is_empty() {
             self.actions()?;
         }
+        outputs.extend(memory.iter().cloned());
         let leaves = self.leaves(&names)?;
         let is_formula = self.is_formula()?;
         let (root, teams) = if is_formula {
@@ -90,10 +93,11 @@ impl Validator<'_> {
             scalar: self.document.scalar,
             maths: self.document.maths,
             registers: self.document.registers as u16,
-            sources: self.document.sources.iter().map(source).collect(),
+            sources: self.document.sources.iter().map(source).chain(memory.iter().map(remembered)).collect(),
             instructions: names.instructions,
             actions: self.document.actions.iter().map(action).collect(),
             outputs,
+            memory: memory.len(),
             leaves,
             root,
             is_formula,
@@ -442,6 +446,11 @@ impl Validator<'_> {
 fn source(source: &SourceDocument) -> Source {
     let ranges = source.ranges.iter().map(|&[min, max]| Range { min, max }).collect();
     Source { name: source.name.clone(), unit: source.unit.clone(), ranges }
+}
+
+/// The source by which programs read a value of the memory.
+fn remembered(memory: &Output) -> Source {
+    Source { name: memory.name.clone(), unit: memory.unit.clone(), ranges: vec![memory.range] }
 }
 
 fn action(action: &ActionDocument) -> Action {

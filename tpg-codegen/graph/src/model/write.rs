@@ -1,10 +1,10 @@
 //! Conversion of a graph to the document that `graph.json` holds.
 
 use super::document::{
-    ActionDocument, Document, EdgeDocument, FORMAT, LeafDocument, LineDocument, OperandDocument, OutputDocument,
-    ProgramDocument, SourceDocument, TeamDocument,
+    ActionDocument, Document, EdgeDocument, FORMAT, LeafDocument, LineDocument, MemoryDocument, OperandDocument,
+    OutputDocument, ProgramDocument, SourceDocument, TeamDocument,
 };
-use super::{Action, Destination, Edge, Graph, Line, Operand, Output, Source};
+use super::{Action, Destination, Edge, Graph, Line, Operand, Output, ProgramId, Source};
 
 impl Graph {
     /// Converts the graph to a document.
@@ -30,24 +30,27 @@ impl Graph {
             op: line.instruction.name().to_owned(),
             args: line.operands.iter().take(line.instruction.arity()).map(operand).collect(),
         };
+        let (outputs, memory) = self.outputs.split_at(self.outputs.len() - self.memory);
         Document {
             format: FORMAT.to_owned(),
             version: if self.outputs.is_empty() { 1 } else { 2 },
             scalar: self.scalar,
             maths: self.maths,
             registers: u32::from(self.registers),
-            sources: self.sources.iter().map(source_document).collect(),
+            sources: self.sources[..self.sources.len() - self.memory].iter().map(source_document).collect(),
             instructions: self.instructions.iter().map(|i| i.name().to_owned()).collect(),
             actions: (0..).zip(&self.actions).map(|(id, action)| action_document(id, action)).collect(),
-            outputs: self.outputs.iter().map(output_document).collect(),
+            outputs: outputs.iter().map(output_document).collect(),
+            memory: memory.iter().map(memory_document).collect(),
             root: (!self.is_formula).then(|| self.team(self.root).label),
             teams: (self.teams.iter().filter(|_| !self.is_formula))
                 .map(|team| TeamDocument { id: team.label, edges: team.edges.iter().map(edge).collect() })
                 .collect(),
             leaves: (self.leaves.iter())
-                .map(|leaf| LeafDocument {
-                    id: leaf.label,
-                    programs: leaf.programs.iter().map(|&program| self.program(program).label).collect(),
+                .map(|leaf| {
+                    let labels = |programs: &[ProgramId]| programs.iter().map(|&id| self.program(id).label).collect();
+                    let (programs, memory) = leaf.programs.split_at(outputs.len());
+                    LeafDocument { id: leaf.label, programs: labels(programs), memory: labels(memory) }
                 })
                 .collect(),
             programs: (self.programs.iter())
@@ -74,4 +77,9 @@ fn action_document(id: u32, action: &Action) -> ActionDocument {
 fn output_document(output: &Output) -> OutputDocument {
     let Output { name, unit, range, nan } = output;
     OutputDocument { name: name.clone(), unit: unit.clone(), min: range.min, max: range.max, nan: *nan }
+}
+
+fn memory_document(memory: &Output) -> MemoryDocument {
+    let Output { name, range, nan, .. } = memory;
+    MemoryDocument { name: name.clone(), min: range.min, max: range.max, initial: *nan }
 }

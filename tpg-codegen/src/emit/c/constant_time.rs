@@ -2,6 +2,7 @@
 //! without a loop. Comparisons are made on integers, so that no compiler has a reason to branch. Where there are many teams,
 //! they are in several functions, which are called one after another.
 
+use super::entry::Entry;
 use super::expression::Printer;
 use super::leaves::{self, LeafView};
 use crate::emit::choice::{self, KeyView, TeamView};
@@ -16,6 +17,7 @@ use tpg_graph::ScalarType;
 #[derive(Template)]
 #[template(path = "c/constant_time.c", escape = "none")]
 struct ConstantTime<'a> {
+    entry: Entry,
     prefix: &'a str,
     upper: &'a str,
     key: &'a str,
@@ -56,6 +58,7 @@ pub(super) fn render(
 ) -> String {
     let vertex = &printer.vertex_type(module.vertices());
     let constant_time = ConstantTime {
+        entry: Entry::of(printer),
         prefix: printer.prefix,
         upper,
         key: key_type(printer),

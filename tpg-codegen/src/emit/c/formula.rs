@@ -1,5 +1,6 @@
 //! The outputs of an only leaf: straight code.
 
+use super::entry::Entry;
 use super::expression::Printer;
 use super::leaves;
 use crate::emit::interface::OutputView;
@@ -9,8 +10,8 @@ use askama::Template;
 
 #[derive(Template)]
 #[template(path = "c/formula.c", escape = "none")]
-struct Straight<'a> {
-    prefix: &'a str,
+struct Straight {
+    entry: Entry,
     reads_state: bool,
     statements: Vec<String>,
     /// The value of each output, limited.
@@ -26,7 +27,7 @@ pub(super) fn render(printer: &Printer<'_>, formula: &Formula, outputs: &[Output
         (output.name.clone(), limited)
     });
     let straight = Straight {
-        prefix: printer.prefix,
+        entry: Entry::of(printer),
         reads_state: printer.reads_state(formula.operations.iter().chain(&formula.values)),
         statements: formula.operations.iter().map(|&id| printer.statement(id)).collect(),
         answers: answers.collect(),

@@ -1,5 +1,6 @@
 //! The leaves of a policy with outputs, where code first decides on a leaf and then computes its outputs.
 
+use super::entry::Entry;
 use super::expression::Printer;
 use crate::emit::interface::OutputView;
 use crate::emit::syntax::Syntax;
@@ -57,6 +58,7 @@ pub(super) fn assignments(printer: &Printer<'_>, outputs: &[OutputView]) -> Vec<
 #[derive(Template)]
 #[template(path = "c/leaves.c", escape = "none")]
 struct Leaves<'a> {
+    entry: Entry,
     prefix: &'a str,
     scalar: &'a str,
     leaves: Vec<LeafView>,
@@ -67,6 +69,7 @@ struct Leaves<'a> {
 /// Renders the entry point over a static function that decides on a leaf.
 pub(super) fn render(printer: &Printer<'_>, leaves: &[Leaf], outputs: &[OutputView]) -> String {
     let leaves = Leaves {
+        entry: Entry::of(printer),
         prefix: printer.prefix,
         scalar: printer.scalar(),
         leaves: views(printer, leaves, outputs, &BTreeSet::new()),

@@ -1,6 +1,7 @@
 //! C99: one `.c` and one `.h`, in the shape of a profile or of GEGELATI's generated code.
 
 mod constant_time;
+mod entry;
 mod expression;
 mod fast;
 mod formula;
@@ -17,6 +18,7 @@ use super::{Backend, File, banner, layout, moves::moves};
 use crate::cost::{Cost, Costs};
 use crate::program::{Program, Shape};
 use askama::Template;
+use entry::Entry;
 use expression::Printer;
 use tpg_graph::interpret::{self, Answer};
 use tpg_graph::states;
@@ -37,6 +39,7 @@ struct Header<'a> {
     sources: &'a [SourceView],
     actions: Vec<String>,
     outputs: &'a [OutputView],
+    memory: &'a [OutputView],
     teams: usize,
     depth: usize,
     worst: Cost<u64>,
@@ -62,9 +65,15 @@ struct Source<'a> {
     needs_string: bool,
     helpers: String,
     body: String,
+    entry: Entry,
     sources: &'a [SourceView],
     vectors: Vec<VectorView>,
+    /// The outputs, then the next values of the memory.
     outputs: &'a [OutputView],
+    /// The values of an answer, and of the memory.
+    parts: (&'a [OutputView], &'a [OutputView]),
+    /// The statements that put a state into a view.
+    observed: Vec<String>,
     gegelati: bool,
 }
 
@@ -101,14 +110,18 @@ impl Backend for C {
         let helpers = helpers::render(&printer, branch_free, &body);
         let banner = banner::lines(program);
         let sources = sources(graph, comment);
+        let seen = &sources[..sources.len() - graph.memory()];
+        let (answers, memory) = outputs.split_at(outputs.len() - graph.memory());
+        let observed = if memory.is_empty() { Vec::new() } else { seen.iter().flat_map(observed).collect() };
         let header = Header {
             banner: &banner,
             prefix,
             upper: &upper,
             scalar: printer.scalar(),
-            sources: &sources,
+            sources: seen,
             actions: graph.actions().iter().map(|action| comment(&action.name)).collect(),
-            outputs: &outputs,
+            outputs: answers,
+            memory,
             teams: module.teams.len(),
             depth: module.depth,
             worst: Costs::of(program).worst(),
@@ -116,18 +129,22 @@ impl Backend for C {
             system_maths: graph.maths() == MathsProvider::System,
             arm: arm_view(graph),
         };
+        let needs_string = [&helpers, &body].into_iter().chain(&observed).any(|text| text.contains("memcpy"));
         let source = Source {
             banner: &banner,
             prefix,
             upper: &upper,
             scalar: printer.scalar(),
             f64: graph.scalar() == ScalarType::F64,
-            needs_string: helpers.contains("memcpy") || body.contains("memcpy"),
+            needs_string,
             helpers,
             body,
+            entry: Entry::of(&printer),
             sources: &sources,
             vectors: vectors(&printer),
             outputs: &outputs,
+            parts: (answers, memory),
+            observed,
             gegelati,
         };
         let text = |text: askama::Result<String>| layout::tidy(&text.expect("the template renders"));
@@ -147,6 +164,17 @@ fn arm_view(graph: &Graph) -> Option<ArmView> {
         format!("{{ {{ {} }} }}", ticks.join(", "))
     });
     Some(ArmView { sources: sources.collect(), moves: moves.collect() })
+}
+
+/// The statements that copy a source from a state to a view.
+fn observed(source: &SourceView) -> Vec<String> {
+    /// More values than this are copied as a block.
+    const FEW: usize = 16;
+    let SourceView { name, length, .. } = source;
+    if *length > FEW {
+        return vec![format!("(void)memcpy(view.{name}, state->{name}, sizeof view.{name});")];
+    }
+    (0..*length).map(|place| format!("view.{name}[{place}] = state->{name}[{place}];")).collect()
 }
 
 /// Text that may stand in a C comment: in one line, with a space in the midst of what would begin or end a comment.

@@ -4,6 +4,7 @@
 //! after another: where a result goes needs no bits. Instructions are packed into the least integer that holds them,
 //! 16 bits for up to 64 places.
 
+use super::entry::Entry;
 use super::expression::Printer;
 use super::leaves;
 use crate::emit::interface::OutputView;
@@ -15,6 +16,7 @@ use askama::Template;
 #[derive(Template)]
 #[template(path = "c/small.c", escape = "none")]
 struct Small<'a> {
+    entry: Entry,
     prefix: &'a str,
     upper: &'a str,
     scalar: &'a str,
@@ -46,6 +48,7 @@ pub(super) fn render(printer: &Printer<'_>, code: &Bytecode, outputs: &[OutputVi
     let f64 = graph.scalar() == tpg_graph::ScalarType::F64;
     let table = |values: &[u64]| table(printer, values, |width| if width.bits() == 64 { "ULL" } else { "U" });
     let small = Small {
+        entry: Entry::of(printer),
         prefix: printer.prefix,
         upper,
         scalar: printer.scalar(),

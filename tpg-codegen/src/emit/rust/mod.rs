@@ -27,7 +27,9 @@ struct Policy<'a> {
     state_length: usize,
     sources: Vec<SourceView>,
     actions: Vec<String>,
+    /// The outputs, then the next values of the memory.
     outputs: &'a [OutputView],
+    memory: &'a [OutputView],
     arm: Option<ArmView>,
     depth: usize,
     worst: Cost<u64>,
@@ -90,6 +92,7 @@ impl Backend for Rust {
             sources: sources(graph, one_line),
             actions: graph.actions().iter().map(|action| one_line(&action.name)).collect(),
             outputs: &outputs,
+            memory: &outputs[outputs.len() - graph.memory()..],
             arm: arm_view(graph),
             depth: module.depth,
             worst: Costs::of(program).worst(),

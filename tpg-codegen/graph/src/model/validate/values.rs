@@ -3,7 +3,7 @@
 use super::super::{Edge, Leaf, Output, ProgramId, Range, Team};
 use super::{MAX_NUMBERED, Names, Validator, name};
 use crate::error::{InputError, counted};
-use crate::model::{ActionId, Destination, OutputDocument};
+use crate::model::{ActionId, Destination, MemoryDocument, OutputDocument};
 use std::collections::{BTreeMap, BTreeSet};
 
 impl Validator<'_> {
@@ -27,7 +27,7 @@ impl Validator<'_> {
         (document.outputs.iter().enumerate())
             .map(|(index, output)| {
                 let path = format!("$.outputs[{index}]");
-                let output = self.output(&path, output)?;
+                let output = self.output(&path, "nan", output)?;
                 if names.insert(output.name.clone()) {
                     return Ok(output);
                 }
@@ -37,7 +37,8 @@ impl Validator<'_> {
             .collect()
     }
 
-    fn output(&self, path: &str, output: &OutputDocument) -> Result<Output, InputError> {
+    /// Checks an output; `nan` is the name of the field that holds its value in place of NaN.
+    fn output(&self, path: &str, field: &str, output: &OutputDocument) -> Result<Output, InputError> {
         let OutputDocument { name, unit, min, max, nan } = output;
         if !name::is_source(name) {
             return Err(self.error(format!("{path}.name"), format!("{name:?}"), name::SOURCE));
@@ -53,9 +54,47 @@ impl Validator<'_> {
         }
         if !((min..=max).contains(&nan) && exact(nan)) {
             let accepted = format!("a number from {min} to {max}, exact in {}", scalar.name());
-            return Err(self.error(format!("{path}.nan"), nan.to_string(), accepted));
+            return Err(self.error(format!("{path}.{field}"), nan.to_string(), accepted));
         }
         Ok(Output { name: name.clone(), unit: unit.clone(), range: Range { min: *min, max: *max }, nan: *nan })
+    }
+
+    /// Checks the memory, and adds to `sources` how programs read it: behind the sources, one value each.
+    pub(super) fn memory<'d>(
+        &'d self,
+        sources: &mut BTreeMap<&'d str, (usize, usize)>,
+    ) -> Result<Vec<Output>, InputError> {
+        let document = self.document;
+        if !document.memory.is_empty() && document.outputs.is_empty() {
+            let found = format!("{} of a policy without outputs", counted(document.memory.len(), "value"));
+            return Err(self.error("$.memory", found, "\"outputs\" beside them: leaves compute the memory"));
+        }
+        let mut next = sources.values().map(|(_, length)| length).sum();
+        (document.memory.iter().enumerate())
+            .map(|(index, MemoryDocument { name, min, max, initial })| {
+                let path = format!("$.memory[{index}]");
+                let as_output = OutputDocument {
+                    name: name.clone(),
+                    unit: "memory".to_owned(),
+                    min: *min,
+                    max: *max,
+                    nan: *initial,
+                };
+                let memory = self.output(&path, "initial", &as_output)?;
+                let is_output = document.outputs.iter().any(|output| output.name == *name);
+                if is_output || sources.insert(name, (next, 1)).is_some() {
+                    let found = format!("{name:?} a second time");
+                    let accepted = "a name that no source, no output and no other value of the memory has";
+                    return Err(self.error(format!("{path}.name"), found, accepted));
+                }
+                next += 1;
+                if next > MAX_NUMBERED {
+                    let found = format!("{next} values with those of the sources");
+                    return Err(self.error(path, found, format!("1 to {MAX_NUMBERED} values")));
+                }
+                Ok(memory)
+            })
+            .collect()
     }
 
     pub(super) fn leaf_ids(&self) -> Result<BTreeMap<u32, ActionId>, InputError> {
@@ -84,13 +123,21 @@ impl Validator<'_> {
                     let found = counted(leaf.programs.len(), "program");
                     return Err(self.error(path, found, format!("{outputs}, one for each output")));
                 }
-                let program = |(place, id): (usize, &u32)| -> Result<ProgramId, InputError> {
+                let of_memory = format!("$.leaves[{index}].memory");
+                let memory = self.document.memory.len();
+                if leaf.memory.len() != memory {
+                    let found = counted(leaf.memory.len(), "program");
+                    return Err(self.error(of_memory, found, format!("{memory}, one for each value of the memory")));
+                }
+                let program = |(path, place, id): (&str, usize, &u32)| -> Result<ProgramId, InputError> {
                     names.programs.get(id).copied().ok_or_else(|| {
                         let found = format!("program {id}, which does not exist");
                         self.error(format!("{path}[{place}]"), found, "the id of a program")
                     })
                 };
-                let programs = leaf.programs.iter().enumerate().map(program).collect::<Result<_, _>>()?;
+                let outputs = (0..).zip(&leaf.programs).map(|(place, id)| (&*path, place, id));
+                let memory = (0..).zip(&leaf.memory).map(|(place, id)| (&*of_memory, place, id));
+                let programs = outputs.chain(memory).map(program).collect::<Result<_, _>>()?;
                 Ok(Leaf { label: leaf.id, programs })
             })
             .collect()

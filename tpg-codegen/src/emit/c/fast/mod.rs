@@ -13,6 +13,7 @@
 mod team;
 mod view;
 
+use super::entry::Entry;
 use super::expression::Printer;
 use super::leaves::{self, LeafView};
 use crate::emit::interface::OutputView;
@@ -30,6 +31,7 @@ use view::{EntryView, FunctionView, LateTeamView};
 #[derive(Template)]
 #[template(path = "c/fast.c", escape = "none")]
 struct Fast<'a> {
+    entry: Entry,
     prefix: &'a str,
     upper: &'a str,
     scalar: &'a str,
@@ -42,8 +44,8 @@ struct Fast<'a> {
     /// The leaves, where the only function computes them: its walks jump there.
     leaves: Vec<LeafView>,
     assignments: Vec<String>,
-    /// The entry point over several functions that decide on a leaf.
-    entry: String,
+    /// The over_functions point over several functions that decide on a leaf.
+    over_functions: String,
 }
 
 /// Renders the body.
@@ -82,21 +84,22 @@ pub(super) fn render(
         FunctionView { shared, entries, teams, end: span.end, reads_state }
     });
     let mut functions: Vec<FunctionView> = functions.collect();
-    let (mut leaves, mut entry) = (Vec::new(), String::new());
+    let (mut leaves, mut over_functions) = (Vec::new(), String::new());
     match &mut functions[..] {
         [whole] if !outputs.is_empty() => {
             let shared = order.iter().flat_map(|&team| available.read(team)).copied().collect();
             leaves = leaves::views(printer, &schedule.leaves, outputs, &shared);
             whole.reads_state |= leaves.iter().any(|leaf| leaf.reads_state);
         }
-        _ if !outputs.is_empty() => entry = leaves::render(printer, &schedule.leaves, outputs),
+        _ if !outputs.is_empty() => over_functions = leaves::render(printer, &schedule.leaves, outputs),
         _ => {}
     }
     let fast = Fast {
         outputs,
         leaves,
         assignments: leaves::assignments(printer, outputs),
-        entry,
+        over_functions,
+        entry: Entry::of(printer),
         prefix: printer.prefix,
         upper,
         scalar: printer.scalar(),
