@@ -61,14 +61,23 @@ fn everywhere(mut check: impl FnMut(&Path)) {
 /// A program that uses all of the interface: without one, whole-program checks take the interface for unused.
 fn user(graph: &Graph, style: Style) -> String {
     let scalar = if graph.scalar().name() == "f32" { "float" } else { "double" };
-    let uses_outputs = graph.outputs().iter().map(|output| format!("(action.{0} <= action.{0})", output.name));
-    let uses_outputs: Vec<String> = uses_outputs.collect();
+    let (answers, memory) = graph.outputs().split_at(graph.outputs().len() - graph.memory());
+    let uses = |of: &str, name: &str| format!("({of}.{name} <= {of}.{name})");
+    let uses_outputs: Vec<String> = (answers.iter().map(|output| uses("action", &output.name)))
+        .chain(memory.iter().map(|value| uses("memory", &value.name)))
+        .collect();
     let check = if uses_outputs.is_empty() {
         "action < ARM_ACTIONS".to_owned()
     } else {
         format!("(ARM_OUTPUTS > 0U) && {}", uses_outputs.join(" && "))
     };
     let (definitions, call) = match style {
+        Style::Pure if graph.memory() > 0 => (
+            String::new(),
+            "static arm_state_t state;\n    arm_memory_t memory;\n    arm_action_t action;\n\n    \
+             arm_reset(&memory);\n    arm_infer(&state, &memory, &action);"
+                .to_owned(),
+        ),
         Style::Pure if !graph.outputs().is_empty() => (
             String::new(),
             "static arm_state_t state;\n    arm_action_t action;\n\n    arm_infer(&state, &action);".to_owned(),

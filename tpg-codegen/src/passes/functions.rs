@@ -20,7 +20,7 @@ pub(crate) fn together(teams: usize) -> usize {
 pub struct Function {
     /// By their places in the module.
     pub teams: Range<usize>,
-    /// Their distinct bids.
+    /// The distinct bids that decide something.
     pub bids: BTreeSet<NodeId>,
     /// The operations that these need, operands before operations.
     pub operations: BTreeSet<NodeId>,
@@ -32,7 +32,9 @@ pub(crate) fn of(module: &Module<'_>) -> Vec<Function> {
     let together = together(all);
     let function = |start: usize| {
         let teams = start..all.min(start + together);
-        let edges = module.teams[teams.clone()].iter().flat_map(|team| &team.edges);
+        // A team of one edge has nothing to decide.
+        let deciding = module.teams[teams.clone()].iter().filter(|team| team.edges.len() > 1);
+        let edges = deciding.flat_map(|team| &team.edges);
         let bids: BTreeSet<NodeId> = edges.map(|edge| module.bidders[edge.bidder].value).collect();
         let operations = bids.iter().flat_map(|&bid| needed(&module.nodes, bid, |_| true)).collect();
         Function { teams, bids, operations }

@@ -16,7 +16,9 @@
     /* Team {{ team.label }} */
 {%- for edge in team.edges %}
 {%- if loop.first %}
+{%- if team.edges.len() > 1 %}
     best = {{ edge.key }};
+{%- endif %}
     to = {{ edge.to }}U;
 {%- else %}
     {{ prefix }}_challenge(&best, &to, {{ edge.key }}, {{ edge.to }}U);

@@ -108,7 +108,8 @@ static {{ scalar }} {{ prefix }}_run({{ scalar }} frame[], uint32_t program)
 {%- if outputs.is_empty() %}
     return (uint16_t)vertex;
 {%- else %}
-    programs = &leaves[vertex * {{ outputs.len() }}U];
+    vertex *= {{ outputs.len() }}U;
+    programs = &leaves[vertex];
 {%- for assignment in assignments %}
     {{ assignment }}
 {%- endfor %}

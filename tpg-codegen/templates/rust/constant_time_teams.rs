@@ -12,6 +12,9 @@
         // Where each team leads: teams are numbered from 0, the root, and the actions follow them.
 {%- for team in teams %}
         // Team {{ team.label }}
+{%- if team.edges.len() == 1 %}
+        let t{{ team.number }}: {{ vertex }} = {{ team.edges[0].to }};
+{%- else %}
 {%- for edge in team.edges %}
 {%- if loop.first %}
         let best = ({{ edge.key }}, {{ edge.to }});
@@ -20,4 +23,5 @@
 {%- endif %}
 {%- endfor %}
         let t{{ team.number }} = best.1{% if vertex != "u32" %} as {{ vertex }}{% endif %};
+{%- endif %}
 {%- endfor %}

@@ -206,6 +206,9 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Choices<S, E> {
     fn constants(&self) -> Vec<u16> {
         self.environment.constants()
     }
+    fn memory(&self) -> usize {
+        self.environment.memory()
+    }
     fn bid_bounds(&self) -> Option<usize> {
         self.environment.bid_bounds()
     }

@@ -139,6 +139,12 @@ pub trait Environment<S: Scalar>: Sync {
         Vec::new()
     }
 
+    /// Returns the number of values that a policy remembers: each of the last so many outputs is what the last so many
+    /// sources show at the next decision. None by default; see [`Remembering`](crate::Remembering).
+    fn memory(&self) -> usize {
+        0
+    }
+
     /// Returns the index of a source, which must be the last one, that holds upper bounds for the bids of the first
     /// actions, in order; programs cannot read it. `None`, the default, if bids are unbounded.
     fn bid_bounds(&self) -> Option<usize> {
@@ -232,6 +238,9 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for &E {
     }
     fn constants(&self) -> Vec<u16> {
         E::constants(self)
+    }
+    fn memory(&self) -> usize {
+        E::memory(self)
     }
     fn bid_bounds(&self) -> Option<usize> {
         E::bid_bounds(self)

@@ -11,6 +11,7 @@
 //! | [`Environment`], [`ActionSpace`], [`Act`], [`Step`], [`End`] | a problem |
 //! | [`bind`] | binding of a graph to an environment |
 //! | [`Choices`] | any action space as a list of named actions |
+//! | [`Remembering`], [`Remembered`] | a memory for policies |
 //! | [`Episodes`], [`OneByOne`], [`View`], [`SourceSet`] | parallel episodes |
 //! | [`Ending`], [`Summary`], [`Preference`] | results |
 //! | [`Policy`], [`Plan`], [`Node`], [`Arena`] | a graph in the engine's own form |
@@ -36,6 +37,7 @@ mod options;
 mod plan;
 mod policy;
 pub mod random;
+mod remembering;
 mod single;
 mod source_set;
 mod view;
@@ -55,6 +57,7 @@ pub use one_by_one::OneByOne;
 pub use options::Options;
 pub use plan::Plan;
 pub use policy::{Destination, Edge, Limits, Line, Operand, Policy, bounded};
+pub use remembering::{Remembered, Remembering, WithMemory};
 pub use single::{Single, single};
 pub use source_set::SourceSet;
 pub use view::{BLOCK, Block, View};

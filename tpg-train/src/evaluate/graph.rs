@@ -3,7 +3,7 @@
 use super::report::Report;
 use std::time::Instant;
 use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{Choices, Ending, Environment, Lanes, Options, Plan, bind};
+use tpg_engine::{Choices, Ending, Environment, Lanes, Options, Plan, Remembered, Remembering, bind};
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::{Graph, in_arithmetic_of};
 use tpg_problems::arm::ArmScalar;
@@ -133,6 +133,7 @@ impl<S: ArmScalar, M: Maths<S>> Visitor<S> for In<'_, M> {
         let Evaluation { problem, file, graph, episodes, seed } = *self.0;
         let choices = Choices::new(environment, problem.levels_for(graph))
             .map_err(|error| InputError::new(file, Place::Whole, error.to_string(), "fewer problem.levels"))?;
-        on_environment::<S, M>(problem.name().name(), file, graph, &choices, episodes, seed)
+        let remembering = Remembering::new(choices, Remembered::of(graph));
+        on_environment::<S, M>(problem.name().name(), file, graph, &remembering, episodes, seed)
     }
 }

@@ -6,13 +6,13 @@ use tpg_engine::{ActionSpace, Destination, Limits, Operand, Output, Policy};
 use tpg_graph::dataflow::effective;
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::{
-    Document, EdgeDocument, FORMAT, Graph, LeafDocument, LineDocument, MathsProvider, OperandDocument, OutputDocument,
-    ProgramDocument, Provenance, ScalarType, SourceDocument, TeamDocument,
+    Document, EdgeDocument, FORMAT, Graph, LeafDocument, LineDocument, MathsProvider, MemoryDocument, OperandDocument,
+    OutputDocument, ProgramDocument, Provenance, ScalarType, SourceDocument, TeamDocument,
 };
 use tpg_runtime::ops::Instruction;
 
 /// Converts a policy to a graph. Lines without effect are removed; a program that bids for several destinations is
-/// duplicated, because a graph's program has only one.
+/// duplicated, because a graph's program has only one. The last `memory` outputs and sources are the policy's memory.
 ///
 /// # Errors
 /// If the actions are not named, or the graph is invalid, which would be a defect of the trainer.
@@ -21,9 +21,10 @@ pub fn graph(
     vocabulary: &Vocabulary,
     sources: Vec<SourceDocument>,
     actions: ActionSpace,
+    memory: usize,
     provenance: Provenance,
 ) -> Result<Graph, InputError> {
-    let outputs: Vec<OutputDocument> = (actions.outputs().iter().zip(vocabulary.outputs()))
+    let mut outputs: Vec<OutputDocument> = (actions.outputs().iter().zip(vocabulary.outputs()))
         .map(|(Output { name, unit, .. }, &Limits { min, max, nan })| OutputDocument {
             name: name.clone(),
             unit: unit.clone(),
@@ -31,6 +32,10 @@ pub fn graph(
             max,
             nan,
         })
+        .collect();
+    let remembered = outputs.split_off(outputs.len() - memory.min(outputs.len()));
+    let memory: Vec<MemoryDocument> = (remembered.into_iter())
+        .map(|OutputDocument { name, min, max, nan, .. }| MemoryDocument { name, min, max, initial: nan })
         .collect();
     let actions = match actions {
         ActionSpace::Discrete(actions) => actions,
@@ -69,15 +74,17 @@ pub fn graph(
         teams.push(TeamDocument { id, edges: edges.collect() });
     }
     let leaves = (0..).zip(&policy.leaves).map(|(id, leaf)| {
-        let computing = leaf.iter().map(|&program| copy(program, (2, 0))).collect();
-        LeafDocument { id, programs: computing }
+        let mut programs: Vec<u32> = leaf.iter().map(|&program| copy(program, (2, 0))).collect();
+        let memory = programs.split_off(outputs.len());
+        LeafDocument { id, programs, memory }
     });
     let leaves: Vec<LeafDocument> = leaves.collect();
     let mut instructions = vocabulary.instructions().to_vec();
     if vocabulary.bound(0).is_some() && !instructions.contains(&Instruction::Min.into()) {
         instructions.push(Instruction::Min.into());
     }
-    let sources = sources.into_iter().map(|source| exact(source, vocabulary.scalar())).collect();
+    let observed = sources.len() - memory.len();
+    let sources = sources.into_iter().take(observed).map(|source| exact(source, vocabulary.scalar())).collect();
     let document = Document {
         format: FORMAT.to_owned(),
         version: if outputs.is_empty() { 1 } else { 2 },
@@ -88,6 +95,7 @@ pub fn graph(
         instructions: instructions.iter().map(|i| i.name().to_owned()).collect(),
         actions,
         outputs,
+        memory,
         root: (!is_formula).then_some(0),
         teams,
         leaves,

@@ -215,7 +215,14 @@ fn best_graph<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
         let mut ranges = ranges.iter();
         sources.iter_mut().flat_map(|source| &mut source.ranges).zip(&mut ranges).for_each(|(to, from)| *to = *from);
     }
-    export::graph(&best.policy, evolution.vocabulary(), sources, environment.actions(), provenance)
+    export::graph(
+        &best.policy,
+        evolution.vocabulary(),
+        sources,
+        environment.actions(),
+        environment.memory(),
+        provenance,
+    )
 }
 
 /// The times of a run, `timing.csv`: the only log that depends on the clock.

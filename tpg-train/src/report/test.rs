@@ -14,7 +14,9 @@ use crate::sac::network::Network;
 use crate::sac::tensors::place;
 use tpg_arm::{Arm, Pose, WIDOWX};
 use tpg_engine::random::Purpose;
-use tpg_engine::{Choices, Ending, Environment, Lanes, Measure, Options, Plan, Policy, Summary};
+use tpg_engine::{
+    Choices, Ending, Environment, Lanes, Measure, Options, Plan, Policy, Remembered, Remembering, Summary,
+};
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::{Graph, in_arithmetic_of};
 use tpg_problems::arm::environment::{DISTANCE, OUTCOMES};
@@ -187,7 +189,8 @@ impl<S: ArmScalar, M: Maths<S>> Visitor<S> for In<'_, M> {
         let measure = environment.measure();
         let choices = Choices::new(environment, problem.levels_for(graph))
             .map_err(|error| InputError::new(file, Place::Whole, error.to_string(), "fewer problem.levels"))?;
-        let endings = endings::<S, M>(file, graph, &choices, episodes, seed)?;
+        let remembering = Remembering::new(choices, Remembered::of(graph));
+        let endings = endings::<S, M>(file, graph, &remembering, episodes, seed)?;
         Ok(Tested { endings, measure, arm: None })
     }
 }

@@ -1,0 +1,219 @@
+//! A memory for policies: values that they compute at one decision and read at the next.
+
+use crate::action::{Act, ActionSpace, Output};
+use crate::ending::{End, Ending, Measure, Preference, Step};
+use crate::environment::Environment;
+use crate::episodes::Episodes;
+use crate::one_by_one::OneByOne;
+use crate::random::Stream;
+use crate::source_set::SourceSet;
+use tpg_graph::{Graph, SourceDocument};
+use tpg_runtime::scalar::Scalar;
+
+/// A value of a memory.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Remembered {
+    /// The name by which policies read and write it.
+    pub name: String,
+    /// Lowest value, finite.
+    pub min: f64,
+    /// Highest value, finite and above the lowest.
+    pub max: f64,
+    /// The value at an episode's first decision.
+    pub initial: f64,
+}
+
+impl Remembered {
+    /// Returns the memory of a graph.
+    pub fn of(graph: &Graph) -> Vec<Self> {
+        let outputs = &graph.outputs()[graph.outputs().len() - graph.memory()..];
+        let value = |output: &tpg_graph::Output| Self {
+            name: output.name.clone(),
+            min: output.range.min,
+            max: output.range.max,
+            initial: output.nan,
+        };
+        outputs.iter().map(value).collect()
+    }
+
+    /// Returns `count` values of −1,000 to 1,000 that begin at 0, called `memory0` and so on.
+    pub fn usual(count: u16) -> Vec<Self> {
+        let value = |index| Self { name: format!("memory{index}"), min: -1000.0, max: 1000.0, initial: 0.0 };
+        (0..count).map(value).collect()
+    }
+}
+
+/// An environment that keeps a memory for its policies. To the inner environment's sources and outputs it adds one for each
+/// value: what a policy puts out at one decision, it observes at the next. An episode begins with the initial values.
+///
+/// ```
+/// use tpg_engine::{Act, Environment, Remembered, Remembering, SourceSet};
+/// # use tpg_engine::random::Stream;
+/// # use tpg_engine::{ActionSpace, Output, Step};
+/// # use tpg_graph::SourceDocument;
+/// # struct Motor;
+/// # impl Environment<f32> for Motor {
+/// #     type Task = f32;
+/// #     type Episode = f32;
+/// #     fn sources(&self) -> Vec<SourceDocument> {
+/// #         vec![SourceDocument { name: "speed".into(), length: 1, unit: "m/s".into(), ranges: vec![[-9.0, 9.0]] }]
+/// #     }
+/// #     fn actions(&self) -> ActionSpace {
+/// #         let torque = Output { name: "torque".into(), unit: "N·m".into(), min: -2.0, max: 2.0 };
+/// #         ActionSpace::Box(vec![torque])
+/// #     }
+/// #     fn time_limit(&self) -> u32 { 1 }
+/// #     fn draw(&self, _: &mut Stream) -> f32 { 0.0 }
+/// #     fn start(&self, task: &f32) -> f32 { *task }
+/// #     fn observe(&self, speed: &mut f32, _: SourceSet, state: &mut [f32]) { state[0] = *speed; }
+/// #     fn step(&self, speed: &mut f32, act: Act<'_, f32>) -> Step {
+/// #         *speed += act.values()[0];
+/// #         Step::reward(0.0)
+/// #     }
+/// # }
+/// // `Motor` observes a speed, and has one output, a torque.
+/// let motor = Remembering::new(Motor, Remembered::usual(1));
+/// let mut episode = motor.start(&0.5);
+/// let mut state = [0.0; 2];
+/// motor.step(&mut episode, Act::Values(&[2.0, 7.0]));
+/// motor.observe(&mut episode, SourceSet::ALL, &mut state);
+/// assert_eq!(state, [2.5, 7.0], "the speed, and what was remembered");
+/// ```
+#[derive(Clone, Debug)]
+pub struct Remembering<E> {
+    environment: E,
+    memory: Vec<Remembered>,
+}
+
+/// An episode, and the memory of its policy.
+#[derive(Clone, Debug)]
+pub struct WithMemory<Episode, S> {
+    episode: Episode,
+    /// Outputs of the inner environment.
+    outputs: usize,
+    memory: Vec<S>,
+}
+
+impl<E> Remembering<E> {
+    /// Adds a memory to an environment with outputs; an empty one changes nothing.
+    pub fn new(environment: E, memory: Vec<Remembered>) -> Self {
+        Self { environment, memory }
+    }
+
+    /// Returns the inner environment.
+    pub fn inner(&self) -> &E {
+        &self.environment
+    }
+}
+
+impl<S: Scalar, E: Environment<S>> Environment<S> for Remembering<E> {
+    type Task = E::Task;
+    type Episode = WithMemory<E::Episode, S>;
+
+    fn sources(&self) -> Vec<SourceDocument> {
+        let value = |value: &Remembered| SourceDocument {
+            name: value.name.clone(),
+            length: 1,
+            unit: "memory".to_owned(),
+            ranges: vec![[value.min, value.max]],
+        };
+        let mut sources = self.environment.sources();
+        sources.extend(self.memory.iter().map(value));
+        sources
+    }
+
+    fn actions(&self) -> ActionSpace {
+        let value = |value: &Remembered| Output {
+            name: value.name.clone(),
+            unit: "memory".to_owned(),
+            min: value.min,
+            max: value.max,
+        };
+        match self.environment.actions() {
+            ActionSpace::Box(mut outputs) => {
+                outputs.extend(self.memory.iter().map(value));
+                ActionSpace::Box(outputs)
+            }
+            space => space,
+        }
+    }
+
+    fn memory(&self) -> usize {
+        self.memory.len()
+    }
+
+    fn start(&self, task: &E::Task) -> Self::Episode {
+        let memory = self.memory.iter().map(|value| S::from_f64(value.initial)).collect();
+        let outputs = self.environment.actions().outputs().len();
+        WithMemory { episode: self.environment.start(task), outputs, memory }
+    }
+
+    fn observe(&self, with: &mut Self::Episode, wanted: SourceSet, state: &mut [S]) {
+        let (observed, memory) = state.split_at_mut(state.len() - with.memory.len());
+        self.environment.observe(&mut with.episode, wanted, observed);
+        memory.copy_from_slice(&with.memory);
+    }
+
+    /// Takes an action. One without values for the memory, as a network takes it, leaves the memory as it is.
+    fn step(&self, with: &mut Self::Episode, act: Act<'_, S>) -> Step {
+        let Act::Values(values) = act else { return self.environment.step(&mut with.episode, act) };
+        let (values, memory) = values.split_at(with.outputs.min(values.len()));
+        if memory.len() == with.memory.len() {
+            with.memory.copy_from_slice(memory);
+        }
+        self.environment.step(&mut with.episode, Act::Values(values))
+    }
+
+    fn time_limit(&self) -> u32 {
+        self.environment.time_limit()
+    }
+    fn draw(&self, stream: &mut Stream) -> E::Task {
+        self.environment.draw(stream)
+    }
+    fn outcomes(&self) -> &'static [&'static str] {
+        self.environment.outcomes()
+    }
+    fn timeout(&self, with: &Self::Episode) -> End {
+        self.environment.timeout(&with.episode)
+    }
+    fn measure(&self) -> Option<Measure> {
+        self.environment.measure()
+    }
+    fn preference(&self) -> Preference {
+        self.environment.preference()
+    }
+    fn rougher(&self, task: E::Task, factor: u8) -> E::Task {
+        self.environment.rougher(task, factor)
+    }
+    fn validation_tasks(&self, count: usize) -> Vec<E::Task> {
+        self.environment.validation_tasks(count)
+    }
+    fn trial_tasks(&self, stream: &mut Stream, count: usize) -> Vec<E::Task> {
+        self.environment.trial_tasks(stream, count)
+    }
+    fn task_from(&self, with: &Self::Episode) -> Option<E::Task> {
+        self.environment.task_from(&with.episode)
+    }
+    fn constants(&self) -> Vec<u16> {
+        self.environment.constants()
+    }
+    fn bid_bounds(&self) -> Option<usize> {
+        self.environment.bid_bounds().filter(|_| self.memory.is_empty())
+    }
+    fn accepts(&self, task: &E::Task) -> bool {
+        self.environment.accepts(task)
+    }
+    /// With a memory, the default: a repeated state of the environment alone repeats nothing.
+    fn key(&self, with: &Self::Episode) -> Option<u64> {
+        self.environment.key(&with.episode).filter(|_| self.memory.is_empty())
+    }
+    fn cycle(&self, with: &Self::Episode, key: u64, actions: u32) -> Option<Ending> {
+        self.environment.cycle(&with.episode, key, actions)
+    }
+    fn lanes(&self) -> Box<dyn Episodes<S, E::Task> + '_> {
+        if self.memory.is_empty() { self.environment.lanes() } else { Box::new(OneByOne::new(self)) }
+    }
+    fn distance(&self, with: &Self::Episode) -> Option<f64> {
+        self.environment.distance(&with.episode)
+    }
+}
