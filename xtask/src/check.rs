@@ -49,6 +49,17 @@ pub(crate) fn harness(words: &[&str]) -> bool {
     run.finish()
 }
 
+/// Compares compilers on random graphs; returns true if nothing differs.
+pub(crate) fn compilers(graphs: u32) -> bool {
+    let mut run = Run::new();
+    let graphs = graphs.to_string();
+    run.check(
+        "compilers",
+        cargo(&["run", "--quiet", "--release", "--package", "tpg-benches", "--bin", "compilers", "--", &graphs]),
+    );
+    run.finish()
+}
+
 /// Returns the cargo that runs this program.
 fn cargo(arguments: &[&str]) -> Command {
     let mut command = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));

@@ -47,6 +47,12 @@ enum Task {
     /// Only the lint of C, generated and the firmwares' own: gcc, clang, clang-tidy, cppcheck with its MISRA addon, Frama-C
     /// EVA
     Lint,
+    /// Random graphs by every compiler at every level of optimisation: gcc, clang, tcc, g++, clang++, rustc
+    Compilers {
+        /// Random graphs, each in three profiles
+        #[arg(long, default_value_t = 40)]
+        graphs: u32,
+    },
     /// Run tests of the runtime, the kernels and the C interface under Miri (nightly)
     Miri,
     /// Random calls of the C interface under ASan and UBSan, with overflow checks (nightly, gcc)
@@ -70,6 +76,7 @@ fn main() -> ExitCode {
         Task::Qemu { update } => check::harness(if update { &["qemu", "--update"] } else { &["qemu"] }),
         Task::Size => check::harness(&["size"]),
         Task::Lint => check::lint(),
+        Task::Compilers { graphs } => check::compilers(graphs),
         Task::Miri => nightly::miri(),
         Task::Sanitize { seeds } => nightly::sanitize(seeds),
         Task::Wcet(arguments) => arguments.run(),
