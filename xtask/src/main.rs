@@ -1,6 +1,7 @@
 //! `cargo xtask`: every CI step, for local use.
 
 mod check;
+mod fuzz;
 mod nightly;
 mod setup;
 mod summary;
@@ -25,7 +26,8 @@ enum Task {
     Setup,
     /// Run the tests of every crate; long ones are shortened
     Test,
-    /// Run everything else: format, clippy, documentation, no_std builds, firmwares under QEMU, lint of generated C
+    /// Run everything else: format, clippy, documentation, supply chain, no_std builds, firmwares under QEMU, lint of
+    /// generated C
     Check,
     /// Make libtpg_runtime.a for this machine and for Cortex-M, with header, CMake and pkg-config files
     Library {
@@ -53,6 +55,8 @@ enum Task {
         #[arg(long, default_value_t = 40)]
         graphs: u32,
     },
+    /// Every loader, the compiler and the C interface under libFuzzer (nightly, cargo-fuzz)
+    Fuzz(fuzz::FuzzArgs),
     /// Run tests of the runtime, the kernels and the C interface under Miri (nightly)
     Miri,
     /// Random calls of the C interface under ASan and UBSan, with overflow checks (nightly, gcc)
@@ -77,6 +81,7 @@ fn main() -> ExitCode {
         Task::Size => check::harness(&["size"]),
         Task::Lint => check::lint(),
         Task::Compilers { graphs } => check::compilers(graphs),
+        Task::Fuzz(arguments) => arguments.run(),
         Task::Miri => nightly::miri(),
         Task::Sanitize { seeds } => nightly::sanitize(seeds),
         Task::Wcet(arguments) => arguments.run(),
