@@ -1,6 +1,6 @@
 //! The profile `constant-time`, compiled for a Cortex-M4: nothing in the object decides by data what runs, no branch, no
 //! predicated block, no table; and under QEMU every state takes exactly the instructions of the static bound. In C and in
-//! Rust, compiled for speed and for size.
+//! Rust, at every level of optimisation.
 
 mod common;
 
@@ -21,8 +21,15 @@ use tpg_graph::{import, interpret, states};
 const STATES: usize = 10_000;
 /// A language with a level of optimisation. (Not `z` of Rust: LLVM then calls a function through a register where it is
 /// called often, and a static bound does not know where that goes.)
-const BUILDS: [(Language, &str); 4] =
-    [(Language::C, "-O2"), (Language::C, "-Os"), (Language::Rust, "3"), (Language::Rust, "s")];
+const BUILDS: [(Language, &str); 7] = [
+    (Language::C, "-O0"),
+    (Language::C, "-O1"),
+    (Language::C, "-O2"),
+    (Language::C, "-O3"),
+    (Language::C, "-Os"),
+    (Language::Rust, "3"),
+    (Language::Rust, "s"),
+];
 const CORE: [&str; 4] = ["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"];
 
 /// This project's policies, the graph with every instruction, and random ones: all in f32 with own maths, which is what a
@@ -128,6 +135,33 @@ fn nothing_in_the_object_decides_by_data_what_runs() {
         let listing = listing(graph, Profile::Fast, build);
         let sites = Analyser::new(&listing, &bounds).decisions("ct_infer");
         assert!(sites.is_err() || sites.is_ok_and(|sites| !sites.is_empty()), "{build:?}");
+    }
+}
+
+/// Where a comparison has a constant operand and is inlined, the optimiser knows more of the mask that it makes.
+#[test]
+fn nor_where_operands_are_constants() {
+    let binutils = [("arm-none-eabi-gcc", "gcc-arm-none-eabi"), ("arm-none-eabi-objdump", "gcc-arm-none-eabi")];
+    if !tools("branches of constant-time code with constants on a Cortex-M4", &binutils) {
+        return;
+    }
+    let names = ["add", "min", "max", "negate_if_less"];
+    let bounds = LoopBounds::new();
+    for seed in 0..tpg_testing::amount(10, 60) {
+        let shape = Shape {
+            teams: 6,
+            scalar: ScalarType::F32,
+            instructions: names.iter().copied().filter_map(Word::from_name).collect(),
+            ..Shape::random(seed)
+        };
+        let graph = sample::graph(&shape, seed);
+        for level in ["-O1", "-O2", "-O3", "-Os"] {
+            let folder = TempDir::new().expect("a temporary folder");
+            compile(folder.path(), &graph, Profile::ConstantTime, (Language::C, level));
+            let listing = disassemble(&folder.path().join("ct.o")).expect("a listing");
+            let sites = Analyser::new(&listing, &bounds).decisions("ct_infer").expect("no unknown calls");
+            assert!(sites.is_empty(), "graph {seed} at {level}: {sites:?}");
+        }
     }
 }
 

@@ -59,3 +59,16 @@ fn a_network_that_could_overflow_does_not_pack() {
     assert!(error.to_string().contains("layers[1].weights"), "{error}");
     assert!(to_words(&wrong, false).is_err(), "the runtime's own proof");
 }
+
+#[test]
+fn layers_whose_sizes_overflow_a_product_are_refused() {
+    let text = include_str!("fixtures/policy-kinds/w8a8.q.json");
+    let mut document: serde_json::Value = serde_json::from_str(text).expect("JSON");
+    for (inputs, outputs) in [(u64::MAX, 2), (1 << 32, 1 << 32), (1 << 63, 2), (38, u64::MAX)] {
+        let layer = &mut document["layers"][0];
+        assert!(layer["inputs"].is_u64() && layer["outputs"].is_u64(), "{layer}");
+        (layer["inputs"], layer["outputs"]) = (inputs.into(), outputs.into());
+        let error = QuantisedPolicy::from_json("policy.q.json", &document.to_string()).expect_err("no such layer");
+        assert!(error.to_string().contains("layers[0]"), "{error}");
+    }
+}

@@ -121,3 +121,21 @@ fn without_a_cross_compiler_it_is_an_estimate_and_says_so() {
     }
     assert!(run(&[]).contains("\nbytes of the Rust: not known: "));
 }
+
+/// All states of the sample at once would take 2.6 GB.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_wide_graph_takes_little_memory() {
+    use tpg_graph::sample::{self, Shape};
+    let shape = Shape { sources: vec![16_384], teams: 2, edges: 1..=2, ..Shape::default() };
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    fs::write(folder.path().join("wide.json"), sample::graph(&shape, 1).to_json()).expect("written");
+    let tool = assert_cmd::cargo::cargo_bin("tpg-codegen");
+    let mut limited = Command::new("sh");
+    limited
+        .current_dir(&folder)
+        .args(["-c", "ulimit -v 1000000 && exec \"$0\" report wide.json --target host"])
+        .arg(tool);
+    let output = limited.assert().code(0).get_output().clone();
+    assert!(String::from_utf8_lossy(&output.stdout).contains("constant-time"));
+}

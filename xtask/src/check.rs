@@ -25,6 +25,7 @@ pub(crate) fn all() -> bool {
     let mut documentation = cargo(&["doc", "--workspace", "--all-features", "--no-deps", "--quiet"]);
     documentation.env("RUSTDOCFLAGS", "--deny warnings");
     run.check("documentation", documentation);
+    run.supply_chain();
     for target in TARGETS {
         run.no_std(target);
     }
@@ -46,6 +47,17 @@ pub(crate) fn lint() -> bool {
 pub(crate) fn harness(words: &[&str]) -> bool {
     let mut run = Run::new();
     run.firmware(words);
+    run.finish()
+}
+
+/// Compares compilers on random graphs; returns true if nothing differs.
+pub(crate) fn compilers(graphs: u32) -> bool {
+    let mut run = Run::new();
+    let graphs = graphs.to_string();
+    run.check(
+        "compilers",
+        cargo(&["run", "--quiet", "--release", "--package", "tpg-benches", "--bin", "compilers", "--", &graphs]),
+    );
     run.finish()
 }
 
@@ -88,6 +100,29 @@ impl Run {
     fn firmware(&mut self, words: &[&str]) {
         let arguments = [&["run", "--quiet", "--release", "--package", "tpg-harness", "--"], words].concat();
         self.check(&format!("firmware: {}", words.join(" ")), cargo(&arguments));
+    }
+
+    /// Checks licences, sources and bans of every crate by `deny.toml`; known defects and abandoned crates where the database
+    /// can be fetched.
+    fn supply_chain(&mut self) {
+        let works = |words: &[&str]| {
+            let mut command = cargo(words);
+            command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+            command.status().is_ok_and(|status| status.success())
+        };
+        let mut skip = |what: &str| {
+            tpg_testing::skip(what);
+            self.summary.skip(vec![what.to_owned()]);
+        };
+        if !works(&["deny", "--version"]) {
+            return skip("supply chain: not installed (cargo install --locked cargo-deny)");
+        }
+        if !works(&["deny", "fetch", "db"]) {
+            skip("advisories: their database cannot be fetched");
+        } else {
+            self.check("advisories", cargo(&["deny", "check", "--disable-fetch", "advisories"]));
+        }
+        self.check("supply chain", cargo(&["deny", "check", "bans", "licenses", "sources"]));
     }
 
     /// Builds the runtime without its features for a bare-metal target.

@@ -1,6 +1,7 @@
 //! `cargo xtask`: every CI step, for local use.
 
 mod check;
+mod fuzz;
 mod nightly;
 mod setup;
 mod summary;
@@ -25,7 +26,8 @@ enum Task {
     Setup,
     /// Run the tests of every crate; long ones are shortened
     Test,
-    /// Run everything else: format, clippy, documentation, no_std builds, firmwares under QEMU, lint of generated C
+    /// Run everything else: format, clippy, documentation, supply chain, no_std builds, firmwares under QEMU, lint of
+    /// generated C
     Check,
     /// Make libtpg_runtime.a for this machine and for Cortex-M, with header, CMake and pkg-config files
     Library {
@@ -47,6 +49,14 @@ enum Task {
     /// Only the lint of C, generated and the firmwares' own: gcc, clang, clang-tidy, cppcheck with its MISRA addon, Frama-C
     /// EVA
     Lint,
+    /// Random graphs by every compiler at every level of optimisation: gcc, clang, tcc, g++, clang++, rustc
+    Compilers {
+        /// Random graphs, each in three profiles
+        #[arg(long, default_value_t = 40)]
+        graphs: u32,
+    },
+    /// Every loader, the compiler and the C interface under libFuzzer (nightly, cargo-fuzz)
+    Fuzz(fuzz::FuzzArgs),
     /// Run tests of the runtime, the kernels and the C interface under Miri (nightly)
     Miri,
     /// Random calls of the C interface under ASan and UBSan, with overflow checks (nightly, gcc)
@@ -70,6 +80,8 @@ fn main() -> ExitCode {
         Task::Qemu { update } => check::harness(if update { &["qemu", "--update"] } else { &["qemu"] }),
         Task::Size => check::harness(&["size"]),
         Task::Lint => check::lint(),
+        Task::Compilers { graphs } => check::compilers(graphs),
+        Task::Fuzz(arguments) => arguments.run(),
         Task::Miri => nightly::miri(),
         Task::Sanitize { seeds } => nightly::sanitize(seeds),
         Task::Wcet(arguments) => arguments.run(),

@@ -4,10 +4,11 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 /// Debian packages, each with a program that shows whether it is installed.
-const PACKAGES: [(&str, &str); 12] = [
+const PACKAGES: [(&str, &str); 13] = [
     ("gcc", "/usr/bin/gcc"),
     ("g++", "/usr/bin/g++"),
     ("clang", "/usr/bin/clang"),
+    ("tcc", "/usr/bin/tcc"),
     ("clang-tidy", "/usr/bin/clang-tidy"),
     ("cppcheck", "/usr/bin/cppcheck"),
     ("gcc-arm-none-eabi", "/usr/bin/arm-none-eabi-gcc"),

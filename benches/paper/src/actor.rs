@@ -104,20 +104,26 @@ impl RecordedActor {
         let bytes = fs::read(weights).map_err(|error| InputError::io(weights, &error, "an actor's weights"))?;
         let numbers: Vec<f32> = bytes.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
         let mut parts: [Vec<f32>; LAYOUT.len()] = Default::default();
-        for ((name, rows, columns), part) in LAYOUT.into_iter().zip(&mut parts) {
-            let shape = if columns == 0 { vec![rows] } else { vec![rows, columns] };
+        for ((name, shape), part) in Self::layout().zip(&mut parts) {
             let place = format!("$.layout.{name}");
             let found = described.layout.iter().find(|part| part.name == name);
             let found = found.filter(|part| part.shape == shape).ok_or_else(|| {
                 refuse(description, place.clone(), "no such part".to_owned(), format!("shape {shape:?}"))
             })?;
-            let length = rows * columns.max(1);
+            let length = shape.iter().product::<usize>();
             let values = numbers.get(found.offset..).and_then(|from| from.get(..length)).ok_or_else(|| {
                 refuse(weights, place.clone(), format!("{} numbers", numbers.len()), format!("{length} more"))
             })?;
             *part = values.to_vec();
         }
         Ok(Self { order, checks: described.forward_checks, parts })
+    }
+
+    /// Returns the name and shape of each part, in the order of the file.
+    pub fn layout() -> impl Iterator<Item = (&'static str, Vec<usize>)> {
+        LAYOUT
+            .into_iter()
+            .map(|(name, rows, columns)| (name, if columns == 0 { vec![rows] } else { vec![rows, columns] }))
     }
 
     /// Returns the recorded outputs.

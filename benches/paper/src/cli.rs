@@ -1,5 +1,6 @@
 //! The command line of `tpg-paper`: results on stdout, everything else on stderr.
 
+use crate::conformance::ConformanceArgs;
 use crate::replay_command::ReplayArgs;
 use crate::table::{Table2Args, execute as execute_table2};
 use clap::{Parser, Subcommand};
@@ -20,6 +21,8 @@ pub struct Cli {
 enum Command {
     /// Replay recorded episodes and count exact matches
     Replay(ReplayArgs),
+    /// Make the folder of recorded data from a clone of the paper's artifact, gegelati/ECTA24
+    Conformance(ConformanceArgs),
     /// Measure every kind of policy and write docs/results.md
     Table2(Table2Args),
 }
@@ -29,6 +32,7 @@ impl Cli {
     pub fn run(self) -> ExitCode {
         exit_code(match self.command {
             Command::Replay(args) => args.run(),
+            Command::Conformance(args) => args.run(),
             Command::Table2(args) => execute_table2(&args).map(|()| Verdict::Good).map_err(CommandError::from),
         })
     }

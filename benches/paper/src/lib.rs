@@ -12,6 +12,7 @@
 //! | [`plane`] | the arm plane of the collision test, bit for bit |
 //! | [`episode`] | episodes by the artifact's rules |
 //! | [`data`] | recorded files |
+//! | [`conformance`] | the folder of recorded data, made from a clone of the artifact |
 //! | [`sac`] | episodes of the recorded actors |
 //! | [`actor`] | recorded actors: files and outputs |
 //! | [`hybrid`] | recorded graphs and actors together |
@@ -28,6 +29,7 @@ pub mod actor;
 pub mod chain;
 pub mod clearance;
 pub mod cli;
+pub mod conformance;
 pub mod data;
 pub mod episode;
 pub mod fk;

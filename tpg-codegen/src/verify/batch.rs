@@ -1,11 +1,12 @@
 //! Many policies compiled at once: one compiler run instead of one for each, so that thousands can be compared.
 
-use super::build::{self, BuildError, Workshop, c_command, compile, runtime_library, rustc};
+use super::build::{self, BuildError, Workshop, c_command, compile, runtime_library_by, rustc};
 use super::process::{self, Process};
 use crate::emit;
 use crate::options::{Language, Options};
 use askama::Template;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::process::Command;
 use std::{fs, io};
 use tpg_graph::{Graph, ScalarType};
 
@@ -55,28 +56,44 @@ impl Workshop {
     /// # Errors
     /// See [`BuildError`].
     pub fn batch(&self, language: Language, policies: &[(&Graph, Options)]) -> Result<Batch, BuildError> {
+        match language {
+            Language::C => self.batch_by(language, policies, c_command),
+            Language::Rust => self.batch_by(language, policies, |folder| Ok(rustc(folder))),
+        }
+    }
+
+    /// As [`Workshop::batch`], with another compiler: `compiler` makes its command in a folder, with every option that
+    /// generated code needs.
+    ///
+    /// # Errors
+    /// See [`BuildError`].
+    pub fn batch_by(
+        &self,
+        language: Language,
+        policies: &[(&Graph, Options)],
+        compiler: impl Fn(&Path) -> Result<Command, BuildError>,
+    ) -> Result<Batch, BuildError> {
         let files: Vec<emit::File> =
             policies.iter().flat_map(|(graph, options)| emit::emit(graph, language, options)).collect();
         let folder = self.write("batch", &files)?;
         let views = policies.iter().map(|(graph, options)| view(graph, options, language)).collect();
         let program = folder.join("batch");
+        let mut command = compiler(&folder)?;
+        command.arg("-o").arg(&program);
         match language {
             Language::C => {
                 let text = CBatch { policies: views }.render().map_err(io::Error::other)?;
                 fs::write(folder.join("batch_main.c"), text)?;
-                let mut command = c_command(&folder)?;
-                command.arg("-o").arg(&program).args(["batch_main.c", "-lm"]);
-                compile("C", command)?;
+                command.args(["batch_main.c", "-lm"]);
             }
             Language::Rust => {
-                runtime_library(&folder)?;
+                runtime_library_by(&folder, compiler(&folder)?)?;
                 let text = RustBatch { policies: views }.render().map_err(io::Error::other)?;
                 fs::write(folder.join("batch_main.rs"), text)?;
-                let mut command = rustc(&folder);
-                command.args(["--extern=tpg_runtime=libtpg_runtime.rlib", "batch_main.rs", "-o"]).arg(&program);
-                compile("Rust", command)?;
+                command.args(["--extern=tpg_runtime=libtpg_runtime.rlib", "batch_main.rs"]);
             }
         }
+        compile(language.name(), command)?;
         Ok(Batch { program, language: language.name() })
     }
 }

@@ -213,12 +213,16 @@ pub fn rustc(folder: &Path) -> Command {
 /// # Errors
 /// When the compiler is missing or refuses.
 pub fn runtime_library(folder: &Path) -> Result<(), BuildError> {
+    runtime_library_by(folder, rustc(folder))
+}
+
+/// As [`runtime_library`], by a command that runs in the folder.
+pub(super) fn runtime_library_by(folder: &Path, mut library: Command) -> Result<(), BuildError> {
     for (name, text) in standalone::FILES {
         let path = folder.join("runtime").join(name);
         fs::create_dir_all(path.parent().unwrap_or(folder))?;
         fs::write(path, text)?;
     }
-    let mut library = rustc(folder);
     library.args(["--crate-type=rlib", "--crate-name=tpg_runtime", "--cfg=feature=\"std\"", "runtime/lib.rs"]);
     compile("Rust", library)
 }

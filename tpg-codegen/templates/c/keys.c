@@ -1,4 +1,19 @@
+{% if chooses %}
+/* A mask that chooses, hidden from the optimiser: where it knows that a mask is a sign, it may make a condition of it. */
+static {{ key }} {{ prefix }}_opaque({{ key }} mask)
+{
+#if defined(__GNUC__) && !defined(__FRAMAC__)
+    {{ key }} hidden = mask;
+
+    __asm__("" : "+r"(hidden));
+    return hidden;
+#else
+    return mask;
+#endif
+}
+{% endif %}
 {% if orders %}
+
 static {{ key }} {{ prefix }}_order({{ scalar }} x)
 {
     /* 0 for -0; then, as integers: what is negative upside down, below what is positive */
@@ -41,7 +56,7 @@ static {{ scalar }} {{ prefix }}_select({{ key }} mask, {{ scalar }} a, {{ scala
     {{ scalar }} result;
     (void)memcpy(&bits_a, &a, sizeof bits_a);
     (void)memcpy(&bits_b, &b, sizeof bits_b);
-    bits_b ^= (bits_a ^ bits_b) & mask;
+    bits_b ^= (bits_a ^ bits_b) & {{ prefix }}_opaque(mask);
     (void)memcpy(&result, &bits_b, sizeof result);
     return result;
 }
@@ -50,7 +65,7 @@ static {{ scalar }} {{ prefix }}_select({{ key }} mask, {{ scalar }} a, {{ scala
 
 static {{ scalar }} {{ prefix }}_negate_if_less({{ scalar }} a, {{ scalar }} b)
 {
-    const {{ key }} less = {{ prefix }}_less(a, b);
+    const {{ key }} less = {{ prefix }}_opaque({{ prefix }}_less(a, b));
     {{ key }} bits;
     {{ scalar }} result;
     (void)memcpy(&bits, &a, sizeof bits);
@@ -107,7 +122,7 @@ static {{ key }} {{ prefix }}_key({{ scalar }} bid)
 /* Lets a bid win where it is as high as the best so far. */
 static void {{ prefix }}_challenge({{ key }} *best, uint32_t *to, {{ key }} bid, uint32_t destination)
 {
-    const {{ key }} lower = {{ prefix }}_below(bid, *best);
+    const {{ key }} lower = {{ prefix }}_opaque({{ prefix }}_below(bid, *best));
     const uint32_t mask = (uint32_t)lower;
     *best = bid ^ ((bid ^ *best) & lower);
     *to = destination ^ ((destination ^ *to) & mask);

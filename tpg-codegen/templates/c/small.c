@@ -88,6 +88,9 @@ static {{ scalar }} {{ prefix }}_run({{ scalar }} frame[], uint32_t program)
 {%- if !constants.is_empty() %}
     (void)memcpy(&frame[{{ state_length }}], constants, sizeof(constants));
 {%- endif %}
+{%- if let Some(constant) = minus_infinity %}
+    frame[{{ first_result - 1 }}] = {{ constant }};
+{%- endif %}
     for (hop = 0U; (hop < {{ upper }}_DEPTH) && (vertex < {{ upper }}_TEAMS); hop++) {
         const uint32_t end = teams[vertex + 1U];
         uint32_t edge = teams[vertex];

@@ -266,6 +266,24 @@ fn a_network_that_does_not_fit_is_not_packed() {
     assert!(!pack(&[layer.rows()], &scaled, &mut words), "a scale that is not finite");
 }
 
+/// The product rises or falls with the accumulator, so its ends are at the accumulator's: with the overflow checks of
+/// tests this is a proof for every accumulator, factor and shift.
+#[test]
+fn no_rescale_overflows() {
+    for factor in i16::MIN..=i16::MAX {
+        for shift in 0..=u8::MAX {
+            let rescale = Rescale { factor, shift };
+            for accumulator in [i32::MIN, i32::MAX] {
+                let rises = (accumulator > 0) == (factor > 0);
+                for low in [HIDDEN, LAST] {
+                    let value = rescale.apply(accumulator, low);
+                    assert!(value >= low && (factor == 0 || shift > 14 || value == if rises { i16::MAX } else { low }));
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn a_multiplier_is_its_rescale() {
     let mut numbers = Numbers(9);

@@ -24,6 +24,8 @@ struct Helpers<'a> {
     branch_free: bool,
     /// Teams choose among bids.
     decides: bool,
+    /// Masks choose.
+    chooses: bool,
     /// Numbers are compared as integers.
     orders: bool,
     compares: bool,
@@ -59,6 +61,7 @@ pub(super) fn render(printer: &Printer<'_>, branch_free: bool, body: &str) -> St
     let calls = Calls::of(printer.nodes);
     let is_called = |name: &str| body.contains(&format!("{}_{name}(", printer.prefix));
     let compares = calls.any(&[Instruction::NegateIfLess, Instruction::Min, Instruction::Max]);
+    let orders = compares || is_called("challenge") || is_called("clamp");
     let scalar = printer.graph.scalar();
     let provider = printer.graph.maths();
     let uses = |instruction| calls.any(&[instruction]);
@@ -76,7 +79,8 @@ pub(super) fn render(printer: &Printer<'_>, branch_free: bool, body: &str) -> St
         decides: is_called("challenge"),
         clamps: is_called("clamp"),
         picks: is_called("pick"),
-        orders: compares || is_called("challenge") || is_called("clamp"),
+        chooses: orders || is_called("pick"),
+        orders,
         compares,
         selects: is_called("clamp") || is_called("pick") || calls.any(&[Instruction::Min, Instruction::Max]),
         key,

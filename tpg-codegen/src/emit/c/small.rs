@@ -28,6 +28,8 @@ struct Small<'a> {
     targets: Table,
     teams: Table,
     constants: Vec<String>,
+    /// Minus infinity, where it is the last constant: not every compiler takes it in a table.
+    minus_infinity: Option<String>,
     state_length: usize,
     first_result: usize,
     frame: usize,
@@ -47,6 +49,8 @@ pub(super) fn render(printer: &Printer<'_>, code: &Bytecode, outputs: &[OutputVi
     let graph = printer.graph;
     let f64 = graph.scalar() == tpg_graph::ScalarType::F64;
     let table = |values: &[u64]| table(printer, values, |width| if width.bits() == 64 { "ULL" } else { "U" });
+    // The constants are sorted by their bits, of which minus infinity has the highest.
+    let constants = code.constants.strip_suffix(&[f64::NEG_INFINITY]).unwrap_or(&code.constants);
     let small = Small {
         entry: Entry::of(printer),
         prefix: printer.prefix,
@@ -59,7 +63,8 @@ pub(super) fn render(printer: &Printer<'_>, code: &Bytecode, outputs: &[OutputVi
         bidders: table(&code.bidders),
         targets: table(&code.targets),
         teams: table(&code.teams),
-        constants: code.constants.iter().map(|&constant| printer.literal(constant)).collect(),
+        constants: constants.iter().map(|&constant| printer.literal(constant)).collect(),
+        minus_infinity: (constants.len() < code.constants.len()).then(|| printer.literal(f64::NEG_INFINITY)),
         state_length: graph.state_length(),
         first_result: code.first_result,
         frame: code.frame,

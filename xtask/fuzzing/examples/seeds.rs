@@ -1,0 +1,77 @@
+//! Writes the seeds of every target to `fuzz/corpus`: small real files of each kind.
+//!
+//! `cargo run -p tpg-fuzzing --example seeds`
+
+use std::fs;
+use tpg_codegen::policy::{self, QuantisedPolicy};
+use tpg_fuzzing::checkpoints;
+use tpg_graph::sample::{self, Shape};
+use tpg_graph::{Graph, export};
+use tpg_testing::library::top;
+use tpg_train::evolution::presets::Preset;
+
+fn main() -> std::io::Result<()> {
+    let put = |target: &str, name: &str, content: &[u8]| {
+        let folder = top().join("fuzz/corpus").join(target);
+        fs::create_dir_all(&folder)?;
+        fs::write(folder.join(name), content)
+    };
+    let read = |path: &str| fs::read(top().join(path));
+
+    for name in ["all_instructions", "formula", "swing_up"] {
+        put("graph_json", name, &read(&format!("tpg-codegen/tests/fixtures/{name}.json"))?)?;
+    }
+    let small = |shape: Shape| Shape { teams: shape.teams.min(4), edges: 1..=3, lines: 0..=3, ..shape };
+    for seed in 1..=3 {
+        let graph: Graph = sample::graph(&small(Shape::random(seed)), seed);
+        put("graph_json", &format!("random_{seed}"), graph.to_json().as_bytes())?;
+        let text = format!("{}\n%%\n{}", export::sidecar::text(&graph), export::dot::text(&graph));
+        put("dot", &format!("random_{seed}"), text.as_bytes())?;
+    }
+    put("trace", "states", b"in0[0],in0[1],in1[0],other\n1,2,3,x\n-0.5,nan,inf,\n")?;
+    for seed in 0_u8..3 {
+        put("compiled", &format!("shape_{seed}"), &[[seed + 1; 16], [3 * seed + 2; 16]].concat())?;
+    }
+
+    for kind in ["w8a8", "w16a16"] {
+        let text = String::from_utf8_lossy(&read(&format!("tpg-codegen/tests/fixtures/policy-kinds/{kind}.q.json"))?)
+            .into_owned();
+        let policy = QuantisedPolicy::from_json(kind, &text).expect("a policy");
+        put("policy", kind, text.as_bytes())?;
+        let words = policy::to_words(&policy, false).expect("a small network");
+        let bytes: Vec<u8> = [1].into_iter().chain(words.iter().flat_map(|word| word.to_le_bytes())).collect();
+        put("packed_words", kind, &bytes)?;
+    }
+    put("safetensors", "arm", &read("generated/seeds/sac-paper-fs-16-units-1.safetensors")?)?;
+    for trainer in ["cleanrl", "sb3"] {
+        put("safetensors", trainer, &read(&format!("tpg-train/tests/fixtures/foreign-actors/{trainer}.safetensors"))?)?;
+    }
+
+    let targets = String::from_utf8_lossy(&read("generated/test-targets/rs.csv")?).into_owned();
+    put("targets", "rs", (targets.lines().take(5).collect::<Vec<_>>().join("\n") + "\n").as_bytes())?;
+    put("targets", "recorded", b"row,m0,m1,m2,m3,tx,ty,tz\n0,2048,2048,2048,2048,-290,-140,350\n")?;
+    put("hybrid", "arm", &read("generated/widowx-fs/hybrid.toml")?)?;
+    let pendulum = "problem = \"pendulum\"\ngraph = \"graph.json\"\nactor = \"policy.q.json\"\n\
+                    hand_back_after = 20\nseparation = 2.5\npatience = \"never\"\ncycle_detector = \"none\"\n";
+    put("hybrid", "pendulum", pendulum.as_bytes())?;
+    for name in ["general", "continuous", "best-fs"] {
+        let (_, text) = Preset::find(name).expect("a preset").file();
+        put("tpg_config", name, text.as_bytes())?;
+    }
+    for name in ["general", "best-fs", "paper-fs"] {
+        let preset = tpg_train::sac::presets::find(name).expect("a preset");
+        let config = tpg_train::sac::presets::config(preset).expect("it is accepted");
+        put("sac_config", name, config.to_toml().as_bytes())?;
+    }
+    let [tpg, sac, sealed] = checkpoints::seeds();
+    put("tpg_checkpoint", "pendulum", &tpg)?;
+    put("sac_checkpoint", "pendulum", &sac)?;
+    put("checkpoint_file", "pendulum", &sealed[sealed.len().saturating_sub(3000)..])?;
+    put("checkpoint_file", "beginning", &sealed[..sealed.len().min(3000)])?;
+    put("checkpoint_file", "whole", &sealed)?;
+
+    // Sequences of calls: readings, a model, a hybrid, its steps; then everything else.
+    let steps: Vec<u8> = [4, 7, 2, 0, 20, 0, 0, 0, 0, 4, 255, 15, 9, 10, 12, 10, 12, 13].to_vec();
+    put("c_interface", "hybrid", &steps)?;
+    put("c_interface", "each", &(0..=23).flat_map(|call| [call, 1, 2, 3, 4, 5]).collect::<Vec<u8>>())
+}

@@ -1,0 +1,115 @@
+//! Checkpoints of both trainers: what is accepted trains on.
+
+use std::fs;
+use std::ops::ControlFlow;
+use tempfile::TempDir;
+use tpg_engine::{Choices, LocalThreads, Options};
+use tpg_problems::Pendulum;
+use tpg_runtime::ops::Own;
+use tpg_train::evolution::checkpoint;
+use tpg_train::evolution::config::Config;
+use tpg_train::evolution::generation::{Evolution, Goal};
+use tpg_train::evolution::presets::Preset;
+use tpg_train::evolution::run::{RunOptions, run};
+use tpg_train::folder::checkpoint::look;
+use tpg_train::folder::{RunFolder, Trainer};
+use tpg_train::sac;
+use tpg_train::sac::training::Training;
+
+/// The seed that the checkpoints must have.
+pub const SEED: u64 = 1;
+
+type Swing = Choices<f32, Pendulum>;
+
+fn swing() -> Swing {
+    Choices::new(Pendulum, Some(3)).expect("three torques")
+}
+
+fn evolution() -> Config {
+    let mut config = Preset::find("general").and_then(|preset| preset.config().ok()).expect("a preset");
+    (config.tpg.nb_roots, config.tpg.init_nb_roots) = (12, 14);
+    (config.demes.count, config.demes.migration_interval, config.demes.migrants) = (2, 2, 1);
+    (config.learning.archive_size, config.learning.archiving_probability) = (6, 1.0);
+    (config.learning.nb_iterations_per_policy_evaluation, config.learning.nb_generations) = (2, 3);
+    config.learning.nb_program_constant = 2;
+    (config.pool.size, config.pool.share) = (5, 0.5);
+    (config.selection.racing_episodes, config.selection.validation_roots) = (0, 3);
+    (config.selection.validation_episodes, config.selection.lexicase_survivors) = (4, 0);
+    (config.curriculum.generations, config.curriculum.roughness) = (0, 1);
+    config
+}
+
+fn learning() -> sac::config::Config {
+    let preset = sac::presets::find("general").expect("a preset");
+    let mut config = sac::presets::config(preset).expect("it is accepted");
+    (config.actor.hidden, config.critic.hidden) = (vec![4], vec![5]);
+    (config.learning.lanes, config.learning.random_decisions, config.learning.decisions_per_update) = (2, 8, 4);
+    (config.learning.batch, config.learning.replay, config.learning.decisions) = (4, 20, 1000);
+    config
+}
+
+/// The content of an evolution's checkpoint; what is accepted lives through a generation.
+///
+/// # Panics
+/// If a state that was accepted cannot be written and read again.
+pub fn tpg(data: &[u8]) {
+    let (config, environment) = (evolution(), swing());
+    let mut state = match checkpoint::from_bytes("fuzzed", data, &config, SEED, &environment) {
+        Ok(state) => state,
+        Err(error) => return drop(error.to_string()),
+    };
+    let evaluator = LocalThreads::<f32, Own, _>::new(&environment, Options::default(), 1).expect("a thread");
+    let evolution = Evolution::new(&config, &environment, &evaluator, state.scales.clone(), Goal::default());
+    if evolution.finished(&state) {
+        return;
+    }
+    if evolution.advance(&mut state).is_ok() {
+        let written = checkpoint::to_bytes("written", &config, &state).expect("plain data");
+        checkpoint::from_bytes("written", &written, &config, SEED, &environment)
+            .unwrap_or_else(|error| panic!("a generation later: {error}"));
+    }
+}
+
+/// The content of a checkpoint of soft actor-critic; what is accepted trains on.
+pub fn sac(data: &[u8]) {
+    match sac::checkpoint::from_bytes("fuzzed", data, &Pendulum, &learning(), SEED) {
+        Ok((mut training, _)) => (0..6).for_each(|_| training.tick()),
+        Err(error) => drop(error.to_string()),
+    }
+}
+
+/// A sealed checkpoint file in a folder, with its seal.
+pub fn file(data: &[u8]) {
+    let place = TempDir::new().expect("a temporary folder");
+    fs::write(place.path().join("checkpoint"), data).expect("the folder can be written");
+    for (trainer, version) in [(Trainer::Tpg, checkpoint::VERSION), (Trainer::Sac, sac::checkpoint::VERSION)] {
+        match look(place.path(), trainer, version, |_, content| Ok(content.len())) {
+            Ok(length) => assert!(length < data.len(), "a seal has a length"),
+            Err(error) => drop(error.to_string()),
+        }
+    }
+    if let Ok(folder) = RunFolder::open(place.path(), Trainer::Tpg, true) {
+        let _ = folder.load(checkpoint::VERSION, |_, content| Ok(content.len())).is_ok();
+    }
+}
+
+/// Returns the contents of a real checkpoint of each trainer, and the sealed file of the first: seeds.
+///
+/// # Panics
+/// If a run fails.
+pub fn seeds() -> [Vec<u8>; 3] {
+    let place = TempDir::new().expect("a temporary folder");
+    let options = RunOptions { folder: place.path().to_owned(), ..RunOptions::default() };
+    let (config, environment) = (evolution(), swing());
+    let evaluator = LocalThreads::<f32, Own, _>::new(&environment, Options::default(), 1).expect("a thread");
+    let stop_after_2 = |progress: &tpg_train::evolution::run::Progress<'_>| match progress.generations {
+        2 => ControlFlow::Break(()),
+        _ => ControlFlow::Continue(()),
+    };
+    run(&config, SEED, &environment, &evaluator, &options, stop_after_2).expect("a run");
+    let content = look(place.path(), Trainer::Tpg, checkpoint::VERSION, |_, content| Ok(content.to_vec()));
+    let mut training = Training::new(&Pendulum, learning(), SEED).expect("an environment with outputs");
+    (0..12).for_each(|_| training.tick());
+    let sealed = fs::read(place.path().join("checkpoint")).expect("a checkpoint");
+    [content.expect("a checkpoint"), sac::checkpoint::to_bytes(&training, &[]), sealed]
+}

@@ -1,0 +1,71 @@
+//! What fuzzers call: every loader, the compiler and the C interface, each as a function of bytes.
+//!
+//! `fuzz/` hands each [target](TARGETS) to libFuzzer; a test of this crate runs the same functions on a stable compiler,
+//! from the seeds in `fuzz/corpus` and fixed random numbers. A target panics where something is wrong: a panic of the
+//! code under test, an accepted input that is not what it says, a difference from the definition.
+//!
+//! | module | subject |
+//! | --- | --- |
+//! | [`graphs`] | `graph.json`, `.dot` with its sidecar, traces; graphs compiled and compared |
+//! | [`networks`] | `policy.q.json`, packed words, safetensors |
+//! | [`settings`] | tasks, configurations, hybrids |
+//! | [`checkpoints`] | checkpoints of both trainers, and training from them |
+//! | [`mutation`] | changes of seeds, for the test |
+
+pub mod checkpoints;
+pub mod graphs;
+pub mod mutation;
+pub mod networks;
+pub mod settings;
+
+pub use tpg_capi_fuzzing::call as c_interface;
+
+/// A function that a fuzzer calls.
+#[derive(Clone, Copy, Debug)]
+pub struct Target {
+    /// Name of the target, of its program in `fuzz/fuzz_targets` and of its folder in `fuzz/corpus`.
+    pub name: &'static str,
+    /// The function.
+    pub run: fn(&[u8]),
+}
+
+/// Every target.
+pub const TARGETS: [Target; 15] = [
+    Target { name: "graph_json", run: graphs::json },
+    Target { name: "dot", run: graphs::dot },
+    Target { name: "trace", run: graphs::trace },
+    Target { name: "compiled", run: graphs::compiled },
+    Target { name: "policy", run: networks::policy },
+    Target { name: "packed_words", run: networks::words },
+    Target { name: "safetensors", run: networks::safetensors },
+    Target { name: "targets", run: settings::targets },
+    Target { name: "hybrid", run: settings::hybrid },
+    Target { name: "tpg_config", run: settings::tpg_config },
+    Target { name: "sac_config", run: settings::sac_config },
+    Target { name: "tpg_checkpoint", run: checkpoints::tpg },
+    Target { name: "sac_checkpoint", run: checkpoints::sac },
+    Target { name: "checkpoint_file", run: checkpoints::file },
+    Target { name: "c_interface", run: c_interface },
+];
+
+/// Takes numbers from what a fuzzer wrote, and 0 behind its end.
+#[derive(Clone, Debug)]
+pub(crate) struct Bytes<'a>(pub(crate) &'a [u8]);
+
+impl Bytes<'_> {
+    pub(crate) fn array<const N: usize>(&mut self) -> [u8; N] {
+        [0; N].map(|_: u8| {
+            let Some((&first, rest)) = self.0.split_first() else { return 0 };
+            self.0 = rest;
+            first
+        })
+    }
+
+    pub(crate) fn u64(&mut self) -> u64 {
+        u64::from_le_bytes(self.array())
+    }
+
+    pub(crate) fn below(&mut self, bound: usize) -> usize {
+        usize::from(u16::from_le_bytes(self.array())) % bound
+    }
+}
