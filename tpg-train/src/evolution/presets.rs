@@ -104,7 +104,7 @@ impl Preset {
         let name = match problem {
             ProblemName::Fs => "best-fs",
             ProblemName::Rs => "best-rs",
-            ProblemName::Cartpole => "general",
+            ProblemName::Cartpole | ProblemName::Acrobot | ProblemName::MountainCar => "general",
             ProblemName::Pendulum | ProblemName::MountainCarContinuous => "continuous",
         };
         Self::find(name).expect("it is in the list")
