@@ -92,7 +92,6 @@ impl From<Start> for ProblemName {
 
 /// A problem with its settings: the section `[problem]` of a configuration.
 #[derive(Clone, Debug, PartialEq)]
-#[expect(clippy::large_enum_variant, reason = "a run has one of them")]
 pub enum Problem {
     /// The arm.
     Arm(Start, arm::Config),

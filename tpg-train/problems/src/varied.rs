@@ -255,3 +255,110 @@ impl<S: Scalar, E: Adjustable<S>, C: Constants<Physics = E::Physics>> Environmen
         self.environment.distance(&trial.bare)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Disturbance, Varied, VariedTask};
+    use crate::amount::Amount;
+    use crate::{Acrobot, CartPole, MountainCar, MountainCarContinuous, Pendulum};
+    use crate::{acrobot, cartpole, mountain_car, mountain_car_continuous, pendulum};
+    use tpg_engine::random::{Purpose, Stream};
+    use tpg_engine::{Act, ActionSpace, Environment, SourceSet};
+    use tpg_runtime::policy::ActionId;
+
+    /// Returns what is observed and earned in the first steps of some episodes, under random actions.
+    fn course<E: Environment<f64>>(environment: &E) -> Vec<u64> {
+        let mut seen = Vec::new();
+        for index in 0..20 {
+            let mut stream = Stream::new(1, 0, Purpose::Test, index);
+            let mut episode = environment.start(&environment.draw(&mut stream));
+            let mut state = vec![0.0; environment.sources().len()];
+            let mut choices = Stream::new(2, 0, Purpose::Test, index);
+            for _ in 0..50 {
+                environment.observe(&mut episode, SourceSet::ALL, &mut state);
+                seen.extend(state.iter().map(|value| value.to_bits()));
+                let step = match environment.actions() {
+                    ActionSpace::Discrete(actions) => {
+                        let action = ActionId(choices.below(actions.len()) as u16);
+                        environment.step(&mut episode, Act::Choice(action))
+                    }
+                    _ => environment.step(&mut episode, Act::Values(&[2.0 * choices.unit() - 1.0])),
+                };
+                seen.push(step.reward.to_bits());
+                if step.end.is_some() {
+                    break;
+                }
+            }
+        }
+        seen
+    }
+
+    fn none() -> Disturbance {
+        Disturbance::default()
+    }
+
+    #[test]
+    fn under_standard_constants_every_bit_is_the_bare_problems() {
+        assert_eq!(course(&Varied::new(CartPole, cartpole::Amounts::default(), none())), course(&CartPole));
+        assert_eq!(course(&Varied::new(Acrobot, acrobot::Amounts::default(), none())), course(&Acrobot));
+        assert_eq!(course(&Varied::new(MountainCar, mountain_car::Amounts::default(), none())), course(&MountainCar));
+        assert_eq!(course(&Varied::new(Pendulum, pendulum::Amounts::default(), none())), course(&Pendulum));
+        let car = Varied::new(MountainCarContinuous, mountain_car_continuous::Amounts::default(), none());
+        assert_eq!(course(&car), course(&MountainCarContinuous));
+    }
+
+    #[test]
+    fn constants_are_drawn_for_each_episode_and_a_task_keeps_them() {
+        let mass = Amount::Between([0.5, 2.0]);
+        let varied = Varied::new(Pendulum, pendulum::Amounts { mass, ..Default::default() }, none());
+        let after = |task: &VariedTask<[f64; 2]>| {
+            let mut trial = Environment::<f64>::start(&varied, task);
+            Environment::<f64>::step(&varied, &mut trial, Act::Values(&[2.0]));
+            let mut state = [0.0; 3];
+            varied.observe(&mut trial, SourceSet::ALL, &mut state);
+            state
+        };
+        let task = |seed| VariedTask::Varied { start: [0.5, 0.0], seed };
+        assert_eq!(after(&task(1)), after(&task(1)));
+        assert_ne!(after(&task(1)), after(&task(2)));
+        let drawn = Environment::<f64>::draw(&varied, &mut Stream::new(1, 0, Purpose::Test, 0));
+        assert!(matches!(drawn, VariedTask::Varied { .. }));
+    }
+
+    #[test]
+    fn a_late_action_takes_effect_after_the_delay() {
+        let late = Varied::new(MountainCar, mountain_car::Amounts::default(), Disturbance { delay: 2, ..none() });
+        let mut trial = Environment::<f64>::start(&late, &VariedTask::Standard([-0.5, 0.0]));
+        let mut bare = [-0.5, 0.0];
+        // Two steps at rest, then what was decided two steps before.
+        for (decided, taken) in [(2, 1), (0, 1), (1, 2), (1, 0)] {
+            Environment::<f64>::step(&late, &mut trial, Act::Choice(ActionId(decided)));
+            Environment::<f64>::step(&MountainCar, &mut bare, Act::Choice(ActionId(taken)));
+            assert_eq!(trial.bare, bare);
+        }
+    }
+
+    #[test]
+    fn noise_is_the_same_however_often_it_is_looked_at_and_hidden_sources_are_missing() {
+        let disturbance = Disturbance {
+            hidden: ["sin_theta".to_owned()].into(),
+            noise: [("omega".to_owned(), 0.5)].into(),
+            ..none()
+        };
+        let varied = Varied::new(Pendulum, pendulum::Amounts::default(), disturbance);
+        let names: Vec<String> = Environment::<f64>::sources(&varied).into_iter().map(|source| source.name).collect();
+        assert_eq!(names, ["cos_theta", "omega"]);
+        let mut errors = Vec::new();
+        for seed in 0..2000 {
+            let mut trial = Environment::<f64>::start(&varied, &VariedTask::Varied { start: [0.0, 1.0], seed });
+            let (mut first, mut second) = ([0.0; 2], [0.0; 2]);
+            varied.observe(&mut trial, SourceSet::ALL, &mut first);
+            varied.observe(&mut trial, SourceSet::ALL, &mut second);
+            assert_eq!(first, second);
+            assert_eq!(first[0], 1.0, "no noise where none is asked for");
+            errors.push(first[1] - 1.0);
+        }
+        let variance = errors.iter().map(|error| error * error).sum::<f64>() / errors.len() as f64;
+        assert!((variance - 0.25).abs() < 0.03, "{variance}");
+    }
+}

@@ -64,9 +64,8 @@ impl<'a> LinearWriter<'a> {
         };
         let refuse = |key: &str, found: String, accepted: &str| Err(Finding::new(key, found, accepted));
         let names = || format!("{:?}", vocabulary.instructions().iter().map(|it| it.name()).collect::<Vec<_>>());
-        let multiply = index(Word::MultiplyAdd)
-            .map(Multiply::Add)
-            .or_else(|| index(Instruction::Mul.into()).map(Multiply::Alone));
+        let multiply =
+            index(Word::MultiplyAdd).map(Multiply::Add).or_else(|| index(Instruction::Mul.into()).map(Multiply::Alone));
         let Some((add, multiply)) = index(Instruction::Add.into()).zip(multiply) else {
             return refuse("language.instructions", names(), "add, and multiply_add or mul, for a linear start");
         };
@@ -106,7 +105,7 @@ impl<'a> LinearWriter<'a> {
     pub(super) fn lines(&self) -> usize {
         match self.multiply {
             Multiply::Add(_) => self.inputs.len() + 1,
-            Multiply::Alone(_) => 2 * self.inputs.len().max(1),
+            Multiply::Alone(_) => 2 * self.inputs.len(),
         }
     }
 
@@ -265,5 +264,70 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
                 deme.records.insert(root, Record { mean: search.score, evaluations: 0 });
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::LinearWriter;
+    use crate::evolution::archive::bid;
+    use crate::evolution::genome::{Destination, Genome};
+    use crate::evolution::vocabulary::Vocabulary;
+    use tpg_engine::Limits;
+    use tpg_graph::{ScalarType, SourceDocument, Word};
+    use tpg_runtime::ops::Instruction;
+
+    fn vocabulary(words: &[Word], outputs: usize) -> Vocabulary {
+        let source = SourceDocument { name: "s".into(), length: 2, unit: "1".into(), ranges: vec![[-1.0, 1.0]; 2] };
+        let limits = Limits { min: -2.0, max: 2.0, nan: 0.0 };
+        Vocabulary::new(words.to_vec(), 4, 0, &[source], Some(vec![1.0, 4.0]), ScalarType::F64)
+            .with_outputs(vec![limits; outputs])
+    }
+
+    /// Returns the values of a root's programs in a state: its bids, or its outputs.
+    fn values(words: &[Word], outputs: usize, actions: u16, weights: &[f64]) -> Vec<f64> {
+        let vocabulary = vocabulary(words, outputs);
+        let writer = LinearWriter::new(&vocabulary, actions).expect("sums can be written");
+        assert_eq!(writer.weights(), weights.len());
+        let mut genome = Genome::default();
+        let root = writer.add_root(&mut genome, weights);
+        let edges = &genome.team(root).edges;
+        let programs: Vec<_> = match edges[0].to {
+            Destination::Leaf(leaf) => genome.leaves()[&leaf].programs.clone(),
+            _ => {
+                assert!((0..).zip(edges).all(|(action, edge)| edge.to == Destination::Action(action)));
+                edges.iter().map(|edge| edge.program).collect()
+            }
+        };
+        let state = [0.5, 8.0];
+        let programs = programs.into_iter().map(|id| genome.program(id));
+        programs
+            .map(|program| {
+                assert!(program.lines.len() <= writer.lines());
+                bid(&program.lines(&vocabulary), &vocabulary, &state)
+            })
+            .collect()
+    }
+
+    #[test]
+    fn a_weight_is_an_outputs_half_range_for_an_inputs() {
+        let [add, mul] = [Instruction::Add, Instruction::Mul].map(Word::from);
+        for words in [&[add, mul][..], &[add, Word::MultiplyAdd]] {
+            // Inputs 0.5 of 1 and 8 of 4, outputs of ±2: 2 (3 · 0.5 + 1 · 2 − 1) = 5, and 2 · 2 = 4.
+            assert_eq!(values(words, 2, 0, &[3.0, 1.0, -1.0, 0.0, 1.0, 0.0]), [5.0, 4.0]);
+            assert_eq!(values(words, 0, 3, &[3.0, 1.0, -1.0, 0.0, 1.0, 0.0]), [0.0, 2.5, 2.0], "the first bid stays 0");
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_written_is_refused_with_its_key() {
+        let key = |vocabulary: &Vocabulary| LinearWriter::new(vocabulary, 0).expect_err("no sums").key;
+        assert_eq!(key(&vocabulary(&[Instruction::Mul.into()], 1)), "language.instructions");
+        let source = SourceDocument { name: "s".into(), length: 1, unit: "1".into(), ranges: vec![[-1.0, 1.0]] };
+        let words = vec![Instruction::Add.into(), Word::MultiplyAdd];
+        let without = Vocabulary::new(words.clone(), 4, 0, std::slice::from_ref(&source), None, ScalarType::F64);
+        assert_eq!(key(&without), "language.literals");
+        let single = Vocabulary::new(words, 1, 0, &[source], Some(vec![1.0]), ScalarType::F64);
+        assert_eq!(key(&single), "learning.nb_registers");
     }
 }

@@ -127,3 +127,65 @@ fn copy(genome: &mut Genome, parent: TeamId, replaced: BTreeMap<ProgramId, Progr
     let edges = edges.collect();
     genome.add_team(Team { edges })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Refiner;
+    use crate::evolution::config::RefinementConfig;
+    use crate::evolution::genome::Genome;
+    use crate::evolution::linear::LinearWriter;
+    use crate::evolution::size;
+    use crate::evolution::vocabulary::Vocabulary;
+    use tpg_engine::random::{Purpose, Stream};
+    use tpg_engine::{Limits, Policy};
+    use tpg_graph::{ScalarType, SourceDocument, Word};
+    use tpg_runtime::ops::Instruction;
+
+    fn vocabulary() -> Vocabulary {
+        let words = vec![Instruction::Add.into(), Word::MultiplyAdd];
+        let source = SourceDocument { name: "s".into(), length: 3, unit: "1".into(), ranges: vec![[-1.0, 1.0]; 3] };
+        let limits = Limits { min: -1.0, max: 1.0, nan: 0.0 };
+        Vocabulary::new(words, 2, 0, &[source], Some(vec![1.0; 3]), ScalarType::F64).with_outputs(vec![limits; 2])
+    }
+
+    fn children(p_jitter: f64, p_deletion: f64) -> (Policy, Vec<Option<Policy>>) {
+        let vocabulary = vocabulary();
+        let parameters = RefinementConfig { p_jitter, p_deletion, ..RefinementConfig::default() };
+        let refiner = Refiner { vocabulary: &vocabulary, parameters: &parameters };
+        let mut genome = Genome::default();
+        let writer = LinearWriter::new(&vocabulary, 0).expect("sums can be written");
+        let parent = writer.add_root(&mut genome, &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]);
+        let child = |index| {
+            let child = refiner.child(&mut genome, parent, &mut Stream::new(1, 0, Purpose::Test, index));
+            child.map(|child| genome.policy(child, &vocabulary))
+        };
+        let children = (0..200).map(child).collect();
+        (genome.policy(parent, &vocabulary), children)
+    }
+
+    #[test]
+    fn a_jitter_keeps_the_lines_and_a_deletion_takes_one() {
+        let (parent, jittered) = children(1.0, 0.0);
+        assert_eq!(size::lines(&parent), 8);
+        let jittered: Vec<Policy> = jittered.into_iter().flatten().collect();
+        assert!(jittered.len() == 200 && jittered.iter().all(|child| size::lines(child) == 8 && *child != parent));
+        let (_, shortened) = children(0.0, 1.0);
+        assert!(shortened.iter().all(|child| child.as_ref().is_some_and(|child| size::lines(child) == 7)));
+        let (_, some) = children(0.3, 0.2);
+        let made = some.iter().filter(|child| child.is_some()).count();
+        assert!((70..130).contains(&made), "{made} of 200");
+    }
+
+    #[test]
+    fn without_probabilities_nothing_is_drawn() {
+        let vocabulary = vocabulary();
+        let parameters = RefinementConfig::default();
+        let refiner = Refiner { vocabulary: &vocabulary, parameters: &parameters };
+        let mut genome = Genome::default();
+        let parent = LinearWriter::new(&vocabulary, 0).expect("sums").add_root(&mut genome, &[0.0; 8]);
+        let mut stream = Stream::new(1, 0, Purpose::Test, 0);
+        let before = stream.clone().bits();
+        assert_eq!(refiner.child(&mut genome, parent, &mut stream), None);
+        assert_eq!(stream.bits(), before);
+    }
+}
