@@ -23,6 +23,7 @@ use tpg_train::evolution::logs::cpu_seconds;
 use tpg_train::evolution::mutate_program::ProgramMutator;
 use tpg_train::evolution::mutate_team::{Moment, populate, random_population};
 use tpg_train::evolution::presets::Preset;
+use tpg_train::evolution::refine::Refiner;
 use tpg_train::evolution::state::State;
 
 /// Extent of the measurement.
@@ -83,6 +84,7 @@ fn population(
     let learning = &config.learning;
     let vocabulary = config.vocabulary(&environment, state.scales.clone());
     let mutator = ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
+    let refiner = Refiner { vocabulary: &vocabulary, parameters: &config.refinement };
     let actions = environment.actions().count().ok_or("named actions")? as u16;
     let mut units = Vec::new();
     for (deme, population) in (0..).zip(&mut state.demes) {
@@ -91,7 +93,7 @@ fn population(
             let mut stream = moment.stream(Purpose::Initial, 0);
             population.genome = random_population(&mutator, &config.tpg, actions, &mut stream);
         }
-        populate(&mut population.genome, &mutator, &config.tpg, &state.archive, actions, moment);
+        populate(&mut population.genome, &mutator, &refiner, &config.tpg, &state.archive, actions, moment);
         units.extend(population.genome.roots().into_iter().map(|root| WorkUnit {
             key: UnitKey { seed: state.seed, generation: state.generation, root: root.0 },
             policy: population.genome.policy(root, &vocabulary),

@@ -28,6 +28,7 @@ use tpg_train::evolution::export;
 use tpg_train::evolution::mutate_program::ProgramMutator;
 use tpg_train::evolution::mutate_team::{Moment, populate, random_population};
 use tpg_train::evolution::presets::Preset;
+use tpg_train::evolution::refine::Refiner;
 use tpg_train::evolution::vocabulary::Vocabulary;
 
 /// A configuration that covers everything: every source, every instruction, literals, program constants.
@@ -80,7 +81,8 @@ impl<S: ArmScalar> World<S> {
         let mut genome = random_population(&mutator, &config.tpg, 9, &mut stream);
         for generation in 0..6 {
             let moment = Moment { seed: 1, generation, deme: 0 };
-            populate(&mut genome, &mutator, &config.tpg, &Archive::new(0), 9, moment);
+            let refiner = Refiner { vocabulary: &vocabulary, parameters: &config.refinement };
+            populate(&mut genome, &mutator, &refiner, &config.tpg, &Archive::new(0), 9, moment);
             let doomed: Vec<_> = genome.roots().into_iter().step_by(2).collect();
             genome.remove_roots(&doomed);
         }

@@ -299,6 +299,67 @@ fn a_policy_with_outputs_has_the_same_bytes_on_other_threads_and_after_a_stop() 
     assert!(graph.actions().is_empty() && !graph.leaves().is_empty());
 }
 
+/// A linear start in one of two demes, for outputs and for named actions: the searches are part of the checkpoint.
+#[test]
+fn a_linear_start_has_the_same_bytes_on_other_threads_and_after_kills() {
+    for (name, problem) in [("outputs", ProblemName::Pendulum), ("actions", ProblemName::Acrobot)] {
+        let place = tempfile::tempdir().expect("a temporary folder");
+        let path = place.path().join("config.toml");
+        let mut config = Preset::find("linear").expect("it comes with the trainer").config().expect("it is accepted");
+        (config.tpg.nb_roots, config.tpg.init_nb_roots, config.demes.count) = (20, 30, 2);
+        (config.start.generations, config.start.demes, config.demes.migration_interval) = (12, 1, 5);
+        (config.learning.nb_generations, config.selection.validation_episodes) = (24, 30);
+        config.problem = Problem::usual(problem).to_table();
+        fs::write(&path, config.to_toml()).expect("it can be written");
+        let [one, other] = ["one", "other"].map(|name| place.path().join(name));
+        assert!(train(&one, &path, &["--threads", "1"]).status().expect("it runs").success());
+        assert!(train(&other, &path, &["--threads", "3", "--lanes", "5"]).status().expect("it runs").success());
+        assert!(results(&one) == results(&other), "{name}: threads and lanes change nothing");
+        // Stopped in the first half of the start, in the second half, at its end, and after it.
+        let stopped = place.path().join("stopped");
+        for generations in ["3", "9", "12", "15"] {
+            let arguments = ["--checkpoint-seconds", "0", "--lanes", "1", "--resume"];
+            let mut run = train(&stopped, &path, &arguments).spawn().expect("it starts");
+            let rows = stopped.join("generations.csv");
+            let done = || fs::read_to_string(&rows).map_or(0, |text| text.lines().count().saturating_sub(1));
+            while done() < generations.parse().expect("a number") && run.try_wait().expect("a child").is_none() {
+                sleep(Duration::from_millis(1));
+            }
+            run.kill().expect("it can be killed");
+            run.wait().expect("it ends");
+        }
+        assert!(train(&stopped, &path, &["--resume"]).status().expect("it runs").success());
+        assert!(results(&one) == results(&stopped), "{name}: kills change nothing");
+    }
+}
+
+#[test]
+fn a_run_without_progress_ends_and_lines_have_their_price() {
+    let place = tempfile::tempdir().expect("a temporary folder");
+    let mut config = Preset::find("continuous").expect("it comes with the trainer").config().expect("it is accepted");
+    (config.tpg.nb_roots, config.tpg.init_nb_roots, config.demes.count) = (30, 60, 1);
+    (config.learning.nb_generations, config.selection.validation_episodes) = (400, 30);
+    config.problem = Problem::usual(ProblemName::Pendulum).to_table();
+    config.selection.flat_after = 3;
+    let mut sizes = Vec::new();
+    // With the price of 1 a line costs the whole way to the best score.
+    for price in [0.0, 1.0] {
+        config.selection.line_price = price;
+        let (path, folder) = (place.path().join("config.toml"), place.path().join(format!("price-{price}")));
+        fs::write(&path, config.to_toml()).expect("it can be written");
+        assert!(train(&folder, &path, &[]).status().expect("it runs").success());
+        let text = fs::read_to_string(folder.join("generations.csv")).expect("the log");
+        let is_number = |row: &str| row.split(',').nth(8).is_some_and(|field| field.parse::<f64>().is_ok());
+        let validated: Vec<bool> = text.lines().skip(1).map(is_number).collect();
+        assert!(validated.len() < 400, "it ends by itself");
+        assert!(validated.last() == Some(&true), "after a validation");
+        let text = fs::read_to_string(folder.join("graph.json")).expect("a graph");
+        let graph = tpg_graph::Graph::from_json("graph.json", &text).expect("a valid graph");
+        sizes.push(graph.programs().iter().map(|program| program.lines.len()).sum::<usize>());
+    }
+    assert!(sizes[1] <= 1 && sizes[1] < sizes[0], "{sizes:?}");
+}
+
 #[test]
 fn restarts_keep_the_best_and_go_on_where_they_stopped() {
     let place = tempfile::tempdir().expect("a temporary folder");

@@ -50,6 +50,12 @@ pub enum Purpose {
     Update = 26,
     /// The noise of a policy that samples its actions, in one test episode.
     Draws = 27,
+    /// The constants and the noise of an episode of a problem that varies.
+    Variation = 14,
+    /// Samples and choices of a linear start.
+    Linear = 15,
+    /// New constants for the best root of a deme.
+    Elite = 16,
     /// Random roots that explore the ranges of inputs.
     Scales = 13,
     /// The tasks on which failures of an actor under training are looked for.

@@ -1,23 +1,14 @@
 //! Gymnasium's CartPole-v1: balance a pole on a cart that is pushed to the left or to the right.
 
+use crate::physics::physics;
 use crate::source;
+use crate::varied::{Adjustable, Settings};
 use core::f64::consts::PI;
-use serde::{Deserialize, Serialize};
 use tpg_engine::random::Stream;
 use tpg_engine::{Act, ActionSpace, End, Environment, SourceSet, Step};
 use tpg_graph::SourceDocument;
 use tpg_runtime::scalar::Scalar;
 
-/// Acceleration of gravity, m/s².
-const GRAVITY: f64 = 9.8;
-/// Mass of cart and pole together, kg.
-const TOTAL_MASS: f64 = 1.1;
-/// Mass of the pole, kg.
-const POLE_MASS: f64 = 0.1;
-/// Half the pole's length, m.
-const LENGTH: f64 = 0.5;
-/// The push of an action, N.
-const FORCE: f64 = 10.0;
 /// Seconds of one action.
 const STEP: f64 = 0.02;
 /// The episode ends when the cart is further from the middle than this, m.
@@ -27,10 +18,25 @@ const LEANING: f64 = 12.0 * 2.0 * PI / 360.0;
 /// Actions of an episode.
 const ACTIONS: u32 = 500;
 
-/// The section `[problem]` of a configuration for the pole on a cart: it has no settings.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct Config {}
+physics! {
+    /// Acceleration of gravity, m/s².
+    gravity = 9.8, [0.0, 100.0];
+    /// Mass of the cart, kg.
+    cart_mass = 1.0, [0.001, 1000.0];
+    /// Mass of the pole, kg.
+    pole_mass = 0.1, [0.001, 1000.0];
+    /// Half the pole's length, m.
+    length = 0.5, [0.01, 100.0];
+    /// The push of an action, N.
+    force = 10.0, [0.0, 1000.0];
+    /// Friction of the cart, N for each m/s.
+    cart_friction = 0.0, [0.0, 1000.0];
+    /// Friction of the pole's axle, N·m for each rad/s.
+    pole_friction = 0.0, [0.0, 1000.0];
+}
+
+/// The section `[problem]` of a configuration for the pole on a cart.
+pub type Config = Settings<Amounts>;
 
 /// A pole on a cart, by the rules of Gymnasium's CartPole-v1.
 ///
@@ -98,13 +104,29 @@ impl<S: Scalar> Environment<S> for CartPole {
     }
 
     fn step(&self, state: &mut State, act: Act<'_, S>) -> Step {
+        self.step_under(&Physics::STANDARD, state, act)
+    }
+}
+
+impl<S: Scalar> Adjustable<S> for CartPole {
+    type Physics = Physics;
+
+    const REST: u16 = 0;
+
+    #[inline]
+    fn step_under(&self, physics: &Physics, state: &mut State, act: Act<'_, S>) -> Step {
+        let Physics { gravity, pole_mass, length, .. } = *physics;
+        let total_mass = pole_mass + physics.cart_mass;
+        let pole_mass_length = pole_mass * length;
         let [x, v, theta, omega] = *state;
-        let force = if act.choice() == 1 { FORCE } else { -FORCE };
+        let force = if act.choice() == 1 { physics.force } else { -physics.force } - physics.cart_friction * v;
         // The crate libm instead of the platform's: the same results on every machine.
-        let (sin, cos) = (libm::sin(theta), libm::cos(theta));
-        let moved = (force + POLE_MASS * LENGTH * (omega * omega) * sin) / TOTAL_MASS;
-        let turned = (GRAVITY * sin - cos * moved) / (LENGTH * (4.0 / 3.0 - POLE_MASS * (cos * cos) / TOTAL_MASS));
-        let pushed = moved - POLE_MASS * LENGTH * turned * cos / TOTAL_MASS;
+        let (sin, cos) = libm::sincos(theta);
+        let moved = (force + pole_mass_length * (omega * omega) * sin) / total_mass;
+        let held = physics.pole_friction * omega / pole_mass_length;
+        let turned =
+            (gravity * sin - cos * moved - held) / (length * (4.0 / 3.0 - pole_mass * (cos * cos) / total_mass));
+        let pushed = moved - pole_mass_length * turned * cos / total_mass;
         *state = [x + STEP * v, v + STEP * pushed, theta + STEP * omega, omega + STEP * turned];
         let step = Step::reward(1.0);
         if state[0].abs() > FAR || state[2].abs() > LEANING { step.ending(End::new(0)) } else { step }

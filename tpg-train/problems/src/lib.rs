@@ -16,18 +16,30 @@
 //! | [`continuous`] | the same for policies with outputs |
 //! | [`arm`] | reaching with a robot arm: `fs` and `rs` |
 //! | [`cartpole`] | balancing a pole on a cart |
-//! | [`mountain_car_continuous`] | driving out of a valley |
+//! | [`acrobot`] | swinging two links up |
+//! | [`mountain_car`] | driving out of a valley by three pushes |
+//! | [`mountain_car_continuous`] | driving out of a valley by a force |
 //! | [`pendulum`] | swinging a pendulum up |
+//! | [`varied`], [`physics`], [`amount`] | other constants, late actions, noise and hidden sources |
 
+pub mod acrobot;
+pub mod amount;
 pub mod arm;
 pub mod cartpole;
 pub mod continuous;
+#[cfg(test)]
+mod gymnasium;
+pub mod mountain_car;
 pub mod mountain_car_continuous;
 pub mod pendulum;
+pub mod physics;
 pub mod registry;
+pub mod varied;
 
+pub use acrobot::Acrobot;
 pub use cartpole::CartPole;
 pub use continuous::ContinuousProblem;
+pub use mountain_car::MountainCar;
 pub use mountain_car_continuous::MountainCarContinuous;
 pub use pendulum::Pendulum;
 pub use registry::{Problem, ProblemName, Visitor};

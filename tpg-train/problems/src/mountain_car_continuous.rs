@@ -1,7 +1,8 @@
 //! Gymnasium's MountainCarContinuous-v0: drive a weak car out of a valley, with as little force as possible.
 
+use crate::physics::physics;
 use crate::source;
-use serde::{Deserialize, Serialize};
+use crate::varied::{Adjustable, Settings};
 use tpg_engine::random::Stream;
 use tpg_engine::{Act, ActionSpace, End, Environment, Output, SourceSet, Step};
 use tpg_graph::SourceDocument;
@@ -9,10 +10,6 @@ use tpg_runtime::scalar::Scalar;
 
 /// Greatest force.
 const FORCE: f32 = 1.0;
-/// Acceleration of the greatest force in one action.
-const POWER: f32 = 0.0015;
-/// Acceleration of the steepest slope in one action.
-const SLOPE: f64 = 0.0025;
 /// Ends of the track.
 const TRACK: [f64; 2] = [-1.2, 0.6];
 /// Greatest speed, a position each action.
@@ -26,10 +23,17 @@ const PRICE: f64 = 0.1;
 /// Actions of an episode.
 const ACTIONS: u32 = 999;
 
-/// The section `[problem]` of a configuration for the car: it has no settings.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct Config {}
+physics! {
+    /// Acceleration of the greatest force in one action.
+    power = 0.0015, [0.0, 1.0];
+    /// Acceleration of the steepest slope in one action.
+    slope = 0.0025, [0.0, 1.0];
+    /// Fraction of the velocity that each action loses.
+    friction = 0.0, [0.0, 1.0];
+}
+
+/// The section `[problem]` of a configuration for the car.
+pub type Config = Settings<Amounts>;
 
 /// A car in a valley, too weak to drive out directly, by the rules of Gymnasium's MountainCarContinuous-v0.
 ///
@@ -51,10 +55,10 @@ pub struct MountainCarContinuous;
 /// A running episode.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drive {
-    position: f64,
-    velocity: f64,
+    pub(crate) position: f64,
+    pub(crate) velocity: f64,
     /// The position has been rounded to `f32`: after the first action.
-    is_rounded: bool,
+    pub(crate) is_rounded: bool,
 }
 
 impl<S: Scalar> Environment<S> for MountainCarContinuous {
@@ -93,12 +97,25 @@ impl<S: Scalar> Environment<S> for MountainCarContinuous {
     }
 
     fn step(&self, drive: &mut Drive, act: Act<'_, S>) -> Step {
+        self.step_under(&Physics::STANDARD, drive, act)
+    }
+}
+
+impl<S: Scalar> Adjustable<S> for MountainCarContinuous {
+    type Physics = Physics;
+
+    const REST: u16 = 0;
+
+    #[inline]
+    fn step_under(&self, physics: &Physics, drive: &mut Drive, act: Act<'_, S>) -> Step {
+        let (power, slope, friction) = (physics.power as f32, physics.slope, physics.friction);
         let wanted = act.values()[0].to_f64();
         let force = (wanted as f32).clamp(-FORCE, FORCE);
         // NumPy multiplies an f32 by 3 in f32; the first position is an f64. The crate libm instead of the platform's: the
         // same results on every machine.
         let angle = if drive.is_rounded { f64::from(3.0 * drive.position as f32) } else { 3.0 * drive.position };
-        let change = force * POWER - (SLOPE * libm::cos(angle)) as f32;
+        let lost = (friction * drive.velocity) as f32;
+        let change = force * power - (slope * libm::cos(angle)) as f32 - lost;
         let (mut position, mut velocity) = if drive.is_rounded {
             let velocity = (drive.velocity as f32 + change).clamp(-FASTEST as f32, FASTEST as f32);
             (f64::from(drive.position as f32 + velocity), f64::from(velocity))
@@ -112,7 +129,7 @@ impl<S: Scalar> Environment<S> for MountainCarContinuous {
         }
         let arrived = position >= GOAL && velocity >= 0.0;
         *drive = Drive { position: f64::from(position as f32), velocity: f64::from(velocity as f32), is_rounded: true };
-        let price = PRICE * wanted * wanted;
+        let price = wanted * wanted * PRICE;
         if arrived { Step::reward(REWARD - price).ending(End::new(0)) } else { Step::reward(-price) }
     }
 }

@@ -1,6 +1,8 @@
 //! Gymnasium's Pendulum-v1: swing a pendulum up with a motor that is too weak to lift it directly, and keep it up.
 
+use crate::physics::physics;
 use crate::source;
+use crate::varied::{Adjustable, Disturbance};
 use core::f64::consts::{PI, TAU};
 use serde::{Deserialize, Serialize};
 use tpg_engine::random::Stream;
@@ -15,19 +17,32 @@ const TORQUE: f64 = 2.0;
 const FASTEST: f64 = 8.0;
 /// Seconds of one action.
 const STEP: f64 = 0.05;
-/// Acceleration of gravity, m/s², with Gymnasium's value.
-const GRAVITY: f64 = 10.0;
 /// Actions of an episode.
 const ACTIONS: u32 = 200;
 
+physics! {
+    /// Acceleration of gravity, m/s², with Gymnasium's value.
+    gravity = 10.0, [0.0, 100.0];
+    /// Mass of the rod, kg.
+    mass = 1.0, [0.001, 1000.0];
+    /// Length of the rod, m.
+    length = 1.0, [0.01, 100.0];
+    /// Friction of the axle, N·m for each rad/s.
+    friction = 0.0, [0.0, 1000.0];
+}
+
 /// The section `[problem]` of a configuration for the pendulum.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Config {
     /// Number of torques that a graph chooses among, evenly spaced from −2 to 2 N·m. Without it, a graph computes the
     /// torque.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub levels: Option<u16>,
+    /// The constants of the rules.
+    pub physics: Amounts,
+    /// Delays, noise and hidden sources.
+    pub disturbance: Disturbance,
 }
 
 impl Config {
@@ -61,15 +76,15 @@ pub struct Pendulum;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Swing {
     /// Angle from upright, rad; not wrapped.
-    angle: f64,
+    pub(crate) angle: f64,
     /// Angular velocity, rad/s.
-    velocity: f64,
+    pub(crate) velocity: f64,
     /// Sine of the angle: an observation and a step read it.
     sine: f64,
 }
 
 impl Swing {
-    fn new(angle: f64, velocity: f64) -> Self {
+    pub(crate) fn new(angle: f64, velocity: f64) -> Self {
         // The crate libm instead of the platform's: the same results on every machine.
         Self { angle, velocity, sine: libm::sin(angle) }
     }
@@ -119,21 +134,38 @@ impl<S: Scalar> Environment<S> for Pendulum {
     }
 
     fn step(&self, swing: &mut Swing, act: Act<'_, S>) -> Step {
-        let torque = act.values()[0].to_f64().clamp(-TORQUE, TORQUE);
+        self.step_under(&Physics::STANDARD, swing, act)
+    }
+}
+
+impl<S: Scalar> Adjustable<S> for Pendulum {
+    type Physics = Physics;
+
+    const REST: u16 = 0;
+
+    #[inline]
+    fn step_under(&self, physics: &Physics, swing: &mut Swing, act: Act<'_, S>) -> Step {
+        let Physics { gravity, mass, length, friction } = *physics;
+        // A torque is an f32, and NumPy multiplies an f32 in f32.
+        let torque = (act.values()[0].to_f64() as f32).clamp(-TORQUE as f32, TORQUE as f32);
         let Swing { angle, velocity, sine } = *swing;
         let off = wrapped(angle);
-        let cost = off * off + 0.1 * velocity * velocity + 0.001 * torque * torque;
-        let faster = velocity + (1.5 * GRAVITY * sine + 3.0 * torque) * STEP;
+        let cost = off * off + 0.1 * (velocity * velocity) + f64::from(0.001 * (torque * torque));
+        let eased = 3.0 / (mass * (length * length));
+        let pushed = f64::from(eased as f32 * torque) - eased * friction * velocity;
+        let faster = velocity + (3.0 * gravity / (2.0 * length) * sine + pushed) * STEP;
         let velocity = faster.clamp(-FASTEST, FASTEST);
         *swing = Swing::new(angle + velocity * STEP, velocity);
         Step::reward(-cost)
     }
 }
 
-/// Wraps the angle to −π..π.
+/// Wraps the angle to −π..π, with every bit of NumPy's remainder.
 fn wrapped(angle: f64) -> f64 {
     let turned = angle + PI;
-    turned - TAU * (turned / TAU).floor() - PI
+    // A remainder is slow; within one turn it is exact without one.
+    let rest = if (0.0..TAU).contains(&turned) { turned } else { turned.rem_euclid(TAU) };
+    rest - PI
 }
 
 #[cfg(test)]
@@ -160,7 +192,8 @@ mod tests {
     fn the_rules_are_gymnasiums() {
         let mut swing = Swing::new(0.5, -1.0);
         let reward = step(&mut swing, 1.5);
-        assert!((reward + (0.25 + 0.1 + 0.001 * 2.25)).abs() < 1e-12);
+        // The torque's part is an f32.
+        assert!((reward + (0.25 + 0.1 + 0.001 * 2.25)).abs() < 1e-9);
         let velocity = -1.0 + (15.0 * 0.5f64.sin() + 4.5) * 0.05;
         assert!((swing.velocity - velocity).abs() < 1e-12 && (swing.angle - (0.5 + 0.05 * velocity)).abs() < 1e-12);
         // Torques beyond the limit are clamped, in motion and in cost.

@@ -1,10 +1,14 @@
 //! The built-in problems by name.
 
+use crate::acrobot::{self, Acrobot};
 use crate::arm::targets::Start;
 use crate::arm::{self, ArmScalar};
 use crate::cartpole::{self, CartPole};
+use crate::mountain_car::{self, MountainCar};
 use crate::mountain_car_continuous::{self, MountainCarContinuous};
 use crate::pendulum::{self, Pendulum};
+use crate::physics::Constants;
+use crate::varied::{Disturbance, Varied};
 use serde::{Deserialize, de::DeserializeOwned};
 use tpg_engine::Environment;
 use tpg_graph::error::{Finding, InputError};
@@ -22,6 +26,10 @@ pub enum ProblemName {
     Rs,
     /// A cart balances a pole: Gymnasium's CartPole-v1
     Cartpole,
+    /// A motor between two links swings them up: Gymnasium's Acrobot-v1
+    Acrobot,
+    /// A weak car drives out of a valley by three pushes: Gymnasium's MountainCar-v0
+    MountainCar,
     /// A weak motor swings a pendulum up: Gymnasium's Pendulum-v1
     Pendulum,
     /// A weak car drives out of a valley: Gymnasium's MountainCarContinuous-v0
@@ -30,7 +38,15 @@ pub enum ProblemName {
 
 impl ProblemName {
     /// Every built-in problem.
-    pub const ALL: [Self; 5] = [Self::Fs, Self::Rs, Self::Cartpole, Self::Pendulum, Self::MountainCarContinuous];
+    pub const ALL: [Self; 7] = [
+        Self::Fs,
+        Self::Rs,
+        Self::Cartpole,
+        Self::Acrobot,
+        Self::MountainCar,
+        Self::Pendulum,
+        Self::MountainCarContinuous,
+    ];
 
     /// Returns the name used on the command line and in configurations.
     pub const fn name(self) -> &'static str {
@@ -38,6 +54,8 @@ impl ProblemName {
             Self::Fs => "fs",
             Self::Rs => "rs",
             Self::Cartpole => "cartpole",
+            Self::Acrobot => "acrobot",
+            Self::MountainCar => "mountain-car",
             Self::Pendulum => "pendulum",
             Self::MountainCarContinuous => "mountain-car-continuous",
         }
@@ -58,7 +76,7 @@ impl ProblemName {
         match self {
             Self::Fs => Some(Start::Fs),
             Self::Rs => Some(Start::Rs),
-            Self::Cartpole | Self::Pendulum | Self::MountainCarContinuous => None,
+            Self::Cartpole | Self::Acrobot | Self::MountainCar | Self::Pendulum | Self::MountainCarContinuous => None,
         }
     }
 }
@@ -74,15 +92,18 @@ impl From<Start> for ProblemName {
 
 /// A problem with its settings: the section `[problem]` of a configuration.
 #[derive(Clone, Debug, PartialEq)]
-#[expect(clippy::large_enum_variant, reason = "a run has one of them")]
 pub enum Problem {
     /// The arm.
     Arm(Start, arm::Config),
     /// The pole on a cart.
     Cartpole(cartpole::Config),
+    /// The two links.
+    Acrobot(acrobot::Config),
+    /// The car in a valley, by three pushes.
+    MountainCar(mountain_car::Config),
     /// The pendulum.
     Pendulum(pendulum::Config),
-    /// The car in a valley.
+    /// The car in a valley, by a force.
     MountainCarContinuous(mountain_car_continuous::Config),
 }
 
@@ -114,6 +135,8 @@ impl Problem {
             ProblemName::Fs => Self::Arm(Start::Fs, arm::Config::default()),
             ProblemName::Rs => Self::Arm(Start::Rs, arm::Config::default()),
             ProblemName::Cartpole => Self::Cartpole(cartpole::Config::default()),
+            ProblemName::Acrobot => Self::Acrobot(acrobot::Config::default()),
+            ProblemName::MountainCar => Self::MountainCar(mountain_car::Config::default()),
             ProblemName::Pendulum => Self::Pendulum(pendulum::Config::default()),
             ProblemName::MountainCarContinuous => {
                 Self::MountainCarContinuous(mountain_car_continuous::Config::default())
@@ -126,6 +149,8 @@ impl Problem {
         match self {
             Self::Arm(start, _) => (*start).into(),
             Self::Cartpole(_) => ProblemName::Cartpole,
+            Self::Acrobot(_) => ProblemName::Acrobot,
+            Self::MountainCar(_) => ProblemName::MountainCar,
             Self::Pendulum(_) => ProblemName::Pendulum,
             Self::MountainCarContinuous(_) => ProblemName::MountainCarContinuous,
         }
@@ -136,7 +161,11 @@ impl Problem {
     pub fn levels(&self) -> Option<u16> {
         match self {
             Self::Pendulum(config) => config.levels,
-            Self::Arm(..) | Self::Cartpole(_) | Self::MountainCarContinuous(_) => None,
+            Self::Arm(..)
+            | Self::Cartpole(_)
+            | Self::Acrobot(_)
+            | Self::MountainCar(_)
+            | Self::MountainCarContinuous(_) => None,
         }
     }
 
@@ -156,6 +185,8 @@ impl Problem {
             ProblemName::Fs => Self::Arm(Start::Fs, section(file, text)?),
             ProblemName::Rs => Self::Arm(Start::Rs, section(file, text)?),
             ProblemName::Cartpole => Self::Cartpole(section(file, text)?),
+            ProblemName::Acrobot => Self::Acrobot(section(file, text)?),
+            ProblemName::MountainCar => Self::MountainCar(section(file, text)?),
             ProblemName::Pendulum => Self::Pendulum(section(file, text)?),
             ProblemName::MountainCarContinuous => Self::MountainCarContinuous(section(file, text)?),
         };
@@ -166,10 +197,14 @@ impl Problem {
     fn check(&self) -> Result<(), Finding> {
         match self {
             Self::Arm(_, config) => config.check(),
-            Self::Cartpole(cartpole::Config {}) | Self::MountainCarContinuous(mountain_car_continuous::Config {}) => {
-                Ok(())
+            Self::Cartpole(config) => check(CartPole, &config.physics, &config.disturbance),
+            Self::Acrobot(config) => check(Acrobot, &config.physics, &config.disturbance),
+            Self::MountainCar(config) => check(MountainCar, &config.physics, &config.disturbance),
+            Self::MountainCarContinuous(config) => check(MountainCarContinuous, &config.physics, &config.disturbance),
+            Self::Pendulum(config) => {
+                config.check()?;
+                check(Pendulum, &config.physics, &config.disturbance)
             }
-            Self::Pendulum(config) => config.check(),
         }
     }
 
@@ -181,6 +216,8 @@ impl Problem {
         let mut table = match self {
             Self::Arm(_, config) => toml::Table::try_from(config),
             Self::Cartpole(config) => toml::Table::try_from(config),
+            Self::Acrobot(config) => toml::Table::try_from(config),
+            Self::MountainCar(config) => toml::Table::try_from(config),
             Self::Pendulum(config) => toml::Table::try_from(config),
             Self::MountainCarContinuous(config) => toml::Table::try_from(config),
         }
@@ -193,11 +230,27 @@ impl Problem {
     pub fn open<S: ArmScalar, V: Visitor<S>>(&self, visitor: V) -> V::Output {
         match self {
             Self::Arm(start, config) => visitor.visit(config.environment::<S>(*start)),
-            Self::Cartpole(_) => visitor.visit(CartPole),
-            Self::Pendulum(_) => visitor.visit(Pendulum),
-            Self::MountainCarContinuous(_) => visitor.visit(MountainCarContinuous),
+            Self::Cartpole(config) => visitor.visit(Varied::new(CartPole, config.physics, config.disturbance.clone())),
+            Self::Acrobot(config) => visitor.visit(Varied::new(Acrobot, config.physics, config.disturbance.clone())),
+            Self::MountainCar(config) => {
+                visitor.visit(Varied::new(MountainCar, config.physics, config.disturbance.clone()))
+            }
+            Self::Pendulum(config) => visitor.visit(Varied::new(Pendulum, config.physics, config.disturbance.clone())),
+            Self::MountainCarContinuous(config) => {
+                visitor.visit(Varied::new(MountainCarContinuous, config.physics, config.disturbance.clone()))
+            }
         }
     }
+}
+
+/// Checks the constants and the disturbances of a problem.
+fn check(
+    environment: impl Environment<f64>,
+    physics: &impl Constants,
+    disturbance: &Disturbance,
+) -> Result<(), Finding> {
+    physics.check()?;
+    disturbance.check(&environment.sources())
 }
 
 /// The problem that the section `[problem]` names.
@@ -248,6 +301,32 @@ mod tests {
             ("[problem]\nname = \"pendulum\"\nlevels = 1\n", 3, "problem.levels = 1"),
             ("[problem]\nname = \"pendulum\"\nlevels = \"many\"\n", 3, "invalid type"),
             ("[problem]\nname = \"fs\"\nstep = 5\nshield = \"limits\"\n", 4, "problem.shield = \"limits\""),
+            ("[problem]\nname = \"cartpole\"\n[problem.physics]\nlength = 0.0\n", 4, "problem.physics.length = 0"),
+            (
+                "[problem]\nname = \"acrobot\"\n[problem.physics]\nmass_2 = [2, 1]\n",
+                4,
+                "problem.physics.mass_2 = [2.0, 1.0]",
+            ),
+            (
+                "[problem]\nname = \"cartpole\"\n[problem.physics]\nforce = \"strong\"\n",
+                4,
+                "a number, or [lowest, highest]",
+            ),
+            (
+                "[problem]\nname = \"pendulum\"\n[problem.disturbance]\nhidden = [\"speed\"]\n",
+                4,
+                "problem.disturbance.hidden",
+            ),
+            (
+                "[problem]\nname = \"mountain-car\"\n[problem.disturbance]\ndelay = 101\n",
+                4,
+                "problem.disturbance.delay",
+            ),
+            (
+                "[problem]\nname = \"pendulum\"\n[problem.disturbance.noise]\nomega = -1\n",
+                4,
+                "problem.disturbance.noise.omega",
+            ),
             ("[problem]\nname = \"lander\"\n", 2, "problem.name = \"lander\""),
             ("[problem]\nname = \"rs\"\n[problem.arm]\nhome = 3\n", 4, "invalid type"),
         ] {

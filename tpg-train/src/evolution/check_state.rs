@@ -2,6 +2,7 @@
 
 use super::config::Config;
 use super::genome::{Destination, Edge, Genome, Program, TeamId};
+use super::linear::LinearWriter;
 use super::state::{Best, Deme, State};
 use super::vocabulary::Vocabulary;
 use tpg_engine::{ActionSpace, Environment};
@@ -53,11 +54,13 @@ impl<Task: std::fmt::Debug> State<Task> {
         let vocabulary = config.vocabulary(environment, self.scales.clone());
         let limits = Limits { config, vocabulary: &vocabulary, actions };
         for (place, deme) in self.demes.iter().enumerate() {
-            if self.generation > 0 && deme.genome.teams().is_empty() {
+            // During a linear start no deme needs to have teams; after it every one has.
+            if self.generation > config.linear_generations() && deme.genome.teams().is_empty() {
                 return Err(Finding::new(format!("demes[{place}].genome.teams"), "no team", "one or more"));
             }
             limits.deme(deme).map_err(|finding| finding.within(&format!("demes[{place}]")))?;
         }
+        self.check_searches(config, &vocabulary, actions)?;
         equal("archive.size", self.archive.size(), config.learning.archive_size)?;
         self.archive.check(self.demes.len(), inputs).map_err(|finding| finding.within("archive"))?;
         Finding::range("pool", self.pool.len(), 0, config.pool.size)?;
@@ -67,6 +70,29 @@ impl<Task: std::fmt::Debug> State<Task> {
         }
         let best = |best| check_best(best, self.generation, config, inputs, &space);
         self.best.as_ref().map_or(Ok(()), best).map_err(|finding| finding.within("best"))
+    }
+}
+
+impl<Task> State<Task> {
+    fn check_searches(&self, config: &Config, vocabulary: &Vocabulary, actions: usize) -> Result<(), Finding> {
+        let generations = config.linear_generations();
+        let accepted = match self.generation {
+            0 => [0, 0],
+            _ if generations == 0 => [0, 0],
+            generation if generation <= generations.div_ceil(2) => [config.start.searches; 2],
+            _ => [1, 1],
+        };
+        Finding::range("searches", self.searches.len(), accepted[0], accepted[1])?;
+        if self.searches.is_empty() {
+            return Ok(());
+        }
+        let weights = LinearWriter::new(vocabulary, actions as u16)?.weights();
+        for (place, search) in self.searches.iter().enumerate() {
+            let key = format!("searches[{place}]");
+            search.cma.check(weights).map_err(|finding| finding.within(&format!("{key}.cma")))?;
+            Finding::range(&format!("{key}.score"), search.score, -1e30, 1e30)?;
+        }
+        Ok(())
     }
 }
 

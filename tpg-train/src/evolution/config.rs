@@ -60,6 +60,12 @@ pub struct Config {
     pub pool: PoolConfig,
     /// Coarser episodes in the first generations.
     pub curriculum: CurriculumConfig,
+    /// The first generations.
+    #[serde(default)]
+    pub start: StartConfig,
+    /// Small changes of children.
+    #[serde(default)]
+    pub refinement: RefinementConfig,
 }
 
 /// The language of programs.
@@ -184,6 +190,12 @@ pub struct SelectionConfig {
     pub validation_episodes: usize,
     /// Fraction of a run's episodes available for validation, 0 to 1.
     pub validation_share: f64,
+    /// Price of a line of a policy, as a fraction of the way from the first generation's median score to the best.
+    #[serde(default)]
+    pub line_price: f64,
+    /// Number of validations in a row without a better root after which the run ends; 0 for none.
+    #[serde(default)]
+    pub flat_after: usize,
 }
 
 /// Literal constants of operands, if the language has them.
@@ -267,6 +279,64 @@ pub struct CurriculumConfig {
     pub roughness: u8,
 }
 
+/// The first population.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum StartKind {
+    /// Random policies.
+    #[default]
+    Random,
+    /// In some demes, weighted sums of the inputs that [covariance matrix adaptation](super::cma) has found.
+    Linear,
+}
+
+/// The first population, and the search for it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct StartConfig {
+    /// Its kind; the other settings matter only for a linear one.
+    pub kind: StartKind,
+    /// Number of generations of the search for weights.
+    pub generations: u64,
+    /// Number of searches, of which the best goes on after half of the generations.
+    pub searches: usize,
+    /// Number of samples of a search in a generation; 0 for 4 + 3 ln n with n weights.
+    pub samples: usize,
+    /// Number of episodes of a sample.
+    pub episodes: usize,
+    /// Standard deviation of the first samples: 1 is a whole output for a whole input.
+    pub deviation: f64,
+    /// Number of demes that begin with the result; the others begin at random.
+    pub demes: usize,
+}
+
+impl Default for StartConfig {
+    fn default() -> Self {
+        let kind = StartKind::Random;
+        Self { kind, generations: 60, searches: 3, samples: 0, episodes: 2, deviation: 0.5, demes: 1 }
+    }
+}
+
+/// Small changes of children, which keep the structure of a policy.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct RefinementConfig {
+    /// Probability that a child only has other constants: all of them, or one.
+    pub p_jitter: f64,
+    /// Lowest and highest standard deviation of that change, relative to the constant; each child draws one.
+    pub deviations: [f64; 2],
+    /// Probability that a child only lacks a line.
+    pub p_deletion: f64,
+    /// Number of children of the best root of a deme that only have other constants.
+    pub elite: usize,
+}
+
+impl Default for RefinementConfig {
+    fn default() -> Self {
+        Self { p_jitter: 0.0, deviations: [0.02, 0.6], p_deletion: 0.0, elite: 0 }
+    }
+}
+
 impl CurriculumConfig {
     /// Returns the roughness of a generation's episodes; 1 after the curriculum.
     pub fn at(&self, generation: u64) -> u8 {
@@ -332,6 +402,11 @@ impl Config {
             Some(place) => vocabulary.with_bounds(&sources[place]),
             None => vocabulary,
         }
+    }
+
+    /// Returns the number of generations of a linear start; 0 without one.
+    pub fn linear_generations(&self) -> u64 {
+        if self.start.kind == StartKind::Linear { self.start.generations } else { 0 }
     }
 
     /// Returns the instruction set, looked up by name.

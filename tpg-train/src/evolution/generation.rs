@@ -6,15 +6,17 @@ use super::genome::{Destination, ProgramId, TeamId};
 use super::mutate_leaf::LeafMutator;
 use super::mutate_program::ProgramMutator;
 use super::mutate_team::{Moment, populate, random_population};
+use super::refine::Refiner;
 use super::select::{Candidate, ranked, survivors};
-use super::state::{Record, Row, State};
+use super::size;
+use super::state::{Deme, Record, Row, State};
 use super::vocabulary::Vocabulary;
 use std::collections::BTreeSet;
 use std::marker::PhantomData;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{
-    Ending, Environment, EvaluationError, Evaluator, Preference, Summary, UnitKey, Visit, Work, WorkUnit, bounded,
-    finite,
+    Ending, Environment, EvaluationError, Evaluator, Policy, Preference, Summary, UnitKey, Visit, Work, WorkUnit,
+    bounded, finite,
 };
 use tpg_runtime::scalar::Scalar;
 
@@ -27,7 +29,7 @@ pub struct Evolution<'e, S: Scalar, E: Environment<S>, V> {
     pub(super) evaluator: &'e V,
     pub(super) selection_tasks: Vec<E::Task>,
     pub(super) goal: Goal,
-    actions: u16,
+    pub(super) actions: u16,
     number: PhantomData<S>,
 }
 
@@ -49,18 +51,20 @@ pub(super) fn root_number(deme: usize, team: TeamId) -> u64 {
 struct Evaluated {
     deme: usize,
     team: TeamId,
+    policy: Policy,
+    lines: usize,
     endings: Vec<Ending>,
     dropped: bool,
 }
 
 /// The figures of an evaluation by which roots are selected.
-struct Judged {
-    scores: Vec<f64>,
+pub(super) struct Judged {
+    pub(super) scores: Vec<f64>,
     solved: Vec<bool>,
 }
 
 impl Judged {
-    fn new(endings: &[Ending], preference: Preference) -> Self {
+    pub(super) fn new(endings: &[Ending], preference: Preference) -> Self {
         let scores = endings.iter().map(|ending| finite(ending.score)).collect();
         let solved = match preference {
             Preference::Score => Vec::new(),
@@ -92,6 +96,9 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
     /// # Errors
     /// If roots cannot be evaluated; the state is then unchanged except for newly bred children.
     pub fn advance(&self, state: &mut State<E::Task>) -> Result<(), EvaluationError> {
+        if self.is_linear(state) {
+            return self.advance_linear(state);
+        }
         let curriculum = &self.config.curriculum;
         let roughness = curriculum.at(state.generation);
         if state.generation > 0 && roughness != curriculum.at(state.generation - 1) {
@@ -100,7 +107,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
             state.demes.iter_mut().for_each(|deme| deme.records.clear());
         }
         self.breed(state);
-        let tasks = self.tasks(state);
+        let tasks = self.tasks(state, self.config.learning.nb_iterations_per_policy_evaluation);
         let evaluated = self.evaluate(state, &tasks)?;
         let preference = self.environment.preference();
         let scores: Vec<Judged> = evaluated.iter().map(|root| Judged::new(&root.endings, preference)).collect();
@@ -139,7 +146,15 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         let reached =
             state.best.as_ref().zip(self.goal.target).is_some_and(|(best, target)| best.result.score >= target);
         let steps_done = self.goal.max_steps.is_some_and(|most| state.steps >= most);
-        reached || steps_done || state.generation >= self.config.learning.nb_generations
+        reached || steps_done || self.is_flat(state) || state.generation >= self.config.learning.nb_generations
+    }
+
+    /// True if the newest validations have brought no better root.
+    fn is_flat(&self, state: &State<E::Task>) -> bool {
+        let most = self.config.selection.flat_after;
+        let Some(best) = state.best.as_ref().filter(|_| most > 0) else { return false };
+        let since = state.rows.iter().rev().take_while(|row| row.generation > best.generation);
+        since.filter(|row| row.validation.is_some()).count() >= most
     }
 
     fn breed(&self, state: &mut State<E::Task>) {
@@ -150,9 +165,12 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         };
         let longer = LeafMutator::longer(&self.config.program, &self.config.leaves);
         let leaves = ProgramMutator { parameters: &longer, ..mutator };
-        let growing = LeafMutator { bids: mutator, leaves, parameters: &self.config.leaves, tpg: &self.config.tpg };
+        let refiner = Refiner { vocabulary: &self.vocabulary, parameters: &self.config.refinement };
+        let growing =
+            LeafMutator { bids: mutator, leaves, refiner, parameters: &self.config.leaves, tpg: &self.config.tpg };
         for (index, deme) in (0..).zip(&mut state.demes) {
             let moment = Moment { seed: state.seed, generation: state.generation, deme: index };
+            self.refine_elite(deme, &refiner, moment);
             if !self.vocabulary.outputs().is_empty() {
                 if deme.genome.teams().is_empty() {
                     let mut stream = moment.stream(Purpose::Initial, 0);
@@ -165,14 +183,26 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
                 let mut stream = moment.stream(Purpose::Initial, 0);
                 deme.genome = random_population(&mutator, &self.config.tpg, self.actions, &mut stream);
             }
-            populate(&mut deme.genome, &mutator, &self.config.tpg, &state.archive, self.actions, moment);
+            populate(&mut deme.genome, &mutator, &refiner, &self.config.tpg, &state.archive, self.actions, moment);
         }
     }
 
-    fn tasks(&self, state: &State<E::Task>) -> Vec<E::Task> {
+    /// Adds children of a deme's best root that only have other constants.
+    fn refine_elite(&self, deme: &mut Deme, refiner: &Refiner<'_>, moment: Moment) {
+        let better = |a: &Record, b: &Record| a.mean.total_cmp(&b.mean);
+        // The oldest of equals: `max_by` would return the last.
+        let best = deme.records.iter().rev().max_by(|a, b| better(a.1, b.1)).map(|(&team, _)| team);
+        let Some(best) = best else { return };
+        for index in 0..self.config.refinement.elite as u64 {
+            refiner.jittered(&mut deme.genome, best, &mut moment.stream(Purpose::Elite, index));
+        }
+    }
+
+    /// Returns the tasks of a generation, the same for every root.
+    pub(super) fn tasks(&self, state: &State<E::Task>, count: usize) -> Vec<E::Task> {
         let mut choice = Stream::new(state.seed, state.generation, Purpose::Pool, 0);
         let roughness = self.config.curriculum.at(state.generation);
-        (0..self.config.learning.nb_iterations_per_policy_evaluation as u64)
+        (0..count as u64)
             .map(|index| {
                 if choice.chance(self.config.pool.share) && !state.pool.is_empty() {
                     state.pool[choice.below(state.pool.len())].clone()
@@ -189,7 +219,9 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         let mut roots: Vec<Evaluated> = Vec::new();
         for (deme, population) in state.demes.iter().enumerate() {
             for team in population.genome.roots() {
-                roots.push(Evaluated { deme, team, endings: Vec::new(), dropped: false });
+                let policy = population.genome.policy(team, &self.vocabulary);
+                let lines = size::lines(&policy);
+                roots.push(Evaluated { deme, team, policy, lines, endings: Vec::new(), dropped: false });
             }
         }
         let most = self.config.learning.max_nb_evaluation_per_policy;
@@ -224,9 +256,9 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         places: &[usize],
     ) -> Result<(), EvaluationError> {
         let units = places.iter().map(|&place| {
-            let Evaluated { deme, team, .. } = roots[place];
-            let key = UnitKey { seed: state.seed, generation: state.generation, root: root_number(deme, team) };
-            WorkUnit { key, policy: state.demes[deme].genome.policy(team, &self.vocabulary) }
+            let Evaluated { deme, team, policy, .. } = &roots[place];
+            let key = UnitKey { seed: state.seed, generation: state.generation, root: root_number(*deme, *team) };
+            WorkUnit { key, policy: policy.clone() }
         });
         let work = Work { tasks: tasks.to_vec(), units: units.collect() };
         let answers = self.evaluator.evaluate(&work)?;
@@ -237,14 +269,15 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
     }
 
     fn row(&self, state: &State<E::Task>, evaluated: &[Evaluated], scores: &[Judged]) -> Row {
-        let candidates = candidates(state, evaluated, scores, None);
+        let candidates = self.candidates(state, evaluated, scores, None);
         let order = ranked(&candidates);
         let best = &evaluated[order[0]];
+        let mean = |place: usize| record(state, &evaluated[place]).mean;
         let Summary { success, measure, .. } = Summary::of(&best.endings);
         Row {
             generation: state.generation,
-            best_score: candidates[order[0]].mean,
-            median_score: candidates[order[order.len() / 2]].mean,
+            best_score: mean(order[0]),
+            median_score: mean(order[order.len() / 2]),
             best_success: success,
             best_measure: measure,
             roots: evaluated.len(),
@@ -266,7 +299,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         if self.config.pool.size == 0 {
             return;
         }
-        let best = ranked(&candidates(state, evaluated, scores, None))[0];
+        let best = ranked(&self.candidates(state, evaluated, scores, None))[0];
         let mean = Summary::of(&evaluated[best].endings).score;
         for (task, ending) in tasks.iter().zip(&evaluated[best].endings) {
             let hard = ending.success.map_or(ending.score < mean, |success| !success);
@@ -283,7 +316,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
     fn select(&self, state: &mut State<E::Task>, evaluated: &[Evaluated], scores: &[Judged]) {
         for deme in 0..state.demes.len() {
             let of_deme: Vec<&Evaluated> = evaluated.iter().filter(|root| root.deme == deme).collect();
-            let candidates = candidates(state, evaluated, scores, Some(deme));
+            let candidates = self.candidates(state, evaluated, scores, Some(deme));
             let count = self.config.survivors_of(candidates.len());
             let index = (deme as u64) << 40;
             let mut stream = Stream::new(state.seed, state.generation, Purpose::Lexicase, index);
@@ -343,8 +376,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
             let root = *stream.pick(&evaluated);
             let task = stream.below(root.endings.len());
             let after = vec![stream.below(root.endings[task].actions as usize) as u32];
-            let policy = state.demes[root.deme].genome.policy(root.team, &self.vocabulary);
-            visits.push(Visit { policy, task: tasks[task].clone(), after });
+            visits.push(Visit { policy: root.policy.clone(), task: tasks[task].clone(), after });
             drawn.push((root, stream));
         }
         let states = self.evaluator.visit(&visits)?.into_iter().flatten();
@@ -382,20 +414,39 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
             }
         }
     }
+
+    /// Returns the price of a line, in the unit of the score.
+    pub(super) fn line_price(&self, state: &State<E::Task>) -> f64 {
+        let price = self.config.selection.line_price;
+        let Some((first, newest)) = state.rows.first().zip(state.rows.last()).filter(|_| price > 0.0) else {
+            return 0.0;
+        };
+        price * (newest.best_score - first.median_score).max(0.0)
+    }
+
+    /// Returns the roots of one deme, or of all, as candidates for selection.
+    fn candidates<'a>(
+        &self,
+        state: &State<E::Task>,
+        evaluated: &[Evaluated],
+        scores: &'a [Judged],
+        deme: Option<usize>,
+    ) -> Vec<Candidate<'a>> {
+        let price = self.line_price(state);
+        (evaluated.iter().zip(scores))
+            .filter(|(root, _)| deme.is_none_or(|deme| root.deme == deme))
+            .map(|(root, scores)| Candidate {
+                mean: record(state, root).mean - price * root.lines as f64,
+                lines: root.lines,
+                scores: &scores.scores,
+                solved: &scores.solved,
+                dropped: root.dropped,
+            })
+            .collect()
+    }
 }
 
-/// Returns the roots of one deme, or of all, as candidates for selection.
-fn candidates<'a, Task>(
-    state: &State<Task>,
-    evaluated: &[Evaluated],
-    scores: &'a [Judged],
-    deme: Option<usize>,
-) -> Vec<Candidate<'a>> {
-    (evaluated.iter().zip(scores))
-        .filter(|(root, _)| deme.is_none_or(|deme| root.deme == deme))
-        .map(|(root, scores)| {
-            let record = state.demes[root.deme].records.get(&root.team).copied().unwrap_or(Record::default());
-            Candidate { mean: record.mean, scores: &scores.scores, solved: &scores.solved, dropped: root.dropped }
-        })
-        .collect()
+/// Returns a root's record so far.
+fn record<Task>(state: &State<Task>, root: &Evaluated) -> Record {
+    state.demes[root.deme].records.get(&root.team).copied().unwrap_or_default()
 }

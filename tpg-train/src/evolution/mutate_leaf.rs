@@ -7,6 +7,7 @@ use super::config::{LeafConfig, ProgramParameters, TpgParameters};
 use super::genome::{Destination, Edge, Genome, Leaf, LeafId, Team, TeamId};
 use super::mutate_program::ProgramMutator;
 use super::mutate_team::Moment;
+use super::refine::Refiner;
 use std::collections::BTreeMap;
 use tpg_engine::random::{Purpose, Stream};
 
@@ -17,6 +18,8 @@ pub struct LeafMutator<'a> {
     pub bids: ProgramMutator<'a>,
     /// Draws and changes the programs of leaves.
     pub leaves: ProgramMutator<'a>,
+    /// Makes children by small changes.
+    pub refiner: Refiner<'a>,
     /// Parameters of leaves.
     pub parameters: &'a LeafConfig,
     /// Parameters of teams.
@@ -73,6 +76,9 @@ impl<'a> LeafMutator<'a> {
     }
 
     fn child(&self, genome: &mut Genome, parent: TeamId, before: &Before<'_>, stream: &mut Stream) -> TeamId {
+        if let Some(child) = self.refiner.child(genome, parent, stream) {
+            return child;
+        }
         let parameters = self.parameters;
         let mut edges = genome.team(parent).edges.clone();
         let changed = stream.below(edges.len());
@@ -136,6 +142,7 @@ mod tests {
     use crate::evolution::mutate_program::ProgramMutator;
     use crate::evolution::mutate_team::Moment;
     use crate::evolution::presets::Preset;
+    use crate::evolution::refine::Refiner;
     use crate::evolution::vocabulary::Vocabulary;
     use tpg_engine::Limits;
     use tpg_engine::random::{Purpose, Stream};
@@ -150,7 +157,8 @@ mod tests {
         let bids = ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
         let longer = LeafMutator::longer(&config.program, &config.leaves);
         let leaves = ProgramMutator { parameters: &longer, ..bids };
-        let mutator = LeafMutator { bids, leaves, parameters: &config.leaves, tpg: &config.tpg };
+        let refiner = Refiner { vocabulary: &vocabulary, parameters: &config.refinement };
+        let mutator = LeafMutator { bids, leaves, refiner, parameters: &config.leaves, tpg: &config.tpg };
         let mut genome = mutator.random_population(40, &mut Stream::new(1, 0, Purpose::Test, 0));
         for generation in 0..generations {
             mutator.populate(&mut genome, Moment { seed: 1, generation, deme: 0 });

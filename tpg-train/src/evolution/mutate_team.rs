@@ -4,6 +4,7 @@ use super::archive::Archive;
 use super::config::TpgParameters;
 use super::genome::{Destination, Edge, Genome, Program, ProgramId, Team, TeamId};
 use super::mutate_program::ProgramMutator;
+use super::refine::Refiner;
 use std::collections::BTreeMap;
 use tpg_engine::random::{Purpose, Stream};
 
@@ -72,11 +73,12 @@ pub fn random_population(
 
 /// Adds children until there are `nbRoots` roots (`TPGMutator::populateTPG`).
 ///
-/// A child is a mutated copy of a root, each root being equally likely. If an edge of the child leads to a root, that
+/// A child is a mutated copy of a root, each root being equally likely; the `refiner` may make it instead. If an edge of the child leads to a root, that
 /// team is no longer a root, so roots are counted again after every child.
 pub fn populate(
     genome: &mut Genome,
     mutator: &ProgramMutator<'_>,
+    refiner: &Refiner<'_>,
     parameters: &TpgParameters,
     archive: &Archive,
     actions: u16,
@@ -93,8 +95,11 @@ pub fn populate(
     while count < parameters.nb_roots {
         let mut stream = moment.stream(Purpose::Child, children);
         let parent = *stream.pick(&roots);
-        let child = genome.add_team(genome.team(parent).clone());
-        mutate_team(genome, child, &before, parameters, &mut to_mutate, &mut stream);
+        let child = refiner.child(genome, parent, &mut stream).unwrap_or_else(|| {
+            let child = genome.add_team(genome.team(parent).clone());
+            mutate_team(genome, child, &before, parameters, &mut to_mutate, &mut stream);
+            child
+        });
         count += 1;
         for edge in &genome.team(child).edges {
             if let Destination::Team(to) = edge.to
@@ -208,6 +213,7 @@ mod tests {
     use crate::evolution::genome::{Destination, Genome, Program, ProgramId};
     use crate::evolution::mutate_program::ProgramMutator;
     use crate::evolution::presets::Preset;
+    use crate::evolution::refine::Refiner;
     use crate::evolution::vocabulary::Vocabulary;
     use tpg_engine::random::{Purpose, Stream};
     use tpg_graph::{ScalarType, SourceDocument};
@@ -230,7 +236,8 @@ mod tests {
         let mut genome = random_population(&mutator, &config.tpg, 9, &mut Stream::new(1, 0, Purpose::Test, 0));
         for generation in 0..generations {
             let moment = Moment { seed: 1, generation, deme: 0 };
-            populate(&mut genome, &mutator, &config.tpg, &Archive::new(0), 9, moment);
+            let refiner = Refiner { vocabulary: &vocabulary, parameters: &config.refinement };
+            populate(&mut genome, &mutator, &refiner, &config.tpg, &Archive::new(0), 9, moment);
             let doomed: Vec<_> = genome.roots().into_iter().step_by(3).collect();
             genome.remove_roots(&doomed);
         }
@@ -263,7 +270,8 @@ mod tests {
         let mutator =
             ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
         let moment = Moment { seed: 1, generation: 9, deme: 0 };
-        populate(&mut genome, &mutator, &config.tpg, &Archive::new(0), 9, moment);
+        let refiner = Refiner { vocabulary: &vocabulary, parameters: &config.refinement };
+        populate(&mut genome, &mutator, &refiner, &config.tpg, &Archive::new(0), 9, moment);
         assert_eq!(genome.roots().len(), config.tpg.nb_roots);
         let mut deep = 0;
         for (&id, team) in genome.teams() {

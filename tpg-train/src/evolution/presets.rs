@@ -59,7 +59,12 @@ pub struct Preset {
 }
 
 /// Every preset.
-pub const PRESETS: [Preset; 8] = [
+pub const PRESETS: [Preset; 9] = [
+    Preset {
+        name: "linear",
+        about: "for any problem: some demes begin with weighted sums of the inputs, the others at random",
+        text: include_str!("presets/linear.toml"),
+    },
     Preset { name: "general", about: "for any problem with named actions", text: include_str!("presets/general.toml") },
     Preset {
         name: "continuous",
@@ -104,8 +109,11 @@ impl Preset {
         let name = match problem {
             ProblemName::Fs => "best-fs",
             ProblemName::Rs => "best-rs",
-            ProblemName::Cartpole => "general",
-            ProblemName::Pendulum | ProblemName::MountainCarContinuous => "continuous",
+            ProblemName::Cartpole
+            | ProblemName::Acrobot
+            | ProblemName::MountainCar
+            | ProblemName::MountainCarContinuous => "linear",
+            ProblemName::Pendulum => "continuous",
         };
         Self::find(name).expect("it is in the list")
     }

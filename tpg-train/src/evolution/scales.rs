@@ -5,6 +5,7 @@ use super::generation::{Evolution, Goal};
 use super::mutate_leaf::LeafMutator;
 use super::mutate_program::ProgramMutator;
 use super::mutate_team::random_population;
+use super::refine::Refiner;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{Environment, EvaluationError, Evaluator};
 use tpg_runtime::scalar::Scalar;
@@ -52,7 +53,9 @@ fn explore<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
     let population = if vocabulary.outputs().is_empty() {
         random_population(&mutator, &few, actions as u16, &mut stream)
     } else {
-        let growing = LeafMutator { bids: mutator, leaves: mutator, parameters: &config.leaves, tpg: &config.tpg };
+        let refiner = Refiner { vocabulary, parameters: &config.refinement };
+        let growing =
+            LeafMutator { bids: mutator, leaves: mutator, refiner, parameters: &config.leaves, tpg: &config.tpg };
         growing.random_population(EXPLORERS, &mut stream)
     };
     let policies: Vec<_> = population.roots().into_iter().map(|root| population.policy(root, vocabulary)).collect();

@@ -2,6 +2,7 @@
 
 use super::archive::Archive;
 use super::genome::{Genome, TeamId};
+use super::linear::Search;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, VecDeque};
 use tpg_engine::{Policy, Summary};
@@ -76,6 +77,9 @@ pub struct State<Task> {
     pub seed: u64,
     /// The next generation.
     pub generation: u64,
+    /// The searches of a linear start.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub searches: Vec<Search>,
     /// The demes.
     pub demes: Vec<Deme>,
     /// The archive.
@@ -102,6 +106,7 @@ impl<Task> State<Task> {
         Self {
             seed,
             generation: 0,
+            searches: Vec::new(),
             demes: vec![Deme::default(); demes],
             archive: Archive::new(archive_size),
             pool: VecDeque::new(),

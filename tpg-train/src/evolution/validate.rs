@@ -6,7 +6,9 @@
 //! allows for it and for the final one.
 
 use super::generation::{Evolution, root_number};
+use super::size;
 use super::state::{Best, State};
+use std::cmp::Ordering;
 use tpg_engine::{Ending, Environment, EvaluationError, Evaluator, Policy, Summary, UnitKey, Visit, Work, WorkUnit};
 use tpg_runtime::scalar::Scalar;
 
@@ -40,12 +42,22 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
     pub(super) fn validate(&self, state: &mut State<E::Task>) -> Result<Option<Summary>, EvaluationError> {
         let Some(episodes) = self.episodes_to_spend(state) else { return Ok(None) };
         let (policy, result) = self.race(state, episodes)?;
-        let preference = self.environment.preference();
-        if state.best.as_ref().is_none_or(|best| result.compare(&best.result, preference).is_gt()) {
+        let is_better = |best: &Best| self.compare(state, (&best.result, &best.policy), (&result, &policy)).is_gt();
+        if state.best.as_ref().is_none_or(is_better) {
             let ranges = self.learned_ranges(&policy)?;
             state.best = Some(Best { generation: state.generation, result, policy, ranges });
         }
         Ok(Some(result))
+    }
+
+    /// Compares two results, in favour of the second, less the price of the policies' lines; of equal ones the smaller policy is
+    /// greater.
+    fn compare(&self, state: &State<E::Task>, old: (&Summary, &Policy), new: (&Summary, &Policy)) -> Ordering {
+        let price = self.line_price(state);
+        let (old_lines, new_lines) = (size::lines(old.1), size::lines(new.1));
+        let less = |result: &Summary, lines: usize| Summary { score: result.score - price * lines as f64, ..*result };
+        let preference = self.environment.preference();
+        (less(new.0, new_lines).compare(&less(old.0, old_lines), preference)).then(old_lines.cmp(&new_lines))
     }
 
     /// Returns the number of episodes for the winner of a race now; `None` if it is not time for one.
@@ -72,25 +84,27 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         records.map(|record| record.mean).fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// Returns the roots that race: the best by running mean; ties go to the earlier deme, then to the older root.
+    /// Returns the roots that race: the best by running mean, less the price of their lines; ties go to the smaller root, then
+    /// to the earlier deme, then to the older root.
     fn field(&self, state: &State<E::Task>) -> Vec<WorkUnit> {
-        let mut roots: Vec<_> = (state.demes.iter().enumerate())
-            .flat_map(|(deme, population)| {
-                population.records.iter().map(move |(&team, record)| (deme, team, record.mean))
-            })
-            .collect();
-        roots.sort_by(|a, b| b.2.total_cmp(&a.2).then((a.0, a.1).cmp(&(b.0, b.1))));
-        let unit = |&(deme, team, _): &(usize, _, f64)| {
-            let key = UnitKey { seed: state.seed, generation: state.generation, root: root_number(deme, team) };
-            WorkUnit { key, policy: state.demes[deme].genome.policy(team, &self.vocabulary) }
-        };
-        roots.iter().take(self.config.selection.validation_roots).map(unit).collect()
+        let price = self.line_price(state);
+        let mut roots: Vec<(f64, usize, WorkUnit)> = Vec::new();
+        for (deme, population) in state.demes.iter().enumerate() {
+            for (&team, record) in &population.records {
+                let policy = population.genome.policy(team, &self.vocabulary);
+                let lines = size::lines(&policy);
+                let key = UnitKey { seed: state.seed, generation: state.generation, root: root_number(deme, team) };
+                roots.push((record.mean - price * lines as f64, lines, WorkUnit { key, policy }));
+            }
+        }
+        // The sort is stable: roots stand in the order of demes and ages.
+        roots.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+        roots.into_iter().take(self.config.selection.validation_roots).map(|(_, _, unit)| unit).collect()
     }
 
     fn race(&self, state: &mut State<E::Task>, episodes: usize) -> Result<(Policy, Summary), EvaluationError> {
         let mut field: Vec<(WorkUnit, Vec<Ending>)> =
             self.field(state).into_iter().map(|unit| (unit, Vec::new())).collect();
-        let preference = self.environment.preference();
         let mut done = 0;
         for stage in stages(field.len(), episodes) {
             let units: Vec<WorkUnit> = field.iter().map(|(unit, _)| unit.clone()).collect();
@@ -102,8 +116,10 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
                 endings.extend(answer.endings);
             }
             done = stage;
-            // The sort is stable: among equal results, the root with the better running mean stays.
-            field.sort_by(|(_, a), (_, b)| Summary::of(b).compare(&Summary::of(a), preference));
+            // The sort is stable: among equal results of equal size, the root with the better running mean stays.
+            field.sort_by(|(a, of_a), (b, of_b)| {
+                self.compare(state, (&Summary::of(of_a), &a.policy), (&Summary::of(of_b), &b.policy))
+            });
             if stage < episodes {
                 field.truncate(field.len().div_ceil(2));
             }

@@ -2,7 +2,7 @@
 //! panic, allocate half a gigabyte, or go on from a changed state.
 
 use super::{VERSION, from_bytes, to_bytes};
-use crate::evolution::config::Config;
+use crate::evolution::config::{Config, StartConfig, StartKind};
 use crate::evolution::presets::Preset;
 use crate::evolution::run::{RunOptions, run};
 use crate::evolution::state::State;
@@ -151,6 +151,35 @@ fn a_team_that_leads_to_itself_or_to_a_later_one_is_refused() {
         *content.pointer_mut(&format!("{teams}/{low}/edges/0/to")).expect("an edge") = json!({"Team": to});
         let error = read(&content).expect_err("a cycle").to_string();
         assert!(error.contains("a team before"), "{error}");
+    }
+}
+
+#[test]
+fn a_damaged_search_for_a_linear_start_is_refused_at_its_place() {
+    let mut config = config();
+    config.language.literals = true;
+    config.program.max_program_size = 6;
+    config.start = StartConfig { kind: StartKind::Linear, generations: 3, ..StartConfig::default() };
+    // Generation 2 is in the second half of the start, where one search goes on; generation 4 is behind it.
+    for (generations, searches) in [(1, 3), (3, 1), (4, 1)] {
+        config.learning.nb_generations = generations;
+        let content = content(&config, &swing());
+        let read = |content: &Value| -> Result<State<[f64; 2]>, InputError> {
+            from_bytes("x", content.to_string().as_bytes(), &config, 1, &swing())
+        };
+        assert_eq!(read(&content).expect("a real one").searches.len(), searches);
+        for (path, value, place) in [
+            ("/state/searches", json!([]), "state.searches"),
+            ("/state/searches/0/cma/mean", json!([0.0]), "state.searches[0].cma.mean"),
+            ("/state/searches/0/cma/covariance", json!([1.0, 0.0]), "state.searches[0].cma.covariance"),
+            ("/state/searches/0/cma/deviation", json!(-1.0), "state.searches[0].cma.deviation"),
+            ("/state/searches/0/score", json!(1e300), "state.searches[0].score"),
+        ] {
+            let mut content = content.clone();
+            *content.pointer_mut(path).unwrap_or_else(|| panic!("{path}")) = value;
+            let error = read(&content).expect_err(path).to_string();
+            assert!(error.contains(place), "{path}: {error}");
+        }
     }
 }
 

@@ -1,9 +1,11 @@
 //! Validity of configurations.
 
 use super::Config;
-use tpg_engine::ActionSpace;
+use crate::evolution::linear::{LinearWriter, MOST_WEIGHTS};
+use tpg_engine::{ActionSpace, Environment};
 use tpg_graph::Word;
 use tpg_graph::error::Finding;
+use tpg_runtime::scalar::Scalar;
 
 impl Config {
     /// Checks ranges, names and consistency.
@@ -70,6 +72,9 @@ impl Config {
         count("selection.validation_episodes", selection.validation_episodes, 1, MANY)?;
         number("selection.validation_share", selection.validation_share, 0.001, 0.9)?;
 
+        number("selection.line_price", selection.line_price, 0.0, 1.0)?;
+        count("selection.flat_after", selection.flat_after, 0, MANY)?;
+        self.check_start()?;
         if self.literals.deviations.is_empty() || self.literals.deviations.iter().any(|d| !(1e-9..=1e9).contains(d)) {
             let found = format!("{:?}", self.literals.deviations);
             return Err(Finding::new("literals.deviations", found, "at least one, each 1e-9 to 1e9".to_owned()));
@@ -106,6 +111,57 @@ impl Config {
             return Err(Finding::new("pool.share", self.pool.share.to_string(), accepted));
         }
         Ok(())
+    }
+
+    /// Checks the settings of the first population and of small changes.
+    fn check_start(&self) -> Result<(), Finding> {
+        let count = Finding::range::<usize>;
+        let start = &self.start;
+        let last = self.learning.nb_generations.saturating_sub(1);
+        if self.linear_generations() > 0 {
+            Finding::range("start.generations", start.generations, 2, last)?;
+        }
+        count("start.searches", start.searches, 1, 100)?;
+        if start.samples != 0 {
+            count("start.samples", start.samples, 4, 10_000)?;
+        }
+        count("start.episodes", start.episodes, 1, 1_000_000)?;
+        Finding::range("start.deviation", start.deviation, 1e-6, 1e3)?;
+        count("start.demes", start.demes, 1, self.demes.count)?;
+        let refinement = &self.refinement;
+        Finding::range("refinement.p_jitter", refinement.p_jitter, 0.0, 1.0)?;
+        Finding::range("refinement.p_deletion", refinement.p_deletion, 0.0, 1.0 - refinement.p_jitter)?;
+        let [low, high] = refinement.deviations;
+        if !(1e-6 <= low && low <= high && high <= 10.0) {
+            let found = format!("{:?}", refinement.deviations);
+            return Err(Finding::new("refinement.deviations", found, "two numbers of 0.000001 to 10, ascending"));
+        }
+        count("refinement.elite", refinement.elite, 0, self.tpg.nb_roots / 2)
+    }
+
+    /// Checks that a linear start can be written for an environment: its weights, lines and edges.
+    ///
+    /// # Errors
+    /// The first parameter that does not fit.
+    pub fn check_linear<S: Scalar>(&self, environment: &impl Environment<S>) -> Result<(), Finding> {
+        if self.linear_generations() == 0 {
+            return Ok(());
+        }
+        let values: usize = environment.sources().iter().map(|source| source.length as usize).sum();
+        let vocabulary = self.vocabulary(environment, vec![1.0; values]);
+        let actions = environment.actions().count().unwrap_or(0);
+        let writer = LinearWriter::new(&vocabulary, actions as u16)?;
+        let weights = writer.weights();
+        if weights > MOST_WEIGHTS {
+            let found = format!("linear, with {weights} weights");
+            return Err(Finding::new("start.kind", found, format!("random, or at most {MOST_WEIGHTS} weights")));
+        }
+        let lines = writer.lines();
+        if actions == 0 {
+            return Finding::range("leaves.max_program_size", self.leaves.max_program_size, lines, 1000);
+        }
+        Finding::range("program.max_program_size", self.program.max_program_size, lines, 1000)?;
+        Finding::range("tpg.max_outgoing_edges", self.tpg.max_outgoing_edges, actions, 1000)
     }
 
     /// Checks the environment-dependent conditions: there are outputs, or actions are named and there are enough roots and

@@ -1,0 +1,201 @@
+//! Covariance matrix adaptation: a search for real numbers whose directions and step sizes follow what succeeded.
+//!
+//! The algorithm is Hansen's (“The CMA Evolution Strategy: A Tutorial”), with the Cholesky factor of the covariance in
+//! place of its eigenvectors (Krause, Arbonès and Igel 2016): products and square roots have the same bits on every
+//! machine.
+
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+use serde::{Deserialize, Serialize};
+use tpg_engine::random::Stream;
+use tpg_graph::error::Finding;
+
+/// The search distribution, and the paths that its mean has taken.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Cma {
+    /// Number of updates so far.
+    updates: u32,
+    /// Mean of the distribution.
+    mean: Vec<f64>,
+    /// Step size.
+    deviation: f64,
+    /// Covariance, column after column.
+    covariance: Vec<f64>,
+    /// Evolution path of the covariance.
+    path: Vec<f64>,
+    /// Evolution path of the step size, in the coordinates of the samples' normal numbers.
+    step_path: Vec<f64>,
+}
+
+impl Cma {
+    /// Starts at 0, with the same deviation in every direction.
+    pub fn new(numbers: usize, deviation: f64) -> Self {
+        let covariance = DMatrix::<f64>::identity(numbers, numbers).as_slice().to_vec();
+        let zeros = vec![0.0; numbers];
+        Self { updates: 0, mean: zeros.clone(), deviation, covariance, path: zeros.clone(), step_path: zeros }
+    }
+
+    /// Returns Hansen's number of samples of a generation: 4 + ⌊3 ln n⌋.
+    pub fn usual_samples(numbers: usize) -> usize {
+        4 + (3.0 * libm::log(numbers as f64)) as usize
+    }
+
+    /// Returns the mean of the distribution.
+    pub fn mean(&self) -> &[f64] {
+        &self.mean
+    }
+
+    /// Draws the samples of a generation.
+    pub fn samples(&self, count: usize, stream: &mut Stream) -> Vec<Vec<f64>> {
+        let factor = self.factor().l();
+        let mut sample = || {
+            let normal = DVector::from_fn(self.mean.len(), |_, _| stream.normal());
+            let step = &factor * normal;
+            self.mean.iter().zip(&step).map(|(mean, step)| mean + self.deviation * step).collect()
+        };
+        (0..count).map(|_| sample()).collect()
+    }
+
+    /// Moves the distribution towards the better half of a generation's samples, which are given best first.
+    ///
+    /// # Panics
+    /// If there are fewer than 2 samples.
+    pub fn update(&mut self, samples: &[Vec<f64>]) {
+        let n = self.mean.len() as f64;
+        let parents = samples.len() / 2;
+        assert!(parents > 0, "at least two samples");
+        let weights: Vec<f64> =
+            (1..=parents).map(|rank| libm::log(parents as f64 + 0.5) - libm::log(rank as f64)).collect();
+        let total: f64 = weights.iter().sum();
+        let weights: Vec<f64> = weights.iter().map(|weight| weight / total).collect();
+        let effective = 1.0 / weights.iter().map(|weight| weight * weight).sum::<f64>();
+        let path_rate = (4.0 + effective / n) / (n + 4.0 + 2.0 * effective / n);
+        let step_rate = (effective + 2.0) / (n + effective + 5.0);
+        let rank_one = 2.0 / ((n + 1.3) * (n + 1.3) + effective);
+        let of_parents = 2.0 * (effective - 2.0 + 1.0 / effective) / ((n + 2.0) * (n + 2.0) + effective);
+        let rank_many = of_parents.min(1.0 - rank_one);
+        let damping = 1.0 + 2.0 * (((effective - 1.0) / (n + 1.0)).sqrt() - 1.0).max(0.0) + step_rate;
+        let expected = n.sqrt() * (1.0 - 1.0 / (4.0 * n) + 1.0 / (21.0 * n * n));
+
+        let mean = DVector::from_column_slice(&self.mean);
+        let steps: Vec<DVector<f64>> = (samples.iter().take(parents))
+            .map(|sample| (DVector::from_column_slice(sample) - &mean) / self.deviation)
+            .collect();
+        let step =
+            (steps.iter().zip(&weights)).fold(DVector::zeros(mean.len()), |sum, (step, &weight)| sum + step * weight);
+        let white = self.factor().l().solve_lower_triangular(&step).unwrap_or_else(|| step.clone());
+        self.mean = (mean + &step * self.deviation).as_slice().to_vec();
+
+        self.updates += 1;
+        let scaled = (step_rate * (2.0 - step_rate) * effective).sqrt();
+        for (path, white) in self.step_path.iter_mut().zip(&white) {
+            *path = (1.0 - step_rate) * *path + scaled * white;
+        }
+        let length = self.step_path.iter().map(|value| value * value).sum::<f64>().sqrt();
+        let settled = (1.0 - libm::pow(1.0 - step_rate, 2.0 * f64::from(self.updates))).sqrt();
+        let is_short = length / settled / expected < 1.4 + 2.0 / (n + 1.0);
+        let scaled = if is_short { (path_rate * (2.0 - path_rate) * effective).sqrt() } else { 0.0 };
+        for (path, step) in self.path.iter_mut().zip(&step) {
+            *path = (1.0 - path_rate) * *path + scaled * step;
+        }
+        let path = DVector::from_column_slice(&self.path);
+        let mut covariance = self.matrix() * (1.0 - rank_one - rank_many);
+        covariance.ger(rank_one, &path, &path, 1.0);
+        for (step, &weight) in steps.iter().zip(&weights) {
+            covariance.ger(rank_many * weight, step, step, 1.0);
+        }
+        self.covariance = covariance.as_slice().to_vec();
+        // The factor is bounded so that no stroke of luck ends in infinity.
+        self.deviation *= libm::exp((step_rate / damping * (length / expected - 1.0)).clamp(-1.0, 1.0));
+        self.deviation = self.deviation.clamp(1e-12, 1e6);
+    }
+
+    fn matrix(&self) -> DMatrix<f64> {
+        DMatrix::from_column_slice(self.mean.len(), self.mean.len(), &self.covariance)
+    }
+
+    /// Returns the Cholesky factor of the covariance; that of its diagonal if rounding has made it indefinite.
+    fn factor(&self) -> Cholesky<f64, Dyn> {
+        let matrix = self.matrix();
+        Cholesky::new(matrix.clone()).unwrap_or_else(|| {
+            let diagonal = matrix.diagonal().map(|value| value.max(1e-24));
+            Cholesky::new(DMatrix::from_diagonal(&diagonal)).expect("a positive diagonal")
+        })
+    }
+
+    /// Checks a search that was read from a file.
+    ///
+    /// # Errors
+    /// Another number of numbers, or one that is not finite.
+    pub(super) fn check(&self, numbers: usize) -> Result<(), Finding> {
+        let lengths = [
+            ("mean", &self.mean, numbers),
+            ("covariance", &self.covariance, numbers * numbers),
+            ("path", &self.path, numbers),
+            ("step_path", &self.step_path, numbers),
+        ];
+        for (key, values, length) in lengths {
+            if values.len() != length || values.iter().any(|value| !value.is_finite()) {
+                return Err(Finding::new(key, format!("{} numbers", values.len()), format!("{length} finite numbers")));
+            }
+        }
+        Finding::range("deviation", self.deviation, 1e-12, 1e6)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Cma;
+    use tpg_engine::random::{Purpose, Stream};
+
+    /// Minimises a function and returns the best value of the last generation.
+    fn minimum(numbers: usize, generations: u64, value: impl Fn(&[f64]) -> f64) -> f64 {
+        let mut cma = Cma::new(numbers, 0.5);
+        let mut best = f64::INFINITY;
+        for generation in 0..generations {
+            let mut stream = Stream::new(1, generation, Purpose::Test, 0);
+            let mut samples = cma.samples(Cma::usual_samples(numbers), &mut stream);
+            samples.sort_by(|a, b| value(a).total_cmp(&value(b)));
+            best = value(&samples[0]);
+            cma.update(&samples);
+        }
+        best
+    }
+
+    #[test]
+    fn it_finds_the_minimum_of_a_stretched_and_of_a_bent_valley() {
+        let ellipsoid = |x: &[f64]| {
+            let term = |(place, x): (usize, &f64)| 10f64.powf(4.0 * place as f64 / 7.0) * (x - 1.0) * (x - 1.0);
+            x.iter().enumerate().map(term).sum()
+        };
+        assert!(minimum(8, 400, ellipsoid) < 1e-9);
+        let rosenbrock =
+            |x: &[f64]| x.windows(2).map(|x| 100.0 * (x[1] - x[0] * x[0]).powi(2) + (1.0 - x[0]).powi(2)).sum::<f64>();
+        assert!(minimum(5, 600, rosenbrock) < 1e-9);
+    }
+
+    #[test]
+    fn where_nothing_is_better_it_stays_finite() {
+        let mut cma = Cma::new(6, 0.5);
+        for generation in 0..500 {
+            let samples = cma.samples(9, &mut Stream::new(1, generation, Purpose::Test, 0));
+            cma.update(&samples);
+        }
+        assert_eq!(cma.check(6), Ok(()));
+    }
+
+    #[test]
+    fn it_goes_on_where_it_was_written() {
+        let mut cma = Cma::new(4, 0.5);
+        for generation in 0..20 {
+            let samples = cma.samples(8, &mut Stream::new(1, generation, Purpose::Test, 0));
+            cma.update(&samples);
+        }
+        let text = serde_json::to_string(&cma).expect("plain data");
+        let read: Cma = serde_json::from_str(&text).expect("what was written");
+        let draw = |cma: &Cma| cma.samples(8, &mut Stream::new(1, 99, Purpose::Test, 0));
+        assert_eq!(draw(&read), draw(&cma));
+        let wrong = Cma { deviation: f64::NAN, ..cma };
+        assert!(wrong.check(4).is_err() && wrong.check(5).is_err());
+    }
+}

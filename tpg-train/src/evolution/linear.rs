@@ -1,0 +1,333 @@
+//! The linear start: one dense linear program for each output or action, found by [`Cma`], from which evolution goes on.
+//!
+//! Mutations of single lines hardly ever find six weights that only help together; covariance matrix adaptation does. Several
+//! searches run side by side for the first half of the start, the best of them goes on for the second.
+
+use super::cma::Cma;
+use super::generation::{Evolution, Judged};
+use super::genome::{Destination, Edge, Genome, GenomeLine, Leaf, Program, Team, TeamId};
+use super::state::{Deme, Record, Row, State};
+use super::vocabulary::{Gene, InstructionIndex, Kind, OPERANDS, Vocabulary};
+use serde::{Deserialize, Serialize};
+use tpg_engine::random::{Purpose, Stream};
+use tpg_engine::{Environment, EvaluationError, Evaluator, Summary, UnitKey, Work, WorkUnit};
+use tpg_graph::Word;
+use tpg_graph::error::Finding;
+use tpg_runtime::ops::Instruction;
+use tpg_runtime::scalar::Scalar;
+
+/// Weight of the newest generation in a search's score.
+const NEWEST: f64 = 0.2;
+/// Most weights of a linear start: beyond, a full covariance costs more than it finds.
+pub(super) const MOST_WEIGHTS: usize = 400;
+
+/// One search for weights.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Search {
+    /// Its distribution.
+    pub cma: Cma,
+    /// Mean score of its samples, smoothed over generations.
+    pub score: f64,
+}
+
+/// Writes linear programs in the words of a vocabulary.
+#[derive(Clone, Debug)]
+pub(super) struct LinearWriter<'a> {
+    vocabulary: &'a Vocabulary,
+    /// Source, location and unit of each value that programs can read.
+    inputs: Vec<(u8, u16, f64)>,
+    add: InstructionIndex,
+    multiply: Multiply,
+    /// Number of actions; 0 with outputs.
+    actions: u16,
+}
+
+/// Words for a term of a sum.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Multiply {
+    /// One line: the sum grows by a product.
+    Add(InstructionIndex),
+    /// A line for the product, another one to add it.
+    Alone(InstructionIndex),
+}
+
+impl<'a> LinearWriter<'a> {
+    /// Creates a writer; `actions` is 0 where there are outputs.
+    ///
+    /// # Errors
+    /// If the vocabulary cannot express a weighted sum.
+    pub(super) fn new(vocabulary: &'a Vocabulary, actions: u16) -> Result<Self, Finding> {
+        let index = |word: Word| {
+            let place = vocabulary.instructions().iter().position(|known| *known == word)?;
+            Some(place as InstructionIndex)
+        };
+        let refuse = |key: &str, found: String, accepted: &str| Err(Finding::new(key, found, accepted));
+        let names = || format!("{:?}", vocabulary.instructions().iter().map(|it| it.name()).collect::<Vec<_>>());
+        let multiply =
+            index(Word::MultiplyAdd).map(Multiply::Add).or_else(|| index(Instruction::Mul.into()).map(Multiply::Alone));
+        let Some((add, multiply)) = index(Instruction::Add.into()).zip(multiply) else {
+            return refuse("language.instructions", names(), "add, and multiply_add or mul, for a linear start");
+        };
+        if vocabulary.scales().is_empty() {
+            return refuse("language.literals", "false".to_owned(), "true, for a linear start");
+        }
+        if vocabulary.registers() < 2 {
+            return refuse(
+                "learning.nb_registers",
+                vocabulary.registers().to_string(),
+                "at least 2, for a linear start",
+            );
+        }
+        let places = (0..vocabulary.sources()).filter_map(|source| match vocabulary.kind(source as u8) {
+            Kind::Data(place, length) => Some((0..length).map(move |at| (source as u8, at, place + at))),
+            Kind::Registers | Kind::Constants | Kind::Literal => None,
+        });
+        let scales = vocabulary.scales();
+        let inputs = places.flatten().map(|(source, at, place)| (source, at, scales[usize::from(place)])).collect();
+        Ok(Self { vocabulary, inputs, add, multiply, actions })
+    }
+
+    /// Returns the number of programs that are searched for: the first action's bid stays 0.
+    fn programs(&self) -> usize {
+        match self.actions {
+            0 => self.vocabulary.outputs().len(),
+            actions => usize::from(actions) - 1,
+        }
+    }
+
+    /// Returns the number of weights: those of each program, and a constant.
+    pub(super) fn weights(&self) -> usize {
+        self.programs() * (self.inputs.len() + 1)
+    }
+
+    /// Returns the number of lines of a program.
+    pub(super) fn lines(&self) -> usize {
+        match self.multiply {
+            Multiply::Add(_) => self.inputs.len() + 1,
+            Multiply::Alone(_) => 2 * self.inputs.len(),
+        }
+    }
+
+    /// Adds the policy with the given weights to a genome. A weight of 1 is a whole output's half range for an input's.
+    pub(super) fn add_root(&self, genome: &mut Genome, weights: &[f64]) -> TeamId {
+        let outputs = self.vocabulary.outputs();
+        let mut sums = weights.chunks_exact(self.inputs.len() + 1).enumerate().map(|(place, weights)| {
+            let unit = outputs.get(place).map_or(1.0, |output| 0.5 * (output.max - output.min));
+            self.sum(weights, unit)
+        });
+        let edges = if self.actions == 0 {
+            let programs = sums.map(|program| genome.add_program(program)).collect();
+            let leaf = Destination::Leaf(genome.add_leaf(Leaf { programs }));
+            vec![Edge { program: genome.add_program(self.zero()), to: leaf }]
+        } else {
+            let programs: Vec<_> = (0..self.actions)
+                .map(|action| if action == 0 { self.zero() } else { sums.next().unwrap_or_else(|| self.zero()) })
+                .collect();
+            let edge =
+                |(action, program)| Edge { program: genome.add_program(program), to: Destination::Action(action) };
+            (0..).zip(programs).map(edge).collect()
+        };
+        genome.add_team(Team { edges })
+    }
+
+    fn sum(&self, weights: &[f64], unit: f64) -> Program {
+        let literal = |value: f64| {
+            let rounded = self.vocabulary.scalar().round(value);
+            self.literal(if rounded.is_finite() { rounded } else { 0.0 })
+        };
+        let constant = literal(unit * weights[self.inputs.len()]);
+        let mut lines = Vec::new();
+        for (place, (&(source, location, scale), weight)) in self.inputs.iter().zip(weights).enumerate() {
+            let operands = [Gene { source, location, literal: 0.0 }, literal(unit * weight / scale)];
+            match self.multiply {
+                Multiply::Add(instruction) => lines.push(GenomeLine { instruction, to: 0, operands }),
+                Multiply::Alone(instruction) if place == 0 => lines.push(GenomeLine { instruction, to: 0, operands }),
+                Multiply::Alone(instruction) => {
+                    lines.push(GenomeLine { instruction, to: 1, operands });
+                    lines.push(GenomeLine {
+                        instruction: self.add,
+                        to: 0,
+                        operands: [self.register(0), self.register(1)],
+                    });
+                }
+            }
+        }
+        lines.push(GenomeLine { instruction: self.add, to: 0, operands: [self.register(0), constant] });
+        self.program(lines)
+    }
+
+    /// Returns a program whose result is 0.
+    fn zero(&self) -> Program {
+        let operands = [self.literal(0.0); OPERANDS];
+        self.program(vec![GenomeLine { instruction: self.add, to: 0, operands }])
+    }
+
+    fn program(&self, lines: Vec<GenomeLine>) -> Program {
+        Program { constants: vec![0.0; self.vocabulary.constants().into()], lines }
+    }
+
+    fn register(&self, location: u16) -> Gene {
+        Gene { source: 0, location, literal: 0.0 }
+    }
+
+    fn literal(&self, literal: f64) -> Gene {
+        Gene { source: (self.vocabulary.sources() - 1) as u8, location: 0, literal }
+    }
+}
+
+impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V> {
+    /// True if the next generation belongs to the linear start.
+    pub(super) fn is_linear(&self, state: &State<E::Task>) -> bool {
+        state.generation < self.config.linear_generations()
+    }
+
+    /// Runs one generation of the linear start.
+    pub(super) fn advance_linear(&self, state: &mut State<E::Task>) -> Result<(), EvaluationError> {
+        let writer = LinearWriter::new(&self.vocabulary, self.actions).map_err(EvaluationError::new)?;
+        let config = &self.config.start;
+        if state.searches.is_empty() {
+            let search = Search { cma: Cma::new(writer.weights(), config.deviation), score: f64::NEG_INFINITY };
+            state.searches = vec![search; config.searches];
+        }
+        if state.generation == config.generations.div_ceil(2) {
+            let better = |a: &Search, b: &Search| a.score.total_cmp(&b.score);
+            // The first of equals: `max_by` would return the last.
+            let best = state.searches.iter().rev().max_by(|a, b| better(a, b)).cloned();
+            state.searches = best.into_iter().collect();
+        }
+        let count = match config.samples {
+            0 => Cma::usual_samples(writer.weights()),
+            samples => samples,
+        };
+        let tasks = self.tasks(state, config.episodes);
+        let mut samples = Vec::new();
+        let mut units = Vec::new();
+        for (place, search) in (0..).zip(&state.searches) {
+            let mut stream = Stream::new(state.seed, state.generation, Purpose::Linear, place);
+            for weights in search.cma.samples(count, &mut stream) {
+                let mut genome = Genome::default();
+                let root = writer.add_root(&mut genome, &weights);
+                let key = UnitKey { seed: state.seed, generation: state.generation, root: units.len() as u64 };
+                units.push(WorkUnit { key, policy: genome.policy(root, &self.vocabulary) });
+                samples.push(weights);
+            }
+        }
+        let answers = self.evaluator.evaluate(&Work { tasks, units })?;
+        let preference = self.environment.preference();
+        let means: Vec<f64> = answers.iter().map(|answer| Summary::of(&answer.endings).score).collect();
+        let judged: Vec<Judged> = answers.iter().map(|answer| Judged::new(&answer.endings, preference)).collect();
+        state.training_episodes += judged.iter().map(|judged| judged.scores.len() as u64).sum::<u64>();
+        state.steps +=
+            answers.iter().flat_map(|answer| &answer.endings).map(|ending| u64::from(ending.actions)).sum::<u64>();
+
+        let mut order: Vec<usize> = (0..means.len()).collect();
+        order.sort_by(|&a, &b| means[b].total_cmp(&means[a]).then(a.cmp(&b)));
+        let Summary { score, success, measure, .. } = Summary::of(&answers[order[0]].endings);
+        let mut row = Row {
+            generation: state.generation,
+            best_score: score,
+            median_score: means[order[order.len() / 2]],
+            best_success: success,
+            best_measure: measure,
+            roots: means.len(),
+            teams: 0,
+            programs: 0,
+            validation: None,
+        };
+        for (place, search) in state.searches.iter_mut().enumerate() {
+            let of_search = place * count..(place + 1) * count;
+            let mean = means[of_search.clone()].iter().sum::<f64>() / count as f64;
+            search.score = if search.score.is_finite() { search.score + NEWEST * (mean - search.score) } else { mean };
+            let ranked = order.iter().filter(|sample| of_search.contains(sample));
+            search.cma.update(&ranked.map(|&sample| samples[sample].clone()).collect::<Vec<_>>());
+        }
+        if state.generation + 1 == config.generations || self.is_last(state) {
+            self.populate_from_linear(state, &writer);
+            row.validation = self.validate(state)?;
+        }
+        row.teams = state.demes.iter().map(|deme| deme.genome.teams().len()).sum();
+        row.programs = state.demes.iter().map(|deme| deme.genome.program_count()).sum();
+        state.rows.push(row);
+        state.generation += 1;
+        Ok(())
+    }
+
+    /// Puts what was found into the demes that begin with it: a root for each search, the best first.
+    fn populate_from_linear(&self, state: &mut State<E::Task>, writer: &LinearWriter<'_>) {
+        let mut searches: Vec<&Search> = state.searches.iter().collect();
+        searches.sort_by(|a, b| b.score.total_cmp(&a.score));
+        for deme in state.demes.iter_mut().take(self.config.start.demes) {
+            *deme = Deme::default();
+            for search in &searches {
+                let root = writer.add_root(&mut deme.genome, search.cma.mean());
+                deme.records.insert(root, Record { mean: search.score, evaluations: 0 });
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::LinearWriter;
+    use crate::evolution::archive::bid;
+    use crate::evolution::genome::{Destination, Genome};
+    use crate::evolution::vocabulary::Vocabulary;
+    use tpg_engine::Limits;
+    use tpg_graph::{ScalarType, SourceDocument, Word};
+    use tpg_runtime::ops::Instruction;
+
+    fn vocabulary(words: &[Word], outputs: usize) -> Vocabulary {
+        let source = SourceDocument { name: "s".into(), length: 2, unit: "1".into(), ranges: vec![[-1.0, 1.0]; 2] };
+        let limits = Limits { min: -2.0, max: 2.0, nan: 0.0 };
+        Vocabulary::new(words.to_vec(), 4, 0, &[source], Some(vec![1.0, 4.0]), ScalarType::F64)
+            .with_outputs(vec![limits; outputs])
+    }
+
+    /// Returns the values of a root's programs in a state: its bids, or its outputs.
+    fn values(words: &[Word], outputs: usize, actions: u16, weights: &[f64]) -> Vec<f64> {
+        let vocabulary = vocabulary(words, outputs);
+        let writer = LinearWriter::new(&vocabulary, actions).expect("sums can be written");
+        assert_eq!(writer.weights(), weights.len());
+        let mut genome = Genome::default();
+        let root = writer.add_root(&mut genome, weights);
+        let edges = &genome.team(root).edges;
+        let programs: Vec<_> = match edges[0].to {
+            Destination::Leaf(leaf) => genome.leaves()[&leaf].programs.clone(),
+            _ => {
+                assert!((0..).zip(edges).all(|(action, edge)| edge.to == Destination::Action(action)));
+                edges.iter().map(|edge| edge.program).collect()
+            }
+        };
+        let state = [0.5, 8.0];
+        let programs = programs.into_iter().map(|id| genome.program(id));
+        programs
+            .map(|program| {
+                assert!(program.lines.len() <= writer.lines());
+                bid(&program.lines(&vocabulary), &vocabulary, &state)
+            })
+            .collect()
+    }
+
+    #[test]
+    fn a_weight_is_an_outputs_half_range_for_an_inputs() {
+        let [add, mul] = [Instruction::Add, Instruction::Mul].map(Word::from);
+        for words in [&[add, mul][..], &[add, Word::MultiplyAdd]] {
+            // Inputs 0.5 of 1 and 8 of 4, outputs of ±2: 2 (3 · 0.5 + 1 · 2 − 1) = 5, and 2 · 2 = 4.
+            assert_eq!(values(words, 2, 0, &[3.0, 1.0, -1.0, 0.0, 1.0, 0.0]), [5.0, 4.0]);
+            assert_eq!(values(words, 0, 3, &[3.0, 1.0, -1.0, 0.0, 1.0, 0.0]), [0.0, 2.5, 2.0], "the first bid stays 0");
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_written_is_refused_with_its_key() {
+        let key = |vocabulary: &Vocabulary| LinearWriter::new(vocabulary, 0).expect_err("no sums").key;
+        assert_eq!(key(&vocabulary(&[Instruction::Mul.into()], 1)), "language.instructions");
+        let source = SourceDocument { name: "s".into(), length: 1, unit: "1".into(), ranges: vec![[-1.0, 1.0]] };
+        let words = vec![Instruction::Add.into(), Word::MultiplyAdd];
+        let without = Vocabulary::new(words.clone(), 4, 0, std::slice::from_ref(&source), None, ScalarType::F64);
+        assert_eq!(key(&without), "language.literals");
+        let single = Vocabulary::new(words, 1, 0, &[source], Some(vec![1.0]), ScalarType::F64);
+        assert_eq!(key(&single), "learning.nb_registers");
+    }
+}

@@ -1,0 +1,191 @@
+//! Children that keep their parent's structure: all constants change together, or one line is lost.
+
+use super::config::RefinementConfig;
+use super::genome::{Destination, Edge, Genome, GenomeLine, Leaf, Program, ProgramId, Team, TeamId};
+use super::vocabulary::{Kind, Vocabulary};
+use std::collections::BTreeMap;
+use tpg_engine::random::Stream;
+use tpg_graph::dataflow::effective;
+
+/// Makes children by small changes.
+#[derive(Clone, Copy, Debug)]
+pub struct Refiner<'a> {
+    /// The vocabulary of programs.
+    pub vocabulary: &'a Vocabulary,
+    /// Its probabilities and widths.
+    pub parameters: &'a RefinementConfig,
+}
+
+impl Refiner<'_> {
+    /// Adds a child of `parent` that differs only by constants or by a missing line, with the configured probabilities;
+    /// `None`, where another kind of child is due. Draws nothing where both are 0.
+    pub fn child(&self, genome: &mut Genome, parent: TeamId, stream: &mut Stream) -> Option<TeamId> {
+        let RefinementConfig { p_jitter, p_deletion, .. } = *self.parameters;
+        if p_jitter + p_deletion <= 0.0 {
+            return None;
+        }
+        let drawn = stream.unit();
+        if drawn < p_jitter {
+            self.jittered(genome, parent, stream)
+        } else if drawn < p_jitter + p_deletion {
+            self.shortened(genome, parent, stream)
+        } else {
+            None
+        }
+    }
+
+    /// Adds a child whose constants have all moved a little, or one of them; `None` if it has no constants.
+    pub fn jittered(&self, genome: &mut Genome, parent: TeamId, stream: &mut Stream) -> Option<TeamId> {
+        let mut programs = self.programs(genome, parent);
+        let count = programs.values_mut().map(|program| self.constants(program).count()).sum::<usize>();
+        if count == 0 {
+            return None;
+        }
+        let [low, high] = self.parameters.deviations;
+        let deviation = low * libm::pow(high / low, stream.unit());
+        let single = stream.chance(0.5).then(|| stream.below(count));
+        let mut place = 0;
+        for program in programs.values_mut() {
+            for constant in self.constants(program) {
+                if single.is_none_or(|single| single == place) {
+                    let moved = self.vocabulary.scalar().round(*constant * (1.0 + deviation * stream.normal()));
+                    *constant = if moved.is_finite() { moved } else { *constant };
+                }
+                place += 1;
+            }
+        }
+        Some(copy(genome, parent, programs))
+    }
+
+    /// Adds a child that lacks one line; `None` if no program has two.
+    fn shortened(&self, genome: &mut Genome, parent: TeamId, stream: &mut Stream) -> Option<TeamId> {
+        let programs = self.programs(genome, parent);
+        let long: Vec<_> = programs.into_iter().filter(|(_, program)| program.lines.len() > 1).collect();
+        let total: usize = long.iter().map(|(_, program)| program.lines.len()).sum();
+        if total == 0 {
+            return None;
+        }
+        let mut line = stream.below(total);
+        for (id, mut program) in long {
+            if line < program.lines.len() {
+                program.lines.remove(line);
+                return Some(copy(genome, parent, BTreeMap::from([(id, program)])));
+            }
+            line -= program.lines.len();
+        }
+        None
+    }
+
+    /// Returns copies of the programs of a team that matter, without lines that have no effect: the bids, if there is more
+    /// than one edge, and those of its leaves.
+    fn programs(&self, genome: &Genome, team: TeamId) -> BTreeMap<ProgramId, Program> {
+        let edges = &genome.team(team).edges;
+        let bids = edges.iter().map(|edge| edge.program).filter(|_| edges.len() > 1);
+        let leaves = edges.iter().filter_map(|edge| match edge.to {
+            Destination::Leaf(leaf) => Some(genome.leaves()[&leaf].programs.iter().copied()),
+            Destination::Team(_) | Destination::Action(_) => None,
+        });
+        let short = |id: ProgramId| {
+            let program = genome.program(id);
+            let has_effect = effective(self.vocabulary.registers().into(), &program.lines(self.vocabulary));
+            let kept = program.lines.iter().zip(has_effect).filter(|(_, effect)| *effect).map(|(line, _)| *line);
+            let mut lines: Vec<GenomeLine> = kept.collect();
+            if lines.is_empty() {
+                lines.extend(program.lines.first());
+            }
+            (id, Program { lines, ..program.clone() })
+        };
+        bids.chain(leaves.flatten()).map(short).collect()
+    }
+
+    /// Returns the literals that a program reads.
+    fn constants<'p>(&'p self, program: &'p mut Program) -> impl Iterator<Item = &'p mut f64> {
+        program.lines.iter_mut().flat_map(|line| {
+            let arity = self.vocabulary.instruction(line.instruction).arity();
+            let literals = line.operands.iter_mut().take(arity);
+            literals.filter(|gene| self.vocabulary.kind(gene.source) == Kind::Literal).map(|gene| &mut gene.literal)
+        })
+    }
+}
+
+/// Adds a copy of a team with some programs replaced.
+fn copy(genome: &mut Genome, parent: TeamId, replaced: BTreeMap<ProgramId, Program>) -> TeamId {
+    let new: BTreeMap<ProgramId, ProgramId> =
+        replaced.into_iter().map(|(id, program)| (id, genome.add_program(program))).collect();
+    let renamed = |id: ProgramId| new.get(&id).copied().unwrap_or(id);
+    let edges = genome.team(parent).edges.clone();
+    let edges = edges.into_iter().map(|Edge { program, to }| {
+        let to = match to {
+            Destination::Leaf(leaf) => {
+                let programs = genome.leaves()[&leaf].programs.iter().map(|&id| renamed(id)).collect();
+                Destination::Leaf(genome.add_leaf(Leaf { programs }))
+            }
+            Destination::Team(_) | Destination::Action(_) => to,
+        };
+        Edge { program: renamed(program), to }
+    });
+    let edges = edges.collect();
+    genome.add_team(Team { edges })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Refiner;
+    use crate::evolution::config::RefinementConfig;
+    use crate::evolution::genome::Genome;
+    use crate::evolution::linear::LinearWriter;
+    use crate::evolution::size;
+    use crate::evolution::vocabulary::Vocabulary;
+    use tpg_engine::random::{Purpose, Stream};
+    use tpg_engine::{Limits, Policy};
+    use tpg_graph::{ScalarType, SourceDocument, Word};
+    use tpg_runtime::ops::Instruction;
+
+    fn vocabulary() -> Vocabulary {
+        let words = vec![Instruction::Add.into(), Word::MultiplyAdd];
+        let source = SourceDocument { name: "s".into(), length: 3, unit: "1".into(), ranges: vec![[-1.0, 1.0]; 3] };
+        let limits = Limits { min: -1.0, max: 1.0, nan: 0.0 };
+        Vocabulary::new(words, 2, 0, &[source], Some(vec![1.0; 3]), ScalarType::F64).with_outputs(vec![limits; 2])
+    }
+
+    fn children(p_jitter: f64, p_deletion: f64) -> (Policy, Vec<Option<Policy>>) {
+        let vocabulary = vocabulary();
+        let parameters = RefinementConfig { p_jitter, p_deletion, ..RefinementConfig::default() };
+        let refiner = Refiner { vocabulary: &vocabulary, parameters: &parameters };
+        let mut genome = Genome::default();
+        let writer = LinearWriter::new(&vocabulary, 0).expect("sums can be written");
+        let parent = writer.add_root(&mut genome, &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]);
+        let child = |index| {
+            let child = refiner.child(&mut genome, parent, &mut Stream::new(1, 0, Purpose::Test, index));
+            child.map(|child| genome.policy(child, &vocabulary))
+        };
+        let children = (0..200).map(child).collect();
+        (genome.policy(parent, &vocabulary), children)
+    }
+
+    #[test]
+    fn a_jitter_keeps_the_lines_and_a_deletion_takes_one() {
+        let (parent, jittered) = children(1.0, 0.0);
+        assert_eq!(size::lines(&parent), 8);
+        let jittered: Vec<Policy> = jittered.into_iter().flatten().collect();
+        assert!(jittered.len() == 200 && jittered.iter().all(|child| size::lines(child) == 8 && *child != parent));
+        let (_, shortened) = children(0.0, 1.0);
+        assert!(shortened.iter().all(|child| child.as_ref().is_some_and(|child| size::lines(child) == 7)));
+        let (_, some) = children(0.3, 0.2);
+        let made = some.iter().filter(|child| child.is_some()).count();
+        assert!((70..130).contains(&made), "{made} of 200");
+    }
+
+    #[test]
+    fn without_probabilities_nothing_is_drawn() {
+        let vocabulary = vocabulary();
+        let parameters = RefinementConfig::default();
+        let refiner = Refiner { vocabulary: &vocabulary, parameters: &parameters };
+        let mut genome = Genome::default();
+        let parent = LinearWriter::new(&vocabulary, 0).expect("sums").add_root(&mut genome, &[0.0; 8]);
+        let mut stream = Stream::new(1, 0, Purpose::Test, 0);
+        let before = stream.clone().bits();
+        assert_eq!(refiner.child(&mut genome, parent, &mut stream), None);
+        assert_eq!(stream.bits(), before);
+    }
+}
