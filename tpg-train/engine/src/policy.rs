@@ -5,7 +5,7 @@ mod check;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use tpg_graph::Graph;
-use tpg_graph::dataflow::depth_first;
+use tpg_graph::dataflow::{depth_first, effective};
 use tpg_runtime::ops::Instruction;
 
 /// An operand of an instruction.
@@ -108,6 +108,20 @@ impl Policy {
 }
 
 impl Policy {
+    /// Returns the size of the policy: the lines that some bid or output depends on, and the edges of its teams.
+    ///
+    /// ```
+    /// use tpg_engine::{Destination, Edge, Policy};
+    ///
+    /// let edge = |action| Edge { program: 0, to: Destination::Action(action) };
+    /// assert_eq!(Policy::new(1, 0, vec![vec![edge(0), edge(1)]], vec![vec![]]).size(), 2);
+    /// ```
+    pub fn size(&self) -> usize {
+        let lines = |program: &Vec<Line>| effective(self.registers.into(), program).into_iter().filter(|&it| it).count();
+        let edges: usize = self.teams.iter().map(Vec::len).sum();
+        edges + self.programs.iter().map(lines).sum::<usize>()
+    }
+
     /// Returns the same policy under a shield: each bid for an action is capped by a value of the state. A policy with
     /// outputs has no shield.
     ///

@@ -41,10 +41,11 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         let Some(episodes) = self.episodes_to_spend(state) else { return Ok(None) };
         let (policy, result) = self.race(state, episodes)?;
         let preference = self.environment.preference();
+        let winner = Best { generation: state.generation, result, ranges: self.learned_ranges(&policy)?, policy };
         if state.best.as_ref().is_none_or(|best| result.compare(&best.result, preference).is_gt()) {
-            let ranges = self.learned_ranges(&policy)?;
-            state.best = Some(Best { generation: state.generation, result, policy, ranges });
+            state.best = Some(winner.clone());
         }
+        winner.enter(&mut state.hall, preference);
         Ok(Some(result))
     }
 
