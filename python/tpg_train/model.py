@@ -50,15 +50,11 @@ USUAL_WRAPPERS = {"TimeLimit", "OrderEnforcing", "PassiveEnvChecker"}
 # roots are dropped after the first of them.
 DISCRETE: dict[str, Any] = {
     "tpg.nb_roots": 100,
-    "tpg.init_nb_roots": 200,
-    "tpg.max_init_outgoing_edges": 3,
-    "tpg.max_outgoing_edges": 6,
-    "learning.ratio_deleted_roots": 0.8,
+    "tpg.init_nb_roots": 1000,
+    "learning.ratio_deleted_roots": 0.95,
     "learning.nb_iterations_per_policy_evaluation": 5,
-    "learning.nb_generations": 1_000_000,
-    "selection.lexicase_survivors": 0,
     "selection.racing_episodes": 1,
-    "selection.racing_share": 0.5,
+    "selection.racing_share": 0.15,
     "selection.validation_episodes": 50,
 }
 CONTINUOUS: dict[str, Any] = {
@@ -66,7 +62,6 @@ CONTINUOUS: dict[str, Any] = {
     "tpg.init_nb_roots": 200,
     "demes.count": 1,
     "learning.nb_iterations_per_policy_evaluation": 5,
-    "learning.nb_generations": 1_000_000,
     "selection.racing_episodes": 1,
     "selection.racing_share": 0.5,
     "selection.validation_episodes": 50,
@@ -214,7 +209,10 @@ class TPG:
             chosen["tpg.init_nb_roots"] = max(chosen["tpg.init_nb_roots"], len(self._interface.actions()[0]))
         name = preset or ("continuous" if is_box else "general")
         if population is not None:
-            chosen.update({"tpg.nb_roots": population, "tpg.init_nb_roots": max(2 * population, len(self._interface.actions()[0]))})
+            chosen["tpg.nb_roots"] = population
+            chosen["tpg.init_nb_roots"] = max(2 * population, len(self._interface.actions()[0]))
+            # A small population has survivors, too.
+            chosen["learning.ratio_deleted_roots"] = min(chosen.get("learning.ratio_deleted_roots", 0.9), max(0.0, 1.0 - 6.0 / population))
         if episodes is not None:
             chosen["learning.nb_iterations_per_policy_evaluation"] = episodes
             if chosen.get("selection.racing_episodes", 0) >= episodes:
@@ -586,7 +584,7 @@ class _Described(gymnasium.Env[Any, Any]):
 
 
 def _is_function(env: Any) -> bool:
-    return callable(env) and not hasattr(env, "reset")
+    return callable(env) and (isinstance(env, type) or not hasattr(env, "reset"))
 
 
 def _factory(env: EnvironmentLike) -> Callable[[], Environment]:
