@@ -23,6 +23,7 @@ use tpg_train::evolution::generation::Goal;
 use tpg_train::evolution::presets::{PRESETS, Preset};
 use tpg_train::evolution::run::{Progress, RunEnd, RunError, RunOptions, graph_of, run};
 use tpg_train::evolution::state::{Best, Row};
+use tpg_train::folder::checkpoint::{NEWEST, PREVIOUS};
 
 /// Time between two looks for Ctrl-C.
 const WAIT: Duration = Duration::from_millis(50);
@@ -111,7 +112,7 @@ pub(crate) fn configuration(preset: &str, settings: &str) -> PyResult<String> {
 /// Returns the number of steps of the run in a folder; 0 if there is none.
 #[pyfunction]
 pub(crate) fn steps_of(folder: PathBuf) -> PyResult<u64> {
-    if !folder.join("config.toml").exists() {
+    if ![NEWEST, PREVIOUS].iter().any(|name| folder.join(name).exists()) {
         return Ok(0);
     }
     let found = checkpoint::open::<serde_json::Value>(&folder);

@@ -5,6 +5,7 @@ from __future__ import annotations
 import concurrent.futures
 import hashlib
 import multiprocessing
+import threading
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures.process import BrokenProcessPool
 from typing import Any, Protocol, Union
@@ -55,16 +56,23 @@ class Here:
         pass
 
 
-_drivers: dict[str, Driver] = {}
+class _Kept(threading.local):
+    """The drivers of a thread of a worker: two episodes of one environment at a time would disturb each other."""
+
+    def __init__(self) -> None:
+        self.drivers: dict[str, Driver] = {}
+
+
+_kept = _Kept()
 
 
 def _work(token: str, made_by: bytes, pieces: list[tuple[bytes, list[int], list[int] | None]]) -> list[Any]:
     """Runs pieces of work in a worker, which keeps its environment for the next ones."""
-    driver = _drivers.get(token)
+    driver = _kept.drivers.get(token)
     if driver is None:
         factory, settings = cloudpickle.loads(made_by)
         env = factory()
-        driver = _drivers[token] = Interface.of(env, **settings).driver(env)
+        driver = _kept.drivers[token] = Interface.of(env, **settings).driver(env)
     results: list[Any] = []
     for policy_bytes, seeds, after in pieces:
         policy = Policy.from_bytes(policy_bytes)

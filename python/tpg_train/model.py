@@ -46,24 +46,25 @@ BUILT_IN = {
 USUAL_WRAPPERS = {"TimeLimit", "OrderEnforcing", "PassiveEnvChecker"}
 
 # The presets have minutes of a built-in problem, tens of millions of steps; here a budget of steps is given, and an
-# environment in Python takes a hundred times as long for each: fewer episodes for each decision of evolution, and half of the
+# environment in Python takes a hundred times as long for each: fewer episodes for each decision of evolution, and most
 # roots are dropped after the first of them.
 DISCRETE: dict[str, Any] = {
     "tpg.nb_roots": 100,
     "tpg.init_nb_roots": 1000,
-    "learning.ratio_deleted_roots": 0.95,
+    "learning.ratio_deleted_roots": 0.9,
     "learning.nb_iterations_per_policy_evaluation": 5,
     "selection.racing_episodes": 1,
-    "selection.racing_share": 0.15,
+    "selection.racing_share": 0.25,
     "selection.validation_episodes": 50,
 }
 CONTINUOUS: dict[str, Any] = {
-    "tpg.nb_roots": 60,
-    "tpg.init_nb_roots": 200,
-    "demes.count": 1,
+    "tpg.nb_roots": 30,
+    "tpg.init_nb_roots": 300,
+    "demes.count": 2,
+    "learning.ratio_deleted_roots": 0.9,
     "learning.nb_iterations_per_policy_evaluation": 5,
     "selection.racing_episodes": 1,
-    "selection.racing_share": 0.5,
+    "selection.racing_share": 0.4,
     "selection.validation_episodes": 50,
 }
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import hashlib
 import os
 from collections.abc import Sequence
@@ -142,9 +143,13 @@ def from_sb3(model: Any, *, env: gymnasium.Env[Any, Any] | None = None, kind: st
 
 def _actor(model: Any, name: str) -> tuple[Layers, str]:
     """Returns the linear layers of an actor, ReLU behind all but the last, and how values are limited."""
+    if name not in ("PPO", "A2C", "DQN", "SAC", "TD3"):
+        raise InputError(f"a model of {name}; accepted: PPO, A2C, DQN, SAC, TD3")
     policy = model.policy
-    if hasattr(policy, "features_extractor") and type(policy.features_extractor).__name__ != "FlattenExtractor":
-        raise InputError(f"{name}: a {type(policy.features_extractor).__name__}; accepted: MlpPolicy with its FlattenExtractor")
+    owner = policy if name in ("PPO", "A2C") else policy.q_net if name == "DQN" else policy.actor
+    extractor = type(owner.features_extractor).__name__
+    if extractor != "FlattenExtractor":
+        raise InputError(f"{name}: a {extractor}; accepted: MlpPolicy with its FlattenExtractor")
     if name in ("PPO", "A2C"):
         if getattr(policy, "squash_output", False):
             raise InputError(f"{name}: squash_output=True; accepted: False")
@@ -154,12 +159,10 @@ def _actor(model: Any, name: str) -> tuple[Layers, str]:
         return _layers(list(policy.q_net.q_net), name), "clamp"
     if name == "SAC":
         return _layers([*policy.actor.latent_pi, policy.actor.mu], name), "tanh"
-    if name == "TD3":
-        modules = list(policy.actor.mu)
-        if type(modules[-1]).__name__ != "Tanh":
-            raise InputError(f"{name}: an actor without tanh behind it; accepted: TD3's own")
-        return _layers(modules[:-1], name), "tanh"
-    raise InputError(f"a model of {name}; accepted: PPO, A2C, DQN, SAC, TD3")
+    modules = list(policy.actor.mu)
+    if type(modules[-1]).__name__ != "Tanh":
+        raise InputError(f"{name}: an actor without tanh behind it; accepted: TD3's own")
+    return _layers(modules[:-1], name), "tanh"
 
 
 def _layers(modules: Sequence[Any], name: str) -> Layers:
@@ -227,7 +230,9 @@ def _env_of(model: Any) -> gymnasium.Env[Any, Any]:
     spec = vector.get_attr("spec", 0)[0]
     if spec is None:
         raise InputError("an environment without an id; accepted: from_sb3(model, env=...)")
-    return gymnasium.make(spec)
+    # Stable-Baselines3's own wrapper only counts.
+    wrappers = tuple(wrapper for wrapper in spec.additional_wrappers if wrapper.name != "Monitor")
+    return gymnasium.make(dataclasses.replace(spec, additional_wrappers=wrappers))
 
 
 def _visited(model: Any, env: gymnasium.Env[Any, Any], interface: Interface, seed: int) -> Floats:
