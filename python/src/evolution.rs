@@ -77,8 +77,7 @@ impl Settings {
     fn read(&self) -> PyResult<(Config, RunOptions)> {
         let config = Config::from_toml("<settings>", &self.config).map_err(error::input)?;
         let goal = Goal { target: self.target, max_steps: self.max_steps };
-        let options =
-            RunOptions { folder: self.folder.clone(), resume: self.resume, goal, ..RunOptions::default() };
+        let options = RunOptions { folder: self.folder.clone(), resume: self.resume, goal, ..RunOptions::default() };
         Ok((config, options))
     }
 }
@@ -137,7 +136,9 @@ impl Evolution {
         let problem = native::problem(problem)?;
         config.problem = problem.to_table();
         let seed = settings.seed;
-        Ok(Self::spawn(0, move |mailbox| problem.open(Native { config, seed, options, threads, mailbox, problem: &problem })))
+        Ok(Self::spawn(0, move |mailbox| {
+            problem.open(Native { config, seed, options, threads, mailbox, problem: &problem })
+        }))
     }
 
     /// Waits for the next event and returns its kind and what it says: `evaluate` (policies, seeds), `visit` (policy, seed,
@@ -195,10 +196,7 @@ impl Evolution {
 }
 
 impl Evolution {
-    fn spawn(
-        inputs: usize,
-        job: impl FnOnce(&Mailbox<Report>) -> Result<RunEnd, RunError> + Send + 'static,
-    ) -> Self {
+    fn spawn(inputs: usize, job: impl FnOnce(&Mailbox<Report>) -> Result<RunEnd, RunError> + Send + 'static) -> Self {
         let (events, told) = sync_channel(1);
         let (answers, replies) = sync_channel(1);
         let thread = std::thread::spawn(move || job(&Mailbox::new(events, replies)));

@@ -157,7 +157,8 @@ impl<E: Environment<f32>> Own<E> {
 impl<E: Environment<f32> + Send> Running for Own<E> {
     fn description(&self) -> String {
         let sources = self.environment.sources();
-        let sources: Vec<_> = sources.iter().map(|of| json!({"name": of.name, "unit": of.unit, "ranges": of.ranges})).collect();
+        let sources: Vec<_> =
+            sources.iter().map(|of| json!({"name": of.name, "unit": of.unit, "ranges": of.ranges})).collect();
         let (actions, outputs) = match self.environment.actions() {
             ActionSpace::Discrete(actions) => (actions.into_iter().map(|of| of.name).collect(), Vec::new()),
             ActionSpace::Box(outputs) => {

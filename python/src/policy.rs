@@ -6,8 +6,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use std::sync::Mutex;
 use tpg_engine::{Options, Plan, Single};
-use tpg_graph::{MathsProvider, ScalarType, SourceDocument};
 use tpg_graph::interpret::Answer;
+use tpg_graph::{MathsProvider, ScalarType, SourceDocument};
 use tpg_runtime::ops::Own;
 
 /// A policy that is evaluated in an episode.

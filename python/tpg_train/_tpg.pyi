@@ -8,6 +8,24 @@ from typing import Any, Literal, final
 import numpy as np
 from numpy.typing import NDArray
 
+__all__ = [
+    "Driver",
+    "Evolution",
+    "Graph",
+    "InputError",
+    "NativeEnv",
+    "Network",
+    "Policy",
+    "Space",
+    "TrainingError",
+    "__version__",
+    "configuration",
+    "evaluate_native",
+    "problems",
+    "steps_of",
+    "test_seeds",
+]
+
 __version__: str
 
 class InputError(ValueError): ...

@@ -155,7 +155,7 @@ class _Bar(BaseCallback):
             from tqdm.auto import tqdm
         except ImportError as error:
             raise ImportError("progress_bar=True needs tqdm: pip install 'tpg-train[progress]'") from error
-        self.make = lambda initial: tqdm(total=initial + total, initial=initial, unit="step", unit_scale=True)
+        self.make: Callable[[int], Any] = lambda initial: tqdm(total=initial + total, initial=initial, unit="step", unit_scale=True)
 
     def _on_training_start(self) -> None:
         self.bar = self.make(self.num_timesteps)

@@ -33,10 +33,9 @@ class BuiltInEnv(gymnasium.Env[Observation, Any]):
         self._running = _tpg.NativeEnv(problem, continuous)
         description = json.loads(self._running.description)
         ranges = np.asarray([ends for source in description["sources"] for ends in source["ranges"]], dtype=np.float64)
-        low, high = np.float32(ranges[:, 0]), np.float32(ranges[:, 1])
         # Declared ranges are where states usually lie; some problems go beyond them.
         self.source_ranges = ranges
-        self.observation_space = spaces.Box(np.full_like(low, -np.inf), np.full_like(high, np.inf), dtype=np.float32)
+        self.observation_space = spaces.Box(-np.inf, np.inf, (len(ranges),), np.float32)
         self.input_names = [
             source["name"] if len(source["ranges"]) == 1 else f"{source['name']}_{place}"
             for source in description["sources"]
@@ -48,7 +47,7 @@ class BuiltInEnv(gymnasium.Env[Observation, Any]):
             self.action_space: spaces.Space[Any] = spaces.Discrete(len(self.action_names))
         else:
             _, least, most = zip(*description["outputs"], strict=True)
-            self.action_space = spaces.Box(np.float32(least), np.float32(most), dtype=np.float32)
+            self.action_space = spaces.Box(np.array(least, np.float32), np.array(most, np.float32), dtype=np.float32)
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Observation, dict[str, Any]]:
         """Starts an episode. `options={"task": ...}` starts that of a task, as `tpg-train` writes tasks."""

@@ -168,10 +168,10 @@ class TPG:
 
     def _set_env(self, env: EnvironmentLike, max_episode_steps: int | None, input_names: Sequence[str] | None) -> None:
         self._factory = _factory(env)
-        self._env = env if not isinstance(env, str) and not _is_function(env) else self._factory()
+        self._env: Environment = self._factory() if isinstance(env, str) or _is_function(env) else env  # type: ignore[assignment]
         known = _built_in(env, self._env)
         inputs, ends = _names_of(known) if known is not None and input_names is None else (input_names, None)
-        self._settings = {"max_episode_steps": max_episode_steps, "input_names": inputs, "end_names": ends}
+        self._settings: dict[str, Any] = {"max_episode_steps": max_episode_steps, "input_names": inputs, "end_names": ends}
         self._interface = Interface.of(self._env, **self._settings)
 
     @property
@@ -573,7 +573,7 @@ class _Described(gymnasium.Env[Any, Any]):
         self.observation_space = gymnasium.spaces.Box(low, high, dtype=np.float64)
         if graph.outputs:
             _, least, most = zip(*graph.outputs, strict=True)
-            self.action_space = gymnasium.spaces.Box(np.float32(least), np.float32(most))
+            self.action_space = gymnasium.spaces.Box(np.array(least, np.float32), np.array(most, np.float32))
         else:
             self.action_space = gymnasium.spaces.Discrete(len(graph.actions))
 
@@ -598,7 +598,7 @@ def _factory(env: EnvironmentLike) -> Callable[[], Environment]:
         return functools.partial(gymnasium.make, env)
     if _is_function(env):
         return env  # type: ignore[return-value]
-    return functools.partial(_copy, env)
+    return functools.partial(_copy, env)  # type: ignore[arg-type]
 
 
 def _copy(env: Environment) -> Environment:

@@ -96,7 +96,7 @@ class NetworkPolicy:
         rows = self._states[generator.integers(len(self._states), size=states)]
         spread = self._states.std(axis=0) + 1e-3
         rows = (rows + generator.normal(size=rows.shape) * spread * generator.choice([0.0, 1.0, 30.0], size=(states, 1))).astype(np.float32)
-        rows[::97] = generator.choice(np.float32([np.nan, np.inf, -np.inf, 0.0, -0.0, 1e30, 1e-40]), size=rows[::97].shape)
+        rows[::97] = generator.choice(np.array([np.nan, np.inf, -np.inf, 0.0, -0.0, 1e30, 1e-40], np.float32), size=rows[::97].shape)
         differences = self._network.differences(np.ascontiguousarray(rows))
         if differences:
             raise VerificationError(f"the C differs from the network on {differences} of {states} states")
@@ -168,18 +168,17 @@ def _actor(model: Any, name: str) -> tuple[Layers, str]:
 def _layers(modules: Sequence[Any], name: str) -> Layers:
     """Turns linear layers and their activations into layers with ReLU behind all but the last."""
     layers: Layers = []
-    rise: tuple[Floats, Floats] | None = None
+    slopes: Floats | None = None
     for module in modules:
         kind = type(module).__name__
         if kind == "Linear":
             weights = module.weight.detach().cpu().numpy().astype(np.float32)
             bias = module.bias.detach().cpu().numpy().astype(np.float32)
-            if rise is not None:
-                # The polyline's value is the sum of rise · ReLU, and −1 at the left.
-                slopes, start = rise
-                bias = bias + weights.sum(axis=1) * start[0]
+            if slopes is not None:
+                # The polyline's value is the sum of slope · ReLU, and −1 at the left.
+                bias = bias - weights.sum(axis=1)
                 weights = np.repeat(weights, len(slopes), axis=1) * np.tile(slopes, weights.shape[1])
-                rise = None
+                slopes = None
             layers.append((np.ascontiguousarray(weights, dtype=np.float32), np.ascontiguousarray(bias, dtype=np.float32)))
         elif kind == "Tanh":
             weights, bias = layers.pop()
@@ -190,7 +189,6 @@ def _layers(modules: Sequence[Any], name: str) -> Layers:
                 )
             knots, slopes = _polyline()
             layers.append((np.repeat(weights, PIECES, axis=0), np.ascontiguousarray((bias[:, None] - knots[None]).ravel(), dtype=np.float32)))
-            rise = (slopes, np.float32([-1.0]))
         elif kind != "ReLU":
             raise InputError(f"{name}: a layer of {kind}; accepted: Linear, ReLU, Tanh")
     for weights, _ in layers:

@@ -2,6 +2,7 @@
 
 mod check;
 mod nightly;
+mod python;
 mod setup;
 mod summary;
 mod torture;
@@ -55,6 +56,8 @@ enum Task {
         #[arg(long, default_value_t = 20)]
         seeds: u32,
     },
+    /// Build the Python package, install it into a virtual environment, run pytest, mypy and stubtest
+    Python(python::PythonArgs),
     /// The worst case of compiled code for a Cortex-M: instructions and stack
     Wcet(cortex_bound::cli::WcetArgs),
     /// Kill, stop and starve training runs at random moments: in the end they have the bytes of an undisturbed run
@@ -72,6 +75,7 @@ fn main() -> ExitCode {
         Task::Lint => check::lint(),
         Task::Miri => nightly::miri(),
         Task::Sanitize { seeds } => nightly::sanitize(seeds),
+        Task::Python(arguments) => python::run(arguments),
         Task::Wcet(arguments) => arguments.run(),
         Task::Torture(arguments) => arguments.run(),
     };
