@@ -93,7 +93,7 @@ impl<S: ArmScalar> World<S> {
 
     fn graph(&self, policy: &Policy) -> Graph {
         let (sources, actions) = (self.environment.sources(), self.environment.actions());
-        export::graph(policy, &self.vocabulary, sources, actions, Provenance::default()).expect("a valid graph")
+        export::graph(policy, &self.vocabulary, sources, actions, 0, Provenance::default()).expect("a valid graph")
     }
 }
 
@@ -254,7 +254,7 @@ fn under_a_shield_equal_programs_for_different_actions_stay_two_bids() {
     let shielded = policy.shielded(|action| vocabulary.bound(action));
     assert_eq!(shielded.programs.len(), 2, "one for each action");
     let graph =
-        export::graph(&shielded, &vocabulary, environment.sources(), environment.actions(), Provenance::default())
+        export::graph(&shielded, &vocabulary, environment.sources(), environment.actions(), 0, Provenance::default())
             .expect("a valid graph");
     let (_, removed) = optimise(&graph, Assumption::Nothing);
     assert_eq!(removed.duplicate_bids, 1, "the first of three");

@@ -1,11 +1,16 @@
 //! Runs the checks one after another; a failure does not stop the following ones.
 
+use crate::python::{self, PythonArgs};
 use crate::setup::TARGETS;
 use crate::summary::{Count, Summary};
 use std::io::{BufRead as _, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::{env, fs, io};
+
+/// The crate that needs a Python interpreter: `python.rs` builds, lints and tests it.
+const PYTHON: &str = "tpg-python";
+const WITHOUT: &str = "--exclude";
 
 /// Runs the tests of every crate; returns true if all passed.
 pub(crate) fn test() -> bool {
@@ -20,9 +25,19 @@ pub(crate) fn all() -> bool {
     run.check("format", cargo(&["fmt", "--all", "--check"]));
     run.check(
         "clippy",
-        cargo(&["clippy", "--workspace", "--all-targets", "--all-features", "--", "--deny", "warnings"]),
+        cargo(&[
+            "clippy",
+            "--workspace",
+            WITHOUT,
+            PYTHON,
+            "--all-targets",
+            "--all-features",
+            "--",
+            "--deny",
+            "warnings",
+        ]),
     );
-    let mut documentation = cargo(&["doc", "--workspace", "--all-features", "--no-deps", "--quiet"]);
+    let mut documentation = cargo(&["doc", "--workspace", WITHOUT, PYTHON, "--all-features", "--no-deps", "--quiet"]);
     documentation.env("RUSTDOCFLAGS", "--deny warnings");
     run.check("documentation", documentation);
     run.supply_chain();
@@ -32,6 +47,7 @@ pub(crate) fn all() -> bool {
     run.firmware(&["qemu"]);
     run.firmware(&["size"]);
     run.firmware(&["lint"]);
+    python::check(&mut run, PythonArgs::default());
     run.finish()
 }
 
@@ -62,38 +78,49 @@ pub(crate) fn compilers(graphs: u32) -> bool {
 }
 
 /// Returns the cargo that runs this program.
-fn cargo(arguments: &[&str]) -> Command {
+pub(crate) fn cargo(arguments: &[&str]) -> Command {
     let mut command = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     command.args(arguments);
     command
 }
 
-struct Run {
+/// A run of checks.
+pub(crate) struct Run {
     summary: Summary,
     log: PathBuf,
 }
 
 impl Run {
-    fn new() -> Self {
+    pub(crate) fn new() -> Self {
         let log = env::temp_dir().join(format!("tpg-skipped-{}", std::process::id()));
         Self { summary: Summary::default(), log }
     }
 
     /// Runs every test of every crate.
     fn all_tests(&mut self) {
-        self.tests("tests", cargo(&["test", "--workspace", "--all-features", "--no-fail-fast"]));
+        self.tests("tests", cargo(&["test", "--workspace", WITHOUT, PYTHON, "--all-features", "--no-fail-fast"]));
     }
 
     /// Runs a command that counts as one check.
-    fn check(&mut self, name: &str, mut command: Command) {
+    pub(crate) fn check(&mut self, name: &str, mut command: Command) {
         let result = self.start(name, &mut command).and_then(|()| command.status());
         self.summary.note(name, result.map(|status| (status.success(), Count::default())));
     }
 
     /// Runs a command whose tests are counted.
-    fn tests(&mut self, name: &str, mut command: Command) {
+    pub(crate) fn tests(&mut self, name: &str, mut command: Command) {
         let result = self.start(name, &mut command).and_then(|()| counted(&mut command));
         self.summary.note(name, result);
+    }
+
+    /// Records a check that could not begin.
+    pub(crate) fn failed(&mut self, name: &str, error: &io::Error) {
+        self.summary.note(name, Err(io::Error::other(error.to_string())));
+    }
+
+    /// Records a check whose tools are missing.
+    pub(crate) fn missing(&mut self, name: &str, remedy: &str) {
+        self.summary.missing(name, remedy);
     }
 
     /// Runs a check of the firmwares.
@@ -149,12 +176,13 @@ impl Run {
 
     fn start(&self, name: &str, command: &mut Command) -> io::Result<()> {
         let words: Vec<_> = command.get_args().map(|word| word.to_string_lossy()).collect();
-        println!("\n==== {name}: cargo {}", words.join(" "));
+        let program = Path::new(command.get_program()).file_name().unwrap_or_default().display();
+        println!("\n==== {name}: {program} {}", words.join(" "));
         command.env(tpg_testing::LOG, &self.log).stdin(Stdio::null());
         Ok(())
     }
 
-    fn finish(mut self) -> bool {
+    pub(crate) fn finish(mut self) -> bool {
         self.summary.skip(tpg_testing::skipped(&self.log));
         let _ = fs::remove_file(&self.log);
         self.summary.print();

@@ -3,6 +3,7 @@
 mod check;
 mod fuzz;
 mod nightly;
+mod python;
 mod setup;
 mod summary;
 mod torture;
@@ -65,6 +66,8 @@ enum Task {
         #[arg(long, default_value_t = 20)]
         seeds: u32,
     },
+    /// Build the Python package, install it into a virtual environment, run pytest, mypy and stubtest
+    Python(python::PythonArgs),
     /// The worst case of compiled code for a Cortex-M: instructions and stack
     Wcet(cortex_bound::cli::WcetArgs),
     /// Kill, stop and starve training runs at random moments: in the end they have the bytes of an undisturbed run
@@ -84,6 +87,7 @@ fn main() -> ExitCode {
         Task::Fuzz(arguments) => arguments.run(),
         Task::Miri => nightly::miri(),
         Task::Sanitize { seeds } => nightly::sanitize(seeds),
+        Task::Python(arguments) => python::run(arguments),
         Task::Wcet(arguments) => arguments.run(),
         Task::Torture(arguments) => arguments.run(),
     };

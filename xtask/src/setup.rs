@@ -4,7 +4,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 /// Debian packages, each with a program that shows whether it is installed.
-const PACKAGES: [(&str, &str); 13] = [
+const PACKAGES: [(&str, &str); 15] = [
     ("gcc", "/usr/bin/gcc"),
     ("g++", "/usr/bin/g++"),
     ("clang", "/usr/bin/clang"),
@@ -18,6 +18,8 @@ const PACKAGES: [(&str, &str); 13] = [
     ("cmake", "/usr/bin/cmake"),
     ("pkg-config", "/usr/bin/pkg-config"),
     ("frama-c-base", "/usr/bin/frama-c"),
+    ("python3-venv", "/usr/bin/python3"),
+    ("openmpi-bin", "/usr/bin/mpirun"),
 ];
 
 const COMPONENTS: [&str; 2] = ["rustfmt", "clippy"];

@@ -11,8 +11,19 @@ pub(crate) struct Count {
 }
 
 impl Count {
-    /// Counts a line of cargo test's output: `test result: ok. 3 passed; 0 failed; 1 ignored; …`.
+    /// Counts a line of cargo test's output, `test result: ok. 3 passed; 0 failed; 1 ignored; …`, or of pytest's:
+    /// `1 failed, 3 passed, 2 skipped in 0.12s`. Skips of pytest's tests are reported as those of all others.
     pub(crate) fn add(&mut self, line: &str) {
+        let pytest = line.rsplit_once(" in ").filter(|(counts, _)| !counts.contains(';'));
+        if let Some((counts, _)) = pytest.filter(|(_, time)| time.starts_with(|c: char| c.is_ascii_digit())) {
+            for part in counts.split(", ") {
+                let number = |name| part.strip_suffix(name).and_then(|number| number.trim().parse::<usize>().ok());
+                self.passed += number(" passed").unwrap_or(0);
+                self.failed +=
+                    number(" failed").or_else(|| number(" errors")).or_else(|| number(" error")).unwrap_or(0);
+            }
+            return;
+        }
         let Some(result) = line.strip_prefix("test result: ") else { return };
         let number = |name| {
             let mut parts = result.split([';', '.']).filter_map(|part| part.trim().strip_suffix(name));
@@ -91,6 +102,16 @@ mod tests {
         count.add("test result: FAILED. 3 passed; 2 failed; 0 ignored; 0 measured; 0 filtered out; finished in 0.00s");
         count.add("test tests::one ... ok");
         assert_eq!(count, Count { passed: 15, failed: 2, ignored: 1 });
+    }
+
+    #[test]
+    fn the_last_line_of_pytest_is_counted() {
+        let mut count = Count::default();
+        count.add("2 failed, 40 passed, 1 skipped, 3 warnings in 18.68s");
+        count.add("12 passed in 67.77s (0:01:07)");
+        count.add("1 passed, 1 error in 0.50s");
+        count.add("generation 2 in 3 steps passed");
+        assert_eq!(count, Count { passed: 53, failed: 3, ignored: 0 });
     }
 
     #[test]

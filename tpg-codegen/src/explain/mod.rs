@@ -19,11 +19,22 @@ const WIDTH: usize = 120;
 
 /// The explanation of a graph as fast C: the same graph and options give the same text.
 pub fn explain(graph: &Graph, options: &Options) -> String {
-    let options = Options { style: Style::Pure, profile: Some(Profile::Fast), trace: None, ..options.clone() };
     let mut out = String::new();
-    let explained = Explanation::new(&compile(graph, &options, Language::C)).write(&mut out);
+    let explained = Explanation::new(&compile(graph, &fast(options), Language::C)).write(&mut out);
     explained.expect("a string takes everything");
     out
+}
+
+/// The formulas of a graph as fast C: what each team's bids are, and what each leaf computes.
+pub fn formulas(graph: &Graph, options: &Options) -> String {
+    let mut out = String::new();
+    let program = compile(graph, &fast(options), Language::C);
+    Explanation::new(&program).formulas(&mut out).expect("a string takes everything");
+    out.trim_start().to_owned()
+}
+
+fn fast(options: &Options) -> Options {
+    Options { style: Style::Pure, profile: Some(Profile::Fast), trace: None, ..options.clone() }
 }
 
 struct Explanation<'a> {
@@ -47,6 +58,10 @@ impl<'a> Explanation<'a> {
         self.introns(out)?;
         self.removed(out)?;
         self.guards(out)?;
+        self.formulas(out)
+    }
+
+    fn formulas(&self, out: &mut String) -> fmt::Result {
         if !matches!(self.program.shape, Shape::Formula(_)) {
             self.teams(out)?;
         }

@@ -19,18 +19,21 @@
 //! | `float` | a network in floating point, and its calibration |
 //! | `quantise` | from floating point to integers |
 //! | `model`, `emit` | words and C; Rust |
+//! | `plain` | C that needs no library |
 
 mod emit;
 mod file;
 mod float;
 mod meaning;
 mod model;
+mod plain;
 mod quantise;
 
 pub use emit::to_rust;
 pub use float::{FloatLayer, FloatNetwork, FloatOutput, FloatValue};
 pub use meaning::{Input, Output, Preferences, ValueOutput};
 pub use model::{to_c, to_words};
+pub use plain::{differences, to_plain_c};
 pub use quantise::{QuantiseError, quantise};
 
 use serde::{Deserialize, Serialize};

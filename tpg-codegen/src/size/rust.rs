@@ -39,7 +39,8 @@ impl RustForCortexM4 {
         Ok(Self { folder })
     }
 
-    /// The object file of a policy: one function, `PREFIX_infer`, with C's calling convention, and what it calls.
+    /// The object file of a policy: one function, `PREFIX_infer`, with C's calling convention, and what it calls. It answers
+    /// with the action, or writes the values of the outputs where its second argument says.
     ///
     /// # Errors
     /// When the compiler refuses.
@@ -50,11 +51,14 @@ impl RustForCortexM4 {
             fs::write(folder.join(format!("policy_{}", file.name)), &file.text)?;
         }
         let (scalar, length, name) = (graph.scalar().name(), graph.state_length(), prefix.camel());
+        let decide = format!("policy::{name}.decide(state)");
+        let (import, answer, body) = match graph.outputs().len() {
+            0 => ("ActionId, ", ") -> u16".to_owned(), format!("let ActionId(action) = {decide};\n    action")),
+            outputs => ("", format!(", action: &mut [{scalar}; {outputs}])"), format!("*action = {decide};")),
+        };
         let library = format!(
-            "#![no_std]\n#[path = \"policy_{prefix}.rs\"]\nmod policy;\n\
-             use tpg_runtime::policy::{{ActionId, Policy}};\n\
-             #[unsafe(no_mangle)]\npub extern \"C\" fn {prefix}_infer(state: &[{scalar}; {length}]) -> u16 {{\n    \
-             let ActionId(action) = policy::{name}.decide(state);\n    action\n}}\n"
+            "#![no_std]\n#[path = \"policy_{prefix}.rs\"]\nmod policy;\nuse tpg_runtime::policy::{{{import}Policy}};\n\
+             #[unsafe(no_mangle)]\npub extern \"C\" fn {prefix}_infer(state: &[{scalar}; {length}]{answer} {{\n    {body}\n}}\n"
         );
         fs::write(folder.join("lib.rs"), library)?;
         let object = ["--crate-type=lib", "--crate-name=policy_object", "--emit=obj", "-o", "policy.o", "-L", "."];
@@ -90,4 +94,29 @@ fn compile(folder: &Path, level: &str, arguments: &[&str]) -> io::Result<()> {
         }
         error => io::Error::other(error),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::RustForCortexM4;
+    use crate::emit::Code;
+    use crate::options::{Language, Options, Profile};
+    use crate::program::compile;
+    use tpg_graph::sample::{self, Shape};
+
+    #[test]
+    fn policies_with_actions_and_with_outputs_have_a_size() {
+        let compiler = match RustForCortexM4::new("s") {
+            Ok(compiler) => compiler,
+            Err(error) => return tpg_testing::skip(&error.to_string()),
+        };
+        for shape in [Shape::random(1), Shape::random_with_outputs(1)] {
+            let graph = sample::graph(&shape, 1);
+            for profile in Profile::ALL {
+                let options = Options { profile: Some(profile), ..Options::new("policy".parse().expect("a prefix")) };
+                let size = compiler.size(&Code::of(compile(&graph, &options, Language::Rust)), "s");
+                assert!(size.expect("it compiles").flash() > 0, "{}", profile.name());
+            }
+        }
+    }
 }

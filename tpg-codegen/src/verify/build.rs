@@ -154,7 +154,7 @@ impl Workshop {
     }
 
     /// Writes files to a new folder of the workshop.
-    pub(super) fn write(&self, name: &str, files: &[File]) -> io::Result<PathBuf> {
+    pub(crate) fn write(&self, name: &str, files: &[File]) -> io::Result<PathBuf> {
         let folder = tempfile::Builder::new().prefix(name).tempdir_in(self.folder.path())?.keep();
         for file in files {
             fs::write(folder.join(&file.name), &file.text)?;

@@ -3,10 +3,10 @@
 mod check;
 
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use tpg_graph::Graph;
 use tpg_graph::Word;
-use tpg_graph::dataflow::depth_first;
+use tpg_graph::dataflow::{depth_first, effective};
 use tpg_runtime::ops::Instruction;
 
 /// An operand of an instruction.
@@ -34,7 +34,7 @@ pub struct Line {
 }
 
 /// Destination of an edge.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Destination {
     /// The team at this index of [`Policy::teams`].
@@ -109,6 +109,28 @@ impl Policy {
 }
 
 impl Policy {
+    /// Returns the size of the policy as a graph: the edges of teams that have a choice, and the lines that their bids and
+    /// the outputs depend on. A program that bids for several destinations counts for each.
+    ///
+    /// ```
+    /// use tpg_engine::{Destination, Edge, Policy};
+    ///
+    /// let edge = |action| Edge { program: 0, to: Destination::Action(action) };
+    /// assert_eq!(Policy::new(1, 0, vec![vec![edge(0), edge(1)]], vec![vec![]]).size(), 2);
+    /// assert_eq!(Policy::new(1, 0, vec![vec![edge(0)]], vec![vec![]]).size(), 0, "there is no choice");
+    /// ```
+    pub fn size(&self) -> usize {
+        let choosing = || self.teams.iter().filter(|team| team.len() > 1).flatten();
+        let bids: BTreeSet<(u32, Destination)> = choosing().map(|edge| (edge.program, edge.to)).collect();
+        let computing: BTreeSet<u32> = self.leaves.iter().flatten().copied().collect();
+        let lines = |program: u32| {
+            let effective = effective(self.registers.into(), &self.programs[program as usize]);
+            effective.into_iter().filter(|&effective| effective).count()
+        };
+        let programs = bids.into_iter().map(|(program, _)| program).chain(computing);
+        choosing().count() + programs.map(lines).sum::<usize>()
+    }
+
     /// Returns the same policy under a shield: each bid for an action is capped by a value of the state. A policy with
     /// outputs has no shield.
     ///

@@ -113,7 +113,7 @@ pub trait Visitor<S: ArmScalar> {
     type Output;
 
     /// Works with the environment. Its actions are the problem's own: a box if it has outputs.
-    fn visit<E: Environment<S>>(self, environment: E) -> Self::Output;
+    fn visit<E: Environment<S> + Send + 'static>(self, environment: E) -> Self::Output;
 }
 
 /// A file with a section `[problem]`; the other sections belong to other readers.

@@ -69,7 +69,9 @@ impl<Task: std::fmt::Debug> State<Task> {
             return Err(Finding::new(key, format!("{:?}", self.pool[place]), "a task of the problem"));
         }
         let best = |best| check_best(best, self.generation, config, inputs, &space);
-        self.best.as_ref().map_or(Ok(()), best).map_err(|finding| finding.within("best"))
+        self.best.as_ref().map_or(Ok(()), best).map_err(|finding| finding.within("best"))?;
+        (self.hall.iter().enumerate())
+            .try_for_each(|(place, of)| best(of).map_err(|finding| finding.within(&format!("hall[{place}]"))))
     }
 }
 

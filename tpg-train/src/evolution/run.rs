@@ -55,6 +55,8 @@ pub struct Progress<'a> {
     pub row: Option<&'a Row>,
     /// Best root on the selection set so far.
     pub best: Option<&'a Best>,
+    /// The best roots of each size: see [`State::hall`].
+    pub hall: &'a [Best],
 }
 
 /// Outcome of a run.
@@ -81,7 +83,7 @@ pub enum RunError {
 }
 
 /// Trains with one seed. `watch` is called at the beginning and after every generation; if it returns `Break`, the run
-/// is saved and stops.
+/// is saved and stops. If roots cannot be evaluated, the run is saved as it was before that generation, and can be resumed.
 ///
 /// ```
 /// use std::ops::ControlFlow;
@@ -108,7 +110,7 @@ pub enum RunError {
 ///
 /// # Errors
 /// If the folder contains another run or another process uses it, its checkpoints are damaged, files cannot be written,
-/// or roots cannot be evaluated. The last checkpoint is kept.
+/// or roots cannot be evaluated.
 pub fn run<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
     config: &Config,
     seed: u64,
@@ -134,22 +136,31 @@ pub fn run<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
     let mut times = Times::new(&options.folder);
     if state.generation > 0 {
         // The run may have been killed between writing its checkpoint and its results.
-        write_results(config, &options.folder, &state, &evolution, environment)?;
+        write_results(config, &options.folder, &state, environment)?;
     }
+    let save = |state: &State<E::Task>, times: &Times| -> Result<(), RunError> {
+        let file = folder.path().display().to_string();
+        folder.save(checkpoint::VERSION, checkpoint::to_bytes(&file, config, state)?)?;
+        write_results(config, &options.folder, state, environment)?;
+        Ok(times.write(&options.folder)?)
+    };
     let mut stopped = watch(&progress(config, &state)).is_break();
     let mut saved = Instant::now();
     while !evolution.finished(&state) {
         if !stopped {
-            evolution.advance(&mut state)?;
+            let before = state.clone();
+            if let Err(error) = evolution.advance(&mut state) {
+                if before.generation > 0 {
+                    save(&before, &times)?;
+                }
+                return Err(error.into());
+            }
             times.after_generation(&state, evaluator.steps());
             stopped = watch(&progress(config, &state)).is_break();
         }
         let last = evolution.finished(&state);
         if last || stopped || saved.elapsed() >= options.checkpoint_every {
-            let file = folder.path().display().to_string();
-            folder.save(checkpoint::VERSION, checkpoint::to_bytes(&file, config, &state)?)?;
-            write_results(config, &options.folder, &state, &evolution, environment)?;
-            times.write(&options.folder)?;
+            save(&state, &times)?;
             saved = Instant::now();
         }
         if stopped && !last {
@@ -173,30 +184,33 @@ fn progress<'a, Task>(config: &Config, state: &'a State<Task>) -> Progress<'a> {
         steps: state.steps,
         row: state.rows.last(),
         best: state.best.as_ref(),
+        hall: &state.hall,
     }
 }
 
-/// Writes the logs and the best graph.
-fn write_results<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
+/// Writes the logs, and the best graph.
+fn write_results<S: Scalar, E: Environment<S>>(
     config: &Config,
     folder: &Path,
     state: &State<E::Task>,
-    evolution: &Evolution<'_, S, E, V>,
     environment: &E,
 ) -> Result<(), RunError> {
     logs::write(folder, &state.rows)?;
     if let Some(best) = &state.best {
-        let graph = best_graph(config, state.seed, best, evolution, environment)?;
+        let graph = graph_of(config, state.seed, best, environment)?;
         write_atomically(&folder.join("graph.json"), graph.to_json().as_bytes())?;
     }
     Ok(())
 }
 
-fn best_graph<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
+/// Returns a validated root as a graph, as a run writes it: with the ranges of its inputs and its provenance.
+///
+/// # Errors
+/// If the environment's actions are not named, or the graph is invalid, which would be a defect of the trainer.
+pub fn graph_of<S: Scalar, E: Environment<S>>(
     config: &Config,
     seed: u64,
     best: &Best,
-    evolution: &Evolution<'_, S, E, V>,
     environment: &E,
 ) -> Result<Graph, InputError> {
     let Summary { score, success, measure, .. } = best.result;
@@ -216,14 +230,9 @@ fn best_graph<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
         let mut ranges = ranges.iter();
         sources.iter_mut().flat_map(|source| &mut source.ranges).zip(&mut ranges).for_each(|(to, from)| *to = *from);
     }
-    export::graph(
-        &best.policy,
-        evolution.vocabulary(),
-        sources,
-        environment.actions(),
-        environment.memory(),
-        provenance,
-    )
+    // The units of literals matter only where literals are drawn.
+    let vocabulary = config.vocabulary(environment, Vec::new());
+    export::graph(&best.policy, &vocabulary, sources, environment.actions(), environment.memory(), provenance)
 }
 
 /// The times of a run, `timing.csv`: the only log that depends on the clock.

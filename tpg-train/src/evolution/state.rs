@@ -5,7 +5,7 @@ use super::genome::{Genome, TeamId};
 use super::linear::Search;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, VecDeque};
-use tpg_engine::{Policy, Summary};
+use tpg_engine::{Policy, Preference, Summary};
 
 /// A root's record so far (`learn/evaluationResult.h`): the mean over all of its episodes, and their number.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -45,6 +45,23 @@ pub struct Best {
     pub policy: Policy,
     /// Ranges of the inputs, if the environment does not know all of them.
     pub ranges: Option<Vec<[f64; 2]>>,
+}
+
+impl Best {
+    /// Enters a hall of fame: the roots that no other one [covers](Self::covers), smallest first.
+    pub(super) fn enter(self, hall: &mut Vec<Self>, preference: Preference) {
+        if hall.iter().any(|other| other.covers(&self, preference)) {
+            return;
+        }
+        hall.retain(|other| !self.covers(other, preference));
+        let place = hall.partition_point(|other| other.policy.size() < self.policy.size());
+        hall.insert(place, self);
+    }
+
+    /// Returns true if this root is neither larger nor worse than the other.
+    fn covers(&self, other: &Self, preference: Preference) -> bool {
+        self.policy.size() <= other.policy.size() && self.result.compare(&other.result, preference).is_ge()
+    }
 }
 
 /// One row of the logs. It contains no times: logs are equal for any number of threads, and after a resume.
@@ -88,6 +105,10 @@ pub struct State<Task> {
     pub pool: VecDeque<Task>,
     /// The best root on the selection set.
     pub best: Option<Best>,
+    /// The hall of fame: of the roots that won a validation, those of which no other is both smaller and better; smallest
+    /// first.
+    #[serde(default)]
+    pub hall: Vec<Best>,
     /// The logs.
     pub rows: Vec<Row>,
     /// Units of literals: half the range of each value of the flat state.
@@ -111,11 +132,34 @@ impl<Task> State<Task> {
             archive: Archive::new(archive_size),
             pool: VecDeque::new(),
             best: None,
+            hall: Vec::new(),
             rows: Vec::new(),
             scales: Vec::new(),
             training_episodes: 0,
             selection_episodes: 0,
             steps: 0,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Best;
+    use tpg_engine::{Destination, Edge, Ending, Policy, Preference, Summary};
+
+    fn best(edges: usize, score: f64, generation: u64) -> Best {
+        let result = Summary::of(&[Ending { outcome: 0, success: None, score, measure: 0.0, actions: 1 }]);
+        let team = vec![Edge { program: 0, to: Destination::Action(0) }; edges];
+        Best { generation, result, policy: Policy::new(1, 0, vec![team], vec![vec![]]), ranges: None }
+    }
+
+    #[test]
+    fn the_hall_of_fame_holds_what_nothing_smaller_beats() {
+        let mut hall = Vec::new();
+        for (generation, (size, score)) in (0..).zip([(5, 1.0), (3, 0.5), (7, 0.9), (5, 1.0), (9, 2.0), (2, 0.5)]) {
+            best(size, score, generation).enter(&mut hall, Preference::Score);
+        }
+        let found: Vec<_> = hall.iter().map(|it| (it.policy.size(), it.result.score, it.generation)).collect();
+        assert_eq!(found, [(2, 0.5, 5), (5, 1.0, 0), (9, 2.0, 4)]);
     }
 }

@@ -42,11 +42,14 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
     pub(super) fn validate(&self, state: &mut State<E::Task>) -> Result<Option<Summary>, EvaluationError> {
         let Some(episodes) = self.episodes_to_spend(state) else { return Ok(None) };
         let (policy, result) = self.race(state, episodes)?;
-        let is_better = |best: &Best| self.compare(state, (&best.result, &best.policy), (&result, &policy)).is_gt();
+        let preference = self.environment.preference();
+        let winner = Best { generation: state.generation, result, ranges: self.learned_ranges(&policy)?, policy };
+        let is_better =
+            |best: &Best| self.compare(state, (&best.result, &best.policy), (&result, &winner.policy)).is_gt();
         if state.best.as_ref().is_none_or(is_better) {
-            let ranges = self.learned_ranges(&policy)?;
-            state.best = Some(Best { generation: state.generation, result, policy, ranges });
+            state.best = Some(winner.clone());
         }
+        winner.enter(&mut state.hall, preference);
         Ok(Some(result))
     }
 

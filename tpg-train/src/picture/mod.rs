@@ -1,12 +1,16 @@
 //! Pictures for reports: SVG as text, plots, and the HTML page that contains them. No scripts, no network, no clock:
 //! the same data gives the same bytes.
 //!
-//! [`Svg`] draws shapes, [`Plot`] draws data, [`Page`] is the HTML around them; colours and fonts are the page's.
+//! [`Svg`] draws shapes, [`Plot`] draws data, [`graph`] draws graphs, [`Page`] is the HTML around them; colours and fonts are the page's.
 
 mod axis;
+pub mod graph;
 mod page;
 mod plot;
 mod svg;
+
+/// Colours and lines of pictures, as CSS.
+const STYLE: &str = include_str!("../../templates/picture.css");
 
 pub use axis::Axis;
 pub use page::{Figure, Page, Section, Table};

@@ -5,7 +5,6 @@
 
 mod curves;
 mod distances;
-mod graph;
 mod runs;
 mod tables;
 mod test;
@@ -13,7 +12,7 @@ mod trajectory;
 
 use crate::files::write_atomically;
 use crate::hybrid::shared::Shared;
-use crate::picture::{Page, Section};
+use crate::picture::{Page, Section, graph};
 use clap::Args;
 use runs::{Group, Kind};
 use std::io::Write as _;

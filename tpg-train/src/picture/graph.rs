@@ -1,6 +1,6 @@
 //! A tangled program graph, drawn: teams in layers below the root, actions at the bottom.
 
-use crate::picture::{Figure, Point, Svg};
+use super::{Figure, Point, Svg};
 use std::collections::BTreeMap;
 use tpg_graph::{ActionId, Destination, Graph};
 
@@ -17,7 +17,8 @@ enum Node {
     Action(usize),
 }
 
-pub(super) fn figure(graph: &Graph) -> Figure {
+/// Draws a graph for a page.
+pub fn figure(graph: &Graph) -> Figure {
     let layers = layers(graph);
     let places = places(&layers);
     let mut svg = Svg::new(WIDTH, 2.0 * TOP + LAYER * layers.len() as f64);
@@ -60,6 +61,12 @@ pub(super) fn figure(graph: &Graph) -> Figure {
         if graph.outputs().is_empty() { "actions" } else { "leaves" }
     );
     Figure { svg: svg.finish("the graph"), caption }
+}
+
+/// Draws a graph as an SVG element that needs no page: for a notebook, say.
+pub fn standalone(graph: &Graph) -> String {
+    let style = format!("<style>{}</style>", super::STYLE);
+    figure(graph).svg.replacen('>', &format!(">{style}"), 1)
 }
 
 /// Returns the colour of an action: actions that move the same joint share a colour.
@@ -132,4 +139,19 @@ fn places(layers: &[Vec<Node>]) -> BTreeMap<Node, Point> {
         nodes.iter().enumerate().map(place).collect::<Vec<_>>()
     };
     layers.iter().enumerate().flat_map(layer).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::standalone;
+    use tpg_graph::sample::{self, Shape};
+
+    #[test]
+    fn a_standalone_picture_brings_its_colours() {
+        for shape in [Shape::random(1), Shape::random_with_outputs(1)] {
+            let svg = standalone(&sample::graph(&shape, 1));
+            assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"), "{svg}");
+            assert!(svg.contains("<style>") && svg.contains(".c0 {"), "{svg}");
+        }
+    }
 }

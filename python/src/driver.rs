@@ -1,0 +1,190 @@
+//! Whole episodes of a Gymnasium environment, next to the environment.
+
+use crate::error;
+use crate::policy::Policy;
+use numpy::{PyArray1, PyArrayDyn, PyArrayMethods};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyTuple};
+use tpg_engine::Single;
+use tpg_graph::interpret::Answer;
+use tpg_runtime::ops::Own;
+
+/// The result of an episode: return, number of actions, and success where the environment's info says `is_success`.
+type Played = (f64, u32, Option<bool>);
+
+/// Runs episodes of an environment.
+#[pyclass(frozen, module = "tpg_train._tpg")]
+pub(crate) struct Driver {
+    reset: Py<PyAny>,
+    step: Py<PyAny>,
+    flatten: Option<Py<PyAny>>,
+    action: Action,
+    inputs: usize,
+    limit: u32,
+    asarray: Py<PyAny>,
+}
+
+/// The way from an answer to the environment's action.
+enum Action {
+    /// An object for each action's number; arrays are copied, so that an environment may change what it is given.
+    Listed(Vec<Py<PyAny>>, bool),
+    /// A flat array of `f32`.
+    Flat,
+    /// A function of the list of values.
+    Encoded(Py<PyAny>),
+}
+
+#[pymethods]
+impl Driver {
+    /// Creates a driver. `flatten` turns an observation into a flat array, `None` where it is one; `actions` lists the
+    /// environment's actions, `None` where the policy answers with values, which `encode` turns into an action, `None` where
+    /// a flat array of f32 is one.
+    #[new]
+    #[pyo3(signature = (env, inputs, limit, flatten=None, actions=None, encode=None))]
+    fn new(
+        env: &Bound<'_, PyAny>,
+        inputs: usize,
+        limit: u32,
+        flatten: Option<Py<PyAny>>,
+        actions: Option<Vec<Py<PyAny>>>,
+        encode: Option<Py<PyAny>>,
+    ) -> PyResult<Self> {
+        let py = env.py();
+        let action = match (actions, encode) {
+            (Some(actions), _) => {
+                let arrays = actions.first().is_some_and(|action| action.bind(py).hasattr("copy").unwrap_or(false));
+                Action::Listed(actions, arrays)
+            }
+            (None, Some(encode)) => Action::Encoded(encode),
+            (None, None) => Action::Flat,
+        };
+        Ok(Self {
+            reset: env.getattr("reset")?.unbind(),
+            step: env.getattr("step")?.unbind(),
+            flatten,
+            action,
+            inputs,
+            limit,
+            asarray: py.import("numpy")?.getattr("asarray")?.unbind(),
+        })
+    }
+
+    /// Runs one episode for each seed.
+    fn run(&self, py: Python<'_>, policy: &Policy, seeds: Vec<u64>) -> PyResult<Vec<Played>> {
+        let single = policy.single();
+        seeds.into_iter().map(|seed| self.episode(py, &single, seed, |_, _| true)).collect()
+    }
+
+    /// Returns the observations after given numbers of actions, ascending.
+    fn visit(&self, py: Python<'_>, policy: &Policy, seed: u64, after: Vec<u32>) -> PyResult<Vec<Vec<f32>>> {
+        let mut seen = Vec::with_capacity(after.len());
+        self.episode(py, &policy.single(), seed, |step, state| {
+            while after.get(seen.len()) == Some(&step) {
+                seen.push(state.to_vec());
+            }
+            seen.len() < after.len()
+        })?;
+        match seen.len() == after.len() {
+            true => Ok(seen),
+            false => Err(error::training(format!(
+                "the episode of seed {seed} was shorter than before: the environment's state survives reset(seed=...)"
+            ))),
+        }
+    }
+}
+
+impl Driver {
+    /// Runs one episode; `watch` sees each observation before the action, and ends the episode with false.
+    fn episode(
+        &self,
+        py: Python<'_>,
+        single: &Single<f32, Own>,
+        seed: u64,
+        mut watch: impl FnMut(u32, &[f32]) -> bool,
+    ) -> PyResult<Played> {
+        let arguments = PyDict::new(py);
+        arguments.set_item("seed", seed)?;
+        let pair = self.reset.bind(py).call((), Some(&arguments))?;
+        let at = |step: u32| format!("seed {seed}, step {step}");
+        let first = parts::<2>(&pair, "reset", "(observation, info)", &at(0))?;
+        let mut state = Vec::with_capacity(self.inputs);
+        self.read(&first[0], &mut state, || at(0))?;
+        let step = self.step.bind(py);
+        let (mut score, mut actions, mut success) = (0.0, 0, None);
+        while actions < self.limit && watch(actions, &state) {
+            let told = step.call1((self.act(py, single, &state)?,))?;
+            actions += 1;
+            let accepted = "(observation, reward, terminated, truncated, info)";
+            let [observation, reward, terminated, truncated, info] = parts::<5>(&told, "step", accepted, &at(actions))?;
+            let reward: f64 = reward.extract()?;
+            if reward.is_nan() {
+                return Err(error::input(format!("{}: the reward is NaN; accepted: a number", at(actions))));
+            }
+            score += reward;
+            if terminated.extract::<bool>()? || truncated.extract::<bool>()? {
+                let info = info.cast::<PyDict>().ok().and_then(|info| info.get_item("is_success").ok().flatten());
+                success = info.and_then(|info| info.extract().ok());
+                break;
+            }
+            self.read(&observation, &mut state, || at(actions))?;
+        }
+        Ok((score, actions, success))
+    }
+
+    fn act<'py>(&self, py: Python<'py>, single: &Single<f32, Own>, state: &[f32]) -> PyResult<Bound<'py, PyAny>> {
+        if let Action::Listed(actions, arrays) = &self.action {
+            let action = actions[usize::from(single.decide(state).0)].bind(py);
+            return if *arrays { action.call_method0("copy") } else { Ok(action.clone()) };
+        }
+        let Answer::Values(values) = single.answer(state) else { unreachable!("a policy of a box has outputs") };
+        match &self.action {
+            Action::Encoded(encode) => encode.bind(py).call1((values,)),
+            _ => Ok(PyArray1::from_iter(py, values.iter().map(|&value| value as f32)).into_any()),
+        }
+    }
+
+    /// Reads an observation.
+    fn read(&self, observation: &Bound<'_, PyAny>, state: &mut Vec<f32>, at: impl Fn() -> String) -> PyResult<()> {
+        let flat = match &self.flatten {
+            Some(flatten) => flatten.bind(observation.py()).call1((observation,))?,
+            None => observation.clone(),
+        };
+        state.clear();
+        if let Ok(array) = flat.cast::<PyArrayDyn<f32>>() {
+            let array = array.readonly();
+            match array.as_slice() {
+                Ok(values) => state.extend(values),
+                Err(_) => state.extend(array.as_array().iter()),
+            }
+        } else if let Ok(array) = flat.cast::<PyArrayDyn<f64>>() {
+            state.extend(array.readonly().as_array().iter().map(|&value| value as f32));
+        } else {
+            let array = self.asarray.bind(flat.py()).call1((&flat, "float64"))?;
+            let array = array.cast::<PyArrayDyn<f64>>()?.readonly();
+            state.extend(array.as_array().iter().map(|&value| value as f32));
+        }
+        if state.len() != self.inputs {
+            let (found, accepted) = (state.len(), self.inputs);
+            return Err(error::input(format!("{}: an observation of {found} values; accepted: {accepted}", at())));
+        }
+        match state.iter().position(|value| value.is_nan()) {
+            Some(place) => Err(error::input(format!("{}: observation[{place}] is NaN; accepted: a number", at()))),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Takes a tuple apart.
+fn parts<'py, const N: usize>(
+    told: &Bound<'py, PyAny>,
+    method: &str,
+    accepted: &str,
+    at: &str,
+) -> PyResult<[Bound<'py, PyAny>; N]> {
+    let items = told.cast::<PyTuple>().ok().map(|tuple| tuple.iter().collect::<Vec<_>>());
+    items.and_then(|items| items.try_into().ok()).ok_or_else(|| {
+        let found = told.get_type().name().map(|name| name.to_string()).unwrap_or_default();
+        let length = told.len().map(|length| format!(" of {length}")).unwrap_or_default();
+        error::input(format!("{at}: {method}() returned a {found}{length}; accepted: {accepted}, as Gymnasium's"))
+    })
+}

@@ -1,0 +1,343 @@
+//! A run on a thread of its own. Python asks for its next event, does what it says, and replies.
+
+use crate::error;
+use crate::graph::Graph;
+use crate::mailbox::{Event, Mailbox, Reply};
+use crate::native;
+use crate::policy::Policy;
+use crate::space::Space;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
+use std::sync::{Mutex, MutexGuard};
+use std::thread::JoinHandle;
+use std::time::Duration;
+use tpg_engine::{Choices, Ending, Environment, Evaluator, LocalThreads, Options};
+use tpg_problems::{Problem, Visitor};
+use tpg_runtime::ops::Own;
+use tpg_train::evolution::checkpoint;
+use tpg_train::evolution::config::Config;
+use tpg_train::evolution::generation::Goal;
+use tpg_train::evolution::presets::{PRESETS, Preset};
+use tpg_train::evolution::run::{Progress, RunEnd, RunError, RunOptions, graph_of, run};
+use tpg_train::evolution::state::{Best, Row};
+use tpg_train::folder::checkpoint::{NEWEST, PREVIOUS};
+
+/// Time between two looks for Ctrl-C.
+const WAIT: Duration = Duration::from_millis(50);
+
+/// Progress of a run, for Python.
+struct Report {
+    generations: u64,
+    steps: u64,
+    row: Option<Row>,
+    best: Option<f64>,
+    /// The best graph and the hall of fame, if they have changed: the size, the score and the graph of each.
+    fresh: Option<(Graph, Vec<(usize, f64, Graph)>)>,
+}
+
+type Thread = JoinHandle<Result<RunEnd, RunError>>;
+
+/// A run of evolution.
+#[pyclass(frozen, module = "tpg_train._tpg")]
+pub(crate) struct Evolution {
+    inputs: usize,
+    line: Mutex<Line>,
+}
+
+/// Python's end of the conversation.
+struct Line {
+    events: Option<Receiver<Event<Report>>>,
+    replies: Option<SyncSender<Reply>>,
+    thread: Option<Thread>,
+    /// What the last event asked for: units and tasks, or visits.
+    asked: Option<(usize, usize)>,
+}
+
+/// A run's settings.
+#[derive(FromPyObject)]
+struct Settings {
+    #[pyo3(item)]
+    config: String,
+    #[pyo3(item)]
+    seed: u64,
+    #[pyo3(item)]
+    folder: PathBuf,
+    #[pyo3(item)]
+    resume: bool,
+    #[pyo3(item)]
+    target: Option<f64>,
+    #[pyo3(item)]
+    max_steps: Option<u64>,
+}
+
+impl Settings {
+    fn read(&self) -> PyResult<(Config, RunOptions)> {
+        let config = Config::from_toml("<settings>", &self.config).map_err(error::input)?;
+        let goal = Goal { target: self.target, max_steps: self.max_steps };
+        let options = RunOptions { folder: self.folder.clone(), resume: self.resume, goal, ..RunOptions::default() };
+        Ok((config, options))
+    }
+}
+
+/// Returns a preset with other values of some settings, as TOML: `settings` is a JSON object from keys such as
+/// `tpg.nb_roots` to values.
+#[pyfunction]
+pub(crate) fn configuration(preset: &str, settings: &str) -> PyResult<String> {
+    let found = Preset::find(preset).ok_or_else(|| {
+        let names = PRESETS.map(|preset| preset.name).join(", ");
+        error::input(format!("the preset {preset:?}; accepted: {names}"))
+    })?;
+    let mut table: toml::Table = toml::from_str(found.text).map_err(error::input)?;
+    table.remove("problem");
+    let settings: toml::Table = serde_json::from_str(settings).map_err(error::input)?;
+    for (key, value) in settings {
+        let place = key.split_once('.').and_then(|(section, name)| table.get_mut(section)?.get_mut(name));
+        let place = place.ok_or_else(|| {
+            error::input(format!("the setting {key:?}; accepted: SECTION.NAME as in the preset {preset}"))
+        })?;
+        *place = value;
+    }
+    let text = table.to_string();
+    let config = Config::from_toml("<settings>", &text).map_err(error::input)?;
+    if config.language.scalar != tpg_graph::ScalarType::F32 {
+        return Err(error::input("language.scalar = \"f64\"; accepted: \"f32\""));
+    }
+    Ok(config.to_toml())
+}
+
+/// Returns the number of steps of the run in a folder; 0 if there is none.
+#[pyfunction]
+pub(crate) fn steps_of(folder: PathBuf) -> PyResult<u64> {
+    if ![NEWEST, PREVIOUS].iter().any(|name| folder.join(name).exists()) {
+        return Ok(0);
+    }
+    let found = checkpoint::open::<serde_json::Value>(&folder);
+    found.map(|(_, state)| state.steps).map_err(error::input)
+}
+
+#[pymethods]
+impl Evolution {
+    /// Starts a run whose episodes Python runs.
+    #[staticmethod]
+    fn start(space: &Space, settings: Settings) -> PyResult<Self> {
+        let (config, options) = settings.read()?;
+        let (space, seed) = (space.clone(), settings.seed);
+        let inputs = space.length();
+        Ok(Self::spawn(inputs, move |mailbox| evolve(&config, seed, &space, mailbox, &options, mailbox)))
+    }
+
+    /// Starts a run on a built-in problem, on `threads` threads; 0 for all.
+    #[staticmethod]
+    fn start_native(problem: &str, settings: Settings, threads: usize) -> PyResult<Self> {
+        let (mut config, options) = settings.read()?;
+        let problem = native::problem(problem)?;
+        config.problem = problem.to_table();
+        let seed = settings.seed;
+        Ok(Self::spawn(0, move |mailbox| {
+            problem.open(Native { config, seed, options, threads, mailbox, problem: &problem })
+        }))
+    }
+
+    /// Waits for the next event and returns its kind and what it says: `evaluate` (policies, seeds), `visit` (policy, seed,
+    /// numbers of actions), `progress` (figures) or `end` (true if the run is complete).
+    fn next<'py>(&self, py: Python<'py>) -> PyResult<(&'static str, Bound<'py, PyAny>)> {
+        loop {
+            let received = py.detach(|| {
+                let line = self.line();
+                line.events.as_ref().map_or(Err(RecvTimeoutError::Disconnected), |events| events.recv_timeout(WAIT))
+            });
+            match received {
+                Ok(event) => return self.told(py, event),
+                Err(RecvTimeoutError::Timeout) => py.check_signals()?,
+                Err(RecvTimeoutError::Disconnected) => return self.ended(py),
+            }
+        }
+    }
+
+    /// Replies to `evaluate`: for each policy the return, the number of actions and the success of each seed's episode.
+    fn endings(&self, py: Python<'_>, endings: Vec<Vec<(f64, u32, Option<bool>)>>) -> PyResult<()> {
+        let ending = |(score, actions, success): (f64, u32, Option<bool>)| Ending {
+            outcome: 0,
+            success,
+            score,
+            measure: 0.0,
+            actions,
+        };
+        let lengths = (endings.len(), endings.first().map_or(0, Vec::len));
+        if endings.iter().any(|of| of.len() != lengths.1) {
+            return Err(error::input("another number of endings for each policy; accepted: one for each seed"));
+        }
+        let endings = endings.into_iter().map(|of| of.into_iter().map(ending).collect()).collect();
+        self.reply(py, lengths, Reply::Endings(endings))
+    }
+
+    /// Replies to `visit`: for each visit the state after each number of actions.
+    fn states(&self, py: Python<'_>, states: Vec<Vec<Vec<f64>>>) -> PyResult<()> {
+        self.reply(py, (states.len(), 0), Reply::States(states))
+    }
+
+    /// Replies to `progress`: true to go on, false to save and stop.
+    fn go_on(&self, py: Python<'_>, on: bool) -> PyResult<()> {
+        self.reply(py, (0, 0), Reply::GoOn(on))
+    }
+
+    /// Ends the run, which saves itself as it was after its last complete generation, and waits for that.
+    fn close(&self, py: Python<'_>) {
+        py.detach(|| {
+            let mut line = self.line();
+            line.replies = None;
+            line.events = None;
+            line.thread.take().map(JoinHandle::join);
+        });
+    }
+}
+
+impl Evolution {
+    fn spawn(inputs: usize, job: impl FnOnce(&Mailbox<Report>) -> Result<RunEnd, RunError> + Send + 'static) -> Self {
+        let (events, told) = sync_channel(1);
+        let (answers, replies) = sync_channel(1);
+        let thread = std::thread::spawn(move || job(&Mailbox::new(events, replies)));
+        let line = Line { events: Some(told), replies: Some(answers), thread: Some(thread), asked: None };
+        Self { inputs, line: Mutex::new(line) }
+    }
+
+    fn line(&self) -> MutexGuard<'_, Line> {
+        self.line.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
+    }
+
+    fn told<'py>(&self, py: Python<'py>, event: Event<Report>) -> PyResult<(&'static str, Bound<'py, PyAny>)> {
+        let (kind, says, asked) = match event {
+            Event::Evaluate(work) => {
+                let asked = (work.units.len(), work.tasks.len());
+                let policies: Vec<Policy> =
+                    work.units.into_iter().map(|unit| Policy::new(unit.policy, self.inputs)).collect();
+                ("evaluate", (policies, work.tasks).into_pyobject(py)?.into_any(), asked)
+            }
+            Event::Visit(visits) => {
+                let asked = (visits.len(), 0);
+                let visits: Vec<(Policy, u64, Vec<u32>)> = (visits.into_iter())
+                    .map(|visit| (Policy::new(visit.policy, self.inputs), visit.task, visit.after))
+                    .collect();
+                ("visit", visits.into_pyobject(py)?.into_any(), asked)
+            }
+            Event::Progress(report) => ("progress", report.into_dict(py)?.into_any(), (0, 0)),
+        };
+        self.line().asked = Some(asked);
+        Ok((kind, says))
+    }
+
+    fn reply(&self, py: Python<'_>, lengths: (usize, usize), reply: Reply) -> PyResult<()> {
+        let mut line = self.line();
+        if line.asked != Some(lengths) {
+            let (found, accepted) = (lengths, line.asked);
+            return Err(error::input(format!("a reply of {found:?} results; accepted: {accepted:?}")));
+        }
+        line.asked = None;
+        let replies = line.replies.clone();
+        // A run that has ended says why in its next event.
+        let _ = py.detach(|| replies.map(|replies| replies.send(reply)));
+        Ok(())
+    }
+
+    fn ended<'py>(&self, py: Python<'py>) -> PyResult<(&'static str, Bound<'py, PyAny>)> {
+        let thread = self.line().thread.take();
+        let result = py.detach(|| thread.map(JoinHandle::join));
+        let complete = match result {
+            None => return Err(error::training("the run has ended")),
+            Some(Err(_)) => return Err(error::training("the run ended by a defect of the trainer")),
+            Some(Ok(Err(RunError::Evaluation(failed)))) => return Err(error::training(failed)),
+            Some(Ok(Err(failed))) => return Err(error::input(failed)),
+            Some(Ok(Ok(RunEnd::Finished(_)))) => true,
+            Some(Ok(Ok(RunEnd::Interrupted))) => false,
+        };
+        Ok(("end", complete.into_pyobject(py)?.to_owned().into_any()))
+    }
+}
+
+impl Report {
+    fn into_dict(self, py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
+        let says = PyDict::new(py);
+        says.set_item("generations", self.generations)?;
+        says.set_item("steps", self.steps)?;
+        says.set_item("best_validated", self.best)?;
+        if let Some(row) = &self.row {
+            says.set_item("best_score", row.best_score)?;
+            says.set_item("median_score", row.median_score)?;
+            says.set_item("roots", row.roots)?;
+            says.set_item("teams", row.teams)?;
+            says.set_item("programs", row.programs)?;
+            says.set_item("validation_score", row.validation.as_ref().map(|result| result.score))?;
+        }
+        if let Some((graph, hall)) = self.fresh {
+            says.set_item("graph", Py::new(py, graph)?)?;
+            let entry = |(size, score, graph)| Ok::<_, PyErr>((size, score, Py::new(py, graph)?));
+            says.set_item("hall", hall.into_iter().map(entry).collect::<PyResult<Vec<_>>>()?)?;
+        }
+        Ok(says)
+    }
+}
+
+/// A run that reports to a mailbox.
+fn evolve<E: Environment<f32>, V: Evaluator<E::Task>>(
+    config: &Config,
+    seed: u64,
+    environment: &E,
+    evaluator: &V,
+    options: &RunOptions,
+    mailbox: &Mailbox<Report>,
+) -> Result<RunEnd, RunError> {
+    let mut shown: Vec<u64> = Vec::new();
+    run(config, seed, environment, evaluator, options, |progress| {
+        let report = Report {
+            generations: progress.generations,
+            steps: progress.steps,
+            row: progress.row.cloned(),
+            best: progress.best.map(|best| best.result.score),
+            fresh: fresh(config, environment, progress, &mut shown),
+        };
+        if mailbox.report(report) { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    })
+}
+
+/// Returns the best graph and the hall of fame, if these are others than those that were shown.
+fn fresh<E: Environment<f32>>(
+    config: &Config,
+    environment: &E,
+    progress: &Progress<'_>,
+    shown: &mut Vec<u64>,
+) -> Option<(Graph, Vec<(usize, f64, Graph)>)> {
+    let best = progress.best?;
+    let now: Vec<u64> = std::iter::once(best).chain(progress.hall).map(|best| best.generation).collect();
+    if now == *shown {
+        return None;
+    }
+    *shown = now;
+    // A graph that cannot be made is an error of the run itself, which makes the same one.
+    let graph = |best: &Best| graph_of(config, progress.seed, best, environment).ok().map(Graph);
+    let hall = progress.hall.iter().filter_map(|best| Some((best.policy.size(), best.result.score, graph(best)?)));
+    Some((graph(best)?, hall.collect()))
+}
+
+/// A run on a built-in problem.
+struct Native<'a> {
+    config: Config,
+    seed: u64,
+    options: RunOptions,
+    threads: usize,
+    mailbox: &'a Mailbox<Report>,
+    problem: &'a Problem,
+}
+
+impl Visitor<f32> for Native<'_> {
+    type Output = Result<RunEnd, RunError>;
+
+    fn visit<E: Environment<f32>>(self, environment: E) -> Self::Output {
+        let Self { config, seed, options, threads, mailbox, problem } = self;
+        let choices = Choices::new(environment, problem.levels()).map_err(tpg_engine::EvaluationError::new)?;
+        let evaluator = LocalThreads::<f32, Own, _>::new(&choices, Options::default(), threads)?;
+        evolve(&config, seed, &choices, &evaluator, &options, mailbox)
+    }
+}

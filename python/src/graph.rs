@@ -1,0 +1,223 @@
+//! A graph in Python.
+
+use crate::error;
+use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
+use pyo3::prelude::*;
+use sha2::{Digest, Sha256};
+use std::path::PathBuf;
+use tpg_codegen::emit::Code;
+use tpg_codegen::options::{Language, Options, Prefix, Profile, Style};
+use tpg_codegen::size::Target;
+use tpg_codegen::verify::Proof;
+use tpg_codegen::{compile, explain, report};
+use tpg_engine::Policy;
+use tpg_graph::interpret::{self, Answer};
+use tpg_graph::output::write_folder;
+use tpg_graph::states::StateSet;
+use tpg_train::files::{read_graph, write_atomically};
+use tpg_train::picture;
+
+/// States that a report's means are taken over, and their seed.
+const STATES: usize = 20_000;
+const SEED: u64 = 1;
+
+/// A tangled program graph.
+#[pyclass(frozen, module = "tpg_train._tpg")]
+#[derive(Debug)]
+pub(crate) struct Graph(pub(crate) tpg_graph::Graph);
+
+#[pymethods]
+impl Graph {
+    /// Reads a `graph.json`.
+    #[staticmethod]
+    fn load(path: PathBuf) -> PyResult<Self> {
+        read_graph(&path).map(Self).map_err(error::input)
+    }
+
+    /// Reads the text of a `graph.json`; messages name it `name`.
+    #[staticmethod]
+    #[pyo3(signature = (text, name = "<text>"))]
+    fn from_json(text: &str, name: &str) -> PyResult<Self> {
+        tpg_graph::Graph::from_json(name, text).map(Self).map_err(error::input)
+    }
+
+    /// Returns the text of the `graph.json`: the same bytes for the same graph.
+    fn to_json(&self) -> String {
+        self.0.to_json()
+    }
+
+    /// Writes the `graph.json`, whole or not at all.
+    fn save(&self, path: PathBuf) -> PyResult<()> {
+        write_atomically(&path, self.0.to_json().as_bytes()).map_err(error::input)
+    }
+
+    /// The SHA-256 of the `graph.json`.
+    #[getter]
+    fn sha256(&self) -> String {
+        Sha256::digest(self.0.to_json().as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect()
+    }
+
+    /// The names of the inputs, in the order of the flat state.
+    #[getter]
+    fn inputs(&self) -> Vec<String> {
+        self.0.inputs().map(|input| self.0.input_name(input)).collect()
+    }
+
+    /// The range of each input.
+    #[getter]
+    fn ranges(&self) -> Vec<(f64, f64)> {
+        self.0.state_ranges().map(|range| (range.min, range.max)).collect()
+    }
+
+    /// The names of the actions; empty for a policy with outputs.
+    #[getter]
+    fn actions(&self) -> Vec<String> {
+        self.0.actions().iter().map(|action| action.name.clone()).collect()
+    }
+
+    /// The outputs: name, lowest and highest value; empty for a policy that chooses among actions.
+    #[getter]
+    fn outputs(&self) -> Vec<(String, f64, f64)> {
+        self.0.outputs().iter().map(|output| (output.name.clone(), output.range.min, output.range.max)).collect()
+    }
+
+    /// "f32" or "f64": what the graph computes in.
+    #[getter]
+    fn scalar(&self) -> &'static str {
+        self.0.scalar().name()
+    }
+
+    /// The lines that matter and the edges of the teams.
+    #[getter]
+    fn size(&self) -> usize {
+        Policy::from(&self.0).size()
+    }
+
+    /// Returns the interpreter's answer to each row of `states`: numbers of actions, or rows of values.
+    fn answers<'py>(&self, py: Python<'py>, states: PyReadonlyArray2<'py, f64>) -> PyResult<Bound<'py, PyAny>> {
+        let (columns, inputs) = (states.shape()[1], self.0.state_length());
+        if columns != inputs {
+            return Err(error::input(format!("states of {columns} values; accepted: {inputs}")));
+        }
+        let flat: Vec<f64> = states.as_array().iter().copied().collect();
+        let graph = &self.0;
+        let answers = py.detach(|| interpret::answers(graph, &flat));
+        if graph.outputs().is_empty() {
+            let action = |answer| if let Answer::Action(action) = answer { i64::from(action.0) } else { 0 };
+            return Ok(PyArray1::from_iter(py, answers.into_iter().map(action)).into_any());
+        }
+        let values = answers.into_iter().flat_map(|answer| match answer {
+            Answer::Values(values) => values,
+            Answer::Action(_) => Vec::new(),
+        });
+        let values: Vec<f64> = values.collect();
+        let rows = PyArray1::from_vec(py, values).reshape([flat.len() / inputs, graph.outputs().len()])?;
+        let rows: Bound<'py, PyArray2<f64>> = rows;
+        Ok(rows.into_any())
+    }
+
+    /// Returns what the policy computes, as formulas.
+    fn formula(&self, py: Python<'_>) -> String {
+        py.detach(|| explain::formulas(&self.0, &Options::new(prefix_of("policy"))))
+    }
+
+    /// Returns what the code costs on `targets`, "cortex-m4" and "host", as text and as JSON.
+    fn report(&self, py: Python<'_>, targets: Vec<String>) -> PyResult<(String, String)> {
+        let targets = targets.iter().map(|name| target(name)).collect::<PyResult<Vec<_>>>()?;
+        let report = py.detach(|| {
+            let states = StateSet::sampled(&self.0, STATES, SEED);
+            report::report(&self.0, &Options::new(prefix_of("policy")), &targets, &states)
+        });
+        Ok((report.to_string(), serde_json::to_string(&report).map_err(error::input)?))
+    }
+
+    /// Returns the generated files, names and texts. `language` is "c" or "rust"; `profile` is "fast", "small" or
+    /// "constant-time".
+    fn code(&self, py: Python<'_>, language: &str, prefix: &str, profile: &str) -> PyResult<Vec<(String, String)>> {
+        let (language, options) = (language_of(language)?, options(prefix, profile)?);
+        let files = py.detach(|| Code::of(compile(&self.0, &options, language)).files);
+        Ok(files.into_iter().map(|file| (file.name, file.text)).collect())
+    }
+
+    /// Writes the generated files into a folder, which appears with all of them or not at all; returns their paths.
+    fn export(
+        &self,
+        py: Python<'_>,
+        folder: PathBuf,
+        language: &str,
+        prefix: &str,
+        profile: &str,
+    ) -> PyResult<Vec<PathBuf>> {
+        export(&folder, self.code(py, language, prefix, profile)?)
+    }
+
+    /// Compiles generated code in each language and profile, and compares its answers with the interpreter's on `states`
+    /// states drawn with `seed`. Returns the proof as JSON, and true if it holds.
+    fn verify(
+        &self,
+        py: Python<'_>,
+        languages: Vec<String>,
+        profiles: Vec<String>,
+        states: usize,
+        seed: u64,
+    ) -> PyResult<(String, bool)> {
+        let mut shapes = Vec::new();
+        for language in &languages {
+            for profile in &profiles {
+                shapes.push((language_of(language)?, options("policy", profile)?));
+            }
+        }
+        let proof = py.detach(|| {
+            let code = |(language, options): &(Language, Options)| Code::of(compile(&self.0, options, *language));
+            Proof::of(&shapes.iter().map(code).collect::<Vec<_>>(), states, seed)
+        });
+        let proof = proof.map_err(error::training)?;
+        Ok((serde_json::to_string(&proof).map_err(error::input)?, proof.holds()))
+    }
+
+    /// Returns the graph as a picture.
+    fn svg(&self) -> String {
+        picture::graph::standalone(&self.0)
+    }
+
+    fn __repr__(&self) -> String {
+        let ends = if self.0.outputs().is_empty() { "actions" } else { "leaves" };
+        let (teams, programs) = (self.0.teams().len(), self.0.programs().len());
+        format!("<Graph of {teams} teams, {programs} programs, {} {ends}>", self.0.ends())
+    }
+}
+
+/// Writes files into a folder, which appears with all of them or not at all; returns their paths.
+pub(crate) fn export(folder: &std::path::Path, files: Vec<(String, String)>) -> PyResult<Vec<PathBuf>> {
+    let files: Vec<(PathBuf, String)> = files.into_iter().map(|(name, text)| (folder.join(name), text)).collect();
+    write_folder(folder, &files).map_err(error::input)?;
+    Ok(files.into_iter().map(|(path, _)| path).collect())
+}
+
+fn prefix_of(name: &str) -> Prefix {
+    Prefix::of_file(name.as_ref())
+}
+
+fn options(prefix: &str, profile: &str) -> PyResult<Options> {
+    let prefix = prefix.parse().map_err(error::input)?;
+    let found = Profile::ALL.into_iter().find(|known| known.name() == profile).ok_or_else(|| {
+        error::input(format!("the profile {profile:?}; accepted: {}", Profile::ALL.map(Profile::name).join(", ")))
+    })?;
+    Ok(Options { profile: Some(found), style: Style::Pure, ..Options::new(prefix) })
+}
+
+fn language_of(name: &str) -> PyResult<Language> {
+    match name {
+        "c" => Ok(Language::C),
+        "rust" => Ok(Language::Rust),
+        _ => Err(error::input(format!("the language {name:?}; accepted: c, rust"))),
+    }
+}
+
+fn target(name: &str) -> PyResult<Target> {
+    match name {
+        "cortex-m4" => Ok(Target::CortexM4),
+        "host" => Ok(Target::Host),
+        _ => Err(error::input(format!("the target {name:?}; accepted: cortex-m4, host"))),
+    }
+}

@@ -1,0 +1,51 @@
+//! The compiled part of the Python package `tpg_train`: evolution, graphs and code generation for `model.py` to drive.
+//!
+//! | module | subject |
+//! | --- | --- |
+//! | [`graph`] | a graph: decisions, formulas, code, proof, report, picture |
+//! | [`evolution`] | a run on a thread of its own, which asks Python for the results of episodes |
+//! | [`mailbox`] | the two ends of that conversation |
+//! | [`policy`] | what a worker is sent |
+//! | [`driver`] | whole episodes of a Gymnasium environment |
+//! | [`space`] | an environment's observations and actions |
+//! | [`native`] | the built-in problems as environments |
+//! | [`network`] | networks in integers |
+//! | [`error`] | Python exceptions |
+
+mod driver;
+mod error;
+mod evolution;
+mod graph;
+mod mailbox;
+mod native;
+mod network;
+mod policy;
+mod space;
+
+use pyo3::prelude::*;
+use tpg_engine::random::{Purpose, Stream};
+
+/// The seeds of test episodes: no training and no selection reads them.
+#[pyfunction]
+fn test_seeds(seed: u64, count: u64) -> Vec<u64> {
+    (0..count).map(|index| space::seed_of(&mut Stream::new(seed, 0, Purpose::Evaluation, index))).collect()
+}
+
+#[pymodule]
+fn _tpg(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    module.add("InputError", module.py().get_type::<error::InputError>())?;
+    module.add("TrainingError", module.py().get_type::<error::TrainingError>())?;
+    module.add_class::<graph::Graph>()?;
+    module.add_class::<evolution::Evolution>()?;
+    module.add_class::<policy::Policy>()?;
+    module.add_class::<driver::Driver>()?;
+    module.add_class::<space::Space>()?;
+    module.add_class::<native::NativeEnv>()?;
+    module.add_class::<network::Network>()?;
+    module.add_function(wrap_pyfunction!(test_seeds, module)?)?;
+    module.add_function(wrap_pyfunction!(evolution::configuration, module)?)?;
+    module.add_function(wrap_pyfunction!(evolution::steps_of, module)?)?;
+    module.add_function(wrap_pyfunction!(native::evaluate_native, module)?)?;
+    module.add_function(wrap_pyfunction!(native::problems, module)?)
+}

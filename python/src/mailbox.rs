@@ -1,0 +1,86 @@
+//! The conversation between a run, which has a thread of its own, and Python, which runs the episodes.
+
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::mpsc::{Receiver, SyncSender};
+use tpg_engine::{Answer, Ending, EvaluationError, Evaluator, Visit, Work};
+
+/// What the run says.
+pub(crate) enum Event<Report> {
+    /// It wants roots evaluated.
+    Evaluate(Work<u64>),
+    /// It wants states recorded.
+    Visit(Vec<Visit<u64>>),
+    /// A generation is over.
+    Progress(Report),
+}
+
+/// What Python replies.
+pub(crate) enum Reply {
+    /// Endings of each unit on each task.
+    Endings(Vec<Vec<Ending>>),
+    /// States of each visit.
+    States(Vec<Vec<Vec<f64>>>),
+    /// True if the run shall go on.
+    GoOn(bool),
+}
+
+/// The run's end of the conversation.
+pub(crate) struct Mailbox<Report> {
+    events: SyncSender<Event<Report>>,
+    replies: Mutex<Receiver<Reply>>,
+    steps: AtomicU64,
+}
+
+impl<Report> Mailbox<Report> {
+    /// Creates the run's end.
+    pub(crate) fn new(events: SyncSender<Event<Report>>, replies: Receiver<Reply>) -> Self {
+        Self { events, replies: Mutex::new(replies), steps: AtomicU64::new(0) }
+    }
+
+    /// Says something and waits for the reply; `None` if nobody listens any more.
+    fn ask(&self, event: Event<Report>) -> Option<Reply> {
+        self.events.send(event).ok()?;
+        self.replies.lock().ok()?.recv().ok()
+    }
+
+    /// Reports progress; false if the run shall stop.
+    pub(crate) fn report(&self, report: Report) -> bool {
+        matches!(self.ask(Event::Progress(report)), Some(Reply::GoOn(true)))
+    }
+}
+
+fn stopped() -> EvaluationError {
+    EvaluationError::new("the run was stopped")
+}
+
+impl<Report> Evaluator<u64> for Mailbox<Report> {
+    fn evaluate(&self, work: &Work<u64>) -> Result<Vec<Answer>, EvaluationError> {
+        let endings = if work.units.is_empty() || work.tasks.is_empty() {
+            vec![Vec::new(); work.units.len()]
+        } else {
+            match self.ask(Event::Evaluate(work.clone())) {
+                Some(Reply::Endings(endings)) => endings,
+                _ => return Err(stopped()),
+            }
+        };
+        let actions = endings.iter().flatten().map(|ending| u64::from(ending.actions)).sum();
+        self.steps.fetch_add(actions, Ordering::Relaxed);
+        let answers = work.units.iter().zip(endings);
+        Ok(answers.map(|(unit, endings)| Answer { key: unit.key, endings }).collect())
+    }
+
+    fn visit(&self, visits: &[Visit<u64>]) -> Result<Vec<Vec<Vec<f64>>>, EvaluationError> {
+        if visits.is_empty() {
+            return Ok(Vec::new());
+        }
+        match self.ask(Event::Visit(visits.to_vec())) {
+            Some(Reply::States(states)) => Ok(states),
+            _ => Err(stopped()),
+        }
+    }
+
+    fn steps(&self) -> u64 {
+        self.steps.load(Ordering::Relaxed)
+    }
+}

@@ -1,0 +1,206 @@
+//! The built-in problems: by name, and as environments that Python steps.
+
+use crate::error;
+use crate::graph::Graph;
+use numpy::{PyArray1, PyReadonlyArray1};
+use pyo3::prelude::*;
+use serde_json::json;
+use std::sync::Mutex;
+use tpg_engine::random::{Purpose, Stream};
+use tpg_engine::{Act, ActionSpace, End, Environment, SourceSet};
+use tpg_problems::{ContinuousProblem, Problem, ProblemName, Visitor};
+use tpg_runtime::policy::ActionId;
+use tpg_train::evaluate::graph::on_problem;
+use tpg_train::evolution::presets::Preset;
+
+/// Finds a built-in problem with its usual settings.
+pub(crate) fn problem(name: &str) -> PyResult<Problem> {
+    Ok(Problem::usual(problem_name(name)?))
+}
+
+fn problem_name(name: &str) -> PyResult<ProblemName> {
+    ProblemName::from_name(name)
+        .ok_or_else(|| error::input(format!("the problem {name:?}; accepted: {}", ProblemName::names())))
+}
+
+/// Returns the names of the built-in problems, each with its usual preset.
+#[pyfunction]
+pub(crate) fn problems() -> Vec<(&'static str, &'static str)> {
+    ProblemName::ALL.into_iter().map(|name| (name.name(), Preset::usual(name).name)).collect()
+}
+
+/// Runs a graph on test episodes of a built-in problem, and returns the figures as JSON.
+#[pyfunction]
+pub(crate) fn evaluate_native(
+    py: Python<'_>,
+    problem_name: &str,
+    graph: &Graph,
+    episodes: usize,
+    seed: u64,
+) -> PyResult<String> {
+    let problem = problem(problem_name)?;
+    let report = py.detach(|| on_problem(&problem, "<graph>", &graph.0, episodes, seed)).map_err(error::input)?;
+    serde_json::to_string(&report).map_err(error::input)
+}
+
+/// A step as Python sees it: observation, reward, terminated, truncated, and success where the problem defines it.
+type Stepped<'py> = (Bound<'py, PyArray1<f32>>, f64, bool, bool, Option<bool>);
+
+/// A built-in problem that is stepped from outside.
+#[pyclass(frozen, module = "tpg_train._tpg")]
+pub(crate) struct NativeEnv {
+    running: Mutex<Box<dyn Running>>,
+}
+
+#[pymethods]
+impl NativeEnv {
+    /// Opens a problem; `continuous` asks for the arm by its motors.
+    #[new]
+    #[pyo3(signature = (name, continuous = false))]
+    fn new(name: &str, continuous: bool) -> PyResult<Self> {
+        let name = problem_name(name)?;
+        let running = match continuous {
+            true => ContinuousProblem::usual(name).open(1, Start),
+            false => Problem::usual(name).open(Start),
+        };
+        Ok(Self { running: Mutex::new(running) })
+    }
+
+    /// The environment's observations and actions as JSON: sources, actions, outputs and the time limit.
+    #[getter]
+    fn description(&self) -> PyResult<String> {
+        Ok(self.running()?.description())
+    }
+
+    /// Starts an episode and returns its first observation; the seed decides its task.
+    fn reset<'py>(&self, py: Python<'py>, seed: u64) -> PyResult<Bound<'py, PyArray1<f32>>> {
+        Ok(PyArray1::from_vec(py, self.running()?.reset(seed)))
+    }
+
+    /// Starts the episode of a task, given as JSON.
+    fn reset_to<'py>(&self, py: Python<'py>, task: &str) -> PyResult<Bound<'py, PyArray1<f32>>> {
+        let observation = self.running()?.reset_to(task).map_err(error::input)?;
+        Ok(PyArray1::from_vec(py, observation))
+    }
+
+    /// Takes an action by its number.
+    fn choose<'py>(&self, py: Python<'py>, action: u16) -> PyResult<Stepped<'py>> {
+        self.step(py, Act::Choice(ActionId(action)))
+    }
+
+    /// Takes an action of values.
+    fn act<'py>(&self, py: Python<'py>, values: PyReadonlyArray1<'py, f32>) -> PyResult<Stepped<'py>> {
+        let values: Vec<f32> = values.as_array().iter().copied().collect();
+        self.step(py, Act::Values(&values))
+    }
+}
+
+impl NativeEnv {
+    fn running(&self) -> PyResult<std::sync::MutexGuard<'_, Box<dyn Running>>> {
+        self.running.lock().map_err(|_| error::training("an earlier step failed"))
+    }
+
+    fn step<'py>(&self, py: Python<'py>, act: Act<'_, f32>) -> PyResult<Stepped<'py>> {
+        let (observation, reward, end) = self.running()?.step(act).map_err(error::input)?;
+        let truncated = end.is_some_and(|end| end.truncated);
+        let success = end.and_then(|end| end.success);
+        Ok((PyArray1::from_vec(py, observation), reward, end.is_some() && !truncated, truncated, success))
+    }
+}
+
+/// An environment with its episode.
+trait Running: Send {
+    fn description(&self) -> String;
+    fn reset(&mut self, seed: u64) -> Vec<f32>;
+    fn reset_to(&mut self, task: &str) -> Result<Vec<f32>, String>;
+    fn step(&mut self, act: Act<'_, f32>) -> Result<(Vec<f32>, f64, Option<End>), String>;
+}
+
+struct Own<E: Environment<f32>> {
+    environment: E,
+    episode: Option<E::Episode>,
+    actions: u32,
+}
+
+impl<E: Environment<f32>> Own<E> {
+    fn observe(&mut self) -> Vec<f32> {
+        let length: u32 = self.environment.sources().iter().map(|source| source.length).sum();
+        let mut state = vec![0.0; length as usize];
+        if let Some(episode) = &mut self.episode {
+            self.environment.observe(episode, SourceSet::ALL, &mut state);
+        }
+        state
+    }
+
+    fn begin(&mut self, task: &E::Task) -> Vec<f32> {
+        self.episode = Some(self.environment.start(task));
+        self.actions = 0;
+        self.observe()
+    }
+
+    /// Compares an action with the action space.
+    fn check(&self, act: Act<'_, f32>) -> Result<(), String> {
+        match (self.environment.actions(), act) {
+            (ActionSpace::Discrete(actions), Act::Choice(action)) if usize::from(action.0) < actions.len() => Ok(()),
+            (ActionSpace::Box(outputs), Act::Values(values)) if outputs.len() == values.len() => {
+                match values.iter().position(|value| !value.is_finite()) {
+                    Some(place) => Err(format!("action[{place}] = {}; accepted: finite values", values[place])),
+                    None => Ok(()),
+                }
+            }
+            (ActionSpace::Box(outputs), _) => Err(format!("another action; accepted: {} values", outputs.len())),
+            (space, _) => Err(format!("another action; accepted: 0 to {}", space.count().unwrap_or(1) - 1)),
+        }
+    }
+}
+
+impl<E: Environment<f32> + Send> Running for Own<E> {
+    fn description(&self) -> String {
+        let sources = self.environment.sources();
+        let sources: Vec<_> =
+            sources.iter().map(|of| json!({"name": of.name, "unit": of.unit, "ranges": of.ranges})).collect();
+        let (actions, outputs) = match self.environment.actions() {
+            ActionSpace::Discrete(actions) => (actions.into_iter().map(|of| of.name).collect(), Vec::new()),
+            ActionSpace::Box(outputs) => {
+                (Vec::new(), outputs.iter().map(|of| json!([of.name, of.min, of.max])).collect())
+            }
+            ActionSpace::MultiDiscrete(_) => (Vec::new(), Vec::new()),
+        };
+        let limit = self.environment.time_limit();
+        json!({"sources": sources, "actions": actions, "outputs": outputs, "time_limit": limit}).to_string()
+    }
+
+    fn reset(&mut self, seed: u64) -> Vec<f32> {
+        let task = self.environment.draw(&mut Stream::new(seed, 0, Purpose::Episode, 0));
+        self.begin(&task)
+    }
+
+    fn reset_to(&mut self, task: &str) -> Result<Vec<f32>, String> {
+        let task: E::Task = serde_json::from_str(task).map_err(|error| error.to_string())?;
+        match self.environment.accepts(&task) {
+            true => Ok(self.begin(&task)),
+            false => Err(format!("{task:?}; accepted: a task of the problem")),
+        }
+    }
+
+    fn step(&mut self, act: Act<'_, f32>) -> Result<(Vec<f32>, f64, Option<End>), String> {
+        self.check(act)?;
+        let episode = self.episode.as_mut().ok_or("a step before reset(); accepted: reset() first")?;
+        let step = self.environment.step(episode, act);
+        self.actions += 1;
+        let late = self.actions >= self.environment.time_limit();
+        let end = step.end.or_else(|| late.then(|| self.environment.timeout(episode)));
+        Ok((self.observe(), step.reward, end))
+    }
+}
+
+/// Opens a problem for stepping.
+struct Start;
+
+impl Visitor<f32> for Start {
+    type Output = Box<dyn Running>;
+
+    fn visit<E: Environment<f32> + Send + 'static>(self, environment: E) -> Self::Output {
+        Box::new(Own { environment, episode: None, actions: 0 })
+    }
+}

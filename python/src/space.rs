@@ -1,0 +1,85 @@
+//! An environment's observations and actions, as evolution sees them.
+
+use crate::error;
+use pyo3::prelude::*;
+use tpg_engine::random::Stream;
+use tpg_engine::{Act, ActionSpace, Environment, Output, SourceSet, Step};
+use tpg_graph::SourceDocument;
+
+/// Names, units and ranges of an environment's observations and actions. It never steps: episodes run in Python.
+#[pyclass(frozen, module = "tpg_train._tpg")]
+#[derive(Clone, Debug)]
+pub(crate) struct Space {
+    sources: Vec<SourceDocument>,
+    actions: ActionSpace,
+    limit: u32,
+}
+
+#[pymethods]
+impl Space {
+    /// Creates a space. `sources` are names with the range of each value; either `actions`, by name, or `outputs`, by name
+    /// with lowest and highest value; `limit` is the greatest number of actions of an episode.
+    #[new]
+    #[pyo3(signature = (sources, actions, outputs, limit))]
+    fn new(
+        sources: Vec<(String, Vec<[f64; 2]>)>,
+        actions: Vec<String>,
+        outputs: Vec<(String, f64, f64)>,
+        limit: u32,
+    ) -> PyResult<Self> {
+        let source = |(name, ranges): (String, Vec<[f64; 2]>)| SourceDocument {
+            name,
+            length: ranges.len() as u32,
+            unit: String::new(),
+            ranges,
+        };
+        let output = |(name, min, max)| Output { name, unit: String::new(), min, max };
+        let actions = if outputs.is_empty() {
+            ActionSpace::discrete(actions.iter().map(String::as_str))
+        } else {
+            ActionSpace::Box(outputs.into_iter().map(output).collect())
+        };
+        if limit == 0 || sources.is_empty() {
+            return Err(error::input("an environment without observations or steps; accepted: at least one of each"));
+        }
+        Ok(Self { sources: sources.into_iter().map(source).collect(), actions, limit })
+    }
+}
+
+impl Space {
+    /// Returns the number of values of an observation.
+    pub(crate) fn length(&self) -> usize {
+        self.sources.iter().map(|source| source.length as usize).sum()
+    }
+}
+
+/// Draws the seed of an episode: 31 bits, which every environment takes.
+pub(crate) fn seed_of(stream: &mut Stream) -> u64 {
+    stream.bits() >> 33
+}
+
+impl Environment<f32> for Space {
+    /// The seed of `reset`.
+    type Task = u64;
+    type Episode = ();
+
+    fn sources(&self) -> Vec<SourceDocument> {
+        self.sources.clone()
+    }
+    fn actions(&self) -> ActionSpace {
+        self.actions.clone()
+    }
+    fn time_limit(&self) -> u32 {
+        self.limit
+    }
+    fn draw(&self, stream: &mut Stream) -> u64 {
+        seed_of(stream)
+    }
+    fn start(&self, _seed: &u64) {}
+    fn observe(&self, (): &mut (), _wanted: SourceSet, _state: &mut [f32]) {
+        unreachable!("the mailbox evaluates, and observes nothing itself")
+    }
+    fn step(&self, (): &mut (), _act: Act<'_, f32>) -> Step {
+        unreachable!("the mailbox evaluates, and steps nothing itself")
+    }
+}

@@ -1,0 +1,154 @@
+"""Environments that tests train on, or that are refused."""
+
+from __future__ import annotations
+
+import os
+import signal
+from pathlib import Path
+from typing import Any
+
+import gymnasium
+import numpy as np
+from gymnasium import spaces
+
+
+class Cart(gymnasium.Env[Any, Any]):
+    """A cart on rails that should stop in the middle; the base of the others."""
+
+    observation_space: spaces.Space[Any] = spaces.Box(-np.inf, np.inf, (2,), np.float32)
+    action_space: spaces.Space[Any] = spaces.Discrete(2)
+
+    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
+        super().reset(seed=seed)
+        self.x, self.v, self.steps = float(self.np_random.uniform(-2, 2)), 0.0, 0
+        return self.observe(), {}
+
+    def observe(self) -> Any:
+        return np.array([self.x, self.v], np.float32)
+
+    def push(self, action: Any) -> float:
+        return 0.1 if action == 1 else -0.1
+
+    def step(self, action: Any) -> tuple[Any, float, bool, bool, dict[str, Any]]:
+        self.v += self.push(action)
+        self.x += 0.1 * self.v
+        self.steps += 1
+        end = self.steps >= 50
+        return self.observe(), -abs(self.x) - abs(self.v), False, end, {"is_success": bool(abs(self.x) < 0.3)} if end else {}
+
+
+class DictCart(Cart):
+    observation_space = spaces.Dict(
+        {"cart": spaces.Dict({"x": spaces.Box(-9, 9, (1,), np.float64), "v": spaces.Box(-9, 9, (), np.float64)}), "side": spaces.Discrete(2)}
+    )
+
+    def observe(self) -> Any:
+        return {"cart": {"x": np.array([self.x]), "v": np.array(self.v)}, "side": int(self.x > 0)}
+
+
+class TupleCart(Cart):
+    observation_space = spaces.Tuple((spaces.Box(-9, 9, (2,), np.float32), spaces.MultiBinary(1)))
+
+    def observe(self) -> Any:
+        return np.array([self.x, self.v], np.float32), np.array([self.x > 0], np.int8)
+
+
+class BoxCart(Cart):
+    action_space = spaces.Box(-0.2, 0.1, (1, 2), np.float64)
+
+    def push(self, action: Any) -> float:
+        assert action.shape == (1, 2) and action.dtype == np.float64 and self.action_space.contains(action)
+        return float(action.sum())
+
+
+class ManyCart(Cart):
+    action_space = spaces.MultiDiscrete([2, 3])
+
+    def push(self, action: Any) -> float:
+        assert self.action_space.contains(action)
+        action[0] *= 2  # what is given to an environment is the environment's
+        return 0.1 * float(action[0] / 2) - 0.05 * float(action[1])
+
+
+class StartingCart(Cart):
+    action_space = spaces.Discrete(2, start=5)
+
+    def push(self, action: Any) -> float:
+        assert action in (5, 6)
+        return 0.1 if action == 6 else -0.1
+
+
+class Failing(Cart):
+    def step(self, action: Any) -> Any:
+        if self.x > 1.5 and self.steps == 7:
+            raise KeyError("the motor is off")
+        return super().step(action)
+
+
+class Stateful(Cart):
+    drift = 0.0
+
+    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> Any:
+        told = super().reset(seed=seed)
+        self.drift += 0.001
+        self.x += self.drift
+        return self.observe(), told[1]
+
+
+class NanObservation(Cart):
+    def observe(self) -> Any:
+        return np.array([self.x, np.nan if getattr(self, "steps", 0) == 3 else self.v], np.float32)
+
+
+class NanReward(Cart):
+    def step(self, action: Any) -> Any:
+        observation, _, *others = super().step(action)
+        return observation, float("nan"), *others
+
+
+class WrongShape(Cart):
+    def observe(self) -> Any:
+        return np.zeros(3, np.float32)
+
+
+class OldStep(Cart):
+    def step(self, action: Any) -> Any:
+        observation, reward, _, end, info = super().step(action)
+        return observation, reward, end, info
+
+
+class Images(Cart):
+    observation_space = spaces.Box(0, 255, (8, 8, 3), np.uint8)
+
+
+class Unbounded(Cart):
+    action_space = spaces.Box(-np.inf, np.inf, (1,), np.float32)
+
+
+class Texts(Cart):
+    observation_space = spaces.Text(5)
+
+
+class OneAction(Cart):
+    action_space = spaces.Discrete(1)
+
+
+class Huge(Cart):
+    action_space = spaces.MultiDiscrete([100, 100, 100])
+
+
+class Killed(Cart):
+    """Kills its process once: when a file that it makes is not there yet."""
+
+    marker = ""
+
+    def step(self, action: Any) -> Any:
+        if self.steps == 40 and not Path(self.marker).exists():
+            Path(self.marker).touch()
+            os.kill(os.getpid(), signal.SIGKILL)
+        return super().step(action)
+
+
+class AlwaysKilled(Cart):
+    def step(self, action: Any) -> Any:
+        os.kill(os.getpid(), signal.SIGKILL)

@@ -1,0 +1,368 @@
+"""The class TPG: from an environment to a graph to code."""
+
+from __future__ import annotations
+
+import ctypes
+import json
+import pickle
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import environments
+import gymnasium
+import numpy as np
+import pytest
+from gymnasium.wrappers import TimeLimit
+
+import tpg_train
+from tpg_train import TPG, InputError, StatefulEnvironmentWarning, TrainingError, VerificationError
+
+SMALL: dict[str, Any] = {"population": 20, "episodes": 3, "settings": {"selection.validation_episodes": 8, "selection.racing_episodes": 0}}
+
+
+@pytest.fixture(scope="module")
+def pole() -> TPG:
+    return TPG("CartPole-v1", seed=1, native=False).learn(250_000, target=475)
+
+
+@pytest.fixture(scope="module")
+def swing() -> TPG:
+    return TPG("Pendulum-v1", seed=1).learn(200_000)
+
+
+def test_cartpole_in_real_gymnasium_is_solved(pole: TPG) -> None:
+    result = pole.evaluate(50)
+    assert result.environment == "CartPole-v1" and result.episodes == 50
+    assert result.mean >= 475, result
+    assert result.ci95[0] <= result.mean <= result.ci95[1] and result.min <= result.mean
+
+
+def test_prediction_is_for_one_or_a_batch_in_any_float(pole: TPG) -> None:
+    batch = np.random.default_rng(1).uniform(-0.2, 0.2, (50, 4))
+    single = [pole.predict(row)[0] for row in batch.astype(np.float32)]
+    assert all(isinstance(action, np.int64) and pole.action_space.contains(action) for action in single)
+    for array in (batch.astype(np.float32), batch.astype(np.float32).astype(np.float64), list(batch.astype(np.float32))):
+        actions, state = pole.predict(array, deterministic=False)
+        assert actions.tolist() == single and state is None
+    with pytest.raises(InputError, match=r"shape \(3,\); accepted: \(4,\)"):
+        pole.predict(np.zeros(3))
+
+
+def test_values_are_float32_in_the_box(swing: TPG) -> None:
+    actions, _ = swing.predict(np.random.default_rng(1).normal(size=(100, 3)))
+    assert actions.shape == (100, 1) and actions.dtype == np.float32
+    assert (np.abs(actions) <= 2).all() and len(np.unique(actions)) > 2
+    assert swing.predict(np.zeros(3))[0].shape == (1,)
+    assert "torque" in swing.formula()
+
+
+def test_the_c_answers_as_the_interpreter_in_whole_episodes(pole: TPG, tmp_path: Path) -> None:
+    compiler = shutil.which("cc")
+    if compiler is None:
+        pytest.skip("no C compiler")
+    paths = pole.export_c(tmp_path / "policy", prefix="cart")
+    assert sorted(path.name for path in paths) == ["cart.c", "cart.h"]
+    library = tmp_path / "cart.so"
+    subprocess.run([compiler, "-std=c99", "-O2", "-ffp-contract=off", "-shared", "-fPIC", "-o", library, tmp_path / "policy/cart.c", "-lm"], check=True)
+    infer = ctypes.CDLL(str(library)).cart_infer
+    infer.restype = ctypes.c_uint16
+    env, steps = gymnasium.make("CartPole-v1"), 0
+    for seed in range(20):
+        observation, _ = env.reset(seed=seed)
+        done = False
+        while not done:
+            state = np.ascontiguousarray(observation, np.float32)
+            action = infer(state.ctypes.data_as(ctypes.c_void_p))
+            assert action == pole.predict(observation)[0]
+            observation, _, terminated, truncated, _ = env.step(action)
+            done, steps = terminated or truncated, steps + 1
+    assert steps > 1000
+
+
+def test_proof_report_formula_and_rust(pole: TPG, tmp_path: Path) -> None:
+    proof = pole.verify(5000)
+    assert proof.differences == 0 and "C, fast = interpreter on 5000 states" in str(proof)
+    report = pole.report("host")
+    assert "flash" in str(report).lower() and report.data["graph"]["inputs"] == 4
+    assert "theta" in pole.formula() and "right" in pole.formula()
+    assert [path.suffix for path in pole.export_rust(tmp_path, prefix="cart")] == [".rs"]
+    for arguments, message in [((["c"], ["quick"]), "profile"), ((["ada"], ["fast"]), "language")]:
+        with pytest.raises(InputError, match=message):
+            pole.graph.verify(*arguments, 10, 1)
+    with pytest.raises(InputError, match="cortex-m4, host"):
+        pole.report("z80")
+    with pytest.raises(InputError, match="cannot start a name"):
+        pole.export_c(tmp_path / "none", prefix="1")
+    assert not (tmp_path / "none").exists()
+
+
+def test_a_missing_compiler_is_said(pole: TPG, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("CC", "no-such-compiler")
+    with pytest.raises(VerificationError, match="not verified: C, fast"):
+        pole.verify(10)
+
+
+def test_a_graph_is_saved_as_json_and_loaded(pole: TPG, tmp_path: Path) -> None:
+    pole.save(tmp_path / "cart.json")
+    assert json.loads((tmp_path / "cart.json").read_text())["format"] == "tpg-graph"
+    again = TPG.load(tmp_path / "cart.json", "CartPole-v1")
+    assert again.graph.sha256 == pole.graph.sha256
+    assert again.evaluate(20, native=False) == pole.evaluate(20)
+    assert again.evaluate(20).environment == "built-in cartpole"
+    alone = TPG.load(tmp_path / "cart.json")
+    rows = np.random.default_rng(2).uniform(-1, 1, (20, 4))
+    assert alone.predict(rows)[0].tolist() == pole.predict(rows)[0].tolist()
+    with pytest.raises(InputError, match="4 inputs; accepted: 3, as Pendulum-v1 has"):
+        TPG.load(tmp_path / "cart.json", "Pendulum-v1")
+    (tmp_path / "bad.json").write_text("{}")
+    with pytest.raises(InputError, match="bad.json: .*accepted"):
+        TPG.load(tmp_path / "bad.json")
+    with pytest.raises(InputError, match="missing.json"):
+        TPG.load(tmp_path / "missing.json")
+
+
+def test_a_notebook_gets_a_picture(pole: TPG, swing: TPG) -> None:
+    for model in (pole, swing):
+        assert model.graph._repr_svg_().startswith("<svg") and "<style>" in model.graph._repr_svg_()
+        assert repr(model.graph).startswith("<Graph of") and str(model.graph) == model.formula()
+
+
+def test_known_ids_run_as_built_in_problems_unless_wrapped(caplog: pytest.LogCaptureFixture) -> None:
+    with caplog.at_level("INFO", "tpg_train"):
+        assert TPG("CartPole-v1").native == "cartpole"
+    assert "runs as the built-in problem cartpole; native=False" in caplog.text
+    made = gymnasium.make("CartPole-v1")
+    assert TPG(made).native == "cartpole"
+    assert TPG("CartPole-v1", native=False).native is None
+    assert TPG(TimeLimit(made, 100)).native is None or made.spec is None
+    assert TPG(gymnasium.make("CartPole-v1", max_episode_steps=100)).native is None
+    assert TPG(gymnasium.wrappers.TransformReward(made, lambda reward: -reward)).native is None
+    assert TPG(lambda: gymnasium.make("CartPole-v1")).native is None
+
+
+@pytest.mark.parametrize("name", ["CartPole-v1", "Pendulum-v1", "MountainCarContinuous-v0"])
+def test_built_in_problems_are_gymnasiums_step_by_step(name: str) -> None:
+    problem = TPG(name).native
+    assert problem is not None
+    ours, theirs = tpg_train.envs.BuiltInEnv(problem), gymnasium.make(name)
+    for seed in range(5):
+        observation, _ = theirs.reset(seed=seed)
+        inner = theirs.unwrapped
+        assert inner.state is not None  # type: ignore[attr-defined]
+        state = [float(value) for value in inner.state]  # type: ignore[attr-defined]
+        task = state[0] if problem == "mountain-car-continuous" else state
+        mine, _ = ours.reset(options={"task": task})
+        np.testing.assert_allclose(mine, observation, atol=1e-6)
+        theirs.action_space.seed(seed)
+        for _ in range(200):
+            action = theirs.action_space.sample()
+            observation, reward, terminated, truncated, _ = theirs.step(action)
+            mine, my_reward, my_end, my_cut, _ = ours.step(action)
+            np.testing.assert_allclose(mine, observation, rtol=1e-3, atol=1e-3)
+            assert abs(my_reward - float(reward)) < 1e-3 and (my_end, my_cut) == (terminated, truncated)
+            if terminated or truncated:
+                break
+
+
+@pytest.mark.parametrize("make", [environments.DictCart, environments.TupleCart, environments.BoxCart, environments.ManyCart, environments.StartingCart])
+def test_spaces(make: type[environments.Cart]) -> None:
+    model = TPG(make, **SMALL).learn(20_000)
+    assert model.evaluate(5).success_rate is not None
+    env = make()
+    action, _ = model.predict(env.reset(seed=1)[0])
+    assert env.action_space.contains(action)
+    model.verify(500)
+
+
+def test_names_of_a_nested_observation_are_in_the_formula() -> None:
+    model = TPG(environments.DictCart, **SMALL)
+    assert [part.name for part in model._interface.parts] == ["cart_v", "cart_x", "side"]
+    assert model.learn(20_000).graph.inputs == ["cart_v[0]", "cart_x[0]", "side[0]", "side[1]"]
+    named = TPG(environments.Cart, input_names=["place", "speed"], **SMALL).learn(20_000)
+    assert named.graph.inputs == ["place[0]", "speed[0]"]
+    assert model.predict({"cart": {"x": np.zeros(1), "v": np.zeros(())}, "side": 0})[0] in (0, 1)
+
+
+def test_unknown_ranges_are_learned_from_visited_states() -> None:
+    model = TPG(environments.Cart, **SMALL).learn(20_000)
+    assert all(np.isfinite(ends).all() and ends[0] < ends[1] for ends in model.graph.ranges)
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        ("NoSuch-v0", "NoSuch"),
+        (environments.Images, "an observation of images"),
+        (environments.Unbounded, "accepted: finite bounds"),
+        (environments.Texts, "accepted: Box, Discrete"),
+        (environments.OneAction, "two or more"),
+        (environments.Huge, "1000000 combinations"),
+        (lambda: 3, "without observation_space"),
+    ],
+)
+def test_what_is_no_environment_is_refused_with_what_is_accepted(make: object, message: str) -> None:
+    with pytest.raises(InputError, match=message) as error:
+        TPG(make)  # type: ignore[arg-type]
+    assert "accepted" in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (environments.NanObservation, r"seed \d+, step 3: observation\[1\] is NaN"),
+        (environments.NanReward, r"seed \d+, step 1: the reward is NaN"),
+        (environments.WrongShape, r"seed \d+, step 0: an observation of 3 values; accepted: 2"),
+        (environments.OldStep, r"step\(\) returned a tuple of 4; accepted: \(observation, reward, terminated"),
+    ],
+)
+def test_what_an_environment_does_wrong_is_said_with_its_place(make: type[environments.Cart], message: str) -> None:
+    model = TPG(make, **SMALL)
+    model._checked = True
+    with pytest.raises(InputError, match=message):
+        model.learn(1000)
+
+
+@pytest.mark.parametrize("n_workers", [0, 1])
+def test_an_exception_of_the_environment_arrives_as_itself(n_workers: int) -> None:
+    model = TPG(environments.Failing, n_workers=n_workers, **SMALL)
+    with pytest.raises(KeyError, match="the motor is off"):
+        model.learn(100_000)
+
+
+def test_settings_and_presets_are_checked() -> None:
+    for arguments, message in [
+        ({"preset": "best"}, "accepted: general, continuous"),
+        ({"settings": {"tpg.roots": 3}}, "tpg.roots"),
+        ({"settings": {"tpg.nb_roots": 0}}, "nb_roots"),
+        ({"settings": {"language.scalar": "f64"}}, "f32"),
+        ({"input_names": ["x"]}, "1 input_names; accepted: 2"),
+    ]:
+        with pytest.raises(InputError, match=message):
+            TPG(environments.Cart, **arguments)
+    with pytest.raises(TrainingError, match="no graph yet"):
+        TPG(environments.Cart).predict(np.zeros(2))
+
+
+def test_state_that_survives_a_reset_is_noticed_and_named() -> None:
+    with pytest.warns(StatefulEnvironmentWarning, match="Stateful: the observation after 0 actions"):
+        TPG(environments.Stateful, **SMALL).learn(100)
+
+
+def test_training_goes_on_and_the_same_seed_gives_the_same_graph(tmp_path: Path) -> None:
+    whole = TPG(environments.Cart, folder=tmp_path / "a", **SMALL).learn(30_000)
+    assert whole.num_timesteps >= 30_000
+    same = TPG(environments.Cart, **SMALL).learn(30_000)
+    assert same.graph.sha256 == whole.graph.sha256
+    assert TPG(environments.Cart, seed=2, **SMALL).learn(30_000).graph.sha256 != whole.graph.sha256
+    resumed = TPG(environments.Cart, folder=tmp_path / "a", resume=True, **SMALL).learn(10_000)
+    assert resumed.num_timesteps >= whole.num_timesteps + 10_000
+    with pytest.raises(InputError, match="resume"):
+        TPG(environments.Cart, folder=tmp_path / "a", **SMALL).learn(10)
+
+
+def test_a_stopped_run_ends_with_the_bytes_of_an_undisturbed_one() -> None:
+    def learn(stop_at: int | None) -> str:
+        model = TPG(environments.Cart, **SMALL)
+        calls = 0
+
+        class Stopping(environments.Cart):
+            def step(self, action: object) -> object:
+                nonlocal calls
+                calls += 1
+                if calls == stop_at:
+                    raise KeyboardInterrupt
+                return super().step(action)
+
+        if stop_at is not None:
+            stopping = TPG(Stopping, **SMALL)
+            with pytest.raises(KeyboardInterrupt):
+                stopping.learn(20_000)
+            assert 0 < stopping.num_timesteps < 20_000
+            stopping.learn(20_000 - stopping.num_timesteps)
+            return stopping.graph.sha256
+        return model.learn(20_000).graph.sha256
+
+    assert learn(11_111) == learn(None)
+
+
+def test_ctrl_c_stops_saves_and_can_go_on(tmp_path: Path) -> None:
+    script = f"""
+import os, signal, threading
+from tpg_train import TPG
+for native in (True, False):
+    model = TPG("CartPole-v1", native=native, folder={str(tmp_path)!r} + f"/{{native}}")
+    threading.Timer(1.0, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+    try:
+        model.learn(10**12)
+    except KeyboardInterrupt:
+        print("stopped", model.num_timesteps > 0)
+    before = model.num_timesteps
+    print("went on", model.learn(1000).num_timesteps > before)
+"""
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=100)
+    assert done.stdout.split("\n")[:-1] == ["stopped True", "went on True"] * 2, done.stderr
+
+
+def test_python_goes_on_while_we_compute(pole: TPG) -> None:
+    import threading
+
+    ticks = 0
+    over = threading.Event()
+
+    def tick() -> None:
+        nonlocal ticks
+        while not over.wait(0.001):
+            ticks += 1
+
+    thread = threading.Thread(target=tick)
+    thread.start()
+    pole.verify(20_000)
+    over.set()
+    thread.join()
+    assert ticks > 20
+
+
+def test_the_hall_of_fame_goes_from_small_to_good() -> None:
+    model = TPG("Pendulum-v1", seed=2).learn(500_000)
+    hall = model.hall_of_fame
+    assert hall and all(a.size < b.size and a.score < b.score for a, b in zip(hall, hall[1:], strict=False))
+    assert model.graph.sha256 == hall[-1].graph.sha256
+    assert model.use(hall[0]).graph.size == hall[0].size
+    model.verify(500)
+
+
+def test_hardware_in_the_loop() -> None:
+    arguments = {"population": 12, "episodes": 2, "settings": {"selection.validation_episodes": 4}}
+    model = TPG(environments.Cart, **arguments)
+    env, rounds = environments.Cart(), 0
+    while model.num_timesteps < 20_000 and (candidates := model.ask()):
+        rounds += 1
+        assert model.ask() == candidates, "asked again before an answer"
+        returns = []
+        for candidate in reversed(candidates):
+            observation, _ = env.reset(seed=candidate.seed)
+            total, done = 0.0, False
+            while not done:
+                observation, reward, terminated, truncated, _ = env.step(candidate.predict(observation))
+                total, done = total + float(reward), terminated or truncated
+            returns.append(total)
+        with pytest.raises(InputError, match="each of them once"):
+            model.tell(candidates, returns[1:])
+        with pytest.raises(InputError, match="a return of NaN"):
+            model.tell(candidates, [float("nan")] * len(candidates))
+        model.tell(list(reversed(candidates)), returns)
+    assert rounds > 5 and model.has_graph
+    learned = TPG(environments.Cart, **arguments).learn(model.num_timesteps)
+    assert learned.num_timesteps >= model.num_timesteps
+    with pytest.raises(InputError, match="native=False"):
+        TPG("CartPole-v1").ask()
+
+
+def test_a_model_is_not_pickled_but_its_graph_is_text(pole: TPG) -> None:
+    text = pole.graph.to_json()
+    assert tpg_train.Graph.from_json(text).sha256 == pole.graph.sha256
+    with pytest.raises(TypeError):
+        pickle.dumps(pole.graph._graph)

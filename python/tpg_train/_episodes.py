@@ -1,0 +1,200 @@
+"""Whole episodes, here or elsewhere: a worker is sent policies, never single observations."""
+
+from __future__ import annotations
+
+import concurrent.futures
+import hashlib
+import multiprocessing
+import threading
+from collections.abc import Callable, Iterable, Sequence
+from concurrent.futures.process import BrokenProcessPool
+from typing import Any, Protocol, Union
+
+import cloudpickle  # type: ignore[import-untyped, unused-ignore]
+import gymnasium
+
+from ._tpg import Driver, InputError, Policy, TrainingError
+from .spaces import Interface
+
+Played = tuple[float, int, Union[bool, None]]
+Environment = gymnasium.Env[Any, Any]
+
+ATTEMPTS = 3
+PIECES_FOR_EACH_WORKER = 8
+USUAL_WORKERS = 4
+
+
+class Episodes(Protocol):
+    """A place where episodes run."""
+
+    def run(self, policies: Sequence[Policy], seeds: Sequence[int]) -> list[list[Played]]:
+        """Returns one result for each policy and seed."""
+        ...
+
+    def visit(self, visits: Sequence[tuple[Policy, int, list[int]]]) -> list[list[list[float]]]:
+        """Returns the states of each visit."""
+        ...
+
+    def close(self) -> None:
+        """Lets go of what it holds."""
+        ...
+
+
+class Here:
+    """Episodes in this process, on one environment."""
+
+    def __init__(self, driver: Driver) -> None:
+        self._driver = driver
+
+    def run(self, policies: Sequence[Policy], seeds: Sequence[int]) -> list[list[Played]]:
+        return [self._driver.run(policy, list(seeds)) for policy in policies]
+
+    def visit(self, visits: Sequence[tuple[Policy, int, list[int]]]) -> list[list[list[float]]]:
+        return [self._driver.visit(policy, seed, after) for policy, seed, after in visits]
+
+    def close(self) -> None:
+        pass
+
+
+class _Kept(threading.local):
+    """The drivers of a thread of a worker: two episodes of one environment at a time would disturb each other."""
+
+    def __init__(self) -> None:
+        self.drivers: dict[str, Driver] = {}
+
+
+_kept = _Kept()
+
+
+def _work(token: str, made_by: bytes, pieces: list[tuple[bytes, list[int], list[int] | None]]) -> list[Any]:
+    """Runs pieces of work in a worker, which keeps its environment for the next ones."""
+    driver = _kept.drivers.get(token)
+    if driver is None:
+        factory, settings = cloudpickle.loads(made_by)
+        env = factory()
+        driver = _kept.drivers[token] = Interface.of(env, **settings).driver(env)
+    results: list[Any] = []
+    for policy_bytes, seeds, after in pieces:
+        policy = Policy.from_bytes(policy_bytes)
+        results.append(driver.run(policy, seeds) if after is None else driver.visit(policy, seeds[0], after))
+    return results
+
+
+class Workers:
+    """Episodes in the workers of an executor: any `concurrent.futures.Executor`, or processes of its own."""
+
+    def __init__(
+        self,
+        factory: Callable[[], Environment],
+        settings: dict[str, Any],
+        executor: concurrent.futures.Executor | None,
+        n_workers: int,
+    ) -> None:
+        try:
+            self._made_by: bytes = cloudpickle.dumps((factory, settings))
+        except Exception as error:
+            raise InputError(
+                f"an environment that cannot be sent to workers: {error}; accepted: an id, or a function that makes the environment"
+            ) from error
+        self._token = hashlib.sha256(self._made_by).hexdigest()
+        self._own = executor is None
+        self._n_workers = n_workers or _size_of(executor)
+        self._executor = executor or self._pool()
+
+    def _pool(self) -> concurrent.futures.Executor:
+        # Forked processes and threads do not go together.
+        context = multiprocessing.get_context("spawn")
+        return concurrent.futures.ProcessPoolExecutor(self._n_workers, mp_context=context)
+
+    def run(self, policies: Sequence[Policy], seeds: Sequence[int]) -> list[list[Played]]:
+        total = len(policies) * len(seeds)
+        length = max(1, total // (PIECES_FOR_EACH_WORKER * self._n_workers))
+        pieces, places = [], []
+        for place, policy in enumerate(policies):
+            sent = policy.to_bytes()
+            for start in range(0, len(seeds), length):
+                pieces.append((sent, list(seeds[start : start + length]), None))
+                places.append(place)
+        results: list[list[Played]] = [[] for _ in policies]
+        together = max(1, length // max(1, min(length, len(seeds))))
+        for place, played in zip(places, self._all(pieces, together), strict=True):
+            results[place].extend(played)
+        return results
+
+    def visit(self, visits: Sequence[tuple[Policy, int, list[int]]]) -> list[list[list[float]]]:
+        pieces = [(policy.to_bytes(), [seed], after) for policy, seed, after in visits]
+        return self._all(pieces, 1)
+
+    def _all(self, pieces: Sequence[tuple[bytes, list[int], list[int] | None]], together: int) -> list[Any]:
+        """Returns the results of pieces of work, in order. What a killed worker had is given to another."""
+        chunks = [list(pieces[start : start + together]) for start in range(0, len(pieces), together)]
+        results: dict[int, list[Any]] = {}
+        for attempt in range(1, ATTEMPTS + 1):
+            open_chunks = [place for place in range(len(chunks)) if place not in results]
+            futures: dict[int, concurrent.futures.Future[list[Any]]] = {}
+            try:
+                for place in open_chunks:
+                    futures[place] = self._executor.submit(_work, self._token, self._made_by, chunks[place])
+                for place, future in futures.items():
+                    results[place] = future.result()
+            except BrokenProcessPool as error:
+                _collect(futures, results)
+                if not self._own or attempt == ATTEMPTS:
+                    raise TrainingError(
+                        f"a worker was killed, {attempt} times in the same generation; the run is saved and can be resumed"
+                    ) from error
+                self._executor.shutdown(wait=False, cancel_futures=True)
+                self._executor = self._pool()
+                continue
+            except BaseException:
+                for future in futures.values():
+                    future.cancel()
+                raise
+            break
+        return [result for place in range(len(chunks)) for result in results[place]]
+
+    def close(self) -> None:
+        if self._own:
+            self._executor.shutdown(wait=True, cancel_futures=True)
+
+
+def _collect(futures: dict[int, concurrent.futures.Future[list[Any]]], results: dict[int, list[Any]]) -> None:
+    """Keeps what was finished before the pool broke."""
+    for place, future in futures.items():
+        if place not in results and future.done() and not future.cancelled() and future.exception() is None:
+            results[place] = future.result()
+
+
+def _size_of(executor: concurrent.futures.Executor | None) -> int:
+    """Returns the number of an executor's workers, or a usual one where it does not say."""
+    for name in ("_max_workers", "_num_workers"):
+        size = getattr(executor, name, None)
+        if isinstance(size, int) and size > 0:
+            return size
+    return USUAL_WORKERS
+
+
+def first_difference(env: Environment, seeds: Iterable[int] = (11, 12), steps: int = 50) -> str | None:
+    """Returns what differs when an episode is begun again with the same seed; None if nothing does."""
+    first, other = seeds
+    before = _trace(env, first, steps)
+    _trace(env, other, steps)
+    after = _trace(env, first, steps)
+    for step, (one, two) in enumerate(zip(before, after, strict=False)):
+        for name, left, right in zip(("observation", "reward", "end"), one, two, strict=True):
+            if left != right:
+                return f"the {name} after {step} actions"
+    return None if len(before) == len(after) else "the length of the episode"
+
+
+def _trace(env: Environment, seed: int, steps: int) -> list[tuple[bytes, float, bool]]:
+    """Returns what an environment tells under random actions that depend only on the seed."""
+    observation, _ = env.reset(seed=seed)
+    env.action_space.seed(seed)
+    told = [(cloudpickle.dumps(observation), 0.0, False)]
+    for _ in range(steps):
+        observation, reward, terminated, truncated, _ = env.step(env.action_space.sample())
+        told.append((cloudpickle.dumps(observation), float(reward), bool(terminated or truncated)))
+        if terminated or truncated:
+            break
+    return told

@@ -1,0 +1,645 @@
+"""The model: from an environment to a graph, and from the graph to code."""
+
+from __future__ import annotations
+
+import concurrent.futures
+import functools
+import json
+import logging
+import os
+import tempfile
+import warnings
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Union
+
+import cloudpickle  # type: ignore[import-untyped, unused-ignore]
+import gymnasium
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _tpg
+from ._episodes import Episodes, Here, Workers, first_difference
+from ._tpg import Evolution, Graph, InputError, Policy, TrainingError
+from .callbacks import MaybeCallback, _Bar, _TensorBoard, as_list
+from .reports import Evaluation, HallEntry, Proof, Report
+from .spaces import Interface, _name
+
+log = logging.getLogger("tpg_train")
+
+Environment = gymnasium.Env[Any, Any]
+EnvironmentLike = Union[str, Environment, Callable[[], Environment]]
+PathLike = Union[str, "os.PathLike[str]"]
+
+# Gymnasium's environments that are built in: an action's number and the state's order are Gymnasium's.
+BUILT_IN = {
+    "CartPole-v1": "cartpole",
+    "Acrobot-v1": "acrobot",
+    "MountainCar-v0": "mountain-car",
+    "MountainCarContinuous-v0": "mountain-car-continuous",
+    "Pendulum-v1": "pendulum",
+    "LunarLander-v3": "lunar-lander",
+    "LunarLanderContinuous-v3": "lunar-lander-continuous",
+}
+# What gymnasium.make() itself puts around an environment.
+USUAL_WRAPPERS = {"TimeLimit", "OrderEnforcing", "PassiveEnvChecker"}
+
+# The presets have minutes of a built-in problem, tens of millions of steps; here a budget of steps is given, and an
+# environment in Python takes a hundred times as long for each: fewer episodes for each decision of evolution, and most
+# roots are dropped after the first of them.
+DISCRETE: dict[str, Any] = {
+    "tpg.nb_roots": 100,
+    "tpg.init_nb_roots": 1000,
+    "learning.ratio_deleted_roots": 0.9,
+    "learning.nb_iterations_per_policy_evaluation": 5,
+    "selection.racing_episodes": 1,
+    "selection.racing_share": 0.25,
+    "selection.validation_episodes": 50,
+}
+CONTINUOUS: dict[str, Any] = {
+    "tpg.nb_roots": 30,
+    "tpg.init_nb_roots": 300,
+    "demes.count": 2,
+    "learning.ratio_deleted_roots": 0.9,
+    "learning.nb_iterations_per_policy_evaluation": 5,
+    "selection.racing_episodes": 1,
+    "selection.racing_share": 0.4,
+    "selection.validation_episodes": 50,
+}
+
+
+class StatefulEnvironmentWarning(UserWarning):
+    """An environment whose state survives `reset(seed=...)`: its episodes cannot be repeated."""
+
+
+class VerificationError(RuntimeError):
+    """Generated code that does not answer as the graph, or that could not be compiled."""
+
+
+class Candidate:
+    """A policy and the seed of the episode that it is to run: see `TPG.ask`.
+
+    Attributes: `seed`, for `reset(seed=...)`; `steps`, the number of observations that it has answered.
+    """
+
+    def __init__(self, policy: Policy, seed: int, interface: Interface, place: int, after: list[int] | None) -> None:
+        self.seed = seed
+        self.steps = 0
+        self._policy, self._interface, self._place, self._after = policy, interface, place, after
+        self._seen: list[list[float]] = []
+
+    def predict(self, observation: Any) -> Any:
+        """Returns the action for an observation of this episode."""
+        states, is_batch = self._interface.states(observation)
+        if is_batch:
+            raise InputError("a batch of observations; accepted: one, of this candidate's own episode")
+        state = states[0].tolist()
+        if self._after is not None:
+            while len(self._seen) < len(self._after) and self._after[len(self._seen)] == self.steps:
+                self._seen.append(state)
+        self.steps += 1
+        action, values = self._policy.answer(state)
+        answer = np.asarray([values], dtype=np.float64) if action is None else np.asarray([action])
+        return self._interface.to_actions(answer, False)
+
+
+@dataclass
+class _Asked:
+    """What `tell` must reply to."""
+
+    evolution: Evolution
+    kind: str
+    candidates: list[Candidate]
+    policies: int
+
+
+class TPG:
+    """Evolves a tangled program graph on an environment, and turns it into code.
+
+    Args:
+        env: a Gymnasium id, an environment, or a function that makes one. `Discrete`, `MultiDiscrete` and `MultiBinary`
+            actions are chosen among; the values of a `Box` of finite bounds are computed.
+        seed: decides everything: the same seed gives the same graph for any number of workers.
+        native: lets a built-in problem take the place of a known id that is not wrapped, a hundred times as fast.
+        n_workers: worker processes; 0 runs the episodes in this process (built-in problems: on all cores).
+        preset: a configuration that `tpg-train config` prints; by default one that fits the actions.
+        settings: other values of the preset's settings, such as `{"tpg.nb_roots": 50}`.
+        population: roots of a generation. episodes: episodes of each root in a generation.
+        folder: keeps the run, for `resume=True` in a later process and for `tpg-train report`; by default temporary.
+        max_episode_steps: cuts episodes; by default the environment's own limit, or 10,000.
+        input_names: names of the observation's values, for formulas.
+    """
+
+    def __init__(
+        self,
+        env: EnvironmentLike,
+        *,
+        seed: int = 1,
+        native: bool = True,
+        n_workers: int = 0,
+        preset: str | None = None,
+        settings: Mapping[str, Any] | None = None,
+        population: int | None = None,
+        episodes: int | None = None,
+        folder: PathLike | None = None,
+        resume: bool = False,
+        max_episode_steps: int | None = None,
+        input_names: Sequence[str] | None = None,
+        verbose: int = 0,
+    ) -> None:
+        self.seed, self.verbose, self.n_workers = int(seed), verbose, n_workers
+        self.num_timesteps = 0
+        self._set_env(env, max_episode_steps, input_names)
+        own = _built_in(env, self._env) if native and max_episode_steps is None and input_names is None else None
+        self.native: str | None = own
+        if own is not None:
+            self._say(f"{self._interface.name} runs as the built-in problem {own}; native=False runs Gymnasium's")
+        self._config = self._configuration(preset, settings or {}, population, episodes)
+        self._temporary = tempfile.TemporaryDirectory(prefix="tpg-") if folder is None else None
+        self.folder = Path(folder if folder is not None else os.path.join(self._temporary.name, "run"))  # type: ignore[union-attr]
+        self._resume = resume
+        self._graph: Graph | None = None
+        self._hall: list[HallEntry] = []
+        self._asked: _Asked | None = None
+        self._checked = False
+
+    # The environment
+
+    def _set_env(self, env: EnvironmentLike, max_episode_steps: int | None, input_names: Sequence[str] | None) -> None:
+        self._factory = _factory(env)
+        self._env: Environment = self._factory() if isinstance(env, str) or _is_function(env) else env  # type: ignore[assignment]
+        known = _built_in(env, self._env)
+        inputs, ends = _names_of(known) if known is not None and input_names is None else (input_names, None)
+        self._settings: dict[str, Any] = {"max_episode_steps": max_episode_steps, "input_names": inputs, "end_names": ends}
+        self._interface = Interface.of(self._env, **self._settings)
+
+    @property
+    def env(self) -> Environment:
+        """The environment in this process."""
+        return self._env
+
+    def get_env(self) -> Environment:
+        """Returns the environment in this process."""
+        return self._env
+
+    @property
+    def observation_space(self) -> gymnasium.spaces.Space[Any]:
+        """The environment's observations."""
+        return self._interface.observation_space
+
+    @property
+    def action_space(self) -> gymnasium.spaces.Space[Any]:
+        """The environment's actions."""
+        return self._interface.action_space
+
+    def _say(self, text: str) -> None:
+        log.info(text)
+        if self.verbose:
+            print(text)
+
+    # Training
+
+    def _configuration(
+        self, preset: str | None, settings: Mapping[str, Any], population: int | None, episodes: int | None
+    ) -> str:
+        is_box = bool(self._interface.actions()[1])
+        chosen: dict[str, Any] = {"learning.nb_generations": 1_000_000}
+        if preset is None:
+            chosen.update(CONTINUOUS if is_box else DISCRETE)
+            chosen["tpg.init_nb_roots"] = max(chosen["tpg.init_nb_roots"], len(self._interface.actions()[0]))
+        name = preset or ("continuous" if is_box else "general")
+        if population is not None:
+            chosen["tpg.nb_roots"] = population
+            chosen["tpg.init_nb_roots"] = max(2 * population, len(self._interface.actions()[0]))
+            # A small population has survivors, too.
+            chosen["learning.ratio_deleted_roots"] = min(chosen.get("learning.ratio_deleted_roots", 0.9), max(0.0, 1.0 - 6.0 / population))
+        if episodes is not None:
+            chosen["learning.nb_iterations_per_policy_evaluation"] = episodes
+            if chosen.get("selection.racing_episodes", 0) >= episodes:
+                chosen["selection.racing_episodes"] = 0
+        chosen.update(settings)
+        return _tpg.configuration(name, json.dumps(chosen))
+
+    def _start(self, target: float | None, max_steps: int | None) -> Evolution:
+        resume = self._resume or self._temporary is not None
+        settings = {
+            "config": self._config,
+            "seed": self.seed,
+            "folder": self.folder,
+            "resume": resume,
+            "target": target,
+            "max_steps": max_steps,
+        }
+        self._resume = True
+        if self.native is not None:
+            return Evolution.start_native(self.native, settings, self.n_workers)
+        return Evolution.start(self._interface.space(), settings)
+
+    def _episodes(self, executor: concurrent.futures.Executor | None, n_workers: int) -> Episodes:
+        if executor is None and n_workers == 0:
+            return Here(self._interface.driver(self._env))
+        return Workers(self._factory, self._settings, executor, n_workers)
+
+    def _check_reset(self) -> None:
+        """Warns of an environment whose state survives a reset."""
+        if self._checked or self.native is not None:
+            return
+        self._checked = True
+        difference = first_difference(self._env)
+        if difference is not None:
+            warnings.warn(
+                f"{self._interface.name}: {difference} is another one when reset(seed=...) gets the same seed again: the "
+                "environment keeps state from earlier episodes, or has randomness of its own. Graphs then depend on the number "
+                "of workers, and a resumed run is another one",
+                StatefulEnvironmentWarning,
+                stacklevel=3,
+            )
+
+    def learn(
+        self,
+        total_timesteps: int,
+        callback: MaybeCallback = None,
+        log_interval: int = 1,
+        tb_log_name: str = "TPG",
+        progress_bar: bool = False,
+        *,
+        target: float | None = None,
+        executor: concurrent.futures.Executor | None = None,
+        n_workers: int | None = None,
+        tensorboard_log: PathLike | None = None,
+    ) -> TPG:
+        """Evolves for about `total_timesteps` more steps of the environment: a generation is always finished.
+
+        A second call goes on where the first one stopped, also one that an exception or Ctrl-C stopped: what was learned up to
+        the last generation is kept.
+
+        Args:
+            target: ends the training as soon as a policy reaches this mean return on the selection episodes.
+            callback: called after every generation: see `tpg_train.callbacks`.
+            executor: runs the episodes: any `concurrent.futures.Executor`.
+            n_workers: worker processes, if there is no executor; by default the model's.
+            tensorboard_log: folder for TensorBoard.
+        """
+        self._leave_asking()
+        if self.native is not None and executor is not None:
+            self._say("a built-in problem runs in this process: executor= is ignored; native=False uses it")
+        self._check_reset()
+        more = [_Bar(total_timesteps)] if progress_bar else []
+        callbacks = as_list(callback, [*more, *([_TensorBoard(tensorboard_log, tb_log_name)] if tensorboard_log is not None else [])])
+        callbacks.init_callback(self)
+        figures: dict[str, Any] = {"self": self, "progress": {}}
+        evolution = self._start(target, self._known_steps() + total_timesteps)
+        episodes: Episodes | None = None
+        began = False
+        try:
+            if self.native is None:
+                episodes = self._episodes(executor, self.n_workers if n_workers is None else n_workers)
+            while True:
+                kind, says = evolution.next()
+                if kind == "end":
+                    break
+                if kind == "evaluate":
+                    assert episodes is not None
+                    evolution.endings(episodes.run(*says))
+                elif kind == "visit":
+                    assert episodes is not None
+                    evolution.states(episodes.visit(says))
+                else:
+                    self._note(says)
+                    figures["progress"] = says
+                    callbacks.update_locals(figures)
+                    if not began:
+                        callbacks.on_training_start(figures, globals())
+                        began, on = True, True
+                    else:
+                        on = callbacks.on_step()
+                        callbacks.on_rollout_end()
+                        if self.verbose and says["generations"] % log_interval == 0:
+                            print(_line(says))
+                    callbacks.on_rollout_start()
+                    evolution.go_on(bool(on))
+        except KeyboardInterrupt:
+            self._say(f"stopped; learn() goes on from {self.num_timesteps} steps")
+            raise
+        finally:
+            evolution.close()
+            if episodes is not None:
+                episodes.close()
+            if began:
+                callbacks.on_training_end()
+            self._read_best()
+        return self
+
+    def _known_steps(self) -> int:
+        """Returns the steps of the run so far, also of one that an earlier process began."""
+        if self.num_timesteps == 0 and self._resume:
+            self.num_timesteps = _tpg.steps_of(self.folder)
+        return self.num_timesteps
+
+    def _note(self, says: dict[str, Any]) -> None:
+        """Takes the figures of a generation."""
+        self.num_timesteps = says["steps"]
+        if "graph" in says:
+            self._graph = says["graph"]
+            self._hall = [HallEntry(size, score, graph) for size, score, graph in says["hall"]]
+
+    def _read_best(self) -> None:
+        """Reads the best graph of a run that stopped before this process saw one."""
+        file = self.folder / "graph.json"
+        if self._graph is None and file.exists():
+            self._graph = Graph.load(file)
+
+    # Hardware in the loop
+
+    def ask(self) -> list[Candidate]:
+        """Returns the episodes to run before evolution can go on; none once it has ended.
+
+        Each candidate is a policy and the seed of one episode. Run them in any order, on any machine, then `tell` their
+        returns. `population=` and `episodes=` of the constructor say how many there are.
+        """
+        if self.native is not None:
+            raise InputError(f"ask() on the built-in problem {self.native}; accepted: TPG(..., native=False)")
+        if self._asked is not None and self._asked.candidates:
+            return self._asked.candidates
+        evolution = self._asked.evolution if self._asked is not None else self._start(None, None)
+        self._asked = _Asked(evolution, "", [], 0)
+        while True:
+            kind, says = evolution.next()
+            if kind == "progress":
+                self._note(says)
+                evolution.go_on(True)
+                continue
+            if kind == "evaluate":
+                policies, seeds = says
+                given = [(policy, seed, None) for policy in policies for seed in seeds]
+            elif kind == "visit":
+                policies, given = says, says
+            else:
+                self._asked = None
+                return []
+            candidates = [Candidate(policy, seed, self._interface, place, after) for place, (policy, seed, after) in enumerate(given)]
+            self._asked = _Asked(evolution, kind, candidates, len(policies))
+            return candidates
+
+    def tell(self, candidates: Sequence[Candidate], returns: Sequence[float]) -> None:
+        """Takes the return of each candidate's episode."""
+        asked = self._asked
+        if asked is None or len(candidates) != len(returns) or {id(one) for one in candidates} != {id(one) for one in asked.candidates}:
+            raise InputError("other candidates than ask() returned; accepted: each of them once, with its return")
+        scores = {candidate._place: float(score) for candidate, score in zip(candidates, returns, strict=True)}
+        bad = [candidate.seed for candidate, score in zip(candidates, returns, strict=True) if np.isnan(score)]
+        if bad:
+            raise InputError(f"seed {bad[0]}: a return of NaN; accepted: a number")
+        if asked.kind == "visit":
+            short = next((one for one in asked.candidates if one._after is not None and len(one._seen) < len(one._after)), None)
+            if short is not None:
+                raise InputError(f"seed {short.seed}: an episode shorter than before; accepted: the same episode again")
+            asked.evolution.states([one._seen for one in asked.candidates])
+        else:
+            seeds = len(asked.candidates) // asked.policies
+            played = [(scores[place], one.steps, None) for place, one in enumerate(asked.candidates)]
+            asked.evolution.endings([played[start : start + seeds] for start in range(0, len(played), seeds)])
+        self._asked = _Asked(asked.evolution, "", [], 0)
+
+    def _leave_asking(self) -> None:
+        if self._asked is not None:
+            self._asked.evolution.close()
+            self._asked = None
+
+    # The graph
+
+    @property
+    def has_graph(self) -> bool:
+        """True once a policy has been validated, or was loaded."""
+        return self._graph is not None
+
+    @property
+    def graph(self) -> _GraphView:
+        """The best graph so far. In a notebook it draws itself."""
+        return _GraphView(self._best())
+
+    def _best(self) -> Graph:
+        if self._graph is None:
+            raise TrainingError("there is no graph yet: learn() longer, until a policy has been validated")
+        return self._graph
+
+    @property
+    def hall_of_fame(self) -> list[HallEntry]:
+        """The best policy of each size, smallest first: none of them is both larger and worse than another."""
+        return list(self._hall)
+
+    def use(self, entry: HallEntry) -> TPG:
+        """Makes a policy of the hall of fame the model's own."""
+        self._graph = entry.graph
+        return self
+
+    def predict(
+        self,
+        observation: Any,
+        state: Any = None,
+        episode_start: Any = None,
+        deterministic: bool = True,
+    ) -> tuple[Any, None]:
+        """Returns the action for an observation, or the actions for a batch; and None, in place of a recurrent state.
+
+        The policy is deterministic whatever `deterministic` says.
+        """
+        states, is_batch = self._interface.states(observation)
+        return self._interface.to_actions(self._best().answers(np.ascontiguousarray(states)), is_batch), None
+
+    def evaluate(
+        self,
+        episodes: int = 100,
+        *,
+        seed: int = 1,
+        native: bool | None = None,
+        executor: concurrent.futures.Executor | None = None,
+        n_workers: int | None = None,
+    ) -> Evaluation:
+        """Runs the policy on test episodes, which no training and no selection has seen.
+
+        Args:
+            native: on the built-in problem; by default if the model was trained on it.
+        """
+        graph = self._best()
+        if episodes < 1:
+            raise InputError(f"{episodes} episodes; accepted: 1 or more")
+        if self.native is not None and native is not False:
+            return Evaluation.of_report(json.loads(_tpg.evaluate_native(self.native, graph, episodes, seed)))
+        place = self._episodes(executor, self.n_workers if n_workers is None and self.native is None else n_workers or 0)
+        try:
+            return Evaluation.of(place.run([Policy.of(graph)], _tpg.test_seeds(seed, episodes))[0], self._interface.name)
+        finally:
+            place.close()
+
+    def formula(self) -> str:
+        """Returns what the policy computes, as formulas."""
+        return self._best().formula()
+
+    def report(self, *targets: str) -> Report:
+        """Returns flash, RAM, stack and operations of the code on "cortex-m4" or "host", by default both."""
+        text, data = self._best().report(list(targets) or ["cortex-m4", "host"])
+        return Report(text, json.loads(data))
+
+    def export_c(self, folder: PathLike, prefix: str | None = None, profile: str = "fast") -> list[Path]:
+        """Writes C99 into a folder and returns the paths. `profile` is "fast", "small" or "constant-time"."""
+        return self._export(folder, "c", prefix, profile)
+
+    def export_rust(self, folder: PathLike, prefix: str | None = None, profile: str = "constant-time") -> list[Path]:
+        """Writes `no_std` Rust into a folder and returns the paths."""
+        return self._export(folder, "rust", prefix, profile)
+
+    def _export(self, folder: PathLike, language: str, prefix: str | None, profile: str) -> list[Path]:
+        return [Path(path) for path in self._best().export(Path(folder), language, prefix or self._prefix(), profile)]
+
+    def _prefix(self) -> str:
+        return _name(self._interface.name)[:40]
+
+    def verify(
+        self,
+        states: int = 100_000,
+        *,
+        seed: int = 1,
+        languages: Sequence[str] = ("c",),
+        profiles: Sequence[str] = ("fast", "small", "constant-time"),
+    ) -> Proof:
+        """Compiles the generated code and compares it with the interpreter, bit for bit.
+
+        Raises:
+            VerificationError: if an answer differs, or there is no compiler.
+        """
+        data, holds = self._best().verify(list(languages), list(profiles), states, seed)
+        proof = Proof(json.loads(data))
+        if not holds:
+            raise VerificationError(str(proof))
+        return proof
+
+    # Files
+
+    def save(self, path: PathLike) -> None:
+        """Writes the graph as a `graph.json`, which `tpg-codegen` reads."""
+        self._best().save(Path(path))
+
+    @classmethod
+    def load(cls, path: PathLike, env: EnvironmentLike | None = None, **arguments: Any) -> TPG:
+        """Reads a `graph.json`. Without an environment, one that only predicts takes its place: inputs as a Box.
+
+        A graph alone cannot be trained further; `TPG(env, folder=..., resume=True)` goes on with a run.
+        """
+        graph = Graph.load(Path(path))
+        model = cls(_Described(graph) if env is None else env, native=env is not None, **arguments)
+        found, accepted = len(graph.inputs), model._interface.inputs
+        if found != accepted:
+            raise InputError(f"{path}: a graph of {found} inputs; accepted: {accepted}, as {model._interface.name} has")
+        choices, outputs = model._interface.actions()
+        if (len(graph.actions), len(graph.outputs)) != (len(choices), len(outputs)):
+            found_text = f"{len(graph.actions)} actions and {len(graph.outputs)} outputs"
+            raise InputError(f"{path}: a graph of {found_text}; accepted: {len(choices)} and {len(outputs)}")
+        if model.native is not None and graph.inputs != [f"{one}[0]" for one in _names_of(model.native)[0]]:
+            model.native = None
+        model._graph = graph
+        return model
+
+    def __repr__(self) -> str:
+        where = f"built-in {self.native}" if self.native else self._interface.name
+        return f"<TPG on {where}, seed {self.seed}, {self.num_timesteps} steps>"
+
+
+class _GraphView:
+    """The best graph of a model: `str()` gives its formulas, a notebook its picture."""
+
+    def __init__(self, graph: Graph) -> None:
+        self._graph = graph
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._graph, name)
+
+    def _repr_svg_(self) -> str:
+        return self._graph.svg()
+
+    def __str__(self) -> str:
+        return self._graph.formula()
+
+    def __repr__(self) -> str:
+        return repr(self._graph)
+
+
+class _Described(gymnasium.Env[Any, Any]):
+    """An environment that only describes what a graph reads and answers."""
+
+    def __init__(self, graph: Graph) -> None:
+        low, high = np.asarray(graph.ranges, dtype=np.float64).T
+        self.observation_space = gymnasium.spaces.Box(low, high, dtype=np.float64)
+        if graph.outputs:
+            _, least, most = zip(*graph.outputs, strict=True)
+            self.action_space = gymnasium.spaces.Box(np.array(least, np.float32), np.array(most, np.float32))
+        else:
+            self.action_space = gymnasium.spaces.Discrete(len(graph.actions))
+
+    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> Any:
+        raise InputError("a model that was loaded without its environment; accepted: TPG.load(path, env)")
+
+    def step(self, action: Any) -> Any:
+        raise InputError("a model that was loaded without its environment; accepted: TPG.load(path, env)")
+
+
+def _is_function(env: Any) -> bool:
+    return callable(env) and (isinstance(env, type) or not hasattr(env, "reset"))
+
+
+def _factory(env: EnvironmentLike) -> Callable[[], Environment]:
+    """Returns what makes the environment, here and in workers."""
+    if isinstance(env, str):
+        try:
+            gymnasium.spec(env)
+        except gymnasium.error.Error as error:
+            raise InputError(f"the id {env!r}: {error}; accepted: a registered Gymnasium environment") from error
+        return functools.partial(gymnasium.make, env)
+    if _is_function(env):
+        return env  # type: ignore[return-value]
+    return functools.partial(_copy, env)  # type: ignore[arg-type]
+
+
+def _copy(env: Environment) -> Environment:
+    """Returns a copy of an environment, as it arrives in a worker."""
+    copy: Environment = cloudpickle.loads(cloudpickle.dumps(env))
+    return copy
+
+
+def _built_in(given: EnvironmentLike, env: Environment) -> str | None:
+    """Returns the name of the built-in problem that is the same as an environment."""
+    spec = getattr(env, "spec", None)
+    if _is_function(given) or spec is None or spec.kwargs and any(key != "render_mode" for key in spec.kwargs):
+        return None
+    inner = env
+    while isinstance(inner, gymnasium.Wrapper):
+        if type(inner).__name__ not in USUAL_WRAPPERS:
+            return None
+        inner = inner.env
+    registered = gymnasium.registry.get(spec.id)
+    if registered is None or registered.max_episode_steps != spec.max_episode_steps:
+        return None
+    name = BUILT_IN.get(spec.id)
+    if name not in dict(_tpg.problems()):
+        return None
+    description = json.loads(_tpg.NativeEnv(name).description)
+    lengths = [len(source["ranges"]) for source in description["sources"]]
+    # A built-in problem may add derived sources, which an observation of Gymnasium's does not have.
+    return name if all(length == 1 for length in lengths) and len(lengths) == int(np.prod(env.observation_space.shape or ())) else None
+
+
+def _names_of(problem: str) -> tuple[list[str], list[str]]:
+    """Returns the names of a built-in problem's inputs, and of its actions or outputs."""
+    described = json.loads(_tpg.NativeEnv(problem).description)
+    inputs = [source["name"] for source in described["sources"]]
+    return inputs, described["actions"] or [name for name, _, _ in described["outputs"]]
+
+
+def _line(says: dict[str, Any]) -> str:
+    validated = says.get("best_validated")
+    end = "" if validated is None else f", {validated:.2f} validated"
+    return f"generation {says['generations']}: {says['steps']} steps, best {says['best_score']:.2f}, median {says['median_score']:.2f}{end}"
+
+
+__all__ = ["TPG", "Candidate", "StatefulEnvironmentWarning", "VerificationError", "InputError", "TrainingError", "NDArray"]

@@ -1,0 +1,284 @@
+"""Actors of Stable-Baselines3 in integers: the same bits in Python, on a PC and on a Cortex-M4."""
+
+from __future__ import annotations
+
+import dataclasses
+import hashlib
+import os
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any, Union
+
+import gymnasium
+import numpy as np
+from gymnasium import spaces
+from numpy.typing import NDArray
+
+from ._tpg import InputError, Network
+from .model import VerificationError
+from .reports import Evaluation
+from .spaces import Interface, _name
+
+PathLike = Union[str, "os.PathLike[str]"]
+Floats = NDArray[np.float32]
+Layers = list[tuple[Floats, Floats]]
+
+# The most units of a layer, and pieces of the polyline that stands for a tanh: ReLUs are all that the network has.
+WIDEST = 512
+PIECES = 8
+CALIBRATION_STEPS = 5000
+STATES = 20_000
+
+
+class NetworkPolicy:
+    """A multilayer perceptron in integers, with the names and habits of a Stable-Baselines3 model.
+
+    Attributes: `agreement`, how near it is to the network that it was made from: the share of equal actions, or the mean
+    distance of a value as a share of half its range, on the calibration states.
+    """
+
+    def __init__(self, network: Network, interface: Interface, states: Floats, agreement: dict[str, float]) -> None:
+        self._network, self._interface, self._states = network, interface, states
+        self.agreement = agreement
+
+    @property
+    def bytes(self) -> int:
+        """Bytes of constants on a target."""
+        return self._network.bytes
+
+    @property
+    def multiplications(self) -> int:
+        """Multiplications of a weight that a decision costs."""
+        return self._network.multiplications
+
+    def predict(
+        self, observation: Any, state: Any = None, episode_start: Any = None, deterministic: bool = True
+    ) -> tuple[Any, None]:
+        """Returns the action for an observation, or the actions for a batch; and None, in place of a recurrent state."""
+        states, is_batch = self._interface.states(observation)
+        answers = self._network.answers(np.ascontiguousarray(states, dtype=np.float32))
+        return self._interface.to_actions(answers, is_batch), None
+
+    def evaluate(self, env: gymnasium.Env[Any, Any], episodes: int = 100, seed: int = 1) -> Evaluation:
+        """Runs the network on test episodes of an environment."""
+        played = []
+        for episode_seed in (seed * 1_000_003 + place for place in range(episodes)):
+            observation, _ = env.reset(seed=episode_seed)
+            score, steps, done, success = 0.0, 0, False, None
+            while not done and steps < self._interface.limit:
+                action, _ = self.predict(observation)
+                observation, reward, terminated, truncated, info = env.step(action)
+                score, steps, done = score + float(reward), steps + 1, bool(terminated or truncated)
+                success = info.get("is_success") if done else None
+            played.append((score, steps, success))
+        return Evaluation.of(played, self._interface.name)
+
+    def export_c(self, folder: PathLike, prefix: str | None = None) -> list[Path]:
+        """Writes C99 that needs no library into a folder and returns the paths."""
+        return [Path(path) for path in self._network.export_c(Path(folder), prefix or self._prefix())]
+
+    def export_rust(self, folder: PathLike, prefix: str | None = None) -> list[Path]:
+        """Writes the constants for the `no_std` crate tpg-runtime into a folder and returns the path."""
+        return [Path(path) for path in self._network.export_rust(Path(folder), prefix or self._prefix())]
+
+    def _prefix(self) -> str:
+        return _name(self._interface.name)[:40]
+
+    def verify(self, states: int = STATES, seed: int = 1) -> int:
+        """Compiles the C and compares its answers with the network's, bit for bit; returns the number of states.
+
+        States are those of the calibration, and others around them, with infinities and NaN.
+
+        Raises:
+            VerificationError: if an answer differs.
+        """
+        generator = np.random.default_rng(seed)
+        rows = self._states[generator.integers(len(self._states), size=states)]
+        spread = self._states.std(axis=0) + 1e-3
+        rows = (rows + generator.normal(size=rows.shape) * spread * generator.choice([0.0, 1.0, 30.0], size=(states, 1))).astype(np.float32)
+        rows[::97] = generator.choice(np.array([np.nan, np.inf, -np.inf, 0.0, -0.0, 1e30, 1e-40], np.float32), size=rows[::97].shape)
+        differences = self._network.differences(np.ascontiguousarray(rows))
+        if differences:
+            raise VerificationError(f"the C differs from the network on {differences} of {states} states")
+        return states
+
+    def save(self, path: PathLike) -> None:
+        """Writes a `policy.q.json`, which `tpg-codegen policy` reads."""
+        self._network.save(Path(path))
+
+    def __repr__(self) -> str:
+        return f"<NetworkPolicy for {self._interface.name}, {self.bytes} bytes, {self.multiplications} multiplications>"
+
+
+def from_sb3(model: Any, *, env: gymnasium.Env[Any, Any] | None = None, kind: str = "w8a16", seed: int = 1) -> NetworkPolicy:
+    """Puts the actor of a Stable-Baselines3 model into integers.
+
+    PPO, A2C, DQN, SAC and TD3 with `MlpPolicy`. Hidden layers with ReLU are taken as they are; a tanh, the default of PPO
+    and A2C, becomes a polyline of eight pieces, which makes the next layer eight times as wide: train with
+    `policy_kwargs={"activation_fn": torch.nn.ReLU}` where size matters.
+
+    Args:
+        env: calibrates the integers; by default one made from the id of the model's own.
+        kind: bits of weights and activations: "w8a16", "w16a16" or "w8a8".
+    """
+    name = type(model).__name__
+    layers, squash = _actor(model, name)
+    if env is None:
+        env = _env_of(model)
+    interface = Interface.of(env)
+    inputs = layers[0][0].shape[1]
+    if interface.inputs != inputs:
+        raise InputError(f"{name}: a network of {inputs} inputs; accepted: {interface.inputs}, as {interface.name} has")
+    states = _visited(model, env, interface, seed)
+    choices, outputs = interface.actions()
+    values = [(output, np.float32(low), np.float32(high), squash) for output, low, high in outputs]
+    names = [part.name if len(part.low) == 1 else f"{part.name}[{place}]" for part in interface.parts for place in range(len(part.low))]
+    network = Network.quantise(
+        _scaled(names, states, layers), layers, values, choices, states, kind, _sha256(layers)
+    )
+    policy = NetworkPolicy(network, interface, states, {})
+    policy.agreement.update(_agreement(model, policy, interface, states))
+    return policy
+
+
+def _actor(model: Any, name: str) -> tuple[Layers, str]:
+    """Returns the linear layers of an actor, ReLU behind all but the last, and how values are limited."""
+    if name not in ("PPO", "A2C", "DQN", "SAC", "TD3"):
+        raise InputError(f"a model of {name}; accepted: PPO, A2C, DQN, SAC, TD3")
+    policy = model.policy
+    owner = policy if name in ("PPO", "A2C") else policy.q_net if name == "DQN" else policy.actor
+    extractor = type(owner.features_extractor).__name__
+    if extractor != "FlattenExtractor":
+        raise InputError(f"{name}: a {extractor}; accepted: MlpPolicy with its FlattenExtractor")
+    if name in ("PPO", "A2C"):
+        if getattr(policy, "squash_output", False):
+            raise InputError(f"{name}: squash_output=True; accepted: False")
+        modules = [*policy.mlp_extractor.policy_net, policy.action_net]
+        return _layers(modules, name), "clamp"
+    if name == "DQN":
+        return _layers(list(policy.q_net.q_net), name), "clamp"
+    if name == "SAC":
+        return _layers([*policy.actor.latent_pi, policy.actor.mu], name), "tanh"
+    modules = list(policy.actor.mu)
+    if type(modules[-1]).__name__ != "Tanh":
+        raise InputError(f"{name}: an actor without tanh behind it; accepted: TD3's own")
+    return _layers(modules[:-1], name), "tanh"
+
+
+def _layers(modules: Sequence[Any], name: str) -> Layers:
+    """Turns linear layers and their activations into layers with ReLU behind all but the last."""
+    layers: Layers = []
+    slopes: Floats | None = None
+    for module in modules:
+        kind = type(module).__name__
+        if kind == "Linear":
+            weights = module.weight.detach().cpu().numpy().astype(np.float32)
+            bias = module.bias.detach().cpu().numpy().astype(np.float32)
+            if slopes is not None:
+                # The polyline's value is the sum of slope · ReLU, and −1 at the left.
+                bias = bias - weights.sum(axis=1)
+                weights = np.repeat(weights, len(slopes), axis=1) * np.tile(slopes, weights.shape[1])
+                slopes = None
+            layers.append((np.ascontiguousarray(weights, dtype=np.float32), np.ascontiguousarray(bias, dtype=np.float32)))
+        elif kind == "Tanh":
+            weights, bias = layers.pop()
+            if len(bias) * PIECES > WIDEST:
+                raise InputError(
+                    f"{name}: tanh behind {len(bias)} units; accepted: up to {WIDEST // PIECES}. Train with "
+                    'policy_kwargs={"activation_fn": torch.nn.ReLU}'
+                )
+            knots, slopes = _polyline()
+            layers.append((np.repeat(weights, PIECES, axis=0), np.ascontiguousarray((bias[:, None] - knots[None]).ravel(), dtype=np.float32)))
+        elif kind != "ReLU":
+            raise InputError(f"{name}: a layer of {kind}; accepted: Linear, ReLU, Tanh")
+    for weights, _ in layers:
+        if max(weights.shape) > WIDEST:
+            raise InputError(f"{name}: a layer of {weights.shape[1]} to {weights.shape[0]}; accepted: up to {WIDEST}")
+    return layers
+
+
+def _polyline() -> tuple[Floats, Floats]:
+    """Returns where the pieces of tanh begin, and how much steeper each is: −1 to the left, 1 to the right.
+
+    Knots lie where the curve bends most: evenly in the integral of √|tanh″|.
+    """
+    x = np.linspace(-4.0, 4.0, 20_001)
+    bend = np.sqrt(np.abs(2.0 * np.tanh(x) / np.cosh(x) ** 2))
+    share = np.concatenate([[0.0], np.cumsum((bend[1:] + bend[:-1]) / 2)])
+    knots = np.interp(np.linspace(0.0, 1.0, PIECES), share / share[-1], x)
+    # From −3 to 3, so that the ends meet −1 and 1 early.
+    knots = knots * (3.0 / 4.0)
+    heights = np.tanh(knots)
+    heights[0], heights[-1] = -1.0, 1.0
+    slopes = np.diff(heights) / np.diff(knots)
+    rises = np.diff(np.concatenate([[0.0], slopes, [0.0]]))
+    return knots.astype(np.float32), rises.astype(np.float32)
+
+
+def _env_of(model: Any) -> gymnasium.Env[Any, Any]:
+    """Returns an environment of the model's id."""
+    vector = model.get_env()
+    if vector is None:
+        raise InputError("a model without its environment; accepted: from_sb3(model, env=...)")
+    if type(vector).__name__ not in ("DummyVecEnv", "SubprocVecEnv"):
+        raise InputError(
+            f"a model in a {type(vector).__name__}, which changes what the network sees; accepted: from_sb3(model, env=...) with "
+            "an environment whose observations are the network's inputs"
+        )
+    spec = vector.get_attr("spec", 0)[0]
+    if spec is None:
+        raise InputError("an environment without an id; accepted: from_sb3(model, env=...)")
+    # Stable-Baselines3's own wrapper only counts.
+    wrappers = tuple(wrapper for wrapper in spec.additional_wrappers if wrapper.name != "Monitor")
+    return gymnasium.make(dataclasses.replace(spec, additional_wrappers=wrappers))
+
+
+def _visited(model: Any, env: gymnasium.Env[Any, Any], interface: Interface, seed: int) -> Floats:
+    """Returns states that the model visits."""
+    states: list[NDArray[np.float64]] = []
+    episode = 0
+    while len(states) < CALIBRATION_STEPS:
+        observation, _ = env.reset(seed=seed + episode)
+        episode += 1
+        done = False
+        while not done and len(states) < CALIBRATION_STEPS:
+            states.append(interface.states(observation)[0][0])
+            action, _ = model.predict(observation, deterministic=True)
+            observation, _, terminated, truncated, _ = env.step(action)
+            done = bool(terminated or truncated)
+    return np.ascontiguousarray(np.stack(states), dtype=np.float32)
+
+
+def _scaled(names: Sequence[str], states: Floats, layers: Layers) -> list[tuple[str, np.float32, np.float32]]:
+    """Scales inputs that do not fit ±8, or that would be coarse in multiples of 1/4096; the first layer undoes it."""
+    most = np.abs(states).max(axis=0)
+    scale = np.where((most > 4.0) | (most < 0.25), 1.0 / np.maximum(most, 1e-6), 1.0)
+    # A power of two: the division by it is exact.
+    scale = np.exp2(np.floor(np.log2(scale))).astype(np.float32)
+    weights, bias = layers[0]
+    layers[0] = (np.ascontiguousarray(weights / scale[None], dtype=np.float32), bias)
+    return [(name, np.float32(0.0), factor) for name, factor in zip(names, scale, strict=True)]
+
+
+def _sha256(layers: Layers) -> str:
+    digest = hashlib.sha256()
+    for weights, bias in layers:
+        digest.update(weights.tobytes())
+        digest.update(bias.tobytes())
+    return digest.hexdigest()
+
+
+def _agreement(model: Any, policy: NetworkPolicy, interface: Interface, states: Floats) -> dict[str, float]:
+    """Compares the integers with the model on the calibration states."""
+    shape = interface.observation_space.shape or ()
+    rows = states[:: max(1, len(states) // 1000)]
+    wanted, _ = model.predict(rows.reshape((len(rows), *shape)), deterministic=True)
+    found, _ = policy.predict(rows.reshape((len(rows), *shape)))
+    if isinstance(interface.action_space, spaces.Box):
+        half = (interface.action_space.high - interface.action_space.low) / 2
+        apart = np.abs(found - wanted) / half
+        return {"mean_difference": float(apart.mean()), "greatest_difference": float(apart.max())}
+    return {"equal_actions": float((found == wanted).mean())}
+
+
+__all__ = ["NetworkPolicy", "from_sb3"]

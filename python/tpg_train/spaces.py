@@ -1,0 +1,218 @@
+"""The way between a Gymnasium environment's spaces and a policy's flat state and actions."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import gymnasium
+import numpy as np
+from gymnasium import spaces
+from numpy.typing import NDArray
+
+from ._tpg import Driver, InputError, Space
+
+MOST_ACTIONS = 4096
+MOST_INPUTS = 4096
+MOST_NAMES = 60
+DEFAULT_LIMIT = 10_000
+
+
+@dataclass(frozen=True)
+class Part:
+    """A part of an observation: a named source of one or more values."""
+
+    name: str
+    low: NDArray[np.float64]
+    high: NDArray[np.float64]
+
+
+def _name(text: str) -> str:
+    """Returns a name as graphs take it: letters, digits and underscores."""
+    name = "".join(letter if letter.isascii() and letter.isalnum() else "_" for letter in text).lower()
+    return name if name[:1].isalpha() else f"x{name}"
+
+
+def _parts(space: spaces.Space[Any], name: str) -> list[Part]:
+    """Returns the parts of an observation, in the order in which Gymnasium flattens it."""
+    if isinstance(space, spaces.Dict):
+        return [part for key, inner in space.spaces.items() for part in _parts(inner, _name(f"{name}_{key}" if name else str(key)))]
+    if isinstance(space, spaces.Tuple):
+        return [part for place, inner in enumerate(space.spaces) for part in _parts(inner, _name(f"{name}_{place}" if name else f"part_{place}"))]
+    name = name or "obs"
+    if isinstance(space, spaces.Box):
+        if len(space.shape) >= 3 or (space.dtype == np.uint8 and len(space.shape) == 2):
+            raise InputError(
+                f"an observation of images, {space.shape} of {space.dtype}; accepted: numbers, such as the features of an "
+                "encoder: wrap the environment"
+            )
+        return [Part(name, space.low.astype(np.float64).ravel(), space.high.astype(np.float64).ravel())]
+    if isinstance(space, (spaces.Discrete, spaces.MultiDiscrete, spaces.MultiBinary)):
+        length = spaces.flatdim(space)
+        return [Part(name, np.zeros(length), np.ones(length))]
+    raise InputError(f"the observation space {space}; accepted: Box, Discrete, MultiDiscrete, MultiBinary, Dict, Tuple")
+
+
+@dataclass(frozen=True)
+class Interface:
+    """Everything that evolution and the drivers of episodes must know about an environment."""
+
+    name: str
+    observation_space: spaces.Space[Any]
+    action_space: spaces.Space[Any]
+    parts: tuple[Part, ...]
+    limit: int
+    input_names: tuple[str, ...] | None = None
+    end_names: tuple[str, ...] | None = None
+
+    @classmethod
+    def of(
+        cls,
+        env: gymnasium.Env[Any, Any],
+        max_episode_steps: int | None = None,
+        input_names: Sequence[str] | None = None,
+        end_names: Sequence[str] | None = None,
+    ) -> Interface:
+        """Describes an environment. `end_names` are those of its actions, or of its outputs."""
+        for attribute in ("observation_space", "action_space", "reset", "step"):
+            if not hasattr(env, attribute):
+                raise InputError(f"an environment without {attribute}; accepted: a gymnasium.Env, an id, or a function that makes one")
+        spec = getattr(env, "spec", None)
+        name = spec.id if spec is not None else type(getattr(env, "unwrapped", env)).__name__
+        limit = max_episode_steps or getattr(spec, "max_episode_steps", None) or DEFAULT_LIMIT
+        parts = tuple(_parts(env.observation_space, ""))
+        names = tuple(tuple(given) if given else None for given in (input_names, end_names))
+        interface = cls(name, env.observation_space, env.action_space, parts, int(limit), *names)
+        if not 1 <= interface.inputs <= MOST_INPUTS:
+            raise InputError(f"{name}: an observation of {interface.inputs} values; accepted: 1 to {MOST_INPUTS}")
+        if input_names is not None and len(input_names) != interface.inputs:
+            raise InputError(f"{len(input_names)} input_names; accepted: {interface.inputs}")
+        interface.actions()
+        return interface
+
+    @property
+    def inputs(self) -> int:
+        """The number of values of the flat state."""
+        return sum(len(part.low) for part in self.parts)
+
+    def space(self) -> Space:
+        """Describes the environment for evolution."""
+        ranges = [_range(low, high) for part in self.parts for low, high in zip(part.low, part.high, strict=True)]
+        names = self.input_names
+        if names is not None and len(names) <= MOST_NAMES:
+            sources = [(_name(name), [end]) for name, end in zip(names, ranges, strict=True)]
+        else:
+            ends = iter(ranges)
+            sources = [(part.name, list(itertools.islice(ends, len(part.low)))) for part in self.parts]
+        choices, outputs = self.actions()
+        return Space(sources, choices, outputs, self.limit)
+
+    def actions(self) -> tuple[list[str], list[tuple[str, float, float]]]:
+        """Returns the names of the actions, or the outputs with their ranges."""
+        space = self.action_space
+        if isinstance(space, spaces.Box):
+            if space.dtype is not None and not np.issubdtype(space.dtype, np.floating):
+                raise InputError(f"{self.name}: actions of {space.dtype}; accepted: a Box of floating point, Discrete, MultiDiscrete")
+            low, high = space.low.astype(np.float64).ravel(), space.high.astype(np.float64).ravel()
+            if not (np.all(np.isfinite(low)) and np.all(np.isfinite(high)) and np.all(low < high)):
+                raise InputError(
+                    f"{self.name}: a Box of actions from {low} to {high}; accepted: finite bounds, as "
+                    "gymnasium.wrappers.RescaleAction gives it"
+                )
+            usual = ["action"] if len(low) == 1 else [f"action_{place}" for place in range(len(low))]
+            names = self.end_names or usual
+            return [], list(zip(names, low.tolist(), high.tolist(), strict=True))
+        combinations = self.combinations()
+        if len(combinations) < 2:
+            raise InputError(f"{self.name}: the only action {combinations[0]}; accepted: two or more")
+        if self.end_names is not None:
+            return list(self.end_names), []
+        return ["a" + "_".join(str(part) for part in np.atleast_1d(combination)) for combination in combinations], []
+
+    def combinations(self) -> list[Any]:
+        """Returns the environment's action for each number; every combination of several choices is one."""
+        space = self.action_space
+        if isinstance(space, spaces.Discrete):
+            return [int(space.start) + choice for choice in range(int(space.n))]
+        if isinstance(space, spaces.MultiDiscrete):
+            sizes, dtype, shape = [int(size) for size in space.nvec.ravel()], space.dtype, space.shape
+            starts = np.asarray(getattr(space, "start", 0))
+        elif isinstance(space, spaces.MultiBinary):
+            sizes, dtype, shape = [2] * int(np.prod(space.shape)), space.dtype, space.shape
+            starts = np.asarray(0)
+        else:
+            raise InputError(f"{self.name}: the action space {space}; accepted: Discrete, Box, MultiDiscrete, MultiBinary")
+        count = int(np.prod([float(size) for size in sizes]))
+        if count > MOST_ACTIONS:
+            raise InputError(
+                f"{self.name}: {count} combinations of actions; accepted: up to {MOST_ACTIONS}. Wrap the environment so that it has "
+                "fewer, or a Box"
+            )
+        every = itertools.product(*(range(size) for size in sizes))
+        return [np.asarray(options, dtype=dtype).reshape(shape) + starts.astype(dtype) for options in every]
+
+    def flatten(self) -> Callable[[Any], NDArray[Any]] | None:
+        """Returns the function that makes an observation flat; None where it is flat already."""
+        space = self.observation_space
+        if isinstance(space, spaces.Box):
+            return None
+        return lambda observation: np.asarray(spaces.flatten(space, observation), dtype=np.float32)
+
+    def encode(self) -> Callable[[Sequence[float]], NDArray[Any]] | None:
+        """Returns the function that makes an action of a policy's values; None where a flat array of float32 is one."""
+        space = self.action_space
+        if not isinstance(space, spaces.Box) or (space.dtype == np.float32 and len(space.shape) == 1):
+            return None
+        shape, dtype = space.shape, space.dtype
+        return lambda values: np.asarray(values, dtype=dtype).reshape(shape)
+
+    def driver(self, env: gymnasium.Env[Any, Any]) -> Driver:
+        """Creates what runs whole episodes of the environment."""
+        listed = None if isinstance(self.action_space, spaces.Box) else self.combinations()
+        return Driver(env, self.inputs, self.limit, self.flatten(), listed, self.encode())
+
+    def states(self, observation: Any) -> tuple[NDArray[np.float64], bool]:
+        """Returns observations as rows of the flat state, and true if it was a batch."""
+        space = self.observation_space
+        if isinstance(space, spaces.Dict):
+            if not isinstance(observation, dict) or set(observation) != set(space.spaces):
+                raise InputError(f"an observation that is no dict of {', '.join(map(str, space.spaces))}")
+            key, inner = next(iter(space.spaces.items()))
+            is_batch = np.ndim(observation[key]) > len(inner.shape or ())
+            if is_batch:
+                rows = [{name: values[row] for name, values in observation.items()} for row in range(len(observation[key]))]
+                return np.stack([np.asarray(spaces.flatten(space, row), dtype=np.float64) for row in rows]), True
+            return np.asarray(spaces.flatten(space, observation), dtype=np.float64)[None], False
+        if isinstance(space, spaces.Tuple):
+            return np.asarray(spaces.flatten(space, observation), dtype=np.float64)[None], False
+        array = np.asarray(observation)
+        shape = space.shape or ()
+        if array.shape == shape:
+            rows_of, is_batch = [array], False
+        elif array.shape[1:] == shape and array.ndim == len(shape) + 1:
+            rows_of, is_batch = list(array), True
+        else:
+            raise InputError(f"an observation of shape {array.shape}; accepted: {shape}, or a batch of them")
+        if isinstance(space, spaces.Box):
+            return array.reshape(len(rows_of), -1).astype(np.float64), is_batch
+        return np.stack([np.asarray(spaces.flatten(space, row), dtype=np.float64) for row in rows_of]), is_batch
+
+    def to_actions(self, answers: NDArray[Any], is_batch: bool) -> Any:
+        """Turns a policy's answers into the environment's actions."""
+        space = self.action_space
+        if isinstance(space, spaces.Box):
+            actions = answers.astype(space.dtype).reshape((len(answers), *space.shape))
+        elif isinstance(space, spaces.Discrete):
+            actions = answers.astype(np.int64) + np.int64(space.start)
+        else:
+            every = self.combinations()
+            actions = np.stack([every[int(answer)] for answer in answers]) if len(answers) else np.empty((0, *(space.shape or ())))
+        return actions if is_batch else actions[0]
+
+
+def _range(low: float, high: float) -> tuple[float, float]:
+    """Returns a range; an end that only says "any number of this type" is unknown, as ±inf is."""
+    far = 1e30
+    return (low if low > -far else -np.inf, high if high < far else np.inf)

@@ -1,0 +1,44 @@
+"""Wrappers that help small policies."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import gymnasium
+import numpy as np
+from gymnasium import spaces
+from gymnasium.wrappers import FlattenObservation
+from numpy.typing import NDArray
+
+__all__ = ["Differences", "FlattenObservation"]
+
+
+class Differences(gymnasium.ObservationWrapper[Any, Any, Any], gymnasium.utils.RecordConstructorArgs):
+    """Adds the change of each value since the last step: what a policy without memory needs where speeds are hidden.
+
+    The observation becomes a Dict of `now` and `change`, whose names formulas keep. On the firmware's side the caller
+    subtracts the last observation from the new one; the first change is 0.
+    """
+
+    def __init__(self, env: gymnasium.Env[Any, Any]) -> None:
+        gymnasium.utils.RecordConstructorArgs.__init__(self)
+        super().__init__(env)
+        space = env.observation_space
+        if not isinstance(space, spaces.Box) or len(space.shape) != 1:
+            raise ValueError(f"the observation space {space}; accepted: a flat Box, as FlattenObservation gives it")
+        reach = np.subtract(space.high, space.low, dtype=np.float32)
+        change = spaces.Box(-reach, reach, dtype=np.float32)
+        self.observation_space = spaces.Dict({"now": space, "change": change})
+        self._last: NDArray[np.float32] | None = None
+
+    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
+        """Starts an episode."""
+        self._last = None
+        return super().reset(seed=seed, options=options)
+
+    def observation(self, observation: Any) -> dict[str, Any]:
+        """Returns the values and their changes."""
+        now = np.asarray(observation, dtype=np.float32)
+        change = np.zeros_like(now) if self._last is None else now - self._last
+        self._last = now.copy()
+        return {"now": observation, "change": change}

@@ -1,0 +1,134 @@
+/*
+{%- for line in banner %}
+ * {{ line }}
+{%- endfor %}
+ */
+#include "{{ prefix }}.h"
+
+#ifdef __FAST_MATH__
+#error "compile without -ffast-math: it would change the results"
+#endif
+#ifdef __clang__
+#pragma STDC FP_CONTRACT OFF
+#endif
+/* With GCC in GNU mode on a machine with fused multiply-add, pass -ffp-contract=off (-std=c99 implies it). */
+{% for layer in layers %}
+static const int{{ layer.bits }}_t weights_{{ loop.index0 }}[{{ layer.weights_length }}] = {
+{%- for line in layer.weights %}
+    {{ line }},
+{%- endfor %}
+};
+static const int32_t bias_{{ loop.index0 }}[{{ layer.outputs }}] = { {{ layer.bias }} };
+static const int16_t factor_{{ loop.index0 }}[{{ layer.outputs }}] = { {{ layer.factor }} };
+static const uint8_t shift_{{ loop.index0 }}[{{ layer.outputs }}] = { {{ layer.shift }} };
+{% endfor %}
+{%- if is_scaled %}
+static const float offset[{{ inputs }}] = { {{ offsets }} };
+static const float scale[{{ inputs }}] = { {{ scales }} };
+{% endif %}
+{%- if !values.is_empty() %}
+static const float least[{{ values.len() }}] = { {{ least }} };
+static const float most[{{ values.len() }}] = { {{ most }} };
+static const float span[{{ values.len() }}] = { {{ span }} };
+{% endif %}
+{%- if let Some(table) = table %}
+/* tanh(k/32) in multiples of 1/16384. */
+static const uint16_t tanh_table[{{ table_length }}] = {
+{%- for line in table %}
+    {{ line }},
+{%- endfor %}
+};
+
+/* tanh of a number of 1/2048 in multiples of 1/16384, linear between the values of the table. */
+static int32_t tanh_of(int32_t argument)
+{
+    uint32_t magnitude = argument < 0 ? (uint32_t)-argument : (uint32_t)argument;
+    uint32_t place = magnitude / 64U;
+    int32_t value = 16384;
+    if (place + 1U < {{ table_length }}U) {
+        uint32_t low = tanh_table[place];
+        value = (int32_t)(low + ((tanh_table[place + 1U] - low) * (magnitude % 64U) + 32U) / 64U);
+    }
+    return argument < 0 ? -value : value;
+}
+{% endif %}
+{%- if has_clamp %}
+static int32_t clamp_of(int32_t argument)
+{
+    return argument > 16384 ? 16384 : argument < -16384 ? -16384 : argument;
+}
+{% endif %}
+/* An input in multiples of 1/4096: to nearest, halves away from 0, clipped; 0 for NaN. */
+static int16_t integer(float value)
+{
+    float scaled = value * 4096.0F;
+    if (scaled != scaled) {
+        return 0;
+    }
+    scaled = scaled < 0.0F ? scaled - 0.5F : scaled + 0.5F;
+    if (scaled >= 32767.0F) {
+        return 32767;
+    }
+    return scaled <= -32768.0F ? (int16_t)-32768 : (int16_t)scaled;
+}
+
+/* (accumulator * factor + 2^(shift - 1)) >> shift, rounded down, clipped. */
+static int16_t rescaled(int32_t accumulator, int16_t factor, uint8_t shift, int16_t low, int16_t high)
+{
+    int64_t value = (int64_t)accumulator * factor + ((int64_t)1 << (shift - 1));
+    value = value >= 0 ? value >> shift : -1 - ((-1 - value) >> shift);
+    return (int16_t)(value > high ? high : value < low ? low : value);
+}
+{% for bits in widths %}
+/* A layer: the exact sum of products of each row, which cannot overflow, rescaled. */
+static void layer_{{ bits }}(const int{{ bits }}_t *weights, const int32_t *bias, const int16_t *factor, const uint8_t *shift, int inputs,
+                    int outputs, const int16_t *from, int16_t *to, int16_t low, int16_t high)
+{
+    int row;
+    for (row = 0; row < outputs; row++) {
+        int32_t sum = bias[row];
+        int column;
+        for (column = 0; column < inputs; column++) {
+            sum += (int32_t)weights[column] * from[column];
+        }
+        weights += inputs;
+        to[row] = rescaled(sum, factor[row], shift[row], low, high);
+    }
+}
+{% endfor %}
+{% if values.is_empty() %}uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state)
+{% else %}void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_action_t *action)
+{% endif %}{
+    int16_t a[{{ widest }}];
+    int16_t b[{{ widest }}];
+    int i;
+{%- if values.is_empty() %}
+    int best = 0;
+{%- endif %}
+    for (i = 0; i < {{ inputs }}; i++) {
+        a[i] = integer({% if is_scaled %}(state->values[i] - offset[i]) * scale[i]{% else %}state->values[i]{% endif %});
+{%- if clips_inputs %}
+        {{ clip }}
+{%- endif %}
+    }
+{%- for layer in layers %}
+    layer_{{ layer.bits }}(weights_{{ loop.index0 }}, bias_{{ loop.index0 }}, factor_{{ loop.index0 }}, shift_{{ loop.index0 }}, {{ layer.inputs }}, {{ layer.outputs }}, {{ layer.from }}, {{ layer.to }}, {{ layer.low }}, {{ layer.high }});
+{%- endfor %}
+{%- if values.is_empty() %}
+    for (i = 1; i < {{ outputs }}; i++) {
+        if ({{ last }}[i] > {{ last }}[best]) {
+            best = i;
+        }
+    }
+    return (uint16_t)best;
+{%- else %}
+{%- for value in values %}
+    i = {{ value.squash }}({{ last }}[{{ loop.index0 }}] * {{ value.finer }});
+    action->values[{{ loop.index0 }}] = most[{{ loop.index0 }}];
+    if (i < 16384) {
+        float value = least[{{ loop.index0 }}] + span[{{ loop.index0 }}] * ((float)(i + 16384) * (0.5F / 16384.0F));
+        action->values[{{ loop.index0 }}] = value > most[{{ loop.index0 }}] ? most[{{ loop.index0 }}] : value;
+    }
+{%- endfor %}
+{%- endif %}
+}

@@ -1,0 +1,45 @@
+/*
+{%- for line in banner %}
+ * {{ line }}
+{%- endfor %}
+ */
+#ifndef {{ upper }}_H
+#define {{ upper }}_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define {{ upper }}_INPUTS {{ inputs.len() }}U
+#define {{ upper }}_OUTPUTS {{ outputs.len() }}U
+
+/* The observation:
+{%- for input in inputs %}
+ * {{ input }}
+{%- endfor %}
+ */
+typedef struct {
+    float values[{{ upper }}_INPUTS];
+} {{ prefix }}_state_t;
+
+/* The {% if is_choice %}actions{% else %}outputs{% endif %}:
+{%- for output in outputs %}
+ * {{ output }}
+{%- endfor %}
+ */
+{% if is_choice -%}
+uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state);
+{% else -%}
+typedef struct {
+    float values[{{ upper }}_OUTPUTS];
+} {{ prefix }}_action_t;
+
+void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_action_t *action);
+{% endif %}
+#ifdef __cplusplus
+}
+#endif
+
+#endif
