@@ -299,6 +299,51 @@ fn a_policy_with_outputs_has_the_same_bytes_on_other_threads_and_after_a_stop() 
     assert!(graph.actions().is_empty() && !graph.leaves().is_empty());
 }
 
+/// A pendulum without a sensor of its velocity, and policies that remember two values.
+fn memory_config() -> Config {
+    let mut config = Preset::find("continuous").expect("it comes with the trainer").config().expect("it is accepted");
+    (config.tpg.nb_roots, config.tpg.init_nb_roots, config.demes.count) = (30, 60, 2);
+    (config.demes.migration_interval, config.learning.nb_generations) = (5, 8);
+    config.selection.validation_episodes = 30;
+    config.language.memory = 2;
+    config.language.instructions.push("copy".to_owned());
+    let hidden = "[problem]\nname = \"pendulum\"\ndisturbance = { hidden = [\"omega\"] }\n";
+    config.problem = Problem::from_toml("pendulum", hidden).expect("a pendulum").to_table();
+    config
+}
+
+#[test]
+fn a_policy_with_memory_has_the_same_bytes_on_other_threads_and_is_evaluated_with_it() {
+    let place = tempfile::tempdir().expect("a temporary folder");
+    let path = place.path().join("config.toml");
+    fs::write(&path, memory_config().to_toml()).expect("it can be written");
+    let [one, other] = ["one", "other"].map(|name| place.path().join(name));
+    assert!(train(&one, &path, &["--threads", "1"]).status().expect("it runs").success());
+    assert!(train(&other, &path, &["--threads", "3", "--lanes", "5"]).status().expect("it runs").success());
+    assert!(results(&one) == results(&other), "threads and lanes change nothing");
+
+    let text = fs::read_to_string(one.join("graph.json")).expect("a graph");
+    let graph = tpg_graph::Graph::from_json("graph.json", &text).expect("a valid graph");
+    assert_eq!((graph.memory(), graph.outputs().len(), graph.state_length()), (2, 3, 4));
+    let mut eval = Command::new(env!("CARGO_BIN_EXE_tpg-train"));
+    eval.arg("eval").arg("--config").arg(&path).arg("--tpg").arg(one.join("graph.json"));
+    let output = eval.args(["--episodes", "20", "--json"]).output().expect("it runs");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let figures: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert!(figures["mean_score"].as_f64().is_some_and(|score| (-1700.0..0.0).contains(&score)), "{figures}");
+}
+
+#[test]
+fn memory_needs_outputs() {
+    let place = tempfile::tempdir().expect("a temporary folder");
+    let path = place.path().join("config.toml");
+    let mut config = memory_config();
+    config.problem = Problem::usual(ProblemName::Acrobot).to_table();
+    fs::write(&path, config.to_toml()).expect("it can be written");
+    let said = refusal(train(&place.path().join("run"), &path, &[]));
+    assert!(said.contains("language.memory") && said.contains("a problem without outputs"), "{said}");
+}
+
 /// A linear start in one of two demes, for outputs and for named actions: the searches are part of the checkpoint.
 #[test]
 fn a_linear_start_has_the_same_bytes_on_other_threads_and_after_kills() {

@@ -51,3 +51,18 @@ fn random_policies_are_read_as_they_were_written_and_answer_within_their_ranges(
     }
     assert!(formulas == 40 && at_an_end > 1000, "{formulas} formulas, {at_an_end} values at an end");
 }
+
+#[test]
+fn the_documented_example_is_a_graph() {
+    let text = include_str!("../../../docs/graph-json.md");
+    let example = text.split_once("```json\n").and_then(|(_, after)| after.split_once("```")).expect("an example").0;
+    let graph = Graph::from_json("docs/graph-json.md", example).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!((graph.memory(), graph.outputs().len()), (1, 2), "the memory is the last of the outputs");
+    // 0.5 rad, 0.1 rad more than before.
+    let answers = interpret::answers(&graph, &[0.5, f64::from(0.4_f32)]);
+    let Answer::Values(values) = &answers[0] else { panic!("{answers:?}") };
+    assert!((values[0] + 0.1 * 5.5 + 0.5 * 2.25).abs() < 1e-6 && values[1] == 0.5, "{values:?}");
+    for word in tpg_graph::Word::ALL {
+        assert!(text.contains(&format!("`{}`", word.name())), "{} is not documented", word.name());
+    }
+}

@@ -36,9 +36,13 @@ impl Remembered {
         outputs.iter().map(value).collect()
     }
 
-    /// Returns `count` values of −1,000 to 1,000 that begin at 0, called `memory0` and so on.
-    pub fn usual(count: u16) -> Vec<Self> {
-        let value = |index| Self { name: format!("memory{index}"), min: -1000.0, max: 1000.0, initial: 0.0 };
+    /// Returns `count` values that begin at 0, called `memory0` and so on. Their limits are twice the greatest magnitude that
+    /// the sources declare, or 20 where none is known, exact in `f32`.
+    pub fn usual(count: u16, sources: &[SourceDocument]) -> Vec<Self> {
+        let ends = sources.iter().flat_map(|source| &source.ranges).flatten().copied();
+        let greatest = ends.filter(|end| end.is_finite()).fold(0.0, |most: f64, end| most.max(end.abs()));
+        let limit = if greatest > 0.0 { f64::from((2.0 * greatest).min(1e30) as f32) } else { 20.0 };
+        let value = |index| Self { name: format!("memory{index}"), min: -limit, max: limit, initial: 0.0 };
         (0..count).map(value).collect()
     }
 }
@@ -72,7 +76,7 @@ impl Remembered {
 /// #     }
 /// # }
 /// // `Motor` observes a speed, and has one output, a torque.
-/// let motor = Remembering::new(Motor, Remembered::usual(1));
+/// let motor = Remembering::new(Motor, Remembered::usual(1, &Motor.sources()));
 /// let mut episode = motor.start(&0.5);
 /// let mut state = [0.0; 2];
 /// motor.step(&mut episode, Act::Values(&[2.0, 7.0]));

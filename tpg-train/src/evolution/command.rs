@@ -15,7 +15,7 @@ use crate::run_args::{RunArgs, command_line};
 use clap::Args;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
-use tpg_engine::{Choices, Environment, LocalThreads, Options, Summary};
+use tpg_engine::{Choices, Environment, LocalThreads, Options, Remembered, Remembering, Summary};
 use tpg_graph::ScalarType;
 use tpg_graph::command::Verdict;
 use tpg_graph::error::InputError;
@@ -125,7 +125,8 @@ where
     fn visit<E: Environment<S>>(self, environment: E) -> Self::Output {
         let choices = Choices::new(environment, self.problem.levels())
             .map_err(|error| command_line(error.to_string(), "fewer problem.levels"))?;
-        self.restarts(&choices)
+        let memory = Remembered::usual(self.config.language.memory, &choices.sources());
+        self.restarts(&Remembering::new(choices, memory))
     }
 }
 

@@ -78,6 +78,13 @@ pub struct LanguageConfig {
     pub instructions: Vec<String>,
     /// True if operands may be literal numbers.
     pub literals: bool,
+    /// Number of values that a policy computes for its next decision; only for problems with outputs.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub memory: u16,
+}
+
+fn is_zero(memory: &u16) -> bool {
+    *memory == 0
 }
 
 /// GEGELATI's `MutationParameters::tpg` (`mutator/mutationParameters.h`).

@@ -120,6 +120,7 @@ pub fn run<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
     mut watch: impl FnMut(&Progress<'_>) -> ControlFlow<()>,
 ) -> Result<RunEnd, RunError> {
     config.check_actions(&environment.actions())?;
+    config.check_memory(environment)?;
     config.check_linear(environment)?;
     let folder = RunFolder::open(&options.folder, Trainer::Tpg, options.resume)?;
     let found = folder

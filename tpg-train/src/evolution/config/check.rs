@@ -139,6 +139,22 @@ impl Config {
         count("refinement.elite", refinement.elite, 0, self.tpg.nb_roots / 2)
     }
 
+    /// Checks that an environment keeps the memory that policies have.
+    ///
+    /// # Errors
+    /// If it does not.
+    pub fn check_memory<S: Scalar>(&self, environment: &impl Environment<S>) -> Result<(), Finding> {
+        let found = self.language.memory;
+        if found > 0 && environment.actions().outputs().is_empty() {
+            return Err(Finding::new("language.memory", found.to_string(), "0, for a problem without outputs"));
+        }
+        if usize::from(found) == environment.memory() {
+            return Ok(());
+        }
+        let accepted = format!("{}, which the environment keeps: see tpg_engine::Remembering", environment.memory());
+        Err(Finding::new("language.memory", found.to_string(), accepted))
+    }
+
     /// Checks that a linear start can be written for an environment: its weights, lines and edges.
     ///
     /// # Errors
