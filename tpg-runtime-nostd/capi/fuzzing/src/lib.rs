@@ -194,7 +194,7 @@ pub fn call(data: &[u8]) {
                     known(tpg_arm_step(&arm, place, &wanted, place, &mut answer));
                 }
                 17 => {
-                    known(tpg_watchdog_check(&mut watchdog, &pose, target.as_ptr()));
+                    known(tpg_watchdog_check(&watchdog, &pose, target.as_ptr()));
                     known(tpg_watchdog_commanded(&mut watchdog, &pose, &wanted));
                     known(tpg_watchdog_resume(&mut watchdog, &pose));
                 }
