@@ -1,7 +1,8 @@
 //! Comparison of the built-in problems with Gymnasium, step by step.
 //!
-//! `gymnasium/record.py` records episodes; each step here begins in Gymnasium's own state. Rewards and endings must be
-//! equal. Numbers may differ only by what separates two good libraries for sines: a few units in the last place.
+//! `gymnasium/record.py` records episodes; each step here begins in Gymnasium's own state. Endings must be equal, and
+//! rewards but for the last bits of a square. Numbers may differ only by what separates two good libraries for sines: a few
+//! units in the last place.
 
 use crate::acrobot::Links;
 use crate::mountain_car_continuous::Drive;
@@ -20,6 +21,9 @@ const BOUND: f64 = 1e-13;
 
 /// An episode that can begin in any of Gymnasium's states.
 trait Recorded: Environment<f32> {
+    /// Largest accepted difference of a reward, beside two units in the last place.
+    const REWARD: f64 = 0.0;
+
     fn episode(state: &[f64], is_first: bool) -> Self::Episode;
     fn state(episode: &Self::Episode) -> Vec<f64>;
 }
@@ -52,6 +56,10 @@ impl Recorded for MountainCar {
 }
 
 impl Recorded for Pendulum {
+    /// NumPy squares the torque by `powf` in `f32`, which is now and then off by a unit in the last place: of at most 4,
+    /// times 0.001.
+    const REWARD: f64 = 5e-10;
+
     fn episode(state: &[f64], _: bool) -> Swing {
         Swing::new(state[0], state[1])
     }
@@ -108,7 +116,7 @@ fn compare<E: Recorded>(environment: &E, rows: impl Read) -> Tally {
             (tally.steps, steps) = (tally.steps + 1, steps + 1);
             let reward = number(&fields[1]);
             assert!(
-                (step.reward - reward).abs() <= 4.0 * f64::EPSILON * reward.abs(),
+                (step.reward - reward).abs() <= E::REWARD + 2.0 * f64::EPSILON * reward.abs(),
                 "{} after {before:?}: {row}",
                 step.reward
             );

@@ -58,13 +58,13 @@ struct Evaluated {
 }
 
 /// The figures of an evaluation by which roots are selected.
-pub(super) struct Judged {
-    pub(super) scores: Vec<f64>,
+struct Judged {
+    scores: Vec<f64>,
     solved: Vec<bool>,
 }
 
 impl Judged {
-    pub(super) fn new(endings: &[Ending], preference: Preference) -> Self {
+    fn new(endings: &[Ending], preference: Preference) -> Self {
         let scores = endings.iter().map(|ending| finite(ending.score)).collect();
         let solved = match preference {
             Preference::Score => Vec::new(),

@@ -4,7 +4,7 @@
 //! searches run side by side for the first half of the start, the best of them goes on for the second.
 
 use super::cma::Cma;
-use super::generation::{Evolution, Judged};
+use super::generation::Evolution;
 use super::genome::{Destination, Edge, Genome, GenomeLine, Leaf, Program, Team, TeamId};
 use super::state::{Deme, Record, Row, State};
 use super::vocabulary::{Gene, InstructionIndex, Kind, OPERANDS, Vocabulary};
@@ -29,6 +29,40 @@ pub struct Search {
     pub cma: Cma,
     /// Mean score of its samples, smoothed over generations.
     pub score: f64,
+}
+
+impl Search {
+    /// Learns from the results of a generation's samples.
+    fn update(&mut self, samples: &[Vec<f64>], results: &[Summary]) {
+        let mean = results.iter().map(|result| result.score).sum::<f64>() / results.len() as f64;
+        self.score = if self.score.is_finite() { self.score + NEWEST * (mean - self.score) } else { mean };
+        let ranked: Vec<Vec<f64>> = ranked(results).into_iter().map(|place| samples[place].clone()).collect();
+        self.cma.update(&ranked);
+    }
+}
+
+/// Returns the indices of results, best first; of equals, the first.
+fn ranked(results: &[Summary]) -> Vec<usize> {
+    let mut places: Vec<usize> = (0..results.len()).collect();
+    places.sort_by(|&a, &b| results[b].score.total_cmp(&results[a].score).then(a.cmp(&b)));
+    places
+}
+
+/// Returns the row of a generation of samples.
+fn row(generation: u64, results: &[Summary]) -> Row {
+    let order = ranked(results);
+    let best = &results[order[0]];
+    Row {
+        generation,
+        best_score: best.score,
+        median_score: results[order[order.len() / 2]].score,
+        best_success: best.success,
+        best_measure: best.measure,
+        roots: results.len(),
+        teams: 0,
+        programs: 0,
+        validation: None,
+    }
 }
 
 /// Writes linear programs in the words of a vocabulary.
@@ -186,62 +220,33 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
     pub(super) fn advance_linear(&self, state: &mut State<E::Task>) -> Result<(), EvaluationError> {
         let writer = LinearWriter::new(&self.vocabulary, self.actions).map_err(EvaluationError::new)?;
         let config = &self.config.start;
-        if state.searches.is_empty() {
-            let search = Search { cma: Cma::new(writer.weights(), config.deviation), score: f64::NEG_INFINITY };
-            state.searches = vec![search; config.searches];
-        }
-        if state.generation == config.generations.div_ceil(2) {
-            let better = |a: &Search, b: &Search| a.score.total_cmp(&b.score);
-            // The first of equals: `max_by` would return the last.
-            let best = state.searches.iter().rev().max_by(|a, b| better(a, b)).cloned();
-            state.searches = best.into_iter().collect();
-        }
+        self.begin_searches(state, &writer);
         let count = match config.samples {
             0 => Cma::usual_samples(writer.weights()),
             samples => samples,
         };
-        let tasks = self.tasks(state, config.episodes);
-        let mut samples = Vec::new();
-        let mut units = Vec::new();
-        for (place, search) in (0..).zip(&state.searches) {
-            let mut stream = Stream::new(state.seed, state.generation, Purpose::Linear, place);
-            for weights in search.cma.samples(count, &mut stream) {
-                let mut genome = Genome::default();
-                let root = writer.add_root(&mut genome, &weights);
-                let key = UnitKey { seed: state.seed, generation: state.generation, root: units.len() as u64 };
-                units.push(WorkUnit { key, policy: genome.policy(root, &self.vocabulary) });
-                samples.push(weights);
-            }
-        }
-        let answers = self.evaluator.evaluate(&Work { tasks, units })?;
-        let preference = self.environment.preference();
-        let means: Vec<f64> = answers.iter().map(|answer| Summary::of(&answer.endings).score).collect();
-        let judged: Vec<Judged> = answers.iter().map(|answer| Judged::new(&answer.endings, preference)).collect();
-        state.training_episodes += judged.iter().map(|judged| judged.scores.len() as u64).sum::<u64>();
-        state.steps +=
-            answers.iter().flat_map(|answer| &answer.endings).map(|ending| u64::from(ending.actions)).sum::<u64>();
-
-        let mut order: Vec<usize> = (0..means.len()).collect();
-        order.sort_by(|&a, &b| means[b].total_cmp(&means[a]).then(a.cmp(&b)));
-        let Summary { score, success, measure, .. } = Summary::of(&answers[order[0]].endings);
-        let mut row = Row {
-            generation: state.generation,
-            best_score: score,
-            median_score: means[order[order.len() / 2]],
-            best_success: success,
-            best_measure: measure,
-            roots: means.len(),
-            teams: 0,
-            programs: 0,
-            validation: None,
+        let draw = |(place, search): (u64, &Search)| {
+            search.cma.samples(count, &mut Stream::new(state.seed, state.generation, Purpose::Linear, place))
         };
+        let samples: Vec<Vec<f64>> = (0..).zip(&state.searches).flat_map(draw).collect();
+        let unit = |(root, weights): (u64, &Vec<f64>)| {
+            let mut genome = Genome::default();
+            let team = writer.add_root(&mut genome, weights);
+            let key = UnitKey { seed: state.seed, generation: state.generation, root };
+            WorkUnit { key, policy: genome.policy(team, &self.vocabulary) }
+        };
+        let units = (0..).zip(&samples).map(unit).collect();
+        let answers = self.evaluator.evaluate(&Work { tasks: self.tasks(state, config.episodes), units })?;
+        let endings = || answers.iter().flat_map(|answer| &answer.endings);
+        state.training_episodes += endings().count() as u64;
+        state.steps += endings().map(|ending| u64::from(ending.actions)).sum::<u64>();
+
+        let results: Vec<Summary> = answers.iter().map(|answer| Summary::of(&answer.endings)).collect();
         for (place, search) in state.searches.iter_mut().enumerate() {
-            let of_search = place * count..(place + 1) * count;
-            let mean = means[of_search.clone()].iter().sum::<f64>() / count as f64;
-            search.score = if search.score.is_finite() { search.score + NEWEST * (mean - search.score) } else { mean };
-            let ranked = order.iter().filter(|sample| of_search.contains(sample));
-            search.cma.update(&ranked.map(|&sample| samples[sample].clone()).collect::<Vec<_>>());
+            let its = place * count..(place + 1) * count;
+            search.update(&samples[its.clone()], &results[its]);
         }
+        let mut row = row(state.generation, &results);
         if state.generation + 1 == config.generations || self.is_last(state) {
             self.populate_from_linear(state, &writer);
             row.validation = self.validate(state)?;
@@ -251,6 +256,20 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         state.rows.push(row);
         state.generation += 1;
         Ok(())
+    }
+
+    /// Starts the searches in the first generation, and keeps the best of them after half of the generations.
+    fn begin_searches(&self, state: &mut State<E::Task>, writer: &LinearWriter<'_>) {
+        let config = &self.config.start;
+        if state.searches.is_empty() {
+            let search = Search { cma: Cma::new(writer.weights(), config.deviation), score: f64::NEG_INFINITY };
+            state.searches = vec![search; config.searches];
+        }
+        if state.generation == config.generations.div_ceil(2) {
+            // The first of equals: `max_by` would return the last.
+            let best = state.searches.iter().rev().max_by(|a, b| a.score.total_cmp(&b.score)).cloned();
+            state.searches = best.into_iter().collect();
+        }
     }
 
     /// Puts what was found into the demes that begin with it: a root for each search, the best first.
