@@ -292,11 +292,15 @@ def test_ctrl_c_stops_saves_and_can_go_on(tmp_path: Path) -> None:
     script = f"""
 import os, signal, threading
 from tpg_train import TPG
+
+def interrupt(figures, _):
+    if figures["progress"]["generations"] == 3:
+        threading.Thread(target=lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+
 for native in (True, False):
-    model = TPG("CartPole-v1", native=native, folder={str(tmp_path)!r} + f"/{{native}}")
-    threading.Timer(1.0, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+    model = TPG("CartPole-v1", native=native, population=20, episodes=2, folder={str(tmp_path)!r} + f"/{{native}}")
     try:
-        model.learn(10**12)
+        model.learn(10**12, interrupt)
     except KeyboardInterrupt:
         print("stopped", model.num_timesteps > 0)
     before = model.num_timesteps
