@@ -219,10 +219,8 @@ def test_what_is_no_environment_is_refused_with_what_is_accepted(make: object, m
     ],
 )
 def test_what_an_environment_does_wrong_is_said_with_its_place(make: type[environments.Cart], message: str) -> None:
-    model = TPG(make, **SMALL)
-    model._checked = True
     with pytest.raises(InputError, match=message):
-        model.learn(1000)
+        TPG(make, **SMALL).learn(1000)
 
 
 @pytest.mark.parametrize("n_workers", [0, 1])
