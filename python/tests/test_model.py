@@ -5,7 +5,6 @@ from __future__ import annotations
 import ctypes
 import json
 import pickle
-import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -15,6 +14,7 @@ import environments
 import gymnasium
 import numpy as np
 import pytest
+import tools
 from gymnasium.wrappers import TimeLimit
 
 import tpg_train
@@ -60,9 +60,7 @@ def test_values_are_float32_in_the_box(swing: TPG) -> None:
 
 
 def test_the_c_answers_as_the_interpreter_in_whole_episodes(pole: TPG, tmp_path: Path) -> None:
-    compiler = shutil.which("cc")
-    if compiler is None:
-        pytest.skip("no C compiler")
+    compiler = tools.program("cc")
     paths = pole.export_c(tmp_path / "policy", prefix="cart")
     assert sorted(path.name for path in paths) == ["cart.c", "cart.h"]
     library = tmp_path / "cart.so"
