@@ -111,6 +111,7 @@ def test_a_graph_is_saved_as_json_and_loaded(pole: TPG, tmp_path: Path) -> None:
     assert again.evaluate(20, native=False) == pole.evaluate(20)
     assert again.evaluate(20).environment == "built-in cartpole"
     alone = TPG.load(tmp_path / "cart.json")
+    assert [path.name for path in alone.export_c(tmp_path / "code")] == ["cart.h", "cart.c"]
     rows = np.random.default_rng(2).uniform(-1, 1, (20, 4))
     assert alone.predict(rows)[0].tolist() == pole.predict(rows)[0].tolist()
     with pytest.raises(InputError, match="4 inputs; accepted: 3, as Pendulum-v1 has"):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import concurrent.futures
+import dataclasses
 import functools
 import json
 import logging
@@ -531,6 +532,8 @@ class TPG:
         """
         graph = Graph.load(Path(path))
         model = cls(_Described(graph) if env is None else env, native=env is not None, **arguments)
+        if env is None:
+            model._interface = dataclasses.replace(model._interface, name=Path(path).stem)
         found, accepted = len(graph.inputs), model._interface.inputs
         if found != accepted:
             raise InputError(f"{path}: a graph of {found} inputs; accepted: {accepted}, as {model._interface.name} has")
