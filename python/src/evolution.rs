@@ -34,8 +34,15 @@ struct Report {
     steps: u64,
     row: Option<Row>,
     best: Option<f64>,
-    /// The best graph and the hall of fame, if they have changed: the size, the score and the graph of each.
-    fresh: Option<(Graph, Vec<(usize, f64, Graph)>)>,
+    /// The best policies, if they have changed.
+    fresh: Option<Fame>,
+}
+
+/// The best policies of a run.
+struct Fame {
+    best: Graph,
+    /// The size, the score and the graph of each policy in the hall of fame.
+    hall: Vec<(usize, f64, Graph)>,
 }
 
 type Thread = JoinHandle<Result<RunEnd, RunError>>;
@@ -271,8 +278,8 @@ impl Report {
             says.set_item("programs", row.programs)?;
             says.set_item("validation_score", row.validation.as_ref().map(|result| result.score))?;
         }
-        if let Some((graph, hall)) = self.fresh {
-            says.set_item("graph", Py::new(py, graph)?)?;
+        if let Some(Fame { best, hall }) = self.fresh {
+            says.set_item("graph", Py::new(py, best)?)?;
             let entry = |(size, score, graph)| Ok::<_, PyErr>((size, score, Py::new(py, graph)?));
             says.set_item("hall", hall.into_iter().map(entry).collect::<PyResult<Vec<_>>>()?)?;
         }
@@ -308,7 +315,7 @@ fn fresh<E: Environment<f32>>(
     environment: &E,
     progress: &Progress<'_>,
     shown: &mut Vec<u64>,
-) -> Option<(Graph, Vec<(usize, f64, Graph)>)> {
+) -> Option<Fame> {
     let best = progress.best?;
     let now: Vec<u64> = std::iter::once(best).chain(progress.hall).map(|best| best.generation).collect();
     if now == *shown {
@@ -318,7 +325,7 @@ fn fresh<E: Environment<f32>>(
     // A graph that cannot be made is an error of the run itself, which makes the same one.
     let graph = |best: &Best| graph_of(config, progress.seed, best, environment).ok().map(Graph);
     let hall = progress.hall.iter().filter_map(|best| Some((best.policy.size(), best.result.score, graph(best)?)));
-    Some((graph(best)?, hall.collect()))
+    Some(Fame { best: graph(best)?, hall: hall.collect() })
 }
 
 /// A run on a built-in problem.

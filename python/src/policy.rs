@@ -2,12 +2,13 @@
 
 use crate::error;
 use crate::graph::Graph;
+use crate::native::in_f32;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use std::sync::Mutex;
 use tpg_engine::{Options, Plan, Single};
+use tpg_graph::SourceDocument;
 use tpg_graph::interpret::Answer;
-use tpg_graph::{MathsProvider, ScalarType, SourceDocument};
 use tpg_runtime::ops::Own;
 
 /// A policy that is evaluated in an episode.
@@ -43,11 +44,7 @@ impl Policy {
     /// Returns the policy of a graph.
     #[staticmethod]
     fn of(graph: &Graph) -> PyResult<Self> {
-        let graph = &graph.0;
-        if (graph.scalar(), graph.maths()) != (ScalarType::F32, MathsProvider::Own) {
-            let found = format!("a graph in {} with {} maths", graph.scalar().name(), graph.maths().name());
-            return Err(error::input(format!("{found}; accepted: f32 with own maths")));
-        }
+        let graph = in_f32(&graph.0)?;
         Ok(Self::new(tpg_engine::Policy::from(graph), graph.state_length()))
     }
 

@@ -7,6 +7,7 @@ from typing import Any
 
 import environments
 import pytest
+import tools
 
 from tpg_train import TPG
 from tpg_train.callbacks import BaseCallback, CallbackList, CheckpointCallback
@@ -83,20 +84,19 @@ def test_an_exception_of_a_callback_arrives_and_nothing_is_lost() -> None:
 
 
 def test_tensorboard_gets_the_figures(tmp_path: Path) -> None:
-    pytest.importorskip("tensorboard", reason="tensorboard is not installed")
-    from tensorboard.backend.event_processing.event_accumulator import EventAccumulator
+    accumulator = tools.module("tensorboard.backend.event_processing.event_accumulator")
 
     model = TPG(environments.Cart, **ARGUMENTS)
     for _ in range(2):
         model.learn(10_000, tensorboard_log=tmp_path)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["TPG_1", "TPG_2"]
-    events = EventAccumulator(str(tmp_path / "TPG_1"))
+    events = accumulator.EventAccumulator(str(tmp_path / "TPG_1"))
     events.Reload()
     assert "rollout/best_score" in events.Tags()["tensors"], events.Tags()
 
 
 def test_a_progress_bar_is_shown(capsys: pytest.CaptureFixture[str]) -> None:
-    pytest.importorskip("tqdm", reason="tqdm is not installed")
+    tools.module("tqdm")
     TPG(environments.Cart, **ARGUMENTS).learn(10_000, progress_bar=True)
     assert "best=" in capsys.readouterr().err
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import ctypes
 import json
 import pickle
-import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -15,6 +14,7 @@ import environments
 import gymnasium
 import numpy as np
 import pytest
+import tools
 from gymnasium.wrappers import TimeLimit
 
 import tpg_train
@@ -60,9 +60,7 @@ def test_values_are_float32_in_the_box(swing: TPG) -> None:
 
 
 def test_the_c_answers_as_the_interpreter_in_whole_episodes(pole: TPG, tmp_path: Path) -> None:
-    compiler = shutil.which("cc")
-    if compiler is None:
-        pytest.skip("no C compiler")
+    compiler = tools.program("cc")
     paths = pole.export_c(tmp_path / "policy", prefix="cart")
     assert sorted(path.name for path in paths) == ["cart.c", "cart.h"]
     library = tmp_path / "cart.so"
@@ -113,6 +111,7 @@ def test_a_graph_is_saved_as_json_and_loaded(pole: TPG, tmp_path: Path) -> None:
     assert again.evaluate(20, native=False) == pole.evaluate(20)
     assert again.evaluate(20).environment == "built-in cartpole"
     alone = TPG.load(tmp_path / "cart.json")
+    assert [path.name for path in alone.export_c(tmp_path / "code")] == ["cart.h", "cart.c"]
     rows = np.random.default_rng(2).uniform(-1, 1, (20, 4))
     assert alone.predict(rows)[0].tolist() == pole.predict(rows)[0].tolist()
     with pytest.raises(InputError, match="4 inputs; accepted: 3, as Pendulum-v1 has"):
@@ -219,10 +218,8 @@ def test_what_is_no_environment_is_refused_with_what_is_accepted(make: object, m
     ],
 )
 def test_what_an_environment_does_wrong_is_said_with_its_place(make: type[environments.Cart], message: str) -> None:
-    model = TPG(make, **SMALL)
-    model._checked = True
     with pytest.raises(InputError, match=message):
-        model.learn(1000)
+        TPG(make, **SMALL).learn(1000)
 
 
 @pytest.mark.parametrize("n_workers", [0, 1])
@@ -292,11 +289,15 @@ def test_ctrl_c_stops_saves_and_can_go_on(tmp_path: Path) -> None:
     script = f"""
 import os, signal, threading
 from tpg_train import TPG
+
+def interrupt(figures, _):
+    if figures["progress"]["generations"] == 3:
+        threading.Thread(target=lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+
 for native in (True, False):
-    model = TPG("CartPole-v1", native=native, folder={str(tmp_path)!r} + f"/{{native}}")
-    threading.Timer(1.0, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+    model = TPG("CartPole-v1", native=native, population=20, episodes=2, folder={str(tmp_path)!r} + f"/{{native}}")
     try:
-        model.learn(10**12)
+        model.learn(10**12, interrupt)
     except KeyboardInterrupt:
         print("stopped", model.num_timesteps > 0)
     before = model.num_timesteps

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import shutil
 import subprocess
 from pathlib import Path
 from typing import Any
@@ -11,6 +10,7 @@ from typing import Any
 import gymnasium
 import numpy as np
 import pytest
+import tools
 
 sb3 = pytest.importorskip("stable_baselines3", reason="stable-baselines3 (with PyTorch) is not installed")
 torch = pytest.importorskip("torch", reason="PyTorch is not installed")
@@ -55,9 +55,7 @@ def test_an_actor_becomes_integers_with_equal_bits_in_c(name: str, env: str, arg
 
 
 def test_the_c_acts_in_the_environment_as_python_does(tmp_path: Path) -> None:
-    compiler = shutil.which("cc")
-    if compiler is None:
-        pytest.skip("no C compiler")
+    compiler = tools.program("cc")
     policy = from_sb3(trained("SAC", "Pendulum-v1", learning_starts=300))
     policy.export_c(tmp_path, prefix="actor")
     library = tmp_path / "actor.so"

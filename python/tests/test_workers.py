@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import concurrent.futures
 import functools
-import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -13,6 +12,7 @@ from typing import Any
 import environments
 import gymnasium
 import pytest
+import tools
 
 from tpg_train import TPG, InputError, TrainingError
 
@@ -50,17 +50,15 @@ def test_an_executor_of_ones_own_does_the_work(alone: str) -> None:
 
 
 def test_dask(alone: str) -> None:
-    distributed = pytest.importorskip("distributed", reason="dask.distributed is not installed")
+    distributed = tools.module("distributed")
     with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
         with distributed.Client(cluster) as client:
             assert learned(executor=client.get_executor()) == alone
 
 
 def test_mpi(alone: str, tmp_path: Path) -> None:
-    pytest.importorskip("mpi4py", reason="mpi4py is not installed")
-    mpirun = shutil.which("mpirun")
-    if mpirun is None:
-        pytest.skip("mpirun is not installed")
+    tools.module("mpi4py")
+    mpirun = tools.program("mpirun")
     script = tmp_path / "train.py"
     script.write_text(
         f"""

@@ -6,7 +6,7 @@ import concurrent.futures
 import hashlib
 import multiprocessing
 import threading
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures.process import BrokenProcessPool
 from typing import Any, Protocol, Union
 
@@ -174,27 +174,28 @@ def _size_of(executor: concurrent.futures.Executor | None) -> int:
     return USUAL_WORKERS
 
 
-def first_difference(env: Environment, seeds: Iterable[int] = (11, 12), steps: int = 50) -> str | None:
+def first_difference(env: Environment, seeds: tuple[int, int] = (11, 12), steps: int = 50) -> str | None:
     """Returns what differs when an episode is begun again with the same seed; None if nothing does."""
     first, other = seeds
     before = _trace(env, first, steps)
     _trace(env, other, steps)
     after = _trace(env, first, steps)
     for step, (one, two) in enumerate(zip(before, after, strict=False)):
-        for name, left, right in zip(("observation", "reward", "end"), one, two, strict=True):
+        for name, left, right in zip(("observation", "reward", "end"), one, two, strict=False):
             if left != right:
                 return f"the {name} after {step} actions"
     return None if len(before) == len(after) else "the length of the episode"
 
 
-def _trace(env: Environment, seed: int, steps: int) -> list[tuple[bytes, float, bool]]:
-    """Returns what an environment tells under random actions that depend only on the seed."""
+def _trace(env: Environment, seed: int, steps: int) -> list[list[bytes]]:
+    """Returns what an environment tells under random actions that depend only on the seed, as bytes: NaN is equal to itself."""
     observation, _ = env.reset(seed=seed)
     env.action_space.seed(seed)
-    told = [(cloudpickle.dumps(observation), 0.0, False)]
+    told = [[cloudpickle.dumps(observation)]]
     for _ in range(steps):
-        observation, reward, terminated, truncated, _ = env.step(env.action_space.sample())
-        told.append((cloudpickle.dumps(observation), float(reward), bool(terminated or truncated)))
-        if terminated or truncated:
+        # What is wrong with a step is said when it is trained on.
+        *parts, _ = env.step(env.action_space.sample())
+        told.append([cloudpickle.dumps(part) for part in parts])
+        if any(parts[2:]):
             break
     return told

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import concurrent.futures
+import dataclasses
 import functools
 import json
 import logging
@@ -17,12 +18,11 @@ from typing import Any, Union
 import cloudpickle  # type: ignore[import-untyped, unused-ignore]
 import gymnasium
 import numpy as np
-from numpy.typing import NDArray
 
 from . import _tpg
 from ._episodes import Episodes, Here, Workers, first_difference
 from ._tpg import Evolution, Graph, InputError, Policy, TrainingError
-from .callbacks import MaybeCallback, _Bar, _TensorBoard, as_list
+from .callbacks import BaseCallback, MaybeCallback, _Bar, _TensorBoard, as_list
 from .reports import Evaluation, HallEntry, Proof, Report
 from .spaces import Interface, _name
 
@@ -150,11 +150,10 @@ class TPG:
     ) -> None:
         self.seed, self.verbose, self.n_workers = int(seed), verbose, n_workers
         self.num_timesteps = 0
-        self._set_env(env, max_episode_steps, input_names)
-        own = _built_in(env, self._env) if native and max_episode_steps is None and input_names is None else None
-        self.native: str | None = own
-        if own is not None:
-            self._say(f"{self._interface.name} runs as the built-in problem {own}; native=False runs Gymnasium's")
+        known = self._set_env(env, max_episode_steps, input_names)
+        self.native: str | None = known if native and max_episode_steps is None and input_names is None else None
+        if self.native is not None:
+            self._say(f"{self._interface.name} runs as the built-in problem {known}; native=False runs Gymnasium's")
         self._config = self._configuration(preset, settings or {}, population, episodes)
         self._temporary = tempfile.TemporaryDirectory(prefix="tpg-") if folder is None else None
         self.folder = Path(folder if folder is not None else os.path.join(self._temporary.name, "run"))  # type: ignore[union-attr]
@@ -166,13 +165,15 @@ class TPG:
 
     # The environment
 
-    def _set_env(self, env: EnvironmentLike, max_episode_steps: int | None, input_names: Sequence[str] | None) -> None:
+    def _set_env(self, env: EnvironmentLike, max_episode_steps: int | None, input_names: Sequence[str] | None) -> str | None:
+        """Takes the environment; returns the name of the built-in problem that is the same."""
         self._factory = _factory(env)
         self._env: Environment = self._factory() if isinstance(env, str) or _is_function(env) else env  # type: ignore[assignment]
         known = _built_in(env, self._env)
         inputs, ends = _names_of(known) if known is not None and input_names is None else (input_names, None)
         self._settings: dict[str, Any] = {"max_episode_steps": max_episode_steps, "input_names": inputs, "end_names": ends}
         self._interface = Interface.of(self._env, **self._settings)
+        return known
 
     @property
     def env(self) -> Environment:
@@ -285,8 +286,10 @@ class TPG:
         if self.native is not None and executor is not None:
             self._say("a built-in problem runs in this process: executor= is ignored; native=False uses it")
         self._check_reset()
-        more = [_Bar(total_timesteps)] if progress_bar else []
-        callbacks = as_list(callback, [*more, *([_TensorBoard(tensorboard_log, tb_log_name)] if tensorboard_log is not None else [])])
+        more: list[BaseCallback] = [_Bar(total_timesteps)] if progress_bar else []
+        if tensorboard_log is not None:
+            more.append(_TensorBoard(tensorboard_log, tb_log_name))
+        callbacks = as_list(callback, more)
         callbacks.init_callback(self)
         figures: dict[str, Any] = {"self": self, "progress": {}}
         evolution = self._start(target, self._known_steps() + total_timesteps)
@@ -529,6 +532,8 @@ class TPG:
         """
         graph = Graph.load(Path(path))
         model = cls(_Described(graph) if env is None else env, native=env is not None, **arguments)
+        if env is None:
+            model._interface = dataclasses.replace(model._interface, name=Path(path).stem)
         found, accepted = len(graph.inputs), model._interface.inputs
         if found != accepted:
             raise InputError(f"{path}: a graph of {found} inputs; accepted: {accepted}, as {model._interface.name} has")
@@ -640,6 +645,3 @@ def _line(says: dict[str, Any]) -> str:
     validated = says.get("best_validated")
     end = "" if validated is None else f", {validated:.2f} validated"
     return f"generation {says['generations']}: {says['steps']} steps, best {says['best_score']:.2f}, median {says['median_score']:.2f}{end}"
-
-
-__all__ = ["TPG", "Candidate", "StatefulEnvironmentWarning", "VerificationError", "InputError", "TrainingError", "NDArray"]

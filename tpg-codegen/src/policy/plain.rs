@@ -137,7 +137,7 @@ fn outputs(policy: &QuantisedPolicy) -> Vec<String> {
 fn source<'a>(policy: &'a QuantisedPolicy, prefix: &'a Prefix, banner: &'a [String]) -> Source<'a> {
     let kinds = policy.layer_kinds();
     let layer = |(index, layer): (usize, &super::QuantisedLayer)| {
-        let (from, to) = if index % 2 == 0 { ("a", "b") } else { ("b", "a") };
+        let (from, to) = if index.is_multiple_of(2) { ("a", "b") } else { ("b", "a") };
         let (low, high) = kinds.get(index + 1).map_or((LAST, i16::MAX), |next| (HIDDEN, next.activation()));
         LayerText {
             bits: if kinds[index] == Kind::W16A16 { 16 } else { 8 },
@@ -182,7 +182,7 @@ fn source<'a>(policy: &'a QuantisedPolicy, prefix: &'a Prefix, banner: &'a [Stri
         has_clamp: has(Squash::Clamp),
         table: has(Squash::Tanh).then(|| lines(&table())),
         table_length: TABLE,
-        last: if layers.len() % 2 == 0 { "a" } else { "b" },
+        last: if layers.len().is_multiple_of(2) { "a" } else { "b" },
         values: values.iter().map(value).collect(),
         layers,
     }
