@@ -16,10 +16,13 @@
 #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD != 0)
 #error "float expressions must be computed in float: the policy would act differently"
 #endif
-#ifdef __clang__
-#pragma STDC FP_CONTRACT OFF
+/* A product and a sum are rounded each: nothing may fuse them. */
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize("fp-contract=off") /* GCC ignores the standard's pragma, and fuses in GNU modes and in C++. */
+#elif defined(_MSC_VER) && !defined(__clang__)
+#pragma fp_contract(off)
 #else
-/* With GCC in GNU mode on a machine with fused multiply-add, pass -ffp-contract=off (-std=c99 implies it). */
+#pragma STDC FP_CONTRACT OFF
 #endif
 
 static float widowx_fs_negate_if_less(float a, float b)
