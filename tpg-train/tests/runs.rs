@@ -326,7 +326,7 @@ fn a_policy_with_memory_has_the_same_bytes_on_other_threads_and_is_evaluated_wit
     let graph = tpg_graph::Graph::from_json("graph.json", &text).expect("a valid graph");
     assert_eq!((graph.memory(), graph.outputs().len(), graph.state_length()), (2, 3, 4));
     let mut eval = Command::new(env!("CARGO_BIN_EXE_tpg-train"));
-    eval.arg("eval").arg("--config").arg(&path).arg("--tpg").arg(one.join("graph.json"));
+    eval.args(["eval", "--problem", "pendulum"]).arg("--config").arg(&path).arg("--tpg").arg(one.join("graph.json"));
     let output = eval.args(["--episodes", "20", "--json"]).output().expect("it runs");
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let figures: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
