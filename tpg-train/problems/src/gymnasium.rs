@@ -161,8 +161,13 @@ fn every_problem_steps_as_gymnasium_did() {
     committed(&MountainCarContinuous, ProblemName::MountainCarContinuous);
 }
 
-/// Compares with Gymnasium itself.
-fn live<E: Recorded>(environment: &E, name: ProblemName, python: &str, episodes: usize) {
+/// Compares 10,000 episodes with Gymnasium itself, if the variable `TPG_GYMNASIUM_PYTHON` names a Python that has it; minutes.
+fn live<E: Recorded>(environment: &E, name: ProblemName) {
+    let Ok(python) = std::env::var("TPG_GYMNASIUM_PYTHON") else {
+        tpg_testing::skip(&format!("{}: TPG_GYMNASIUM_PYTHON names no Python with Gymnasium", name.name()));
+        return;
+    };
+    let episodes = tpg_testing::amount(100, 10_000);
     let script = format!("{}/gymnasium/record.py", env!("CARGO_MANIFEST_DIR"));
     let mut child = Command::new(python)
         .args([&script, name.name(), "--episodes", &episodes.to_string()])
@@ -176,18 +181,27 @@ fn live<E: Recorded>(environment: &E, name: ProblemName, python: &str, episodes:
     println!("{}: {tally:?}", name.name());
 }
 
-/// Runs 10,000 episodes of each problem beside Gymnasium; minutes. The variable `TPG_GYMNASIUM_PYTHON` names a Python that
-/// has it.
 #[test]
-fn every_problem_steps_as_gymnasium_does() {
-    let Ok(python) = std::env::var("TPG_GYMNASIUM_PYTHON") else {
-        tpg_testing::skip("TPG_GYMNASIUM_PYTHON names no Python with Gymnasium");
-        return;
-    };
-    let episodes = tpg_testing::amount(100, 10_000);
-    live(&CartPole, ProblemName::Cartpole, &python, episodes);
-    live(&Acrobot, ProblemName::Acrobot, &python, episodes);
-    live(&MountainCar, ProblemName::MountainCar, &python, episodes);
-    live(&Pendulum, ProblemName::Pendulum, &python, episodes);
-    live(&MountainCarContinuous, ProblemName::MountainCarContinuous, &python, episodes);
+fn cartpole_steps_as_gymnasium_does() {
+    live(&CartPole, ProblemName::Cartpole);
+}
+
+#[test]
+fn acrobot_steps_as_gymnasium_does() {
+    live(&Acrobot, ProblemName::Acrobot);
+}
+
+#[test]
+fn mountain_car_steps_as_gymnasium_does() {
+    live(&MountainCar, ProblemName::MountainCar);
+}
+
+#[test]
+fn pendulum_steps_as_gymnasium_does() {
+    live(&Pendulum, ProblemName::Pendulum);
+}
+
+#[test]
+fn mountain_car_continuous_steps_as_gymnasium_does() {
+    live(&MountainCarContinuous, ProblemName::MountainCarContinuous);
 }

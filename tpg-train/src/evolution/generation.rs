@@ -437,7 +437,6 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
             .filter(|(root, _)| deme.is_none_or(|deme| root.deme == deme))
             .map(|(root, scores)| Candidate {
                 mean: record(state, root).mean - price * root.lines as f64,
-                lines: root.lines,
                 scores: &scores.scores,
                 solved: &scores.solved,
                 dropped: root.dropped,

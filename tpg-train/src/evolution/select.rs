@@ -8,8 +8,6 @@ use tpg_engine::random::Stream;
 pub struct Candidate<'a> {
     /// Mean score over all of its evaluations, less the price of its lines.
     pub mean: f64,
-    /// Number of its lines that have an effect.
-    pub lines: usize,
     /// Scores of this generation, one per episode; empty for a root that was dropped by racing or whose score is final.
     pub scores: &'a [f64],
     /// The episodes that it solved, where policies are compared by success; empty otherwise.
@@ -71,7 +69,7 @@ pub fn survivors(
     chosen
 }
 
-/// Ranks the indices by mean, best first; ties go to the smaller root, then to the older one, NaN comes last.
+/// Ranks the indices by mean, best first; ties go to the older root, NaN comes last.
 pub fn ranked(candidates: &[Candidate<'_>]) -> Vec<usize> {
     let worth = |place: usize| {
         let candidate = &candidates[place];
@@ -81,8 +79,7 @@ pub fn ranked(candidates: &[Candidate<'_>]) -> Vec<usize> {
     let mut places: Vec<usize> = (0..candidates.len()).collect();
     places.sort_by(|&a, &b| {
         let ((a_kept, a_mean), (b_kept, b_mean)) = (worth(a), worth(b));
-        let smaller = candidates[a].lines.cmp(&candidates[b].lines);
-        b_kept.cmp(&a_kept).then(b_mean.total_cmp(&a_mean)).then(smaller).then(a.cmp(&b))
+        b_kept.cmp(&a_kept).then(b_mean.total_cmp(&a_mean)).then(a.cmp(&b))
     });
     places
 }
@@ -146,10 +143,7 @@ mod tests {
 
     fn candidates(scores: &[Vec<f64>]) -> Vec<Candidate<'_>> {
         let mean = |scores: &Vec<f64>| scores.iter().sum::<f64>() / scores.len() as f64;
-        scores
-            .iter()
-            .map(|scores| Candidate { mean: mean(scores), lines: 1, scores, solved: &[], dropped: false })
-            .collect()
+        scores.iter().map(|scores| Candidate { mean: mean(scores), scores, solved: &[], dropped: false }).collect()
     }
 
     #[test]
@@ -160,15 +154,6 @@ mod tests {
         let mut stream = Stream::new(1, 0, Purpose::Test, 0);
         let kept = survivors(&candidates, 4, &config(SelectionMethod::Truncation, 0), &mut stream);
         assert_eq!(kept, [2, 4, 0, 1], "dropped only if nothing else is left");
-    }
-
-    #[test]
-    fn of_equal_roots_the_smaller_survives() {
-        let scores = vec![vec![1.0]; 3];
-        let mut candidates = candidates(&scores);
-        (candidates[0].lines, candidates[1].lines, candidates[2].lines) = (5, 3, 3);
-        let mut stream = Stream::new(1, 0, Purpose::Test, 0);
-        assert_eq!(survivors(&candidates, 2, &config(SelectionMethod::Truncation, 0), &mut stream), [1, 2]);
     }
 
     #[test]
@@ -198,7 +183,7 @@ mod tests {
         let scores = [vec![10.0, 10.0], vec![11.0, -1.0]];
         let solved = [vec![true, true], vec![true, false]];
         let candidates: Vec<Candidate<'_>> = (scores.iter().zip(&solved))
-            .map(|(scores, solved)| Candidate { mean: 0.0, lines: 1, scores, solved, dropped: false })
+            .map(|(scores, solved)| Candidate { mean: 0.0, scores, solved, dropped: false })
             .collect();
         for index in 0..20 {
             let mut stream = Stream::new(1, 0, Purpose::Test, index);
