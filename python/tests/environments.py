@@ -34,12 +34,21 @@ class Cart(gymnasium.Env[Any, Any]):
         self.x += 0.1 * self.v
         self.steps += 1
         end = self.steps >= 50
-        return self.observe(), -abs(self.x) - abs(self.v), False, end, {"is_success": bool(abs(self.x) < 0.3)} if end else {}
+        return (
+            self.observe(),
+            -abs(self.x) - abs(self.v),
+            False,
+            end,
+            {"is_success": bool(abs(self.x) < 0.3)} if end else {},
+        )
 
 
 class DictCart(Cart):
     observation_space = spaces.Dict(
-        {"cart": spaces.Dict({"x": spaces.Box(-9, 9, (1,), np.float64), "v": spaces.Box(-9, 9, (), np.float64)}), "side": spaces.Discrete(2)}
+        {
+            "cart": spaces.Dict({"x": spaces.Box(-9, 9, (1,), np.float64), "v": spaces.Box(-9, 9, (), np.float64)}),
+            "side": spaces.Discrete(2),
+        }
     )
 
     def observe(self) -> Any:

@@ -20,7 +20,11 @@ from gymnasium.wrappers import TimeLimit
 import tpg_train
 from tpg_train import TPG, InputError, StatefulEnvironmentWarning, TrainingError, VerificationError
 
-SMALL: dict[str, Any] = {"population": 20, "episodes": 3, "settings": {"selection.validation_episodes": 8, "selection.racing_episodes": 0}}
+SMALL: dict[str, Any] = {
+    "population": 20,
+    "episodes": 3,
+    "settings": {"selection.validation_episodes": 8, "selection.racing_episodes": 0},
+}
 
 
 @pytest.fixture(scope="module")
@@ -44,7 +48,11 @@ def test_prediction_is_for_one_or_a_batch_in_any_float(pole: TPG) -> None:
     batch = np.random.default_rng(1).uniform(-0.2, 0.2, (50, 4))
     single = [pole.predict(row)[0] for row in batch.astype(np.float32)]
     assert all(isinstance(action, np.int64) and pole.action_space.contains(action) for action in single)
-    for array in (batch.astype(np.float32), batch.astype(np.float32).astype(np.float64), list(batch.astype(np.float32))):
+    for array in (
+        batch.astype(np.float32),
+        batch.astype(np.float32).astype(np.float64),
+        list(batch.astype(np.float32)),
+    ):
         actions, state = pole.predict(array, deterministic=False)
         assert actions.tolist() == single and state is None
     with pytest.raises(InputError, match=r"shape \(3,\); accepted: \(4,\)"):
@@ -64,7 +72,21 @@ def test_the_c_answers_as_the_interpreter_in_whole_episodes(pole: TPG, tmp_path:
     paths = pole.export_c(tmp_path / "policy", prefix="cart")
     assert sorted(path.name for path in paths) == ["cart.c", "cart.h"]
     library = tmp_path / "cart.so"
-    subprocess.run([compiler, "-std=c99", "-O2", "-ffp-contract=off", "-shared", "-fPIC", "-o", library, tmp_path / "policy/cart.c", "-lm"], check=True)
+    subprocess.run(
+        [
+            compiler,
+            "-std=c99",
+            "-O2",
+            "-ffp-contract=off",
+            "-shared",
+            "-fPIC",
+            "-o",
+            library,
+            tmp_path / "policy/cart.c",
+            "-lm",
+        ],
+        check=True,
+    )
     infer = ctypes.CDLL(str(library)).cart_infer
     infer.restype = ctypes.c_uint16
     env, steps = gymnasium.make("CartPole-v1"), 0
@@ -166,7 +188,16 @@ def test_built_in_problems_are_gymnasiums_step_by_step(name: str) -> None:
                 break
 
 
-@pytest.mark.parametrize("make", [environments.DictCart, environments.TupleCart, environments.BoxCart, environments.ManyCart, environments.StartingCart])
+@pytest.mark.parametrize(
+    "make",
+    [
+        environments.DictCart,
+        environments.TupleCart,
+        environments.BoxCart,
+        environments.ManyCart,
+        environments.StartingCart,
+    ],
+)
 def test_spaces(make: type[environments.Cart]) -> None:
     model = TPG(make, **SMALL).learn(20_000)
     assert model.evaluate(5).success_rate is not None

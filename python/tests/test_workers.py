@@ -73,7 +73,17 @@ if __name__ == "__main__":
         print(TPG(environments.Cart, **{ARGUMENTS!r}).learn({STEPS}, executor=executor).graph.sha256)
 """
     )
-    command = [mpirun, "--allow-run-as-root", "--oversubscribe", "-n", "3", sys.executable, "-m", "mpi4py.futures", str(script)]
+    command = [
+        mpirun,
+        "--allow-run-as-root",
+        "--oversubscribe",
+        "-n",
+        "3",
+        sys.executable,
+        "-m",
+        "mpi4py.futures",
+        str(script),
+    ]
     done = subprocess.run(command, capture_output=True, text=True, timeout=300)
     assert done.stdout.strip() == alone, done.stderr
 

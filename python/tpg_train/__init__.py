@@ -1,12 +1,12 @@
 """From a Gymnasium environment to a proven C function of a few hundred bytes.
 
-    from tpg_train import TPG
+from tpg_train import TPG
 
-    model = TPG("CartPole-v1", seed=1)
-    model.learn(total_timesteps=200_000, target=475)
-    print(model.evaluate(1000), model.formula(), model.report("cortex-m4"))
-    model.export_c("policy/", prefix="cart")
-    model.verify()
+model = TPG("CartPole-v1", seed=1)
+model.learn(total_timesteps=200_000, target=475)
+print(model.evaluate(1000), model.formula(), model.report("cortex-m4"))
+model.export_c("policy/", prefix="cart")
+model.verify()
 """
 
 from ._tpg import Graph, InputError, TrainingError, __version__

@@ -94,7 +94,7 @@ class Workers:
             self._made_by: bytes = cloudpickle.dumps((factory, settings))
         except Exception as error:
             raise InputError(
-                f"an environment that cannot be sent to workers: {error}; accepted: an id, or a function that makes the environment"
+                f"an environment that cannot be sent to workers: {error}; accepted: an id, or a function that makes it"
             ) from error
         self._token = hashlib.sha256(self._made_by).hexdigest()
         self._own = executor is None

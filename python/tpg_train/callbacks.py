@@ -155,14 +155,21 @@ class _Bar(BaseCallback):
             from tqdm.auto import tqdm
         except ImportError as error:
             raise ImportError("progress_bar=True needs tqdm: pip install 'tpg-train[progress]'") from error
-        self.make: Callable[[int], Any] = lambda initial: tqdm(total=initial + total, initial=initial, unit="step", unit_scale=True)
+        self.make: Callable[[int], Any] = lambda initial: tqdm(
+            total=initial + total, initial=initial, unit="step", unit_scale=True
+        )
 
     def _on_training_start(self) -> None:
         self.bar = self.make(self.num_timesteps)
 
     def _on_step(self) -> bool:
         self.bar.update(self.num_timesteps - self.bar.n)
-        self.bar.set_postfix({"best": self.locals["progress"].get("best_score"), "validated": self.locals["progress"].get("best_validated")})
+        self.bar.set_postfix(
+            {
+                "best": self.locals["progress"].get("best_score"),
+                "validated": self.locals["progress"].get("best_validated"),
+            }
+        )
         return True
 
     def _on_training_end(self) -> None:
@@ -187,7 +194,14 @@ class _TensorBoard(BaseCallback):
             from tensorboard.summary import Writer
         except ImportError as error:
             raise ImportError("tensorboard_log needs tensorboard: pip install 'tpg-train[tensorboard]'") from error
-        number = 1 + max((int(path.name.rpartition("_")[2]) for path in Path(folder).glob(f"{name}_*") if path.name.rpartition("_")[2].isdigit()), default=0)
+        number = 1 + max(
+            (
+                int(path.name.rpartition("_")[2])
+                for path in Path(folder).glob(f"{name}_*")
+                if path.name.rpartition("_")[2].isdigit()
+            ),
+            default=0,
+        )
         self.writer = Writer(str(Path(folder) / f"{name}_{number}"))
 
     def _on_step(self) -> bool:

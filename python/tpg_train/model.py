@@ -171,7 +171,11 @@ class TPG:
         self._env: Environment = self._factory() if isinstance(env, str) or _is_function(env) else env  # type: ignore[assignment]
         known = _built_in(env, self._env)
         inputs, ends = _names_of(known) if known is not None and input_names is None else (input_names, None)
-        self._settings: dict[str, Any] = {"max_episode_steps": max_episode_steps, "input_names": inputs, "end_names": ends}
+        self._settings: dict[str, Any] = {
+            "max_episode_steps": max_episode_steps,
+            "input_names": inputs,
+            "end_names": ends,
+        }
         self._interface = Interface.of(self._env, **self._settings)
         return known
 
@@ -214,7 +218,9 @@ class TPG:
             chosen["tpg.nb_roots"] = population
             chosen["tpg.init_nb_roots"] = max(2 * population, len(self._interface.actions()[0]))
             # A small population has survivors, too.
-            chosen["learning.ratio_deleted_roots"] = min(chosen.get("learning.ratio_deleted_roots", 0.9), max(0.0, 1.0 - 6.0 / population))
+            chosen["learning.ratio_deleted_roots"] = min(
+                chosen.get("learning.ratio_deleted_roots", 0.9), max(0.0, 1.0 - 6.0 / population)
+            )
         if episodes is not None:
             chosen["learning.nb_iterations_per_policy_evaluation"] = episodes
             if chosen.get("selection.racing_episodes", 0) >= episodes:
@@ -381,14 +387,20 @@ class TPG:
             else:
                 self._asked = None
                 return []
-            candidates = [Candidate(policy, seed, self._interface, place, after) for place, (policy, seed, after) in enumerate(given)]
+            candidates = [
+                Candidate(policy, seed, self._interface, place, after) for place, (policy, seed, after) in enumerate(given)
+            ]
             self._asked = _Asked(evolution, kind, candidates, len(policies))
             return candidates
 
     def tell(self, candidates: Sequence[Candidate], returns: Sequence[float]) -> None:
         """Takes the return of each candidate's episode."""
         asked = self._asked
-        if asked is None or len(candidates) != len(returns) or {id(one) for one in candidates} != {id(one) for one in asked.candidates}:
+        if (
+            asked is None
+            or len(candidates) != len(returns)
+            or {id(one) for one in candidates} != {id(one) for one in asked.candidates}
+        ):
             raise InputError("other candidates than ask() returned; accepted: each of them once, with its return")
         scores = {candidate._place: float(score) for candidate, score in zip(candidates, returns, strict=True)}
         bad = [candidate.seed for candidate, score in zip(candidates, returns, strict=True) if np.isnan(score)]
@@ -631,7 +643,11 @@ def _built_in(given: EnvironmentLike, env: Environment) -> str | None:
     description = json.loads(_tpg.NativeEnv(name).description)
     lengths = [len(source["ranges"]) for source in description["sources"]]
     # A built-in problem may add derived sources, which an observation of Gymnasium's does not have.
-    return name if all(length == 1 for length in lengths) and len(lengths) == int(np.prod(env.observation_space.shape or ())) else None
+    return (
+        name
+        if all(length == 1 for length in lengths) and len(lengths) == int(np.prod(env.observation_space.shape or ()))
+        else None
+    )
 
 
 def _names_of(problem: str) -> tuple[list[str], list[str]]:
@@ -644,4 +660,5 @@ def _names_of(problem: str) -> tuple[list[str], list[str]]:
 def _line(says: dict[str, Any]) -> str:
     validated = says.get("best_validated")
     end = "" if validated is None else f", {validated:.2f} validated"
-    return f"generation {says['generations']}: {says['steps']} steps, best {says['best_score']:.2f}, median {says['median_score']:.2f}{end}"
+    scores = f"best {says['best_score']:.2f}, median {says['median_score']:.2f}{end}"
+    return f"generation {says['generations']}: {says['steps']} steps, {scores}"

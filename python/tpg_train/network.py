@@ -95,8 +95,12 @@ class NetworkPolicy:
         generator = np.random.default_rng(seed)
         rows = self._states[generator.integers(len(self._states), size=states)]
         spread = self._states.std(axis=0) + 1e-3
-        rows = (rows + generator.normal(size=rows.shape) * spread * generator.choice([0.0, 1.0, 30.0], size=(states, 1))).astype(np.float32)
-        rows[::97] = generator.choice(np.array([np.nan, np.inf, -np.inf, 0.0, -0.0, 1e30, 1e-40], np.float32), size=rows[::97].shape)
+        rows = (rows + generator.normal(size=rows.shape) * spread * generator.choice([0.0, 1.0, 30.0], size=(states, 1))).astype(
+            np.float32
+        )
+        rows[::97] = generator.choice(
+            np.array([np.nan, np.inf, -np.inf, 0.0, -0.0, 1e30, 1e-40], np.float32), size=rows[::97].shape
+        )
         differences = self._network.differences(np.ascontiguousarray(rows))
         if differences:
             raise VerificationError(f"the C differs from the network on {differences} of {states} states")
@@ -132,10 +136,10 @@ def from_sb3(model: Any, *, env: gymnasium.Env[Any, Any] | None = None, kind: st
     states = _visited(model, env, interface, seed)
     choices, outputs = interface.actions()
     values = [(output, np.float32(low), np.float32(high), squash) for output, low, high in outputs]
-    names = [part.name if len(part.low) == 1 else f"{part.name}[{place}]" for part in interface.parts for place in range(len(part.low))]
-    network = Network.quantise(
-        _scaled(names, states, layers), layers, values, choices, states, kind, _sha256(layers)
-    )
+    names = [
+        part.name if len(part.low) == 1 else f"{part.name}[{place}]" for part in interface.parts for place in range(len(part.low))
+    ]
+    network = Network.quantise(_scaled(names, states, layers), layers, values, choices, states, kind, _sha256(layers))
     policy = NetworkPolicy(network, interface, states, {})
     policy.agreement.update(_agreement(model, policy, interface, states))
     return policy
@@ -188,7 +192,12 @@ def _layers(modules: Sequence[Any], name: str) -> Layers:
                     'policy_kwargs={"activation_fn": torch.nn.ReLU}'
                 )
             knots, slopes = _polyline()
-            layers.append((np.repeat(weights, PIECES, axis=0), np.ascontiguousarray((bias[:, None] - knots[None]).ravel(), dtype=np.float32)))
+            layers.append(
+                (
+                    np.repeat(weights, PIECES, axis=0),
+                    np.ascontiguousarray((bias[:, None] - knots[None]).ravel(), dtype=np.float32),
+                )
+            )
         elif kind != "ReLU":
             raise InputError(f"{name}: a layer of {kind}; accepted: Linear, ReLU, Tanh")
     for weights, _ in layers:

@@ -38,9 +38,15 @@ def _name(text: str) -> str:
 def _parts(space: spaces.Space[Any], name: str) -> list[Part]:
     """Returns the parts of an observation, in the order in which Gymnasium flattens it."""
     if isinstance(space, spaces.Dict):
-        return [part for key, inner in space.spaces.items() for part in _parts(inner, _name(f"{name}_{key}" if name else str(key)))]
+        return [
+            part for key, inner in space.spaces.items() for part in _parts(inner, _name(f"{name}_{key}" if name else str(key)))
+        ]
     if isinstance(space, spaces.Tuple):
-        return [part for place, inner in enumerate(space.spaces) for part in _parts(inner, _name(f"{name}_{place}" if name else f"part_{place}"))]
+        return [
+            part
+            for place, inner in enumerate(space.spaces)
+            for part in _parts(inner, _name(f"{name}_{place}" if name else f"part_{place}"))
+        ]
     name = name or "obs"
     if isinstance(space, spaces.Box):
         if len(space.shape) >= 3 or (space.dtype == np.uint8 and len(space.shape) == 2):
@@ -78,7 +84,9 @@ class Interface:
         """Describes an environment. `end_names` are those of its actions, or of its outputs."""
         for attribute in ("observation_space", "action_space", "reset", "step"):
             if not hasattr(env, attribute):
-                raise InputError(f"an environment without {attribute}; accepted: a gymnasium.Env, an id, or a function that makes one")
+                raise InputError(
+                    f"an environment without {attribute}; accepted: a gymnasium.Env, an id, or a function that makes one"
+                )
         spec = getattr(env, "spec", None)
         name = spec.id if spec is not None else type(getattr(env, "unwrapped", env)).__name__
         limit = max_episode_steps or getattr(spec, "max_episode_steps", None) or DEFAULT_LIMIT
@@ -114,7 +122,9 @@ class Interface:
         space = self.action_space
         if isinstance(space, spaces.Box):
             if space.dtype is not None and not np.issubdtype(space.dtype, np.floating):
-                raise InputError(f"{self.name}: actions of {space.dtype}; accepted: a Box of floating point, Discrete, MultiDiscrete")
+                raise InputError(
+                    f"{self.name}: actions of {space.dtype}; accepted: a Box of floating point, Discrete, MultiDiscrete"
+                )
             low, high = space.low.astype(np.float64).ravel(), space.high.astype(np.float64).ravel()
             if not (np.all(np.isfinite(low)) and np.all(np.isfinite(high)) and np.all(low < high)):
                 raise InputError(
@@ -147,8 +157,8 @@ class Interface:
         count = int(np.prod([float(size) for size in sizes]))
         if count > MOST_ACTIONS:
             raise InputError(
-                f"{self.name}: {count} combinations of actions; accepted: up to {MOST_ACTIONS}. Wrap the environment so that it has "
-                "fewer, or a Box"
+                f"{self.name}: {count} combinations of actions; accepted: up to {MOST_ACTIONS}. Wrap the environment so that "
+                "it has fewer, or a Box"
             )
         every = itertools.product(*(range(size) for size in sizes))
         return [np.asarray(options, dtype=dtype).reshape(shape) + starts.astype(dtype) for options in every]
@@ -208,7 +218,9 @@ class Interface:
             actions = answers.astype(np.int64) + np.int64(space.start)
         else:
             every = self.combinations()
-            actions = np.stack([every[int(answer)] for answer in answers]) if len(answers) else np.empty((0, *(space.shape or ())))
+            actions = (
+                np.stack([every[int(answer)] for answer in answers]) if len(answers) else np.empty((0, *(space.shape or ())))
+            )
         return actions if is_batch else actions[0]
 
 

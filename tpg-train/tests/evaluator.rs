@@ -1,7 +1,7 @@
 //! A custom evaluator of roots behind the same trait, which exchanges units and answers as text, in any order. The run
 //! is the same.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
 use std::fs;
 use std::ops::ControlFlow;
@@ -14,7 +14,7 @@ use tpg_problems::arm::{self, ArmEnvironment, ArmTask};
 use tpg_runtime::ops::Own;
 use tpg_train::evolution::config::Config;
 use tpg_train::evolution::presets::Preset;
-use tpg_train::evolution::run::{RunEnd, RunOptions, run};
+use tpg_train::evolution::run::{RunEnd, RunError, RunOptions, run};
 
 /// A remote worker: it receives a unit with the tasks and sends an answer. It has no other information.
 struct Worker<'e> {
@@ -131,4 +131,41 @@ fn a_lost_machine_is_an_error_and_the_run_can_be_resumed() {
     assert!(matches!(go(), Ok(RunEnd::Finished(_))));
     let read = |name| fs::read(options.folder.join(name)).expect("a run leaves it");
     assert!(["graph.json", "generations.csv", "generations.jsonl", "checkpoint"].map(read).to_vec() == expected);
+}
+
+/// Evaluates on threads until it is lost.
+struct Losing<'e> {
+    threads: LocalThreads<'e, f32, Own, ArmEnvironment<f32>>,
+    calls_left: Cell<u32>,
+}
+
+impl Evaluator<ArmTask> for Losing<'_> {
+    fn evaluate(&self, work: &Work<ArmTask>) -> Result<Vec<Answer>, EvaluationError> {
+        let Some(left) = self.calls_left.get().checked_sub(1) else { return Err(EvaluationError::new("lost")) };
+        self.calls_left.set(left);
+        self.threads.evaluate(work)
+    }
+
+    fn visit(&self, visits: &[Visit<ArmTask>]) -> Result<Vec<Vec<Vec<f64>>>, EvaluationError> {
+        self.threads.visit(visits)
+    }
+}
+
+#[test]
+fn a_run_that_loses_its_evaluator_is_saved_and_ends_as_an_undisturbed_one() {
+    let environment = arm::Config::default().environment::<f32>(Start::Rs);
+    let threads = || LocalThreads::<f32, Own, _>::new(&environment, Options::default(), 2).expect("threads start");
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let whole = train(&folder.path().join("whole"), &environment, &threads());
+    for calls in [0, 1, 5, 8] {
+        let options =
+            RunOptions { folder: folder.path().join(calls.to_string()), resume: true, ..RunOptions::default() };
+        let losing = Losing { threads: threads(), calls_left: Cell::new(calls) };
+        let lost = run(&config(), 7, &environment, &losing, &options, |_| ControlFlow::Continue(()));
+        assert!(matches!(lost, Err(RunError::Evaluation(_))), "{lost:?}");
+        let end = run(&config(), 7, &environment, &threads(), &options, |_| ControlFlow::Continue(()));
+        assert!(matches!(end, Ok(RunEnd::Finished(_))), "{end:?}");
+        let read = |name| fs::read(options.folder.join(name)).expect("a run leaves it");
+        assert_eq!(["graph.json", "generations.csv", "generations.jsonl", "checkpoint"].map(read).to_vec(), whole);
+    }
 }

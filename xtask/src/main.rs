@@ -66,7 +66,7 @@ enum Task {
         #[arg(long, default_value_t = 20)]
         seeds: u32,
     },
-    /// Build the Python package, install it into a virtual environment, run pytest, mypy and stubtest
+    /// Build the Python package, install it into a virtual environment, run pytest, ruff, mypy and stubtest
     Python(python::PythonArgs),
     /// The worst case of compiled code for a Cortex-M: instructions and stack
     Wcet(cortex_bound::cli::WcetArgs),

@@ -54,6 +54,11 @@ pub(crate) fn check(run: &mut Run, arguments: PythonArgs) {
         command.arg("-m").args(words);
         command
     };
+    for words in [["ruff", "check", "--no-cache"], ["ruff", "format", "--check"]] {
+        let mut style = module(&words);
+        style.arg(folder());
+        run.check(&words[..2].join(" "), style);
+    }
     let mut types = module(&["mypy", "--strict", "--config-file"]);
     types.arg(&settings).arg("--package").arg("tpg_train");
     run.check("mypy of the package", types);
