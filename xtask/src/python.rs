@@ -86,7 +86,10 @@ fn sb3(run: &mut Run, python: &str, place: &Path, wanted: bool) {
         Ok(venv)
     };
     match ready() {
-        Ok(venv) => run.tests("pytest with PyTorch", tests(&venv, place, &["tests/test_sb3.py"])),
+        Ok(venv) => {
+            let example = "tests/test_examples.py::test_an_example_runs[sb3_to_microcontroller]";
+            run.tests("pytest with PyTorch", tests(&venv, place, &["tests/test_sb3.py", example]));
+        }
         Err(error) => run.failed("pytest with PyTorch", &error),
     }
 }
