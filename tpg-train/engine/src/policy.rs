@@ -34,7 +34,7 @@ pub struct Line {
 }
 
 /// Destination of an edge.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Destination {
     /// The team at this index of [`Policy::teams`].
@@ -109,8 +109,20 @@ impl Policy {
 }
 
 impl Policy {
-    /// Returns the size of the policy as a graph: the edges of teams that have a choice, and the lines that their bids and
-    /// the outputs depend on. A program that bids for several destinations counts for each.
+    /// Returns the number of lines that a bid or an output depends on; each program counts once. A bid without a rival has
+    /// none.
+    pub fn lines(&self) -> usize {
+        let has_rivals = !matches!(&self.teams[..], [team] if team.len() == 1);
+        let bids = self.teams.iter().flatten().map(|edge| edge.program).filter(|_| has_rivals);
+        let programs: BTreeSet<u32> = bids.chain(self.leaves.iter().flatten().copied()).collect();
+        let count = |&program: &u32| {
+            let effective = effective(self.registers.into(), &self.programs[program as usize]);
+            effective.into_iter().filter(|&effective| effective).count()
+        };
+        programs.iter().map(count).sum()
+    }
+
+    /// Returns the size of the policy: its [lines](Self::lines), and the edges of teams that have a choice.
     ///
     /// ```
     /// use tpg_engine::{Destination, Edge, Policy};
@@ -120,15 +132,7 @@ impl Policy {
     /// assert_eq!(Policy::new(1, 0, vec![vec![edge(0)]], vec![vec![]]).size(), 0, "there is no choice");
     /// ```
     pub fn size(&self) -> usize {
-        let choosing = || self.teams.iter().filter(|team| team.len() > 1).flatten();
-        let bids: BTreeSet<(u32, Destination)> = choosing().map(|edge| (edge.program, edge.to)).collect();
-        let computing: BTreeSet<u32> = self.leaves.iter().flatten().copied().collect();
-        let lines = |program: u32| {
-            let effective = effective(self.registers.into(), &self.programs[program as usize]);
-            effective.into_iter().filter(|&effective| effective).count()
-        };
-        let programs = bids.into_iter().map(|(program, _)| program).chain(computing);
-        choosing().count() + programs.map(lines).sum::<usize>()
+        self.lines() + self.teams.iter().map(Vec::len).filter(|&edges| edges > 1).sum::<usize>()
     }
 
     /// Returns the same policy under a shield: each bid for an action is capped by a value of the state. A policy with

@@ -8,7 +8,6 @@ use super::mutate_program::ProgramMutator;
 use super::mutate_team::{Moment, populate, random_population};
 use super::refine::Refiner;
 use super::select::{Candidate, ranked, survivors};
-use super::size;
 use super::state::{Deme, Record, Row, State};
 use super::vocabulary::Vocabulary;
 use std::collections::BTreeSet;
@@ -220,7 +219,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         for (deme, population) in state.demes.iter().enumerate() {
             for team in population.genome.roots() {
                 let policy = population.genome.policy(team, &self.vocabulary);
-                let lines = size::lines(&policy);
+                let lines = policy.lines();
                 roots.push(Evaluated { deme, team, policy, lines, endings: Vec::new(), dropped: false });
             }
         }

@@ -19,7 +19,6 @@ pub mod refine;
 pub mod run;
 pub mod scales;
 pub mod select;
-pub mod size;
 pub mod state;
 mod validate;
 pub mod vocabulary;

@@ -134,7 +134,6 @@ mod tests {
     use crate::evolution::config::RefinementConfig;
     use crate::evolution::genome::Genome;
     use crate::evolution::linear::LinearWriter;
-    use crate::evolution::size;
     use crate::evolution::vocabulary::Vocabulary;
     use tpg_engine::random::{Purpose, Stream};
     use tpg_engine::{Limits, Policy};
@@ -166,11 +165,11 @@ mod tests {
     #[test]
     fn a_jitter_keeps_the_lines_and_a_deletion_takes_one() {
         let (parent, jittered) = children(1.0, 0.0);
-        assert_eq!(size::lines(&parent), 8);
+        assert_eq!(parent.lines(), 8);
         let jittered: Vec<Policy> = jittered.into_iter().flatten().collect();
-        assert!(jittered.len() == 200 && jittered.iter().all(|child| size::lines(child) == 8 && *child != parent));
+        assert!(jittered.len() == 200 && jittered.iter().all(|child| child.lines() == 8 && *child != parent));
         let (_, shortened) = children(0.0, 1.0);
-        assert!(shortened.iter().all(|child| child.as_ref().is_some_and(|child| size::lines(child) == 7)));
+        assert!(shortened.iter().all(|child| child.as_ref().is_some_and(|child| child.lines() == 7)));
         let (_, some) = children(0.3, 0.2);
         let made = some.iter().filter(|child| child.is_some()).count();
         assert!((70..130).contains(&made), "{made} of 200");

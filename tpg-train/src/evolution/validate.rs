@@ -6,7 +6,6 @@
 //! allows for it and for the final one.
 
 use super::generation::{Evolution, root_number};
-use super::size;
 use super::state::{Best, State};
 use std::cmp::Ordering;
 use tpg_engine::{Ending, Environment, EvaluationError, Evaluator, Policy, Summary, UnitKey, Visit, Work, WorkUnit};
@@ -57,7 +56,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
     /// greater.
     fn compare(&self, state: &State<E::Task>, old: (&Summary, &Policy), new: (&Summary, &Policy)) -> Ordering {
         let price = self.line_price(state);
-        let (old_lines, new_lines) = (size::lines(old.1), size::lines(new.1));
+        let (old_lines, new_lines) = (old.1.lines(), new.1.lines());
         let less = |result: &Summary, lines: usize| Summary { score: result.score - price * lines as f64, ..*result };
         let preference = self.environment.preference();
         (less(new.0, new_lines).compare(&less(old.0, old_lines), preference)).then(old_lines.cmp(&new_lines))
@@ -95,7 +94,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         for (deme, population) in state.demes.iter().enumerate() {
             for (&team, record) in &population.records {
                 let policy = population.genome.policy(team, &self.vocabulary);
-                let lines = size::lines(&policy);
+                let lines = policy.lines();
                 let key = UnitKey { seed: state.seed, generation: state.generation, root: root_number(deme, team) };
                 roots.push((record.mean - price * lines as f64, lines, WorkUnit { key, policy }));
             }

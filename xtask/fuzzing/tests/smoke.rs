@@ -31,10 +31,10 @@ fn seeds(folder: &Path) -> Vec<Vec<u8>> {
 /// Mutants of each target: those that compile a program for each are few.
 fn mutants(target: &Target) -> usize {
     match target.name {
-        "compiled" => tpg_testing::amount(6, 60),
-        "tpg_checkpoint" | "sac_checkpoint" => tpg_testing::amount(300, 3_000),
-        "graph_json" | "dot" | "checkpoint_file" => tpg_testing::amount(1_000, 10_000),
-        _ => tpg_testing::amount(3_000, 30_000),
+        "compiled" => tpg_testing::amount(6, 20),
+        "tpg_checkpoint" | "sac_checkpoint" => tpg_testing::amount(300, 1_000),
+        "graph_json" | "dot" | "checkpoint_file" => tpg_testing::amount(1_000, 3_000),
+        _ => tpg_testing::amount(3_000, 10_000),
     }
 }
 
