@@ -205,3 +205,32 @@ fn an_action_node_repeated_with_another_action_is_refused() {
     );
     assert!(read_second(&text).expect_err("two actions").to_string().contains("A101 a second time"));
 }
+
+/// Tests of GEGELATI's own programs, for every kind of number: the compositions that docs/graph-json.md gives for them.
+#[test]
+fn comparisons_are_composed_of_words() {
+    let text = include_str!("../../../docs/graph-json.md");
+    let cases: [(&str, fn(f64) -> bool); 3] = [
+        ("min(div(0, min(abs(a), 1)), 10)", |a| a == 0.0),
+        ("min(div(0, min(abs(sub(a, 1)), 1)), 10)", |a| a == 1.0),
+        ("min(div(0, abs(min(max(sub(a, 15), -1), 0))), 10)", |a| a >= 15.0),
+    ];
+    let next = |a: f64| [a.next_down(), a, a.next_up()];
+    let specials = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, -0.0, -7.5, 5e-324, 1e300];
+    let values: Vec<f64> = specials.into_iter().chain([0.0, 1.0, 15.0].into_iter().flat_map(next)).collect();
+    for (composition, is_true) in cases {
+        assert!(text.contains(composition), "{composition} is documented");
+        let sidecar = SIDECAR.replace("\"cos\"", &format!("{{ name = \"test\", is = \"{composition}\" }}"));
+        let small = SMALL.replace("0|1&2|3#0|6&#92;n1|0&1|4#9|9&#92;n", "1|0&1|0#0|0&#92;n");
+        let graph =
+            import::from_text("x.dot", &small, Some(&Sidecar::from_toml("x.toml", &sidecar).expect("a sidecar")));
+        let graph = graph.unwrap_or_else(|error| panic!("{error}"));
+        let interpreter = Interpreter::<f64, Own>::new(&graph);
+        let tested = graph.programs().iter().find(|program| !program.lines.is_empty()).expect("a program");
+        for &a in &values {
+            let found = interpreter.run(tested, &[a, 0.0, 0.0, 0.0, 0.0]);
+            let expected: f64 = if is_true(a) { 10.0 } else { 0.0 };
+            assert_eq!(found.to_bits(), expected.to_bits(), "{composition} of {a:e}");
+        }
+    }
+}
