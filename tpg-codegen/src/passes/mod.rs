@@ -24,10 +24,11 @@ pub mod schedule;
 mod teams;
 pub mod wins;
 
-use crate::ir::{Module, Node};
+use crate::ir::{Module, Node, Team};
 use arithmetic::Arithmetic;
 use interval::Assumption;
 use serde::Serialize;
+use std::collections::BTreeSet;
 use tpg_graph::Graph;
 
 /// The number of removals of each kind.
@@ -137,14 +138,23 @@ pub fn optimise_logged(graph: &Graph, assumption: Assumption) -> (Module<'_>, Lo
             break;
         }
     }
-    if module.only_leaf().is_some() {
-        // Every walk ends there, whatever the root's edges bid.
-        let zero = module.constant(0.0);
-        module.bidders.iter_mut().for_each(|bidder| bidder.value = zero);
-        collect::run(&mut module);
-    }
+    drop_idle_bids(&mut module);
     log.operations = before - operations(&module);
     (module, log)
+}
+
+/// Removes bids that decide nothing: those of teams with one edge, and all where there is only one leaf.
+fn drop_idle_bids(module: &mut Module<'_>) {
+    let decides = |team: &&Team| team.edges.len() > 1 && module.only_leaf().is_none();
+    let deciding = module.teams.iter().filter(decides).flat_map(|team| &team.edges).map(|edge| edge.bidder);
+    let deciding: BTreeSet<usize> = deciding.collect();
+    let zero = module.constant(0.0);
+    for (place, bidder) in module.bidders.iter_mut().enumerate() {
+        if !deciding.contains(&place) {
+            bidder.value = zero;
+        }
+    }
+    collect::run(module);
 }
 
 fn operations(module: &Module<'_>) -> usize {

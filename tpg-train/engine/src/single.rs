@@ -81,7 +81,7 @@ impl<S: Scalar, M: Maths<S>> Engine for Single<S, M> {
 /// Wraps a graph, computed in its own arithmetic, as an [`Engine`].
 pub fn single(graph: &Graph) -> Box<dyn Engine> {
     fn of<S: Scalar, M: Maths<S> + 'static>(graph: &Graph) -> Box<dyn Engine> {
-        let plan = Plan::new::<M>(&Policy::from(graph), &graph.to_document().sources, Options::default());
+        let plan = Plan::new::<M>(&Policy::from(graph), &graph.state_sources(), Options::default());
         Box::new(Single::<S, M>::new(plan))
     }
     in_arithmetic_of!(graph, of(graph))

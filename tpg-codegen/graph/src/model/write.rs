@@ -7,6 +7,11 @@ use super::document::{
 use super::{Action, Destination, Edge, Graph, Line, Operand, Output, ProgramId, Source};
 
 impl Graph {
+    /// Returns the sources of a flat state as documents, those of the memory among them.
+    pub fn state_sources(&self) -> Vec<SourceDocument> {
+        self.sources.iter().map(source_document).collect()
+    }
+
     /// Converts the graph to a document.
     pub fn to_document(&self) -> Document {
         let operand = |operand: &Operand| match *operand {
