@@ -59,7 +59,7 @@ struct Line {
     events: Option<Receiver<Event<Report>>>,
     replies: Option<SyncSender<Reply>>,
     thread: Option<Thread>,
-    /// What the last event asked for: units and tasks, or visits.
+    /// The request of the last event: units and tasks, or visits.
     asked: Option<(usize, usize)>,
 }
 

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, SyncSender};
 use tpg_engine::{Answer, Ending, EvaluationError, Evaluator, Visit, Work};
 
-/// What the run says.
+/// A message of the run.
 pub(crate) enum Event<Report> {
     /// It wants roots evaluated.
     Evaluate(Work<u64>),
@@ -15,7 +15,7 @@ pub(crate) enum Event<Report> {
     Progress(Report),
 }
 
-/// What Python replies.
+/// A reply of Python.
 pub(crate) enum Reply {
     /// Endings of each unit on each task.
     Endings(Vec<Vec<Ending>>),

@@ -138,7 +138,7 @@ fn nothing_in_the_object_decides_by_data_what_runs() {
     }
 }
 
-/// Where a comparison has a constant operand and is inlined, the optimiser knows more of the mask that it makes.
+/// If a comparison has a constant operand and is inlined, the optimiser knows more of the mask that it makes.
 #[test]
 fn nor_where_operands_are_constants() {
     let binutils = [("arm-none-eabi-gcc", "gcc-arm-none-eabi"), ("arm-none-eabi-objdump", "gcc-arm-none-eabi")];

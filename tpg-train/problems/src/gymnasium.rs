@@ -77,7 +77,7 @@ impl Recorded for MountainCarContinuous {
     }
 }
 
-/// What was compared.
+/// Counts of what agreed with Gymnasium and of what did not.
 #[derive(Debug, Default)]
 struct Tally {
     episodes: usize,

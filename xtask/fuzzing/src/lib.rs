@@ -1,4 +1,4 @@
-//! What fuzzers call: every loader, the compiler and the C interface, each as a function of bytes.
+//! Targets of fuzzers: every loader, the compiler and the C interface, each as a function of bytes.
 //!
 //! `fuzz/` hands each [target](TARGETS) to libFuzzer; a test of this crate runs the same functions on a stable compiler,
 //! from the seeds in `fuzz/corpus` and fixed random numbers. A target panics where something is wrong: a panic of the

@@ -9,11 +9,11 @@ use std::collections::BTreeSet;
 pub(crate) struct Operator {
     /// Its name in messages.
     pub(crate) name: String,
-    /// What it computes; `None` if the sidecar does not say, because no program uses it.
+    /// Its value; `None` if the sidecar does not give one, because no program uses it.
     pub(crate) value: Option<Expression>,
 }
 
-/// What an instruction computes of its operands.
+/// The value of an instruction, made of its operands.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Expression {
     /// The operand at this place: `a` is 0, `b` is 1.
