@@ -210,7 +210,8 @@ fn an_action_node_repeated_with_another_action_is_refused() {
 #[test]
 fn comparisons_are_composed_of_words() {
     let text = include_str!("../../../docs/graph-json.md");
-    let cases: [(&str, fn(f64) -> bool); 3] = [
+    type Test = fn(f64) -> bool;
+    let cases: [(&str, Test); 3] = [
         ("min(div(0, min(abs(a), 1)), 10)", |a| a == 0.0),
         ("min(div(0, min(abs(sub(a, 1)), 1)), 10)", |a| a == 1.0),
         ("min(div(0, abs(min(max(sub(a, 15), -1), 0))), 10)", |a| a >= 15.0),
