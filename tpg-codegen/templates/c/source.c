@@ -17,14 +17,7 @@
 #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD != 0){% if f64 %} && (FLT_EVAL_METHOD != 1){% endif %}
 #error "{{ scalar }} expressions must be computed in {{ scalar }}: the policy would act differently"
 #endif
-/* A product and a sum are rounded each: nothing may fuse them. */
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC optimize("fp-contract=off") /* GCC ignores the standard's pragma, and fuses in GNU modes and in C++. */
-#elif defined(_MSC_VER) && !defined(__clang__)
-#pragma fp_contract(off)
-#else
-#pragma STDC FP_CONTRACT OFF
-#endif
+{% include "c/contraction.c" %}
 {{ helpers }}
 {%- if !parts.1.is_empty() %}
 /* A state and the memory as one; an answer and the next memory as one. */
