@@ -39,8 +39,6 @@ BUILT_IN = {
     "MountainCar-v0": "mountain-car",
     "MountainCarContinuous-v0": "mountain-car-continuous",
     "Pendulum-v1": "pendulum",
-    "LunarLander-v3": "lunar-lander",
-    "LunarLanderContinuous-v3": "lunar-lander-continuous",
 }
 # What gymnasium.make() itself puts around an environment.
 USUAL_WRAPPERS = {"TimeLimit", "OrderEnforcing", "PassiveEnvChecker"}
