@@ -1,6 +1,6 @@
 //! `tpg-train tpg`: evolves a tangled program graph.
 
-use super::config::Config;
+use super::config::EvolutionConfig;
 use super::generation::Goal;
 use super::presets::{PRESETS, Preset};
 use super::run::{RunEnd, RunError, RunOptions, run};
@@ -15,7 +15,7 @@ use crate::run_args::{RunArgs, command_line};
 use clap::Args;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
-use tpg_engine::{Choices, Environment, LocalThreads, Options, Remembered, Remembering, Summary};
+use tpg_engine::{Choices, EngineOptions, Environment, LocalThreads, Remembered, Remembering, Summary};
 use tpg_graph::ScalarType;
 use tpg_graph::command::Verdict;
 use tpg_graph::error::InputError;
@@ -80,7 +80,7 @@ fn seeds(text: &str) -> Result<Seeds, String> {
 /// # Errors
 /// An invalid configuration, a folder with another run, files that cannot be written.
 pub fn execute(args: &TpgArgs) -> Result<Verdict, RunError> {
-    let Chosen { mut config, problem, .. } = Chosen::<Config>::by(&args.run, args.problem)?;
+    let Chosen { mut config, problem, .. } = Chosen::<EvolutionConfig>::by(&args.run, args.problem)?;
     if let Some(generations) = args.generations {
         config.learning.nb_generations = generations;
     }
@@ -92,7 +92,7 @@ pub fn execute(args: &TpgArgs) -> Result<Verdict, RunError> {
     }
 }
 
-impl Configuration for Config {
+impl Configuration for EvolutionConfig {
     type Problem = Problem;
     const PRESETS: &'static [Preset] = &PRESETS;
     const PRINTED_BY: &'static str = "tpg-train config";
@@ -111,7 +111,7 @@ impl Configuration for Config {
 /// Training on an environment whose type only the registry knows.
 struct Training<'a> {
     args: &'a TpgArgs,
-    config: &'a Config,
+    config: &'a EvolutionConfig,
     problem: &'a Problem,
     stop: &'a AtomicBool,
 }
@@ -136,7 +136,7 @@ impl Training<'_> {
         Own: Maths<S>,
     {
         let Self { args, config, problem, stop } = *self;
-        let options = Options { lanes: args.lanes.into(), ..Options::default() };
+        let options = EngineOptions { lanes: args.lanes.into(), ..EngineOptions::default() };
         let evaluator = LocalThreads::<S, Own, E>::new(environment, options, args.threads)?;
         let goal = Goal { target: args.target, max_steps: args.max_steps };
         let one = |seed: u64, folder: PathBuf| {
