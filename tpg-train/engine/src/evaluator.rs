@@ -89,6 +89,20 @@ pub trait Evaluator<Task> {
     }
 }
 
+impl<Task, V: Evaluator<Task> + ?Sized> Evaluator<Task> for &V {
+    fn evaluate(&self, work: &Work<Task>) -> Result<Vec<UnitResult>, EvaluationError> {
+        (**self).evaluate(work)
+    }
+
+    fn visit(&self, visits: &[Visit<Task>]) -> Result<Vec<Vec<Vec<f64>>>, EvaluationError> {
+        (**self).visit(visits)
+    }
+
+    fn steps(&self) -> u64 {
+        (**self).steps()
+    }
+}
+
 /// Evaluation on the threads of this machine.
 ///
 /// ```
@@ -152,6 +166,11 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> LocalThreads<'e, S, M, E> {
 }
 
 impl<S: Scalar, M: Maths<S>, E: Environment<S>> LocalThreads<'_, S, M, E> {
+    /// Returns the number of threads.
+    pub fn threads(&self) -> usize {
+        self.pool.current_num_threads()
+    }
+
     /// Returns the states of one visit by running the episode again up to each of them.
     fn states(&self, visit: &Visit<E::Task>) -> Result<Vec<Vec<f64>>, EvaluationError> {
         let options = EngineOptions { lanes: 1, ..self.options };

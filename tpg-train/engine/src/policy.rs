@@ -64,10 +64,10 @@ pub struct PolicyGraph {
     /// The programs.
     pub programs: Vec<Vec<Line>>,
     /// The outputs; empty for a policy that chooses among actions.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(default)]
     pub outputs: Vec<Limits>,
     /// The leaves, which edges lead to in place of actions: the program of each output.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(default)]
     pub leaves: Vec<Vec<u32>>,
 }
 
