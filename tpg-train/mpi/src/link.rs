@@ -1,6 +1,5 @@
 //! Messages between ranks by MPI.
 
-use mpi::point_to_point::Status;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::{Communicator, Destination, MatchedReceiveVec, Source};
 use tpg_engine::EvaluationError;
@@ -28,8 +27,8 @@ impl Link for World {
     }
 
     fn poll(&self) -> Result<Option<(usize, Vec<u8>)>, EvaluationError> {
-        let Some((message, _)) = self.0.any_process().immediate_matched_probe() else { return Ok(None) };
-        let (bytes, status): (Vec<u8>, Status) = message.matched_receive_vec();
+        let Some(probed) = self.0.any_process().immediate_matched_probe() else { return Ok(None) };
+        let (bytes, status) = probed.matched_receive_vec();
         Ok(Some((status.source_rank() as usize, bytes)))
     }
 }
