@@ -129,7 +129,10 @@ fn the_papers_graphs() {
                 let graph = import::load(&path, Some(Profile::Ecta24), None).unwrap_or_else(|error| panic!("{error}"));
                 assert_eq!(graph.state_length(), 15);
                 let sidecar = Sidecar::from_toml("x.toml", &export::sidecar::text(&graph)).expect("a sidecar");
-                assert_eq!(import::from_text("x.dot", &export::dot::text(&graph).expect("no memory"), Some(&sidecar)), Ok(graph));
+                assert_eq!(
+                    import::from_text("x.dot", &export::dot::text(&graph).expect("no memory"), Some(&sidecar)),
+                    Ok(graph)
+                );
                 read += 1;
             }
         }

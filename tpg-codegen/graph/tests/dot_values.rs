@@ -83,7 +83,8 @@ fn each_value_has_a_program_or_is_0() {
 fn values_are_registers_of_one_program() {
     let sidecar = format!("values = \"registers\"\n{SIDECAR}");
     let one = PROGRAMS.replace("label=\"1-0\"", "label=\"0\"").replace("\t\tA8 -> P4\n", "");
-    let one: String = one.lines().filter(|line| !line.contains("P4") && !line.contains("I4")).collect::<Vec<_>>().join("\n");
+    let one: String =
+        one.lines().filter(|line| !line.contains("P4") && !line.contains("I4")).collect::<Vec<_>>().join("\n");
     let graph = graph(&one, &sidecar);
     // P3: r0 = x[1] · 0.5, r1 = x[2] + r0
     assert_eq!(answer(&graph, &[3.0, 1.0, 0.25]), [0.5, 0.75]);

@@ -74,10 +74,7 @@ impl Arithmetic {
 
 /// Sine, cosine, tangent, logarithm or exponential: the provider's business, and expensive.
 pub const fn is_transcendental(instruction: Instruction) -> bool {
-    matches!(
-        instruction,
-        Instruction::Cos | Instruction::Sin | Instruction::Tan | Instruction::Ln | Instruction::Exp
-    )
+    matches!(instruction, Instruction::Cos | Instruction::Sin | Instruction::Tan | Instruction::Ln | Instruction::Exp)
 }
 
 fn is_fixed_by_the_standard(instruction: Instruction, a: f64) -> bool {

@@ -142,7 +142,9 @@ impl<'a> Bounds<'a> {
             }
             Instruction::Tan => UNKNOWN,
             // Not farther from 0 than the first operand.
-            Instruction::NegateIfLess | Instruction::Abs | Instruction::Fmod | Instruction::Gate => self.magnitude(a).map_or(UNKNOWN, Bound::Magnitude),
+            Instruction::NegateIfLess | Instruction::Abs | Instruction::Fmod | Instruction::Gate => {
+                self.magnitude(a).map_or(UNKNOWN, Bound::Magnitude)
+            }
             Instruction::Cos | Instruction::Sin => Bound::Magnitude(self.values.intern(Node::constant(1.0))),
             Instruction::Ln => {
                 let high = self.of_function(Instruction::Ln, a);

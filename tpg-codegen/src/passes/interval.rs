@@ -1,7 +1,7 @@
 //! Interval analysis, with NaN.
 //!
 //! Rounding to nearest is monotone, so the ends of a sum, difference, product or quotient are the rounded results on the
-//! ends of its operands, computed in the graph's own scalar type: no widening is needed. Results of sin, cos, ln and exp
+//! ends of its operands, computed in the graph's own scalar type: no widening is needed. Results of sin, cos, tan, ln and exp
 //! depend on the provider; those are widened by more than any provider is off.
 
 use super::arithmetic::Arithmetic;

@@ -233,7 +233,8 @@ mod tests {
     fn own_maths_is_the_same() {
         let ct = ConstantTime::<f32>::default();
         for x in (0..=u32::MAX).step_by(9973).map(f32::from_bits).chain(SPECIAL) {
-            let own = [ops::own::f32::sin, ops::own::f32::cos, ops::own::f32::tan, ops::own::f32::ln, ops::own::f32::exp];
+            let own =
+                [ops::own::f32::sin, ops::own::f32::cos, ops::own::f32::tan, ops::own::f32::ln, ops::own::f32::exp];
             let masked = [ct.sin(x), ct.cos(x), ct.tan(x), ct.ln(x), ct.exp(x)];
             assert_eq!(masked.map(f32::to_bits), own.map(|kernel| kernel(x).to_bits()), "{x:e}");
         }

@@ -32,7 +32,11 @@ pub struct Inexpressible {
 impl fmt::Display for Inexpressible {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { memory } = self;
-        write!(f, "a policy with memory ({}): in GEGELATI's format a decision depends on the state alone", memory.join(", "))
+        write!(
+            f,
+            "a policy with memory ({}): in GEGELATI's format a decision depends on the state alone",
+            memory.join(", ")
+        )
     }
 }
 

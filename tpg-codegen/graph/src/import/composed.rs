@@ -151,7 +151,9 @@ impl<'t> Parser<'t> {
         let indices: Vec<u32> = match inner {
             None if indices.is_empty() => Vec::new(),
             None => return Err(found()),
-            Some(inner) => inner.split("][").map(|index| index.parse().map_err(|_| found())).collect::<Result<_, _>>()?,
+            Some(inner) => {
+                inner.split("][").map(|index| index.parse().map_err(|_| found())).collect::<Result<_, _>>()?
+            }
         };
         if indices.len() != window.len() || indices.iter().zip(window).any(|(index, extent)| index >= extent) {
             return Err(found());
@@ -231,7 +233,9 @@ mod tests {
         let parse = |text: &str| Expression::parse(text, &windows);
         let Ok(Expression::Call(_, operands)) = parse("sub(a[2], b[1][0])") else { panic!("a call") };
         assert_eq!(operands, [Expression::Operand(0, 2), Expression::Operand(1, 3)]);
-        for text in ["abs(a)", "abs(a[3])", "abs(a[0][0])", "abs(b[1])", "abs(b[2][0])", "abs(c[0])", "abs(a[x])", "abs(a[0)"] {
+        for text in
+            ["abs(a)", "abs(a[3])", "abs(a[0][0])", "abs(b[1])", "abs(b[2][0])", "abs(c[0])", "abs(a[x])", "abs(a[0)"]
+        {
             parse(text).expect_err(text);
         }
     }

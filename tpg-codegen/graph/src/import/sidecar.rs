@@ -19,7 +19,7 @@ use toml::de::{DeTable, DeValue};
 ///
 /// let text = r#"
 ///     scalar = "f64"              # scalar type of programs: "f32" or "f64"
-///     maths = "system"            # provider of sin, cos, ln, exp: "own" or "system"
+///     maths = "system"            # provider of sin, cos, tan, ln, exp: "own" or "system"
 ///     registers = 8
 ///     sources = [                 # in the order of the environment, without the registers and program constants
 ///         { name = "position", length = 3, unit = "mm", range = [-600, 600] },

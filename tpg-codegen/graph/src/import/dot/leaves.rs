@@ -20,7 +20,8 @@ pub(super) fn resolve(
     lines: &mut Lines,
 ) -> Result<Vec<LeafDocument>, InputError> {
     let next = programs.iter().map(|program| program.id).max().unwrap_or(0).saturating_add(1);
-    let mut builder = Builder { resolver, programs, lines, next, made: BTreeMap::new() };
+    let places = programs.iter().enumerate().map(|(place, program)| (program.id, place)).collect();
+    let mut builder = Builder { resolver, programs, places, lines, next, made: BTreeMap::new() };
     let leaves = match resolver.sidecar.values() {
         Values::Bid => builder.of_bids(teams)?,
         Values::Programs | Values::Registers => builder.of_actions(teams)?,
@@ -32,6 +33,8 @@ pub(super) fn resolve(
 struct Builder<'b, 's> {
     resolver: &'b Resolver<'s>,
     programs: &'b mut Vec<ProgramDocument>,
+    /// The place of each program of the file.
+    places: BTreeMap<u32, usize>,
     lines: &'b mut Lines,
     /// The next free id of a program.
     next: u32,
@@ -64,19 +67,31 @@ impl Builder<'_, '_> {
         let refused = |found: String, accepted: String| Err(self.resolver.error(*line, found, accepted));
         if self.resolver.sidecar.values() == Values::Registers {
             return match programs.as_slice() {
-                &[program] => Ok((0..self.outputs()).map(|output| self.program(Some(program), output as u32, output)).collect()),
-                _ => refused(format!("A{node} with {}", counted(count, "program")), "one, whose registers are the values".to_owned()),
+                &[program] => {
+                    Ok((0..self.outputs()).map(|output| self.program(Some(program), output as u32, output)).collect())
+                }
+                _ => refused(
+                    format!("A{node} with {}", counted(count, "program")),
+                    "one, whose registers are the values".to_owned(),
+                ),
             };
         }
         if labels.len() != count {
-            let found = format!("A{node} with {} and {} in its label", counted(count, "program"), counted(labels.len(), "number"));
+            let found = format!(
+                "A{node} with {} and {} in its label",
+                counted(count, "program"),
+                counted(labels.len(), "number")
+            );
             return refused(found, format!("A{node} -> P… for each number"));
         }
         let mut computed = vec![None; self.outputs()];
         for (&label, &program) in labels.iter().zip(programs) {
             let most = self.outputs() - 1;
             let Some(place) = computed.get_mut(label as usize) else {
-                return refused(format!("A{node} computes value {label}"), format!("0 to {most}: the sidecar has no other output"));
+                return refused(
+                    format!("A{node} computes value {label}"),
+                    format!("0 to {most}: the sidecar has no other output"),
+                );
             };
             if place.replace(program).is_some() {
                 return refused(format!("A{node} computes value {label} a second time"), "each value once".to_owned());
@@ -88,7 +103,7 @@ impl Builder<'_, '_> {
 
     /// Builds a leaf for each program that bids for an action: other registers of it are the values.
     fn of_bids(&mut self, teams: &mut [TeamDocument]) -> Result<Vec<LeafDocument>, InputError> {
-        let mut leaves: BTreeMap<u32, LeafDocument> = BTreeMap::new();
+        let (mut leaves, mut known) = (Vec::new(), BTreeSet::new());
         for edge in teams.iter_mut().flat_map(|team| &mut team.edges) {
             let Some(node) = edge.leaf else { continue };
             let action = self.resolver.declared.actions.get(node);
@@ -99,18 +114,22 @@ impl Builder<'_, '_> {
             }
             let program = edge.program;
             edge.leaf = Some(program);
-            if !leaves.contains_key(&program) {
+            if known.insert(program) {
                 let values = 0..self.outputs();
                 let programs = values.map(|output| self.program(Some(program), output as u32 + 1, output)).collect();
-                leaves.insert(program, LeafDocument { id: program, programs, memory: Vec::new() });
+                leaves.push(LeafDocument { id: program, programs, memory: Vec::new() });
                 self.lines.leaves.push(action.map_or(0, |action| action.line));
             }
         }
         if leaves.is_empty() {
             let accepted = "edges to actions: the values are registers of the programs that bid for them";
-            return Err(self.resolver.error(self.resolver.declared.close, "a graph without an edge to an action", accepted));
+            return Err(self.resolver.error(
+                self.resolver.declared.close,
+                "a graph without an edge to an action",
+                accepted,
+            ));
         }
-        Ok(leaves.into_values().collect())
+        Ok(leaves)
     }
 
     /// Returns the program whose result is an output: the register of another program, or 0 without one, as the output's
@@ -127,7 +146,7 @@ impl Builder<'_, '_> {
         if let Some(&made) = self.made.get(&key) {
             return made;
         }
-        let base = program.and_then(|id| self.programs.iter().position(|program| program.id == id));
+        let base = program.and_then(|id| self.places.get(&id).copied());
         let mut lines = base.map_or_else(Vec::new, |place| self.programs[place].lines.clone());
         let value = |register: u32| OperandDocument::Place(format!("r{register}"));
         if register > 0 {

@@ -22,8 +22,8 @@
 //! ```
 
 mod declared;
-mod leaves;
 mod label;
+mod leaves;
 mod lexer;
 mod lines;
 mod parser;

@@ -111,7 +111,8 @@ fn inside(content: &str, tokens: &[Token<'_>]) -> Result<Option<Statement>, Faul
         [node @ Node { kind: Kind::Action, number }] => {
             let label = label.ok_or_else(|| without_label(node))?;
             let labels = label.split('-').map(digits).collect::<Option<_>>().ok_or_else(|| {
-                let accepted = "the number of an action, as in label=\"0\", or those of its programs, as in label=\"0-1\"";
+                let accepted =
+                    "the number of an action, as in label=\"0\", or those of its programs, as in label=\"0-1\"";
                 Fault::new(format!("A{number} with the label {label:?}"), accepted)
             })?;
             Statement::Action { node: number, labels }

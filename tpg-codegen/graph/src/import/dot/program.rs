@@ -102,7 +102,8 @@ impl Meaning<'_> {
         let across = u64::from(across) + 1;
         let place = operand.location % ((u64::from(down) + 1) * across);
         let (row, column) = ((place / across) as u32, (place % across) as u32);
-        let values = (row..row + height).flat_map(|row| (column..column + width).map(move |column| row * columns + column));
+        let values =
+            (row..row + height).flat_map(|row| (column..column + width).map(move |column| row * columns + column));
         Ok(values
             .map(|value| {
                 OperandDocument::Place(name.map_or_else(|| format!("r{value}"), |name| format!("{name}[{value}]")))
