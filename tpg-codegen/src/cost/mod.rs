@@ -7,7 +7,7 @@ use crate::ir::{Module, Node, NodeId, heaviest_walk, needed};
 use crate::options::Language;
 use crate::passes::arithmetic::is_transcendental;
 use crate::passes::functions;
-use crate::passes::schedule::{Bid, Infinite, LazyBid, Plan, Sparing};
+use crate::passes::schedule::{Bid, Infinite, LazyBid, Sparing, TeamSchedule};
 use crate::program::{Program, Shape};
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -194,7 +194,7 @@ fn in_order(module: &Module<'_>, step: impl Fn(Bid) -> Step) -> Vec<Vec<Step>> {
 }
 
 /// The steps of a plan, where some values are computed already.
-fn planned(nodes: &[Node], plan: &Plan, language: Language, computed: BTreeSet<NodeId>) -> Vec<Step> {
+fn planned(nodes: &[Node], plan: &TeamSchedule, language: Language, computed: BTreeSet<NodeId>) -> Vec<Step> {
     // With one way to go, no bid matters.
     if plan.destinations().len() == 1 {
         return Vec::new();

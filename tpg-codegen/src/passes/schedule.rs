@@ -44,7 +44,7 @@ pub struct LazyBid {
     pub bid: Bid,
     /// Skips even the bound.
     pub sparing: Option<Sparing>,
-    /// The place is lower than that of [`Plan::infinite`]: it loses to an infinite bid there.
+    /// The place is lower than that of [`TeamSchedule::infinite`]: it loses to an infinite bid there.
     pub before_infinite: bool,
     /// Upper bound: it cannot win if this is below the best bid so far.
     pub bound: Option<NodeId>,
@@ -65,14 +65,14 @@ pub struct Infinite {
 
 /// The evaluation plan of a team.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Plan {
+pub struct TeamSchedule {
     /// The team's id in the source file.
     pub label: u32,
     /// Evaluated first: an infinite bid makes every lower-ranked bid unnecessary. It is one of the lazy bids, too.
     pub infinite: Option<Infinite>,
     /// Bids that are always computed, by place.
     pub eager: Vec<Bid>,
-    /// Bids that are computed unless an infinite one leads, by place: those before [`Plan::infinite`].
+    /// Bids that are computed unless an infinite one leads, by place: those before [`TeamSchedule::infinite`].
     pub eager_before: Vec<Bid>,
     /// The others, in order of evaluation.
     pub lazy: Vec<LazyBid>,
@@ -80,7 +80,7 @@ pub struct Plan {
     pub targets: Vec<Target>,
 }
 
-impl Plan {
+impl TeamSchedule {
     /// The distinct destinations of the edges; the last is the last edge's, which is taken if no bid wins.
     pub fn destinations(&self) -> Vec<Target> {
         let mut destinations = Vec::new();
@@ -105,7 +105,7 @@ pub struct Schedule {
     /// The module's nodes, and bounds after them.
     pub nodes: Vec<Node>,
     /// A plan for each team.
-    pub plans: Vec<Plan>,
+    pub plans: Vec<TeamSchedule>,
     /// The module's leaves.
     pub leaves: Vec<Leaf>,
 }
@@ -126,11 +126,11 @@ pub fn schedule(module: &Module<'_>, recorded: &[f64]) -> Schedule {
     let mut bounds = Bounds::new(arithmetic, &intervals, &cheap, &mut values);
     let expected = interval::analyse(module, Assumption::DeclaredRanges);
     let planner = Planner { module, scalar: module.graph.scalar(), wins, cheap: &cheap, expected: &expected };
-    let mut plans: Vec<Plan> = (0..module.teams.len()).map(|team| planner.plan(team, &mut bounds)).collect();
+    let mut plans: Vec<TeamSchedule> = (0..module.teams.len()).map(|team| planner.plan(team, &mut bounds)).collect();
     let mut nodes = values.into_nodes();
     // Parts of bounds that came to nothing.
     let mut roots = Vec::new();
-    for Plan { infinite, eager, eager_before, lazy, .. } in &mut plans {
+    for TeamSchedule { infinite, eager, eager_before, lazy, .. } in &mut plans {
         roots.extend(infinite.iter_mut().map(|infinite| &mut infinite.argument));
         roots.extend(eager.iter_mut().chain(eager_before).map(|bid| &mut bid.value));
         for LazyBid { bid, sparing, bound, certain, .. } in lazy {
@@ -178,7 +178,7 @@ struct Planner<'a> {
 }
 
 impl Planner<'_> {
-    fn plan(&self, number: usize, bounds: &mut Bounds<'_>) -> Plan {
+    fn plan(&self, number: usize, bounds: &mut Bounds<'_>) -> TeamSchedule {
         let team = &self.module.teams[number];
         let value = |place: usize| self.module.bidders[team.edges[place].bidder].value;
         let total = |place: usize| -> u32 {
@@ -219,7 +219,7 @@ impl Planner<'_> {
             })
             .collect();
         let targets = team.edges.iter().map(|edge| edge.to).collect();
-        Plan { label: team.label, infinite, eager, eager_before, lazy, targets }
+        TeamSchedule { label: team.label, infinite, eager, eager_before, lazy, targets }
     }
 
     /// The cheap argument of a logarithm or an exponential.

@@ -2,8 +2,8 @@
 //! evaluate.
 
 use crate::nodes::{Arena, Node, NodeId, NodeSet};
-use crate::options::Options;
-use crate::policy::{Destination, Edge, Policy};
+use crate::options::EngineOptions;
+use crate::policy::{Destination, Edge, PolicyGraph};
 use crate::source_set::SourceSet;
 use std::collections::BTreeSet;
 use tpg_graph::SourceDocument;
@@ -94,7 +94,7 @@ pub struct Plan<S> {
 
 impl<S: Scalar> Plan<S> {
     /// Plans a policy over the state made of the given sources.
-    pub fn new<M: Maths<S>>(policy: &Policy, sources: &[SourceDocument], options: Options) -> Self {
+    pub fn new<M: Maths<S>>(policy: &PolicyGraph, sources: &[SourceDocument], options: EngineOptions) -> Self {
         let mut arena = Arena::<S, M>::new(options.share);
         let bids: Vec<NodeId> =
             policy.programs.iter().map(|program| arena.program(policy.registers, program)).collect();
@@ -190,7 +190,7 @@ fn planned_team<S: Scalar>(
 }
 
 /// Returns the actions that edges lead to, in ascending order.
-fn actions(policy: &Policy) -> Vec<ActionId> {
+fn actions(policy: &PolicyGraph) -> Vec<ActionId> {
     let action = |edge: &Edge| match edge.to {
         Destination::Team(_) => None,
         Destination::Action(action) => Some(action),
@@ -200,7 +200,7 @@ fn actions(policy: &Policy) -> Vec<ActionId> {
 }
 
 /// Returns the place of a destination, numbered as in [`Code::to`].
-fn place(policy: &Policy, actions: &[ActionId], to: Destination) -> u32 {
+fn place(policy: &PolicyGraph, actions: &[ActionId], to: Destination) -> u32 {
     match to {
         Destination::Team(team) => team,
         Destination::Action(action) => {
