@@ -144,7 +144,7 @@ pub fn schedule(module: &Module<'_>, recorded: &[f64]) -> Schedule {
     Schedule { nodes, plans, leaves }
 }
 
-/// The nodes that need no sine, cosine, logarithm or exponential.
+/// The nodes that need no sine, cosine, tangent, logarithm or exponential.
 fn cheap_nodes(module: &Module<'_>) -> Vec<bool> {
     let mut cheap: Vec<bool> = Vec::with_capacity(module.nodes.len());
     for node in &module.nodes {
@@ -158,11 +158,13 @@ fn cheap_nodes(module: &Module<'_>) -> Vec<bool> {
 pub fn cost(instruction: Instruction) -> u32 {
     match instruction {
         Instruction::Sub | Instruction::Add | Instruction::Mul | Instruction::Abs => 1,
-        Instruction::NegateIfLess | Instruction::Min | Instruction::Max => 2,
+        Instruction::NegateIfLess | Instruction::Min | Instruction::Max | Instruction::Gate => 2,
         Instruction::Div => 4,
+        Instruction::Fmod => 12,
         Instruction::Exp => 20,
         Instruction::Ln => 25,
         Instruction::Cos | Instruction::Sin => 30,
+        Instruction::Tan => 60,
     }
 }
 

@@ -88,6 +88,16 @@ static {{ scalar }} {{ prefix }}_max({{ scalar }} a, {{ scalar }} b)
     return {{ prefix }}_select({{ prefix }}_less(b, a), a, b);
 }
 {% endif %}
+{% if uses_gate %}
+
+/* a where b is not 0, else -0. */
+static {{ scalar }} {{ prefix }}_gate({{ scalar }} a, {{ scalar }} b)
+{
+    {{ key }} bits;
+    (void)memcpy(&bits, &b, sizeof bits);
+    return {{ prefix }}_select(0U - (((bits & ~{{ sign }}) - 1U) >> {{ top }}), {% if f64 %}-0.0{% else %}-0.0F{% endif %}, a);
+}
+{% endif %}
 {% if clamps %}
 
 /* An output in its range. */

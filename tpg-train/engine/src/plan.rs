@@ -228,8 +228,10 @@ fn facts<S: Scalar>(nodes: &[Node<S>], lazy: bool) -> Vec<Fact<S>> {
             Node::Constant(value) => Fact { most: (!value.is_nan()).then(|| value.abs()), expensive: false },
             Node::Operation(instruction, a, b) => {
                 let (a, b) = (facts[a.index()], facts[b.index()]);
-                let transcendental =
-                    matches!(instruction, Instruction::Cos | Instruction::Sin | Instruction::Ln | Instruction::Exp);
+                let transcendental = matches!(
+                    instruction,
+                    Instruction::Cos | Instruction::Sin | Instruction::Tan | Instruction::Ln | Instruction::Exp
+                );
                 let expensive = lazy && (transcendental || a.expensive || b.expensive);
                 Fact { most: most(instruction, a.most, b.most), expensive }
             }
@@ -243,10 +245,10 @@ fn facts<S: Scalar>(nodes: &[Node<S>], lazy: bool) -> Vec<Fact<S>> {
 fn most<S: Scalar>(instruction: Instruction, a: Option<S>, b: Option<S>) -> Option<S> {
     match instruction {
         Instruction::Cos | Instruction::Sin => Some(S::ONE),
-        Instruction::Abs | Instruction::NegateIfLess => a,
+        Instruction::Abs | Instruction::NegateIfLess | Instruction::Fmod | Instruction::Gate => a,
         Instruction::Add | Instruction::Sub => Some(a? + b?),
         Instruction::Min | Instruction::Max => Some(if a? > b? { a? } else { b? }),
-        Instruction::Mul | Instruction::Div | Instruction::Ln | Instruction::Exp => None,
+        Instruction::Mul | Instruction::Div | Instruction::Tan | Instruction::Ln | Instruction::Exp => None,
     }
 }
 

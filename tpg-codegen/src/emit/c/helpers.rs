@@ -18,6 +18,7 @@ struct Helpers<'a> {
     own: Option<OwnMaths>,
     uses_sin: bool,
     uses_cos: bool,
+    uses_tan: bool,
     uses_ln: bool,
     uses_exp: bool,
     /// Compare on integers.
@@ -38,6 +39,9 @@ struct Helpers<'a> {
     uses_negate_if_less: bool,
     uses_min: bool,
     uses_max: bool,
+    uses_fmod: bool,
+    uses_gate: bool,
+    positive_infinity: &'a str,
     /// Outputs are limited.
     clamps: bool,
     /// Outputs of several leaves are chosen without a branch.
@@ -66,7 +70,7 @@ pub(super) fn render(printer: &Printer<'_>, branch_free: bool, body: &str) -> St
     let provider = printer.graph.maths();
     let uses = |instruction| calls.any(&[instruction]);
     let short = provider == MathsProvider::System && printer.short_cuts;
-    let maths = [Instruction::Sin, Instruction::Cos, Instruction::Ln, Instruction::Exp];
+    let maths = [Instruction::Sin, Instruction::Cos, Instruction::Tan, Instruction::Ln, Instruction::Exp];
     let calls_maths = provider == MathsProvider::Own && calls.any(&maths);
     let (infinite_above, zero_below) = bound::beyond_exponentials(scalar);
     // The order of a number's bits: what is negative upside down, below what is positive.
@@ -79,10 +83,12 @@ pub(super) fn render(printer: &Printer<'_>, branch_free: bool, body: &str) -> St
         decides: is_called("challenge"),
         clamps: is_called("clamp"),
         picks: is_called("pick"),
-        chooses: orders || is_called("pick"),
+        chooses: orders || is_called("pick") || calls.any(&[Instruction::Fmod, Instruction::Gate]),
         orders,
         compares,
-        selects: is_called("clamp") || is_called("pick") || calls.any(&[Instruction::Min, Instruction::Max]),
+        selects: is_called("clamp")
+            || is_called("pick")
+            || calls.any(&[Instruction::Min, Instruction::Max, Instruction::Gate]),
         key,
         top,
         sign,
@@ -92,13 +98,21 @@ pub(super) fn render(printer: &Printer<'_>, branch_free: bool, body: &str) -> St
         scalar: printer.scalar(),
         f64: scalar == ScalarType::F64,
         own: calls_maths.then(|| OwnMaths::of(printer)),
-        uses_sin: uses(Instruction::Sin),
-        uses_cos: uses(Instruction::Cos),
+        // An own tangent is sine by cosine.
+        uses_sin: calls.any(&[Instruction::Sin, Instruction::Tan]),
+        uses_cos: calls.any(&[Instruction::Cos, Instruction::Tan]),
+        uses_tan: uses(Instruction::Tan),
         uses_ln: uses(Instruction::Ln),
         uses_exp: uses(Instruction::Exp),
         uses_negate_if_less: uses(Instruction::NegateIfLess),
         uses_min: uses(Instruction::Min),
         uses_max: uses(Instruction::Max),
+        uses_fmod: uses(Instruction::Fmod),
+        uses_gate: uses(Instruction::Gate),
+        positive_infinity: match scalar {
+            ScalarType::F32 => "0x7f800000U",
+            ScalarType::F64 => "0x7ff0000000000000ULL",
+        },
         short_ln: (short && uses(Instruction::Ln)).then(|| printer.of_scalar("log")),
         short_exp: (short && uses(Instruction::Exp)).then(|| ShortExp {
             call: printer.of_scalar("exp"),
