@@ -92,12 +92,12 @@ pub fn compile<'g>(graph: &'g Graph, options: &Options, language: Language) -> P
         return program(Module::lower(graph), Shape::Gegelati, Log::default());
     }
     let (module, log) = passes::optimise_logged(graph, options.assumption);
-    // If no bid matters any more, tables and masks gain nothing in C: the plainest text is the best.
+    // If no bid matters any more, tables and masks gain nothing: the plainest text is the best, and has no condition.
     let chooses = module.teams.iter().any(|team| team.edges.len() > 1);
     if let Some(formula) = Formula::of(&module, options.profile_in(language)) {
         return program(module, Shape::Formula(formula), log);
     }
-    let profile = if language == Language::C && !chooses { Profile::Fast } else { options.profile_in(language) };
+    let profile = if chooses { options.profile_in(language) } else { Profile::Fast };
     let shape = match profile {
         Profile::Fast => fast(&module, language, &options.recorded()),
         Profile::Small => Shape::Small(bytecode::encode(&module)),

@@ -107,7 +107,7 @@ impl Backend for C {
             }
             Shape::Formula(formula) => (printer, formula::render(&printer, formula, &outputs), formula.branch_free),
         };
-        let helpers = helpers::render(&printer, branch_free, &body);
+        let helpers = helpers::render(&printer, branch_free, &body, &upper);
         let banner = banner::lines(program);
         let sources = sources(graph, comment);
         let seen = &sources[..sources.len() - graph.memory()];
