@@ -4,6 +4,7 @@ use crate::ir::{Module, NodeId, topological};
 use crate::options::{Language, Options, Profile, Style};
 use crate::passes::available::Available;
 use crate::passes::bytecode::{self, Bytecode};
+use crate::passes::cases::{self, Cases};
 use crate::passes::functions::{self, Function};
 use crate::passes::interval::Assumption;
 use crate::passes::schedule::{self, Schedule};
@@ -36,6 +37,8 @@ pub enum Shape {
         /// The functions, and the values that teams of one hand on.
         available: Available,
     },
+    /// See [`Profile::Balanced`].
+    Balanced(Cases),
     /// See [`Profile::Small`].
     Small(Bytecode),
     /// See [`Profile::ConstantTime`].
@@ -100,6 +103,9 @@ pub fn compile<'g>(graph: &'g Graph, options: &Options, language: Language) -> P
     let profile = if chooses { options.profile_in(language) } else { Profile::Fast };
     let shape = match profile {
         Profile::Fast => fast(&module, language, &options.recorded()),
+        Profile::Balanced => {
+            Shape::Balanced(cases::tabulate(&module, schedule::schedule(&module, &options.recorded())))
+        }
         Profile::Small => Shape::Small(bytecode::encode(&module)),
         Profile::ConstantTime => Shape::ConstantTime(functions::of(&module)),
     };

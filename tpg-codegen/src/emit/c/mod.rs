@@ -1,5 +1,6 @@
 //! C99: one `.c` and one `.h`, in the shape of a profile or of GEGELATI's generated code.
 
+mod balanced;
 mod constant_time;
 mod entry;
 mod expression;
@@ -100,6 +101,10 @@ impl Backend for C {
                 let printer = Printer { nodes: &schedule.nodes, short_cuts: true, ..printer };
                 let body = fast::render(&printer, module, schedule, available, &outputs, &upper);
                 (printer, body, false)
+            }
+            Shape::Balanced(cases) => {
+                let printer = Printer { nodes: &cases.nodes, ..printer };
+                (printer, balanced::render(&printer, cases, &outputs, &upper), false)
             }
             Shape::Small(code) => (printer, small::render(&printer, code, &outputs, &upper), false),
             Shape::ConstantTime(functions) => {
