@@ -131,7 +131,7 @@ impl Graph {
         Ok((report.to_string(), serde_json::to_string(&report).map_err(error::input)?))
     }
 
-    /// Returns the generated files, names and texts. `language` is "c" or "rust"; `profile` is "fast", "small" or
+    /// Returns the generated files, names and texts. `language` is "c" or "rust"; `profile` is "fast", "balanced", "small" or
     /// "constant-time".
     fn code(&self, py: Python<'_>, language: &str, prefix: &str, profile: &str) -> PyResult<Vec<(String, String)>> {
         let (language, options) = (language_of(language)?, options(prefix, profile)?);

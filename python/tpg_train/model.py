@@ -496,7 +496,7 @@ class TPG:
         return Report(text, json.loads(data))
 
     def export_c(self, folder: PathLike, prefix: str | None = None, profile: str = "fast") -> list[Path]:
-        """Writes C99 into a folder and returns the paths. `profile` is "fast", "small" or "constant-time"."""
+        """Writes C99 into a folder and returns the paths. `profile` is "fast", "balanced", "small" or "constant-time"."""
         return self._export(folder, "c", prefix, profile)
 
     def export_rust(self, folder: PathLike, prefix: str | None = None, profile: str = "constant-time") -> list[Path]:
@@ -515,7 +515,7 @@ class TPG:
         *,
         seed: int = 1,
         languages: Sequence[str] = ("c",),
-        profiles: Sequence[str] = ("fast", "small", "constant-time"),
+        profiles: Sequence[str] = ("fast", "balanced", "small", "constant-time"),
     ) -> Proof:
         """Compiles the generated code and compares it with the interpreter, bit for bit.
 

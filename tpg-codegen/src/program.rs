@@ -4,6 +4,7 @@ use crate::ir::{Module, NodeId, topological};
 use crate::options::{Language, Options, Profile, Style};
 use crate::passes::available::Available;
 use crate::passes::bytecode::{self, Bytecode};
+use crate::passes::cases::{self, Cases};
 use crate::passes::functions::{self, Function};
 use crate::passes::interval::Assumption;
 use crate::passes::schedule::{self, Schedule};
@@ -36,6 +37,8 @@ pub enum Shape {
         /// The functions, and the values that teams of one hand on.
         available: Available,
     },
+    /// See [`Profile::Balanced`].
+    Balanced(Cases),
     /// See [`Profile::Small`].
     Small(Bytecode),
     /// See [`Profile::ConstantTime`].
@@ -92,14 +95,17 @@ pub fn compile<'g>(graph: &'g Graph, options: &Options, language: Language) -> P
         return program(Module::lower(graph), Shape::Gegelati, Log::default());
     }
     let (module, log) = passes::optimise_logged(graph, options.assumption);
-    // If no bid matters any more, tables and masks gain nothing in C: the plainest text is the best.
+    // If no bid matters any more, tables and masks gain nothing: the plainest text is the best, and has no condition.
     let chooses = module.teams.iter().any(|team| team.edges.len() > 1);
     if let Some(formula) = Formula::of(&module, options.profile_in(language)) {
         return program(module, Shape::Formula(formula), log);
     }
-    let profile = if language == Language::C && !chooses { Profile::Fast } else { options.profile_in(language) };
+    let profile = if chooses { options.profile_in(language) } else { Profile::Fast };
     let shape = match profile {
         Profile::Fast => fast(&module, language, &options.recorded()),
+        Profile::Balanced => {
+            Shape::Balanced(cases::tabulate(&module, schedule::schedule(&module, &options.recorded())))
+        }
         Profile::Small => Shape::Small(bytecode::encode(&module)),
         Profile::ConstantTime => Shape::ConstantTime(functions::of(&module)),
     };

@@ -32,10 +32,15 @@ const GRAPH: &str = r#"{
 /// A compiler that fuses across statements, its Debian package, its flags for a machine that can fuse.
 type Machine = (&'static str, &'static str, &'static [&'static str]);
 
-const MACHINES: [Machine; 3] = [
+const MACHINES: [Machine; 4] = [
     ("gcc", "gcc", &["-mfma"]),
     ("arm-none-eabi-gcc", "gcc-arm-none-eabi", &["-mcpu=cortex-m4", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"]),
     ("arm-none-eabi-gcc", "gcc-arm-none-eabi", &["-mcpu=cortex-m33", "-mfloat-abi=hard", "-mfpu=fpv5-sp-d16"]),
+    (
+        "riscv64-unknown-elf-gcc",
+        "picolibc-riscv64-unknown-elf",
+        &["--specs=picolibc.specs", "-march=rv32imafc", "-mabi=ilp32f"],
+    ),
 ];
 
 const DIALECTS: [[&str; 3]; 4] = [
@@ -55,8 +60,9 @@ fn fused((compiler, _, flags): Machine, [language, standard, level]: [&str; 3], 
     let output = command.output().expect("the compiler starts");
     assert!(output.status.success(), "{compiler} {standard}: {}", String::from_utf8_lossy(&output.stderr));
     let assembly = String::from_utf8(output.stdout).expect("text");
-    // vfmadd, vfnmadd … of x86; vfma, vfms, vfnma, vfnms of Arm.
-    assembly.lines().map(str::trim_start).filter(|line| line.starts_with("vfm") || line.starts_with("vfnm")).count()
+    // vfmadd, vfnmadd … of x86; vfma, vfms, vfnma, vfnms of Arm; fmadd, fmsub, fnmadd, fnmsub of RISC-V.
+    let fused = ["vfm", "vfnm", "fmadd.", "fmsub.", "fnmadd.", "fnmsub."];
+    assembly.lines().filter(|line| fused.iter().any(|name| line.trim_start().starts_with(name))).count()
 }
 
 #[test]

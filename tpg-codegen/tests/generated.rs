@@ -64,7 +64,7 @@ fn rustfmt_changes_nothing() {
     let folder = TempDir::new().expect("a temporary folder");
     let mut files = Vec::new();
     let mut add = |graph: &Graph, prefix: &str| {
-        for (profile, short) in Profile::ALL.into_iter().zip(["f", "s", "c"]) {
+        for (profile, short) in Profile::ALL.into_iter().zip(["f", "b", "s", "c"]) {
             let options = shaped(&format!("{prefix}_{short}"), (Style::Pure, Some(profile)));
             let emitted = emit_into(folder.path(), graph, Language::Rust, &options);
             files.extend(emitted.into_iter().map(|file| file.name));

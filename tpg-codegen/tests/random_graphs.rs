@@ -3,15 +3,21 @@
 //! The graphs hold ties, shared and empty programs, constants of every kind; the states hold NaN, infinities, denormals.
 //! `TPG_RANDOM_GRAPHS` says how many graphs, and there are ten times as many small ones, where a difference has fewer places
 //! to hide (in Rust, a quarter of both: its compiler takes longer), and some of more teams than a function has. As many again
-//! have outputs: formulas, leaves under teams, one to three values, each equal to the bit.
+//! have outputs: formulas, leaves under teams, one to three values, each equal to the bit. Those with memory live through an
+//! episode, too.
+//!
+//! The long form, of graphs with leaves and memory alone: `TPG_RANDOM_GRAPHS=1000 TPG_RANDOM_STATES=10000 cargo test --release -p
+//! tpg-codegen --test random_graphs -- --nocapture episodes`, 1,000 graphs in C and 250 in Rust.
 
 use tpg_codegen::emit::{Language, Options, Profile};
 use tpg_codegen::passes;
 use tpg_codegen::passes::interval::Assumption;
 use tpg_codegen::verify::{self, Workshop};
 use tpg_graph::Graph;
+use tpg_graph::engine::Engine;
+use tpg_graph::interpret::{self, Answer};
 use tpg_graph::sample::{self, Shape};
-use tpg_graph::states::StateSet;
+use tpg_graph::states::{self, StateSet};
 
 /// A kind of graphs.
 #[derive(Clone, Copy)]
@@ -59,8 +65,8 @@ fn count() -> usize {
     std::env::var("TPG_RANDOM_GRAPHS").map_or(usual, |text| text.parse().expect("TPG_RANDOM_GRAPHS is a number"))
 }
 
-/// Every profile, and `fast` once more in the order of recorded wins.
-const FORMS: usize = Profile::ALL.len() + 1;
+/// Every profile, and those that take an order from recorded wins once more in that.
+const FORMS: usize = Profile::ALL.len() + 2;
 
 fn forms(graph: &Graph, number: usize) -> [Options; FORMS] {
     let form = |name: &str, profile: Profile, trace: Option<StateSet>| {
@@ -69,9 +75,11 @@ fn forms(graph: &Graph, number: usize) -> [Options; FORMS] {
     };
     [
         form("fast", Profile::Fast, None),
+        form("balanced", Profile::Balanced, None),
         form("small", Profile::Small, None),
         form("constant_time", Profile::ConstantTime, None),
         form("by_wins", Profile::Fast, Some(StateSet::sampled(graph, 50, number as u64))),
+        form("balanced_by_wins", Profile::Balanced, Some(StateSet::sampled(graph, 50, number as u64))),
     ]
 }
 
@@ -121,6 +129,82 @@ fn rust_answers_with_the_interpreters_values_to_the_bit() {
     assert_equal(Language::Rust, WITH_OUTPUTS, 9_000_000..9_000_000 + count().div_ceil(4) as u64);
     assert_equal(Language::Rust, SMALL_WITH_OUTPUTS, 10_000_000..10_000_000 + count() as u64 * 10 / 4);
     assert_equal(Language::Rust, MANY_WITH_OUTPUTS, 11_000_000..11_000_000 + count().div_ceil(15) as u64);
+}
+
+/// Steps of an episode.
+const STEPS: usize = 200;
+
+/// States for each graph with leaves.
+fn states_each() -> usize {
+    std::env::var("TPG_RANDOM_STATES").map_or(500, |text| text.parse().expect("TPG_RANDOM_STATES is a number"))
+}
+
+/// The answers along observations, where each decision's last values are the next one's memory.
+fn episode(graph: &Graph, observations: &[f64], mut answer: impl FnMut(&[f64]) -> Answer) -> Vec<Answer> {
+    let (length, memory) = (graph.state_length(), graph.memory());
+    let mut remembered: Vec<f64> = graph.outputs()[graph.outputs().len() - memory..].iter().map(|it| it.nan).collect();
+    (observations.chunks_exact(length))
+        .map(|observation| {
+            let answer = answer(&[&observation[..length - memory], &remembered].concat());
+            let Answer::Values(values) = &answer else { panic!("a policy with outputs answers with values") };
+            remembered.copy_from_slice(&values[values.len() - memory..]);
+            answer
+        })
+        .collect()
+}
+
+/// Compares every profile with the interpreter: on single states, and where a graph has memory along an episode.
+fn assert_same_episodes(language: Language, seeds: std::ops::Range<u64>) {
+    let (mut compared, mut steps, mut changes) = (0, 0, 0);
+    let seeds: Vec<u64> = seeds.collect();
+    for seeds in seeds.chunks(40) {
+        let graphs: Vec<Graph> =
+            seeds.iter().map(|&seed| sample::graph(&Shape::random_with_outputs(seed), seed)).collect();
+        let form = |number: usize, profile: Profile| {
+            let name = format!("p{number}_{}", profile.name().replace('-', "_"));
+            Options { profile: Some(profile), ..Options::new(name.parse().expect("a prefix")) }
+        };
+        let policies: Vec<(&Graph, Options)> = (graphs.iter().enumerate())
+            .flat_map(|(number, graph)| Profile::ALL.map(|profile| (graph, form(number, profile))))
+            .collect();
+        let workshop = Workshop::new().expect("a temporary folder");
+        let batch = workshop.batch(language, &policies).expect("generated code compiles");
+        for (place, (graph, options)) in policies.iter().enumerate() {
+            let seed = seeds[place / Profile::ALL.len()];
+            let mut process = batch.start(place, graph).expect("the program starts");
+            let comparisons = verify::compare(graph, &mut [&mut process], states_each(), seed).expect("it runs");
+            assert_eq!(comparisons[0].differences, 0, "graph {seed}, {}: {comparisons:?}", options.prefix);
+            compared += comparisons[0].states;
+            if graph.memory() == 0 {
+                continue;
+            }
+            let observations = states::sample(graph, STEPS, seed);
+            let expected = episode(graph, &observations, |state| interpret::answers(graph, state).remove(0));
+            let found = episode(graph, &observations, |state| {
+                let mut answers = Vec::new();
+                process.answer(state, &mut answers).expect("an answer");
+                answers.remove(0)
+            });
+            for (step, (found, expected)) in found.iter().zip(&expected).enumerate() {
+                assert!(found.same_bits(expected), "graph {seed}, {}, step {step}: {found}", options.prefix);
+            }
+            steps += expected.len();
+            changes += expected.windows(2).filter(|pair| pair[0] != pair[1]).count();
+        }
+    }
+    let graphs = seeds.len();
+    println!("{}: {graphs} graphs, {compared} states and {steps} steps of episodes in every profile", language.name());
+    assert!(changes > steps / 4, "answers change along the episodes");
+}
+
+#[test]
+fn c_lives_through_the_interpreters_episodes() {
+    assert_same_episodes(Language::C, 12_000_000..12_000_000 + count() as u64);
+}
+
+#[test]
+fn rust_lives_through_the_interpreters_episodes() {
+    assert_same_episodes(Language::Rust, 13_000_000..13_000_000 + count().div_ceil(4) as u64);
 }
 
 #[test]

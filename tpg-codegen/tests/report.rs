@@ -28,7 +28,7 @@ fn sizes_come_from_the_compiler() {
     let host = json(&folder, &["--target", "host"]);
     let sizes = host["sizes"].as_array().expect("sizes");
     let profiles: Vec<&str> = sizes.iter().filter_map(|size| size["profile"].as_str()).collect();
-    assert_eq!(profiles, ["fast", "small", "constant-time", "gegelati"]);
+    assert_eq!(profiles, ["fast", "balanced", "small", "constant-time", "gegelati"]);
     for size in sizes {
         assert_eq!(size["target"], "host");
         assert!(size["flash"].as_u64().is_some_and(|flash| flash > 300), "{size}");
@@ -51,7 +51,7 @@ fn the_rust_has_a_size_on_a_cortex_m4() {
     let report = json(&folder, &["--target", "thumbv7em"]);
     let sizes = report["rust_sizes"].as_array().expect("sizes");
     let profiles: Vec<&str> = sizes.iter().filter_map(|size| size["profile"].as_str()).collect();
-    assert_eq!(profiles, ["fast", "small", "constant-time"]);
+    assert_eq!(profiles, ["fast", "balanced", "small", "constant-time"]);
     for size in sizes {
         assert!(size["flash"].as_u64().is_some_and(|flash| (300..20_000).contains(&flash)), "{size}");
     }

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 /// Debian packages, each with a program that shows whether it is installed.
-const PACKAGES: [(&str, &str); 16] = [
+const PACKAGES: [(&str, &str); 18] = [
     ("gcc", "/usr/bin/gcc"),
     ("g++", "/usr/bin/g++"),
     ("clang", "/usr/bin/clang"),
@@ -13,6 +13,8 @@ const PACKAGES: [(&str, &str); 16] = [
     ("cppcheck", "/usr/bin/cppcheck"),
     ("gcc-arm-none-eabi", "/usr/bin/arm-none-eabi-gcc"),
     ("libnewlib-arm-none-eabi", "/usr/lib/arm-none-eabi/include/newlib.h"),
+    ("gcc-riscv64-unknown-elf", "/usr/bin/riscv64-unknown-elf-gcc"),
+    ("picolibc-riscv64-unknown-elf", "/usr/lib/picolibc/riscv64-unknown-elf/include/math.h"),
     ("qemu-system-arm", "/usr/bin/qemu-system-arm"),
     ("valgrind", "/usr/bin/valgrind"),
     ("cmake", "/usr/bin/cmake"),

@@ -130,6 +130,8 @@ fn winner<S: Scalar>(steps: &[Step], values: &[S], lowest: S, seen: &mut Cost<u6
                 let bound = values[bound.index()];
                 best > bound || (!bid.ascending && best >= bound && !comes_after)
             }
+            Guard::Above(bound) => best > values[bound.index()],
+            Guard::Over(bound) => best > S::from_f64(bound),
             Guard::Place => leads_infinitely,
         };
         if spared {

@@ -6,6 +6,7 @@ mod mean;
 use crate::ir::{Module, Node, NodeId, heaviest_walk, needed};
 use crate::options::Language;
 use crate::passes::arithmetic::is_transcendental;
+use crate::passes::cases::{Case, Cases, Function, Kind};
 use crate::passes::functions;
 use crate::passes::schedule::{Bid, Infinite, LazyBid, Sparing, TeamSchedule};
 use crate::program::{Program, Shape};
@@ -47,8 +48,12 @@ impl Work {
 enum Guard {
     /// Always.
     None,
-    /// Unless this bound is below the best bid so far.
+    /// Unless this bound is below the best bid so far; where it is as low, the place decides.
     Bound(NodeId),
+    /// Unless this bound is below the best bid so far.
+    Above(NodeId),
+    /// Unless this number is below the best bid so far.
+    Over(f64),
     /// Unless the best bid so far is infinite and has a higher place.
     Place,
     /// Unless the best bid was infinite before the first of these.
@@ -144,6 +149,11 @@ impl<'a> Costs<'a> {
                 let teams = in_order(module, |bid| Step::always(bid, Work::default()));
                 Self { once, teams, all_teams: true, leaves: Vec::new(), ..costs }
             }
+            Shape::Balanced(cases) => {
+                let teams = (0..module.teams.len()).map(|team| tabulated(cases, team)).collect();
+                let leaves = cases.leaves.iter().map(|leaf| needed_work(&cases.nodes, &leaf.values)).collect();
+                Self { nodes: &cases.nodes, teams, leaves, ..costs }
+            }
             // The root has one way to go, and its bids are not computed.
             Shape::Formula(_) => Self { teams: vec![Vec::new()], ..costs },
             Shape::Fast { schedule, available } => {
@@ -191,6 +201,21 @@ fn in_order(module: &Module<'_>, step: impl Fn(Bid) -> Step) -> Vec<Vec<Step>> {
                 .collect()
         })
         .collect()
+}
+
+/// The steps of a team of tables over native bids.
+fn tabulated(cases: &Cases, team: usize) -> Vec<Step> {
+    let step = |(place, case): (usize, Case)| {
+        let [before, inside] = cases.operations(case).map(|ids| work(&cases.nodes, &ids));
+        let step = Step::always(Bid { place, value: case.value, ascending: false }, inside);
+        match case.kind {
+            Kind::Plain => Step { first: before, ..step },
+            Kind::Bounded(bound) => Step { guard: Guard::Above(bound), before, ..step },
+            Kind::Function(Function { bound: Some(bound), .. }) => Step { guard: Guard::Over(bound), before, ..step },
+            Kind::Function(Function { sparing, .. }) => Step { sparing, first: before, ..step },
+        }
+    };
+    cases.of_team(team).map(step).collect()
 }
 
 /// The steps of a plan, where some values are computed already.

@@ -2,7 +2,7 @@
 
 use crate::ir::{Module, NodeId};
 
-/// The key of a bid: an integer in the order of bids.
+/// A bid as teams compare it.
 pub(super) struct KeyView {
     pub(super) name: String,
     pub(super) value: String,
@@ -15,7 +15,7 @@ pub(super) struct TeamView {
     pub(super) edges: Vec<EdgeView>,
 }
 
-/// An edge: the name of its bid's key, and the vertex it leads to.
+/// An edge: its bid as it is compared, and the vertex it leads to.
 pub(super) struct EdgeView {
     pub(super) key: String,
     pub(super) to: usize,
@@ -26,8 +26,8 @@ pub(super) fn key(bid: NodeId) -> String {
     format!("k{}", bid.0)
 }
 
-/// A team by its number.
-pub(super) fn team(module: &Module<'_>, number: usize) -> TeamView {
+/// A team by its number; `key` names a bid as it is compared.
+pub(super) fn team(module: &Module<'_>, number: usize, key: impl Fn(NodeId) -> String) -> TeamView {
     let team = &module.teams[number];
     let edges = (team.edges.iter())
         .map(|edge| EdgeView { key: key(module.bidders[edge.bidder].value), to: module.vertex(edge.to) })

@@ -4,6 +4,7 @@
 
 mod banner;
 mod c;
+mod cases;
 mod choice;
 mod helpers;
 mod interface;

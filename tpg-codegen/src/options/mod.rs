@@ -43,6 +43,8 @@ pub enum Style {
 pub enum Profile {
     /// Least mean time: a function for each team, which computes expensive bids only where they can win.
     Fast,
+    /// Between the two: tables of teams over native bids, the expensive ones of which are computed only where they can win.
+    Balanced,
     /// Least flash: tables, and one small evaluator.
     Small,
     /// The same instructions for every state: everything is computed, nothing branches.
@@ -51,12 +53,13 @@ pub enum Profile {
 
 impl Profile {
     /// Every profile.
-    pub const ALL: [Self; 3] = [Self::Fast, Self::Small, Self::ConstantTime];
+    pub const ALL: [Self; 4] = [Self::Fast, Self::Balanced, Self::Small, Self::ConstantTime];
 
     /// The name on the command line.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Fast => "fast",
+            Self::Balanced => "balanced",
             Self::Small => "small",
             Self::ConstantTime => "constant-time",
         }
@@ -95,7 +98,7 @@ pub struct Options {
     pub assumption: Assumption,
     /// The graph's original scalar type and maths, if they were changed.
     pub conversion: Option<Conversion>,
-    /// Recorded states: [`Profile::Fast`] evaluates first the bids that win most often along them.
+    /// Recorded states: [`Profile::Fast`] and [`Profile::Balanced`] evaluate first the bids that win most often along them.
     pub trace: Option<StateSet>,
 }
 
@@ -119,9 +122,9 @@ impl Options {
 
     /// The recorded states that order the bids of a language's code, if any do.
     pub(crate) fn ordered_by(&self, language: Language) -> Option<&StateSet> {
-        let is_fast = self.profile_in(language) == Profile::Fast;
+        let is_planned = matches!(self.profile_in(language), Profile::Fast | Profile::Balanced);
         let has_profile = language == Language::Rust || self.style == Style::Pure;
-        self.trace.as_ref().filter(|_| is_fast && has_profile)
+        self.trace.as_ref().filter(|_| is_planned && has_profile)
     }
 
     /// The recorded states, flat; empty if there are none.

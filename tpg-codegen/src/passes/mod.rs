@@ -12,6 +12,7 @@ pub mod arithmetic;
 pub mod available;
 pub mod bound;
 pub mod bytecode;
+pub mod cases;
 mod collect;
 mod duplicates;
 pub mod estimate;

@@ -37,6 +37,18 @@ pub struct Sparing {
     pub below: f64,
 }
 
+impl Sparing {
+    /// The rule for a logarithm or an exponential of an argument: numbers far enough apart for every provider.
+    pub fn of(instruction: Instruction, argument: NodeId) -> Option<Self> {
+        let (at_most, below) = match instruction {
+            Instruction::Exp => (2.0, 7.5),
+            Instruction::Ln => (8000.0, 9.0),
+            _ => return None,
+        };
+        Some(Self { argument, at_most, below })
+    }
+}
+
 /// A bid that may be skipped.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LazyBid {
@@ -241,12 +253,9 @@ impl Planner<'_> {
         likely.then_some(Infinite { place, argument, above })
     }
 
-    /// Numbers far enough apart for every provider.
     fn sparing(&self, value: NodeId) -> Option<Sparing> {
-        let exponential =
-            self.argument(value, Instruction::Exp).map(|argument| Sparing { argument, at_most: 2.0, below: 7.5 });
-        let logarithm =
-            || self.argument(value, Instruction::Ln).map(|argument| Sparing { argument, at_most: 8000.0, below: 9.0 });
-        exponential.or_else(logarithm)
+        let of =
+            |instruction| self.argument(value, instruction).and_then(|argument| Sparing::of(instruction, argument));
+        of(Instruction::Exp).or_else(|| of(Instruction::Ln))
     }
 }

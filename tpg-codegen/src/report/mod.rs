@@ -83,6 +83,8 @@ pub struct GraphCounts {
 pub enum ShapeName {
     /// See [`Profile::Fast`].
     Fast,
+    /// See [`Profile::Balanced`].
+    Balanced,
     /// See [`Profile::Small`].
     Small,
     /// See [`Profile::ConstantTime`].
@@ -93,12 +95,13 @@ pub enum ShapeName {
 
 impl ShapeName {
     /// Every shape.
-    pub const ALL: [Self; 4] = [Self::Fast, Self::Small, Self::ConstantTime, Self::Gegelati];
+    pub const ALL: [Self; 5] = [Self::Fast, Self::Balanced, Self::Small, Self::ConstantTime, Self::Gegelati];
 
     /// The name in reports.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Fast => Profile::Fast.name(),
+            Self::Balanced => Profile::Balanced.name(),
             Self::Small => Profile::Small.name(),
             Self::ConstantTime => Profile::ConstantTime.name(),
             Self::Gegelati => "gegelati",
@@ -108,6 +111,7 @@ impl ShapeName {
     fn compile<'g>(self, graph: &'g Graph, options: &Options, language: Language) -> Program<'g> {
         let (style, profile) = match self {
             Self::Fast => (Style::Pure, Some(Profile::Fast)),
+            Self::Balanced => (Style::Pure, Some(Profile::Balanced)),
             Self::Small => (Style::Pure, Some(Profile::Small)),
             Self::ConstantTime => (Style::Pure, Some(Profile::ConstantTime)),
             Self::Gegelati => (Style::Gegelati, None),

@@ -36,6 +36,8 @@ pub fn flash(program: &Program<'_>) -> u64 {
         (ScalarType::F64, Shape::Gegelati) => weights([4, 11, 10, 12, 1122, 803]),
         (ScalarType::F32, Shape::Fast { .. } | Shape::Formula(_)) => weights([0, 80, 2, 32, 873, 0]),
         (ScalarType::F64, Shape::Fast { .. } | Shape::Formula(_)) => weights([0, 31, 66, 19, 965, 638]),
+        (ScalarType::F32, Shape::Balanced(_)) => weights([150, 2, 3, 16, 650, 400]),
+        (ScalarType::F64, Shape::Balanced(_)) => weights([200, 2, 3, 12, 1068, 831]),
         (ScalarType::F32, Shape::Small(_)) => weights([113, 0, 0, 23, 445, 359]),
         (ScalarType::F64, Shape::Small(_)) => weights([194, 0, 0, 23, 1068, 831]),
         (ScalarType::F32, Shape::ConstantTime(_)) => weights([21, 28, 7, 33, 136, 224]),
@@ -53,6 +55,9 @@ pub fn flash(program: &Program<'_>) -> u64 {
     let (operations, tables) = match &program.shape {
         // Each operation occurs once in the text; the tables come on top.
         Shape::Small(code) => (used.len() as u64, tables(code, graph.scalar())),
+        Shape::Balanced(cases) => {
+            (cases.bids.iter().map(|&case| cases.operations(case).concat().len() as u64).sum(), 0)
+        }
         _ => (Costs::of(program).written(), 0),
     };
     always

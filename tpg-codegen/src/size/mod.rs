@@ -127,7 +127,7 @@ pub fn build_c(code: &Code<'_>, target: Target) -> io::Result<Built> {
             (command, true)
         }
     };
-    command.current_dir(folder.path()).args(["-std=c99", "-ffp-contract=off", "-Os"]);
+    command.current_dir(folder.path()).args(["-std=c99", "-Os"]);
     // What a debugger or an unwinder reads is not the policy.
     command.args(["-g0", "-fno-asynchronous-unwind-tables"]).arg(format!("-D{}_NO_SELFTEST", options.prefix.upper()));
     if writes_call_graph {

@@ -1,6 +1,6 @@
 //! Many policies compiled at once: one compiler run instead of one for each, so that thousands can be compared.
 
-use super::build::{self, BuildError, Workshop, c_command, compile, runtime_library_by, rustc};
+use super::build::{self, BuildError, Workshop, compile, proving_c_command, runtime_library_by, rustc};
 use super::process::{self, Process};
 use crate::emit;
 use crate::options::{Language, Options};
@@ -57,7 +57,7 @@ impl Workshop {
     /// See [`BuildError`].
     pub fn batch(&self, language: Language, policies: &[(&Graph, Options)]) -> Result<Batch, BuildError> {
         match language {
-            Language::C => self.batch_by(language, policies, c_command),
+            Language::C => self.batch_by(language, policies, proving_c_command),
             Language::Rust => self.batch_by(language, policies, |folder| Ok(rustc(folder))),
         }
     }

@@ -126,7 +126,7 @@ impl Workshop {
         };
         fs::write(folder.join("harness.c"), harness.render().map_err(io::Error::other)?)?;
         let harness = folder.join("harness");
-        let mut command = c_command(&folder)?;
+        let mut command = proving_c_command(&folder)?;
         command.arg("-o").arg(&harness).arg("harness.c").arg(format!("{prefix}.c")).arg("-lm");
         compile("C", command)?;
         Ok(harness)
@@ -191,13 +191,33 @@ pub(crate) fn c_compiler() -> Result<cc::Tool, BuildError> {
     })
 }
 
-/// The C compiler at `-O2` in a folder, with the flags that every policy needs.
+/// The C compiler at `-O2` in a folder, in its own dialect: generated code needs no flag.
 ///
 /// # Errors
 /// If there is none.
 pub fn c_command(folder: &Path) -> Result<Command, BuildError> {
     let mut command = c_compiler()?.to_command();
-    command.current_dir(folder).args(["-std=c99", "-ffp-contract=off"]);
+    command.current_dir(folder);
+    Ok(command)
+}
+
+/// As [`c_command`], for a machine that can fuse a product and a sum if this one can: what is proven is the text, which says
+/// that nothing may.
+///
+/// # Errors
+/// If there is no compiler.
+pub(super) fn proving_c_command(folder: &Path) -> Result<Command, BuildError> {
+    let tool = c_compiler()?;
+    let mut command = tool.to_command();
+    command.current_dir(folder);
+    // tcc passes for GNU's, and knows no machines.
+    let knows_machines = tool.is_like_clang() || tool.is_like_gnu() && !tool.path().ends_with("tcc");
+    #[cfg(target_arch = "x86_64")]
+    if knows_machines && std::is_x86_feature_detected!("fma") {
+        command.arg("-mfma");
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = (&mut command, knows_machines);
     Ok(command)
 }
 

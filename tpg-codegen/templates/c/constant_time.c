@@ -3,7 +3,7 @@
 /* Some of the teams. */
 static void {{ prefix }}_teams_{{ loop.index0 }}(const {{ entry.state }} *state, {{ vertex }} *next)
 {
-    {{ key }} best;
+    {{ scalar }} best;
     uint32_t to;{{ function }}
 }
 
@@ -11,16 +11,19 @@ static void {{ prefix }}_teams_{{ loop.index0 }}(const {{ entry.state }} *state,
 {%- endfor %}
 {{ entry.head }}
 {
-{%- if outputs.is_empty() %}
+{%- if only %}
+{%- else if outputs.is_empty() %}
     {{ vertex }} next[{{ upper }}_TEAMS + {{ upper }}_ACTIONS];
 {%- else %}
     {{ vertex }} next[{{ upper }}_TEAMS + {{ ends.len() }}U];
 {%- endif %}
 {%- if functions.len() == 1 %}
-    {{ key }} best;
+    {{ scalar }} best;
     uint32_t to;
 {%- endif %}
+{%- if !only %}
     uint32_t vertex;
+{%- endif %}
 {%- for function in functions %}
 {%- if functions.len() == 1 -%}
 {{ function }}
@@ -32,6 +35,7 @@ static void {{ prefix }}_teams_{{ loop.index0 }}(const {{ entry.state }} *state,
     {{ prefix }}_teams_{{ loop.index0 }}(state, next);
 {%- endif %}
 {%- endfor %}
+{%- if !only %}
 
     /* {% if outputs.is_empty() %}An action{% else %}A leaf{% endif %} leads to itself. */
 {%- for end in ends %}
@@ -44,8 +48,9 @@ static void {{ prefix }}_teams_{{ loop.index0 }}(const {{ entry.state }} *state,
     vertex = next[vertex];
 {%- endfor %}
     vertex -= {{ upper }}_TEAMS;
+{%- endif %}
 {%- if outputs.is_empty() %}
-    return (uint16_t)vertex;
+    return (uint16_t){% if only %}to{% else %}vertex{% endif %};
 {%- else %}
     {
         /* Every leaf's values, and the choice among them. */
@@ -59,7 +64,7 @@ static void {{ prefix }}_teams_{{ loop.index0 }}(const {{ entry.state }} *state,
 {%- endfor %}
 {% else %}
 {%- for (variable, value) in leaf.values %}
-        {{ variable }} = {{ prefix }}_pick(vertex, {{ leaf.number }}U, {{ value }}, {{ variable }});
+        {{ variable }} = {{ prefix }}_pick({% if only %}to{% else %}vertex{% endif %}, {{ leaf.number }}U, {{ value }}, {{ variable }});
 {%- endfor %}
 {%- endif %}
 {%- endfor %}

@@ -5,13 +5,15 @@
 {%- for statement in statements %}
     {{ statement }}
 {%- endfor %}
+{%- if !keys.is_empty() %}
 
-    /* What is bid, as integers in the same order. */
+    /* What is bid, so that it can be compared. */
+{%- endif %}
 {%- for bid in keys %}
-    const {{ key }} {{ bid.name }} = {{ prefix }}_key({{ bid.value }});
+    const {{ scalar }} {{ bid.name }} = {{ prefix }}_number({{ bid.value }});
 {%- endfor %}
 
-    /* Where each team leads: teams are numbered from 0, the root, and the actions follow them. */
+{% if only %}    /* Where the team leads. */{% else %}    /* Where each team leads: teams are numbered from 0, the root, and the actions follow them. */{% endif %}
 {%- for team in teams %}
     /* Team {{ team.label }} */
 {%- for edge in team.edges %}
@@ -19,10 +21,12 @@
 {%- if team.edges.len() > 1 %}
     best = {{ edge.key }};
 {%- endif %}
-    to = {{ edge.to }}U;
+    to = {% if only %}{{ edge.to - 1 }}{% else %}{{ edge.to }}{% endif %}U;
 {%- else %}
-    {{ prefix }}_challenge(&best, &to, {{ edge.key }}, {{ edge.to }}U);
+    {{ prefix }}_challenge(&best, &to, {{ edge.key }}, {% if only %}{{ edge.to - 1 }}{% else %}{{ edge.to }}{% endif %}U);
 {%- endif %}
 {%- endfor %}
+{%- if !only %}
     next[{{ team.number }}] = ({{ vertex }})to;
+{%- endif %}
 {%- endfor %}

@@ -129,7 +129,7 @@ static {{ scalar }} {{ prefix }}_fmod({{ scalar }} a, {{ scalar }} b)
     (void)memcpy(&divisor, &b, sizeof divisor);
     dividend &= ~{{ sign }};
     divisor &= ~{{ sign }};
-    if ((dividend >= {{ positive_infinity }}) || (divisor > {{ positive_infinity }}) || (divisor == 0U)) {
+    if ((dividend >= {{ infinity }}) || (divisor > {{ infinity }}) || (divisor == 0U)) {
         result = {% if f64 %}(double)NAN{% else %}NAN{% endif %};
     } else if (dividend >= divisor) {
         const {{ key }} from = (dividend < least_normal) ? 1U : (dividend >> fraction);

@@ -9,7 +9,6 @@
 #error "compile without -ffast-math: it would change the results"
 #endif
 {% include "c/contraction.c" %}
-/* With GCC in GNU mode on a machine with fused multiply-add, pass -ffp-contract=off (-std=c99 implies it). */
 {% for layer in layers %}
 static const int{{ layer.bits }}_t weights_{{ loop.index0 }}[{{ layer.weights_length }}] = {
 {%- for line in layer.weights %}

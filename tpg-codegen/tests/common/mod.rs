@@ -18,8 +18,9 @@ pub(crate) const COMBINATIONS: [(ScalarType, MathsProvider); 4] = [
 pub(crate) type Shape = (Style, Option<Profile>);
 
 /// Every shape of C.
-pub(crate) const SHAPES: [Shape; 4] = [
+pub(crate) const SHAPES: [Shape; 5] = [
     (Style::Pure, Some(Profile::Fast)),
+    (Style::Pure, Some(Profile::Balanced)),
     (Style::Pure, Some(Profile::Small)),
     (Style::Pure, Some(Profile::ConstantTime)),
     (Style::Gegelati, None),

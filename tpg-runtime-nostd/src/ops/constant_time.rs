@@ -30,19 +30,19 @@ macro_rules! constant_time {
             /// [`Instruction::Min`](super::Instruction::Min).
             #[inline(always)]
             pub fn min(self, a: $scalar, b: $scalar) -> $scalar {
-                Self::choose(self.less(a, b), a, b)
+                Self::choose(self.above(b, a), a, b)
             }
 
             /// [`Instruction::Max`](super::Instruction::Max).
             #[inline(always)]
             pub fn max(self, a: $scalar, b: $scalar) -> $scalar {
-                Self::choose(self.less(b, a), a, b)
+                Self::choose(self.above(a, b), a, b)
             }
 
             /// [`Instruction::NegateIfLess`](super::Instruction::NegateIfLess).
             #[inline(always)]
             pub fn negate_if_less(self, a: $scalar, b: $scalar) -> $scalar {
-                let sign = self.less(a, b) & $key::MIN;
+                let sign = self.above(b, a) & $key::MIN;
                 $scalar::from_bits(a.to_bits() ^ sign.cast_unsigned())
             }
 
@@ -56,9 +56,11 @@ macro_rules! constant_time {
             /// [`clamp`](super::clamp).
             #[inline(always)]
             pub fn clamp(self, value: $scalar, low: $scalar, high: $scalar, nan: $scalar) -> $scalar {
-                let order = self.order(value);
-                let raised = Self::choose(self.below(order, self.order(low)), low, value);
-                let limited = Self::choose(self.below(self.order(high), order), high, raised);
+                // Differences of what is equal are 0, not −0; where the value is NaN, both choices are of no account.
+                let unsigned = value + 0.0;
+                let below = self.mask((unsigned - low).to_bits().cast_signed());
+                let above = self.mask(((high + 0.0) - unsigned).to_bits().cast_signed());
+                let limited = Self::choose(above, high, Self::choose(below, low, value));
                 Self::choose(self.is_nan(value), nan, limited)
             }
 
@@ -87,10 +89,12 @@ macro_rules! constant_time {
                 (key, to)
             }
 
-            /// All ones where a < b; a NaN is below nothing.
+            /// All ones where a > b; a NaN is above nothing. The difference is positive: its bits, less 1, are below
+            /// infinity's.
             #[inline(always)]
-            fn less(self, a: $scalar, b: $scalar) -> $key {
-                self.below(self.order(a), self.order(b)) & !(self.is_nan(a) | self.is_nan(b))
+            fn above(self, a: $scalar, b: $scalar) -> $key {
+                let bits = (a - b).to_bits().cast_signed().wrapping_sub(1);
+                self.mask(bits.wrapping_sub($infinity) & !bits)
             }
 
             /// All ones where a < b. Saturated, the sign of a difference is right.

@@ -21,27 +21,30 @@ struct Helpers<'a> {
     uses_tan: bool,
     uses_ln: bool,
     uses_exp: bool,
-    /// Compare on integers.
+    /// Choose by masks.
     branch_free: bool,
+    /// The masks' functions are so few calls that all are inlined.
+    inlined: bool,
+    upper: &'a str,
+    storage: &'a str,
     /// Teams choose among bids.
     decides: bool,
     /// Masks choose.
     chooses: bool,
-    /// Numbers are compared as integers.
-    orders: bool,
     compares: bool,
+    finds_nan: bool,
     selects: bool,
     key: &'a str,
     top: u32,
+    /// The place of the exponent's lowest bit, counted from the top.
+    exponent_end: u32,
     sign: &'a str,
     infinity: &'a str,
-    minus_infinity: &'a str,
     uses_negate_if_less: bool,
     uses_min: bool,
     uses_max: bool,
     uses_fmod: bool,
     uses_gate: bool,
-    positive_infinity: &'a str,
     /// Outputs are limited.
     clamps: bool,
     /// Outputs of several leaves are chosen without a branch.
@@ -60,12 +63,20 @@ struct ShortExp {
     zero_below: String,
 }
 
+/// Calls of masks that are inlined at most: flash is not for nothing.
+const FEW: usize = 24;
+
 /// Renders what nodes and the body call.
-pub(super) fn render(printer: &Printer<'_>, branch_free: bool, body: &str) -> String {
+pub(super) fn render(printer: &Printer<'_>, branch_free: bool, body: &str, upper: &str) -> String {
     let calls = Calls::of(printer.nodes);
     let is_called = |name: &str| body.contains(&format!("{}_{name}(", printer.prefix));
-    let compares = calls.any(&[Instruction::NegateIfLess, Instruction::Min, Instruction::Max]);
-    let orders = compares || is_called("challenge") || is_called("clamp");
+    let decides = is_called("challenge");
+    let clamps = is_called("clamp");
+    let picks = is_called("pick");
+    let compares = decides || calls.any(&[Instruction::NegateIfLess, Instruction::Min, Instruction::Max]);
+    let masks = ["challenge", "number", "clamp", "pick", "min", "max", "negate_if_less", "gate"];
+    let calls_of = |name: &&str| body.matches(&format!("{}_{name}(", printer.prefix)).count();
+    let inlined = branch_free && masks.iter().map(calls_of).sum::<usize>() <= FEW && (compares || clamps || picks);
     let scalar = printer.graph.scalar();
     let provider = printer.graph.maths();
     let uses = |instruction| calls.any(&[instruction]);
@@ -73,27 +84,27 @@ pub(super) fn render(printer: &Printer<'_>, branch_free: bool, body: &str) -> St
     let maths = [Instruction::Sin, Instruction::Cos, Instruction::Tan, Instruction::Ln, Instruction::Exp];
     let calls_maths = provider == MathsProvider::Own && calls.any(&maths);
     let (infinite_above, zero_below) = bound::beyond_exponentials(scalar);
-    // The order of a number's bits: what is negative upside down, below what is positive.
-    let (key, top, sign, infinity, minus_infinity) = match scalar {
-        ScalarType::F32 => ("uint32_t", 31, "0x80000000U", "0xff800000U", "0x007fffffU"),
-        ScalarType::F64 => ("uint64_t", 63, "0x8000000000000000ULL", "0xfff0000000000000ULL", "0x000fffffffffffffULL"),
+    let (key, top, exponent_end, sign, infinity) = match scalar {
+        ScalarType::F32 => ("uint32_t", 31, 9, "0x80000000U", "0x7f800000U"),
+        ScalarType::F64 => ("uint64_t", 63, 12, "0x8000000000000000ULL", "0x7ff0000000000000ULL"),
     };
     let helpers = Helpers {
         branch_free,
-        decides: is_called("challenge"),
-        clamps: is_called("clamp"),
-        picks: is_called("pick"),
-        chooses: orders || is_called("pick") || calls.any(&[Instruction::Fmod, Instruction::Gate]),
-        orders,
+        inlined,
+        upper,
+        storage: &if inlined { format!("{upper}_INLINE") } else { "static".to_owned() },
+        decides,
+        clamps,
+        picks,
+        chooses: compares || clamps || picks || calls.any(&[Instruction::Fmod, Instruction::Gate]),
         compares,
-        selects: is_called("clamp")
-            || is_called("pick")
-            || calls.any(&[Instruction::Min, Instruction::Max, Instruction::Gate]),
+        finds_nan: decides || clamps,
+        selects: decides || clamps || picks || calls.any(&[Instruction::Min, Instruction::Max, Instruction::Gate]),
         key,
         top,
+        exponent_end,
         sign,
         infinity,
-        minus_infinity,
         prefix: printer.prefix,
         scalar: printer.scalar(),
         f64: scalar == ScalarType::F64,
@@ -109,10 +120,6 @@ pub(super) fn render(printer: &Printer<'_>, branch_free: bool, body: &str) -> St
         uses_max: uses(Instruction::Max),
         uses_fmod: uses(Instruction::Fmod),
         uses_gate: uses(Instruction::Gate),
-        positive_infinity: match scalar {
-            ScalarType::F32 => "0x7f800000U",
-            ScalarType::F64 => "0x7ff0000000000000ULL",
-        },
         short_ln: (short && uses(Instruction::Ln)).then(|| printer.of_scalar("log")),
         short_exp: (short && uses(Instruction::Exp)).then(|| ShortExp {
             call: printer.of_scalar("exp"),

@@ -1,5 +1,6 @@
 //! C99: one `.c` and one `.h`, in the shape of a profile or of GEGELATI's generated code.
 
+mod balanced;
 mod constant_time;
 mod entry;
 mod expression;
@@ -101,13 +102,17 @@ impl Backend for C {
                 let body = fast::render(&printer, module, schedule, available, &outputs, &upper);
                 (printer, body, false)
             }
+            Shape::Balanced(cases) => {
+                let printer = Printer { nodes: &cases.nodes, ..printer };
+                (printer, balanced::render(&printer, cases, &outputs, &upper), false)
+            }
             Shape::Small(code) => (printer, small::render(&printer, code, &outputs, &upper), false),
             Shape::ConstantTime(functions) => {
                 (printer, constant_time::render(&printer, module, functions, &outputs, &upper), true)
             }
             Shape::Formula(formula) => (printer, formula::render(&printer, formula, &outputs), formula.branch_free),
         };
-        let helpers = helpers::render(&printer, branch_free, &body);
+        let helpers = helpers::render(&printer, branch_free, &body, &upper);
         let banner = banner::lines(program);
         let sources = sources(graph, comment);
         let seen = &sources[..sources.len() - graph.memory()];

@@ -147,7 +147,7 @@ fn decided(printer: &Printer<'_>, module: &Module<'_>, function: &Function, vert
             .iter()
             .map(|&id| KeyView { name: choice::key(id), value: key_value(printer, id) })
             .collect(),
-        teams: function.teams.clone().map(|number| choice::team(module, number)).collect(),
+        teams: function.teams.clone().map(|number| choice::team(module, number, choice::key)).collect(),
         vertex,
     };
     teams.render().expect("the template renders").trim_matches('\n').to_owned()

@@ -1,5 +1,6 @@
 //! `no_std` Rust without unsafe code and without a way to panic, in the shape of a profile.
 
+mod balanced;
 mod constant_time;
 mod expression;
 mod fast;
@@ -68,6 +69,10 @@ impl Backend for Rust {
                     "expensive bids are computed only where they can win",
                     fast::render(&printer, module, schedule, &outputs),
                 )
+            }
+            Shape::Balanced(cases) => {
+                let printer = Printer { nodes: &cases.nodes, ..printer };
+                ("tables of teams over native bids", balanced::render(&printer, module, cases, &outputs))
             }
             Shape::Small(code) => ("tables and one small evaluator", small::render(&printer, module, code, &outputs)),
             Shape::ConstantTime(functions) => {

@@ -1,0 +1,56 @@
+//! The profile `balanced`: tables of teams over native bids, each distinct one a case of one `switch`.
+
+use super::entry::Entry;
+use super::expression::Printer;
+use super::leaves;
+use crate::emit::cases::{self, CaseView, FunctionView};
+use crate::emit::interface::OutputView;
+use crate::emit::syntax::Syntax;
+use crate::emit::table::{Table, table};
+use crate::passes::cases::{Case, Cases};
+use askama::Template;
+use tpg_graph::ScalarType;
+
+#[derive(Template)]
+#[template(path = "c/balanced.c", escape = "none")]
+struct Balanced<'a> {
+    entry: Entry,
+    prefix: &'a str,
+    upper: &'a str,
+    scalar: &'a str,
+    lowest: &'a str,
+    outputs: &'a [OutputView],
+    bidders: Table,
+    places: Table,
+    targets: Table,
+    teams: Table,
+    otherwise: Table,
+    bids: Vec<CaseView>,
+    functions: Vec<FunctionView>,
+    reads_state: bool,
+    over_teams: String,
+}
+
+/// Renders the body.
+pub(super) fn render(printer: &Printer<'_>, cases: &Cases, outputs: &[OutputView], upper: &str) -> String {
+    let table = |values: &[u64]| table(printer, values, |width| if width.bits() == 64 { "ULL" } else { "U" });
+    let read = |case: &Case| [cases.operations(*case).concat(), vec![case.value]].concat();
+    let balanced = Balanced {
+        entry: Entry::of(printer),
+        prefix: printer.prefix,
+        upper,
+        scalar: printer.scalar(),
+        lowest: if printer.graph.scalar() == ScalarType::F32 { "FLT_MAX" } else { "DBL_MAX" },
+        outputs,
+        bidders: table(&cases.bidders),
+        places: table(&cases.places),
+        targets: table(&cases.targets),
+        teams: table(&cases.teams),
+        otherwise: table(&cases.otherwise),
+        bids: cases::bids(printer, cases, |id| printer.statement(id)),
+        functions: cases::functions(printer, cases),
+        reads_state: cases.bids.iter().any(|case| printer.reads_state(&read(case))),
+        over_teams: if outputs.is_empty() { String::new() } else { leaves::render(printer, &cases.leaves, outputs) },
+    };
+    balanced.render().expect("the template renders")
+}

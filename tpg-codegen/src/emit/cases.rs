@@ -1,0 +1,61 @@
+//! The native bids of the profile `balanced`, in syntax that C and Rust share.
+
+use super::questions;
+use super::syntax::Syntax;
+use crate::ir::NodeId;
+use crate::passes::cases::{Case, Cases, Function, Kind};
+
+/// A distinct bid.
+pub(super) struct CaseView {
+    /// Computed always.
+    pub(super) before: Vec<String>,
+    /// The upper bound of the bid, which is skipped if the best is above it.
+    pub(super) bound: Option<String>,
+    /// Computed unless it is skipped.
+    pub(super) inside: Vec<String>,
+    /// The bid, or the argument of its function.
+    pub(super) value: String,
+}
+
+/// A function behind the switch.
+pub(super) struct FunctionView {
+    /// The number of its first bid.
+    pub(super) first: usize,
+    /// The condition for skipping it.
+    pub(super) is_low: Option<String>,
+    /// The call.
+    pub(super) call: String,
+}
+
+/// Views the bids; `statement` computes a value. An operation that is the bid itself needs no statement.
+pub(super) fn bids(syntax: &impl Syntax, cases: &Cases, statement: impl Fn(NodeId) -> String) -> Vec<CaseView> {
+    let view = |&case: &Case| {
+        let [mut before, mut inside] = cases.operations(case);
+        let (bound, result) = match case.kind {
+            Kind::Plain => (None, case.value),
+            Kind::Bounded(bound) => (Some(syntax.value(bound)), case.value),
+            Kind::Function(Function { argument, .. }) => {
+                inside.clear();
+                (None, argument)
+            }
+        };
+        let last = if bound.is_some() { &mut inside } else { &mut before };
+        let value = match last.pop_if(|last| *last == result) {
+            Some(result) => syntax.operation(result),
+            None => syntax.value(result),
+        };
+        let [before, inside] = [before, inside].map(|ids| ids.into_iter().map(&statement).collect());
+        CaseView { before, bound, inside, value }
+    };
+    cases.bids.iter().map(view).collect()
+}
+
+/// Views the functions, the highest numbers first; `bid` holds the argument.
+pub(super) fn functions(syntax: &impl Syntax, cases: &Cases) -> Vec<FunctionView> {
+    let view = |(first, function): (usize, Function)| FunctionView {
+        first,
+        is_low: questions::is_low(syntax, &function, "bid"),
+        call: syntax.instruction(function.instruction, &["bid".to_owned()]),
+    };
+    cases.functions().into_iter().map(view).collect()
+}

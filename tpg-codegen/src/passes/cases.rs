@@ -1,0 +1,158 @@
+//! A module as tables of teams over native bids, for the profile `balanced`.
+//!
+//! Every distinct bid is a case of one `switch`. Of a sine, cosine, logarithm or exponential, the case computes the argument,
+//! and the function stands once behind the switch: it is not called where the result is certain to be lower than the best bid so
+//! far. A team's cheap bids come first. As bids are taken out of order, a tie needs their places.
+
+use super::arithmetic::is_transcendental;
+use super::schedule::{LazyBid, Schedule, Sparing};
+use crate::ir::{Leaf, Module, Node, NodeId, needed};
+use std::collections::BTreeMap;
+use tpg_runtime::ops::Instruction;
+
+/// A distinct bid.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Case {
+    /// The value of the bid.
+    pub value: NodeId,
+    /// The way it is computed.
+    pub kind: Kind,
+}
+
+/// The way a bid is computed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// At once.
+    Plain,
+    /// Unless the best bid is above this upper bound.
+    Bounded(NodeId),
+    /// A function of an argument, unless its result is low.
+    Function(Function),
+}
+
+/// A function of an argument.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Function {
+    /// The function.
+    pub instruction: Instruction,
+    /// Its argument.
+    pub argument: NodeId,
+    /// If the best bid is above this, the function is not; the same for all arguments.
+    pub bound: Option<f64>,
+    /// Where there is no bound: a high argument may still give more than the best bid.
+    pub sparing: Option<Sparing>,
+}
+
+/// The tables, and the bids and leaves that they name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cases {
+    /// The distinct bids; functions come last, each kind together.
+    pub bids: Vec<Case>,
+    /// The bid of each edge, by the order of evaluation in its team.
+    pub bidders: Vec<u64>,
+    /// The place of each edge in its team, counted from 1; empty if every team's edges are evaluated by place.
+    pub places: Vec<u64>,
+    /// The destination of each edge: teams from 0, then actions or leaves.
+    pub targets: Vec<u64>,
+    /// The start of each team's edges, and the end of the last team's.
+    pub teams: Vec<u64>,
+    /// The destination of each team where no bid wins, which is its last edge's by place.
+    pub otherwise: Vec<u64>,
+    /// The module's nodes, and bounds after them.
+    pub nodes: Vec<Node>,
+    /// The module's leaves.
+    pub leaves: Vec<Leaf>,
+}
+
+impl Cases {
+    /// The operations of a bid: those that are computed always, and the others.
+    pub fn operations(&self, case: Case) -> [Vec<NodeId>; 2] {
+        let always = match case.kind {
+            Kind::Plain => case.value,
+            Kind::Bounded(bound) => bound,
+            Kind::Function(Function { argument, .. }) => argument,
+        };
+        let before = needed(&self.nodes, always, |_| true);
+        let inside = needed(&self.nodes, case.value, |id| !before.contains(&id));
+        [before, inside]
+    }
+
+    /// The cases that a team's edges name, in order of evaluation, each with its place.
+    pub fn of_team(&self, team: usize) -> impl Iterator<Item = (usize, Case)> {
+        let edges = self.teams[team] as usize..self.teams[team + 1] as usize;
+        let first = edges.start;
+        edges.map(move |edge| {
+            let place = self.places.get(edge).map_or(edge - first, |&place| place as usize - 1);
+            (place, self.bids[self.bidders[edge] as usize])
+        })
+    }
+
+    /// The functions behind the switch: each with the number of its first bid, the highest first.
+    pub fn functions(&self) -> Vec<(usize, Function)> {
+        let mut functions: Vec<(usize, Function)> = Vec::new();
+        for (number, case) in self.bids.iter().enumerate() {
+            if let Kind::Function(function) = case.kind
+                && functions.last().is_none_or(|(_, last)| last.instruction != function.instruction)
+            {
+                functions.push((number, function));
+            }
+        }
+        functions.reverse();
+        functions
+    }
+}
+
+/// Builds the tables over a schedule's plans.
+pub fn tabulate(module: &Module<'_>, schedule: Schedule) -> Cases {
+    let Schedule { nodes, plans, leaves } = schedule;
+    let mut bids: BTreeMap<NodeId, Kind> = BTreeMap::new();
+    let mut edges = Vec::new();
+    let (mut places, mut targets, mut teams, mut otherwise) = (Vec::new(), Vec::new(), vec![0], Vec::new());
+    for plan in &plans {
+        let mut order: Vec<_> = plan.eager.iter().chain(&plan.eager_before).map(|bid| (*bid, Kind::Plain)).collect();
+        order.sort_by_key(|(bid, _)| bid.place);
+        order.extend(plan.lazy.iter().map(|lazy| (lazy.bid, kind(&nodes, lazy))));
+        for (bid, kind) in order {
+            bids.entry(bid.value).or_insert(kind);
+            edges.push(bid.value);
+            places.push(bid.place as u64 + 1);
+            targets.push(module.vertex(plan.targets[bid.place]) as u64);
+        }
+        otherwise.extend(plan.targets.last().map(|&target| module.vertex(target) as u64));
+        teams.push(edges.len() as u64);
+    }
+    let mut bids: Vec<Case> = bids.into_iter().map(|(value, kind)| Case { value, kind }).collect();
+    bids.sort_by_key(|case| match case.kind {
+        Kind::Plain | Kind::Bounded(_) => None,
+        Kind::Function(Function { instruction, .. }) => Some(instruction as u32),
+    });
+    let numbers: BTreeMap<NodeId, u64> = (0..).zip(&bids).map(|(number, case)| (case.value, number)).collect();
+    let bidders = edges.iter().map(|value| numbers[value]).collect();
+    let mut cases = Cases { bids, bidders, places, targets, teams, otherwise, nodes, leaves };
+    if (0..plans.len()).all(|team| cases.of_team(team).is_sorted_by_key(|(place, _)| place)) {
+        cases.places.clear();
+    }
+    cases
+}
+
+/// The kind of a bid that the schedule may skip. An estimate of a logarithm or an exponential would cost more flash than it saves
+/// time: what is known of its argument is enough.
+fn kind(nodes: &[Node], lazy: &LazyBid) -> Kind {
+    let is_estimate = |id: &NodeId| matches!(nodes[id.index()], Node::Upper(..));
+    let is_cheap = |id: NodeId| {
+        let is_call = |id: &NodeId| matches!(nodes[id.index()], Node::Operation(it, _) if is_transcendental(it));
+        !needed(nodes, id, |_| true).iter().any(is_call)
+    };
+    match nodes[lazy.bid.value.index()] {
+        Node::Operation(instruction @ (Instruction::Sin | Instruction::Cos), [argument, _]) if is_cheap(argument) => {
+            Kind::Function(Function { instruction, argument, bound: Some(1.0), sparing: None })
+        }
+        Node::Operation(instruction @ (Instruction::Exp | Instruction::Ln), [argument, _]) => {
+            Kind::Function(Function { instruction, argument, bound: None, sparing: Sparing::of(instruction, argument) })
+        }
+        _ => match lazy.bound {
+            Some(bound) if !needed(nodes, bound, |_| true).iter().any(is_estimate) => Kind::Bounded(bound),
+            _ => Kind::Plain,
+        },
+    }
+}

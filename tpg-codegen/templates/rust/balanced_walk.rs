@@ -1,0 +1,89 @@
+/// Goes from the root to the vertex where the walk ends.
+fn walk(s: &[{{ scalar }}; {{ state_length }}]) -> usize {
+let mut vertex = 0;
+for _ in 0..{{ depth }} {
+let edges = span(&TEAMS, vertex);
+let bidders = BIDDERS.get(edges.clone()).unwrap_or(&[]);
+{%- if places %}
+let places = PLACES.get(edges.clone()).unwrap_or(&[]);
+let targets = TARGETS.get(edges).unwrap_or(&[]);
+let Some(&last) = OTHERWISE.get(vertex) else {
+break;
+};
+// Only bids above minus infinity win; where there is none, the last edge does.
+let mut best = {{ scalar }}::MIN;
+let (mut winner, mut leader) = (last, 0);
+for ((&bidder, &place), &target) in bidders.iter().zip(places).zip(targets) {
+{%- else %}
+let targets = TARGETS.get(edges).unwrap_or(&[]);
+let Some(&last) = targets.last() else {
+break;
+};
+// Only bids above minus infinity win; where there is none, the last edge does.
+let mut best = {{ scalar }}::MIN;
+let mut winner = last;
+for (&bidder, &target) in bidders.iter().zip(targets) {
+{%- endif %}
+let bid = match bidder {
+{%- for bid in bids %}
+{%- if bid.before.is_empty() && bid.inside.is_empty() && bid.bound.is_none() %}
+{% if loop.last %}_{% else %}{{ loop.index0 }}{% endif %} => {{ bid.value }},
+{%- else %}
+{% if loop.last %}_{% else %}{{ loop.index0 }}{% endif %} => {
+{%- for statement in bid.before %}
+{{ statement }}
+{%- endfor %}
+{%- if let Some(bound) = bid.bound %}
+if best > {{ bound }} {
+continue;
+}
+{%- endif %}
+{%- for statement in bid.inside %}
+{{ statement }}
+{%- endfor %}
+{{ bid.value }}
+}
+{%- endif %}
+{%- endfor %}
+};
+{%- for function in functions %}
+{% if loop.first %}let bid = {% else %}} else {% endif %}if bidder >= {{ function.first }} {
+{%- if let Some(is_low) = function.is_low %}
+if {{ is_low }} {
+continue;
+}
+{%- endif %}
+{{ function.call }}
+{%- if loop.last %}
+} else {
+bid
+};
+{%- endif %}
+{%- endfor %}
+{%- if places %}
+if bid >= best && (bid > best || place > leader) {
+best = bid;
+leader = place;
+winner = target;
+}
+{%- else %}
+if bid >= best {
+best = bid;
+winner = target;
+}
+{%- endif %}
+}
+vertex = winner as usize;
+}
+vertex
+}
+{% for leaf in leaves %}
+
+/// What leaf {{ leaf.label }} answers, before it is limited.
+fn leaf_{{ leaf.label }}(s: &[{{ scalar }}; {{ state_length }}]) -> [{{ scalar }}; {{ outputs }}] {
+{%- for statement in leaf.statements %}
+{{ statement }}
+{%- endfor %}
+[{{ leaf.values.join(", ") }}]
+}
+{%- endfor %}
