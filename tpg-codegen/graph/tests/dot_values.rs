@@ -113,7 +113,7 @@ fn an_activation_follows_the_program() {
         .replace("\"copy\"", "\"copy\", \"exp\"")
         .replace("nan = -1 },\n]", "nan = 0, is = \"div(1, add(1, exp(mul(a, -1))))\" },\n]");
     let graph = graph(PROGRAMS, &sidecar);
-    let logistic = |value: f64| 1.0 / (1.0 + <Own as tpg_runtime::ops::Maths<f64>>::exp(value * -1.0));
+    let logistic = |value: f64| 1.0 / (1.0 + <Own as tpg_runtime::ops::Maths<f64>>::exp(-value));
     assert_eq!(answer(&graph, &[3.0, 1.0, 0.0]), [0.125, logistic(0.5)], "the other output is as it was");
     let error = read(PROGRAMS, &sidecar.replace("mul(a, -1)", "mul(a, b)")).expect_err("b").to_string();
     assert!(error.contains("accepted: a call on the value a alone"), "{error}");
