@@ -2,7 +2,7 @@
 //!
 //! Each folder holds a policy's `graph.json`, the C and Rust made of it, and `PROVENANCE.md`: how it was trained and how
 //! well it does; `hybrid.toml` and `hybrid.rs` say how it shares the arm with the network. `widowx-sac` is a soft actor-critic's network instead: its weights, the same in integers, and the Rust
-//! constants of those. Tests fail when regenerating gives other bytes.
+//! constants of those. The other folders are problems of Gymnasium. Tests fail when regenerating gives other bytes.
 //!
 //! ```
 //! use tpg_generated::widowx_fs::WidowxFs;
@@ -21,6 +21,16 @@
 
 #![no_std]
 
+#[path = "acrobot/acrobot.rs"]
+pub mod acrobot;
+#[path = "cartpole/cartpole.rs"]
+pub mod cartpole;
+#[path = "mountain-car/mountain_car.rs"]
+pub mod mountain_car;
+#[path = "mountain-car-continuous/mountain_car_continuous.rs"]
+pub mod mountain_car_continuous;
+#[path = "pendulum/pendulum.rs"]
+pub mod pendulum;
 #[path = "widowx-fs/widowx_fs.rs"]
 pub mod widowx_fs;
 #[path = "widowx-fs/widowx_fs_fast.rs"]

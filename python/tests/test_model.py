@@ -262,7 +262,7 @@ def test_an_exception_of_the_environment_arrives_as_itself(n_workers: int) -> No
 
 def test_settings_and_presets_are_checked() -> None:
     for arguments, message in [
-        ({"preset": "best"}, "accepted: linear, general, continuous"),
+        ({"preset": "best"}, "accepted: linear, frugal, general, continuous"),
         ({"settings": {"tpg.roots": 3}}, "tpg.roots"),
         ({"settings": {"tpg.nb_roots": 0}}, "nb_roots"),
         ({"settings": {"language.scalar": "f64"}}, "f32"),

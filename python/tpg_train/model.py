@@ -43,28 +43,10 @@ BUILT_IN = {
 # What gymnasium.make() itself puts around an environment.
 USUAL_WRAPPERS = {"TimeLimit", "OrderEnforcing", "PassiveEnvChecker"}
 
-# The presets have minutes of a built-in problem, tens of millions of steps; here a budget of steps is given, and an
-# environment in Python takes a hundred times as long for each: fewer episodes for each decision of evolution, and most
-# roots are dropped after the first of them.
-DISCRETE: dict[str, Any] = {
-    "tpg.nb_roots": 100,
-    "tpg.init_nb_roots": 1000,
-    "learning.ratio_deleted_roots": 0.9,
-    "learning.nb_iterations_per_policy_evaluation": 5,
-    "selection.racing_episodes": 1,
-    "selection.racing_share": 0.25,
-    "selection.validation_episodes": 50,
-}
-CONTINUOUS: dict[str, Any] = {
-    "tpg.nb_roots": 30,
-    "tpg.init_nb_roots": 300,
-    "demes.count": 2,
-    "learning.ratio_deleted_roots": 0.9,
-    "learning.nb_iterations_per_policy_evaluation": 5,
-    "selection.racing_episodes": 1,
-    "selection.racing_share": 0.4,
-    "selection.validation_episodes": 50,
-}
+# Where nothing else is said: few steps of the environment for each decision of evolution.
+USUAL_PRESET = "frugal"
+# A search for more weights with a full covariance costs more than it finds.
+MOST_WEIGHTS = 400
 
 
 class StatefulEnvironmentWarning(UserWarning):
@@ -123,7 +105,8 @@ class TPG:
         n_workers: worker processes; 0 runs the episodes in this process (built-in problems: on all cores).
         preset: a configuration that `tpg-train config` prints; by default one that fits the actions.
         settings: other values of the preset's settings, such as `{"tpg.nb_roots": 50}`.
-        population: roots of a generation. episodes: episodes of each root in a generation.
+        population: roots of a generation. episodes: episodes of each root in a generation. With either of them everything
+            begins at random; without, a search for the weights of sums comes first, which needs fewer steps.
         folder: keeps the run, for `resume=True` in a later process and for `tpg-train report`; by default temporary.
         max_episode_steps: cuts episodes; by default the environment's own limit, or 10,000.
         input_names: names of the observation's values, for formulas.
@@ -206,25 +189,42 @@ class TPG:
     def _configuration(
         self, preset: str | None, settings: Mapping[str, Any], population: int | None, episodes: int | None
     ) -> str:
-        is_box = bool(self._interface.actions()[1])
         chosen: dict[str, Any] = {"learning.nb_generations": 1_000_000}
         if preset is None:
-            chosen.update(CONTINUOUS if is_box else DISCRETE)
-            chosen["tpg.init_nb_roots"] = max(chosen["tpg.init_nb_roots"], len(self._interface.actions()[0]))
-        name = preset or ("continuous" if is_box else "general")
+            chosen.update(self._sizes())
+        name = preset or USUAL_PRESET
+        actions = len(self._interface.actions()[0])
         if population is not None:
             chosen["tpg.nb_roots"] = population
-            chosen["tpg.init_nb_roots"] = max(2 * population, len(self._interface.actions()[0]))
+            chosen["tpg.init_nb_roots"] = max(2 * population, actions)
+            chosen["selection.validation_roots"] = min(4, population)
             # A small population has survivors, too.
             chosen["learning.ratio_deleted_roots"] = min(
                 chosen.get("learning.ratio_deleted_roots", 0.9), max(0.0, 1.0 - 6.0 / population)
             )
+        if population is not None or episodes is not None:
+            # A generation is what was asked for: no search for weights, whose samples are fewer, and no second population.
+            chosen.update({"start.kind": "random", "demes.count": 1, "demes.halving_interval": 0} if preset is None else {})
         if episodes is not None:
             chosen["learning.nb_iterations_per_policy_evaluation"] = episodes
             if chosen.get("selection.racing_episodes", 0) >= episodes:
                 chosen["selection.racing_episodes"] = 0
         chosen.update(settings)
         return _tpg.configuration(name, json.dumps(chosen))
+
+    def _sizes(self) -> dict[str, Any]:
+        """Returns the settings of the usual preset that depend on the number of inputs and actions."""
+        actions, outputs = (len(one) for one in self._interface.actions())
+        inputs = self._interface.inputs
+        programs = outputs or actions - 1
+        if programs * (inputs + 1) > MOST_WEIGHTS:
+            return {"start.kind": "random", "tpg.init_nb_roots": max(60, actions)}
+        return {
+            "tpg.init_nb_roots": max(60, actions),
+            "tpg.max_outgoing_edges": max(8, actions),
+            "program.max_program_size": max(24, inputs + 1),
+            "leaves.max_program_size": max(32, inputs + 1),
+        }
 
     def _start(self, target: float | None, max_steps: int | None) -> Evolution:
         resume = self._resume or self._temporary is not None
@@ -363,7 +363,8 @@ class TPG:
         """Returns the episodes to run before evolution can go on; none once it has ended.
 
         Each candidate is a policy and the seed of one episode. Run them in any order, on any machine, then `tell` their
-        returns. `population=` and `episodes=` of the constructor say how many there are.
+        returns. `population=` and `episodes=` of the constructor say how many there are; without them a search for weights comes
+        first, whose samples are fewest.
         """
         if self.native is not None:
             raise InputError(f"ask() on the built-in problem {self.native}; accepted: TPG(..., native=False)")

@@ -8,12 +8,14 @@ use crate::lanes::Lanes;
 use crate::options::EngineOptions;
 use crate::plan::Plan;
 use crate::policy::PolicyGraph;
+use crate::single::Single;
 use crate::source_set::SourceSet;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::marker::PhantomData;
 use std::sync::atomic::{AtomicU64, Ordering};
 use tpg_graph::SourceDocument;
+use tpg_graph::interpret::Answer as Reply;
 use tpg_runtime::ops::Maths;
 use tpg_runtime::scalar::Scalar;
 
@@ -179,17 +181,38 @@ impl<S: Scalar, M: Maths<S>, E: Environment<S>> LocalThreads<'_, S, M, E> {
         let mut lanes = Lanes::<S, M, E>::new(self.environment, options);
         lanes.run_watched(&plan, std::slice::from_ref(&visit.task), |_, action| actions.push(action))?;
         let mut episode = self.environment.start(&visit.task);
+        let mut state = vec![S::ZERO; plan.state_length()];
+        let computes = !self.environment.actions().outputs().is_empty();
+        let single = computes.then(|| Single::<S, M>::new(plan));
+        let mut seen = Vec::with_capacity(visit.after.len());
         let mut done = 0;
-        let state = |&after: &u32| {
-            for &action in &actions[done..(after as usize).min(actions.len())] {
-                self.environment.step(&mut episode, Act::Choice(action));
-                done += 1;
+        while seen.len() < visit.after.len() {
+            let is_wanted = done >= visit.after[seen.len()] as usize || done >= actions.len();
+            if is_wanted || computes {
+                self.environment.observe(&mut episode, SourceSet::ALL, &mut state);
             }
-            let mut state = vec![S::ZERO; plan.state_length()];
-            self.environment.observe(&mut episode, SourceSet::ALL, &mut state);
-            state.into_iter().map(S::to_f64).collect()
-        };
-        Ok(visit.after.iter().map(state).collect())
+            if is_wanted {
+                // The same state as often as it is asked for: an observation may draw noise.
+                let again = |after: &&u32| **after as usize <= done || done >= actions.len();
+                let count = visit.after[seen.len()..].iter().take_while(again).count();
+                seen.extend(std::iter::repeat_n(state.iter().map(|value| value.to_f64()).collect(), count));
+                if seen.len() == visit.after.len() {
+                    break;
+                }
+            }
+            match &single {
+                None => self.environment.step(&mut episode, Act::Choice(actions[done])),
+                Some(single) => {
+                    let Reply::Values(values) = single.answer(&state) else {
+                        unreachable!("a policy of an environment with outputs computes values")
+                    };
+                    let values: Vec<S> = values.into_iter().map(S::from_f64).collect();
+                    self.environment.step(&mut episode, Act::Values(&values))
+                }
+            };
+            done += 1;
+        }
+        Ok(seen)
     }
 }
 

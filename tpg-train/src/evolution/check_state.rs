@@ -50,17 +50,19 @@ impl<Task: std::fmt::Debug> State<Task> {
             equal(&format!("rows[{place}].generation"), row.generation, place)?;
         }
         equal("scales", self.scales.len(), lengths(environment.bid_bounds().unwrap_or(sources.len())))?;
-        equal("demes", self.demes.len(), config.demes.count)?;
         let vocabulary = config.vocabulary(environment, self.scales.clone());
+        let writer = LinearWriter::new(&vocabulary, actions as u16);
+        let linear = config.linear_generations(writer.map_or(0, |writer| writer.weights()));
+        equal("demes", self.demes.len(), config.demes_at(self.generation, linear))?;
         let limits = Limits { config, vocabulary: &vocabulary, actions };
         for (place, deme) in self.demes.iter().enumerate() {
             // During a linear start no deme needs to have teams; after it every one has.
-            if self.generation > config.linear_generations() && deme.genome.teams().is_empty() {
+            if self.generation > linear && deme.genome.teams().is_empty() {
                 return Err(Finding::new(format!("demes[{place}].genome.teams"), "no team", "one or more"));
             }
             limits.deme(deme).map_err(|finding| finding.within(&format!("demes[{place}]")))?;
         }
-        self.check_searches(config, &vocabulary, actions)?;
+        self.check_searches(config, &vocabulary, actions, linear)?;
         equal("archive.size", self.archive.size(), config.learning.archive_size)?;
         self.archive.check(self.demes.len(), inputs).map_err(|finding| finding.within("archive"))?;
         Finding::range("pool", self.pool.len(), 0, config.pool.size)?;
@@ -68,6 +70,7 @@ impl<Task: std::fmt::Debug> State<Task> {
             let key = format!("pool[{place}]");
             return Err(Finding::new(key, format!("{:?}", self.pool[place]), "a task of the problem"));
         }
+        self.luck.check().map_err(|finding| finding.within("luck"))?;
         let best = |best| check_best(best, self.generation, config, inputs, &space);
         self.best.as_ref().map_or(Ok(()), best).map_err(|finding| finding.within("best"))?;
         (self.hall.iter().enumerate())
@@ -76,8 +79,13 @@ impl<Task: std::fmt::Debug> State<Task> {
 }
 
 impl<Task> State<Task> {
-    fn check_searches(&self, config: &EvolutionConfig, vocabulary: &Vocabulary, actions: usize) -> Result<(), Finding> {
-        let generations = config.linear_generations();
+    fn check_searches(
+        &self,
+        config: &EvolutionConfig,
+        vocabulary: &Vocabulary,
+        actions: usize,
+        generations: u64,
+    ) -> Result<(), Finding> {
         let accepted = match self.generation {
             0 => [0, 0],
             _ if generations == 0 => [0, 0],

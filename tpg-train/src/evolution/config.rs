@@ -19,6 +19,10 @@ use tpg_runtime::scalar::Scalar;
 /// The accepted content of a configuration file, for messages.
 const ACCEPTED: &str = "the parameters that `tpg-train config` prints";
 
+/// Generations of a linear start of usual length.
+const GENERATIONS_FOR_A_WEIGHT: u64 = 6;
+const LEAST_GENERATIONS: u64 = 20;
+
 /// Everything that determines a run except its seed.
 ///
 /// ```
@@ -197,6 +201,9 @@ pub struct SelectionConfig {
     pub validation_episodes: usize,
     /// Fraction of a run's episodes available for validation, 0 to 1.
     pub validation_share: f64,
+    /// True if scores are corrected by the [luck](super::luck) of their generation, which the champion tells.
+    #[serde(default)]
+    pub paired: bool,
     /// Price of a line of a policy, as a fraction of the way from the first generation's median score to the best.
     #[serde(default)]
     pub line_price: f64,
@@ -215,6 +222,20 @@ pub struct Literals {
     pub change: f64,
     /// Standard deviation of the factor's distance from 1 when a number is scaled.
     pub scaling: f64,
+    /// The range of an input that gives numbers their unit.
+    #[serde(default)]
+    pub units: Units,
+}
+
+/// The range of an input that gives numbers their unit.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Units {
+    /// The declared one; its ends that the problem does not know are those that random policies reach.
+    #[default]
+    Declared,
+    /// The one where random policies usually are: declared ranges are often never reached.
+    Visited,
 }
 
 /// Evolution of policies with outputs: they start as single leaves, and structure is added rarely.
@@ -264,6 +285,9 @@ pub struct DemeConfig {
     pub migration_interval: u64,
     /// Number of roots that a deme passes on to the next one.
     pub migrants: usize,
+    /// Number of generations after which the worse half of the demes ends, again and again; 0 for never.
+    #[serde(default)]
+    pub halving_interval: u64,
 }
 
 /// Pool of hard episodes.
@@ -303,7 +327,7 @@ pub enum StartKind {
 pub struct StartConfig {
     /// Its kind; the other settings matter only for a linear one.
     pub kind: StartKind,
-    /// Number of generations of the search for weights.
+    /// Number of generations of the search for weights; 0 for 6 for each weight, at least 20.
     pub generations: u64,
     /// Number of searches, of which the best goes on after half of the generations.
     pub searches: usize,
@@ -334,13 +358,15 @@ pub struct RefinementConfig {
     pub deviations: [f64; 2],
     /// Probability that a child only lacks a line.
     pub p_deletion: f64,
+    /// Probability that another child of a policy with named actions only has one program mutated.
+    pub p_mutation: f64,
     /// Number of children of the best root of a deme that only have other constants.
     pub elite: usize,
 }
 
 impl Default for RefinementConfig {
     fn default() -> Self {
-        Self { p_jitter: 0.0, deviations: [0.02, 0.6], p_deletion: 0.0, elite: 0 }
+        Self { p_jitter: 0.0, deviations: [0.02, 0.6], p_deletion: 0.0, p_mutation: 0.0, elite: 0 }
     }
 }
 
@@ -411,9 +437,19 @@ impl EvolutionConfig {
         }
     }
 
-    /// Returns the number of generations of a linear start; 0 without one.
-    pub fn linear_generations(&self) -> u64 {
-        if self.start.kind == StartKind::Linear { self.start.generations } else { 0 }
+    /// Returns the number of demes before a generation, with `linear` generations of a linear start.
+    pub fn demes_at(&self, generation: u64, linear: u64) -> usize {
+        let halvings = generation.saturating_sub(linear).checked_div(self.demes.halving_interval).unwrap_or(0);
+        (0..halvings.min(64)).fold(self.demes.count, |demes, _| demes.div_ceil(2))
+    }
+
+    /// Returns the number of generations of a linear start that searches for so many weights; 0 without one.
+    pub fn linear_generations(&self, weights: usize) -> u64 {
+        match (self.start.kind, self.start.generations) {
+            (StartKind::Random, _) => 0,
+            (StartKind::Linear, 0) => (GENERATIONS_FOR_A_WEIGHT * weights as u64).max(LEAST_GENERATIONS),
+            (StartKind::Linear, generations) => generations,
+        }
     }
 
     /// Returns the instruction set, looked up by name.

@@ -3,6 +3,7 @@
 use super::archive::{Recording, bid};
 use super::config::EvolutionConfig;
 use super::genome::{Destination, ProgramId, TeamId};
+use super::linear::LinearWriter;
 use super::mutate_leaf::LeafMutator;
 use super::mutate_program::ProgramMutator;
 use super::mutate_team::{Moment, populate, random_population};
@@ -29,6 +30,8 @@ pub struct Evolution<'e, S: Scalar, E: Environment<S>, V> {
     pub(super) selection_tasks: Vec<E::Task>,
     pub(super) goal: Goal,
     pub(super) actions: u16,
+    /// Number of generations of the linear start.
+    pub(super) linear: u64,
     number: PhantomData<S>,
 }
 
@@ -88,7 +91,9 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         let vocabulary = config.vocabulary(environment, scales);
         let selection_tasks = environment.validation_tasks(config.selection.validation_episodes);
         let actions = environment.actions().count().unwrap_or(0) as u16;
-        Self { config, vocabulary, environment, evaluator, selection_tasks, goal, actions, number: PhantomData }
+        let weights = LinearWriter::new(&vocabulary, actions).map_or(0, |writer| writer.weights());
+        let linear = config.linear_generations(weights);
+        Self { config, vocabulary, environment, evaluator, selection_tasks, goal, actions, linear, number: PhantomData }
     }
 
     /// Returns the vocabulary of programs.
@@ -113,23 +118,25 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         }
         self.breed(state);
         let tasks = self.tasks(state, self.config.learning.nb_iterations_per_policy_evaluation);
-        let evaluated = self.evaluate(state, &tasks)?;
+        let (evaluated, champion) = self.evaluate(state, &tasks)?;
         let preference = self.environment.preference();
         let scores: Vec<Judged> = evaluated.iter().map(|root| Judged::new(&root.endings, preference)).collect();
+        let corrections = corrections(state, &champion, &scores, tasks.len());
         for (root, scores) in evaluated.iter().zip(&scores) {
             if !scores.scores.is_empty() {
-                state.demes[root.deme].records.entry(root.team).or_default().add(&scores.scores);
+                let corrected: Vec<f64> = scores.scores.iter().zip(&corrections).map(|(a, b)| a + b).collect();
+                state.demes[root.deme].records.entry(root.team).or_default().add(&corrected);
             }
         }
         let mut row = self.row(state, &evaluated, &scores);
-        let episodes: usize = evaluated.iter().map(|root| root.endings.len()).sum();
-        state.training_episodes += episodes as u64;
-        state.steps +=
-            evaluated.iter().flat_map(|root| &root.endings).map(|ending| u64::from(ending.actions)).sum::<u64>();
+        let endings = || evaluated.iter().flat_map(|root| &root.endings).chain(&champion);
+        state.training_episodes += endings().count() as u64;
+        state.steps += endings().map(|ending| u64::from(ending.actions)).sum::<u64>();
         self.remember_hard_tasks(state, &tasks, &evaluated, &scores);
         self.record(state, &tasks, &evaluated)?;
         self.select(state, &evaluated, &scores);
         self.migrate(state);
+        self.end_worse_demes(state);
         row.teams = state.demes.iter().map(|deme| deme.genome.teams().len()).sum();
         row.programs = state.demes.iter().map(|deme| deme.genome.program_count()).sum();
         if roughness == 1 || self.is_last(state) {
@@ -219,8 +226,14 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
             .collect()
     }
 
-    /// Evaluates every root whose score is not final (`learningAgent.cpp`, `isRootEvalSkipped`).
-    fn evaluate(&self, state: &State<E::Task>, tasks: &[E::Task]) -> Result<Vec<Evaluated>, EvaluationError> {
+    /// Evaluates every root whose score is not final (`learningAgent.cpp`, `isRootEvalSkipped`), and the champion, if scores are
+    /// corrected by its own.
+    fn evaluate(
+        &self,
+        state: &State<E::Task>,
+        tasks: &[E::Task],
+    ) -> Result<(Vec<Evaluated>, Vec<Ending>), EvaluationError> {
+        let mut champion = Vec::new();
         let mut roots: Vec<Evaluated> = Vec::new();
         for (deme, population) in state.demes.iter().enumerate() {
             for team in population.genome.roots() {
@@ -237,7 +250,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         let mut done = 0;
         if self.config.selection.racing_episodes > 0 && !open.is_empty() {
             done = self.config.selection.racing_episodes;
-            self.evaluate_some(state, &tasks[..done], &mut roots, &open)?;
+            self.evaluate_some(state, &tasks[..done], &mut roots, &open, &mut champion)?;
             let mean = |root: &Evaluated| Summary::of(&root.endings).score;
             let mut means: Vec<f64> = open.iter().map(|&place| mean(&roots[place])).collect();
             means.sort_by(|a, b| b.total_cmp(a));
@@ -249,8 +262,8 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
             }
             open.retain(|&place| !roots[place].dropped);
         }
-        self.evaluate_some(state, &tasks[done..], &mut roots, &open)?;
-        Ok(roots)
+        self.evaluate_some(state, &tasks[done..], &mut roots, &open, &mut champion)?;
+        Ok((roots, champion))
     }
 
     fn evaluate_some(
@@ -259,17 +272,23 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         tasks: &[E::Task],
         roots: &mut [Evaluated],
         places: &[usize],
+        champion: &mut Vec<Ending>,
     ) -> Result<(), EvaluationError> {
+        let unit = |root: u64, policy: &Policy| {
+            let key = UnitKey { seed: state.seed, generation: state.generation, root };
+            WorkUnit { key, policy: policy.clone() }
+        };
+        let best = state.best.as_ref().filter(|_| self.config.selection.paired);
         let units = places.iter().map(|&place| {
             let Evaluated { deme, team, policy, .. } = &roots[place];
-            let key = UnitKey { seed: state.seed, generation: state.generation, root: root_number(*deme, *team) };
-            WorkUnit { key, policy: policy.clone() }
+            unit(root_number(*deme, *team), policy)
         });
-        let work = Work { tasks: tasks.to_vec(), units: units.collect() };
-        let answers = self.evaluator.evaluate(&work)?;
-        for (&place, answer) in places.iter().zip(answers) {
+        let units = units.chain(best.map(|best| unit(u64::MAX, &best.policy))).collect();
+        let mut answers = self.evaluator.evaluate(&Work { tasks: tasks.to_vec(), units })?.into_iter();
+        for (&place, answer) in places.iter().zip(answers.by_ref()) {
             roots[place].endings.extend(answer.endings);
         }
+        champion.extend(answers.flat_map(|answer| answer.endings));
         Ok(())
     }
 
@@ -363,6 +382,29 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         }
     }
 
+    /// Ends the worse half of the demes, judged by their best root, where it is time for it: independent starts are many, but
+    /// only the promising ones are paid for.
+    fn end_worse_demes(&self, state: &mut State<E::Task>) {
+        let next = self.config.demes_at(state.generation + 1, self.linear);
+        if next >= state.demes.len() {
+            return;
+        }
+        let price = self.line_price(state);
+        let worth = |deme: &Deme| {
+            let worth = |(&team, record): (&TeamId, &Record)| {
+                record.mean - price * deme.genome.policy(team, &self.vocabulary).lines() as f64
+            };
+            deme.records.iter().map(worth).fold(f64::NEG_INFINITY, f64::max)
+        };
+        let worths: Vec<f64> = state.demes.iter().map(worth).collect();
+        let mut places: Vec<usize> = (0..worths.len()).collect();
+        // The sort is stable: of equals, the first stays.
+        places.sort_by(|&a, &b| worths[b].total_cmp(&worths[a]));
+        let kept: BTreeSet<usize> = places.into_iter().take(next).collect();
+        let mut place = 0..;
+        state.demes.retain(|_| place.next().is_some_and(|place| kept.contains(&place)));
+    }
+
     /// Draws recordings for the archive: a root, an episode, a state of it, and a program that bid in this state.
     fn record(
         &self,
@@ -448,6 +490,14 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
             })
             .collect()
     }
+}
+
+/// Returns what is added to the scores of each episode, and learns from them: 0 without a champion.
+fn corrections<Task>(state: &mut State<Task>, champion: &[Ending], scores: &[Judged], episodes: usize) -> Vec<f64> {
+    let Some(best) = state.best.as_ref().filter(|_| !champion.is_empty()) else { return vec![0.0; episodes] };
+    let of_champion: Vec<f64> = champion.iter().map(|ending| finite(ending.score)).collect();
+    state.luck.learn(&of_champion, scores.iter().map(|scores| &scores.scores[..]));
+    state.luck.corrections(&of_champion, finite(best.result.score))
 }
 
 /// Returns a root's record so far.

@@ -213,7 +213,7 @@ impl<'a> LinearWriter<'a> {
 impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V> {
     /// True if the next generation belongs to the linear start.
     pub(super) fn is_linear(&self, state: &State<E::Task>) -> bool {
-        state.generation < self.config.linear_generations()
+        state.generation < self.linear
     }
 
     /// Runs one generation of the linear start.
@@ -247,7 +247,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
             search.update(&samples[its.clone()], &results[its]);
         }
         let mut row = row(state.generation, &results);
-        if state.generation + 1 == config.generations || self.is_last(state) {
+        if state.generation + 1 == self.linear || self.is_last(state) {
             self.populate_from_linear(state, &writer);
             row.validation = self.validate(state)?;
         }
@@ -265,7 +265,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
             let search = Search { cma: Cma::new(writer.weights(), config.deviation), score: f64::NEG_INFINITY };
             state.searches = vec![search; config.searches];
         }
-        if state.generation == config.generations.div_ceil(2) {
+        if state.generation == self.linear.div_ceil(2) {
             // The first of equals: `max_by` would return the last.
             let best = state.searches.iter().rev().max_by(|a, b| a.score.total_cmp(&b.score)).cloned();
             state.searches = best.into_iter().collect();

@@ -95,7 +95,9 @@ pub fn populate(
     while count < parameters.nb_roots {
         let mut stream = moment.stream(Purpose::Child, children);
         let parent = *stream.pick(&roots);
-        let child = refiner.child(genome, parent, &mut stream).unwrap_or_else(|| {
+        let close = refiner.child(genome, parent, &mut stream);
+        let close = close.or_else(|| refiner.mutated(genome, parent, mutator, &mut stream));
+        let child = close.unwrap_or_else(|| {
             let child = genome.add_team(genome.team(parent).clone());
             mutate_team(genome, child, &before, parameters, &mut to_mutate, &mut stream);
             child

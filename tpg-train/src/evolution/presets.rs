@@ -59,11 +59,16 @@ pub struct Preset {
 }
 
 /// Every preset.
-pub const PRESETS: [Preset; 9] = [
+pub const PRESETS: [Preset; 10] = [
     Preset {
         name: "linear",
         about: "for any problem: some demes begin with weighted sums of the inputs, the others at random",
         text: include_str!("presets/linear.toml"),
+    },
+    Preset {
+        name: "frugal",
+        about: "for any problem whose steps take long: few episodes for each decision",
+        text: include_str!("presets/frugal.toml"),
     },
     Preset { name: "general", about: "for any problem with named actions", text: include_str!("presets/general.toml") },
     Preset {

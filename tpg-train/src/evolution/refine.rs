@@ -1,7 +1,8 @@
-//! Children that keep their parent's structure: all constants change together, or one line is lost.
+//! Children close to their parent: all constants change together, one line is lost, or one program is mutated.
 
 use super::config::RefinementConfig;
 use super::genome::{Destination, Edge, Genome, GenomeLine, Leaf, Program, ProgramId, Team, TeamId};
+use super::mutate_program::ProgramMutator;
 use super::vocabulary::{Kind, Vocabulary};
 use std::collections::BTreeMap;
 use tpg_engine::random::Stream;
@@ -32,6 +33,24 @@ impl Refiner<'_> {
         } else {
             None
         }
+    }
+
+    /// Adds a child of which one program has been mutated, with the configured probability; `None`, where another kind of child
+    /// is due. Draws nothing where it is 0.
+    pub fn mutated(
+        &self,
+        genome: &mut Genome,
+        parent: TeamId,
+        mutator: &ProgramMutator<'_>,
+        stream: &mut Stream,
+    ) -> Option<TeamId> {
+        if self.parameters.p_mutation <= 0.0 || !stream.chance(self.parameters.p_mutation) {
+            return None;
+        }
+        let programs: Vec<(ProgramId, Program)> = self.programs(genome, parent).into_iter().collect();
+        let (id, mut program) = stream.pick(&programs).clone();
+        while !mutator.mutate(&mut program, stream) {}
+        Some(copy(genome, parent, BTreeMap::from([(id, program)])))
     }
 
     /// Adds a child whose constants have all moved a little, or one of them; `None` if it has no constants.

@@ -1,6 +1,6 @@
 //! The units of literals: half the range of each input, estimated if the environment does not declare it.
 
-use super::config::EvolutionConfig;
+use super::config::{EvolutionConfig, Units};
 use super::generation::{Evolution, Goal};
 use super::mutate_leaf::LeafMutator;
 use super::mutate_program::ProgramMutator;
@@ -14,8 +14,11 @@ use tpg_runtime::scalar::Scalar;
 const EXPLORERS: usize = 16;
 const EPISODES: usize = 2;
 
-/// Returns half the range of each value of the flat state that programs can read. Ends that the environment does not
-/// know are estimated from states visited by random roots.
+/// The part of the visited values on either side that does not count for a usual range.
+const TAIL: f64 = 0.025;
+
+/// Returns half the range of each value of the flat state that programs can read: the declared one, with ends that the
+/// environment does not know estimated from states visited by random roots, or where these usually are.
 ///
 /// # Errors
 /// If the episodes cannot be run.
@@ -28,12 +31,28 @@ pub fn scales<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
     let sources = environment.sources();
     let readable = environment.bid_bounds().unwrap_or(sources.len());
     let ranges: Vec<[f64; 2]> = sources[..readable].iter().flat_map(|source| source.ranges.clone()).collect();
-    let states = if ranges.iter().flatten().all(|end| end.is_finite()) {
+    let units = config.literals.units;
+    let states = if units == Units::Declared && ranges.iter().flatten().all(|end| end.is_finite()) {
         Vec::new()
     } else {
         explore(config, environment, evaluator, seed, ranges.len())?
     };
-    Ok(ranges.iter().enumerate().map(|(input, range)| unit(*range, &states, input)).collect())
+    let declared = |(input, range): (usize, &[f64; 2])| unit(*range, &states, input);
+    let scale = |(input, range)| match units {
+        Units::Declared => declared((input, range)),
+        Units::Visited => usual(&states, input).unwrap_or_else(|| declared((input, range))),
+    };
+    Ok(ranges.iter().enumerate().map(scale).collect())
+}
+
+/// Returns half the range of most of the visited values of an input; `None` if they are equal.
+fn usual(states: &[Vec<f64>], input: usize) -> Option<f64> {
+    let mut values: Vec<f64> = states.iter().map(|state| state[input]).filter(|value| value.is_finite()).collect();
+    values.sort_by(f64::total_cmp);
+    let tail = (TAIL * values.len() as f64) as usize;
+    let (low, high) = (values.get(tail)?, values.get(values.len() - 1 - tail)?);
+    let half = 0.5 * (high - low);
+    (half > 0.0).then_some(half)
 }
 
 /// Returns states visited by random roots.
@@ -73,7 +92,17 @@ fn unit([min, max]: [f64; 2], states: &[Vec<f64>], input: usize) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::unit;
+    use super::{unit, usual};
+
+    #[test]
+    fn a_usual_unit_leaves_out_rare_values() {
+        let mut states: Vec<Vec<f64>> = (0..=100).map(|value| vec![f64::from(value), 3.0]).collect();
+        states[50][0] = 1e9;
+        states[51][0] = f64::NAN;
+        assert_eq!(usual(&states, 0), Some(0.5 * (99.0 - 2.0)));
+        assert_eq!(usual(&states, 1), None, "always the same value");
+        assert_eq!(usual(&[], 0), None);
+    }
 
     #[test]
     fn a_unit_is_half_the_range_known_or_visited() {

@@ -1,6 +1,6 @@
 //! Validity of configurations.
 
-use super::EvolutionConfig;
+use super::{EvolutionConfig, StartKind};
 use crate::evolution::linear::{LinearWriter, MOST_WEIGHTS};
 use tpg_engine::{ActionSpace, Environment};
 use tpg_graph::Word;
@@ -100,6 +100,11 @@ impl EvolutionConfig {
         count("demes.count", self.demes.count, 1, 1000)?;
         count("demes.migration_interval", self.demes.migration_interval as usize, 1, MANY)?;
         count("demes.migrants", self.demes.migrants, 0, self.survivors())?;
+        count("demes.halving_interval", self.demes.halving_interval as usize, 0, MANY)?;
+        if self.demes.halving_interval > 0 && learning.archive_size > 0 {
+            let accepted = "0, with an archive: its recordings belong to demes";
+            return Err(Finding::new("demes.halving_interval", self.demes.halving_interval, accepted));
+        }
         count("pool.size", self.pool.size, 0, MANY)?;
         probability("pool.share", self.pool.share)?;
         let curriculum = &self.curriculum;
@@ -118,7 +123,7 @@ impl EvolutionConfig {
         let count = Finding::range::<usize>;
         let start = &self.start;
         let last = self.learning.nb_generations.saturating_sub(1);
-        if self.linear_generations() > 0 {
+        if start.kind == StartKind::Linear && start.generations > 0 {
             Finding::range("start.generations", start.generations, 2, last)?;
         }
         count("start.searches", start.searches, 1, 100)?;
@@ -131,6 +136,7 @@ impl EvolutionConfig {
         let refinement = &self.refinement;
         Finding::range("refinement.p_jitter", refinement.p_jitter, 0.0, 1.0)?;
         Finding::range("refinement.p_deletion", refinement.p_deletion, 0.0, 1.0 - refinement.p_jitter)?;
+        Finding::range("refinement.p_mutation", refinement.p_mutation, 0.0, 1.0)?;
         let [low, high] = refinement.deviations;
         if !(1e-6 <= low && low <= high && high <= 10.0) {
             let found = format!("{:?}", refinement.deviations);
@@ -160,7 +166,7 @@ impl EvolutionConfig {
     /// # Errors
     /// The first parameter that does not fit.
     pub fn check_linear<S: Scalar>(&self, environment: &impl Environment<S>) -> Result<(), Finding> {
-        if self.linear_generations() == 0 {
+        if self.start.kind == StartKind::Random {
             return Ok(());
         }
         let values: usize = environment.sources().iter().map(|source| source.length as usize).sum();

@@ -1,0 +1,149 @@
+#!/usr/bin/env python3
+"""The shipped policies on real Gymnasium, driven by their generated C, beside other people's and other kinds of policies.
+
+    cargo build --release -p tpg-codegen -p cortex-bound
+    python3 -m venv control && control/bin/pip install "gymnasium[box2d]==1.4.0" scikit-learn
+    control/bin/python benches/control/table.py [--episodes 1000] [--rivals] [--only cartpole] [--json FILE] [--figure FILE.svg]
+
+Every policy plays the same episodes, seeds 10,000,000 and up, which nothing was trained or chosen on. A return stands with its 95 %
+interval; bytes are code and constants for a Cortex-M4F, `arm-none-eabi-gcc -Os`, instructions the most that one decision takes
+(`cortex-bound`). `--rivals` trains a linear policy by augmented random search with the same number of steps for everybody, and
+distils decision trees from the shipped policy; it takes minutes. Published returns are those of Stable-Baselines3's zoo. Prints a table
+in Markdown.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+import tempfile
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+import gymnasium
+import numpy as np
+from figure import figure
+from generated import ROOT, Policy, footprint, report
+from rivals import distilled, episode, random_search, write_c
+
+FIRST_SEED = 10_000_000
+TREE_LEAVES = (16, 128)
+
+
+@dataclass(frozen=True)
+class Problem:
+    """A problem: its folder under generated/, Gymnasium's id, steps for a linear rival, published returns."""
+
+    name: str
+    id: str
+    steps: int
+    published: dict[str, float]
+
+
+# benchmark.md of DLR-RM/rl-baselines3-zoo at 0088472 (LunarLander: version 2 of the environments).
+PROBLEMS = [
+    Problem("cartpole", "CartPole-v1", 200_000, {"PPO": 500.0, "DQN": 500.0, "ARS": 500.0}),
+    Problem("acrobot", "Acrobot-v1", 500_000, {"PPO": -73.5, "DQN": -76.6, "ARS": -82.9}),
+    Problem("mountain-car", "MountainCar-v0", 500_000, {"DQN": -100.8, "PPO": -110.4, "ARS": -122.0}),
+    Problem("mountain-car-continuous", "MountainCarContinuous-v0", 500_000, {"ARS": 96.7, "SAC": 94.7, "PPO": 88.3}),
+    Problem("pendulum", "Pendulum-v1", 500_000, {"TD3": -151.9, "SAC": -157.0, "PPO": -172.2, "ARS": -212.5}),
+    Problem("lunar-lander", "LunarLander-v3", 1_000_000, {"PPO": 242.1, "A2C": 155.8, "DQN": 154.4}),
+    Problem(
+        "lunar-lander-continuous",
+        "LunarLanderContinuous-v3",
+        1_000_000,
+        {"TQC": 278.0, "PPO": 270.9, "SAC": 260.4, "ARS": 168.0},
+    ),
+]
+
+
+@dataclass(frozen=True)
+class Row:
+    """A policy's figures."""
+
+    problem: str
+    policy: str
+    mean: float
+    interval: float
+    least: float
+    flash: int | None
+    instructions: int | None
+    note: str = ""
+
+
+def played(problem: Problem, policy: Any, episodes: int) -> tuple[float, float, float]:
+    """Returns mean, half of the 95 % interval and minimum of a policy's returns on the test episodes."""
+    env = gymnasium.make(problem.id)
+    returns = np.array([episode(env, policy, FIRST_SEED + at)[0] for at in range(episodes)])
+    return float(returns.mean()), float(1.96 * returns.std(ddof=1) / np.sqrt(episodes)), float(returns.min())
+
+
+def rows(problem: Problem, episodes: int, with_rivals: bool, folder: Path) -> list[Row]:
+    """Returns the rows of a problem."""
+    place = ROOT / "generated" / problem.name
+    source = place / f"{problem.name.replace('-', '_')}.c"
+    graph = place / "graph.json"
+    policy = Policy(graph, source, folder)
+    prefix = source.stem
+    size = footprint(source, f"{prefix}_infer", folder, f"{prefix.upper()}_NO_SELFTEST")
+    told = report(graph)
+    if told != size.flash:
+        raise SystemExit(f"{graph}: `tpg-codegen report` says {told} bytes, the compiler {size.flash}")
+    found = [Row(problem.name, "this project", *played(problem, policy, episodes), size.flash, size.instructions)]
+    if not with_rivals:
+        return found
+    env = gymnasium.make(problem.id)
+    linear, steps = random_search(env, problem.steps, 1)
+    found.append(rival(problem, "linear, random search", linear, episodes, folder, f"{steps / 1e6:.2f} M steps"))
+    for leaves in TREE_LEAVES:
+        tree = distilled(env, policy, leaves)
+        found.append(rival(problem, f"tree of {leaves} leaves", tree, episodes, folder, "imitates this project's"))
+    return found
+
+
+def rival(problem: Problem, name: str, policy: Any, episodes: int, folder: Path, note: str) -> Row:
+    """Returns a rival's row."""
+    function = f"rival_{''.join(letter for letter in name if letter.isalnum())}"
+    size = footprint(write_c(policy, function, folder), function, folder)
+    return Row(problem.name, name, *played(problem, policy, episodes), size.flash, size.instructions, note)
+
+
+def main() -> None:
+    """Prints the table."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--episodes", type=int, default=1000)
+    parser.add_argument("--rivals", action="store_true", help="train and distil rivals, too")
+    parser.add_argument("--only", action="append", help="one problem; can be repeated")
+    parser.add_argument("--json", type=Path, help="writes the figures")
+    parser.add_argument("--figure", type=Path, help="writes return against bytes as SVG")
+    options = parser.parse_args()
+    unknown = set(options.only or []) - {problem.name for problem in PROBLEMS}
+    if unknown:
+        parser.error(f"--only {sorted(unknown)[0]}; accepted: {', '.join(problem.name for problem in PROBLEMS)}")
+    print("| problem | policy | return | least | flash | instructions | |")
+    print("| --- | --- | --- | --- | --- | --- | --- |")
+    table: list[Row] = []
+    with tempfile.TemporaryDirectory() as folder:
+        for problem in PROBLEMS:
+            shipped = (ROOT / "generated" / problem.name / "graph.json").exists()
+            if not shipped or (options.only and problem.name not in options.only):
+                continue
+            for row in rows(problem, options.episodes, options.rivals, Path(folder)):
+                table.append(row)
+                print(
+                    f"| {row.problem} | {row.policy} | {row.mean:.2f} ± {row.interval:.2f} | {row.least:.1f} | "
+                    f"{row.flash} | {row.instructions} | {row.note} |"
+                )
+                sys.stdout.flush()
+            zoo = ", ".join(f"{name} {value:g}" for name, value in problem.published.items())
+            print(f"| {problem.name} | published by the zoo | {zoo} | | | | |")
+    if options.json:
+        options.json.write_text(json.dumps([asdict(row) for row in table], indent=1) + "\n")
+    if options.figure:
+        options.figure.write_text(figure([asdict(row) for row in table]))
+
+
+if __name__ == "__main__":
+    main()

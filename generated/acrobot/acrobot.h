@@ -1,0 +1,54 @@
+/*
+ * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
+ * Options: --lang c --prefix acrobot --profile fast
+ * Graph SHA-256: 76fc771d5267ee311a634b8cfb4c597fa640545ee5137236151c992fc9fabdc5
+ * 1 teams (1 on the longest walk), 7 edges, 7 programs, 6 distinct operations.
+ * Computes in f32 with own maths.
+ */
+#ifndef ACROBOT_H
+#define ACROBOT_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The actions:
+ * 0 torque -1
+ * 1 torque 0
+ * 2 torque 1
+ */
+#define ACROBOT_ACTIONS 3U
+/* Teams, and how many of them decide at most in one inference. */
+#define ACROBOT_TEAMS 1U
+#define ACROBOT_DEPTH 1U
+/* At most, in one inference: bids looked at, operations, and sines, cosines, logarithms and exponentials among those. */
+#define ACROBOT_WORST_BIDS 7U
+#define ACROBOT_WORST_OPERATIONS 6U
+#define ACROBOT_WORST_MATHS_CALLS 0U
+
+/* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
+typedef struct acrobot_state {
+    float cos_theta_1[1]; /* , -1 to 1 */
+    float sin_theta_1[1]; /* , -1 to 1 */
+    float cos_theta_2[1]; /* , -1 to 1 */
+    float sin_theta_2[1]; /* , -1 to 1 */
+    float omega_1[1]; /* rad/s, -12.566370964050293 to 12.566370964050293 */
+    float omega_2[1]; /* rad/s, -28.274333953857422 to 28.274333953857422 */
+} acrobot_state_t;
+
+/* The action for a state, below ACROBOT_ACTIONS. Pure and reentrant: no globals, no memory, no side effect. */
+uint16_t acrobot_infer(const acrobot_state_t *state);
+
+#ifndef ACROBOT_NO_SELFTEST
+/* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
+ */
+uint32_t acrobot_selftest(void);
+#endif
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

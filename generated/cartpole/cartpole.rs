@@ -1,0 +1,71 @@
+//! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
+//! Options: --lang rust --prefix cartpole --profile constant-time
+//! Graph SHA-256: b5cd35e439ef2cb063083c5c6d233008b3172426fbda1ff61d89268cd8839ef5
+//! 1 teams (1 on the longest walk), 2 edges, 2 programs, 2 distinct operations.
+//! Computes in f32 with own maths.
+#![forbid(unsafe_code)]
+#![allow(
+    clippy::all,
+    unused_variables,
+    unused_assignments,
+    reason = "evolved expressions need not make sense"
+)]
+
+use tpg_runtime::ops::constant_time::ConstantTime;
+use tpg_runtime::policy::{ActionId, Policy};
+
+/// A tangled program graph: branch-free, the same time for every state.
+///
+/// It sees, one after another:
+/// - `s[0..1]`: x, m, -4.800000190734863 to 4.800000190734863
+/// - `s[1..2]`: v, m/s, -0.5311108827590942 to 0.5504843592643738
+/// - `s[2..3]`: theta, rad, -0.41887903213500977 to 0.41887903213500977
+/// - `s[3..4]`: omega, rad/s, -0.5196276903152466 to 0.5112185478210449
+///
+/// Values outside the ranges are legal, NaN and infinities too. It answers:
+/// - 0: left
+/// - 1: right
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Cartpole;
+
+impl Cartpole {
+    /// Values of a state.
+    pub const STATE: usize = 4;
+    /// Actions.
+    pub const ACTIONS: usize = 2;
+    /// Teams on the longest walk.
+    pub const DEPTH: usize = 1;
+    /// Bids that one decision looks at, at most.
+    pub const WORST_BIDS: usize = 2;
+    /// Operations of one decision, at most.
+    pub const WORST_OPERATIONS: usize = 2;
+    /// Sines, cosines, logarithms and exponentials among them, at most.
+    pub const WORST_MATHS_CALLS: usize = 0;
+}
+
+impl Policy for Cartpole {
+    type State = [f32; 4];
+    type Action = ActionId;
+
+    fn decide(&self, s: &[f32; 4]) -> ActionId {
+        let ct = ConstantTime::<f32>::default();
+        let v2 = s[2] + s[3];
+        let v5 = s[1] / -3.2907495_f32;
+
+        // What is bid, as integers in the same order.
+        let k2 = ct.key(v2);
+        let k5 = ct.key(v5);
+
+        // Where each team leads: teams are numbered from 0, the root, and the actions follow them.
+        // Team 0
+        let best = (k5, 1);
+        let best = ct.challenge(best, (k2, 2));
+        let t0 = best.1 as u8;
+
+        // An action leads to itself, and so does what fills the array up to a power of two: it is never come to.
+        let next: [u8; 4] = [t0, 1, 2, 3];
+        // The longest walk decides 1 times; a shorter one waits at its action. No loop, and no end to check.
+        let vertex = next[0];
+        ActionId(vertex.wrapping_sub(1) as u16)
+    }
+}

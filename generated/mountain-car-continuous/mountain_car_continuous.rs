@@ -1,0 +1,74 @@
+//! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
+//! Options: --lang rust --prefix mountain_car_continuous --profile constant-time
+//! Graph SHA-256: 2df7341b545eca60de0f638be2a5ace6a42c8fd5e00a17155052b0a540adac4d
+//! 1 teams (1 on the longest walk), 2 edges, 2 programs, 4 distinct operations.
+//! Computes in f32 with own maths.
+#![forbid(unsafe_code)]
+#![allow(
+    clippy::all,
+    unused_variables,
+    unused_assignments,
+    reason = "evolved expressions need not make sense"
+)]
+
+use tpg_runtime::ops::constant_time::ConstantTime;
+use tpg_runtime::policy::Policy;
+
+/// A tangled program graph: branch-free, the same time for every state.
+///
+/// It sees, one after another:
+/// - `s[0..1]`: position, , -1.2000000476837158 to 0.6000000238418579
+/// - `s[1..2]`: velocity, , -0.07000000029802322 to 0.07000000029802322
+///
+/// Values outside the ranges are legal, NaN and infinities too. It answers:
+/// - `[0]`: force, , -1 to 1; 0 in place of NaN
+#[derive(Clone, Copy, Debug, Default)]
+pub struct MountainCarContinuous;
+
+impl MountainCarContinuous {
+    /// Values of a state.
+    pub const STATE: usize = 2;
+    /// Outputs.
+    pub const OUTPUTS: usize = 1;
+    /// Teams on the longest walk.
+    pub const DEPTH: usize = 1;
+    /// Bids that one decision looks at, at most.
+    pub const WORST_BIDS: usize = 2;
+    /// Operations of one decision, at most.
+    pub const WORST_OPERATIONS: usize = 4;
+    /// Sines, cosines, logarithms and exponentials among them, at most.
+    pub const WORST_MATHS_CALLS: usize = 0;
+}
+
+impl Policy for MountainCarContinuous {
+    type State = [f32; 2];
+    type Action = [f32; 1];
+
+    fn decide(&self, s: &[f32; 2]) -> [f32; 1] {
+        let ct = ConstantTime::<f32>::default();
+        let v2 = ct.min(s[1], 0.0_f32);
+
+        // What is bid, as integers in the same order.
+        let k0 = 0_i32; // 0.0_f32
+        let k2 = ct.key(v2);
+
+        // Where each team leads: teams are numbered from 0, the root, and the actions follow them.
+        // Team 0
+        let best = (k0, 1);
+        let best = ct.challenge(best, (k2, 2));
+        let t0 = best.1 as u8;
+
+        // An action leads to itself, and so does what fills the array up to a power of two: it is never come to.
+        let next: [u8; 4] = [t0, 1, 2, 3];
+        // The longest walk decides 1 times; a shorter one waits at its action. No loop, and no end to check.
+        let vertex = next[0];
+        let leaf = (vertex as u32).wrapping_sub(1);
+        // Every leaf's values, and the choice among them.
+        let v4 = s[1] - 0.04839926_f32;
+        let v6 = s[1] * 4.846634_f32;
+        let v7 = 0.0_f32 + v6;
+        let out0 = v4;
+        let out0 = ct.if_equal(leaf, 1, v7, out0);
+        [ct.clamp(out0, -1.0_f32, 1.0_f32, 0.0_f32)]
+    }
+}

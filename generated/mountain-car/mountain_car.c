@@ -1,0 +1,158 @@
+/*
+ * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
+ * Options: --lang c --prefix mountain_car --profile fast
+ * Graph SHA-256: 619c5b1aa69f78a0619c4a681268039cf054605380d24d4a3f9d9b1441495474
+ * 2 teams (2 on the longest walk), 7 edges, 6 programs, 14 distinct operations.
+ * Computes in f32 with own maths.
+ */
+#include "mountain_car.h"
+
+#include <float.h>
+#include <math.h>
+
+#ifdef __FAST_MATH__
+#error "fast-math reorders operations and drops NaN: the policy would act differently"
+#endif
+#if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD != 0)
+#error "float expressions must be computed in float: the policy would act differently"
+#endif
+/* A product and a sum are rounded each: nothing may fuse them. */
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize("fp-contract=off") /* GCC ignores the standard's pragma, and fuses in GNU modes and in C++. */
+#elif defined(_MSC_VER) && !defined(__clang__)
+#pragma fp_contract(off)
+#else
+#pragma STDC FP_CONTRACT OFF
+#endif
+
+/* Teams in an order in which every one comes after all that lead to it: control only goes forward. */
+
+uint16_t mountain_car_infer(const mountain_car_state_t *state)
+{
+    uint32_t vertex;
+
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 3U;
+        const float v3 = state->position[0] * (-2.5000443F);
+        const float v4 = 0.0F + v3;
+        const float v6 = v4 + (-1.089072F);
+
+        if (v6 >= best) {
+            best = v6;
+            way = 2U;
+        }
+        const float v8 = state->position[0] * 2.3253112F;
+        const float v9 = 0.0F + v8;
+        const float v12 = state->velocity[0] * 96.694336F;
+        const float v13 = v9 + v12;
+        const float v15 = v13 + (-1.0729886F);
+
+        if (v15 >= best) {
+            best = v15;
+            way = 1U;
+        }
+        const float v17 = state->velocity[0] + (-1.0512869F);
+
+        if (v17 >= best) {
+            best = v17;
+            way = 2U;
+        }
+        const volatile float constant = 0.0F;
+        const float zero = constant;
+
+        if (zero >= best) {
+            way = 3U;
+        }
+
+        if (way == 1U) {
+            vertex = 2U;
+            goto decided;
+        } else if (way == 2U) {
+            goto team_1;
+        } else {
+            vertex = 0U;
+            goto decided;
+        }
+    }
+
+team_1:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 2U;
+        const float v8 = state->position[0] * 2.3253112F;
+        const float v9 = 0.0F + v8;
+        const float v12 = state->velocity[0] * 96.694336F;
+        const float v13 = v9 + v12;
+        const float v15 = v13 + (-1.0729886F);
+
+        if (v15 >= best) {
+            best = v15;
+            way = 1U;
+        }
+        const float v19 = state->position[0] * (-2.1966188F);
+        const float v20 = 0.0F + v19;
+        const float v22 = state->velocity[0] * 99.67122F;
+        const float v23 = v20 + v22;
+        const float v25 = v23 + (-1.033289F);
+
+        if (v25 >= best) {
+            best = v25;
+            way = 1U;
+        }
+        const volatile float constant = 0.0F;
+        const float zero = constant;
+
+        if (zero >= best) {
+            way = 2U;
+        }
+
+        if (way == 1U) {
+            vertex = 2U;
+            goto decided;
+        } else {
+            vertex = 0U;
+            goto decided;
+        }
+    }
+
+decided:
+    return (uint16_t)vertex;
+}
+
+#ifndef MOUNTAIN_CAR_NO_SELFTEST
+
+uint32_t mountain_car_selftest(void)
+{
+    static const mountain_car_state_t states[16] = {
+        { { -0.47552583F }, { -0.058746282F } },
+        { { -0.12619168F }, { -0.03929456F } },
+        { { -0.689357F }, { 0.02948543F } },
+        { { -0.3700413F }, { -0.048628625F } },
+        { { 0.37460595F }, { 0.02892737F } },
+        { { -0.33013713F }, { 0.010809279F } },
+        { { -1.0209728F }, { -0.03305154F } },
+        { { -0.38377252F }, { -0.03076798F } },
+        { { 0.5838583F }, { 0.05772969F } },
+        { { 0.50481147F }, { -0.05134585F } },
+        { { -0.5813686F }, { -0.0027576855F } },
+        { { -0.48479804F }, { -0.06808235F } },
+        { { -1.1119446F }, { -0.044081867F } },
+        { { -0.25405505F }, { -0.032461453F } },
+        { { -1.0408504F }, { -0.05593636F } },
+        { { 0.58383024F }, { 0.027299343F } },
+    };
+    static const uint16_t actions[16] = {
+        0U, 0U, 2U, 0U, 2U, 0U, 0U, 0U, 2U, 0U, 0U, 0U, 0U, 0U, 0U, 2U
+    };
+    uint32_t failures = 0U;
+    uint32_t vector;
+
+    for (vector = 0U; vector < 16U; vector++) {
+        if (mountain_car_infer(&states[vector]) != actions[vector]) {
+            failures++;
+        }
+    }
+    return failures;
+}
+#endif

@@ -1,0 +1,93 @@
+//! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
+//! Options: --lang rust --prefix mountain_car --profile constant-time
+//! Graph SHA-256: 619c5b1aa69f78a0619c4a681268039cf054605380d24d4a3f9d9b1441495474
+//! 2 teams (2 on the longest walk), 7 edges, 6 programs, 14 distinct operations.
+//! Computes in f32 with own maths.
+#![forbid(unsafe_code)]
+#![allow(
+    clippy::all,
+    unused_variables,
+    unused_assignments,
+    reason = "evolved expressions need not make sense"
+)]
+
+use tpg_runtime::ops::constant_time::ConstantTime;
+use tpg_runtime::policy::{ActionId, Policy};
+
+/// A tangled program graph: branch-free, the same time for every state.
+///
+/// It sees, one after another:
+/// - `s[0..1]`: position, , -1.2000000476837158 to 0.6000000238418579
+/// - `s[1..2]`: velocity, , -0.07000000029802322 to 0.07000000029802322
+///
+/// Values outside the ranges are legal, NaN and infinities too. It answers:
+/// - 0: left
+/// - 1: none
+/// - 2: right
+#[derive(Clone, Copy, Debug, Default)]
+pub struct MountainCar;
+
+impl MountainCar {
+    /// Values of a state.
+    pub const STATE: usize = 2;
+    /// Actions.
+    pub const ACTIONS: usize = 3;
+    /// Teams on the longest walk.
+    pub const DEPTH: usize = 2;
+    /// Bids that one decision looks at, at most.
+    pub const WORST_BIDS: usize = 7;
+    /// Operations of one decision, at most.
+    pub const WORST_OPERATIONS: usize = 14;
+    /// Sines, cosines, logarithms and exponentials among them, at most.
+    pub const WORST_MATHS_CALLS: usize = 0;
+}
+
+impl Policy for MountainCar {
+    type State = [f32; 2];
+    type Action = ActionId;
+
+    fn decide(&self, s: &[f32; 2]) -> ActionId {
+        let ct = ConstantTime::<f32>::default();
+        let v3 = s[0] * -2.5000443_f32;
+        let v4 = 0.0_f32 + v3;
+        let v6 = v4 + -1.089072_f32;
+        let v8 = s[0] * 2.3253112_f32;
+        let v9 = 0.0_f32 + v8;
+        let v12 = s[1] * 96.694336_f32;
+        let v13 = v9 + v12;
+        let v15 = v13 + -1.0729886_f32;
+        let v17 = s[1] + -1.0512869_f32;
+        let v19 = s[0] * -2.1966188_f32;
+        let v20 = 0.0_f32 + v19;
+        let v22 = s[1] * 99.67122_f32;
+        let v23 = v20 + v22;
+        let v25 = v23 + -1.033289_f32;
+
+        // What is bid, as integers in the same order.
+        let k0 = 0_i32; // 0.0_f32
+        let k6 = ct.key(v6);
+        let k15 = ct.key(v15);
+        let k17 = ct.key(v17);
+        let k25 = ct.key(v25);
+
+        // Where each team leads: teams are numbered from 0, the root, and the actions follow them.
+        // Team 0
+        let best = (k6, 1);
+        let best = ct.challenge(best, (k15, 4));
+        let best = ct.challenge(best, (k17, 1));
+        let best = ct.challenge(best, (k0, 2));
+        let t0 = best.1 as u8;
+        // Team 1
+        let best = (k15, 4);
+        let best = ct.challenge(best, (k25, 4));
+        let best = ct.challenge(best, (k0, 2));
+        let t1 = best.1 as u8;
+
+        // An action leads to itself, and so does what fills the array up to a power of two: it is never come to.
+        let next: [u8; 8] = [t0, t1, 2, 3, 4, 5, 6, 7];
+        // The longest walk decides 2 times; a shorter one waits at its action. No loop, and no end to check.
+        let vertex = next[0];
+        let vertex = next[(vertex & 7) as usize];
+        ActionId(vertex.wrapping_sub(2) as u16)
+    }
+}

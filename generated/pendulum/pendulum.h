@@ -1,0 +1,51 @@
+/*
+ * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
+ * Options: --lang c --prefix pendulum --profile fast
+ * Graph SHA-256: e33cfd6c4cedebe6fe46f165924576a1e0836aa5953a4956b0f39f8d293bb8ba
+ * 1 teams (1 on the longest walk), 1 edges, 1 programs, 6 distinct operations.
+ * Computes in f32 with own maths.
+ */
+#ifndef PENDULUM_H
+#define PENDULUM_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define PENDULUM_OUTPUTS 1U
+/* Teams, and how many of them decide at most in one inference. */
+#define PENDULUM_TEAMS 1U
+#define PENDULUM_DEPTH 1U
+/* At most, in one inference: bids looked at, operations, and sines, cosines, logarithms and exponentials among those. */
+#define PENDULUM_WORST_BIDS 0U
+#define PENDULUM_WORST_OPERATIONS 6U
+#define PENDULUM_WORST_MATHS_CALLS 0U
+
+/* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
+typedef struct pendulum_state {
+    float cos_theta[1]; /* , -1 to 1 */
+    float sin_theta[1]; /* , -1 to 1 */
+    float omega[1]; /* rad/s, -8 to 8 */
+} pendulum_state_t;
+
+/* The values that the policy answers, each in its range and never NaN. */
+typedef struct pendulum_action {
+    float torque; /* N·m, -2 to 2 */
+} pendulum_action_t;
+
+/* The answer to a state. Pure and reentrant: no globals, no memory, no side effect but *action. */
+void pendulum_infer(const pendulum_state_t *state, pendulum_action_t *action);
+
+#ifndef PENDULUM_NO_SELFTEST
+/* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
+ */
+uint32_t pendulum_selftest(void);
+#endif
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
