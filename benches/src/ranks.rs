@@ -64,7 +64,7 @@ fn asked(question: &Question, ranks: usize, network: Network, dealing: Dealing, 
     // The time at which rank 0's message thread is free, and at which its evaluating thread is done.
     let mut free = 0.0_f64;
     let mut arrivals: BinaryHeap<Arrival> = BinaryHeap::new();
-    let mut send = |rank: usize, share: Vec<usize>, first: bool, free: &mut f64, arrivals: &mut BinaryHeap<Arrival>| {
+    let send = |rank: usize, share: Vec<usize>, first: bool, free: &mut f64, arrivals: &mut BinaryHeap<Arrival>| {
         if share.is_empty() {
             return;
         }

@@ -9,6 +9,7 @@ use crate::passes::functions::{self, Function};
 use crate::passes::interval::Assumption;
 use crate::passes::schedule::{self, Schedule};
 use crate::passes::{self, Log};
+use crate::size::least;
 use std::collections::BTreeSet;
 use tpg_graph::Graph;
 
@@ -39,7 +40,7 @@ pub enum Shape {
     },
     /// See [`Profile::Balanced`].
     Balanced(Cases),
-    /// See [`Profile::Small`].
+    /// Tables and an evaluator: [`Profile::Small`], unless another shape of a small graph is less.
     Small(Bytecode),
     /// See [`Profile::ConstantTime`].
     ConstantTime(Vec<Function>),
@@ -96,18 +97,23 @@ pub fn compile<'g>(graph: &'g Graph, options: &Options, language: Language) -> P
     }
     let (module, log) = passes::optimise_logged(graph, options.assumption);
     // If no bid matters any more, tables and masks gain nothing: the plainest text is the best, and has no condition.
-    let chooses = module.teams.iter().any(|team| team.edges.len() > 1);
+    let chooses = module.teams.iter().any(|team| team.edges.iter().any(|edge| edge.to != team.edges[0].to));
     if let Some(formula) = Formula::of(&module, options.profile_in(language)) {
         return program(module, Shape::Formula(formula), log);
     }
     let profile = if chooses { options.profile_in(language) } else { Profile::Fast };
-    let shape = match profile {
-        Profile::Fast => fast(&module, language, &options.recorded()),
-        Profile::Balanced => {
-            Shape::Balanced(cases::tabulate(&module, schedule::schedule(&module, &options.recorded())))
-        }
+    let recorded = options.recorded(language);
+    let shape = |profile| match profile {
+        Profile::Fast => fast(&module, language, &recorded),
+        Profile::Balanced => Shape::Balanced(cases::tabulate(&module, schedule::schedule(&module, &recorded))),
         Profile::Small => Shape::Small(bytecode::encode(&module)),
         Profile::ConstantTime => Shape::ConstantTime(functions::of(&module)),
+    };
+    let shape = if profile == Profile::Small && least::is_small(&module) {
+        let shapes = [Profile::Small, Profile::Balanced, Profile::Fast, Profile::ConstantTime].map(shape);
+        least::least(&module, language, shapes)
+    } else {
+        shape(profile)
     };
     program(module, shape, log)
 }

@@ -6,6 +6,7 @@ use crate::ir::NodeId;
 use crate::passes::cases::{Case, Cases, Function, Kind};
 
 /// A distinct bid.
+#[derive(PartialEq)]
 pub(super) struct CaseView {
     /// Computed always.
     pub(super) before: Vec<String>,
@@ -27,8 +28,13 @@ pub(super) struct FunctionView {
     pub(super) call: String,
 }
 
-/// Views the bids; `statement` computes a value. An operation that is the bid itself needs no statement.
-pub(super) fn bids(syntax: &impl Syntax, cases: &Cases, statement: impl Fn(NodeId) -> String) -> Vec<CaseView> {
+/// Views the bids; `statement` computes a value, `hidden` a 0 that no optimiser knows: see the profile `fast`. An operation that is the bid itself needs no statement.
+pub(super) fn bids(
+    syntax: &impl Syntax,
+    cases: &Cases,
+    statement: impl Fn(NodeId) -> String,
+    hidden: impl Fn(&str) -> (Option<String>, String),
+) -> Vec<CaseView> {
     let view = |&case: &Case| {
         let [mut before, mut inside] = cases.operations(case);
         let (bound, result) = match case.kind {
@@ -44,7 +50,11 @@ pub(super) fn bids(syntax: &impl Syntax, cases: &Cases, statement: impl Fn(NodeI
             Some(result) => syntax.operation(result),
             None => syntax.value(result),
         };
-        let [before, inside] = [before, inside].map(|ids| ids.into_iter().map(&statement).collect());
+        let [mut before, inside]: [Vec<String>; 2] =
+            [before, inside].map(|ids| ids.into_iter().map(&statement).collect());
+        let is_zero = case.kind == Kind::Plain && cases.nodes[result.index()].as_constant() == Some(0.0);
+        let (zero, value) = if is_zero { hidden(&value) } else { (None, value) };
+        before.extend(zero);
         CaseView { before, bound, inside, value }
     };
     cases.bids.iter().map(view).collect()

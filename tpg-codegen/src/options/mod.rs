@@ -127,8 +127,8 @@ impl Options {
         self.trace.as_ref().filter(|_| is_planned && has_profile)
     }
 
-    /// The recorded states, flat; empty if there are none.
-    pub(crate) fn recorded(&self) -> Cow<'_, [f64]> {
-        self.trace.as_ref().map_or(Cow::Borrowed(&[]), StateSet::all)
+    /// The recorded states that order the bids of a language's code, flat; empty if none do.
+    pub(crate) fn recorded(&self, language: Language) -> Cow<'_, [f64]> {
+        self.ordered_by(language).map_or(Cow::Borrowed(&[]), StateSet::all)
     }
 }

@@ -5,6 +5,7 @@
 //! far. A team's cheap bids come first. As bids are taken out of order, a tie needs their places.
 
 use super::arithmetic::is_transcendental;
+use super::collect;
 use super::schedule::{LazyBid, Schedule, Sparing};
 use crate::ir::{Leaf, Module, Node, NodeId, needed};
 use std::collections::BTreeMap;
@@ -126,8 +127,23 @@ pub fn tabulate(module: &Module<'_>, schedule: Schedule) -> Cases {
         Kind::Plain | Kind::Bounded(_) => None,
         Kind::Function(Function { instruction, .. }) => Some(instruction as u32),
     });
+    // Numbered before the nodes are: estimates that no case asks for go.
     let numbers: BTreeMap<NodeId, u64> = (0..).zip(&bids).map(|(number, case)| (case.value, number)).collect();
     let bidders = edges.iter().map(|value| numbers[value]).collect();
+    let (mut nodes, mut leaves) = (nodes, leaves);
+    let mut roots: Vec<&mut NodeId> = leaves.iter_mut().flat_map(|leaf| &mut leaf.values).collect();
+    for Case { value, kind } in &mut bids {
+        roots.push(value);
+        match kind {
+            Kind::Plain => {}
+            Kind::Bounded(bound) => roots.push(bound),
+            Kind::Function(Function { argument, sparing, .. }) => {
+                roots.push(argument);
+                roots.extend(sparing.iter_mut().map(|sparing| &mut sparing.argument));
+            }
+        }
+    }
+    collect::keep(&mut nodes, roots);
     let mut cases = Cases { bids, bidders, places, targets, teams, otherwise, nodes, leaves };
     if (0..plans.len()).all(|team| cases.of_team(team).is_sorted_by_key(|(place, _)| place)) {
         cases.places.clear();

@@ -105,6 +105,12 @@ impl TeamSchedule {
         destinations
     }
 
+    /// Tests whether the first bid is a finite number, which leads whatever the state is.
+    pub fn leads_at_first(&self, nodes: &[Node]) -> bool {
+        let number = |bid: &Bid| nodes[bid.value.index()].as_constant();
+        self.infinite.is_none() && self.eager.first().and_then(number).is_some_and(f64::is_finite)
+    }
+
     /// Every bid, in order of evaluation.
     pub fn bids(&self) -> impl Iterator<Item = Bid> {
         self.eager.iter().chain(&self.eager_before).copied().chain(self.lazy.iter().map(|lazy| lazy.bid))

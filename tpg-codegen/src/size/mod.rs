@@ -1,6 +1,7 @@
 //! The size of compiled code, without its self-test and the libraries it calls.
 
 mod estimate;
+pub(crate) mod least;
 mod rust;
 mod stack;
 

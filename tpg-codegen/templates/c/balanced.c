@@ -57,11 +57,13 @@ static uint32_t {{ prefix }}_leaf(const {{ entry.state }} *state)
             {{ scalar }} bid;
 
             switch (bidder) {
-{%- for bid in bids %}
+{%- for (numbers, bid) in bids %}
 {%- if loop.last %}
             default:
 {%- else %}
-            case {{ loop.index0 }}U:
+{%- for number in numbers %}
+            case {{ number }}U:
+{%- endfor %}
 {%- endif %}
 {%- if bid.before.is_empty() && bid.inside.is_empty() && bid.bound.is_none() %}
                 bid = {{ bid.value }};

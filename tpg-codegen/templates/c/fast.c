@@ -59,8 +59,16 @@ team_{{ team.label }}:
 {%- endif %}
     {
 {%- if team.ways.len() > 1 %}
+{%- if let Some(first) = team.first %}
+{%- for statement in first.statements %}
+        {{ statement }}
+{%- endfor %}
+        {{ scalar }} best = {{ first.value }};
+        uint32_t {{ team.winner }} = {{ first.rank }};
+{%- else %}
         {{ scalar }} best = -{{ lowest }};
         uint32_t {{ team.winner }} = {{ team.nobody }};
+{%- endif %}
 {%- if let Some(infinite) = team.infinite %}
 {%- for statement in infinite.statements %}
         {{ statement }}

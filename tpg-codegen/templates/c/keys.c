@@ -123,7 +123,7 @@
     return {{ prefix }}_select({{ prefix }}_opaque(mask - 1U), candidate, value);
 }
 {% endif %}
-{% if decides %}
+{% if numbers %}
 
 /* A bid that can be compared: minus infinity for NaN. */
 {{ storage }} {{ scalar }} {{ prefix }}_number({{ scalar }} bid)
@@ -136,6 +136,8 @@
     (void)memcpy(&result, &bits, sizeof result);
     return result;
 }
+{% endif %}
+{% if decides %}
 
 /* Lets a bid win where it is as high as the best so far, or that is NaN. */
 {{ storage }} void {{ prefix }}_challenge({{ scalar }} *best, uint32_t *to, {{ scalar }} bid, uint32_t destination)

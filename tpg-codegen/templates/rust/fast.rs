@@ -17,8 +17,16 @@ fn leaf_{{ leaf.label }}(s: &[{{ scalar }}; {{ state_length }}]) -> {{ answer }}
 {%- endif %}
 fn team_{{ team.label }}(s: &[{{ scalar }}; {{ state_length }}]) -> {{ answer }} {
 {%- if team.ways.len() > 1 %}
+{%- if let Some(first) = team.first %}
+{%- for statement in first.statements %}
+{{ statement }}
+{%- endfor %}
+let mut best = {{ first.value }};
+let mut {{ team.winner }} = {{ first.rank }};
+{%- else %}
 let mut best = {{ scalar }}::MIN;
 let mut {{ team.winner }} = {{ team.nobody }};
+{%- endif %}
 {%- if let Some(infinite) = team.infinite %}
 {%- for statement in infinite.statements %}
 {{ statement }}

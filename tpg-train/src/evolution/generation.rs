@@ -274,7 +274,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         places: &[usize],
         champion: &mut Vec<Ending>,
     ) -> Result<(), EvaluationError> {
-        let unit = |root: u64, policy: &Policy| {
+        let unit = |root: u64, policy: &PolicyGraph| {
             let key = UnitKey { seed: state.seed, generation: state.generation, root };
             WorkUnit { key, policy: policy.clone() }
         };

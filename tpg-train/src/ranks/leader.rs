@@ -33,18 +33,27 @@ pub(super) fn dismiss(link: &impl Link, ranks: &[usize]) -> Result<(), Evaluatio
     ranks.iter().try_for_each(|&rank| link.send(rank, &end))
 }
 
+/// The order by which a rank does jobs.
+type Ordered<'j> = dyn Fn(usize, &[usize]) -> Result<Vec<u8>, EvaluationError> + 'j;
+/// Reads a rank's reply: one result for each job.
+type Read<'j, T> = dyn Fn(usize, Reply) -> Result<Vec<T>, EvaluationError> + 'j;
+/// Does jobs on this rank.
+type Local<'j, T> = dyn Fn(&[usize]) -> Result<Vec<T>, EvaluationError> + Sync + 'j;
+/// Takes the result of a job.
+type Done<'j, T> = dyn FnMut(usize, T) -> Result<(), EvaluationError> + 'j;
+
 /// Jobs of one kind.
 pub(super) struct Jobs<'j, T> {
     /// The expected cost of each job, in any unit.
     pub(super) costs: &'j [u64],
     /// The order by which a rank does jobs.
-    pub(super) order: &'j dyn Fn(usize, &[usize]) -> Result<Vec<u8>, EvaluationError>,
+    pub(super) order: &'j Ordered<'j>,
     /// Reads a rank's reply: one result for each job.
-    pub(super) read: &'j dyn Fn(usize, Reply) -> Result<Vec<T>, EvaluationError>,
+    pub(super) read: &'j Read<'j, T>,
     /// Does jobs on this rank.
-    pub(super) local: &'j (dyn Fn(&[usize]) -> Result<Vec<T>, EvaluationError> + Sync),
+    pub(super) local: &'j Local<'j, T>,
     /// Takes the result of a job.
-    pub(super) done: &'j mut dyn FnMut(usize, T) -> Result<(), EvaluationError>,
+    pub(super) done: &'j mut Done<'j, T>,
 }
 
 impl<'l, L: Link> Crew<'l, L> {
@@ -130,8 +139,8 @@ type Own<T> = (Vec<usize>, Result<Vec<T>, EvaluationError>);
 /// The exchange of rank 0 with the workers over some jobs.
 struct Talk<'t, 'l, L, T> {
     crew: &'t Crew<'l, L>,
-    order: &'t dyn Fn(usize, &[usize]) -> Result<Vec<u8>, EvaluationError>,
-    read: &'t dyn Fn(usize, Reply) -> Result<Vec<T>, EvaluationError>,
+    order: &'t Ordered<'t>,
+    read: &'t Read<'t, T>,
     /// The jobs that each rank is at.
     under_way: Vec<Vec<usize>>,
     /// Number of answers that are still to come.
@@ -145,7 +154,7 @@ impl<L: Link, T> Talk<'_, '_, L, T> {
         &mut self,
         deal: &dyn Fn(usize) -> Vec<usize>,
         own: &mpsc::Receiver<Own<T>>,
-        done: &mut dyn FnMut(usize, T) -> Result<(), EvaluationError>,
+        done: &mut Done<'_, T>,
         close: impl Fn(),
     ) -> Result<(), EvaluationError> {
         let mut traffic = self.crew.traffic.get();
@@ -217,7 +226,7 @@ impl<L: Link, T> Talk<'_, '_, L, T> {
 fn take<T>(
     share: Vec<usize>,
     results: Result<Vec<T>, EvaluationError>,
-    done: &mut dyn FnMut(usize, T) -> Result<(), EvaluationError>,
+    done: &mut Done<'_, T>,
 ) -> Result<(), EvaluationError> {
     let results = results?;
     if results.len() != share.len() {
@@ -249,9 +258,9 @@ impl<'l, L: Link, V> Leader<'l, L, V> {
     fn all<T: Send>(
         &self,
         costs: &[u64],
-        order: &dyn Fn(usize, &[usize]) -> Result<Vec<u8>, EvaluationError>,
-        read: &dyn Fn(usize, Reply) -> Result<Vec<T>, EvaluationError>,
-        local: &(dyn Fn(&[usize]) -> Result<Vec<T>, EvaluationError> + Sync),
+        order: &Ordered<'_>,
+        read: &Read<'_, T>,
+        local: &Local<'_, T>,
     ) -> Result<Vec<T>, EvaluationError> {
         let mut results: Vec<Option<T>> = costs.iter().map(|_| None).collect();
         let mut done = |job: usize, result: T| {

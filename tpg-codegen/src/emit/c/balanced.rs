@@ -25,7 +25,8 @@ struct Balanced<'a> {
     targets: Table,
     teams: Table,
     otherwise: Table,
-    bids: Vec<CaseView>,
+    /// Bids in order, each with its numbers: a sine and a cosine of the same argument begin the same.
+    bids: Vec<(Vec<usize>, CaseView)>,
     functions: Vec<FunctionView>,
     reads_state: bool,
     over_teams: String,
@@ -47,10 +48,27 @@ pub(super) fn render(printer: &Printer<'_>, cases: &Cases, outputs: &[OutputView
         targets: table(&cases.targets),
         teams: table(&cases.teams),
         otherwise: table(&cases.otherwise),
-        bids: cases::bids(printer, cases, |id| printer.statement(id)),
+        bids: grouped(cases::bids(
+            printer,
+            cases,
+            |id| printer.statement(id),
+            |zero| (Some(format!("const volatile {} constant = {zero};", printer.scalar())), "constant".to_owned()),
+        )),
         functions: cases::functions(printer, cases),
         reads_state: cases.bids.iter().any(|case| printer.reads_state(&read(case))),
         over_teams: if outputs.is_empty() { String::new() } else { leaves::render(printer, &cases.leaves, outputs) },
     };
     balanced.render().expect("the template renders")
+}
+
+/// Puts neighbours that read the same into one case.
+fn grouped(bids: Vec<CaseView>) -> Vec<(Vec<usize>, CaseView)> {
+    let mut groups: Vec<(Vec<usize>, CaseView)> = Vec::new();
+    for (number, bid) in bids.into_iter().enumerate() {
+        match groups.last_mut() {
+            Some((numbers, same)) if *same == bid => numbers.push(number),
+            _ => groups.push((vec![number], bid)),
+        }
+    }
+    groups
 }

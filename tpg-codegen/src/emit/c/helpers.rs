@@ -33,6 +33,8 @@ struct Helpers<'a> {
     chooses: bool,
     compares: bool,
     finds_nan: bool,
+    /// Bids that may be NaN are compared.
+    numbers: bool,
     selects: bool,
     key: &'a str,
     top: u32,
@@ -72,6 +74,7 @@ pub(super) fn render(printer: &Printer<'_>, branch_free: bool, body: &str, upper
     let is_called = |name: &str| body.contains(&format!("{}_{name}(", printer.prefix));
     let decides = is_called("challenge");
     let clamps = is_called("clamp");
+    let numbers = is_called("number");
     let picks = is_called("pick");
     let compares = decides || calls.any(&[Instruction::NegateIfLess, Instruction::Min, Instruction::Max]);
     let masks = ["challenge", "number", "clamp", "pick", "min", "max", "negate_if_less", "gate"];
@@ -98,7 +101,8 @@ pub(super) fn render(printer: &Printer<'_>, branch_free: bool, body: &str, upper
         picks,
         chooses: compares || clamps || picks || calls.any(&[Instruction::Fmod, Instruction::Gate]),
         compares,
-        finds_nan: decides || clamps,
+        finds_nan: numbers || clamps,
+        numbers,
         selects: decides || clamps || picks || calls.any(&[Instruction::Min, Instruction::Max, Instruction::Gate]),
         key,
         top,

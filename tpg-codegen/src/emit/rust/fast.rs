@@ -41,6 +41,8 @@ struct TeamView {
     /// The variable that holds the winner: the way it goes, or its place.
     winner: &'static str,
     nobody: usize,
+    /// The first bid, where it is a number: it leads without a test.
+    first: Option<BidView>,
     infinite: Option<InfiniteView>,
     eager: Vec<BidView>,
     eager_before: Vec<BidView>,
@@ -118,11 +120,12 @@ impl<'a> TeamPrinter<'a> {
 
     fn view(mut self) -> TeamView {
         let (mut eager, mut eager_before, mut lazy) = (Vec::new(), Vec::new(), Vec::new());
-        let mut infinite = None;
+        let (mut infinite, mut first) = (None, None);
         // With one way to go, no bid matters.
         if self.targets.len() > 1 {
             infinite = self.plan.infinite.as_ref().map(|infinite| self.infinite(infinite));
             eager.extend(self.plan.eager.iter().map(|bid| self.eager(bid)));
+            first = self.plan.leads_at_first(self.printer.nodes).then(|| eager.remove(0));
             eager_before = self.in_braces(|team| team.plan.eager_before.iter().map(|bid| team.eager(bid)).collect());
             lazy.extend(self.plan.lazy.iter().map(|lazy| self.lazy(lazy)));
         }
@@ -137,6 +140,7 @@ impl<'a> TeamPrinter<'a> {
             label: self.plan.label,
             winner: if self.ascending { "way" } else { "edge" },
             nobody: if self.ascending { self.targets.len() } else { 0 },
+            first,
             infinite,
             eager,
             eager_before,

@@ -49,11 +49,12 @@ impl<'a> TeamPrinter<'a> {
 
     pub(super) fn view(&mut self, is_entered: bool) -> TeamView {
         let (mut eager, mut eager_before, mut lazy) = (Vec::new(), Vec::new(), Vec::new());
-        let mut infinite = None;
+        let (mut infinite, mut first) = (None, None);
         // With one way to go, no bid matters.
         if self.targets.len() > 1 {
             infinite = self.plan.infinite.as_ref().map(|infinite| self.infinite(infinite));
             eager.extend(self.plan.eager.iter().map(|bid| self.eager(bid)));
+            first = self.plan.leads_at_first(self.printer.nodes).then(|| eager.remove(0));
             eager_before.extend(
                 self.in_braces(|team| team.plan.eager_before.iter().map(|bid| team.eager(bid)).collect::<Vec<_>>()),
             );
@@ -69,6 +70,7 @@ impl<'a> TeamPrinter<'a> {
             is_entered,
             winner: if self.ascending { "way" } else { "edge" },
             nobody: if self.ascending { format!("{}U", self.targets.len()) } else { "0U".to_owned() },
+            first,
             infinite,
             eager,
             eager_before,

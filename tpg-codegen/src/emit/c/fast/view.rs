@@ -31,6 +31,8 @@ pub(super) struct TeamView {
     /// The variable that holds the winner: the way it goes, or its place.
     pub(super) winner: &'static str,
     pub(super) nobody: String,
+    /// The first bid, where it is a number: it leads without a test.
+    pub(super) first: Option<EagerView>,
     /// The first test: a bid's condition for infinity, and its rank.
     pub(super) infinite: Option<InfiniteView>,
     pub(super) eager: Vec<EagerView>,
