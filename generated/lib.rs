@@ -9,12 +9,12 @@
 //! use tpg_arm::WIDOWX;
 //! use tpg_arm::binding;
 //! use tpg_arm::cycle::Brent;
-//! use tpg_arm::episode::{Episode, Outcome, Problem};
+//! use tpg_arm::episode::{Episode, Outcome, ReachTask};
 //! use tpg_arm::observation::ArmPolicy;
 //!
 //! let arm = WIDOWX.to_f32();
 //! let policy = ArmPolicy::new(WidowxFs, &arm, &const { binding::sources(WidowxFs::SOURCES) }, &const { binding::moves(WidowxFs::MOVES) });
-//! let problem = Problem { start: arm.home, target: [-23.17, -377.16, 322.52], tolerance: 3.0, max_actions: 1707 };
+//! let problem = ReachTask { start: arm.home, target: [-23.17, -377.16, 322.52], tolerance: 3.0, max_actions: 1707 };
 //! let summary = Episode::new(&arm, problem, Brent::new()).run(&policy, |_pose| ());
 //! assert_eq!(summary.outcome, Outcome::Reached);
 //! ```

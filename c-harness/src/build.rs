@@ -1,7 +1,7 @@
 //! Compiles the firmwares.
 
 use crate::Failure;
-use crate::{models, network, problems, table};
+use crate::{continuous, models, network, problems, table};
 use std::env;
 use std::fmt::Write as _;
 use std::fs;
@@ -72,6 +72,7 @@ pub(crate) fn generated_c() -> Result<PathBuf, Failure> {
     files.push(models::file()?);
     files.push(table::file());
     files.extend(network::files()?);
+    files.extend(continuous::files(&folder)?);
     let mut modules = String::new();
     for start in problems::STARTS.map(problems::name) {
         let path = library::top().join(format!("generated/widowx-{start}/graph.json"));
@@ -141,6 +142,7 @@ pub(crate) fn c(program: &str, board: Board) -> Result<Option<PathBuf>, Failure>
         "faults" => &["widowx_fs", "widowx_sac"],
         "costs" => &["fs_fast_c", "fs_small_c", "fs_constant_c", "rs_fast_c", "rs_small_c", "rs_constant_c"],
         "network" => &["pendulum"],
+        "continuous" => &continuous::C_FILES,
         _ => &["widowx_fs", "widowx_rs", "widowx_sac"],
     };
     gcc(program, &harness().join(format!("firmware-c/{program}.c")), names, board)

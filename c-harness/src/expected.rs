@@ -7,7 +7,7 @@ use crate::record::{Hash, code};
 use crate::table;
 use tpg_arm::binding;
 use tpg_arm::cycle::Brent;
-use tpg_arm::episode::{Episode, Problem};
+use tpg_arm::episode::{Episode, ReachTask};
 use tpg_arm::hybrid::{Hybrid, HybridEpisode};
 use tpg_arm::observation::{ArmPolicy, Observation};
 use tpg_arm::sac::fixed::FixedPolicy;
@@ -57,7 +57,7 @@ pub(crate) fn lines() -> Result<Vec<Line>, Failure> {
     Ok(lines)
 }
 
-fn hybrid<P>(lines: &mut Vec<Line>, start: Start, graph: P, problems: &[Problem<f32>])
+fn hybrid<P>(lines: &mut Vec<Line>, start: Start, graph: P, problems: &[ReachTask<f32>])
 where
     P: Policy<State = Observation<f32>, Action = Move>,
 {
@@ -72,7 +72,7 @@ where
     }
 }
 
-fn single<P>(lines: &mut Vec<Line>, start: Start, name: &str, policy: &P, problems: &[Problem<f32>])
+fn single<P>(lines: &mut Vec<Line>, start: Start, name: &str, policy: &P, problems: &[ReachTask<f32>])
 where
     P: Policy<State = Observation<f32>, Action = Move>,
 {

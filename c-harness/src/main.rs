@@ -6,6 +6,7 @@
 //! | [`build`] | the firmwares in C and Rust |
 //! | [`models`] | networks of every kind and size, to count |
 //! | [`network`] | a network of another problem than the arm's |
+//! | [`continuous`] | policies that answer with values, and a pendulum |
 //! | [`emulate`] | QEMU |
 //! | [`expected`] | the host's trajectories |
 //! | [`record`] | how an episode is written down, here and in the firmware |
@@ -17,6 +18,7 @@
 //! | [`size`] | flash and RAM beside `sizes.toml` |
 
 mod build;
+mod continuous;
 mod costs;
 mod emulate;
 mod expected;
@@ -146,6 +148,12 @@ fn qemu(update: bool) -> Result<(), Failure> {
         if let Some(image) = builder("network", Board::Mps2An386)? {
             symbols::check(&image)?;
             network::compare(language, &image, &emulate::run(Board::Mps2An386, &image)?)?;
+        }
+        if let Some(image) = builder("continuous", Board::Mps2An386)? {
+            symbols::check(&image)?;
+            let lines = emulate::run(Board::Mps2An386, &image)?;
+            continuous::compare(language, &image, &lines)?;
+            costs.add(language, &lines);
         }
         fits(language, builder)?;
     }

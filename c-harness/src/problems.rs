@@ -2,7 +2,7 @@
 
 use crate::Failure;
 use std::fmt::Write as _;
-use tpg_arm::episode::Problem;
+use tpg_arm::episode::ReachTask;
 use tpg_arm::hybrid::{Guard, Settings};
 use tpg_arm::{Pose, WIDOWX};
 use tpg_codegen::emit::File;
@@ -34,7 +34,7 @@ pub(crate) const fn settings(start: Start) -> Settings<f32> {
 }
 
 /// The first of the committed test episodes.
-pub(crate) fn problems(start: Start) -> Result<Vec<Problem<f32>>, Failure> {
+pub(crate) fn problems(start: Start) -> Result<Vec<ReachTask<f32>>, Failure> {
     let path = tpg_testing::library::top().join(format!("generated/test-targets/{}.csv", name(start)));
     let tasks = read_csv(&WIDOWX, &path).map_err(Failure::new)?;
     Ok(tasks.iter().take(PROBLEMS).map(|task| task.problem(start)).collect())
@@ -57,15 +57,15 @@ pub(crate) fn files() -> Result<[File; 2], Failure> {
             "static const tpg_settings_t {name}_settings = {{ {hand_back_after}U, {separation}, {guard_code} }};\n\
              static const tpg_problem_t {name}_problems[PROBLEMS] = {{"
         );
-        let _ = writeln!(rust, "static {upper}_PROBLEMS: [Problem<f32>; {PROBLEMS}] = [");
-        for Problem { start: Pose([p, q, r, s]), target: [x, y, z], tolerance, max_actions } in problems(start)? {
+        let _ = writeln!(rust, "static {upper}_PROBLEMS: [ReachTask<f32>; {PROBLEMS}] = [");
+        for ReachTask { start: Pose([p, q, r, s]), target: [x, y, z], tolerance, max_actions } in problems(start)? {
             let _ = writeln!(
                 c,
                 "    {{ {{ {{ {p}, {q}, {r}, {s} }} }}, {{ {x:?}F, {y:?}F, {z:?}F }}, {tolerance:?}F, {max_actions}U }},"
             );
             let _ = writeln!(
                 rust,
-                "    Problem {{ start: Pose([{p}, {q}, {r}, {s}]), target: [{x:?}, {y:?}, {z:?}], \
+                "    ReachTask {{ start: Pose([{p}, {q}, {r}, {s}]), target: [{x:?}, {y:?}, {z:?}], \
                  tolerance: {tolerance:?}, max_actions: {max_actions} }},"
             );
         }

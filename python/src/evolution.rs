@@ -14,11 +14,11 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::sync::{Mutex, MutexGuard};
 use std::thread::JoinHandle;
 use std::time::Duration;
-use tpg_engine::{Choices, Ending, Environment, Evaluator, LocalThreads, Options};
+use tpg_engine::{Choices, Ending, EngineOptions, Environment, Evaluator, LocalThreads};
 use tpg_problems::{Problem, Visitor};
 use tpg_runtime::ops::Own;
 use tpg_train::evolution::checkpoint;
-use tpg_train::evolution::config::Config;
+use tpg_train::evolution::config::EvolutionConfig;
 use tpg_train::evolution::generation::Goal;
 use tpg_train::evolution::presets::{PRESETS, Preset};
 use tpg_train::evolution::run::{Progress, RunEnd, RunError, RunOptions, graph_of, run};
@@ -81,8 +81,8 @@ struct Settings {
 }
 
 impl Settings {
-    fn read(&self) -> PyResult<(Config, RunOptions)> {
-        let config = Config::from_toml("<settings>", &self.config).map_err(error::input)?;
+    fn read(&self) -> PyResult<(EvolutionConfig, RunOptions)> {
+        let config = EvolutionConfig::from_toml("<settings>", &self.config).map_err(error::input)?;
         let goal = Goal { target: self.target, max_steps: self.max_steps };
         let options = RunOptions { folder: self.folder.clone(), resume: self.resume, goal, ..RunOptions::default() };
         Ok((config, options))
@@ -108,7 +108,7 @@ pub(crate) fn configuration(preset: &str, settings: &str) -> PyResult<String> {
         *place = value;
     }
     let text = table.to_string();
-    let config = Config::from_toml("<settings>", &text).map_err(error::input)?;
+    let config = EvolutionConfig::from_toml("<settings>", &text).map_err(error::input)?;
     if config.language.scalar != tpg_graph::ScalarType::F32 {
         return Err(error::input("language.scalar = \"f64\"; accepted: \"f32\""));
     }
@@ -289,7 +289,7 @@ impl Report {
 
 /// A run that reports to a mailbox.
 fn evolve<E: Environment<f32>, V: Evaluator<E::Task>>(
-    config: &Config,
+    config: &EvolutionConfig,
     seed: u64,
     environment: &E,
     evaluator: &V,
@@ -311,7 +311,7 @@ fn evolve<E: Environment<f32>, V: Evaluator<E::Task>>(
 
 /// Returns the best graph and the hall of fame, if these are others than those that were shown.
 fn fresh<E: Environment<f32>>(
-    config: &Config,
+    config: &EvolutionConfig,
     environment: &E,
     progress: &Progress<'_>,
     shown: &mut Vec<u64>,
@@ -330,7 +330,7 @@ fn fresh<E: Environment<f32>>(
 
 /// A run on a built-in problem.
 struct Native<'a> {
-    config: Config,
+    config: EvolutionConfig,
     seed: u64,
     options: RunOptions,
     threads: usize,
@@ -344,7 +344,7 @@ impl Visitor<f32> for Native<'_> {
     fn visit<E: Environment<f32>>(self, environment: E) -> Self::Output {
         let Self { config, seed, options, threads, mailbox, problem } = self;
         let choices = Choices::new(environment, problem.levels()).map_err(tpg_engine::EvaluationError::new)?;
-        let evaluator = LocalThreads::<f32, Own, _>::new(&choices, Options::default(), threads)?;
+        let evaluator = LocalThreads::<f32, Own, _>::new(&choices, EngineOptions::default(), threads)?;
         evolve(&config, seed, &choices, &evaluator, &options, mailbox)
     }
 }

@@ -10,7 +10,7 @@ use tpg_codegen::options::{Language, Options, Prefix, Profile, Style};
 use tpg_codegen::size::Target;
 use tpg_codegen::verify::Proof;
 use tpg_codegen::{compile, explain, report};
-use tpg_engine::Policy;
+use tpg_engine::PolicyGraph;
 use tpg_graph::interpret::{self, Answer};
 use tpg_graph::output::write_folder;
 use tpg_graph::states::StateSet;
@@ -90,7 +90,7 @@ impl Graph {
     /// The lines that matter and the edges of the teams.
     #[getter]
     fn size(&self) -> usize {
-        Policy::from(&self.0).size()
+        PolicyGraph::from(&self.0).size()
     }
 
     /// Returns the interpreter's answer to each row of `states`: numbers of actions, or rows of values.

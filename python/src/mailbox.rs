@@ -3,7 +3,7 @@
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, SyncSender};
-use tpg_engine::{Answer, Ending, EvaluationError, Evaluator, Visit, Work};
+use tpg_engine::{Ending, EvaluationError, Evaluator, UnitResult, Visit, Work};
 
 /// A message of the run.
 pub(crate) enum Event<Report> {
@@ -55,7 +55,7 @@ fn stopped() -> EvaluationError {
 }
 
 impl<Report> Evaluator<u64> for Mailbox<Report> {
-    fn evaluate(&self, work: &Work<u64>) -> Result<Vec<Answer>, EvaluationError> {
+    fn evaluate(&self, work: &Work<u64>) -> Result<Vec<UnitResult>, EvaluationError> {
         let endings = if work.units.is_empty() || work.tasks.is_empty() {
             vec![Vec::new(); work.units.len()]
         } else {
@@ -67,7 +67,7 @@ impl<Report> Evaluator<u64> for Mailbox<Report> {
         let actions = endings.iter().flatten().map(|ending| u64::from(ending.actions)).sum();
         self.steps.fetch_add(actions, Ordering::Relaxed);
         let answers = work.units.iter().zip(endings);
-        Ok(answers.map(|(unit, endings)| Answer { key: unit.key, endings }).collect())
+        Ok(answers.map(|(unit, endings)| UnitResult { key: unit.key, endings }).collect())
     }
 
     fn visit(&self, visits: &[Visit<u64>]) -> Result<Vec<Vec<Vec<f64>>>, EvaluationError> {

@@ -12,7 +12,7 @@ use tpg_graph::error::{InputError, Place};
 use tpg_graph::{MathsProvider, ScalarType};
 use tpg_problems::{ContinuousProblem, Problem, ProblemName, Visitor};
 use tpg_runtime::policy::ActionId;
-use tpg_train::evaluate::Report;
+use tpg_train::evaluate::EvaluationReport;
 use tpg_train::evaluate::graph::on_environment;
 use tpg_train::evolution::presets::Preset;
 
@@ -66,7 +66,7 @@ struct Test<'a> {
 }
 
 impl Visitor<f32> for Test<'_> {
-    type Output = Result<Report, InputError>;
+    type Output = Result<EvaluationReport, InputError>;
 
     fn visit<E: Environment<f32>>(self, environment: E) -> Self::Output {
         let Self { problem, graph, episodes, seed } = self;

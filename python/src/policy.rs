@@ -6,7 +6,7 @@ use crate::native::in_f32;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use std::sync::Mutex;
-use tpg_engine::{Options, Plan, Single};
+use tpg_engine::{EngineOptions, Plan, Single};
 use tpg_graph::SourceDocument;
 use tpg_graph::interpret::Answer;
 use tpg_runtime::ops::Own;
@@ -15,7 +15,7 @@ use tpg_runtime::ops::Own;
 #[pyclass(frozen, module = "tpg_train._tpg")]
 #[derive(Debug)]
 pub(crate) struct Policy {
-    policy: tpg_engine::Policy,
+    policy: tpg_engine::PolicyGraph,
     inputs: usize,
     /// Its own plan, made when it first acts.
     single: Mutex<Option<Single<f32, Own>>>,
@@ -23,7 +23,7 @@ pub(crate) struct Policy {
 
 impl Policy {
     /// Wraps a policy over a state of `inputs` values.
-    pub(crate) fn new(policy: tpg_engine::Policy, inputs: usize) -> Self {
+    pub(crate) fn new(policy: tpg_engine::PolicyGraph, inputs: usize) -> Self {
         Self { policy, inputs, single: Mutex::new(None) }
     }
 
@@ -35,7 +35,7 @@ impl Policy {
             unit: String::new(),
             ranges: vec![[-1.0, 1.0]; self.inputs],
         };
-        Single::new(Plan::new::<Own>(&self.policy, &[source], Options { lanes: 1, ..Options::default() }))
+        Single::new(Plan::new::<Own>(&self.policy, &[source], EngineOptions { lanes: 1, ..EngineOptions::default() }))
     }
 }
 
@@ -45,7 +45,7 @@ impl Policy {
     #[staticmethod]
     fn of(graph: &Graph) -> PyResult<Self> {
         let graph = in_f32(&graph.0)?;
-        Ok(Self::new(tpg_engine::Policy::from(graph), graph.state_length()))
+        Ok(Self::new(tpg_engine::PolicyGraph::from(graph), graph.state_length()))
     }
 
     /// Reads what `to_bytes` wrote.

@@ -102,6 +102,17 @@ def test_a_killed_worker_loses_nothing(alone: str, tmp_path: Path) -> None:
     assert marker.exists(), "no worker was killed"
 
 
+def test_a_killed_dask_worker_loses_nothing(alone: str, tmp_path: Path) -> None:
+    distributed = tools.module("distributed")
+    marker = tmp_path / "killed"
+    model = TPG(functools.partial(killed, str(marker)), **ARGUMENTS)
+    model._checked = True  # its own steps would kill this process
+    with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
+        with distributed.Client(cluster) as client:
+            assert model.learn(STEPS, executor=client.get_executor()).graph.sha256 == alone
+    assert marker.exists(), "no worker was killed"
+
+
 def test_workers_that_are_always_killed_end_the_run_with_an_error() -> None:
     model = TPG(environments.AlwaysKilled, **ARGUMENTS)
     model._checked = True

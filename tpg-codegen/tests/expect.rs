@@ -41,7 +41,7 @@ fn a_wrong_sidecar_is_found() {
     let shape = Shape { teams: 3, actions: 4, sources: vec![3, 2], instructions: words, ..Shape::default() };
     let graph = sample::graph(&shape, 3);
     let folder = tempfile::tempdir().expect("a folder");
-    fs::write(folder.path().join("x.dot"), export::dot::text(&graph)).expect("written");
+    fs::write(folder.path().join("x.dot"), export::dot::text(&graph).expect("no memory")).expect("written");
     fs::write(folder.path().join("x.csv"), recorded(&graph)).expect("written");
     let sidecar = export::sidecar::text(&graph);
     assert_eq!(verify(folder.path(), &sidecar), (Some(0), "interpreter = x.csv on 200 states".to_owned()));

@@ -211,3 +211,12 @@ fn an_explanation_instead_of_code() {
     let (text, _) = generate(folder, &["--explain", "--scalar", "f32"], 0);
     assert!(text.contains("\nThe graph says f64: ") && text.contains(" of 20000 actions equal ("), "{text}");
 }
+
+#[test]
+fn a_misspelt_command_is_answered_by_the_nearest_one() {
+    let (folder, _) = folder();
+    let (_, error) = said(tool(folder.path()).args(["verfy", "arm.json"]), 2);
+    assert!(error.contains("unrecognized subcommand 'verfy'") && error.contains("'verify'"), "{error}");
+    let (_, error) = said(tool(folder.path()).arg("missing.json"), 2);
+    assert!(error.contains("missing.json"), "a file: {error}");
+}

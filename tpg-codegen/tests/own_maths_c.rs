@@ -32,13 +32,13 @@ const FLAGS: [&str; 12] = [
     "-Werror",
 ];
 
-/// Reads numbers and writes the four results of each.
+/// Reads numbers and writes the five results of each.
 const MAIN: &str = "
 int main(void)
 {
     NUMBER x;
     while (fread(&x, sizeof x, 1, stdin) == 1) {
-        const NUMBER y[4] = {tpg_sin(x), tpg_cos(x), tpg_ln(x), tpg_exp(x)};
+        const NUMBER y[5] = {tpg_sin(x), tpg_cos(x), tpg_tan(x), tpg_ln(x), tpg_exp(x)};
         if (fwrite(y, sizeof y, 1, stdout) != 1) {
             return 1;
         }
@@ -90,7 +90,7 @@ fn random_bits() -> impl Iterator<Item = u64> {
 
 macro_rules! same_bits {
     ($module:ident, $float:ident, $scalar:expr, $number:literal, $inputs:expr) => {{
-        use own::$module::{cos, exp, ln, sin};
+        use own::$module::{cos, exp, ln, sin, tan};
         let program = program($scalar, $number);
         let inputs: Vec<$float> = $inputs.map($float::from_bits).collect();
         let bytes: Vec<u8> = inputs.iter().flat_map(|x| x.to_ne_bytes()).collect();
@@ -100,9 +100,9 @@ macro_rules! same_bits {
                 continue;
             };
             let (results, rest) = output.as_chunks();
-            assert_eq!((results.len(), rest.len()), (4 * inputs.len(), 0), "{compiler:?}");
-            for (&x, results) in inputs.iter().zip(results.chunks_exact(4)) {
-                let expected = [("sin", sin(x)), ("cos", cos(x)), ("ln", ln(x)), ("exp", exp(x))];
+            assert_eq!((results.len(), rest.len()), (5 * inputs.len(), 0), "{compiler:?}");
+            for (&x, results) in inputs.iter().zip(results.chunks_exact(5)) {
+                let expected = [("sin", sin(x)), ("cos", cos(x)), ("tan", tan(x)), ("ln", ln(x)), ("exp", exp(x))];
                 for ((function, expected), &got) in expected.into_iter().zip(results) {
                     let got = $float::from_ne_bytes(got);
                     let same = got.to_bits() == expected.to_bits() || (got.is_nan() && expected.is_nan());

@@ -3,7 +3,7 @@
 use tpg_codegen::ir::{Module, Node, NodeId, needed};
 use tpg_codegen::passes::arithmetic::is_transcendental;
 use tpg_codegen::passes::interval::Assumption;
-use tpg_codegen::passes::schedule::{Bid, Infinite, Plan, Schedule, Sparing, schedule};
+use tpg_codegen::passes::schedule::{Bid, Infinite, Schedule, Sparing, TeamSchedule, schedule};
 use tpg_codegen::passes::{estimate, optimise};
 use tpg_graph::sample::{self, Shape};
 use tpg_graph::states;
@@ -51,7 +51,7 @@ fn evaluate(graph: &Graph, nodes: &[Node], state: &[f64]) -> Vec<f64> {
 }
 
 /// In the order in which they are looked at.
-fn bids(plan: &Plan) -> Vec<Bid> {
+fn bids(plan: &TeamSchedule) -> Vec<Bid> {
     plan.bids().collect()
 }
 

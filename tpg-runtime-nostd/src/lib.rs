@@ -8,7 +8,7 @@
 //! | module | subject |
 //! | --- | --- |
 //! | [`policy`] | the [`Policy`](policy::Policy) trait that generated code implements |
-//! | [`ops`] | the instruction set, and sin, cos, ln, exp with the same bits everywhere |
+//! | [`ops`] | the instruction set, and sin, cos, tan, ln, exp with the same bits everywhere |
 //! | [`cycle`] | has this been here before? |
 //! | [`switch`] | two policies over one problem, and the rules by which they take turns |
 //! | [`net`] | networks in integers, of any shape |

@@ -1,5 +1,6 @@
 //! The two scalar types a policy can be computed in.
 
+use crate::ops::remainder;
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -36,6 +37,9 @@ pub trait Scalar:
     fn to_f64(self) -> f64;
     /// The magnitude: clears the sign bit, of a NaN too.
     fn abs(self) -> Self;
+    /// The remainder of a division by `divisor`, with the sign of this number, exactly: see
+    /// [`Instruction::Fmod`](crate::ops::Instruction::Fmod).
+    fn fmod(self, divisor: Self) -> Self;
     /// Truncated towards zero; the nearest end where `i32` has no such number, 0 for a NaN.
     fn to_i32(self) -> i32;
     /// Returns true if both are the same bits: a NaN is the same as itself, 0 is not −0.
@@ -76,6 +80,10 @@ impl Scalar for f32 {
     fn abs(self) -> Self {
         f32::abs(self)
     }
+    #[inline]
+    fn fmod(self, divisor: Self) -> Self {
+        remainder::fmod_f32(self, divisor)
+    }
 }
 
 impl Scalar for f64 {
@@ -106,5 +114,9 @@ impl Scalar for f64 {
     #[inline(always)]
     fn abs(self) -> Self {
         f64::abs(self)
+    }
+    #[inline]
+    fn fmod(self, divisor: Self) -> Self {
+        remainder::fmod_f64(self, divisor)
     }
 }

@@ -4,7 +4,7 @@
 //! or network: the very text of this crate, not a copy that could differ.
 
 /// File names, relative to a crate's `src`, and their text. `lib.rs` comes first.
-pub const FILES: [(&str, &str); 10] = [
+pub const FILES: [(&str, &str); 11] = [
     ("lib.rs", LIB),
     ("ops/mod.rs", include_str!("ops/mod.rs")),
     ("ops/constant_time.rs", include_str!("ops/constant_time.rs")),
@@ -13,6 +13,7 @@ pub const FILES: [(&str, &str); 10] = [
     ("ops/own/mod.rs", include_str!("ops/own/mod.rs")),
     ("ops/own/f32.rs", include_str!("ops/own/f32.rs")),
     ("ops/own/f64.rs", include_str!("ops/own/f64.rs")),
+    ("ops/remainder.rs", include_str!("ops/remainder.rs")),
     ("policy.rs", include_str!("policy.rs")),
     ("scalar.rs", include_str!("scalar.rs")),
 ];

@@ -6,6 +6,9 @@ use tpg_runtime::ops::own;
 
 type Function = fn(f64) -> f64;
 
+/// Sine and cosine are off by at most 1.5 ulp each, and the quotient is rounded.
+const TAN_ULPS: f64 = 3.5;
+
 /// A prime, so that the stride meets every exponent and all kinds of mantissas: 4.3 million of the 2³² arguments.
 /// With 1 it takes minutes and gives the figures that the module states.
 const STRIDE: usize = 997;
@@ -43,6 +46,12 @@ fn f32_circle_is_within_its_bounds() {
         let (absolute, ulps) = worst_f32(kernel, reference);
         assert!(absolute <= 8.8e-8 && ulps <= 1.5, "{absolute:e}, {ulps} ulp");
     }
+}
+
+#[test]
+fn f32_tan_is_within_its_bound() {
+    let (_, ulps) = worst_f32(own::f32::tan, f64::tan);
+    assert!(ulps <= TAN_ULPS, "{ulps} ulp");
 }
 
 #[test]
@@ -107,12 +116,17 @@ fn random_doubles() -> impl Iterator<Item = f64> {
 #[test]
 fn f64_is_near_the_platforms_functions() {
     // They are correct to an ulp or so themselves.
-    let pairs: [(Function, Function); 4] =
-        [(own::f64::sin, f64::sin), (own::f64::cos, f64::cos), (own::f64::ln, f64::ln), (own::f64::exp, f64::exp)];
+    let pairs: [(Function, Function, u64); 5] = [
+        (own::f64::sin, f64::sin, 3),
+        (own::f64::cos, f64::cos, 3),
+        (own::f64::ln, f64::ln, 3),
+        (own::f64::exp, f64::exp, 3),
+        (own::f64::tan, f64::tan, 5),
+    ];
     for x in random_doubles().take(500_000) {
-        for (index, (kernel, reference)) in pairs.into_iter().enumerate() {
+        for (index, (kernel, reference, ulps)) in pairs.into_iter().enumerate() {
             let (got, expected) = (kernel(x), reference(x));
-            let close = (got.to_bits().wrapping_sub(expected.to_bits()) as i64).unsigned_abs() <= 3;
+            let close = (got.to_bits().wrapping_sub(expected.to_bits()) as i64).unsigned_abs() <= ulps;
             assert!(close || (got.is_nan() && expected.is_nan()), "{index} of {x:e}: {got:e}, {expected:e}");
         }
     }
@@ -122,10 +136,10 @@ fn f64_is_near_the_platforms_functions() {
 fn special_values() {
     macro_rules! check {
         ($module:ident, $float:ident) => {{
-            use own::$module::{cos, exp, ln, sin};
+            use own::$module::{cos, exp, ln, sin, tan};
             const INFINITY: $float = $float::INFINITY;
             for x in [INFINITY, -INFINITY, $float::NAN, -$float::NAN] {
-                assert!(sin(x).is_nan() && cos(x).is_nan(), "{x}");
+                assert!(sin(x).is_nan() && cos(x).is_nan() && tan(x).is_nan(), "{x}");
             }
             assert!(exp($float::NAN).is_nan() && exp(-$float::NAN).is_nan());
             for x in [-INFINITY, -1.0, -$float::MIN_POSITIVE, -$float::from_bits(1), $float::NAN, -$float::NAN] {
@@ -134,6 +148,8 @@ fn special_values() {
             assert_eq!(sin(0.0).to_bits(), (0.0 as $float).to_bits());
             assert_eq!(sin(-0.0).to_bits(), (-0.0 as $float).to_bits());
             assert_eq!(sin($float::from_bits(1)).to_bits(), 1);
+            assert_eq!([tan(0.0), tan(-0.0)].map($float::to_bits), [0.0, -0.0 as $float].map($float::to_bits));
+            assert_eq!(tan($float::from_bits(1)).to_bits(), 1);
             assert_eq!((cos(0.0), cos(-0.0), cos($float::MIN_POSITIVE)), (1.0, 1.0, 1.0));
             assert_eq!((ln(0.0), ln(-0.0), ln(INFINITY)), (-INFINITY, -INFINITY, INFINITY));
             assert_eq!(ln(1.0).to_bits(), 0);
@@ -161,6 +177,7 @@ fn sine_is_odd_cosine_even_and_both_are_bounded() {
     }
     for x in random_bits().map(|bits| f32::from_bits(bits as u32)).filter(|x| x.is_finite()).take(500_000) {
         assert_eq!(own::f32::sin(-x).to_bits(), (-own::f32::sin(x)).to_bits());
+        assert_eq!(own::f32::tan(-x).to_bits(), (-own::f32::tan(x)).to_bits());
         assert_eq!(own::f32::cos(-x).to_bits(), own::f32::cos(x).to_bits());
         assert!(own::f32::sin(x).abs() <= 1.0 && own::f32::cos(x).abs() <= 1.0);
     }

@@ -5,7 +5,7 @@
 use std::ops::ControlFlow;
 use std::path::Path;
 use tpg_engine::random::Stream;
-use tpg_engine::{Act, ActionSpace, Choices, End, Environment, LocalThreads, Options, SourceSet, Step};
+use tpg_engine::{Act, ActionSpace, Choices, End, EngineOptions, Environment, LocalThreads, SourceSet, Step};
 use tpg_graph::{Graph, SourceDocument};
 use tpg_runtime::ops::Own;
 use tpg_train::evaluate::graph::on_environment;
@@ -49,7 +49,7 @@ impl Environment<f32> for Cart {
 
 pub(crate) fn train(folder: &Path) -> Result<(), Box<dyn std::error::Error>> {
     let config = Preset::find("general").ok_or("no such preset")?.config()?;
-    let evaluator = LocalThreads::<f32, Own, Cart>::new(&Cart, Options::default(), 0)?;
+    let evaluator = LocalThreads::<f32, Own, Cart>::new(&Cart, EngineOptions::default(), 0)?;
     let goal = Goal { target: Some(-60.0), max_steps: None };
     let options = RunOptions { folder: folder.to_owned(), goal, ..RunOptions::default() };
     run(&config, 1, &Cart, &evaluator, &options, |_progress| ControlFlow::Continue(()))?;

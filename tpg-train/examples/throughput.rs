@@ -10,7 +10,7 @@
 use std::path::Path;
 use tpg_arm::WIDOWX;
 use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{Environment, Evaluator, LocalThreads, Options, Policy, UnitKey, Work, WorkUnit};
+use tpg_engine::{EngineOptions, Environment, Evaluator, LocalThreads, PolicyGraph, UnitKey, Work, WorkUnit};
 use tpg_graph::import::{self, Profile};
 use tpg_graph::{Graph, MathsProvider, ScalarType};
 use tpg_problems::Problem;
@@ -18,7 +18,7 @@ use tpg_problems::arm::targets::{Set, Start, tasks};
 use tpg_problems::arm::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
 use tpg_runtime::ops::{Maths, Own, System};
 use tpg_train::evolution::checkpoint;
-use tpg_train::evolution::config::Config;
+use tpg_train::evolution::config::EvolutionConfig;
 use tpg_train::evolution::logs::cpu_seconds;
 use tpg_train::evolution::mutate_program::ProgramMutator;
 use tpg_train::evolution::mutate_team::{Moment, populate, random_population};
@@ -70,7 +70,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// Measures the next generation of a run: its survivors' children on its episodes.
 fn population(
     title: &str,
-    config: &Config,
+    config: &EvolutionConfig,
     mut state: State<ArmTask>,
     extent: Extent,
 ) -> Result<(), Box<dyn std::error::Error>> {
@@ -114,7 +114,7 @@ fn one<S: ArmScalar, M: Maths<S>>(
     let problem = ArmProblem::new(start, Vec::new());
     let environment = ArmEnvironment::<S>::for_graph(name, graph, &WIDOWX, problem)?;
     let tasks = tasks(&WIDOWX, 3, Set::Training, start, 1000).into_iter().map(ArmTask::from).collect();
-    let unit = WorkUnit { key: UnitKey { seed: 0, generation: 0, root: 0 }, policy: Policy::from(graph) };
+    let unit = WorkUnit { key: UnitKey { seed: 0, generation: 0, root: 0 }, policy: PolicyGraph::from(graph) };
     table::<S, M>(name, &environment, &Work { tasks, units: vec![unit] }, extent)
 }
 
@@ -127,20 +127,20 @@ fn table<S: ArmScalar, M: Maths<S>>(
 ) -> Result<(), Box<dyn std::error::Error>> {
     println!("{title}: {} roots, {} episodes each", work.units.len(), work.tasks.len());
     println!("  {:44} {:>9} {:>9} {:>12} {:>8}", "", "CPU s", "wall s", "M steps/CPU s", "");
-    let all = Options::default();
+    let all = EngineOptions::default();
     let no_tables = environment.clone().without_tables();
     let no_vectors = environment.clone().without_vectors();
     let rows = [
         ("everything on, 112 lanes, 1 thread", environment, all, 1),
         ("2 threads", environment, all, 2),
-        ("64 lanes", environment, Options { lanes: 64, ..all }, 1),
-        ("16 lanes", environment, Options { lanes: 16, ..all }, 1),
-        ("1 lane", environment, Options { lanes: 1, ..all }, 1),
-        ("every bid computed", environment, Options { lazy: false, ..all }, 1),
-        ("no sharing of values", environment, Options { share: false, ..all }, 1),
+        ("64 lanes", environment, EngineOptions { lanes: 64, ..all }, 1),
+        ("16 lanes", environment, EngineOptions { lanes: 16, ..all }, 1),
+        ("1 lane", environment, EngineOptions { lanes: 1, ..all }, 1),
+        ("every bid computed", environment, EngineOptions { lazy: false, ..all }, 1),
+        ("no sharing of values", environment, EngineOptions { share: false, ..all }, 1),
         ("the arm one lane at a time", &no_vectors, all, 1),
         ("sines by libm instead of tables", &no_tables, all, 1),
-        ("cycles detected only at the timeout", environment, Options { look_for_cycles: false, ..all }, 1),
+        ("cycles detected only at the timeout", environment, EngineOptions { look_for_cycles: false, ..all }, 1),
     ];
     let mut first = None;
     for (name, environment, options, threads) in rows.into_iter().take(extent.rows) {

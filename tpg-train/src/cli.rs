@@ -8,6 +8,7 @@ use crate::hybrid::command::{HybridArgs, execute as execute_hybrid};
 use crate::hybrid::constants::{ConstantsArgs, constants};
 use crate::problems::print_problems;
 use crate::quantise::{QuantiseArgs, quantise};
+use crate::ranks::workplace::ThisProcess;
 use crate::report::{ReportArgs, report};
 use crate::sac::command::{SacArgs, execute as execute_sac};
 use crate::targets::{TargetsArgs, print_targets};
@@ -56,9 +57,9 @@ impl Cli {
     pub fn run(self) -> ExitCode {
         exit_code(match self.command {
             Command::Problems => print_problems().map(|()| Verdict::Good).map_err(CommandError::from),
-            Command::Tpg(args) => execute_tpg(&args).map_err(CommandError::other),
+            Command::Tpg(args) => execute_tpg(&args, &ThisProcess).map_err(CommandError::other),
             Command::Sac(args) => execute_sac(&args).map_err(CommandError::other),
-            Command::Hybrid(args) => execute_hybrid(&args).map_err(CommandError::from),
+            Command::Hybrid(args) => execute_hybrid(&args, &ThisProcess).map_err(CommandError::from),
             Command::Constants(args) => constants(&args).map(|()| Verdict::Good).map_err(CommandError::from),
             Command::Import(args) => import(&args).map(|()| Verdict::Good).map_err(CommandError::from),
             Command::Quantise(args) => quantise(&args).map(|()| Verdict::Good).map_err(CommandError::from),

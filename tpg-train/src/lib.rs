@@ -20,6 +20,7 @@
 //! | [`folder`] | a run's folder: lock, checkpoints |
 //! | [`problems`] | `tpg-train problems` |
 //! | [`progress`], [`run_args`] | the progress bar and the arguments of every run |
+//! | [`ranks`] | runs over several processes |
 //! | [`report`] | runs in one HTML file |
 
 pub mod actor;
@@ -37,6 +38,7 @@ pub mod picture;
 pub mod problems;
 pub mod progress;
 pub mod quantise;
+pub mod ranks;
 pub mod report;
 pub mod run_args;
 pub mod sac;

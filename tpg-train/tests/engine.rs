@@ -10,8 +10,8 @@ use tpg_arm::{Arm, Collision, Invalid, Move, WIDOWX};
 use tpg_codegen::passes::{interval::Assumption, optimise};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{
-    Destination, Edge, Ending, Environment, Evaluator, Lanes, Line, LocalThreads, Operand, Options, Plan, Policy,
-    UnitKey, Work, WorkUnit,
+    Destination, Edge, Ending, EngineOptions, Environment, Evaluator, Lanes, Line, LocalThreads, Operand, Plan,
+    PolicyGraph, UnitKey, Work, WorkUnit,
 };
 use tpg_graph::Word;
 use tpg_graph::interpret::Interpreter;
@@ -23,7 +23,7 @@ use tpg_problems::arm::{self, ArmEnvironment, ArmProblem, ArmScalar, ArmTask, Sh
 use tpg_runtime::ops::{Instruction, Maths, Own};
 use tpg_runtime::policy::{ActionId, Policy as _};
 use tpg_train::evolution::archive::Archive;
-use tpg_train::evolution::config::Config;
+use tpg_train::evolution::config::EvolutionConfig;
 use tpg_train::evolution::export;
 use tpg_train::evolution::mutate_program::ProgramMutator;
 use tpg_train::evolution::mutate_team::{Moment, populate, random_population};
@@ -32,7 +32,7 @@ use tpg_train::evolution::refine::Refiner;
 use tpg_train::evolution::vocabulary::Vocabulary;
 
 /// A configuration that covers everything: every source, every instruction, literals, program constants.
-fn config(scalar: ScalarType) -> Config {
+fn config(scalar: ScalarType) -> EvolutionConfig {
     let mut config = Preset::find("best-rs").expect("it comes with the trainer").config().expect("it is accepted");
     config.language.scalar = scalar;
     config.language.instructions = Word::ALL.map(|word| word.name().to_owned()).to_vec();
@@ -52,10 +52,10 @@ fn problem(shield: Shield) -> arm::Config {
 }
 
 struct World<S> {
-    config: Config,
+    config: EvolutionConfig,
     environment: ArmEnvironment<S>,
     vocabulary: Vocabulary,
-    policies: Vec<Policy>,
+    policies: Vec<PolicyGraph>,
 }
 
 /// Returns half the range of every value.
@@ -86,12 +86,13 @@ impl<S: ArmScalar> World<S> {
             let doomed: Vec<_> = genome.roots().into_iter().step_by(2).collect();
             genome.remove_roots(&doomed);
         }
-        let policies: Vec<Policy> = genome.roots().into_iter().map(|root| genome.policy(root, &vocabulary)).collect();
+        let policies: Vec<PolicyGraph> =
+            genome.roots().into_iter().map(|root| genome.policy(root, &vocabulary)).collect();
         assert!(policies.iter().map(|policy| policy.teams.len()).max() > Some(4), "deep graphs are wanted");
         Self { config, environment, vocabulary, policies }
     }
 
-    fn graph(&self, policy: &Policy) -> Graph {
+    fn graph(&self, policy: &PolicyGraph) -> Graph {
         let (sources, actions) = (self.environment.sources(), self.environment.actions());
         export::graph(policy, &self.vocabulary, sources, actions, 0, Provenance::default()).expect("a valid graph")
     }
@@ -127,7 +128,7 @@ fn by_interpreter<S: ArmScalar, M: Maths<S>>(
     task: &ArmTask,
 ) -> (Vec<ActionId>, Summary<S>, S) {
     let interpreter = Interpreter::<S, M>::new(graph);
-    let start = tpg_arm::episode::Problem {
+    let start = tpg_arm::episode::ReachTask {
         start: tpg_arm::Pose(task.start),
         target: task.target.map(S::from_f64),
         tolerance: S::from_f64(problem.tolerance),
@@ -189,8 +190,9 @@ where
         // The plan comes from the genome's own policy, with introns and shared programs; the graph was written and read
         // again.
         let graph = Graph::from_json("again", &graph.to_json()).expect("what was written can be read");
-        let plan = Plan::<S>::new::<Own>(policy, &world.environment.sources(), Options::default());
-        let mut lanes = Lanes::<S, Own, _>::new(&world.environment, Options { lanes: 5, ..Options::default() });
+        let plan = Plan::<S>::new::<Own>(policy, &world.environment.sources(), EngineOptions::default());
+        let mut lanes =
+            Lanes::<S, Own, _>::new(&world.environment, EngineOptions { lanes: 5, ..EngineOptions::default() });
         let mut watched = vec![Vec::new(); tasks.len()];
         let endings = lanes.run_watched(&plan, &tasks, |task, action| watched[task].push(action));
         let endings = endings.expect("no episode of the arm fails");
@@ -247,7 +249,7 @@ fn under_a_shield_equal_programs_for_different_actions_stay_two_bids() {
         operands: [Operand::Input(input), Operand::Register(1)],
     };
     let edge = |program, action| Edge { program, to: Destination::Action(action) };
-    let policy = Policy::new(8, 0, vec![vec![edge(0, 0), edge(0, 1), edge(0, 0)]], vec![vec![line(0)]]);
+    let policy = PolicyGraph::new(8, 0, vec![vec![edge(0, 0), edge(0, 1), edge(0, 0)]], vec![vec![line(0)]]);
     let config = config(ScalarType::F32);
     let environment = problem(Shield::Limits).environment::<f32>(Start::Rs);
     let vocabulary = config.vocabulary(&environment, literal_units(&environment));
@@ -286,20 +288,28 @@ fn no_option_and_no_number_of_threads_changes_an_answer() {
         .zip(&world.policies)
         .map(|(root, policy)| WorkUnit { key: UnitKey { seed: 1, generation: 0, root }, policy: policy.clone() });
     let work = Work { tasks: arm_tasks(&WIDOWX, 30), units: units.collect() };
-    let answers = |options: Options, threads: usize| {
+    let answers = |options: EngineOptions, threads: usize| {
         let evaluator = LocalThreads::<f32, Own, _>::new(&world.environment, options, threads).expect("threads start");
         evaluator.evaluate(&work).expect("local threads always answer")
     };
-    let reference = answers(Options::default(), 1);
+    let reference = answers(EngineOptions::default(), 1);
     assert!(reference.iter().flat_map(|answer| &answer.endings).any(|ending| ending.actions > 100));
     for lanes in [1, 2, 7, 64, 500] {
-        assert_eq!(answers(Options { lanes, ..Options::default() }, 1), reference, "{lanes} lanes");
+        assert_eq!(answers(EngineOptions { lanes, ..EngineOptions::default() }, 1), reference, "{lanes} lanes");
     }
-    assert_eq!(answers(Options { lazy: false, ..Options::default() }, 1), reference, "with every bid computed");
-    assert_eq!(answers(Options { share: false, ..Options::default() }, 1), reference, "without sharing");
-    assert_eq!(answers(Options { look_for_cycles: false, ..Options::default() }, 1), reference, "without looking");
+    assert_eq!(
+        answers(EngineOptions { lazy: false, ..EngineOptions::default() }, 1),
+        reference,
+        "with every bid computed"
+    );
+    assert_eq!(answers(EngineOptions { share: false, ..EngineOptions::default() }, 1), reference, "without sharing");
+    assert_eq!(
+        answers(EngineOptions { look_for_cycles: false, ..EngineOptions::default() }, 1),
+        reference,
+        "without looking"
+    );
     for threads in [2, 5] {
-        assert_eq!(answers(Options::default(), threads), reference, "{threads} threads");
+        assert_eq!(answers(EngineOptions::default(), threads), reference, "{threads} threads");
     }
     assert_eq!(world.config.language.instructions.len(), Word::ALL.len());
 }

@@ -7,12 +7,12 @@ use std::fs;
 use std::ops::ControlFlow;
 use std::path::Path;
 use tpg_engine::{
-    Answer, Environment, EvaluationError, Evaluator, LocalThreads, Options, UnitKey, Visit, Work, WorkUnit,
+    EngineOptions, Environment, EvaluationError, Evaluator, LocalThreads, UnitKey, UnitResult, Visit, Work, WorkUnit,
 };
 use tpg_problems::arm::targets::Start;
 use tpg_problems::arm::{self, ArmEnvironment, ArmTask};
 use tpg_runtime::ops::Own;
-use tpg_train::evolution::config::Config;
+use tpg_train::evolution::config::EvolutionConfig;
 use tpg_train::evolution::presets::Preset;
 use tpg_train::evolution::run::{RunEnd, RunError, RunOptions, run};
 
@@ -24,7 +24,11 @@ struct Worker<'e> {
 impl Worker<'_> {
     fn ask(&self, message: &str) -> Result<String, EvaluationError> {
         let work: Work<ArmTask> = serde_json::from_str(message).map_err(EvaluationError::new)?;
-        let engine = LocalThreads::<f32, Own, _>::new(self.environment, Options { lanes: 3, ..Options::default() }, 1)?;
+        let engine = LocalThreads::<f32, Own, _>::new(
+            self.environment,
+            EngineOptions { lanes: 3, ..EngineOptions::default() },
+            1,
+        )?;
         let answers = engine.evaluate(&work)?;
         serde_json::to_string(&answers).map_err(EvaluationError::new)
     }
@@ -37,12 +41,13 @@ struct Wire<'e> {
 }
 
 impl Evaluator<ArmTask> for Wire<'_> {
-    fn evaluate(&self, work: &Work<ArmTask>) -> Result<Vec<Answer>, EvaluationError> {
+    fn evaluate(&self, work: &Work<ArmTask>) -> Result<Vec<UnitResult>, EvaluationError> {
         let mut answers = Vec::new();
         for unit in work.units.iter().rev() {
             let one = Work::<ArmTask> { tasks: work.tasks.clone(), units: vec![unit.clone()] };
             let message = serde_json::to_string(&one).map_err(EvaluationError::new)?;
-            let reply: Vec<Answer> = serde_json::from_str(&self.worker.ask(&message)?).map_err(EvaluationError::new)?;
+            let reply: Vec<UnitResult> =
+                serde_json::from_str(&self.worker.ask(&message)?).map_err(EvaluationError::new)?;
             let ([answer], WorkUnit { key, .. }) = (&reply[..], unit) else {
                 return Err(EvaluationError::new(format!("{} answers to a unit", reply.len())));
             };
@@ -59,12 +64,12 @@ impl Evaluator<ArmTask> for Wire<'_> {
     fn visit(&self, visits: &[Visit<ArmTask>]) -> Result<Vec<Vec<Vec<f64>>>, EvaluationError> {
         let message = serde_json::to_string(visits).map_err(EvaluationError::new)?;
         let received: Vec<Visit<ArmTask>> = serde_json::from_str(&message).map_err(EvaluationError::new)?;
-        LocalThreads::<f32, Own, _>::new(self.worker.environment, Options::default(), 1)?.visit(&received)
+        LocalThreads::<f32, Own, _>::new(self.worker.environment, EngineOptions::default(), 1)?.visit(&received)
     }
 }
 
 /// Two demes, so that different roots have equal numbers.
-fn config() -> Config {
+fn config() -> EvolutionConfig {
     let mut config = Preset::find("best-rs").expect("it comes with the trainer").config().expect("it is accepted");
     (config.tpg.nb_roots, config.tpg.init_nb_roots, config.learning.ratio_deleted_roots) = (16, 20, 0.7);
     (config.demes.count, config.demes.migration_interval, config.demes.migrants) = (2, 2, 1);
@@ -87,7 +92,7 @@ fn train<V: Evaluator<ArmTask>>(folder: &Path, environment: &ArmEnvironment<f32>
 fn a_run_is_the_same_wherever_its_roots_are_evaluated() {
     let environment = arm::Config::default().environment::<f32>(Start::Rs);
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let local = LocalThreads::<f32, Own, _>::new(&environment, Options::default(), 2).expect("threads start");
+    let local = LocalThreads::<f32, Own, _>::new(&environment, EngineOptions::default(), 2).expect("threads start");
     let wire = Wire { worker: Worker { environment: &environment }, keys: RefCell::default() };
     let expected = train(&folder.path().join("local"), &environment, &local);
     assert!(train(&folder.path().join("wire"), &environment, &wire) == expected, "other bytes over a wire");
@@ -101,7 +106,7 @@ struct Broken<V> {
 }
 
 impl<V: Evaluator<ArmTask>> Evaluator<ArmTask> for Broken<V> {
-    fn evaluate(&self, work: &Work<ArmTask>) -> Result<Vec<Answer>, EvaluationError> {
+    fn evaluate(&self, work: &Work<ArmTask>) -> Result<Vec<UnitResult>, EvaluationError> {
         *self.asked.borrow_mut() += 1;
         if *self.asked.borrow() == 3 { Err(EvaluationError::new("connection lost")) } else { self.inner.evaluate(work) }
     }
@@ -116,7 +121,7 @@ fn a_lost_machine_is_an_error_and_the_run_can_be_resumed() {
     let config = config();
     let environment = arm::Config::default().environment::<f32>(Start::Rs);
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let local = || LocalThreads::<f32, Own, _>::new(&environment, Options::default(), 1).expect("threads start");
+    let local = || LocalThreads::<f32, Own, _>::new(&environment, EngineOptions::default(), 1).expect("threads start");
     let expected = train(&folder.path().join("whole"), &environment, &local());
     let broken = Broken { inner: local(), asked: RefCell::new(0) };
     let options = RunOptions {
@@ -140,7 +145,7 @@ struct Losing<'e> {
 }
 
 impl Evaluator<ArmTask> for Losing<'_> {
-    fn evaluate(&self, work: &Work<ArmTask>) -> Result<Vec<Answer>, EvaluationError> {
+    fn evaluate(&self, work: &Work<ArmTask>) -> Result<Vec<UnitResult>, EvaluationError> {
         let Some(left) = self.calls_left.get().checked_sub(1) else { return Err(EvaluationError::new("lost")) };
         self.calls_left.set(left);
         self.threads.evaluate(work)
@@ -154,7 +159,8 @@ impl Evaluator<ArmTask> for Losing<'_> {
 #[test]
 fn a_run_that_loses_its_evaluator_is_saved_and_ends_as_an_undisturbed_one() {
     let environment = arm::Config::default().environment::<f32>(Start::Rs);
-    let threads = || LocalThreads::<f32, Own, _>::new(&environment, Options::default(), 2).expect("threads start");
+    let threads =
+        || LocalThreads::<f32, Own, _>::new(&environment, EngineOptions::default(), 2).expect("threads start");
     let folder = tempfile::tempdir().expect("a temporary folder");
     let whole = train(&folder.path().join("whole"), &environment, &threads());
     for calls in [0, 1, 5, 8] {

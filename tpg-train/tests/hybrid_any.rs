@@ -17,6 +17,7 @@ use tpg_train::hybrid::shared::{Episodes, OwnProblem, Shared};
 use tpg_train::hybrid::span::Span;
 use tpg_train::hybrid::study::VERSION;
 use tpg_train::hybrid::trial::Acting;
+use tpg_train::ranks::workplace::ThisProcess;
 use tpg_train::report::{ReportArgs, report_with};
 use tpg_train::sac::network::Network;
 
@@ -316,7 +317,7 @@ fn an_environment_of_ones_own_has_studies_and_reports() {
         patience: Vec::new(),
         threads: 1,
     };
-    study_on(&problem, &args).expect("it runs");
+    study_on(&problem, &args, &ThisProcess).expect("it runs");
     let chosen = Hybrid::read(&out.join("hybrid.toml")).expect("a good file");
     assert_eq!((chosen.problem.as_str(), chosen.setting.detector), ("line", Detector::Visited), "the line has keys");
     let report = on_problem(&problem, "hybrid.toml", &chosen, 50, 1).expect("it runs");

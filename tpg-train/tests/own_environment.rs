@@ -10,7 +10,7 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 use tpg_codegen::emit::{self, Language, Prefix};
-use tpg_engine::{Environment, Lanes, Options, Plan, Policy};
+use tpg_engine::{EngineOptions, Environment, Lanes, Plan, PolicyGraph};
 use tpg_graph::Graph;
 use tpg_runtime::ops::Own;
 
@@ -67,9 +67,9 @@ fn from_training_to_a_c_program_that_drives_the_same_cart() {
 
     let tasks: Vec<f32> = (0..STARTS).map(|start| 0.125 * f32::from(start - 16)).collect();
     let sources = Environment::<f32>::sources(&Cart);
-    let plan = Plan::new::<Own>(&Policy::from(&graph), &sources, Options::default());
+    let plan = Plan::new::<Own>(&PolicyGraph::from(&graph), &sources, EngineOptions::default());
     let mut actions = vec![String::new(); tasks.len()];
-    let mut lanes = Lanes::<f32, Own, _>::new(&Cart, Options::default());
+    let mut lanes = Lanes::<f32, Own, _>::new(&Cart, EngineOptions::default());
     let endings = lanes.run_watched(&plan, &tasks, |task, action| {
         let _ = write!(actions[task], "{}", action.0);
     });

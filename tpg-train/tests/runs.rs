@@ -8,14 +8,14 @@ use std::time::{Duration, Instant};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_problems::arm::description::WIDOWX_TOML;
 use tpg_problems::{Problem, ProblemName};
-use tpg_train::evolution::config::Config;
+use tpg_train::evolution::config::EvolutionConfig;
 use tpg_train::evolution::presets::Preset;
 
 /// Number of times a run is killed.
 const KILLS: usize = 20;
 
 /// A run of seconds that uses every feature: two demes with migration, pool, archive, lexicase, racing.
-fn small_config() -> Config {
+fn small_config() -> EvolutionConfig {
     let mut config = Preset::find("best-rs").expect("it comes with the trainer").config().expect("it is accepted");
     config.problem = Problem::usual(ProblemName::Pendulum).to_table();
     config.problem.insert("levels".to_owned(), 3.into());
@@ -193,7 +193,7 @@ fn a_bad_configuration_is_refused_with_its_line_and_what_is_accepted() {
         let changed: Vec<&str> = text.lines().map(|line| if line.starts_with(from) { to } else { line }).collect();
         let text = changed.join("\n");
         let of_problem = || Problem::from_toml("c.toml", &text).err();
-        Config::from_toml("c.toml", &text).err().or_else(of_problem).expect("it is wrong").to_string()
+        EvolutionConfig::from_toml("c.toml", &text).err().or_else(of_problem).expect("it is wrong").to_string()
     };
     // Also checks the line of a key in a nested section.
     let arm = text.to_owned() + &WIDOWX_TOML.replace("elbow_offset = 49.0", "elbow_offset = -1.0");
@@ -300,7 +300,7 @@ fn a_policy_with_outputs_has_the_same_bytes_on_other_threads_and_after_a_stop() 
 }
 
 /// A pendulum without a sensor of its velocity, and policies that remember two values.
-fn memory_config() -> Config {
+fn memory_config() -> EvolutionConfig {
     let mut config = Preset::find("continuous").expect("it comes with the trainer").config().expect("it is accepted");
     (config.tpg.nb_roots, config.tpg.init_nb_roots, config.demes.count) = (30, 60, 2);
     (config.demes.migration_interval, config.learning.nb_generations) = (5, 8);

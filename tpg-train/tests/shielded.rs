@@ -11,11 +11,11 @@ use tpg_graph::engine::Engine;
 use tpg_problems::Problem;
 use tpg_problems::arm::targets::Start;
 use tpg_problems::arm::{self, Shield};
-use tpg_train::evolution::config::Config;
+use tpg_train::evolution::config::EvolutionConfig;
 use tpg_train::evolution::presets::Preset;
 
 /// Three generations of a few roots on the arm.
-fn config() -> Config {
+fn config() -> EvolutionConfig {
     let mut config = Preset::find("best-rs").expect("it comes with the trainer").config().expect("it is accepted");
     let shielded = arm::Config { shield: Shield::LimitsAndCollision, ..arm::Config::default() };
     config.problem = Problem::Arm(Start::Rs, shielded).to_table();

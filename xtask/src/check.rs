@@ -8,9 +8,10 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::{env, fs, io};
 
-/// The crate that needs a Python interpreter: `python.rs` builds, lints and tests it.
-const PYTHON: &str = "tpg-python";
-const WITHOUT: &str = "--exclude";
+/// The workspace without the crate that needs a Python interpreter: `python.rs` builds, lints and tests it.
+const WORKSPACE: [&str; 3] = ["--workspace", "--exclude", "tpg-python"];
+/// Leaves out the crate that needs an MPI with its compiler.
+const WITHOUT_MPI: [&str; 2] = ["--exclude", "tpg-mpi"];
 
 /// Runs the tests of every crate; returns true if all passed.
 pub(crate) fn test() -> bool {
@@ -23,24 +24,12 @@ pub(crate) fn test() -> bool {
 pub(crate) fn all() -> bool {
     let mut run = Run::new();
     run.check("format", cargo(&["fmt", "--all", "--check"]));
-    run.check(
-        "clippy",
-        cargo(&[
-            "clippy",
-            "--workspace",
-            WITHOUT,
-            PYTHON,
-            "--all-targets",
-            "--all-features",
-            "--",
-            "--deny",
-            "warnings",
-        ]),
-    );
-    let mut documentation = cargo(&["doc", "--workspace", WITHOUT, PYTHON, "--all-features", "--no-deps", "--quiet"]);
+    run.check("clippy", workspace("clippy", &["--all-targets", "--all-features", "--", "--deny", "warnings"]));
+    let mut documentation = workspace("doc", &["--all-features", "--no-deps", "--quiet"]);
     documentation.env("RUSTDOCFLAGS", "--deny warnings");
     run.check("documentation", documentation);
     run.supply_chain();
+    run.book();
     for target in TARGETS {
         run.no_std(target);
     }
@@ -66,6 +55,13 @@ pub(crate) fn harness(words: &[&str]) -> bool {
     run.finish()
 }
 
+/// Builds the book; returns true if it could be built, or mdBook is missing.
+pub(crate) fn book() -> bool {
+    let mut run = Run::new();
+    run.book();
+    run.finish()
+}
+
 /// Compares compilers on random graphs; returns true if nothing differs.
 pub(crate) fn compilers(graphs: u32) -> bool {
     let mut run = Run::new();
@@ -84,6 +80,16 @@ pub(crate) fn cargo(arguments: &[&str]) -> Command {
     command
 }
 
+/// Returns a command of cargo on the workspace, as far as this machine can build it.
+fn workspace(command: &str, arguments: &[&str]) -> Command {
+    let without: &[&str] = if has_mpi() { &[] } else { &WITHOUT_MPI };
+    cargo(&[&[command], &WORKSPACE[..], without, arguments].concat())
+}
+
+fn has_mpi() -> bool {
+    tpg_testing::exists("mpicc")
+}
+
 /// A run of checks.
 pub(crate) struct Run {
     summary: Summary,
@@ -98,7 +104,10 @@ impl Run {
 
     /// Runs every test of every crate.
     fn all_tests(&mut self) {
-        self.tests("tests", cargo(&["test", "--workspace", WITHOUT, PYTHON, "--all-features", "--no-fail-fast"]));
+        if !has_mpi() {
+            self.missing("runs over MPI", "an MPI with its compiler, and libclang; Debian: libopenmpi-dev, clang");
+        }
+        self.tests("tests", workspace("test", &["--all-features", "--no-fail-fast"]));
     }
 
     /// Runs a command that counts as one check.
@@ -127,6 +136,17 @@ impl Run {
     fn firmware(&mut self, words: &[&str]) {
         let arguments = [&["run", "--quiet", "--release", "--package", "tpg-harness", "--"], words].concat();
         self.check(&format!("firmware: {}", words.join(" ")), cargo(&arguments));
+    }
+
+    /// Builds the book. mdBook is no part of the set-up: it takes minutes to compile.
+    fn book(&mut self) {
+        if !tpg_testing::exists("mdbook") {
+            tpg_testing::skip("book: mdBook is not installed (cargo install mdbook)");
+            return;
+        }
+        let mut command = Command::new("mdbook");
+        command.arg("build").arg(tpg_testing::library::top().join("docs"));
+        self.check("book", command);
     }
 
     /// Checks licences, sources and bans of every crate by `deny.toml`; known defects and abandoned crates where the database

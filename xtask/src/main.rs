@@ -68,6 +68,8 @@ enum Task {
     },
     /// Build the Python package, install it into a virtual environment, run pytest, ruff, mypy and stubtest
     Python(python::PythonArgs),
+    /// Build the book of `docs/` with mdBook, into target/book
+    Book,
     /// The worst case of compiled code for a Cortex-M: instructions and stack
     Wcet(cortex_bound::cli::WcetArgs),
     /// Kill, stop and starve training runs at random moments: in the end they have the bytes of an undisturbed run
@@ -88,6 +90,7 @@ fn main() -> ExitCode {
         Task::Miri => nightly::miri(),
         Task::Sanitize { seeds } => nightly::sanitize(seeds),
         Task::Python(arguments) => python::run(arguments),
+        Task::Book => check::book(),
         Task::Wcet(arguments) => arguments.run(),
         Task::Torture(arguments) => arguments.run(),
     };

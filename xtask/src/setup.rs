@@ -4,7 +4,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 /// Debian packages, each with a program that shows whether it is installed.
-const PACKAGES: [(&str, &str); 17] = [
+const PACKAGES: [(&str, &str); 18] = [
     ("gcc", "/usr/bin/gcc"),
     ("g++", "/usr/bin/g++"),
     ("clang", "/usr/bin/clang"),
@@ -22,6 +22,7 @@ const PACKAGES: [(&str, &str); 17] = [
     ("frama-c-base", "/usr/bin/frama-c"),
     ("python3-venv", "/usr/bin/python3"),
     ("openmpi-bin", "/usr/bin/mpirun"),
+    ("libopenmpi-dev", "/usr/bin/mpicc"),
 ];
 
 const COMPONENTS: [&str; 2] = ["rustfmt", "clippy"];

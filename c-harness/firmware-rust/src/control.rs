@@ -17,7 +17,7 @@ use tpg_generated::{widowx_fs_fast::WidowxFsFast, widowx_fs_hybrid, widowx_rs_fa
 use tpg_arm::{Arm, Move, Pose, WIDOWX};
 use tpg_arm::binding;
 use tpg_arm::cycle::Brent;
-use tpg_arm::episode::{Episode, Outcome, Problem};
+use tpg_arm::episode::{Episode, Outcome, ReachTask};
 use tpg_arm::hybrid::{Chosen, Driver, Hybrid, HybridEpisode, Settings, Switch};
 use tpg_arm::observation::{ArmPolicy, Observation};
 use tpg_runtime::policy::Policy;
@@ -78,7 +78,7 @@ where
 }
 
 /// The most bytes of stack that a decision takes in some episodes, its caller's not included.
-fn stack<P>(hybrid: &Hybrid<'_, f32, P, Network>, problems: &[Problem<f32>]) -> u32
+fn stack<P>(hybrid: &Hybrid<'_, f32, P, Network>, problems: &[ReachTask<f32>]) -> u32
 where
     P: Policy<State = Observation<f32>, Action = Move>,
 {
@@ -97,7 +97,7 @@ where
     deepest
 }
 
-fn hybrids<P>(counter: &mut Counter, set: &str, graph: P, network: Network, settings: Settings<f32>, problems: &[Problem<f32>])
+fn hybrids<P>(counter: &mut Counter, set: &str, graph: P, network: Network, settings: Settings<f32>, problems: &[ReachTask<f32>])
 where
     P: Policy<State = Observation<f32>, Action = Move>,
 {
@@ -122,7 +122,7 @@ where
     }
 }
 
-fn singles<P>(counter: &mut Counter, set: &str, name: &str, policy: &P, problems: &[Problem<f32>])
+fn singles<P>(counter: &mut Counter, set: &str, name: &str, policy: &P, problems: &[ReachTask<f32>])
 where
     P: Policy<State = Observation<f32>, Action = Move>,
 {

@@ -18,7 +18,7 @@ use tpg_generated::widowx_sac;
 use tpg_arm::{Arm, Move, Pose, WIDOWX};
 use tpg_arm::binding;
 use tpg_arm::cycle::Brent;
-use tpg_arm::episode::{Episode, Problem};
+use tpg_arm::episode::{Episode, ReachTask};
 use tpg_arm::frame::{Clearance, Frame};
 use tpg_arm::observation::{Observation, Source, Straight, TargetMemo};
 use tpg_runtime::policy::{ActionId, Policy};
@@ -65,7 +65,7 @@ fn profiles<A, B, C, const N: usize>(
     policies: (A, B, C),
     sources: &[Source],
     moves: &[Move],
-    problems: &[Problem<f32>],
+    problems: &[ReachTask<f32>],
 ) where
     A: Policy<State = [f32; N], Action = ActionId>,
     B: Policy<State = [f32; N], Action = ActionId>,
@@ -99,7 +99,7 @@ fn profiles<A, B, C, const N: usize>(
 }
 
 /// The classical yardstick: straight to the target's stance.
-fn straight(counter: &mut Counter, name: &str, problems: &[Problem<f32>]) {
+fn straight(counter: &mut Counter, name: &str, problems: &[ReachTask<f32>]) {
     let policy = Straight::new(&ARM);
     let mut tally = Tally::default();
     for &problem in problems.iter().take(PARTS) {
@@ -189,7 +189,7 @@ fn float_network(counter: &mut Counter, name: &str, weights: &[f32], inputs: usi
 }
 
 /// The parts of a decision of the network.
-fn parts(counter: &mut Counter, problems: &[Problem<f32>]) {
+fn parts(counter: &mut Counter, problems: &[ReachTask<f32>]) {
     let [mut frames, mut made, mut clearances, mut rounded, mut decided] = [Tally::default(); 5];
     let mut numbers = Numbers(3);
     for problem in problems {

@@ -19,7 +19,7 @@ use report::Report;
 use scenarios::SCENARIOS;
 use tpg_arm::binding;
 use tpg_arm::cycle::Brent;
-use tpg_arm::episode::Problem;
+use tpg_arm::episode::ReachTask;
 use tpg_arm::hybrid::{Chosen, Control, Hybrid, Switch};
 use tpg_arm::observation::{ArmPolicy, Observation};
 use tpg_arm::sac::packed::{Model, PackedPolicy};
@@ -68,7 +68,7 @@ where
     P: Policy<State = Observation<f32>, Action = Move>,
 {
     let [mut with, mut without] = [Tally::default(), Tally::default()];
-    for &Problem { start, target, tolerance, .. } in FS_PROBLEMS.iter().take(PARTS) {
+    for &ReachTask { start, target, tolerance, .. } in FS_PROBLEMS.iter().take(PARTS) {
         let mut motors = start;
         let mut seen = Observation::at(&ARM, motors, target);
         let Ok(mut control) = Control::new(&ARM, hybrid.settings, Watch::DEFAULT, Brent::new(), &seen) else {

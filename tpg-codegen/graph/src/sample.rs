@@ -47,7 +47,7 @@ pub struct Shape {
     pub instructions: Vec<Word>,
     /// The type programs compute in.
     pub scalar: ScalarType,
-    /// Provider of sin, cos, ln and exp.
+    /// Provider of sin, cos, tan, ln and exp.
     pub maths: MathsProvider,
     /// Kind of constants that programs read.
     pub constants: Constants,

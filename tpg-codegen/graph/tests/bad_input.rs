@@ -307,7 +307,7 @@ fn dot() {
         ("an unknown statement", &[("{ rank= same T7 }", "subgraph cluster_0 {")]),
         ("another character", &[("T9 -> P1\n", "T9 -> P1;\n")]),
         ("an edge of GEGELATI 2's action programs", &[("T9 -> P1\n", "A0 -> P1\n")]),
-        ("an action program of GEGELATI 2", &[("shape=point] //9", "shape=point label=\"1\"] //9")]),
+        ("a program of neither kind", &[("shape=point] //9", "shape=point label=\"2\"] //9")]),
         ("an action of GEGELATI 2", &[("label=\"1\"", "label=\"0-1\"")]),
         ("an edge between teams", &[("T9 -> P1\n", "T9 -> T7\n")]),
         ("a number that does not fit", &[("T9 -> P1\n", "T9 -> P4294967296\n")]),

@@ -129,7 +129,10 @@ fn the_papers_graphs() {
                 let graph = import::load(&path, Some(Profile::Ecta24), None).unwrap_or_else(|error| panic!("{error}"));
                 assert_eq!(graph.state_length(), 15);
                 let sidecar = Sidecar::from_toml("x.toml", &export::sidecar::text(&graph)).expect("a sidecar");
-                assert_eq!(import::from_text("x.dot", &export::dot::text(&graph), Some(&sidecar)), Ok(graph));
+                assert_eq!(
+                    import::from_text("x.dot", &export::dot::text(&graph).expect("no memory"), Some(&sidecar)),
+                    Ok(graph)
+                );
                 read += 1;
             }
         }
@@ -204,6 +207,34 @@ fn an_action_node_repeated_with_another_action_is_refused() {
         1,
     );
     assert!(read_second(&text).expect_err("two actions").to_string().contains("A101 a second time"));
+}
+
+/// The guards of GEGELATI's own programs, for every kind of number: the compositions that docs/graph-json.md gives for them.
+#[test]
+fn guards_are_composed_of_words() {
+    let text = include_str!("../../../docs/graph-json.md");
+    let remainder = "add(gate(fmod(a, b), b), gate(2.2250738585072014e-308, sub(1, gate(1, b))))";
+    assert!(text.contains(remainder) && text.contains("and a guarded division the same with `div`"));
+    let specials = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, -7.5, 5e-324, 3.0, 0.1, -1.0, 0.0, -0.0];
+    let quotient = remainder.replace("fmod", "div").replace("2.2250738585072014e-308", "-0.0");
+    type Operation = fn(f64, f64) -> f64;
+    let cases: [(&str, Operation, f64); 2] =
+        [(remainder, |a, b| a % b, f64::MIN_POSITIVE), (&quotient, |a, b| a / b, -0.0)];
+    for (composition, operation, otherwise) in cases {
+        let sidecar = SIDECAR.replace("\"cos\"", &format!("{{ name = \"guarded\", is = \"{composition}\" }}"));
+        let small = SMALL.replace("0|1&2|3#0|6&#92;n1|0&1|4#9|9&#92;n", "1|0&1|0#1|1&#92;n");
+        let sidecar = Sidecar::from_toml("x.toml", &sidecar).unwrap_or_else(|error| panic!("{error}"));
+        let graph = import::from_text("x.dot", &small, Some(&sidecar)).unwrap_or_else(|error| panic!("{error}"));
+        let guarded = graph.programs().iter().find(|program| !program.lines.is_empty()).expect("a program");
+        for a in specials {
+            for b in specials {
+                let found = Interpreter::<f64, Own>::new(&graph).run(guarded, &[a, b, 0.0, 0.0, 0.0]);
+                let expected = if b != 0.0 { operation(a, b) } else { otherwise };
+                let same = found.to_bits() == expected.to_bits() || (found.is_nan() && expected.is_nan());
+                assert!(same, "{composition} of {a:e} and {b:e}: {found:e}, not {expected:e}");
+            }
+        }
+    }
 }
 
 /// Tests of GEGELATI's own programs, for every kind of number: the compositions that docs/graph-json.md gives for them.

@@ -36,12 +36,11 @@ impl ConvertArgs {
     }
 
     fn write_dot(&self, graph: &Graph) -> Result<(), InputError> {
-        if !graph.outputs().is_empty() {
-            let found = "a policy with outputs, which GEGELATI's format cannot express";
-            return Err(InputError::new(self.out.display().to_string(), Place::Whole, found, "NAME.json, or -"));
-        }
+        let text = export::dot::text(graph).map_err(|found| {
+            InputError::new(self.out.display().to_string(), Place::Whole, found.to_string(), "NAME.json, or -")
+        })?;
         let sidecar = self.out.with_extension("toml");
-        output::write_all(&[(&self.out, export::dot::text(graph)), (&sidecar, export::sidecar::text(graph))])?;
+        output::write_all(&[(&self.out, text), (&sidecar, export::sidecar::text(graph))])?;
         eprintln!("{} needs --sidecar {} to be read", self.out.display(), sidecar.display());
         Ok(())
     }

@@ -16,7 +16,7 @@ pub use generate::GenerateArgs;
 
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use std::ffi::OsString;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use tpg_graph::Graph;
 use tpg_graph::command::exit_code;
@@ -76,7 +76,7 @@ impl GraphArgs {
 }
 
 impl Cli {
-    /// Reads the command line; `generate` is implied if the first word is not a command.
+    /// Reads the command line; `generate` is implied if the first word names a file. Another word is taken for a misspelt command.
     pub fn from_args(args: impl IntoIterator<Item = OsString>) -> Self {
         let mut args: Vec<OsString> = args.into_iter().collect();
         let command = Self::command();
@@ -84,7 +84,11 @@ impl Cli {
             let names = command.get_subcommands().any(|sub| word.to_str() == Some(sub.get_name()));
             names || ["help", "-h", "--help", "-V", "--version"].iter().any(|&name| word == name)
         };
-        if args.get(1).is_some_and(|word| !known(word)) {
+        let names_a_file = |word: &OsString| {
+            let text = word.to_string_lossy();
+            text.starts_with('-') || text.contains(['.', '/', '\\']) || Path::new(word).exists()
+        };
+        if args.get(1).is_some_and(|word| !known(word) && names_a_file(word)) {
             args.insert(1, "generate".into());
         }
         Self::parse_from(args)

@@ -8,7 +8,7 @@ use crate::options::Language;
 use crate::passes::arithmetic::is_transcendental;
 use crate::passes::cases::{Case, Cases, Function, Kind};
 use crate::passes::functions;
-use crate::passes::schedule::{Bid, Infinite, LazyBid, Plan, Sparing};
+use crate::passes::schedule::{Bid, Infinite, LazyBid, Sparing, TeamSchedule};
 use crate::program::{Program, Shape};
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -219,7 +219,7 @@ fn tabulated(cases: &Cases, team: usize) -> Vec<Step> {
 }
 
 /// The steps of a plan, where some values are computed already.
-fn planned(nodes: &[Node], plan: &Plan, language: Language, computed: BTreeSet<NodeId>) -> Vec<Step> {
+fn planned(nodes: &[Node], plan: &TeamSchedule, language: Language, computed: BTreeSet<NodeId>) -> Vec<Step> {
     // With one way to go, no bid matters.
     if plan.destinations().len() == 1 {
         return Vec::new();

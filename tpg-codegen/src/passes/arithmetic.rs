@@ -9,7 +9,7 @@ use tpg_runtime::scalar::Scalar;
 pub struct Arithmetic {
     /// The type programs compute in.
     pub scalar: ScalarType,
-    /// The provider of sin, cos, ln and exp.
+    /// The provider of sin, cos, tan, ln and exp.
     pub maths: MathsProvider,
 }
 
@@ -35,7 +35,7 @@ impl Arithmetic {
         })
     }
 
-    /// The result of an instruction other than sin, cos, ln and exp.
+    /// The result of an instruction other than sin, cos, tan, ln and exp.
     pub fn exact(self, instruction: Instruction, a: f64, b: f64) -> f64 {
         debug_assert!(!is_transcendental(instruction));
         match self.scalar {
@@ -72,9 +72,9 @@ impl Arithmetic {
     }
 }
 
-/// Sine, cosine, logarithm or exponential: the provider's business, and expensive.
+/// Sine, cosine, tangent, logarithm or exponential: the provider's business, and expensive.
 pub const fn is_transcendental(instruction: Instruction) -> bool {
-    matches!(instruction, Instruction::Cos | Instruction::Sin | Instruction::Ln | Instruction::Exp)
+    matches!(instruction, Instruction::Cos | Instruction::Sin | Instruction::Tan | Instruction::Ln | Instruction::Exp)
 }
 
 fn is_fixed_by_the_standard(instruction: Instruction, a: f64) -> bool {
@@ -107,9 +107,10 @@ mod tests {
     fn what_the_standard_fixes_is_what_the_platform_computes() {
         let specials = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.0, -0.0, 1.0, -1.0, -7.5];
         type Function = fn(f64) -> f64;
-        let functions: [(Instruction, Function); 4] = [
+        let functions: [(Instruction, Function); 5] = [
             (Instruction::Sin, f64::sin),
             (Instruction::Cos, f64::cos),
+            (Instruction::Tan, f64::tan),
             (Instruction::Ln, f64::ln),
             (Instruction::Exp, f64::exp),
         ];
@@ -125,7 +126,7 @@ mod tests {
                 }
             }
         }
-        assert_eq!(folded, 5 * 4 + 3, "five specials for each, and ln of 1, -1 and -7.5");
+        assert_eq!(folded, 5 * 5 + 3, "five specials for each, and ln of 1, -1 and -7.5");
     }
 
     #[test]

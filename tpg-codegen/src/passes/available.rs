@@ -5,7 +5,7 @@
 //! in every predecessor it is available on entry or computed unconditionally. Nothing is available at the root. Teams are
 //! visited in topological order, so one pass suffices.
 
-use super::schedule::{LazyBid, Plan, Schedule, cost};
+use super::schedule::{LazyBid, Schedule, TeamSchedule, cost};
 use crate::ir::{Node, NodeId, Target, needed};
 use std::collections::BTreeSet;
 
@@ -57,7 +57,8 @@ impl Available {
         let worth: Vec<bool> = (0..).map(NodeId).take(nodes.len()).map(|id| is_worth_keeping(nodes, id)).collect();
         entry.iter_mut().for_each(|values| values.retain(|id| worth[id.index()]));
         let read = plans.iter().zip(&entry).map(|(plan, entry)| read(nodes, plan, entry)).collect();
-        let reused = |(plan, entry): (&Plan, &BTreeSet<NodeId>)| possible(nodes, plan).intersection(entry).count();
+        let reused =
+            |(plan, entry): (&TeamSchedule, &BTreeSet<NodeId>)| possible(nodes, plan).intersection(entry).count();
         let saved = plans.iter().zip(&entry).map(reused).sum();
         Self { order, together, entry, read, entries, saved }
     }
@@ -107,7 +108,7 @@ fn is_worth_keeping(nodes: &[Node], id: NodeId) -> bool {
 }
 
 /// The values that a team computes unconditionally, with their operands.
-pub fn unconditional(nodes: &[Node], plan: &Plan) -> BTreeSet<NodeId> {
+pub fn unconditional(nodes: &[Node], plan: &TeamSchedule) -> BTreeSet<NodeId> {
     let outside = |lazy: &LazyBid| lazy.sparing.is_none() && !lazy.before_infinite;
     let bounds =
         plan.lazy.iter().filter(|lazy| outside(lazy)).flat_map(|lazy| lazy.bound.into_iter().chain(lazy.certain));
@@ -122,12 +123,12 @@ pub fn unconditional(nodes: &[Node], plan: &Plan) -> BTreeSet<NodeId> {
 }
 
 /// The values that a team may compute.
-fn possible(nodes: &[Node], plan: &Plan) -> BTreeSet<NodeId> {
+fn possible(nodes: &[Node], plan: &TeamSchedule) -> BTreeSet<NodeId> {
     operations(nodes, values(plan))
 }
 
 /// The available values that a team reads: directly, or as operands of operations that it computes.
-fn read(nodes: &[Node], plan: &Plan, available: &BTreeSet<NodeId>) -> BTreeSet<NodeId> {
+fn read(nodes: &[Node], plan: &TeamSchedule, available: &BTreeSet<NodeId>) -> BTreeSet<NodeId> {
     let missing = |value| needed(nodes, value, |id| !available.contains(&id));
     let operands = |id: NodeId| nodes[id.index()].operands().iter().copied();
     let asked = values(plan).flat_map(|value| missing(value).into_iter().flat_map(operands).chain([value]));
@@ -135,7 +136,7 @@ fn read(nodes: &[Node], plan: &Plan, available: &BTreeSet<NodeId>) -> BTreeSet<N
 }
 
 /// Every value that a team's code mentions. Bids that can win without being computed have functions of their own.
-fn values(plan: &Plan) -> impl Iterator<Item = NodeId> {
+fn values(plan: &TeamSchedule) -> impl Iterator<Item = NodeId> {
     let infinite = plan.infinite.iter().map(|infinite| infinite.argument);
     let always = plan.eager.iter().chain(&plan.eager_before).map(|bid| bid.value);
     let lazy = plan.lazy.iter().flat_map(|LazyBid { bid, sparing, bound, certain, .. }| {
@@ -146,7 +147,7 @@ fn values(plan: &Plan) -> impl Iterator<Item = NodeId> {
 }
 
 /// With one way to go, no bid matters.
-fn has_choice(plan: &Plan) -> bool {
+fn has_choice(plan: &TeamSchedule) -> bool {
     plan.destinations().len() > 1
 }
 
@@ -160,13 +161,13 @@ mod tests {
     use crate::ir::{Node, NodeId, Target, topological};
     use crate::passes::interval::Assumption;
     use crate::passes::optimise;
-    use crate::passes::schedule::{Bid, LazyBid, Plan, Schedule, Sparing, schedule};
+    use crate::passes::schedule::{Bid, LazyBid, Schedule, Sparing, TeamSchedule, schedule};
     use std::collections::BTreeSet;
     use tpg_graph::sample::{self, Shape};
     use tpg_graph::{ActionId, Input};
     use tpg_runtime::ops::Instruction;
 
-    const NONE: Plan = Plan {
+    const NONE: TeamSchedule = TeamSchedule {
         label: 0,
         infinite: None,
         eager: Vec::new(),
@@ -203,10 +204,13 @@ mod tests {
         let bound = Some(NodeId(4));
         let lazy = LazyBid { bid: bid(1, 3), sparing, before_infinite: false, bound, certain: None };
         let [second, third, action] = [Target::Team(1), Target::Team(2), Target::Action(ActionId(0))];
-        let root = Plan { eager: vec![bid(0, 0)], lazy: vec![lazy], targets: vec![second, third], ..NONE };
-        let middle = Plan { eager: vec![bid(0, 5), bid(1, 0)], targets: vec![third, action], ..NONE };
-        let last =
-            Plan { eager: vec![bid(0, 4), bid(1, 5)], targets: vec![action, Target::Action(ActionId(1))], ..NONE };
+        let root = TeamSchedule { eager: vec![bid(0, 0)], lazy: vec![lazy], targets: vec![second, third], ..NONE };
+        let middle = TeamSchedule { eager: vec![bid(0, 5), bid(1, 0)], targets: vec![third, action], ..NONE };
+        let last = TeamSchedule {
+            eager: vec![bid(0, 4), bid(1, 5)],
+            targets: vec![action, Target::Action(ActionId(1))],
+            ..NONE
+        };
         Schedule { nodes: nodes(), plans: vec![root, middle, last], leaves: Vec::new() }
     }
 

@@ -140,7 +140,11 @@ impl<'a> Bounds<'a> {
                     _ => UNKNOWN,
                 }
             }
-            Instruction::NegateIfLess | Instruction::Abs => self.magnitude(a).map_or(UNKNOWN, Bound::Magnitude),
+            Instruction::Tan => UNKNOWN,
+            // Not farther from 0 than the first operand.
+            Instruction::NegateIfLess | Instruction::Abs | Instruction::Fmod | Instruction::Gate => {
+                self.magnitude(a).map_or(UNKNOWN, Bound::Magnitude)
+            }
             Instruction::Cos | Instruction::Sin => Bound::Magnitude(self.values.intern(Node::constant(1.0))),
             Instruction::Ln => {
                 let high = self.of_function(Instruction::Ln, a);

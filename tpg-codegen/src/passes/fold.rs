@@ -87,6 +87,9 @@ pub(super) fn operation(
         return match instruction {
             Instruction::Min | Instruction::Max => b,
             Instruction::NegateIfLess => a,
+            // A gate with a NaN in front of it can still be shut.
+            Instruction::Gate if constants[1].is_some_and(f64::is_nan) => a,
+            Instruction::Gate => values.intern(Node::Operation(instruction, operands)),
             _ => values.intern(Node::constant(f64::NAN)),
         };
     }
@@ -114,6 +117,9 @@ pub(super) fn operation(
                 _ => values.intern(Node::Operation(instruction, operands)),
             }
         }
+        Instruction::Gate if is(constants[0], -0.0) => a,
+        Instruction::Gate if constants[1] == Some(0.0) => values.intern(Node::constant(-0.0)),
+        Instruction::Gate if constants[1].is_some() => a,
         Instruction::Abs if matches!(values.node(a), Node::Operation(Instruction::Abs, _)) => a,
         Instruction::Add | Instruction::Mul => commutative(values, instruction, a, b),
         _ => values.intern(Node::Operation(instruction, operands)),
@@ -253,7 +259,8 @@ mod tests {
                 let nan = values.intern(Node::constant(f64::NAN));
                 let id = operation(&mut values, F64, instruction, if swapped { [nan, x] } else { [x, nan] });
                 let single = instruction.arity() == 1 && !swapped;
-                assert!(single || id == x || id == nan, "{instruction:?}");
+                let may_be_shut = instruction == Instruction::Gate && swapped;
+                assert!(single || may_be_shut || id == x || id == nan, "{instruction:?}");
             }
         }
     }

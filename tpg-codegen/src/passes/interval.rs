@@ -1,7 +1,7 @@
 //! Interval analysis, with NaN.
 //!
 //! Rounding to nearest is monotone, so the ends of a sum, difference, product or quotient are the rounded results on the
-//! ends of its operands, computed in the graph's own scalar type: no widening is needed. Results of sin, cos, ln and exp
+//! ends of its operands, computed in the graph's own scalar type: no widening is needed. Results of sin, cos, tan, ln and exp
 //! depend on the provider; those are widened by more than any provider is off.
 
 use super::arithmetic::Arithmetic;
@@ -131,6 +131,16 @@ pub fn apply(arithmetic: Arithmetic, instruction: Instruction, a: Interval, b: I
             }
         }
         Instruction::Cos | Instruction::Sin => Interval { low: -1.0, high: 1.0, nan: a.nan || a.has_infinity() },
+        Instruction::Tan => Interval { low: -infinite, high: infinite, nan: a.nan || a.has_infinity() },
+        // Not beyond either operand, and with the sign of the first.
+        Instruction::Fmod => {
+            let magnitude = a.magnitude().min(b.magnitude());
+            let low = if a.low < 0.0 { -magnitude } else { 0.0 };
+            let high = if a.high > 0.0 { magnitude } else { 0.0 };
+            Interval { low, high, nan: nan || a.has_infinity() || b.contains_zero() }
+        }
+        Instruction::Gate if !b.contains_zero() => a,
+        Instruction::Gate => Interval { low: a.low.min(0.0), high: a.high.max(0.0), nan: a.nan },
         Instruction::Ln => {
             let low = if a.low > 0.0 { widened_down(arithmetic, a.low.ln()) } else { -infinite };
             let high = if a.high > 0.0 { widened_up(arithmetic, a.high.ln()) } else { -infinite };

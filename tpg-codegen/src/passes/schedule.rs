@@ -56,7 +56,7 @@ pub struct LazyBid {
     pub bid: Bid,
     /// Skips even the bound.
     pub sparing: Option<Sparing>,
-    /// The place is lower than that of [`Plan::infinite`]: it loses to an infinite bid there.
+    /// The place is lower than that of [`TeamSchedule::infinite`]: it loses to an infinite bid there.
     pub before_infinite: bool,
     /// Upper bound: it cannot win if this is below the best bid so far.
     pub bound: Option<NodeId>,
@@ -77,14 +77,14 @@ pub struct Infinite {
 
 /// The evaluation plan of a team.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Plan {
+pub struct TeamSchedule {
     /// The team's id in the source file.
     pub label: u32,
     /// Evaluated first: an infinite bid makes every lower-ranked bid unnecessary. It is one of the lazy bids, too.
     pub infinite: Option<Infinite>,
     /// Bids that are always computed, by place.
     pub eager: Vec<Bid>,
-    /// Bids that are computed unless an infinite one leads, by place: those before [`Plan::infinite`].
+    /// Bids that are computed unless an infinite one leads, by place: those before [`TeamSchedule::infinite`].
     pub eager_before: Vec<Bid>,
     /// The others, in order of evaluation.
     pub lazy: Vec<LazyBid>,
@@ -92,7 +92,7 @@ pub struct Plan {
     pub targets: Vec<Target>,
 }
 
-impl Plan {
+impl TeamSchedule {
     /// The distinct destinations of the edges; the last is the last edge's, which is taken if no bid wins.
     pub fn destinations(&self) -> Vec<Target> {
         let mut destinations = Vec::new();
@@ -123,7 +123,7 @@ pub struct Schedule {
     /// The module's nodes, and bounds after them.
     pub nodes: Vec<Node>,
     /// A plan for each team.
-    pub plans: Vec<Plan>,
+    pub plans: Vec<TeamSchedule>,
     /// The module's leaves.
     pub leaves: Vec<Leaf>,
 }
@@ -144,11 +144,11 @@ pub fn schedule(module: &Module<'_>, recorded: &[f64]) -> Schedule {
     let mut bounds = Bounds::new(arithmetic, &intervals, &cheap, &mut values);
     let expected = interval::analyse(module, Assumption::DeclaredRanges);
     let planner = Planner { module, scalar: module.graph.scalar(), wins, cheap: &cheap, expected: &expected };
-    let mut plans: Vec<Plan> = (0..module.teams.len()).map(|team| planner.plan(team, &mut bounds)).collect();
+    let mut plans: Vec<TeamSchedule> = (0..module.teams.len()).map(|team| planner.plan(team, &mut bounds)).collect();
     let mut nodes = values.into_nodes();
     // Parts of bounds that came to nothing.
     let mut roots = Vec::new();
-    for Plan { infinite, eager, eager_before, lazy, .. } in &mut plans {
+    for TeamSchedule { infinite, eager, eager_before, lazy, .. } in &mut plans {
         roots.extend(infinite.iter_mut().map(|infinite| &mut infinite.argument));
         roots.extend(eager.iter_mut().chain(eager_before).map(|bid| &mut bid.value));
         for LazyBid { bid, sparing, bound, certain, .. } in lazy {
@@ -162,7 +162,7 @@ pub fn schedule(module: &Module<'_>, recorded: &[f64]) -> Schedule {
     Schedule { nodes, plans, leaves }
 }
 
-/// The nodes that need no sine, cosine, logarithm or exponential.
+/// The nodes that need no sine, cosine, tangent, logarithm or exponential.
 fn cheap_nodes(module: &Module<'_>) -> Vec<bool> {
     let mut cheap: Vec<bool> = Vec::with_capacity(module.nodes.len());
     for node in &module.nodes {
@@ -176,11 +176,13 @@ fn cheap_nodes(module: &Module<'_>) -> Vec<bool> {
 pub fn cost(instruction: Instruction) -> u32 {
     match instruction {
         Instruction::Sub | Instruction::Add | Instruction::Mul | Instruction::Abs => 1,
-        Instruction::NegateIfLess | Instruction::Min | Instruction::Max => 2,
+        Instruction::NegateIfLess | Instruction::Min | Instruction::Max | Instruction::Gate => 2,
         Instruction::Div => 4,
+        Instruction::Fmod => 12,
         Instruction::Exp => 20,
         Instruction::Ln => 25,
         Instruction::Cos | Instruction::Sin => 30,
+        Instruction::Tan => 60,
     }
 }
 
@@ -194,7 +196,7 @@ struct Planner<'a> {
 }
 
 impl Planner<'_> {
-    fn plan(&self, number: usize, bounds: &mut Bounds<'_>) -> Plan {
+    fn plan(&self, number: usize, bounds: &mut Bounds<'_>) -> TeamSchedule {
         let team = &self.module.teams[number];
         let value = |place: usize| self.module.bidders[team.edges[place].bidder].value;
         let total = |place: usize| -> u32 {
@@ -235,7 +237,7 @@ impl Planner<'_> {
             })
             .collect();
         let targets = team.edges.iter().map(|edge| edge.to).collect();
-        Plan { label: team.label, infinite, eager, eager_before, lazy, targets }
+        TeamSchedule { label: team.label, infinite, eager, eager_before, lazy, targets }
     }
 
     /// The cheap argument of a logarithm or an exponential.

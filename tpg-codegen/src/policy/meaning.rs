@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 use tpg_graph::error::{InputError, Place};
-use tpg_runtime::net::{Answer, Scaling, Squash, Value, contract};
+use tpg_runtime::net::{OutputKind, Scaling, Squash, Value, contract};
 
 /// An input: the network sees (value − offset)·scale.
 #[derive(Clone, Debug, PartialEq)]
@@ -151,11 +151,11 @@ impl Output {
     }
 
     /// The kind of answer of the packed network.
-    pub(super) fn answer(&self) -> Answer {
+    pub(super) fn answer(&self) -> OutputKind {
         match self {
-            Self::Preferences(preferences) => Answer::Preferences { flags: preferences.flags().unwrap_or(0) },
-            Self::Values(_) => Answer::Values,
-            Self::Argmax(_) => Answer::Argmax,
+            Self::Preferences(preferences) => OutputKind::Preferences { flags: preferences.flags().unwrap_or(0) },
+            Self::Values(_) => OutputKind::Values,
+            Self::Argmax(_) => OutputKind::Argmax,
         }
     }
 

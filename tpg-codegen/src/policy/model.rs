@@ -183,7 +183,7 @@ mod tests {
             let policy = policy(kind);
             let words = to_words(&policy, wide).expect("it packs");
             let model = Model::parse(&words).expect("what was packed");
-            assert_eq!(model.answer(), net::Answer::Preferences { flags: 2 });
+            assert_eq!(model.answer(), net::OutputKind::Preferences { flags: 2 });
             let mut scratch = vec![0; model.scratch()];
             for n in 0..2000 {
                 let features: [i16; FEATURES] =

@@ -76,7 +76,7 @@ impl Report {
     fn costs(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let maths = match self.maths {
             MathsProvider::System => "libm calls",
-            MathsProvider::Own => "sin cos ln exp",
+            MathsProvider::Own => "own maths calls",
         };
         writeln!(f, "\ncost of a decision in C; means over {}", self.states)?;
         writeln!(f, "{:<14}{:>18}{maths:>18}{:>16}{:>14}", "", "operations", "bids", "teams")?;

@@ -22,6 +22,13 @@ static {{ scalar }} {{ prefix }}_max({{ scalar }} a, {{ scalar }} b)
     return (a > b) ? a : b;
 }
 {% endif %}
+{% if uses_gate %}
+/* a where b is not 0, else -0. */
+static {{ scalar }} {{ prefix }}_gate({{ scalar }} a, {{ scalar }} b)
+{
+    return ((b >= {% if f64 %}0.0{% else %}0.0F{% endif %}) && (b <= {% if f64 %}0.0{% else %}0.0F{% endif %})) ? {% if f64 %}-0.0{% else %}-0.0F{% endif %} : a;
+}
+{% endif %}
 {% if clamps %}
 /* An output in its range. */
 static {{ scalar }} {{ prefix }}_clamp({{ scalar }} value, {{ scalar }} low, {{ scalar }} high, {{ scalar }} nan)
@@ -31,6 +38,9 @@ static {{ scalar }} {{ prefix }}_clamp({{ scalar }} value, {{ scalar }} low, {{ 
     return (isnan(value) != 0) ? nan : limited;
 }
 {% endif %}
+{% endif %}
+{% if uses_fmod %}
+{% include "c/fmod.c" %}
 {% endif %}
 {% if let Some(call) = short_ln %}
 /* The platform's logarithm, which takes its time to find that a negative number has none. */

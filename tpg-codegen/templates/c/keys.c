@@ -83,6 +83,16 @@
     return {{ prefix }}_select({{ prefix }}_above(a, b), a, b);
 }
 {% endif %}
+{% if uses_gate %}
+
+/* a where b is not 0, else -0. */
+{{ storage }} {{ scalar }} {{ prefix }}_gate({{ scalar }} a, {{ scalar }} b)
+{
+    {{ key }} bits;
+    (void)memcpy(&bits, &b, sizeof bits);
+    return {{ prefix }}_select({{ prefix }}_opaque(0U - (((bits & ~{{ sign }}) - 1U) >> {{ top }})), {% if f64 %}-0.0{% else %}-0.0F{% endif %}, a);
+}
+{% endif %}
 {% if clamps %}
 
 /* All ones where x has a sign, else 0. */

@@ -1,4 +1,4 @@
-/* sin, cos, ln and exp in float: the same statements, and so the same bits, as tpg-runtime's ops::own::f32, where the
+/* sin, cos, tan, ln and exp in float: the same statements, and so the same bits, as tpg-runtime's ops::own::f32, where the
  * method and the error bounds are described. Needs round to nearest, FLT_EVAL_METHOD 0, and that nothing is fused. */
 
 static uint32_t {{ prefix }}_bits(float x)
@@ -116,6 +116,13 @@ static float {{ prefix }}_sin(float x)
 static float {{ prefix }}_cos(float x)
 {
     return {{ prefix }}_float({{ prefix }}_circle({{ prefix }}_bits(x) & 0x7fffffffU, 0x60000000U));
+}
+{% endif %}
+{% if uses_tan %}
+
+static float {{ prefix }}_tan(float x)
+{
+    return {{ prefix }}_sin(x) / {{ prefix }}_cos(x);
 }
 {% endif %}
 {% if uses_ln %}

@@ -1,4 +1,4 @@
-/* sin, cos, ln and exp in double: the same statements, and so the same bits, as tpg-runtime's ops::own::f64, where the
+/* sin, cos, tan, ln and exp in double: the same statements, and so the same bits, as tpg-runtime's ops::own::f64, where the
  * method and the error bounds are described. Needs round to nearest, FLT_EVAL_METHOD 0 or 1, and that nothing is fused. */
 
 static uint64_t {{ prefix }}_bits(double x)
@@ -158,6 +158,13 @@ static double {{ prefix }}_cos(double x)
 {
     const uint64_t sign = (uint64_t)1U << 63;
     return {{ prefix }}_double({{ prefix }}_circle({{ prefix }}_bits(x) & (sign - 1U), (sign >> 1) | (sign >> 2)));
+}
+{% endif %}
+{% if uses_tan %}
+
+static double {{ prefix }}_tan(double x)
+{
+    return {{ prefix }}_sin(x) / {{ prefix }}_cos(x);
 }
 {% endif %}
 {% if uses_ln %}

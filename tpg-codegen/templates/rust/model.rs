@@ -13,7 +13,7 @@
 //! - {{ output }}
 {%- endfor %}
 
-use tpg_runtime::net::{Answer, Kind, LayerRows, Meaning, Rescale, {% if scaled %}Scaling, {% endif %}{% if values.len() > 0 %}Squash, Value, {% endif %}Weights, pack};
+use tpg_runtime::net::{Kind, LayerRows, Meaning, OutputKind, Rescale, {% if scaled %}Scaling, {% endif %}{% if values.len() > 0 %}Squash, Value, {% endif %}Weights, pack};
 
 /// Everything about the network but its layers.
 #[rustfmt::skip]
@@ -26,7 +26,7 @@ pub const MEANING: Meaning<'static> = Meaning {
 {%- endfor %}
 {%- endif %}
     ],
-    answer: Answer::{{ answer }},
+    answer: OutputKind::{{ answer }},
     values: &[
 {%- for value in values %}
         {{ value }},

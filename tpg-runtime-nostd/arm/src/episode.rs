@@ -13,7 +13,7 @@ use tpg_runtime::policy::Policy;
 
 /// A task for the arm.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Problem<S> {
+pub struct ReachTask<S> {
     /// The pose in which the arm starts.
     pub start: Pose,
     /// The place where the hand's tip shall go, mm.
@@ -56,13 +56,13 @@ pub struct Summary<S> {
 #[derive(Clone, Debug)]
 pub(crate) struct Course<'a, S> {
     arm: &'a Arm<S>,
-    problem: Problem<S>,
+    problem: ReachTask<S>,
     observation: Observation<S>,
     actions: u32,
 }
 
 impl<'a, S: Lattice> Course<'a, S> {
-    pub(crate) fn new(arm: &'a Arm<S>, problem: Problem<S>) -> Self {
+    pub(crate) fn new(arm: &'a Arm<S>, problem: ReachTask<S>) -> Self {
         let observation = Observation::at(arm, problem.start, problem.target);
         Self { arm, problem, observation, actions: 0 }
     }
@@ -104,7 +104,7 @@ pub struct Episode<'a, S, D> {
 
 impl<'a, S: Lattice, D: CycleDetector<Pose>> Episode<'a, S, D> {
     /// Puts the arm at the problem's start.
-    pub fn new(arm: &'a Arm<S>, problem: Problem<S>, mut detector: D) -> Self {
+    pub fn new(arm: &'a Arm<S>, problem: ReachTask<S>, mut detector: D) -> Self {
         detector.reset(problem.start);
         Self { course: Course::new(arm, problem), detector }
     }

@@ -2,7 +2,7 @@
 //!
 //! ```
 //! use tpg_arm::cycle::Brent;
-//! use tpg_arm::episode::{Episode, Outcome, Problem};
+//! use tpg_arm::episode::{Episode, Outcome, ReachTask};
 //! use tpg_arm::observation::Observation;
 //! use tpg_arm::{Joint, Move, WIDOWX};
 //! use tpg_runtime::policy::Policy;
@@ -19,7 +19,7 @@
 //!     }
 //! }
 //!
-//! let problem = Problem { start: WIDOWX.home, target: [-250.0, 239.2, 267.0], tolerance: 3.0, max_actions: 1707 };
+//! let problem = ReachTask { start: WIDOWX.home, target: [-250.0, 239.2, 267.0], tolerance: 3.0, max_actions: 1707 };
 //! let summary = Episode::new(&WIDOWX, problem, Brent::new()).run(&TurnBase, |_pose| ());
 //! assert_eq!(summary.outcome, Outcome::Reached);
 //! ```

@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use std::cell::Cell;
 use tpg_arm::cycle::{Brent, CycleDetector, Visited};
-use tpg_arm::episode::{Episode, Outcome, Problem, Summary};
+use tpg_arm::episode::{Episode, Outcome, ReachTask, Summary};
 use tpg_arm::kinematics;
 use tpg_arm::observation::Observation;
 use tpg_arm::{Collision, Invalid, JOINTS, Joint, Move, Pose, WIDOWX};
@@ -26,7 +26,7 @@ impl Policy for Script<'_> {
 }
 
 const FAR: [f64; 3] = [0.0, 0.0, 1000.0];
-const PROBLEM: Problem<f64> = Problem { start: WIDOWX.home, target: FAR, tolerance: 3.0, max_actions: 1707 };
+const PROBLEM: ReachTask<f64> = ReachTask { start: WIDOWX.home, target: FAR, tolerance: 3.0, max_actions: 1707 };
 
 fn forwards(joint: u8) -> Move {
     Move::single(Joint(joint), 3)
@@ -36,7 +36,7 @@ fn backwards(joint: u8) -> Move {
     Move::single(Joint(joint), -3)
 }
 
-fn run_with(detector: impl CycleDetector<Pose>, problem: Problem<f64>, moves: &[Move]) -> (Summary<f64>, Vec<Pose>) {
+fn run_with(detector: impl CycleDetector<Pose>, problem: ReachTask<f64>, moves: &[Move]) -> (Summary<f64>, Vec<Pose>) {
     let mut poses = Vec::new();
     let script = Script { moves, next: Cell::new(0) };
     let summary = Episode::new(&WIDOWX, problem, detector).run(&script, |pose| poses.push(pose));
@@ -45,7 +45,7 @@ fn run_with(detector: impl CycleDetector<Pose>, problem: Problem<f64>, moves: &[
     (summary, poses)
 }
 
-fn run(problem: Problem<f64>, moves: &[Move]) -> Summary<f64> {
+fn run(problem: ReachTask<f64>, moves: &[Move]) -> Summary<f64> {
     run_with(Visited::<2048>::new(), problem, moves).0
 }
 
@@ -59,7 +59,7 @@ fn hand_after(moves: &[Move]) -> [f64; 3] {
 fn reached() {
     let moves = [forwards(0); 100];
     let target = hand_after(&moves);
-    let summary = run(Problem { target, ..PROBLEM }, &moves);
+    let summary = run(ReachTask { target, ..PROBLEM }, &moves);
     // A step is 1.6 mm, so the hand is nearer than 3 mm one step early.
     assert_eq!((summary.outcome, summary.actions), (Outcome::Reached, 99));
     assert!(summary.distance < 3.0);
@@ -71,10 +71,10 @@ fn the_tolerance_is_strict() {
     let distance = kinematics::distance(target, hand_after(&[forwards(0), forwards(1)]));
     let moves = [forwards(0), forwards(1)];
     let away =
-        Problem { tolerance: distance, target: hand_after(&moves), start: hand_start(&[forwards(0)]), ..PROBLEM };
+        ReachTask { tolerance: distance, target: hand_after(&moves), start: hand_start(&[forwards(0)]), ..PROBLEM };
     // Stopping exactly at the tolerance is not enough; a little more tolerance is.
     assert_eq!(run(away, &[]).outcome, Outcome::Stop);
-    assert_eq!(run(Problem { tolerance: distance.next_up(), ..away }, &[]).outcome, Outcome::Reached);
+    assert_eq!(run(ReachTask { tolerance: distance.next_up(), ..away }, &[]).outcome, Outcome::Reached);
 }
 
 fn hand_start(moves: &[Move]) -> Pose {
@@ -96,7 +96,7 @@ fn collisions_of_every_kind() {
     let coarse = || (1025..=3071_i16).step_by(127);
     for (shoulder, elbow) in coarse().flat_map(|shoulder| coarse().map(move |elbow| (shoulder, elbow))) {
         for wanted in [forwards(1), backwards(1), forwards(2), backwards(2), forwards(3), backwards(3)] {
-            let problem = Problem { start: Pose([2048, shoulder, elbow, 2048]), ..PROBLEM };
+            let problem = ReachTask { start: Pose([2048, shoulder, elbow, 2048]), ..PROBLEM };
             if let Outcome::Invalid(Invalid::Collision(collision)) = run(problem, &[wanted; 1000]).outcome {
                 found.insert(collision);
             }
@@ -129,7 +129,7 @@ fn cycle_found_by_brent() {
 
 #[test]
 fn timeout() {
-    let summary = run(Problem { max_actions: 5, ..PROBLEM }, &[forwards(0); 10]);
+    let summary = run(ReachTask { max_actions: 5, ..PROBLEM }, &[forwards(0); 10]);
     assert_eq!((summary.outcome, summary.actions), (Outcome::Timeout, 5));
 }
 
@@ -140,28 +140,28 @@ fn invalid_comes_before_everything() {
     // At the limit, at the target, and at the action limit: refused all the same.
     let start = Pose([4094, 2048, 2048, 2048]);
     let target = kinematics::hand(&WIDOWX, start);
-    let problem = Problem { start, target, max_actions: 1, ..PROBLEM };
+    let problem = ReachTask { start, target, max_actions: 1, ..PROBLEM };
     assert_eq!(run(problem, &[forwards(0)]).outcome, Outcome::Invalid(Invalid::JointLimit(Joint(0))));
 }
 
 #[test]
 fn reached_comes_before_stop_cycle_and_timeout() {
-    let at_home = Problem { target: kinematics::hand(&WIDOWX, WIDOWX.home), max_actions: 1, ..PROBLEM };
+    let at_home = ReachTask { target: kinematics::hand(&WIDOWX, WIDOWX.home), max_actions: 1, ..PROBLEM };
     assert_eq!(run(at_home, &[Move::STOP]).outcome, Outcome::Reached);
     // Far away after the first action, back at the start with the second: a repeat and the last action.
-    let leap = Problem { max_actions: 2, ..at_home };
+    let leap = ReachTask { max_actions: 2, ..at_home };
     assert_eq!(run(leap, &[Move([120, 0, 0, 0]), Move([-120, 0, 0, 0])]).outcome, Outcome::Reached);
 }
 
 #[test]
 fn stop_comes_before_cycle_and_timeout() {
     // Not moving repeats the pose, too, and is the last action.
-    assert_eq!(run(Problem { max_actions: 1, ..PROBLEM }, &[Move::STOP]).outcome, Outcome::Stop);
+    assert_eq!(run(ReachTask { max_actions: 1, ..PROBLEM }, &[Move::STOP]).outcome, Outcome::Stop);
 }
 
 #[test]
 fn cycle_comes_before_timeout() {
-    let problem = Problem { max_actions: 2, ..PROBLEM };
+    let problem = ReachTask { max_actions: 2, ..PROBLEM };
     assert_eq!(run(problem, &[forwards(0), backwards(0)]).outcome, Outcome::Cycle);
 }
 
@@ -174,7 +174,7 @@ proptest! {
         max_actions in 1..50_u32,
     ) {
         let moves: Vec<Move> = moves.into_iter().map(Move).collect();
-        let problem = Problem { start: Pose(start), target, tolerance: 3.0, max_actions };
+        let problem = ReachTask { start: Pose(start), target, tolerance: 3.0, max_actions };
         let (exact, poses) = run_with(Visited::<64>::new(), problem, &moves);
         prop_assert!(exact.actions <= max_actions);
         let (brent, later) = run_with(Brent::new(), problem, &moves);

@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use std::cell::Cell;
 use tpg_arm::cycle::{Brent, CycleDetector, Visited};
-use tpg_arm::episode::{Episode, Outcome, Problem};
+use tpg_arm::episode::{Episode, Outcome, ReachTask};
 use tpg_arm::hybrid::{Cause, Chosen, Driver, Guard, Hybrid, HybridEpisode, HybridSummary, NEVER, Settings, Switch};
 use tpg_arm::kinematics;
 use tpg_arm::observation::Observation;
@@ -55,7 +55,7 @@ impl Policy for Scrambled {
 }
 
 const FAR: [f64; 3] = [0.0, 0.0, 1000.0];
-const PROBLEM: Problem<f64> = Problem { start: WIDOWX.home, target: FAR, tolerance: 3.0, max_actions: 1707 };
+const PROBLEM: ReachTask<f64> = ReachTask { start: WIDOWX.home, target: FAR, tolerance: 3.0, max_actions: 1707 };
 const PAPER: Settings<f64> = Settings { hand_back_after: 3, separation: 20.0, guard: Guard::None };
 
 fn forwards(joint: u8) -> Move {
@@ -67,7 +67,7 @@ fn backwards(joint: u8) -> Move {
 }
 
 /// An episode of two scripts: how it ended, and who acted ('t' or 's') in order.
-fn run(settings: Settings<f64>, problem: Problem<f64>, tpg: &[Move], sac: &[Move]) -> (HybridSummary<f64>, String) {
+fn run(settings: Settings<f64>, problem: ReachTask<f64>, tpg: &[Move], sac: &[Move]) -> (HybridSummary<f64>, String) {
     let hybrid = Hybrid { arm: &WIDOWX, tpg: Script::new(tpg), sac: Script::new(sac), settings };
     let mut drivers = String::new();
     let summary = HybridEpisode::new(&hybrid, problem, Visited::<4096>::new())
@@ -82,7 +82,7 @@ fn run(settings: Settings<f64>, problem: Problem<f64>, tpg: &[Move], sac: &[Move
 fn a_stop_hands_over_and_the_network_hands_back() {
     let tpg = [forwards(0), Move::STOP, forwards(0), Move::STOP];
     let sac = [forwards(1), backwards(1), forwards(2), forwards(2), backwards(2), forwards(2)];
-    let (summary, drivers) = run(PAPER, Problem { max_actions: 10, ..PROBLEM }, &tpg, &sac);
+    let (summary, drivers) = run(PAPER, ReachTask { max_actions: 10, ..PROBLEM }, &tpg, &sac);
     assert_eq!(drivers, "ttsssttsss");
     assert_eq!(summary.summary.outcome, Outcome::Timeout);
     assert_eq!((summary.counts.hand_overs, summary.counts.hand_backs), ([0, 0, 2, 0], 2));
@@ -93,7 +93,7 @@ fn a_repeated_pose_hands_over_at_once_and_the_memory_is_kept() {
     // Forwards, back to the start: known. After the network's turn the first pose of all is known still.
     let tpg = [forwards(0), backwards(0), forwards(0), forwards(0)];
     let sac = [forwards(1), backwards(1), Move::STOP, forwards(1), forwards(1), forwards(1)];
-    let (summary, drivers) = run(PAPER, Problem { max_actions: 9, ..PROBLEM }, &tpg, &sac);
+    let (summary, drivers) = run(PAPER, ReachTask { max_actions: 9, ..PROBLEM }, &tpg, &sac);
     assert_eq!(drivers, "ttssstsss");
     assert_eq!(summary.counts.hand_overs, [0, 0, 0, 2]);
 }
@@ -108,12 +108,12 @@ fn drift_is_measured_from_the_best_distance_and_comes_before_a_cycle() {
         kinematics::distance(FAR, kinematics::hand(&WIDOWX, pose))
     };
     let expected = (1..100).find(|&steps| away(steps) > away(0) + 5.0).expect("it drifts");
-    let (summary, drivers) = run(settings, Problem { max_actions: 40, ..PROBLEM }, &tpg, &[forwards(2); 100]);
+    let (summary, drivers) = run(settings, ReachTask { max_actions: 40, ..PROBLEM }, &tpg, &[forwards(2); 100]);
     assert_eq!(drivers.find('s'), Some(expected));
     assert_eq!(&drivers[expected..expected + 3], "sst", "the best distance starts anew after the network's turn");
     assert!(summary.counts.hand_overs[Cause::Drift as usize] >= 1);
     let never = Settings { separation: f64::INFINITY, ..settings };
-    assert!(!run(never, Problem { max_actions: 40, ..PROBLEM }, &tpg, &[]).1.contains('s'));
+    assert!(!run(never, ReachTask { max_actions: 40, ..PROBLEM }, &tpg, &[]).1.contains('s'));
 
     // Drifting onto a known pose counts as drift.
     let mut switch = Switch::new(settings, Visited::<16>::new(), &Observation::at(&WIDOWX, WIDOWX.home, FAR));
@@ -137,7 +137,7 @@ fn guards_hand_over_instead_of_doing_it() {
     let end = |guard, joint, max_actions| {
         let settings = Settings { guard, separation: f64::INFINITY, ..PAPER };
         let tpg = [forwards(joint); 700];
-        let (summary, drivers) = run(settings, Problem { max_actions, ..PROBLEM }, &tpg, &[forwards(2)]);
+        let (summary, drivers) = run(settings, ReachTask { max_actions, ..PROBLEM }, &tpg, &[forwards(2)]);
         (summary.summary.outcome, summary.counts.hand_overs[Cause::Guard as usize], drivers)
     };
     // 682 steps of the base, and the next is refused.
@@ -157,7 +157,7 @@ fn guards_hand_over_instead_of_doing_it() {
 fn the_network_holds_joints_rather_than_collide() {
     let end = |guard, sac: Move| {
         let settings = Settings { guard, separation: f64::INFINITY, hand_back_after: NEVER };
-        run(settings, Problem { max_actions: 600, ..PROBLEM }, &[], &[sac; 600]).0.summary
+        run(settings, ReachTask { max_actions: 600, ..PROBLEM }, &[], &[sac; 600]).0.summary
     };
     let (lean, lean_and_turn) = (forwards(1), Move([3, 3, 0, 0]));
     assert!(matches!(end(Guard::Collisions, lean_and_turn).outcome, Outcome::Invalid(Invalid::Collision(_))));
@@ -183,7 +183,7 @@ fn for_good_ends_where_the_network_cycles() {
 fn reaching_the_target_ends_it() {
     let moves = [forwards(0); 100];
     let pose = moves.iter().fold(WIDOWX.home, |pose, &wanted| WIDOWX.step(pose, wanted).pose);
-    let problem = Problem { target: kinematics::hand(&WIDOWX, pose), ..PROBLEM };
+    let problem = ReachTask { target: kinematics::hand(&WIDOWX, pose), ..PROBLEM };
     let (summary, drivers) = run(PAPER, problem, &moves, &[]);
     assert_eq!((summary.summary.outcome, drivers.len()), (Outcome::Reached, 99));
     let (summary, _) = run(Settings { hand_back_after: NEVER, ..PAPER }, problem, &[], &moves);
@@ -229,9 +229,9 @@ proptest! {
         let hybrid = Hybrid {
             arm: &WIDOWX, tpg: Scrambled { seed, step: 3 }, sac: Scrambled { seed: !seed, step: 2 }, settings
         };
-        let problem = Problem { max_actions: 300, ..PROBLEM };
+        let problem = ReachTask { max_actions: 300, ..PROBLEM };
         fn first<D: CycleDetector<Pose>>(
-            hybrid: &Hybrid<'_, f64, Scrambled, Scrambled>, problem: Problem<f64>, detector: D
+            hybrid: &Hybrid<'_, f64, Scrambled, Scrambled>, problem: ReachTask<f64>, detector: D
         ) -> (HybridSummary<f64>, u32) {
             let (mut acted, mut first) = (0, u32::MAX);
             let summary = HybridEpisode::new(hybrid, problem, detector).run(|driver, _| {

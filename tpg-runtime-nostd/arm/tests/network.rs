@@ -5,7 +5,7 @@ use tpg_arm::sac::fixed::{FixedDecision, FixedPolicy, Network, quantise};
 use tpg_arm::sac::packed::{Model, PackedPolicy};
 use tpg_arm::sac::{Actions, FEATURES, Mask, features};
 use tpg_arm::{Arm, Pose, WIDOWX, frame::Frame};
-use tpg_runtime::net::{self, Answer, Layer, Meaning, ModelError, Rescale};
+use tpg_runtime::net::{self, Layer, Meaning, ModelError, OutputKind, Rescale};
 use tpg_runtime::policy::Policy as _;
 use tpg_testing::numbers::Numbers;
 
@@ -56,7 +56,7 @@ fn every_decision_survives_as_flags() {
         for mask in [Mask::None, Mask::JointLimits] {
             for may_rest in [false, true] {
                 let decision = FixedDecision::new(actions, mask, may_rest);
-                let Answer::Preferences { flags } = decision.meaning().answer else { panic!("preferences") };
+                let OutputKind::Preferences { flags } = decision.meaning().answer else { panic!("preferences") };
                 assert_eq!(FixedDecision::from_flags(flags), decision);
             }
         }
@@ -78,7 +78,7 @@ fn networks_of_other_problems_are_refused() {
     for (meaning, good) in [
         (arms, true),
         (Meaning { contract: arms.contract ^ 1, ..arms }, false),
-        (Meaning { answer: Answer::Argmax, ..arms }, false),
+        (Meaning { answer: OutputKind::Argmax, ..arms }, false),
     ] {
         let mut words = vec![0; net::words(&[(FEATURES, 4, net::Kind::W8A16)], &meaning)];
         assert!(net::pack(&[rows], &meaning, &mut words));

@@ -5,7 +5,7 @@ use crate::code::{self, Refusal, TPG_BAD_SENSOR, TPG_BAD_TARGET, TPG_STATE};
 use crate::memory::{self, Opaque};
 use crate::observation::tpg_observation_t;
 use tpg_arm::cycle::Brent;
-use tpg_arm::episode::{Episode, Outcome, Problem};
+use tpg_arm::episode::{Episode, Outcome, ReachTask};
 use tpg_arm::sensors::Limits;
 use tpg_arm::{Move, Pose};
 
@@ -38,7 +38,7 @@ pub struct tpg_problem_t {
 
 impl tpg_problem_t {
     /// The problem, if an arm of these limits can be at its start and reach its target.
-    pub(crate) fn get(&self, limits: &Limits<f32>) -> Result<Problem<f32>, Refusal> {
+    pub(crate) fn get(&self, limits: &Limits<f32>) -> Result<ReachTask<f32>, Refusal> {
         let Self { start, target, tolerance, max_actions } = *self;
         let start = Pose(start.ticks);
         if !limits.reaches(&target) {
@@ -46,7 +46,7 @@ impl tpg_problem_t {
         } else if !limits.hold(start) {
             Err(Refusal(TPG_BAD_SENSOR))
         } else {
-            Ok(Problem { start, target, tolerance, max_actions })
+            Ok(ReachTask { start, target, tolerance, max_actions })
         }
     }
 }

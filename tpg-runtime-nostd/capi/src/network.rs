@@ -5,7 +5,7 @@ use crate::code::{
     TPG_MODEL_VERSION,
 };
 use crate::memory::{self, Opaque};
-use tpg_runtime::net::{Answer, Model, ModelError};
+use tpg_runtime::net::{Model, ModelError, OutputKind};
 
 /// Words of a tpg_network_t.
 pub const TPG_NETWORK_WORDS: usize = 26;
@@ -95,7 +95,7 @@ pub unsafe extern "C" fn tpg_network_values(
     };
     code::of(model.and_then(|model| {
         let (state, scratch, values) = (state?, scratch?, values?);
-        if model.answer() != Answer::Values {
+        if model.answer() != OutputKind::Values {
             return Err(Refusal(TPG_ARGUMENT));
         }
         if model.values(state, scratch, values) { Ok(()) } else { Err(Refusal(TPG_LENGTH)) }
@@ -125,7 +125,7 @@ pub unsafe extern "C" fn tpg_network_choose(
     };
     let chosen = model.and_then(|model| {
         let (state, scratch) = (state?, scratch?);
-        if model.answer() != Answer::Argmax {
+        if model.answer() != OutputKind::Argmax {
             return Err(Refusal(TPG_ARGUMENT));
         }
         model.choose(state, scratch).ok_or(Refusal(TPG_LENGTH))

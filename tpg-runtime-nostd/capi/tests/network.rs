@@ -7,7 +7,7 @@ use std::process::Command;
 use tempfile::TempDir;
 use tpg_codegen::emit::Prefix;
 use tpg_codegen::policy::{FloatLayer, FloatNetwork, FloatOutput, FloatValue, Input, to_c, to_words};
-use tpg_runtime::net::{Answer, Kind, Model, Squash};
+use tpg_runtime::net::{Kind, Model, OutputKind, Squash};
 use tpg_testing::library::{self, Missing};
 use tpg_testing::numbers::Numbers;
 
@@ -48,7 +48,7 @@ fn by_rust(words: &[u32], states: &[Vec<f32>]) -> String {
     let (mut scratch, mut values) = (vec![0; model.scratch()], vec![0.0f32; model.outputs()]);
     let mut lines = String::new();
     for state in states {
-        if model.answer() == Answer::Argmax {
+        if model.answer() == OutputKind::Argmax {
             let _ = writeln!(lines, "{}", model.choose(state, &mut scratch).expect("an action"));
         } else {
             assert!(model.values(state, &mut scratch, &mut values));

@@ -16,7 +16,7 @@ pub struct Scaling {
 
 /// The kind of answer that outputs are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Answer {
+pub enum OutputKind {
     /// Preferences in multiples of 1/2048, with flags. What both mean is the problem's: thresholds of a move, say.
     Preferences {
         /// The problem's.
@@ -97,8 +97,8 @@ pub struct Meaning<'a> {
     /// The inputs' scales; none where the caller gives inputs in multiples of 1/4096, or values that are so scaled.
     pub inputs: &'a [Scaling],
     /// The kind of answer.
-    pub answer: Answer,
-    /// The values that outputs become; none but for [`Answer::Values`].
+    pub answer: OutputKind,
+    /// The values that outputs become; none but for [`OutputKind::Values`].
     pub values: &'a [Value],
 }
 

@@ -19,13 +19,13 @@
 //! | an output that becomes a value | 2^−exponent, then a fraction of half its range in 1/16384 ([`Value`]) |
 //!
 //! ```
-//! use tpg_runtime::net::{Answer, Kind, LayerRows, Meaning, Model, Rescale, Scaling, Squash, Value, Weights, pack, words};
+//! use tpg_runtime::net::{Kind, LayerRows, Meaning, Model, OutputKind, Rescale, Scaling, Squash, Value, Weights, pack, words};
 //!
 //! // A torque from an angle in degrees: −2·tanh(angle/90°), in one layer without hidden ones.
 //! const TORQUE: Meaning<'static> = Meaning {
 //!     contract: 0,
 //!     inputs: &[Scaling { offset: 0.0, scale: 1.0 / 90.0 }],
-//!     answer: Answer::Values,
+//!     answer: OutputKind::Values,
 //!     values: &[Value { min: -2.0, max: 2.0, squash: Squash::Tanh, exponent: 11 }],
 //! };
 //! const SIZES: [(usize, usize, Kind); 1] = [(1, 1, Kind::W8A16)];
@@ -56,7 +56,7 @@ mod tanh;
 pub use crc::of_names as contract;
 pub use input::{INPUT_ONE, integer};
 pub use layer::{HIDDEN, LAST, Layer, PREFERENCE_ONE, Rescale, accumulate, worst_accumulator};
-pub use meaning::{Answer, FRACTION_ONE, Meaning, Scaling, Squash, Value};
+pub use meaning::{FRACTION_ONE, Meaning, OutputKind, Scaling, Squash, Value};
 pub use model::{Model, ModelError};
 pub use pack::{LAYERS, LayerRows, MAGIC, VERSION, WIDTH, Weights, pack, words};
 pub use tpg_kernels::{Kind, ROWS};

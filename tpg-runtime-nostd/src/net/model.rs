@@ -1,6 +1,6 @@
 //! A network as it lies in flash: checked once, then asked.
 
-use super::meaning::{Answer, Scaling, Squash, Value};
+use super::meaning::{OutputKind, Scaling, Squash, Value};
 use super::pack::{ANSWER_ARGMAX, ANSWER_PREFERENCES, ANSWER_VALUES, HEADER, LAYERS, MAGIC, SCALED, VERSION, WIDTH};
 use super::{LAST, crc, integer};
 use tpg_kernels::{COLUMNS, Form, Kind, ROWS};
@@ -54,7 +54,7 @@ pub struct Model<'a> {
     outputs: usize,
     width: usize,
     contract: u32,
-    answer: Answer,
+    answer: OutputKind,
     scales: &'a [[u32; 2]],
     values: &'a [[u32; 3]],
 }
@@ -88,9 +88,9 @@ impl<'a> Model<'a> {
             return Err(ModelError::Checksum);
         }
         let answer = match answer {
-            ANSWER_PREFERENCES => Answer::Preferences { flags },
-            ANSWER_VALUES => Answer::Values,
-            ANSWER_ARGMAX => Answer::Argmax,
+            ANSWER_PREFERENCES => OutputKind::Preferences { flags },
+            ANSWER_VALUES => OutputKind::Values,
+            ANSWER_ARGMAX => OutputKind::Argmax,
             _ => return Err(ModelError::Meaning),
         };
         let heads = words.get(HEADER..).unwrap_or(&[]);
@@ -120,7 +120,7 @@ impl<'a> Model<'a> {
     /// Reads scales and values; the words behind them.
     fn read_meaning(&mut self, words: &'a [u32], scaled: bool) -> Result<&'a [u32], ModelError> {
         let scales = if scaled { self.inputs } else { 0 };
-        let values = if self.answer == Answer::Values { self.outputs } else { 0 };
+        let values = if self.answer == OutputKind::Values { self.outputs } else { 0 };
         let (scales, words) = words.split_at_checked(2 * scales).ok_or(ModelError::Meaning)?;
         let (values, words) = words.split_at_checked(3 * values).ok_or(ModelError::Meaning)?;
         (self.scales, self.values) = (scales.as_chunks().0, values.as_chunks().0);
@@ -171,7 +171,7 @@ impl<'a> Model<'a> {
     }
 
     /// The kind of answer.
-    pub fn answer(&self) -> Answer {
+    pub fn answer(&self) -> OutputKind {
         self.answer
     }
 
@@ -233,7 +233,7 @@ impl<'a> Model<'a> {
     ///
     /// They are not where the model does not answer with values, or `state`, `values` or `scratch` are too short.
     pub fn values(&self, state: &[f32], scratch: &mut [u32], values: &mut [f32]) -> bool {
-        if self.answer != Answer::Values || values.len() < self.outputs {
+        if self.answer != OutputKind::Values || values.len() < self.outputs {
             return false;
         }
         self.ask(state, scratch, |output, number| {
@@ -247,7 +247,7 @@ impl<'a> Model<'a> {
     ///
     /// `None` where that is not the model's kind of answer, or `state` or `scratch` are too short.
     pub fn choose(&self, state: &[f32], scratch: &mut [u32]) -> Option<u16> {
-        if self.answer != Answer::Argmax {
+        if self.answer != OutputKind::Argmax {
             return None;
         }
         let mut best = (0, i32::MIN);

@@ -15,7 +15,7 @@
 //! Multipliers are the factors shifted so that every shift is 32 ([`Rescale::multiplier`]), so that a packed network answers
 //! bit for bit as its layers do.
 
-use super::meaning::{Answer, Meaning, Squash};
+use super::meaning::{Meaning, OutputKind, Squash};
 use super::model::columns;
 use super::{Rescale, crc};
 use tpg_kernels::{Kind, ROWS};
@@ -191,9 +191,9 @@ pub const fn pack(layers: &[LayerRows<'_>], meaning: &Meaning<'_>, words: &mut [
         return false;
     }
     let (answer, flags) = match meaning.answer {
-        Answer::Preferences { flags } => (ANSWER_PREFERENCES, flags),
-        Answer::Values => (ANSWER_VALUES, 0),
-        Answer::Argmax => (ANSWER_ARGMAX, 0),
+        OutputKind::Preferences { flags } => (ANSWER_PREFERENCES, flags),
+        OutputKind::Values => (ANSWER_VALUES, 0),
+        OutputKind::Argmax => (ANSWER_ARGMAX, 0),
     };
     let scaled = if meaning.inputs.is_empty() { 0 } else { SCALED };
     words[0] = MAGIC;
@@ -213,7 +213,7 @@ const fn pack_meaning(
 ) -> Option<usize> {
     let Meaning { inputs, values, answer, .. } = *meaning;
     let outputs = layers[layers.len() - 1].bias.len();
-    let wanted = if matches!(answer, Answer::Values) { outputs } else { 0 };
+    let wanted = if matches!(answer, OutputKind::Values) { outputs } else { 0 };
     let fits = at + 2 * inputs.len() + 3 * values.len() <= words.len();
     if !fits || values.len() != wanted || !(inputs.is_empty() || inputs.len() == layers[0].inputs) {
         return None;

@@ -58,7 +58,7 @@ impl Random {
 }
 
 const PREFERENCES: Meaning<'static> =
-    Meaning { contract: 0xfeed, inputs: &[], answer: Answer::Preferences { flags: 5 }, values: &[] };
+    Meaning { contract: 0xfeed, inputs: &[], answer: OutputKind::Preferences { flags: 5 }, values: &[] };
 
 fn packed_as(layers: &[Random], meaning: &Meaning<'_>) -> Vec<u32> {
     let sizes: Vec<_> = layers.iter().map(|layer| (layer.inputs, layer.bias.len(), layer.kind)).collect();
@@ -151,7 +151,7 @@ proptest! {
         };
         let expected = by_definition(&layers, &inputs);
 
-        let words = packed_as(&layers, &Meaning { contract: 1, inputs: &scales, answer: Answer::Values, values: &values });
+        let words = packed_as(&layers, &Meaning { contract: 1, inputs: &scales, answer: OutputKind::Values, values: &values });
         let model = Model::parse(&words).expect("what was packed");
         let mut scratch = vec![0; model.scratch()];
         let mut found = vec![0.0; outputs];
@@ -161,7 +161,7 @@ proptest! {
         prop_assert_eq!(model.choose(&state, &mut scratch), None);
         prop_assert!(!model.values(&state[1..], &mut scratch, &mut vec![0.0; outputs]));
 
-        let words = packed_as(&layers, &Meaning { contract: 1, inputs: &scales, answer: Answer::Argmax, values: &[] });
+        let words = packed_as(&layers, &Meaning { contract: 1, inputs: &scales, answer: OutputKind::Argmax, values: &[] });
         let model = Model::parse(&words).expect("what was packed");
         let greatest = expected.iter().max().and_then(|most| expected.iter().position(|output| output == most));
         prop_assert_eq!(model.choose(&state, &mut scratch).map(usize::from), greatest);
@@ -258,7 +258,7 @@ fn a_network_that_does_not_fit_is_not_packed() {
     layer.rescale[1].shift = 12;
     assert!(!pack(&[layer.rows()], &PREFERENCES, &mut words), "no multiplier");
     layer.rescale[1].shift = 22;
-    let values = Meaning { answer: Answer::Values, ..PREFERENCES };
+    let values = Meaning { answer: OutputKind::Values, ..PREFERENCES };
     assert!(!pack(&[layer.rows()], &values, &mut words), "values without ranges");
     let scale = [Scaling { offset: 0.0, scale: f32::INFINITY }; 38];
     let scaled = Meaning { inputs: &scale, ..PREFERENCES };

@@ -5,7 +5,7 @@
 //!
 //! The functions are those of [`ops`](super) for every operand, NaN and infinities too.
 
-use super::own;
+use super::{own, remainder};
 use core::hint::black_box;
 use core::marker::PhantomData;
 
@@ -44,6 +44,13 @@ macro_rules! constant_time {
             pub fn negate_if_less(self, a: $scalar, b: $scalar) -> $scalar {
                 let sign = self.above(b, a) & $key::MIN;
                 $scalar::from_bits(a.to_bits() ^ sign.cast_unsigned())
+            }
+
+            /// [`Instruction::Gate`](super::Instruction::Gate).
+            #[inline(always)]
+            pub fn gate(self, a: $scalar, b: $scalar) -> $scalar {
+                let magnitude = b.to_bits().cast_signed() & $key::MAX;
+                Self::choose(self.mask(magnitude.wrapping_sub(1)), -0.0, a)
             }
 
             /// [`clamp`](super::clamp).
@@ -142,6 +149,18 @@ impl ConstantTime<f32> {
         own::f32::cos_by(self.top, x)
     }
 
+    /// Tangent of `x` radians.
+    #[inline(always)]
+    pub fn tan(self, x: f32) -> f32 {
+        own::f32::tan_by(self.top, x)
+    }
+
+    /// [`Instruction::Fmod`](super::Instruction::Fmod).
+    #[inline(always)]
+    pub fn fmod(self, a: f32, b: f32) -> f32 {
+        remainder::fmod_by(self.top, a, b)
+    }
+
     /// Natural logarithm.
     #[inline(always)]
     pub fn ln(self, x: f32) -> f32 {
@@ -152,6 +171,14 @@ impl ConstantTime<f32> {
     #[inline(always)]
     pub fn exp(self, x: f32) -> f32 {
         own::f32::exp_by(self.top, x)
+    }
+}
+
+impl ConstantTime<f64> {
+    /// [`Instruction::Fmod`](super::Instruction::Fmod). This one loops: it takes the steps that the exponents need.
+    #[inline(always)]
+    pub fn fmod(self, a: f64, b: f64) -> f64 {
+        remainder::fmod_f64(a, b)
     }
 }
 
@@ -172,6 +199,9 @@ mod tests {
                     prop_assert_eq!(ct.min(a, b).to_bits(), ops::min(a, b).to_bits());
                     prop_assert_eq!(ct.max(a, b).to_bits(), ops::max(a, b).to_bits());
                     prop_assert_eq!(ct.negate_if_less(a, b).to_bits(), ops::negate_if_less(a, b).to_bits());
+                    prop_assert_eq!(ct.gate(a, b).to_bits(), ops::gate(a, b).to_bits());
+                    let (rest, expected) = (ct.fmod(a, b), ops::fmod(a, b));
+                    prop_assert!(rest.to_bits() == expected.to_bits() || (rest.is_nan() && expected.is_nan()));
                     for (low, high, nan) in [(-1.0, 1.0, 0.0), (-0.0, 0.0, -0.0), (0.0, $scalar::MAX, 0.0), (2.0, 3.0, 3.0)] {
                         let expected = ops::clamp(a, low, high, nan);
                         prop_assert_eq!(ct.clamp(a, low, high, nan).to_bits(), expected.to_bits());
@@ -207,8 +237,9 @@ mod tests {
     fn own_maths_is_the_same() {
         let ct = ConstantTime::<f32>::default();
         for x in (0..=u32::MAX).step_by(9973).map(f32::from_bits).chain(SPECIAL) {
-            let own = [ops::own::f32::sin, ops::own::f32::cos, ops::own::f32::ln, ops::own::f32::exp];
-            let masked = [ct.sin(x), ct.cos(x), ct.ln(x), ct.exp(x)];
+            let own =
+                [ops::own::f32::sin, ops::own::f32::cos, ops::own::f32::tan, ops::own::f32::ln, ops::own::f32::exp];
+            let masked = [ct.sin(x), ct.cos(x), ct.tan(x), ct.ln(x), ct.exp(x)];
             assert_eq!(masked.map(f32::to_bits), own.map(|kernel| kernel(x).to_bits()), "{x:e}");
         }
     }

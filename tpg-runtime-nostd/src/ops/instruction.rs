@@ -32,11 +32,19 @@ pub enum Instruction {
     Min,
     /// `a` where `a > b`, else `b`: a NaN on either side gives `b`.
     Max,
+    /// `tan a`
+    Tan,
+    /// The remainder of `a / b` with the sign of `a`, as C's `fmod`, exactly. NaN where `b` is 0 or `a` infinite.
+    Fmod,
+    /// `a` where `b` is not 0, else −0, which adding does not notice. A NaN is not 0.
+    ///
+    /// Sums of gated values are choices: `x` where `c` is not 0, else `y`, is `gate(x, c) + gate(y, 1 − gate(1, c))`.
+    Gate,
 }
 
 impl Instruction {
     /// Every instruction, in the order of the enumeration.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 15] = [
         Self::Sub,
         Self::Add,
         Self::Mul,
@@ -49,6 +57,9 @@ impl Instruction {
         Self::Abs,
         Self::Min,
         Self::Max,
+        Self::Tan,
+        Self::Fmod,
+        Self::Gate,
     ];
 
     /// The name in `graph.json`, in sidecars and in messages.
@@ -66,6 +77,9 @@ impl Instruction {
             Self::Abs => "abs",
             Self::Min => "min",
             Self::Max => "max",
+            Self::Tan => "tan",
+            Self::Fmod => "fmod",
+            Self::Gate => "gate",
         }
     }
 
@@ -77,8 +91,9 @@ impl Instruction {
     /// Number of operands that it reads: 1 or 2. With 1, the second operand is ignored.
     pub const fn arity(self) -> usize {
         match self {
-            Self::Cos | Self::Sin | Self::Ln | Self::Exp | Self::Abs => 1,
-            Self::Sub | Self::Add | Self::Mul | Self::Div | Self::NegateIfLess | Self::Min | Self::Max => 2,
+            Self::Cos | Self::Sin | Self::Ln | Self::Exp | Self::Abs | Self::Tan => 1,
+            Self::Sub | Self::Add | Self::Mul | Self::Div => 2,
+            Self::NegateIfLess | Self::Min | Self::Max | Self::Fmod | Self::Gate => 2,
         }
     }
 
@@ -98,6 +113,9 @@ impl Instruction {
             Self::Abs => a.abs(),
             Self::Min => min(a, b),
             Self::Max => max(a, b),
+            Self::Tan => M::tan(a),
+            Self::Fmod => a.fmod(b),
+            Self::Gate => gate(a, b),
         }
     }
 }
@@ -118,4 +136,16 @@ pub fn min<S: Scalar>(a: S, b: S) -> S {
 #[inline(always)]
 pub fn max<S: Scalar>(a: S, b: S) -> S {
     if a > b { a } else { b }
+}
+
+/// [`Instruction::Fmod`].
+#[inline(always)]
+pub fn fmod<S: Scalar>(a: S, b: S) -> S {
+    a.fmod(b)
+}
+
+/// [`Instruction::Gate`].
+#[inline(always)]
+pub fn gate<S: Scalar>(a: S, b: S) -> S {
+    if b == S::ZERO { -S::ZERO } else { a }
 }

@@ -1,4 +1,4 @@
-//! The providers of sine, cosine, logarithm and exponential.
+//! The providers of sine, cosine, tangent, logarithm and exponential.
 
 use super::own;
 use crate::scalar::Scalar;
@@ -9,6 +9,8 @@ pub trait Maths<S: Scalar>: Copy + Default + Send + Sync + 'static {
     fn sin(x: S) -> S;
     /// Cosine of `x` radians.
     fn cos(x: S) -> S;
+    /// Tangent of `x` radians.
+    fn tan(x: S) -> S;
     /// Natural logarithm.
     fn ln(x: S) -> S;
     /// Exponential.
@@ -37,6 +39,10 @@ impl Maths<f32> for Own {
         own::f32::cos(x)
     }
     #[inline]
+    fn tan(x: f32) -> f32 {
+        own::f32::tan(x)
+    }
+    #[inline]
     fn ln(x: f32) -> f32 {
         own::f32::ln(x)
     }
@@ -54,6 +60,10 @@ impl Maths<f64> for Own {
     #[inline]
     fn cos(x: f64) -> f64 {
         own::f64::cos(x)
+    }
+    #[inline]
+    fn tan(x: f64) -> f64 {
+        own::f64::tan(x)
     }
     #[inline]
     fn ln(x: f64) -> f64 {
@@ -79,6 +89,10 @@ mod system {
             x.cos()
         }
         #[inline]
+        fn tan(x: f32) -> f32 {
+            x.tan()
+        }
+        #[inline]
         fn ln(x: f32) -> f32 {
             x.ln()
         }
@@ -96,6 +110,10 @@ mod system {
         #[inline]
         fn cos(x: f64) -> f64 {
             x.cos()
+        }
+        #[inline]
+        fn tan(x: f64) -> f64 {
+            x.tan()
         }
         #[inline]
         fn ln(x: f64) -> f64 {
@@ -122,6 +140,10 @@ mod system {
             libm::cosf(x)
         }
         #[inline]
+        fn tan(x: f32) -> f32 {
+            libm::tanf(x)
+        }
+        #[inline]
         fn ln(x: f32) -> f32 {
             libm::logf(x)
         }
@@ -139,6 +161,10 @@ mod system {
         #[inline]
         fn cos(x: f64) -> f64 {
             libm::cos(x)
+        }
+        #[inline]
+        fn tan(x: f64) -> f64 {
+            libm::tan(x)
         }
         #[inline]
         fn ln(x: f64) -> f64 {

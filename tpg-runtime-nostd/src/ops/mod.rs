@@ -7,8 +7,9 @@ pub mod constant_time;
 mod instruction;
 mod maths;
 pub mod own;
+pub(crate) mod remainder;
 
-pub use instruction::{Instruction, max, min, negate_if_less};
+pub use instruction::{Instruction, fmod, gate, max, min, negate_if_less};
 pub use maths::{Maths, Own, System};
 
 /// A bid as teams compare it: a NaN counts as −∞ (GEGELATI, `tpgExecutionEngine.cpp`).

@@ -1,7 +1,7 @@
 //! Binding of a graph to an environment: maps the graph's sources and actions to those of the environment.
 
 use crate::environment::Environment;
-use crate::policy::{Destination, Edge, Line, Operand, Policy};
+use crate::policy::{Destination, Edge, Line, Operand, PolicyGraph};
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::{Graph, Input};
 use tpg_runtime::scalar::Scalar;
@@ -12,7 +12,11 @@ use tpg_runtime::scalar::Scalar;
 /// # Errors
 /// If the graph reads a source that the environment does not have, or takes an action that it does not know. `file` is
 /// the name shown in the error.
-pub fn bind<S: Scalar>(file: &str, graph: &Graph, environment: &impl Environment<S>) -> Result<Policy, InputError> {
+pub fn bind<S: Scalar>(
+    file: &str,
+    graph: &Graph,
+    environment: &impl Environment<S>,
+) -> Result<PolicyGraph, InputError> {
     let refuse =
         |path: String, found: String, accepted: String| InputError::new(file, Place::Path(path), found, accepted);
     let known = environment.sources();
@@ -34,12 +38,12 @@ pub fn bind<S: Scalar>(file: &str, graph: &Graph, environment: &impl Environment
     let space = environment.actions();
     if let (crate::ActionSpace::Box(known), false) = (&space, graph.outputs().is_empty()) {
         let outputs = outputs(graph, known, refuse)?;
-        let Policy { outputs: limits, leaves, .. } = Policy::from(graph);
+        let PolicyGraph { outputs: limits, leaves, .. } = PolicyGraph::from(graph);
         let order = |list: &[u32]| outputs.iter().map(|&at| list[at]).collect();
         let limits = outputs.iter().map(|&at| limits[at]).collect();
         let leaves = leaves.iter().map(|leaf| order(leaf)).collect();
         let ends: Vec<u16> = (0..graph.leaves().len() as u16).collect();
-        return Ok(renumbered(Policy::from(graph), &places, &ends).with_outputs(limits, leaves));
+        return Ok(renumbered(PolicyGraph::from(graph), &places, &ends).with_outputs(limits, leaves));
     }
     if !graph.outputs().is_empty() {
         let found = format!("a graph with {} outputs", graph.outputs().len());
@@ -62,7 +66,7 @@ pub fn bind<S: Scalar>(file: &str, graph: &Graph, environment: &impl Environment
         };
         actions.push(at as u16);
     }
-    Ok(renumbered(Policy::from(graph), &places, &actions))
+    Ok(renumbered(PolicyGraph::from(graph), &places, &actions))
 }
 
 /// Returns the place in the graph of each output that the environment expects.
@@ -93,7 +97,7 @@ fn outputs(
 }
 
 /// Renumbers the inputs and actions of a policy.
-fn renumbered(policy: Policy, places: &[u16], actions: &[u16]) -> Policy {
+fn renumbered(policy: PolicyGraph, places: &[u16], actions: &[u16]) -> PolicyGraph {
     let operand = |operand: Operand| match operand {
         Operand::Input(input) => Operand::Input(places[Input(input).index()]),
         other => other,
@@ -103,8 +107,8 @@ fn renumbered(policy: Policy, places: &[u16], actions: &[u16]) -> Policy {
         Destination::Action(action) => Edge { to: Destination::Action(actions[usize::from(action)]), ..edge },
         Destination::Team(_) => edge,
     };
-    let Policy { registers, teams, programs, outputs, leaves } = policy;
-    Policy {
+    let PolicyGraph { registers, teams, programs, outputs, leaves } = policy;
+    PolicyGraph {
         outputs,
         leaves,
         registers,

@@ -151,5 +151,5 @@ fn compute_column<S: Scalar, M: Maths<S>>(instruction: Instruction, [a, b]: [&[B
             }
         };
     }
-    loops!(short: Sub Add Mul Div NegateIfLess Abs Min Max; long: Cos Sin Ln Exp);
+    loops!(short: Sub Add Mul Div NegateIfLess Abs Min Max Gate Fmod; long: Cos Sin Tan Ln Exp);
 }

@@ -5,9 +5,9 @@ use crate::ending::Ending;
 use crate::environment::Environment;
 use crate::error::EvaluationError;
 use crate::lanes::Lanes;
-use crate::options::Options;
+use crate::options::EngineOptions;
 use crate::plan::Plan;
-use crate::policy::Policy;
+use crate::policy::PolicyGraph;
 use crate::source_set::SourceSet;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -34,7 +34,7 @@ pub struct WorkUnit {
     /// Identity of the requested evaluation.
     pub key: UnitKey,
     /// Policy to evaluate.
-    pub policy: Policy,
+    pub policy: PolicyGraph,
 }
 
 /// Units that are evaluated on the same tasks.
@@ -48,7 +48,7 @@ pub struct Work<Task> {
 
 /// Result of a root.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Answer {
+pub struct UnitResult {
     /// Identity of the unit.
     pub key: UnitKey,
     /// One ending for each task, in order.
@@ -59,7 +59,7 @@ pub struct Answer {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Visit<Task> {
     /// The policy that acts.
-    pub policy: Policy,
+    pub policy: PolicyGraph,
     /// The task.
     pub task: Task,
     /// Numbers of actions after which the state is recorded, ascending; each below the number of actions of the
@@ -75,7 +75,7 @@ pub trait Evaluator<Task> {
     ///
     /// # Errors
     /// If an answer cannot be obtained.
-    fn evaluate(&self, work: &Work<Task>) -> Result<Vec<Answer>, EvaluationError>;
+    fn evaluate(&self, work: &Work<Task>) -> Result<Vec<UnitResult>, EvaluationError>;
 
     /// Returns the flat states of each visit, one for each of its numbers of actions.
     ///
@@ -89,10 +89,24 @@ pub trait Evaluator<Task> {
     }
 }
 
+impl<Task, V: Evaluator<Task> + ?Sized> Evaluator<Task> for &V {
+    fn evaluate(&self, work: &Work<Task>) -> Result<Vec<UnitResult>, EvaluationError> {
+        (**self).evaluate(work)
+    }
+
+    fn visit(&self, visits: &[Visit<Task>]) -> Result<Vec<Vec<Vec<f64>>>, EvaluationError> {
+        (**self).visit(visits)
+    }
+
+    fn steps(&self) -> u64 {
+        (**self).steps()
+    }
+}
+
 /// Evaluation on the threads of this machine.
 ///
 /// ```
-/// use tpg_engine::{Destination, Edge, Environment, Evaluator, LocalThreads, Options, Policy, UnitKey, Work, WorkUnit};
+/// use tpg_engine::{Destination, Edge, Environment, Evaluator, EngineOptions, LocalThreads, PolicyGraph, UnitKey, Work, WorkUnit};
 /// use tpg_runtime::ops::Own;
 /// # use tpg_engine::random::Stream;
 /// # use tpg_engine::{Act, ActionSpace, SourceSet, Step};
@@ -120,10 +134,10 @@ pub trait Evaluator<Task> {
 /// // Root n always takes action n.
 /// let unit = |action| WorkUnit {
 ///     key: UnitKey { seed: 1, generation: 0, root: u64::from(action) },
-///     policy: Policy::new(1, 0, vec![vec![Edge { program: 0, to: Destination::Action(action) }]], vec![vec![]]),
+///     policy: PolicyGraph::new(1, 0, vec![vec![Edge { program: 0, to: Destination::Action(action) }]], vec![vec![]]),
 /// };
 /// let work = Work { tasks: vec![0.0, 3.0], units: vec![unit(0), unit(1)] };
-/// let evaluator = LocalThreads::<f32, Own, _>::new(&Counter, Options::default(), 2)?;
+/// let evaluator = LocalThreads::<f32, Own, _>::new(&Counter, EngineOptions::default(), 2)?;
 /// let answers = evaluator.evaluate(&work)?;
 /// assert_eq!(answers.iter().map(|answer| answer.endings[0].score).collect::<Vec<_>>(), [-5.0, 5.0]);
 /// assert_eq!(evaluator.steps(), 20);
@@ -133,7 +147,7 @@ pub trait Evaluator<Task> {
 pub struct LocalThreads<'e, S, M, E> {
     environment: &'e E,
     sources: Vec<SourceDocument>,
-    options: Options,
+    options: EngineOptions,
     pool: rayon::ThreadPool,
     steps: AtomicU64,
     number: PhantomData<(S, M)>,
@@ -144,7 +158,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> LocalThreads<'e, S, M, E> {
     ///
     /// # Errors
     /// If the threads cannot be started.
-    pub fn new(environment: &'e E, options: Options, threads: usize) -> Result<Self, EvaluationError> {
+    pub fn new(environment: &'e E, options: EngineOptions, threads: usize) -> Result<Self, EvaluationError> {
         let pool = (rayon::ThreadPoolBuilder::new().num_threads(threads).build()).map_err(EvaluationError::new)?;
         let sources = environment.sources();
         Ok(Self { environment, sources, options, pool, steps: AtomicU64::new(0), number: PhantomData })
@@ -152,9 +166,14 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> LocalThreads<'e, S, M, E> {
 }
 
 impl<S: Scalar, M: Maths<S>, E: Environment<S>> LocalThreads<'_, S, M, E> {
+    /// Returns the number of threads.
+    pub fn threads(&self) -> usize {
+        self.pool.current_num_threads()
+    }
+
     /// Returns the states of one visit by running the episode again up to each of them.
     fn states(&self, visit: &Visit<E::Task>) -> Result<Vec<Vec<f64>>, EvaluationError> {
-        let options = Options { lanes: 1, ..self.options };
+        let options = EngineOptions { lanes: 1, ..self.options };
         let plan = Plan::new::<M>(&visit.policy, &self.sources, options);
         let mut actions = Vec::new();
         let mut lanes = Lanes::<S, M, E>::new(self.environment, options);
@@ -175,13 +194,13 @@ impl<S: Scalar, M: Maths<S>, E: Environment<S>> LocalThreads<'_, S, M, E> {
 }
 
 impl<S: Scalar, M: Maths<S>, E: Environment<S>> Evaluator<E::Task> for LocalThreads<'_, S, M, E> {
-    fn evaluate(&self, work: &Work<E::Task>) -> Result<Vec<Answer>, EvaluationError> {
+    fn evaluate(&self, work: &Work<E::Task>) -> Result<Vec<UnitResult>, EvaluationError> {
         let evaluate = |lanes: &mut Lanes<'_, S, M, E>, unit: &WorkUnit| {
             let before = lanes.steps();
             let plan = Plan::new::<M>(&unit.policy, &self.sources, self.options);
             let endings = lanes.run(&plan, &work.tasks)?;
             self.steps.fetch_add(lanes.steps() - before, Ordering::Relaxed);
-            Ok(Answer { key: unit.key, endings })
+            Ok(UnitResult { key: unit.key, endings })
         };
         self.pool.install(|| {
             (work.units.par_iter()).map_init(|| Lanes::new(self.environment, self.options), evaluate).collect()

@@ -10,7 +10,7 @@ use crate::environment::Environment;
 use crate::episodes::Episodes;
 use crate::error::EvaluationError;
 use crate::history::History;
-use crate::options::Options;
+use crate::options::EngineOptions;
 use crate::plan::Plan;
 use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::ActionId;
@@ -19,7 +19,7 @@ use tpg_runtime::scalar::Scalar;
 /// Runs roots over tasks, one root after another, and reuses its buffers between them.
 ///
 /// ```
-/// use tpg_engine::{Destination, Edge, Environment, Lanes, Options, Plan, Policy};
+/// use tpg_engine::{Destination, Edge, Environment, EngineOptions, Lanes, Plan, PolicyGraph};
 /// use tpg_runtime::ops::Own;
 /// # use tpg_engine::random::Stream;
 /// # use tpg_engine::{Act, ActionSpace, SourceSet, Step};
@@ -46,16 +46,16 @@ use tpg_runtime::scalar::Scalar;
 /// // `Counter` has the actions `down` and `up`, which earn −1 and 1, and a limit of 5 actions.
 /// // The policy always chooses `up`.
 /// let up = Edge { program: 0, to: Destination::Action(1) };
-/// let policy = Policy::new(1, 0, vec![vec![up]], vec![vec![]]);
-/// let plan = Plan::new::<Own>(&policy, &Counter.sources(), Options::default());
-/// let endings = Lanes::<f32, Own, _>::new(&Counter, Options::default()).run(&plan, &[0.0, 3.0])?;
+/// let policy = PolicyGraph::new(1, 0, vec![vec![up]], vec![vec![]]);
+/// let plan = Plan::new::<Own>(&policy, &Counter.sources(), EngineOptions::default());
+/// let endings = Lanes::<f32, Own, _>::new(&Counter, EngineOptions::default()).run(&plan, &[0.0, 3.0])?;
 /// assert_eq!(endings.len(), 2);
 /// assert!(endings.iter().all(|ending| ending.score == 5.0 && ending.actions == 5));
 /// # Ok::<(), tpg_engine::EvaluationError>(())
 /// ```
 pub struct Lanes<'e, S: Scalar, M, E: Environment<S>> {
     environment: &'e E,
-    options: Options,
+    options: EngineOptions,
     constants: Vec<u16>,
     columns: Columns<S, M>,
     decider: Decider<S>,
@@ -72,7 +72,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
     ///
     /// # Panics
     /// If the number of lanes is 0.
-    pub fn new(environment: &'e E, options: Options) -> Self {
+    pub fn new(environment: &'e E, options: EngineOptions) -> Self {
         assert!(options.lanes > 0, "at least one lane");
         Self {
             environment,

@@ -1,6 +1,6 @@
 //! The engine: parallel episodes of many roots, millions of steps per second, with the same results as the interpreter.
 //!
-//! [`Policy`] → [`Plan`] (distinct nodes, teams in topological order) → [`Lanes`] (parallel episodes) → [`Ending`]s;
+//! [`PolicyGraph`] → [`Plan`] (distinct nodes, teams in topological order) → [`Lanes`] (parallel episodes) → [`Ending`]s;
 //! [`LocalThreads`] distributes roots over threads behind the [`Evaluator`] trait. [`Single`] decides for one state at
 //! a time. Problems implement [`Environment`].
 //!
@@ -14,8 +14,8 @@
 //! | [`Remembering`], [`Remembered`] | a memory for policies |
 //! | [`Episodes`], [`OneByOne`], [`View`], [`SourceSet`] | parallel episodes |
 //! | [`Ending`], [`Summary`], [`Preference`] | results |
-//! | [`Policy`], [`Plan`], [`Node`], [`Arena`] | a graph in the engine's own form |
-//! | [`Lanes`], [`Single`], [`Options`], [`History`] | execution |
+//! | [`PolicyGraph`], [`Plan`], [`Node`], [`Arena`] | a graph in the engine's own form |
+//! | [`Lanes`], [`Single`], [`EngineOptions`], [`History`] | execution |
 //! | [`Evaluator`], [`LocalThreads`], [`Work`], [`Visit`] | evaluation of many roots, on threads or elsewhere |
 //! | [`random`] | independent streams of random numbers, one for each purpose |
 
@@ -49,14 +49,14 @@ pub use ending::{End, Ending, Measure, Preference, Step, Summary, finite};
 pub use environment::Environment;
 pub use episodes::Episodes;
 pub use error::EvaluationError;
-pub use evaluator::{Answer, Evaluator, LocalThreads, UnitKey, Visit, Work, WorkUnit};
+pub use evaluator::{Evaluator, LocalThreads, UnitKey, UnitResult, Visit, Work, WorkUnit};
 pub use history::{History, Repeat};
 pub use lanes::Lanes;
 pub use nodes::{Arena, Node, NodeId};
 pub use one_by_one::OneByOne;
-pub use options::Options;
+pub use options::EngineOptions;
 pub use plan::Plan;
-pub use policy::{Destination, Edge, Limits, Line, Operand, Policy, bounded};
+pub use policy::{Destination, Edge, Limits, Line, Operand, PolicyGraph, bounded};
 pub use remembering::{Remembered, Remembering, WithMemory};
 pub use single::{Single, single};
 pub use source_set::SourceSet;

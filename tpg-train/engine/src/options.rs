@@ -2,7 +2,7 @@
 
 /// Settings of the engine; none of them changes a result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Options {
+pub struct EngineOptions {
     /// Number of parallel episodes.
     pub lanes: usize,
     /// Compute equal values once, and drop bids that cannot win.
@@ -13,7 +13,7 @@ pub struct Options {
     pub look_for_cycles: bool,
 }
 
-impl Default for Options {
+impl Default for EngineOptions {
     fn default() -> Self {
         Self { lanes: 112, share: true, lazy: true, look_for_cycles: true }
     }

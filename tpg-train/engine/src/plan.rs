@@ -2,8 +2,8 @@
 //! evaluate.
 
 use crate::nodes::{Arena, Node, NodeId, NodeSet};
-use crate::options::Options;
-use crate::policy::{Destination, Edge, Policy};
+use crate::options::EngineOptions;
+use crate::policy::{Destination, Edge, PolicyGraph};
 use crate::source_set::SourceSet;
 use std::collections::BTreeSet;
 use tpg_graph::SourceDocument;
@@ -94,7 +94,7 @@ pub struct Plan<S> {
 
 impl<S: Scalar> Plan<S> {
     /// Plans a policy over the state made of the given sources.
-    pub fn new<M: Maths<S>>(policy: &Policy, sources: &[SourceDocument], options: Options) -> Self {
+    pub fn new<M: Maths<S>>(policy: &PolicyGraph, sources: &[SourceDocument], options: EngineOptions) -> Self {
         let mut arena = Arena::<S, M>::new(options.share);
         let bids: Vec<NodeId> =
             policy.programs.iter().map(|program| arena.program(policy.registers, program)).collect();
@@ -190,7 +190,7 @@ fn planned_team<S: Scalar>(
 }
 
 /// Returns the actions that edges lead to, in ascending order.
-fn actions(policy: &Policy) -> Vec<ActionId> {
+fn actions(policy: &PolicyGraph) -> Vec<ActionId> {
     let action = |edge: &Edge| match edge.to {
         Destination::Team(_) => None,
         Destination::Action(action) => Some(action),
@@ -200,7 +200,7 @@ fn actions(policy: &Policy) -> Vec<ActionId> {
 }
 
 /// Returns the place of a destination, numbered as in [`Code::to`].
-fn place(policy: &Policy, actions: &[ActionId], to: Destination) -> u32 {
+fn place(policy: &PolicyGraph, actions: &[ActionId], to: Destination) -> u32 {
     match to {
         Destination::Team(team) => team,
         Destination::Action(action) => {
@@ -228,8 +228,10 @@ fn facts<S: Scalar>(nodes: &[Node<S>], lazy: bool) -> Vec<Fact<S>> {
             Node::Constant(value) => Fact { most: (!value.is_nan()).then(|| value.abs()), expensive: false },
             Node::Operation(instruction, a, b) => {
                 let (a, b) = (facts[a.index()], facts[b.index()]);
-                let transcendental =
-                    matches!(instruction, Instruction::Cos | Instruction::Sin | Instruction::Ln | Instruction::Exp);
+                let transcendental = matches!(
+                    instruction,
+                    Instruction::Cos | Instruction::Sin | Instruction::Tan | Instruction::Ln | Instruction::Exp
+                );
                 let expensive = lazy && (transcendental || a.expensive || b.expensive);
                 Fact { most: most(instruction, a.most, b.most), expensive }
             }
@@ -243,10 +245,10 @@ fn facts<S: Scalar>(nodes: &[Node<S>], lazy: bool) -> Vec<Fact<S>> {
 fn most<S: Scalar>(instruction: Instruction, a: Option<S>, b: Option<S>) -> Option<S> {
     match instruction {
         Instruction::Cos | Instruction::Sin => Some(S::ONE),
-        Instruction::Abs | Instruction::NegateIfLess => a,
+        Instruction::Abs | Instruction::NegateIfLess | Instruction::Fmod | Instruction::Gate => a,
         Instruction::Add | Instruction::Sub => Some(a? + b?),
         Instruction::Min | Instruction::Max => Some(if a? > b? { a? } else { b? }),
-        Instruction::Mul | Instruction::Div | Instruction::Ln | Instruction::Exp => None,
+        Instruction::Mul | Instruction::Div | Instruction::Tan | Instruction::Ln | Instruction::Exp => None,
     }
 }
 

@@ -37,7 +37,7 @@ pub struct Line {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Destination {
-    /// The team at this index of [`Policy::teams`].
+    /// The team at this index of [`PolicyGraph::teams`].
     Team(u32),
     /// An action.
     Action(u16),
@@ -46,7 +46,7 @@ pub enum Destination {
 /// A program that bids for its destination.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Edge {
-    /// Index of the bidder in [`Policy::programs`].
+    /// Index of the bidder in [`PolicyGraph::programs`].
     pub program: u32,
     /// Destination it bids for.
     pub to: Destination,
@@ -54,9 +54,9 @@ pub struct Edge {
 
 /// A graph with a single root, reduced to what affects decisions: no labels, sources or provenance.
 ///
-/// Team 0 is the root, and edges lead only to later teams: [`Policy::new`] ensures both.
+/// Team 0 is the root, and edges lead only to later teams: [`PolicyGraph::new`] ensures both.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Policy {
+pub struct PolicyGraph {
     /// Number of registers of a program.
     pub registers: u16,
     /// The teams; among equal bids the last edge wins.
@@ -64,10 +64,10 @@ pub struct Policy {
     /// The programs.
     pub programs: Vec<Vec<Line>>,
     /// The outputs; empty for a policy that chooses among actions.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(default)]
     pub outputs: Vec<Limits>,
     /// The leaves, which edges lead to in place of actions: the program of each output.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(default)]
     pub leaves: Vec<Vec<u32>>,
 }
 
@@ -82,7 +82,7 @@ pub struct Limits {
     pub nan: f64,
 }
 
-impl Policy {
+impl PolicyGraph {
     /// Sorts teams topologically, root first, and drops teams that are not reachable from the root.
     ///
     /// # Panics
@@ -108,7 +108,7 @@ impl Policy {
     }
 }
 
-impl Policy {
+impl PolicyGraph {
     /// Returns the number of lines that a bid or an output depends on; each program counts once. A bid without a rival has
     /// none.
     pub fn lines(&self) -> usize {
@@ -125,11 +125,11 @@ impl Policy {
     /// Returns the size of the policy: its [lines](Self::lines), and the edges of teams that have a choice.
     ///
     /// ```
-    /// use tpg_engine::{Destination, Edge, Policy};
+    /// use tpg_engine::{Destination, Edge, PolicyGraph};
     ///
     /// let edge = |action| Edge { program: 0, to: Destination::Action(action) };
-    /// assert_eq!(Policy::new(1, 0, vec![vec![edge(0), edge(1)]], vec![vec![]]).size(), 2);
-    /// assert_eq!(Policy::new(1, 0, vec![vec![edge(0)]], vec![vec![]]).size(), 0, "there is no choice");
+    /// assert_eq!(PolicyGraph::new(1, 0, vec![vec![edge(0), edge(1)]], vec![vec![]]).size(), 2);
+    /// assert_eq!(PolicyGraph::new(1, 0, vec![vec![edge(0)]], vec![vec![]]).size(), 0, "there is no choice");
     /// ```
     pub fn size(&self) -> usize {
         self.lines() + self.teams.iter().map(Vec::len).filter(|&edges| edges > 1).sum::<usize>()
@@ -170,7 +170,7 @@ pub fn bounded(bound: u16) -> Line {
     Line { to: 0, instruction: Instruction::Min.into(), operands: [Operand::Input(bound), Operand::Register(0)] }
 }
 
-impl From<&Graph> for Policy {
+impl From<&Graph> for PolicyGraph {
     fn from(graph: &Graph) -> Self {
         let operand = |operand: tpg_graph::Operand| match operand {
             tpg_graph::Operand::Register(register) => Operand::Register(register.index() as u16),

@@ -4,8 +4,8 @@ use std::error::Error;
 use std::fmt;
 use tpg_engine::random::Stream;
 use tpg_engine::{
-    Act, ActionSpace, Acts, Destination, Edge, Ending, Environment, Episodes, EvaluationError, Evaluator, LocalThreads,
-    OneByOne, Options, Policy, SourceSet, Step, UnitKey, View, Work, WorkUnit,
+    Act, ActionSpace, Acts, Destination, Edge, Ending, EngineOptions, Environment, Episodes, EvaluationError,
+    Evaluator, LocalThreads, OneByOne, PolicyGraph, SourceSet, Step, UnitKey, View, Work, WorkUnit,
 };
 use tpg_graph::SourceDocument;
 use tpg_runtime::ops::Own;
@@ -94,9 +94,9 @@ impl Episodes<f32, u32> for Remote<'_> {
 #[test]
 fn an_error_of_an_episode_arrives_as_itself() {
     let edge = |action| Edge { program: 0, to: Destination::Action(action) };
-    let policy = Policy::new(1, 0, vec![vec![edge(0), edge(1)]], vec![Vec::new()]);
+    let policy = PolicyGraph::new(1, 0, vec![vec![edge(0), edge(1)]], vec![Vec::new()]);
     let unit = |root| WorkUnit { key: UnitKey { seed: 0, generation: 0, root }, policy: policy.clone() };
-    let evaluator = LocalThreads::<f32, Own, _>::new(&Counter, Options::default(), 2).expect("threads start");
+    let evaluator = LocalThreads::<f32, Own, _>::new(&Counter, EngineOptions::default(), 2).expect("threads start");
     let work = |tasks: Vec<u32>| Work { tasks, units: (0..4).map(unit).collect() };
 
     let error = evaluator.evaluate(&work(vec![1, 2, 101])).expect_err("one episode loses its connection");

@@ -1,7 +1,7 @@
 //! Policies on the arm: graphs, networks, hybrids, and planners.
 
 use super::EvalArgs;
-use super::report::Report;
+use super::report::EvaluationReport;
 use crate::actor::file::Actor;
 use crate::files::read_graph;
 use crate::hybrid::arm::setting::{Detector, Hybrid, Setting};
@@ -13,7 +13,7 @@ use std::path::Path;
 use std::time::Instant;
 use tpg_arm::observation::shield::{SHIELDED, STEP, action as action_of};
 use tpg_arm::{Arm, WIDOWX};
-use tpg_engine::{Ending, Environment, Lanes, Options, Plan, Policy};
+use tpg_engine::{Ending, EngineOptions, Environment, Lanes, Plan, PolicyGraph};
 use tpg_graph::error::{Finding, InputError, Place};
 use tpg_graph::{Graph, in_arithmetic_of};
 use tpg_problems::arm::planner::{Choice, Planner};
@@ -27,7 +27,7 @@ use tpg_runtime::ops::Maths;
 ///
 /// # Errors
 /// If the policy or the episodes cannot be read, or the policy is not one for the arm.
-pub fn evaluate(args: &EvalArgs, start: Start) -> Result<Report, InputError> {
+pub fn evaluate(args: &EvalArgs, start: Start) -> Result<EvaluationReport, InputError> {
     if args.separation.is_some() || args.patience.is_some() {
         return Err(command_line(
             "--separation or --patience on the arm",
@@ -57,7 +57,7 @@ pub fn evaluate(args: &EvalArgs, start: Start) -> Result<Report, InputError> {
             let policy = policy.as_deref().unwrap_or("planner");
             let began = Instant::now();
             let trial = trial_of(policy, start, &tasks)?;
-            Ok(Report::of_trial(&trial, policy, Shield::None, 0.0, seed, began.elapsed().as_secs_f64()))
+            Ok(EvaluationReport::of_trial(&trial, policy, Shield::None, 0.0, seed, began.elapsed().as_secs_f64()))
         }
     }
 }
@@ -117,11 +117,11 @@ fn of_hybrid(
     start: Start,
     tasks: &[targets::Task],
     seed: Option<u64>,
-) -> Result<Report, InputError> {
+) -> Result<EvaluationReport, InputError> {
     let Hybrid { graph: (file, graph), actor, setting } = hybrid;
     let began = Instant::now();
     let done = trial::run(file, graph, actor, setting, start, tasks)?;
-    Ok(Report::of_hybrid(&done, name, seed, began.elapsed().as_secs_f64()))
+    Ok(EvaluationReport::of_hybrid(&done, name, seed, began.elapsed().as_secs_f64()))
 }
 
 /// The configuration's arm, or the graph's. Only graphs are for other arms than the WidowX.
@@ -173,7 +173,7 @@ fn of_graph(
     added: Shield,
     tasks: Vec<targets::Task>,
     seed: Option<u64>,
-) -> Result<Report, InputError> {
+) -> Result<EvaluationReport, InputError> {
     let start = problem.start;
     let shield = match (Shield::of(graph.sources().iter().map(|source| source.name.as_str())), added) {
         (own, Shield::None) => own,
@@ -187,7 +187,7 @@ fn of_graph(
     let began = Instant::now();
     let endings = shielded_endings_of(file, graph, arm, problem, added, &tasks)?;
     let seconds = began.elapsed().as_secs_f64();
-    Ok(Report::of_trial(&Trial::of(start, endings), file, shield, 1.0, seed, seconds))
+    Ok(EvaluationReport::of_trial(&Trial::of(start, endings), file, shield, 1.0, seed, seconds))
 }
 
 /// The endings of a graph's episodes, in its own scalar and maths; `problem`'s sources are the graph's.
@@ -228,7 +228,7 @@ fn endings<S: ArmScalar, M: Maths<S>>(
     tasks: &[ArmTask],
 ) -> Result<Vec<Ending>, InputError> {
     let mut environment = ArmEnvironment::<S>::for_graph(file, graph, arm, problem)?;
-    let mut policy = Policy::from(graph);
+    let mut policy = PolicyGraph::from(graph);
     if let Some(source) = shield.source() {
         let moves = environment.moves().to_vec();
         let first = graph.state_length() as u16;
@@ -240,8 +240,8 @@ fn endings<S: ArmScalar, M: Maths<S>>(
         problem.sources.push(source);
         environment = ArmEnvironment::for_evaluation(arm, problem, moves);
     }
-    let plan = Plan::new::<M>(&policy, &environment.sources(), Options::default());
-    Lanes::<S, M, _>::new(&environment, Options::default())
+    let plan = Plan::new::<M>(&policy, &environment.sources(), EngineOptions::default());
+    Lanes::<S, M, _>::new(&environment, EngineOptions::default())
         .run(&plan, tasks)
         .map_err(|error| InputError::new(file, Place::Whole, error.to_string(), "episodes that can be run"))
 }

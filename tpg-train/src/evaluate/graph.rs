@@ -1,9 +1,9 @@
 //! A graph on any environment.
 
-use super::report::Report;
+use super::report::EvaluationReport;
 use std::time::Instant;
 use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{Choices, Ending, Environment, Lanes, Options, Plan, Remembered, Remembering, bind};
+use tpg_engine::{Choices, Ending, EngineOptions, Environment, Lanes, Plan, Remembered, Remembering, bind};
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::{Graph, in_arithmetic_of};
 use tpg_problems::arm::ArmScalar;
@@ -41,8 +41,8 @@ pub fn endings_on<S: Scalar, M: Maths<S>, E: Environment<S>>(
     tasks: &[E::Task],
 ) -> Result<Vec<Ending>, InputError> {
     let policy = bind(file, graph, environment)?;
-    let plan = Plan::new::<M>(&policy, &environment.sources(), Options::default());
-    Lanes::<S, M, _>::new(environment, Options::default())
+    let plan = Plan::new::<M>(&policy, &environment.sources(), EngineOptions::default());
+    Lanes::<S, M, _>::new(environment, EngineOptions::default())
         .run(&plan, tasks)
         .map_err(|error| InputError::new(file, Place::Whole, error.to_string(), "episodes that can be run"))
 }
@@ -86,12 +86,12 @@ pub fn on_environment<S: Scalar, M: Maths<S>>(
     environment: &impl Environment<S>,
     episodes: usize,
     seed: u64,
-) -> Result<Report, InputError> {
+) -> Result<EvaluationReport, InputError> {
     let began = Instant::now();
     let endings = endings::<S, M>(file, graph, environment, episodes, seed)?;
     let seconds = began.elapsed().as_secs_f64();
     let measure = environment.measure();
-    Ok(Report::new(problem, file, Some(seed), &endings, environment.outcomes(), measure, seconds))
+    Ok(EvaluationReport::new(problem, file, Some(seed), &endings, environment.outcomes(), measure, seconds))
 }
 
 /// Evaluates a graph on a built-in problem.
@@ -104,7 +104,7 @@ pub fn on_problem(
     graph: &Graph,
     episodes: usize,
     seed: u64,
-) -> Result<Report, InputError> {
+) -> Result<EvaluationReport, InputError> {
     let evaluation = Evaluation { problem, file, graph, episodes, seed };
     in_arithmetic_of!(graph, evaluation.run())
 }
@@ -118,7 +118,7 @@ struct Evaluation<'a> {
 }
 
 impl Evaluation<'_> {
-    fn run<S: ArmScalar, M: Maths<S>>(&self) -> Result<Report, InputError> {
+    fn run<S: ArmScalar, M: Maths<S>>(&self) -> Result<EvaluationReport, InputError> {
         self.problem.open::<S, _>(In::<M>(self, std::marker::PhantomData))
     }
 }
@@ -127,7 +127,7 @@ impl Evaluation<'_> {
 struct In<'a, M>(&'a Evaluation<'a>, std::marker::PhantomData<M>);
 
 impl<S: ArmScalar, M: Maths<S>> Visitor<S> for In<'_, M> {
-    type Output = Result<Report, InputError>;
+    type Output = Result<EvaluationReport, InputError>;
 
     fn visit<E: Environment<S>>(self, environment: E) -> Self::Output {
         let Evaluation { problem, file, graph, episodes, seed } = *self.0;

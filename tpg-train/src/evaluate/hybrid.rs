@@ -1,6 +1,6 @@
 //! A hybrid on any problem but the arm's.
 
-use super::report::{HybridFigures, Report};
+use super::report::{EvaluationReport, HybridFigures};
 use crate::hybrid::command::check_detector;
 use crate::hybrid::setting::Hybrid;
 use crate::hybrid::shared::{Episodes, Facts, Shared};
@@ -37,12 +37,12 @@ pub fn on_problem(
     hybrid: &Hybrid,
     count: usize,
     seed: u64,
-) -> Result<Report, InputError> {
+) -> Result<EvaluationReport, InputError> {
     let began = Instant::now();
     let done = test(problem, hybrid, count, seed)?;
     let seconds = began.elapsed().as_secs_f64();
     let Facts { outcomes, measure, .. } = problem.facts();
-    let general = Report::new(&problem.name(), file, Some(seed), &done.endings, outcomes, measure, seconds);
+    let general = EvaluationReport::new(&problem.name(), file, Some(seed), &done.endings, outcomes, measure, seconds);
     let hand_overs = TRIGGERS.iter().zip(done.hand_overs).map(|((name, _), count)| ((*name).to_owned(), count));
     let figures = HybridFigures {
         tpg_action_ratio: done.tpg_action_ratio,
@@ -50,5 +50,5 @@ pub fn on_problem(
         hand_overs: hand_overs.collect(),
         hand_backs: done.hand_backs,
     };
-    Ok(Report { hybrid: Some(figures), ..general })
+    Ok(EvaluationReport { hybrid: Some(figures), ..general })
 }

@@ -6,7 +6,7 @@
 //! | [`graph`] | a graph on any environment |
 //! | [`network`] | a network on any built-in problem |
 //! | [`hybrid`] | a hybrid on any problem but the arm's |
-//! | [`Report`] | the figures |
+//! | [`EvaluationReport`] | the figures |
 
 pub mod arm;
 pub mod graph;
@@ -14,7 +14,7 @@ pub mod hybrid;
 pub mod network;
 mod report;
 
-pub use report::{ArmFigures, HybridFigures, Report, confidence};
+pub use report::{ArmFigures, EvaluationReport, HybridFigures, confidence};
 
 use crate::files::{read_graph, read_text};
 use crate::hybrid::command::setting_of;
@@ -106,7 +106,7 @@ pub fn eval(args: &EvalArgs) -> Result<(), InputError> {
 }
 
 /// A graph, a network or a hybrid on a problem that is not the arm's.
-fn on_a_problem(args: &EvalArgs) -> Result<Report, InputError> {
+fn on_a_problem(args: &EvalArgs) -> Result<EvaluationReport, InputError> {
     let name = args.problem.name();
     let of_the_arm = args.targets.is_some() || args.separation_mm.is_some() || args.guard.is_some();
     if of_the_arm || args.shield != Shield::None {

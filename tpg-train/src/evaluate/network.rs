@@ -1,6 +1,6 @@
 //! A network on any built-in problem with outputs.
 
-use super::report::Report;
+use super::report::EvaluationReport;
 use crate::sac::network::Network;
 use std::time::Instant;
 use tpg_engine::random::{Purpose, Stream};
@@ -60,9 +60,9 @@ pub fn on_problem(
     network: &Network,
     episodes: usize,
     seed: u64,
-) -> Result<Report, InputError> {
+) -> Result<EvaluationReport, InputError> {
     let began = Instant::now();
     let Tested { endings, outcomes, measure } = test(problem, file, network, episodes, seed)?;
     let seconds = began.elapsed().as_secs_f64();
-    Ok(Report::new(problem.name().name(), file, Some(seed), &endings, outcomes, measure, seconds))
+    Ok(EvaluationReport::new(problem.name().name(), file, Some(seed), &endings, outcomes, measure, seconds))
 }

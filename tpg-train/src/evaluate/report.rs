@@ -13,7 +13,7 @@ use tpg_problems::arm::trial::Trial;
 
 /// The result of a policy on test episodes. Rates are between 0 and 1; scores have the problem's unit.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Report {
+pub struct EvaluationReport {
     /// The problem's name.
     pub problem: String,
     /// The policy's file.
@@ -92,7 +92,7 @@ fn listed(ratio: f64, hand_overs: &BTreeMap<String, f64>) -> String {
     format!("{:.1} % of the actions; hand-overs an episode: {}", 100.0 * ratio, causes.join(", "))
 }
 
-impl Report {
+impl EvaluationReport {
     /// The report of episodes; `seconds` is the time they took.
     pub fn new(
         problem: &str,
@@ -212,7 +212,7 @@ pub fn confidence(rate: f64, count: usize) -> [f64; 2] {
 
 #[cfg(test)]
 mod tests {
-    use super::{Report, confidence};
+    use super::{EvaluationReport, confidence};
     use tpg_engine::Ending;
 
     #[test]
@@ -227,7 +227,7 @@ mod tests {
     fn undefined_figures_are_null() {
         let ending = Ending { outcome: 0, success: None, score: 2.0, measure: 0.0, actions: 3 };
         let endings = [ending, Ending { score: 4.0, ..ending }];
-        let report = Report::new("pole", "graph.json", Some(1), &endings, &["fallen"], None, 0.0);
+        let report = EvaluationReport::new("pole", "graph.json", Some(1), &endings, &["fallen"], None, 0.0);
         let json = serde_json::to_value(&report).expect("plain data");
         assert_eq!(json["mean_score"], 3.0);
         assert_eq!(json["min_score"], 2.0);

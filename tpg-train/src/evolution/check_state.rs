@@ -1,6 +1,6 @@
 //! Validity of a state that was read from a checkpoint. Everything behind it relies on these conditions.
 
-use super::config::Config;
+use super::config::EvolutionConfig;
 use super::genome::{Destination, Edge, Genome, Program, TeamId};
 use super::linear::LinearWriter;
 use super::state::{Best, Deme, State};
@@ -21,7 +21,7 @@ impl<Task: std::fmt::Debug> State<Task> {
     /// The first index without its object, or value out of range; keys begin with `state`.
     pub fn check<S: Scalar, E: Environment<S, Task = Task>>(
         &self,
-        config: &Config,
+        config: &EvolutionConfig,
         environment: &E,
     ) -> Result<(), Finding> {
         self.check_parts::<S, E>(config, environment).map_err(|finding| finding.within("state"))
@@ -29,7 +29,7 @@ impl<Task: std::fmt::Debug> State<Task> {
 
     fn check_parts<S: Scalar, E: Environment<S, Task = Task>>(
         &self,
-        config: &Config,
+        config: &EvolutionConfig,
         environment: &E,
     ) -> Result<(), Finding> {
         let sources = environment.sources();
@@ -76,7 +76,7 @@ impl<Task: std::fmt::Debug> State<Task> {
 }
 
 impl<Task> State<Task> {
-    fn check_searches(&self, config: &Config, vocabulary: &Vocabulary, actions: usize) -> Result<(), Finding> {
+    fn check_searches(&self, config: &EvolutionConfig, vocabulary: &Vocabulary, actions: usize) -> Result<(), Finding> {
         let generations = config.linear_generations();
         let accepted = match self.generation {
             0 => [0, 0],
@@ -101,7 +101,7 @@ impl<Task> State<Task> {
 fn check_best(
     best: &Best,
     generation: u64,
-    config: &Config,
+    config: &EvolutionConfig,
     inputs: usize,
     space: &ActionSpace,
 ) -> Result<(), Finding> {
@@ -128,7 +128,7 @@ fn equal<T: PartialEq + std::fmt::Display>(key: &str, found: T, accepted: T) -> 
 
 /// Bounds of a deme's indices.
 struct Limits<'a> {
-    config: &'a Config,
+    config: &'a EvolutionConfig,
     vocabulary: &'a Vocabulary,
     actions: usize,
 }

@@ -1,6 +1,6 @@
 //! The content of a checkpoint: everything a run needs to end with the same bytes as if it had never stopped.
 
-use super::config::Config;
+use super::config::EvolutionConfig;
 use super::state::State;
 use crate::folder::{Trainer, checkpoint::look};
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
@@ -26,7 +26,7 @@ struct Checkpoint<Task> {
 /// If a task of the environment cannot be written as JSON; `file` is named in the error.
 pub fn to_bytes<Task: Serialize + Clone>(
     file: &str,
-    config: &Config,
+    config: &EvolutionConfig,
     state: &State<Task>,
 ) -> Result<Vec<u8>, InputError> {
     let checkpoint = Checkpoint { config: config.to_toml(), state: state.clone() };
@@ -39,10 +39,10 @@ pub fn to_bytes<Task: Serialize + Clone>(
 ///
 /// # Errors
 /// If it cannot be read or is not a checkpoint of this version.
-pub fn open<Task: DeserializeOwned>(folder: &Path) -> Result<(Config, State<Task>), InputError> {
+pub fn open<Task: DeserializeOwned>(folder: &Path) -> Result<(EvolutionConfig, State<Task>), InputError> {
     look(folder, Trainer::Tpg, VERSION, |file, content| {
         let checkpoint: Checkpoint<Task> = parse(file, content)?;
-        let config = Config::of_run(&format!("{file}, config"), &checkpoint.config)?;
+        let config = EvolutionConfig::of_run(&format!("{file}, config"), &checkpoint.config)?;
         Ok((config, checkpoint.state))
     })
 }
@@ -62,7 +62,7 @@ fn parse<Task: DeserializeOwned>(file: &str, content: &[u8]) -> Result<Checkpoin
 pub fn from_bytes<S: Scalar, E: Environment<S>>(
     file: &str,
     content: &[u8],
-    config: &Config,
+    config: &EvolutionConfig,
     seed: u64,
     environment: &E,
 ) -> Result<State<E::Task>, InputError> {
@@ -71,7 +71,7 @@ pub fn from_bytes<S: Scalar, E: Environment<S>>(
     // Read and written again: a key added since then has its default and does not count as a difference. A run may be
     // extended by more generations.
     let generations = config.learning.nb_generations;
-    let own = toml::from_str::<Config>(&checkpoint.config).map_or(checkpoint.config, |mut own| {
+    let own = toml::from_str::<EvolutionConfig>(&checkpoint.config).map_or(checkpoint.config, |mut own| {
         own.learning.nb_generations = generations;
         own.to_toml()
     });

@@ -1,6 +1,6 @@
 //! `tpg-train tpg`: evolves a tangled program graph.
 
-use super::config::Config;
+use super::config::EvolutionConfig;
 use super::generation::Goal;
 use super::presets::{PRESETS, Preset};
 use super::run::{RunEnd, RunError, RunOptions, run};
@@ -11,11 +11,12 @@ use crate::files::{read_text, write_atomically};
 use crate::folder::{RunFolder, Trainer};
 use crate::interrupt;
 use crate::progress::Bar;
+use crate::ranks::workplace::Workplace;
 use crate::run_args::{RunArgs, command_line};
 use clap::Args;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
-use tpg_engine::{Choices, Environment, LocalThreads, Options, Remembered, Remembering, Summary};
+use tpg_engine::{Choices, EngineOptions, Environment, Evaluator, LocalThreads, Remembered, Remembering, Summary};
 use tpg_graph::ScalarType;
 use tpg_graph::command::Verdict;
 use tpg_graph::error::InputError;
@@ -75,24 +76,24 @@ fn seeds(text: &str) -> Result<Seeds, String> {
         .ok_or_else(|| "two seeds A..B with A below B, such as 1..9".to_owned())
 }
 
-/// Runs the training.
+/// Runs the training at a place.
 ///
 /// # Errors
 /// An invalid configuration, a folder with another run, files that cannot be written.
-pub fn execute(args: &TpgArgs) -> Result<Verdict, RunError> {
-    let Chosen { mut config, problem, .. } = Chosen::<Config>::by(&args.run, args.problem)?;
+pub fn execute(args: &TpgArgs, place: &impl Workplace) -> Result<Verdict, RunError> {
+    let Chosen { mut config, problem, .. } = Chosen::<EvolutionConfig>::by(&args.run, args.problem)?;
     if let Some(generations) = args.generations {
         config.learning.nb_generations = generations;
     }
     let stop = interrupt::watch();
-    let training = Training { args, config: &config, problem: &problem, stop: &stop };
+    let training = Training { args, config: &config, problem: &problem, stop: &stop, place };
     match config.language.scalar {
         ScalarType::F32 => problem.open::<f32, _>(training),
         ScalarType::F64 => problem.open::<f64, _>(training),
     }
 }
 
-impl Configuration for Config {
+impl Configuration for EvolutionConfig {
     type Problem = Problem;
     const PRESETS: &'static [Preset] = &PRESETS;
     const PRINTED_BY: &'static str = "tpg-train config";
@@ -109,14 +110,15 @@ impl Configuration for Config {
 }
 
 /// Training on an environment whose type only the registry knows.
-struct Training<'a> {
+struct Training<'a, W> {
     args: &'a TpgArgs,
-    config: &'a Config,
+    config: &'a EvolutionConfig,
     problem: &'a Problem,
     stop: &'a AtomicBool,
+    place: &'a W,
 }
 
-impl<S: ArmScalar> Visitor<S> for Training<'_>
+impl<S: ArmScalar, W: Workplace> Visitor<S> for Training<'_, W>
 where
     Own: Maths<S>,
 {
@@ -126,18 +128,24 @@ where
         let choices = Choices::new(environment, self.problem.levels())
             .map_err(|error| command_line(error.to_string(), "fewer problem.levels"))?;
         let memory = Remembered::usual(self.config.language.memory, &choices.sources());
-        self.restarts(&Remembering::new(choices, memory))
+        let environment = Remembering::new(choices, memory);
+        let options = EngineOptions { lanes: self.args.lanes.into(), ..EngineOptions::default() };
+        let local = LocalThreads::<S, Own, _>::new(&environment, options, self.args.threads)?;
+        let identity = format!("{}\n{}", env!("CARGO_PKG_VERSION"), self.config.to_toml());
+        self.place.train(&identity, &local, |evaluator| self.restarts(&environment, evaluator))
     }
 }
 
-impl Training<'_> {
-    fn restarts<S: ArmScalar, E: Environment<S>>(&self, environment: &E) -> Result<Verdict, RunError>
+impl<W> Training<'_, W> {
+    fn restarts<S: ArmScalar, E: Environment<S>>(
+        &self,
+        environment: &E,
+        evaluator: &dyn Evaluator<E::Task>,
+    ) -> Result<Verdict, RunError>
     where
         Own: Maths<S>,
     {
-        let Self { args, config, problem, stop } = *self;
-        let options = Options { lanes: args.lanes.into(), ..Options::default() };
-        let evaluator = LocalThreads::<S, Own, E>::new(environment, options, args.threads)?;
+        let Self { args, config, problem, stop, .. } = *self;
         let goal = Goal { target: args.target, max_steps: args.max_steps };
         let one = |seed: u64, folder: PathBuf| {
             let resume = args.run.resume;

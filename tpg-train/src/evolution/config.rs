@@ -22,20 +22,20 @@ const ACCEPTED: &str = "the parameters that `tpg-train config` prints";
 /// Everything that determines a run except its seed.
 ///
 /// ```
-/// use tpg_train::evolution::config::Config;
+/// use tpg_train::evolution::config::EvolutionConfig;
 /// use tpg_train::evolution::presets::Preset;
 ///
 /// let text = Preset::find("general").expect("a built-in preset").text;
-/// let config = Config::from_toml("mine.toml", &text.replace("\nnb_roots = 200", "\nnb_roots = 100"))?;
+/// let config = EvolutionConfig::from_toml("mine.toml", &text.replace("\nnb_roots = 200", "\nnb_roots = 100"))?;
 /// assert_eq!(config.tpg.nb_roots, 100);
 ///
-/// let error = Config::from_toml("mine.toml", &text.replace("\np_swap", "\np_swop")).expect_err("a typing error");
+/// let error = EvolutionConfig::from_toml("mine.toml", &text.replace("\np_swap", "\np_swop")).expect_err("a typing error");
 /// assert!(error.to_string().contains("unknown field `p_swop`"), "{error}");
 /// # Ok::<(), tpg_graph::error::InputError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Config {
+pub struct EvolutionConfig {
     /// The problem's own settings, as written by the problem; empty if a program supplies its own environment.
     #[serde(default, skip_serializing_if = "toml::Table::is_empty")]
     pub problem: toml::Table,
@@ -353,7 +353,7 @@ impl CurriculumConfig {
     }
 }
 
-impl Config {
+impl EvolutionConfig {
     /// Reads a configuration from a file.
     ///
     /// # Errors

@@ -2,7 +2,7 @@
 
 use super::vocabulary::Vocabulary;
 use std::collections::BTreeMap;
-use tpg_engine::{ActionSpace, Destination, Limits, Operand, Output, Policy};
+use tpg_engine::{ActionSpace, Destination, Limits, Operand, Output, PolicyGraph};
 use tpg_graph::dataflow::effective;
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::{
@@ -17,7 +17,7 @@ use tpg_runtime::ops::Instruction;
 /// # Errors
 /// If the actions are not named, or the graph is invalid, which would be a defect of the trainer.
 pub fn graph(
-    policy: &Policy,
+    policy: &PolicyGraph,
     vocabulary: &Vocabulary,
     sources: Vec<SourceDocument>,
     actions: ActionSpace,
@@ -120,7 +120,7 @@ fn exact(source: SourceDocument, scalar: ScalarType) -> SourceDocument {
     SourceDocument { ranges: source.ranges.into_iter().map(outwards).collect(), ..source }
 }
 
-fn lines(policy: &Policy, program: u32, names: &[String]) -> Vec<LineDocument> {
+fn lines(policy: &PolicyGraph, program: u32, names: &[String]) -> Vec<LineDocument> {
     let lines = &policy.programs[program as usize];
     let operand = |operand: &Operand| match *operand {
         Operand::Register(register) => OperandDocument::Place(format!("r{register}")),

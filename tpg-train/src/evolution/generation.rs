@@ -1,7 +1,7 @@
 //! One generation: populate, evaluate, select, record.
 
 use super::archive::{Recording, bid};
-use super::config::Config;
+use super::config::EvolutionConfig;
 use super::genome::{Destination, ProgramId, TeamId};
 use super::mutate_leaf::LeafMutator;
 use super::mutate_program::ProgramMutator;
@@ -14,7 +14,7 @@ use std::collections::BTreeSet;
 use std::marker::PhantomData;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{
-    Ending, Environment, EvaluationError, Evaluator, Policy, Preference, Summary, UnitKey, Visit, Work, WorkUnit,
+    Ending, Environment, EvaluationError, Evaluator, PolicyGraph, Preference, Summary, UnitKey, Visit, Work, WorkUnit,
     bounded, finite,
 };
 use tpg_runtime::scalar::Scalar;
@@ -22,7 +22,7 @@ use tpg_runtime::scalar::Scalar;
 /// Evolution on one problem, independent of where its roots are evaluated.
 #[derive(Debug)]
 pub struct Evolution<'e, S: Scalar, E: Environment<S>, V> {
-    pub(super) config: &'e Config,
+    pub(super) config: &'e EvolutionConfig,
     pub(super) vocabulary: Vocabulary,
     pub(super) environment: &'e E,
     pub(super) evaluator: &'e V,
@@ -50,7 +50,7 @@ pub(super) fn root_number(deme: usize, team: TeamId) -> u64 {
 struct Evaluated {
     deme: usize,
     team: TeamId,
-    policy: Policy,
+    policy: PolicyGraph,
     lines: usize,
     endings: Vec<Ending>,
     dropped: bool,
@@ -77,8 +77,14 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
     /// Creates the evolution with the given configuration; literals have the units of [`State::scales`].
     ///
     /// # Panics
-    /// If the environment has neither outputs nor named actions, which [`Config::check_actions`] reports earlier.
-    pub fn new(config: &'e Config, environment: &'e E, evaluator: &'e V, scales: Vec<f64>, goal: Goal) -> Self {
+    /// If the environment has neither outputs nor named actions, which [`EvolutionConfig::check_actions`] reports earlier.
+    pub fn new(
+        config: &'e EvolutionConfig,
+        environment: &'e E,
+        evaluator: &'e V,
+        scales: Vec<f64>,
+        goal: Goal,
+    ) -> Self {
         let vocabulary = config.vocabulary(environment, scales);
         let selection_tasks = environment.validation_tasks(config.selection.validation_episodes);
         let actions = environment.actions().count().unwrap_or(0) as u16;

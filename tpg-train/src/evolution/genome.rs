@@ -3,7 +3,7 @@
 use super::vocabulary::{Gene, InstructionIndex, OPERANDS, Vocabulary};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
-use tpg_engine::{self, Line, Policy};
+use tpg_engine::{self, Line, PolicyGraph};
 use tpg_graph::dataflow::effective;
 
 /// Number of a team. Numbers only increase and are never reused.
@@ -259,7 +259,7 @@ impl Genome {
     }
 
     /// Converts a root to an engine policy.
-    pub fn policy(&self, root: TeamId, vocabulary: &Vocabulary) -> Policy {
+    pub fn policy(&self, root: TeamId, vocabulary: &Vocabulary) -> PolicyGraph {
         let reached: Vec<TeamId> = self.reachable(root).into_iter().collect();
         let place = |id: TeamId| reached.binary_search(&id).expect("the team is reached") as u32;
         let mut programs = Vec::new();
@@ -289,7 +289,7 @@ impl Genome {
             });
             teams.push(edges.collect());
         }
-        let policy = Policy::new(vocabulary.registers(), place(root), teams, programs)
+        let policy = PolicyGraph::new(vocabulary.registers(), place(root), teams, programs)
             .with_outputs(vocabulary.outputs().to_vec(), leaves);
         if vocabulary.bound(0).is_some() { policy.shielded(|action| vocabulary.bound(action)) } else { policy }
     }

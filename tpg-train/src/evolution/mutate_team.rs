@@ -209,7 +209,7 @@ fn new_behaviour(
 mod tests {
     use super::{Moment, new_behaviour, populate, random_population};
     use crate::evolution::archive::{Archive, Recording, bid};
-    use crate::evolution::config::Config;
+    use crate::evolution::config::EvolutionConfig;
     use crate::evolution::genome::{Destination, Genome, Program, ProgramId};
     use crate::evolution::mutate_program::ProgramMutator;
     use crate::evolution::presets::Preset;
@@ -218,18 +218,18 @@ mod tests {
     use tpg_engine::random::{Purpose, Stream};
     use tpg_graph::{ScalarType, SourceDocument};
 
-    fn config() -> Config {
+    fn config() -> EvolutionConfig {
         let mut config = Preset::find("paper-fs").expect("it is there").config().expect("it is accepted");
         (config.tpg.nb_roots, config.tpg.init_nb_roots) = (40, 30);
         config
     }
 
-    fn vocabulary(config: &Config) -> Vocabulary {
+    fn vocabulary(config: &EvolutionConfig) -> Vocabulary {
         let source = SourceDocument { name: "s".into(), length: 3, unit: "1".into(), ranges: vec![[-1.0, 1.0]; 3] };
         Vocabulary::new(config.instructions(), 8, 0, &[source], None, ScalarType::F32)
     }
 
-    fn evolved(config: &Config, generations: u64) -> Genome {
+    fn evolved(config: &EvolutionConfig, generations: u64) -> Genome {
         let vocabulary = vocabulary(config);
         let mutator =
             ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };

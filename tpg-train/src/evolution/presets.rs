@@ -1,6 +1,6 @@
 //! The configurations included with the trainer, with a comment for every parameter.
 
-use super::config::Config;
+use super::config::EvolutionConfig;
 use crate::sac;
 use clap::Args;
 use std::io::Write as _;
@@ -127,8 +127,8 @@ impl Preset {
     ///
     /// # Errors
     /// None: a test reads every preset.
-    pub fn config(&self) -> Result<Config, InputError> {
-        Config::from_toml(&format!("<preset {}>", self.name), self.text)
+    pub fn config(&self) -> Result<EvolutionConfig, InputError> {
+        EvolutionConfig::from_toml(&format!("<preset {}>", self.name), self.text)
     }
 }
 
@@ -140,7 +140,7 @@ mod tests {
     fn every_preset_is_accepted_and_comments_every_parameter() {
         for preset in PRESETS {
             let config = preset.config().unwrap_or_else(|error| panic!("{error}"));
-            assert_eq!(crate::evolution::config::Config::from_toml("written", &config.to_toml()), Ok(config));
+            assert_eq!(crate::evolution::config::EvolutionConfig::from_toml("written", &config.to_toml()), Ok(config));
             let lines: Vec<&str> = preset.text.lines().collect();
             for (place, line) in lines.iter().enumerate() {
                 let key = !line.starts_with(['#', '[', ' ', ']']) && line.contains('=');

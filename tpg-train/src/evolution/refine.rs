@@ -136,7 +136,7 @@ mod tests {
     use crate::evolution::linear::LinearWriter;
     use crate::evolution::vocabulary::Vocabulary;
     use tpg_engine::random::{Purpose, Stream};
-    use tpg_engine::{Limits, Policy};
+    use tpg_engine::{Limits, PolicyGraph};
     use tpg_graph::{ScalarType, SourceDocument, Word};
     use tpg_runtime::ops::Instruction;
 
@@ -147,7 +147,7 @@ mod tests {
         Vocabulary::new(words, 2, 0, &[source], Some(vec![1.0; 3]), ScalarType::F64).with_outputs(vec![limits; 2])
     }
 
-    fn children(p_jitter: f64, p_deletion: f64) -> (Policy, Vec<Option<Policy>>) {
+    fn children(p_jitter: f64, p_deletion: f64) -> (PolicyGraph, Vec<Option<PolicyGraph>>) {
         let vocabulary = vocabulary();
         let parameters = RefinementConfig { p_jitter, p_deletion, ..RefinementConfig::default() };
         let refiner = Refiner { vocabulary: &vocabulary, parameters: &parameters };
@@ -166,7 +166,7 @@ mod tests {
     fn a_jitter_keeps_the_lines_and_a_deletion_takes_one() {
         let (parent, jittered) = children(1.0, 0.0);
         assert_eq!(parent.lines(), 8);
-        let jittered: Vec<Policy> = jittered.into_iter().flatten().collect();
+        let jittered: Vec<PolicyGraph> = jittered.into_iter().flatten().collect();
         assert!(jittered.len() == 200 && jittered.iter().all(|child| child.lines() == 8 && *child != parent));
         let (_, shortened) = children(0.0, 1.0);
         assert!(shortened.iter().all(|child| child.as_ref().is_some_and(|child| child.lines() == 7)));

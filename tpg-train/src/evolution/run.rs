@@ -1,7 +1,7 @@
 //! A whole run: generations, checkpoints, logs, and the best graph at the end.
 
 use super::checkpoint;
-use super::config::Config;
+use super::config::EvolutionConfig;
 use super::export;
 use super::generation::{Evolution, Goal};
 use super::logs;
@@ -87,7 +87,7 @@ pub enum RunError {
 ///
 /// ```
 /// use std::ops::ControlFlow;
-/// use tpg_engine::{LocalThreads, Options};
+/// use tpg_engine::{EngineOptions, LocalThreads};
 /// use tpg_problems::CartPole;
 /// use tpg_runtime::ops::Own;
 /// use tpg_train::evolution::presets::Preset;
@@ -100,7 +100,7 @@ pub enum RunError {
 ///
 /// let folder = tempfile::tempdir()?;
 /// let options = RunOptions { folder: folder.path().to_owned(), ..RunOptions::default() };
-/// let evaluator = LocalThreads::<f32, Own, _>::new(&CartPole, Options::default(), 1)?;
+/// let evaluator = LocalThreads::<f32, Own, _>::new(&CartPole, EngineOptions::default(), 1)?;
 /// let end = run::<f32, _, _>(&config, 1, &CartPole, &evaluator, &options, |_| ControlFlow::Continue(()))?;
 /// let RunEnd::Finished(best) = end else { panic!("nothing stopped the run") };
 /// assert!(best.result.score > 0.0);
@@ -112,7 +112,7 @@ pub enum RunError {
 /// If the folder contains another run or another process uses it, its checkpoints are damaged, files cannot be written,
 /// or roots cannot be evaluated.
 pub fn run<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
-    config: &Config,
+    config: &EvolutionConfig,
     seed: u64,
     environment: &E,
     evaluator: &V,
@@ -177,7 +177,7 @@ pub fn run<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
     Ok(RunEnd::Finished(Box::new(best)))
 }
 
-fn progress<'a, Task>(config: &Config, state: &'a State<Task>) -> Progress<'a> {
+fn progress<'a, Task>(config: &EvolutionConfig, state: &'a State<Task>) -> Progress<'a> {
     Progress {
         seed: state.seed,
         generations: state.generation,
@@ -191,7 +191,7 @@ fn progress<'a, Task>(config: &Config, state: &'a State<Task>) -> Progress<'a> {
 
 /// Writes the logs, and the best graph.
 fn write_results<S: Scalar, E: Environment<S>>(
-    config: &Config,
+    config: &EvolutionConfig,
     folder: &Path,
     state: &State<E::Task>,
     environment: &E,
@@ -209,7 +209,7 @@ fn write_results<S: Scalar, E: Environment<S>>(
 /// # Errors
 /// If the environment's actions are not named, or the graph is invalid, which would be a defect of the trainer.
 pub fn graph_of<S: Scalar, E: Environment<S>>(
-    config: &Config,
+    config: &EvolutionConfig,
     seed: u64,
     best: &Best,
     environment: &E,

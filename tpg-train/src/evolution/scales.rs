@@ -1,6 +1,6 @@
 //! The units of literals: half the range of each input, estimated if the environment does not declare it.
 
-use super::config::Config;
+use super::config::EvolutionConfig;
 use super::generation::{Evolution, Goal};
 use super::mutate_leaf::LeafMutator;
 use super::mutate_program::ProgramMutator;
@@ -20,7 +20,7 @@ const EPISODES: usize = 2;
 /// # Errors
 /// If the episodes cannot be run.
 pub fn scales<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
-    config: &Config,
+    config: &EvolutionConfig,
     environment: &E,
     evaluator: &V,
     seed: u64,
@@ -38,7 +38,7 @@ pub fn scales<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
 
 /// Returns states visited by random roots.
 fn explore<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
-    config: &Config,
+    config: &EvolutionConfig,
     environment: &E,
     evaluator: &V,
     seed: u64,

@@ -5,7 +5,7 @@ use super::genome::{Genome, TeamId};
 use super::linear::Search;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, VecDeque};
-use tpg_engine::{Policy, Preference, Summary};
+use tpg_engine::{PolicyGraph, Preference, Summary};
 
 /// A root's record so far (`learn/evaluationResult.h`): the mean over all of its episodes, and their number.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -42,7 +42,7 @@ pub struct Best {
     /// Its result on the selection set.
     pub result: Summary,
     /// The root.
-    pub policy: Policy,
+    pub policy: PolicyGraph,
     /// Ranges of the inputs, if the environment does not know all of them.
     pub ranges: Option<Vec<[f64; 2]>>,
 }
@@ -145,12 +145,12 @@ impl<Task> State<Task> {
 #[cfg(test)]
 mod tests {
     use super::Best;
-    use tpg_engine::{Destination, Edge, Ending, Policy, Preference, Summary};
+    use tpg_engine::{Destination, Edge, Ending, PolicyGraph, Preference, Summary};
 
     fn best(edges: usize, score: f64, generation: u64) -> Best {
         let result = Summary::of(&[Ending { outcome: 0, success: None, score, measure: 0.0, actions: 1 }]);
         let team = vec![Edge { program: 0, to: Destination::Action(0) }; edges];
-        Best { generation, result, policy: Policy::new(1, 0, vec![team], vec![vec![]]), ranges: None }
+        Best { generation, result, policy: PolicyGraph::new(1, 0, vec![team], vec![vec![]]), ranges: None }
     }
 
     #[test]

@@ -8,7 +8,9 @@
 use super::generation::{Evolution, root_number};
 use super::state::{Best, State};
 use std::cmp::Ordering;
-use tpg_engine::{Ending, Environment, EvaluationError, Evaluator, Policy, Summary, UnitKey, Visit, Work, WorkUnit};
+use tpg_engine::{
+    Ending, Environment, EvaluationError, Evaluator, PolicyGraph, Summary, UnitKey, Visit, Work, WorkUnit,
+};
 use tpg_runtime::scalar::Scalar;
 
 /// Number of episodes of the last validation if the budget is exhausted.
@@ -54,7 +56,12 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
 
     /// Compares two results, in favour of the second, less the price of the policies' lines; of equal ones the smaller policy is
     /// greater.
-    fn compare(&self, state: &State<E::Task>, old: (&Summary, &Policy), new: (&Summary, &Policy)) -> Ordering {
+    fn compare(
+        &self,
+        state: &State<E::Task>,
+        old: (&Summary, &PolicyGraph),
+        new: (&Summary, &PolicyGraph),
+    ) -> Ordering {
         let price = self.line_price(state);
         let (old_lines, new_lines) = (old.1.lines(), new.1.lines());
         let less = |result: &Summary, lines: usize| Summary { score: result.score - price * lines as f64, ..*result };
@@ -104,7 +111,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         roots.into_iter().take(self.config.selection.validation_roots).map(|(_, _, unit)| unit).collect()
     }
 
-    fn race(&self, state: &mut State<E::Task>, episodes: usize) -> Result<(Policy, Summary), EvaluationError> {
+    fn race(&self, state: &mut State<E::Task>, episodes: usize) -> Result<(PolicyGraph, Summary), EvaluationError> {
         let mut field: Vec<(WorkUnit, Vec<Ending>)> =
             self.field(state).into_iter().map(|unit| (unit, Vec::new())).collect();
         let mut done = 0;
@@ -132,7 +139,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
 
     /// Returns the ranges of inputs if the environment does not know all of them: those visited by the policy, widened
     /// by a quarter.
-    fn learned_ranges(&self, policy: &Policy) -> Result<Option<Vec<[f64; 2]>>, EvaluationError> {
+    fn learned_ranges(&self, policy: &PolicyGraph) -> Result<Option<Vec<[f64; 2]>>, EvaluationError> {
         let sources = self.environment.sources();
         let declared: Vec<[f64; 2]> = sources.into_iter().flat_map(|source| source.ranges).collect();
         if declared.iter().flatten().all(|end| end.is_finite()) {
@@ -143,7 +150,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
     }
 
     /// Returns states along the episodes of policies, each policy on the first of the selection tasks.
-    pub(super) fn visited(&self, policies: &[Policy], episodes: usize) -> Result<Vec<Vec<f64>>, EvaluationError> {
+    pub(super) fn visited(&self, policies: &[PolicyGraph], episodes: usize) -> Result<Vec<Vec<f64>>, EvaluationError> {
         let tasks = &self.selection_tasks[..episodes.min(self.selection_tasks.len())];
         let units = policies.iter().enumerate().map(|(place, policy)| WorkUnit {
             key: UnitKey { seed: 0, generation: 0, root: place as u64 },

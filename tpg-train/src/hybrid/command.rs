@@ -5,7 +5,7 @@
 //! and `report.html`; for the arm also `timing.csv`. All but the arm's times are the same bytes for equal runs.
 
 use super::arm::command as arm;
-use super::cells::{Subject, grid};
+use super::cells::{Cell, Subject, grid};
 use super::choice;
 use super::report;
 use super::setting::{Detector, HybridFile, Setting};
@@ -14,6 +14,7 @@ use super::span::Span;
 use super::study::{self, Input, absolute, to_csv};
 use super::trial::Acting;
 use crate::files::{read_graph, write_atomically};
+use crate::ranks::workplace::Workplace;
 use crate::run_args::command_line;
 use crate::sac::network::Network;
 use clap::Args;
@@ -131,23 +132,23 @@ struct Asked {
 /// # Errors
 /// Files that are not policies of the problem, settings that it does not have, a folder with another study, files that
 /// cannot be written.
-pub fn execute(args: &HybridArgs) -> Result<Verdict, InputError> {
+pub fn execute(args: &HybridArgs, place: &impl Workplace) -> Result<Verdict, InputError> {
     if let Some(start) = args.problem.start() {
-        return arm::execute(args, start);
+        return arm::execute(args, start, place);
     }
     if !args.guard.is_empty() {
         let found = format!("--guard with --problem {}", args.problem.name());
         return Err(command_line(found, "--guard with fs or rs: only the arm has guards"));
     }
     let problem = crate::evaluate::graph_problem(args.problem, args.config.as_deref())?;
-    study_on(&problem, &args.study)
+    study_on(&problem, &args.study, place)
 }
 
 /// Runs a study on a problem, such as [an environment of your own](super::shared::OwnProblem).
 ///
 /// # Errors
 /// As [`execute`].
-pub fn study_on(problem: &dyn Shared, args: &StudyArgs) -> Result<Verdict, InputError> {
+pub fn study_on(problem: &dyn Shared, args: &StudyArgs, place: &impl Workplace) -> Result<Verdict, InputError> {
     let facts = problem.facts();
     let read_networks = args.policy.iter().map(|path| Ok((path.display().to_string(), Network::read(path)?)));
     let mut subject = Subject {
@@ -178,16 +179,30 @@ pub fn study_on(problem: &dyn Shared, args: &StudyArgs) -> Result<Verdict, Input
     }
     // Policies that do not fit are refused before the folder is made.
     let threads = study::threads(args.threads)?;
-    let alone = threads.install(|| alone(&subject))?;
-    let folder = study::open_folder(&args.out, args.resume, &asked)?;
-    let Some(cells) = study::in_folder(&subject, &folder, &threads)? else { return Ok(Verdict::Interrupted) };
-    let summaries = choice::summarise(&cells, &subject.settings, facts.preference);
+    place.study(&study::identity(&asked), &threads, &|number| study::numbered(&subject, number), |cells| {
+        let alone = threads.install(|| alone(&subject))?;
+        let folder = study::open_folder(&args.out, args.resume, &asked)?;
+        let Some(cells) = study::in_folder(&subject, &folder, cells)? else { return Ok(Verdict::Interrupted) };
+        finish(args, &subject, &facts, &cells, &alone)
+    })
+}
+
+/// Writes the results of a study.
+fn finish(
+    args: &StudyArgs,
+    subject: &Subject<'_>,
+    facts: &Facts,
+    cells: &[Cell],
+    alone: &[Alone],
+) -> Result<Verdict, InputError> {
+    let problem = subject.problem;
+    let summaries = choice::summarise(cells, &subject.settings, facts.preference);
     let file = |name: &str| args.out.join(name);
     write_atomically(&file("settings.csv"), &to_csv(summaries.iter()))?;
     write_atomically(&file("alone.csv"), &to_csv(alone.iter()))?;
-    write_atomically(&file("report.html"), report::page(&problem.name(), &cells, &summaries, &alone).as_bytes())?;
+    write_atomically(&file("report.html"), report::page(&problem.name(), cells, &summaries, alone).as_bytes())?;
     let Some(chosen) = summaries.iter().find(|summary| summary.chosen) else { return Ok(Verdict::Good) };
-    let Some(best) = choice::best_pair(&cells, &chosen.setting(), facts.preference) else { return Ok(Verdict::Good) };
+    let Some(best) = choice::best_pair(cells, &chosen.setting(), facts.preference) else { return Ok(Verdict::Good) };
     let hybrid = HybridFile {
         problem: problem.name(),
         graph: absolute(&args.tpg[best.tpg]),
@@ -205,7 +220,7 @@ pub fn study_on(problem: &dyn Shared, args: &StudyArgs) -> Result<Verdict, Input
         chosen.network_actions,
         chosen.steps
     );
-    for Alone { kind, file, mean_score, .. } in &alone {
+    for Alone { kind, file, mean_score, .. } in alone {
         eprintln!("{}: {file}: score {mean_score:.2}", if *kind == "tpg" { "graph alone" } else { "network alone" });
     }
     Ok(Verdict::Good)

@@ -3,16 +3,15 @@
 use crate::files::{read_text, write_atomically};
 use crate::folder::{RunFolder, Trainer};
 use crate::interrupt;
+use crate::ranks::workplace::Cells;
 use indicatif::{ProgressBar, ProgressStyle};
-use rayon::prelude::*;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 use tpg_graph::error::{InputError, Place};
 
@@ -55,6 +54,22 @@ pub const VERSION: u32 = 1;
 /// Interval between saves of finished cells.
 const SAVE_EVERY: Duration = Duration::from_secs(10);
 
+/// Returns the cell of a study with a number below its [size](Study::size), as bytes.
+///
+/// # Errors
+/// If a policy does not fit the problem.
+pub fn numbered<T: Study>(study: &T, number: u64) -> Result<Vec<u8>, InputError> {
+    let (tpg, sac, setting) = place(study, number);
+    let cell = study.cell(tpg, sac, &study.settings()[setting])?;
+    Ok(to_csv(std::iter::once(&cell)))
+}
+
+/// Returns graph, network and setting of the cell with a number.
+fn place<T: Study>(study: &T, number: u64) -> (usize, usize, usize) {
+    let (number, settings, [_, sacs]) = (number as usize, study.settings().len(), study.policies());
+    (number / settings / sacs, number / settings % sacs, number % settings)
+}
+
 /// Computes all cells that the folder's checkpoint does not hold yet; `cells.csv` always contains whole rows of finished
 /// cells, in order. `None` if `stop` was set before all were done.
 ///
@@ -63,38 +78,35 @@ const SAVE_EVERY: Duration = Duration::from_secs(10);
 pub fn run<T: Study>(
     study: &T,
     folder: &RunFolder,
+    cells: &dyn Cells,
     progress: &ProgressBar,
     stop: &AtomicBool,
 ) -> Result<Option<Vec<T::Cell>>, InputError> {
     let known = folder.load(VERSION, read::<T::Cell>)?.unwrap_or_default();
-    let cells: BTreeMap<T::Key, T::Cell> = known.into_iter().map(|cell| (study.key_of(&cell), cell)).collect();
-    let [tpgs, sacs] = study.policies();
-    let pairs = (0..tpgs).flat_map(|tpg| (0..sacs).map(move |sac| (tpg, sac)));
-    let open: Vec<(usize, usize, &T::Setting)> = pairs
-        .flat_map(|(tpg, sac)| study.settings().iter().map(move |setting| (tpg, sac, setting)))
-        .filter(|&(tpg, sac, setting)| !cells.contains_key(&study.key(tpg, sac, setting)))
-        .collect();
+    let mut finished: BTreeMap<T::Key, T::Cell> = known.into_iter().map(|cell| (study.key_of(&cell), cell)).collect();
+    let is_open = |&number: &u64| {
+        let (tpg, sac, setting) = place(study, number);
+        !finished.contains_key(&study.key(tpg, sac, &study.settings()[setting]))
+    };
+    let open: Vec<u64> = (0..study.size() as u64).filter(is_open).collect();
     progress.set_length(study.size() as u64);
     progress.set_position((study.size() - open.len()) as u64);
-    let shared = Mutex::new((cells, Instant::now()));
-    open.par_iter().try_for_each(|&(tpg, sac, setting)| {
-        if stop.load(Ordering::Relaxed) {
-            return Ok(());
-        }
-        let cell = study.cell(tpg, sac, setting)?;
+    let mut saved = Instant::now();
+    cells.compute(&open, stop, &mut |_, bytes| {
+        finished.extend(read(COMPUTED, &bytes)?.into_iter().map(|cell| (study.key_of(&cell), cell)));
         progress.inc(1);
-        let mut shared = shared.lock().expect("no thread panicked");
-        shared.0.insert(study.key_of(&cell), cell);
-        if shared.1.elapsed() > SAVE_EVERY {
-            write(folder, shared.0.values())?;
-            shared.1 = Instant::now();
+        if saved.elapsed() > SAVE_EVERY {
+            write(folder, finished.values())?;
+            saved = Instant::now();
         }
         Ok(())
     })?;
-    let (cells, _) = shared.into_inner().expect("no thread panicked");
-    write(folder, cells.values())?;
-    Ok((cells.len() == study.size()).then(|| cells.into_values().collect()))
+    write(folder, finished.values())?;
+    Ok((finished.len() == study.size()).then(|| finished.into_values().collect()))
 }
+
+/// The name of computed cells in errors.
+const COMPUTED: &str = "<computed cells>";
 
 /// Writes rows as CSV.
 pub fn to_csv<'a, T: Serialize + 'a>(rows: impl Iterator<Item = &'a T>) -> Vec<u8> {
@@ -141,6 +153,11 @@ impl Input {
     }
 }
 
+/// Returns everything that must be equal on all ranks of a study: version and `study.toml`.
+pub fn identity(asked: &impl Serialize) -> String {
+    format!("{}\n{}", env!("CARGO_PKG_VERSION"), toml::to_string(asked).expect("plain data"))
+}
+
 /// Starts or resumes a study in a folder; `asked` is the content of its `study.toml`.
 ///
 /// # Errors
@@ -157,20 +174,20 @@ pub fn open_folder(folder: &Path, resume: bool, asked: &impl Serialize) -> Resul
     Ok(opened)
 }
 
-/// Computes the cells of a study in its folder with that many threads; `None` if it was interrupted.
+/// Computes the cells of a study in its folder; `None` if it was interrupted.
 ///
 /// # Errors
-/// As [`run`], and if the threads cannot be started.
+/// As [`run`].
 pub fn in_folder<T: Study>(
     study: &T,
     folder: &RunFolder,
-    threads: &rayon::ThreadPool,
+    cells: &dyn Cells,
 ) -> Result<Option<Vec<T::Cell>>, InputError> {
     let stop = interrupt::watch();
     let progress = ProgressBar::new(study.size() as u64);
     let style = ProgressStyle::with_template("{bar:30} {pos} of {len}  {eta} left");
     progress.set_style(style.expect("a template that is right"));
-    let cells = threads.install(|| run(study, folder, &progress, &stop));
+    let cells = run(study, folder, cells, &progress, &stop);
     progress.finish_and_clear();
     cells
 }

@@ -6,7 +6,7 @@ use crate::evaluate::graph::endings_on;
 use crate::sac::network::Network;
 use std::cell::RefCell;
 use std::marker::PhantomData;
-use tpg_engine::{Choices, Ending, Environment, Options, Plan, Single, bind};
+use tpg_engine::{Choices, Ending, EngineOptions, Environment, Plan, Single, bind};
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
 use tpg_graph::interpret::Answer;
@@ -187,7 +187,7 @@ struct GraphPolicy<S, M>(Single<S, M>);
 impl<S: Scalar, M: Maths<S>> GraphPolicy<S, M> {
     fn new((file, graph): &(String, Graph), environment: &impl Environment<S>) -> Result<Self, InputError> {
         let policy = bind(file, graph, environment)?;
-        Ok(Self(Single::new(Plan::new::<M>(&policy, &environment.sources(), Options::default()))))
+        Ok(Self(Single::new(Plan::new::<M>(&policy, &environment.sources(), EngineOptions::default()))))
     }
 }
 

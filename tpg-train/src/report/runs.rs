@@ -1,7 +1,7 @@
 //! Reading and grouping of run folders.
 
 use crate::actor::version1::upgraded;
-use crate::evolution::config::Config;
+use crate::evolution::config::EvolutionConfig;
 use crate::evolution::state::Row;
 use crate::files::read_text;
 use crate::hybrid::arm::setting::Hybrid as ArmHybrid;
@@ -171,7 +171,7 @@ fn named(mut group: Group) -> Group {
 
 fn tpg(folder: &Path, name: String, config: &str) -> Result<Run, InputError> {
     let file = folder.join("config.toml").display().to_string();
-    let own = Config::of_run(&file, config)?.problem.is_empty();
+    let own = EvolutionConfig::of_run(&file, config)?.problem.is_empty();
     let problem = if own { None } else { Some(Box::new(Problem::from_toml(&file, config)?)) };
     let rows: Vec<Row> = lines(&folder.join("generations.jsonl"))?;
     let path = folder.join("graph.json");

@@ -15,7 +15,7 @@ use crate::sac::tensors::place;
 use tpg_arm::{Arm, Pose, WIDOWX};
 use tpg_engine::random::Purpose;
 use tpg_engine::{
-    Choices, Ending, Environment, Lanes, Measure, Options, Plan, Policy, Remembered, Remembering, Summary,
+    Choices, Ending, EngineOptions, Environment, Lanes, Measure, Plan, PolicyGraph, Remembered, Remembering, Summary,
 };
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::{Graph, in_arithmetic_of};
@@ -216,8 +216,8 @@ fn walks<S: ArmScalar, M: Maths<S>>(
     chosen: &[(usize, ArmTask, Ending)],
 ) -> Result<Vec<Walk>, InputError> {
     let environment = ArmEnvironment::<S>::for_graph(&run.name, graph, arm, problem.clone())?;
-    let plan = Plan::new::<M>(&Policy::from(graph), &environment.sources(), Options::default());
-    let mut lanes = Lanes::<S, M, _>::new(&environment, Options { lanes: 1, ..Options::default() });
+    let plan = Plan::new::<M>(&PolicyGraph::from(graph), &environment.sources(), EngineOptions::default());
+    let mut lanes = Lanes::<S, M, _>::new(&environment, EngineOptions { lanes: 1, ..EngineOptions::default() });
     let one = |&(number, task, ending): &(usize, ArmTask, Ending)| {
         let mut poses = vec![Pose(task.start)];
         lanes

@@ -14,7 +14,7 @@
 //! 3. critics: y = r + discount·V̄(s′);
 //! 4. the slow value network follows.
 
-use super::config::{Algorithm, Config, Learning};
+use super::config::{Algorithm, Learning, SacConfig};
 use serde::{Deserialize, Serialize};
 use tpg_engine::random::Stream;
 use tpg_nn::{Adam, Gaussian, Mlp, Real, Samples, Shape, Tape};
@@ -53,7 +53,7 @@ pub struct Experience<'a, T> {
 
 /// Figures of an update, averaged over its batch.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Report {
+pub struct UpdateFigures {
     /// Mean squared error of the two critics, summed.
     pub critic_loss: f64,
     /// α ln π − min Q.
@@ -132,7 +132,7 @@ pub struct Workspace<T> {
 
 impl<T: Real> Agent<T> {
     /// Creates an agent with random weights, for states of that many inputs.
-    pub fn new(config: &Config, inputs: usize, gaussian: Gaussian, random: &mut Stream) -> Self {
+    pub fn new(config: &SacConfig, inputs: usize, gaussian: Gaussian, random: &mut Stream) -> Self {
         let norm = config.actor.layer_norm;
         let actor = Shape { inputs, hidden: config.actor.hidden.clone(), outputs: 2 * gaussian.actions, norm };
         let critic =
@@ -191,7 +191,7 @@ impl<T: Real> Agent<T> {
     ///
     /// # Panics
     /// If the batch has another size than the workspace.
-    pub fn update(&mut self, space: &mut Workspace<T>, batch: Experience<'_, T>, rates: &Rates) -> Report {
+    pub fn update(&mut self, space: &mut Workspace<T>, batch: Experience<'_, T>, rates: &Rates) -> UpdateFigures {
         match self.bootstrap {
             Bootstrap::SlowCritics(_) => self.update_with_slow_critics(space, batch, rates),
             Bootstrap::Value { .. } => self.update_with_value(space, batch, rates),
@@ -203,7 +203,7 @@ impl<T: Real> Agent<T> {
         space: &mut Workspace<T>,
         batch: Experience<'_, T>,
         rates: &Rates,
-    ) -> Report {
+    ) -> UpdateFigures {
         let alpha = self.log_alpha.exponential();
         self.bootstrap_from_critics(space, batch, alpha);
         let critic_loss = self.update_critics(space, batch, rates.learning);
@@ -219,10 +219,15 @@ impl<T: Real> Agent<T> {
                 slow.follow(&critic.network, T::of(rates.follow));
             }
         }
-        Report { critic_loss, actor_loss, entropy: -mean_density.wide(), temperature: alpha.wide() }
+        UpdateFigures { critic_loss, actor_loss, entropy: -mean_density.wide(), temperature: alpha.wide() }
     }
 
-    fn update_with_value(&mut self, space: &mut Workspace<T>, batch: Experience<'_, T>, rates: &Rates) -> Report {
+    fn update_with_value(
+        &mut self,
+        space: &mut Workspace<T>,
+        batch: Experience<'_, T>,
+        rates: &Rates,
+    ) -> UpdateFigures {
         self.update_value(space, batch, rates.learning);
         let actor_loss = self.update_actor(space, batch, T::one(), rates.learning);
         let entropy = -mean(&space.samples.log_densities).wide();
@@ -238,7 +243,7 @@ impl<T: Real> Agent<T> {
         if let Bootstrap::Value { value, slow } = &mut self.bootstrap {
             slow.follow(&value.network, T::of(rates.follow));
         }
-        Report { critic_loss, actor_loss, entropy, temperature: 1.0 }
+        UpdateFigures { critic_loss, actor_loss, entropy, temperature: 1.0 }
     }
 
     /// Moves the value network towards min Q(s, a) − ln π(a|s), with `next_noise` for a.

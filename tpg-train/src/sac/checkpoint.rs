@@ -5,7 +5,7 @@
 //! state: every stream is a function of the seed and the counters.
 
 use super::agent::{Agent, Bootstrap, Learner};
-use super::config::Config;
+use super::config::SacConfig;
 use super::lanes::Lanes;
 use super::replay::Replay;
 use super::tensors::{Tensor, Tensors, place};
@@ -24,7 +24,7 @@ const MOST: u64 = 1 << 53;
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct State<Task> {
-    config: Config,
+    config: SacConfig,
     seed: u64,
     decisions: u64,
     updates: u64,
@@ -44,7 +44,7 @@ struct State<Task> {
 /// The part that identifies a run, for any problem.
 #[derive(Deserialize)]
 struct Header {
-    config: Config,
+    config: SacConfig,
     seed: u64,
 }
 
@@ -130,7 +130,7 @@ pub fn from_bytes<'e, E: Environment<f32>>(
     file: &str,
     content: &[u8],
     environment: &'e E,
-    config: &Config,
+    config: &SacConfig,
     seed: u64,
 ) -> Result<Loaded<'e, E>, InputError> {
     Tensors::from_bytes(content)
@@ -195,7 +195,7 @@ impl Numbers {
 fn restore<'e, E: Environment<f32>>(
     mut file: Tensors,
     environment: &'e E,
-    config: &Config,
+    config: &SacConfig,
     seed: u64,
 ) -> Result<Loaded<'e, E>, Finding> {
     let text = file.text.take().unwrap_or_default();
@@ -252,7 +252,7 @@ impl<Task> State<Task> {
     /// Checks counts and tasks: everything behind relies on them.
     fn check<E: Environment<f32, Task = Task>>(
         &self,
-        config: &Config,
+        config: &SacConfig,
         environment: &E,
         outputs: usize,
     ) -> Result<(), Finding> {
@@ -298,7 +298,7 @@ fn check_task<E: Environment<f32>>(environment: &E, key: &str, task: &E::Task) -
 }
 
 /// Refuses the checkpoint of another configuration or seed.
-fn check_header(text: &str, config: &Config, seed: u64) -> Result<(), Finding> {
+fn check_header(text: &str, config: &SacConfig, seed: u64) -> Result<(), Finding> {
     let header: Header = parse(text)?;
     if header.config != *config {
         let accepted = "the configuration that the run began with, or another --out";
@@ -318,7 +318,7 @@ mod tests {
     use tpg_problems::arm::motors::{self, Motors};
     use tpg_problems::arm::targets::Start;
 
-    fn small(preset: &str) -> Config {
+    fn small(preset: &str) -> SacConfig {
         let mut config = presets::config(presets::find(preset).expect("a preset")).expect("it is accepted");
         config.actor.hidden = vec![12, 10];
         config.critic.hidden = vec![14, 9];
@@ -347,7 +347,7 @@ mod tests {
         Motors::new(Start::Rs, settings, 9)
     }
 
-    fn check_resumed<E: Environment<f32>>(environment: &E, config: &Config) {
+    fn check_resumed<E: Environment<f32>>(environment: &E, config: &SacConfig) {
         let new = || Training::new(environment, config.clone(), 9).expect("an environment with outputs");
         let (mut undisturbed, mut stopped) = (new(), new());
         (0..100).for_each(|_| stopped.tick());
@@ -379,7 +379,7 @@ mod tests {
         training.tick();
         let whole = to_bytes(&training, &[]);
         let refusal =
-            |content: &[u8], config: &Config, seed: u64| match from_bytes("x", content, &Pendulum, config, seed) {
+            |content: &[u8], config: &SacConfig, seed: u64| match from_bytes("x", content, &Pendulum, config, seed) {
                 Ok(_) => panic!("it is read"),
                 Err(error) => error.to_string(),
             };

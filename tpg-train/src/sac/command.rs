@@ -4,7 +4,7 @@
 //! run's time), `checkpoint`, and, from the first validation on, `policy.safetensors`: the best candidate so far, and at
 //! the end the last one.
 
-use super::config::Config;
+use super::config::SacConfig;
 use super::contract::{Contract, Provenance};
 use super::training::{Best, Training, interface};
 use super::weights::to_tensors;
@@ -58,7 +58,7 @@ pub struct SacArgs {
 /// # Errors
 /// A bad configuration, a problem without outputs, a folder with another run, files that cannot be written.
 pub fn execute(args: &SacArgs) -> Result<Verdict, InputError> {
-    let Chosen { preset, mut config, problem } = Chosen::<Config>::by(&args.run, args.problem)?;
+    let Chosen { preset, mut config, problem } = Chosen::<SacConfig>::by(&args.run, args.problem)?;
     if let Some(decisions) = args.decisions {
         config.learning.decisions = decisions;
     }
@@ -68,7 +68,7 @@ pub fn execute(args: &SacArgs) -> Result<Verdict, InputError> {
     problem.open(args.seed, command)
 }
 
-impl Configuration for Config {
+impl Configuration for SacConfig {
     type Problem = ContinuousProblem;
     const PRESETS: &'static [Preset] = &presets::PRESETS;
     const PRINTED_BY: &'static str = "tpg-train config --sac";
@@ -86,7 +86,7 @@ impl Configuration for Config {
 
 /// Returns the name of a configuration from a file: a hash of its content, so that the policy does not depend on where
 /// the file lies.
-fn name_by_content(config: &Config) -> String {
+fn name_by_content(config: &SacConfig) -> String {
     let hash = Sha256::digest(config.to_toml());
     hash.iter().take(8).fold("SHA-256 ".to_owned(), |text, byte| format!("{text}{byte:02x}"))
 }
@@ -95,7 +95,7 @@ fn name_by_content(config: &Config) -> String {
 struct Command<'a> {
     args: &'a SacArgs,
     name: &'a str,
-    config: Config,
+    config: SacConfig,
     problem: ProblemName,
     stop: &'a AtomicBool,
 }

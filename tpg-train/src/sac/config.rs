@@ -13,7 +13,7 @@ const ACCEPTED: &str = "the settings that `tpg-train config --sac` prints";
 /// Everything that decides a run, but for its seed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Config {
+pub struct SacConfig {
     /// The problem's own settings, as the problem wrote them; empty where a program brings its own environment.
     #[serde(default, skip_serializing_if = "toml::Table::is_empty")]
     pub problem: toml::Table,
@@ -148,7 +148,7 @@ pub struct Validation {
     pub flat_after: usize,
 }
 
-impl Config {
+impl SacConfig {
     /// Reads and checks a configuration; the problem checks its own section.
     ///
     /// # Errors
@@ -218,7 +218,7 @@ pub fn check_widths(key: &str, hidden: &[usize]) -> Result<(), Finding> {
 
 #[cfg(test)]
 mod tests {
-    use super::Config;
+    use super::SacConfig;
     use crate::sac::presets;
     use tpg_graph::error::Place;
 
@@ -234,7 +234,7 @@ mod tests {
         ] {
             let at = text.find(from).expect("a preset has it");
             let line = 1 + text[..at].lines().count() - usize::from(!text[..at].ends_with('\n'));
-            let error = Config::from_toml("x.toml", &text.replacen(from, to, 1)).expect_err(to);
+            let error = SacConfig::from_toml("x.toml", &text.replacen(from, to, 1)).expect_err(to);
             assert!(error.found.starts_with(found), "{error}");
             assert_eq!(error.place, Place::Line(line), "{error}");
         }

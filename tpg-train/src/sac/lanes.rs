@@ -1,6 +1,6 @@
 //! Parallel training episodes: when one ends, the next begins in its lane.
 
-use super::config::Config;
+use super::config::SacConfig;
 use super::failures::Failures;
 use super::interface::Interface;
 use tpg_engine::random::{Purpose, Stream};
@@ -46,7 +46,7 @@ pub struct Lanes<'e, E: Environment<f32>> {
 
 impl<'e, E: Environment<f32>> Lanes<'e, E> {
     /// Begins an episode in each lane.
-    pub fn new(environment: &'e E, interface: Interface, config: &Config, seed: u64) -> Self {
+    pub fn new(environment: &'e E, interface: Interface, config: &SacConfig, seed: u64) -> Self {
         let mut lanes = Self::empty(environment, interface, config, seed);
         for _ in 0..config.learning.lanes {
             let lane = lanes.begin();
@@ -56,7 +56,7 @@ impl<'e, E: Environment<f32>> Lanes<'e, E> {
     }
 
     /// Creates the lanes without episodes: see [`resume`](Self::resume).
-    pub fn empty(environment: &'e E, interface: Interface, config: &Config, seed: u64) -> Self {
+    pub fn empty(environment: &'e E, interface: Interface, config: &SacConfig, seed: u64) -> Self {
         let retried = config.retry.map_or(0.0, |retry| retry.share);
         let (limit, failures) = (environment.time_limit(), Failures::new());
         let (lanes, values) = (Vec::new(), Vec::new());

@@ -1,6 +1,6 @@
 //! The configurations included with the trainer, with a comment for every setting.
 
-use super::config::Config;
+use super::config::SacConfig;
 use crate::evolution::presets::Preset;
 use tpg_graph::error::InputError;
 use tpg_problems::ProblemName;
@@ -46,15 +46,15 @@ pub fn usual(problem: ProblemName) -> &'static Preset {
 ///
 /// # Errors
 /// None: a test reads every preset.
-pub fn config(preset: &Preset) -> Result<Config, InputError> {
+pub fn config(preset: &Preset) -> Result<SacConfig, InputError> {
     let (file, text) = preset.file();
-    Config::from_toml(&file, &text)
+    SacConfig::from_toml(&file, &text)
 }
 
 #[cfg(test)]
 mod tests {
     use super::{PRESETS, config};
-    use crate::sac::config::Config;
+    use crate::sac::config::SacConfig;
     use tpg_problems::ContinuousProblem;
 
     #[test]
@@ -66,7 +66,7 @@ mod tests {
                     ContinuousProblem::from_toml(preset.name, preset.text).expect("a problem of the registry");
                 assert_eq!(problem.to_table().len(), config.problem.len(), "{}: every setting is said", preset.name);
             }
-            assert_eq!(Config::from_toml("written", &config.to_toml()), Ok(config));
+            assert_eq!(SacConfig::from_toml("written", &config.to_toml()), Ok(config));
         }
     }
 }

@@ -3,8 +3,8 @@
 //! One [`tick`](Training::tick) lets every lane decide once. Nothing depends on the clock or on who computes it: a
 //! tick's random numbers are a function of the seed and of how many decisions came before.
 
-use super::agent::{Agent, Experience, Rates, Report, Workspace};
-use super::config::{Algorithm, Config};
+use super::agent::{Agent, Experience, Rates, UpdateFigures, Workspace};
+use super::config::{Algorithm, SacConfig};
 use super::curve::flat;
 use super::interface::Interface;
 use super::lanes::Lanes;
@@ -18,7 +18,7 @@ use tpg_nn::{Gaussian, Mlp, Samples, Tape};
 
 /// A running training.
 pub struct Training<'e, E: Environment<f32>> {
-    pub(super) config: Config,
+    pub(super) config: SacConfig,
     pub(super) seed: u64,
     pub(super) agent: Agent<f32>,
     /// The actor that is validated and kept, if it is an average of the learning one.
@@ -52,7 +52,7 @@ pub struct Recent {
     /// Updates.
     pub updates: u64,
     /// Sums of the updates' reports.
-    pub sums: Report,
+    pub sums: UpdateFigures,
     /// Episodes by [`Environment::outcomes`].
     pub ends: Vec<u64>,
     /// Elementary steps.
@@ -72,7 +72,7 @@ struct Space {
 }
 
 impl Space {
-    fn new(config: &Config, agent: &Agent<f32>) -> Self {
+    fn new(config: &SacConfig, agent: &Agent<f32>) -> Self {
         let (inputs, actions) = (agent.actor.network.shape().inputs, agent.gaussian().actions);
         let (lanes, batch) = (config.learning.lanes, config.learning.batch);
         Self {
@@ -92,7 +92,7 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
     ///
     /// # Errors
     /// If the environment's actions are not outputs, or it does not have what the configuration asks for.
-    pub fn new(environment: &'e E, config: Config, seed: u64) -> Result<Self, Finding> {
+    pub fn new(environment: &'e E, config: SacConfig, seed: u64) -> Result<Self, Finding> {
         let interface = interface(environment, &config)?;
         let (inputs, actions) = (interface.inputs.len(), interface.outputs.len());
         let agent = agent(&config, &interface, seed);
@@ -101,7 +101,13 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
         Ok(Self::of_parts(config, seed, agent, replay, lanes))
     }
 
-    pub(super) fn of_parts(config: Config, seed: u64, agent: Agent<f32>, replay: Replay, lanes: Lanes<'e, E>) -> Self {
+    pub(super) fn of_parts(
+        config: SacConfig,
+        seed: u64,
+        agent: Agent<f32>,
+        replay: Replay,
+        lanes: Lanes<'e, E>,
+    ) -> Self {
         let space = Space::new(&config, &agent);
         let (recent, curve) = (Recent::default(), Vec::new());
         let average = config.learning.average.map(|_| agent.actor.network.clone());
@@ -109,7 +115,7 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
     }
 
     /// Returns the configuration.
-    pub fn config(&self) -> &Config {
+    pub fn config(&self) -> &SacConfig {
         &self.config
     }
 
@@ -283,7 +289,7 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
 }
 
 /// Returns the interface that a configuration asks for.
-pub(super) fn interface(environment: &impl Environment<f32>, config: &Config) -> Result<Interface, Finding> {
+pub(super) fn interface(environment: &impl Environment<f32>, config: &SacConfig) -> Result<Interface, Finding> {
     if config.retry.is_some() && environment.preference() != Preference::Success {
         return Err(Finding::new(
             "retry",
@@ -295,14 +301,14 @@ pub(super) fn interface(environment: &impl Environment<f32>, config: &Config) ->
 }
 
 /// Creates the agent with the run's initial weights.
-pub(super) fn agent(config: &Config, interface: &Interface, seed: u64) -> Agent<f32> {
+pub(super) fn agent(config: &SacConfig, interface: &Interface, seed: u64) -> Agent<f32> {
     let gaussian = Gaussian { actions: interface.outputs.len(), spread: config.actor.spread };
     let mut random = Stream::new(seed, 0, Purpose::Weights, 0);
     Agent::new(config, interface.inputs.len(), gaussian, &mut random)
 }
 
 impl Recent {
-    fn add(&mut self, report: Report) {
+    fn add(&mut self, report: UpdateFigures) {
         self.updates += 1;
         self.sums.critic_loss += report.critic_loss;
         self.sums.actor_loss += report.actor_loss;
@@ -311,10 +317,10 @@ impl Recent {
     }
 
     /// Returns the means of the updates' reports.
-    pub fn means(&self) -> Report {
+    pub fn means(&self) -> UpdateFigures {
         let count = self.updates.max(1) as f64;
-        let Report { critic_loss, actor_loss, entropy, temperature } = self.sums;
-        Report {
+        let UpdateFigures { critic_loss, actor_loss, entropy, temperature } = self.sums;
+        UpdateFigures {
             critic_loss: critic_loss / count,
             actor_loss: actor_loss / count,
             entropy: entropy / count,

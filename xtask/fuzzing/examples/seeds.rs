@@ -10,6 +10,12 @@ use tpg_graph::{Graph, export};
 use tpg_testing::library::top;
 use tpg_train::evolution::presets::Preset;
 
+/// A sidecar and its `.dot`.
+fn as_dot(graph: &Graph) -> String {
+    let dot = export::dot::text(graph).expect("a graph without memory");
+    format!("{}\n%%\n{dot}", export::sidecar::text(graph))
+}
+
 fn main() -> std::io::Result<()> {
     let put = |target: &str, name: &str, content: &[u8]| {
         let folder = top().join("fuzz/corpus").join(target);
@@ -25,8 +31,9 @@ fn main() -> std::io::Result<()> {
     for seed in 1..=3 {
         let graph: Graph = sample::graph(&small(Shape::random(seed)), seed);
         put("graph_json", &format!("random_{seed}"), graph.to_json().as_bytes())?;
-        let text = format!("{}\n%%\n{}", export::sidecar::text(&graph), export::dot::text(&graph));
-        put("dot", &format!("random_{seed}"), text.as_bytes())?;
+        put("dot", &format!("random_{seed}"), as_dot(&graph).as_bytes())?;
+        let shape = Shape { memory: 0, ..small(Shape::random_with_outputs(seed)) };
+        put("dot", &format!("outputs_{seed}"), as_dot(&sample::graph(&shape, seed)).as_bytes())?;
     }
     put("trace", "states", b"in0[0],in0[1],in1[0],other\n1,2,3,x\n-0.5,nan,inf,\n")?;
     for seed in 0_u8..3 {

@@ -3,11 +3,11 @@
 use std::fs;
 use std::ops::ControlFlow;
 use tempfile::TempDir;
-use tpg_engine::{Choices, LocalThreads, Options};
+use tpg_engine::{Choices, EngineOptions, LocalThreads};
 use tpg_problems::Pendulum;
 use tpg_runtime::ops::Own;
 use tpg_train::evolution::checkpoint;
-use tpg_train::evolution::config::Config;
+use tpg_train::evolution::config::EvolutionConfig;
 use tpg_train::evolution::generation::{Evolution, Goal};
 use tpg_train::evolution::presets::Preset;
 use tpg_train::evolution::run::{RunOptions, run};
@@ -25,7 +25,7 @@ fn swing() -> Swing {
     Choices::new(Pendulum, Some(3)).expect("three torques")
 }
 
-fn evolution() -> Config {
+fn evolution() -> EvolutionConfig {
     let mut config = Preset::find("general").and_then(|preset| preset.config().ok()).expect("a preset");
     (config.tpg.nb_roots, config.tpg.init_nb_roots) = (12, 14);
     (config.demes.count, config.demes.migration_interval, config.demes.migrants) = (2, 2, 1);
@@ -39,7 +39,7 @@ fn evolution() -> Config {
     config
 }
 
-fn learning() -> sac::config::Config {
+fn learning() -> sac::config::SacConfig {
     let preset = sac::presets::find("general").expect("a preset");
     let mut config = sac::presets::config(preset).expect("it is accepted");
     (config.actor.hidden, config.critic.hidden) = (vec![4], vec![5]);
@@ -58,7 +58,7 @@ pub fn tpg(data: &[u8]) {
         Ok(state) => state,
         Err(error) => return drop(error.to_string()),
     };
-    let evaluator = LocalThreads::<f32, Own, _>::new(&environment, Options::default(), 1).expect("a thread");
+    let evaluator = LocalThreads::<f32, Own, _>::new(&environment, EngineOptions::default(), 1).expect("a thread");
     let evolution = Evolution::new(&config, &environment, &evaluator, state.scales.clone(), Goal::default());
     if evolution.finished(&state) {
         return;
@@ -101,7 +101,7 @@ pub fn seeds() -> [Vec<u8>; 3] {
     let place = TempDir::new().expect("a temporary folder");
     let options = RunOptions { folder: place.path().to_owned(), ..RunOptions::default() };
     let (config, environment) = (evolution(), swing());
-    let evaluator = LocalThreads::<f32, Own, _>::new(&environment, Options::default(), 1).expect("a thread");
+    let evaluator = LocalThreads::<f32, Own, _>::new(&environment, EngineOptions::default(), 1).expect("a thread");
     let stop_after_2 = |progress: &tpg_train::evolution::run::Progress<'_>| match progress.generations {
         2 => ControlFlow::Break(()),
         _ => ControlFlow::Continue(()),

@@ -7,7 +7,7 @@ use tempfile::TempDir;
 use tpg_arm::WIDOWX;
 use tpg_problems::arm::targets;
 use tpg_problems::continuous::ContinuousProblem;
-use tpg_train::evolution::config::Config;
+use tpg_train::evolution::config::EvolutionConfig;
 use tpg_train::hybrid::arm::setting::HybridFile;
 use tpg_train::hybrid::setting::read_file;
 use tpg_train::sac;
@@ -67,10 +67,11 @@ pub fn hybrid(data: &[u8]) {
 /// # Panics
 /// If what is written is not read again, or differs.
 pub fn tpg_config(data: &[u8]) {
-    match Config::from_toml("fuzzed.toml", &String::from_utf8_lossy(data)) {
+    match EvolutionConfig::from_toml("fuzzed.toml", &String::from_utf8_lossy(data)) {
         Ok(config) => {
             let text = config.to_toml();
-            let again = Config::from_toml("written.toml", &text).unwrap_or_else(|error| panic!("{error}\n{text}"));
+            let again =
+                EvolutionConfig::from_toml("written.toml", &text).unwrap_or_else(|error| panic!("{error}\n{text}"));
             assert_eq!(again.to_toml(), text);
             drop(config.instructions());
         }
@@ -83,10 +84,10 @@ pub fn tpg_config(data: &[u8]) {
 /// # Panics
 /// If what is written is not read again, or differs.
 pub fn sac_config(data: &[u8]) {
-    match sac::config::Config::from_toml("fuzzed.toml", &String::from_utf8_lossy(data)) {
+    match sac::config::SacConfig::from_toml("fuzzed.toml", &String::from_utf8_lossy(data)) {
         Ok(config) => {
             let text = config.to_toml();
-            let again = sac::config::Config::from_toml("written.toml", &text);
+            let again = sac::config::SacConfig::from_toml("written.toml", &text);
             let again = again.unwrap_or_else(|error| panic!("{error}\n{text}"));
             assert_eq!(again.to_toml(), text);
             let _ = ContinuousProblem::from_table("fuzzed.toml", &config.problem).is_ok();

@@ -11,7 +11,7 @@ use tpg_testing::library::top;
 const GENERAL: [&str; 4] = ["tpg-runtime", "tpg-graph", "tpg-engine", "tpg-codegen"];
 
 /// The crates that users install or link: none of them knows the shipped policies or the paper.
-const PRODUCT: [&str; 11] = [
+const PRODUCT: [&str; 12] = [
     "tpg-runtime",
     "tpg-kernels",
     "tpg-arm",
@@ -22,6 +22,7 @@ const PRODUCT: [&str; 11] = [
     "tpg-nn",
     "tpg-problems",
     "tpg-train",
+    "tpg-mpi",
     "tpg-python",
 ];
 

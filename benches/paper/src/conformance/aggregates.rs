@@ -1,6 +1,6 @@
 //! Means of the paper's complete evaluation of hybrids: every pair and every row.
 
-use super::Problem;
+use super::ArtifactProblem;
 use super::artifact::{Recording, cell};
 use serde::Serialize;
 use std::path::Path;
@@ -27,7 +27,7 @@ struct Cell {
 }
 
 /// Returns the cells of both problems as JSON, a value a line.
-pub(super) fn json(data: &Path, problems: &[Problem]) -> Result<String, CommandError> {
+pub(super) fn json(data: &Path, problems: &[ArtifactProblem]) -> Result<String, CommandError> {
     let mut cells = Vec::new();
     for problem in problems {
         for sep_mm in SEPARATIONS {
@@ -40,7 +40,7 @@ pub(super) fn json(data: &Path, problems: &[Problem]) -> Result<String, CommandE
     Ok(text.lines().map(str::trim_start).collect::<Vec<_>>().join("\n"))
 }
 
-fn of_cell(data: &Path, problem: &Problem, sep_mm: u32, nb_it: u32) -> Result<Cell, CommandError> {
+fn of_cell(data: &Path, problem: &ArtifactProblem, sep_mm: u32, nb_it: u32) -> Result<Cell, CommandError> {
     let mut pairs: [Vec<f64>; 5] = Default::default();
     for pair in 0..PAIRS {
         let recording = Recording::read(&cell(data, problem.hybrids, pair, sep_mm, nb_it))?;

@@ -56,7 +56,7 @@ const TRACED: [(&str, &str); 6] = [
 ];
 
 /// A problem, and its places in the artifact.
-pub(crate) struct Problem {
+pub(crate) struct ArtifactProblem {
     name: &'static str,
     start: Start,
     graphs: &'static str,
@@ -69,8 +69,8 @@ pub(crate) struct Problem {
     cells: usize,
 }
 
-const PROBLEMS: [Problem; 2] = [
-    Problem {
+const PROBLEMS: [ArtifactProblem; 2] = [
+    ArtifactProblem {
         name: "fs",
         start: Start::Fs,
         graphs: "expeStudy2/multiTraining_6",
@@ -80,7 +80,7 @@ const PROBLEMS: [Problem; 2] = [
         hybrids: "multiHybride_0",
         cells: 6,
     },
-    Problem {
+    ArtifactProblem {
         name: "rs",
         start: Start::Rs,
         graphs: "expeStudy2/multiTraining_5",
@@ -157,7 +157,7 @@ fn files(data: &Path) -> Result<Files, CommandError> {
     Ok(files)
 }
 
-fn graphs(data: &Path, problem: &Problem, files: &mut Files) -> Result<(), CommandError> {
+fn graphs(data: &Path, problem: &ArtifactProblem, files: &mut Files) -> Result<(), CommandError> {
     for seed in 0..GRAPHS {
         let (place, name) = (format!("{}/seed_{seed}", problem.graphs), format!("tpg/{}_final_s{seed}", problem.name));
         let dot = data.join(&place).join("out_best.dot");
@@ -175,7 +175,7 @@ fn graphs(data: &Path, problem: &Problem, files: &mut Files) -> Result<(), Comma
 }
 
 /// Returns the steps of a graph's episodes, which end as recorded.
-fn derived(dot: &Path, problem: &Problem, runs: &[Run], files: &Files) -> Result<String, CommandError> {
+fn derived(dot: &Path, problem: &ArtifactProblem, runs: &[Run], files: &Files) -> Result<String, CommandError> {
     let place = tempfile::tempdir().map_err(CommandError::other)?;
     let table = |name: &str, content: &[u8]| {
         let path = place.path().join(name);
@@ -210,7 +210,7 @@ fn steps(done: &ByRow<Done>) -> String {
     text
 }
 
-fn actors(data: &Path, problem: &Problem, files: &mut Files) -> Result<(), CommandError> {
+fn actors(data: &Path, problem: &ArtifactProblem, files: &mut Files) -> Result<(), CommandError> {
     for seed in 0..ACTORS {
         let name = format!("sac/{}_s{seed}", problem.name);
         let weights =
@@ -227,7 +227,7 @@ fn actors(data: &Path, problem: &Problem, files: &mut Files) -> Result<(), Comma
 }
 
 /// Makes the table of the hybrids' episodes: pairs of the first graphs and actors.
-fn hybrids(data: &Path, problem: &Problem, files: &mut Files) -> Result<(), CommandError> {
+fn hybrids(data: &Path, problem: &ArtifactProblem, files: &mut Files) -> Result<(), CommandError> {
     let mut text = format!("tpg_seed,sac_seed,sep_mm,nb_it,{}", artifact::ENDS_HEADER);
     text.push_str(",nb_tpg_actions\n");
     for graph in 0..GRAPHS {

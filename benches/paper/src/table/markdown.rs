@@ -11,7 +11,7 @@ use tpg_train::hybrid::spread::Spread;
 
 /// All results of one problem.
 #[derive(Debug)]
-pub struct Problem {
+pub struct ProblemResults {
     /// Start of the episodes.
     pub start: Start,
     /// Number of test episodes.
@@ -28,7 +28,7 @@ pub struct Problem {
     pub paper: Option<Vec<Measured>>,
 }
 
-impl Problem {
+impl ProblemResults {
     fn name(&self) -> &'static str {
         match self.start {
             Start::Fs => "fixed start",
@@ -65,7 +65,7 @@ settings. They show what to expect from another training; the shipped policies w
 ";
 
 /// Renders the file.
-pub fn page(problems: &[Problem], counts: &Counts) -> String {
+pub fn page(problems: &[ProblemResults], counts: &Counts) -> String {
     let mut text = LEAD.to_owned();
     text += "\n## Table 2\n\n";
     text += COLUMNS;
@@ -187,7 +187,7 @@ fn by_graph(row: &Row) -> String {
     row.by_graph.map_or("–".to_owned(), |ratio| number(ratio, 100.0, 0, row.policies > 1))
 }
 
-fn costs(problem: &Problem) -> String {
+fn costs(problem: &ProblemResults) -> String {
     let Costs { shipped, guards: [none, limits, collisions, both], detectors: [exact, brent], reference, wide } =
         problem.costs;
     let planner = problem.rows.first().and_then(|row| row.time);
@@ -244,7 +244,7 @@ fn costs(problem: &Problem) -> String {
 }
 
 /// Describes the cost of the hybrids' parts on a Cortex-M4.
-fn on_target(problems: &[Problem], counts: &Counts) -> String {
+fn on_target(problems: &[ProblemResults], counts: &Counts) -> String {
     let mut text =
         "**On a Cortex-M4** (`cargo xtask qemu`: both firmwares on 100 to 200 test targets, every instruction counted). The \
          counts of *network* and *graph* include kinematics, but not the simulated arm:\n\n"
@@ -300,7 +300,7 @@ fn ideas(rows: &[Row]) -> String {
     grid(["policy", "success %", "collision %", "distance mm", "actions", "by graph %"], rows.iter().map(cells))
 }
 
-fn printed(problem: &Problem) -> String {
+fn printed(problem: &ProblemResults) -> String {
     let names = [
         "policy",
         "distance mm, printed",

@@ -105,7 +105,7 @@ pub fn execute(args: &Table2Args) -> Result<(), InputError> {
         let tasks = targets::read_csv(&WIDOWX, &args.targets.join(file))?;
         let inputs = inputs.beside(folder);
         eprintln!("{file}: {} test episodes", tasks.len());
-        problems.push(markdown::Problem {
+        problems.push(markdown::ProblemResults {
             start,
             episodes: tasks.len(),
             rows: rows::measure(start, &inputs, &tasks)?,

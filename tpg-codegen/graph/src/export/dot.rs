@@ -4,24 +4,49 @@
 //! graph's order. Programs therefore come before the edges, whereas GEGELATI's own exporter mixes the two; its reader
 //! accepts both.
 
-use crate::model::{Destination, Graph, Input, Line, Operand, Program};
-use std::collections::BTreeMap;
-use std::fmt::Write as _;
+use crate::model::{ActionId, Destination, Graph, Input, Line, Operand, Program, Team};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::{self, Write as _};
 
-/// Returns the text of the `.dot` file.
+/// Returns the text of the `.dot` file. Outputs are GEGELATI 2's continuous actions: an action node for each leaf, and a
+/// program for each value that its label names.
 ///
-/// # Panics
-/// If the graph has outputs, which the format cannot express.
-pub fn text(graph: &Graph) -> String {
-    assert!(graph.outputs().is_empty(), "the format has no outputs");
-    Writer::new(graph).text()
+/// # Errors
+/// The part of the graph that the format cannot express: memory.
+pub fn text(graph: &Graph) -> Result<String, Inexpressible> {
+    match graph.memory() {
+        0 => Ok(Writer::new(graph).text()),
+        _ => {
+            let memory = graph.outputs().iter().skip(graph.outputs().len() - graph.memory());
+            Err(Inexpressible { memory: memory.map(|value| value.name.clone()).collect() })
+        }
+    }
+}
+
+/// The part of a graph that GEGELATI's format cannot express.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Inexpressible {
+    memory: Vec<String>,
+}
+
+impl fmt::Display for Inexpressible {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { memory } = self;
+        write!(
+            f,
+            "a policy with memory ({}): in GEGELATI's format a decision depends on the state alone",
+            memory.join(", ")
+        )
+    }
 }
 
 struct Writer<'g> {
     graph: &'g Graph,
     constants: Vec<Constants>,
-    /// True if all constants are 32-bit integers, the only kind GEGELATI 1 supports; other constants need GEGELATI 2.
-    integers: bool,
+    /// True for what GEGELATI 1 cannot say: constants that are no 32-bit integers, and outputs.
+    second: bool,
+    /// The programs that compute outputs.
+    computing: BTreeSet<usize>,
     /// Constants per program: the number needed by the program with the most constants.
     count: usize,
     /// Operands per line: the number read by the widest instruction of the set.
@@ -38,7 +63,9 @@ impl<'g> Writer<'g> {
         let first_source = if count == 0 { 1 } else { 2 };
         Self {
             graph,
-            integers: constants.iter().flat_map(|constants| &constants.values).all(|&value| is_integer(value)),
+            second: !graph.leaves().is_empty()
+                || !constants.iter().flat_map(|constants| &constants.values).all(|&value| is_integer(value)),
+            computing: (graph.leaves().iter()).flat_map(|leaf| leaf.programs.iter().map(|id| id.index())).collect(),
             constants,
             count,
             operands: graph.instructions().iter().map(|instruction| instruction.arity()).max().unwrap_or(1),
@@ -56,16 +83,22 @@ impl<'g> Writer<'g> {
         self.put(format_args!("digraph{{\n"));
         self.put(format_args!("\tgraph[pad = \"0.212, 0.055\" bgcolor = lightgray]\n"));
         self.put(format_args!("\tnode[shape=circle style = filled label = \"\"]\n"));
-        let root = graph.team(graph.root()).label;
-        for team in graph.teams() {
-            let colour = if team.label == root { "#1199bb" } else { "#66ddff" };
-            self.put(format_args!("\t\tT{} [fillcolor=\"{colour}\"]\n", team.label));
+        let teams = if graph.is_formula() { &[] } else { graph.teams() };
+        let root = match teams {
+            [] => format!("A{}", graph.leaves()[0].label),
+            _ => format!("T{}", graph.team(graph.root()).label),
+        };
+        for team in teams {
+            let name = format!("T{}", team.label);
+            let colour = if name == root { "#1199bb" } else { "#66ddff" };
+            self.put(format_args!("\t\t{name} [fillcolor=\"{colour}\"]\n"));
         }
         for (index, program) in graph.programs().iter().enumerate() {
             self.program(index, program);
         }
-        self.edges();
-        self.put(format_args!("\t\t{{ rank= same T{root} }}\n}}\n"));
+        self.leaves();
+        self.edges(teams);
+        self.put(format_args!("\t\t{{ rank= same {root} }}\n}}\n"));
         self.out
     }
 
@@ -76,18 +109,21 @@ impl<'g> Writer<'g> {
     fn program(&mut self, index: usize, program: &Program) {
         let label = program.label;
         let values = self.constants[index].values.iter().copied().chain(std::iter::repeat(0.0)).take(self.count);
-        let list: String = match self.integers {
-            true => values.map(|value| format!("{value}|")).collect(),
-            false => values.map(|value| format!("{value:?}|")).collect(),
+        let list: String = match self.second {
+            false => values.map(|value| format!("{value}|")).collect(),
+            true => values.map(|value| format!("{value:?}|")).collect(),
         };
-        let (integers, reals) =
-            if self.integers { (list, String::new()) } else { (String::new(), format!(" //{list}")) };
-        self.put(format_args!("\t\tP{label} [fillcolor=\"#cccccc\" shape=point] //{integers}\n"));
+        let of_action = match (self.second, self.computing.contains(&index)) {
+            (false, _) => "",
+            (true, false) => " label=\"0\"",
+            (true, true) => " label=\"1\"",
+        };
+        self.put(format_args!("\t\tP{label} [fillcolor=\"#cccccc\" shape=point{of_action}] //{list}\n"));
         self.put(format_args!("\t\tI{label} [shape=box style=invis label=\""));
         for line in &program.lines {
             self.line(index, line);
         }
-        self.put(format_args!("\"]{reals}\n"));
+        self.put(format_args!("\"]\n"));
         self.put(format_args!("\t\tP{label} -> I{label}[style=invis]\n"));
     }
 
@@ -108,12 +144,30 @@ impl<'g> Writer<'g> {
         self.put(format_args!("&#92;n"));
     }
 
+    /// Writes the leaves and their programs, in the order of the outputs.
+    fn leaves(&mut self) {
+        let graph = self.graph;
+        for leaf in graph.leaves() {
+            let values: Vec<String> = (0..leaf.programs.len()).map(|value| value.to_string()).collect();
+            self.action(leaf.label, &values.join("-"));
+            for &program in &leaf.programs {
+                self.put(format_args!("\t\tA{} -> P{}\n", leaf.label, graph.program(program).label));
+            }
+        }
+    }
+
+    fn action(&mut self, node: u32, label: &str) {
+        self.put(format_args!(
+            "\t\tA{node} [fillcolor=\"#ff3366\" shape=box margin=0.03 width=0 height=0 label=\"{label}\"]\n"
+        ));
+    }
+
     /// Writes the edges. Only the first edge of a program states its destination.
-    fn edges(&mut self) {
+    fn edges(&mut self, teams: &[Team]) {
         let graph = self.graph;
         let mut led = vec![false; graph.programs().len()];
         let mut action_nodes = 0;
-        for team in graph.teams() {
+        for team in teams {
             for edge in &team.edges {
                 let program = graph.program(edge.program).label;
                 if std::mem::replace(&mut led[edge.program.index()], true) {
@@ -125,11 +179,12 @@ impl<'g> Writer<'g> {
                         let to = graph.team(to).label;
                         self.put(format_args!("\t\tT{} -> P{program} -> T{to}\n", team.label));
                     }
+                    Destination::Action(ActionId(leaf)) if !graph.leaves().is_empty() => {
+                        let node = graph.leaves()[usize::from(leaf)].label;
+                        self.put(format_args!("\t\tT{} -> P{program} -> A{node}\n", team.label));
+                    }
                     Destination::Action(action) => {
-                        self.put(format_args!(
-                            "\t\tA{action_nodes} [fillcolor=\"#ff3366\" shape=box margin=0.03 width=0 height=0 label=\"{}\"]\n",
-                            action.0
-                        ));
+                        self.action(action_nodes, &action.0.to_string());
                         self.put(format_args!("\t\tT{} -> P{program} -> A{action_nodes}\n", team.label));
                         action_nodes += 1;
                     }

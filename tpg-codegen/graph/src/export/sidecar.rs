@@ -1,6 +1,6 @@
 //! The sidecar of a `.dot` file: everything about a graph that the `.dot` format leaves out.
 
-use crate::model::{ActionDocument, Effect, Graph, SourceDocument};
+use crate::model::{ActionDocument, Effect, Graph, OutputDocument, SourceDocument};
 use std::fmt::Write as _;
 
 /// Returns the text of the sidecar, with which [`dot`](super::dot) reads back as the same graph.
@@ -16,8 +16,13 @@ pub fn text(graph: &Graph) -> String {
     put(format_args!("# In the order of the environment.\nsources = [\n"));
     document.sources.iter().for_each(|each| put(format_args!("    {},\n", source(each))));
     put(format_args!("]\n\n# In the order of their numbers.\ninstructions = [{}]\n\n", instructions.join(", ")));
-    put(format_args!("# By the labels of their nodes.\nactions = [\n"));
-    document.actions.iter().for_each(|each| put(format_args!("    {},\n", action(each))));
+    if document.outputs.is_empty() {
+        put(format_args!("# By the labels of their nodes.\nactions = [\n"));
+        document.actions.iter().for_each(|each| put(format_args!("    {},\n", action(each))));
+    } else {
+        put(format_args!("# By the numbers in the labels of action nodes.\noutputs = [\n"));
+        document.outputs.iter().for_each(|each| put(format_args!("    {},\n", output(each))));
+    }
     put(format_args!("]\n\n# Where the graph comes from, as in graph.json.\nprovenance = {}\n", string(&provenance)));
     out
 }
@@ -32,6 +37,11 @@ fn source(source: &SourceDocument) -> String {
     };
     let (name, unit) = (string(&source.name), string(&source.unit));
     format!("{{ name = {name}, length = {}, unit = {unit}, {ranges} }}", source.length)
+}
+
+fn output(OutputDocument { name, unit, min, max, nan }: &OutputDocument) -> String {
+    let (name, unit) = (string(name), string(unit));
+    format!("{{ name = {name}, unit = {unit}, min = {min:?}, max = {max:?}, nan = {nan:?} }}")
 }
 
 fn action(action: &ActionDocument) -> String {

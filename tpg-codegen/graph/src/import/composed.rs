@@ -11,13 +11,21 @@ pub(crate) struct Operator {
     pub(crate) name: String,
     /// Its value; `None` if the sidecar does not give one, because no program uses it.
     pub(crate) value: Option<Expression>,
+    /// The windows of its operands.
+    pub(crate) windows: Windows,
 }
+
+/// The operands that a line can have, by name.
+pub(crate) const OPERANDS: [&str; 4] = ["a", "b", "c", "d"];
+
+/// The extent of each operand that is a window on an array: `[3]`, or rows and columns `[3, 3]`. Empty for a number.
+pub(crate) type Windows = [Vec<u32>; OPERANDS.len()];
 
 /// The value of an instruction, made of its operands.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Expression {
-    /// The operand at this place: `a` is 0, `b` is 1.
-    Operand(usize),
+    /// The operand at this place, `a` is 0, `b` is 1; and which of its values, 0 but for a window.
+    Operand(usize, usize),
     /// A number.
     Number(f64),
     /// A word and its operands.
@@ -26,17 +34,17 @@ pub(crate) enum Expression {
 
 /// The accepted form, for messages.
 pub(crate) const FORM: &str =
-    "a word with its operands in brackets, each of them a, b, a number or such a call: mul(a, div(b, 10))";
+    "a word with its operands in brackets, each of them a to d, a number or such a call: mul(a, div(b, 10))";
 
 impl Expression {
     /// Returns the expression that a word stands for by itself.
     pub(crate) fn of(word: Word) -> Self {
-        Self::Call(word, (0..word.arity()).map(Self::Operand).collect())
+        Self::Call(word, (0..word.arity()).map(|place| Self::Operand(place, 0)).collect())
     }
 
-    /// Parses a call; the error says what was found.
-    pub(crate) fn parse(text: &str) -> Result<Self, String> {
-        let mut parser = Parser { rest: text };
+    /// Parses a call on operands of which some are windows; the error says what was found.
+    pub(crate) fn parse(text: &str, windows: &Windows) -> Result<Self, String> {
+        let mut parser = Parser { rest: text, windows };
         match parser.expression()? {
             call @ Self::Call(..) if parser.rest.trim().is_empty() => Ok(call),
             Self::Call(..) => Err(format!("`{}` after the last bracket", parser.rest.trim())),
@@ -44,10 +52,10 @@ impl Expression {
         }
     }
 
-    /// Returns the number of operands that a line must have: 2 if `b` occurs, 1 if only `a` does.
+    /// Returns the number of operands that a line must have: 2 if `b` occurs and `c` does not.
     pub(crate) fn arity(&self) -> usize {
         match self {
-            Self::Operand(place) => place + 1,
+            Self::Operand(place, _) => place + 1,
             Self::Number(_) => 0,
             Self::Call(_, operands) => operands.iter().map(Self::arity).max().unwrap_or(0),
         }
@@ -72,14 +80,15 @@ impl Expression {
             .unwrap_or(0)
     }
 
-    /// Appends the lines that leave the value in register `to`. Registers from `free` on are for intermediate values.
-    pub(crate) fn lines(&self, operands: &[OperandDocument], to: u32, free: u32, lines: &mut Vec<LineDocument>) {
+    /// Appends the lines that leave the value in register `to`. Registers from `free` on are for intermediate values. An
+    /// operand has as many values as its window, or one.
+    pub(crate) fn lines(&self, operands: &[Vec<OperandDocument>], to: u32, free: u32, lines: &mut Vec<LineDocument>) {
         let Self::Call(word, inner) = self else { return };
         let mut held = free;
         let args = inner
             .iter()
             .map(|operand| match operand {
-                Self::Operand(place) => operands[*place].clone(),
+                Self::Operand(place, value) => operands[*place][*value].clone(),
                 Self::Number(value) => OperandDocument::Constant(*value),
                 Self::Call(..) => {
                     operand.lines(operands, held, held + 1, lines);
@@ -94,16 +103,17 @@ impl Expression {
 
 struct Parser<'t> {
     rest: &'t str,
+    windows: &'t Windows,
 }
 
 impl<'t> Parser<'t> {
     fn expression(&mut self) -> Result<Expression, String> {
         let text = self.word();
         if !self.takes('(') {
-            return match text {
-                "a" => Ok(Expression::Operand(0)),
-                "b" => Ok(Expression::Operand(1)),
-                number => match number.parse::<f64>() {
+            let name = text.split('[').next().unwrap_or_default();
+            return match OPERANDS.iter().position(|operand| *operand == name) {
+                Some(place) => self.operand(place, &text[name.len()..]).map(|value| Expression::Operand(place, value)),
+                None => match text.parse::<f64>() {
                     Ok(value) if value.is_finite() => Ok(Expression::Number(value)),
                     _ => Err(format!("{text:?}, which is neither an operand nor a finite number")),
                 },
@@ -126,6 +136,31 @@ impl<'t> Parser<'t> {
         }
     }
 
+    /// Returns the place of a value in an operand's window: `[1][2]` of 3 by 3 is 5.
+    fn operand(&self, place: usize, indices: &str) -> Result<usize, String> {
+        let window = &self.windows[place];
+        let found = || {
+            let name = OPERANDS[place];
+            let extent: Vec<String> = window.iter().map(u32::to_string).collect();
+            match window.as_slice() {
+                [] => format!("{name}{indices} of a number"),
+                _ => format!("{name}{indices} of a window of {}", extent.join(" by ")),
+            }
+        };
+        let inner = indices.strip_prefix('[').and_then(|rest| rest.strip_suffix(']'));
+        let indices: Vec<u32> = match inner {
+            None if indices.is_empty() => Vec::new(),
+            None => return Err(found()),
+            Some(inner) => {
+                inner.split("][").map(|index| index.parse().map_err(|_| found())).collect::<Result<_, _>>()?
+            }
+        };
+        if indices.len() != window.len() || indices.iter().zip(window).any(|(index, extent)| index >= extent) {
+            return Err(found());
+        }
+        Ok(indices.iter().zip(window).fold(0, |before, (&index, &extent)| before * extent as usize + index as usize))
+    }
+
     /// Takes everything up to a space, a bracket or a comma.
     fn word(&mut self) -> &'t str {
         let text = self.rest.trim_start();
@@ -143,12 +178,12 @@ impl<'t> Parser<'t> {
 
 #[cfg(test)]
 mod tests {
-    use super::Expression;
+    use super::{Expression, Windows};
     use crate::model::OperandDocument;
 
     fn written(text: &str) -> Vec<String> {
-        let expression = Expression::parse(text).expect("an expression");
-        let operands = ["x[0]", "r3"].map(|place| OperandDocument::Place(place.to_owned()));
+        let expression = Expression::parse(text, &Windows::default()).expect("an expression");
+        let operands = ["x[0]", "r3"].map(|place| vec![OperandDocument::Place(place.to_owned())]);
         let mut lines = Vec::new();
         expression.lines(&operands, 1, 8, &mut lines);
         let highest = lines.iter().map(|line| line.to).filter(|&to| to >= 8).map(|to| to - 7).max().unwrap_or(0);
@@ -183,12 +218,25 @@ mod tests {
             "mul(a, b",
             "plus(a, b)",
             "mul(a, b) c",
-            "mul(a, c)",
+            "mul(a, e)",
             "mul(a, nan)",
             "multiply_add(a, b)",
         ];
         for text in texts {
-            Expression::parse(text).expect_err(text);
+            Expression::parse(text, &Windows::default()).expect_err(text);
+        }
+    }
+
+    #[test]
+    fn values_of_windows_have_a_place() {
+        let windows: Windows = [vec![3], vec![2, 3], Vec::new(), Vec::new()];
+        let parse = |text: &str| Expression::parse(text, &windows);
+        let Ok(Expression::Call(_, operands)) = parse("sub(a[2], b[1][0])") else { panic!("a call") };
+        assert_eq!(operands, [Expression::Operand(0, 2), Expression::Operand(1, 3)]);
+        for text in
+            ["abs(a)", "abs(a[3])", "abs(a[0][0])", "abs(b[1])", "abs(b[2][0])", "abs(c[0])", "abs(a[x])", "abs(a[0)"]
+        {
+            parse(text).expect_err(text);
         }
     }
 }

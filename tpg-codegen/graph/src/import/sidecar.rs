@@ -1,13 +1,14 @@
 //! The sidecar: a TOML file that supplies what a `.dot` file leaves out.
 
-use super::composed::{Expression, FORM, Operator};
+use super::composed::{Expression, FORM, OPERANDS, Operator, Windows};
 use crate::Word;
 use crate::error::{InputError, Place, serde_message};
 use crate::model::{
-    ActionDocument, Document, FORMAT, MAX_NUMBERED, MathsProvider, Provenance, ScalarType, SourceDocument,
+    ActionDocument, Document, FORMAT, MAX_NUMBERED, MathsProvider, OutputDocument, Provenance, ScalarType,
+    SourceDocument,
 };
 use serde::Deserialize;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
@@ -18,7 +19,7 @@ use toml::de::{DeTable, DeValue};
 ///
 /// let text = r#"
 ///     scalar = "f64"              # scalar type of programs: "f32" or "f64"
-///     maths = "system"            # provider of sin, cos, ln, exp: "own" or "system"
+///     maths = "system"            # provider of sin, cos, tan, ln, exp: "own" or "system"
 ///     registers = 8
 ///     sources = [                 # in the order of the environment, without the registers and program constants
 ///         { name = "position", length = 3, unit = "mm", range = [-600, 600] },
@@ -39,13 +40,18 @@ use toml::de::{DeTable, DeValue};
 /// # Ok::<(), tpg_graph::error::InputError>(())
 /// ```
 ///
-/// `provenance`, if given, is the JSON text of that field of `graph.json`; exports write it.
+/// A policy that answers with values has `outputs` instead of actions, and `values` says which registers they are. `provenance`, if given, is the JSON text of that field of `graph.json`; exports write it.
 #[derive(Clone, Debug)]
 pub struct Sidecar {
     file: String,
     text: String,
     document: Document,
     instructions: Vec<Operator>,
+    /// What becomes of each output's value before it is limited; `None` for nothing.
+    activations: Vec<Option<Expression>>,
+    values: Values,
+    /// Rows and columns of each source of two dimensions.
+    shapes: Vec<Option<[u32; 2]>>,
     /// Registers of a program in the `.dot` file, without those for intermediate values.
     registers: u32,
     has_provenance: bool,
@@ -60,8 +66,39 @@ struct Described {
     registers: u32,
     sources: Vec<DescribedSource>,
     instructions: Vec<DescribedInstruction>,
+    #[serde(default)]
     actions: Vec<ActionDocument>,
+    #[serde(default)]
+    outputs: Vec<DescribedOutput>,
+    #[serde(default)]
+    values: Values,
     provenance: Option<String>,
+}
+
+/// Where GEGELATI 2 takes the values of continuous actions from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum Values {
+    /// Register 0 of an action's programs, one for each value that its label names; another value is 0
+    /// (`useMultiActionProgram`).
+    #[default]
+    Programs,
+    /// Registers 0, 1, … of an action's only program (`useActionProgram`).
+    Registers,
+    /// Registers 1, 2, … of the program that won the bid.
+    Bid,
+}
+
+/// An output; `is` is made of the value `a`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct DescribedOutput {
+    name: String,
+    unit: String,
+    min: f64,
+    max: f64,
+    nan: f64,
+    is: Option<String>,
 }
 
 /// An instruction: a word, or a name with what it is composed of.
@@ -77,6 +114,8 @@ enum DescribedInstruction {
 struct Composed {
     name: String,
     is: Option<String>,
+    #[serde(default)]
+    windows: BTreeMap<String, Vec<u32>>,
 }
 
 /// A source, with either one range for all its values or one range per value.
@@ -85,6 +124,7 @@ struct Composed {
 struct DescribedSource {
     name: String,
     length: u32,
+    shape: Option<[u32; 2]>,
     unit: String,
     range: Option<[f64; 2]>,
     ranges: Option<Vec<[f64; 2]>>,
@@ -115,10 +155,14 @@ impl Sidecar {
             text: text.to_owned(),
             document: Document::default(),
             instructions: Vec::new(),
+            activations: Vec::new(),
+            values: described.values,
+            shapes: described.sources.iter().map(|source| source.shape).collect(),
             registers: described.registers,
             has_provenance,
         };
         sidecar.instructions = sidecar.instructions_of(&described)?;
+        sidecar.activations = sidecar.activations_of(&described)?;
         sidecar.document = sidecar.document_of(described)?;
         let checked = sidecar.document.check_declarations(file);
         checked.map_err(|error| sidecar.place_error(error))?;
@@ -138,6 +182,21 @@ impl Sidecar {
     /// Returns the number of registers of a program in the `.dot` file; the graph has more for intermediate values.
     pub(super) fn registers(&self) -> u32 {
         self.registers
+    }
+
+    /// Returns what becomes of each output's value before it is limited; `None` for nothing.
+    pub(super) fn activations(&self) -> &[Option<Expression>] {
+        &self.activations
+    }
+
+    /// Returns where the values of outputs come from.
+    pub(super) fn values(&self) -> Values {
+        self.values
+    }
+
+    /// Returns rows and columns of each source of two dimensions.
+    pub(super) fn shapes(&self) -> &[Option<[u32; 2]>] {
+        &self.shapes
     }
 
     /// True if the sidecar states where the graph comes from.
@@ -161,33 +220,84 @@ impl Sidecar {
         let mut operators: Vec<Operator> = Vec::new();
         for (index, instruction) in described.instructions.iter().enumerate() {
             let path = format!("$.instructions[{index}]");
-            let (name, value) = match instruction {
+            let (name, value, windows) = match instruction {
                 DescribedInstruction::Word(name) => {
                     let found = || format!("unknown instruction {name:?}");
                     let words = Word::ALL.map(Word::name).join(", ");
                     let accepted = || format!("{words}; or {{ name = {name:?}, is = … }}, {FORM}");
                     let word = Word::from_name(name).ok_or_else(|| self.error(&path, found(), &accepted()))?;
-                    (name, Some(Expression::of(word)))
+                    (name, Some(Expression::of(word)), Windows::default())
                 }
-                DescribedInstruction::Composed(Composed { name, is: Some(text) }) => {
-                    let value = Expression::parse(text).map_err(|found| self.error(&path, found, FORM))?;
-                    (name, Some(value))
+                DescribedInstruction::Composed(Composed { name, is, windows }) => {
+                    let windows = self.windows(&path, windows)?;
+                    let value = is.as_ref().map(|text| Expression::parse(text, &windows)).transpose();
+                    (name, value.map_err(|found| self.error(&path, found, FORM))?, windows)
                 }
-                DescribedInstruction::Composed(Composed { name, is: None }) => (name, None),
             };
             if operators.iter().any(|operator| operator.name == *name) {
                 return Err(self.error(&path, format!("{name:?} a second time"), "each instruction once"));
             }
-            operators.push(Operator { name: name.clone(), value });
+            operators.push(Operator { name: name.clone(), value, windows });
         }
         Ok(operators)
+    }
+
+    /// Returns the extent of each operand; the error is at an operand that is none, or has another number of dimensions.
+    fn windows(&self, path: &str, described: &BTreeMap<String, Vec<u32>>) -> Result<Windows, InputError> {
+        let mut windows = Windows::default();
+        for (name, extent) in described {
+            let path = format!("{path}.windows.{name}");
+            let Some(place) = OPERANDS.iter().position(|operand| operand == name) else {
+                return Err(self.error(&path, format!("a window {name:?}"), &OPERANDS.join(", ")));
+            };
+            if !(1..=2).contains(&extent.len()) || extent.contains(&0) {
+                let accepted = "[columns] or [rows, columns], as in double[3] and double[3][3]";
+                return Err(self.error(&path, format!("a window of {extent:?}"), accepted));
+            }
+            windows[place].clone_from(extent);
+        }
+        Ok(windows)
+    }
+
+    fn activations_of(&self, described: &Described) -> Result<Vec<Option<Expression>>, InputError> {
+        let outputs = &described.outputs;
+        let needed = match described.values {
+            Values::Programs => 1,
+            Values::Registers => outputs.len(),
+            Values::Bid => outputs.len() + 1,
+        };
+        if !outputs.is_empty() && needed > described.registers as usize {
+            let found = format!("{} registers for {} outputs", described.registers, outputs.len());
+            return Err(self.error("$.registers", found, &format!("at least {needed}")));
+        }
+        (outputs.iter().enumerate())
+            .map(|(index, output)| {
+                let Some(text) = &output.is else { return Ok(None) };
+                let path = format!("$.outputs[{index}].is");
+                let value =
+                    Expression::parse(text, &Windows::default()).map_err(|found| self.error(&path, found, FORM))?;
+                match value.arity() {
+                    0 | 1 => Ok(Some(value)),
+                    _ => Err(self.error(&path, format!("{text:?}"), "a call on the value a alone")),
+                }
+            })
+            .collect()
+    }
+
+    /// Returns every composition: of instructions, and of what becomes of outputs.
+    fn compositions(&self) -> impl Iterator<Item = &Expression> {
+        let values = self.instructions.iter().filter_map(|operator| operator.value.as_ref());
+        values.chain(self.activations.iter().flatten())
     }
 
     /// Returns the words that the instructions are made of: the instruction set of the graph.
     fn words(&self) -> Vec<String> {
         let mut words = BTreeSet::new();
         let calls = || self.instructions.iter().filter_map(|operator| operator.value.as_ref());
-        calls().for_each(|call| call.words(&mut words));
+        self.compositions().for_each(|call| call.words(&mut words));
+        if !self.activations.is_empty() && self.values != Values::Programs {
+            words.insert(Word::Copy);
+        }
         // The file's own order, where each number is a word: an export then gives the same numbers.
         let own = calls().filter_map(|call| match call {
             Expression::Call(word, _) if Expression::of(*word) == *call => Some(*word),
@@ -200,17 +310,20 @@ impl Sidecar {
 
     /// Returns the number of registers for intermediate values.
     fn scratch(&self) -> u32 {
-        let values = self.instructions.iter().filter_map(|operator| operator.value.as_ref());
-        values.map(Expression::scratch).max().unwrap_or(0)
+        self.compositions().map(Expression::scratch).max().unwrap_or(0)
     }
 
     fn document_of(&self, described: Described) -> Result<Document, InputError> {
         let mut sources = Vec::new();
         for (index, source) in described.sources.into_iter().enumerate() {
             let path = format!("$.sources[{index}]");
-            let DescribedSource { name, length, unit, range, ranges } = source;
+            let DescribedSource { name, length, shape, unit, range, ranges } = source;
             if length as usize > MAX_NUMBERED {
                 return Err(self.error(&format!("{path}.length"), length.to_string(), "1 to 65536"));
+            }
+            if let Some([rows, columns]) = shape.filter(|[rows, columns]| rows.checked_mul(*columns) != Some(length)) {
+                let accepted = format!("two numbers whose product is the length, {length}");
+                return Err(self.error(&format!("{path}.shape"), format!("{rows} by {columns}"), &accepted));
             }
             let ranges = match (range, ranges) {
                 (Some(range), None) => vec![range; length as usize],
@@ -231,13 +344,16 @@ impl Sidecar {
         };
         Ok(Document {
             format: FORMAT.to_owned(),
-            version: 1,
+            version: if described.outputs.is_empty() { 1 } else { 2 },
             scalar: described.scalar,
             maths: described.maths,
             registers: described.registers.saturating_add(self.scratch()),
             sources,
             instructions: self.words(),
             actions: described.actions,
+            outputs: (described.outputs.into_iter())
+                .map(|DescribedOutput { name, unit, min, max, nan, .. }| OutputDocument { name, unit, min, max, nan })
+                .collect(),
             provenance,
             ..Document::default()
         })

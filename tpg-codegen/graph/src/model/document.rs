@@ -30,7 +30,7 @@ pub struct Document {
     pub version: u32,
     /// The type programs compute in.
     pub scalar: ScalarType,
-    /// Provider of sin, cos, ln and exp.
+    /// Provider of sin, cos, tan, ln and exp.
     pub maths: MathsProvider,
     /// Number of registers of a program. All are zero when it starts; register 0 holds its bid when it ends.
     #[schemars(range(min = 1, max = 256))]
@@ -97,7 +97,7 @@ impl ScalarType {
     }
 }
 
-/// A provider of sin, cos, ln and exp.
+/// A provider of sin, cos, tan, ln and exp.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum MathsProvider {

@@ -215,7 +215,7 @@ impl Graph {
         self.scalar
     }
 
-    /// Returns the provider of sin, cos, ln and exp.
+    /// Returns the provider of sin, cos, tan, ln and exp.
     pub fn maths(&self) -> MathsProvider {
         self.maths
     }

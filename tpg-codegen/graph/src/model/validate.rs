@@ -37,7 +37,7 @@ impl Document {
         validator.header()?;
         validator.sources()?;
         validator.instructions()?;
-        validator.actions()
+        if validator.outputs()?.is_empty() { validator.actions() } else { Ok(()) }
     }
 }
 

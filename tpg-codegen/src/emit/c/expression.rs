@@ -74,6 +74,7 @@ impl Syntax for Printer<'_> {
         let function = match instruction {
             Instruction::Cos => self.maths("cos", "cos", false),
             Instruction::Sin => self.maths("sin", "sin", false),
+            Instruction::Tan => self.maths("tan", "tan", false),
             Instruction::Ln => self.maths("ln", "log", true),
             Instruction::Exp => self.maths("exp", "exp", true),
             Instruction::Abs => self.of_scalar("fabs"),

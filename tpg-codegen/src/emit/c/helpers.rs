@@ -18,6 +18,7 @@ struct Helpers<'a> {
     own: Option<OwnMaths>,
     uses_sin: bool,
     uses_cos: bool,
+    uses_tan: bool,
     uses_ln: bool,
     uses_exp: bool,
     /// Choose by masks.
@@ -44,6 +45,8 @@ struct Helpers<'a> {
     uses_negate_if_less: bool,
     uses_min: bool,
     uses_max: bool,
+    uses_fmod: bool,
+    uses_gate: bool,
     /// Outputs are limited.
     clamps: bool,
     /// Outputs of several leaves are chosen without a branch.
@@ -74,14 +77,14 @@ pub(super) fn render(printer: &Printer<'_>, branch_free: bool, body: &str, upper
     let numbers = is_called("number");
     let picks = is_called("pick");
     let compares = decides || calls.any(&[Instruction::NegateIfLess, Instruction::Min, Instruction::Max]);
-    let masks = ["challenge", "number", "clamp", "pick", "min", "max", "negate_if_less"];
+    let masks = ["challenge", "number", "clamp", "pick", "min", "max", "negate_if_less", "gate"];
     let calls_of = |name: &&str| body.matches(&format!("{}_{name}(", printer.prefix)).count();
     let inlined = branch_free && masks.iter().map(calls_of).sum::<usize>() <= FEW && (compares || clamps || picks);
     let scalar = printer.graph.scalar();
     let provider = printer.graph.maths();
     let uses = |instruction| calls.any(&[instruction]);
     let short = provider == MathsProvider::System && printer.short_cuts;
-    let maths = [Instruction::Sin, Instruction::Cos, Instruction::Ln, Instruction::Exp];
+    let maths = [Instruction::Sin, Instruction::Cos, Instruction::Tan, Instruction::Ln, Instruction::Exp];
     let calls_maths = provider == MathsProvider::Own && calls.any(&maths);
     let (infinite_above, zero_below) = bound::beyond_exponentials(scalar);
     let (key, top, exponent_end, sign, infinity) = match scalar {
@@ -96,11 +99,11 @@ pub(super) fn render(printer: &Printer<'_>, branch_free: bool, body: &str, upper
         decides,
         clamps,
         picks,
-        chooses: compares || clamps || picks,
+        chooses: compares || clamps || picks || calls.any(&[Instruction::Fmod, Instruction::Gate]),
         compares,
         finds_nan: numbers || clamps,
         numbers,
-        selects: decides || clamps || picks || calls.any(&[Instruction::Min, Instruction::Max]),
+        selects: decides || clamps || picks || calls.any(&[Instruction::Min, Instruction::Max, Instruction::Gate]),
         key,
         top,
         exponent_end,
@@ -110,13 +113,17 @@ pub(super) fn render(printer: &Printer<'_>, branch_free: bool, body: &str, upper
         scalar: printer.scalar(),
         f64: scalar == ScalarType::F64,
         own: calls_maths.then(|| OwnMaths::of(printer)),
-        uses_sin: uses(Instruction::Sin),
-        uses_cos: uses(Instruction::Cos),
+        // An own tangent is sine by cosine.
+        uses_sin: calls.any(&[Instruction::Sin, Instruction::Tan]),
+        uses_cos: calls.any(&[Instruction::Cos, Instruction::Tan]),
+        uses_tan: uses(Instruction::Tan),
         uses_ln: uses(Instruction::Ln),
         uses_exp: uses(Instruction::Exp),
         uses_negate_if_less: uses(Instruction::NegateIfLess),
         uses_min: uses(Instruction::Min),
         uses_max: uses(Instruction::Max),
+        uses_fmod: uses(Instruction::Fmod),
+        uses_gate: uses(Instruction::Gate),
         short_ln: (short && uses(Instruction::Ln)).then(|| printer.of_scalar("log")),
         short_exp: (short && uses(Instruction::Exp)).then(|| ShortExp {
             call: printer.of_scalar("exp"),

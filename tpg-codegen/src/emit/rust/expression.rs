@@ -12,7 +12,7 @@ use tpg_runtime::ops::Instruction;
 pub(super) struct Printer<'a> {
     pub(super) graph: &'a Graph,
     pub(super) nodes: &'a [Node],
-    /// Calls of sine, cosine, logarithm and exponential go through helpers that are not inlined; for the platform's maths,
+    /// Calls of sine, cosine, tangent, logarithm and exponential go through helpers that are not inlined; for the platform's maths,
     /// these handle the simple cases themselves.
     pub(super) short_cuts: bool,
     /// No branches: instructions with a comparison go through `ct`, a `ConstantTime`.

@@ -15,7 +15,7 @@ use crate::emit::reuse::Reuse;
 use crate::emit::syntax::Syntax;
 use crate::emit::{layout, questions};
 use crate::ir::{Module, NodeId, Target};
-use crate::passes::schedule::{Bid, Infinite, LazyBid, Plan, Schedule};
+use crate::passes::schedule::{Bid, Infinite, LazyBid, Schedule, TeamSchedule};
 use askama::Template;
 use std::collections::BTreeSet;
 
@@ -98,7 +98,7 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, schedule: &Sche
 struct TeamPrinter<'a> {
     printer: &'a Printer<'a>,
     module: &'a Module<'a>,
-    plan: &'a Plan,
+    plan: &'a TeamSchedule,
     /// The distinct destinations of the edges; the last is the last edge's.
     targets: Vec<Target>,
     /// All bids are evaluated in ascending order: the winner's destination identifies it well enough.
@@ -113,7 +113,7 @@ impl Reuse for TeamPrinter<'_> {
 }
 
 impl<'a> TeamPrinter<'a> {
-    fn new(printer: &'a Printer<'a>, module: &'a Module<'a>, plan: &'a Plan) -> Self {
+    fn new(printer: &'a Printer<'a>, module: &'a Module<'a>, plan: &'a TeamSchedule) -> Self {
         let ascending = plan.infinite.is_none() && plan.bids().all(|bid| bid.ascending);
         Self { printer, module, plan, targets: plan.destinations(), ascending, computed: BTreeSet::new() }
     }

@@ -42,10 +42,10 @@ pub(super) fn render(printer: &Printer<'_>) -> String {
         infinite_above: printer.literal(infinite_above),
         zero_below: printer.literal(zero_below),
         provider: printer.provider(),
-        plain: [Instruction::Sin, Instruction::Cos, Instruction::Ln, Instruction::Exp]
+        plain: [Instruction::Sin, Instruction::Cos, Instruction::Tan, Instruction::Ln, Instruction::Exp]
             .into_iter()
             .filter(|&instruction| printer.short_cuts && uses(instruction))
-            .filter(|instruction| !short || matches!(instruction, Instruction::Sin | Instruction::Cos))
+            .filter(|instruction| !short || !matches!(instruction, Instruction::Ln | Instruction::Exp))
             .map(Instruction::name)
             .collect(),
         signed: if single { "i32" } else { "i64" },

@@ -3,7 +3,7 @@
 use super::{Chosen, Counts, Driver, Hybrid, NEVER, Switch};
 use crate::arm::{Move, Pose};
 use crate::cycle::{Brent, CycleDetector};
-use crate::episode::{Course, Outcome, Problem, Summary};
+use crate::episode::{Course, Outcome, ReachTask, Summary};
 use crate::kinematics::Lattice;
 use crate::observation::Observation;
 use tpg_runtime::policy::Policy;
@@ -39,7 +39,7 @@ where
     D: CycleDetector<Pose>,
 {
     /// Puts the arm at the problem's start.
-    pub fn new(hybrid: &'a Hybrid<'a, S, T, P>, problem: Problem<S>, detector: D) -> Self {
+    pub fn new(hybrid: &'a Hybrid<'a, S, T, P>, problem: ReachTask<S>, detector: D) -> Self {
         let course = Course::new(hybrid.arm, problem);
         let switch = Switch::new(hybrid.settings, detector, course.observation());
         Self { hybrid, course, switch, last_turn: None }

@@ -7,7 +7,7 @@ use super::{Actions, Decision, FEATURE_CONTRACT, FEATURES, Mask, TRAINED_COARSE,
 use crate::arm::{Arm, JOINTS, Move};
 use crate::frame::Frame;
 use crate::observation::Observation;
-use tpg_runtime::net::{Answer, HIDDEN, LAST, Layer, Meaning, PREFERENCE_ONE, integer};
+use tpg_runtime::net::{HIDDEN, LAST, Layer, Meaning, OutputKind, PREFERENCE_ONE, integer};
 use tpg_runtime::policy::Policy;
 
 /// Features as integers: rounded to nearest, halves away from zero, clipped to `i16`; NaN becomes 0.
@@ -85,7 +85,7 @@ impl FixedDecision {
             Self::Coarse(decision) => (false, decision.mask, decision.may_rest),
         };
         let flags = matches!(mask, Mask::JointLimits) as u8 | ((may_rest as u8) << 1) | ((fine as u8) << 2);
-        Meaning { contract: FEATURE_CONTRACT, inputs: &[], answer: Answer::Preferences { flags }, values: &[] }
+        Meaning { contract: FEATURE_CONTRACT, inputs: &[], answer: OutputKind::Preferences { flags }, values: &[] }
     }
 
     /// The move for preferences in multiples of 1/2048.

@@ -9,7 +9,7 @@ use crate::arm::{Arm, JOINTS, Move};
 use crate::frame::Frame;
 use crate::observation::Observation;
 use tpg_kernels::{COLUMNS, Kind, ROWS};
-use tpg_runtime::net::{self, Answer, Layer, LayerRows, ModelError, Weights};
+use tpg_runtime::net::{self, Layer, LayerRows, ModelError, OutputKind, Weights};
 use tpg_runtime::policy::Policy;
 
 const _: () = assert!(JOINTS == ROWS, "a preference for each joint in one block");
@@ -30,7 +30,9 @@ impl<'a> Model<'a> {
     pub fn parse(words: &'a [u32]) -> Result<Self, ModelError> {
         let network = net::Model::parse(words)?;
         match network.answer() {
-            Answer::Preferences { flags } if network.outputs() == JOINTS && network.contract() == FEATURE_CONTRACT => {
+            OutputKind::Preferences { flags }
+                if network.outputs() == JOINTS && network.contract() == FEATURE_CONTRACT =>
+            {
                 Ok(Self { network, decision: FixedDecision::from_flags(flags) })
             }
             _ => Err(ModelError::Meaning),

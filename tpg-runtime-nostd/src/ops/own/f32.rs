@@ -101,6 +101,17 @@ pub(in crate::ops) fn cos_by(top: u32, x: f32) -> f32 {
     f32::from_bits(circle(top, x.to_bits() & MAGNITUDE, 0x6000_0000))
 }
 
+/// Tangent of `x` radians: sine by cosine, off by at most 3.5 ulp for every finite `x`; odd.
+#[inline]
+pub fn tan(x: f32) -> f32 {
+    tan_by(TOP, x)
+}
+
+#[inline(always)]
+pub(in crate::ops) fn tan_by(top: u32, x: f32) -> f32 {
+    sin_by(top, x) / cos_by(top, x)
+}
+
 /// All ones where the top bit is set, else 0. Masks rather than conditions, where a compiler would branch. `top` is
 /// [`TOP`], which a caller may hide from the compiler: see [`constant_time`](crate::ops::constant_time).
 #[inline(always)]

@@ -122,6 +122,11 @@ pub fn cos(x: f64) -> f64 {
     f64::from_bits(circle(x.to_bits() & MAGNITUDE, 0x6000_0000_0000_0000))
 }
 
+/// Tangent of `x` radians: sine by cosine, off by at most 3.5 ulp for every finite `x`; odd.
+pub fn tan(x: f64) -> f64 {
+    sin(x) / cos(x)
+}
+
 /// All ones where the top bit is set, else 0. Masks rather than conditions, where a compiler would branch.
 fn mask(bits: u64) -> u64 {
     0_u64.wrapping_sub(bits >> 63)

@@ -1,18 +1,18 @@
 //! Validity of a policy that was read from a file.
 
-use super::{Destination, Edge, Limits, Line, Operand, Policy};
+use super::{Destination, Edge, Limits, Line, Operand, PolicyGraph};
 use crate::action::ActionSpace;
 use tpg_graph::error::Finding;
 
-impl Policy {
+impl PolicyGraph {
     /// Checks every index: a policy that passes can be planned and run in an environment with that many values of the
     /// flat state and those actions.
     ///
     /// ```
-    /// use tpg_engine::{ActionSpace, Destination, Edge, Policy};
+    /// use tpg_engine::{ActionSpace, Destination, Edge, PolicyGraph};
     ///
     /// let edge = |program| Edge { program, to: Destination::Action(0) };
-    /// let policy = |program| Policy::new(8, 0, vec![vec![edge(program)]], vec![vec![]]);
+    /// let policy = |program| PolicyGraph::new(8, 0, vec![vec![edge(program)]], vec![vec![]]);
     /// let space = ActionSpace::discrete(["left", "right"]);
     /// assert_eq!(policy(0).check(8, 3, &space), Ok(()));
     /// let finding = policy(1).check(8, 3, &space).expect_err("there is one program");

@@ -14,7 +14,7 @@ pub use episode::ArmEpisode;
 pub use problem::{ArmProblem, ArmTask, OUTCOMES, outcome_number};
 
 use crate::arm::binding::bind;
-use crate::arm::targets::{self, Reach as Space, Set};
+use crate::arm::targets::{self, ReachableSpace, Set};
 use clearance::{Clearances, swing};
 use tpg_arm::binding::MOVE;
 use tpg_arm::episode::Outcome;
@@ -73,7 +73,7 @@ pub struct ArmEnvironment<S> {
     /// True if lanes take their usual steps all at once.
     vectors: bool,
     /// Source of training tasks.
-    space: Option<Space>,
+    space: Option<ReachableSpace>,
 }
 
 /// Sines of all ticks of a turn.
@@ -108,7 +108,7 @@ impl<S: ArmScalar> ArmEnvironment<S> {
         if environment.problem.may_stop {
             environment.moves.push(Move::STOP);
         }
-        environment.space = Some(Space::sample(arm, 0, Set::Training));
+        environment.space = Some(ReachableSpace::sample(arm, 0, Set::Training));
         environment
     }
 

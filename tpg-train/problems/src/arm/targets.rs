@@ -14,7 +14,7 @@ mod file;
 pub use file::{read_csv, to_csv};
 
 use serde::{Deserialize, Serialize};
-use tpg_arm::episode::Problem;
+use tpg_arm::episode::ReachTask;
 use tpg_arm::frame::Clearance;
 use tpg_arm::kinematics::{self, Lattice, Plane};
 use tpg_arm::{Arm, Pose};
@@ -73,8 +73,8 @@ pub struct Task {
 
 impl Task {
     /// Converts the task to a problem with the paper's tolerance.
-    pub fn problem<S: Lattice>(&self, start: Start) -> Problem<S> {
-        Problem {
+    pub fn problem<S: Lattice>(&self, start: Start) -> ReachTask<S> {
+        ReachTask {
             start: self.start,
             target: self.target.map(S::from_f64),
             tolerance: S::from_f64(TOLERANCE),
@@ -85,7 +85,7 @@ impl Task {
 
 /// A sample of the poses that an arm can take, evenly distributed over the positions of the hand.
 #[derive(Clone, Debug)]
-pub struct Reach {
+pub struct ReachableSpace {
     home: Pose,
     arm: Arm<f64>,
     poses: Vec<Pose>,
@@ -93,7 +93,7 @@ pub struct Reach {
     cubes: Vec<usize>,
 }
 
-impl Reach {
+impl ReachableSpace {
     /// Samples the arm's reachable space in less than a second.
     ///
     /// # Panics
@@ -164,7 +164,7 @@ pub fn stands_free(arm: &Arm<f64>, plane: &Plane<f64>) -> bool {
 
 /// Returns `count` tasks of a set. A shorter list is a prefix of a longer one.
 pub fn tasks(arm: &Arm<f64>, seed: u64, set: Set, start: Start, count: usize) -> Vec<Task> {
-    let reach = Reach::sample(arm, seed, set);
+    let reach = ReachableSpace::sample(arm, seed, set);
     let stream = |index| Stream::new(seed, (set as u64) << 8 | start as u64, Purpose::Task, index);
     (0..count as u64).map(|index| reach.task(start, &mut stream(index))).collect()
 }
@@ -180,7 +180,7 @@ mod tests {
 
     #[test]
     fn tasks_are_free_reachable_and_spread() {
-        let reach = Reach::sample(&WIDOWX, 1, Set::Training);
+        let reach = ReachableSpace::sample(&WIDOWX, 1, Set::Training);
         assert!((30_000..40_000).contains(&reach.cubes()), "{} cubes", reach.cubes());
         let mut random = Stream::new(1, 0, Purpose::Test, 0);
         let mut off_grid = 0;

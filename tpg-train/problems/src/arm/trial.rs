@@ -4,7 +4,7 @@ use crate::arm::environment::{ArmProblem, OUTCOMES};
 use crate::arm::targets::{Start, Task};
 use serde::Serialize;
 use tpg_arm::cycle::{Brent, CycleDetector};
-use tpg_arm::episode::{Episode, Outcome, Problem, Summary};
+use tpg_arm::episode::{Episode, Outcome, ReachTask, Summary};
 use tpg_arm::kinematics::Lattice;
 use tpg_arm::observation::Observation;
 use tpg_arm::{Arm, Move, Pose, Step};
@@ -82,7 +82,7 @@ pub fn watch_drawn<S: Lattice>(
     task: &Task,
     mut each: impl FnMut(Pose),
 ) -> Summary<S> {
-    let problem: Problem<S> = task.problem(start);
+    let problem: ReachTask<S> = task.problem(start);
     walk(arm, &problem, decide, |step, reached, in_time| {
         each(step.pose);
         let invalid = step.invalid.map(Outcome::Invalid);
@@ -99,7 +99,7 @@ where
     P: Policy<State = Observation<S>, Action = Move> + ?Sized,
 {
     let episode = |task: &Task| {
-        let problem: Problem<S> = task.problem(start);
+        let problem: ReachTask<S> = task.problem(start);
         let mut detector = Brent::new();
         detector.reset(problem.start);
         walk(
@@ -126,7 +126,7 @@ where
 /// Acts until a step has an outcome, given whether it reached the target and whether another action is allowed.
 fn walk<S: Lattice>(
     arm: &Arm<S>,
-    problem: &Problem<S>,
+    problem: &ReachTask<S>,
     mut decide: impl FnMut(&Observation<S>) -> Move,
     mut outcome: impl FnMut(&Step, bool, bool) -> Option<Outcome>,
 ) -> Summary<S> {

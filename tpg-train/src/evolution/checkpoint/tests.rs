@@ -2,7 +2,7 @@
 //! panic, allocate half a gigabyte, or go on from a changed state.
 
 use super::{VERSION, from_bytes, to_bytes};
-use crate::evolution::config::{Config, StartConfig, StartKind};
+use crate::evolution::config::{EvolutionConfig, StartConfig, StartKind};
 use crate::evolution::presets::Preset;
 use crate::evolution::run::{RunOptions, run};
 use crate::evolution::state::State;
@@ -10,7 +10,7 @@ use crate::folder::{Trainer, checkpoint::look};
 use serde_json::{Value, json};
 use std::ops::ControlFlow;
 use std::sync::OnceLock;
-use tpg_engine::{Choices, Environment, LocalThreads, Options};
+use tpg_engine::{Choices, EngineOptions, Environment, LocalThreads};
 use tpg_graph::error::{InputError, Place};
 use tpg_problems::Pendulum;
 use tpg_problems::arm::shield::Shield;
@@ -24,7 +24,7 @@ fn swing() -> Swing {
     Choices::new(Pendulum, Some(3)).expect("three torques")
 }
 
-fn config() -> Config {
+fn config() -> EvolutionConfig {
     let mut config = Preset::find("general").expect("a preset").config().expect("it is accepted");
     (config.tpg.nb_roots, config.tpg.init_nb_roots) = (12, 14);
     (config.demes.count, config.demes.migration_interval, config.demes.migrants) = (2, 2, 1);
@@ -44,10 +44,10 @@ fn whole() -> &'static Value {
     CONTENT.get_or_init(|| content(&config(), &swing()))
 }
 
-fn content<E: Environment<f32>>(config: &Config, environment: &E) -> Value {
+fn content<E: Environment<f32>>(config: &EvolutionConfig, environment: &E) -> Value {
     let place = tempfile::tempdir().expect("a temporary folder");
     let options = RunOptions { folder: place.path().to_owned(), ..RunOptions::default() };
-    let evaluator = LocalThreads::<f32, Own, _>::new(environment, Options::default(), 1).expect("a thread");
+    let evaluator = LocalThreads::<f32, Own, _>::new(environment, EngineOptions::default(), 1).expect("a thread");
     run(config, 1, environment, &evaluator, &options, |_| ControlFlow::Continue(())).expect("it runs");
     let json = |_: &str, content: &[u8]| Ok(serde_json::from_slice(content).expect("JSON"));
     look(place.path(), Trainer::Tpg, VERSION, json).expect("a checkpoint")

@@ -1,13 +1,13 @@
 //! Validity of configurations.
 
-use super::Config;
+use super::EvolutionConfig;
 use crate::evolution::linear::{LinearWriter, MOST_WEIGHTS};
 use tpg_engine::{ActionSpace, Environment};
 use tpg_graph::Word;
 use tpg_graph::error::Finding;
 use tpg_runtime::scalar::Scalar;
 
-impl Config {
+impl EvolutionConfig {
     /// Checks ranges, names and consistency.
     ///
     /// # Errors

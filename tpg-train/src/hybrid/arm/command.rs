@@ -10,6 +10,7 @@ use crate::files::{read_graph, write_atomically};
 use crate::hybrid::command::{HybridArgs, StudyArgs};
 use crate::hybrid::setting::Detector as AnyDetector;
 use crate::hybrid::study::{self, Input, absolute, to_csv};
+use crate::ranks::workplace::Workplace;
 use crate::run_args::command_line;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -55,7 +56,7 @@ struct Asked {
 /// # Errors
 /// Files that are not policies, settings that the arm does not have, a folder with another study, files that cannot be
 /// written.
-pub fn execute(args: &HybridArgs, start: Start) -> Result<Verdict, InputError> {
+pub fn execute(args: &HybridArgs, start: Start, place: &impl Workplace) -> Result<Verdict, InputError> {
     let guards = if args.guard.is_empty() { Guard::ALL.to_vec() } else { args.guard.clone() };
     let detectors = detectors(args)?;
     let args = &args.study;
@@ -75,13 +76,15 @@ pub fn execute(args: &HybridArgs, start: Start) -> Result<Verdict, InputError> {
         start,
         tasks: tasks(&WIDOWX, args.seed, Set::Validation, start, args.episodes),
     };
-    let folder = study::open_folder(&args.out, args.resume, &asked)?;
     let threads = study::threads(args.threads)?;
-    let costs = Costs::measure(&study)?;
-    let Some(cells) = study::in_folder(&study, &folder, &threads)? else { return Ok(Verdict::Interrupted) };
-    let alone = threads.install(|| alone(&study))?;
-    finish(args, &study, &costs, &cells, &alone)?;
-    Ok(Verdict::Good)
+    place.study(&study::identity(&asked), &threads, &|number| study::numbered(&study, number), |cells| {
+        let folder = study::open_folder(&args.out, args.resume, &asked)?;
+        let costs = Costs::measure(&study)?;
+        let Some(cells) = study::in_folder(&study, &folder, cells)? else { return Ok(Verdict::Interrupted) };
+        let alone = threads.install(|| alone(&study))?;
+        finish(args, &study, &costs, &cells, &alone)?;
+        Ok(Verdict::Good)
+    })
 }
 
 /// Returns the detectors asked for; the settings of other problems are refused.

@@ -34,6 +34,10 @@ impl<T> Table<T> {
         self.place(number).map(|place| &self.items[place])
     }
 
+    fn get_mut(&mut self, number: u32) -> Option<&mut T> {
+        self.place(number).map(|place| &mut self.items[place])
+    }
+
     fn insert(&mut self, letter: char, number: u32, item: T) -> Result<(), Fault> {
         if self.places.insert(number, self.items.len()).is_some() {
             let accepted = format!("a number that no other {letter} has");
@@ -67,6 +71,16 @@ pub(super) struct Lines<'s> {
     pub(super) constants: &'s [f64],
 }
 
+/// Node of an action.
+#[derive(Debug)]
+pub(super) struct Action<'s> {
+    pub(super) node: u32,
+    pub(super) line: usize,
+    pub(super) labels: &'s [u32],
+    /// Its programs, in the order of the labels.
+    pub(super) programs: Vec<u32>,
+}
+
 /// The statement that names the roots.
 #[derive(Debug)]
 pub(super) struct Rank<'s> {
@@ -81,8 +95,7 @@ pub(super) struct Declared<'s> {
     pub(super) teams: Table<Team>,
     pub(super) programs: Table<Program<'s>>,
     pub(super) lines: Table<Lines<'s>>,
-    /// Action of each action node.
-    pub(super) actions: Table<u32>,
+    pub(super) actions: Table<Action<'s>>,
     pub(super) rank: Option<Rank<'s>>,
     /// Line of the closing brace.
     pub(super) close: usize,
@@ -109,10 +122,14 @@ impl<'s> Declared<'s> {
                 self.lines.insert('I', *program, Lines { line, lines, constants })?;
             }
             // GEGELATI 2 repeats an action's node before each edge to it.
-            Statement::Action { node, action } => match self.actions.get(*node) {
-                Some(known) if known == action => {}
-                _ => self.actions.insert('A', *node, *action)?,
+            Statement::Action { node, labels } => match self.actions.get(*node) {
+                Some(known) if known.labels == labels => {}
+                _ => self.actions.insert('A', *node, Action { node: *node, line, labels, programs: Vec::new() })?,
             },
+            Statement::ActionProgram { node, program } => {
+                let accepted = || Fault::new(format!("A{node}, which no line before declares"), "an action's node");
+                self.actions.get_mut(*node).ok_or_else(accepted)?.programs.push(*program);
+            }
             Statement::Rank { roots } => {
                 if self.rank.replace(Rank { line, roots }).is_some() {
                     return Err(Fault::new("the roots a second time", "one line `{ rank= same … }`"));

@@ -3,6 +3,7 @@
 use super::Fault;
 use super::lexer::quote;
 use super::statement::{OperandText, ProgramLine};
+use crate::import::composed::OPERANDS;
 use std::str::FromStr;
 
 /// Terminator of every program line: the exporter's spelling of Graphviz's `\n`.
@@ -34,7 +35,7 @@ fn line(text: &str) -> Option<ProgramLine> {
         instruction: number(instruction)?,
         to: number(to)?,
         written: 0,
-        operands: [OperandText::default(); 2],
+        operands: [OperandText::default(); OPERANDS.len()],
     };
     for operand in tail.split('#') {
         let (source, location) = operand.split_once('|')?;
@@ -75,9 +76,10 @@ mod tests {
     fn a_program_of_two_lines() {
         let found = lines("7|5&1|1#4|70&#92;n1|3&0|0#4|5#9|9&#92;n").expect("two lines");
         let operand = |source, location| OperandText { source, location };
+        let none = operand(0, 0);
         let expected = [
-            ProgramLine { instruction: 7, to: 5, written: 2, operands: [operand(1, 1), operand(4, 70)] },
-            ProgramLine { instruction: 1, to: 3, written: 3, operands: [operand(0, 0), operand(4, 5)] },
+            ProgramLine { instruction: 7, to: 5, written: 2, operands: [operand(1, 1), operand(4, 70), none, none] },
+            ProgramLine { instruction: 1, to: 3, written: 3, operands: [none, operand(4, 5), operand(9, 9), none] },
         ];
         assert_eq!(found, expected);
         assert_eq!(lines("").expect("no line"), []);

@@ -7,6 +7,8 @@ pub(super) struct Lines {
     pub(super) root: usize,
     /// Lines of each team.
     pub(super) teams: Vec<TeamLines>,
+    /// Line of each leaf's node.
+    pub(super) leaves: Vec<usize>,
     /// Lines of each program.
     pub(super) programs: Vec<ProgramLines>,
 }
@@ -49,6 +51,7 @@ impl Lines {
                         .unwrap_or(team.node),
                 )
             }
+            "leaves" => self.leaves.get(index).copied(),
             "programs" => {
                 let program = self.programs.get(index)?;
                 Some(if inner == Some("lines") { program.lines } else { program.node })
@@ -67,6 +70,7 @@ mod tests {
         let lines = Lines {
             root: 90,
             teams: vec![TeamLines { node: 4, edges: vec![10, 12] }],
+            leaves: vec![9],
             programs: vec![ProgramLines { node: 7, lines: 8 }],
         };
         assert_eq!(lines.of("$.root"), Some(90));
@@ -75,6 +79,7 @@ mod tests {
         assert_eq!(lines.of("$.teams[0].edges[1].program"), Some(12));
         assert_eq!(lines.of("$.programs[0]"), Some(7));
         assert_eq!(lines.of("$.programs[0].lines[3].args[1]"), Some(8));
+        assert_eq!(lines.of("$.leaves[0].programs[1]"), Some(9));
         assert_eq!(lines.of("$.sources[0].name"), None);
     }
 }

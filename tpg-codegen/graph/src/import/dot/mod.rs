@@ -12,15 +12,18 @@
 //!             | "I"n "[… label="line*"]" ["//" (number "|")*]                    its lines; or its constants here
 //!             | "P"n "->" "I"n attributes                                        redundant
 //!             | "A"n "[… label="action"]"                                        an action; equal labels are one action
+//!             | "A"n "[… label="class("-"class)*"]"                              a leaf, and what its programs compute
+//!             | "A"n "->" "P"n                                                   a leaf's next program
 //!             | "T"n "->" "P"n "->" ("T"n | "A"n)                                an edge
 //!             | "T"n "->" "P"n                                                   an edge to P's known destination
-//!             | "{ rank= same" ("T"n)* "}"                                       the root
+//!             | "{ rank= same" ("T"n | "A"n)* "}"                                the root
 //! line        = instruction "|" register "&" operand ("#" operand)* "&#92;n"
 //! operand     = source "|" location
 //! ```
 
 mod declared;
 mod label;
+mod leaves;
 mod lexer;
 mod lines;
 mod parser;

@@ -8,7 +8,8 @@ use crate::error::InputError;
 
 /// The statements allowed inside the braces, for messages.
 const STATEMENTS: &str = "a team `T0 […]`, a program `P0 […] //`, its lines `I0 [… label=\"…\"]`, a link `P0 -> I0[…]`, an action \
-                          `A0 [… label=\"0\"]`, an edge `T0 -> P0 -> T1`, `T0 -> P0 -> A0` or `T0 -> P0`, the roots \
+                          `A0 [… label=\"0\"]`, its program `A0 -> P0`, an edge `T0 -> P0 -> T1`, `T0 -> P0 -> A0` or \
+                          `T0 -> P0`, the roots \
                           `{ rank= same T0 }`, or the closing }";
 
 /// Parses all statements, skipping those that only affect how the graph is drawn.
@@ -96,12 +97,9 @@ fn inside(content: &str, tokens: &[Token<'_>]) -> Result<Option<Statement>, Faul
     let statement = match *path.as_slice() {
         [Node { kind: Kind::Team, number: team }] => Statement::Team { team },
         [Node { kind: Kind::Program, number: program }] => {
-            if label.is_some_and(|label| label != "0") {
-                let found = format!(
-                    "P{program} with the label {:?}: a program that computes actions",
-                    label.unwrap_or_default()
-                );
-                return Err(Fault::new(found, "programs that bid, without label or with \"0\""));
+            if let Some(label) = label.filter(|label| !["0", "1"].contains(label)) {
+                let accepted = "no label, \"0\" for a program that bids, \"1\" for one of an action";
+                return Err(Fault::new(format!("P{program} with the label {label:?}"), accepted));
             }
             Statement::Program { program, constants: label::constants(comment.unwrap_or_default())? }
         }
@@ -112,10 +110,15 @@ fn inside(content: &str, tokens: &[Token<'_>]) -> Result<Option<Statement>, Faul
         },
         [node @ Node { kind: Kind::Action, number }] => {
             let label = label.ok_or_else(|| without_label(node))?;
-            let action = digits(label).ok_or_else(|| {
-                Fault::new(format!("A{number} with the label {label:?}"), "the number of one action, as in label=\"0\"")
+            let labels = label.split('-').map(digits).collect::<Option<_>>().ok_or_else(|| {
+                let accepted =
+                    "the number of an action, as in label=\"0\", or those of its programs, as in label=\"0-1\"";
+                Fault::new(format!("A{number} with the label {label:?}"), accepted)
             })?;
-            Statement::Action { node: number, action }
+            Statement::Action { node: number, labels }
+        }
+        [Node { kind: Kind::Action, number: node }, Node { kind: Kind::Program, number: program }] => {
+            Statement::ActionProgram { node, program }
         }
         [Node { kind: Kind::Program, number: program }, Node { kind: Kind::Lines, number: lines }] => {
             if program != lines {

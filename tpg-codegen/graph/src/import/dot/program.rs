@@ -13,6 +13,8 @@ pub(super) struct Meaning<'d> {
     pub(super) document: &'d Document,
     /// The meaning of each instruction number.
     pub(super) instructions: &'d [Operator],
+    /// Rows and columns of each source of two dimensions.
+    pub(super) shapes: &'d [Option<[u32; 2]>],
     /// Number of registers in the file: the document has more for intermediate values.
     pub(super) registers: u32,
     /// Constants of the program. If programs have any, they are source 1, before the environment's sources.
@@ -31,7 +33,7 @@ impl Meaning<'_> {
     }
 
     fn line(&self, line: &ProgramLine, document: &mut Vec<LineDocument>) -> Result<(), Fault> {
-        let Some(Operator { name, value }) = self.instructions.get(line.instruction as usize) else {
+        let Some(Operator { name, value, windows }) = self.instructions.get(line.instruction as usize) else {
             let known: Vec<&str> = self.instructions.iter().map(|operator| &*operator.name).collect();
             let known = known.join(", ");
             let accepted = format!("0 to {}: {known}", self.instructions.len() - 1);
@@ -51,7 +53,12 @@ impl Meaning<'_> {
             let found = format!("{} of {name}", counted(line.written, "operand"));
             return Err(Fault::new(found, format!("at least {arity}")));
         };
-        let operands = operands.iter().map(|operand| self.operand(*operand)).collect::<Result<Vec<_>, _>>()?;
+        let operands = (operands.iter().zip(windows))
+            .map(|(operand, window)| match window.as_slice() {
+                [] => Ok(vec![self.operand(*operand)?]),
+                window => self.window(*operand, window),
+            })
+            .collect::<Result<Vec<_>, _>>()?;
         value.lines(&operands, line.to, self.registers, document);
         Ok(())
     }
@@ -70,6 +77,38 @@ impl Meaning<'_> {
             Some(source) => Ok(OperandDocument::Place(format!("{}[{}]", source.name, place(source.ranges.len())))),
             None => Err(Fault::new(format!("source {}", operand.source), self.sources(first))),
         }
+    }
+
+    /// Translates a window on an array: its values, row by row. Windows of a source are numbered row by row, too.
+    fn window(&self, operand: OperandText, window: &[u32]) -> Result<Vec<OperandDocument>, Fault> {
+        let first = if self.constants.is_empty() { 1 } else { 2 };
+        let (name, [rows, columns]) = match (operand.source as usize).checked_sub(first) {
+            _ if operand.source == 0 => (None, [1, self.registers]),
+            None => return Err(Fault::new("a window on the constants", "a source of numbers, or the registers")),
+            Some(index) => match self.document.sources.get(index) {
+                Some(source) => (Some(&source.name), self.shapes[index].unwrap_or([1, source.length])),
+                None => return Err(Fault::new(format!("source {}", operand.source), self.sources(first))),
+            },
+        };
+        let [height, width] = match *window {
+            [width] => [1, width],
+            [height, width] => [height, width],
+            _ => return Err(Fault::new(format!("a window of {} dimensions", window.len()), "1 or 2")),
+        };
+        let (Some(down), Some(across)) = (rows.checked_sub(height), columns.checked_sub(width)) else {
+            let found = format!("a window of {height} by {width} on {rows} by {columns} values");
+            return Err(Fault::new(found, "a window that is not larger than its source"));
+        };
+        let across = u64::from(across) + 1;
+        let place = operand.location % ((u64::from(down) + 1) * across);
+        let (row, column) = ((place / across) as u32, (place % across) as u32);
+        let values =
+            (row..row + height).flat_map(|row| (column..column + width).map(move |column| row * columns + column));
+        Ok(values
+            .map(|value| {
+                OperandDocument::Place(name.map_or_else(|| format!("r{value}"), |name| format!("{name}[{value}]")))
+            })
+            .collect())
     }
 
     /// Lists all sources by number, for messages.

@@ -1,7 +1,8 @@
 //! Translation of statements to a document: numbers of the file become names and ids.
 
 use super::Fault;
-use super::declared::{Declared, Rank};
+use super::declared::{Action, Declared, Rank};
+use super::leaves;
 use super::lines::{Lines, ProgramLines, TeamLines};
 use super::program::Meaning;
 use super::statement::{Kind, Located, Node, Statement, Target};
@@ -22,15 +23,20 @@ pub(super) fn document(file: &str, statements: &[Located], sidecar: &Sidecar) ->
     resolver.is_something()?;
     resolver.links()?;
     let mut lines = Lines::default();
-    let teams = resolver.teams(&mut lines)?;
-    let programs = resolver.programs(&mut lines)?;
+    let mut teams = resolver.teams(&mut lines)?;
+    let mut programs = resolver.programs(&mut lines)?;
     let root = resolver.root(&teams, &mut lines)?;
+    let leaves = if resolver.has_values() {
+        leaves::resolve(&resolver, &mut teams, &mut programs, &mut lines)?
+    } else {
+        Vec::new()
+    };
     let mut provenance = resolver.document.provenance.clone();
     if let (false, Some((tool, version))) = (sidecar.has_provenance(), resolver.declared.exporter) {
         provenance.tool = Some(tool.to_owned());
         provenance.version = Some(version.to_owned());
     }
-    Ok((Document { root: Some(root), teams, programs, provenance, ..resolver.document.clone() }, lines))
+    Ok((Document { root, teams, leaves, programs, provenance, ..resolver.document.clone() }, lines))
 }
 
 /// Destination of a program.
@@ -38,27 +44,34 @@ pub(super) fn document(file: &str, statements: &[Located], sidecar: &Sidecar) ->
 enum Destination {
     Team(u32),
     Action(u32),
+    /// By the number of its node.
+    Leaf(u32),
 }
 
-struct Resolver<'s> {
+pub(super) struct Resolver<'s> {
     file: &'s str,
     /// The document described by the sidecar.
     document: &'s Document,
-    sidecar: &'s Sidecar,
+    pub(super) sidecar: &'s Sidecar,
     statements: &'s [Located],
-    declared: Declared<'s>,
+    pub(super) declared: Declared<'s>,
 }
 
 impl Resolver<'_> {
-    fn error(&self, line: usize, found: impl Into<String>, accepted: impl Into<String>) -> InputError {
+    pub(super) fn error(&self, line: usize, found: impl Into<String>, accepted: impl Into<String>) -> InputError {
         Fault::new(found, accepted).on(self.file, line)
+    }
+
+    /// Tests for a policy that answers with values.
+    fn has_values(&self) -> bool {
+        !self.document.outputs.is_empty()
     }
 
     fn is_something(&self) -> Result<(), InputError> {
         let missing =
             |what: &str| Err(self.error(self.declared.close, format!("a graph without {what}"), "at least one"));
         match (self.declared.teams.items(), self.declared.programs.items()) {
-            ([], _) => missing("teams"),
+            ([], _) if !self.has_values() => missing("teams"),
             (_, []) => missing("programs"),
             _ => Ok(()),
         }
@@ -67,7 +80,7 @@ impl Resolver<'_> {
     /// Checks the links. They are redundant, but the nodes that they name must exist.
     fn links(&self) -> Result<(), InputError> {
         for Located { line, statement } in self.statements {
-            if let Statement::Link { program } = statement {
+            if let Statement::Link { program } | Statement::ActionProgram { program, .. } = statement {
                 self.program_exists(*line, *program)?;
             }
         }
@@ -101,11 +114,13 @@ impl Resolver<'_> {
                 let found = format!("T{team} -> P{program}, and no edge that says where P{program} leads");
                 return Err(self.error(*line, found, format!("T{team} -> P{program} -> a team or an action")));
             };
-            let (team, action) = match *destination {
-                Destination::Team(team) => (Some(team), None),
-                Destination::Action(action) => (None, Some(action)),
-            };
-            teams[place].edges.push(EdgeDocument { program, team, action, leaf: None });
+            let mut edge = EdgeDocument { program, ..EdgeDocument::default() };
+            match *destination {
+                Destination::Team(team) => edge.team = Some(team),
+                Destination::Action(action) => edge.action = Some(action),
+                Destination::Leaf(leaf) => edge.leaf = Some(leaf),
+            }
+            teams[place].edges.push(edge);
             lines.teams[place].edges.push(*line);
         }
         Ok(teams)
@@ -123,6 +138,7 @@ impl Resolver<'_> {
                 let name = |destination| match destination {
                     Destination::Team(team) => format!("T{team}"),
                     Destination::Action(action) => format!("action {action}"),
+                    Destination::Leaf(node) => format!("A{node}"),
                 };
                 let found =
                     format!("P{program} leads to {}, and on line {first_line} to {}", name(destination), name(first));
@@ -138,7 +154,15 @@ impl Resolver<'_> {
             Target::Team(team) if self.declared.teams.place(team).is_some() => Ok(Some(Destination::Team(team))),
             Target::Team(team) => Err(self.no_team(line, team)),
             Target::ActionNode(node) => match self.declared.actions.get(node) {
-                Some(&action) => Ok(Some(Destination::Action(action))),
+                Some(_) if self.has_values() => Ok(Some(Destination::Leaf(node))),
+                Some(&Action { labels: &[action], ref programs, .. }) if programs.is_empty() => {
+                    Ok(Some(Destination::Action(action)))
+                }
+                Some(action) => {
+                    let found = format!("A{node}, whose programs compute values");
+                    let accepted = "actions without programs, or outputs instead of actions in the sidecar";
+                    Err(self.error(action.line, found, accepted))
+                }
                 None => {
                     let found = format!("A{node}, which does not exist");
                     Err(self.error(line, found, "an action that the file declares"))
@@ -178,6 +202,7 @@ impl Resolver<'_> {
             let meaning = Meaning {
                 document: self.document,
                 instructions: self.sidecar.instructions(),
+                shapes: self.sidecar.shapes(),
                 registers: self.sidecar.registers(),
                 constants,
             };
@@ -190,7 +215,10 @@ impl Resolver<'_> {
 
     /// Finds the root. It is the root that the file declares, if any (the export of a sub-graph declares none), and it
     /// must be the only team without incoming edges. The graph's validation checks that there is exactly one such team.
-    fn root(&self, teams: &[TeamDocument], lines: &mut Lines) -> Result<u32, InputError> {
+    fn root(&self, teams: &[TeamDocument], lines: &mut Lines) -> Result<Option<u32>, InputError> {
+        if teams.is_empty() {
+            return self.only_action().map(|()| None);
+        }
         let mut entered = vec![false; teams.len()];
         for edge in teams.iter().flat_map(|team| &team.edges) {
             if let Some(place) = edge.team.and_then(|team| self.declared.teams.place(team)) {
@@ -202,7 +230,7 @@ impl Resolver<'_> {
         let Some(rank) = &self.declared.rank else {
             let root = first.unwrap_or(0);
             lines.root = lines.teams[root].node;
-            return Ok(teams[root].id);
+            return Ok(Some(teams[root].id));
         };
         lines.root = rank.line;
         let root = self.ranked(rank)?;
@@ -211,7 +239,25 @@ impl Resolver<'_> {
                 let found = format!("T{root} as the root, and edges that lead to it");
                 Err(self.error(rank.line, found, format!("T{}, the one team that no edge leads to", teams[only].id)))
             }
-            _ => Ok(root),
+            _ => Ok(Some(root)),
+        }
+    }
+
+    /// Checks that a file without teams has one action, its root.
+    fn only_action(&self) -> Result<(), InputError> {
+        let actions = self.declared.actions.items();
+        let [action] = actions else {
+            let line = actions.get(1).map_or(self.declared.close, |action| action.line);
+            return Err(self.error(line, format!("{} and no team", counted(actions.len(), "action")), "one action"));
+        };
+        match &self.declared.rank {
+            Some(Rank { line, roots: [root] }) if (root.kind, root.number) != (Kind::Action, action.node) => {
+                Err(self.error(*line, format!("{root} as the root"), format!("A{}, the only action", action.node)))
+            }
+            Some(Rank { line, roots }) if roots.len() != 1 => {
+                Err(self.error(*line, counted(roots.len(), "root"), "one"))
+            }
+            _ => Ok(()),
         }
     }
 

@@ -1,5 +1,6 @@
 //! Statements of a `.dot` file.
 
+use crate::import::composed::OPERANDS;
 use std::fmt;
 
 /// A statement with its line number.
@@ -24,8 +25,10 @@ pub(super) enum Statement {
     Lines { program: u32, lines: Vec<ProgramLine>, constants: Vec<f64> },
     /// A link from a program to its lines.
     Link { program: u32 },
-    /// An action node. Its number is meaningless; its label is the action.
-    Action { node: u32, action: u32 },
+    /// An action node. Its label is the action, or what its programs compute: `0-2`.
+    Action { node: u32, labels: Vec<u32> },
+    /// A program of an action node.
+    ActionProgram { node: u32, program: u32 },
     /// An edge.
     Edge { team: u32, program: u32, to: Target },
     /// The roots.
@@ -55,7 +58,7 @@ pub(super) struct ProgramLine {
     /// Number of operands in the file: as many as the widest instruction of the set reads.
     pub(super) written: usize,
     /// The leading operands, up to the maximum that an instruction here can read.
-    pub(super) operands: [OperandText; 2],
+    pub(super) operands: [OperandText; OPERANDS.len()],
 }
 
 /// An operand, with the numbers of the file.

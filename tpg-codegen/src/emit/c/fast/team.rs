@@ -7,13 +7,13 @@ use crate::emit::questions;
 use crate::emit::reuse::Reuse;
 use crate::emit::syntax::Syntax;
 use crate::ir::{Module, NodeId, Target, needed};
-use crate::passes::schedule::{Bid, Infinite, LazyBid, Plan};
+use crate::passes::schedule::{Bid, Infinite, LazyBid, TeamSchedule};
 use std::collections::BTreeSet;
 
 pub(super) struct TeamPrinter<'a> {
     printer: &'a Printer<'a>,
     module: &'a Module<'a>,
-    plan: &'a Plan,
+    plan: &'a TeamSchedule,
     span: &'a Span<'a>,
     /// The distinct destinations of the edges; the last is the last edge's.
     targets: Vec<Target>,
@@ -36,7 +36,7 @@ impl<'a> TeamPrinter<'a> {
     pub(super) fn new(
         printer: &'a Printer<'a>,
         module: &'a Module<'a>,
-        plan: &'a Plan,
+        plan: &'a TeamSchedule,
         span: &'a Span<'a>,
         computed: BTreeSet<NodeId>,
     ) -> Self {

@@ -21,7 +21,7 @@ pub use inputs::Inputs;
 
 use super::environment::{DISTANCE, OUTCOMES, on_the_arm};
 use super::ik;
-use super::targets::{self, Reach, Set, Start};
+use super::targets::{self, ReachableSpace, Set, Start};
 use lesson::Lesson;
 use serde::{Deserialize, Serialize};
 use tpg_arm::{Arm, JOINTS, Pose, WIDOWX};
@@ -46,7 +46,7 @@ pub struct Motors {
     config: Config,
     discretiser: Discretiser,
     seed: u64,
-    reach: Reach,
+    reach: ReachableSpace,
 }
 
 /// One episode's task.
@@ -93,7 +93,7 @@ impl MotorsEpisode {
 impl Motors {
     /// The problem of that start. The space that tasks are drawn from, and the validation tasks, depend on `seed`.
     pub fn new(start: Start, config: Config, seed: u64) -> Self {
-        let reach = Reach::sample(&WIDOWX, seed, Set::Training);
+        let reach = ReachableSpace::sample(&WIDOWX, seed, Set::Training);
         Self { start, discretiser: Discretiser::new(&config), config, seed, reach }
     }
 

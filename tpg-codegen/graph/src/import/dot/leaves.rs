@@ -1,0 +1,176 @@
+//! Leaves: the programs of GEGELATI's continuous actions, one for each output.
+//!
+//! GEGELATI takes a value from register 0 or from another one, and squashes it. Here a value is register 0 of a program, so
+//! a program that leaves it elsewhere, or whose value is squashed, gets a copy with lines that follow.
+
+use super::declared::Action;
+use super::lines::{Lines, ProgramLines};
+use super::resolve::Resolver;
+use crate::Word;
+use crate::error::{InputError, counted};
+use crate::import::sidecar::Values;
+use crate::model::{LeafDocument, LineDocument, OperandDocument, ProgramDocument, TeamDocument};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Builds the leaves, and adds the programs that only they need.
+pub(super) fn resolve(
+    resolver: &Resolver<'_>,
+    teams: &mut [TeamDocument],
+    programs: &mut Vec<ProgramDocument>,
+    lines: &mut Lines,
+) -> Result<Vec<LeafDocument>, InputError> {
+    let next = programs.iter().map(|program| program.id).max().unwrap_or(0).saturating_add(1);
+    let places = programs.iter().enumerate().map(|(place, program)| (program.id, place)).collect();
+    let mut builder = Builder { resolver, programs, places, lines, next, made: BTreeMap::new() };
+    let leaves = match resolver.sidecar.values() {
+        Values::Bid => builder.of_bids(teams)?,
+        Values::Programs | Values::Registers => builder.of_actions(teams)?,
+    };
+    keep_used(teams, &leaves, programs, lines);
+    Ok(leaves)
+}
+
+struct Builder<'b, 's> {
+    resolver: &'b Resolver<'s>,
+    programs: &'b mut Vec<ProgramDocument>,
+    /// The place of each program of the file.
+    places: BTreeMap<u32, usize>,
+    lines: &'b mut Lines,
+    /// The next free id of a program.
+    next: u32,
+    /// The id of the program that computes an output from a register of another program.
+    made: BTreeMap<(Option<u32>, u32, usize), u32>,
+}
+
+impl Builder<'_, '_> {
+    fn outputs(&self) -> usize {
+        self.resolver.sidecar.activations().len()
+    }
+
+    /// Builds a leaf of each action node that the graph reaches.
+    fn of_actions(&mut self, teams: &[TeamDocument]) -> Result<Vec<LeafDocument>, InputError> {
+        let reached: BTreeSet<u32> = teams.iter().flat_map(|team| &team.edges).filter_map(|edge| edge.leaf).collect();
+        let resolver = self.resolver;
+        let mut leaves = Vec::new();
+        for action in resolver.declared.actions.items() {
+            if teams.is_empty() || reached.contains(&action.node) {
+                leaves.push(LeafDocument { id: action.node, programs: self.of_action(action)?, memory: Vec::new() });
+                self.lines.leaves.push(action.line);
+            }
+        }
+        Ok(leaves)
+    }
+
+    fn of_action(&mut self, action: &Action<'_>) -> Result<Vec<u32>, InputError> {
+        let Action { node, line, labels, programs } = action;
+        let count = programs.len();
+        let refused = |found: String, accepted: String| Err(self.resolver.error(*line, found, accepted));
+        if self.resolver.sidecar.values() == Values::Registers {
+            return match programs.as_slice() {
+                &[program] => {
+                    Ok((0..self.outputs()).map(|output| self.program(Some(program), output as u32, output)).collect())
+                }
+                _ => refused(
+                    format!("A{node} with {}", counted(count, "program")),
+                    "one, whose registers are the values".to_owned(),
+                ),
+            };
+        }
+        if labels.len() != count {
+            let found = format!(
+                "A{node} with {} and {} in its label",
+                counted(count, "program"),
+                counted(labels.len(), "number")
+            );
+            return refused(found, format!("A{node} -> P… for each number"));
+        }
+        let mut computed = vec![None; self.outputs()];
+        for (&label, &program) in labels.iter().zip(programs) {
+            let most = self.outputs() - 1;
+            let Some(place) = computed.get_mut(label as usize) else {
+                return refused(
+                    format!("A{node} computes value {label}"),
+                    format!("0 to {most}: the sidecar has no other output"),
+                );
+            };
+            if place.replace(program).is_some() {
+                return refused(format!("A{node} computes value {label} a second time"), "each value once".to_owned());
+            }
+        }
+        // GEGELATI's values are 0 where no program computes them.
+        Ok(computed.into_iter().enumerate().map(|(output, program)| self.program(program, 0, output)).collect())
+    }
+
+    /// Builds a leaf for each program that bids for an action: other registers of it are the values.
+    fn of_bids(&mut self, teams: &mut [TeamDocument]) -> Result<Vec<LeafDocument>, InputError> {
+        let (mut leaves, mut known) = (Vec::new(), BTreeSet::new());
+        for edge in teams.iter_mut().flat_map(|team| &mut team.edges) {
+            let Some(node) = edge.leaf else { continue };
+            let action = self.resolver.declared.actions.get(node);
+            if let Some(Action { line, programs, .. }) = action.filter(|action| !action.programs.is_empty()) {
+                let found = format!("A{node} with {}", counted(programs.len(), "program"));
+                let accepted = "actions without programs, or another field \"values\" in the sidecar";
+                return Err(self.resolver.error(*line, found, accepted));
+            }
+            let program = edge.program;
+            edge.leaf = Some(program);
+            if known.insert(program) {
+                let values = 0..self.outputs();
+                let programs = values.map(|output| self.program(Some(program), output as u32 + 1, output)).collect();
+                leaves.push(LeafDocument { id: program, programs, memory: Vec::new() });
+                self.lines.leaves.push(action.map_or(0, |action| action.line));
+            }
+        }
+        if leaves.is_empty() {
+            let accepted = "edges to actions: the values are registers of the programs that bid for them";
+            return Err(self.resolver.error(
+                self.resolver.declared.close,
+                "a graph without an edge to an action",
+                accepted,
+            ));
+        }
+        Ok(leaves)
+    }
+
+    /// Returns the program whose result is an output: the register of another program, or 0 without one, as the output's
+    /// activation leaves it.
+    fn program(&mut self, program: Option<u32>, register: u32, output: usize) -> u32 {
+        let sidecar = self.resolver.sidecar;
+        let activation = sidecar.activations()[output].as_ref();
+        if let (Some(program), 0, None) = (program, register, activation) {
+            return program;
+        }
+        // Outputs with the same activation share a program.
+        let same = sidecar.activations().iter().position(|other| other.as_ref() == activation).unwrap_or(output);
+        let key = (program, register, same);
+        if let Some(&made) = self.made.get(&key) {
+            return made;
+        }
+        let base = program.and_then(|id| self.places.get(&id).copied());
+        let mut lines = base.map_or_else(Vec::new, |place| self.programs[place].lines.clone());
+        let value = |register: u32| OperandDocument::Place(format!("r{register}"));
+        if register > 0 {
+            lines.push(LineDocument { to: 0, op: Word::Copy.name().to_owned(), args: vec![value(register)] });
+        }
+        if let Some(activation) = activation {
+            activation.lines(&[vec![value(0)]], 0, sidecar.registers(), &mut lines);
+        }
+        let (id, node) = (self.next, self.resolver.declared.close);
+        self.next = self.next.saturating_add(1);
+        self.programs.push(ProgramDocument { id, lines });
+        self.lines.programs.push(base.map_or(ProgramLines { node, lines: node }, |place| self.lines.programs[place]));
+        self.made.insert(key, id);
+        id
+    }
+}
+
+/// Removes the programs that only stood for their copies.
+fn keep_used(teams: &[TeamDocument], leaves: &[LeafDocument], programs: &mut Vec<ProgramDocument>, lines: &mut Lines) {
+    let bidding = teams.iter().flat_map(|team| &team.edges).map(|edge| edge.program);
+    let used: BTreeSet<u32> = bidding.chain(leaves.iter().flat_map(|leaf| leaf.programs.iter().copied())).collect();
+    let kept: Vec<bool> = programs.iter().map(|program| used.contains(&program.id)).collect();
+    let mut keep = kept.iter();
+    programs.retain(|_| *keep.next().unwrap_or(&true));
+    let mut keep = kept.iter();
+    lines.programs.retain(|_| *keep.next().unwrap_or(&true));
+}

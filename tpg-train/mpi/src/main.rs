@@ -1,0 +1,78 @@
+//! `mpirun -n N tpg-mpi tpg …`: the flags, the files and the bytes of `tpg-train tpg`, on as many ranks as MPI starts.
+//!
+//! Rank 0 leads: it breeds, selects, and writes the files. MPI has no way to go on without a lost rank, so the job ends
+//! with it; the checkpoint is whole, and `--resume` continues it on any number of ranks.
+
+mod link;
+
+use clap::{Parser, Subcommand};
+use link::World;
+use std::process::ExitCode;
+use tpg_graph::command::{CommandError, Verdict, exit_code};
+use tpg_train::evolution::command::{TpgArgs, execute as execute_tpg};
+use tpg_train::hybrid::command::{HybridArgs, execute as execute_hybrid};
+use tpg_train::ranks::link::Link;
+use tpg_train::ranks::workplace::Ranks;
+
+/// `tpg-train` on the ranks of an MPI job: every rank reads the same command line, rank 0 writes the files.
+#[derive(Debug, Parser)]
+#[command(version)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Evolve a tangled program graph; every rank evaluates roots. --threads is the number of each rank
+    Tpg(TpgArgs),
+    /// Study how graphs and networks share a problem; every rank computes cells. --threads is the number of each rank
+    Hybrid(HybridArgs),
+}
+
+fn main() -> ExitCode {
+    let Some((universe, _)) = mpi::initialize_with_threading(mpi::Threading::Funneled) else {
+        eprintln!("error: MPI could not be initialised");
+        return ExitCode::from(2);
+    };
+    let world = World(universe.world());
+    let (rank, ranks) = (world.rank(), world.ranks());
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) => {
+            if rank == 0 {
+                // Help goes to stdout, errors to stderr; a closed pipe changes nothing.
+                let _ = error.print();
+            }
+            return ExitCode::from(error.exit_code() as u8);
+        }
+    };
+    abort_on_panic(rank, ranks);
+    let place = Ranks::new(world);
+    let result = match &cli.command {
+        Command::Tpg(args) => execute_tpg(args, &place).map_err(CommandError::other),
+        Command::Hybrid(args) => execute_hybrid(args, &place).map_err(CommandError::from),
+    };
+    let result = place.close(result);
+    if rank == 0 && ranks > 1 && matches!(result, Ok(Verdict::Good | Verdict::Interrupted)) {
+        let traffic = place.traffic();
+        let each = |bytes: u64| bytes / traffic.questions.max(1);
+        eprintln!(
+            "{ranks} ranks: {} questions, {} bytes out and {} bytes back for each",
+            traffic.questions,
+            each(traffic.out),
+            each(traffic.back)
+        );
+    }
+    exit_code(result)
+}
+
+/// Ends the whole job where a rank panics: the others would wait for it for ever.
+fn abort_on_panic(rank: usize, ranks: usize) {
+    let usual = std::panic::take_hook();
+    std::panic::set_hook(Box::new(move |info| {
+        usual(info);
+        eprintln!("rank {rank} of {ranks} panicked, and the job ends; --resume continues from the checkpoint");
+        std::process::abort();
+    }));
+}

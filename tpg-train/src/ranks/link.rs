@@ -1,0 +1,60 @@
+//! Messages between ranks.
+
+use std::time::Duration;
+use tpg_engine::EvaluationError;
+
+/// A rank's connection to the others. Messages between two ranks arrive in the order in which they were sent.
+pub trait Link {
+    /// Returns the number of this rank, from 0.
+    fn rank(&self) -> usize;
+
+    /// Returns the number of ranks.
+    fn ranks(&self) -> usize;
+
+    /// Sends a message; may wait until the receiver takes it.
+    ///
+    /// # Errors
+    /// If the rank cannot be reached.
+    fn send(&self, to: usize, message: &[u8]) -> Result<(), EvaluationError>;
+
+    /// Returns the next message and its sender; `None` if there is none yet.
+    ///
+    /// # Errors
+    /// If a rank is lost.
+    fn poll(&self) -> Result<Option<(usize, Vec<u8>)>, EvaluationError>;
+
+    /// Waits for the next message.
+    ///
+    /// # Errors
+    /// If a rank is lost.
+    fn receive(&self) -> Result<(usize, Vec<u8>), EvaluationError> {
+        let mut patience = Patience::default();
+        loop {
+            if let Some(message) = self.poll()? {
+                return Ok(message);
+            }
+            patience.wait();
+        }
+    }
+}
+
+/// Waits for messages: awake at first, then asleep, so that a waiting rank leaves its core to others.
+#[derive(Debug, Default)]
+pub(super) struct Patience(u32);
+
+impl Patience {
+    /// Number of looks without sleep.
+    const AWAKE: u32 = 200;
+    /// Time between two later looks.
+    const ASLEEP: Duration = Duration::from_micros(50);
+
+    /// Waits a moment.
+    pub(super) fn wait(&mut self) {
+        if self.0 < Self::AWAKE {
+            self.0 += 1;
+            std::thread::yield_now();
+        } else {
+            std::thread::sleep(Self::ASLEEP);
+        }
+    }
+}
