@@ -14,7 +14,7 @@ fn small(seed: u64) -> Graph {
     let functions = if seed.is_multiple_of(3) { &["sin", "cos", "ln", "exp"][..] } else { &[] };
     let outputs = if seed.is_multiple_of(2) { 1 + seed as u32 / 2 % 3 } else { 0 };
     let shape = Shape {
-        teams: if seed % 8 == 0 { 0 } else { 1 + seed as usize / 7 % 6 },
+        teams: if seed.is_multiple_of(8) { 0 } else { 1 + seed as usize / 7 % 6 },
         edges: 2..=2 + seed as usize / 5 % 5,
         lines: 1..=2 + seed as usize / 11 % 8,
         registers: 4,
