@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_problems::arm::description::WIDOWX_TOML;
 use tpg_problems::{Problem, ProblemName};
-use tpg_train::evolution::config::EvolutionConfig;
+use tpg_train::evolution::config::{EvolutionConfig, Units};
 use tpg_train::evolution::presets::Preset;
 
 /// Number of times a run is killed.
@@ -344,7 +344,8 @@ fn memory_needs_outputs() {
     assert!(said.contains("language.memory") && said.contains("a problem without outputs"), "{said}");
 }
 
-/// A linear start in one of two demes, for outputs and for named actions: the searches are part of the checkpoint.
+/// A linear start in one of two demes, of which the worse one ends, for outputs and for named actions; units from visited states, scores
+/// corrected by the champion's: searches, demes and what was learned of luck are part of the checkpoint.
 #[test]
 fn a_linear_start_has_the_same_bytes_on_other_threads_and_after_kills() {
     for (name, problem) in [("outputs", ProblemName::Pendulum), ("actions", ProblemName::Acrobot)] {
@@ -354,6 +355,8 @@ fn a_linear_start_has_the_same_bytes_on_other_threads_and_after_kills() {
         (config.tpg.nb_roots, config.tpg.init_nb_roots, config.demes.count) = (20, 30, 2);
         (config.start.generations, config.start.demes, config.demes.migration_interval) = (12, 1, 5);
         (config.learning.nb_generations, config.selection.validation_episodes) = (24, 30);
+        (config.demes.halving_interval, config.literals.units) = (6, Units::Visited);
+        (config.selection.paired, config.refinement.p_mutation) = (true, 0.5);
         config.problem = Problem::usual(problem).to_table();
         fs::write(&path, config.to_toml()).expect("it can be written");
         let [one, other] = ["one", "other"].map(|name| place.path().join(name));
