@@ -344,8 +344,8 @@ fn memory_needs_outputs() {
     assert!(said.contains("language.memory") && said.contains("a problem without outputs"), "{said}");
 }
 
-/// A linear start in one of two demes, of which the worse one ends, for outputs and for named actions; units from visited states, scores
-/// corrected by the champion's: searches, demes and what was learned of luck are part of the checkpoint.
+/// A linear start in one of two demes, of which the worse one ends, for outputs and for named actions; units from visited
+/// states: searches and demes are part of the checkpoint.
 #[test]
 fn a_linear_start_has_the_same_bytes_on_other_threads_and_after_kills() {
     for (name, problem) in [("outputs", ProblemName::Pendulum), ("actions", ProblemName::Acrobot)] {
@@ -356,7 +356,7 @@ fn a_linear_start_has_the_same_bytes_on_other_threads_and_after_kills() {
         (config.start.generations, config.start.demes, config.demes.migration_interval) = (12, 1, 5);
         (config.learning.nb_generations, config.selection.validation_episodes) = (24, 30);
         (config.demes.halving_interval, config.literals.units) = (6, Units::Visited);
-        (config.selection.paired, config.refinement.p_mutation) = (true, 0.5);
+        config.refinement.p_mutation = 0.5;
         config.problem = Problem::usual(problem).to_table();
         fs::write(&path, config.to_toml()).expect("it can be written");
         let [one, other] = ["one", "other"].map(|name| place.path().join(name));

@@ -70,7 +70,6 @@ impl<Task: std::fmt::Debug> State<Task> {
             let key = format!("pool[{place}]");
             return Err(Finding::new(key, format!("{:?}", self.pool[place]), "a task of the problem"));
         }
-        self.luck.check().map_err(|finding| finding.within("luck"))?;
         let best = |best| check_best(best, self.generation, config, inputs, &space);
         self.best.as_ref().map_or(Ok(()), best).map_err(|finding| finding.within("best"))?;
         (self.hall.iter().enumerate())

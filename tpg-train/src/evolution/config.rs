@@ -201,9 +201,6 @@ pub struct SelectionConfig {
     pub validation_episodes: usize,
     /// Fraction of a run's episodes available for validation, 0 to 1.
     pub validation_share: f64,
-    /// True if scores are corrected by the [luck](super::luck) of their generation, which the champion tells.
-    #[serde(default)]
-    pub paired: bool,
     /// Price of a line of a policy, as a fraction of the way from the first generation's median score to the best.
     #[serde(default)]
     pub line_price: f64,

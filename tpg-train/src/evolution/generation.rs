@@ -118,18 +118,16 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         }
         self.breed(state);
         let tasks = self.tasks(state, self.config.learning.nb_iterations_per_policy_evaluation);
-        let (evaluated, champion) = self.evaluate(state, &tasks)?;
+        let evaluated = self.evaluate(state, &tasks)?;
         let preference = self.environment.preference();
         let scores: Vec<Judged> = evaluated.iter().map(|root| Judged::new(&root.endings, preference)).collect();
-        let corrections = corrections(state, &champion, &scores, tasks.len());
         for (root, scores) in evaluated.iter().zip(&scores) {
             if !scores.scores.is_empty() {
-                let corrected: Vec<f64> = scores.scores.iter().zip(&corrections).map(|(a, b)| a + b).collect();
-                state.demes[root.deme].records.entry(root.team).or_default().add(&corrected);
+                state.demes[root.deme].records.entry(root.team).or_default().add(&scores.scores);
             }
         }
         let mut row = self.row(state, &evaluated, &scores);
-        let endings = || evaluated.iter().flat_map(|root| &root.endings).chain(&champion);
+        let endings = || evaluated.iter().flat_map(|root| &root.endings);
         state.training_episodes += endings().count() as u64;
         state.steps += endings().map(|ending| u64::from(ending.actions)).sum::<u64>();
         self.remember_hard_tasks(state, &tasks, &evaluated, &scores);
@@ -226,14 +224,8 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
             .collect()
     }
 
-    /// Evaluates every root whose score is not final (`learningAgent.cpp`, `isRootEvalSkipped`), and the champion, if scores are
-    /// corrected by its own.
-    fn evaluate(
-        &self,
-        state: &State<E::Task>,
-        tasks: &[E::Task],
-    ) -> Result<(Vec<Evaluated>, Vec<Ending>), EvaluationError> {
-        let mut champion = Vec::new();
+    /// Evaluates every root whose score is not final (`learningAgent.cpp`, `isRootEvalSkipped`).
+    fn evaluate(&self, state: &State<E::Task>, tasks: &[E::Task]) -> Result<Vec<Evaluated>, EvaluationError> {
         let mut roots: Vec<Evaluated> = Vec::new();
         for (deme, population) in state.demes.iter().enumerate() {
             for team in population.genome.roots() {
@@ -250,7 +242,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         let mut done = 0;
         if self.config.selection.racing_episodes > 0 && !open.is_empty() {
             done = self.config.selection.racing_episodes;
-            self.evaluate_some(state, &tasks[..done], &mut roots, &open, &mut champion)?;
+            self.evaluate_some(state, &tasks[..done], &mut roots, &open)?;
             let mean = |root: &Evaluated| Summary::of(&root.endings).score;
             let mut means: Vec<f64> = open.iter().map(|&place| mean(&roots[place])).collect();
             means.sort_by(|a, b| b.total_cmp(a));
@@ -262,8 +254,8 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
             }
             open.retain(|&place| !roots[place].dropped);
         }
-        self.evaluate_some(state, &tasks[done..], &mut roots, &open, &mut champion)?;
-        Ok((roots, champion))
+        self.evaluate_some(state, &tasks[done..], &mut roots, &open)?;
+        Ok(roots)
     }
 
     fn evaluate_some(
@@ -272,23 +264,17 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         tasks: &[E::Task],
         roots: &mut [Evaluated],
         places: &[usize],
-        champion: &mut Vec<Ending>,
     ) -> Result<(), EvaluationError> {
-        let unit = |root: u64, policy: &PolicyGraph| {
-            let key = UnitKey { seed: state.seed, generation: state.generation, root };
-            WorkUnit { key, policy: policy.clone() }
-        };
-        let best = state.best.as_ref().filter(|_| self.config.selection.paired);
         let units = places.iter().map(|&place| {
             let Evaluated { deme, team, policy, .. } = &roots[place];
-            unit(root_number(*deme, *team), policy)
+            let key = UnitKey { seed: state.seed, generation: state.generation, root: root_number(*deme, *team) };
+            WorkUnit { key, policy: policy.clone() }
         });
-        let units = units.chain(best.map(|best| unit(u64::MAX, &best.policy))).collect();
-        let mut answers = self.evaluator.evaluate(&Work { tasks: tasks.to_vec(), units })?.into_iter();
-        for (&place, answer) in places.iter().zip(answers.by_ref()) {
+        let work = Work { tasks: tasks.to_vec(), units: units.collect() };
+        let answers = self.evaluator.evaluate(&work)?;
+        for (&place, answer) in places.iter().zip(answers) {
             roots[place].endings.extend(answer.endings);
         }
-        champion.extend(answers.flat_map(|answer| answer.endings));
         Ok(())
     }
 
@@ -490,14 +476,6 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
             })
             .collect()
     }
-}
-
-/// Returns what is added to the scores of each episode, and learns from them: 0 without a champion.
-fn corrections<Task>(state: &mut State<Task>, champion: &[Ending], scores: &[Judged], episodes: usize) -> Vec<f64> {
-    let Some(best) = state.best.as_ref().filter(|_| !champion.is_empty()) else { return vec![0.0; episodes] };
-    let of_champion: Vec<f64> = champion.iter().map(|ending| finite(ending.score)).collect();
-    state.luck.learn(&of_champion, scores.iter().map(|scores| &scores.scores[..]));
-    state.luck.corrections(&of_champion, finite(best.result.score))
 }
 
 /// Returns a root's record so far.

@@ -11,7 +11,6 @@ pub mod generation;
 pub mod genome;
 pub mod linear;
 pub mod logs;
-pub mod luck;
 pub mod mutate_leaf;
 pub mod mutate_program;
 pub mod mutate_team;

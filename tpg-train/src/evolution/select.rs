@@ -136,7 +136,6 @@ mod tests {
             validation_roots: 1,
             validation_episodes: 1,
             validation_share: 0.1,
-            paired: false,
             line_price: 0.0,
             flat_after: 0,
         }

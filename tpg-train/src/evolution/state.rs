@@ -3,7 +3,6 @@
 use super::archive::Archive;
 use super::genome::{Genome, TeamId};
 use super::linear::Search;
-use super::luck::Luck;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, VecDeque};
 use tpg_engine::{PolicyGraph, Preference, Summary};
@@ -112,9 +111,6 @@ pub struct State<Task> {
     pub hall: Vec<Best>,
     /// The logs.
     pub rows: Vec<Row>,
-    /// What the champion's scores say about other roots', where they are compared.
-    #[serde(default)]
-    pub luck: Luck,
     /// Units of literals: half the range of each value of the flat state.
     pub scales: Vec<f64>,
     /// Number of training episodes so far.
@@ -138,7 +134,6 @@ impl<Task> State<Task> {
             best: None,
             hall: Vec::new(),
             rows: Vec::new(),
-            luck: Luck::default(),
             scales: Vec::new(),
             training_episodes: 0,
             selection_episodes: 0,
