@@ -45,15 +45,10 @@ void mountain_car_continuous_infer(const mountain_car_continuous_state_t *state,
     float out0;
 
     {
-        float best = -FLT_MAX;
-        uint32_t way = 2U;
         const volatile float constant = 0.0F;
         const float zero = constant;
-
-        if (zero >= best) {
-            best = zero;
-            way = 1U;
-        }
+        float best = zero;
+        uint32_t way = 1U;
         const float v2 = mountain_car_continuous_min(state->velocity[0], 0.0F);
 
         if (v2 >= best) {

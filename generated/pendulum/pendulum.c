@@ -1,8 +1,8 @@
 /*
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix pendulum --profile fast
- * Graph SHA-256: e33cfd6c4cedebe6fe46f165924576a1e0836aa5953a4956b0f39f8d293bb8ba
- * 1 teams (1 on the longest walk), 1 edges, 1 programs, 6 distinct operations.
+ * Graph SHA-256: c034b28dcf32060bad568b03a753a01658350865786d56eddbd7ad5488a83f29
+ * 1 teams (1 on the longest walk), 2 edges, 2 programs, 11 distinct operations.
  * Computes in f32 with own maths.
  */
 #include "pendulum.h"
@@ -25,6 +25,11 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
+static float pendulum_negate_if_less(float a, float b)
+{
+    return (a < b) ? -a : a;
+}
+
 /* An output in its range. */
 static float pendulum_clamp(float value, float low, float high, float nan)
 {
@@ -33,17 +38,57 @@ static float pendulum_clamp(float value, float low, float high, float nan)
     return (isnan(value) != 0) ? nan : limited;
 }
 
+/* Teams in an order in which every one comes after all that lead to it: control only goes forward. */
+
 void pendulum_infer(const pendulum_state_t *state, pendulum_action_t *action)
 {
-    const float v2 = 3.1135516F * state->sin_theta[0];
-    const float v3 = state->sin_theta[0] + v2;
-    const float v5 = v3 + state->omega[0];
-    const float v8 = 0.12383518F * state->cos_theta[0];
-    const float v9 = v5 / v8;
-    const float v10 = state->omega[0] - v9;
+    float out0;
 
-    action->torque = pendulum_clamp(v10, -2.0F, 2.0F, 0.0F);
+    {
+        const volatile float constant = 0.0F;
+        const float zero = constant;
+        float best = zero;
+        uint32_t way = 1U;
+        const float v3 = pendulum_negate_if_less((-0.28330687F), state->cos_theta[0]);
+
+        if (v3 >= best) {
+            way = 2U;
+        }
+
+        if (way == 1U) {
+            goto leaf_1;
+        } else {
+            goto leaf_0;
+        }
+    }
+
+leaf_0:
+    {
+        const float v6 = state->sin_theta[0] / (-0.11899939F);
+        const float v9 = (-0.03674821F) - state->omega[0];
+        const float v10 = v6 + v9;
+        const float v11 = v10 - state->omega[0];
+        const float v12 = v11 / state->cos_theta[0];
+
+        out0 = v12;
+    }
+    goto answered;
+
+leaf_1:
+    {
+        const float v13 = state->sin_theta[0] / state->cos_theta[0];
+        const float v15 = (-0.023996977F) - state->omega[0];
+        const float v16 = v13 + v15;
+        const float v17 = v16 - state->omega[0];
+        const float v18 = v17 / state->cos_theta[0];
+
+        out0 = v18;
+    }
+
+answered:
+    action->torque = pendulum_clamp(out0, -2.0F, 2.0F, 0.0F);
 }
+
 #ifndef PENDULUM_NO_SELFTEST
 
 uint32_t pendulum_selftest(void)
@@ -75,14 +120,14 @@ uint32_t pendulum_selftest(void)
         { 2.0F },
         { 2.0F },
         { -2.0F },
-        { -2.0F },
-        { -2.0F },
-        { 2.0F },
-        { -2.0F },
-        { -2.0F },
+        { 0.158242F },
         { -2.0F },
         { 2.0F },
         { -2.0F },
+        { -2.0F },
+        { -2.0F },
+        { 2.0F },
+        { -1.5980666F },
     };
     uint32_t failures = 0U;
     uint32_t vector;

@@ -1,7 +1,7 @@
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix pendulum --profile constant-time
-//! Graph SHA-256: e33cfd6c4cedebe6fe46f165924576a1e0836aa5953a4956b0f39f8d293bb8ba
-//! 1 teams (1 on the longest walk), 1 edges, 1 programs, 6 distinct operations.
+//! Graph SHA-256: c034b28dcf32060bad568b03a753a01658350865786d56eddbd7ad5488a83f29
+//! 1 teams (1 on the longest walk), 2 edges, 2 programs, 11 distinct operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
 #![allow(
@@ -14,7 +14,7 @@
 use tpg_runtime::ops::constant_time::ConstantTime;
 use tpg_runtime::policy::Policy;
 
-/// A tangled program graph: a formula.
+/// A tangled program graph: branch-free, the same time for every state.
 ///
 /// It sees, one after another:
 /// - `s[0..1]`: cos_theta, , -1 to 1
@@ -34,9 +34,9 @@ impl Pendulum {
     /// Teams on the longest walk.
     pub const DEPTH: usize = 1;
     /// Bids that one decision looks at, at most.
-    pub const WORST_BIDS: usize = 0;
+    pub const WORST_BIDS: usize = 2;
     /// Operations of one decision, at most.
-    pub const WORST_OPERATIONS: usize = 6;
+    pub const WORST_OPERATIONS: usize = 11;
     /// Sines, cosines, logarithms and exponentials among them, at most.
     pub const WORST_MATHS_CALLS: usize = 0;
 }
@@ -47,12 +47,36 @@ impl Policy for Pendulum {
 
     fn decide(&self, s: &[f32; 3]) -> [f32; 1] {
         let ct = ConstantTime::<f32>::default();
-        let v2 = 3.1135516_f32 * s[1];
-        let v3 = s[1] + v2;
-        let v5 = v3 + s[2];
-        let v8 = 0.12383518_f32 * s[0];
-        let v9 = v5 / v8;
-        let v10 = s[2] - v9;
-        [ct.clamp(v10, -2.0_f32, 2.0_f32, 0.0_f32)]
+        let v3 = ct.negate_if_less(-0.28330687_f32, s[0]);
+
+        // What is bid, as integers in the same order.
+        let k0 = 0_i32; // 0.0_f32
+        let k3 = ct.key(v3);
+
+        // Where each team leads: teams are numbered from 0, the root, and the actions follow them.
+        // Team 0
+        let best = (k0, 2);
+        let best = ct.challenge(best, (k3, 1));
+        let t0 = best.1 as u8;
+
+        // An action leads to itself, and so does what fills the array up to a power of two: it is never come to.
+        let next: [u8; 4] = [t0, 1, 2, 3];
+        // The longest walk decides 1 times; a shorter one waits at its action. No loop, and no end to check.
+        let vertex = next[0];
+        let leaf = (vertex as u32).wrapping_sub(1);
+        // Every leaf's values, and the choice among them.
+        let v6 = s[1] / -0.11899939_f32;
+        let v9 = -0.03674821_f32 - s[2];
+        let v10 = v6 + v9;
+        let v11 = v10 - s[2];
+        let v12 = v11 / s[0];
+        let v13 = s[1] / s[0];
+        let v15 = -0.023996977_f32 - s[2];
+        let v16 = v13 + v15;
+        let v17 = v16 - s[2];
+        let v18 = v17 / s[0];
+        let out0 = v12;
+        let out0 = ct.if_equal(leaf, 1, v18, out0);
+        [ct.clamp(out0, -2.0_f32, 2.0_f32, 0.0_f32)]
     }
 }

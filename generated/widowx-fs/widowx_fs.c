@@ -47,13 +47,8 @@ uint16_t widowx_fs_infer(const widowx_fs_state_t *state)
     uint32_t vertex;
 
     {
-        float best = -FLT_MAX;
-        uint32_t way = 4U;
-
-        if (107.35707F >= best) {
-            best = 107.35707F;
-            way = 1U;
-        }
+        float best = 107.35707F;
+        uint32_t way = 1U;
         const float v4 = state->polar[2] - 0.7582224F;
 
         if (v4 >= best) {
@@ -94,13 +89,8 @@ uint16_t widowx_fs_infer(const widowx_fs_state_t *state)
 
 team_1:
     {
-        float best = -FLT_MAX;
-        uint32_t way = 5U;
-
-        if (1.6245565F >= best) {
-            best = 1.6245565F;
-            way = 1U;
-        }
+        float best = 1.6245565F;
+        uint32_t way = 1U;
         const float v15 = 0.0F * state->polar[2];
 
         if (v15 >= best) {
@@ -1148,13 +1138,8 @@ team_31:
 
 team_36:
     {
-        float best = -FLT_MAX;
-        uint32_t way = 4U;
-
-        if (2.5843248F >= best) {
-            best = 2.5843248F;
-            way = 1U;
-        }
+        float best = 2.5843248F;
+        uint32_t way = 1U;
         const float v18 = state->polar[0] * (-107.57004F);
 
         if (v18 >= best) {
@@ -1188,13 +1173,8 @@ team_36:
 
 team_20:
     {
-        float best = -FLT_MAX;
-        uint32_t way = 5U;
-
-        if (10.629795F >= best) {
-            best = 10.629795F;
-            way = 1U;
-        }
+        float best = 10.629795F;
+        uint32_t way = 1U;
         const float v80 = widowx_fs_min(state->polar[2], 110.01199F);
 
         if (v80 >= best) {
@@ -1543,13 +1523,8 @@ team_34:
 
 team_35:
     {
-        float best = -FLT_MAX;
-        uint32_t way = 3U;
-
-        if (83.54613F >= best) {
-            best = 83.54613F;
-            way = 1U;
-        }
+        float best = 83.54613F;
+        uint32_t way = 1U;
         const float v10 = state->polar[0] - 0.7582224F;
 
         if (v10 >= best) {
@@ -1723,15 +1698,10 @@ team_39:
 
 team_41:
     {
-        float best = -FLT_MAX;
-        uint32_t way = 4U;
         const volatile float constant = 0.0F;
         const float zero = constant;
-
-        if (zero >= best) {
-            best = zero;
-            way = 1U;
-        }
+        float best = zero;
+        uint32_t way = 1U;
         const float v10 = state->polar[0] - 0.7582224F;
 
         if (v10 >= best) {

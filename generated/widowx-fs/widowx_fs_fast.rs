@@ -70,12 +70,8 @@ impl Policy for WidowxFsFast {
 
 /// What team 0 decides.
 fn team_0(s: &[f32; 3]) -> u16 {
-    let mut best = f32::MIN;
-    let mut way = 4;
-    if 107.35707_f32 >= best {
-        best = 107.35707_f32;
-        way = 1;
-    }
+    let mut best = 107.35707_f32;
+    let mut way = 1;
     let v4 = s[2] - 0.7582224_f32;
     if v4 >= best {
         best = v4;
@@ -107,12 +103,8 @@ fn team_0(s: &[f32; 3]) -> u16 {
 
 /// What team 1 decides.
 fn team_1(s: &[f32; 3]) -> u16 {
-    let mut best = f32::MIN;
-    let mut way = 5;
-    if 1.6245565_f32 >= best {
-        best = 1.6245565_f32;
-        way = 1;
-    }
+    let mut best = 1.6245565_f32;
+    let mut way = 1;
     let v15 = 0.0_f32 * s[2];
     if v15 >= best {
         best = v15;
@@ -465,12 +457,8 @@ fn team_23(s: &[f32; 3]) -> u16 {
 
 /// What team 20 decides.
 fn team_20(s: &[f32; 3]) -> u16 {
-    let mut best = f32::MIN;
-    let mut way = 5;
-    if 10.629795_f32 >= best {
-        best = 10.629795_f32;
-        way = 1;
-    }
+    let mut best = 10.629795_f32;
+    let mut way = 1;
     let v80 = ops::min(s[2], 110.01199_f32);
     if v80 >= best {
         best = v80;
@@ -512,12 +500,8 @@ fn team_20(s: &[f32; 3]) -> u16 {
 
 /// What team 36 decides.
 fn team_36(s: &[f32; 3]) -> u16 {
-    let mut best = f32::MIN;
-    let mut way = 4;
-    if 2.5843248_f32 >= best {
-        best = 2.5843248_f32;
-        way = 1;
-    }
+    let mut best = 2.5843248_f32;
+    let mut way = 1;
     let v18 = s[0] * -107.57004_f32;
     if v18 >= best {
         best = v18;
@@ -1010,13 +994,9 @@ fn team_31(s: &[f32; 3]) -> u16 {
 
 /// What team 41 decides.
 fn team_41(s: &[f32; 3]) -> u16 {
-    let mut best = f32::MIN;
-    let mut way = 4;
     let zero = core::hint::black_box(0.0_f32);
-    if zero >= best {
-        best = zero;
-        way = 1;
-    }
+    let mut best = zero;
+    let mut way = 1;
     let v10 = s[0] - 0.7582224_f32;
     if v10 >= best {
         best = v10;
@@ -1321,12 +1301,8 @@ fn team_28(s: &[f32; 3]) -> u16 {
 
 /// What team 35 decides.
 fn team_35(s: &[f32; 3]) -> u16 {
-    let mut best = f32::MIN;
-    let mut way = 3;
-    if 83.54613_f32 >= best {
-        best = 83.54613_f32;
-        way = 1;
-    }
+    let mut best = 83.54613_f32;
+    let mut way = 1;
     let v10 = s[0] - 0.7582224_f32;
     if v10 >= best {
         best = v10;

@@ -463,13 +463,8 @@ team_12:
 
 team_13:
     {
-        float best = -FLT_MAX;
-        uint32_t way = 9U;
-
-        if (22.918602F >= best) {
-            best = 22.918602F;
-            way = 1U;
-        }
+        float best = 22.918602F;
+        uint32_t way = 1U;
         const float v48 = fabsf(state->stance[3]);
 
         if (v48 >= best) {
@@ -846,13 +841,8 @@ team_17:
 
 team_18:
     {
-        float best = -FLT_MAX;
-        uint32_t way = 8U;
-
-        if (22.918602F >= best) {
-            best = 22.918602F;
-            way = 1U;
-        }
+        float best = 22.918602F;
+        uint32_t way = 1U;
         const float v5 = state->stance[1] / 9.539528F;
 
         if (v5 >= best) {
@@ -1024,13 +1014,8 @@ team_30:
 
 team_31:
     {
-        float best = -FLT_MAX;
-        uint32_t way = 4U;
-
-        if (7.3802834F >= best) {
-            best = 7.3802834F;
-            way = 1U;
-        }
+        float best = 7.3802834F;
+        uint32_t way = 1U;
         const float v8 = fabsf(state->stance[2]);
 
         if (v8 >= best) {

@@ -358,12 +358,8 @@ fn team_10(s: &[f32; 5]) -> u16 {
 
 /// What team 13 decides.
 fn team_13(s: &[f32; 5]) -> u16 {
-    let mut best = f32::MIN;
-    let mut way = 9;
-    if 22.918602_f32 >= best {
-        best = 22.918602_f32;
-        way = 1;
-    }
+    let mut best = 22.918602_f32;
+    let mut way = 1;
     let v48 = f32::abs(s[3]);
     if v48 >= best {
         best = v48;
@@ -1412,12 +1408,8 @@ fn team_34(s: &[f32; 5]) -> u16 {
 
 /// What team 31 decides.
 fn team_31(s: &[f32; 5]) -> u16 {
-    let mut best = f32::MIN;
-    let mut way = 4;
-    if 7.3802834_f32 >= best {
-        best = 7.3802834_f32;
-        way = 1;
-    }
+    let mut best = 7.3802834_f32;
+    let mut way = 1;
     let v8 = f32::abs(s[2]);
     if v8 >= best {
         best = v8;
@@ -1443,12 +1435,8 @@ fn team_31(s: &[f32; 5]) -> u16 {
 
 /// What team 18 decides.
 fn team_18(s: &[f32; 5]) -> u16 {
-    let mut best = f32::MIN;
-    let mut way = 8;
-    if 22.918602_f32 >= best {
-        best = 22.918602_f32;
-        way = 1;
-    }
+    let mut best = 22.918602_f32;
+    let mut way = 1;
     let v5 = s[1] / 9.539528_f32;
     if v5 >= best {
         best = v5;
