@@ -43,12 +43,16 @@ fn driver(graph: &Graph, bad_index: bool) -> String {
 }
 
 /// Has EVA look at every team and every program for itself.
-fn split(path: &Path) {
+fn split(path: &Path, profile: Profile) {
+    let program = ("    const uint32_t begin = programs[program];", "program");
+    let vertex = ("        const uint32_t end = teams[vertex + 1U];", "vertex");
+    let lines = match profile {
+        Profile::Small => vec![program, vertex],
+        Profile::Balanced => vec![vertex],
+        Profile::Fast | Profile::ConstantTime => return,
+    };
     let mut text = fs::read_to_string(path).expect("generated");
-    for (line, by) in [
-        ("    const uint32_t begin = programs[program];", "program"),
-        ("        const uint32_t end = teams[vertex + 1U];", "vertex"),
-    ] {
+    for (line, by) in lines {
         assert_eq!(text.matches(line).count(), 1, "the evaluator has another shape: {line}");
         text = text.replace(line, &format!("//@ split {by};\n{line}"));
     }
@@ -60,9 +64,7 @@ fn analyse(graph: &Graph, profile: Profile, bad_index: bool) -> String {
     let folder = TempDir::new().expect("a temporary folder");
     emit_into(folder.path(), graph, Language::C, &shaped("arm", (Style::Pure, Some(profile))));
     fs::write(folder.path().join("driver.c"), driver(graph, bad_index)).expect("the folder can be written");
-    if profile == Profile::Small {
-        split(&folder.path().join("arm.c"));
-    }
+    split(&folder.path().join("arm.c"), profile);
     let mut command = Command::new("frama-c");
     // Frama-C believes the variable rather than the system.
     command.current_dir(folder.path()).env("PWD", folder.path()).args([
