@@ -40,7 +40,9 @@ def panel(name: str, rows: list[dict[str, Any]]) -> str:
         return bottom - (bottom - top) * (value - low) / (high - low)
 
     drawn = [f'<text x="{left}" y="14" font-weight="bold">{name}</text>']
-    drawn.append(f'<rect x="{left}" y="{top}" width="{right - left}" height="{bottom - top}" fill="none" stroke="#999"/>')
+    drawn.append(
+        f'<rect x="{left}" y="{top}" width="{right - left}" height="{bottom - top}" fill="none" stroke="#999"/>'
+    )
     for flash, text in ((100, "100 B"), (1_000, "1 KB"), (10_000, "10 KB")):
         drawn.append(f'<path d="M{across(flash):.1f} {top}V{bottom}" stroke="#ddd"/>')
         drawn.append(f'<text x="{across(flash):.1f}" y="{bottom + 12}" text-anchor="middle">{text}</text>')

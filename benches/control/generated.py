@@ -61,7 +61,8 @@ def compiled(source: Path, folder: Path) -> ctypes.CDLL:
     """Compiles C for this machine."""
     shared = folder / f"{source.stem}.so"
     subprocess.run(
-        ["cc", "-std=c99", "-O2", "-fPIC", "-shared", "-ffp-contract=off", str(source), "-o", str(shared), "-lm"], check=True
+        ["cc", "-std=c99", "-O2", "-fPIC", "-shared", "-ffp-contract=off", str(source), "-o", str(shared), "-lm"],
+        check=True,
     )
     return ctypes.CDLL(str(shared))
 
@@ -79,7 +80,10 @@ def footprint(source: Path, function: str, folder: Path, *define: str) -> Footpr
 def report(graph: Path) -> int:
     """Returns the flash of a graph's C in the profile fast, as `tpg-codegen report` says."""
     told = subprocess.run(
-        [str(CODEGEN), "report", str(graph), "--target", "thumbv7em", "--json"], check=True, capture_output=True, text=True
+        [str(CODEGEN), "report", str(graph), "--target", "thumbv7em", "--json"],
+        check=True,
+        capture_output=True,
+        text=True,
     )
     sizes = json.loads(told.stdout)["sizes"]
     return next(int(size["flash"]) for size in sizes if size["profile"] == "fast")

@@ -35,9 +35,12 @@ class Linear:
     def c(self, name: str) -> str:
         """Returns it as C."""
         rows = [
-            "".join(f" + {literal(weight)} * s[{at}]" for at, weight in enumerate(row[:-1])) for row in self.weights.astype(float)
+            "".join(f" + {literal(weight)} * s[{at}]" for at, weight in enumerate(row[:-1]))
+            for row in self.weights.astype(float)
         ]
-        sums = "".join(f"    float v{at} = {literal(row[-1])}{terms};\n" for at, (row, terms) in enumerate(zip(self.weights, rows)))
+        sums = "".join(
+            f"    float v{at} = {literal(row[-1])}{terms};\n" for at, (row, terms) in enumerate(zip(self.weights, rows))
+        )
         if isinstance(self.space, gymnasium.spaces.Discrete):
             best = "".join(f"    if (v{at} > v0) {{ v0 = v{at}; best = {at}; }}\n" for at in range(1, len(rows)))
             return f"int {name}(const float *s) {{\n{sums}    int best = 0;\n{best}    return best;\n}}\n"
@@ -145,7 +148,10 @@ class Tree:
                 value = self._values[node]
                 if self._discrete:
                     return f"{indent}return {value};\n"
-                return "".join(f"{indent}a[{at}] = {literal(one)};\n" for at, one in enumerate(value)) + f"{indent}return;\n"
+                return (
+                    "".join(f"{indent}a[{at}] = {literal(one)};\n" for at, one in enumerate(value))
+                    + f"{indent}return;\n"
+                )
             inner = indent + "    "
             return (
                 f"{indent}if (s[{feature[node]}] <= {literal(threshold[node])}) {{\n{lines(left[node], inner)}{indent}}}\n"

@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from tpg_train import TPG, _episodes
+from tpg_train import model as module
 
 questions: list[dict[str, Any]] = []
 last = time.perf_counter()
@@ -50,9 +51,7 @@ def main() -> None:
     arguments.add_argument("--population", type=int)
     arguments.add_argument("-o", "--output", type=Path, required=True)
     given = arguments.parse_args()
-    import tpg_train.model as model
-
-    model.Here = Recording  # type: ignore[misc, assignment]
+    module.Here = Recording  # type: ignore[misc, assignment]
     model = TPG(given.environment, seed=1, native=False, population=given.population)
     global last
     last = time.perf_counter()
