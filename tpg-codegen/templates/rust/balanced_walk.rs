@@ -60,6 +60,8 @@ bid
 };
 {%- endif %}
 {%- endfor %}
+// Unknown to LLVM, which takes `if v > 0 { v } else { 0 }` of a `v = max(0, x)` for v: it is not where x is NaN.
+let bid = core::hint::black_box(bid);
 {%- if places %}
 if bid >= best && (bid > best || place > leader) {
 best = bid;
