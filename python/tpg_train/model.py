@@ -207,7 +207,8 @@ class TPG:
             chosen.update({"start.kind": "random", "demes.count": 1, "demes.halving_interval": 0} if preset is None else {})
         if episodes is not None:
             chosen["learning.nb_iterations_per_policy_evaluation"] = episodes
-            if chosen.get("selection.racing_episodes", 0) >= episodes:
+            # The usual preset races after its first episode.
+            if chosen.get("selection.racing_episodes", 1 if preset is None else 0) >= episodes:
                 chosen["selection.racing_episodes"] = 0
         chosen.update(settings)
         return _tpg.configuration(name, json.dumps(chosen))
