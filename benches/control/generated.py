@@ -19,7 +19,7 @@ M4 = ["arm-none-eabi-gcc", "-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-m
 
 @dataclass(frozen=True)
 class Footprint:
-    """What code takes on a Cortex-M4F, compiled with -Os."""
+    """Flash and instructions of code on a Cortex-M4F, compiled with -Os."""
 
     flash: int
     instructions: int

@@ -1,11 +1,11 @@
-//! What a run asks its evaluator: the cost and the size of each unit, question by question.
+//! Traces of runs: the cost and the size of each unit that a run asks its evaluator for, question by question.
 
 use serde::{Deserialize, Serialize};
 use std::cell::RefCell;
 use std::time::Instant;
 use tpg_engine::{Environment, EvaluationError, Evaluator, LocalThreads, UnitResult, Visit, Work};
 use tpg_graph::command::Verdict;
-use tpg_graph::error::InputError;
+use tpg_graph::error::{InputError, Place};
 use tpg_runtime::ops::Maths;
 use tpg_runtime::scalar::Scalar;
 use tpg_train::evolution::run::RunError;
@@ -77,7 +77,8 @@ impl Workplace for Recorder {
         _: &Compute<'_>,
         _: impl FnOnce(&dyn Cells) -> Result<Verdict, InputError>,
     ) -> Result<Verdict, InputError> {
-        unimplemented!("studies are not recorded")
+        let accepted = "a training: studies are not recorded";
+        Err(InputError::new("<command line>", Place::Whole, "a study", accepted))
     }
 }
 

@@ -28,7 +28,7 @@ const POLICIES: [&str; 2] = ["swing", "recall"];
 pub(crate) const PROFILES: [(Profile, &str); 3] =
     [(Profile::Fast, "fast"), (Profile::Small, "small"), (Profile::ConstantTime, "constant")];
 
-/// Where an episode begins: angle, velocity, and what is observed of them.
+/// The start of an episode: angle, velocity, and what is observed of them.
 type Start = ([f32; 2], [f32; 3]);
 
 fn graph(name: &str) -> Result<Graph, Failure> {

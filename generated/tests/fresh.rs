@@ -81,7 +81,7 @@ fn generated_code_is_fresh() {
     }
 }
 
-/// What a policy of this crate answers, as the interpreter says it.
+/// An answer of a policy of this crate, as the interpreter says it.
 trait Told {
     fn told(self) -> Answer;
 }

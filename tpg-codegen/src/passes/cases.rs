@@ -40,7 +40,7 @@ pub struct Function {
     pub argument: NodeId,
     /// If the best bid is above this, the function is not; the same for all arguments.
     pub bound: Option<f64>,
-    /// Where there is no bound: a high argument may still give more than the best bid.
+    /// No bound: a high argument may still give more than the best bid.
     pub sparing: Option<Sparing>,
 }
 

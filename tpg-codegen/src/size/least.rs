@@ -106,7 +106,7 @@ fn weights(language: Language, scalar: ScalarType, shape: &Shape) -> Option<[f64
     })
 }
 
-/// What code is made of, in counts.
+/// Counts of the parts of code.
 fn parts(module: &Module<'_>, shape: &Shape) -> [f64; PARTS] {
     let nodes = match shape {
         Shape::Fast { schedule, .. } => &schedule.nodes,
@@ -150,7 +150,7 @@ fn parts(module: &Module<'_>, shape: &Shape) -> [f64; PARTS] {
     ]
 }
 
-/// What decides, in the terms of each shape: of native teams their number, their ways, their cheap bids, the others, and the bids
+/// The parts that decide, in the terms of each shape: of native teams their number, their ways, their cheap bids, the others, and the bids
 /// of 0.
 fn deciding(module: &Module<'_>, shape: &Shape) -> [f64; 5] {
     let edges = module.teams.iter().map(|team| team.edges.len()).sum::<usize>();

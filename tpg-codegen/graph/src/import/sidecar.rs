@@ -47,7 +47,7 @@ pub struct Sidecar {
     text: String,
     document: Document,
     instructions: Vec<Operator>,
-    /// What becomes of each output's value before it is limited; `None` for nothing.
+    /// The expression through which each output's value goes before it is limited; `None` for none.
     activations: Vec<Option<Expression>>,
     values: Values,
     /// Rows and columns of each source of two dimensions.
@@ -75,7 +75,7 @@ struct Described {
     provenance: Option<String>,
 }
 
-/// Where GEGELATI 2 takes the values of continuous actions from.
+/// The origin of the values of GEGELATI 2's continuous actions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub(super) enum Values {
