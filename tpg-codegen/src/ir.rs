@@ -6,7 +6,8 @@
 //! interpreter does too, on the same operands.
 
 use std::collections::{BTreeMap, BTreeSet};
-use tpg_graph::dataflow::effective;
+use tpg_graph::dataflow::{depth_first, effective};
+use tpg_graph::hash_cons::HashCons;
 use tpg_graph::{Destination, Graph, Input, Operand, Program, TeamId};
 use tpg_runtime::ops::Instruction;
 use tpg_runtime::policy::ActionId;
@@ -270,38 +271,33 @@ impl<'g> Lowering<'g> {
 /// numbering over the whole graph: a node names what is computed, not where.
 #[derive(Clone, Debug, Default)]
 pub struct Values {
-    nodes: Vec<Node>,
-    numbers: BTreeMap<Node, NodeId>,
+    nodes: HashCons<Node>,
 }
 
 impl Values {
     /// The nodes of a module, to be added to.
     pub fn of(nodes: Vec<Node>) -> Self {
-        let numbers = (0..).zip(&nodes).map(|(id, &node)| (node, NodeId(id))).collect();
-        Self { nodes, numbers }
+        Self { nodes: nodes.into_iter().collect() }
     }
 
     /// The id of a node, whose operands have been interned.
     pub fn intern(&mut self, node: Node) -> NodeId {
-        *self.numbers.entry(node).or_insert_with(|| {
-            self.nodes.push(node);
-            NodeId(self.nodes.len() as u32 - 1)
-        })
+        NodeId(self.nodes.intern(node))
     }
 
     /// The node of an id.
     pub fn node(&self, id: NodeId) -> Node {
-        self.nodes[id.index()]
+        self.nodes()[id.index()]
     }
 
     /// All nodes, operands before operations.
     pub fn nodes(&self) -> &[Node] {
-        &self.nodes
+        self.nodes.nodes()
     }
 
     /// All nodes, operands before operations.
     pub fn into_nodes(self) -> Vec<Node> {
-        self.nodes
+        self.nodes.into_nodes()
     }
 }
 
@@ -323,28 +319,13 @@ fn breadth_first(graph: &Graph) -> Vec<TeamId> {
     order
 }
 
-/// A topological order of the teams, all reachable from the first. Among the candidates the one reached last comes next, so
-/// that the teams of a branch stay together.
+/// The teams in topological order; the teams of a branch stay together.
 pub(crate) fn topological(teams: &[Team]) -> Vec<usize> {
-    let targets = |team: usize| {
-        teams[team].edges.iter().filter_map(|edge| if let Target::Team(to) = edge.to { Some(to) } else { None })
+    let edge = |team: usize, place: usize| {
+        let target = |edge: &Edge| if let Target::Team(to) = edge.to { Some(to) } else { None };
+        teams[team].edges.get(place).map(target)
     };
-    let mut entering = vec![0_usize; teams.len()];
-    for to in (0..teams.len()).flat_map(targets) {
-        entering[to] += 1;
-    }
-    let mut order = Vec::with_capacity(teams.len());
-    let mut ready = vec![0];
-    while let Some(team) = ready.pop() {
-        order.push(team);
-        for to in targets(team) {
-            entering[to] -= 1;
-            if entering[to] == 0 {
-                ready.push(to);
-            }
-        }
-    }
-    order
+    depth_first(teams.len(), 0..teams.len(), edge).expect("a graph without cycles")
 }
 
 /// Number of teams on the longest walk from the first.

@@ -5,7 +5,7 @@
 //! first.
 
 use super::TwinTeam;
-use crate::ir::{Module, NodeId, Target, Team, longest_walk};
+use crate::ir::{Module, NodeId, Target, longest_walk, topological};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The removed teams.
@@ -32,7 +32,7 @@ pub(super) fn run(module: &mut Module<'_>) -> Removed {
     let mut removed = Removed::default();
     let mut place: Vec<Target> = (0..before.len()).map(Target::Team).collect();
     let mut known: BTreeMap<Vec<(NodeId, Target)>, usize> = BTreeMap::new();
-    for index in ends_first(&module.teams) {
+    for index in topological(&module.teams).into_iter().rev() {
         let team = &mut module.teams[index];
         for edge in &mut team.edges {
             if let Target::Team(to) = edge.to {
@@ -63,32 +63,6 @@ pub(super) fn run(module: &mut Module<'_>) -> Removed {
     }
     removed.unreachable = before.into_iter().filter(|label| gone.contains(label)).collect();
     removed
-}
-
-/// The teams in reverse topological order: successors first.
-fn ends_first(teams: &[Team]) -> Vec<usize> {
-    let mut entering = vec![Vec::new(); teams.len()];
-    let mut leaving = vec![0_usize; teams.len()];
-    for (index, team) in teams.iter().enumerate() {
-        for edge in &team.edges {
-            if let Target::Team(to) = edge.to {
-                entering[to].push(index);
-                leaving[index] += 1;
-            }
-        }
-    }
-    let mut order: Vec<usize> = (0..teams.len()).filter(|&index| leaving[index] == 0).collect();
-    let mut next = 0;
-    while let Some(&index) = order.get(next) {
-        next += 1;
-        for &from in &entering[index] {
-            leaving[from] -= 1;
-            if leaving[from] == 0 {
-                order.push(from);
-            }
-        }
-    }
-    order
 }
 
 /// Keeps the reachable teams, breadth first from the root, and the bidders that they use.

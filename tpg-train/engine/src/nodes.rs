@@ -5,9 +5,9 @@
 //! shared by several programs are computed once. Nodes are in topological order, operands first.
 
 use crate::policy::{Line, Operand};
-use std::collections::HashMap;
 use std::marker::PhantomData;
 use tpg_graph::dataflow::{Assignment, effective};
+use tpg_graph::hash_cons::HashCons;
 use tpg_runtime::ops::{Instruction, Maths};
 use tpg_runtime::scalar::Scalar;
 
@@ -44,9 +44,7 @@ enum Identity {
 /// The distinct nodes of a set of programs.
 #[derive(Clone, Debug)]
 pub struct Arena<S, M> {
-    nodes: Vec<Node<S>>,
-    /// Used for look-ups only and never iterated, so its order has no effect.
-    known: HashMap<Identity, NodeId>,
+    nodes: HashCons<Node<S>, Identity>,
     share: bool,
     maths: PhantomData<M>,
 }
@@ -60,12 +58,12 @@ impl std::fmt::Debug for Identity {
 impl<S: Scalar, M: Maths<S>> Arena<S, M> {
     /// Creates an empty arena. If `share` is false, operations are never merged (an ablation; the values are the same).
     pub fn new(share: bool) -> Self {
-        Self { nodes: Vec::new(), known: HashMap::new(), share, maths: PhantomData }
+        Self { nodes: HashCons::default(), share, maths: PhantomData }
     }
 
     /// Returns the nodes; operands come before their users.
     pub fn nodes(&self) -> &[Node<S>] {
-        &self.nodes
+        self.nodes.nodes()
     }
 
     /// Adds a program and returns the node whose value is its bid.
@@ -87,7 +85,7 @@ impl<S: Scalar, M: Maths<S>> Arena<S, M> {
 
     fn operation(&mut self, instruction: Instruction, [a, b]: [NodeId; 2]) -> NodeId {
         let b = if instruction.arity() == 1 { a } else { b };
-        if let (Node::Constant(a), Node::Constant(b)) = (self.nodes[a.index()], self.nodes[b.index()]) {
+        if let (Node::Constant(a), Node::Constant(b)) = (self.nodes()[a.index()], self.nodes()[b.index()]) {
             return self.constant(instruction.apply::<S, M>(a, b));
         }
         // a + b and b + a differ at most in which NaN they propagate, and all NaNs bid the same.
@@ -106,13 +104,8 @@ impl<S: Scalar, M: Maths<S>> Arena<S, M> {
             Node::Constant(value) => Identity::Constant(value.to_f64().to_bits()),
             Node::Operation(instruction, a, b) => Identity::Operation(instruction, a, b),
         };
-        let next = NodeId(u32::try_from(self.nodes.len()).expect("fewer than 2³² nodes"));
         let shared = self.share || !matches!(node, Node::Operation(..));
-        let id = if shared { *self.known.entry(identity).or_insert(next) } else { next };
-        if id == next {
-            self.nodes.push(node);
-        }
-        id
+        NodeId(if shared { self.nodes.intern_by(identity, node) } else { self.nodes.push(node) })
     }
 }
 
