@@ -34,7 +34,7 @@ class Recording(_episodes.Here):
             began = time.perf_counter()
             played = self._driver.run(policy, list(seeds))
             seconds = time.perf_counter() - began
-            steps = sum(episode[1] for episode in played)
+            steps = [int(episode[1]) for episode in played]
             question["units"].append(
                 {"expected": sent, "seconds": seconds, "steps": steps, "out": sent, "back": 24 * len(played)}
             )

@@ -3,8 +3,9 @@
 
 use crate::trace::{Question, Trace};
 use std::cmp::Reverse;
-use std::collections::BinaryHeap;
-use tpg_train::ranks::dealer::Dealer;
+use std::collections::{BTreeMap, BinaryHeap};
+use tpg_engine::Piece;
+use tpg_train::ranks::dealer::{Dealer, needed, parts};
 
 /// A network and the cost of a message on rank 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,8 +23,11 @@ pub struct Network {
 /// The way in which units are handed out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dealing {
-    /// As the program does: the most expensive first, in shares that become smaller, to whoever is free.
+    /// As the program does: units cut into pieces where they are few, the most expensive first, in shares that become
+    /// smaller, to whoever is free.
     Dynamic,
+    /// The same with whole units.
+    Whole,
     /// Unit i belongs to rank i modulo the number of ranks.
     Static,
 }
@@ -53,34 +57,84 @@ fn nanoseconds(seconds: f64) -> u64 {
     (seconds * 1e9).round() as u64
 }
 
+/// A piece as the simulation needs it.
+struct Part {
+    /// Its unit and tasks, which are sent once with several pieces of them.
+    piece: Piece,
+    expected: u64,
+    seconds: f64,
+    out: u64,
+    back: f64,
+}
+
+fn episodes(question: &Question) -> usize {
+    question.units.iter().map(|unit| unit.steps.len()).max().unwrap_or(0)
+}
+
+/// Cuts a question's units as the program does. A unit's time is spread over its episodes by their steps.
+fn cut(question: &Question, ranks: usize, dealing: Dealing, factor: f64) -> Vec<Part> {
+    let seconds = factor * question.units.iter().map(|unit| unit.seconds).sum::<f64>();
+    let parts = match dealing {
+        Dealing::Dynamic => parts(question.units.len(), ranks, Some(seconds)),
+        Dealing::Whole | Dealing::Static => 1,
+    };
+    let pieces = Piece::cut(question.units.len(), episodes(question), parts);
+    let part = |piece: Piece| {
+        let (of, tasks) = (&question.units[piece.unit], &piece.tasks);
+        let sum = |steps: &[u32]| steps.iter().map(|&steps| f64::from(steps)).sum::<f64>();
+        let own = of.steps.get(tasks.clone()).unwrap_or_default();
+        let share = if sum(&of.steps) > 0.0 { sum(own) / sum(&of.steps) } else { 0.0 };
+        let length = own.len() as f64 / of.steps.len().max(1) as f64;
+        Part {
+            expected: of.expected * tasks.len() as u64,
+            seconds: factor * of.seconds * share,
+            out: of.out,
+            back: of.back as f64 * length,
+            piece,
+        }
+    };
+    pieces.into_iter().map(part).collect()
+}
+
 /// Returns the time of a question.
 fn asked(question: &Question, ranks: usize, network: Network, dealing: Dealing, factor: f64) -> f64 {
-    let units = &question.units;
-    let seconds = |share: &[usize]| factor * share.iter().map(|&unit| units[unit].seconds).sum::<f64>();
     if ranks == 1 {
-        return seconds(&(0..units.len()).collect::<Vec<_>>());
+        return factor * question.units.iter().map(|unit| unit.seconds).sum::<f64>();
     }
-    let mut hand = Hand::new(question, ranks, dealing);
+    let parts = cut(question, ranks, dealing, factor);
+    let seconds = |share: &[usize]| share.iter().map(|&part| parts[part].seconds).sum::<f64>();
+    let back = |share: &[usize]| share.iter().map(|&part| parts[part].back).sum::<f64>();
+    let mut hand = Hand::new(&parts, ranks, dealing);
     // The time at which rank 0's message thread is free, and at which its evaluating thread is done.
     let mut free = 0.0_f64;
     let mut arrivals: BinaryHeap<Arrival> = BinaryHeap::new();
-    let send = |rank: usize, share: Vec<usize>, first: bool, free: &mut f64, arrivals: &mut BinaryHeap<Arrival>| {
+    let mut known = vec![question.tasks == 0; ranks];
+    let mut send = |rank: usize, share: Vec<usize>, free: &mut f64, arrivals: &mut BinaryHeap<Arrival>| {
         if share.is_empty() {
             return;
         }
-        let out = share.iter().map(|&unit| units[unit].out).sum::<u64>() + if first { question.tasks } else { 0 };
-        let back = share.iter().map(|&unit| units[unit].back).sum::<u64>();
+        let units: BTreeMap<usize, u64> = share.iter().map(|&part| (parts[part].piece.unit, parts[part].out)).collect();
+        let pieces: Vec<&Piece> = share.iter().map(|&part| &parts[part].piece).collect();
+        let tasks = match needed(&pieces, episodes(question)) {
+            _ if known[rank] => 0,
+            Some(tasks) => question.tasks * tasks.len() as u64 / episodes(question) as u64,
+            None => {
+                known[rank] = true;
+                question.tasks
+            }
+        };
+        let out = units.values().sum::<u64>() + tasks;
         *free += network.message + out as f64 * network.byte;
         let there = *free + network.latency + out as f64 / network.bandwidth;
-        let answered = there + seconds(&share) + network.latency + back as f64 / network.bandwidth;
+        let answered = there + seconds(&share) + network.latency + back(&share) / network.bandwidth;
         arrivals.push(Reverse((nanoseconds(answered), rank, share)));
     };
     for rank in 1..ranks {
         let share = hand.next(rank);
-        send(rank, share, true, &mut free, &mut arrivals);
+        send(rank, share, &mut free, &mut arrivals);
     }
-    // Rank 0's own units; its first share is taken when the others have theirs.
-    let mut own = free;
+    // Rank 0's evaluation is a thread of its own: it takes its first share at once.
+    let mut own = 0.0;
     let mut own_done = false;
     loop {
         let next = arrivals.peek().map(|Reverse((at, ..))| *at as f64 / 1e9);
@@ -91,29 +145,28 @@ fn asked(question: &Question, ranks: usize, network: Network, dealing: Dealing, 
             continue;
         }
         let Some(Reverse((at, rank, share))) = arrivals.pop() else { break };
-        let back = share.iter().map(|&unit| units[unit].back).sum::<u64>();
-        free = free.max(at as f64 / 1e9) + network.message + back as f64 * network.byte;
+        free = free.max(at as f64 / 1e9) + network.message + back(&share) * network.byte;
         let share = hand.next(rank);
-        send(rank, share, false, &mut free, &mut arrivals);
+        send(rank, share, &mut free, &mut arrivals);
     }
     free.max(own)
 }
 
-/// The units that are left, in one way of handing out.
+/// The pieces that are left, in one way of handing out.
 enum Hand {
     Dynamic(Dealer),
     Static(Vec<Vec<usize>>),
 }
 
 impl Hand {
-    fn new(question: &Question, ranks: usize, dealing: Dealing) -> Self {
+    fn new(parts: &[Part], ranks: usize, dealing: Dealing) -> Self {
         match dealing {
-            Dealing::Dynamic => {
-                let costs: Vec<u64> = question.units.iter().map(|unit| unit.expected).collect();
+            Dealing::Dynamic | Dealing::Whole => {
+                let costs: Vec<u64> = parts.iter().map(|part| part.expected).collect();
                 Self::Dynamic(Dealer::new(&costs, ranks))
             }
             Dealing::Static => {
-                let part = |rank: usize| (rank..question.units.len()).step_by(ranks).collect();
+                let part = |rank: usize| (rank..parts.len()).step_by(ranks).collect();
                 Self::Static((0..ranks).map(part).collect())
             }
         }
@@ -135,7 +188,13 @@ mod tests {
     const NO_COST: Network = Network { latency: 0.0, bandwidth: f64::INFINITY, message: 0.0, byte: 0.0 };
 
     fn trace(seconds: &[f64]) -> Trace {
-        let unit = |&seconds: &f64| Unit { expected: (1000.0 * seconds) as u64, seconds, steps: 1, out: 100, back: 10 };
+        let unit = |&seconds: &f64| Unit {
+            expected: (1000.0 * seconds) as u64,
+            seconds,
+            steps: vec![1; 4],
+            out: 100,
+            back: 10,
+        };
         let questions = vec![Question { alone: 0.5, tasks: 1000, units: seconds.iter().map(unit).collect() }; 2];
         Trace { name: "test".to_owned(), questions }
     }
@@ -146,10 +205,13 @@ mod tests {
         assert_eq!(alone(&trace, 1.0), 17.0);
         assert_eq!(simulate(&trace, 1, NO_COST, Dealing::Dynamic, 1.0), 17.0);
         // The long unit first, on a rank of its own: 0.5 + 5 each; the other rank does the three short ones.
-        assert_eq!(simulate(&trace, 2, NO_COST, Dealing::Dynamic, 1.0), 11.0);
+        assert_eq!(simulate(&trace, 2, NO_COST, Dealing::Whole, 1.0), 11.0);
+        // In pieces of an episode each, both ranks are busy to the end.
+        assert_eq!(simulate(&trace, 2, NO_COST, Dealing::Dynamic, 1.0), 9.0);
         // Ranks 0 and 1 have every other unit: 1 + 1 and 1 + 5.
         assert_eq!(simulate(&trace, 2, NO_COST, Dealing::Static, 1.0), 13.0);
-        assert_eq!(simulate(&trace, 9, NO_COST, Dealing::Dynamic, 2.0), 21.0);
+        assert_eq!(simulate(&trace, 9, NO_COST, Dealing::Whole, 2.0), 21.0);
+        assert_eq!(simulate(&trace, 16, NO_COST, Dealing::Dynamic, 2.0), 6.0);
     }
 
     #[test]

@@ -102,7 +102,7 @@ fn run(command: Command) -> Result<(), Box<dyn std::error::Error>> {
 fn with_step(mut trace: Trace, step_us: Option<f64>) -> Trace {
     if let Some(step) = step_us {
         for unit in trace.questions.iter_mut().flat_map(|question| &mut question.units) {
-            unit.seconds = unit.steps as f64 * step * 1e-6;
+            unit.seconds = unit.steps.iter().map(|&steps| f64::from(steps)).sum::<f64>() * step * 1e-6;
         }
     }
     trace
@@ -120,14 +120,15 @@ fn table(trace: &Trace, network: Network, ranks: &[usize]) -> String {
         1e3 * (whole - own) / units.max(1) as f64,
         100.0 * own / whole
     );
-    text += "| ranks | time, s | efficiency | handed out in advance | without rank 0's own time |\n| --- | --- | --- | --- | --- |\n";
+    text += "| ranks | time, s | efficiency | whole roots | handed out in advance | without rank 0's own time |\n| --- | --- | --- | --- | --- | --- |\n";
     for &count in ranks {
         let time = |dealing| simulate(trace, count, network, dealing, 1.0);
-        let (dynamic, fixed) = (time(Dealing::Dynamic), time(Dealing::Static));
+        let [dynamic, uncut, fixed] = [Dealing::Dynamic, Dealing::Whole, Dealing::Static].map(time);
         let part = |time: f64, whole: f64| 100.0 * whole / (time * count as f64);
         text += &format!(
-            "| {count} | {dynamic:.3} | {:.1} % | {:.1} % | {:.1} % |\n",
+            "| {count} | {dynamic:.3} | {:.1} % | {:.1} % | {:.1} % | {:.1} % |\n",
             part(dynamic, whole),
+            part(uncut, whole),
             part(fixed, whole),
             part(dynamic - own, whole - own)
         );

@@ -12,14 +12,14 @@ use tpg_train::evolution::run::RunError;
 use tpg_train::ranks::workplace::{Cells, Compute, Workplace};
 
 /// A unit of work.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Unit {
     /// The cost that rank 0 expects, in any unit: it hands out by this.
     pub expected: u64,
     /// Time on one thread, seconds.
     pub seconds: f64,
-    /// Environment steps.
-    pub steps: u64,
+    /// Environment steps of each episode.
+    pub steps: Vec<u32>,
     /// Bytes of the unit in a message.
     pub out: u64,
     /// Bytes of its endings in a message.
@@ -113,7 +113,7 @@ impl<Task: Serialize + Clone, V: Evaluator<Task>> Evaluator<Task> for Recording<
             let result = self.local.evaluate(&one)?;
             let seconds = began.elapsed().as_secs_f64();
             let endings: Vec<_> = result.iter().flat_map(|result| &result.endings).collect();
-            let steps = endings.iter().map(|ending| u64::from(ending.actions)).sum();
+            let steps = endings.iter().map(|ending| ending.actions).collect();
             let (expected, out, back) = (unit.policy.size() as u64, packed(unit), packed(&endings));
             question.units.push(Unit { expected, seconds, steps, out, back });
             results.extend(result);

@@ -15,7 +15,6 @@ use std::sync::{Mutex, MutexGuard};
 use std::thread::JoinHandle;
 use std::time::Duration;
 use tpg_engine::{Choices, Ending, EngineOptions, Environment, Evaluator, LocalThreads};
-use tpg_problems::{Problem, Visitor};
 use tpg_runtime::ops::Own;
 use tpg_train::evolution::checkpoint;
 use tpg_train::evolution::config::EvolutionConfig;
@@ -144,7 +143,10 @@ impl Evolution {
         config.problem = problem.to_table();
         let seed = settings.seed;
         Ok(Self::spawn(0, move |mailbox| {
-            problem.open(Native { config, seed, options, threads, mailbox, problem: &problem })
+            let environment = problem.environment();
+            let choices = Choices::new(&*environment, problem.levels()).map_err(tpg_engine::EvaluationError::new)?;
+            let evaluator = LocalThreads::<f32, Own, _>::new(&choices, EngineOptions::default(), threads)?;
+            evolve(&config, seed, &choices, &evaluator, &options, mailbox)
         }))
     }
 
@@ -326,25 +328,4 @@ fn fresh<E: Environment<f32>>(
     let graph = |best: &Best| graph_of(config, progress.seed, best, environment).ok().map(Graph);
     let hall = progress.hall.iter().filter_map(|best| Some((best.policy.size(), best.result.score, graph(best)?)));
     Some(Fame { best: graph(best)?, hall: hall.collect() })
-}
-
-/// A run on a built-in problem.
-struct Native<'a> {
-    config: EvolutionConfig,
-    seed: u64,
-    options: RunOptions,
-    threads: usize,
-    mailbox: &'a Mailbox<Report>,
-    problem: &'a Problem,
-}
-
-impl Visitor<f32> for Native<'_> {
-    type Output = Result<RunEnd, RunError>;
-
-    fn visit<E: Environment<f32>>(self, environment: E) -> Self::Output {
-        let Self { config, seed, options, threads, mailbox, problem } = self;
-        let choices = Choices::new(environment, problem.levels()).map_err(tpg_engine::EvaluationError::new)?;
-        let evaluator = LocalThreads::<f32, Own, _>::new(&choices, EngineOptions::default(), threads)?;
-        evolve(&config, seed, &choices, &evaluator, &options, mailbox)
-    }
 }

@@ -7,10 +7,10 @@ use pyo3::prelude::*;
 use serde_json::json;
 use std::sync::Mutex;
 use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{Act, ActionSpace, Choices, End, Environment, SourceSet, TooManyActions};
+use tpg_engine::{Act, ActionSpace, AnyEnvironment, AnyEpisode, AnyTask, Choices, End, SourceSet, TooManyActions};
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::{MathsProvider, ScalarType};
-use tpg_problems::{ContinuousProblem, Problem, ProblemName, Visitor};
+use tpg_problems::{ContinuousProblem, Problem, ProblemName};
 use tpg_runtime::policy::ActionId;
 use tpg_train::evaluate::EvaluationReport;
 use tpg_train::evaluate::graph::on_environment;
@@ -43,7 +43,7 @@ pub(crate) fn evaluate_native(
 ) -> PyResult<String> {
     let problem = problem(problem_name)?;
     let graph = in_f32(&graph.0)?;
-    let report = py.detach(|| problem.open(Test { problem: &problem, graph, episodes, seed }));
+    let report = py.detach(|| test(&problem, graph, episodes, seed));
     let report = report.map_err(error::input)?;
     serde_json::to_string(&report).map_err(error::input)
 }
@@ -57,24 +57,17 @@ pub(crate) fn in_f32(graph: &tpg_graph::Graph) -> PyResult<&tpg_graph::Graph> {
     Err(error::input(format!("{found}; accepted: f32 with own maths")))
 }
 
-/// A test of a graph on a built-in problem.
-struct Test<'a> {
-    problem: &'a Problem,
-    graph: &'a tpg_graph::Graph,
+/// Tests a graph on a built-in problem.
+fn test(
+    problem: &Problem,
+    graph: &tpg_graph::Graph,
     episodes: usize,
     seed: u64,
-}
-
-impl Visitor<f32> for Test<'_> {
-    type Output = Result<EvaluationReport, InputError>;
-
-    fn visit<E: Environment<f32>>(self, environment: E) -> Self::Output {
-        let Self { problem, graph, episodes, seed } = self;
-        let refuse =
-            |error: TooManyActions| InputError::new("<graph>", Place::Whole, error.to_string(), "fewer levels");
-        let choices = Choices::new(environment, problem.levels_for(graph)).map_err(refuse)?;
-        on_environment::<f32, tpg_runtime::ops::Own>(problem.name().name(), "<graph>", graph, &choices, episodes, seed)
-    }
+) -> Result<EvaluationReport, InputError> {
+    let refuse = |error: TooManyActions| InputError::new("<graph>", Place::Whole, error.to_string(), "fewer levels");
+    let environment = problem.environment();
+    let choices = Choices::new(&*environment, problem.levels_for(graph)).map_err(refuse)?;
+    on_environment::<f32, tpg_runtime::ops::Own>(problem.name().name(), "<graph>", graph, &choices, episodes, seed)
 }
 
 /// A step as Python sees it: observation, reward, terminated, truncated, and success where the problem defines it.
@@ -83,7 +76,7 @@ type Stepped<'py> = (Bound<'py, PyArray1<f32>>, f64, bool, bool, Option<bool>);
 /// A built-in problem that is stepped from outside.
 #[pyclass(frozen, module = "tpg_train._tpg")]
 pub(crate) struct NativeEnv {
-    running: Mutex<Box<dyn Running>>,
+    running: Mutex<Running>,
 }
 
 #[pymethods]
@@ -93,11 +86,11 @@ impl NativeEnv {
     #[pyo3(signature = (name, continuous = false))]
     fn new(name: &str, continuous: bool) -> PyResult<Self> {
         let name = problem_name(name)?;
-        let running = match continuous {
-            true => ContinuousProblem::usual(name).open(1, Start),
-            false => Problem::usual(name).open(Start),
+        let environment = match continuous {
+            true => ContinuousProblem::usual(name).environment(1),
+            false => Problem::usual(name).environment(),
         };
-        Ok(Self { running: Mutex::new(running) })
+        Ok(Self { running: Mutex::new(Running { environment, episode: None, actions: 0 }) })
     }
 
     /// The environment's observations and actions as JSON: sources, actions, outputs and the time limit.
@@ -130,7 +123,7 @@ impl NativeEnv {
 }
 
 impl NativeEnv {
-    fn running(&self) -> PyResult<std::sync::MutexGuard<'_, Box<dyn Running>>> {
+    fn running(&self) -> PyResult<std::sync::MutexGuard<'_, Running>> {
         self.running.lock().map_err(|_| error::training("an earlier step failed"))
     }
 
@@ -143,20 +136,13 @@ impl NativeEnv {
 }
 
 /// An environment with its episode.
-trait Running: Send {
-    fn description(&self) -> String;
-    fn reset(&mut self, seed: u64) -> Vec<f32>;
-    fn reset_to(&mut self, task: &str) -> Result<Vec<f32>, String>;
-    fn step(&mut self, act: Act<'_, f32>) -> Result<(Vec<f32>, f64, Option<End>), String>;
-}
-
-struct Own<E: Environment<f32>> {
-    environment: E,
-    episode: Option<E::Episode>,
+struct Running {
+    environment: AnyEnvironment<f32>,
+    episode: Option<AnyEpisode>,
     actions: u32,
 }
 
-impl<E: Environment<f32>> Own<E> {
+impl Running {
     fn observe(&mut self) -> Vec<f32> {
         let length: u32 = self.environment.sources().iter().map(|source| source.length).sum();
         let mut state = vec![0.0; length as usize];
@@ -166,7 +152,7 @@ impl<E: Environment<f32>> Own<E> {
         state
     }
 
-    fn begin(&mut self, task: &E::Task) -> Vec<f32> {
+    fn begin(&mut self, task: &AnyTask) -> Vec<f32> {
         self.episode = Some(self.environment.start(task));
         self.actions = 0;
         self.observe()
@@ -186,9 +172,7 @@ impl<E: Environment<f32>> Own<E> {
             (space, _) => Err(format!("another action; accepted: 0 to {}", space.count().unwrap_or(1) - 1)),
         }
     }
-}
 
-impl<E: Environment<f32> + Send> Running for Own<E> {
     fn description(&self) -> String {
         let sources = self.environment.sources();
         let sources: Vec<_> =
@@ -210,7 +194,7 @@ impl<E: Environment<f32> + Send> Running for Own<E> {
     }
 
     fn reset_to(&mut self, task: &str) -> Result<Vec<f32>, String> {
-        let task: E::Task = serde_json::from_str(task).map_err(|error| error.to_string())?;
+        let task: AnyTask = serde_json::from_str(task).map_err(|error| error.to_string())?;
         match self.environment.accepts(&task) {
             true => Ok(self.begin(&task)),
             false => Err(format!("{task:?}; accepted: a task of the problem")),
@@ -225,16 +209,5 @@ impl<E: Environment<f32> + Send> Running for Own<E> {
         let late = self.actions >= self.environment.time_limit();
         let end = step.end.or_else(|| late.then(|| self.environment.timeout(episode)));
         Ok((self.observe(), step.reward, end))
-    }
-}
-
-/// Opens a problem for stepping.
-struct Start;
-
-impl Visitor<f32> for Start {
-    type Output = Box<dyn Running>;
-
-    fn visit<E: Environment<f32> + Send + 'static>(self, environment: E) -> Self::Output {
-        Box::new(Own { environment, episode: None, actions: 0 })
     }
 }

@@ -3,37 +3,31 @@
 use clap::ValueEnum;
 use std::fmt::Write as _;
 use std::io::Write as _;
-use tpg_engine::{ActionSpace, Environment};
+use tpg_engine::ActionSpace;
 use tpg_graph::SourceDocument;
 use tpg_graph::error::InputError;
-use tpg_problems::arm::ArmScalar;
-use tpg_problems::{Problem, ProblemName, Visitor};
+use tpg_problems::{Problem, ProblemName};
 
 /// Prints the problems.
 ///
 /// # Errors
 /// If stdout is closed.
 pub fn print_problems() -> Result<(), InputError> {
-    let text: String = ProblemName::ALL.map(|name| Problem::usual(name).open::<f32, _>(Description(name))).concat();
+    let text = ProblemName::ALL.map(description).concat();
     let written = std::io::stdout().lock().write_all(text.as_bytes());
     written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))
 }
 
-/// Describes the environment of a problem.
-struct Description(ProblemName);
-
-impl<S: ArmScalar> Visitor<S> for Description {
-    type Output = String;
-
-    fn visit<E: Environment<S>>(self, environment: E) -> String {
-        let about = self.0.to_possible_value().and_then(|value| value.get_help().map(ToString::to_string));
-        let mut text = format!("{}: {}\n", self.0.name(), about.unwrap_or_default());
-        let sources = environment.sources().iter().map(source).collect::<Vec<_>>().join("; ");
-        let _ = writeln!(text, "  observes {sources}");
-        let _ = writeln!(text, "  acts by  {}", actions(&environment.actions()));
-        let _ = writeln!(text, "  at most  {} actions an episode\n", environment.time_limit());
-        text
-    }
+/// Describes a problem.
+fn description(name: ProblemName) -> String {
+    let environment = Problem::usual(name).environment::<f32>();
+    let about = name.to_possible_value().and_then(|value| value.get_help().map(ToString::to_string));
+    let mut text = format!("{}: {}\n", name.name(), about.unwrap_or_default());
+    let sources = environment.sources().iter().map(source).collect::<Vec<_>>().join("; ");
+    let _ = writeln!(text, "  observes {sources}");
+    let _ = writeln!(text, "  acts by  {}", actions(&environment.actions()));
+    let _ = writeln!(text, "  at most  {} actions an episode\n", environment.time_limit());
+    text
 }
 
 fn source(source: &SourceDocument) -> String {

@@ -5,7 +5,6 @@ use crate::actor::file::FloatActor;
 use crate::actor::fixed::quantise_actor;
 use crate::actor::version1::upgraded;
 use crate::files::write_atomically;
-use crate::sac::contract::Contract;
 use crate::sac::integers::{self, Comparison};
 use crate::sac::tensors::{Tensors, place};
 use crate::sac::weights::{LIMIT, from_tensors};
@@ -16,10 +15,8 @@ use std::fmt::Display;
 use std::fs;
 use std::path::PathBuf;
 use tpg_codegen::policy::{QuantisedPolicy, to_rust};
-use tpg_engine::Environment;
 use tpg_graph::error::{InputError, Place};
-use tpg_nn::Mlp;
-use tpg_problems::{ContinuousProblem, Visitor};
+use tpg_problems::ContinuousProblem;
 use tpg_runtime::net::Kind;
 
 /// Put a policy's network into integers.
@@ -68,26 +65,11 @@ pub fn quantise(args: &QuantiseArgs) -> Result<(), InputError> {
             let policy = quantise_actor(&file, &actor, hash, args.kind, args.seed)?;
             args.write(&policy, || OnTheArm::new(&actor, &policy))
         }
-        problem => problem.open(args.seed, OnAProblem { args, file, network: &network, contract: &contract, hash }),
-    }
-}
-
-/// A policy of a problem that is not the arm's.
-struct OnAProblem<'a> {
-    args: &'a QuantiseArgs,
-    file: String,
-    network: &'a Mlp<f32>,
-    contract: &'a Contract,
-    hash: String,
-}
-
-impl Visitor<f32> for OnAProblem<'_> {
-    type Output = Result<(), InputError>;
-
-    fn visit<E: Environment<f32>>(self, environment: E) -> Self::Output {
-        let Self { args, file, network, contract, hash } = self;
-        let policy = integers::quantise(&file, (network, contract), &environment, hash, args.kind, args.seed)?;
-        args.write(&policy, || Ok(Comparison::new((network, contract), &policy, &environment, args.seed)))
+        problem => {
+            let (environment, mean) = (&*problem.environment(args.seed), (&network, &contract));
+            let policy = integers::quantise(&file, mean, &environment, hash, args.kind, args.seed)?;
+            args.write(&policy, || Ok(Comparison::new(mean, &policy, &environment, args.seed)))
+        }
     }
 }
 

@@ -10,7 +10,7 @@ use tpg_arm::{Arm, Collision, Invalid, Move, WIDOWX};
 use tpg_codegen::passes::{interval::Assumption, optimise};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{
-    Destination, Edge, Ending, EngineOptions, Environment, Evaluator, Lanes, Line, LocalThreads, Operand, Plan,
+    Destination, Edge, Ending, EngineOptions, Environment, Evaluator, Lanes, Line, LocalThreads, Operand, Piece, Plan,
     PolicyGraph, UnitKey, Work, WorkUnit,
 };
 use tpg_graph::Word;
@@ -312,6 +312,18 @@ fn no_option_and_no_number_of_threads_changes_an_answer() {
         assert_eq!(answers(EngineOptions::default(), threads), reference, "{threads} threads");
     }
     assert_eq!(world.config.language.instructions.len(), Word::ALL.len());
+
+    let evaluator =
+        LocalThreads::<f32, Own, _>::new(&world.environment, EngineOptions::default(), 2).expect("threads start");
+    for parts in [1, 4, 7, 100] {
+        let mut joined = vec![Vec::new(); work.units.len()];
+        let pieces = Piece::cut(work.units.len(), work.tasks.len(), parts);
+        assert_eq!(pieces.len() > work.units.len(), parts > 1);
+        for (piece, endings) in pieces.iter().zip(evaluator.pieces(&work, &pieces).expect("local threads answer")) {
+            joined[piece.unit].extend(endings);
+        }
+        assert!(joined.iter().eq(reference.iter().map(|answer| &answer.endings)), "{parts} parts");
+    }
 }
 
 #[test]

@@ -158,10 +158,7 @@ pub trait Environment<S: Scalar>: Sync {
     }
 
     /// Creates parallel episodes; the default steps them one after another.
-    fn lanes(&self) -> Box<dyn Episodes<S, Self::Task> + '_>
-    where
-        Self: Sized,
-    {
+    fn lanes(&self) -> Box<dyn Episodes<S, Self::Task> + '_> {
         Box::new(OneByOne::new(self))
     }
 
@@ -187,7 +184,7 @@ pub trait Environment<S: Scalar>: Sync {
     }
 }
 
-impl<S: Scalar, E: Environment<S>> Environment<S> for &E {
+impl<S: Scalar, E: Environment<S> + ?Sized> Environment<S> for &E {
     type Task = E::Task;
     type Episode = E::Episode;
 

@@ -13,6 +13,7 @@ use crate::source_set::SourceSet;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::marker::PhantomData;
+use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 use tpg_graph::SourceDocument;
 use tpg_graph::interpret::Answer as Reply;
@@ -48,6 +49,33 @@ pub struct Work<Task> {
     pub units: Vec<WorkUnit>,
 }
 
+/// A root on some of the tasks: the smallest piece of work that can be done elsewhere.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Piece {
+    /// Index of the unit.
+    pub unit: usize,
+    /// Indices of the tasks.
+    pub tasks: Range<usize>,
+}
+
+impl Piece {
+    /// Cuts each unit's tasks into at most `parts` pieces of nearly equal length, none empty; unit by unit, in the order
+    /// of the tasks. Without tasks each unit is one piece.
+    ///
+    /// ```
+    /// use tpg_engine::Piece;
+    ///
+    /// let pieces = Piece::cut(1, 5, 2);
+    /// assert_eq!(pieces, [Piece { unit: 0, tasks: 0..3 }, Piece { unit: 0, tasks: 3..5 }]);
+    /// ```
+    pub fn cut(units: usize, tasks: usize, parts: usize) -> Vec<Self> {
+        let length = tasks.div_ceil(parts.max(1)).max(1);
+        let starts = || (0..tasks.max(1)).step_by(length);
+        let piece = |unit, from: usize| Self { unit, tasks: from..tasks.min(from + length) };
+        (0..units).flat_map(|unit| starts().map(move |from| piece(unit, from))).collect()
+    }
+}
+
 /// Result of a root.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct UnitResult {
@@ -79,6 +107,22 @@ pub trait Evaluator<Task> {
     /// If an answer cannot be obtained.
     fn evaluate(&self, work: &Work<Task>) -> Result<Vec<UnitResult>, EvaluationError>;
 
+    /// Returns the endings of each piece, one for each of its tasks: those that [`evaluate`](Self::evaluate) returns for
+    /// the unit on these tasks. By default one piece after another.
+    ///
+    /// # Errors
+    /// If an answer cannot be obtained.
+    fn pieces(&self, work: &Work<Task>, pieces: &[Piece]) -> Result<Vec<Vec<Ending>>, EvaluationError>
+    where
+        Task: Clone,
+    {
+        let one = |Piece { unit, tasks }: &Piece| {
+            let work = Work { tasks: work.tasks[tasks.clone()].to_vec(), units: vec![work.units[*unit].clone()] };
+            Ok(self.evaluate(&work)?.into_iter().flat_map(|result| result.endings).collect())
+        };
+        pieces.iter().map(one).collect()
+    }
+
     /// Returns the flat states of each visit, one for each of its numbers of actions.
     ///
     /// # Errors
@@ -94,6 +138,13 @@ pub trait Evaluator<Task> {
 impl<Task, V: Evaluator<Task> + ?Sized> Evaluator<Task> for &V {
     fn evaluate(&self, work: &Work<Task>) -> Result<Vec<UnitResult>, EvaluationError> {
         (**self).evaluate(work)
+    }
+
+    fn pieces(&self, work: &Work<Task>, pieces: &[Piece]) -> Result<Vec<Vec<Ending>>, EvaluationError>
+    where
+        Task: Clone,
+    {
+        (**self).pieces(work, pieces)
     }
 
     fn visit(&self, visits: &[Visit<Task>]) -> Result<Vec<Vec<Vec<f64>>>, EvaluationError> {
@@ -218,16 +269,20 @@ impl<S: Scalar, M: Maths<S>, E: Environment<S>> LocalThreads<'_, S, M, E> {
 
 impl<S: Scalar, M: Maths<S>, E: Environment<S>> Evaluator<E::Task> for LocalThreads<'_, S, M, E> {
     fn evaluate(&self, work: &Work<E::Task>) -> Result<Vec<UnitResult>, EvaluationError> {
-        let evaluate = |lanes: &mut Lanes<'_, S, M, E>, unit: &WorkUnit| {
+        let endings = self.pieces(work, &Piece::cut(work.units.len(), work.tasks.len(), 1))?;
+        Ok(work.units.iter().zip(endings).map(|(unit, endings)| UnitResult { key: unit.key, endings }).collect())
+    }
+
+    fn pieces(&self, work: &Work<E::Task>, pieces: &[Piece]) -> Result<Vec<Vec<Ending>>, EvaluationError> {
+        let evaluate = |lanes: &mut Lanes<'_, S, M, E>, piece: &Piece| {
             let before = lanes.steps();
-            let plan = Plan::new::<M>(&unit.policy, &self.sources, self.options);
-            let endings = lanes.run(&plan, &work.tasks)?;
+            let plan = Plan::new::<M>(&work.units[piece.unit].policy, &self.sources, self.options);
+            let endings = lanes.run(&plan, &work.tasks[piece.tasks.clone()])?;
             self.steps.fetch_add(lanes.steps() - before, Ordering::Relaxed);
-            Ok(UnitResult { key: unit.key, endings })
+            Ok(endings)
         };
-        self.pool.install(|| {
-            (work.units.par_iter()).map_init(|| Lanes::new(self.environment, self.options), evaluate).collect()
-        })
+        self.pool
+            .install(|| (pieces.par_iter()).map_init(|| Lanes::new(self.environment, self.options), evaluate).collect())
     }
 
     fn visit(&self, visits: &[Visit<E::Task>]) -> Result<Vec<Vec<Vec<f64>>>, EvaluationError> {

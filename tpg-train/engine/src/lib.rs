@@ -9,6 +9,7 @@
 //! | items | subject |
 //! | --- | --- |
 //! | [`Environment`], [`ActionSpace`], [`Act`], [`Step`], [`End`] | a problem |
+//! | [`erase`], [`AnyEnvironment`] | environments whose type is only known at run time |
 //! | [`bind`] | binding of a graph to an environment |
 //! | [`Choices`] | any action space as a list of named actions |
 //! | [`Remembering`], [`Remembered`] | a memory for policies |
@@ -16,7 +17,7 @@
 //! | [`Ending`], [`Summary`], [`Preference`] | results |
 //! | [`PolicyGraph`], [`Plan`], [`Node`], [`Arena`] | a graph in the engine's own form |
 //! | [`Lanes`], [`Single`], [`EngineOptions`], [`History`] | execution |
-//! | [`Evaluator`], [`LocalThreads`], [`Work`], [`Visit`] | evaluation of many roots, on threads or elsewhere |
+//! | [`Evaluator`], [`LocalThreads`], [`Work`], [`Piece`], [`Visit`] | evaluation of many roots, on threads or elsewhere |
 //! | [`random`] | independent streams of random numbers, one for each purpose |
 
 mod action;
@@ -27,6 +28,7 @@ mod decide;
 mod ending;
 mod environment;
 mod episodes;
+mod erased;
 mod error;
 mod evaluator;
 mod history;
@@ -48,8 +50,9 @@ pub use choices::{Choices, TooManyActions};
 pub use ending::{End, Ending, Measure, Preference, Step, Summary, finite};
 pub use environment::Environment;
 pub use episodes::Episodes;
+pub use erased::{AnyEnvironment, AnyEpisode, AnyTask, erase};
 pub use error::EvaluationError;
-pub use evaluator::{Evaluator, LocalThreads, UnitKey, UnitResult, Visit, Work, WorkUnit};
+pub use evaluator::{Evaluator, LocalThreads, Piece, UnitKey, UnitResult, Visit, Work, WorkUnit};
 pub use history::{History, Repeat};
 pub use lanes::Lanes;
 pub use nodes::{Arena, Node, NodeId};

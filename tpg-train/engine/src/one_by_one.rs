@@ -10,10 +10,7 @@ use crate::view::{BLOCK, View};
 use tpg_runtime::scalar::Scalar;
 
 /// Steps one episode after another.
-pub struct OneByOne<'e, S, E: Environment<S>>
-where
-    S: Scalar,
-{
+pub struct OneByOne<'e, S: Scalar, E: Environment<S> + ?Sized> {
     environment: &'e E,
     limit: u32,
     lanes: Vec<Lane<E::Episode>>,
@@ -28,7 +25,7 @@ struct Lane<Episode> {
     actions: u32,
 }
 
-impl<'e, S: Scalar, E: Environment<S>> OneByOne<'e, S, E> {
+impl<'e, S: Scalar, E: Environment<S> + ?Sized> OneByOne<'e, S, E> {
     /// Creates an empty set of episodes.
     pub fn new(environment: &'e E) -> Self {
         let length = environment.sources().iter().map(|source| source.length as usize).sum();
@@ -37,7 +34,7 @@ impl<'e, S: Scalar, E: Environment<S>> OneByOne<'e, S, E> {
     }
 }
 
-impl<S: Scalar, E: Environment<S>> Episodes<S, E::Task> for OneByOne<'_, S, E> {
+impl<S: Scalar, E: Environment<S> + ?Sized> Episodes<S, E::Task> for OneByOne<'_, S, E> {
     fn begin(&mut self, lane: usize, task: &E::Task) -> Result<(), EvaluationError> {
         let episode = self.environment.start(task);
         let key = self.environment.key(&episode);
@@ -89,7 +86,7 @@ impl<S: Scalar, E: Environment<S>> Episodes<S, E::Task> for OneByOne<'_, S, E> {
 }
 
 impl<Episode> Lane<Episode> {
-    fn step<S: Scalar, E: Environment<S, Episode = Episode>>(
+    fn step<S: Scalar, E: Environment<S, Episode = Episode> + ?Sized>(
         &mut self,
         environment: &E,
         limit: u32,

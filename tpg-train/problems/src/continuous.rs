@@ -2,7 +2,8 @@
 
 use crate::arm::motors::{self, Motors};
 use crate::arm::targets::Start;
-use crate::registry::{Problem, ProblemName, Visitor, named, section};
+use crate::registry::{Problem, ProblemName, named, section};
+use tpg_engine::{AnyEnvironment, erase};
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::settings;
 
@@ -81,11 +82,11 @@ impl ContinuousProblem {
         }
     }
 
-    /// Passes the problem's environment to `visitor`. The arm's tasks come from the sample of the space that `seed` draws.
-    pub fn open<V: Visitor<f32>>(&self, seed: u64, visitor: V) -> V::Output {
+    /// Creates the problem's environment. The arm's tasks come from the sample of the space that `seed` draws.
+    pub fn environment(&self, seed: u64) -> AnyEnvironment<f32> {
         match self {
-            Self::Motors(start, config) => visitor.visit(Motors::new(*start, config.clone(), seed)),
-            Self::Other(problem) => problem.open(visitor),
+            Self::Motors(start, config) => erase(Motors::new(*start, config.clone(), seed)),
+            Self::Other(problem) => problem.environment(),
         }
     }
 }

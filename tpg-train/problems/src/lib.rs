@@ -42,7 +42,7 @@ pub use continuous::ContinuousProblem;
 pub use mountain_car::MountainCar;
 pub use mountain_car_continuous::MountainCarContinuous;
 pub use pendulum::Pendulum;
-pub use registry::{Problem, ProblemName, Visitor};
+pub use registry::{Problem, ProblemName};
 
 use tpg_graph::SourceDocument;
 

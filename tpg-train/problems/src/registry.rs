@@ -10,7 +10,7 @@ use crate::pendulum::{self, Pendulum};
 use crate::physics::Constants;
 use crate::varied::{Disturbance, Varied};
 use serde::{Deserialize, de::DeserializeOwned};
-use tpg_engine::Environment;
+use tpg_engine::{AnyEnvironment, Environment, erase};
 use tpg_graph::error::{Finding, InputError};
 use tpg_graph::{Graph, settings};
 
@@ -105,15 +105,6 @@ pub enum Problem {
     Pendulum(pendulum::Config),
     /// The car in a valley, by a force.
     MountainCarContinuous(mountain_car_continuous::Config),
-}
-
-/// Receives an environment whose type is only known at run time: see [`Problem::open`].
-pub trait Visitor<S: ArmScalar> {
-    /// The result.
-    type Output;
-
-    /// Works with the environment. Its actions are the problem's own: a box if it has outputs.
-    fn visit<E: Environment<S> + Send + 'static>(self, environment: E) -> Self::Output;
 }
 
 /// A file with a section `[problem]`; the other sections belong to other readers.
@@ -226,18 +217,23 @@ impl Problem {
         table
     }
 
-    /// Passes the problem's environment to `visitor`.
-    pub fn open<S: ArmScalar, V: Visitor<S>>(&self, visitor: V) -> V::Output {
+    /// Creates the problem's environment. Its actions are the problem's own: a box if it has outputs.
+    ///
+    /// ```
+    /// use tpg_problems::{Problem, ProblemName};
+    ///
+    /// let environment = Problem::usual(ProblemName::Cartpole).environment::<f32>();
+    /// assert_eq!(environment.time_limit(), 500);
+    /// ```
+    pub fn environment<S: ArmScalar>(&self) -> AnyEnvironment<S> {
         match self {
-            Self::Arm(start, config) => visitor.visit(config.environment::<S>(*start)),
-            Self::Cartpole(config) => visitor.visit(Varied::new(CartPole, config.physics, config.disturbance.clone())),
-            Self::Acrobot(config) => visitor.visit(Varied::new(Acrobot, config.physics, config.disturbance.clone())),
-            Self::MountainCar(config) => {
-                visitor.visit(Varied::new(MountainCar, config.physics, config.disturbance.clone()))
-            }
-            Self::Pendulum(config) => visitor.visit(Varied::new(Pendulum, config.physics, config.disturbance.clone())),
+            Self::Arm(start, config) => erase(config.environment::<S>(*start)),
+            Self::Cartpole(config) => erase(Varied::new(CartPole, config.physics, config.disturbance.clone())),
+            Self::Acrobot(config) => erase(Varied::new(Acrobot, config.physics, config.disturbance.clone())),
+            Self::MountainCar(config) => erase(Varied::new(MountainCar, config.physics, config.disturbance.clone())),
+            Self::Pendulum(config) => erase(Varied::new(Pendulum, config.physics, config.disturbance.clone())),
             Self::MountainCarContinuous(config) => {
-                visitor.visit(Varied::new(MountainCarContinuous, config.physics, config.disturbance.clone()))
+                erase(Varied::new(MountainCarContinuous, config.physics, config.disturbance.clone()))
             }
         }
     }

@@ -21,12 +21,11 @@ use crate::sac::weights::{LIMIT, to_tensors};
 use clap::Args;
 use std::path::{Path, PathBuf};
 use tpg_arm::sac::{Actions, Mask};
-use tpg_engine::Environment;
 use tpg_graph::error::InputError;
 use tpg_nn::Spread;
 use tpg_problems::arm::motors::{Config, Inputs};
 use tpg_problems::arm::targets::Start;
-use tpg_problems::{ContinuousProblem, ProblemName, Visitor};
+use tpg_problems::{ContinuousProblem, ProblemName};
 
 /// Turn an actor of Stable-Baselines3 or CleanRL into a policy.safetensors.
 #[derive(Clone, Debug, Args)]
@@ -74,7 +73,7 @@ pub fn import(args: &ImportArgs) -> Result<(), InputError> {
         Some(start) => of_the_arm(args, start)?,
         None => {
             let problem = ContinuousProblem::usual(args.problem);
-            let interface = problem.open(0, Plain(args.problem))?;
+            let interface = plain(&problem)?;
             (problem, interface)
         }
     };
@@ -107,15 +106,9 @@ fn of_the_arm(args: &ImportArgs, start: Start) -> Result<(ContinuousProblem, Int
     Ok((ContinuousProblem::Motors(start, motors), interface(inputs)))
 }
 
-/// The interface of a problem whose values go to the network as they are.
-struct Plain(ProblemName);
-
-impl Visitor<f32> for Plain {
-    type Output = Result<Interface, InputError>;
-
-    fn visit<E: Environment<f32>>(self, environment: E) -> Self::Output {
-        Interface::new(&environment, false).map_err(|finding| {
-            command_line(format!("--problem {}: {}", self.0.name(), finding.found), finding.accepted)
-        })
-    }
+/// Returns the interface of a problem whose values go to the network as they are.
+fn plain(problem: &ContinuousProblem) -> Result<Interface, InputError> {
+    Interface::new(&&*problem.environment(0), false).map_err(|finding| {
+        command_line(format!("--problem {}: {}", problem.name().name(), finding.found), finding.accepted)
+    })
 }

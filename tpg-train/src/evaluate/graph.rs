@@ -6,8 +6,8 @@ use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{Choices, Ending, EngineOptions, Environment, Lanes, Plan, Remembered, Remembering, bind};
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::{Graph, in_arithmetic_of};
+use tpg_problems::Problem;
 use tpg_problems::arm::ArmScalar;
-use tpg_problems::{Problem, Visitor};
 use tpg_runtime::ops::Maths;
 use tpg_runtime::scalar::Scalar;
 
@@ -119,19 +119,9 @@ struct Evaluation<'a> {
 
 impl Evaluation<'_> {
     fn run<S: ArmScalar, M: Maths<S>>(&self) -> Result<EvaluationReport, InputError> {
-        self.problem.open::<S, _>(In::<M>(self, std::marker::PhantomData))
-    }
-}
-
-/// An evaluation in the maths of `M`.
-struct In<'a, M>(&'a Evaluation<'a>, std::marker::PhantomData<M>);
-
-impl<S: ArmScalar, M: Maths<S>> Visitor<S> for In<'_, M> {
-    type Output = Result<EvaluationReport, InputError>;
-
-    fn visit<E: Environment<S>>(self, environment: E) -> Self::Output {
-        let Evaluation { problem, file, graph, episodes, seed } = *self.0;
-        let choices = Choices::new(environment, problem.levels_for(graph))
+        let Self { problem, file, graph, episodes, seed } = *self;
+        let environment = problem.environment::<S>();
+        let choices = Choices::new(&*environment, problem.levels_for(graph))
             .map_err(|error| InputError::new(file, Place::Whole, error.to_string(), "fewer problem.levels"))?;
         let remembering = Remembering::new(choices, Remembered::of(graph));
         on_environment::<S, M>(problem.name().name(), file, graph, &remembering, episodes, seed)

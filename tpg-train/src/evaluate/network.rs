@@ -4,9 +4,9 @@ use super::report::EvaluationReport;
 use crate::sac::network::Network;
 use std::time::Instant;
 use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{Ending, Environment, Measure};
+use tpg_engine::{Ending, Measure};
 use tpg_graph::error::InputError;
-use tpg_problems::{ContinuousProblem, Visitor};
+use tpg_problems::ContinuousProblem;
 
 /// The test episodes of a network.
 pub struct Tested {
@@ -29,25 +29,11 @@ pub fn test(
     episodes: usize,
     seed: u64,
 ) -> Result<Tested, InputError> {
-    problem.open(seed, Test { file, network, episodes, seed })
-}
-
-struct Test<'a> {
-    file: &'a str,
-    network: &'a Network,
-    episodes: usize,
-    seed: u64,
-}
-
-impl Visitor<f32> for Test<'_> {
-    type Output = Result<Tested, InputError>;
-
-    fn visit<E: Environment<f32>>(self, environment: E) -> Self::Output {
-        let draw = |index| environment.draw(&mut Stream::new(self.seed, 0, Purpose::Evaluation, index));
-        let tasks: Vec<_> = (0..self.episodes as u64).map(draw).collect();
-        let endings = self.network.endings(self.file, &environment, &tasks)?;
-        Ok(Tested { endings, outcomes: environment.outcomes(), measure: environment.measure() })
-    }
+    let environment = problem.environment(seed);
+    let draw = |index| environment.draw(&mut Stream::new(seed, 0, Purpose::Evaluation, index));
+    let tasks: Vec<_> = (0..episodes as u64).map(draw).collect();
+    let endings = network.endings(file, &&*environment, &tasks)?;
+    Ok(Tested { endings, outcomes: environment.outcomes(), measure: environment.measure() })
 }
 
 /// Evaluates a network on a problem: see [`test()`].

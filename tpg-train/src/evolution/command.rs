@@ -21,7 +21,7 @@ use tpg_graph::ScalarType;
 use tpg_graph::command::Verdict;
 use tpg_graph::error::InputError;
 use tpg_problems::arm::ArmScalar;
-use tpg_problems::{Problem, ProblemName, Visitor};
+use tpg_problems::{Problem, ProblemName};
 use tpg_runtime::ops::{Maths, Own};
 
 /// Seconds between checkpoints.
@@ -88,8 +88,8 @@ pub fn execute(args: &TpgArgs, place: &impl Workplace) -> Result<Verdict, RunErr
     let stop = interrupt::watch();
     let training = Training { args, config: &config, problem: &problem, stop: &stop, place };
     match config.language.scalar {
-        ScalarType::F32 => problem.open::<f32, _>(training),
-        ScalarType::F64 => problem.open::<f64, _>(training),
+        ScalarType::F32 => training.run::<f32>(),
+        ScalarType::F64 => training.run::<f64>(),
     }
 }
 
@@ -109,7 +109,7 @@ impl Configuration for EvolutionConfig {
     }
 }
 
-/// Training on an environment whose type only the registry knows.
+/// Training on a built-in problem.
 struct Training<'a, W> {
     args: &'a TpgArgs,
     config: &'a EvolutionConfig,
@@ -118,14 +118,13 @@ struct Training<'a, W> {
     place: &'a W,
 }
 
-impl<S: ArmScalar, W: Workplace> Visitor<S> for Training<'_, W>
-where
-    Own: Maths<S>,
-{
-    type Output = Result<Verdict, RunError>;
-
-    fn visit<E: Environment<S>>(self, environment: E) -> Self::Output {
-        let choices = Choices::new(environment, self.problem.levels())
+impl<W: Workplace> Training<'_, W> {
+    fn run<S: ArmScalar>(self) -> Result<Verdict, RunError>
+    where
+        Own: Maths<S>,
+    {
+        let environment = self.problem.environment::<S>();
+        let choices = Choices::new(&*environment, self.problem.levels())
             .map_err(|error| command_line(error.to_string(), "fewer problem.levels"))?;
         let memory = Remembered::usual(self.config.language.memory, &choices.sources());
         let environment = Remembering::new(choices, memory);
@@ -134,9 +133,7 @@ where
         let identity = format!("{}\n{}", env!("CARGO_PKG_VERSION"), self.config.to_toml());
         self.place.train(&identity, &local, |evaluator| self.restarts(&environment, evaluator))
     }
-}
 
-impl<W> Training<'_, W> {
     fn restarts<S: ArmScalar, E: Environment<S>>(
         &self,
         environment: &E,

@@ -7,8 +7,8 @@ use tpg_engine::{Choices, Environment, Measure, Preference};
 use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::in_arithmetic_of;
+use tpg_problems::Problem;
 use tpg_problems::arm::ArmScalar;
-use tpg_problems::{Problem, Visitor};
 use tpg_runtime::ops::{Maths, Own};
 use tpg_runtime::scalar::Scalar;
 
@@ -90,7 +90,7 @@ impl Shared for Problem {
     }
 
     fn facts(&self) -> Facts {
-        self.open::<f32, _>(FactsOf)
+        Facts::of(&&*self.environment::<f32>())
     }
 
     fn trial(&self, acting: Acting<'_>, episodes: Episodes) -> Result<HybridTrial, InputError> {
@@ -104,16 +104,6 @@ impl Shared for Problem {
     fn rises(&self, graph: &(String, Graph), episodes: Episodes) -> Result<Vec<f64>, InputError> {
         let rises = Rises { graph, episodes };
         in_arithmetic_of!(graph.1, rises.opened(self))
-    }
-}
-
-struct FactsOf;
-
-impl Visitor<f32> for FactsOf {
-    type Output = Facts;
-
-    fn visit<E: Environment<f32>>(self, environment: E) -> Facts {
-        Facts::of(&environment)
     }
 }
 
@@ -134,7 +124,11 @@ trait Job {
     where
         Self: Sized,
     {
-        problem.open::<S, _>(In::<M, _> { problem, job: self, maths: PhantomData })
+        let levels = self.graph().and_then(|graph| problem.levels_for(graph));
+        let environment = problem.environment::<S>();
+        let choices = Choices::new(&*environment, levels)
+            .map_err(|error| InputError::new("problem", Place::Whole, error.to_string(), "fewer problem.levels"))?;
+        self.run::<S, M, _>(&choices)
     }
 }
 
@@ -172,24 +166,6 @@ impl Job for Rises<'_> {
 
     fn run<S: Scalar, M: Maths<S>, E: Environment<S>>(self, choices: &Choices<S, E>) -> Result<Vec<f64>, InputError> {
         rises::<S, M, _>(choices, self.graph, &self.episodes.tasks(choices))
-    }
-}
-
-/// A job in the maths of `M`.
-struct In<'a, M, J> {
-    problem: &'a Problem,
-    job: J,
-    maths: PhantomData<M>,
-}
-
-impl<S: ArmScalar, M: Maths<S>, J: Job> Visitor<S> for In<'_, M, J> {
-    type Output = Result<J::Output, InputError>;
-
-    fn visit<E: Environment<S>>(self, environment: E) -> Self::Output {
-        let levels = self.job.graph().and_then(|graph| self.problem.levels_for(graph));
-        let choices = Choices::new(environment, levels)
-            .map_err(|error| InputError::new("problem", Place::Whole, error.to_string(), "fewer problem.levels"))?;
-        self.job.run::<S, M, _>(&choices)
     }
 }
 

@@ -1,5 +1,8 @@
 //! The order and the size of what is handed out to ranks.
 
+use std::collections::BTreeSet;
+use tpg_engine::Piece;
+
 /// Hands out jobs, the most expensive first, in shares that become smaller towards the end, so that ranks of any speed are
 /// done at about the same time.
 ///
@@ -56,6 +59,47 @@ impl Dealer {
         self.left.clear();
         self.cost = 0;
     }
+}
+
+/// Pieces for each thread: with fewer, threads wait at the end of a question; with more, rank 0 is busy with messages.
+const PIECES: usize = 8;
+
+/// Seconds that a piece should take at least: some hundred times as long as a message.
+const LEAST: f64 = 2e-3;
+
+/// Returns the number of pieces into which each unit's tasks are cut, so that there is something to do for all `threads` until
+/// the end of a question: several pieces for each of them, where there are not as many units, but none that is shorter than
+/// its message is worth. `seconds` is the time that one thread would take for all units, as far as it is known.
+///
+/// ```
+/// use tpg_train::ranks::dealer::parts;
+///
+/// assert_eq!(parts(1000, 4, None), 1, "units enough");
+/// assert_eq!(parts(10, 4, None), 4);
+/// assert_eq!(parts(10, 4, Some(1e-3)), 1, "not worth a message");
+/// ```
+pub fn parts(units: usize, threads: usize, seconds: Option<f64>) -> usize {
+    let units = units.max(1);
+    let wanted = (PIECES * threads).div_ceil(units);
+    // The cast of a float saturates, and that of NaN is 0.
+    let worth = seconds.map_or(usize::MAX, |seconds| (seconds / units as f64 / LEAST) as usize);
+    wanted.min(worth).max(1)
+}
+
+/// Returns the tasks that a rank needs for some pieces, in order; `None` for all of `tasks`, where that is less than twice as
+/// much: they can be kept for later shares.
+///
+/// ```
+/// use tpg_engine::Piece;
+/// use tpg_train::ranks::dealer::needed;
+///
+/// let piece = |unit, from| Piece { unit, tasks: from..from + 2 };
+/// assert_eq!(needed(&[&piece(0, 8), &piece(1, 2), &piece(1, 8)], 10), Some(vec![2, 3, 8, 9]));
+/// assert_eq!(needed(&[&piece(0, 0), &piece(0, 2), &piece(0, 4)], 10), None);
+/// ```
+pub fn needed(pieces: &[&Piece], tasks: usize) -> Option<Vec<usize>> {
+    let needed: BTreeSet<usize> = pieces.iter().flat_map(|piece| piece.tasks.clone()).collect();
+    (2 * needed.len() < tasks).then(|| needed.into_iter().collect())
 }
 
 #[cfg(test)]

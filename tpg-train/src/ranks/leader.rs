@@ -1,12 +1,14 @@
 //! The side of rank 0: it hands out and takes answers as they come.
 
-use super::dealer::Dealer;
+use super::dealer::{Dealer, needed, parts};
 use super::link::{Link, Patience};
 use super::message::{Order, PackedVisit, Reply, decode, encode, pack_tasks};
 use serde::Serialize;
 use std::cell::{Cell, RefCell};
+use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError, mpsc};
-use tpg_engine::{EvaluationError, Evaluator, UnitResult, Visit, Work};
+use std::time::Instant;
+use tpg_engine::{EvaluationError, Evaluator, Piece, UnitResult, Visit, Work, WorkUnit};
 
 /// Bytes and questions of a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -235,6 +237,22 @@ fn take<T>(
     share.into_iter().zip(results).try_for_each(|(job, result)| done(job, result))
 }
 
+/// Returns the units of some pieces, each once, and the pieces with the new indices of units, and of tasks where only some of
+/// these are sent.
+fn selected<Task>(work: &Work<Task>, share: &[&Piece], tasks: Option<&[usize]>) -> (Vec<WorkUnit>, Vec<Piece>) {
+    let (mut known, mut units) = (BTreeMap::new(), Vec::new());
+    let pieces = share.iter().map(|piece| {
+        let unit = *known.entry(piece.unit).or_insert_with(|| {
+            units.push(work.units[piece.unit].clone());
+            units.len() - 1
+        });
+        let from = tasks.map_or(piece.tasks.start, |tasks| tasks.partition_point(|&task| task < piece.tasks.start));
+        Piece { unit, tasks: from..from + piece.tasks.len() }
+    });
+    let pieces = pieces.collect();
+    (units, pieces)
+}
+
 /// The evaluator of a run on rank 0.
 pub(super) struct Leader<'l, L, V> {
     crew: &'l Crew<'l, L>,
@@ -245,13 +263,19 @@ pub(super) struct Leader<'l, L, V> {
     known: RefCell<Vec<u64>>,
     /// Steps of each worker.
     steps: RefCell<Vec<u64>>,
+    /// Seconds that a thread of this rank has lately taken for a unit of expected cost.
+    pace: Mutex<Option<f64>>,
 }
 
 impl<'l, L: Link, V> Leader<'l, L, V> {
     pub(super) fn new(crew: &'l Crew<'l, L>, local: &'l V) -> Self {
         let ranks = crew.threads.len();
         let (known, steps) = (RefCell::new(vec![0; ranks]), RefCell::new(vec![0; ranks]));
-        Self { crew, local, tasks: RefCell::new((Vec::new(), 0)), known, steps }
+        Self { crew, local, tasks: RefCell::new((Vec::new(), 0)), known, steps, pace: Mutex::new(None) }
+    }
+
+    fn pace(&self) -> Option<f64> {
+        *self.pace.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Does jobs on all ranks; the results are in the order of the jobs.
@@ -291,11 +315,26 @@ where
             }
             tasks.1
         };
-        let part = |jobs: &[usize]| jobs.iter().map(|&job| work.units[job].clone()).collect();
+        let cost = |piece: &Piece| (work.units[piece.unit].policy.size() * piece.tasks.len()) as u64;
+        let pieces = {
+            let whole = Piece::cut(work.units.len(), work.tasks.len(), 1);
+            let seconds = self.pace().map(|pace| pace * whole.iter().map(cost).sum::<u64>() as f64);
+            let threads = self.crew.threads.iter().sum();
+            Piece::cut(work.units.len(), work.tasks.len(), parts(work.units.len(), threads, seconds))
+        };
         let order = |rank: usize, jobs: &[usize]| {
-            let known = std::mem::replace(&mut self.known.borrow_mut()[rank], number);
-            let tasks = (known != number).then(|| self.tasks.borrow().0.clone());
-            encode(&Order::Evaluate { tasks, units: part(jobs) })
+            let share: Vec<&Piece> = jobs.iter().map(|&job| &pieces[job]).collect();
+            let known = &mut self.known.borrow_mut()[rank];
+            let wanted = if *known == number { None } else { needed(&share, work.tasks.len()) };
+            let tasks = match &wanted {
+                Some(wanted) => {
+                    *known = 0;
+                    Some(pack_tasks(&wanted.iter().map(|&task| &work.tasks[task]).collect::<Vec<_>>())?)
+                }
+                None => (std::mem::replace(known, number) != number).then(|| self.tasks.borrow().0.clone()),
+            };
+            let (units, pieces) = selected(work, &share, wanted.as_deref());
+            encode(&Order::Evaluate { tasks, units, pieces })
         };
         let read = |rank: usize, reply: Reply| match reply {
             Reply::Evaluated { endings, steps } => {
@@ -304,13 +343,21 @@ where
             }
             _ => Err(EvaluationError::new(format!("rank {rank}: another answer than endings"))),
         };
-        let local = self.local;
+        let (local, pace, threads) = (self.local, &self.pace, self.crew.threads[0]);
         let evaluate = |jobs: &[usize]| {
-            let results = local.evaluate(&Work { tasks: work.tasks.clone(), units: part(jobs) })?;
-            Ok(results.into_iter().map(|result| result.endings).collect())
+            let pieces: Vec<Piece> = jobs.iter().map(|&job| pieces[job].clone()).collect();
+            let began = Instant::now();
+            let endings = local.pieces(work, &pieces)?;
+            let busy = began.elapsed().as_secs_f64() * threads.min(pieces.len()) as f64;
+            let seconds = busy / pieces.iter().map(cost).sum::<u64>().max(1) as f64;
+            *pace.lock().unwrap_or_else(PoisonError::into_inner) = Some(seconds);
+            Ok(endings)
         };
-        let costs: Vec<u64> = work.units.iter().map(|unit| unit.policy.size() as u64).collect();
-        let endings = self.all(&costs, &order, &read, &evaluate)?;
+        let costs: Vec<u64> = pieces.iter().map(cost).collect();
+        let mut endings = vec![Vec::new(); work.units.len()];
+        for (piece, part) in pieces.iter().zip(self.all(&costs, &order, &read, &evaluate)?) {
+            endings[piece.unit].extend(part);
+        }
         Ok(work.units.iter().zip(endings).map(|(unit, endings)| UnitResult { key: unit.key, endings }).collect())
     }
 

@@ -3,13 +3,13 @@
 
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
-use tpg_engine::{Ending, EvaluationError, PolicyGraph, Visit, WorkUnit};
+use tpg_engine::{Ending, EvaluationError, Piece, PolicyGraph, Visit, WorkUnit};
 
 /// From rank 0 to a worker.
 #[derive(Serialize, Deserialize)]
 pub(super) enum Order {
-    /// Evaluate units on tasks in JSON; `None`: on those of the order before.
-    Evaluate { tasks: Option<Vec<u8>>, units: Vec<WorkUnit> },
+    /// Evaluate pieces of these units on tasks in JSON; `None`: on those of the order before.
+    Evaluate { tasks: Option<Vec<u8>>, units: Vec<WorkUnit>, pieces: Vec<Piece> },
     /// Record states.
     Visit(Vec<PackedVisit>),
     /// Compute the cells with these numbers.
@@ -43,7 +43,7 @@ impl PackedVisit {
 pub(super) enum Reply {
     /// The worker is ready; everything that must be equal on all ranks, and its number of threads.
     Ready { identity: String, threads: u64 },
-    /// Endings of each unit in order; the number of steps since the worker began.
+    /// Endings of each piece in order; the number of steps since the worker began.
     Evaluated { endings: Vec<Vec<Ending>>, steps: u64 },
     /// States of each visit in order.
     Visited(Vec<Vec<Vec<f64>>>),

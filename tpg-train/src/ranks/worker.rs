@@ -29,7 +29,7 @@ pub(super) struct Roots<'a, Task, V> {
     work: Work<Task>,
 }
 
-impl<'a, Task: DeserializeOwned, V: Evaluator<Task>> Roots<'a, Task, V> {
+impl<'a, Task: Clone + DeserializeOwned, V: Evaluator<Task>> Roots<'a, Task, V> {
     pub(super) fn new(local: &'a V) -> Self {
         Self { local, work: Work { tasks: Vec::new(), units: Vec::new() } }
     }
@@ -37,13 +37,12 @@ impl<'a, Task: DeserializeOwned, V: Evaluator<Task>> Roots<'a, Task, V> {
     /// Answers an order.
     pub(super) fn answer(&mut self, order: Order) -> Result<Reply, EvaluationError> {
         match order {
-            Order::Evaluate { tasks, units } => {
+            Order::Evaluate { tasks, units, pieces } => {
                 if let Some(tasks) = tasks {
                     self.work.tasks = unpack_tasks(&tasks)?;
                 }
                 self.work.units = units;
-                let results = self.local.evaluate(&self.work)?;
-                let endings = results.into_iter().map(|result| result.endings).collect();
+                let endings = self.local.pieces(&self.work, &pieces)?;
                 Ok(Reply::Evaluated { endings, steps: self.local.steps() })
             }
             Order::Visit(visits) => {

@@ -22,7 +22,7 @@ use tpg_graph::{Graph, in_arithmetic_of};
 use tpg_problems::arm::environment::{DISTANCE, OUTCOMES};
 use tpg_problems::arm::targets::{self, Set, Start, TOLERANCE};
 use tpg_problems::arm::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
-use tpg_problems::{ContinuousProblem, Problem, Visitor};
+use tpg_problems::{ContinuousProblem, Problem};
 use tpg_runtime::ops::Maths;
 
 /// Number of trajectories to keep: the first successful and the first failed episodes.
@@ -174,24 +174,13 @@ struct OnAProblem<'a> {
 
 impl OnAProblem<'_> {
     fn run<S: ArmScalar, M: Maths<S>>(&self) -> Result<Tested, InputError> {
-        self.problem.open::<S, _>(In::<M>(self, std::marker::PhantomData))
-    }
-}
-
-/// Runs the test with the maths of `M`.
-struct In<'a, M>(&'a OnAProblem<'a>, std::marker::PhantomData<M>);
-
-impl<S: ArmScalar, M: Maths<S>> Visitor<S> for In<'_, M> {
-    type Output = Result<Tested, InputError>;
-
-    fn visit<E: Environment<S>>(self, environment: E) -> Self::Output {
-        let OnAProblem { problem, file, graph, episodes, seed } = *self.0;
-        let measure = environment.measure();
-        let choices = Choices::new(environment, problem.levels_for(graph))
+        let Self { problem, file, graph, episodes, seed } = *self;
+        let environment = problem.environment::<S>();
+        let choices = Choices::new(&*environment, problem.levels_for(graph))
             .map_err(|error| InputError::new(file, Place::Whole, error.to_string(), "fewer problem.levels"))?;
         let remembering = Remembering::new(choices, Remembered::of(graph));
         let endings = endings::<S, M>(file, graph, &remembering, episodes, seed)?;
-        Ok(Tested { endings, measure, arm: None })
+        Ok(Tested { endings, measure: environment.measure(), arm: None })
     }
 }
 

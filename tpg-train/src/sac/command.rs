@@ -25,7 +25,7 @@ use std::time::{Duration, Instant};
 use tpg_engine::{Environment, Summary};
 use tpg_graph::command::Verdict;
 use tpg_graph::error::{Finding, InputError};
-use tpg_problems::{ContinuousProblem, ProblemName, Visitor};
+use tpg_problems::{ContinuousProblem, ProblemName};
 
 /// Seconds between checkpoints: those of a large replay buffer take a while.
 const CHECKPOINT_SECONDS: u64 = 120;
@@ -64,8 +64,8 @@ pub fn execute(args: &SacArgs) -> Result<Verdict, InputError> {
     }
     let name = preset.map_or_else(|| name_by_content(&config), str::to_owned);
     let stop = interrupt::watch();
-    let command = Command { args, name: &name, config, problem: problem.name(), stop: &stop };
-    problem.open(args.seed, command)
+    let command = Command { args, name: &name, config, problem: problem.name() };
+    Run::begin(command, &&*problem.environment(args.seed))?.finish(&stop)
 }
 
 impl Configuration for SacConfig {
@@ -91,22 +91,12 @@ fn name_by_content(config: &SacConfig) -> String {
     hash.iter().take(8).fold("SHA-256 ".to_owned(), |text, byte| format!("{text}{byte:02x}"))
 }
 
-/// A run on an environment whose type the registry knows.
+/// The request.
 struct Command<'a> {
     args: &'a SacArgs,
     name: &'a str,
     config: SacConfig,
     problem: ProblemName,
-    stop: &'a AtomicBool,
-}
-
-impl Visitor<f32> for Command<'_> {
-    type Output = Result<Verdict, InputError>;
-
-    fn visit<E: Environment<f32>>(self, environment: E) -> Self::Output {
-        let stop = self.stop;
-        Run::begin(self, &environment)?.finish(stop)
-    }
 }
 
 struct Run<'a, E: Environment<f32>> {
@@ -126,7 +116,7 @@ struct Run<'a, E: Environment<f32>> {
 
 impl<'a, E: Environment<f32>> Run<'a, E> {
     fn begin(command: Command<'a>, environment: &'a E) -> Result<Self, InputError> {
-        let Command { args, name, config, problem, .. } = command;
+        let Command { args, name, config, problem } = command;
         let (seed, folder) = (args.seed, args.run.folder(problem, args.seed));
         let refused = |finding: Finding| {
             command_line(format!("--problem {}: {}", problem.name(), finding.found), finding.accepted)

@@ -1,0 +1,260 @@
+//! Environments whose type is only known at run time: what works with them is compiled once for all problems.
+
+use crate::action::{Act, ActionSpace, Acts};
+use crate::ending::{End, Ending, Measure, Preference, Step};
+use crate::environment::Environment;
+use crate::episodes::Episodes;
+use crate::error::EvaluationError;
+use crate::random::Stream;
+use crate::source_set::SourceSet;
+use crate::view::View;
+use serde::de::{DeserializeOwned, Error as _};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde_json::value::RawValue;
+use std::any::Any;
+use std::fmt;
+use std::marker::PhantomData;
+use std::sync::{Arc, OnceLock};
+use tpg_graph::SourceDocument;
+use tpg_runtime::scalar::Scalar;
+
+/// An environment of any type. `&*environment` is an [`Environment`] like any other, with the same results.
+pub type AnyEnvironment<S> = Box<dyn Environment<S, Task = AnyTask, Episode = AnyEpisode> + Send>;
+
+/// Hides the type of an environment.
+///
+/// ```
+/// use tpg_engine::{Environment, erase};
+/// # use tpg_engine::random::{Purpose, Stream};
+/// # use tpg_engine::{Act, ActionSpace, SourceSet, Step};
+/// # use tpg_graph::SourceDocument;
+/// # struct Counter;
+/// # impl Environment<f32> for Counter {
+/// #     type Task = f32;
+/// #     type Episode = f32;
+/// #     fn sources(&self) -> Vec<SourceDocument> { Vec::new() }
+/// #     fn actions(&self) -> ActionSpace { ActionSpace::discrete(["down", "up"]) }
+/// #     fn time_limit(&self) -> u32 { 5 }
+/// #     fn draw(&self, _: &mut Stream) -> f32 { 0.5 }
+/// #     fn start(&self, task: &f32) -> f32 { *task }
+/// #     fn observe(&self, count: &mut f32, _: SourceSet, state: &mut [f32]) { state[0] = *count; }
+/// #     fn step(&self, count: &mut f32, act: Act<'_, f32>) -> Step { Step::reward(1.0) }
+/// # }
+///
+/// let environment = erase::<f32, _>(Counter);
+/// let task = environment.draw(&mut Stream::new(1, 0, Purpose::Task, 0));
+/// assert_eq!(serde_json::to_string(&task)?, "0.5", "a task looks as the problem's own in a file");
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+pub fn erase<S, E>(environment: E) -> AnyEnvironment<S>
+where
+    S: Scalar,
+    E: Environment<S> + Send + 'static,
+    E::Task: 'static,
+    E::Episode: 'static,
+{
+    Box::new(Typed(environment))
+}
+
+/// A task of an environment of any type. In JSON it looks as the problem's own.
+#[derive(Clone)]
+pub struct AnyTask(Arc<Forms>);
+
+/// A task's forms; at least one is there, the other is made when it is needed.
+#[derive(Default)]
+struct Forms {
+    typed: OnceLock<Box<dyn Object>>,
+    json: OnceLock<Box<RawValue>>,
+}
+
+/// A task that can be written.
+trait Object: Any + Send + Sync {
+    fn to_json(&self) -> Box<RawValue>;
+}
+
+impl<T: Serialize + Send + Sync + 'static> Object for T {
+    fn to_json(&self) -> Box<RawValue> {
+        serde_json::value::to_raw_value(self).expect("a task is plain data")
+    }
+}
+
+impl AnyTask {
+    fn new<T: Serialize + Send + Sync + 'static>(task: T) -> Self {
+        Self(Arc::new(Forms { typed: OnceLock::from(Box::new(task) as Box<dyn Object>), json: OnceLock::new() }))
+    }
+
+    fn json(&self) -> &RawValue {
+        let Forms { typed, json } = &*self.0;
+        json.get_or_init(|| typed.get().expect("one of the forms").to_json())
+    }
+
+    /// Returns the task in the problem's own type; `None` if it was read from a file and is none.
+    fn typed<T: Serialize + DeserializeOwned + Send + Sync + 'static>(&self) -> Option<&T> {
+        let Forms { typed, json } = &*self.0;
+        if typed.get().is_none() {
+            let task: T = serde_json::from_str(json.get()?.get()).ok()?;
+            // Another thread may have been faster; its task is the same.
+            let _ = typed.set(Box::new(task));
+        }
+        (&**typed.get()? as &dyn Any).downcast_ref()
+    }
+}
+
+impl fmt::Debug for AnyTask {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.json().get())
+    }
+}
+
+impl PartialEq for AnyTask {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0) || self.json().get() == other.json().get()
+    }
+}
+
+impl Serialize for AnyTask {
+    fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
+        self.json().serialize(serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for AnyTask {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let json = Box::<RawValue>::deserialize(deserializer).map_err(D::Error::custom)?;
+        Ok(Self(Arc::new(Forms { typed: OnceLock::new(), json: OnceLock::from(json) })))
+    }
+}
+
+/// A running episode of an environment of any type.
+pub struct AnyEpisode(Box<dyn Any + Send>);
+
+impl fmt::Debug for AnyEpisode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("AnyEpisode")
+    }
+}
+
+impl AnyEpisode {
+    fn typed<T: 'static>(&self) -> &T {
+        self.0.downcast_ref().expect("an episode of this environment")
+    }
+
+    fn typed_mut<T: 'static>(&mut self) -> &mut T {
+        self.0.downcast_mut().expect("an episode of this environment")
+    }
+}
+
+/// An environment with its type, which nobody sees.
+struct Typed<E>(E);
+
+impl<S: Scalar, E: Environment<S>> Environment<S> for Typed<E>
+where
+    E::Task: 'static,
+    E::Episode: 'static,
+{
+    type Task = AnyTask;
+    type Episode = AnyEpisode;
+
+    fn sources(&self) -> Vec<SourceDocument> {
+        self.0.sources()
+    }
+    fn actions(&self) -> ActionSpace {
+        self.0.actions()
+    }
+    fn time_limit(&self) -> u32 {
+        self.0.time_limit()
+    }
+    fn draw(&self, stream: &mut Stream) -> AnyTask {
+        AnyTask::new(self.0.draw(stream))
+    }
+    fn start(&self, task: &AnyTask) -> AnyEpisode {
+        AnyEpisode(Box::new(self.0.start(task.typed().expect(ACCEPTED))))
+    }
+    fn observe(&self, episode: &mut AnyEpisode, wanted: SourceSet, state: &mut [S]) {
+        self.0.observe(episode.typed_mut(), wanted, state);
+    }
+    fn step(&self, episode: &mut AnyEpisode, act: Act<'_, S>) -> Step {
+        self.0.step(episode.typed_mut(), act)
+    }
+    fn outcomes(&self) -> &'static [&'static str] {
+        self.0.outcomes()
+    }
+    fn timeout(&self, episode: &AnyEpisode) -> End {
+        self.0.timeout(episode.typed())
+    }
+    fn measure(&self) -> Option<Measure> {
+        self.0.measure()
+    }
+    fn preference(&self) -> Preference {
+        self.0.preference()
+    }
+    fn rougher(&self, task: AnyTask, factor: u8) -> AnyTask {
+        AnyTask::new(self.0.rougher(task.typed::<E::Task>().expect(ACCEPTED).clone(), factor))
+    }
+    fn validation_tasks(&self, count: usize) -> Vec<AnyTask> {
+        self.0.validation_tasks(count).into_iter().map(AnyTask::new).collect()
+    }
+    fn trial_tasks(&self, stream: &mut Stream, count: usize) -> Vec<AnyTask> {
+        self.0.trial_tasks(stream, count).into_iter().map(AnyTask::new).collect()
+    }
+    fn task_from(&self, episode: &AnyEpisode) -> Option<AnyTask> {
+        self.0.task_from(episode.typed()).map(AnyTask::new)
+    }
+    fn constants(&self) -> Vec<u16> {
+        self.0.constants()
+    }
+    fn memory(&self) -> usize {
+        self.0.memory()
+    }
+    fn bid_bounds(&self) -> Option<usize> {
+        self.0.bid_bounds()
+    }
+    fn accepts(&self, task: &AnyTask) -> bool {
+        task.typed().is_some_and(|task| self.0.accepts(task))
+    }
+    fn lanes(&self) -> Box<dyn Episodes<S, AnyTask> + '_> {
+        Box::new(TypedEpisodes { episodes: self.0.lanes(), task: PhantomData })
+    }
+    fn key(&self, episode: &AnyEpisode) -> Option<u64> {
+        self.0.key(episode.typed())
+    }
+    fn cycle(&self, episode: &AnyEpisode, key: u64, actions: u32) -> Option<Ending> {
+        self.0.cycle(episode.typed(), key, actions)
+    }
+    fn distance(&self, episode: &AnyEpisode) -> Option<f64> {
+        self.0.distance(episode.typed())
+    }
+}
+
+/// Tasks that were read from a file have been [accepted](Environment::accepts).
+const ACCEPTED: &str = "a task that the environment accepts";
+
+/// Parallel episodes of an environment whose type nobody sees.
+struct TypedEpisodes<'e, S, Task> {
+    episodes: Box<dyn Episodes<S, Task> + 'e>,
+    task: PhantomData<Task>,
+}
+
+impl<S, Task> Episodes<S, AnyTask> for TypedEpisodes<'_, S, Task>
+where
+    Task: Serialize + DeserializeOwned + Send + Sync + 'static,
+{
+    fn begin(&mut self, lane: usize, task: &AnyTask) -> Result<(), EvaluationError> {
+        self.episodes.begin(lane, task.typed().expect(ACCEPTED))
+    }
+    fn step(&mut self, acts: Acts<'_, S>, ended: &mut Vec<(usize, Ending)>) -> Result<(), EvaluationError> {
+        self.episodes.step(acts, ended)
+    }
+    fn keys(&self) -> &[u64] {
+        self.episodes.keys()
+    }
+    fn cycle(&self, lane: usize, key: u64, actions: u32) -> Option<Ending> {
+        self.episodes.cycle(lane, key, actions)
+    }
+    fn observe(&mut self, wanted: SourceSet, view: &mut View<'_, S>) -> Result<(), EvaluationError> {
+        self.episodes.observe(wanted, view)
+    }
+    fn close_up(&mut self, lane: usize) {
+        self.episodes.close_up(lane);
+    }
+}
