@@ -130,9 +130,9 @@ mod tests {
             ],
             ..Module::empty(&graph)
         };
-        // Twins are taken from the ends of the graph: the first of them that is done stays.
+        // Successors come first, otherwise edges in their order: the twin that is reached first stays.
         let removed = run(&mut module);
-        let twin = TwinTeam { team: 102, same_as: 103 };
+        let twin = TwinTeam { team: 103, same_as: 102 };
         assert_eq!(removed, Removed { bypassed: vec![101], merged: vec![twin], unreachable: Vec::new() });
         assert_eq!(module.teams.len(), 2);
         assert_eq!(module.depth, 2);
