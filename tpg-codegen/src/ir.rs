@@ -319,13 +319,39 @@ fn breadth_first(graph: &Graph) -> Vec<TeamId> {
     order
 }
 
-/// The teams in topological order; the teams of a branch stay together.
+/// The teams that an edge at a place leads to, as [`depth_first`] asks for them.
+fn target(teams: &[Team], team: usize, place: usize) -> Option<Option<usize>> {
+    let target = |edge: &Edge| if let Target::Team(to) = edge.to { Some(to) } else { None };
+    teams[team].edges.get(place).map(target)
+}
+
+/// The teams in reverse topological order: successors first, otherwise as edges lead to them.
+pub(crate) fn ends_first(teams: &[Team]) -> Vec<usize> {
+    let order = depth_first(teams.len(), 0..teams.len(), |team, place| target(teams, team, place));
+    order.expect("a graph without cycles").into_iter().rev().collect()
+}
+
+/// The teams, all reachable from the first, in the topological order in which their code stands. Of the teams whose predecessors
+/// are all there, the one reached last comes next: a team stands close behind its last predecessor, which a
+/// [depth-first order](depth_first) does not grant.
 pub(crate) fn topological(teams: &[Team]) -> Vec<usize> {
-    let edge = |team: usize, place: usize| {
-        let target = |edge: &Edge| if let Target::Team(to) = edge.to { Some(to) } else { None };
-        teams[team].edges.get(place).map(target)
-    };
-    depth_first(teams.len(), 0..teams.len(), edge).expect("a graph without cycles")
+    let targets = |team: usize| (0..).map_while(move |place| target(teams, team, place)).flatten();
+    let mut entering = vec![0_usize; teams.len()];
+    for to in (0..teams.len()).flat_map(targets) {
+        entering[to] += 1;
+    }
+    let mut order = Vec::with_capacity(teams.len());
+    let mut ready = vec![0];
+    while let Some(team) = ready.pop() {
+        order.push(team);
+        for to in targets(team) {
+            entering[to] -= 1;
+            if entering[to] == 0 {
+                ready.push(to);
+            }
+        }
+    }
+    order
 }
 
 /// Number of teams on the longest walk from the first.

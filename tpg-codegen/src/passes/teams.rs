@@ -5,7 +5,7 @@
 //! first.
 
 use super::TwinTeam;
-use crate::ir::{Module, NodeId, Target, longest_walk, topological};
+use crate::ir::{Module, NodeId, Target, ends_first, longest_walk};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The removed teams.
@@ -32,7 +32,7 @@ pub(super) fn run(module: &mut Module<'_>) -> Removed {
     let mut removed = Removed::default();
     let mut place: Vec<Target> = (0..before.len()).map(Target::Team).collect();
     let mut known: BTreeMap<Vec<(NodeId, Target)>, usize> = BTreeMap::new();
-    for index in topological(&module.teams).into_iter().rev() {
+    for index in ends_first(&module.teams) {
         let team = &mut module.teams[index];
         for edge in &mut team.edges {
             if let Target::Team(to) = edge.to {
