@@ -11,6 +11,7 @@
 //! | [`expected`] | the host's trajectories |
 //! | [`record`] | how an episode is written down, here and in the firmware |
 //! | [`scenarios`], [`faults`], [`table`] | the table of sensor faults: the table, its run in Rust, its comparison |
+//! | [`mod@cores`] | the shipped policies and the hybrid on every core |
 //! | [`costs`] | instructions beside `costs.toml` |
 //! | [`symbols`] | what must not be in an image |
 //! | [`mod@worst`], [`facts`] | the static worst case of a decision, and what it rests on |
@@ -19,6 +20,7 @@
 
 mod build;
 mod continuous;
+mod cores;
 mod costs;
 mod emulate;
 mod expected;
@@ -76,6 +78,12 @@ enum Check {
         #[arg(long)]
         update: bool,
     },
+    /// Generated C and Rust and the hybrid on every core: as on the host, flash and instructions as in cores.toml
+    Cores {
+        /// Write cores.toml and docs/cores.md instead of comparing with them
+        #[arg(long)]
+        update: bool,
+    },
     /// Flash and RAM of the control loop
     Size,
     /// clang-tidy, and cppcheck with its MISRA addon, on the firmwares' and the example's C
@@ -87,6 +95,7 @@ enum Check {
 fn main() -> ExitCode {
     let result = match Cli::parse().command {
         Check::Qemu { update } => qemu(update),
+        Check::Cores { update } => cores::check(update),
         Check::Size => size::check(),
         Check::Lint => lint::sees_what_is_bad().and_then(|()| lint::check()),
         Check::Worst => worst(),

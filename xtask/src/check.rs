@@ -1,7 +1,6 @@
 //! Runs the checks one after another; a failure does not stop the following ones.
 
 use crate::python::{self, PythonArgs};
-use crate::setup::TARGETS;
 use crate::summary::{Count, Summary};
 use std::io::{BufRead as _, BufReader};
 use std::path::{Path, PathBuf};
@@ -10,6 +9,8 @@ use std::{env, fs, io};
 
 /// The workspace without the crate that needs a Python interpreter: `python.rs` builds, lints and tests it.
 const WORKSPACE: [&str; 3] = ["--workspace", "--exclude", "tpg-python"];
+/// Bare-metal targets that the runtime without its features is built for.
+const NO_STD: [&str; 3] = ["thumbv7em-none-eabihf", "thumbv7em-none-eabi", "thumbv6m-none-eabi"];
 /// Leaves out the crate that needs an MPI with its compiler.
 const WITHOUT_MPI: [&str; 2] = ["--exclude", "tpg-mpi"];
 
@@ -30,10 +31,11 @@ pub(crate) fn all() -> bool {
     run.check("documentation", documentation);
     run.supply_chain();
     run.book();
-    for target in TARGETS {
+    for target in NO_STD {
         run.no_std(target);
     }
     run.firmware(&["qemu"]);
+    run.firmware(&["cores"]);
     run.firmware(&["size"]);
     run.firmware(&["lint"]);
     python::check(&mut run, PythonArgs::default());

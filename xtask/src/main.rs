@@ -45,6 +45,12 @@ enum Task {
         #[arg(long)]
         update: bool,
     },
+    /// Generated C and Rust and the hybrid on every core under QEMU: as on the host, figures as in cores.toml
+    Cores {
+        /// Write cores.toml and docs/cores.md instead of comparing with them
+        #[arg(long)]
+        update: bool,
+    },
     /// Flash and RAM of the control loop on an STM32F405
     Size,
     /// Only the lint of C, generated and the firmwares' own: gcc, clang, clang-tidy, cppcheck with its MISRA addon, Frama-C
@@ -83,6 +89,7 @@ fn main() -> ExitCode {
         Task::Check => check::all(),
         Task::Library { target, out } => library(target, out),
         Task::Qemu { update } => check::harness(if update { &["qemu", "--update"] } else { &["qemu"] }),
+        Task::Cores { update } => check::harness(if update { &["cores", "--update"] } else { &["cores"] }),
         Task::Size => check::harness(&["size"]),
         Task::Lint => check::lint(),
         Task::Compilers { graphs } => check::compilers(graphs),
