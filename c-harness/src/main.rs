@@ -81,8 +81,11 @@ enum Check {
     /// Generated C and Rust and the hybrid on every core: as on the host, flash and instructions as in cores.toml
     Cores {
         /// Write cores.toml and docs/cores.md instead of comparing with them
-        #[arg(long)]
+        #[arg(long, conflicts_with = "only")]
         update: bool,
+        /// Only cores and boards with this in their name
+        #[arg(long, value_name = "TEXT", default_value = "", hide_default_value = true)]
+        only: String,
     },
     /// Flash and RAM of the control loop
     Size,
@@ -95,7 +98,7 @@ enum Check {
 fn main() -> ExitCode {
     let result = match Cli::parse().command {
         Check::Qemu { update } => qemu(update),
-        Check::Cores { update } => cores::check(update),
+        Check::Cores { update, only } => cores::check(update, &only),
         Check::Size => size::check(),
         Check::Lint => lint::sees_what_is_bad().and_then(|()| lint::check()),
         Check::Worst => worst(),

@@ -50,6 +50,9 @@ enum Task {
         /// Write cores.toml and docs/cores.md instead of comparing with them
         #[arg(long)]
         update: bool,
+        /// Only cores and boards with this in their name, for example AVR or mps2
+        #[arg(long, value_name = "TEXT")]
+        only: Option<String>,
     },
     /// Flash and RAM of the control loop on an STM32F405
     Size,
@@ -89,7 +92,11 @@ fn main() -> ExitCode {
         Task::Check => check::all(),
         Task::Library { target, out } => library(target, out),
         Task::Qemu { update } => check::harness(if update { &["qemu", "--update"] } else { &["qemu"] }),
-        Task::Cores { update } => check::harness(if update { &["cores", "--update"] } else { &["cores"] }),
+        Task::Cores { update, only } => {
+            let only = only.as_deref().map(|only| ["--only", only]);
+            let update = update.then_some("--update");
+            check::harness(&["cores"].into_iter().chain(update).chain(only.into_iter().flatten()).collect::<Vec<_>>())
+        }
         Task::Size => check::harness(&["size"]),
         Task::Lint => check::lint(),
         Task::Compilers { graphs } => check::compilers(graphs),

@@ -24,13 +24,38 @@ static uint32_t drawn(uint32_t *bits)
     return *bits;
 }
 
+#if defined(__AVR__)
+
+/* Any bits but tiny numbers and huge ones: avr-libc rounds a quotient that is denormal to a neighbour. Zeros, infinities and
+ * NaN stay. */
+static uint32_t tamed(uint32_t bits)
+{
+    const uint32_t exponent = (bits >> 23) & 255U;
+
+    if (exponent == 0U) {
+        return bits & 0x80000000U;
+    }
+    return (exponent == 255U) ? bits : ((bits & 0x807fffffU) | ((96U + (exponent & 63U)) << 23));
+}
+
+#else
+
+static uint32_t tamed(uint32_t bits)
+{
+    return bits;
+}
+
+#endif
+
 static void draw(const policy_t *policy, uint32_t index, uint32_t *random, float *state)
 {
     for (uint8_t input = 0U; input < policy->inputs; input++) {
         const uint32_t bits = drawn(random);
 
         if ((index % 3U) == 0U) {
-            memcpy(&state[input], &bits, sizeof bits);
+            const uint32_t any = tamed(bits);
+
+            memcpy(&state[input], &any, sizeof any);
         } else {
             const float way = (float)(bits >> 8) * policy->step[input];
 

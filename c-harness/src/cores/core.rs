@@ -1,5 +1,6 @@
 //! The cores: what compiles for each, and what runs it.
 
+use super::shipped::Bits;
 use std::path::Path;
 use std::process::Command;
 
@@ -16,6 +17,8 @@ pub(super) struct Core {
     pub(super) flags: &'static [&'static str],
     /// The Rust target that its C links with, if any.
     pub(super) target: Option<&'static str>,
+    /// Images that the policies in C are spread over: its flash does not hold all at once.
+    pub(super) images: usize,
     /// True where figures are kept; another board of the same core only shows that it acts the same.
     pub(super) figures: bool,
 }
@@ -61,6 +64,7 @@ pub(super) const CORES: [Core; 15] = [
         runner: Runner::Arm(memories((0, "256K"), (0x2000_0000, "16K")), 16_384),
         flags: &["-mcpu=cortex-m0", "-mthumb", "-mfloat-abi=soft"],
         target: Some("thumbv6m-none-eabi"),
+        images: 1,
         figures: true,
     },
     Core {
@@ -69,6 +73,7 @@ pub(super) const CORES: [Core; 15] = [
         runner: Runner::Arm(MPS2, 25_600),
         flags: &["-mcpu=cortex-m3", "-mthumb", "-mfloat-abi=soft"],
         target: Some("thumbv7m-none-eabi"),
+        images: 1,
         figures: true,
     },
     Core {
@@ -77,6 +82,7 @@ pub(super) const CORES: [Core; 15] = [
         runner: Runner::Arm(MPS2, 25_600),
         flags: &["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"],
         target: Some("thumbv7em-none-eabihf"),
+        images: 1,
         figures: true,
     },
     Core {
@@ -85,6 +91,7 @@ pub(super) const CORES: [Core; 15] = [
         runner: Runner::Arm(MPS2, 25_600),
         flags: &["-mcpu=cortex-m7", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv5-sp-d16"],
         target: Some("thumbv7em-none-eabihf"),
+        images: 1,
         figures: true,
     },
     Core {
@@ -93,6 +100,7 @@ pub(super) const CORES: [Core; 15] = [
         runner: Runner::Arm(memories((0x1000_0000, "4M"), (0x3800_0000, "4M")), 20_480),
         flags: &["-mcpu=cortex-m33", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv5-sp-d16"],
         target: Some("thumbv8m.main-none-eabihf"),
+        images: 1,
         figures: true,
     },
     Core {
@@ -101,6 +109,7 @@ pub(super) const CORES: [Core; 15] = [
         runner: Runner::Arm(memories((0, "512K"), (0x2000_0000, "512K")), 32_768),
         flags: &["-mcpu=cortex-m55", "-mthumb", "-mfloat-abi=hard", "-mfpu=auto"],
         target: Some("thumbv8m.main-none-eabihf"),
+        images: 1,
         figures: true,
     },
     Core {
@@ -109,6 +118,7 @@ pub(super) const CORES: [Core; 15] = [
         runner: Runner::RiscV(VIRT),
         flags: &["-march=rv32imac", "-mabi=ilp32", "-mcmodel=medany"],
         target: Some("riscv32imac-unknown-none-elf"),
+        images: 1,
         figures: true,
     },
     Core {
@@ -117,6 +127,7 @@ pub(super) const CORES: [Core; 15] = [
         runner: Runner::RiscV(memories((0x2040_0000, "4M"), (0x8000_0000, "16K"))),
         flags: &["-march=rv32imac", "-mabi=ilp32", "-mcmodel=medany"],
         target: Some("riscv32imac-unknown-none-elf"),
+        images: 1,
         figures: false,
     },
     Core {
@@ -125,6 +136,7 @@ pub(super) const CORES: [Core; 15] = [
         runner: Runner::RiscV(VIRT),
         flags: &["-march=rv32imafc", "-mabi=ilp32f", "-mcmodel=medany"],
         target: Some("riscv32imafc-unknown-none-elf"),
+        images: 1,
         figures: true,
     },
     Core {
@@ -133,6 +145,7 @@ pub(super) const CORES: [Core; 15] = [
         runner: Runner::Avr,
         flags: &["-mmcu=atmega328p", "-DF_CPU=16000000UL"],
         target: None,
+        images: 2,
         figures: true,
     },
     Core {
@@ -141,6 +154,7 @@ pub(super) const CORES: [Core; 15] = [
         runner: Runner::Avr,
         flags: &["-mmcu=atmega2560", "-DF_CPU=16000000UL"],
         target: None,
+        images: 1,
         figures: true,
     },
     Core {
@@ -149,15 +163,25 @@ pub(super) const CORES: [Core; 15] = [
         runner: Runner::Wasm,
         flags: &["--target=wasm32-wasi"],
         target: Some("wasm32-unknown-unknown"),
+        images: 1,
         figures: false,
     },
-    Core { name: "x86-64", machine: "this machine", runner: Runner::Host, flags: &[], target: None, figures: false },
+    Core {
+        name: "x86-64",
+        machine: "this machine",
+        runner: Runner::Host,
+        flags: &[],
+        target: None,
+        images: 1,
+        figures: false,
+    },
     Core {
         name: "x86-64 with fused multiply-add",
         machine: "this machine",
         runner: Runner::Host,
         flags: &["-mfma"],
         target: None,
+        images: 1,
         figures: false,
     },
     Core {
@@ -166,6 +190,7 @@ pub(super) const CORES: [Core; 15] = [
         runner: Runner::User,
         flags: &["-static"],
         target: None,
+        images: 1,
         figures: false,
     },
 ];
@@ -226,49 +251,42 @@ impl Core {
         }
     }
 
+    /// What a third of its states are made of.
+    pub(super) fn bits(&self) -> Bits {
+        if matches!(self.runner, Runner::Avr) { Bits::NeitherTinyNorHuge } else { Bits::Any }
+    }
+
     /// True where instructions are counted.
     pub(super) fn counts(&self) -> bool {
-        matches!(self.runner, Runner::Arm(..) | Runner::RiscV(_) | Runner::Avr)
+        matches!(self.runner, Runner::Arm(..) | Runner::RiscV(_))
     }
 
     /// The command that runs an image; its last line is `done`.
     pub(super) fn run(&self, image: &Path, wasi: &Path) -> Command {
         let (program, _) = self.emulator().unwrap_or_default();
-        let system = |shift: &str| {
-            let mut command = Command::new(program);
-            command.args(["-machine", self.machine, "-nographic", "-monitor", "none"]);
-            command.args(["-icount", &format!("shift={shift},align=off,sleep=off")]);
-            command
-        };
+        let mut command = Command::new(if program.is_empty() { image.as_os_str() } else { program.as_ref() });
+        let system = ["-machine", self.machine, "-nographic", "-monitor", "none"];
         let semihosting = ["-serial", "none", "-semihosting-config", "enable=on,target=native", "-kernel"];
         match self.runner {
             Runner::Arm(..) => {
-                let mut command = system("10");
-                command.args(semihosting).arg(image);
-                command
+                command.args(system).args(["-icount", "shift=10,align=off,sleep=off"]).args(semihosting).arg(image);
             }
             Runner::RiscV(_) => {
-                let mut command = system("0");
-                command.args(["-bios", "none"]).args(semihosting).arg(image);
-                command
+                command.args(system).args(["-icount", "shift=0,align=off,sleep=off", "-bios", "none"]);
+                command.args(semihosting).arg(image);
             }
             Runner::Avr => {
-                let mut command = system("6");
-                command.args(["-serial", "stdio", "-bios"]).arg(image);
-                command
+                command.args(system).args(["-serial", "stdio", "-bios"]).arg(image);
             }
             Runner::Wasm => {
-                let mut command = Command::new(program);
                 command.arg("--no-warnings").arg(wasi).arg(image);
-                command
             }
-            Runner::Host => Command::new(image),
             Runner::User => {
-                let mut command = Command::new(program);
                 command.arg(image);
-                command
             }
+            Runner::Host => {}
         }
+        command
     }
 }
 

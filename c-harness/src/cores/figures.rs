@@ -2,7 +2,7 @@
 
 use super::core::{CORES, Core};
 use super::images::EPISODES;
-use super::shipped::STATES;
+use super::shipped::{Bits, STATES};
 use crate::Failure;
 use crate::build;
 use crate::costs::Cost;
@@ -181,26 +181,32 @@ impl std::fmt::Display for Figures {
             };
             costs.iter().map(|(name, one)| (name.clone(), cell(one))).collect()
         };
-        let machines: Vec<String> = CORES.iter().map(Core::title).collect();
-        let rust: Vec<String> = CORES.iter().filter(|core| core.target.is_some()).map(Core::title).collect();
-        let has_library = |core: &&Core| core.target.is_some_and(|target| library::TARGETS.contains(&target));
-        let hybrids: Vec<String> = CORES.iter().filter(has_library).map(Core::title).collect();
         writeln!(
             f,
             "# Cores\n\n\
              `cargo xtask cores` runs what is generated on every core that QEMU has, and compares it with the interpreter on the\n\
              host, bit for bit. This page is made by `cargo xtask cores --update`; `cargo xtask check` compares it.\n\n\
              ## What acts the same\n\n\
-             - The C of each shipped policy, profile `fast`, and of one with memory, on {STATES} states: a third of them are any\n  \
-             bits (NaN, infinities, denormals), the others lie in the declared ranges. As a user's project would: GNU C, `-Os`, no\n  \
-             word about contraction. On {}.\n\
-             - The generated Rust, profile `constant-time`, on the same states, on {}.\n\
-             - `libtpg_runtime.a`: every motor position of {} episodes of the shipped hybrids, and of four of their parts alone,\n  \
-             on {}.\n",
-            machines.join(", "),
-            rust.join(", "),
+             - C: each shipped policy, profile `fast`, and one with memory, on {STATES} states. A third of them are any bits (NaN,\n  \
+             infinities, denormals), the others lie in the declared ranges. As in a user's project: GNU C, `-Os`, no word about\n  \
+             contraction.\n\
+             - Rust: profile `constant-time`, on the same states.\n\
+             - Library: every motor position of {} episodes of the shipped hybrids, and of four of their parts alone, with\n  \
+             `libtpg_runtime.a`.\n\n\
+             | core | runs on | C | Rust | library |\n| --- | --- | --- | --- | --- |",
             2 * EPISODES,
-            hybrids.join(", "),
+        )?;
+        let yes = |yes: bool| if yes { "yes" } else { "" };
+        for core in &CORES {
+            let of_c = if core.bits() == Bits::Any { "yes" } else { "yes, but for denormals" };
+            let library = core.target.is_some_and(|target| library::TARGETS.contains(&target));
+            let rust = yes(core.target.is_some());
+            writeln!(f, "| {} | {} | {of_c} | {rust} | {} |", core.name, core.machine, yes(library))?;
+        }
+        writeln!(
+            f,
+            "\nOn an AVR the any bits are those of zeros, infinities, NaN and magnitudes from 2⁻³¹ to 2³²: avr-libc, with gcc 5.4, rounds a\n\
+             quotient that is denormal to a neighbour, so that a policy can differ there in the last bit of such a number.\n"
         )?;
         writeln!(
             f,
@@ -210,8 +216,8 @@ impl std::fmt::Display for Figures {
         )?;
         writeln!(
             f,
-            "## Instructions of the C\n\nMean · worst of {STATES} states, counted by QEMU with `-icount`: exact on Arm and RISC-V, by a timer of 64 ns on \
-             AVR,\nwhich is right to one instruction. An instruction is not a cycle.\n\n{}",
+            "## Instructions of the C\n\nMean · worst of {STATES} states, counted by QEMU with `-icount`: exact. Its AVR boards and users' programs have no \
+             such counter.\nAn instruction is not a cycle.\n\n{}",
             self.table(|of| cost(&of.c))
         )?;
         writeln!(

@@ -87,10 +87,15 @@ impl Place {
         if matches!(core.runner, Runner::Wasm) { Ok(Vec::new()) } else { shipped.iter().map(flash).collect() }
     }
 
-    /// The image of the policies in C, compiled before.
-    pub(super) fn in_c(&self, core: &Core, shipped: &[Shipped]) -> Result<PathBuf, Failure> {
-        let objects = shipped.iter().map(|one| OsString::from(format!("{}.o", one.prefix)));
-        self.link(core, "states-c", &["policies.c"], objects.collect())
+    /// The images of the policies in C, compiled before.
+    pub(super) fn in_c(&self, core: &Core, shipped: &[Shipped]) -> Result<Vec<PathBuf>, Failure> {
+        let image = |image: usize| {
+            let policies = (image..shipped.len()).step_by(core.images);
+            let chosen = policies.clone().fold(0, |chosen, index| chosen | 1 << index);
+            let objects = policies.map(|index| OsString::from(format!("{}.o", shipped[index].prefix))).collect();
+            self.link(core, &format!("states-c-{image}"), "policies.c", chosen, objects)
+        };
+        (0..core.images).map(image).collect()
     }
 
     /// The image of the policies in Rust; `None` where there is no such target, or it is not installed.
@@ -103,14 +108,22 @@ impl Place {
         cargo.current_dir(library::top()).args(["build", "--quiet", "--package", "tpg-cores", "--lib"]);
         run(cargo.args(["--profile", "firmware", "--target", target]))?;
         let archive = library::target_folder().join(target).join("firmware/libtpg_cores.a");
-        self.link(core, "states-rust", &["policies_rust.c"], vec![archive.into()]).map(Some)
+        self.link(core, "states-rust", "policies_rust.c", u32::MAX, vec![archive.into()]).map(Some)
     }
 
-    fn link(&self, core: &Core, name: &str, made: &[&str], objects: Vec<OsString>) -> Result<PathBuf, Failure> {
+    /// An image of those policies whose bit is set in `chosen`.
+    fn link(
+        &self,
+        core: &Core,
+        name: &str,
+        policies: &str,
+        chosen: u32,
+        objects: Vec<OsString>,
+    ) -> Result<PathBuf, Failure> {
         let folder = self.of(core)?;
         let mut compiler = self.compiler(core, &folder);
         compiler.arg(format!("-DSTATES={STATES}")).arg(self.firmware.join("cores/states.c"));
-        compiler.args(made.iter().map(|name| self.generated.join(name)));
+        compiler.arg(format!("-DIN_IMAGE={chosen:#x}U")).arg(self.generated.join(policies));
         self.finish(core, compiler, &objects, folder.join(name))
     }
 
@@ -138,13 +151,7 @@ impl Place {
         compiler.arg(self.firmware.join(core.platform())).arg(library::top().join("c-harness/example/report.c"));
         compiler.args(objects).arg("-Wl,--gc-sections").args(core.link());
         run(compiler.arg("-o").arg(&image))?;
-        if !matches!(core.runner, Runner::Avr) {
-            return Ok(image);
-        }
-        // QEMU's AVR boards take no ELF that is not one of Atmel's names.
-        let flash = image.with_extension("bin");
-        run(Command::new("avr-objcopy").args(["-O", "binary"]).arg(&image).arg(&flash))?;
-        Ok(flash)
+        Ok(image)
     }
 }
 
