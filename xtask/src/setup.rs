@@ -5,7 +5,7 @@ use std::process::{Command, Stdio};
 use tpg_testing::library::TARGETS;
 
 /// Debian packages, each with a program that shows whether it is installed.
-const PACKAGES: [(&str, &str); 28] = [
+const PACKAGES: [(&str, &str); 29] = [
     ("gcc", "/usr/bin/gcc"),
     ("g++", "/usr/bin/g++"),
     ("clang", "/usr/bin/clang"),
@@ -29,6 +29,7 @@ const PACKAGES: [(&str, &str); 28] = [
     ("qemu-user", "/usr/bin/qemu-ppc"),
     ("valgrind", "/usr/bin/valgrind"),
     ("cmake", "/usr/bin/cmake"),
+    ("meson", "/usr/bin/meson"),
     ("pkg-config", "/usr/bin/pkg-config"),
     ("frama-c-base", "/usr/bin/frama-c"),
     ("python3-venv", "/usr/bin/python3"),
