@@ -1,6 +1,7 @@
 //! `cargo xtask`: every CI step, for local use.
 
 mod check;
+mod dist;
 mod fuzz;
 mod nightly;
 mod python;
@@ -77,6 +78,8 @@ enum Task {
     },
     /// Build the Python package, install it into a virtual environment, run pytest, ruff, mypy and stubtest
     Python(python::PythonArgs),
+    /// Make what users download: static programs for Linux, libraries for every target, a bill of materials, checksums
+    Dist(dist::DistArgs),
     /// Build the book of `docs/` with mdBook, into target/book
     Book,
     /// The worst case of compiled code for a Cortex-M: instructions and stack
@@ -104,6 +107,7 @@ fn main() -> ExitCode {
         Task::Miri => nightly::miri(),
         Task::Sanitize { seeds } => nightly::sanitize(seeds),
         Task::Python(arguments) => python::run(arguments),
+        Task::Dist(arguments) => arguments.run(),
         Task::Book => check::book(),
         Task::Wcet(arguments) => arguments.run(),
         Task::Torture(arguments) => arguments.run(),

@@ -94,10 +94,10 @@ pub(super) fn files(facts: &Facts<'_>, ecosystem: Ecosystem, code: &Code<'_>) ->
             add.push(("examples/decide.c".to_owned(), main()));
         }
         Ecosystem::Cargo => {
-            add.push(("Cargo.toml".to_owned(), text!(facts, "package/Cargo.toml")));
+            add.push(("Cargo.toml".to_owned(), text!(facts, "package/crate.toml")));
             add.push(("src/lib.rs".to_owned(), text!(facts, "package/lib.rs")));
             add.push(("examples/decide.rs".to_owned(), text!(facts, "package/decide.rs")));
-            add.push(("runtime/Cargo.toml".to_owned(), text!(facts, "package/runtime.toml")));
+            add.push(("runtime/Cargo.toml".to_owned(), text!(facts, "package/crate_runtime.toml")));
             let runtime = standalone::FILES
                 .into_iter()
                 .map(|(path, text)| (format!("runtime/src/{path}"), text.replace("extern crate std;\n", "")));
