@@ -12,6 +12,7 @@
 //! | [`record`] | how an episode is written down, here and in the firmware |
 //! | [`scenarios`], [`faults`], [`table`] | the table of sensor faults: the table, its run in Rust, its comparison |
 //! | [`mod@cores`] | the shipped policies and the hybrid on every core |
+//! | [`rtic`] | the example in RTIC |
 //! | [`costs`] | instructions beside `costs.toml` |
 //! | [`symbols`] | what must not be in an image |
 //! | [`mod@worst`], [`facts`] | the static worst case of a decision, and what it rests on |
@@ -32,6 +33,7 @@ mod models;
 mod network;
 mod problems;
 mod record;
+mod rtic;
 mod scenarios;
 mod size;
 mod symbols;
@@ -169,6 +171,7 @@ fn qemu(update: bool) -> Result<(), Failure> {
         }
         fits(language, builder)?;
     }
+    rtic::check()?;
     costs.print();
     if update && all {
         return costs.commit();
