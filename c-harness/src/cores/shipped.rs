@@ -4,7 +4,7 @@ use crate::Failure;
 use crate::record::Hash;
 use std::fmt::Write as _;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use tpg_codegen::emit::{self, File, Language, Options, Prefix};
 use tpg_graph::interpret::{self, Answer};
 use tpg_graph::{Graph, ScalarType, import};
@@ -48,11 +48,11 @@ pub(super) fn all() -> Result<Vec<Shipped>, Failure> {
         entries.flatten().map(|entry| entry.path().join("graph.json")).filter(|path| path.is_file()).collect();
     paths.push(library::top().join("c-harness/pendulum/recall.json"));
     paths.sort();
-    paths.iter().map(Shipped::load).collect()
+    paths.iter().map(|path| Shipped::load(path)).collect()
 }
 
 impl Shipped {
-    fn load(path: &PathBuf) -> Result<Self, Failure> {
+    fn load(path: &Path) -> Result<Self, Failure> {
         let graph = import::load(path, None, None).map_err(Failure::new)?;
         if graph.scalar() != ScalarType::F32 {
             return Err(Failure::at(path, "it computes in f64, which an AVR does not have"));
@@ -118,8 +118,8 @@ impl Shipped {
         let (mut declared, mut call, mut taken) = (String::new(), "&seen".to_owned(), String::new());
         if memory > 0 {
             let first = self.graph.state_length() - memory;
-            let _ = write!(declared, "    {name}_memory_t memory;\n");
-            let _ = write!(taken, "    memcpy(&memory, &state[{first}], sizeof memory);\n");
+            let _ = writeln!(declared, "    {name}_memory_t memory;");
+            let _ = writeln!(taken, "    memcpy(&memory, &state[{first}], sizeof memory);");
             call.push_str(", &memory");
         }
         let answer = if self.graph.outputs().is_empty() {
