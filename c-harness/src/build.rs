@@ -109,7 +109,7 @@ pub(crate) fn generated_c() -> Result<PathBuf, Failure> {
 }
 
 /// `None` where a tool is missing, which has been said.
-fn there<T>(result: Result<T, Missing>) -> Result<Option<T>, Failure> {
+pub(crate) fn there<T>(result: Result<T, Missing>) -> Result<Option<T>, Failure> {
     match result {
         Ok(value) => Ok(Some(value)),
         Err(Missing::Tool) => Ok(None),

@@ -18,7 +18,7 @@ use tpg_runtime::policy::Policy;
 
 const ARM: Arm<f32> = WIDOWX.to_f32();
 
-const NETWORK: FixedPolicy<'static, 64, 64> =
+pub(crate) const NETWORK: FixedPolicy<'static, 64, 64> =
     FixedPolicy { arm: &ARM, network: &widowx_sac::NETWORK, decision: widowx_sac::DECISION };
 
 /// The lines of every scenario of sensor faults.

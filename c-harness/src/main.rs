@@ -11,6 +11,8 @@
 //! | [`expected`] | the host's trajectories |
 //! | [`record`] | how an episode is written down, here and in the firmware |
 //! | [`scenarios`], [`faults`], [`table`] | the table of sensor faults: the table, its run in Rust, its comparison |
+//! | [`mod@cores`] | the shipped policies and the hybrid on every core |
+//! | [`rtic`] | the example in RTIC |
 //! | [`costs`] | instructions beside `costs.toml` |
 //! | [`symbols`] | what must not be in an image |
 //! | [`mod@worst`], [`facts`] | the static worst case of a decision, and what it rests on |
@@ -19,6 +21,7 @@
 
 mod build;
 mod continuous;
+mod cores;
 mod costs;
 mod emulate;
 mod expected;
@@ -30,6 +33,7 @@ mod models;
 mod network;
 mod problems;
 mod record;
+mod rtic;
 mod scenarios;
 mod size;
 mod symbols;
@@ -76,6 +80,15 @@ enum Check {
         #[arg(long)]
         update: bool,
     },
+    /// Generated C and Rust and the hybrid on every core: as on the host, flash and instructions as in cores.toml
+    Cores {
+        /// Write cores.toml and docs/cores.md instead of comparing with them
+        #[arg(long, conflicts_with = "only")]
+        update: bool,
+        /// Only cores and boards with this in their name
+        #[arg(long, value_name = "TEXT", default_value = "", hide_default_value = true)]
+        only: String,
+    },
     /// Flash and RAM of the control loop
     Size,
     /// clang-tidy, and cppcheck with its MISRA addon, on the firmwares' and the example's C
@@ -87,6 +100,7 @@ enum Check {
 fn main() -> ExitCode {
     let result = match Cli::parse().command {
         Check::Qemu { update } => qemu(update),
+        Check::Cores { update, only } => cores::check(update, &only),
         Check::Size => size::check(),
         Check::Lint => lint::sees_what_is_bad().and_then(|()| lint::check()),
         Check::Worst => worst(),
@@ -157,6 +171,7 @@ fn qemu(update: bool) -> Result<(), Failure> {
         }
         fits(language, builder)?;
     }
+    rtic::check()?;
     costs.print();
     if update && all {
         return costs.commit();

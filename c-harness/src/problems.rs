@@ -45,7 +45,11 @@ pub(crate) fn files() -> Result<[File; 2], Failure> {
     let mut c =
         String::from("#ifndef PROBLEMS_H\n#define PROBLEMS_H\n\n#include \"tpg_runtime.h\"\n\n#include <math.h>\n\n");
     let mut rust = String::new();
-    let _ = writeln!(c, "#define PROBLEMS {PROBLEMS}U\n#define PARTS {PARTS}U\n");
+    // Fewer of them are run on slow cores.
+    for (name, count) in [("PROBLEMS", PROBLEMS), ("PARTS", PARTS)] {
+        let _ = writeln!(c, "#ifndef {name}\n#define {name} {count}U\n#endif");
+    }
+    c.push('\n');
     let _ = writeln!(rust, "const PARTS: usize = {PARTS};");
     for start in STARTS {
         let (name, upper) = (name(start), name(start).to_ascii_uppercase());
@@ -55,7 +59,7 @@ pub(crate) fn files() -> Result<[File; 2], Failure> {
         let _ = writeln!(
             c,
             "static const tpg_settings_t {name}_settings = {{ {hand_back_after}U, {separation}, {guard_code} }};\n\
-             static const tpg_problem_t {name}_problems[PROBLEMS] = {{"
+             static const tpg_problem_t {name}_problems[] = {{"
         );
         let _ = writeln!(rust, "static {upper}_PROBLEMS: [ReachTask<f32>; {PROBLEMS}] = [");
         for ReachTask { start: Pose([p, q, r, s]), target: [x, y, z], tolerance, max_actions } in problems(start)? {

@@ -37,4 +37,9 @@ impl Hash {
     pub(crate) fn add_pose(&mut self, Pose(ticks): Pose) {
         ticks.into_iter().flat_map(i16::to_le_bytes).for_each(|byte| self.add(u64::from(byte)));
     }
+
+    /// Adds a word, byte by byte.
+    pub(crate) fn add_bits(&mut self, bits: u32) {
+        bits.to_le_bytes().into_iter().for_each(|byte| self.add(u64::from(byte)));
+    }
 }

@@ -9,6 +9,7 @@
 //! | [`ir`], [`passes`] | the lowered graph, and the passes that make it small and fast without changing its behaviour |
 //! | [`explain`] | the removals of each pass, and the remaining bids as formulas |
 //! | [`emit`] | from a program to text |
+//! | [`package`] | code as a package of an ecosystem: CMake, Arduino, Cargo and others |
 //! | [`cost`], [`size`], [`report`] | the resources of the code: operations, bytes, stack |
 //! | [`verify`] | compiles generated code and compares it with the interpreter |
 //! | [`policy`] | quantised networks: `policy.q.json` into C and Rust |
@@ -19,6 +20,7 @@ pub mod emit;
 pub mod explain;
 pub mod ir;
 pub mod options;
+pub mod package;
 pub mod passes;
 pub mod policy;
 pub mod program;

@@ -1,7 +1,6 @@
 //! Runs the checks one after another; a failure does not stop the following ones.
 
 use crate::python::{self, PythonArgs};
-use crate::setup::TARGETS;
 use crate::summary::{Count, Summary};
 use std::io::{BufRead as _, BufReader};
 use std::path::{Path, PathBuf};
@@ -10,6 +9,12 @@ use std::{env, fs, io};
 
 /// The workspace without the crate that needs a Python interpreter: `python.rs` builds, lints and tests it.
 const WORKSPACE: [&str; 3] = ["--workspace", "--exclude", "tpg-python"];
+/// The oldest compiler that the workspace's manifest promises.
+const OLDEST: &str = concat!(env!("CARGO_PKG_RUST_VERSION"), ".0");
+/// The crates that depend, together, on all that are published.
+const PUBLISHED: [&str; 3] = ["tpg-train", "tpg-generated", "cortex-bound"];
+/// Bare-metal targets that the runtime without its features is built for.
+const NO_STD: [&str; 3] = ["thumbv7em-none-eabihf", "thumbv7em-none-eabi", "thumbv6m-none-eabi"];
 /// Leaves out the crate that needs an MPI with its compiler.
 const WITHOUT_MPI: [&str; 2] = ["--exclude", "tpg-mpi"];
 
@@ -30,10 +35,12 @@ pub(crate) fn all() -> bool {
     run.check("documentation", documentation);
     run.supply_chain();
     run.book();
-    for target in TARGETS {
+    for target in NO_STD {
         run.no_std(target);
     }
+    run.oldest_compiler();
     run.firmware(&["qemu"]);
+    run.firmware(&["cores"]);
     run.firmware(&["size"]);
     run.firmware(&["lint"]);
     python::check(&mut run, PythonArgs::default());
@@ -192,6 +199,23 @@ impl Run {
                 target,
             ]),
         );
+    }
+
+    /// Checks the crates that users install with the oldest compiler that they name.
+    fn oldest_compiler(&mut self) {
+        let (version, crates) = (OLDEST, PUBLISHED.iter().flat_map(|name| ["--package", name]));
+        let works = Command::new("rustup").args(["run", version, "rustc", "--version"]).stdout(Stdio::null()).status();
+        if !works.is_ok_and(|status| status.success()) {
+            let what = format!("Rust {version}: not installed (rustup toolchain install {version} --profile minimal)");
+            tpg_testing::skip(&what);
+            return self.summary.skip(vec![what]);
+        }
+        let mut command = Command::new("rustup");
+        command.args(["run", version, "cargo", "check", "--quiet", "--locked", "--all-features"]).args(crates);
+        // Another compiler would throw away what the pinned one built; this variable would name that one.
+        command.env("CARGO_TARGET_DIR", tpg_testing::library::target_folder().join("oldest"));
+        command.env_remove("RUSTUP_TOOLCHAIN").env_remove("CARGO").env_remove("RUSTC");
+        self.check(&format!("Rust {version}"), command);
     }
 
     fn start(&self, name: &str, command: &mut Command) -> io::Result<()> {

@@ -1,6 +1,7 @@
 //! `cargo xtask`: every CI step, for local use.
 
 mod check;
+mod dist;
 mod fuzz;
 mod nightly;
 mod python;
@@ -45,6 +46,15 @@ enum Task {
         #[arg(long)]
         update: bool,
     },
+    /// Generated C and Rust and the hybrid on every core under QEMU: as on the host, figures as in cores.toml
+    Cores {
+        /// Write cores.toml and docs/cores.md instead of comparing with them
+        #[arg(long)]
+        update: bool,
+        /// Only cores and boards with this in their name, for example AVR or mps2
+        #[arg(long, value_name = "TEXT")]
+        only: Option<String>,
+    },
     /// Flash and RAM of the control loop on an STM32F405
     Size,
     /// Only the lint of C, generated and the firmwares' own: gcc, clang, clang-tidy, cppcheck with its MISRA addon, Frama-C
@@ -68,6 +78,8 @@ enum Task {
     },
     /// Build the Python package, install it into a virtual environment, run pytest, ruff, mypy and stubtest
     Python(python::PythonArgs),
+    /// Make what users download: static programs for Linux, libraries for every target, a bill of materials, checksums
+    Dist(dist::DistArgs),
     /// Build the book of `docs/` with mdBook, into target/book
     Book,
     /// The worst case of compiled code for a Cortex-M: instructions and stack
@@ -83,6 +95,11 @@ fn main() -> ExitCode {
         Task::Check => check::all(),
         Task::Library { target, out } => library(target, out),
         Task::Qemu { update } => check::harness(if update { &["qemu", "--update"] } else { &["qemu"] }),
+        Task::Cores { update, only } => {
+            let only = only.as_deref().map(|only| ["--only", only]);
+            let update = update.then_some("--update");
+            check::harness(&["cores"].into_iter().chain(update).chain(only.into_iter().flatten()).collect::<Vec<_>>())
+        }
         Task::Size => check::harness(&["size"]),
         Task::Lint => check::lint(),
         Task::Compilers { graphs } => check::compilers(graphs),
@@ -90,6 +107,7 @@ fn main() -> ExitCode {
         Task::Miri => nightly::miri(),
         Task::Sanitize { seeds } => nightly::sanitize(seeds),
         Task::Python(arguments) => python::run(arguments),
+        Task::Dist(arguments) => arguments.run(),
         Task::Book => check::book(),
         Task::Wcet(arguments) => arguments.run(),
         Task::Torture(arguments) => arguments.run(),

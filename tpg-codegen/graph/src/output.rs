@@ -6,6 +6,7 @@
 use crate::error::InputError;
 use std::fs::{self, File};
 use std::io::{self, Write};
+use std::iter;
 use std::path::{Path, PathBuf};
 use tempfile::{Builder, NamedTempFile};
 
@@ -73,20 +74,26 @@ fn keep(path: &Path, name: &Path) -> io::Result<()> {
     }
 }
 
-/// Creates a folder and writes a set of files into it as [`write_all`] does. If that fails, the created folders are
-/// removed again.
+/// Creates a folder, and those of its files, and writes the files as [`write_all`] does. If that fails, the created folders
+/// are removed again.
 ///
 /// # Errors
 /// As [`write_all`], or if the folder cannot be created.
 pub fn write_folder<B: AsRef<[u8]>>(folder: &Path, files: &[(PathBuf, B)]) -> Result<(), InputError> {
-    let made: Vec<&Path> =
-        folder.ancestors().take_while(|above| !above.as_os_str().is_empty() && !above.exists()).collect();
-    let written = fs::create_dir_all(folder)
-        .map_err(|error| InputError::io(folder, &error, "a folder that can be written"))
+    let mut made = Vec::new();
+    let folders = iter::once(folder).chain(files.iter().filter_map(|(path, _)| path.parent()));
+    let written = folders
+        .into_iter()
+        .try_for_each(|folder| {
+            let missing = folder.ancestors().take_while(|above| !above.as_os_str().is_empty() && !above.exists());
+            let missing: Vec<&Path> = missing.collect();
+            made.extend(missing.into_iter().rev());
+            fs::create_dir_all(folder).map_err(|error| InputError::io(folder, &error, "a folder that can be written"))
+        })
         .and_then(|()| write_all(files));
     if written.is_err() {
         // Deepest first. A folder that is no longer empty has other users and stays.
-        for folder in made {
+        for folder in made.into_iter().rev() {
             let _ = fs::remove_dir(folder);
         }
     }

@@ -212,7 +212,7 @@ fn an_action_node_repeated_with_another_action_is_refused() {
 /// The guards of GEGELATI's own programs, for every kind of number: the compositions that docs/graph-json.md gives for them.
 #[test]
 fn guards_are_composed_of_words() {
-    let text = include_str!("../../../docs/graph-json.md");
+    let text = &graph_json_page();
     let remainder = "add(gate(fmod(a, b), b), gate(2.2250738585072014e-308, sub(1, gate(1, b))))";
     assert!(text.contains(remainder) && text.contains("and a guarded division the same with `div`"));
     let specials = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, -7.5, 5e-324, 3.0, 0.1, -1.0, 0.0, -0.0];
@@ -240,7 +240,7 @@ fn guards_are_composed_of_words() {
 /// Tests of GEGELATI's own programs, for every kind of number: the compositions that docs/graph-json.md gives for them.
 #[test]
 fn comparisons_are_composed_of_words() {
-    let text = include_str!("../../../docs/graph-json.md");
+    let text = &graph_json_page();
     type Test = fn(f64) -> bool;
     let cases: [(&str, Test); 3] = [
         ("min(div(0, min(abs(a), 1)), 10)", |a| a == 0.0),
@@ -265,4 +265,10 @@ fn comparisons_are_composed_of_words() {
             assert_eq!(found.to_bits(), expected.to_bits(), "{composition} of {a:e}");
         }
     }
+}
+
+/// The page about the format. It is read, not included: a package holds no file from outside of its folder.
+fn graph_json_page() -> String {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/graph-json.md");
+    std::fs::read_to_string(path).expect("the repository has it")
 }

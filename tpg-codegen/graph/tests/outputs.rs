@@ -54,7 +54,7 @@ fn random_policies_are_read_as_they_were_written_and_answer_within_their_ranges(
 
 #[test]
 fn the_documented_example_is_a_graph() {
-    let text = include_str!("../../../docs/graph-json.md");
+    let text = &graph_json_page();
     let example = text.split_once("```json\n").and_then(|(_, after)| after.split_once("```")).expect("an example").0;
     let graph = Graph::from_json("docs/graph-json.md", example).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!((graph.memory(), graph.outputs().len()), (1, 2), "the memory is the last of the outputs");
@@ -65,4 +65,10 @@ fn the_documented_example_is_a_graph() {
     for word in tpg_graph::Word::ALL {
         assert!(text.contains(&format!("`{}`", word.name())), "{} is not documented", word.name());
     }
+}
+
+/// The page about the format. It is read, not included: a package holds no file from outside of its folder.
+fn graph_json_page() -> String {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/graph-json.md");
+    std::fs::read_to_string(path).expect("the repository has it")
 }

@@ -5,6 +5,7 @@ mod convert;
 mod expected;
 mod flash;
 mod generate;
+mod package;
 mod policy;
 mod report;
 mod scalar;
@@ -46,6 +47,8 @@ enum Command {
     Convert(convert::ConvertArgs),
     /// Write a quantised network, a policy.q.json, as constants of C and Rust
     Policy(policy::PolicyArgs),
+    /// Write a package for Arduino, PlatformIO, ESP-IDF, Zephyr, CMake, Meson or Cargo
+    Package(package::PackageArgs),
     /// Print the JSON Schema of graph.json
     Schema(schema::SchemaArgs),
     /// Print an example of a sidecar, the description that a .dot file lacks
@@ -102,6 +105,7 @@ impl Cli {
             Command::Report(args) => args.run(),
             Command::Convert(args) => args.run(),
             Command::Policy(args) => args.run(),
+            Command::Package(args) => args.run(),
             Command::Schema(args) => args.run(),
             Command::Sidecar(args) => args.run(),
         })

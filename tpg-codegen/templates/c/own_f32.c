@@ -1,5 +1,5 @@
 /* sin, cos, tan, ln and exp in float: the same statements, and so the same bits, as tpg-runtime's ops::own::f32, where the
- * method and the error bounds are described. Needs round to nearest, FLT_EVAL_METHOD 0, and that nothing is fused. */
+ * method and the error bounds are described. Needs round to nearest, FLT_EVAL_METHOD 0 or 16, and that nothing is fused. */
 
 static uint32_t {{ prefix }}_bits(float x)
 {

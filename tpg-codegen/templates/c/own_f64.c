@@ -1,5 +1,5 @@
 /* sin, cos, tan, ln and exp in double: the same statements, and so the same bits, as tpg-runtime's ops::own::f64, where the
- * method and the error bounds are described. Needs round to nearest, FLT_EVAL_METHOD 0 or 1, and that nothing is fused. */
+ * method and the error bounds are described. Needs round to nearest, FLT_EVAL_METHOD 0, 1 or 16, and that nothing is fused. */
 
 static uint64_t {{ prefix }}_bits(double x)
 {

@@ -14,7 +14,8 @@
 #ifdef __FAST_MATH__
 #error "fast-math reorders operations and drops NaN: the policy would act differently"
 #endif
-#if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD != 0){% if f64 %} && (FLT_EVAL_METHOD != 1){% endif %}
+/* 16 widens what is narrower than float, and no float. */
+#if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD != 0) && (FLT_EVAL_METHOD != 16){% if f64 %} && (FLT_EVAL_METHOD != 1){% endif %}
 #error "{{ scalar }} expressions must be computed in {{ scalar }}: the policy would act differently"
 #endif
 {% include "c/contraction.c" %}

@@ -10,6 +10,11 @@ use tempfile::TempDir;
 use tpg_generated::widowx_sac;
 use tpg_testing::library::{self, Missing};
 
+/// Targets that are looked at: both cores of Arm, with floats in hardware and without, and one of RISC-V. `cargo xtask cores`
+/// links and runs more.
+const TESTED: [&str; 4] =
+    ["thumbv6m-none-eabi", "thumbv7em-none-eabi", "thumbv7em-none-eabihf", "riscv32imac-unknown-none-elf"];
+
 /// The library for a target; `None` where a tool is missing, which has been said.
 fn made(target: &str) -> Option<PathBuf> {
     // Made once: tests run side by side, and none may read what another writes.
@@ -148,7 +153,7 @@ fn the_shipped_hybrids_move_nothing_on_readings_that_cannot_be() {
 
 #[test]
 fn only_the_interface_is_exported() {
-    for target in library::TARGETS.into_iter().chain([library::host()]) {
+    for target in TESTED.into_iter().chain([library::host()]) {
         let Some(archive) = made(target) else { continue };
         let (good, text) = run(Command::new("nm").args(["--format=posix", "--extern-only"]).arg(&archive));
         assert!(good, "{text}");
@@ -171,11 +176,11 @@ fn only_the_interface_is_exported() {
 
 #[test]
 fn nothing_in_the_library_can_panic_or_allocate() {
-    for target in library::TARGETS {
+    for target in TESTED {
         let Some(archive) = made(target) else { continue };
         let (good, text) = run(Command::new("nm").arg(&archive));
         assert!(good, "{text}");
-        for forbidden in ["panic", "unwrap_failed", "alloc", "__aeabi_d"] {
+        for forbidden in ["panic", "unwrap_failed", "alloc", "__aeabi_d", "__adddf3", "__muldf3"] {
             assert!(!text.contains(forbidden), "{target}: {forbidden}\n{text}");
         }
     }
@@ -228,7 +233,7 @@ fn cmake_and_pkg_config_find_it() {
     }
     if tpg_testing::tool("cmake", "cmake", "tpg_runtime-config.cmake") {
         let lists = "cmake_minimum_required(VERSION 3.16)\nproject(example C)\n\
-                     find_package(tpg_runtime CONFIG REQUIRED)\nadd_executable(with-cmake main.c)\n\
+                     find_package(tpg_runtime 0.1 CONFIG REQUIRED)\nadd_executable(with-cmake main.c)\n\
                      target_link_libraries(with-cmake tpg_runtime::tpg_runtime)\n";
         fs::write(folder.path().join("CMakeLists.txt"), lists).expect("the folder can be written");
         let prefix = format!("-DCMAKE_PREFIX_PATH={}", library::dist().display());
@@ -238,5 +243,68 @@ fn cmake_and_pkg_config_find_it() {
         let (good, text) = run(Command::new("cmake").current_dir(folder.path()).args(["--build", "build"]));
         assert!(good, "{text}");
         assert!(run(&mut Command::new(folder.path().join("build/with-cmake"))).0);
+        let versions = [("0.1.0", true), ("0.0", false), ("0.1.1", false), ("0.2", false), ("1", false)];
+        let asked = versions.map(|(version, _)| {
+            format!(
+                "find_package(tpg_runtime {version} QUIET CONFIG)\nmessage(\"{version}=${{tpg_runtime_FOUND}}.\")\n"
+            )
+        });
+        let lists = format!("cmake_minimum_required(VERSION 3.16)\nproject(versions NONE)\n{}", asked.concat());
+        fs::write(folder.path().join("CMakeLists.txt"), lists).expect("the folder can be written");
+        let target = format!("-DTPG_RUNTIME_TARGET={}", library::host());
+        let (_, text) =
+            run(Command::new("cmake").current_dir(folder.path()).args(["-S", ".", "-B", "versions", &prefix, &target]));
+        for (version, accepted) in versions {
+            assert_eq!(text.contains(&format!("{version}=1.")), accepted, "{version}: {text}");
+        }
     }
+}
+
+/// What cmake says to a list of commands, with variables set before; no compiler is asked.
+fn cmake_script(folder: &Path, commands: &str, variables: &[(&str, &str)]) -> String {
+    let lists = folder.join("script.cmake");
+    let set = |(name, value): &(&str, &str)| format!("set({name} \"{value}\")\n");
+    let text: String = variables.iter().map(set).collect();
+    let prefix = format!("set(CMAKE_PREFIX_PATH \"{}\")\n", library::dist().display());
+    fs::write(&lists, format!("cmake_minimum_required(VERSION 3.16)\n{prefix}{text}{commands}")).expect("writable");
+    run(Command::new("cmake").current_dir(folder).arg("-P").arg(&lists)).1
+}
+
+#[test]
+fn cmake_knows_the_core() {
+    if !tpg_testing::tool("cmake", "cmake", "the core of tpg_runtime-config.cmake") {
+        return;
+    }
+    let config = Path::new(env!("CARGO_MANIFEST_DIR")).join("tpg_runtime-config.cmake");
+    let folder = TempDir::new().expect("a temporary folder");
+    let cases = [
+        ("cortex-m0plus", "", "thumbv6m-none-eabi"),
+        ("Cortex-M3", "", "thumbv7m-none-eabi"),
+        ("cortex-m4", "", "thumbv7em-none-eabihf"),
+        ("cortex-m7", "-mfloat-abi=soft", "thumbv7em-none-eabi"),
+        ("cortex-m23", "", "thumbv8m.base-none-eabi"),
+        ("cortex-m33", "-mfloat-abi=softfp", "thumbv8m.main-none-eabi"),
+        ("cortex-m55", "", "thumbv8m.main-none-eabihf"),
+        ("arm", "-mcpu=cortex-m0plus -mthumb", "thumbv6m-none-eabi"),
+        ("arm", "-mthumb -mcpu=cortex-m33+nodsp -mfloat-abi=hard", "thumbv8m.main-none-eabihf"),
+        ("riscv", "-march=rv32imc", "riscv32imc-unknown-none-elf"),
+        ("riscv32", "-march=rv32imac_zicsr -mabi=ilp32", "riscv32imac-unknown-none-elf"),
+        ("riscv", "-march=rv32imafc -mabi=ilp32f", "riscv32imafc-unknown-none-elf"),
+        ("riscv", "-march=rv32imafc -mabi=ilp32", "riscv32imac-unknown-none-elf"),
+    ];
+    let commands = format!("include(\"{}\")\nmessage(\"target=${{TPG_RUNTIME_TARGET}}.\")\n", config.display());
+    let found = |variables: &[(&str, &str)]| {
+        let common = [("CMAKE_CROSSCOMPILING", "TRUE"), ("CMAKE_SYSTEM_NAME", "Generic")];
+        cmake_script(folder.path(), &commands, &[&common, variables].concat())
+    };
+    for (processor, flags, target) in cases {
+        let text = found(&[("CMAKE_SYSTEM_PROCESSOR", processor), ("CMAKE_C_FLAGS", flags)]);
+        assert!(text.contains(&format!("target={target}.")), "{processor} {flags}: {text}");
+        assert!(library::TARGETS.contains(&target), "{target}");
+    }
+    for (platform, target) in [("rp2040", "thumbv6m-none-eabi"), ("rp2350-arm-s", "thumbv8m.main-none-eabi")] {
+        let text = found(&[("CMAKE_SYSTEM_PROCESSOR", "arm"), ("PICO_PLATFORM", platform)]);
+        assert!(text.contains(&format!("target={target}.")), "{platform}: {text}");
+    }
+    assert!(found(&[("CMAKE_SYSTEM_PROCESSOR", "xtensa")]).contains("target=."));
 }

@@ -10,10 +10,42 @@ use std::process::Command;
 use std::{env, fs};
 
 /// Targets that a library is built for, in addition to the host.
-pub const TARGETS: [&str; 3] = ["thumbv7em-none-eabihf", "thumbv7em-none-eabi", "thumbv6m-none-eabi"];
+pub const TARGETS: [&str; 10] = [
+    "thumbv6m-none-eabi",
+    "thumbv7m-none-eabi",
+    "thumbv7em-none-eabi",
+    "thumbv7em-none-eabihf",
+    "thumbv8m.base-none-eabi",
+    "thumbv8m.main-none-eabi",
+    "thumbv8m.main-none-eabihf",
+    "riscv32imc-unknown-none-elf",
+    "riscv32imac-unknown-none-elf",
+    "riscv32imafc-unknown-none-elf",
+];
 
-/// The package of a target's binutils.
-const CROSS: &str = "gcc-arm-none-eabi";
+/// The binutils of a target.
+struct Binutils {
+    /// Before the names of its programs.
+    prefix: &'static str,
+    /// The Debian package.
+    package: &'static str,
+    /// What its linker must be told.
+    link: &'static [&'static str],
+}
+
+impl Binutils {
+    fn of(target: &str) -> Self {
+        if target == host() {
+            Self { prefix: "", package: "binutils", link: &[] }
+        } else if target.starts_with("riscv32") {
+            // It is a linker of 64 bits, too.
+            let link = &["-m", "elf32lriscv"];
+            Self { prefix: "riscv64-unknown-elf-", package: "gcc-riscv64-unknown-elf", link }
+        } else {
+            Self { prefix: "arm-none-eabi-", package: "gcc-arm-none-eabi", link: &[] }
+        }
+    }
+}
 
 /// Reason why there is no library.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -51,7 +83,11 @@ pub fn dist() -> PathBuf {
 /// See [`Missing`].
 pub fn make(target: &str, folder: &Path) -> Result<PathBuf, Missing> {
     let what = format!("libtpg_runtime.a for {target}");
-    let (prefix, package) = if target == host() { ("", "binutils") } else { ("arm-none-eabi-", CROSS) };
+    if target != host() && !TARGETS.contains(&target) {
+        let accepted = TARGETS.into_iter().chain([host()]).collect::<Vec<_>>().join(", ");
+        return Err(Missing::Failed(format!("no target of the library; accepted: {accepted}")));
+    }
+    let Binutils { prefix, package, link } = Binutils::of(target);
     if !tool(&format!("{prefix}ld"), package, &what) || (target != host() && !rust_target(target, &what)) {
         return Err(Missing::Tool);
     }
@@ -78,8 +114,8 @@ pub fn make(target: &str, folder: &Path) -> Result<PathBuf, Missing> {
     names.sort_unstable();
     names.dedup();
     let wanted = names.iter().flat_map(|name| ["-u", name]);
-    let link: Vec<&str> =
-        ["-r", "--gc-sections", "-o", "tpg_runtime.o"].into_iter().chain(wanted).chain(["all.a"]).collect();
+    let relocatable = ["-r", "--gc-sections", "-o", "tpg_runtime.o"];
+    let link: Vec<&str> = link.iter().copied().chain(relocatable).chain(wanted).chain(["all.a"]).collect();
     run("ld", &link)?;
     run("objcopy", &["--wildcard", "--keep-global-symbol=tpg_*", "--strip-unneeded", "tpg_runtime.o"])?;
     let archive = library.join("libtpg_runtime.a");
@@ -92,8 +128,10 @@ pub fn make(target: &str, folder: &Path) -> Result<PathBuf, Missing> {
 /// Copies the files that accompany the library.
 fn install(target: &str, folder: &Path) -> Result<(), Missing> {
     let source = top().join("tpg-runtime-nostd/capi");
-    let description = fs::read_to_string(source.join("tpg_runtime.pc.in"))
-        .map(|text| text.replace("@VERSION@", env!("CARGO_PKG_VERSION")).replace("@TARGET@", target));
+    let filled = |name: &str| {
+        let text = fs::read_to_string(source.join(name));
+        text.map(|text| text.replace("@VERSION@", env!("CARGO_PKG_VERSION")).replace("@TARGET@", target))
+    };
     let put = |to: &str, text: std::io::Result<String>| {
         let path = folder.join(to);
         let written = text.and_then(|text| {
@@ -104,7 +142,9 @@ fn install(target: &str, folder: &Path) -> Result<(), Missing> {
     };
     put("include/tpg_runtime.h", fs::read_to_string(source.join("include/tpg_runtime.h")))?;
     put("lib/cmake/tpg_runtime/tpg_runtime-config.cmake", fs::read_to_string(source.join("tpg_runtime-config.cmake")))?;
-    put(&format!("lib/{target}/pkgconfig/tpg_runtime.pc"), description)
+    let version = "lib/cmake/tpg_runtime/tpg_runtime-config-version.cmake";
+    put(version, filled("tpg_runtime-config-version.cmake.in"))?;
+    put(&format!("lib/{target}/pkgconfig/tpg_runtime.pc"), filled("tpg_runtime.pc.in"))
 }
 
 /// True if the compiler in use has a target's core library; otherwise `what` is skipped, or fails.

@@ -1,0 +1,307 @@
+//! The cores: what compiles for each, and what runs it.
+
+use super::shipped::Bits;
+use std::path::Path;
+use std::process::Command;
+
+/// A core, on a board that QEMU has.
+#[derive(Debug)]
+pub(super) struct Core {
+    /// The name in tables.
+    pub(super) name: &'static str,
+    /// The machine, as its emulator names it.
+    pub(super) machine: &'static str,
+    /// What runs its images.
+    pub(super) runner: Runner,
+    /// The C compiler's words for it.
+    pub(super) flags: &'static [&'static str],
+    /// The Rust target that its C links with, if any.
+    pub(super) target: Option<&'static str>,
+    /// Images that the policies in C are spread over: its flash does not hold all at once.
+    pub(super) images: usize,
+    /// True where figures are kept; another board of the same core only shows that it acts the same.
+    pub(super) figures: bool,
+}
+
+/// What compiles for a core, and runs its images.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Runner {
+    /// `qemu-system-arm`; the memories, and the ticks of SysTick in a thousand instructions of 1,024 ns.
+    Arm(Memories, u32),
+    /// `qemu-system-riscv32`.
+    RiscV(Memories),
+    /// `qemu-system-avr`.
+    Avr,
+    /// Node, by WASI.
+    Wasm,
+    /// This machine.
+    Host,
+    /// A program of Linux for another machine, by QEMU's emulation of a user's program.
+    User,
+}
+
+/// Start and size of flash and RAM.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Memories {
+    flash: (u32, &'static str),
+    ram: (u32, &'static str),
+}
+
+const fn memories(flash: (u32, &'static str), ram: (u32, &'static str)) -> Memories {
+    Memories { flash, ram }
+}
+
+/// Those of the MPS2 boards.
+const MPS2: Memories = memories((0, "4M"), (0x2000_0000, "4M"));
+/// Those of QEMU's `virt`: both in its RAM.
+const VIRT: Memories = memories((0x8000_0000, "4M"), (0x8040_0000, "4M"));
+
+/// Every core.
+pub(super) const CORES: [Core; 15] = [
+    Core {
+        name: "Cortex-M0",
+        machine: "microbit",
+        runner: Runner::Arm(memories((0, "256K"), (0x2000_0000, "16K")), 16_384),
+        flags: &["-mcpu=cortex-m0", "-mthumb", "-mfloat-abi=soft"],
+        target: Some("thumbv6m-none-eabi"),
+        images: 1,
+        figures: true,
+    },
+    Core {
+        name: "Cortex-M3",
+        machine: "mps2-an385",
+        runner: Runner::Arm(MPS2, 25_600),
+        flags: &["-mcpu=cortex-m3", "-mthumb", "-mfloat-abi=soft"],
+        target: Some("thumbv7m-none-eabi"),
+        images: 1,
+        figures: true,
+    },
+    Core {
+        name: "Cortex-M4F",
+        machine: "mps2-an386",
+        runner: Runner::Arm(MPS2, 25_600),
+        flags: &["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"],
+        target: Some("thumbv7em-none-eabihf"),
+        images: 1,
+        figures: true,
+    },
+    Core {
+        name: "Cortex-M7",
+        machine: "mps2-an500",
+        runner: Runner::Arm(MPS2, 25_600),
+        flags: &["-mcpu=cortex-m7", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv5-sp-d16"],
+        target: Some("thumbv7em-none-eabihf"),
+        images: 1,
+        figures: true,
+    },
+    Core {
+        name: "Cortex-M33",
+        machine: "mps2-an505",
+        runner: Runner::Arm(memories((0x1000_0000, "4M"), (0x3800_0000, "4M")), 20_480),
+        flags: &["-mcpu=cortex-m33", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv5-sp-d16"],
+        target: Some("thumbv8m.main-none-eabihf"),
+        images: 1,
+        figures: true,
+    },
+    Core {
+        name: "Cortex-M55",
+        machine: "mps3-an547",
+        runner: Runner::Arm(memories((0, "512K"), (0x2000_0000, "512K")), 32_768),
+        flags: &["-mcpu=cortex-m55", "-mthumb", "-mfloat-abi=hard", "-mfpu=auto"],
+        target: Some("thumbv8m.main-none-eabihf"),
+        images: 1,
+        figures: true,
+    },
+    Core {
+        name: "RISC-V rv32imac",
+        machine: "virt",
+        runner: Runner::RiscV(VIRT),
+        flags: &["-march=rv32imac", "-mabi=ilp32", "-mcmodel=medany"],
+        target: Some("riscv32imac-unknown-none-elf"),
+        images: 1,
+        figures: true,
+    },
+    Core {
+        name: "RISC-V rv32imac",
+        machine: "sifive_e",
+        runner: Runner::RiscV(memories((0x2040_0000, "4M"), (0x8000_0000, "16K"))),
+        flags: &["-march=rv32imac", "-mabi=ilp32", "-mcmodel=medany"],
+        target: Some("riscv32imac-unknown-none-elf"),
+        images: 1,
+        figures: false,
+    },
+    Core {
+        name: "RISC-V rv32imafc",
+        machine: "virt",
+        runner: Runner::RiscV(VIRT),
+        flags: &["-march=rv32imafc", "-mabi=ilp32f", "-mcmodel=medany"],
+        target: Some("riscv32imafc-unknown-none-elf"),
+        images: 1,
+        figures: true,
+    },
+    Core {
+        name: "AVR ATmega328P",
+        machine: "uno",
+        runner: Runner::Avr,
+        flags: &["-mmcu=atmega328p", "-DF_CPU=16000000UL"],
+        target: None,
+        images: 2,
+        figures: true,
+    },
+    Core {
+        name: "AVR ATmega2560",
+        machine: "mega2560",
+        runner: Runner::Avr,
+        flags: &["-mmcu=atmega2560", "-DF_CPU=16000000UL"],
+        target: None,
+        images: 1,
+        figures: true,
+    },
+    Core {
+        name: "WebAssembly",
+        machine: "node",
+        runner: Runner::Wasm,
+        flags: &["--target=wasm32-wasi"],
+        target: Some("wasm32-unknown-unknown"),
+        images: 1,
+        figures: false,
+    },
+    Core {
+        name: "x86-64",
+        machine: "this machine",
+        runner: Runner::Host,
+        flags: &[],
+        target: None,
+        images: 1,
+        figures: false,
+    },
+    Core {
+        name: "x86-64 with fused multiply-add",
+        machine: "this machine",
+        runner: Runner::Host,
+        flags: &["-mfma"],
+        target: None,
+        images: 1,
+        figures: false,
+    },
+    Core {
+        name: "PowerPC, big-endian",
+        machine: "qemu-ppc",
+        runner: Runner::User,
+        flags: &["-static"],
+        target: None,
+        images: 1,
+        figures: false,
+    },
+];
+
+impl Core {
+    /// Name and machine.
+    pub(super) fn title(&self) -> String {
+        format!("{} ({})", self.name, self.machine)
+    }
+
+    /// The C compiler, and its Debian package.
+    pub(super) fn compiler(&self) -> (&'static str, &'static str) {
+        match self.runner {
+            Runner::Arm(..) => ("arm-none-eabi-gcc", "gcc-arm-none-eabi, picolibc-arm-none-eabi"),
+            Runner::RiscV(_) => ("riscv64-unknown-elf-gcc", "gcc-riscv64-unknown-elf, picolibc-riscv64-unknown-elf"),
+            Runner::Avr => ("avr-gcc", "gcc-avr, avr-libc"),
+            Runner::Wasm => ("clang", "clang, lld, wasi-libc, libclang-rt-14-dev-wasm32"),
+            Runner::Host => ("gcc", "gcc"),
+            Runner::User => ("powerpc-linux-gnu-gcc", "gcc-powerpc-linux-gnu, libc6-dev-powerpc-cross"),
+        }
+    }
+
+    /// What runs its images, and the Debian package of that.
+    pub(super) fn emulator(&self) -> Option<(&'static str, &'static str)> {
+        match self.runner {
+            Runner::Arm(..) => Some(("qemu-system-arm", "qemu-system-arm")),
+            Runner::RiscV(_) => Some(("qemu-system-riscv32", "qemu-system-misc")),
+            Runner::Avr => Some(("qemu-system-avr", "qemu-system-misc")),
+            Runner::Wasm => Some(("node", "nodejs")),
+            Runner::Host => None,
+            Runner::User => Some(("qemu-ppc", "qemu-user")),
+        }
+    }
+
+    /// The file that prints, counts and ends there; the folder `firmware-c` is before it.
+    pub(super) fn platform(&self) -> &'static str {
+        match self.runner {
+            Runner::Arm(..) | Runner::RiscV(_) => "cores/semihosting.c",
+            Runner::Avr => "cores/avr.c",
+            Runner::Wasm | Runner::Host | Runner::User => "host.c",
+        }
+    }
+
+    /// What the linker must know.
+    pub(super) fn link(&self) -> Vec<String> {
+        match self.runner {
+            Runner::Arm(memories, ticks) => [memories.link(), vec![format!("-DTICKS={ticks}U")]].concat(),
+            Runner::RiscV(memories) => memories.link(),
+            Runner::Avr | Runner::Wasm | Runner::Host | Runner::User => Vec::new(),
+        }
+    }
+
+    /// Words of the compiler that every file needs: which C library.
+    pub(super) fn specs(&self) -> &'static [&'static str] {
+        match self.runner {
+            Runner::Arm(..) | Runner::RiscV(_) => &["--specs=picolibc.specs"],
+            _ => &[],
+        }
+    }
+
+    /// What a third of its states are made of.
+    pub(super) fn bits(&self) -> Bits {
+        if matches!(self.runner, Runner::Avr) { Bits::NeitherTinyNorHuge } else { Bits::Any }
+    }
+
+    /// True where instructions are counted.
+    pub(super) fn counts(&self) -> bool {
+        matches!(self.runner, Runner::Arm(..) | Runner::RiscV(_))
+    }
+
+    /// The command that runs an image; its last line is `done`.
+    pub(super) fn run(&self, image: &Path, wasi: &Path) -> Command {
+        let (program, _) = self.emulator().unwrap_or_default();
+        let mut command = Command::new(if program.is_empty() { image.as_os_str() } else { program.as_ref() });
+        let system = ["-machine", self.machine, "-nographic", "-monitor", "none"];
+        let semihosting = ["-serial", "none", "-semihosting-config", "enable=on,target=native", "-kernel"];
+        match self.runner {
+            Runner::Arm(..) => {
+                command.args(system).args(["-icount", "shift=10,align=off,sleep=off"]).args(semihosting).arg(image);
+            }
+            Runner::RiscV(_) => {
+                command.args(system).args(["-icount", "shift=0,align=off,sleep=off", "-bios", "none"]);
+                command.args(semihosting).arg(image);
+            }
+            Runner::Avr => {
+                command.args(system).args(["-serial", "stdio", "-bios"]).arg(image);
+            }
+            Runner::Wasm => {
+                command.arg("--no-warnings").arg(wasi).arg(image);
+            }
+            Runner::User => {
+                command.arg(image);
+            }
+            Runner::Host => {}
+        }
+        command
+    }
+}
+
+impl Memories {
+    /// Picolibc's start-up code and linker script on these memories.
+    fn link(self) -> Vec<String> {
+        let Self { flash: (flash, flash_size), ram: (ram, ram_size) } = self;
+        let symbols = [
+            format!("__flash={flash:#x}"),
+            format!("__flash_size={flash_size}"),
+            format!("__ram={ram:#x}"),
+            format!("__ram_size={ram_size}"),
+            "__stack_size=4K".to_owned(),
+        ];
+        let words = ["--crt0=semihost", "--oslib=semihost", "-Tpicolibc.ld"].map(str::to_owned);
+        words.into_iter().chain(symbols.map(|symbol| format!("-Wl,--defsym={symbol}"))).collect()
+    }
+}

@@ -1,0 +1,234 @@
+//! Flash and instructions on each core: compared with `cores.toml`, and written for people as `docs/cores.md`.
+
+use super::core::{CORES, Core};
+use super::images::EPISODES;
+use super::shipped::{Bits, STATES};
+use crate::Failure;
+use crate::build;
+use crate::costs::Cost;
+use crate::line::Line;
+use serde::{Deserialize, Serialize};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write as _;
+use std::fs;
+use std::path::PathBuf;
+use tpg_testing::library;
+
+const FILE: &str = "cores.toml";
+
+/// `cores.toml`.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Figures {
+    /// The compilers that these figures belong to, by their own words.
+    compilers: BTreeMap<String, String>,
+    /// By core.
+    core: BTreeMap<String, OfCore>,
+}
+
+/// The figures of a core, by policy.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct OfCore {
+    /// Bytes of flash of the C.
+    #[serde(default)]
+    flash: BTreeMap<String, u64>,
+    /// Instructions of the C.
+    #[serde(default)]
+    c: BTreeMap<String, Cost>,
+    /// Instructions of the Rust.
+    #[serde(default)]
+    rust: BTreeMap<String, Cost>,
+    /// Instructions of decisions of the hybrid, in C, by start.
+    #[serde(default)]
+    hybrid: BTreeMap<String, Cost>,
+}
+
+/// The programs of one language.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Program {
+    C,
+    Rust,
+    Hybrid,
+}
+
+impl Figures {
+    /// None yet, with the compilers in use.
+    pub(super) fn new() -> Self {
+        let programs: BTreeSet<&str> = CORES.iter().filter(|core| core.figures).map(|core| core.compiler().0).collect();
+        let compilers = programs.into_iter().chain(["rustc"]).map(|name| (name.to_owned(), build::version(name)));
+        Self { compilers: compilers.collect(), core: BTreeMap::new() }
+    }
+
+    /// Notes bytes of flash.
+    pub(super) fn add_flash(&mut self, core: &Core, flash: Vec<(String, u64)>) {
+        if core.figures {
+            self.core.entry(core.name.to_owned()).or_default().flash.extend(flash);
+        }
+    }
+
+    /// Notes what a program printed.
+    pub(super) fn add(&mut self, core: &Core, program: Program, lines: &[Line]) {
+        if !core.figures || !core.counts() {
+            return;
+        }
+        let of = self.core.entry(core.name.to_owned()).or_default();
+        let costs = match program {
+            Program::C => &mut of.c,
+            Program::Rust => &mut of.rust,
+            Program::Hybrid => &mut of.hybrid,
+        };
+        for line in lines {
+            let (name, actions) = match line.words.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+                ["policy", name] if program != Program::Hybrid => (name, "states"),
+                ["episode", start, "hybrid"] if program == Program::Hybrid => (start, "actions"),
+                _ => continue,
+            };
+            let cost = costs.entry(name.to_owned()).or_default();
+            cost.actions += line.number(actions);
+            cost.instructions += line.number("instructions");
+            cost.worst = cost.worst.max(line.number("worst"));
+        }
+    }
+
+    /// Differences from what is committed. With other compilers 2 % are allowed, and a line says so.
+    pub(super) fn differences(&self) -> Result<Vec<String>, Failure> {
+        let committed: Self = toml::from_str(&build::committed(FILE)?).map_err(Failure::new)?;
+        let exact = committed.compilers == self.compilers;
+        if !exact {
+            println!("{FILE} was made with other compilers ({:?}): 2 % are allowed", committed.compilers);
+        }
+        let near = |a: u64, b: u64| if exact { a == b } else { a.abs_diff(b) * 50 <= b };
+        let mut differences = Vec::new();
+        for (name, of) in &self.core {
+            let was = committed.core.get(name).cloned().unwrap_or_default();
+            for (policy, flash) in &of.flash {
+                if !was.flash.get(policy).is_some_and(|&was| near(*flash, was)) {
+                    differences
+                        .push(format!("{name}, {policy}: {flash} bytes, {FILE} has {:?}", was.flash.get(policy)));
+                }
+            }
+            for (what, found, was) in
+                [("C", &of.c, &was.c), ("Rust", &of.rust, &was.rust), ("hybrid", &of.hybrid, &was.hybrid)]
+            {
+                for (policy, cost) in found {
+                    let same = |was: &Cost| {
+                        cost.actions == was.actions
+                            && near(cost.instructions, was.instructions)
+                            && near(cost.worst, was.worst)
+                    };
+                    if !was.get(policy).is_some_and(same) {
+                        let was = was.get(policy);
+                        differences.push(format!("{name}, {what}, {policy}: {cost:?}, {FILE} has {was:?}"));
+                    }
+                }
+            }
+        }
+        let page = page();
+        if fs::read_to_string(&page).ok().as_ref() != Some(&committed.to_string()) {
+            differences.push(format!("{}: not what {FILE} gives", page.display()));
+        }
+        Ok(differences)
+    }
+
+    /// Takes these figures as the committed ones.
+    pub(super) fn commit(&self) -> Result<(), Failure> {
+        let text = toml::to_string(self).map_err(Failure::new)?;
+        let head = "# Flash and instructions on each core; `cargo xtask cores --update` writes this file and docs/cores.md.\n\n";
+        build::commit(FILE, &format!("{head}{text}"))?;
+        let page = page();
+        fs::write(&page, self.to_string()).map_err(|error| Failure::at(&page, error))
+    }
+
+    /// A table with a row for each core and a column for each policy; empty where nothing is known.
+    fn table(&self, columns: impl Fn(&OfCore) -> BTreeMap<String, String>) -> String {
+        // In the order of the cores, each once.
+        let mut rows: Vec<(&str, BTreeMap<String, String>)> = Vec::new();
+        for core in CORES.iter().filter(|core| core.figures) {
+            let row = self.core.get(core.name).map(&columns).unwrap_or_default();
+            if !row.is_empty() {
+                rows.push((core.name, row));
+            }
+        }
+        let names: BTreeSet<&String> = rows.iter().flat_map(|(_, row)| row.keys()).collect();
+        let mut text = "| core |".to_owned();
+        names.iter().for_each(|name| text.push_str(&format!(" `{name}` |")));
+        text.push_str("\n| --- |");
+        names.iter().for_each(|_| text.push_str(" --- |"));
+        text.push('\n');
+        for (core, row) in &rows {
+            let _ = write!(text, "| {core} |");
+            for &name in &names {
+                let _ = write!(text, " {} |", row.get(name).map_or("", String::as_str));
+            }
+            text.push('\n');
+        }
+        text
+    }
+}
+
+fn page() -> PathBuf {
+    library::top().join("docs/cores.md")
+}
+
+/// The page for people.
+impl std::fmt::Display for Figures {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let cost = |costs: &BTreeMap<String, Cost>| {
+            let cell = |cost: &Cost| {
+                let mean = cost.instructions as f64 / cost.actions.max(1) as f64;
+                format!("{mean:.0} · {}", cost.worst)
+            };
+            costs.iter().map(|(name, one)| (name.clone(), cell(one))).collect()
+        };
+        writeln!(
+            f,
+            "# Cores\n\n\
+             `cargo xtask cores` runs what is generated on every core that QEMU has, and compares it with the interpreter on the\n\
+             host, bit for bit. This page is made by `cargo xtask cores --update`; `cargo xtask check` compares it.\n\n\
+             ## What acts the same\n\n\
+             - C: each shipped policy, profile `fast`, and one with memory, on {STATES} states. A third of them are any bits (NaN,\n  \
+             infinities, denormals), the others lie in the declared ranges. As in a user's project: GNU C, `-Os`, no word about\n  \
+             contraction.\n\
+             - Rust: profile `constant-time`, on the same states.\n\
+             - Library: every motor position of {} episodes of the shipped hybrids, and of four of their parts alone, with\n  \
+             `libtpg_runtime.a`.\n\n\
+             | core | runs on | C | Rust | library |\n| --- | --- | --- | --- | --- |",
+            2 * EPISODES,
+        )?;
+        let yes = |yes: bool| if yes { "yes" } else { "" };
+        for core in &CORES {
+            let of_c = if core.bits() == Bits::Any { "yes" } else { "yes, but for denormals" };
+            let library = core.target.is_some_and(|target| library::TARGETS.contains(&target));
+            let rust = yes(core.target.is_some());
+            writeln!(f, "| {} | {} | {of_c} | {rust} | {} |", core.name, core.machine, yes(library))?;
+        }
+        writeln!(
+            f,
+            "\nOn an AVR the any bits are those of zeros, infinities, NaN and magnitudes from 2⁻³¹ to 2³²: avr-libc, with gcc 5.4, rounds a\n\
+             quotient that is denormal to a neighbour, so that a policy can differ there in the last bit of such a number.\n"
+        )?;
+        writeln!(
+            f,
+            "## Flash of the C\n\nBytes of code and constants, `-Os`, without the compiler's own functions: those for floats, \
+             where a core has none in\nhardware, come once for a whole image.\n\n{}",
+            self.table(|of| of.flash.iter().map(|(name, bytes)| (name.clone(), bytes.to_string())).collect())
+        )?;
+        writeln!(
+            f,
+            "## Instructions of the C\n\nMean · worst of {STATES} states, counted by QEMU with `-icount`: exact. Its AVR boards and users' programs have no \
+             such counter.\nAn instruction is not a cycle.\n\n{}",
+            self.table(|of| cost(&of.c))
+        )?;
+        writeln!(
+            f,
+            "## Instructions of the Rust\n\nThe same, profile `constant-time`.\n\n{}",
+            self.table(|of| cost(&of.rust))
+        )?;
+        write!(
+            f,
+            "## Instructions of a decision of the hybrid\n\nMean · worst, in {EPISODES} test episodes from each start: `fs` fixed, `rs` random.\n\n{}",
+            self.table(|of| cost(&of.hybrid))
+        )
+    }
+}

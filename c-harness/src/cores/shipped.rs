@@ -1,0 +1,195 @@
+//! The shipped policies, the states that they see on every core, and their answers on this machine: the interpreter's.
+
+use crate::Failure;
+use crate::record::Hash;
+use std::fmt::Write as _;
+use std::fs;
+use std::path::{Path, PathBuf};
+use tpg_codegen::emit::{self, File, Language, Options, Prefix};
+use tpg_graph::interpret::{self, Answer};
+use tpg_graph::{Graph, ScalarType, import};
+use tpg_runtime::policy::ActionId;
+use tpg_testing::library;
+
+/// States of each policy.
+pub(super) const STATES: usize = 10_000;
+
+/// The bits of a third of the states.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Bits {
+    /// Any.
+    Any,
+    /// Zeros, infinities, NaN, and magnitudes from 2⁻³¹ to 2³²: AVR's C library rounds a denormal quotient to a neighbour.
+    NeitherTinyNorHuge,
+}
+
+impl Bits {
+    fn of(self, bits: u32) -> u32 {
+        match (self, bits >> 23 & 255) {
+            (Self::Any, _) | (_, 255) => bits,
+            (Self::NeitherTinyNorHuge, 0) => bits & 0x8000_0000,
+            (Self::NeitherTinyNorHuge, exponent) => bits & 0x807f_ffff | (96 + (exponent & 63)) << 23,
+        }
+    }
+}
+
+/// A policy that is shipped: its name as a prefix, and its graph.
+#[derive(Debug)]
+pub(super) struct Shipped {
+    pub(super) prefix: Prefix,
+    graph: Graph,
+}
+
+/// The graphs of `generated/`, and one with memory, by name.
+pub(super) fn all() -> Result<Vec<Shipped>, Failure> {
+    let generated = library::top().join("generated");
+    let entries = fs::read_dir(&generated).map_err(|error| Failure::at(&generated, error))?;
+    let mut paths: Vec<PathBuf> =
+        entries.flatten().map(|entry| entry.path().join("graph.json")).filter(|path| path.is_file()).collect();
+    paths.push(library::top().join("c-harness/pendulum/recall.json"));
+    paths.sort();
+    paths.iter().map(|path| Shipped::load(path)).collect()
+}
+
+impl Shipped {
+    fn load(path: &Path) -> Result<Self, Failure> {
+        let graph = import::load(path, None, None).map_err(Failure::new)?;
+        if graph.scalar() != ScalarType::F32 {
+            return Err(Failure::at(path, "it computes in f64, which an AVR does not have"));
+        }
+        Ok(Self { prefix: Prefix::of_file(path), graph })
+    }
+
+    /// The values of an answer: 1 for an action.
+    fn answers(&self) -> usize {
+        self.graph.outputs().len().max(1)
+    }
+
+    /// The low end and a 16,777,216th of the range of each input.
+    fn ranges(&self) -> (Vec<f32>, Vec<f32>) {
+        let range = |range: tpg_graph::Range| (range.min as f32, ((range.max - range.min) / 16_777_216.0) as f32);
+        self.graph.state_ranges().map(range).unzip()
+    }
+
+    /// The states that `states.c` draws.
+    fn states(&self, kind: Bits) -> Vec<f64> {
+        let (low, step) = self.ranges();
+        let mut bits = 1u32;
+        let mut states = Vec::with_capacity(STATES * low.len());
+        for index in 0..STATES {
+            for (low, step) in low.iter().zip(&step) {
+                bits ^= bits << 13;
+                bits ^= bits >> 17;
+                bits ^= bits << 5;
+                let value =
+                    if index % 3 == 0 { f32::from_bits(kind.of(bits)) } else { low + (bits >> 8) as f32 * step };
+                states.push(f64::from(value));
+            }
+        }
+        states
+    }
+
+    /// A hash of the interpreter's answers.
+    pub(super) fn expected(&self, kind: Bits) -> Hash {
+        let mut hash = Hash::new();
+        for answer in interpret::answers(&self.graph, &self.states(kind)) {
+            match answer {
+                Answer::Action(ActionId(action)) => hash.add_bits(u32::from(action)),
+                Answer::Values(values) => values.iter().for_each(|&value| hash.add_bits((value as f32).to_bits())),
+            }
+        }
+        hash
+    }
+
+    /// The generated C.
+    pub(super) fn c(&self) -> Vec<File> {
+        emit::emit(&self.graph, Language::C, &Options::new(self.prefix.clone()))
+    }
+
+    /// True where `tpg-generated` has it in Rust.
+    pub(super) fn in_rust(&self) -> bool {
+        self.graph.memory() == 0
+    }
+
+    /// The function of `policies.h` that asks the generated C.
+    fn ask_c(&self) -> String {
+        let name = &self.prefix;
+        let memory = self.graph.memory();
+        let (mut declared, mut call, mut taken) = (String::new(), "&seen".to_owned(), String::new());
+        if memory > 0 {
+            let first = self.graph.state_length() - memory;
+            let _ = writeln!(declared, "    {name}_memory_t memory;");
+            let _ = writeln!(taken, "    memcpy(&memory, &state[{first}], sizeof memory);");
+            call.push_str(", &memory");
+        }
+        let answer = if self.graph.outputs().is_empty() {
+            format!("    action = {name}_infer({call});\n    count = platform_count();\n    bits[0] = action;\n")
+        } else {
+            let next = self.graph.outputs().len() - memory;
+            let rest = if memory > 0 {
+                format!("    memcpy(&bits[{next}], &memory, sizeof memory);\n")
+            } else {
+                String::new()
+            };
+            format!(
+                "    {name}_infer({call}, &action);\n    count = platform_count();\n    memcpy(bits, &action, sizeof action);\n{rest}"
+            )
+        };
+        let action = if self.graph.outputs().is_empty() { "uint16_t".to_owned() } else { format!("{name}_action_t") };
+        format!(
+            "static uint32_t {name}_answer(const float *state, uint32_t *bits)\n{{\n    {name}_state_t seen;\n{declared}    \
+             {action} action;\n    uint32_t count;\n\n    memcpy(&seen, state, sizeof seen);\n{taken}    platform_count_from();\n\
+             {answer}    return count;\n}}\n"
+        )
+    }
+
+    /// The same of the generated Rust, which `cores/lib.rs` exports.
+    fn ask_rust(&self) -> String {
+        let name = &self.prefix;
+        format!(
+            "void rust_{name}(const float *state, uint32_t *bits);\n\nstatic uint32_t {name}_answer(const float *state, uint32_t \
+             *bits)\n{{\n    platform_count_from();\n    rust_{name}(state, bits);\n    return platform_count();\n}}\n\n"
+        )
+    }
+
+    /// The constants and the entry of `policies[]`.
+    fn entry(&self) -> (String, String) {
+        let name = &self.prefix;
+        let (low, step) = self.ranges();
+        let list = |values: &[f32]| values.iter().map(|value| format!("{value:?}F")).collect::<Vec<_>>().join(", ");
+        let constants = format!(
+            "static const float {name}_low[] = {{ {} }};\nstatic const float {name}_step[] = {{ {} }};\n",
+            list(&low),
+            list(&step)
+        );
+        let entry = format!(
+            "    {{ \"{name}\", {}U, {}U, {name}_low, {name}_step, {name}_answer }},\n",
+            low.len(),
+            self.answers()
+        );
+        (constants, entry)
+    }
+}
+
+/// `policies.c`, of generated C or of generated Rust.
+pub(super) fn policies_c(shipped: &[Shipped], language: Language) -> File {
+    let shipped: Vec<&Shipped> = shipped.iter().filter(|one| language == Language::C || one.in_rust()).collect();
+    let mut text = "#include \"policies.h\"\n#include \"platform.h\"\n\n#include <string.h>\n\n".to_owned();
+    let mut entries = String::new();
+    for (index, one) in shipped.iter().enumerate() {
+        // Not all fit into the flash of every core at once.
+        let within = format!("#if (IN_IMAGE & {}U) != 0U", 1 << index);
+        let include =
+            if language == Language::C { format!("#include \"{}.h\"\n\n", one.prefix) } else { String::new() };
+        let ask = if language == Language::C { one.ask_c() } else { one.ask_rust() };
+        let (constants, entry) = one.entry();
+        let _ = write!(text, "{within}\n{include}{constants}{ask}#endif\n\n");
+        let _ = write!(entries, "{within}\n{entry}#endif\n");
+    }
+    let _ = write!(
+        text,
+        "const policy_t policies[] = {{\n{entries}}};\nconst uint8_t policy_count = sizeof policies / sizeof policies[0];\n"
+    );
+    let name = if language == Language::C { "policies.c" } else { "policies_rust.c" };
+    File { name: name.to_owned(), text }
+}

@@ -1,0 +1,78 @@
+//! The example in RTIC: it stops where the same loop stops here.
+
+use crate::Failure;
+use crate::build::there;
+use crate::emulate;
+use crate::expected::NETWORK;
+use crate::line::Line;
+use crate::problems::settings;
+use std::env;
+use std::process::Command;
+use tpg_arm::binding;
+use tpg_arm::cycle::Brent;
+use tpg_arm::hybrid::{Control, Hybrid};
+use tpg_arm::observation::{ArmPolicy, Observation};
+use tpg_arm::sensors::Watch;
+use tpg_arm::{Arm, Pose, WIDOWX};
+use tpg_generated::widowx_fs::WidowxFs;
+use tpg_problems::arm::targets::Start;
+use tpg_testing::library;
+
+const TARGET: &str = "thumbv7m-none-eabi";
+const BOARD: &str = "lm3s6965evb";
+
+/// As in the example.
+const WHERE: [f32; 3] = [-250.0, 239.0, 267.0];
+const TOLERANCE_MM: f32 = 3.0;
+const MOST_STEPS: usize = 1707;
+
+/// Builds the example, runs it, and compares where it stops.
+pub(crate) fn check() -> Result<(), Failure> {
+    if !library::rust_target(TARGET, "the example in RTIC") {
+        return Ok(());
+    }
+    let folder = library::top().join("c-harness/example-rtic");
+    let made = library::target_folder().join("example-rtic");
+    let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    cargo.current_dir(folder).args(["build", "--quiet", "--release", "--locked"]);
+    cargo.env("CARGO_TARGET_DIR", &made).env_remove("CARGO_ENCODED_RUSTFLAGS");
+    if there(library::output(&mut cargo))?.is_none() {
+        return Ok(());
+    }
+    let mut qemu = Command::new("qemu-system-arm");
+    qemu.args(["-machine", BOARD, "-nographic", "-monitor", "none", "-serial", "none"]);
+    qemu.args(["-semihosting-config", "enable=on,target=native", "-kernel"]);
+    let lines = emulate::until_done(qemu.arg(made.join(TARGET).join("release/tpg-example-rtic")))?;
+    let expected = expected()?;
+    if lines.iter().filter(|line| line.words == ["stopped"]).ne([&expected]) {
+        return Err(Failure::new(format!("the example in RTIC is not the host: {lines:?}, not {expected:?}")));
+    }
+    println!("RTIC on {BOARD}: {} actions, stopped where the host does", expected.number("actions"));
+    Ok(())
+}
+
+/// The example's loop on this machine.
+fn expected() -> Result<Line, Failure> {
+    const ARM: Arm<f32> = WIDOWX.to_f32();
+    let tpg = ArmPolicy::new(
+        WidowxFs,
+        &ARM,
+        &const { binding::sources(WidowxFs::SOURCES) },
+        &const { binding::moves(WidowxFs::MOVES) },
+    );
+    let hybrid = Hybrid { arm: &ARM, tpg, sac: NETWORK, settings: settings(Start::Fs) };
+    let (mut motors, mut actions) = (ARM.home, 0);
+    let fault = |fault| Failure::new(format!("the example in RTIC, on this machine: {fault:?}"));
+    let seen = Observation::at(&ARM, motors, WHERE);
+    let mut control = Control::new(&ARM, hybrid.settings, Watch::DEFAULT, Brent::new(), &seen).map_err(fault)?;
+    for _ in 0..MOST_STEPS {
+        let (seen, chosen) = hybrid.step(&mut control, motors, WHERE).map_err(fault)?;
+        if seen.distance() < TOLERANCE_MM {
+            break;
+        }
+        motors = ARM.step(motors, chosen.wanted).pose;
+        actions += 1;
+    }
+    let Pose([base, shoulder, elbow, wrist]) = motors;
+    Ok(Line::parse(&format!("stopped actions={actions} base={base} shoulder={shoulder} elbow={elbow} wrist={wrist}")))
+}

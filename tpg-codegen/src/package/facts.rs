@@ -1,0 +1,126 @@
+//! What the templates of packages say about a policy.
+
+use super::Details;
+use crate::cost::{Cost, Costs};
+use crate::emit::Code;
+use crate::options::{Language, Options};
+use crate::program::compile;
+use crate::size::{self, Target};
+use tpg_graph::{Graph, MathsProvider, ScalarType};
+
+/// The facts.
+pub(super) struct Facts<'a> {
+    pub(super) details: &'a Details,
+    /// The prefix: the package's name.
+    pub(super) name: &'a str,
+    /// The Rust type.
+    pub(super) camel: String,
+    pub(super) upper: String,
+    pub(super) title: String,
+    pub(super) inputs: Vec<Row>,
+    pub(super) actions: Vec<String>,
+    pub(super) outputs: Vec<Row>,
+    /// Values of the memory.
+    pub(super) memory: usize,
+    /// The middle of every range: in C by source, in Rust flat.
+    pub(super) state_c: String,
+    pub(super) state_rust: String,
+    pub(super) figures: Vec<String>,
+    pub(super) worst: Cost<u64>,
+    pub(super) sha256: String,
+    /// The version of the runtime that Rust stands on: this tool's.
+    pub(super) runtime: &'static str,
+    pub(super) rust: bool,
+    /// The platform's libm is called.
+    pub(super) libm: bool,
+}
+
+/// An input or output: name, values, unit, range.
+pub(super) struct Row {
+    pub(super) name: String,
+    pub(super) length: usize,
+    pub(super) unit: String,
+    pub(super) range: String,
+}
+
+/// A text in a cell of a Markdown table, on one line.
+fn cell(text: &str) -> String {
+    text.replace(['\n', '\r'], " ").replace('|', "\\|")
+}
+
+impl<'a> Facts<'a> {
+    pub(super) fn of(code: &Code<'_>, graph: &Graph, options: &'a Options, details: &'a Details) -> Self {
+        let seen = graph.sources().len() - graph.memory();
+        let seen = &graph.sources()[..seen];
+        let answered = &graph.outputs()[..graph.outputs().len() - graph.memory()];
+        let suffix = if graph.scalar() == ScalarType::F32 { "F" } else { "" };
+        let middle =
+            |range: &tpg_graph::Range| format!("{:?}", graph.scalar().round(range.min / 2.0 + range.max / 2.0));
+        let group = |source: &tpg_graph::Source| {
+            let values: Vec<String> = source.ranges.iter().map(|range| middle(range) + suffix).collect();
+            format!("{{ {} }}", values.join(", "))
+        };
+        let answers = match answered.len() {
+            0 => format!("one of {} actions", graph.actions().len()),
+            1 => "a value".to_owned(),
+            count => format!("{count} values"),
+        };
+        Self {
+            details,
+            name: options.prefix.lower(),
+            camel: options.prefix.camel(),
+            upper: options.prefix.upper(),
+            title: format!(
+                "A learned policy that answers {} values with {answers}: a tangled program graph, compiled",
+                seen.iter().map(|source| source.ranges.len()).sum::<usize>()
+            ),
+            inputs: seen
+                .iter()
+                .map(|source| Row {
+                    name: source.name.clone(),
+                    length: source.ranges.len(),
+                    unit: cell(&source.unit),
+                    range: source.ranges.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "),
+                })
+                .collect(),
+            actions: graph.actions().iter().map(|action| cell(&action.name)).collect(),
+            outputs: answered
+                .iter()
+                .map(|output| Row {
+                    name: output.name.clone(),
+                    length: 1,
+                    unit: cell(&output.unit),
+                    range: output.range.to_string(),
+                })
+                .collect(),
+            memory: graph.memory(),
+            state_c: seen.iter().map(group).collect::<Vec<_>>().join(", "),
+            state_rust: graph
+                .state_ranges()
+                .take(graph.state_length() - graph.memory())
+                .map(|r| middle(&r))
+                .collect::<Vec<_>>()
+                .join(", "),
+            figures: figures(graph, options),
+            worst: Costs::of(&code.program).worst(),
+            sha256: code.program.graph_sha256(),
+            runtime: env!("CARGO_PKG_VERSION"),
+            rust: code.program.language == Language::Rust,
+            libm: graph.maths() == MathsProvider::System,
+        }
+    }
+}
+
+/// What the C needs on a Cortex-M4F: measured where its compiler is installed, else an estimate.
+fn figures(graph: &Graph, options: &Options) -> Vec<String> {
+    let code = Code::of(compile(graph, options, Language::C));
+    let measured =
+        size::build_c(&code, Target::CortexM4).and_then(|built| Ok((size::measure(&built.object)?, built.stack)));
+    let Ok((size, stack)) = measured else {
+        let flash = size::estimated_flash(&code.program);
+        return vec![format!("C on a Cortex-M4F: about {flash} bytes of flash (an estimate), no RAM")];
+    };
+    let mut figures = vec![format!("C on a Cortex-M4F, `-Os`: {} bytes of flash, {} of RAM", size.flash(), size.ram())];
+    figures.extend(stack.map(|stack| format!("stack of a decision there: {} bytes", stack.bytes)));
+    figures
+}
