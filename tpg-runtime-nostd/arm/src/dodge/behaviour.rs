@@ -5,6 +5,9 @@ use super::body::{Body, Nearest, Posture};
 use super::plan::{self, Plan, STEP};
 use crate::arm::{JOINTS, Move, Pose};
 
+/// Most balls that are seen.
+pub const BALLS: usize = 3;
+
 /// Everything that a behaviour looks at in one step.
 #[derive(Clone, Copy, Debug)]
 pub struct View<'a> {
@@ -14,16 +17,24 @@ pub struct View<'a> {
     pub pose: Pose,
     /// The body at that pose.
     pub posture: Posture,
-    /// Poses that solve the task, the nearest first; at least one.
+    /// Poses that solve the task; the first is the nearest one.
     pub goals: &'a [Pose],
-    /// The balls.
+    /// The balls, at most [`BALLS`]; others are not seen.
     pub balls: &'a [Ball],
+    /// Where each ball is nearest now.
+    near: [Option<Nearest>; BALLS],
 }
 
 impl<'a> View<'a> {
     /// Looks at a body among balls.
     pub fn new(body: &'a Body, pose: Pose, goals: &'a [Pose], balls: &'a [Ball]) -> Self {
-        Self { body, pose, posture: body.at(pose), goals, balls }
+        let posture = body.at(pose);
+        let balls = balls.get(..BALLS).unwrap_or(balls);
+        let mut near = [None; BALLS];
+        for (near, ball) in near.iter_mut().zip(balls) {
+            *near = Some(body.nearest(&posture, ball.at, ball.radius));
+        }
+        Self { body, pose, posture, goals, balls, near }
     }
 
     /// Returns the first goal; the pose itself where there is none.
@@ -31,9 +42,9 @@ impl<'a> View<'a> {
         self.goals.first().copied().unwrap_or(self.pose)
     }
 
-    /// Returns where each of the first `N` balls is nearest now; `None` beyond the last ball.
-    pub fn nearest(&self, ball: &Ball) -> Nearest {
-        self.body.nearest(&self.posture, ball.at, ball.radius)
+    /// Returns the balls, with the place where each is nearest now.
+    pub fn nearest(&self) -> impl Iterator<Item = (&'a Ball, &Nearest)> {
+        self.balls.iter().zip(self.near.iter().flatten())
     }
 }
 
@@ -62,15 +73,14 @@ impl Field {
         let walk = plan::straight(view.pose, goal);
         let mut wish = walk.0.map(f32::from);
         let mut repelled = false;
-        for ball in view.balls {
-            let now = view.nearest(ball);
+        for (ball, now) in view.nearest() {
             let soon = view.body.nearest(&view.posture, ball.after(self.ahead), ball.radius);
-            let nearest = if soon.clearance < now.clearance { soon } else { now };
+            let nearest = if soon.clearance < now.clearance { &soon } else { now };
             if nearest.clearance < self.reach {
                 repelled = true;
                 let near = if nearest.clearance < 4.0 { 4.0 } else { nearest.clearance };
                 let weight = self.gain * (1.0 / near - 1.0 / self.reach);
-                let gradient = view.body.gradient(&view.posture, &nearest);
+                let gradient = view.body.gradient(&view.posture, nearest);
                 for (wish, slope) in wish.iter_mut().zip(gradient) {
                     *wish += weight * slope;
                 }
@@ -156,6 +166,15 @@ impl Behaviour {
         Self::ALL.into_iter().find(|(_, known)| *known == name).map(|(behaviour, _)| behaviour)
     }
 
+    /// Returns what the behaviour costs beyond a plain walk, in instructions of a Cortex-M4, about.
+    pub const fn price(self) -> u16 {
+        match self {
+            Self::Plan | Self::Straight | Self::Hold => 0,
+            Self::Away => 150,
+            Self::Field | Self::FieldPlan | Self::Upright | Self::Shifted(_) => 1000,
+        }
+    }
+
     /// Returns the step that the behaviour takes; following the plan changes it.
     pub fn step(self, view: &View<'_>, plan: &mut Plan) -> Move {
         match self {
@@ -183,16 +202,10 @@ impl Behaviour {
 }
 
 /// Moves against the nearest ball: the gradient of its clearance at full speed.
-pub fn away(view: &View<'_>) -> Move {
-    let mut nearest: Option<Nearest> = None;
-    for ball in view.balls {
-        let now = view.nearest(ball);
-        if nearest.is_none_or(|best| now.clearance < best.clearance) {
-            nearest = Some(now);
-        }
-    }
-    let Some(nearest) = nearest else { return Move::STOP };
-    let gradient = view.body.gradient(&view.posture, &nearest);
+pub fn away<'v>(view: &'v View<'_>) -> Move {
+    let nearer = |best: &'v Nearest, next: &'v Nearest| if next.clearance < best.clearance { next } else { best };
+    let Some(nearest) = view.nearest().map(|(_, nearest)| nearest).reduce(nearer) else { return Move::STOP };
+    let gradient = view.body.gradient(&view.posture, nearest);
     let largest = gradient.iter().fold(1e-3f32, |largest, g| if g.abs() > largest { g.abs() } else { largest });
     let full = f32::from(STEP);
     Move(gradient.map(|slope| rounded(slope * (full / largest))))

@@ -1,7 +1,7 @@
 //! The part of a controller that stands around a policy: what it sees, what becomes of its choice, and what is remembered.
 
 use super::behaviour::{Behaviour, View};
-use super::guard::guarded;
+use super::guard::{Guarded, guarded};
 use super::plan::steps;
 use super::scout::{Scout, ScoutSettings};
 use super::sources::{VALUES, values};
@@ -31,7 +31,7 @@ impl Dodger {
     /// Begins a task.
     pub fn new(settings: DodgerSettings, view: &View<'_>) -> Self {
         let mut scout = Scout::new(settings.scout, view);
-        scout.step(view);
+        scout.step(view, 0);
         Self { settings, scout, least: steps(view.pose, view.goal()), since: 0 }
     }
 
@@ -43,18 +43,21 @@ impl Dodger {
     /// Turns a policy's choice into a step of the arm, and searches on.
     pub fn act(&mut self, view: &View<'_>, choice: Behaviour) -> Move {
         let wanted = choice.step(view, self.scout.plan_mut());
-        let step = if self.settings.guard { guarded(view, wanted) } else { wanted };
+        let mut answer = Guarded { step: wanted, threatened: false };
+        if self.settings.guard {
+            answer = guarded(view, wanted);
+        }
         let left = steps(view.pose, view.goal());
         if left < self.least {
             (self.least, self.since) = (left, 0);
         } else {
             self.since = self.since.saturating_add(1);
         }
-        // The search looks at the arm as it will be after this step; a step that the guard has replaced costs its time.
-        if step == wanted {
-            self.scout.step(view);
+        // A way out has cost what the search may cost.
+        if !answer.threatened {
+            self.scout.step(view, choice.price());
         }
-        step
+        answer.step
     }
 
     /// Returns the search.

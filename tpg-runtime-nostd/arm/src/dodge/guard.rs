@@ -10,24 +10,34 @@ const LATER: f32 = 4.0;
 /// Clearance below which a move is refused, mm.
 const MARGIN: f32 = 3.0;
 
+/// A step that the guard has looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Guarded {
+    /// The step to take.
+    pub step: Move,
+    /// True if the step that was asked for would soon be hit.
+    pub threatened: bool,
+}
+
 /// Returns the move, or a better one if it would come within 3 mm of a ball in two steps: the best of the move itself, a
 /// strong potential field, fleeing and holding by their clearance after four steps.
-pub fn guarded(view: &View<'_>, wanted: Move) -> Move {
+pub fn guarded(view: &View<'_>, wanted: Move) -> Guarded {
     let body = view.body;
     let after = body.at(moved(view, wanted, 1));
     if body.clearance_of_all(&after, view.balls, SOON) >= MARGIN {
-        return wanted;
+        return Guarded { step: wanted, threatened: false };
     }
-    let mut best = (f32::NEG_INFINITY, wanted);
-    for wanted in [wanted, EVASION.step(view, view.goal()), away(view), Move::STOP] {
-        let posture = body.at(moved(view, wanted, 2));
+    // A way out against table or base is refused by the arm's own rule: it holds then, too.
+    let hold = body.clearance_of_all(&view.posture, view.balls, LATER);
+    let mut best = (hold, Move::STOP);
+    for step in [wanted, EVASION.step(view, view.goal()), away(view)] {
+        let posture = body.at(moved(view, step, 2));
         let clearance = body.clearance_of_all(&posture, view.balls, LATER);
-        let clearance = if body.stands(&posture) { clearance } else { clearance - 1e3 };
         if clearance > best.0 {
-            best = (clearance, wanted);
+            best = (clearance, step);
         }
     }
-    best.1
+    Guarded { step: best.1, threatened: true }
 }
 
 /// The pose after a move was made so many times, within the joints' ranges.

@@ -23,9 +23,9 @@ mod scout;
 mod sources;
 
 pub use ball::Ball;
-pub use behaviour::{Behaviour, EVASION, FIELD, Field, Shift, View, away};
-pub use body::{Body, CAPSULES, Nearest, Posture, WIDOWX_RADII};
+pub use behaviour::{BALLS, Behaviour, EVASION, FIELD, Field, Shift, View, away};
+pub use body::{Body, CAPSULES, Nearest, Outline, Posture, WIDOWX_RADII};
 pub use dodger::{Dodger, DodgerSettings};
-pub use guard::guarded;
-pub use scout::{Fate, GOALS, HORIZON, SCOUT, Scout, ScoutSettings};
+pub use guard::{Guarded, guarded};
+pub use scout::{Fate, HORIZON, SCOUT, Scout, ScoutSettings};
 pub use sources::{Source, VALUES};

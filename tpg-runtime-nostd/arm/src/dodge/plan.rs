@@ -21,24 +21,20 @@ impl Plan {
     }
 
     /// Returns the number of steps from a pose to the goal.
-    #[inline]
     pub fn arrival(&self, from: Pose) -> u32 {
-        match self.via {
-            None => steps(from, self.goal),
-            Some((via, wait)) => steps(from, via) + u32::from(wait) + steps(via, self.goal),
-        }
+        self.turn(from) + steps(self.last_corner(from), self.goal)
     }
 
-    /// Returns the pose after a number of steps.
+    /// Returns the number of steps from a pose until the last leg begins.
     #[inline]
-    pub fn pose_after(&self, from: Pose, steps_from_now: u32) -> Pose {
-        let Some((via, wait)) = self.via else { return towards(from, self.goal, steps_from_now) };
-        let there = steps(from, via) + u32::from(wait);
-        if steps_from_now <= there {
-            towards(from, via, steps_from_now)
-        } else {
-            towards(via, self.goal, steps_from_now - there)
-        }
+    pub(super) fn turn(&self, from: Pose) -> u32 {
+        self.via.map_or(0, |(via, wait)| steps(from, via) + u32::from(wait))
+    }
+
+    /// Returns the pose at which the last leg begins.
+    #[inline]
+    pub(super) fn last_corner(&self, from: Pose) -> Pose {
+        self.via.map_or(from, |(via, _)| via)
     }
 
     /// Takes one step from a pose and forgets what has been passed.
@@ -83,13 +79,13 @@ pub fn steps(from: Pose, to: Pose) -> u32 {
 }
 
 /// Returns the pose after a number of steps of a straight walk.
-#[inline]
-fn towards(from: Pose, to: Pose, steps: u32) -> Pose {
-    let ticks = steps.min(4096 / STEP as u32 + 1) as i16 * STEP;
+#[inline(always)]
+pub(super) fn towards(from: Pose, to: Pose, steps: u16) -> Pose {
+    let most = i32::from(steps) * i32::from(STEP);
     let mut pose = from;
     for (position, to) in pose.0.iter_mut().zip(to.0) {
-        let left = to.saturating_sub(*position);
-        *position = position.saturating_add(left.clamp(-ticks, ticks));
+        let left = i32::from(to) - i32::from(*position);
+        *position = (i32::from(*position) + left.clamp(-most, most)) as i16;
     }
     pose
 }

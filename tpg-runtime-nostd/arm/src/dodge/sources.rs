@@ -28,8 +28,7 @@ pub enum Source {
 
 impl Source {
     /// Every source, in the order of the state.
-    pub const ALL: [Self; 6] =
-        [Self::Left, Self::Near, Self::Second, Self::Ahead, Self::Progress, Self::Detour];
+    pub const ALL: [Self; 6] = [Self::Left, Self::Near, Self::Second, Self::Ahead, Self::Progress, Self::Detour];
 
     /// Returns its name in a graph.
     pub const fn name(self) -> &'static str {
@@ -72,11 +71,10 @@ impl Source {
 }
 
 /// Returns the values of all sources; `progress` in steps.
-pub fn values(view: &View<'_>, scout: &Scout, progress: u8) -> [f32; VALUES] {
-    let mut nearest: Option<(Nearest, f32)> = None;
+pub(super) fn values(view: &View<'_>, scout: &Scout, progress: u8) -> [f32; VALUES] {
+    let mut nearest: Option<(&Nearest, f32)> = None;
     let mut second = (500.0, 0.0);
-    for ball in view.balls {
-        let near = view.nearest(ball);
+    for (ball, near) in view.nearest() {
         let [along, across, up] = view.posture.in_frame(ball.velocity);
         let [x, y, z] = near.away;
         let change = -(along * x + across * y + up * z);
@@ -92,7 +90,7 @@ pub fn values(view: &View<'_>, scout: &Scout, progress: u8) -> [f32; VALUES] {
     }
     let [base, shoulder, elbow, wrist] = left(view);
     let (clearance, change, slopes) = match nearest {
-        Some((near, change)) => (near.clearance, change, view.body.gradient(&view.posture, &near)),
+        Some((near, change)) => (near.clearance, change, view.body.gradient(&view.posture, near)),
         None => (500.0, 0.0, [0.0; JOINTS]),
     };
     let arrival = scout.plan().arrival(view.pose) as f32;

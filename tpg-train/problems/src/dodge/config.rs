@@ -37,8 +37,8 @@ pub struct Config {
     pub capsules: [f32; 4],
     /// True if the guard that looks ahead replaces steps that would be hit.
     pub guard: bool,
-    /// Poses that the search looks at in one step.
-    pub looks: u8,
+    /// What the search may cost in one step, in instructions of a Cortex-M4, about.
+    pub effort: u16,
 }
 
 impl Default for Config {
@@ -58,7 +58,7 @@ impl Default for Config {
             tolerance: 3.0,
             capsules: WIDOWX_RADII,
             guard: true,
-            looks: 8,
+            effort: SCOUT.effort,
         }
     }
 }
@@ -72,7 +72,11 @@ impl Config {
         let [fewest, most] = self.balls;
         if !(1..=3).contains(&fewest) || !(fewest..=3).contains(&most) {
             let found = format!("{:?}", self.balls);
-            return Err(Finding::new("problem.balls", found, "two whole numbers from 1 to 3, the first not above the second"));
+            return Err(Finding::new(
+                "problem.balls",
+                found,
+                "two whole numbers from 1 to 3, the first not above the second",
+            ));
         }
         ordered("problem.radius", self.radius, [1.0, 200.0])?;
         ordered("problem.speed", self.speed, [0.01, 20.0])?;
@@ -90,12 +94,12 @@ impl Config {
         for radius in self.capsules {
             Finding::range("problem.capsules", radius, 1.0, 100.0)?;
         }
-        Finding::range("problem.looks", self.looks, 1, 255)
+        Finding::range("problem.effort", self.effort, 2000, 60_000)
     }
 
     /// Returns the settings of what stands around a policy.
     pub fn settings(&self) -> DodgerSettings {
-        DodgerSettings { scout: ScoutSettings { looks: self.looks, ..SCOUT }, guard: self.guard }
+        DodgerSettings { scout: ScoutSettings { effort: self.effort, ..SCOUT }, guard: self.guard }
     }
 
     /// Returns the arm with its capsules.

@@ -7,11 +7,13 @@ use crate::arm::targets::{ReachableSpace, Set, Start};
 use tpg_arm::dodge::plan::steps;
 use tpg_arm::dodge::{Body, CAPSULES};
 use tpg_arm::kinematics::{Vector, distance};
-use tpg_arm::Pose;
+use tpg_arm::{Pose, WIDOWX};
 use tpg_engine::random::{Purpose, Stream};
 
 /// The seed of the project's scenes.
 pub const SEED: u64 = 2026;
+/// Tries for the certificate of a test scene.
+pub const TEST_TRIES: u32 = 2500;
 /// Steps of an episode.
 pub const LIMIT: u32 = 1000;
 /// Number of solutions that are tried as the first goal.
@@ -37,10 +39,10 @@ pub struct Generator {
 }
 
 impl Generator {
-    /// Prepares the scenes of a set.
-    pub fn new(config: &Config, set: Set) -> Self {
+    /// Prepares the scenes of a set; `seed` samples the reachable space.
+    pub fn new(config: &Config, seed: u64, set: Set) -> Self {
         let body = config.body();
-        Self { body, space: ReachableSpace::sample(&tpg_arm::WIDOWX, SEED, set), config: config.clone() }
+        Self { body, space: ReachableSpace::sample(&WIDOWX, seed, set), config: config.clone() }
     }
 
     /// Draws a scene. Those without a certificate after `tries` tries are drawn anew.
@@ -84,8 +86,7 @@ impl Generator {
     fn ball(&self, index: usize, start: Pose, goal: Pose, random: &mut Stream) -> Option<Path> {
         let between = |[low, high]: [f64; 2], random: &mut Stream| (low + random.unit() * (high - low)) as f32;
         let radius = between(self.config.radius, random);
-        let speed =
-            if random.chance(self.config.share_static) { 0.0 } else { between(self.config.speed, random) };
+        let speed = if random.chance(self.config.share_static) { 0.0 } else { between(self.config.speed, random) };
         let [first, others] = self.config.aimed;
         let aimed = random.chance(if index == 0 { first } else { others });
         let (pass, when) = if aimed { self.aim(start, goal, random) } else { self.elsewhere(start, goal, random) };
@@ -114,7 +115,8 @@ impl Generator {
         let ticks = goal.0.iter().zip(start.0).map(|(to, from)| to.abs_diff(from)).max().unwrap_or(0);
         let when = (0.25 + 0.65 * random.unit()) as f32 * (f32::from(ticks) / 3.0);
         let moved = (3.0 * when) as i16;
-        let pose = Pose(std::array::from_fn(|joint| start.0[joint] + (goal.0[joint] - start.0[joint]).clamp(-moved, moved)));
+        let pose =
+            Pose(std::array::from_fn(|joint| start.0[joint] + (goal.0[joint] - start.0[joint]).clamp(-moved, moved)));
         let capsule = 1 + random.below(CAPSULES - 1);
         let place = random.unit() as f32;
         let point = self.body.at(pose).on_axis(capsule, place);
@@ -140,14 +142,14 @@ impl Generator {
         let posture = self.body.at(start);
         let least = |time| if time == 0 { self.config.clear_at_start } else { 5.0 };
         let rest = u32::from(self.config.rest_free);
-        on_the_way
-            && (0..=rest).all(|time| self.body.clearance(&posture, path.at(time as f32), radius) >= least(time))
+        on_the_way && (0..=rest).all(|time| self.body.clearance(&posture, path.at(time as f32), radius) >= least(time))
     }
 
     /// A plan that solves a scene with a margin, by trying; `None` if none is found.
     fn certificate(&self, scene: &Scene, goals: &[Pose], tries: u32, random: &mut Stream) -> Option<Vec<Leg>> {
         let start = Pose(scene.start);
-        let holds = |legs: &Vec<Leg>| matches!(replay(&self.body, scene, legs, self.config.margin), Outcome::Arrives(_));
+        let holds =
+            |legs: &Vec<Leg>| matches!(replay(&self.body, scene, legs, self.config.margin), Outcome::Arrives(_));
         (0..tries as usize).map(|index| candidate(index, start, goals, random)).find(holds)
     }
 }
@@ -160,10 +162,10 @@ pub fn replay(body: &Body, scene: &Scene, legs: &[Leg], margin: f32) -> Outcome 
     })
 }
 
-/// Draws the scenes of a set: the first `count` of it.
-pub fn scenes(config: &Config, set: Set, count: usize, tries: u32) -> Vec<Certified> {
-    let generator = Generator::new(config, set);
-    let stream = |index| Stream::new(SEED, (set as u64) << 8 | 77, Purpose::Task, index);
+/// Draws the scenes of a set: the first `count` of it, with a certificate found in at most `tries` tries.
+pub fn scenes(config: &Config, seed: u64, set: Set, count: usize, tries: u32) -> Vec<Certified> {
+    let generator = Generator::new(config, seed, set);
+    let stream = |index| Stream::new(seed, (set as u64) << 8 | 77, Purpose::Task, index);
     (0..count as u64).map(|index| generator.draw(&mut stream(index), tries)).collect()
 }
 

@@ -44,7 +44,7 @@ impl Dodge {
 
     fn generator(&self, set: Set) -> &Generator {
         let place = if set == Set::Validation { &self.validation } else { &self.training };
-        place.get_or_init(|| Generator::new(&self.config, set))
+        place.get_or_init(|| Generator::new(&self.config, SEED, set))
     }
 }
 
@@ -87,7 +87,8 @@ impl<S: Scalar> Environment<S> for Dodge {
     }
 
     fn accepts(&self, scene: &Scene) -> bool {
-        let is_on_the_arm = |pose: &[i16; 4]| pose.iter().zip(&self.body.arm.ranges).all(|(&t, range)| range.contains(t));
+        let is_on_the_arm =
+            |pose: &[i16; 4]| pose.iter().zip(&self.body.arm.ranges).all(|(&t, range)| range.contains(t));
         !scene.goals.is_empty() && scene.goals.iter().chain([&scene.start]).all(is_on_the_arm)
     }
 

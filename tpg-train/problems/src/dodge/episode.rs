@@ -45,7 +45,7 @@ impl Episode {
 
     /// Returns what a controller sees.
     pub fn view<'a>(&'a self, body: &'a Body) -> View<'a> {
-        View { body, pose: self.pose, posture: self.posture, goals: &self.goals, balls: &self.balls }
+        View::new(body, self.pose, &self.goals, &self.balls)
     }
 
     /// Returns the scene.

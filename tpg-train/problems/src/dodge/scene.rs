@@ -37,11 +37,7 @@ impl Path {
         }
         let turns = time / self.period + self.phase;
         let turn = turns - libm::floorf(turns);
-        if self.sine {
-            0.5 - 0.5 * libm::cosf(std::f32::consts::TAU * turn)
-        } else {
-            1.0 - (2.0 * turn - 1.0).abs()
-        }
+        if self.sine { 0.5 - 0.5 * libm::cosf(std::f32::consts::TAU * turn) } else { 1.0 - (2.0 * turn - 1.0).abs() }
     }
 
     /// Returns the ball as it is observed at a time: where it is, and how far it went in the last step.

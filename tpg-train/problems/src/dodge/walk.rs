@@ -1,12 +1,15 @@
 //! Walks on a plan of any number of legs, checked step by step: how certificates are found and replayed.
 
 use crate::arm::ik;
+use tpg_arm::dodge::Body;
 use tpg_arm::dodge::plan::{steps, straight};
-use tpg_arm::dodge::{Body, GOALS};
 use tpg_arm::frame::Clearance;
 use tpg_arm::kinematics::{Vector, distance};
 use tpg_arm::{JOINTS, Move, Pose, WIDOWX};
 use tpg_engine::random::Stream;
+
+/// Most goals of a scene.
+pub const GOALS: usize = 4;
 
 /// A leg of a plan: a pose to walk to, and the steps to wait there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -114,7 +117,8 @@ pub fn solutions(body: &Body, target: Vector<f32>, start: [i16; JOINTS]) -> Vec<
         let Clearance { hand, forearm } = Clearance::of(&posture.plane, &body.arm.shapes);
         body.stands(&posture) && hand > 0.0 && forearm > 0.0 && distance(posture.hand(), target) < 2.7
     };
-    let mut poses: Vec<Pose> = ik::goals(&WIDOWX, target.map(f64::from)).into_iter().filter(|&pose| stands(pose)).collect();
+    let mut poses: Vec<Pose> =
+        ik::goals(&WIDOWX, target.map(f64::from)).into_iter().filter(|&pose| stands(pose)).collect();
     let way = |pose: &Pose| {
         let ticks = pose.0.into_iter().zip(start).map(|(to, from)| i32::from(to.abs_diff(from)));
         50 * ticks.clone().max().unwrap_or(0) + ticks.sum::<i32>()
@@ -124,9 +128,9 @@ pub fn solutions(body: &Body, target: Vector<f32>, start: [i16; JOINTS]) -> Vec<
 }
 
 /// Returns at most [`GOALS`] goals: the first, then whichever solution is furthest from those chosen, among those that take
-/// at most 200 steps more than the first.
+/// at most 100 steps more than the first.
 pub fn stances(start: Pose, first: Pose, solutions: &[Pose]) -> Vec<Pose> {
-    let near = steps(start, first) + 200;
+    let near = steps(start, first) + 100;
     let candidates: Vec<Pose> = solutions.iter().copied().filter(|&pose| steps(start, pose) <= near).collect();
     let mut chosen = vec![first];
     while chosen.len() < GOALS {
