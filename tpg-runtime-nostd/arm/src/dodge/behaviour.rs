@@ -194,7 +194,7 @@ impl Behaviour {
                 let joint = usize::from(joint).min(JOINTS - 1);
                 let range = view.body.arm.ranges[joint];
                 let aside = if upwards { SHIFT } else { -SHIFT };
-                goal.0[joint] = view.pose.0[joint].saturating_add(aside).clamp(range.min, range.max);
+                goal.0[joint] = view.pose.0[joint].saturating_add(aside).max(range.min).min(range.max);
                 FIELD.step(view, goal)
             }
         }

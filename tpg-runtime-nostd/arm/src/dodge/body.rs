@@ -236,8 +236,9 @@ impl Posture {
         self.plane.hand_in_world(self.base)
     }
 
-    /// Returns the point at a fraction, 0 to 1, of a capsule's axis in the world, mm.
+    /// Returns the point at a fraction, 0 to 1, of a capsule's axis in the world, mm; of the last capsule beyond it.
     pub fn on_axis(&self, capsule: usize, place: f32) -> Vector<f32> {
+        let capsule = capsule.min(CAPSULES - 1);
         let (start, end) = (self.points[capsule], self.points[capsule + 1]);
         let (x, z) = (start.x + (end.x - start.x) * place, start.z + (end.z - start.z) * place);
         [x * self.base.sin, -(x * self.base.cos), z]

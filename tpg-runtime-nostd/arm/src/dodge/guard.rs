@@ -46,7 +46,7 @@ fn moved(view: &View<'_>, wanted: Move, times: i16) -> Pose {
     for joint in 0..JOINTS {
         let range = view.body.arm.ranges[joint];
         let ticks = pose.0[joint].saturating_add(i16::from(wanted.0[joint]) * times);
-        pose.0[joint] = ticks.clamp(range.min, range.max);
+        pose.0[joint] = ticks.max(range.min).min(range.max);
     }
     pose
 }

@@ -37,7 +37,7 @@ impl Plan {
         self.via.map_or(from, |(via, _)| via)
     }
 
-    /// Takes one step from a pose and forgets what has been passed.
+    /// Returns the next step from a pose, and forgets what has been passed.
     pub fn advance(&mut self, from: Pose) -> Move {
         match &mut self.via {
             Some((via, 0)) if *via == from => {
@@ -85,7 +85,7 @@ pub(super) fn towards(from: Pose, to: Pose, steps: u16) -> Pose {
     let mut pose = from;
     for (position, to) in pose.0.iter_mut().zip(to.0) {
         let left = i32::from(to) - i32::from(*position);
-        *position = (i32::from(*position) + left.clamp(-most, most)) as i16;
+        *position = (i32::from(*position) + left.max(-most).min(most)) as i16;
     }
     pose
 }

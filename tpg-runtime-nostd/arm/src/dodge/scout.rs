@@ -277,7 +277,7 @@ impl Scout {
             let sum = bits.to_le_bytes().iter().map(|&byte| i32::from(byte)).sum::<i32>() - 510;
             let aside = spread * sum / 148;
             let aim = i32::from(*position) + way + aside;
-            *position = aim.clamp(range.min.into(), range.max.into()) as i16;
+            *position = aim.max(range.min.into()).min(range.max.into()) as i16;
         }
         Plan { via: Some((via, wait)), goal }
     }
