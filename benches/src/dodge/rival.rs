@@ -74,18 +74,26 @@ impl Rival for PotentialField {
     fn step(&mut self, view: &View<'_>) -> Move {
         let Some((patience, lasting)) = self.script else { return FIELD.step(view, view.goal()) };
         let away = steps(view.pose, view.goal());
+        if self.left > 0 {
+            self.left -= 1;
+            (self.least, self.since) = (away, 0);
+            return Self::upright(view);
+        }
         if away < self.least {
             (self.least, self.since) = (away, 0);
         } else {
             self.since += 1;
         }
-        if self.left == 0 && self.since >= patience {
-            (self.left, self.since, self.least) = (lasting, 0, away);
+        if self.since >= patience {
+            self.left = lasting;
         }
-        if self.left == 0 {
-            return FIELD.step(view, view.goal());
-        }
-        self.left -= 1;
+        FIELD.step(view, view.goal())
+    }
+}
+
+impl PotentialField {
+    /// Stretches upwards, in the field.
+    fn upright(view: &View<'_>) -> Move {
         let [base, ..] = view.pose.0;
         FIELD.step(view, Pose([base, 2048, 2048, 2048]))
     }

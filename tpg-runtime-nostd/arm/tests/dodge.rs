@@ -3,12 +3,12 @@
 use proptest::prelude::*;
 use std::collections::BTreeSet;
 use std::f32::consts::TAU;
+use tpg_arm::dodge::plan::Plan;
 use tpg_arm::dodge::plan::{STEP, steps, straight};
 use tpg_arm::dodge::{
-    Ball, Behaviour, Body, CAPSULES, Dodger, DodgerSettings, FIELD, Fate, Field, HORIZON, SCOUT, Scout, Source, VALUES, View,
-    WIDOWX_RADII, away, guarded,
+    Ball, Behaviour, Body, CAPSULES, Dodger, DodgerSettings, FIELD, Fate, Field, HORIZON, SCOUT, Scout, Source, VALUES,
+    View, WIDOWX_RADII, away, guarded,
 };
-use tpg_arm::dodge::plan::Plan;
 use tpg_arm::kinematics::Vector;
 use tpg_arm::{JOINTS, Move, Pose, WIDOWX};
 
@@ -212,7 +212,7 @@ fn behaviours_and_sources_have_names_of_their_own() {
 
 /// A quarter turn of the stretched arm, with a ball that stays in the middle of the way of its hand.
 fn in_the_way() -> (Pose, Pose, Ball) {
-    let [start, middle, goal] = [1536, 2048, 2560].map(|base| Pose([base, 2600, 1900, 2048]));
+    let [start, middle, goal] = [1536, 2048, 2560].map(|base| Pose([base, 2048, 2048, 2048]));
     let at = BODY.at(middle).on_axis(3, 0.7);
     (start, goal, Ball { at, velocity: [0.0; 3], radius: 40.0 })
 }

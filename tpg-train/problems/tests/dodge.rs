@@ -1,7 +1,7 @@
 //! The arm among balls: what the generator promises, the rules of a step, and the problem as an environment.
 
-use tpg_arm::dodge::plan::{steps, straight};
 use tpg_arm::dodge::Body;
+use tpg_arm::dodge::plan::{steps, straight};
 use tpg_arm::frame::Clearance;
 use tpg_arm::kinematics::distance;
 use tpg_arm::{Move, Pose, WIDOWX};
@@ -60,7 +60,9 @@ fn scenes_keep_the_generators_rules() {
         let walk = follow(&body, start, &[Leg { to: first, wait: 0 }], LIMIT, 0.0, |_, _| 1.0);
         assert_eq!(walk, Outcome::Arrives(steps(start, first)));
         for ball in &scene.balls {
-            assert!((30.0..=60.0).contains(&ball.radius) && (ball.period == 0.0 || (0.29..=2.01).contains(&ball.speed())));
+            assert!(
+                (30.0..=60.0).contains(&ball.radius) && (ball.period == 0.0 || (0.29..=2.01).contains(&ball.speed()))
+            );
             let rest = body.at(start);
             assert!(body.clearance(&rest, ball.at(0.0), ball.radius) >= 40.0);
             assert!((0..=40).all(|time| body.clearance(&rest, ball.at(time as f32), ball.radius) >= 5.0));
@@ -111,7 +113,8 @@ fn a_plan_that_is_followed_by_the_rules_does_what_its_replay_says() {
 #[test]
 fn a_step_against_limits_table_or_base_is_refused_and_no_failure() {
     let body = body();
-    let ball = Path { from: [0.0, 0.0, 2000.0], to: [0.0, 0.0, 2000.0], radius: 30.0, period: 0.0, phase: 0.0, sine: false };
+    let ball =
+        Path { from: [0.0, 0.0, 2000.0], to: [0.0, 0.0, 2000.0], radius: 30.0, period: 0.0, phase: 0.0, sine: false };
     let scene = |start| Scene { start, target: [0.0, -300.0, 300.0], goals: vec![[2048; 4]], balls: vec![ball] };
     let at_limit = [WIDOWX.ranges[0].max, 2048, 2048, 2048];
     let mut episode = Episode::new(&body, &scene(at_limit));
@@ -177,8 +180,10 @@ fn the_environment_scores_its_ends_and_repeats_itself() {
 #[test]
 fn validation_scenes_are_those_of_their_set() {
     let problem = Dodge::new(&Config::default());
-    let expected: Vec<Scene> =
-        scenes(&Config::default(), SEED, Set::Validation, 3, 1500).into_iter().map(|certified| certified.scene).collect();
+    let expected: Vec<Scene> = scenes(&Config::default(), SEED, Set::Validation, 3, 1500)
+        .into_iter()
+        .map(|certified| certified.scene)
+        .collect();
     assert_eq!(Environment::<f32>::validation_tasks(&problem, 3), expected);
     // Training scenes come from another sample of the space.
     let training = Generator::new(&Config::default(), SEED, Set::Training);
