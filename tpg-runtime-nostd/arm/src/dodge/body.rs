@@ -199,6 +199,7 @@ impl Body {
         let (start, end) = (posture.points[capsule], posture.points[capsule + 1]);
         let (dx, dz) = (end.x - start.x, end.z - start.z);
         let place = ((along - start.x) * dx + (up - start.z) * dz) * self.inverse_squares[capsule];
+        #[expect(clippy::manual_clamp, reason = "the instructions of these two comparisons are counted")]
         let place = if place < 0.0 {
             0.0
         } else if place > 1.0 {
