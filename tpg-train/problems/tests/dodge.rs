@@ -33,7 +33,7 @@ fn a_ball_goes_back_and_forth_at_its_speed() {
         assert!((fastest - path.speed()).abs() < 0.01 * path.speed(), "{fastest} {}", path.speed());
         let places: Vec<f32> = (0..600).map(|time| path.at(time as f32)[0]).collect();
         let (low, high) = places.iter().fold((300.0, 0.0), |(low, high), &x| (x.min(low), x.max(high)));
-        assert!(low >= -1e-3 && low < 1.0 && high <= 300.001 && high > 299.0);
+        assert!((-1e-3..1.0).contains(&low) && (299.0..300.001).contains(&high));
     }
     let still = Path { from: [1.0, 2.0, 3.0], to: [1.0, 2.0, 3.0], radius: 40.0, period: 0.0, phase: 0.0, sine: true };
     assert_eq!((still.at(5.0), still.speed()), ([1.0, 2.0, 3.0], 0.0));

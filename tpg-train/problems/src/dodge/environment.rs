@@ -53,7 +53,7 @@ impl<S: Scalar> Environment<S> for Dodge {
     type Episode = Trial;
 
     fn sources(&self) -> Vec<SourceDocument> {
-        Source::ALL.into_iter().map(|source| document(source)).collect()
+        Source::ALL.into_iter().map(document).collect()
     }
 
     fn actions(&self) -> ActionSpace {
