@@ -2,7 +2,7 @@
 //!
 //! Each folder holds a policy's `graph.json`, the C and Rust made of it, and `PROVENANCE.md`: how it was trained and how
 //! well it does; `hybrid.toml` and `hybrid.rs` say how it shares the arm with the network. `widowx-sac` is a soft actor-critic's network instead: its weights, the same in integers, and the Rust
-//! constants of those. The other folders are problems of Gymnasium. Tests fail when regenerating gives other bytes.
+//! constants of those. `dodge` chooses among behaviours of an arm among moving balls. The other folders are problems of Gymnasium. Tests fail when regenerating gives other bytes.
 //!
 //! ```
 //! use tpg_generated::widowx_fs::WidowxFs;
@@ -25,6 +25,8 @@
 pub mod acrobot;
 #[path = "cartpole/cartpole.rs"]
 pub mod cartpole;
+#[path = "dodge/dodge.rs"]
+pub mod dodge;
 #[path = "mountain-car/mountain_car.rs"]
 pub mod mountain_car;
 #[path = "mountain-car-continuous/mountain_car_continuous.rs"]

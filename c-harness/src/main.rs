@@ -169,6 +169,13 @@ fn qemu(update: bool) -> Result<(), Failure> {
             continuous::compare(language, &image, &lines)?;
             costs.add(language, &lines);
         }
+        // A control step among balls has no C interface.
+        if language == "Rust"
+            && let Some(image) = builder("dodge", Board::Mps2An386)?
+        {
+            symbols::check(&image)?;
+            costs.add(language, &emulate::run(Board::Mps2An386, &image)?);
+        }
         fits(language, builder)?;
     }
     rtic::check()?;

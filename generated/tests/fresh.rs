@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use tpg_codegen::emit::{self, Language, Options, Prefix, Profile};
 use tpg_generated::acrobot::Acrobot;
 use tpg_generated::cartpole::Cartpole;
+use tpg_generated::dodge::Dodge;
 use tpg_generated::mountain_car::MountainCar;
 use tpg_generated::mountain_car_continuous::MountainCarContinuous;
 use tpg_generated::pendulum::Pendulum;
@@ -125,6 +126,7 @@ fn compiled_policies_act_like_their_graphs() {
     acts_like(WidowxRs, "widowx-rs");
     acts_like(WidowxRsFast, "widowx-rs");
     acts_like(Cartpole, "cartpole");
+    acts_like(Dodge, "dodge");
     acts_like(Acrobot, "acrobot");
     acts_like(MountainCar, "mountain-car");
     acts_like(MountainCarContinuous, "mountain-car-continuous");

@@ -34,6 +34,7 @@
 //! | [`frame`] | quantities derived from an observation: polar errors, gradients, clearances |
 //! | [`binding`] | a graph's names and numbers as sources and moves |
 //! | [`cycle`] | detection of poses where the arm has been before |
+//! | [`dodge`] | the arm among moving balls: distances, behaviours, the search for a plan |
 //! | [`episode`] | one episode and how it ended |
 //! | [`hybrid`] | two policies that share an arm: the one that drives, and when they change |
 //! | [`sensors`] | readings that a control step refuses, and the watch over stuck motors |
@@ -46,6 +47,7 @@
 mod arm;
 pub mod binding;
 pub mod cycle;
+pub mod dodge;
 pub mod episode;
 pub mod frame;
 pub mod hybrid;

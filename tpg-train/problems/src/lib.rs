@@ -15,6 +15,7 @@
 //! | [`registry`] | problems by name, with their settings |
 //! | [`continuous`] | the same for policies with outputs |
 //! | [`arm`] | reaching with a robot arm: `fs` and `rs` |
+//! | [`dodge`] | reaching with a robot arm among moving balls |
 //! | [`cartpole`] | balancing a pole on a cart |
 //! | [`acrobot`] | swinging two links up |
 //! | [`mountain_car`] | driving out of a valley by three pushes |
@@ -27,6 +28,7 @@ pub mod amount;
 pub mod arm;
 pub mod cartpole;
 pub mod continuous;
+pub mod dodge;
 #[cfg(test)]
 mod gymnasium;
 pub mod mountain_car;

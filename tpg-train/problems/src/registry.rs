@@ -4,6 +4,7 @@ use crate::acrobot::{self, Acrobot};
 use crate::arm::targets::Start;
 use crate::arm::{self, ArmScalar};
 use crate::cartpole::{self, CartPole};
+use crate::dodge::{self, Dodge};
 use crate::mountain_car::{self, MountainCar};
 use crate::mountain_car_continuous::{self, MountainCarContinuous};
 use crate::pendulum::{self, Pendulum};
@@ -24,6 +25,8 @@ pub enum ProblemName {
     Fs,
     /// A robot arm reaches for a target from anywhere: the paper's random start
     Rs,
+    /// A robot arm reaches for a target among moving balls, by behaviours
+    Dodge,
     /// A cart balances a pole: Gymnasium's CartPole-v1
     Cartpole,
     /// A motor between two links swings them up: Gymnasium's Acrobot-v1
@@ -38,9 +41,10 @@ pub enum ProblemName {
 
 impl ProblemName {
     /// Every built-in problem.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Fs,
         Self::Rs,
+        Self::Dodge,
         Self::Cartpole,
         Self::Acrobot,
         Self::MountainCar,
@@ -53,6 +57,7 @@ impl ProblemName {
         match self {
             Self::Fs => "fs",
             Self::Rs => "rs",
+            Self::Dodge => "dodge",
             Self::Cartpole => "cartpole",
             Self::Acrobot => "acrobot",
             Self::MountainCar => "mountain-car",
@@ -76,7 +81,12 @@ impl ProblemName {
         match self {
             Self::Fs => Some(Start::Fs),
             Self::Rs => Some(Start::Rs),
-            Self::Cartpole | Self::Acrobot | Self::MountainCar | Self::Pendulum | Self::MountainCarContinuous => None,
+            Self::Dodge
+            | Self::Cartpole
+            | Self::Acrobot
+            | Self::MountainCar
+            | Self::Pendulum
+            | Self::MountainCarContinuous => None,
         }
     }
 }
@@ -95,6 +105,8 @@ impl From<Start> for ProblemName {
 pub enum Problem {
     /// The arm.
     Arm(Start, arm::Config),
+    /// The arm among balls.
+    Dodge(dodge::Config),
     /// The pole on a cart.
     Cartpole(cartpole::Config),
     /// The two links.
@@ -125,6 +137,7 @@ impl Problem {
         match name {
             ProblemName::Fs => Self::Arm(Start::Fs, arm::Config::default()),
             ProblemName::Rs => Self::Arm(Start::Rs, arm::Config::default()),
+            ProblemName::Dodge => Self::Dodge(dodge::Config::default()),
             ProblemName::Cartpole => Self::Cartpole(cartpole::Config::default()),
             ProblemName::Acrobot => Self::Acrobot(acrobot::Config::default()),
             ProblemName::MountainCar => Self::MountainCar(mountain_car::Config::default()),
@@ -139,6 +152,7 @@ impl Problem {
     pub fn name(&self) -> ProblemName {
         match self {
             Self::Arm(start, _) => (*start).into(),
+            Self::Dodge(_) => ProblemName::Dodge,
             Self::Cartpole(_) => ProblemName::Cartpole,
             Self::Acrobot(_) => ProblemName::Acrobot,
             Self::MountainCar(_) => ProblemName::MountainCar,
@@ -153,6 +167,7 @@ impl Problem {
         match self {
             Self::Pendulum(config) => config.levels,
             Self::Arm(..)
+            | Self::Dodge(_)
             | Self::Cartpole(_)
             | Self::Acrobot(_)
             | Self::MountainCar(_)
@@ -175,6 +190,7 @@ impl Problem {
         let problem = match name {
             ProblemName::Fs => Self::Arm(Start::Fs, section(file, text)?),
             ProblemName::Rs => Self::Arm(Start::Rs, section(file, text)?),
+            ProblemName::Dodge => Self::Dodge(section(file, text)?),
             ProblemName::Cartpole => Self::Cartpole(section(file, text)?),
             ProblemName::Acrobot => Self::Acrobot(section(file, text)?),
             ProblemName::MountainCar => Self::MountainCar(section(file, text)?),
@@ -188,6 +204,7 @@ impl Problem {
     fn check(&self) -> Result<(), Finding> {
         match self {
             Self::Arm(_, config) => config.check(),
+            Self::Dodge(config) => config.check(),
             Self::Cartpole(config) => check(CartPole, &config.physics, &config.disturbance),
             Self::Acrobot(config) => check(Acrobot, &config.physics, &config.disturbance),
             Self::MountainCar(config) => check(MountainCar, &config.physics, &config.disturbance),
@@ -206,6 +223,7 @@ impl Problem {
     pub fn to_table(&self) -> toml::Table {
         let mut table = match self {
             Self::Arm(_, config) => toml::Table::try_from(config),
+            Self::Dodge(config) => toml::Table::try_from(config),
             Self::Cartpole(config) => toml::Table::try_from(config),
             Self::Acrobot(config) => toml::Table::try_from(config),
             Self::MountainCar(config) => toml::Table::try_from(config),
@@ -228,6 +246,7 @@ impl Problem {
     pub fn environment<S: ArmScalar>(&self) -> AnyEnvironment<S> {
         match self {
             Self::Arm(start, config) => erase(config.environment::<S>(*start)),
+            Self::Dodge(config) => erase(Dodge::new(config)),
             Self::Cartpole(config) => erase(Varied::new(CartPole, config.physics, config.disturbance.clone())),
             Self::Acrobot(config) => erase(Varied::new(Acrobot, config.physics, config.disturbance.clone())),
             Self::MountainCar(config) => erase(Varied::new(MountainCar, config.physics, config.disturbance.clone())),
@@ -323,6 +342,9 @@ mod tests {
                 4,
                 "problem.disturbance.noise.omega",
             ),
+            ("[problem]\nname = \"dodge\"\nballs = [2, 4]\n", 3, "problem.balls = [2, 4]"),
+            ("[problem]\nname = \"dodge\"\n\nspeed = [2.0, 0.3]\n", 4, "problem.speed = [2.0, 0.3]"),
+            ("[problem]\nname = \"dodge\"\neffort = 10\n", 3, "problem.effort = 10"),
             ("[problem]\nname = \"lander\"\n", 2, "problem.name = \"lander\""),
             ("[problem]\nname = \"rs\"\n[problem.arm]\nhome = 3\n", 4, "invalid type"),
         ] {

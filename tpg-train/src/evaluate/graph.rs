@@ -1,6 +1,7 @@
 //! A graph on any environment.
 
 use super::report::EvaluationReport;
+use std::path::Path;
 use std::time::Instant;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{Choices, Ending, EngineOptions, Environment, Lanes, Plan, Remembered, Remembering, bind};
@@ -8,6 +9,8 @@ use tpg_graph::error::{InputError, Place};
 use tpg_graph::{Graph, in_arithmetic_of};
 use tpg_problems::Problem;
 use tpg_problems::arm::ArmScalar;
+use tpg_problems::dodge::scene::Scene;
+use tpg_problems::dodge::{self, Dodge};
 use tpg_runtime::ops::Maths;
 use tpg_runtime::scalar::Scalar;
 
@@ -107,6 +110,34 @@ pub fn on_problem(
 ) -> Result<EvaluationReport, InputError> {
     let evaluation = Evaluation { problem, file, graph, episodes, seed };
     in_arithmetic_of!(graph, evaluation.run())
+}
+
+/// Evaluates a graph on scenes of a file, among balls.
+///
+/// # Errors
+/// As [`endings`]; if the file cannot be read.
+pub fn on_scenes(
+    config: &dodge::Config,
+    file: &str,
+    graph: &Graph,
+    scenes: &Path,
+) -> Result<EvaluationReport, InputError> {
+    let tasks: Vec<_> = dodge::file::read_csv(scenes)?.into_iter().map(|certified| certified.scene).collect();
+    let environment = Dodge::new(config);
+    let began = Instant::now();
+    let endings = in_arithmetic_of!(graph, on_balls(file, graph, &environment, &tasks))?;
+    let seconds = began.elapsed().as_secs_f64();
+    let (outcomes, measure) = (&dodge::episode::OUTCOMES, Some(tpg_problems::arm::environment::DISTANCE));
+    Ok(EvaluationReport::new("dodge", file, None, &endings, outcomes, measure, seconds))
+}
+
+fn on_balls<S: Scalar, M: Maths<S>>(
+    file: &str,
+    graph: &Graph,
+    environment: &Dodge,
+    scenes: &[Scene],
+) -> Result<Vec<Ending>, InputError> {
+    endings_on::<S, M, _>(file, graph, environment, scenes)
 }
 
 struct Evaluation<'a> {

@@ -70,7 +70,7 @@ pub struct EvalArgs {
     /// With --tpg and --policy: method of detecting that the graph cycles [default: visited on the arm, else none]
     #[arg(long, value_enum)]
     pub cycle_detector: Option<Detector>,
-    /// The arm's episodes from a file
+    /// The arm's episodes from a file, as `tpg-train targets` prints them
     #[arg(long, value_name = "CSV", conflicts_with = "episodes")]
     pub targets: Option<PathBuf>,
     /// The number of test episodes
@@ -108,7 +108,9 @@ pub fn eval(args: &EvalArgs) -> Result<(), InputError> {
 /// A graph, a network or a hybrid on a problem that is not the arm's.
 fn on_a_problem(args: &EvalArgs) -> Result<EvaluationReport, InputError> {
     let name = args.problem.name();
-    let of_the_arm = args.targets.is_some() || args.separation_mm.is_some() || args.guard.is_some();
+    let of_the_arm = (args.targets.is_some() && args.problem != ProblemName::Dodge)
+        || args.separation_mm.is_some()
+        || args.guard.is_some();
     if of_the_arm || args.shield != Shield::None {
         let found = format!("an option of the arm's with --problem {name}");
         let accepted = "--tpg GRAPH, --policy FILE, both, or --hybrid FILE; --config, --episodes, --seed; with both --separation, \
@@ -116,6 +118,9 @@ fn on_a_problem(args: &EvalArgs) -> Result<EvaluationReport, InputError> {
         return Err(command_line(found, accepted));
     }
     let config = args.config.as_deref();
+    if args.targets.is_some() && (args.tpg.is_none() || args.policy.is_some()) {
+        return Err(command_line("--targets without a graph alone", "--tpg GRAPH with --targets CSV"));
+    }
     match (&args.hybrid, &args.tpg, &args.policy) {
         (Some(path), ..) => {
             let hybrid = Hybrid::read(path)?;
@@ -139,7 +144,11 @@ fn on_a_problem(args: &EvalArgs) -> Result<EvaluationReport, InputError> {
         }
         (None, Some(path), None) => {
             let problem = graph_problem(args.problem, config)?;
-            graph::on_problem(&problem, &path.display().to_string(), &read_graph(path)?, args.episodes, args.seed)
+            let (file, graph) = (path.display().to_string(), read_graph(path)?);
+            match (&args.targets, &problem) {
+                (Some(scenes), Problem::Dodge(config)) => graph::on_scenes(config, &file, &graph, scenes),
+                _ => graph::on_problem(&problem, &file, &graph, args.episodes, args.seed),
+            }
         }
         (None, None, Some(file)) => {
             let network = Network::read(Path::new(file))?;

@@ -59,7 +59,7 @@ pub struct Preset {
 }
 
 /// Every preset.
-pub const PRESETS: [Preset; 10] = [
+pub const PRESETS: [Preset; 11] = [
     Preset {
         name: "linear",
         about: "for any problem: some demes begin with weighted sums of the inputs, the others at random",
@@ -98,6 +98,11 @@ pub const PRESETS: [Preset; 10] = [
         text: include_str!("presets/polar-fs.toml"),
     },
     Preset { name: "best-rs", about: "this project's, random start", text: include_str!("presets/best-rs.toml") },
+    Preset {
+        name: "dodge",
+        about: "this project's, for the arm among balls: few roots, many episodes",
+        text: include_str!("presets/dodge.toml"),
+    },
 ];
 
 impl Preset {
@@ -114,6 +119,7 @@ impl Preset {
         let name = match problem {
             ProblemName::Fs => "best-fs",
             ProblemName::Rs => "best-rs",
+            ProblemName::Dodge => "dodge",
             ProblemName::Cartpole
             | ProblemName::Acrobot
             | ProblemName::MountainCar

@@ -1,0 +1,29 @@
+//! The committed scenes of the arm among balls: every one is solved by its plan, and they are those of the command.
+
+use tpg_problems::arm::targets::Set;
+use tpg_problems::dodge::Config;
+use tpg_problems::dodge::draw::{LIMIT, SEED, TEST_TRIES, replay, scenes};
+use tpg_problems::dodge::file::{parse_csv, to_csv};
+use tpg_problems::dodge::walk::Outcome;
+
+const COMMITTED: &str = include_str!("../test-targets/dodge.csv");
+
+#[test]
+fn every_certificate_solves_its_scene_with_a_millimetre_to_spare() {
+    let list = parse_csv("dodge.csv", COMMITTED).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(list.len(), 1000);
+    let body = Config::default().body();
+    for (index, certified) in list.iter().enumerate() {
+        let outcome = replay(&body, &certified.scene, &certified.plan, 1.0);
+        assert!(
+            matches!(outcome, Outcome::Arrives(steps) if steps <= LIMIT),
+            "scene {index}: {outcome:?}"
+        );
+    }
+}
+
+#[test]
+fn the_committed_scenes_are_those_of_the_command() {
+    let drawn = scenes(&Config::default(), SEED, Set::Test, 1000, TEST_TRIES);
+    assert!(to_csv(&drawn) == COMMITTED);
+}

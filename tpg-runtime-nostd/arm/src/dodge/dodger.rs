@@ -1,0 +1,67 @@
+//! The part of a controller that stands around a policy: what it sees, what becomes of its choice, and what is remembered.
+
+use super::behaviour::{Behaviour, View};
+use super::guard::{Guarded, guarded};
+use super::plan::steps;
+use super::scout::{Scout, ScoutSettings};
+use super::sources::{VALUES, values};
+use crate::arm::Move;
+
+/// A controller's settings.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DodgerSettings {
+    /// The search.
+    pub scout: ScoutSettings,
+    /// True if steps that would be hit are replaced.
+    pub guard: bool,
+}
+
+/// What is remembered from step to step of one task.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dodger {
+    settings: DodgerSettings,
+    scout: Scout,
+    /// Steps from the goal, at their least.
+    least: u32,
+    /// Steps since then.
+    since: u8,
+}
+
+impl Dodger {
+    /// Begins a task.
+    pub fn new(settings: DodgerSettings, view: &View<'_>) -> Self {
+        let mut scout = Scout::new(settings.scout, view);
+        scout.step(view, 0);
+        Self { settings, scout, least: steps(view.pose, view.goal()), since: 0 }
+    }
+
+    /// Returns what a policy sees.
+    pub fn observe(&self, view: &View<'_>) -> [f32; VALUES] {
+        values(view, &self.scout, self.since)
+    }
+
+    /// Turns a policy's choice into a step of the arm, and searches on.
+    pub fn act(&mut self, view: &View<'_>, choice: Behaviour) -> Move {
+        let wanted = choice.step(view, self.scout.plan_mut());
+        let mut answer = Guarded { step: wanted, threatened: false };
+        if self.settings.guard {
+            answer = guarded(view, wanted);
+        }
+        let left = steps(view.pose, view.goal());
+        if left < self.least {
+            (self.least, self.since) = (left, 0);
+        } else {
+            self.since = self.since.saturating_add(1);
+        }
+        // A way out has cost what the search may cost.
+        if !answer.threatened {
+            self.scout.step(view, choice.price());
+        }
+        answer.step
+    }
+
+    /// Returns the search.
+    pub fn scout(&self) -> &Scout {
+        &self.scout
+    }
+}

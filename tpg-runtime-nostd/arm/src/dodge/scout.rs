@@ -1,0 +1,294 @@
+//! A search that never stops and never takes long: in every step it looks at a few poses of a few plans, and goes on in the
+//! next step where it stopped.
+
+use super::behaviour::View;
+use super::plan::{Plan, steps, towards};
+use crate::arm::Pose;
+
+/// Steps that the search looks ahead.
+pub const HORIZON: u32 = 160;
+/// Effort of one look at a pose of a plan: where the arm is, and the distance of nothing yet.
+const LOOK: u16 = 480;
+/// Effort of a ball that is far, and of one that is near.
+const FAR_BALL: u16 = 70;
+const NEAR_BALL: u16 = 250;
+/// Effort of a pose near the table or the base.
+const BASE: u16 = 750;
+/// Effort of a new plan.
+const PROPOSE: u16 = 1000;
+/// Effort of beginning with a known plan.
+const BEGIN: u16 = 250;
+/// Clearance up to which it is computed exactly, mm.
+const NEAR: f32 = 40.0;
+
+/// The search's settings.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ScoutSettings {
+    /// What a step of the search may cost, in instructions of a Cortex-M4, about.
+    pub effort: u16,
+    /// What of that is kept for the plan itself.
+    pub watch: u16,
+    /// Clearance below which a ball is met, mm.
+    pub margin: f32,
+    /// Speed of the arm's points that is reckoned with when the next look is placed, mm a step.
+    pub pace: f32,
+    /// Fewest steps between two looks.
+    pub stride: u8,
+    /// Steps by which another plan must be faster to be taken, where both are free.
+    pub gain: u16,
+    /// Standard deviations of a detour's pose from the straight way, ticks; equally likely.
+    pub spreads: [i16; 4],
+}
+
+/// The settings of the project's policies.
+pub const SCOUT: ScoutSettings = ScoutSettings {
+    effort: 5400,
+    watch: 1800,
+    margin: 4.0,
+    pace: 2.0,
+    stride: 12,
+    gain: 10,
+    spreads: [100, 200, 300, 400],
+};
+
+/// What a plan was found to lead to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Fate {
+    /// A ball, the table or the base after so many steps.
+    Meets(u16),
+    /// Nothing within the horizon.
+    Free,
+}
+
+impl Fate {
+    /// Returns the steps until something is met; the horizon where nothing is.
+    pub fn free_steps(self) -> u16 {
+        match self {
+            Self::Meets(steps) => steps,
+            Self::Free => HORIZON as u16,
+        }
+    }
+}
+
+/// A plan under examination.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Probe {
+    plan: Plan,
+    from: Pose,
+    /// Steps that have passed since it began.
+    age: u16,
+    /// Steps after its beginning at which it is looked at next.
+    next: u16,
+    /// Steps after its beginning at which the last leg begins, and at which it has been looked at to the end.
+    turn: u16,
+    last: u16,
+}
+
+impl Probe {
+    fn new(plan: Plan, from: Pose) -> Self {
+        let turn = plan.turn(from);
+        let last = (turn + steps(plan.last_corner(from), plan.goal)).min(HORIZON) as u16;
+        Self { plan, from, age: 0, next: 1, turn: turn.min(u32::from(u16::MAX)) as u16, last }
+    }
+
+    /// The pose at which it is looked at next.
+    #[inline(always)]
+    fn pose(&self) -> Pose {
+        match self.plan.via {
+            Some((via, _)) if self.next <= self.turn => towards(self.from, via, self.next),
+            Some((via, _)) => towards(via, self.plan.goal, self.next - self.turn),
+            None => towards(self.from, self.plan.goal, self.next),
+        }
+    }
+
+    /// Looks at a plan until its fate is known or too little effort is left for a look.
+    fn look(&mut self, view: &View<'_>, settings: &ScoutSettings, effort: &mut u16) -> Option<Fate> {
+        while *effort >= LOOK + NEAR_BALL * view.balls.len() as u16 {
+            *effort -= LOOK;
+            let posture = view.body.at(self.pose());
+            let outline = posture.outline();
+            let after = f32::from(self.next) - f32::from(self.age);
+            let mut skip = HORIZON as f32;
+            for ball in view.balls {
+                let centre = ball.after(after);
+                let mut clearance = view.body.clearance_bound(&posture, &outline, centre, ball.radius);
+                *effort -= FAR_BALL;
+                if clearance < NEAR {
+                    *effort -= NEAR_BALL - FAR_BALL;
+                    clearance = view.body.clearance(&posture, centre, ball.radius);
+                }
+                let room = clearance - settings.margin;
+                if room < 0.0 {
+                    return Some(self.met());
+                }
+                let pause = room / (settings.pace + ball.speed_bound());
+                if pause < skip {
+                    skip = pause;
+                }
+            }
+            if !view.body.stands_clearly(&posture) {
+                if *effort < BASE {
+                    // It is looked at again in the next step.
+                    *effort = 0;
+                    return None;
+                }
+                *effort -= BASE;
+                if !view.body.stands(&posture) {
+                    return Some(self.met());
+                }
+            }
+            if self.next >= self.last {
+                return Some(Fate::Free);
+            }
+            self.next = (self.next + (skip as u16).max(settings.stride.into())).min(self.last);
+        }
+        None
+    }
+
+    /// Something is met where the plan was just looked at.
+    fn met(&self) -> Fate {
+        Fate::Meets(self.next.saturating_sub(self.age))
+    }
+}
+
+/// The search, with the best plan so far.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scout {
+    settings: ScoutSettings,
+    plan: Plan,
+    /// The plan's fate when it was examined last, and the steps since.
+    fate: Fate,
+    /// Steps until the straight walk meets something, when it was examined last.
+    straight: Fate,
+    watch: Probe,
+    /// The plan under examination; none until there is effort left for one.
+    candidate: Option<Probe>,
+    /// Number of candidates so far.
+    count: u16,
+    random: u32,
+}
+
+impl Scout {
+    /// Begins a search for a task.
+    pub fn new(settings: ScoutSettings, view: &View<'_>) -> Self {
+        let plan = Plan::straight(view.goal());
+        let probe = Probe::new(plan, view.pose);
+        let (fate, random) = (Fate::Free, 0x9E37_79B9);
+        Self { settings, plan, fate, straight: fate, watch: probe, candidate: None, count: 0, random }
+    }
+
+    /// Returns the plan.
+    pub fn plan(&self) -> &Plan {
+        &self.plan
+    }
+
+    /// Returns the plan, to be followed.
+    pub fn plan_mut(&mut self) -> &mut Plan {
+        &mut self.plan
+    }
+
+    /// Returns the plan's fate when it was looked at last.
+    pub fn fate(&self) -> Fate {
+        self.fate
+    }
+
+    /// Returns the fate of the straight walk when it was looked at last.
+    pub fn straight(&self) -> Fate {
+        self.straight
+    }
+
+    /// Searches for one step; `spent` of its effort has gone elsewhere.
+    pub fn step(&mut self, view: &View<'_>, spent: u16) {
+        self.watch.age = self.watch.age.saturating_add(1);
+        if let Some(candidate) = &mut self.candidate {
+            candidate.age = candidate.age.saturating_add(1);
+        }
+        let mut effort = self.settings.effort.saturating_sub(spent);
+        let mut kept = self.settings.watch.min(effort);
+        effort -= kept;
+        if let Some(fate) = self.watch.look(view, &self.settings, &mut kept) {
+            self.fate = fate;
+            self.watch = Probe::new(self.plan, view.pose);
+            kept = kept.saturating_sub(BEGIN);
+        }
+        effort += kept;
+        loop {
+            let mut candidate = match self.candidate.take() {
+                Some(candidate) => candidate,
+                None if effort < PROPOSE => return,
+                None => {
+                    effort -= PROPOSE;
+                    Probe::new(self.propose(view), view.pose)
+                }
+            };
+            let Some(fate) = candidate.look(view, &self.settings, &mut effort) else {
+                self.candidate = Some(candidate);
+                return;
+            };
+            self.judge(view, candidate.plan, fate);
+        }
+    }
+
+    /// Compares a candidate with the plan.
+    fn judge(&mut self, view: &View<'_>, plan: Plan, fate: Fate) {
+        if plan == Plan::straight(view.goal()) {
+            self.straight = fate;
+        }
+        let better = match (fate, self.fate) {
+            (Fate::Free, Fate::Meets(_)) => true,
+            (Fate::Free, Fate::Free) => {
+                let (new, old) = (plan.arrival(view.pose), self.plan.arrival(view.pose));
+                new + u32::from(self.settings.gain) < old
+            }
+            (Fate::Meets(new), Fate::Meets(old)) => new > old + 10,
+            (Fate::Meets(_), Fate::Free) => false,
+        };
+        if better {
+            (self.plan, self.fate) = (plan, fate);
+            self.watch = Probe::new(plan, view.pose);
+        }
+    }
+
+    /// The next candidate: a straight walk, a wait, or a detour.
+    fn propose(&mut self, view: &View<'_>) -> Plan {
+        const WAITS: [u16; 8] = [0, 30, 0, 60, 0, 120, 0, 200];
+        self.count = self.count.wrapping_add(1);
+        let goals = view.goals.len().max(1);
+        if self.count % 8 == 1 {
+            return Plan::straight(view.goal());
+        }
+        let pick = self.draw() as usize;
+        let place = if pick & 1 == 0 { 0 } else { (pick >> 1) % goals };
+        let goal = view.goals.get(place).copied().unwrap_or(view.pose);
+        if self.count % 8 == 5 {
+            let wait = WAITS[usize::from(self.count / 8 % 8)];
+            return Plan { via: (wait > 0).then_some((view.pose, wait)), goal };
+        }
+        // A pose beside the straight way, near or far: the sum of four uniform numbers is nearly normal.
+        let bits = self.draw();
+        let along = (bits & 0xFF) as i32 * 5 / 4 - 32; // −0.125 to 1.125 in units of 1/256
+        let spread = i32::from(self.settings.spreads[(bits >> 8 & 3) as usize]);
+        let wait = if bits & 0x400 == 0 { 0 } else { (bits >> 16 & 0xFF) as u16 * 3 / 4 };
+        let mut via = view.pose;
+        for ((position, &to), range) in via.0.iter_mut().zip(&goal.0).zip(&view.body.arm.ranges) {
+            let way = (i32::from(to) - i32::from(*position)) * along / 256;
+            let bits = self.draw();
+            // Each byte has a standard deviation of 73.9; the sum of four has 147.8.
+            let sum = bits.to_le_bytes().iter().map(|&byte| i32::from(byte)).sum::<i32>() - 510;
+            let aside = spread * sum / 148;
+            let aim = i32::from(*position) + way + aside;
+            *position = aim.max(range.min.into()).min(range.max.into()) as i16;
+        }
+        Plan { via: Some((via, wait)), goal }
+    }
+
+    /// Random bits: Marsaglia's xorshift.
+    fn draw(&mut self) -> u32 {
+        let mut bits = self.random;
+        bits ^= bits << 13;
+        bits ^= bits >> 17;
+        bits ^= bits << 5;
+        self.random = bits;
+        bits
+    }
+}

@@ -1,0 +1,118 @@
+//! The section `[problem]` of a configuration, for the arm among balls.
+
+use serde::{Deserialize, Serialize};
+use tpg_arm::WIDOWX;
+use tpg_arm::dodge::{Body, DodgerSettings, SCOUT, ScoutSettings, WIDOWX_RADII};
+use tpg_graph::error::Finding;
+
+/// The section `[problem]` for the arm among balls. Lengths in mm, times in steps.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Config {
+    /// Fewest and most balls, 1 to 3; every number between is equally likely.
+    pub balls: [u8; 2],
+    /// Least and greatest radius.
+    pub radius: [f64; 2],
+    /// Least and greatest peak speed of a moving ball, mm a step.
+    pub speed: [f64; 2],
+    /// Share of balls that stay where they are.
+    pub share_static: f64,
+    /// Share of balls that pass the arm's straight walk: the first ball, and the others.
+    pub aimed: [f64; 2],
+    /// Greatest distance of such a ball's path from a point of the arm.
+    pub pass_by: f64,
+    /// Shortest and longest way of a ball to either side of the point that it passes.
+    pub path: [f64; 2],
+    /// Least clearance of a ball from the arm at step 0.
+    pub clear_at_start: f32,
+    /// Steps for which an arm that stays at its start is not hit.
+    pub rest_free: u16,
+    /// Plans that are tried as a certificate, at most; a scene without one is drawn anew.
+    pub tries: u32,
+    /// Clearance that a certificate keeps.
+    pub margin: f32,
+    /// Distance below which the hand has reached its target.
+    pub tolerance: f32,
+    /// Radii of the arm's capsules: shoulder to bracket, bracket to elbow, forearm, hand.
+    pub capsules: [f32; 4],
+    /// True if the guard that looks ahead replaces steps that would be hit.
+    pub guard: bool,
+    /// What the search may cost in one step, in instructions of a Cortex-M4, about.
+    pub effort: u16,
+}
+
+impl Default for Config {
+    fn default() -> Self {
+        Self {
+            balls: [1, 3],
+            radius: [30.0, 60.0],
+            speed: [0.3, 2.0],
+            share_static: 0.15,
+            aimed: [0.85, 0.6],
+            pass_by: 90.0,
+            path: [120.0, 350.0],
+            clear_at_start: 40.0,
+            rest_free: 40,
+            tries: 1500,
+            margin: 1.0,
+            tolerance: 3.0,
+            capsules: WIDOWX_RADII,
+            guard: true,
+            effort: SCOUT.effort,
+        }
+    }
+}
+
+impl Config {
+    /// Checks ranges.
+    ///
+    /// # Errors
+    /// The first invalid setting.
+    pub fn check(&self) -> Result<(), Finding> {
+        let [fewest, most] = self.balls;
+        if !(1..=3).contains(&fewest) || !(fewest..=3).contains(&most) {
+            let found = format!("{:?}", self.balls);
+            return Err(Finding::new(
+                "problem.balls",
+                found,
+                "two whole numbers from 1 to 3, the first not above the second",
+            ));
+        }
+        ordered("problem.radius", self.radius, [1.0, 200.0])?;
+        ordered("problem.speed", self.speed, [0.01, 20.0])?;
+        ordered("problem.path", self.path, [1.0, 2000.0])?;
+        Finding::range("problem.share_static", self.share_static, 0.0, 1.0)?;
+        for share in self.aimed {
+            Finding::range("problem.aimed", share, 0.0, 1.0)?;
+        }
+        Finding::range("problem.pass_by", self.pass_by, 0.0, 1000.0)?;
+        Finding::range("problem.clear_at_start", self.clear_at_start, 0.0, 200.0)?;
+        Finding::range("problem.rest_free", self.rest_free, 0, 1000)?;
+        Finding::range("problem.tries", self.tries, 1, 1_000_000)?;
+        Finding::range("problem.margin", self.margin, 0.0, 100.0)?;
+        Finding::range("problem.tolerance", self.tolerance, 2.7, 1000.0)?;
+        for radius in self.capsules {
+            Finding::range("problem.capsules", radius, 1.0, 100.0)?;
+        }
+        Finding::range("problem.effort", self.effort, 2000, 60_000)
+    }
+
+    /// Returns the settings of what stands around a policy.
+    pub fn settings(&self) -> DodgerSettings {
+        DodgerSettings { scout: ScoutSettings { effort: self.effort, ..SCOUT }, guard: self.guard }
+    }
+
+    /// Returns the arm with its capsules.
+    pub fn body(&self) -> Body {
+        Body::new(WIDOWX.to_f32(), self.capsules)
+    }
+}
+
+/// Checks that two numbers are ordered and within limits.
+fn ordered(key: &str, [low, high]: [f64; 2], [least, most]: [f64; 2]) -> Result<(), Finding> {
+    if least <= low && low <= high && high <= most {
+        return Ok(());
+    }
+    let accepted = format!("two numbers from {least} to {most}, the first not above the second");
+    Err(Finding::new(key, format!("{:?}", [low, high]), accepted))
+}

@@ -1,0 +1,130 @@
+//! The arm among balls as an [`Environment`].
+
+use super::config::Config;
+use super::draw::{Generator, LIMIT, SEED};
+use super::episode::{self, Episode, OUTCOMES};
+use super::scene::Scene;
+use crate::arm::targets::Set;
+use std::sync::OnceLock;
+use tpg_arm::dodge::{Behaviour, Body, Dodger, Source};
+use tpg_engine::random::{Purpose, Stream};
+use tpg_engine::{Act, ActionSpace, End, Environment, Measure, Preference, SourceSet, Step};
+use tpg_graph::SourceDocument;
+use tpg_runtime::scalar::Scalar;
+
+/// Reward of a success, a hit and the end of the time.
+const REWARDS: [f64; 3] = [10.0, -20.0, -15.0];
+/// Reward of every step that a success leaves.
+const UNUSED: f64 = 0.005;
+/// Cost of every millimetre from the target at the end of a failure.
+const FAR: f64 = 0.05;
+
+/// The environment.
+#[derive(Debug)]
+pub struct Dodge {
+    body: Body,
+    config: Config,
+    training: OnceLock<Generator>,
+    validation: OnceLock<Generator>,
+}
+
+/// A running episode: the rules' part, and what the controller remembers.
+#[derive(Clone, Debug)]
+pub struct Trial {
+    episode: Episode,
+    dodger: Dodger,
+}
+
+impl Dodge {
+    /// Creates the environment; the settings have been checked.
+    pub fn new(config: &Config) -> Self {
+        let (training, validation) = (OnceLock::new(), OnceLock::new());
+        Self { body: config.body(), config: config.clone(), training, validation }
+    }
+
+    fn generator(&self, set: Set) -> &Generator {
+        let place = if set == Set::Validation { &self.validation } else { &self.training };
+        place.get_or_init(|| Generator::new(&self.config, SEED, set))
+    }
+}
+
+impl<S: Scalar> Environment<S> for Dodge {
+    type Task = Scene;
+    type Episode = Trial;
+
+    fn sources(&self) -> Vec<SourceDocument> {
+        Source::ALL.into_iter().map(document).collect()
+    }
+
+    fn actions(&self) -> ActionSpace {
+        ActionSpace::discrete(Behaviour::ALL.iter().map(|(_, name)| *name))
+    }
+
+    fn outcomes(&self) -> &'static [&'static str] {
+        &OUTCOMES
+    }
+
+    fn measure(&self) -> Option<Measure> {
+        Some(crate::arm::environment::DISTANCE)
+    }
+
+    fn preference(&self) -> Preference {
+        Preference::Score
+    }
+
+    fn time_limit(&self) -> u32 {
+        LIMIT
+    }
+
+    fn draw(&self, stream: &mut Stream) -> Scene {
+        self.generator(Set::Training).draw(stream, self.config.tries).scene
+    }
+
+    fn validation_tasks(&self, count: usize) -> Vec<Scene> {
+        let generator = self.generator(Set::Validation);
+        let stream = |index| Stream::new(SEED, (Set::Validation as u64) << 8 | 77, Purpose::Task, index);
+        (0..count as u64).map(|index| generator.draw(&mut stream(index), self.config.tries).scene).collect()
+    }
+
+    fn accepts(&self, scene: &Scene) -> bool {
+        let is_on_the_arm =
+            |pose: &[i16; 4]| pose.iter().zip(&self.body.arm.ranges).all(|(&t, range)| range.contains(t));
+        !scene.goals.is_empty() && scene.goals.iter().chain([&scene.start]).all(is_on_the_arm)
+    }
+
+    fn start(&self, scene: &Scene) -> Trial {
+        let episode = Episode::new(&self.body, scene);
+        let dodger = Dodger::new(self.config.settings(), &episode.view(&self.body));
+        Trial { episode, dodger }
+    }
+
+    fn observe(&self, trial: &mut Trial, _wanted: SourceSet, state: &mut [S]) {
+        let values = trial.dodger.observe(&trial.episode.view(&self.body));
+        state.iter_mut().zip(values).for_each(|(slot, value)| *slot = S::from_f64(f64::from(value)));
+    }
+
+    fn step(&self, trial: &mut Trial, act: Act<'_, S>) -> Step {
+        let (behaviour, _) = Behaviour::ALL[act.choice()];
+        let wanted = trial.dodger.act(&trial.episode.view(&self.body), behaviour);
+        let Some(end) = trial.episode.step(&self.body, wanted, self.config.tolerance) else { return Step::reward(0.0) };
+        let distance = f64::from(trial.episode.distance());
+        let left = f64::from(LIMIT - trial.episode.steps());
+        let success = end == episode::End::Reached;
+        let reward = REWARDS[end as usize] + if success { UNUSED * left } else { -FAR * distance };
+        Step::reward(reward).ending(End { success: Some(success), measure: distance, ..End::new(end as u8) })
+    }
+
+    fn distance(&self, trial: &Trial) -> Option<f64> {
+        Some(trial.episode.distance().into())
+    }
+}
+
+fn document(source: Source) -> SourceDocument {
+    let ranges = source.ranges().iter().map(|&[low, high]| [low.into(), high.into()]).collect::<Vec<[f64; 2]>>();
+    SourceDocument {
+        name: source.name().to_owned(),
+        length: ranges.len() as u32,
+        unit: source.unit().to_owned(),
+        ranges,
+    }
+}

@@ -1,0 +1,102 @@
+//! The rules of a step: the balls move, then the arm, and a hit ends the episode.
+
+use super::draw::LIMIT;
+use super::scene::Scene;
+use super::walk::moved;
+use std::sync::Arc;
+use tpg_arm::dodge::{Ball, Body, Posture, View};
+use tpg_arm::kinematics::distance;
+use tpg_arm::{Move, Pose};
+
+/// Names of the ways in which an episode ends.
+pub const OUTCOMES: [&str; 3] = ["reached", "hit", "timeout"];
+
+/// An episode that goes on.
+#[derive(Clone, Debug)]
+pub struct Episode {
+    scene: Arc<Scene>,
+    goals: Vec<Pose>,
+    /// The balls as they are observed now.
+    balls: Vec<Ball>,
+    pose: Pose,
+    posture: Posture,
+    steps: u32,
+}
+
+/// The end of an episode, an index of [`OUTCOMES`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum End {
+    /// The hand is at its target.
+    Reached = 0,
+    /// A ball has met the arm.
+    Hit = 1,
+    /// The time is over.
+    Timeout = 2,
+}
+
+impl Episode {
+    /// Starts an episode.
+    pub fn new(body: &Body, scene: &Scene) -> Self {
+        let pose = Pose(scene.start);
+        let balls = scene.balls.iter().map(|path| path.observed(0.0)).collect();
+        let goals = scene.goals.iter().copied().map(Pose).collect();
+        Self { scene: Arc::new(scene.clone()), goals, balls, pose, posture: body.at(pose), steps: 0 }
+    }
+
+    /// Returns what a controller sees.
+    pub fn view<'a>(&'a self, body: &'a Body) -> View<'a> {
+        View::new(body, self.pose, &self.goals, &self.balls)
+    }
+
+    /// Returns the scene.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// Returns the pose.
+    pub fn pose(&self) -> Pose {
+        self.pose
+    }
+
+    /// Returns the number of steps so far.
+    pub fn steps(&self) -> u32 {
+        self.steps
+    }
+
+    /// Returns the distance of the hand from its target, mm.
+    pub fn distance(&self) -> f32 {
+        distance(self.posture.hand(), self.scene.target)
+    }
+
+    /// Takes a step. A move against limits, table or base is refused, which is no failure.
+    pub fn step(&mut self, body: &Body, wanted: Move, tolerance: f32) -> Option<End> {
+        self.steps += 1;
+        let mut to = moved(self.pose, wanted);
+        for ((to, from), range) in to.0.iter_mut().zip(self.pose.0).zip(&body.arm.ranges) {
+            if !range.contains(*to) {
+                *to = from;
+            }
+        }
+        if to != self.pose {
+            let posture = body.at(to);
+            if body.stands(&posture) {
+                (self.pose, self.posture) = (to, posture);
+            }
+        }
+        let time = self.steps as f32;
+        for (ball, path) in self.balls.iter_mut().zip(&self.scene.balls) {
+            let at = path.at(time);
+            ball.velocity = std::array::from_fn(|axis| at[axis] - ball.at[axis]);
+            ball.at = at;
+        }
+        if body.clearance_of_all(&self.posture, &self.balls, 0.0) < 0.0 {
+            Some(End::Hit)
+        } else if self.distance() < tolerance {
+            Some(End::Reached)
+        } else if self.steps >= LIMIT {
+            Some(End::Timeout)
+        } else {
+            None
+        }
+    }
+}

@@ -1,0 +1,22 @@
+//! Reaching among moving balls: scenes that can be solved, the rules of a step, and the arm's behaviours as actions.
+//!
+//! | module | subject |
+//! | --- | --- |
+//! | [`config`] | the section `[problem]` of a configuration |
+//! | [`scene`] | a task among balls, and where the balls are at any time |
+//! | [`draw`] | the generator: every scene has a plan that solves it |
+//! | [`walk`] | plans of any number of legs, followed step by step |
+//! | [`file`] | lists of scenes as CSV |
+//! | [`episode`] | the rules of a step |
+//! | [`environment`] | the problem as an [`Environment`](tpg_engine::Environment) |
+
+pub mod config;
+pub mod draw;
+pub mod environment;
+pub mod episode;
+pub mod file;
+pub mod scene;
+pub mod walk;
+
+pub use config::Config;
+pub use environment::Dodge;
