@@ -7,6 +7,7 @@ mod python;
 mod setup;
 mod summary;
 mod torture;
+mod web;
 
 use clap::{Parser, Subcommand};
 use std::path::PathBuf;
@@ -70,6 +71,9 @@ enum Task {
     Python(python::PythonArgs),
     /// Build the book of `docs/` with mdBook, into target/book
     Book,
+    /// Build the page into target/web: the arm and three problems with their policies as WebAssembly; test it under Node and in
+    /// a browser
+    Web,
     /// The worst case of compiled code for a Cortex-M: instructions and stack
     Wcet(cortex_bound::cli::WcetArgs),
     /// Kill, stop and starve training runs at random moments: in the end they have the bytes of an undisturbed run
@@ -91,6 +95,7 @@ fn main() -> ExitCode {
         Task::Sanitize { seeds } => nightly::sanitize(seeds),
         Task::Python(arguments) => python::run(arguments),
         Task::Book => check::book(),
+        Task::Web => web::run(),
         Task::Wcet(arguments) => arguments.run(),
         Task::Torture(arguments) => arguments.run(),
     };

@@ -1,10 +1,11 @@
 //! Installs what is missing and prints each command before running it.
 
+use crate::web;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
 /// Debian packages, each with a program that shows whether it is installed.
-const PACKAGES: [(&str, &str); 18] = [
+const PACKAGES: [(&str, &str); 21] = [
     ("gcc", "/usr/bin/gcc"),
     ("g++", "/usr/bin/g++"),
     ("clang", "/usr/bin/clang"),
@@ -23,12 +24,20 @@ const PACKAGES: [(&str, &str); 18] = [
     ("python3-venv", "/usr/bin/python3"),
     ("openmpi-bin", "/usr/bin/mpirun"),
     ("libopenmpi-dev", "/usr/bin/mpicc"),
+    ("nodejs", "/usr/bin/node"),
+    ("npm", "/usr/bin/npm"),
+    ("chromium", "/usr/bin/chromium"),
 ];
 
 const COMPONENTS: [&str; 2] = ["rustfmt", "clippy"];
 
 /// Bare-metal targets that the runtime is built for.
 pub(crate) const TARGETS: [&str; 3] = ["thumbv7em-none-eabihf", "thumbv7em-none-eabi", "thumbv6m-none-eabi"];
+
+/// The targets besides the host: those, and the page's.
+fn all_targets() -> impl Iterator<Item = &'static str> {
+    TARGETS.into_iter().chain([web::TARGET])
+}
 
 /// Installs everything; returns true if all is present afterwards.
 pub(crate) fn run() -> bool {
@@ -75,7 +84,7 @@ fn rust() -> bool {
         eprintln!(
             "setup: no rustup; make sure that {} and the targets {} are installed",
             COMPONENTS.join(", "),
-            TARGETS.join(", ")
+            all_targets().collect::<Vec<_>>().join(", ")
         );
         return true;
     };
@@ -85,7 +94,7 @@ fn rust() -> bool {
     for component in COMPONENTS.iter().filter(|name| !installed.iter().any(|line| line.starts_with(**name))) {
         good &= step(&["rustup", "component", "add", component]);
     }
-    for target in TARGETS.iter().filter(|name| !targets.iter().any(|line| line == **name)) {
+    for target in all_targets().filter(|name| !targets.iter().any(|line| line == name)) {
         good &= step(&["rustup", "target", "add", target]);
     }
     if good {

@@ -18,6 +18,7 @@ pub fn page(problem: &str, cells: &[Cell], summaries: &[Summary], alone: &[Alone
             summaries.len()
         ),
         sections: vec![front(summaries), parts(alone), together(cells, summaries, alone)],
+        ..Page::default()
     }
     .html()
 }
@@ -69,6 +70,7 @@ fn front(summaries: &[Summary]) -> Section {
             .to_owned(),
         tables: vec![Table { header: header.map(str::to_owned).into(), rows: listed.into_iter().map(row).collect() }],
         figures: vec![Figure { svg: plot.svg(&title), caption: title }],
+        ..Section::default()
     }
 }
 

@@ -52,13 +52,20 @@ pub(super) fn sections(groups: &[Group]) -> Vec<Section> {
         },
         Shown { curve: "entropy", y: Axis::linear("nats"), caption: "Entropy of the actor's decisions in training." },
     ];
-    [
-        section("Evolution", "generation", &of_kind("TPG"), &tpg),
-        section("Soft actor-critic", "decisions", &of_kind("SAC"), &sac),
-    ]
-    .into_iter()
-    .flatten()
-    .collect()
+    let mut sections = Vec::new();
+    for (kind, title, x, shown) in
+        [("TPG", "Evolution", "generation", &tpg[..]), ("SAC", "Soft actor-critic", "decisions", &sac[..])]
+    {
+        let groups = of_kind(kind);
+        let mut problems: Vec<String> = groups.iter().map(|group| group.problem()).collect();
+        problems.dedup();
+        // Scores of different problems have nothing to do with each other.
+        for problem in problems {
+            let groups: Vec<&Group> = groups.iter().copied().filter(|group| group.problem() == problem).collect();
+            sections.extend(section(&format!("{title}: {problem}"), x, &groups, shown));
+        }
+    }
+    sections
 }
 
 fn section(title: &str, x: &str, groups: &[&Group], shown: &[Shown]) -> Option<Section> {
@@ -72,8 +79,11 @@ fn section(title: &str, x: &str, groups: &[&Group], shown: &[Shown]) -> Option<S
             .flat_map(|group| &group.runs)
             .any(|run| run.curves.get(shown.curve).is_some_and(|c| !c.is_empty()))
     };
+    // All curves begin where training does, and end together.
+    let ends = groups.iter().flat_map(|group| &group.runs).flat_map(|run| run.curves.values().flatten());
+    let end = ends.map(|&[x, _]| x).fold(1.0, f64::max);
     let figure = |Shown { curve, y, caption }: &Shown| {
-        let mut plot = Plot::new(Axis::linear(x), y.clone());
+        let mut plot = Plot::new(Axis::linear(x).between(0.0, end), y.clone());
         for (colour, group) in (0..).map(Colour).zip(groups) {
             let points = over_seeds(&group.runs, curve);
             plot.band(colour, points.iter().filter_map(|&(x, mean, sd)| Some([x, mean - sd?, mean + sd?])).collect());

@@ -34,6 +34,7 @@ pub fn page(start: Start, cells: &[Cell], summaries: &[Summary], alone: &[Alone]
                 together(cells, summaries, alone, "success, %", |c| 100.0 * c.success, |a| 100.0 * a.success),
             ]),
         ],
+        ..Page::default()
     }
     .html()
 }

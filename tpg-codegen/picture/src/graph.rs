@@ -2,6 +2,7 @@
 
 use super::{Figure, Point, Svg};
 use std::collections::BTreeMap;
+use tpg_graph::error::counted;
 use tpg_graph::{ActionId, Destination, Graph};
 
 const WIDTH: f64 = 960.0;
@@ -53,10 +54,11 @@ pub fn figure(graph: &Graph) -> Figure {
     }
     let edges: usize = graph.teams().iter().map(|team| team.edges.len()).sum();
     let caption = format!(
-        "The graph: {} teams, {edges} edges, {} programs, {} {}. A circle is a team with its number of edges, the root \
+        "The graph: {}, {}, {}, {} {}. A circle is a team with its number of edges, the root \
          is filled; edges to actions have the colour of the joint; several edges between the same two are one thick line.",
-        graph.teams().len(),
-        graph.programs().len(),
+        counted(graph.teams().len(), "team"),
+        counted(edges, "edge"),
+        counted(graph.programs().len(), "program"),
         graph.ends(),
         if graph.outputs().is_empty() { "actions" } else { "leaves" }
     );
