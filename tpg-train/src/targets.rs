@@ -1,7 +1,6 @@
 //! `tpg-train targets`: the arm's committed test tasks.
 
 use crate::evaluate::arm::arm_config;
-use std::io::{self, Write as _};
 use std::path::PathBuf;
 use tpg_arm::WIDOWX;
 use tpg_graph::error::InputError;
@@ -38,6 +37,6 @@ pub fn print_targets(args: &TargetsArgs) -> Result<(), InputError> {
         .transpose()?
         .map_or(WIDOWX, |config| config.arm());
     let text = to_csv(&tasks(&arm, args.seed, Set::Test, args.problem, args.episodes));
-    let written = io::stdout().lock().write_all(text.as_bytes());
+    let written = tpg_graph::command::print(&text);
     written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))
 }

@@ -1,9 +1,9 @@
 //! What the page lights up is what the generated code decides, and what the page's tables and texts are made of is current.
 
-use std::path::Path;
 use std::process::Command;
 use tpg_generated::{cartpole::Cartpole, mountain_car::MountainCar, pendulum::Pendulum};
 use tpg_runtime::policy::{ActionId, Policy};
+use tpg_testing::library::top;
 use tpg_testing::numbers::Numbers;
 use tpg_web::bids;
 use tpg_web::decision::{Bids, Decision, MOST};
@@ -69,16 +69,26 @@ fn a_way_goes_from_the_root_to_its_end_and_the_bids_fit() {
     }
 }
 
+/// What `tpg-page` writes now, and the file of the repository.
+fn written(what: &str, path: &str) -> [String; 2] {
+    let before = top().join(path);
+    let out = std::env::temp_dir().join(format!("tpg-page-{what}-{}", std::process::id()));
+    let page = Command::new(env!("CARGO_BIN_EXE_tpg-page")).args([what, "--out"]).arg(&out).status();
+    assert!(page.is_ok_and(|status| status.success()));
+    let texts = [&out, &before].map(|path| std::fs::read_to_string(path).expect("a text"));
+    let _ = std::fs::remove_file(&out);
+    texts
+}
+
+#[test]
+fn the_picture_of_the_readme_is_current() {
+    let [now, before] = written("picture", "docs/policy.svg");
+    assert!(now == before, "docs/policy.svg is old: tpg-page picture");
+}
+
 #[test]
 fn the_tables_are_made_of_the_shipped_graphs() {
-    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let before = std::fs::read_to_string(here.join("src/bids.rs")).expect("the tables");
-    let folder = std::env::temp_dir().join(format!("tpg-page-{}", std::process::id()));
-    let out = folder.with_extension("rs");
-    let page = Command::new(env!("CARGO_BIN_EXE_tpg-page")).args(["bids", "--out"]).arg(&out).status();
-    assert!(page.is_ok_and(|status| status.success()));
-    let now = std::fs::read_to_string(&out).expect("what it wrote");
-    let _ = std::fs::remove_file(&out);
+    let [now, before] = written("bids", "web/src/bids.rs");
     let plain = |text: &str| text.split_whitespace().collect::<String>().replace(",]", "]").replace(",}", "}");
     assert!(plain(&now) == plain(&before), "web/src/bids.rs is old: tpg-page bids, then cargo fmt");
 }

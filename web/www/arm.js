@@ -5,7 +5,7 @@ import { Camera } from "./solids.js";
 import { paint, reachable } from "./scene.js";
 import { chart } from "./chart.js";
 
-const NAMES = { hybrid: "Hybrid", graph: "Graph alone", network: "Network alone", planner: "Planner" };
+const NAMES = { hybrid: "Hybrid", graph: "Graph", network: "Network", planner: "Planner" };
 const LATEST = 2000;
 const STEP = 12;
 const thousands = number => Math.round(number).toLocaleString("en");

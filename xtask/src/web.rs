@@ -29,9 +29,14 @@ pub(crate) fn check(run: &mut Run) {
     if let Err(error) = browser_driver() {
         return run.failed("playwright-core", &error);
     }
-    let mut tests = cargo(&["test", "--package", "tpg-web", "--features", "page", "--no-fail-fast"]);
+    let mut tests = tests(&["--no-fail-fast"]);
     tests.env("TPG_PAGE", &folder);
     run.tests("page", tests);
+}
+
+/// The tests of the page.
+fn tests(arguments: &[&str]) -> Command {
+    cargo(&[&["test", "--package", "tpg-web", "--features", "page"], arguments].concat())
 }
 
 /// Builds the page into a folder; returns the module's size, which is within its limit.
@@ -52,9 +57,10 @@ fn build(folder: &Path) -> io::Result<u64> {
         fs::copy(&path, folder.join(path.file_name().unwrap_or_default()))?;
     }
     fs::copy(module, folder.join("tpg_web.wasm"))?;
-    let mut data =
-        cargo(&["run", "--quiet", "--release", "--package", "tpg-web", "--features", "page", "--bin", "tpg-page"]);
-    data.args(["--", "data", "--out"]).arg(folder.join("data.json"));
+    // The tests' own build of the program: nothing is compiled twice.
+    step(tests(&["--quiet", "--no-run"]))?;
+    let mut data = Command::new(target_folder().join("debug/tpg-page"));
+    data.args(["data", "--out"]).arg(folder.join("data.json"));
     step(data)?;
     Ok(size)
 }

@@ -8,6 +8,8 @@ use tpg_graph::{ActionId, Destination, Graph};
 const WIDTH: f64 = 960.0;
 const LAYER: f64 = 84.0;
 const TOP: f64 = 24.0;
+/// A graph of more vertices takes the whole width of a page.
+const BROAD: usize = 12;
 /// Number of passes that sort nodes by the positions of their neighbours above; more passes change little.
 const SWEEPS: usize = 4;
 
@@ -62,7 +64,8 @@ pub fn figure(graph: &Graph) -> Figure {
         graph.ends(),
         if graph.outputs().is_empty() { "actions" } else { "leaves" }
     );
-    Figure { svg: svg.finish("the graph"), caption }
+    let is_broad = places.len() > BROAD;
+    Figure { svg: svg.finish("the graph"), caption, is_broad }
 }
 
 /// Draws a graph as an SVG element that needs no page: for a notebook, say.

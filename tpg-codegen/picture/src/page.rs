@@ -67,6 +67,8 @@ pub struct Figure {
     pub svg: String,
     /// Caption.
     pub caption: String,
+    /// The picture takes the whole width of the page.
+    pub is_broad: bool,
 }
 
 /// A section with more rows of formulas than this shows them on demand.
@@ -96,7 +98,7 @@ mod tests {
     #[test]
     fn text_is_escaped_and_pictures_are_not() {
         let table = Table { header: vec!["<h>".into()], rows: vec![vec!["a&b".into()]] };
-        let figure = Figure { svg: "<svg></svg>".into(), caption: "1 < 2".into() };
+        let figure = Figure { svg: "<svg></svg>".into(), caption: "1 < 2".into(), ..Figure::default() };
         let formulas = Formulas { heading: "team 0".into(), rows: vec![("left".into(), "min(x, y) < 1".into())] };
         let section = Section {
             title: "s".into(),

@@ -157,7 +157,7 @@ impl<W> Training<'_, W> {
         let Some(seeds) = args.seeds else {
             return match one(args.seed, args.run.folder(problem.name(), args.seed))? {
                 RunEnd::Finished(best) => {
-                    eprintln!("{}", sentence(args.seed, &best, environment));
+                    tpg_graph::command::note(format_args!("{}", sentence(args.seed, &best, environment)));
                     Ok(Verdict::Good)
                 }
                 RunEnd::Interrupted => Ok(Verdict::Interrupted),
@@ -170,7 +170,7 @@ impl<W> Training<'_, W> {
             let folder = out.join(format!("seed-{seed}"));
             match one(seed, folder)? {
                 RunEnd::Finished(best) => {
-                    eprintln!("{}", sentence(seed, &best, environment));
+                    tpg_graph::command::note(format_args!("{}", sentence(seed, &best, environment)));
                     finished.push((seed, best));
                 }
                 RunEnd::Interrupted => return Ok(Verdict::Interrupted),

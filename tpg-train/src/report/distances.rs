@@ -47,7 +47,11 @@ pub(super) fn section(groups: &[Group], tested: &[Vec<Option<Tested>>]) -> Optio
         }
     }
     boxes.rule(tolerance, &goal);
-    let figure = |plot: &Plot, caption: &str| Figure { svg: plot.svg(caption), caption: caption.to_owned() };
+    let figure = |plot: &Plot, caption: &str| Figure {
+        svg: plot.svg(caption),
+        caption: caption.to_owned(),
+        ..Figure::default()
+    };
     Some(Section {
         title: "Final distances on the test episodes".to_owned(),
         figures: vec![

@@ -131,7 +131,7 @@ pub(super) fn figures(watched: &Watched) -> Vec<Figure> {
             plot.line(Colour(place), points);
             plot.name(Colour(place), &format!("episode {place}: {}, return {:.1}", episode.outcome, episode.score));
         }
-        Figure { svg: plot.svg(&caption), caption }
+        Figure { svg: plot.svg(&caption), caption, ..Figure::default() }
     };
     let values = watched.values.iter().enumerate().take(VALUES).map(|(place, (name, unit))| {
         let caption = format!("The first test episodes: {name} before each action.");

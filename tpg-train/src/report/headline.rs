@@ -4,6 +4,7 @@ use super::runs::{Group, Kind, Run};
 use super::test::Tested;
 use crate::evaluate::confidence;
 use crate::picture::Headline;
+use tpg_codegen::emit::Code;
 use tpg_codegen::options::Language;
 use tpg_codegen::{Options, compile, size};
 use tpg_graph::Graph;
@@ -34,8 +35,8 @@ fn headline(group: &Group, run: &Run, tested: Option<&Tested>) -> Headline {
         }
     };
     notes.push(match &run.kind {
-        Kind::Tpg { graph, .. } => format!("about {} bytes of C on a Cortex-M4F (an estimate)", flash(graph)),
-        Kind::Hybrid(together) => format!("its graph: about {} bytes of C (an estimate)", flash(together.graph())),
+        Kind::Tpg { graph, .. } => flash_in_words(graph),
+        Kind::Hybrid(together) => format!("its graph: {}", flash_in_words(together.graph())),
         Kind::Sac { contract, .. } => format!("hidden layers {:?}", contract.actor.hidden),
     });
     notes.extend(run.cpu.map(|cpu| format!("trained in {cpu:.1} CPU seconds")));
@@ -62,9 +63,16 @@ fn result(tested: &Tested) -> String {
     }
 }
 
-/// Estimates the flash of a graph's fast C on a Cortex-M4F, bytes: the same on every machine.
-pub(super) fn flash(graph: &Graph) -> u64 {
-    size::estimated_flash(&compile(graph, &options(), Language::C))
+/// The flash of a graph's fast C on a Cortex-M4F, bytes; true if it is an estimate, without the compiler.
+pub(super) fn flash(graph: &Graph) -> (u64, bool) {
+    size::flash_of_c(&Code::of(compile(graph, &options(), Language::C)))
+}
+
+fn flash_in_words(graph: &Graph) -> String {
+    match flash(graph) {
+        (bytes, true) => format!("about {bytes} bytes of C on a Cortex-M4F (an estimate: no compiler for it)"),
+        (bytes, false) => format!("{bytes} bytes of C on a Cortex-M4F"),
+    }
 }
 
 /// The options of code that is estimated and explained, and not written.

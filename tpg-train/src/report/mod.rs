@@ -20,7 +20,6 @@ use crate::hybrid::shared::Shared;
 use crate::picture::Page;
 use clap::Args;
 use runs::Group;
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use test::Tested;
 use tpg_graph::error::{InputError, counted};
@@ -60,12 +59,17 @@ pub fn report_with(args: &ReportArgs, own: Option<&dyn Shared>) -> Result<(), In
     let groups = runs::read(&args.runs)?;
     let html = page(&groups, args.episodes as usize, args.seed, own)?.html();
     if args.out == Path::new("-") {
-        let written = std::io::stdout().lock().write_all(html.as_bytes());
+        let written = tpg_graph::command::print(&html);
         return written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"));
     }
     write_atomically(&args.out, html.as_bytes())?;
     let runs: usize = groups.iter().map(|group| group.runs.len()).sum();
-    eprintln!("{}: {} in {}", args.out.display(), counted(runs, "run"), counted(groups.len(), "group"));
+    tpg_graph::command::note(format_args!(
+        "{}: {} in {}",
+        args.out.display(),
+        counted(runs, "run"),
+        counted(groups.len(), "group")
+    ));
     Ok(())
 }
 

@@ -16,8 +16,8 @@ pub(super) fn section(groups: &[Group], tested: &[Vec<Option<Tested>>]) -> Optio
     let figures: Vec<Figure> = problems.iter().filter_map(|problem| figure(groups, tested, problem)).collect();
     (!figures.is_empty()).then(|| Section {
         title: "Return against size".to_owned(),
-        text: "Each point is a run: its mean return on the test episodes, and the flash of its graph's fast C on a Cortex-M4F as \
-               the model of tpg-codegen estimates it. Further up and further left is better."
+        text: "Each point is a run: its mean return on the test episodes, and the flash of its graph's fast C on a Cortex-M4F, compiled \
+               with -Os, or estimated where there is no compiler for it. Further up and further left is better."
             .to_owned(),
         figures,
         ..Section::default()
@@ -25,7 +25,7 @@ pub(super) fn section(groups: &[Group], tested: &[Vec<Option<Tested>>]) -> Optio
 }
 
 fn figure(groups: &[Group], tested: &[Vec<Option<Tested>>], problem: &str) -> Option<Figure> {
-    let mut plot = Plot::new(Axis::linear("bytes of flash, estimated"), Axis::linear("mean return"));
+    let mut plot = Plot::new(Axis::linear("bytes of flash"), Axis::linear("mean return"));
     let mut count = 0;
     for ((place, group), tested) in
         groups.iter().enumerate().zip(tested).filter(|((_, group), _)| group.problem() == problem)
@@ -33,7 +33,7 @@ fn figure(groups: &[Group], tested: &[Vec<Option<Tested>>], problem: &str) -> Op
         let points: Vec<([f64; 2], String)> = (group.runs.iter().zip(tested))
             .filter_map(|(run, tested)| match (&run.kind, tested) {
                 (Kind::Tpg { graph, .. }, Some(tested)) => {
-                    Some(([flash(graph) as f64, tested.summary().score], run.name.clone()))
+                    Some(([flash(graph).0 as f64, tested.summary().score], run.name.clone()))
                 }
                 _ => None,
             })
@@ -46,5 +46,5 @@ fn figure(groups: &[Group], tested: &[Vec<Option<Tested>>], problem: &str) -> Op
         plot.name(Colour(place), &group.name);
     }
     let caption = format!("{problem}: mean return of each run against the size of its code.");
-    (count > 1).then(|| Figure { svg: plot.svg(&caption), caption })
+    (count > 1).then(|| Figure { svg: plot.svg(&caption), caption, ..Figure::default() })
 }

@@ -106,7 +106,7 @@ fn parameters(guard: &str, summaries: &[&Summary]) -> Figure {
         plot.name(Colour(colour), &format!("hands back after {back}"));
     }
     let title = format!("Distance at the end by both parameters, guard {guard}");
-    Figure { svg: plot.svg(&title), caption: title }
+    Figure { svg: plot.svg(&title), caption: title, ..Figure::default() }
 }
 
 fn front(summaries: &[Summary], label: &str, value: impl Fn(&Summary) -> f64) -> Figure {
@@ -163,5 +163,5 @@ fn together(
         plot.points(Colour(place), points.collect());
     }
     let title = format!("{label}: graphs alone, actors alone, and all their pairs under the chosen setting");
-    Figure { svg: plot.svg(&title), caption: title }
+    Figure { svg: plot.svg(&title), caption: title, ..Figure::default() }
 }
