@@ -139,6 +139,7 @@ fn front(summaries: &[Summary], label: &str, value: impl Fn(&Summary) -> f64) ->
     Figure {
         svg: plot.svg(&title),
         caption: format!("{title}. The front is that of distance, success and time together."),
+        ..Figure::default()
     }
 }
 
