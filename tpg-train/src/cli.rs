@@ -1,5 +1,7 @@
 //! The command line: results on stdout, everything else on stderr.
 
+mod examples;
+
 use crate::actor::import::{ImportArgs, import};
 use crate::evaluate::{EvalArgs, eval};
 use crate::evolution::command::{TpgArgs, execute as execute_tpg};
@@ -12,49 +14,71 @@ use crate::ranks::workplace::ThisProcess;
 use crate::report::{ReportArgs, report};
 use crate::sac::command::{SacArgs, execute as execute_sac};
 use crate::targets::{TargetsArgs, print_targets};
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory as _, Parser, Subcommand};
 use std::process::ExitCode;
-use tpg_graph::command::{CommandError, Verdict, exit_code};
+use tpg_codegen::cli::shell::{CompletionsArgs, ManArgs};
+use tpg_graph::command::{CommandError, Verdict, be_quiet, exit_code};
 
 /// Trains policies for control problems: tangled program graphs, soft actor-critics, and hybrids of both.
 ///
 /// Exit status: 0 good, 1 a check failed, 2 bad input, 130 stopped by Ctrl-C (the run can be resumed).
 #[derive(Debug, Parser)]
-#[command(version)]
+#[command(version, after_help = examples::ALL)]
 pub struct Cli {
     #[command(subcommand)]
     command: Command,
+    /// Print results, warnings and errors only: no progress, no notes
+    #[arg(long, short, global = true)]
+    quiet: bool,
 }
 
 #[derive(Debug, Subcommand)]
 enum Command {
     /// List the built-in problems, with what they observe and do
+    #[command(after_help = examples::PROBLEMS)]
     Problems,
     /// Evolve a tangled program graph
+    #[command(after_help = examples::TPG)]
     Tpg(TpgArgs),
     /// Train a soft actor-critic
+    #[command(after_help = examples::SAC)]
     Sac(SacArgs),
     /// Study how graphs and networks share a problem
+    #[command(after_help = examples::HYBRID)]
     Hybrid(HybridArgs),
     /// Turn a hybrid.toml into Rust constants
+    #[command(after_help = examples::CONSTANTS)]
     Constants(ConstantsArgs),
     /// Convert an actor of Stable-Baselines3 or CleanRL to a policy
+    #[command(after_help = examples::IMPORT)]
     Import(ImportArgs),
     /// Quantise a soft actor-critic's network to integers
+    #[command(after_help = examples::QUANTISE)]
     Quantise(QuantiseArgs),
     /// Run a policy and count how its episodes end
+    #[command(after_help = examples::EVAL)]
     Eval(EvalArgs),
     /// Show runs in one HTML file
+    #[command(after_help = examples::REPORT)]
     Report(ReportArgs),
     /// Print a commented configuration
+    #[command(after_help = examples::CONFIG)]
     Config(ConfigArgs),
     /// Print a set of tasks as CSV
+    #[command(after_help = examples::TARGETS)]
     Targets(TargetsArgs),
+    /// Print completions for a shell
+    #[command(after_help = examples::COMPLETIONS)]
+    Completions(CompletionsArgs),
+    /// Print a manual page
+    #[command(after_help = examples::MAN)]
+    Man(ManArgs),
 }
 
 impl Cli {
     /// Runs the command and prints errors to stderr.
     pub fn run(self) -> ExitCode {
+        be_quiet(self.quiet);
         exit_code(match self.command {
             Command::Problems => print_problems().map(|()| Verdict::Good).map_err(CommandError::from),
             Command::Tpg(args) => execute_tpg(&args, &ThisProcess).map_err(CommandError::other),
@@ -67,6 +91,23 @@ impl Cli {
             Command::Report(args) => report(&args).map(|()| Verdict::Good).map_err(CommandError::from),
             Command::Config(args) => print_config(&args).map(|()| Verdict::Good).map_err(CommandError::from),
             Command::Targets(args) => print_targets(&args).map(|()| Verdict::Good).map_err(CommandError::from),
+            Command::Completions(args) => args.run(Self::command()),
+            Command::Man(args) => args.run(Self::command()),
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Cli;
+    use clap::{CommandFactory as _, Parser as _};
+    use tpg_codegen::cli::shell;
+
+    #[test]
+    fn every_command_has_examples_and_each_is_accepted() {
+        for line in shell::examples(&Cli::command()) {
+            let parsed = Cli::try_parse_from(line.split_whitespace());
+            assert!(parsed.is_ok(), "{line}: {}", parsed.err().map(|error| error.to_string()).unwrap_or_default());
+        }
     }
 }

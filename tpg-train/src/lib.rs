@@ -14,7 +14,7 @@
 //! | [`hybrid`] | a graph and a network that share a problem: settings and study |
 //! | [`course`] | one episode, action by action |
 //! | [`interrupt`] | Ctrl-C |
-//! | [`picture`] | SVG, plots and the HTML page that contains them |
+//! | [`picture`] | SVG, plots and the HTML page that contains them: the crate `tpg-picture` |
 //! | [`configuration`] | the configuration and problem that a run's arguments ask for |
 //! | [`csv_text`], [`files`] | CSV, atomic file writes |
 //! | [`folder`] | a run's folder: lock, checkpoints |
@@ -34,7 +34,6 @@ pub mod files;
 pub mod folder;
 pub mod hybrid;
 pub mod interrupt;
-pub mod picture;
 pub mod problems;
 pub mod progress;
 pub mod quantise;
@@ -43,3 +42,5 @@ pub mod report;
 pub mod run_args;
 pub mod sac;
 pub mod targets;
+
+pub use tpg_picture as picture;

@@ -2,7 +2,6 @@
 
 use clap::ValueEnum;
 use std::fmt::Write as _;
-use std::io::Write as _;
 use tpg_engine::ActionSpace;
 use tpg_graph::SourceDocument;
 use tpg_graph::error::InputError;
@@ -14,7 +13,7 @@ use tpg_problems::{Problem, ProblemName};
 /// If stdout is closed.
 pub fn print_problems() -> Result<(), InputError> {
     let text = ProblemName::ALL.map(description).concat();
-    let written = std::io::stdout().lock().write_all(text.as_bytes());
+    let written = tpg_graph::command::print(&text);
     written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))
 }
 

@@ -4,6 +4,12 @@ use crate::evolution::run::Progress;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
+use tpg_graph::command::is_quiet;
+
+/// Creates a bar; one that is never shown if the program shall be quiet.
+pub fn bar(length: u64) -> ProgressBar {
+    if is_quiet() { ProgressBar::hidden() } else { ProgressBar::new(length) }
+}
 
 /// The progress of one run.
 #[derive(Debug)]
@@ -17,7 +23,7 @@ impl Bar {
     pub fn new() -> Self {
         let style = ProgressStyle::with_template("seed {prefix} {wide_bar} {pos}/{len} {msg}, {eta} left")
             .unwrap_or_else(|_| ProgressStyle::default_bar());
-        Self { bar: ProgressBar::new(0).with_style(style), began: false }
+        Self { bar: bar(0).with_style(style), began: false }
     }
 
     /// Shows the progress of a run; returns `Break` when `stop` is set.

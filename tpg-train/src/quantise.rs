@@ -83,12 +83,16 @@ impl QuantiseArgs {
         if let Some(path) = &self.rust {
             write_atomically(path, to_rust(policy)?.as_bytes())?;
         }
-        eprintln!("{} bytes of constants, {} multiplications a decision", policy.bytes(), policy.multiplications());
+        tpg_graph::command::note(format_args!(
+            "{} bytes of constants, {} multiplications a decision",
+            policy.bytes(),
+            policy.multiplications()
+        ));
         if let Some(path) = &self.report {
             let comparison = comparison()?;
             let text = serde_json::to_string_pretty(&comparison).expect("plain data") + "\n";
             write_atomically(path, text.as_bytes())?;
-            eprintln!("{comparison}");
+            tpg_graph::command::note(format_args!("{comparison}"));
         }
         Ok(())
     }

@@ -3,7 +3,6 @@
 use crate::evaluate::arm::arm_config;
 use crate::evaluate::graph_problem;
 use crate::run_args::command_line;
-use std::io::{self, Write as _};
 use std::path::PathBuf;
 use tpg_arm::WIDOWX;
 use tpg_graph::error::InputError;
@@ -39,7 +38,7 @@ pub fn print_targets(args: &TargetsArgs) -> Result<(), InputError> {
         Some(start) => reach(args, start)?,
         None => among_balls(args)?,
     };
-    let written = io::stdout().lock().write_all(text.as_bytes());
+    let written = tpg_graph::command::print(&text);
     written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))
 }
 

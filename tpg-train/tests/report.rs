@@ -48,6 +48,36 @@ fn a_report_shows_every_run_and_is_the_same_wherever_the_runs_are() {
 }
 
 #[test]
+fn a_report_of_another_problem_has_a_headline_formulas_units_and_episodes() {
+    let place = tempfile::tempdir().expect("a temporary folder");
+    let (run, file) = (place.path().join("pole"), place.path().join("report.html"));
+    evolve(&run, "cartpole", "1..2");
+    let output = tpg_train().arg("report").arg(&run).args(["--episodes", "20", "--out"]).arg(&file).assert().success();
+    let said = String::from_utf8_lossy(&output.get_output().stderr).into_owned();
+    assert!(said.contains("1 run in 1 group\n"), "{said}");
+    let html = fs::read_to_string(&file).expect("a report");
+    for part in [
+        "class=\"headline\"",
+        "95 % interval",
+        "bytes of C on a Cortex-M4F",
+        "href=\"#section-1\"",
+        "Evolution: cartpole",
+        "Policy of ",
+        "theta in rad",
+        ">omega, rad/s<",
+        "the root: the highest bid wins",
+        "what the policy does",
+        ">left</",
+    ] {
+        assert!(html.contains(part), "{part} is missing");
+    }
+    assert!(!html.contains("success %"), "a column that says nothing");
+    let quiet =
+        tpg_train().arg("report").arg(&run).args(["--quiet", "--episodes", "5", "--out"]).arg(&file).assert().success();
+    assert!(quiet.get_output().stderr.is_empty());
+}
+
+#[test]
 fn a_folder_without_a_run_is_refused_by_name() {
     let place = tempfile::tempdir().expect("a temporary folder");
     for (name, files, found) in [

@@ -2,6 +2,7 @@
 
 use crate::python::{self, PythonArgs};
 use crate::summary::{Count, Summary};
+use crate::web;
 use std::io::{BufRead as _, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -44,6 +45,7 @@ pub(crate) fn all() -> bool {
     run.firmware(&["size"]);
     run.firmware(&["lint"]);
     python::check(&mut run, PythonArgs::default());
+    web::check(&mut run);
     run.finish()
 }
 
@@ -114,7 +116,8 @@ impl Run {
         if !has_mpi() {
             self.missing("runs over MPI", "an MPI with its compiler, and libclang; Debian: libopenmpi-dev, clang");
         }
-        self.tests("tests", workspace("test", &["--all-features", "--no-fail-fast"]));
+        // The page's tests need the page, which `web.rs` builds.
+        self.tests("tests", workspace("test", &["--exclude", "tpg-web", "--all-features", "--no-fail-fast"]));
     }
 
     /// Runs a command that counts as one check.
@@ -182,7 +185,7 @@ impl Run {
     /// Builds the runtime without its features for a bare-metal target.
     fn no_std(&mut self, target: &str) {
         let name = format!("no_std build for {target}");
-        if !installed(target) {
+        if !Self::has_target(target) {
             self.summary.missing(&name, &format!("rustup target add {target}"));
             return;
         }
@@ -218,6 +221,14 @@ impl Run {
         self.check(&format!("Rust {version}"), command);
     }
 
+    /// True if the compiler in use has a target's core library.
+    pub(crate) fn has_target(target: &str) -> bool {
+        let output = Command::new("rustc").args(["--print", "sysroot"]).output();
+        let sysroot =
+            output.map(|output| String::from_utf8_lossy(&output.stdout).trim().to_owned()).unwrap_or_default();
+        Path::new(&sysroot).join("lib/rustlib").join(target).join("lib").is_dir()
+    }
+
     fn start(&self, name: &str, command: &mut Command) -> io::Result<()> {
         let words: Vec<_> = command.get_args().map(|word| word.to_string_lossy()).collect();
         let program = Path::new(command.get_program()).file_name().unwrap_or_default().display();
@@ -246,11 +257,4 @@ fn counted(command: &mut Command) -> io::Result<(bool, Count)> {
         }
     }
     Ok((child.wait()?.success(), count))
-}
-
-/// True if the compiler in use has a target's core library.
-fn installed(target: &str) -> bool {
-    let output = Command::new("rustc").args(["--print", "sysroot"]).output();
-    let sysroot = output.map(|output| String::from_utf8_lossy(&output.stdout).trim().to_owned()).unwrap_or_default();
-    Path::new(&sysroot).join("lib/rustlib").join(target).join("lib").is_dir()
 }

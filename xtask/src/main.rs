@@ -8,6 +8,7 @@ mod python;
 mod setup;
 mod summary;
 mod torture;
+mod web;
 
 use clap::{Parser, Subcommand};
 use std::path::PathBuf;
@@ -82,6 +83,9 @@ enum Task {
     Dist(dist::DistArgs),
     /// Build the book of `docs/` with mdBook, into target/book
     Book,
+    /// Build the page into target/web: the arm and three problems with their policies as WebAssembly; test it under Node and in
+    /// a browser
+    Web,
     /// The worst case of compiled code for a Cortex-M: instructions and stack
     Wcet(cortex_bound::cli::WcetArgs),
     /// Kill, stop and starve training runs at random moments: in the end they have the bytes of an undisturbed run
@@ -109,6 +113,7 @@ fn main() -> ExitCode {
         Task::Python(arguments) => python::run(arguments),
         Task::Dist(arguments) => arguments.run(),
         Task::Book => check::book(),
+        Task::Web => web::run(),
         Task::Wcet(arguments) => arguments.run(),
         Task::Torture(arguments) => arguments.run(),
     };

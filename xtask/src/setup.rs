@@ -1,11 +1,12 @@
 //! Installs what is missing and prints each command before running it.
 
+use crate::web;
 use std::path::Path;
 use std::process::{Command, Stdio};
 use tpg_testing::library::TARGETS;
 
 /// Debian packages, each with a program that shows whether it is installed.
-const PACKAGES: [(&str, &str); 29] = [
+const PACKAGES: [(&str, &str); 32] = [
     ("gcc", "/usr/bin/gcc"),
     ("g++", "/usr/bin/g++"),
     ("clang", "/usr/bin/clang"),
@@ -35,16 +36,16 @@ const PACKAGES: [(&str, &str); 29] = [
     ("python3-venv", "/usr/bin/python3"),
     ("openmpi-bin", "/usr/bin/mpirun"),
     ("libopenmpi-dev", "/usr/bin/mpicc"),
+    ("nodejs", "/usr/bin/node"),
+    ("npm", "/usr/bin/npm"),
+    ("chromium", "/usr/bin/chromium"),
 ];
 
 const COMPONENTS: [&str; 2] = ["rustfmt", "clippy"];
 
-/// The target of WebAssembly, beside those of the library.
-const WASM: &str = "wasm32-unknown-unknown";
-
 /// Rust targets beside this machine's. Not every mirror has Cortex-M23's, which no check needs.
 fn targets() -> impl Iterator<Item = &'static str> {
-    TARGETS.into_iter().filter(|target| *target != "thumbv8m.base-none-eabi").chain([WASM])
+    TARGETS.into_iter().filter(|target| *target != "thumbv8m.base-none-eabi").chain([web::TARGET])
 }
 
 /// Installs everything; returns true if all is present afterwards.

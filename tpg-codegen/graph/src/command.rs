@@ -2,7 +2,9 @@
 
 use crate::error::InputError;
 use std::fmt::Display;
-use std::process::ExitCode;
+use std::io::{self, IsTerminal as _, Write as _};
+use std::process::{self, ExitCode};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The outcome of a command that ran to its end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,6 +38,48 @@ impl CommandError {
     }
 }
 
+/// The exit status of a program whose reader has gone: that of the signal SIGPIPE.
+const CLOSED_PIPE: i32 = 141;
+
+/// Writes a result to standard output, all of it. If the reader has gone, as `head` has after its lines, the program ends
+/// quietly, with exit status 141.
+///
+/// # Errors
+/// If it cannot be written for another reason.
+pub fn print(text: impl AsRef<[u8]>) -> io::Result<()> {
+    let mut out = io::stdout().lock();
+    match out.write_all(text.as_ref()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => process::exit(CLOSED_PIPE),
+        written => written,
+    }
+}
+
+/// `--quiet`: set once, before a command runs.
+static QUIET: AtomicBool = AtomicBool::new(false);
+
+/// Suppresses [notes](note) and progress from now on.
+pub fn be_quiet(quiet: bool) {
+    QUIET.store(quiet, Ordering::Relaxed);
+}
+
+/// Tests for `--quiet`.
+pub fn is_quiet() -> bool {
+    QUIET.load(Ordering::Relaxed)
+}
+
+/// Writes a line for people to standard error, unless the program shall be quiet.
+pub fn note(text: impl Display) {
+    if !is_quiet() {
+        let _ = writeln!(io::stderr().lock(), "{text}");
+    }
+}
+
+/// The word "error", red where standard error is a terminal and the variable `NO_COLOR` is unset or empty.
+fn error_word() -> &'static str {
+    let plain = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
+    if io::stderr().is_terminal() && !plain { "\x1b[1;31merror\x1b[0m" } else { "error" }
+}
+
 /// Turns a command's result into its exit status; prints an error to stderr.
 pub fn exit_code(result: Result<Verdict, CommandError>) -> ExitCode {
     match result {
@@ -50,7 +94,7 @@ pub fn exit_code(result: Result<Verdict, CommandError>) -> ExitCode {
             ExitCode::from(1)
         }
         Err(error) => {
-            eprintln!("error: {error}");
+            eprintln!("{}: {error}", error_word());
             ExitCode::from(2)
         }
     }

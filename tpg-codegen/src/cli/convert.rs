@@ -2,10 +2,9 @@
 
 use super::GraphArgs;
 use clap::Args;
-use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use tpg_graph::Graph;
-use tpg_graph::command::{CommandError, Verdict};
+use tpg_graph::command::{CommandError, Verdict, print};
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::{export, output};
 
@@ -26,8 +25,7 @@ impl ConvertArgs {
         let graph = self.graph.load()?;
         match format {
             Format::Stdout => {
-                let mut out = io::stdout().lock();
-                out.write_all(graph.to_json().as_bytes()).and_then(|()| out.flush()).map_err(CommandError::other)?;
+                print(graph.to_json()).map_err(CommandError::other)?;
             }
             Format::Json => output::write_atomically(&self.out, graph.to_json().as_bytes())?,
             Format::Dot => self.write_dot(&graph)?,

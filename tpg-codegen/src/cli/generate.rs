@@ -10,9 +10,8 @@ use crate::size::Target;
 use crate::{explain, size};
 use clap::Args;
 use std::fs;
-use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use tpg_graph::command::{CommandError, Verdict};
+use tpg_graph::command::{self, CommandError, Verdict};
 use tpg_graph::output;
 
 /// States compared after generating; `verify` compares more.
@@ -68,12 +67,12 @@ impl GenerateArgs {
             return Ok(self.stale(&files));
         }
         if self.to_stdout() {
-            print(&files).map_err(CommandError::other)?;
+            command::print(joined(&files)).map_err(CommandError::other)?;
         } else {
             let files: Vec<(PathBuf, &str)> =
                 files.iter().map(|file| (self.output.join(&file.name), file.text.as_str())).collect();
             output::write_folder(&self.output, &files)?;
-            report(&codes, &files);
+            command::print(report(&codes, &files)).map_err(CommandError::other)?;
         }
         if self.no_verify { Ok(Verdict::Good) } else { self.prove(&codes) }
     }
@@ -95,9 +94,9 @@ impl GenerateArgs {
         let sentences = sentences(&proof);
         // Standard output holds either the code or the report, never both.
         if self.to_stdout() {
-            eprint!("{sentences}")
-        } else {
-            print!("{sentences}")
+            command::note(sentences.trim_end());
+        } else if !command::is_quiet() {
+            command::print(sentences).map_err(CommandError::other)?;
         }
         Ok(verdict(&proof))
     }
@@ -124,7 +123,7 @@ impl GenerateArgs {
 
 fn explain_to(path: &Path, text: &str) -> Result<Verdict, CommandError> {
     if path == Path::new("-") {
-        io::stdout().lock().write_all(text.as_bytes()).map_err(CommandError::other)?;
+        command::print(text).map_err(CommandError::other)?;
     } else {
         output::write_atomically(path, text.as_bytes())?;
     }
@@ -135,28 +134,25 @@ fn c_of<'a, 'g>(codes: &'a [Code<'g>]) -> Option<&'a Code<'g>> {
     codes.iter().find(|code| code.program.language == Language::C)
 }
 
-/// Prints the change of scalar type, if there was one, the files, and the size of the C.
-fn report(codes: &[Code<'_>], files: &[(PathBuf, &str)]) {
+/// Tells the change of scalar type, if there was one, the files, and the size of the C; nothing if it shall be quiet.
+fn report(codes: &[Code<'_>], files: &[(PathBuf, &str)]) -> String {
     let program = codes.first().map(|code| &code.program);
-    if let Some((program, was)) = program.and_then(|program| Some((program, program.options.conversion.as_ref()?))) {
-        println!("{} instead of {}: {}", program.graph().scalar().name(), was.from.name(), was.agreement);
+    let change = program.and_then(|program| Some((program, program.options.conversion.as_ref()?)));
+    let change = change.map(|(program, was)| {
+        format!("{} instead of {}: {}", program.graph().scalar().name(), was.from.name(), was.agreement)
+    });
+    let wrote = |(path, text): &(PathBuf, &str)| format!("wrote {} ({} lines)", path.display(), text.lines().count());
+    let sizes = c_of(codes).map(size::of_c).into_iter().flatten();
+    if command::is_quiet() {
+        return String::new();
     }
-    for (path, text) in files {
-        println!("wrote {} ({} lines)", path.display(), text.lines().count());
-    }
-    for line in c_of(codes).map(size::of_c).into_iter().flatten() {
-        println!("{line}");
-    }
+    change.into_iter().chain(files.iter().map(wrote)).chain(sizes).map(|line| line + "\n").collect()
 }
 
-/// Prints one file as it is, several with a separator that is a comment in C and Rust.
-fn print(files: &[&File]) -> io::Result<()> {
-    let mut out = io::stdout().lock();
-    for file in files {
-        if files.len() > 1 {
-            writeln!(out, "/* ---- {} ---- */", file.name)?;
-        }
-        out.write_all(file.text.as_bytes())?;
+/// The text of one file as it is, of several with a separator that is a comment in C and Rust.
+fn joined(files: &[&File]) -> String {
+    match files {
+        [file] => file.text.clone(),
+        _ => files.iter().map(|file| format!("/* ---- {} ---- */\n{}", file.name, file.text)).collect(),
     }
-    out.flush()
 }

@@ -2,6 +2,7 @@
 
 mod code;
 mod convert;
+mod examples;
 mod expected;
 mod flash;
 mod generate;
@@ -10,6 +11,7 @@ mod policy;
 mod report;
 mod scalar;
 mod schema;
+pub mod shell;
 mod sidecar;
 mod verify;
 
@@ -20,7 +22,7 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use tpg_graph::Graph;
-use tpg_graph::command::exit_code;
+use tpg_graph::command::{be_quiet, exit_code};
 use tpg_graph::error::InputError;
 use tpg_graph::import;
 
@@ -29,30 +31,46 @@ use tpg_graph::import;
 /// `tpg-codegen GRAPH` is short for `tpg-codegen generate GRAPH`.
 /// Exit status: 0 good, 1 a check failed, 2 bad input.
 #[derive(Debug, Parser)]
-#[command(version, arg_required_else_help = true)]
+#[command(version, arg_required_else_help = true, after_help = examples::ALL)]
 pub struct Cli {
     #[command(subcommand)]
     command: Command,
+    /// Print results and errors only: no progress, no notes, no sentences about success
+    #[arg(long, short, global = true)]
+    quiet: bool,
 }
 
 #[derive(Debug, Subcommand)]
 enum Command {
     /// Generate code, say how big it is, and prove it equal to the interpreter
+    #[command(after_help = examples::GENERATE)]
     Generate(GenerateArgs),
     /// Compile the generated code and compare it with the interpreter
+    #[command(after_help = examples::VERIFY)]
     Verify(verify::VerifyArgs),
     /// Report the flash, RAM, stack and operations of a graph's code, and what was removed from it
+    #[command(after_help = examples::REPORT)]
     Report(report::ReportArgs),
     /// Convert a graph to graph.json, or to a GEGELATI .dot file and its sidecar
+    #[command(after_help = examples::CONVERT)]
     Convert(convert::ConvertArgs),
     /// Write a quantised network, a policy.q.json, as constants of C and Rust
+    #[command(after_help = examples::POLICY)]
     Policy(policy::PolicyArgs),
     /// Write a package for Arduino, PlatformIO, ESP-IDF, Zephyr, CMake, Meson or Cargo
     Package(package::PackageArgs),
     /// Print the JSON Schema of graph.json
+    #[command(after_help = examples::SCHEMA)]
     Schema(schema::SchemaArgs),
     /// Print an example of a sidecar, the description that a .dot file lacks
+    #[command(after_help = examples::SIDECAR)]
     Sidecar(sidecar::SidecarArgs),
+    /// Print completions for a shell
+    #[command(after_help = examples::COMPLETIONS)]
+    Completions(shell::CompletionsArgs),
+    /// Print a manual page
+    #[command(after_help = examples::MAN)]
+    Man(shell::ManArgs),
 }
 
 /// The graph to read, and the description that a `.dot` file lacks.
@@ -81,6 +99,11 @@ impl GraphArgs {
 impl Cli {
     /// Reads the command line; `generate` is implied if the first word names a file. Another word is taken for a misspelt command.
     pub fn from_args(args: impl IntoIterator<Item = OsString>) -> Self {
+        Self::parse_from(Self::completed(args))
+    }
+
+    /// The words of a command line with the command that they imply.
+    fn completed(args: impl IntoIterator<Item = OsString>) -> Vec<OsString> {
         let mut args: Vec<OsString> = args.into_iter().collect();
         let command = Self::command();
         let known = |word: &OsString| {
@@ -94,11 +117,12 @@ impl Cli {
         if args.get(1).is_some_and(|word| !known(word) && names_a_file(word)) {
             args.insert(1, "generate".into());
         }
-        Self::parse_from(args)
+        args
     }
 
     /// Runs the command; errors go to stderr.
     pub fn run(self) -> ExitCode {
+        be_quiet(self.quiet);
         exit_code(match self.command {
             Command::Generate(args) => args.run(),
             Command::Verify(args) => args.run(),
@@ -108,6 +132,22 @@ impl Cli {
             Command::Package(args) => args.run(),
             Command::Schema(args) => args.run(),
             Command::Sidecar(args) => args.run(),
+            Command::Completions(args) => args.run(Self::command()),
+            Command::Man(args) => args.run(Self::command()),
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Cli, shell};
+    use clap::{CommandFactory as _, Parser as _};
+
+    #[test]
+    fn every_command_has_examples_and_each_is_accepted() {
+        for line in shell::examples(&Cli::command()) {
+            let words = line.split_whitespace().map(Into::into);
+            assert!(Cli::try_parse_from(Cli::completed(words)).is_ok(), "{line}");
+        }
     }
 }

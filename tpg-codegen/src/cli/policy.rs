@@ -5,7 +5,7 @@ use crate::policy::{QuantisedPolicy, to_c, to_rust};
 use clap::{Args, ValueEnum};
 use std::fs;
 use std::path::PathBuf;
-use tpg_graph::command::{CommandError, Verdict};
+use tpg_graph::command::{self, CommandError, Verdict};
 use tpg_graph::error::InputError;
 use tpg_graph::output;
 
@@ -54,8 +54,9 @@ impl PolicyArgs {
         fs::create_dir_all(&self.output)
             .map_err(|error| InputError::io(&self.output, &error, "a folder that can be written"))?;
         output::write_all(&files)?;
-        for (path, _) in &files {
-            println!("{}", path.display());
+        if !command::is_quiet() {
+            let paths: String = files.iter().map(|(path, _)| format!("{}\n", path.display())).collect();
+            command::print(paths).map_err(CommandError::other)?;
         }
         Ok(Verdict::Good)
     }

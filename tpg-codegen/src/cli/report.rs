@@ -9,7 +9,9 @@ use crate::program::compile;
 use crate::report;
 use crate::size::Target;
 use clap::Args;
-use tpg_graph::command::{CommandError, Verdict};
+use std::path::{Path, PathBuf};
+use tpg_graph::command::{self, CommandError, Verdict};
+use tpg_graph::output;
 
 /// Report the flash, RAM, stack and operations of a graph's code, and what was removed from it.
 #[derive(Clone, Debug, Args)]
@@ -32,6 +34,9 @@ pub(super) struct ReportArgs {
     /// Print one JSON object
     #[arg(long)]
     json: bool,
+    /// Write a page with the policy as formulas and as a graph, and which inputs matter; - for standard output
+    #[arg(long, value_name = "FILE", conflicts_with = "json")]
+    html: Option<PathBuf>,
 }
 
 impl ReportArgs {
@@ -40,11 +45,25 @@ impl ReportArgs {
         let trace = self.states.recorded(&graph)?;
         let options = Options { conversion, trace, ..Options::new(Prefix::of_file(&self.graph.graph)) };
         let targets = self.target.map_or(Target::ALL.to_vec(), |target| vec![target]);
-        let report = report::report(&graph, &options, &targets, &self.states.load(&graph)?);
-        if self.json {
-            println!("{}", serde_json::to_string(&report).map_err(CommandError::other)?);
+        let states = self.states.load(&graph)?;
+        let report = report::report(&graph, &options, &targets, &states);
+        if let Some(path) = &self.html {
+            let name =
+                self.graph.graph.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+            let page = report::html::page(&name, &report, &graph, &options, &states).html();
+            if path == Path::new("-") {
+                command::print(page).map_err(CommandError::other)?;
+            } else {
+                output::write_atomically(path, page.as_bytes())?;
+                command::note(format_args!("wrote {}", path.display()));
+            }
         } else {
-            print!("{report}");
+            let text = if self.json {
+                serde_json::to_string(&report).map_err(CommandError::other)? + "\n"
+            } else {
+                report.to_string()
+            };
+            command::print(text).map_err(CommandError::other)?;
         }
         let options = Options { profile: Some(self.profile), ..options };
         if let Some(limit) = self.max_flash {

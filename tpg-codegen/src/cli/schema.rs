@@ -1,8 +1,7 @@
 //! `tpg-codegen schema`: the JSON Schema of graph.json.
 
 use clap::Args;
-use std::io::{self, Write};
-use tpg_graph::command::{CommandError, Verdict};
+use tpg_graph::command::{CommandError, Verdict, print};
 
 /// Print the JSON Schema of graph.json.
 #[derive(Clone, Debug, Args)]
@@ -10,8 +9,7 @@ pub(super) struct SchemaArgs {}
 
 impl SchemaArgs {
     pub(super) fn run(&self) -> Result<Verdict, CommandError> {
-        let mut out = io::stdout().lock();
-        out.write_all(tpg_graph::schema().as_bytes()).and_then(|()| out.flush()).map_err(CommandError::other)?;
+        print(tpg_graph::schema()).map_err(CommandError::other)?;
         Ok(Verdict::Good)
     }
 }

@@ -6,11 +6,12 @@ use crate::emit::Code;
 use crate::options::Options;
 use crate::passes::interval::Assumption;
 use crate::program::compile;
-use crate::verify::{Comparison, Proof, Unproven};
+use crate::verify::{Comparison, Proof, Stage, Unproven};
 use clap::Args;
+use indicatif::{ProgressBar, ProgressStyle};
 use std::fmt::Write as _;
 use std::path::PathBuf;
-use tpg_graph::command::{CommandError, Verdict};
+use tpg_graph::command::{self, CommandError, Verdict};
 
 /// Compile the generated code and compare it with the interpreter.
 ///
@@ -48,17 +49,13 @@ impl VerifyArgs {
         if self.json {
             let Proof { comparisons, unproven } = &proof;
             let sha256 = codes.first().map(|code| code.program.graph_sha256());
-            println!(
-                "{}",
-                serde_json::json!({
-                    "graph_sha256": sha256, "expected": expected, "comparisons": comparisons, "unproven": unproven,
-                })
-            );
-        } else {
-            if let Some(expected) = &expected {
-                println!("{expected}");
-            }
-            print!("{}", sentences(&proof));
+            let text = serde_json::json!({
+                "graph_sha256": sha256, "expected": expected, "comparisons": comparisons, "unproven": unproven,
+            });
+            command::print(format!("{text}\n")).map_err(CommandError::other)?;
+        } else if !command::is_quiet() {
+            let expected = expected.as_ref().map_or_else(String::new, |expected| format!("{expected}\n"));
+            command::print(expected + &sentences(&proof)).map_err(CommandError::other)?;
         }
         let as_recorded = expected.is_none_or(|expected| expected.differences == 0);
         Ok(if as_recorded { verdict(&proof) } else { Verdict::Failed })
@@ -67,12 +64,31 @@ impl VerifyArgs {
 
 /// Compares code with the interpreter, and reports code that could not be compared on stderr.
 pub(super) fn prove(codes: &[Code<'_>], states: usize, seed: u64) -> Result<Proof, CommandError> {
-    let proof =
-        Proof::of(codes, states, seed).map_err(|error| CommandError::Failed(format!("not verified: {error}")))?;
+    let bar = progress(codes.len());
+    let proof = Proof::of_watched(codes, states, seed, &mut |stage| match stage {
+        Stage::Compiling(name) => {
+            bar.set_message(format!("compiling {name}"));
+            bar.tick();
+        }
+        Stage::Compiled => bar.inc(1),
+        Stage::Comparing => bar.set_message(format!("comparing on {states} states")),
+    });
+    bar.finish_and_clear();
+    let proof = proof.map_err(|error| CommandError::Failed(format!("not verified: {error}")))?;
     for Unproven { engine, error } in &proof.unproven {
         eprintln!("not verified: {engine}: {error}");
     }
     Ok(proof)
+}
+
+/// A bar on standard error, nothing where that is no terminal.
+fn progress(codes: usize) -> ProgressBar {
+    if command::is_quiet() {
+        return ProgressBar::hidden();
+    }
+    let style =
+        ProgressStyle::with_template("{wide_bar} {pos}/{len} {msg}").unwrap_or_else(|_| ProgressStyle::default_bar());
+    ProgressBar::new(codes as u64).with_style(style)
 }
 
 pub(super) fn verdict(proof: &Proof) -> Verdict {

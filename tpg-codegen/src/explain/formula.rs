@@ -5,11 +5,22 @@ use std::collections::BTreeMap;
 use tpg_graph::{Graph, ScalarType};
 use tpg_runtime::ops::Instruction;
 
+/// The spelling of formulas.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Spelling {
+    /// Every value of the state with its place, `theta[0]`; sums as they are computed.
+    Exact,
+    /// As a person writes: `theta` where a source has one value, `a - 1` for `a + (-1)` and `a` for `0 + a`, which are the same
+    /// numbers.
+    Short,
+}
+
 /// The formulas of a team's bids. What occurs more than once has a name, so that no formula is longer than its program.
 pub(super) struct Formulas {
     /// The term of each node: a name, or its expression.
     terms: BTreeMap<NodeId, Term>,
     shared: Vec<(String, String)>,
+    spelling: Spelling,
 }
 
 #[derive(Clone)]
@@ -28,7 +39,7 @@ enum Rank {
 
 impl Formulas {
     /// Formulas of the values that a team's edges bid.
-    pub(super) fn new(module: &Module<'_>, bids: &[NodeId]) -> Self {
+    pub(super) fn new(module: &Module<'_>, bids: &[NodeId], spelling: Spelling) -> Self {
         let mut needed: Vec<NodeId> = bids.iter().flat_map(|&bid| module.operations_of(bid)).collect();
         needed.sort_unstable();
         needed.dedup();
@@ -37,9 +48,9 @@ impl Formulas {
         for &id in operands.chain(bids) {
             *uses.entry(id).or_default() += 1;
         }
-        let mut formulas = Self { terms: BTreeMap::new(), shared: Vec::new() };
+        let mut formulas = Self { terms: BTreeMap::new(), shared: Vec::new(), spelling };
         for &id in bids.iter().chain(needed.iter().flat_map(|id| module.nodes[id.index()].operands())) {
-            if let Some(term) = leaf(module.graph, module.node(id)) {
+            if let Some(term) = leaf(module.graph, module.node(id), spelling) {
                 formulas.terms.insert(id, term);
             }
         }
@@ -76,6 +87,11 @@ impl Formulas {
             Term { text: format!("{left} {operator} {right}"), rank }
         };
         match instruction {
+            // Only the sign of a zero differs, which no comparison sees.
+            Instruction::Add if self.spelling == Spelling::Short && a.text == "0" => b.clone(),
+            Instruction::Add if self.spelling == Spelling::Short && is_negative(b) => {
+                Term { text: format!("{} - {}", a.text, &b.text[1..]), rank: Rank::Sum }
+            }
             Instruction::Add => infix("+", Rank::Sum),
             Instruction::Sub => infix("-", Rank::Sum),
             Instruction::Mul => infix("*", Rank::Product),
@@ -88,9 +104,17 @@ impl Formulas {
     }
 }
 
+/// Tests for a negative number; a difference has another rank within.
+fn is_negative(term: &Term) -> bool {
+    term.text.strip_prefix('-').is_some_and(|number| number.parse::<f64>().is_ok())
+}
+
 /// A number or a value of the state.
-fn leaf(graph: &Graph, node: Node) -> Option<Term> {
+fn leaf(graph: &Graph, node: Node, spelling: Spelling) -> Option<Term> {
     let text = match node {
+        Node::Input(input) if spelling == Spelling::Short && graph.source_of(input).0.ranges.len() == 1 => {
+            graph.source_of(input).0.name.clone()
+        }
         Node::Input(input) => graph.input_name(input),
         Node::Constant(bits) => {
             let value = f64::from_bits(bits);
@@ -109,7 +133,7 @@ fn leaf(graph: &Graph, node: Node) -> Option<Term> {
 
 #[cfg(test)]
 mod tests {
-    use super::Formulas;
+    use super::{Formulas, Spelling};
     use crate::ir::{Module, Node, NodeId, Values};
     use tpg_graph::{Graph, Input};
     use tpg_runtime::ops::Instruction::{self, Abs, Add, Div, Exp, Max, Mul, Sub};
@@ -124,7 +148,7 @@ mod tests {
         let two = values.intern(Node::constant(-2.0));
         let bids = build(&mut |i, a, b| values.intern(Node::Operation(i, [a, b])), x, two);
         let module = Module { nodes: values.into_nodes(), ..Module::empty(&graph) };
-        let formulas = Formulas::new(&module, &bids);
+        let formulas = Formulas::new(&module, &bids, Spelling::Exact);
         let shared = formulas.shared().iter().map(|(name, formula)| format!("{name} = {formula}"));
         shared.chain(bids.iter().map(|&bid| formulas.of(bid).to_owned())).collect()
     }

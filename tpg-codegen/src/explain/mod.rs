@@ -1,12 +1,15 @@
 //! `--explain`: the removals of each pass, and the remaining bids, team by team, as readable formulas.
 
 mod formula;
+mod policy;
 
-use crate::ir::{Module, Target, reached};
+pub use policy::{BidFormula, LeafFormulas, PolicyFormulas, TeamFormulas};
+
+use crate::ir::Module;
 use crate::options::{Language, Options, Profile, Style};
 use crate::passes::Log;
 use crate::program::{Program, Shape, compile};
-use formula::Formulas;
+use formula::Spelling;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::{self, Write as _};
 use tpg_graph::Word;
@@ -62,10 +65,11 @@ impl<'a> Explanation<'a> {
     }
 
     fn formulas(&self, out: &mut String) -> fmt::Result {
-        if !matches!(self.program.shape, Shape::Formula(_)) {
-            self.teams(out)?;
+        let formulas = PolicyFormulas::of_program(self.program, Spelling::Exact);
+        if !formulas.teams.is_empty() {
+            self.teams(out, &formulas.teams)?;
         }
-        self.leaves(out)
+        self.leaves(out, &formulas.leaves)
     }
 
     /// Reachability, introns, value numbering and folding.
@@ -137,28 +141,15 @@ impl<'a> Explanation<'a> {
         writeln!(out, "{:<16}{teams} teams, {edges} edges, {programs} programs, {operations} operations", "left")
     }
 
-    fn teams(&self, out: &mut String) -> fmt::Result {
+    fn teams(&self, out: &mut String, teams: &[TeamFormulas]) -> fmt::Result {
         writeln!(out, "\nWhat the teams compute\n")?;
         writeln!(out, "The highest bid wins, of equal bids the last; a NaN is the lowest.")?;
         self.words(out)?;
-        for (index, team) in self.program.module.teams.iter().enumerate() {
-            writeln!(out, "\nteam {}{}", team.label, if index == 0 { ", the root" } else { "" })?;
-            let bids: Vec<_> = team.edges.iter().map(|edge| self.program.module.bidders[edge.bidder].value).collect();
-            let formulas = Formulas::new(&self.program.module, &bids);
-            for (name, formula) in formulas.shared() {
-                writeln!(out, "    {name} = {formula}")?;
-            }
-            for (edge, &bid) in team.edges.iter().zip(&bids) {
-                let to = match edge.to {
-                    Target::Team(team) => format!("team {}", self.program.module.teams[team].label),
-                    Target::Action(end) => self.graph.end_name(end),
-                };
-                writeln!(
-                    out,
-                    "  program {} -> {to}: {}",
-                    self.program.module.bidders[edge.bidder].label,
-                    formulas.of(bid)
-                )?;
+        for (index, team) in teams.iter().enumerate() {
+            writeln!(out, "\nteam {}{}", team.id, if index == 0 { ", the root" } else { "" })?;
+            write_shared(out, &team.shared)?;
+            for BidFormula { program, to, formula, .. } in &team.bids {
+                writeln!(out, "  program {program} -> {to}: {formula}")?;
             }
         }
         Ok(())
@@ -176,7 +167,7 @@ impl Explanation<'_> {
     }
 
     /// The outputs of each leaf as formulas.
-    fn leaves(&self, out: &mut String) -> fmt::Result {
+    fn leaves(&self, out: &mut String, leaves: &[LeafFormulas]) -> fmt::Result {
         let outputs = self.graph.outputs();
         if outputs.is_empty() {
             return Ok(());
@@ -194,18 +185,19 @@ impl Explanation<'_> {
             )?;
         }
         self.words(out)?;
-        for (_, leaf) in reached(&self.program.module.leaves) {
-            writeln!(out, "\nleaf {}", leaf.label)?;
-            let formulas = Formulas::new(&self.program.module, &leaf.values);
-            for (name, formula) in formulas.shared() {
-                writeln!(out, "    {name} = {formula}")?;
-            }
-            for (output, &value) in outputs.iter().zip(&leaf.values) {
-                writeln!(out, "  {} = {}", output.name, formulas.of(value))?;
+        for leaf in leaves {
+            writeln!(out, "\nleaf {}", leaf.id)?;
+            write_shared(out, &leaf.shared)?;
+            for (name, formula) in &leaf.values {
+                writeln!(out, "  {name} = {formula}")?;
             }
         }
         Ok(())
     }
+}
+
+fn write_shared(out: &mut String, shared: &[(String, String)]) -> fmt::Result {
+    shared.iter().try_for_each(|(name, formula)| writeln!(out, "    {name} = {formula}"))
 }
 
 fn section(out: &mut String, name: &str, count: usize, what: &str) -> fmt::Result {

@@ -1,6 +1,7 @@
 //! The resources a graph's code needs, before it is flashed: bytes, stack, operations; and the parts of the graph that never
 //! mattered.
 
+pub mod html;
 mod text;
 
 use crate::cost::{Cost, Costs};

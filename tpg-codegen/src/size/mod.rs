@@ -151,6 +151,15 @@ pub fn build_c(code: &Code<'_>, target: Target) -> io::Result<Built> {
     Ok(Built { object: fs::read(folder.path().join("policy.o"))?, stack })
 }
 
+/// Returns the flash of a piece of C on a Cortex-M4F, bytes, and true if no compiler for it is there and the number is an
+/// estimate.
+pub fn flash_of_c(code: &Code<'_>) -> (u64, bool) {
+    match build_c(code, Target::CortexM4).and_then(|built| measure(&built.object)) {
+        Ok(size) => (size.flash(), false),
+        Err(_) => (estimated_flash(&code.program), true),
+    }
+}
+
 /// Sums the sections of an object file.
 ///
 /// # Errors

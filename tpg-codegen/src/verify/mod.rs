@@ -9,7 +9,7 @@ pub use batch::Batch;
 pub(crate) use build::c_compiler;
 pub use build::{BuildError, Workshop, c_command, compile, runtime_library, rustc};
 pub use process::Process;
-pub use proof::{Proof, Unproven};
+pub use proof::{Proof, Stage, Unproven};
 
 use crate::passes::interval::Assumption;
 use serde::Serialize;

@@ -15,6 +15,17 @@ pub struct Proof {
     pub unproven: Vec<Unproven>,
 }
 
+/// A stage of a proof.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage<'a> {
+    /// The compiler runs on the code of that [name](crate::Program::name).
+    Compiling(&'a str),
+    /// The compiler is done with it.
+    Compiled,
+    /// The compiled code and the interpreter decide on states.
+    Comparing,
+}
+
 /// Code that could not be compiled.
 #[derive(Debug, Serialize)]
 pub struct Unproven {
@@ -32,12 +43,33 @@ impl Proof {
     /// # Errors
     /// When no temporary folder can be made or a compiled program dies.
     pub fn of(codes: &[Code<'_>], count: usize, seed: u64) -> io::Result<Self> {
+        Self::of_watched(codes, count, seed, &mut |_| ())
+    }
+
+    /// [`of`](Self::of), which tells what it does.
+    ///
+    /// # Errors
+    /// As [`of`](Self::of).
+    pub fn of_watched(
+        codes: &[Code<'_>],
+        count: usize,
+        seed: u64,
+        watch: &mut dyn FnMut(Stage<'_>),
+    ) -> io::Result<Self> {
         let workshop = Workshop::new()?;
         let mut proof = Self { comparisons: Vec::new(), unproven: Vec::new() };
         let kind = |code: &Code<'_>| (ptr::from_ref(code.program.graph()), code.program.options.assumption);
         for codes in codes.chunk_by(|a, b| kind(a) == kind(b)) {
             let (graph, assumption) = (codes[0].program.graph(), codes[0].program.options.assumption);
-            let mut programs: Vec<Process> = codes.iter().filter_map(|code| proof.start(&workshop, code)).collect();
+            let mut programs: Vec<Process> = (codes.iter())
+                .filter_map(|code| {
+                    watch(Stage::Compiling(&code.program.name()));
+                    let process = proof.start(&workshop, code);
+                    watch(Stage::Compiled);
+                    process
+                })
+                .collect();
+            watch(Stage::Comparing);
             let mut engines: Vec<&mut dyn Engine> =
                 programs.iter_mut().map(|program| program as &mut dyn Engine).collect();
             proof.comparisons.extend(compare_under(assumption, graph, &mut engines, count, seed)?);

@@ -23,7 +23,6 @@ use crate::hybrid::span::Span;
 use crate::run_args::command_line;
 use crate::sac::network::Network;
 use clap::Args;
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use tpg_arm::hybrid::Guard;
 use tpg_graph::error::{InputError, Place};
@@ -101,7 +100,7 @@ pub fn eval(args: &EvalArgs) -> Result<(), InputError> {
     } else {
         report.to_table()
     };
-    let written = std::io::stdout().lock().write_all(text.as_bytes());
+    let written = tpg_graph::command::print(&text);
     written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))
 }
 

@@ -154,7 +154,7 @@ impl<W: Workplace> Training<'_, W> {
         let Some(seeds) = args.seeds else {
             return match one(args.seed, args.run.folder(problem.name(), args.seed))? {
                 RunEnd::Finished(best) => {
-                    eprintln!("{}", sentence(args.seed, &best, environment));
+                    tpg_graph::command::note(format_args!("{}", sentence(args.seed, &best, environment)));
                     Ok(Verdict::Good)
                 }
                 RunEnd::Interrupted => Ok(Verdict::Interrupted),
@@ -167,7 +167,7 @@ impl<W: Workplace> Training<'_, W> {
             let folder = out.join(format!("seed-{seed}"));
             match one(seed, folder)? {
                 RunEnd::Finished(best) => {
-                    eprintln!("{}", sentence(seed, &best, environment));
+                    tpg_graph::command::note(format_args!("{}", sentence(seed, &best, environment)));
                     finished.push((seed, best));
                 }
                 RunEnd::Interrupted => return Ok(Verdict::Interrupted),

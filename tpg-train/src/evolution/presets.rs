@@ -3,7 +3,6 @@
 use super::config::EvolutionConfig;
 use crate::sac;
 use clap::Args;
-use std::io::Write as _;
 use tpg_graph::error::{InputError, Place};
 use tpg_problems::ProblemName;
 use tpg_problems::arm::description::WIDOWX_TOML;
@@ -43,7 +42,7 @@ pub fn print_config(args: &ConfigArgs) -> Result<(), InputError> {
         })?;
         preset.text.to_owned()
     };
-    let written = std::io::stdout().lock().write_all(text.as_bytes());
+    let written = tpg_graph::command::print(&text);
     written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))
 }
 

@@ -213,15 +213,18 @@ fn finish(
         cycle_detector: chosen.cycle_detector,
     };
     write_atomically(&file("hybrid.toml"), toml::to_string(&hybrid).expect("plain data").as_bytes())?;
-    eprintln!(
+    tpg_graph::command::note(format_args!(
         "chosen: {}: score {:.2}, {:.1} of {:.1} actions by the network",
         chosen.setting().sentence(),
         chosen.score,
         chosen.network_actions,
         chosen.steps
-    );
+    ));
     for Alone { kind, file, mean_score, .. } in alone {
-        eprintln!("{}: {file}: score {mean_score:.2}", if *kind == "tpg" { "graph alone" } else { "network alone" });
+        tpg_graph::command::note(format_args!(
+            "{}: {file}: score {mean_score:.2}",
+            if *kind == "tpg" { "graph alone" } else { "network alone" }
+        ));
     }
     Ok(Verdict::Good)
 }

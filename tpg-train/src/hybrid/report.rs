@@ -18,6 +18,7 @@ pub fn page(problem: &str, cells: &[Cell], summaries: &[Summary], alone: &[Alone
             summaries.len()
         ),
         sections: vec![front(summaries), parts(alone), together(cells, summaries, alone)],
+        ..Page::default()
     }
     .html()
 }
@@ -68,7 +69,8 @@ fn front(summaries: &[Summary]) -> Section {
                standard deviation over pairs."
             .to_owned(),
         tables: vec![Table { header: header.map(str::to_owned).into(), rows: listed.into_iter().map(row).collect() }],
-        figures: vec![Figure { svg: plot.svg(&title), caption: title }],
+        figures: vec![Figure { svg: plot.svg(&title), caption: title, ..Figure::default() }],
+        ..Section::default()
     }
 }
 
@@ -101,7 +103,7 @@ fn together(cells: &[Cell], summaries: &[Summary], alone: &[Alone]) -> Section {
         plot.points(Colour(place), points.collect());
     }
     let title = "Mean score: graphs alone, networks alone, and all their pairs under the chosen setting".to_owned();
-    let figures = vec![Figure { svg: plot.svg(&title), caption: title }];
+    let figures = vec![Figure { svg: plot.svg(&title), caption: title, ..Figure::default() }];
     Section { title: "Alone and together".to_owned(), figures, ..Section::default() }
 }
 

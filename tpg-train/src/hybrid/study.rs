@@ -184,7 +184,7 @@ pub fn in_folder<T: Study>(
     cells: &dyn Cells,
 ) -> Result<Option<Vec<T::Cell>>, InputError> {
     let stop = interrupt::watch();
-    let progress = ProgressBar::new(study.size() as u64);
+    let progress = crate::progress::bar(study.size() as u64);
     let style = ProgressStyle::with_template("{bar:30} {pos} of {len}  {eta} left");
     progress.set_style(style.expect("a template that is right"));
     let cells = run(study, folder, cells, &progress, &stop);

@@ -12,6 +12,9 @@ pub(super) fn mean_and_sd(values: &[f64]) -> Option<(f64, Option<f64>)> {
     Some((mean, (values.len() > 1).then(|| (squares / (count - 1.0)).sqrt())))
 }
 
+/// The label of axes of scores.
+const SCORE: &str = "score";
+
 /// A curve with its presentation.
 struct Shown {
     curve: &'static str,
@@ -25,7 +28,7 @@ pub(super) fn sections(groups: &[Group]) -> Vec<Section> {
     let tpg = [
         Shown {
             curve: "score",
-            y: Axis::linear("score"),
+            y: Axis::linear(SCORE),
             caption: "Mean score of the best survivor on the selection episodes.",
         },
         Shown { curve: "success", y: part("success"), caption: "Its success there." },
@@ -34,14 +37,14 @@ pub(super) fn sections(groups: &[Group]) -> Vec<Section> {
             y: Axis::log("measure (arm: distance, mm)", 1.0),
             caption: "The problem's measure at the end of these episodes: on the arm, the distance.",
         },
-        Shown { curve: "best score", y: Axis::linear("score"), caption: "Best running mean of a root's score." },
-        Shown { curve: "median score", y: Axis::linear("score"), caption: "Median of the roots' running means." },
+        Shown { curve: "best score", y: Axis::linear(SCORE), caption: "Best running mean of a root's score." },
+        Shown { curve: "median score", y: Axis::linear(SCORE), caption: "Median of the roots' running means." },
         Shown { curve: "teams", y: Axis::linear("teams"), caption: "Teams of the surviving population." },
     ];
     let sac = [
         Shown {
             curve: "score",
-            y: Axis::linear("score"),
+            y: Axis::linear(SCORE),
             caption: "Mean score of the actor on the validation episodes.",
         },
         Shown { curve: "success", y: part("success"), caption: "Its success there." },
@@ -52,13 +55,20 @@ pub(super) fn sections(groups: &[Group]) -> Vec<Section> {
         },
         Shown { curve: "entropy", y: Axis::linear("nats"), caption: "Entropy of the actor's decisions in training." },
     ];
-    [
-        section("Evolution", "generation", &of_kind("TPG"), &tpg),
-        section("Soft actor-critic", "decisions", &of_kind("SAC"), &sac),
-    ]
-    .into_iter()
-    .flatten()
-    .collect()
+    let mut sections = Vec::new();
+    for (kind, title, x, shown) in
+        [("TPG", "Evolution", "generation", &tpg[..]), ("SAC", "Soft actor-critic", "decisions", &sac[..])]
+    {
+        let groups = of_kind(kind);
+        let mut problems: Vec<String> = groups.iter().map(|group| group.problem()).collect();
+        problems.dedup();
+        // Scores of different problems have nothing to do with each other.
+        for problem in problems {
+            let groups: Vec<&Group> = groups.iter().copied().filter(|group| group.problem() == problem).collect();
+            sections.extend(section(&format!("{title}: {problem}"), x, &groups, shown));
+        }
+    }
+    sections
 }
 
 fn section(title: &str, x: &str, groups: &[&Group], shown: &[Shown]) -> Option<Section> {
@@ -72,15 +82,20 @@ fn section(title: &str, x: &str, groups: &[&Group], shown: &[Shown]) -> Option<S
             .flat_map(|group| &group.runs)
             .any(|run| run.curves.get(shown.curve).is_some_and(|c| !c.is_empty()))
     };
+    // All curves begin where training does, and end together.
+    let ends = groups.iter().flat_map(|group| &group.runs).flat_map(|run| run.curves.values().flatten());
+    let end = ends.map(|&[x, _]| x).fold(1.0, f64::max);
+    let scores = ends_of_scores(groups, shown);
     let figure = |Shown { curve, y, caption }: &Shown| {
-        let mut plot = Plot::new(Axis::linear(x), y.clone());
+        let y = scores.filter(|_| y.label == SCORE).map_or(y.clone(), |[low, high]| y.clone().between(low, high));
+        let mut plot = Plot::new(Axis::linear(x).between(0.0, end), y);
         for (colour, group) in (0..).map(Colour).zip(groups) {
             let points = over_seeds(&group.runs, curve);
             plot.band(colour, points.iter().filter_map(|&(x, mean, sd)| Some([x, mean - sd?, mean + sd?])).collect());
             plot.line(colour, points.iter().map(|&(x, mean, _)| [x, mean]).collect());
             plot.name(colour, &format!("{} ({})", group.name, group.runs.len()));
         }
-        Figure { svg: plot.svg(caption), caption: (*caption).to_owned() }
+        Figure { svg: plot.svg(caption), caption: (*caption).to_owned(), ..Figure::default() }
     };
     let text = "Lines are means over the seeds (how many, in brackets), bands one standard deviation.".to_owned();
     Some(Section {
@@ -89,6 +104,17 @@ fn section(title: &str, x: &str, groups: &[&Group], shown: &[Shown]) -> Option<S
         figures: shown.iter().filter(known).map(figure).collect(),
         ..Section::default()
     })
+}
+
+/// The least and the greatest score of all curves of scores, which share their axis; `None` where they are all the same.
+fn ends_of_scores(groups: &[&Group], shown: &[Shown]) -> Option<[f64; 2]> {
+    let curves = shown.iter().filter(|shown| shown.y.label == SCORE).map(|shown| shown.curve);
+    let runs = || groups.iter().flat_map(|group| &group.runs);
+    let scores = curves.flat_map(|curve| runs().filter_map(move |run| run.curves.get(curve)).flatten());
+    let finite = scores.map(|&[_, score]| score).filter(|score| score.is_finite());
+    let [low, high] =
+        finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], score| [low.min(score), high.max(score)]);
+    (low < high).then_some([low, high])
 }
 
 /// Returns x, mean and standard deviation wherever a run has a value.

@@ -47,16 +47,22 @@ pub(super) fn section(groups: &[Group], tested: &[Vec<Option<Tested>>]) -> Optio
         }
     }
     boxes.rule(tolerance, &goal);
-    let figure = |plot: &Plot, caption: &str| Figure { svg: plot.svg(caption), caption: caption.to_owned() };
+    let figure = |plot: &Plot, caption: &str| Figure {
+        svg: plot.svg(caption),
+        caption: caption.to_owned(),
+        ..Figure::default()
+    };
     Some(Section {
         title: "Final distances on the test episodes".to_owned(),
-        text: String::new(),
-        tables: Vec::new(),
         figures: vec![
             figure(&boxes, "Each seed's episodes: median, quartiles, 5th and 95th percentile."),
-            figure(&seeds, "Each seed's mean distance as a point; boxes as on the left, over the seeds of a group."),
+            figure(
+                &seeds,
+                "Each seed's mean distance as a point; boxes as in the picture before, over the seeds of a group.",
+            ),
             figure(&cumulative, "Fraction of a group's episodes, all seeds together, that end closer than a distance."),
         ],
+        ..Section::default()
     })
 }
 

@@ -1,24 +1,28 @@
-//! `tpg-train report`: runs in one HTML file. Learning curves, final distances on the test episodes, graphs, trajectories.
+//! `tpg-train report`: runs in one HTML file. Headlines, learning curves, return against size, and the policies: formulas,
+//! graphs, episodes.
 //!
-//! `runs` reads folders, `test` runs the trained policies on the test episodes; the other modules draw. Nothing depends
+//! `runs` reads folders, `test` runs the trained policies on the test episodes; the other modules write and draw. Nothing depends
 //! on the clock or on the location of the folders: the same runs give the same bytes.
 
 mod curves;
 mod distances;
+mod episode;
+mod headline;
+mod policy;
 mod runs;
+mod size;
 mod tables;
 mod test;
 mod trajectory;
 
 use crate::files::write_atomically;
 use crate::hybrid::shared::Shared;
-use crate::picture::{Page, Section, graph};
+use crate::picture::Page;
 use clap::Args;
-use runs::{Group, Kind};
-use std::io::Write as _;
+use runs::Group;
 use std::path::{Path, PathBuf};
 use test::Tested;
-use tpg_graph::error::InputError;
+use tpg_graph::error::{InputError, counted};
 
 /// Show runs in one HTML file.
 ///
@@ -55,12 +59,17 @@ pub fn report_with(args: &ReportArgs, own: Option<&dyn Shared>) -> Result<(), In
     let groups = runs::read(&args.runs)?;
     let html = page(&groups, args.episodes as usize, args.seed, own)?.html();
     if args.out == Path::new("-") {
-        let written = std::io::stdout().lock().write_all(html.as_bytes());
+        let written = tpg_graph::command::print(&html);
         return written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"));
     }
     write_atomically(&args.out, html.as_bytes())?;
     let runs: usize = groups.iter().map(|group| group.runs.len()).sum();
-    eprintln!("{}: {} runs in {} groups", args.out.display(), runs, groups.len());
+    tpg_graph::command::note(format_args!(
+        "{}: {} in {}",
+        args.out.display(),
+        counted(runs, "run"),
+        counted(groups.len(), "group")
+    ));
     Ok(())
 }
 
@@ -69,29 +78,21 @@ fn page(groups: &[Group], episodes: usize, seed: u64, own: Option<&dyn Shared>) 
         .map(|group| group.runs.iter().map(|run| test::test(run, episodes, seed, own)).collect())
         .collect::<Result<_, _>>()?;
     let lead = format!(
-        "Tested on {episodes} episodes of the test set with seed {seed}, which no training and no selection reads. ± is the \
-         standard deviation over the seeds of a group."
+        "Tested on {episodes} episodes of the test set with seed {seed}, which no training and no selection reads. In the tables ± \
+         is the standard deviation over the seeds of a group."
     );
+    let best: Vec<Option<usize>> = tested.iter().map(|tested| best(tested)).collect();
     let mut sections = vec![tables::section(groups, &tested)];
     sections.extend(curves::sections(groups));
+    sections.extend(size::section(groups, &tested));
     sections.extend(distances::section(groups, &tested));
-    for (group, tested) in groups.iter().zip(&tested) {
-        let Some(best) = best(tested) else { continue };
-        let run = &group.runs[best];
-        let mut figures = Vec::new();
-        match &run.kind {
-            Kind::Tpg { graph, .. } => figures.push(graph::figure(graph)),
-            Kind::Hybrid(together) => figures.push(graph::figure(together.graph())),
-            Kind::Sac { .. } => {}
-        }
-        if let Some(arm) = tested[best].as_ref().and_then(|tested| tested.arm.as_ref()) {
-            figures.extend(trajectory::figures(arm));
-        }
-        let text = "The best of the group on the test episodes.".to_owned();
-        sections.push(Section { title: run.name.clone(), text, figures, ..Section::default() });
-    }
+    let policies = groups.iter().zip(&tested).zip(&best);
+    sections.extend(
+        policies
+            .filter_map(|((group, tested), &best)| Some(policy::section(&group.runs[best?], tested[best?].as_ref()))),
+    );
     let title = groups.iter().map(|group| group.name.as_str()).collect::<Vec<_>>().join(", ");
-    Ok(Page { title, lead, sections })
+    Ok(Page { title, lead, headlines: headline::headlines(groups, &tested, &best), sections })
 }
 
 /// Returns the run with the highest success rate, if defined, then with the highest mean score; the first one if none

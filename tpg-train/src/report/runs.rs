@@ -79,6 +79,13 @@ pub(super) enum Together {
     Own(Box<Hybrid>),
 }
 
+impl Group {
+    /// Returns the name of the problem.
+    pub(super) fn problem(&self) -> String {
+        self.runs[0].kind.problem()
+    }
+}
+
 impl Together {
     /// Returns the graph.
     pub(super) fn graph(&self) -> &Graph {
@@ -98,6 +105,18 @@ impl Together {
 }
 
 impl Kind {
+    /// The name of the problem; "own" for one that is not built in.
+    fn problem(&self) -> String {
+        match self {
+            Self::Tpg { problem: Some(problem), .. } => problem.name().name().to_owned(),
+            Self::Sac { problem, .. } => problem.name().name().to_owned(),
+            Self::Hybrid(Together::Arm(Start::Fs, _)) => "fs".to_owned(),
+            Self::Hybrid(Together::Arm(Start::Rs, _)) => "rs".to_owned(),
+            Self::Hybrid(Together::Other(problem, _)) => problem.name().name().to_owned(),
+            Self::Tpg { problem: None, .. } | Self::Hybrid(Together::Own(_)) => "own".to_owned(),
+        }
+    }
+
     /// The kind in a word.
     pub(super) fn name(&self) -> &'static str {
         match self {

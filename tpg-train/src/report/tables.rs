@@ -3,6 +3,7 @@
 use super::runs::{Group, Kind, Run};
 use super::test::Tested;
 use crate::picture::{Section, Table};
+use tpg_graph::error::counted;
 
 pub(super) fn section(groups: &[Group], tested: &[Vec<Option<Tested>>]) -> Section {
     let measure = tested.iter().flatten().flatten().find_map(|tested| tested.measure);
@@ -28,7 +29,8 @@ pub(super) fn section(groups: &[Group], tested: &[Vec<Option<Tested>>]) -> Secti
         ]);
         rows.extend(group.runs.iter().zip(tested).map(|(run, tested)| row(run, tested.as_ref())));
     }
-    let table = |header: &[&str], rows| Table { header: header.iter().map(|&cell| cell.to_owned()).collect(), rows };
+    let table =
+        |header: &[&str], rows| told(Table { header: header.iter().map(|&cell| cell.to_owned()).collect(), rows });
     Section {
         title: "Results".to_owned(),
         text: String::new(),
@@ -57,11 +59,21 @@ pub(super) fn section(groups: &[Group], tested: &[Vec<Option<Tested>>]) -> Secti
     }
 }
 
+/// Leaves out columns in which no row says anything.
+fn told(Table { header, rows }: Table) -> Table {
+    let says = |column: usize| rows.iter().any(|row: &Vec<String>| !row[column].is_empty());
+    let kept: Vec<usize> = (0..header.len()).filter(|&column| says(column)).collect();
+    let cells = |row: &[String]| kept.iter().map(|&column| row[column].clone()).collect::<Vec<_>>();
+    Table { header: cells(&header), rows: rows.iter().map(|row| cells(row)).collect() }
+}
+
 fn row(run: &Run, tested: Option<&Tested>) -> Vec<String> {
     let what = match &run.kind {
         Kind::Tpg { graph, .. } => {
             let edges: usize = graph.teams().iter().map(|team| team.edges.len()).sum();
-            format!("{} teams, {edges} edges, {} programs", graph.teams().len(), graph.programs().len())
+            [(graph.teams().len(), "team"), (edges, "edge"), (graph.programs().len(), "program")]
+                .map(|(count, what)| counted(count, what))
+                .join(", ")
         }
         Kind::Sac { network, contract, .. } => {
             let hidden: Vec<String> = contract.actor.hidden.iter().map(usize::to_string).collect();

@@ -1,5 +1,6 @@
 //! Tests of runs: the trained policy on the test episodes.
 
+use super::episode::{EPISODES, Watched, watch};
 use super::runs::{Kind, Run, Together};
 use crate::actor::file::FloatActor;
 use crate::evaluate::arm::endings_of;
@@ -13,7 +14,7 @@ use crate::hybrid::trial::Acting;
 use crate::sac::network::Network;
 use crate::sac::tensors::place;
 use tpg_arm::{Arm, Pose, WIDOWX};
-use tpg_engine::random::Purpose;
+use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{
     Choices, Ending, EngineOptions, Environment, Lanes, Measure, Plan, PolicyGraph, Remembered, Remembering, Summary,
 };
@@ -37,6 +38,8 @@ pub(super) struct Tested {
     pub(super) measure: Option<Measure>,
     /// Results that only the arm has.
     pub(super) arm: Option<OnTheArm>,
+    /// Some episodes on another problem, action by action.
+    pub(super) watched: Option<Watched>,
 }
 
 /// The arm, and some of its episodes.
@@ -90,7 +93,7 @@ pub(super) fn test(
             let graph = (run.name.clone(), (**graph).clone());
             let episodes = Episodes { purpose: Purpose::Evaluation, count: episodes, seed };
             let endings = own.trial(Acting::Graph(&graph), episodes)?.endings;
-            Ok(Some(Tested { endings, measure: own.facts().measure, arm: None }))
+            Ok(Some(Tested { endings, measure: own.facts().measure, arm: None, watched: None }))
         }
         Kind::Tpg { problem: Some(problem), graph } => match &**problem {
             Problem::Arm(start, config) => {
@@ -102,7 +105,7 @@ pub(super) fn test(
                     chosen(&endings).into_iter().map(|place| (place, tasks[place], endings[place])).collect();
                 let walks = in_arithmetic_of!(graph, walks(run, graph, &arm, &problem, &chosen))?;
                 let arm = OnTheArm { arm, tolerance: problem.tolerance, walks };
-                Ok(Some(Tested { endings, measure: Some(DISTANCE), arm: Some(arm) }))
+                Ok(Some(Tested { endings, measure: Some(DISTANCE), arm: Some(arm), watched: None }))
             }
             problem => {
                 let test = OnAProblem { problem, file: &run.name, graph, episodes, seed };
@@ -119,7 +122,7 @@ pub(super) fn test(
                 let network = Network::Float(Box::new(((**network).clone(), (**contract).clone())));
                 let network::Tested { endings, measure, .. } =
                     network::test(problem, &run.name, &network, episodes, seed)?;
-                Ok(Some(Tested { endings, measure, arm: None }))
+                Ok(Some(Tested { endings, measure, arm: None, watched: None }))
             }
         },
         Kind::Hybrid(Together::Arm(start, hybrid)) => Ok(Some(of_an_arms_hybrid(hybrid, *start, episodes, seed)?)),
@@ -134,7 +137,7 @@ pub(super) fn test(
 /// A hybrid on its test episodes.
 fn of_a_hybrid(problem: &dyn Shared, hybrid: &Hybrid, episodes: usize, seed: u64) -> Result<Tested, InputError> {
     let endings = hybrid::test(problem, hybrid, episodes, seed)?.endings;
-    Ok(Tested { endings, measure: problem.facts().measure, arm: None })
+    Ok(Tested { endings, measure: problem.facts().measure, arm: None, watched: None })
 }
 
 /// A hybrid of the arm on its test episodes.
@@ -143,7 +146,7 @@ fn of_an_arms_hybrid(hybrid: &ArmHybrid, start: Start, episodes: usize, seed: u6
     let ArmHybrid { graph: (file, graph), actor, setting } = hybrid;
     let endings = trial::run(file, graph, actor, setting, start, &tasks)?.trial.endings;
     let arm = OnTheArm { arm: WIDOWX, tolerance: TOLERANCE, walks: Vec::new() };
-    Ok(Tested { endings, measure: Some(DISTANCE), arm: Some(arm) })
+    Ok(Tested { endings, measure: Some(DISTANCE), arm: Some(arm), watched: None })
 }
 
 /// An actor of the arm on its test episodes.
@@ -160,7 +163,12 @@ fn of_an_actor(actor: &FloatActor, start: Start, episodes: usize, seed: u64) -> 
     let walks = (chosen(&endings).into_iter())
         .map(|place| walk(place, tasks[place].target, watch(place).1, endings[place]))
         .collect();
-    Tested { endings, measure: Some(DISTANCE), arm: Some(OnTheArm { arm: WIDOWX, tolerance: TOLERANCE, walks }) }
+    Tested {
+        endings,
+        measure: Some(DISTANCE),
+        arm: Some(OnTheArm { arm: WIDOWX, tolerance: TOLERANCE, walks }),
+        watched: None,
+    }
 }
 
 /// A graph and a built-in problem that is not the arm's.
@@ -178,9 +186,12 @@ impl OnAProblem<'_> {
         let environment = problem.environment::<S>();
         let choices = Choices::new(&*environment, problem.levels_for(graph))
             .map_err(|error| InputError::new(file, Place::Whole, error.to_string(), "fewer problem.levels"))?;
+        let draw = |index| choices.draw(&mut Stream::new(seed, 0, Purpose::Evaluation, index));
+        let tasks: Vec<_> = (0..EPISODES.min(episodes) as u64).map(draw).collect();
+        let watched = watch::<S, M, _>(graph, &choices, &tasks);
         let remembering = Remembering::new(choices, Remembered::of(graph));
         let endings = endings::<S, M>(file, graph, &remembering, episodes, seed)?;
-        Ok(Tested { endings, measure: environment.measure(), arm: None })
+        Ok(Tested { endings, measure: environment.measure(), arm: None, watched })
     }
 }
 

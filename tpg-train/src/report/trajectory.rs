@@ -53,7 +53,7 @@ fn figure(arm: &Arm<f64>, walk: &Walk) -> Figure {
          end, orange: the way of the hand.",
         walk.number, walk.outcome, walk.distance
     );
-    Figure { svg: svg.finish("an episode"), caption }
+    Figure { svg: svg.finish("an episode"), caption, ..Figure::default() }
 }
 
 /// Returns shoulder, bracket, elbow, wrist and tip in the arm's plane, as x, 0, z.

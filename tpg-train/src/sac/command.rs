@@ -133,7 +133,7 @@ impl<'a, E: Environment<f32>> Run<'a, E> {
         write_atomically(&folder.file("config.toml"), training.config().to_toml().as_bytes())?;
         let goal = Goal { target: args.target, max_steps: args.max_steps };
         let whole = training.config().learning.decisions;
-        let progress = ProgressBar::new(goal.max_steps.map_or(whole, |most| most.min(whole)));
+        let progress = crate::progress::bar(goal.max_steps.map_or(whole, |most| most.min(whole)));
         let style = ProgressStyle::with_template("{bar:30} {percent:>3} %  {eta} left  {msg}");
         progress.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
         progress.set_position(training.decisions());
@@ -192,7 +192,7 @@ impl<'a, E: Environment<f32>> Run<'a, E> {
             (Some(best), true) => format!("{}; the curve was flat", self.sentence(best)),
             (Some(best), false) => self.sentence(best),
         };
-        eprintln!("{end}");
+        tpg_graph::command::note(format_args!("{end}"));
         Ok(Verdict::Good)
     }
 

@@ -11,12 +11,13 @@ use tpg_testing::library::top;
 const GENERAL: [&str; 4] = ["tpg-runtime", "tpg-graph", "tpg-engine", "tpg-codegen"];
 
 /// The crates that users install or link: none of them knows the shipped policies or the paper.
-const PRODUCT: [&str; 12] = [
+const PRODUCT: [&str; 13] = [
     "tpg-runtime",
     "tpg-kernels",
     "tpg-arm",
     "tpg-runtime-capi",
     "tpg-graph",
+    "tpg-picture",
     "tpg-codegen",
     "tpg-engine",
     "tpg-nn",

@@ -147,14 +147,14 @@ fn finish(args: &StudyArgs, study: &Study, costs: &Costs, cells: &[Cell], alone:
         write_atomically(&file("hybrid.toml"), text.as_bytes())?;
     }
     if let Some(setting) = chosen.setting(cells) {
-        eprintln!(
+        tpg_graph::command::note(format_args!(
             "chosen: {}: {:.1} % success, {:.1} % collision, {:.2} mm, {:.0} % of the actions by the graph",
             setting.sentence(),
             100.0 * chosen.success,
             100.0 * chosen.collision,
             chosen.distance_mm,
             100.0 * chosen.tpg_action_ratio
-        );
+        ));
     }
     Ok(())
 }

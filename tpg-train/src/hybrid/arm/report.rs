@@ -34,6 +34,7 @@ pub fn page(start: Start, cells: &[Cell], summaries: &[Summary], alone: &[Alone]
                 together(cells, summaries, alone, "success, %", |c| 100.0 * c.success, |a| 100.0 * a.success),
             ]),
         ],
+        ..Page::default()
     }
     .html()
 }
@@ -105,7 +106,7 @@ fn parameters(guard: &str, summaries: &[&Summary]) -> Figure {
         plot.name(Colour(colour), &format!("hands back after {back}"));
     }
     let title = format!("Distance at the end by both parameters, guard {guard}");
-    Figure { svg: plot.svg(&title), caption: title }
+    Figure { svg: plot.svg(&title), caption: title, ..Figure::default() }
 }
 
 fn front(summaries: &[Summary], label: &str, value: impl Fn(&Summary) -> f64) -> Figure {
@@ -138,6 +139,7 @@ fn front(summaries: &[Summary], label: &str, value: impl Fn(&Summary) -> f64) ->
     Figure {
         svg: plot.svg(&title),
         caption: format!("{title}. The front is that of distance, success and time together."),
+        ..Figure::default()
     }
 }
 
@@ -162,5 +164,5 @@ fn together(
         plot.points(Colour(place), points.collect());
     }
     let title = format!("{label}: graphs alone, actors alone, and all their pairs under the chosen setting");
-    Figure { svg: plot.svg(&title), caption: title }
+    Figure { svg: plot.svg(&title), caption: title, ..Figure::default() }
 }

@@ -2,11 +2,14 @@
 
 use super::{Figure, Point, Svg};
 use std::collections::BTreeMap;
+use tpg_graph::error::counted;
 use tpg_graph::{ActionId, Destination, Graph};
 
 const WIDTH: f64 = 960.0;
 const LAYER: f64 = 84.0;
 const TOP: f64 = 24.0;
+/// A graph of more vertices takes the whole width of a page.
+const BROAD: usize = 12;
 /// Number of passes that sort nodes by the positions of their neighbours above; more passes change little.
 const SWEEPS: usize = 4;
 
@@ -53,14 +56,16 @@ pub fn figure(graph: &Graph) -> Figure {
     }
     let edges: usize = graph.teams().iter().map(|team| team.edges.len()).sum();
     let caption = format!(
-        "The graph: {} teams, {edges} edges, {} programs, {} {}. A circle is a team with its number of edges, the root \
+        "The graph: {}, {}, {}, {} {}. A circle is a team with its number of edges, the root \
          is filled; edges to actions have the colour of the joint; several edges between the same two are one thick line.",
-        graph.teams().len(),
-        graph.programs().len(),
+        counted(graph.teams().len(), "team"),
+        counted(edges, "edge"),
+        counted(graph.programs().len(), "program"),
         graph.ends(),
         if graph.outputs().is_empty() { "actions" } else { "leaves" }
     );
-    Figure { svg: svg.finish("the graph"), caption }
+    let is_broad = places.len() > BROAD;
+    Figure { svg: svg.finish("the graph"), caption, is_broad }
 }
 
 /// Draws a graph as an SVG element that needs no page: for a notebook, say.

@@ -10,9 +10,9 @@ mod plot;
 mod svg;
 
 /// Colours and lines of pictures, as CSS.
-const STYLE: &str = include_str!("../../templates/picture.css");
+const STYLE: &str = include_str!("../templates/picture.css");
 
 pub use axis::Axis;
-pub use page::{Figure, Page, Section, Table};
+pub use page::{Figure, Formulas, Headline, Page, Section, Table};
 pub use plot::{Colour, FiveNumbers, Plot};
 pub use svg::{Point, Svg};

@@ -178,6 +178,10 @@ impl Mark {
         match self {
             Self::Line(points) => {
                 let points: Vec<Point> = points.iter().map(|&point| frame.at(point)).collect();
+                // A line needs two points; a single one is shown all the same.
+                if let [point] = points[..] {
+                    svg.circle(&format!("fill {colour}"), point, 3.5, "");
+                }
                 svg.polyline(&format!("line {colour}"), &points);
             }
             Self::Band(band) => {
@@ -224,6 +228,13 @@ mod tests {
         let expected = FiveNumbers { low: 5.0, first: 25.0, median: 50.0, third: 75.0, high: 95.0 };
         assert_eq!(FiveNumbers::of(&sample), Some(expected));
         assert_eq!(FiveNumbers::of(&[]), None);
+    }
+
+    #[test]
+    fn a_single_value_is_shown() {
+        let mut plot = Plot::new(Axis::linear("x").between(0.0, 10.0), Axis::linear("y"));
+        plot.line(Colour(1), vec![[5.0, 2.0]]);
+        assert!(plot.svg("t").contains("<circle class=\"fill c1\" cx=\"334\""), "{}", plot.svg("t"));
     }
 
     #[test]

@@ -48,7 +48,9 @@ impl Axis {
         let (least, most) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
         let low = self.low.unwrap_or(if least.is_finite() { least } else { 0.0 });
         let high = self.high.unwrap_or(if most.is_finite() { most } else { 1.0 });
-        let high = if high > low { high } else { low + low.abs().max(1.0) };
+        // A single value stands in the middle.
+        let (low, high) =
+            if high > low { (low, high) } else { (low - 0.1 * low.abs().max(1.0), low + 0.1 * low.abs().max(1.0)) };
         Fitted { axis: self, low, high }
     }
 }

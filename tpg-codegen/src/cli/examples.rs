@@ -1,0 +1,51 @@
+//! The examples of `--help`; a test parses each of them.
+
+pub(super) const ALL: &str = "\
+Examples:
+  tpg-codegen runs/pole/graph.json --prefix pole -o out
+  tpg-codegen report runs/pole/graph.json";
+
+pub(super) const GENERATE: &str = "\
+Examples:
+  tpg-codegen generate graph.json --lang c --profile small -o firmware
+  tpg-codegen generate graph.json --explain
+  tpg-codegen generate graph.json -o firmware --check";
+
+pub(super) const VERIFY: &str = "\
+Examples:
+  tpg-codegen verify graph.json
+  tpg-codegen verify graph.json --lang c --profile fast --states 1000000
+  tpg-codegen verify policy.dot --sidecar policy.toml --expect recorded.csv";
+
+pub(super) const REPORT: &str = "\
+Examples:
+  tpg-codegen report graph.json
+  tpg-codegen report graph.json --html report.html
+  tpg-codegen report graph.json --target thumbv7em --max-flash 4096";
+
+pub(super) const CONVERT: &str = "\
+Examples:
+  tpg-codegen convert policy.dot --sidecar policy.toml graph.json
+  tpg-codegen convert graph.json policy.dot";
+
+pub(super) const POLICY: &str = "\
+Examples:
+  tpg-codegen policy policy.q.json --lang c --prefix actor -o firmware";
+
+pub(super) const SCHEMA: &str = "\
+Examples:
+  tpg-codegen schema";
+
+pub(super) const SIDECAR: &str = "\
+Examples:
+  tpg-codegen sidecar --example";
+
+pub(super) const COMPLETIONS: &str = "\
+Examples:
+  tpg-codegen completions bash
+  tpg-codegen completions zsh";
+
+pub(super) const MAN: &str = "\
+Examples:
+  tpg-codegen man
+  tpg-codegen man report";

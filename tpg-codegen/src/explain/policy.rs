@@ -1,0 +1,116 @@
+//! A policy as formulas in a structure: for pages and reports that show it.
+
+use super::fast;
+use super::formula::{Formulas, Spelling};
+use crate::ir::{Module, NodeId, Target, reached};
+use crate::options::{Language, Options};
+use crate::program::{Program, Shape, compile};
+use serde::Serialize;
+use tpg_graph::Graph;
+
+/// A policy as formulas, optimised as its fast C is.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct PolicyFormulas {
+    /// The teams, the root first; empty where nothing is decided.
+    pub teams: Vec<TeamFormulas>,
+    /// The leaves that walks end at; empty for a policy that answers with an action.
+    pub leaves: Vec<LeafFormulas>,
+}
+
+/// A team: the highest bid wins, of equal bids the last; a NaN is the lowest.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct TeamFormulas {
+    /// Its id in the graph.
+    pub id: u32,
+    /// Names of what several bids share, and their formulas.
+    pub shared: Vec<(String, String)>,
+    /// The bids, in the order that decides ties.
+    pub bids: Vec<BidFormula>,
+}
+
+/// A bid and its destination.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct BidFormula {
+    /// The program's id in the graph.
+    pub program: u32,
+    /// The destination in words: `team 3`, `leaf 1`, or an action's name.
+    pub to: String,
+    /// The team's place in [`PolicyFormulas::teams`] where the bid is for a team.
+    pub team: Option<usize>,
+    /// The formula.
+    pub formula: String,
+}
+
+/// A leaf: what each output is before it is limited to its range.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct LeafFormulas {
+    /// Its id in the graph.
+    pub id: u32,
+    /// Its number among all leaves of the graph.
+    pub number: usize,
+    /// Names of what several outputs share, and their formulas.
+    pub shared: Vec<(String, String)>,
+    /// Each output's name and formula.
+    pub values: Vec<(String, String)>,
+}
+
+impl PolicyFormulas {
+    /// The formulas of a graph. A value of a source with one value has the source's name.
+    ///
+    /// ```
+    /// use tpg_codegen::explain::PolicyFormulas;
+    /// use tpg_codegen::Options;
+    /// use tpg_graph::sample::{self, Shape};
+    ///
+    /// let graph = sample::graph(&Shape::default(), 7);
+    /// let formulas = PolicyFormulas::of(&graph, &Options::new("arm".parse()?));
+    /// assert!(formulas.teams.iter().all(|team| !team.bids.is_empty()));
+    /// # Ok::<(), String>(())
+    /// ```
+    pub fn of(graph: &Graph, options: &Options) -> Self {
+        Self::of_program(&compile(graph, &fast(options), Language::C), Spelling::Short)
+    }
+
+    pub(super) fn of_program(program: &Program<'_>, spelling: Spelling) -> Self {
+        let module = &program.module;
+        let teams = match program.shape {
+            Shape::Formula(_) => Vec::new(),
+            _ => (0..module.teams.len()).map(|team| TeamFormulas::of(module, team, spelling)).collect(),
+        };
+        let outputs = module.graph.outputs();
+        let leaves = reached(&module.leaves).map(|(number, leaf)| {
+            let formulas = Formulas::new(module, &leaf.values, spelling);
+            let value = |(name, &value): (&String, &NodeId)| (name.clone(), formulas.of(value).to_owned());
+            LeafFormulas {
+                id: leaf.label,
+                number,
+                shared: formulas.shared().to_vec(),
+                values: outputs.iter().map(|output| &output.name).zip(&leaf.values).map(value).collect(),
+            }
+        });
+        Self { teams, leaves: leaves.collect() }
+    }
+}
+
+impl TeamFormulas {
+    fn of(module: &Module<'_>, team: usize, spelling: Spelling) -> Self {
+        let team = &module.teams[team];
+        let bids: Vec<NodeId> = team.edges.iter().map(|edge| module.bidders[edge.bidder].value).collect();
+        let formulas = Formulas::new(module, &bids, spelling);
+        let bid = |(edge, &bid): (&crate::ir::Edge, &NodeId)| {
+            let (to, team) = match edge.to {
+                Target::Team(team) => (format!("team {}", module.teams[team].label), Some(team)),
+                Target::Action(end) if spelling == Spelling::Short && module.graph.leaves().is_empty() => {
+                    (module.graph.actions()[usize::from(end.0)].name.clone(), None)
+                }
+                Target::Action(end) => (module.graph.end_name(end), None),
+            };
+            BidFormula { program: module.bidders[edge.bidder].label, to, team, formula: formulas.of(bid).to_owned() }
+        };
+        Self {
+            id: team.label,
+            shared: formulas.shared().to_vec(),
+            bids: team.edges.iter().zip(&bids).map(bid).collect(),
+        }
+    }
+}

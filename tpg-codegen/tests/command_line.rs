@@ -1,0 +1,57 @@
+//! Habits of the command line: closed pipes, `--quiet`, completions, manual pages, the report as a page.
+
+use assert_cmd::Command;
+use std::process::{self, Stdio};
+
+const GRAPH: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/fixtures/cartpole.json");
+
+fn codegen(words: &[&str]) -> String {
+    let output = Command::new(env!("CARGO_BIN_EXE_tpg-codegen")).args(words).assert().success();
+    String::from_utf8(output.get_output().stdout.clone()).expect("text")
+}
+
+#[test]
+fn a_reader_that_has_gone_ends_the_program_quietly() {
+    for words in [&["report", "--json", "--target", "host", GRAPH][..], &["schema"], &["man"], &["completions", "bash"]]
+    {
+        let mut command = process::Command::new(env!("CARGO_BIN_EXE_tpg-codegen"));
+        let mut child = command.args(words).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("it starts");
+        drop(child.stdout.take());
+        let output = child.wait_with_output().expect("it ends");
+        assert_eq!(output.status.code(), Some(141), "{words:?}");
+        assert!(output.stderr.is_empty(), "{words:?}: {}", String::from_utf8_lossy(&output.stderr));
+    }
+}
+
+#[test]
+fn quiet_prints_no_sentence_about_success() {
+    let words = ["verify", GRAPH, "--lang", "rust", "--profile", "fast", "--states", "100"];
+    assert!(codegen(&words).contains("= interpreter on 100 states"));
+    assert_eq!(codegen(&[&words[..], &["--quiet"]].concat()), "");
+}
+
+#[test]
+fn completions_and_manual_pages_know_the_options() {
+    for shell in ["bash", "zsh", "fish"] {
+        assert!(codegen(&["completions", shell]).contains("max-flash"), "{shell}");
+    }
+    let page = codegen(&["man", "report"]);
+    assert!(page.contains(".TH") && page.contains("max\\-flash"), "{page}");
+    assert!(codegen(&["man"]).contains("Exit status"));
+    let output = Command::new(env!("CARGO_BIN_EXE_tpg-codegen")).args(["man", "reprot"]).assert().code(2);
+    let error = String::from_utf8_lossy(&output.get_output().stderr).into_owned();
+    assert!(error.contains("reprot") && error.contains("generate, verify, report"), "{error}");
+}
+
+#[test]
+fn the_page_of_a_graph_has_its_formulas_and_the_inputs_that_matter() {
+    let words = ["report", GRAPH, "--html", "-"];
+    let html = codegen(&words);
+    for part in ["Bytes", "What was removed", "Inputs that matter", "answers changed", "<svg", "The policy", "theta"] {
+        assert!(html.contains(part), "{part} is missing");
+    }
+    for never in ["<script", "http:", "https:", "NaN %"] {
+        assert!(!html.contains(never), "{never} has no place in a report");
+    }
+    assert!(codegen(&words) == html, "the same graph gives the same bytes");
+}

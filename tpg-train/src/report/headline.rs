@@ -1,0 +1,81 @@
+//! The head of the page: result with its interval, size and training time of the best run of each group.
+
+use super::runs::{Group, Kind, Run};
+use super::test::Tested;
+use crate::evaluate::confidence;
+use crate::picture::Headline;
+use tpg_codegen::emit::Code;
+use tpg_codegen::options::Language;
+use tpg_codegen::{Options, compile, size};
+use tpg_graph::Graph;
+
+/// The half width of a 95 % interval, in standard errors.
+const Z: f64 = 1.96;
+
+/// Returns one headline for each group; `best` is the place of its best run.
+pub(super) fn headlines(groups: &[Group], tested: &[Vec<Option<Tested>>], best: &[Option<usize>]) -> Vec<Headline> {
+    let each = groups.iter().zip(tested).zip(best);
+    each.filter_map(|((group, tested), &best)| {
+        let best = best?;
+        Some(headline(group, &group.runs[best], tested[best].as_ref()))
+    })
+    .collect()
+}
+
+fn headline(group: &Group, run: &Run, tested: Option<&Tested>) -> Headline {
+    let mut notes = Vec::new();
+    let value = match tested {
+        Some(tested) => {
+            notes.push(format!("on {} test episodes, with its 95 % interval", tested.endings.len()));
+            result(tested)
+        }
+        None => {
+            notes.push("not tested: the environment is not built in".to_owned());
+            "–".to_owned()
+        }
+    };
+    notes.push(match &run.kind {
+        Kind::Tpg { graph, .. } => flash_in_words(graph),
+        Kind::Hybrid(together) => format!("its graph: {}", flash_in_words(together.graph())),
+        Kind::Sac { contract, .. } => format!("hidden layers {:?}", contract.actor.hidden),
+    });
+    notes.extend(run.cpu.map(|cpu| format!("trained in {cpu:.1} CPU seconds")));
+    let whose = if group.runs.len() > 1 {
+        format!("{}, the best of {} seeds", group.name, group.runs.len())
+    } else {
+        run.name.clone()
+    };
+    Headline { name: whose, value, note: notes.join("; ") }
+}
+
+/// The success rate with Wilson's interval where there is one, else the mean return with its interval.
+fn result(tested: &Tested) -> String {
+    let summary = tested.summary();
+    match summary.success {
+        Some(rate) => {
+            let [low, high] = confidence(rate, summary.episodes).map(|end| 100.0 * end);
+            format!("{:.1} % ({low:.1} to {high:.1})", 100.0 * rate)
+        }
+        None => {
+            let error = summary.score_deviation(&tested.endings) / (summary.episodes.max(1) as f64).sqrt();
+            format!("return {:.2} ± {:.2}", summary.score, Z * error)
+        }
+    }
+}
+
+/// The flash of a graph's fast C on a Cortex-M4F, bytes; true if it is an estimate, without the compiler.
+pub(super) fn flash(graph: &Graph) -> (u64, bool) {
+    size::flash_of_c(&Code::of(compile(graph, &options(), Language::C)))
+}
+
+fn flash_in_words(graph: &Graph) -> String {
+    match flash(graph) {
+        (bytes, true) => format!("about {bytes} bytes of C on a Cortex-M4F (an estimate: no compiler for it)"),
+        (bytes, false) => format!("{bytes} bytes of C on a Cortex-M4F"),
+    }
+}
+
+/// The options of code that is estimated and explained, and not written.
+pub(super) fn options() -> Options {
+    Options::new("policy".parse().expect("a prefix"))
+}

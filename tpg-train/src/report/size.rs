@@ -1,0 +1,50 @@
+//! Return against size: what a byte of flash buys.
+
+use super::headline::flash;
+use super::runs::{Group, Kind};
+use super::test::Tested;
+use crate::picture::{Axis, Colour, Figure, Plot, Section};
+
+/// Draws each problem with at least two tested graphs.
+pub(super) fn section(groups: &[Group], tested: &[Vec<Option<Tested>>]) -> Option<Section> {
+    let mut problems: Vec<String> = Vec::new();
+    for group in groups {
+        if !problems.contains(&group.problem()) {
+            problems.push(group.problem());
+        }
+    }
+    let figures: Vec<Figure> = problems.iter().filter_map(|problem| figure(groups, tested, problem)).collect();
+    (!figures.is_empty()).then(|| Section {
+        title: "Return against size".to_owned(),
+        text: "Each point is a run: its mean return on the test episodes, and the flash of its graph's fast C on a Cortex-M4F, compiled \
+               with -Os, or estimated where there is no compiler for it. Further up and further left is better."
+            .to_owned(),
+        figures,
+        ..Section::default()
+    })
+}
+
+fn figure(groups: &[Group], tested: &[Vec<Option<Tested>>], problem: &str) -> Option<Figure> {
+    let mut plot = Plot::new(Axis::linear("bytes of flash"), Axis::linear("mean return"));
+    let mut count = 0;
+    for ((place, group), tested) in
+        groups.iter().enumerate().zip(tested).filter(|((_, group), _)| group.problem() == problem)
+    {
+        let points: Vec<([f64; 2], String)> = (group.runs.iter().zip(tested))
+            .filter_map(|(run, tested)| match (&run.kind, tested) {
+                (Kind::Tpg { graph, .. }, Some(tested)) => {
+                    Some(([flash(graph).0 as f64, tested.summary().score], run.name.clone()))
+                }
+                _ => None,
+            })
+            .collect();
+        if points.is_empty() {
+            continue;
+        }
+        count += points.len();
+        plot.points(Colour(place), points);
+        plot.name(Colour(place), &group.name);
+    }
+    let caption = format!("{problem}: mean return of each run against the size of its code.");
+    (count > 1).then(|| Figure { svg: plot.svg(&caption), caption, ..Figure::default() })
+}

@@ -1,0 +1,247 @@
+//! Four arms with one target: the hybrid's, its graph's alone, its network's alone, and a classical planner's.
+//!
+//! Each goes on from where it is when the target moves. An episode follows the rules of the test episodes: it ends at the
+//! target, at a refused action, at rest, in a circle, or at the limit of actions of random
+//! starts.
+
+use tpg_arm::binding;
+use tpg_arm::cycle::Brent;
+use tpg_arm::episode::{Episode, Outcome, ReachTask};
+use tpg_arm::hybrid::{Driver, Hybrid, HybridEpisode};
+use tpg_arm::kinematics::{Lattice, Plane, Point, base_direction};
+use tpg_arm::observation::{ArmPolicy, Observation, Source};
+use tpg_arm::sac::packed::{Model, PackedPolicy};
+use tpg_arm::{Arm, Invalid, Move, Pose, WIDOWX};
+use tpg_generated::{widowx_rs_fast::WidowxRsFast, widowx_rs_hybrid, widowx_sac};
+use tpg_problems::arm::planner::{Choice, Planner};
+use tpg_problems::arm::targets::Start;
+use tpg_runtime::policy::Policy;
+
+/// Hand and target are less than this apart at the end, mm.
+pub const TOLERANCE: f32 = 3.0;
+
+static ARM: Arm<f32> = WIDOWX.to_f32();
+static EXACT_ARM: Arm<f64> = WIDOWX;
+static SOURCES: [Source; WidowxRsFast::SOURCES.len()] = binding::sources(WidowxRsFast::SOURCES);
+static MOVES: [Move; WidowxRsFast::MOVES.len()] = binding::moves(WidowxRsFast::MOVES);
+
+type Graph = ArmPolicy<'static, f32, WidowxRsFast>;
+type Network = PackedPolicy<'static, { widowx_sac::SCRATCH }>;
+
+/// The state of an arm, as numbers that a page reads.
+#[repr(u32)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum State {
+    /// The graph acted last, or nothing has yet.
+    Graph,
+    /// The network acted last.
+    Network,
+    /// The planner acted last.
+    Planner,
+    /// The hand is at the target.
+    Reached,
+    /// The policy rests elsewhere.
+    Stop,
+    /// The policy goes in a circle.
+    Cycle,
+    /// A joint would have left its range.
+    JointLimit,
+    /// The arm would have hit the table or its base.
+    Collision,
+    /// The limit of actions.
+    Timeout,
+}
+
+impl State {
+    /// Tests for the end of an episode.
+    pub fn is_end(self) -> bool {
+        !matches!(self, Self::Graph | Self::Network | Self::Planner)
+    }
+}
+
+impl From<Outcome> for State {
+    fn from(outcome: Outcome) -> Self {
+        match outcome {
+            Outcome::Reached => Self::Reached,
+            Outcome::Invalid(Invalid::JointLimit(_)) => Self::JointLimit,
+            Outcome::Invalid(Invalid::Collision(_)) => Self::Collision,
+            Outcome::Stop => Self::Stop,
+            Outcome::Cycle => Self::Cycle,
+            Outcome::Timeout => Self::Timeout,
+        }
+    }
+}
+
+/// An arm as a page reads it; the same layout in JavaScript.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// Shoulder, end of the upper arm, elbow, wrist, tip of the hand: x, y, z each, mm.
+    pub points: [[f32; 3]; 5],
+    /// Hand to target, mm.
+    pub distance: f32,
+    /// Motor positions, ticks.
+    pub pose: [i32; 4],
+    /// Actions since the target moved: of the graph (or the planner), of the network.
+    pub actions: [u32; 2],
+    /// The policy that acted last, or the end.
+    pub state: State,
+}
+
+/// An episode of one of the four.
+enum Course {
+    Hybrid(HybridEpisode<'static, f32, Graph, Network, widowx_rs_hybrid::Detector>),
+    Graph(Episode<'static, f32, Brent>),
+    Network(Episode<'static, f32, Brent>),
+    Planner(Episode<'static, f64, Brent>),
+}
+
+/// The number of arms.
+pub const ARMS: usize = 4;
+
+/// Four arms with one target.
+pub struct Scene {
+    hybrid: &'static Hybrid<'static, f32, Graph, Network>,
+    planner: Planner<'static>,
+    target: [f64; 3],
+    courses: [Course; ARMS],
+    views: [View; ARMS],
+}
+
+impl Scene {
+    /// Puts all arms in the pose at rest. `None` if the network in flash is damaged.
+    pub fn new() -> Option<Self> {
+        let sac = Network::new(&ARM, Model::parse(&widowx_sac::MODEL).ok()?)?;
+        let tpg = ArmPolicy::new(WidowxRsFast, &ARM, &SOURCES, &MOVES);
+        // One for the life of the page.
+        let hybrid = Box::leak(Box::new(Hybrid { arm: &ARM, tpg, sac, settings: widowx_rs_hybrid::SETTINGS }));
+        let target = [0.0, 300.0, 300.0];
+        let planner = Planner::new(&EXACT_ARM, Choice::NearestFree);
+        let courses = courses(hybrid, [ARM.home; ARMS], target);
+        let blank = View { points: [[0.0; 3]; 5], distance: 0.0, pose: [0; 4], actions: [0; 2], state: State::Graph };
+        let mut scene = Self { hybrid, planner, target, courses, views: [blank; ARMS] };
+        scene.show_all();
+        Some(scene)
+    }
+
+    /// Moves the target; every arm goes on from where it is. Numbers that are not finite change nothing.
+    pub fn aim(&mut self, target: [f64; 3]) {
+        if target.iter().all(|value| value.is_finite()) {
+            self.target = target;
+            self.begin(self.poses());
+        }
+    }
+
+    /// Puts all arms in the pose at rest.
+    pub fn home(&mut self) {
+        self.begin([ARM.home; ARMS]);
+    }
+
+    /// Puts all arms where the first one is.
+    pub fn gather(&mut self) {
+        self.begin([self.poses()[0]; ARMS]);
+    }
+
+    /// Lets one arm do up to `count` actions. An arm beyond the last one does nothing.
+    pub fn act(&mut self, arm: usize, count: u32) {
+        for _ in 0..count {
+            let (Some(course), Some(view)) = (self.courses.get_mut(arm), self.views.get_mut(arm)) else { return };
+            if view.state.is_end() {
+                break;
+            }
+            let (driver, outcome) = match course {
+                Course::Hybrid(episode) => {
+                    let (driver, outcome) = episode.advance();
+                    (if driver == Driver::Sac { State::Network } else { State::Graph }, outcome)
+                }
+                Course::Graph(episode) => {
+                    (State::Graph, episode.advance(self.hybrid.tpg.decide(episode.observation())))
+                }
+                Course::Network(episode) => {
+                    (State::Network, episode.advance(self.hybrid.sac.decide(episode.observation())))
+                }
+                Course::Planner(episode) => {
+                    (State::Planner, episode.advance(self.planner.decide(episode.observation())))
+                }
+            };
+            view.actions[usize::from(driver == State::Network)] += 1;
+            view.state = outcome.map_or(driver, State::from);
+        }
+        self.show(arm);
+    }
+
+    /// Shows an arm; the first one for a number beyond the last.
+    pub fn view(&self, arm: usize) -> &View {
+        self.views.get(arm).unwrap_or(&self.views[0])
+    }
+
+    /// The pose of each arm.
+    pub fn poses(&self) -> [Pose; ARMS] {
+        self.courses.each_ref().map(|course| match course {
+            Course::Hybrid(episode) => episode.observation().pose,
+            Course::Graph(episode) | Course::Network(episode) => episode.observation().pose,
+            Course::Planner(episode) => episode.observation().pose,
+        })
+    }
+
+    fn begin(&mut self, poses: [Pose; ARMS]) {
+        self.courses = courses(self.hybrid, poses, self.target);
+        for view in &mut self.views {
+            (view.actions, view.state) = ([0; 2], State::Graph);
+        }
+        self.show_all();
+    }
+
+    fn show_all(&mut self) {
+        (0..ARMS).for_each(|arm| self.show(arm));
+    }
+
+    fn show(&mut self, arm: usize) {
+        let (Some(course), Some(view)) = (self.courses.get(arm), self.views.get_mut(arm)) else { return };
+        match course {
+            Course::Hybrid(episode) => fill(view, &ARM, episode.observation()),
+            Course::Graph(episode) | Course::Network(episode) => fill(view, &ARM, episode.observation()),
+            Course::Planner(episode) => fill(view, &EXACT_ARM, episode.observation()),
+        }
+        // Where the target lies in the hand, there is nothing to do.
+        if !view.state.is_end() && view.distance < TOLERANCE {
+            view.state = State::Reached;
+        }
+    }
+}
+
+fn courses(
+    hybrid: &'static Hybrid<'static, f32, Graph, Network>,
+    poses: [Pose; ARMS],
+    target: [f64; 3],
+) -> [Course; ARMS] {
+    let near = |start: Pose| ReachTask {
+        start,
+        target: target.map(|value| value as f32),
+        tolerance: TOLERANCE,
+        max_actions: Start::Rs.max_actions(),
+    };
+    let exact = |start: Pose| ReachTask {
+        start,
+        target,
+        tolerance: f64::from(TOLERANCE),
+        max_actions: Start::Rs.max_actions(),
+    };
+    [
+        Course::Hybrid(HybridEpisode::new(hybrid, near(poses[0]), widowx_rs_hybrid::Detector::new())),
+        Course::Graph(Episode::new(&ARM, near(poses[1]), Brent::new())),
+        Course::Network(Episode::new(&ARM, near(poses[2]), Brent::new())),
+        Course::Planner(Episode::new(&EXACT_ARM, exact(poses[3]), Brent::new())),
+    ]
+}
+
+fn fill<S: Lattice>(view: &mut View, arm: &Arm<S>, seen: &Observation<S>) {
+    let plane = Plane::at(arm, seen.pose);
+    let base = base_direction::<S>(seen.pose);
+    let world =
+        |point: Point<S>| [point.x * base.sin, -(point.x * base.cos), point.z].map(|value| value.to_f64() as f32);
+    let shoulder = Point { x: S::ZERO, z: arm.links.base };
+    view.points = [shoulder, plane.bracket, plane.elbow, plane.wrist, plane.tip].map(world);
+    view.distance = seen.distance().to_f64() as f32;
+    view.pose = seen.pose.0.map(i32::from);
+}

@@ -1,0 +1,87 @@
+//! The data of the page: the policies as formulas, their code, and what a decision costs.
+
+use crate::policies::{POLICIES, Policy, read};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::io;
+use tpg_codegen::explain::PolicyFormulas;
+
+/// What the page reads.
+#[derive(Serialize)]
+struct Data {
+    /// Instructions of an action on a Cortex-M4, by driver.
+    costs: BTreeMap<&'static str, Cost>,
+    problems: Vec<Problem>,
+}
+
+#[derive(Serialize)]
+struct Cost {
+    mean: f64,
+    worst: u64,
+}
+
+#[derive(Serialize)]
+struct Problem {
+    title: &'static str,
+    /// The values that the policy sees, with their units.
+    sources: Vec<(String, String)>,
+    /// The actions, or the outputs with their units.
+    answers: Vec<(String, String)>,
+    /// Bytes and instructions.
+    size: String,
+    /// The return on real Gymnasium.
+    result: String,
+    code: String,
+    #[serde(flatten)]
+    formulas: PolicyFormulas,
+}
+
+/// The rows of `costs.toml` that the page shows.
+const COSTS: [(&str, &str); 3] = [("graph", "C rs graph"), ("network", "C rs network"), ("hybrid", "C rs hybrid")];
+
+/// The text of the file.
+pub(crate) fn text() -> io::Result<String> {
+    let problems = POLICIES.iter().map(problem).collect::<io::Result<_>>()?;
+    let text = serde_json::to_string(&Data { costs: costs()?, problems }).map_err(io::Error::other)?;
+    Ok(text + "\n")
+}
+
+fn costs() -> io::Result<BTreeMap<&'static str, Cost>> {
+    #[derive(Deserialize)]
+    struct File {
+        cost: BTreeMap<String, Row>,
+    }
+    #[derive(Deserialize)]
+    struct Row {
+        actions: u64,
+        instructions: u64,
+        worst: u64,
+    }
+    let file: File = toml::from_str(&read("c-harness/costs.toml")?).map_err(io::Error::other)?;
+    let cost = |(driver, name): (&'static str, &str)| {
+        let row = file.cost.get(name).ok_or_else(|| io::Error::other(format!("costs.toml: no row {name}")))?;
+        Ok((driver, Cost { mean: row.instructions as f64 / row.actions as f64, worst: row.worst }))
+    };
+    COSTS.into_iter().map(cost).collect()
+}
+
+fn problem(policy: &Policy) -> io::Result<Problem> {
+    let graph = policy.graph()?;
+    let outputs = graph.outputs().iter().map(|output| (output.name.clone(), output.unit.clone()));
+    let answers = graph.actions().iter().map(|action| (action.name.clone(), String::new())).chain(outputs);
+    Ok(Problem {
+        title: policy.title,
+        sources: graph.sources().iter().map(|source| (source.name.clone(), source.unit.clone())).collect(),
+        answers: answers.collect(),
+        size: policy.provenance("| C, profile `fast` |")?,
+        result: result(policy)?,
+        code: policy.code()?,
+        formulas: PolicyFormulas::of(&graph, &policy.options()?),
+    })
+}
+
+/// The figures in bold of the test on real Gymnasium.
+fn result(policy: &Policy) -> io::Result<String> {
+    let line = policy.provenance(&format!("(`benches/control/table.py --only {}`): ", policy.folder))?;
+    Ok(line.split("**").nth(1).unwrap_or_default().to_owned())
+}

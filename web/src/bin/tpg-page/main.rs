@@ -1,0 +1,60 @@
+//! Writes what the page shows beside the module: the policies as formulas, measured costs, and the tables behind lit bids.
+
+mod bids;
+mod data;
+mod picture;
+mod policies;
+
+use clap::{Parser, Subcommand};
+use policies::top;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::{fs, io};
+
+/// Writes what the page and the README show of the shipped policies.
+#[derive(Debug, Parser)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Write `web/src/bids.rs`: the bids of the policies as tables
+    Bids {
+        /// The file [default: that of the repository]
+        #[arg(long, short)]
+        out: Option<PathBuf>,
+    },
+    /// Write the policies as formulas and the measured costs, as JSON
+    Data {
+        /// The file
+        #[arg(long, short)]
+        out: PathBuf,
+    },
+    /// Write `docs/policy.svg`: CartPole's policy as a formula, as C, and the pole that it drives
+    Picture {
+        /// The file [default: that of the repository]
+        #[arg(long, short)]
+        out: Option<PathBuf>,
+    },
+}
+
+fn main() -> ExitCode {
+    let written = match Cli::parse().command {
+        Command::Bids { out } => write(&out.unwrap_or_else(|| top().join("web/src/bids.rs")), bids::text()),
+        Command::Data { out } => write(&out, data::text()),
+        Command::Picture { out } => write(&out.unwrap_or_else(|| top().join("docs/policy.svg")), picture::text()),
+    };
+    match written {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn write(path: &Path, text: io::Result<String>) -> io::Result<()> {
+    fs::write(path, text?).map_err(|error| io::Error::other(format!("{}: {error}", path.display())))
+}

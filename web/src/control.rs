@@ -1,0 +1,207 @@
+//! CartPole, Pendulum and MountainCar, driven by their generated code, under constants that a page may change.
+//!
+//! The dynamics are those of `tpg-problems`, which training and evaluation step, too.
+
+use crate::bids;
+use crate::decision::{Bids, Decision, MOST};
+use tpg_engine::random::{Purpose, Stream};
+use tpg_engine::{Act, SourceSet};
+use tpg_generated::{cartpole::Cartpole, mountain_car::MountainCar as CarPolicy, pendulum::Pendulum as PendulumPolicy};
+use tpg_problems::varied::Adjustable;
+use tpg_problems::{CartPole, MountainCar, Pendulum, cartpole, mountain_car, pendulum};
+use tpg_runtime::policy::{ActionId, Policy};
+
+/// The greatest number of values of a state.
+pub const STATE: usize = 4;
+
+/// A problem as a page reads it; the same layout in JavaScript.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// Position and velocity, angle and angular velocity: whatever an episode can begin with.
+    pub state: [f64; STATE],
+    /// The number of the last action, or the last torque.
+    pub action: f64,
+    /// The sum of rewards since the last time limit.
+    pub score: f64,
+    /// The sum of rewards of the last whole episode; NaN before there is one.
+    pub last_score: f64,
+    /// The bids of the last decision, team after team.
+    pub bids: [f32; MOST],
+    /// The winning edges of the last decision; −1 behind the end.
+    pub way: [i32; MOST],
+    /// The action or leaf that the decision led to.
+    pub end: u32,
+    /// Actions since the last time limit.
+    pub actions: u32,
+    /// 1 where the episode has ended: fallen, or at the goal.
+    pub ended: u32,
+    /// 8 bytes a row in JavaScript, too.
+    pub padding: u32,
+}
+
+/// A policy's answer as an action of an environment.
+trait Answer {
+    fn act(&self) -> Act<'_, f32>;
+    fn number(&self) -> f64;
+}
+
+impl Answer for ActionId {
+    fn act(&self) -> Act<'_, f32> {
+        Act::Choice(*self)
+    }
+    fn number(&self) -> f64 {
+        f64::from(self.0)
+    }
+}
+
+impl Answer for [f32; 1] {
+    fn act(&self) -> Act<'_, f32> {
+        Act::Values(self)
+    }
+    fn number(&self) -> f64 {
+        f64::from(self[0])
+    }
+}
+
+/// A problem under way.
+pub trait Rig {
+    /// Begins an episode, drawn by a seed.
+    fn restart(&mut self, seed: u32);
+    /// Lets the policy act once; nothing changes behind the end of an episode. The time limit does not end one here.
+    fn act(&mut self);
+    /// Adds to one value of the state: a push from outside.
+    fn push(&mut self, value: usize, by: f64);
+    /// Sets a constant of the rules, by its number in the problem's list; an unknown number changes nothing.
+    fn set(&mut self, constant: usize, to: f64);
+    /// Shows it.
+    fn view(&self) -> &View;
+}
+
+/// An environment with the policy that drives it.
+struct Driven<E: Adjustable<f32>, P, const N: usize> {
+    environment: E,
+    policy: P,
+    bids: &'static Bids,
+    physics: E::Physics,
+    /// The constants that a page may change, in its order.
+    constants: fn(&mut E::Physics) -> [&mut f64; 2],
+    episode: E::Episode,
+    view: View,
+}
+
+impl<E, P, const N: usize> Driven<E, P, N>
+where
+    E: Adjustable<f32, Task: AsRef<[f64]> + AsMut<[f64]>>,
+{
+    fn new(
+        environment: E,
+        policy: P,
+        bids: &'static Bids,
+        physics: E::Physics,
+        constants: fn(&mut E::Physics) -> [&mut f64; 2],
+    ) -> Self {
+        let task = environment.draw(&mut Stream::new(1, 0, Purpose::Test, 0));
+        let view = View {
+            state: [0.0; STATE],
+            action: 0.0,
+            score: 0.0,
+            last_score: f64::NAN,
+            bids: [0.0; MOST],
+            way: [-1; MOST],
+            end: 0,
+            actions: 0,
+            ended: 0,
+            padding: 0,
+        };
+        let episode = environment.start(&task);
+        let mut driven = Self { environment, policy, bids, physics, constants, episode, view };
+        driven.show();
+        driven
+    }
+
+    fn show(&mut self) {
+        if let Some(task) = self.environment.task_from(&self.episode) {
+            self.view.state.iter_mut().zip(task.as_ref()).for_each(|(slot, &value)| *slot = value);
+        }
+    }
+}
+
+impl<E, P, const N: usize> Rig for Driven<E, P, N>
+where
+    E: Adjustable<f32, Task: AsRef<[f64]> + AsMut<[f64]>>,
+    P: Policy<State = [f32; N], Action: Answer>,
+{
+    fn restart(&mut self, seed: u32) {
+        let task = self.environment.draw(&mut Stream::new(u64::from(seed), 0, Purpose::Test, 0));
+        self.episode = self.environment.start(&task);
+        (self.view.score, self.view.actions, self.view.ended) = (0.0, 0, 0);
+        self.show();
+    }
+
+    fn act(&mut self) {
+        if self.view.ended != 0 {
+            return;
+        }
+        let mut seen = [0.0; N];
+        self.environment.observe(&mut self.episode, SourceSet::ALL, &mut seen);
+        let answer = self.policy.decide(&seen);
+        let Decision { bids, way, end } = self.bids.decide(&seen);
+        let step = self.environment.step_under(&self.physics, &mut self.episode, answer.act());
+        let view = &mut self.view;
+        (view.bids, view.way, view.end, view.action) = (bids, way, u32::from(end), answer.number());
+        view.score += step.reward;
+        view.actions += 1;
+        view.ended = u32::from(step.end.is_some());
+        if view.actions == self.environment.time_limit() || step.end.is_some() {
+            view.last_score = view.score;
+        }
+        if view.actions == self.environment.time_limit() && step.end.is_none() {
+            (view.score, view.actions) = (0.0, 0);
+        }
+        self.show();
+    }
+
+    fn push(&mut self, value: usize, by: f64) {
+        let Some(mut task) = self.environment.task_from(&self.episode) else { return };
+        if let Some(value) = task.as_mut().get_mut(value).filter(|_| by.is_finite()) {
+            *value += by;
+            self.episode = self.environment.start(&task);
+            self.show();
+        }
+    }
+
+    fn set(&mut self, constant: usize, to: f64) {
+        if let Some(constant) = (self.constants)(&mut self.physics).into_iter().nth(constant).filter(|_| to.is_finite())
+        {
+            *constant = to;
+        }
+    }
+
+    fn view(&self) -> &View {
+        &self.view
+    }
+}
+
+/// The problems in the page's order, each with the constants that a page may change.
+pub fn rigs() -> [Box<dyn Rig>; 3] {
+    [
+        Box::new(Driven::<_, _, 4>::new(CartPole, Cartpole, &bids::CARTPOLE, cartpole::Physics::STANDARD, |physics| {
+            [&mut physics.length, &mut physics.force]
+        })),
+        Box::new(Driven::<_, _, 3>::new(
+            Pendulum,
+            PendulumPolicy,
+            &bids::PENDULUM,
+            pendulum::Physics::STANDARD,
+            |physics| [&mut physics.mass, &mut physics.length],
+        )),
+        Box::new(Driven::<_, _, 2>::new(
+            MountainCar,
+            CarPolicy,
+            &bids::MOUNTAIN_CAR,
+            mountain_car::Physics::STANDARD,
+            |physics| [&mut physics.force, &mut physics.slope],
+        )),
+    ]
+}

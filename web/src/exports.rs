@@ -1,0 +1,87 @@
+//! The functions that a page calls: plain C, no imports. Numbers out of range do nothing.
+//!
+//! Everything lies in one place for the one thread of a page. A pointer is valid for as long as the page lives; what lies
+//! there changes with the next call.
+#![allow(unsafe_code, reason = "an export has a name without mangling; nothing else here is unsafe")]
+
+use crate::arm::{self, Scene};
+use crate::control::{self, Rig};
+use core::cell::RefCell;
+use core::ptr;
+
+thread_local! {
+    static SCENE: RefCell<Option<Scene>> = RefCell::new(Scene::new());
+    static RIGS: RefCell<[Box<dyn Rig>; 3]> = RefCell::new(control::rigs());
+}
+
+fn scene(act: impl FnOnce(&mut Scene)) {
+    SCENE.with_borrow_mut(|scene| scene.as_mut().map(act));
+}
+
+fn rig(problem: u32, act: impl FnOnce(&mut dyn Rig)) {
+    RIGS.with_borrow_mut(|rigs| {
+        if let Some(rig) = rigs.get_mut(problem as usize) {
+            act(rig.as_mut());
+        }
+    });
+}
+
+/// Moves the target of all arms, mm; each goes on from where it is.
+#[unsafe(no_mangle)]
+pub extern "C" fn tpg_arm_aim(x: f64, y: f64, z: f64) {
+    scene(|scene| scene.aim([x, y, z]));
+}
+
+/// Puts all arms in the pose at rest.
+#[unsafe(no_mangle)]
+pub extern "C" fn tpg_arm_home() {
+    scene(Scene::home);
+}
+
+/// Puts all arms where the first one is.
+#[unsafe(no_mangle)]
+pub extern "C" fn tpg_arm_gather() {
+    scene(Scene::gather);
+}
+
+/// Lets an arm (0 hybrid, 1 graph, 2 network, 3 planner) do up to `count` actions.
+#[unsafe(no_mangle)]
+pub extern "C" fn tpg_arm_act(arm: u32, count: u32) {
+    scene(|scene| scene.act(arm as usize, count));
+}
+
+/// Returns the place of an arm's [`arm::View`]; null if the network in flash is damaged.
+#[unsafe(no_mangle)]
+pub extern "C" fn tpg_arm_view(arm: u32) -> *const arm::View {
+    SCENE.with_borrow(|scene| scene.as_ref().map_or(ptr::null(), |scene| ptr::from_ref(scene.view(arm as usize))))
+}
+
+/// Begins an episode of a problem (0 CartPole, 1 Pendulum, 2 MountainCar), drawn by a seed.
+#[unsafe(no_mangle)]
+pub extern "C" fn tpg_control_restart(problem: u32, seed: u32) {
+    rig(problem, |rig| rig.restart(seed));
+}
+
+/// Lets a problem's policy act once.
+#[unsafe(no_mangle)]
+pub extern "C" fn tpg_control_act(problem: u32) {
+    rig(problem, |rig| rig.act());
+}
+
+/// Adds to one value of a problem's state: a push from outside.
+#[unsafe(no_mangle)]
+pub extern "C" fn tpg_control_push(problem: u32, value: u32, by: f64) {
+    rig(problem, |rig| rig.push(value as usize, by));
+}
+
+/// Sets one of the constants of a problem that a page may change.
+#[unsafe(no_mangle)]
+pub extern "C" fn tpg_control_set(problem: u32, constant: u32, to: f64) {
+    rig(problem, |rig| rig.set(constant as usize, to));
+}
+
+/// Returns the place of a problem's [`control::View`]; null for a problem that there is not.
+#[unsafe(no_mangle)]
+pub extern "C" fn tpg_control_view(problem: u32) -> *const control::View {
+    RIGS.with_borrow(|rigs| rigs.get(problem as usize).map_or(ptr::null(), |rig| ptr::from_ref(rig.view())))
+}

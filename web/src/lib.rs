@@ -1,0 +1,20 @@
+//! The arm and three problems of classic control with their shipped policies, for a page.
+//!
+//! The module has no imports. A page calls the functions of [`exports`] and reads plain structures from the module's memory;
+//! every decision is that of the generated code, every motion that of the simulation that trained it.
+//!
+//! # Map
+//!
+//! | module | subject |
+//! | --- | --- |
+//! | [`arm`] | four arms with one target: the hybrid's, the graph's, the network's, a classical planner's |
+//! | [`control`] | CartPole, Pendulum and MountainCar, driven by their generated code |
+//! | [`decision`] | the bids behind a decision, and the teams that it went through |
+//! | [`bids`] | the bids of the three policies as tables; written by `tpg-page bids` |
+//! | [`exports`] | the functions that a page calls |
+
+pub mod arm;
+pub mod bids;
+pub mod control;
+pub mod decision;
+pub mod exports;

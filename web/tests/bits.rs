@@ -1,0 +1,63 @@
+//! The module in Node: a thousand targets one after another, and every pose as in native code.
+
+mod support;
+
+use std::fs;
+use std::process::Command;
+use support::page;
+use tpg_arm::Pose;
+use tpg_testing::library::top;
+use tpg_web::arm::{Scene, State};
+
+/// FNV-1a of 64 bits over the poses.
+struct Hash(u64);
+
+impl Hash {
+    fn add(&mut self, pose: Pose) {
+        for byte in pose.0.iter().flat_map(|ticks| ticks.to_le_bytes()) {
+            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+        }
+    }
+}
+
+fn targets() -> Vec<[f64; 3]> {
+    let mut reader = csv::Reader::from_path(top().join("generated/test-targets/rs.csv")).expect("the test episodes");
+    let target = |row: Result<csv::StringRecord, _>| {
+        let row = row.expect("a row");
+        [4, 5, 6].map(|column| row[column].parse().expect("a number"))
+    };
+    reader.records().map(target).collect()
+}
+
+/// The line that `bits.mjs` prints, from native code.
+fn native(targets: &[[f64; 3]]) -> String {
+    let mut scene = Scene::new().expect("a network");
+    let (mut hash, mut actions, mut reached) = (Hash(0xcbf2_9ce4_8422_2325), 0, 0);
+    for &target in targets {
+        scene.aim(target);
+        while !scene.view(0).state.is_end() {
+            scene.act(0, 1);
+            hash.add(scene.poses()[0]);
+            actions += 1;
+        }
+        reached += u32::from(scene.view(0).state == State::Reached);
+    }
+    format!("{reached} of {} reached, {actions} actions, poses {:016x}", targets.len(), hash.0)
+}
+
+#[test]
+fn a_thousand_targets_give_the_poses_of_native_code() {
+    let targets = targets();
+    assert_eq!(targets.len(), 1000);
+    let expected = native(&targets);
+    println!("native: {expected}");
+    let Some(folder) = page("the module's bits under Node", &["node"]) else { return };
+    let file = std::env::temp_dir().join(format!("tpg-targets-{}.json", std::process::id()));
+    fs::write(&file, format!("{targets:?}")).expect("a folder for temporary files");
+    let script = top().join("web/tests/bits.mjs");
+    let output = Command::new("node").arg(script).arg(folder).arg(&file).output().expect("node starts");
+    let _ = fs::remove_file(&file);
+    let found = String::from_utf8_lossy(&output.stdout);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    assert_eq!(found.trim(), expected);
+}

@@ -1,0 +1,67 @@
+// A policy as formulas: the bid that wins is lit, and what it leads to.
+
+const NAMES = {
+  theta: "θ", omega: "ω", cos_theta: "cos θ", sin_theta: "sin θ", negate_if_less: "negate_if_less", position: "position", velocity: "velocity",
+};
+
+/** Writes a formula as people do: Greek letters, a real minus, four digits. */
+export function readable(formula) {
+  return formula
+    .replace(/\b[a-z_]+\b/g, word => NAMES[word] ?? word)
+    .replace(/\d+\.\d+/g, number => String(Number(Number(number).toPrecision(4))))
+    .replaceAll(" * ", " · ")
+    .replaceAll("-", "−");
+}
+
+const bidText = value => value === -Infinity ? "−∞" : value.toPrecision(3).replace("-", "−");
+
+export class Formulas {
+  constructor(parent, { teams, leaves }) {
+    this.bids = [];
+    this.leaves = [];
+    const add = (tag, name, text = "") => {
+      const element = document.createElement(tag);
+      element.className = name;
+      element.textContent = text;
+      parent.append(element);
+      return element;
+    };
+    const row = (name, label, formula) => {
+      const element = add("div", name);
+      for (const [part, text] of [["to", label], ["formula", readable(formula)]]) {
+        const cell = document.createElement("span");
+        cell.className = part;
+        cell.textContent = text;
+        element.append(cell);
+      }
+      element.lastChild.title = formula;
+      return element;
+    };
+    teams.forEach((team, index) => {
+      add("p", "team", index === 0 ? `team ${team.id}, the root: the highest bid wins` : `team ${team.id}`);
+      for (const [name, formula] of team.shared) row("bid", name, formula);
+      for (const { to, formula } of team.bids) {
+        const element = row("bid", to, formula), value = document.createElement("span");
+        value.className = "value";
+        element.append(value);
+        this.bids.push({ element, value });
+      }
+    });
+    for (const { id, number, values } of leaves) {
+      add("p", "team", `leaf ${id}`);
+      for (const [name, formula] of values) this.leaves.push({ number, element: row("bid leaf", name, formula) });
+    }
+    if ([...teams.flatMap(team => team.bids)].some(({ formula }) => formula.includes("negate_if_less"))) {
+      add("p", "note", "negate_if_less(a, b) is −a where a < b, else a.");
+    }
+  }
+
+  show({ bids, way, end, actions }) {
+    const lit = new Set(way);
+    this.bids.forEach(({ element, value }, edge) => {
+      element.classList.toggle("lit", lit.has(edge));
+      value.textContent = actions || way.length ? bidText(bids[edge]) : "";
+    });
+    for (const { number, element } of this.leaves) element.classList.toggle("lit", way.length > 0 && number === end);
+  }
+}

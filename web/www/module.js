@@ -1,0 +1,55 @@
+// The module and what it shows: the layouts are those of `arm::View` and `control::View`.
+
+export const ARMS = ["hybrid", "graph", "network", "planner"];
+export const STATES = ["graph", "network", "planner", "reached", "stop", "cycle", "joint limit", "collision", "time limit"];
+export const REACHED = 3;
+const MOST = 64;
+
+export async function load(url) {
+  const answer = await fetch(url);
+  if (!answer.ok) throw new Error(`${url}: ${answer.status}`);
+  const { instance } = await WebAssembly.instantiate(await answer.arrayBuffer(), {});
+  return wrap(instance.exports);
+}
+
+/** Wraps the module's exports: one object for the arms, one for each problem. */
+export function wrap(exports) {
+  // The memory may have grown since the last call: the buffer is asked for each time.
+  const at = (place, length) => new DataView(exports.memory.buffer, place, length);
+  const arms = {
+    aim: (x, y, z) => exports.tpg_arm_aim(x, y, z),
+    home: () => exports.tpg_arm_home(),
+    gather: () => exports.tpg_arm_gather(),
+    act: (arm, count) => exports.tpg_arm_act(arm, count),
+    view(arm) {
+      const place = exports.tpg_arm_view(arm);
+      if (place === 0) throw new Error("the network in the module is damaged");
+      const data = at(place, 92), float = offset => data.getFloat32(offset, true), word = offset => data.getUint32(offset, true);
+      return {
+        points: [0, 1, 2, 3, 4].map(point => [0, 4, 8].map(part => float(12 * point + part))),
+        distance: float(60),
+        pose: [64, 68, 72, 76].map(offset => data.getInt32(offset, true)),
+        actions: [word(80), word(84)],
+        state: word(88),
+      };
+    },
+  };
+  const problem = number => ({
+    restart: seed => exports.tpg_control_restart(number, seed),
+    act: () => exports.tpg_control_act(number),
+    push: (value, by) => exports.tpg_control_push(number, value, by),
+    set: (constant, to) => exports.tpg_control_set(number, constant, to),
+    view() {
+      const data = at(exports.tpg_control_view(number), 584), double = offset => data.getFloat64(offset, true);
+      const list = (offset, get) => Array.from({ length: MOST }, (_, index) => get(offset + 4 * index));
+      return {
+        state: [0, 8, 16, 24].map(double),
+        action: double(32), score: double(40), lastScore: double(48),
+        bids: list(56, offset => data.getFloat32(offset, true)),
+        way: list(312, offset => data.getInt32(offset, true)).filter(edge => edge >= 0),
+        end: data.getUint32(568, true), actions: data.getUint32(572, true), ended: data.getUint32(576, true) === 1,
+      };
+    },
+  });
+  return { arms, problems: [0, 1, 2].map(problem) };
+}

@@ -1,0 +1,97 @@
+//! The page: the module as WebAssembly, its data, and tests under Node and in a browser.
+
+use crate::check::{Run, cargo};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::{fs, io};
+use tpg_testing::library::{target_folder, top};
+
+/// The target of the module.
+pub(crate) const TARGET: &str = "wasm32-unknown-unknown";
+
+/// Builds the page into `web` in cargo's target folder, and tests it; returns true if all passed.
+pub(crate) fn run() -> bool {
+    let mut run = Run::new();
+    check(&mut run);
+    run.finish()
+}
+
+/// Builds and tests the page.
+pub(crate) fn check(run: &mut Run) {
+    if !Run::has_target(TARGET) {
+        return run.missing("page", &format!("rustup target add {TARGET}"));
+    }
+    let folder = target_folder().join("web");
+    match build(&folder) {
+        Ok(size) => println!("{}: module of {size} bytes", folder.display()),
+        Err(error) => return run.failed("page", &error),
+    }
+    if let Err(error) = browser_driver() {
+        return run.failed("playwright-core", &error);
+    }
+    let mut tests = tests(&["--no-fail-fast"]);
+    tests.env("TPG_PAGE", &folder);
+    run.tests("page", tests);
+}
+
+/// The tests of the page.
+fn tests(arguments: &[&str]) -> Command {
+    cargo(&[&["test", "--package", "tpg-web", "--features", "page"], arguments].concat())
+}
+
+/// Builds the page into a folder; returns the module's size, which is within its limit.
+fn build(folder: &Path) -> io::Result<u64> {
+    // Only this crate type: beside a Rust library nothing would be optimised across crates.
+    let kind = ["--lib", "--crate-type", "cdylib", "--profile", "web", "--target", TARGET];
+    step(cargo(&[&["rustc", "--quiet", "--package", "tpg-web"], &kind[..]].concat()))?;
+    let module = target_folder().join(TARGET).join("web/tpg_web.wasm");
+    let (size, limit) = (fs::metadata(&module)?.len(), limit()?);
+    if size > limit {
+        return Err(io::Error::other(format!("a module of {size} bytes; accepted: up to {limit} (web/sizes.toml)")));
+    }
+    // Nothing of an earlier page may stay.
+    let _ = fs::remove_dir_all(folder);
+    fs::create_dir_all(folder)?;
+    for entry in fs::read_dir(top().join("web/www"))? {
+        let path = entry?.path();
+        fs::copy(&path, folder.join(path.file_name().unwrap_or_default()))?;
+    }
+    fs::copy(module, folder.join("tpg_web.wasm"))?;
+    // The tests' own build of the program: nothing is compiled twice.
+    step(tests(&["--quiet", "--no-run"]))?;
+    let mut data = Command::new(target_folder().join("debug/tpg-page"));
+    data.args(["data", "--out"]).arg(folder.join("data.json"));
+    step(data)?;
+    Ok(size)
+}
+
+/// The greatest size of the module, bytes.
+fn limit() -> io::Result<u64> {
+    let path = top().join("web/sizes.toml");
+    let text = fs::read_to_string(&path)?;
+    let limit = text.lines().find_map(|line| line.strip_prefix("wasm = ")?.trim().parse().ok());
+    limit.ok_or_else(|| io::Error::other(format!("{}: no line `wasm = BYTES`", path.display())))
+}
+
+/// Installs the browser's driver as its lock file says, unless it is there or npm is not: then the test says what it lacks.
+fn browser_driver() -> io::Result<()> {
+    let web = top().join("web");
+    let stamp: PathBuf = web.join("node_modules/.package-lock.json");
+    let newer =
+        |a: &Path, b: &Path| Some(fs::metadata(a).ok()?.modified().ok()? >= fs::metadata(b).ok()?.modified().ok()?);
+    if newer(&stamp, &web.join("package-lock.json")) == Some(true) || !tpg_testing::exists("npm") {
+        return Ok(());
+    }
+    let mut npm = Command::new("npm");
+    npm.args(["ci", "--no-audit", "--no-fund", "--ignore-scripts"]).current_dir(web);
+    step(npm)
+}
+
+fn step(mut command: Command) -> io::Result<()> {
+    let words: Vec<_> = command.get_args().map(|word| word.to_string_lossy()).collect();
+    println!("page: {}", words.join(" "));
+    match command.stdin(Stdio::null()).status()? {
+        status if status.success() => Ok(()),
+        status => Err(io::Error::other(format!("{}: {status}", command.get_program().display()))),
+    }
+}
