@@ -13,7 +13,8 @@
 #ifdef __FAST_MATH__
 #error "fast-math reorders operations and drops NaN: the policy would act differently"
 #endif
-#if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD != 0)
+/* 16 widens what is narrower than float, and no float. */
+#if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD != 0) && (FLT_EVAL_METHOD != 16)
 #error "float expressions must be computed in float: the policy would act differently"
 #endif
 /* A product and a sum are rounded each: nothing may fuse them. */
