@@ -32,6 +32,12 @@ pub(super) const POLICY: &str = "\
 Examples:
   tpg-codegen policy policy.q.json --lang c --prefix actor -o firmware";
 
+pub(super) const PACKAGE: &str = "\
+Examples:
+  tpg-codegen package graph.json --for cmake --prefix arm -o arm
+  tpg-codegen package graph.json --for arduino --prefix arm --author Ada -o libraries/arm
+  tpg-codegen package graph.json --for cargo --prefix arm --license MIT --license-file LICENSE -o arm";
+
 pub(super) const SCHEMA: &str = "\
 Examples:
   tpg-codegen schema";

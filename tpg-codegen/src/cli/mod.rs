@@ -58,6 +58,7 @@ enum Command {
     #[command(after_help = examples::POLICY)]
     Policy(policy::PolicyArgs),
     /// Write a package for Arduino, PlatformIO, ESP-IDF, Zephyr, CMake, Meson or Cargo
+    #[command(after_help = examples::PACKAGE)]
     Package(package::PackageArgs),
     /// Print the JSON Schema of graph.json
     #[command(after_help = examples::SCHEMA)]

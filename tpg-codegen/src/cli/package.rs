@@ -17,15 +17,8 @@ use tpg_graph::output;
 const STATES: usize = 10_000;
 const SEED: u64 = 1;
 
-const EXAMPLES: &str = "\
-Examples:
-  tpg-codegen package graph.json --for cmake --prefix arm -o arm
-  tpg-codegen package graph.json --for arduino --prefix arm --author \"A. Name\" -o libraries/arm
-  tpg-codegen package graph.json --for cargo --prefix arm --license MIT --license-file LICENSE -o arm";
-
 /// Write a package: manifest, sources, an example that compiles, licence, README with the policy's figures.
 #[derive(Clone, Debug, Args)]
-#[command(after_help = EXAMPLES)]
 pub(super) struct PackageArgs {
     #[command(flatten)]
     graph: GraphArgs,
