@@ -8,7 +8,7 @@ use tpg_problems::dodge::scene::Scene;
 use tpg_problems::dodge::walk::{Leg, Outcome, candidate, follow, solutions};
 
 /// A controller: one step of the arm after another.
-pub trait Rival {
+pub(crate) trait Rival {
     /// Begins a scene.
     fn begin(&mut self, _body: &Body, _scene: &Scene, _view: &View<'_>) {}
     /// Returns the next step.
@@ -16,7 +16,7 @@ pub trait Rival {
 }
 
 /// Walks straight to its goal.
-pub struct Straight;
+pub(crate) struct Straight;
 
 impl Rival for Straight {
     fn step(&mut self, view: &View<'_>) -> Move {
@@ -25,7 +25,7 @@ impl Rival for Straight {
 }
 
 /// Walks straight, and holds while a ball is predicted to come within 5 mm of that walk.
-pub struct StopAndWait {
+pub(crate) struct StopAndWait {
     /// Steps that it looks ahead; every eighth is looked at.
     pub horizon: u16,
 }
@@ -51,7 +51,7 @@ fn walked(from: Pose, to: Pose, steps: u16) -> Pose {
 
 /// Walks in the potential field; with a script it goes upright for a while when there is no progress.
 #[derive(Default)]
-pub struct PotentialField {
+pub(crate) struct PotentialField {
     /// Steps without progress after which the script begins, and steps that it lasts; `None` without one.
     pub script: Option<(u32, u32)>,
     least: u32,
@@ -61,7 +61,7 @@ pub struct PotentialField {
 
 impl PotentialField {
     /// Creates it with a script.
-    pub fn escaping(patience: u32, lasting: u32) -> Self {
+    pub(crate) fn escaping(patience: u32, lasting: u32) -> Self {
         Self { script: Some((patience, lasting)), ..Self::default() }
     }
 }
@@ -100,7 +100,7 @@ impl PotentialField {
 }
 
 /// Judges 82 moves, each held for up to 40 steps: what Fox, Burgard and Thrun's dynamic window is to a mobile robot.
-pub struct OneStepSearch;
+pub(crate) struct OneStepSearch;
 
 impl Rival for OneStepSearch {
     fn step(&mut self, view: &View<'_>) -> Move {
@@ -149,7 +149,7 @@ fn held(view: &View<'_>, step: Move, time: u16) -> Pose {
 }
 
 /// Keeps a plan, checks every step of it for 160 steps by constant velocities, and samples others when it fails.
-pub struct Replanner {
+pub(crate) struct Replanner {
     samples: usize,
     goals: Vec<Pose>,
     plan: Vec<Leg>,
@@ -163,7 +163,7 @@ impl Replanner {
     const MARGIN: f32 = 5.0;
 
     /// Creates it with a number of samples each time.
-    pub fn new(samples: usize) -> Self {
+    pub(crate) fn new(samples: usize) -> Self {
         Self { samples, goals: Vec::new(), plan: Vec::new(), random: Stream::new(9, 9, Purpose::Test, 9) }
     }
 
@@ -215,7 +215,7 @@ impl Rival for Replanner {
 }
 
 /// Chooses a behaviour by hand, with the search and the guard that a graph has.
-pub struct ByHand {
+pub(crate) struct ByHand {
     settings: DodgerSettings,
     choose: fn(&Dodger) -> Behaviour,
     dodger: Option<Dodger>,
@@ -223,7 +223,7 @@ pub struct ByHand {
 
 impl ByHand {
     /// Creates it.
-    pub fn new(settings: DodgerSettings, choose: fn(&Dodger) -> Behaviour) -> Self {
+    pub(crate) fn new(settings: DodgerSettings, choose: fn(&Dodger) -> Behaviour) -> Self {
         Self { settings, choose, dodger: None }
     }
 }
@@ -241,14 +241,14 @@ impl Rival for ByHand {
 }
 
 /// Knows every ball's future: the certificate, step by step.
-pub struct Clairvoyant {
+pub(crate) struct Clairvoyant {
     plan: Vec<Leg>,
     next: Box<dyn Iterator<Item = Vec<Leg>>>,
 }
 
 impl Clairvoyant {
     /// Creates it with the plans of the scenes, in their order.
-    pub fn new(plans: Vec<Vec<Leg>>) -> Self {
+    pub(crate) fn new(plans: Vec<Vec<Leg>>) -> Self {
         Self { plan: Vec::new(), next: Box::new(plans.into_iter()) }
     }
 }
