@@ -2,8 +2,8 @@
 //!
 //! | module | subject |
 //! | --- | --- |
-//! | [`facts`] | what templates say about a policy |
-//! | [`layout`] | the files of each ecosystem |
+//! | `facts` | what templates say about a policy |
+//! | `layout` | the files of each ecosystem |
 
 mod facts;
 mod layout;

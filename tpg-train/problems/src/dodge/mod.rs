@@ -6,7 +6,7 @@
 //! | [`scene`] | a task among balls, and where the balls are at any time |
 //! | [`draw`] | the generator: every scene has a plan that solves it |
 //! | [`walk`] | plans of any number of legs, followed step by step |
-//! | [`file`] | lists of scenes as CSV |
+//! | [`mod@file`] | lists of scenes as CSV |
 //! | [`episode`] | the rules of a step |
 //! | [`environment`] | the problem as an [`Environment`](tpg_engine::Environment) |
 
