@@ -4,6 +4,7 @@
 
 use tpg_generated::acrobot::Acrobot;
 use tpg_generated::cartpole::Cartpole;
+use tpg_generated::dodge::Dodge;
 use tpg_generated::mountain_car::MountainCar;
 use tpg_generated::mountain_car_continuous::MountainCarContinuous;
 use tpg_generated::pendulum::Pendulum;
@@ -43,6 +44,7 @@ macro_rules! exported {
 exported! {
     rust_acrobot Acrobot 6 1
     rust_cartpole Cartpole 4 1
+    rust_dodge Dodge 17 1
     rust_mountain_car MountainCar 2 1
     rust_mountain_car_continuous MountainCarContinuous 2 1
     rust_pendulum Pendulum 3 1

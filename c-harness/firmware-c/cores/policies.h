@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 /* At most so many values are seen, and answered: an action, or outputs and the next memory. */
-#define MOST_VALUES 16U
+#define MOST_VALUES 24U
 
 typedef struct policy {
     const char *name;

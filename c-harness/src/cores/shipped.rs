@@ -14,6 +14,9 @@ use tpg_testing::library;
 /// States of each policy.
 pub(super) const STATES: usize = 10_000;
 
+/// Values that `policies.h` has room for.
+const MOST_VALUES: u32 = 24;
+
 /// The bits of a third of the states.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Bits {
@@ -56,6 +59,9 @@ impl Shipped {
         let graph = import::load(path, None, None).map_err(Failure::new)?;
         if graph.scalar() != ScalarType::F32 {
             return Err(Failure::at(path, "it computes in f64, which an AVR does not have"));
+        }
+        if graph.state_length() as u32 > MOST_VALUES {
+            return Err(Failure::at(path, format!("a state of more than {MOST_VALUES} values: see policies.h")));
         }
         Ok(Self { prefix: Prefix::of_file(path), graph })
     }
