@@ -219,12 +219,12 @@ mod tests {
     fn a_folder_appears_with_its_files_or_not_at_all() {
         let folder = tempfile::tempdir().expect("a folder");
         let new = folder.path().join("a/b");
-        write_folder(&new, &[(new.join("missing/file"), "text")]).expect_err("refused");
+        write_folder(&new, &[(new.join("sub/file"), "text"), (new.join("sub"), "text")]).expect_err("refused");
         assert!(names(folder.path()).is_empty());
-        write_folder(&new, &[(new.join("file"), "text")]).expect("written");
-        assert_eq!(names(&new), ["file"]);
-        write_folder(&new, &[(new.join("missing/file"), "text")]).expect_err("refused");
-        assert_eq!(names(&new), ["file"], "existing files stay");
+        write_folder(&new, &[(new.join("file"), "text"), (new.join("sub/file"), "text")]).expect("written");
+        assert_eq!([names(&new), names(&new.join("sub"))], [vec!["file", "sub"], vec!["file"]]);
+        write_folder(&new, &[(new.join("file"), "new"), (new.join("file/below"), "text")]).expect_err("refused");
+        assert_eq!(fs::read_to_string(new.join("file")).expect("file"), "text", "existing files stay");
         fs::write(folder.path().join("plain"), "").expect("written");
         let error = write_folder(&folder.path().join("plain/b"), &[(new.join("x"), "")]).expect_err("refused");
         assert!(error.file.ends_with("plain/b"), "{error}");
