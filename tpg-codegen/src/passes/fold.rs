@@ -100,10 +100,13 @@ pub(super) fn operation(
         Instruction::Mul if is(constants[1], 1.0) => a,
         Instruction::Mul if is(constants[0], 1.0) => b,
         Instruction::Div if is(constants[1], 1.0) => a,
-        Instruction::Div if let Some(factor) = constants[1].and_then(|divisor| arithmetic.reciprocal(divisor)) => {
-            let factor = values.intern(Node::constant(factor));
-            commutative(values, Instruction::Mul, a, factor)
-        }
+        Instruction::Div => match constants[1].and_then(|divisor| arithmetic.reciprocal(divisor)) {
+            Some(factor) => {
+                let factor = values.intern(Node::constant(factor));
+                commutative(values, Instruction::Mul, a, factor)
+            }
+            None => values.intern(Node::Operation(instruction, operands)),
+        },
         Instruction::Min | Instruction::Max | Instruction::NegateIfLess if a == b => a,
         Instruction::Min | Instruction::Max => {
             let same = |operand| match values.node(operand) {
