@@ -174,7 +174,7 @@ fn cargo_takes_several_in_one_program() {
     cargo(&["check", "--quiet", "--offline", "--examples"], "recall");
 }
 
-/// What the sketch needs of Arduino's core, on the chip itself.
+/// The part of Arduino's core that the sketch needs, on the chip itself.
 const ARDUINO: &str = r#"
 #include <avr/io.h>
 #include <stdint.h>

@@ -1,4 +1,4 @@
-//! What the page lights up is what the generated code decides, and what the page's tables and texts are made of is current.
+//! Lit bids are those by which the generated code decides; the page's tables and texts are current.
 
 use std::process::Command;
 use tpg_generated::{cartpole::Cartpole, mountain_car::MountainCar, pendulum::Pendulum};
@@ -69,7 +69,7 @@ fn a_way_goes_from_the_root_to_its_end_and_the_bids_fit() {
     }
 }
 
-/// What `tpg-page` writes now, and the file of the repository.
+/// Returns the text that `tpg-page` writes now, and that of the file in the repository.
 fn written(what: &str, path: &str) -> [String; 2] {
     let before = top().join(path);
     let out = std::env::temp_dir().join(format!("tpg-page-{what}-{}", std::process::id()));

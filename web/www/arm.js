@@ -30,7 +30,7 @@ export class ArmView {
     this.aim(this.target);
   }
 
-  /** Whether any arm is still on its way. */
+  /** True while any arm is on its way. */
   get busy() {
     return ARMS.some((_, arm) => this.module.view(arm).state < REACHED);
   }

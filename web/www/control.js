@@ -2,7 +2,7 @@
 
 import { Formulas } from "./formulas.js";
 
-/** What the page adds to each problem: its rhythm, its pushes, its sliders, its drawing. */
+/** The page's additions to each problem: its rhythm, its pushes, its sliders, its drawing. */
 const PROBLEMS = [
   {
     seconds: 0.02, unit: "actions upright",

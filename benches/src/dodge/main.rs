@@ -26,7 +26,7 @@ struct Args {
     slow: bool,
 }
 
-/// What became of the scenes.
+/// The outcomes of the scenes.
 #[derive(Default)]
 struct Tally {
     ends: [usize; 3],

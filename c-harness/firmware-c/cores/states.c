@@ -1,5 +1,5 @@
 /*
- * What each shipped policy answers to STATES states, a third of which are any bits: a hash, and the instructions of it. The
+ * Answers of each shipped policy to STATES states, a third of which are any bits: a hash, and the instructions of it. The
  * same program runs on every core; only platform.h differs.
  */
 #include "platform.h"

@@ -11,7 +11,7 @@ pub(super) struct Core {
     pub(super) name: &'static str,
     /// The machine, as its emulator names it.
     pub(super) machine: &'static str,
-    /// What runs its images.
+    /// The program that runs its images.
     pub(super) runner: Runner,
     /// The C compiler's words for it.
     pub(super) flags: &'static [&'static str],
@@ -23,7 +23,7 @@ pub(super) struct Core {
     pub(super) figures: bool,
 }
 
-/// What compiles for a core, and runs its images.
+/// A compiler for a core, and a program that runs its images.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Runner {
     /// `qemu-system-arm`; the memories, and the ticks of SysTick in a thousand instructions of 1,024 ns.
@@ -213,7 +213,7 @@ impl Core {
         }
     }
 
-    /// What runs its images, and the Debian package of that.
+    /// The program that runs its images, and its Debian package.
     pub(super) fn emulator(&self) -> Option<(&'static str, &'static str)> {
         match self.runner {
             Runner::Arm(..) => Some(("qemu-system-arm", "qemu-system-arm")),
@@ -234,7 +234,7 @@ impl Core {
         }
     }
 
-    /// What the linker must know.
+    /// Arguments of the linker.
     pub(super) fn link(&self) -> Vec<String> {
         match self.runner {
             Runner::Arm(memories, ticks) => [memories.link(), vec![format!("-DTICKS={ticks}U")]].concat(),
@@ -251,7 +251,7 @@ impl Core {
         }
     }
 
-    /// What a third of its states are made of.
+    /// The bits of a third of its states.
     pub(super) fn bits(&self) -> Bits {
         if matches!(self.runner, Runner::Avr) { Bits::NeitherTinyNorHuge } else { Bits::Any }
     }

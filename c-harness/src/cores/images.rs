@@ -16,7 +16,7 @@ use tpg_testing::library;
 /// Episodes of the hybrid on a core, from each start.
 pub(super) const EPISODES: usize = 10;
 
-/// Where everything lies.
+/// The folders of everything.
 #[derive(Debug)]
 pub(super) struct Place {
     /// The C of the policies, and `policies.c`.
@@ -25,7 +25,7 @@ pub(super) struct Place {
     firmware: PathBuf,
     /// The folders of the cores.
     room: PathBuf,
-    /// What the hybrid's firmware needs.
+    /// The sources of the hybrid's firmware.
     hybrid: PathBuf,
 }
 

@@ -26,7 +26,7 @@ use std::fs;
 /// A hash of the answers of each policy, by name.
 type Hashes = BTreeMap<String, String>;
 
-/// What every core must print: the hashes are of any bits, and of neither tiny nor huge ones.
+/// The lines that every core must print: the hashes are of any bits, and of neither tiny nor huge ones.
 struct Expected {
     shipped: Vec<Shipped>,
     hashes: [Hashes; 2],

@@ -1,4 +1,4 @@
-//! What the templates of packages say about a policy.
+//! Facts about a policy for the templates of packages.
 
 use super::Details;
 use crate::cost::{Cost, Costs};
@@ -111,7 +111,7 @@ impl<'a> Facts<'a> {
     }
 }
 
-/// What the C needs on a Cortex-M4F: measured where its compiler is installed, else an estimate.
+/// Memory that the C needs on a Cortex-M4F: measured where its compiler is installed, else an estimate.
 fn figures(graph: &Graph, options: &Options) -> Vec<String> {
     let code = Code::of(compile(graph, options, Language::C));
     let measured =

@@ -67,14 +67,14 @@ impl Default for License {
     }
 }
 
-/// What a manifest says beside the policy.
+/// Entries of a manifest beside the policy.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Details {
     /// The package's version: three numbers.
     pub version: String,
-    /// Who publishes it.
+    /// Its publisher.
     pub author: String,
-    /// Where it is published, if anywhere.
+    /// The address at which it is published, if it is.
     pub url: Option<String>,
     /// Its licence.
     pub license: License,

@@ -260,7 +260,7 @@ fn cmake_and_pkg_config_find_it() {
     }
 }
 
-/// What cmake says to a list of commands, with variables set before; no compiler is asked.
+/// Returns cmake's answer to a list of commands, with variables set before; no compiler is asked.
 fn cmake_script(folder: &Path, commands: &str, variables: &[(&str, &str)]) -> String {
     let lists = folder.join("script.cmake");
     let set = |(name, value): &(&str, &str)| format!("set({name} \"{value}\")\n");

@@ -31,7 +31,7 @@ fn list(value: &Value) -> &[Value] {
     value.as_array().map_or(&[], Vec::as_slice)
 }
 
-/// What the shipped crates reach, tests aside, in the order of names.
+/// The crates that the shipped ones reach, tests aside, in the order of names.
 fn components(metadata: &Value) -> Vec<Value> {
     let packages: BTreeMap<&str, &Value> =
         list(&metadata["packages"]).iter().filter_map(|package| Some((package["id"].as_str()?, package))).collect();

@@ -1,4 +1,4 @@
-//! What users download: `cargo xtask dist`.
+//! Downloads for users: `cargo xtask dist`.
 //!
 //! | module | subject |
 //! | --- | --- |
@@ -19,7 +19,7 @@ use tpg_testing::library::{self, Missing};
 const STATIC: &str = "x86_64-unknown-linux-musl";
 /// The programs, each of a crate with its name.
 const PROGRAMS: [&str; 3] = ["tpg-codegen", "tpg-train", "cortex-bound"];
-/// What stands beside programs and libraries.
+/// Files beside programs and libraries.
 const BESIDE: [&str; 3] = ["LICENSE-MIT", "LICENSE-APACHE", "CHANGELOG.md"];
 
 /// Make what users download.

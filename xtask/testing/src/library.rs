@@ -29,7 +29,7 @@ struct Binutils {
     prefix: &'static str,
     /// The Debian package.
     package: &'static str,
-    /// What its linker must be told.
+    /// Arguments of its linker.
     link: &'static [&'static str],
 }
 

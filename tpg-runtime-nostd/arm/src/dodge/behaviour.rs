@@ -21,7 +21,7 @@ pub struct View<'a> {
     pub goals: &'a [Pose],
     /// The balls, at most [`BALLS`]; others are not seen.
     pub balls: &'a [Ball],
-    /// Where each ball is nearest now.
+    /// The nearest point of each ball now.
     near: [Option<Nearest>; BALLS],
 }
 

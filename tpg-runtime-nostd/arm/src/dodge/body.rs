@@ -19,7 +19,7 @@ pub struct Body {
     radii: [f32; CAPSULES],
     /// 1 / length², mm⁻²; 0 for a link without length, which is a ball then.
     inverse_squares: [f32; CAPSULES],
-    /// Where the arm is clear of table and base.
+    /// The rule for being clear of table and base.
     keep: Keep,
 }
 

@@ -16,7 +16,7 @@ pub struct DodgerSettings {
     pub guard: bool,
 }
 
-/// What is remembered from step to step of one task.
+/// Memory from step to step of one task.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dodger {
     settings: DodgerSettings,

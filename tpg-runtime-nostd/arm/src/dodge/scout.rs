@@ -24,9 +24,9 @@ const NEAR: f32 = 40.0;
 /// The search's settings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ScoutSettings {
-    /// What a step of the search may cost, in instructions of a Cortex-M4, about.
+    /// The cost that a step of the search may have, in instructions of a Cortex-M4, about.
     pub effort: u16,
-    /// What of that is kept for the plan itself.
+    /// The part of it that is kept for the plan itself.
     pub watch: u16,
     /// Clearance below which a ball is met, mm.
     pub margin: f32,
@@ -51,7 +51,7 @@ pub const SCOUT: ScoutSettings = ScoutSettings {
     spreads: [100, 200, 300, 400],
 };
 
-/// What a plan was found to lead to.
+/// The end that a plan was found to have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Fate {
     /// A ball, the table or the base after so many steps.

@@ -1,4 +1,4 @@
-//! What a policy sees of the balls, the goal and the search.
+//! A policy's view of the balls, the goal and the search.
 
 use super::behaviour::View;
 use super::body::Nearest;

@@ -37,7 +37,7 @@ pub struct Config {
     pub capsules: [f32; 4],
     /// True if the guard that looks ahead replaces steps that would be hit.
     pub guard: bool,
-    /// What the search may cost in one step, in instructions of a Cortex-M4, about.
+    /// The cost that the search may have in one step, in instructions of a Cortex-M4, about.
     pub effort: u16,
 }
 

@@ -87,7 +87,7 @@ pub fn parse_csv(file: &str, text: &str) -> Result<Vec<Certified>, InputError> {
     Ok(scenes)
 }
 
-/// What was found, and what is accepted instead.
+/// The thing found, and the things accepted instead.
 type Refusal = (String, String);
 
 fn certified(record: &StringRecord) -> Result<Certified, Refusal> {

@@ -60,9 +60,9 @@ impl Path {
 /// A task: a start, a target, poses that solve it, and the balls.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Scene {
-    /// Where the arm starts, ticks.
+    /// The arm's first pose, ticks.
     pub start: [i16; JOINTS],
-    /// Where its hand must go, mm.
+    /// The hand's target, mm.
     pub target: Vector<f32>,
     /// Poses that solve the task, ticks; the first is the nearest that a straight walk reaches, the others lie apart from
     /// it and from each other.

@@ -20,7 +20,7 @@ pub struct Leg {
     pub wait: u16,
 }
 
-/// What a walk leads to.
+/// The end of a walk.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Outcome {
     /// The end of the last leg after so many steps.

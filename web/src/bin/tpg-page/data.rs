@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::io;
 use tpg_codegen::explain::PolicyFormulas;
 
-/// What the page reads.
+/// The data that the page reads.
 #[derive(Serialize)]
 struct Data {
     /// Instructions of an action on a Cortex-M4, by driver.
