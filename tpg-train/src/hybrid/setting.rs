@@ -193,11 +193,17 @@ impl Hybrid {
 /// # Errors
 /// If it cannot be read or contains an impossible setting.
 pub fn read_file(path: &Path) -> Result<HybridFile, InputError> {
-    let name = path.display().to_string();
-    let text = read_text(path, "a hybrid.toml")?;
+    parse_file(&path.display().to_string(), &read_text(path, "a hybrid.toml")?)
+}
+
+/// Reads the text of such a file; `name` is the file's, for messages.
+///
+/// # Errors
+/// If it contains an impossible setting.
+pub fn parse_file(name: &str, text: &str) -> Result<HybridFile, InputError> {
     let accepted = "problem, graph, actor, hand_back_after, separation, patience, cycle_detector";
-    let file: HybridFile = settings::from_toml(&name, &text, accepted)?;
-    file.setting().check().map_err(|finding| settings::place(&name, &text, finding))?;
+    let file: HybridFile = settings::from_toml(name, text, accepted)?;
+    file.setting().check().map_err(|finding| settings::place(name, text, finding))?;
     Ok(file)
 }
 

@@ -1,37 +1,22 @@
 //! Files of settings and tasks: TOML and CSV.
 
-use std::cell::OnceCell;
-use std::fs;
-use std::path::Path;
-use tempfile::TempDir;
 use tpg_arm::WIDOWX;
 use tpg_problems::arm::targets;
 use tpg_problems::continuous::ContinuousProblem;
 use tpg_train::evolution::config::EvolutionConfig;
 use tpg_train::hybrid::arm::setting::HybridFile;
-use tpg_train::hybrid::setting::read_file;
+use tpg_train::hybrid::setting::parse_file;
 use tpg_train::sac;
-
-/// Gives a function a file with some content.
-pub(crate) fn with_file<T>(content: &[u8], name: &str, read: impl FnOnce(&Path) -> T) -> T {
-    thread_local! { static FOLDER: OnceCell<TempDir> = const { OnceCell::new() } }
-    FOLDER.with(|folder| {
-        let folder = folder.get_or_init(|| TempDir::new().expect("a temporary folder"));
-        let path = folder.path().join(name);
-        fs::write(&path, content).expect("the folder can be written");
-        read(&path)
-    })
-}
 
 /// Tasks of the arm as CSV.
 ///
 /// # Panics
 /// If what is written is not read again.
 pub fn targets(data: &[u8]) {
-    let read = |content: &[u8]| with_file(content, "targets.csv", |path| targets::read_csv(&WIDOWX, path));
-    match read(data) {
+    let parse = |text: &str| targets::parse_csv(&WIDOWX, "targets.csv", text);
+    match parse(&String::from_utf8_lossy(data)) {
         Ok(tasks) => {
-            let again = read(targets::to_csv(&tasks).as_bytes()).expect("what is written is read");
+            let again = parse(&targets::to_csv(&tasks)).expect("what is written is read");
             assert!(again == tasks, "what is read is what was written");
         }
         Err(error) => drop(error.to_string()),
@@ -43,20 +28,21 @@ pub fn targets(data: &[u8]) {
 /// # Panics
 /// If what is written is not read again.
 pub fn hybrid(data: &[u8]) {
-    match with_file(data, "hybrid.toml", HybridFile::read) {
+    let (name, text) = ("hybrid.toml", String::from_utf8_lossy(data));
+    match HybridFile::parse(name, &text) {
         Ok(file) => {
             assert!(file.to_rust().is_ok(), "what is read is a setting");
             drop(file.setting().map(|setting| setting.sentence()));
             let text = toml::to_string(&file).expect("plain data");
-            with_file(text.as_bytes(), "hybrid.toml", HybridFile::read).expect("what is written is read");
+            HybridFile::parse(name, &text).expect("what is written is read");
         }
         Err(error) => drop(error.to_string()),
     }
-    match with_file(data, "hybrid.toml", read_file) {
+    match parse_file(name, &text) {
         Ok(file) => {
             drop((file.to_rust(), file.setting().sentence()));
             let text = toml::to_string(&file).expect("plain data");
-            with_file(text.as_bytes(), "hybrid.toml", read_file).expect("what is written is read");
+            parse_file(name, &text).expect("what is written is read");
         }
         Err(error) => drop(error.to_string()),
     }

@@ -11,7 +11,7 @@
 
 mod file;
 
-pub use file::{read_csv, to_csv};
+pub use file::{parse_csv, read_csv, to_csv};
 
 use serde::{Deserialize, Serialize};
 use tpg_arm::episode::ReachTask;

@@ -100,6 +100,14 @@ impl HybridFile {
         read(path).map(|(file, _)| file)
     }
 
+    /// Reads the text of such a file; `name` is the file's, for messages.
+    ///
+    /// # Errors
+    /// If it contains an impossible setting.
+    pub fn parse(name: &str, text: &str) -> Result<Self, InputError> {
+        parse(name, text).map(|(file, _)| file)
+    }
+
     /// Returns the setting.
     ///
     /// # Errors
@@ -173,11 +181,13 @@ impl Hybrid {
 
 /// Reads a file and checks its setting.
 fn read(path: &Path) -> Result<(HybridFile, Setting), InputError> {
-    let name = path.display().to_string();
-    let text = read_text(path, "a hybrid.toml")?;
+    parse(&path.display().to_string(), &read_text(path, "a hybrid.toml")?)
+}
+
+fn parse(name: &str, text: &str) -> Result<(HybridFile, Setting), InputError> {
     let accepted = "graph, actor, hand_back_after, separation_mm, guard, cycle_detector";
-    let file: HybridFile = settings::from_toml(&name, &text, accepted)?;
-    let setting = file.setting().map_err(|finding| settings::place(&name, &text, finding))?;
+    let file: HybridFile = settings::from_toml(name, text, accepted)?;
+    let setting = file.setting().map_err(|finding| settings::place(name, text, finding))?;
     Ok((file, setting))
 }
 

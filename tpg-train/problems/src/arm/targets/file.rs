@@ -37,7 +37,11 @@ pub fn read_csv(arm: &Arm<f64>, path: &Path) -> Result<Vec<Task>, InputError> {
     parse_csv(arm, &path.display().to_string(), &text)
 }
 
-fn parse_csv(arm: &Arm<f64>, file: &str, text: &str) -> Result<Vec<Task>, InputError> {
+/// Reads the text of such a file; `file` is its name, for messages.
+///
+/// # Errors
+/// If it has a different header, or contains a value that is not a number in the arm's range.
+pub fn parse_csv(arm: &Arm<f64>, file: &str, text: &str) -> Result<Vec<Task>, InputError> {
     let mut reader = ReaderBuilder::new().trim(Trim::All).flexible(true).from_reader(text.as_bytes());
     let first = first_column(file, &mut reader)?;
     let row = |record: Result<StringRecord, csv::Error>| {
