@@ -1,13 +1,14 @@
 //! Time and instruction count of a decision: every variant of every policy, compared in one run.
 //!
-//! `cargo bench -p tpg-benches --bench inference` also measures with criterion, which keeps its reports and compares
-//! with the previous run; `-- summary` only prints the tables, in minutes. An additional word selects the policies
-//! whose names contain it.
+//! `cargo bench -p tpg-benches --bench inference` prints the tables, in minutes. A word selects the policies whose names
+//! contain it. With `--features criterion` criterion measures, too: it keeps its reports and compares with the previous
+//! run.
 //!
 //! The times in the tables are CPU times of single-threaded programs on states of real episodes, in their order. All
 //! variants of a policy run at the same time, taking short turns, and the minimum over all turns and several starts
 //! counts: the other load of a busy machine affects all of them alike, and the minimum mostly excludes it.
 
+#[cfg(feature = "criterion")]
 use criterion::{BenchmarkId, Criterion};
 use std::env;
 use std::time::Duration;
@@ -28,17 +29,16 @@ const TURN: Duration = Duration::from_millis(2);
 fn main() {
     // cargo test runs benchmarks as well, to check that they work: one subject is enough for that.
     let testing = !env::args().any(|word| word == "--bench");
-    let mut words: Vec<String> = env::args().skip(1).filter(|word| !word.starts_with('-')).collect();
-    let summary = words.first().is_some_and(|word| word == "summary");
-    words.drain(..usize::from(summary));
-    let wanted = |subject: &Subject| words.first().is_none_or(|name| subject.name.contains(name.as_str()));
+    let word = env::args().skip(1).find(|word| !word.starts_with('-'));
+    let wanted = |subject: &Subject| word.as_ref().is_none_or(|name| subject.name.contains(name.as_str()));
     let mut subjects = subject::own();
     if testing {
         subjects.truncate(1);
     } else {
         subjects.extend(subject::conformance(subject::STATES));
     }
-    let mut criterion = (!summary).then(|| Criterion::default().configure_from_args());
+    #[cfg(feature = "criterion")]
+    let mut criterion = Criterion::default().configure_from_args();
     let mut times = Table::new("Nanoseconds per decision");
     let mut counts = Table::new("Instructions per decision");
     let counting = !testing && callgrind::available();
@@ -47,9 +47,8 @@ fn main() {
         let least = least(subject, &programs, if testing { 1 } else { STARTS });
         for ((variant, program), least) in Variant::ALL.into_iter().zip(&programs).zip(least) {
             times.note(subject, variant, least / subject.count() as f64);
-            if let Some(criterion) = &mut criterion {
-                sample(criterion, subject, variant, &mut start(program, subject));
-            }
+            #[cfg(feature = "criterion")]
+            sample(&mut criterion, subject, variant, &mut start(program, subject));
             if counting {
                 let count = callgrind::per_state(program, subject).unwrap_or_else(|error| panic!("{error}"));
                 counts.note(subject, variant, count);
@@ -57,9 +56,8 @@ fn main() {
         }
         eprintln!("{}", subject.name);
     }
-    if let Some(criterion) = criterion {
-        criterion.final_summary();
-    }
+    #[cfg(feature = "criterion")]
+    criterion.final_summary();
     for table in [Some(times), counting.then_some(counts)].into_iter().flatten() {
         println!("{}", table.render());
         println!("{}{}", table.summary(Variant::Gegelati), table.summary(Variant::Interpreter));
@@ -93,6 +91,7 @@ fn time(running: &mut Running, passes: u64) -> Duration {
     running.time(passes).unwrap_or_else(|error| panic!("{error}"))
 }
 
+#[cfg(feature = "criterion")]
 fn sample(criterion: &mut Criterion, subject: &Subject, variant: Variant, running: &mut Running) {
     let mut group = criterion.benchmark_group(&subject.name);
     group.warm_up_time(Duration::from_millis(50)).measurement_time(Duration::from_millis(300)).sample_size(10);

@@ -7,13 +7,10 @@ use pyo3::prelude::*;
 use serde_json::json;
 use std::sync::Mutex;
 use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{Act, ActionSpace, AnyEnvironment, AnyEpisode, AnyTask, Choices, End, SourceSet, TooManyActions};
-use tpg_graph::error::{InputError, Place};
-use tpg_graph::{MathsProvider, ScalarType};
+use tpg_engine::{Act, ActionSpace, AnyEnvironment, AnyEpisode, AnyTask, End, SourceSet};
 use tpg_problems::{ContinuousProblem, Problem, ProblemName};
 use tpg_runtime::policy::ActionId;
-use tpg_train::evaluate::EvaluationReport;
-use tpg_train::evaluate::graph::on_environment;
+use tpg_train::evaluate::graph::on_problem;
 use tpg_train::evolution::presets::Preset;
 
 /// Finds a built-in problem with its usual settings.
@@ -42,32 +39,9 @@ pub(crate) fn evaluate_native(
     seed: u64,
 ) -> PyResult<String> {
     let problem = problem(problem_name)?;
-    let graph = in_f32(&graph.0)?;
-    let report = py.detach(|| test(&problem, graph, episodes, seed));
+    let report = py.detach(|| on_problem(&problem, "<graph>", &graph.0, episodes, seed));
     let report = report.map_err(error::input)?;
     serde_json::to_string(&report).map_err(error::input)
-}
-
-/// Returns a graph that computes in f32 with own maths, as evolution does.
-pub(crate) fn in_f32(graph: &tpg_graph::Graph) -> PyResult<&tpg_graph::Graph> {
-    if (graph.scalar(), graph.maths()) == (ScalarType::F32, MathsProvider::Own) {
-        return Ok(graph);
-    }
-    let found = format!("a graph in {} with {} maths", graph.scalar().name(), graph.maths().name());
-    Err(error::input(format!("{found}; accepted: f32 with own maths")))
-}
-
-/// Tests a graph on a built-in problem.
-fn test(
-    problem: &Problem,
-    graph: &tpg_graph::Graph,
-    episodes: usize,
-    seed: u64,
-) -> Result<EvaluationReport, InputError> {
-    let refuse = |error: TooManyActions| InputError::new("<graph>", Place::Whole, error.to_string(), "fewer levels");
-    let environment = problem.environment();
-    let choices = Choices::new(&*environment, problem.levels_for(graph)).map_err(refuse)?;
-    on_environment::<f32, tpg_runtime::ops::Own>(problem.name().name(), "<graph>", graph, &choices, episodes, seed)
 }
 
 /// A step as Python sees it: observation, reward, terminated, truncated, and success where the problem defines it.

@@ -2,13 +2,12 @@
 
 use crate::error;
 use crate::graph::Graph;
-use crate::native::in_f32;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use std::sync::Mutex;
 use tpg_engine::{EngineOptions, Plan, Single};
-use tpg_graph::SourceDocument;
 use tpg_graph::interpret::Answer;
+use tpg_graph::{MathsProvider, ScalarType, SourceDocument};
 use tpg_runtime::ops::Own;
 
 /// A policy that is evaluated in an episode.
@@ -72,4 +71,13 @@ impl Policy {
             Answer::Values(values) => (None, values),
         })
     }
+}
+
+/// Returns a graph that computes in f32 with own maths, as evolution does.
+fn in_f32(graph: &tpg_graph::Graph) -> PyResult<&tpg_graph::Graph> {
+    if (graph.scalar(), graph.maths()) == (ScalarType::F32, MathsProvider::Own) {
+        return Ok(graph);
+    }
+    let found = format!("a graph in {} with {} maths", graph.scalar().name(), graph.maths().name());
+    Err(error::input(format!("{found}; accepted: f32 with own maths")))
 }

@@ -1,9 +1,7 @@
 //! Generated C compiles without a warning, as C99 and as C++11, with gcc and clang; clang-tidy and cppcheck with its MISRA
 //! addon report nothing. What may deviate, and why, is in `misra-deviations.txt`.
 
-mod common;
-
-use common::{COMBINATIONS, SHAPES, emit_into, fixture, run, shaped};
+use crate::common::{COMBINATIONS, SHAPES, emit_into, fixture, run, shaped};
 use std::fs;
 use std::path::Path;
 use std::process::Command;

@@ -2,9 +2,7 @@
 //! predicated block, no table; and under QEMU every state takes exactly the instructions of the static bound. In C and in
 //! Rust, at every level of optimisation.
 
-mod common;
-
-use common::{fixture, run, shaped};
+use crate::common::{fixture, run, shaped};
 use cortex_bound::{Analyser, LoopBounds, disassemble};
 use std::fs;
 use std::path::{Path, PathBuf};

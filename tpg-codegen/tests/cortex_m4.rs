@@ -1,8 +1,6 @@
 //! Generated C on a core whose FPU has no doubles: no double creeps in, and own maths needs no library.
 
-mod common;
-
-use common::{SHAPES, Shape, fixture, shaped};
+use crate::common::{SHAPES, Shape, fixture, shaped};
 use object::{Object as _, ObjectSymbol as _};
 use tpg_codegen::compile;
 use tpg_codegen::emit::{Code, Language};

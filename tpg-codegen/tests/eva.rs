@@ -8,9 +8,7 @@
 //! What is explained and so not an alarm: infinities and NaN are values here, as in the graph
 //! (`-warn-special-float none`).
 
-mod common;
-
-use common::{emit_into, run, shaped};
+use crate::common::{emit_into, run, shaped};
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;

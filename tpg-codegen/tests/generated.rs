@@ -1,8 +1,6 @@
 //! The text of generated code: what it looks like, that rustfmt leaves it, that it depends on nothing else.
 
-mod common;
-
-use common::{COMBINATIONS, emit_into, fixture, options, run, shaped};
+use crate::common::{COMBINATIONS, emit_into, fixture, options, run, shaped};
 use std::process::Command;
 use tempfile::TempDir;
 use tpg_codegen::emit::{self, Language, Profile, Style};

@@ -1,8 +1,6 @@
 //! The C kernels give the bits of the Rust ones, with every compiler at hand, and compile without a warning.
 
-mod common;
-
-use common::{fixture, shaped};
+use crate::common::{fixture, shaped};
 use std::io::{Read as _, Write as _};
 use std::process::{Command, Stdio};
 use tpg_codegen::emit::{self, Language, Profile, Style};

@@ -7,9 +7,7 @@ use tempfile::TempDir;
 use tpg_testing::library::top;
 use tpg_testing::{exists, skip, tool};
 
-mod common;
-
-use common::run;
+use crate::common::run;
 
 /// Graphs that answer with an action, with a value, and with a value and memory.
 const GRAPHS: [(&str, &str); 3] = [

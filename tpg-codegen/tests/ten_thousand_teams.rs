@@ -1,9 +1,7 @@
 //! A graph of 10,000 teams, each leading to the next, passes through everything: nothing recurses along its walk, and the
 //! text is one that a C compiler takes.
 
-mod common;
-
-use common::{SHAPES, emit_into, run, shaped};
+use crate::common::{SHAPES, emit_into, run, shaped};
 use std::process::Command;
 use tempfile::TempDir;
 use tpg_codegen::emit::{Language, Profile};
@@ -47,7 +45,7 @@ fn from_text_to_object_file() {
         let files = emit_into(folder.path(), &graph, Language::C, &options);
         let count = files.iter().find_map(|file| file.text.split_once("#define LARGE_TEAMS ")).expect("a header").1;
         let count: usize = count.split('U').next().and_then(|number| number.parse().ok()).expect("a number");
-        assert!(count > crate::teams() * 9 / 10, "{shape:?}: {count}");
+        assert!(count > teams() * 9 / 10, "{shape:?}: {count}");
         emit_into(folder.path(), &graph, Language::Rust, &options);
         // The constant-time code computes everything: what it is for is small.
         if shape.1 != Some(Profile::ConstantTime) {

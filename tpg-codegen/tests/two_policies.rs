@@ -1,8 +1,6 @@
 //! Policies live side by side: two in one C program, two in one Rust program, and names that a language keeps for itself.
 
-mod common;
-
-use common::{emit_into, fixture, options, run};
+use crate::common::{emit_into, fixture, options, run};
 use std::fs;
 use std::process::Command;
 use tempfile::TempDir;

@@ -52,7 +52,10 @@ pub(crate) fn all() -> bool {
 /// Runs the lint of generated C and of the firmwares; returns true if it passed.
 pub(crate) fn lint() -> bool {
     let mut run = Run::new();
-    run.tests("lint of generated C", cargo(&["test", "--package", "tpg-codegen", "--test", "c_lint", "--test", "eva"]));
+    run.tests(
+        "lint of generated C",
+        cargo(&["test", "--package", "tpg-codegen", "--test", "all", "--", "c_lint::", "eva::"]),
+    );
     run.firmware(&["lint"]);
     run.finish()
 }
@@ -116,8 +119,9 @@ impl Run {
         if !has_mpi() {
             self.missing("runs over MPI", "an MPI with its compiler, and libclang; Debian: libopenmpi-dev, clang");
         }
-        // The page's tests need the page, which `web.rs` builds.
-        self.tests("tests", workspace("test", &["--exclude", "tpg-web", "--all-features", "--no-fail-fast"]));
+        // The page's tests need the page, which `web.rs` builds. Features add tests with large dependencies.
+        let features = tpg_testing::amount(&[][..], &["--all-features"]);
+        self.tests("tests", workspace("test", &[&["--exclude", "tpg-web", "--no-fail-fast"], features].concat()));
     }
 
     /// Runs a command that counts as one check.

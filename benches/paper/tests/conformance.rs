@@ -1,7 +1,6 @@
 //! Replays the paper's recorded policies and poses: everything must be equal, row by row and step by step.
 
-mod support;
-
+use crate::support;
 use std::path::Path;
 use tpg_arm::WIDOWX;
 use tpg_graph::import::{self, Profile};

@@ -1,8 +1,7 @@
 //! The paper's hybrids: the deterministic part must be equal, row by row; the rest must agree with its recorded
 //! statistics.
 
-mod support;
-
+use crate::support;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::path::Path;

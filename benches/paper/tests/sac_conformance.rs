@@ -1,7 +1,6 @@
 //! The paper's trained actors, replayed with PyTorch's random numbers: every row and every step.
 
-mod support;
-
+use crate::support;
 use std::collections::BTreeMap;
 use std::fs;
 use tpg_arm::observation::Observation;

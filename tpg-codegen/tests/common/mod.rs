@@ -1,5 +1,4 @@
 //! What several tests need: the fixture graph in every scalar and maths, and its code in a folder.
-#![allow(dead_code, reason = "each test uses a part")]
 
 use std::path::Path;
 use std::process::Command;

@@ -28,7 +28,7 @@ const PRODUCT: [&str; 13] = [
 ];
 
 /// The workspace's crates: their folders, and the other crates of the workspace that they depend on, tests aside.
-fn crates() -> BTreeMap<String, (PathBuf, Vec<String>)> {
+pub(crate) fn crates() -> BTreeMap<String, (PathBuf, Vec<String>)> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let output = Command::new(cargo)
         .args(["metadata", "--format-version", "1", "--no-deps", "--offline"])

@@ -1,0 +1,8 @@
+//! The tests of this crate from outside, as one program: each file is a subject.
+
+mod conformance;
+mod hybrid_conformance;
+mod kinematics;
+mod replay_command;
+mod sac_conformance;
+mod support;

@@ -1,0 +1,7 @@
+//! The tests of this crate from outside, as one program: each file is a subject.
+
+mod dodge;
+mod fresh;
+mod generated_policy;
+mod paper;
+mod test_targets;

@@ -1,0 +1,11 @@
+//! The tests of this crate from outside, as one program: each file is a subject.
+
+mod arm;
+mod dodge;
+mod episode;
+mod frame;
+mod hybrid;
+mod kinematics;
+mod network;
+mod sensors;
+mod sources;

@@ -1,0 +1,6 @@
+//! The tests of this crate from outside, as one program: each file is a subject.
+
+mod calls;
+mod header;
+mod library;
+mod network;

@@ -1,0 +1,16 @@
+//! The tests of this crate from outside, as one program: each file is a subject.
+
+mod damaged_checkpoints;
+mod engine;
+mod evaluator;
+mod hybrid_any;
+mod hybrid_study;
+mod import_actor;
+mod own_environment;
+mod ranks;
+mod readme;
+mod report;
+mod runs;
+mod sac_runs;
+mod sac_update;
+mod shielded;
