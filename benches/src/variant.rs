@@ -15,13 +15,15 @@ pub enum Variant {
 
 impl Variant {
     /// All variants, the baseline first.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 10] = [
         Self::Gegelati,
         Self::Interpreter,
         Self::Generated(Language::C, Profile::Fast),
+        Self::Generated(Language::C, Profile::Balanced),
         Self::Generated(Language::C, Profile::Small),
         Self::Generated(Language::C, Profile::ConstantTime),
         Self::Generated(Language::Rust, Profile::Fast),
+        Self::Generated(Language::Rust, Profile::Balanced),
         Self::Generated(Language::Rust, Profile::Small),
         Self::Generated(Language::Rust, Profile::ConstantTime),
     ];

@@ -236,12 +236,16 @@ fn courses(
 }
 
 fn fill<S: Lattice>(view: &mut View, arm: &Arm<S>, seen: &Observation<S>) {
-    let plane = Plane::at(arm, seen.pose);
-    let base = base_direction::<S>(seen.pose);
+    view.points = points(arm, seen.pose);
+    view.distance = seen.distance().to_f64() as f32;
+    view.pose = seen.pose.0.map(i32::from);
+}
+
+/// Returns shoulder, end of the upper arm, elbow, wrist and tip of an arm, mm.
+pub(crate) fn points<S: Lattice>(arm: &Arm<S>, pose: Pose) -> [[f32; 3]; 5] {
+    let (plane, base) = (Plane::at(arm, pose), base_direction::<S>(pose));
     let world =
         |point: Point<S>| [point.x * base.sin, -(point.x * base.cos), point.z].map(|value| value.to_f64() as f32);
     let shoulder = Point { x: S::ZERO, z: arm.links.base };
-    view.points = [shoulder, plane.bracket, plane.elbow, plane.wrist, plane.tip].map(world);
-    view.distance = seen.distance().to_f64() as f32;
-    view.pose = seen.pose.0.map(i32::from);
+    [shoulder, plane.bracket, plane.elbow, plane.wrist, plane.tip].map(world)
 }

@@ -5,12 +5,15 @@
 #![allow(unsafe_code, reason = "an export has a name without mangling; nothing else here is unsafe")]
 
 use crate::arm::{self, Scene};
+use crate::balls::{self, Balls};
 use crate::control::{self, Rig};
 use core::cell::RefCell;
 use core::ptr;
 
 thread_local! {
     static SCENE: RefCell<Option<Scene>> = RefCell::new(Scene::new());
+    static NUMBERS: RefCell<[f32; balls::NUMBERS]> = const { RefCell::new([0.0; balls::NUMBERS]) };
+    static BALLS: RefCell<Balls> = RefCell::new(Balls::default());
     static RIGS: RefCell<[Box<dyn Rig>; 3]> = RefCell::new(control::rigs());
 }
 
@@ -54,6 +57,32 @@ pub extern "C" fn tpg_arm_act(arm: u32, count: u32) {
 #[unsafe(no_mangle)]
 pub extern "C" fn tpg_arm_view(arm: u32) -> *const arm::View {
     SCENE.with_borrow(|scene| scene.as_ref().map_or(ptr::null(), |scene| ptr::from_ref(scene.view(arm as usize))))
+}
+
+/// Returns the place of the [`balls::NUMBERS`] numbers of a scene, which a page writes before it begins.
+#[unsafe(no_mangle)]
+pub extern "C" fn tpg_balls_scene() -> *mut f32 {
+    NUMBERS.with(|numbers| numbers.as_ptr().cast())
+}
+
+/// Begins the scene that was written, for both arms (0 policy, 1 straight walk). Numbers that are not a scene change nothing.
+#[unsafe(no_mangle)]
+pub extern "C" fn tpg_balls_begin() {
+    if let Some(scene) = NUMBERS.with_borrow(balls::scene) {
+        BALLS.with_borrow_mut(|balls| balls.begin(&scene));
+    }
+}
+
+/// Lets an arm among balls take a step.
+#[unsafe(no_mangle)]
+pub extern "C" fn tpg_balls_act(arm: u32) {
+    BALLS.with_borrow_mut(|balls| balls.act(arm as usize));
+}
+
+/// Returns the place of an arm's [`balls::View`].
+#[unsafe(no_mangle)]
+pub extern "C" fn tpg_balls_view(arm: u32) -> *const balls::View {
+    BALLS.with_borrow(|balls| ptr::from_ref(balls.view(arm as usize)))
 }
 
 /// Begins an episode of a problem (0 CartPole, 1 Pendulum, 2 MountainCar), drawn by a seed.

@@ -90,6 +90,7 @@ async function desktop() {
   assert.equal(await tab.evaluate(() => page.arm.shown), 1);
   await tab.click(".arm >> nth=0");
 
+  await balls(tab);
   await problems(tab);
   await tab.evaluate(() => scrollTo(0, 0));
   // The best of some seconds with arms on their way: other programs may hold this machine for a moment.
@@ -104,6 +105,18 @@ async function desktop() {
   await close();
 }
 
+/** Both arms among balls come to an end; the policy is at the target, and another scene begins. */
+async function balls(tab) {
+  await tab.locator("#balls canvas").first().scrollIntoViewIfNeeded();
+  const state = arm => page.balls.module.view(arm).state;
+  await tab.waitForFunction(() => [0, 1].every(arm => page.balls.module.view(arm).state !== 0), null, { timeout: 60_000 });
+  assert.equal(await tab.evaluate(state, 0), 1, "the policy reaches the first scene's target");
+  assert.ok(await tab.evaluate(() => page.balls.module.view(0).distance) < 3);
+  await tab.click("#next-scene");
+  assert.equal(await tab.evaluate(() => page.balls.scene), 1);
+  await tab.waitForFunction(() => page.balls.module.view(0).steps > 10);
+}
+
 /** Every problem acts, lights one bid of each team on the way, and feels a push. */
 async function problems(tab) {
   for (let number = 0; number < 3; number++) {
@@ -115,6 +128,8 @@ async function problems(tab) {
     assert.ok(lit >= 1, `problem ${number} lights what decided`);
     const [before, after] = await tab.evaluate(number => {
       const control = page.controls[number], [, value, by] = control.pushes[0], state = () => control.module.view().state[value];
+      // A push after the end begins anew.
+      if (control.now.ended) control.restart();
       const was = state();
       control.push(value, by);
       return [was, state() - by];

@@ -1,4 +1,4 @@
-// The module and what it shows: the layouts are those of `arm::View` and `control::View`.
+// The module and what it shows: the layouts are those of `arm::View`, `balls::View` and `control::View`.
 
 export const ARMS = ["hybrid", "graph", "network", "planner"];
 export const STATES = ["graph", "network", "planner", "reached", "stop", "cycle", "joint limit", "collision", "time limit"];
@@ -12,7 +12,7 @@ export async function load(url) {
   return wrap(instance.exports);
 }
 
-/** Wraps the module's exports: one object for the arms, one for each problem. */
+/** Wraps the module's exports: one object for the arms, one for those among balls, one for each problem. */
 export function wrap(exports) {
   // The memory may have grown since the last call: the buffer is asked for each time.
   const at = (place, length) => new DataView(exports.memory.buffer, place, length);
@@ -34,6 +34,22 @@ export function wrap(exports) {
       };
     },
   };
+  const balls = {
+    begin(scene) {
+      new Float32Array(exports.memory.buffer, exports.tpg_balls_scene(), scene.length).set(scene);
+      exports.tpg_balls_begin();
+    },
+    act: arm => exports.tpg_balls_act(arm),
+    view(arm) {
+      const data = at(exports.tpg_balls_view(arm), 132), float = offset => data.getFloat32(offset, true), word = offset => data.getUint32(offset, true);
+      const triple = place => [0, 4, 8].map(part => float(place + part));
+      return {
+        points: [0, 1, 2, 3, 4].map(point => triple(12 * point)),
+        balls: [0, 1, 2].map(ball => ({ at: triple(60 + 16 * ball), radius: float(72 + 16 * ball) })).slice(0, word(108)),
+        distance: float(112), clearance: float(116), steps: word(120), behaviour: word(124), state: word(128),
+      };
+    },
+  };
   const problem = number => ({
     restart: seed => exports.tpg_control_restart(number, seed),
     act: () => exports.tpg_control_act(number),
@@ -51,5 +67,5 @@ export function wrap(exports) {
       };
     },
   });
-  return { arms, problems: [0, 1, 2].map(problem) };
+  return { arms, balls, problems: [0, 1, 2].map(problem) };
 }

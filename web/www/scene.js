@@ -6,7 +6,7 @@ import { box, cylinder, draw, path, rgb, shadow, shadowOf } from "./solids.js";
 /** Reads the colours of the style sheet: again whenever the scheme changes. */
 export function colours() {
   const style = getComputedStyle(document.documentElement), of = name => style.getPropertyValue(`--${name}`).trim();
-  const plain = Object.fromEntries(["text", "soft", "floor", "rim", "line", "shadow", "graph", "network", "planner", "target", "lit", "card", "edge",
+  const plain = Object.fromEntries(["text", "soft", "floor", "rim", "line", "shadow", "graph", "network", "planner", "target", "ball", "lit", "card", "edge",
     "fill", "dark", "metal"].map(name => [name, of(name)]));
   return { ...plain, solid: Object.fromEntries(["metal", "dark", "graph", "network", "planner"].map(name => [name, rgb(plain[name])])) };
 }
@@ -39,7 +39,7 @@ function solids(points, colours, driver) {
 }
 
 /** Draws a scene into a canvas; `ways` are the places of the hand, each with the driver that led there. */
-export function paint(canvas, camera, colours, { points, driver, target, ways, large }) {
+export function paint(canvas, camera, colours, { points, driver, target, ways, large, balls = [] }) {
   const g = canvas.getContext("2d"), ratio = Math.min(devicePixelRatio || 1, 2);
   const [width, height] = [canvas.clientWidth * ratio, canvas.clientHeight * ratio].map(Math.round);
   if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
@@ -49,15 +49,21 @@ export function paint(canvas, camera, colours, { points, driver, target, ways, l
   table(g, camera, colours, large);
   const arm = solids(points, colours, driver);
   shadow(g, camera, arm, colours.shadow);
+  for (const { at, radius } of balls) disc(g, camera, shadowOf(at), radius, colours.shadow);
   plumb(g, camera, colours, target);
   trace(g, camera, colours, ways, true);
   // What lies behind the arm is drawn before it.
   const near = point => camera.into.reduce((sum, part, i) => sum + part * point[i], 0);
-  const behind = near(target) > near(points[4]);
-  if (behind) ball(g, camera, colours, target);
+  const behind = near(target) > near(points[4]), middle = near(mix(points[2], points[4], 0.5));
+  const obstacles = [...balls].sort((a, b) => near(b.at) - near(a.at));
+  const paintBalls = back => obstacles.filter(({ at }) => near(at) > middle === back)
+    .forEach(({ at, radius }) => ball(g, camera, colours.ball, at, radius));
+  paintBalls(true);
+  if (behind) ball(g, camera, colours.target, target);
   draw(g, camera, arm);
   trace(g, camera, colours, ways, false);
-  if (!behind) return ball(g, camera, colours, target);
+  paintBalls(false);
+  if (!behind) return ball(g, camera, colours.target, target);
   // A ring tells where the target is behind the arm.
   const [x, y, zoom] = camera.project(target);
   g.beginPath();
@@ -96,11 +102,8 @@ function table(g, camera, colours, large) {
 
 /** The plumb line of the target, and its shadow. */
 function plumb(g, camera, colours, target) {
-  const foot = [target[0], target[1], 0], [sx, sy, zoom] = camera.project(shadowOf(target));
-  g.fillStyle = colours.shadow;
-  g.beginPath();
-  g.ellipse(sx, sy, 15 * zoom, 15 * zoom * Math.max(0.2, Math.sin(camera.tilt)), 0, 0, 7);
-  g.fill();
+  const foot = [target[0], target[1], 0], zoom = camera.project(shadowOf(target))[2];
+  disc(g, camera, shadowOf(target), 15, colours.shadow);
   path(g, camera, [target, foot], false);
   g.strokeStyle = colours.target;
   g.globalAlpha = 0.55;
@@ -115,8 +118,17 @@ function plumb(g, camera, colours, target) {
   g.globalAlpha = 1;
 }
 
-function ball(g, camera, colours, target) {
-  const [x, y, zoom] = camera.project(target), radius = 15 * zoom, [red, green, blue] = rgb(colours.target);
+/** A round shadow on the table. */
+function disc(g, camera, place, size, colour) {
+  const [x, y, zoom] = camera.project(place), radius = size * zoom;
+  g.fillStyle = colour;
+  g.beginPath();
+  g.ellipse(x, y, radius, radius * Math.max(0.2, Math.sin(camera.tilt)), 0, 0, 7);
+  g.fill();
+}
+
+function ball(g, camera, colour, place, size = 15) {
+  const [x, y, zoom] = camera.project(place), radius = size * zoom, [red, green, blue] = rgb(colour);
   const light = g.createRadialGradient(x - radius * 0.35, y - radius * 0.4, radius * 0.1, x, y, radius);
   light.addColorStop(0, "#fff");
   light.addColorStop(0.28, `rgb(${red} ${green} ${blue})`);

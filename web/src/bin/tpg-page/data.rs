@@ -1,18 +1,37 @@
 //! The data of the page: the policies as formulas, their code, and what a decision costs.
 
-use crate::policies::{POLICIES, Policy, read};
+use crate::policies::{POLICIES, Policy, read, top};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::io;
+use tpg_arm::dodge::Behaviour;
 use tpg_codegen::explain::PolicyFormulas;
+use tpg_problems::dodge::draw::Certified;
+use tpg_problems::dodge::file::read_csv;
+use tpg_web::balls::numbers;
 
 /// The data that the page reads.
 #[derive(Serialize)]
 struct Data {
     /// Instructions of an action on a Cortex-M4, by driver.
     costs: BTreeMap<&'static str, Cost>,
+    balls: Balls,
     problems: Vec<Problem>,
 }
+
+/// Scenes among moving balls.
+#[derive(Serialize)]
+struct Balls {
+    /// The first ones of the test scenes, as the module reads them.
+    scenes: Vec<Vec<f32>>,
+    /// Names of the behaviours.
+    behaviours: Vec<&'static str>,
+    /// Instructions of a step on a Cortex-M4, at most.
+    worst: u64,
+}
+
+/// Scenes that the page shows.
+const SCENES: usize = 24;
 
 #[derive(Serialize)]
 struct Cost {
@@ -37,13 +56,28 @@ struct Problem {
 }
 
 /// The rows of `costs.toml` that the page shows.
-const COSTS: [(&str, &str); 3] = [("graph", "C rs graph"), ("network", "C rs network"), ("hybrid", "C rs hybrid")];
+const COSTS: [(&str, &str); 4] = [
+    ("graph", "C rs graph"),
+    ("network", "C rs network"),
+    ("hybrid", "C rs hybrid"),
+    ("balls", "Rust dodge any behaviour"),
+];
 
 /// The text of the file.
 pub(crate) fn text() -> io::Result<String> {
     let problems = POLICIES.iter().map(problem).collect::<io::Result<_>>()?;
-    let text = serde_json::to_string(&Data { costs: costs()?, problems }).map_err(io::Error::other)?;
+    let costs = costs()?;
+    let balls = balls(costs["balls"].worst)?;
+    let text = serde_json::to_string(&Data { costs, balls, problems }).map_err(io::Error::other)?;
     Ok(text + "\n")
+}
+
+fn balls(worst: u64) -> io::Result<Balls> {
+    let scenes = read_csv(&top().join("generated/test-targets/dodge.csv")).map_err(io::Error::other)?;
+    let numbers = |scene: &Certified| numbers(&scene.scene).map(Vec::from);
+    let scenes = scenes.iter().take(SCENES).map(numbers).collect::<Option<_>>();
+    let scenes = scenes.ok_or_else(|| io::Error::other("a scene with too many goals or balls"))?;
+    Ok(Balls { scenes, behaviours: Behaviour::ALL.iter().map(|(_, name)| *name).collect(), worst })
 }
 
 fn costs() -> io::Result<BTreeMap<&'static str, Cost>> {

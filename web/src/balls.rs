@@ -1,0 +1,169 @@
+//! Two arms among the same moving balls: the shipped policy's, and one that walks straight to its target.
+
+use crate::arm::points;
+use std::array;
+use tpg_arm::dodge::{Behaviour, Body, Dodger, DodgerSettings, SCOUT, WIDOWX_RADII};
+use tpg_arm::{JOINTS, Pose, WIDOWX};
+use tpg_generated::dodge::Dodge;
+use tpg_problems::dodge::episode::{End, Episode};
+use tpg_problems::dodge::scene::{Path, Scene};
+use tpg_runtime::policy::{ActionId, Policy};
+
+/// Hand and target are less than this apart at the end, mm.
+pub const TOLERANCE: f32 = 3.0;
+/// The most balls of a scene.
+pub const BALLS: usize = 3;
+/// The most goals of a scene.
+pub const GOALS: usize = 4;
+/// Numbers of a scene as a page writes them: start, target, number of goals, goals, number of balls, balls.
+pub const NUMBERS: usize = JOINTS + 3 + 1 + GOALS * JOINTS + 1 + BALLS * BALL;
+/// Numbers of a ball: both ends, radius, period, phase, 1 for a sine.
+const BALL: usize = 10;
+
+static BODY: Body = Body::new(WIDOWX.to_f32(), WIDOWX_RADII);
+
+/// An arm among balls as a page reads it; the same layout in JavaScript.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct View {
+    /// Shoulder, end of the upper arm, elbow, wrist, tip of the hand: x, y, z each, mm.
+    pub points: [[f32; 3]; 5],
+    /// Centre and radius of each ball, mm.
+    pub balls: [[f32; 4]; BALLS],
+    /// Number of balls.
+    pub count: u32,
+    /// Hand to target, mm.
+    pub distance: f32,
+    /// Distance of the arm from the nearest ball, mm; negative in a hit.
+    pub clearance: f32,
+    /// Steps so far.
+    pub steps: u32,
+    /// Index of the behaviour that acted last.
+    pub behaviour: u32,
+    /// 0 on the way, 1 at the target, 2 hit, 3 out of time.
+    pub state: u32,
+}
+
+/// An arm on its way.
+struct Course {
+    episode: Episode,
+    dodger: Dodger,
+    /// True for the policy, false for the straight walk.
+    learned: bool,
+}
+
+/// Number of arms.
+pub const ARMS: usize = 2;
+
+/// Two arms in the same scene.
+#[derive(Default)]
+pub struct Balls {
+    courses: Vec<Course>,
+    views: [View; ARMS],
+}
+
+impl Balls {
+    /// Begins a scene for both arms.
+    pub fn begin(&mut self, scene: &Scene) {
+        let course = |learned| {
+            let episode = Episode::new(&BODY, scene);
+            let dodger = Dodger::new(DodgerSettings { scout: SCOUT, guard: learned }, &episode.view(&BODY));
+            Course { episode, dodger, learned }
+        };
+        self.courses = vec![course(true), course(false)];
+        self.views = [View::default(); ARMS];
+        (0..ARMS).for_each(|arm| self.show(arm));
+    }
+
+    /// Lets one arm take a step. An arm beyond the last one, or at its end, does nothing.
+    pub fn act(&mut self, arm: usize) {
+        let (Some(course), Some(view)) = (self.courses.get_mut(arm), self.views.get_mut(arm)) else { return };
+        if view.state != 0 {
+            return;
+        }
+        let seen = course.episode.view(&BODY);
+        let action = if course.learned { Dodge.decide(&course.dodger.observe(&seen)) } else { STRAIGHT };
+        let behaviour = Behaviour::ALL.get(usize::from(action.0)).map_or(Behaviour::Hold, |(behaviour, _)| *behaviour);
+        let wanted = course.dodger.act(&seen, behaviour);
+        view.behaviour = action.0.into();
+        view.state = course.episode.step(&BODY, wanted, TOLERANCE).map_or(0, |end| match end {
+            End::Reached => 1,
+            End::Hit => 2,
+            End::Timeout => 3,
+        });
+        self.show(arm);
+    }
+
+    /// Shows an arm; the first one for a number beyond the last.
+    pub fn view(&self, arm: usize) -> &View {
+        self.views.get(arm).unwrap_or(&self.views[0])
+    }
+
+    fn show(&mut self, arm: usize) {
+        let (Some(course), Some(view)) = (self.courses.get(arm), self.views.get_mut(arm)) else { return };
+        let (episode, seen) = (&course.episode, course.episode.view(&BODY));
+        view.points = points(&BODY.arm, episode.pose());
+        view.count = seen.balls.len() as u32;
+        for (place, ball) in view.balls.iter_mut().zip(seen.balls) {
+            let [x, y, z] = ball.at;
+            *place = [x, y, z, ball.radius];
+        }
+        view.distance = episode.distance();
+        view.clearance = BODY.clearance_of_all(&BODY.at(episode.pose()), seen.balls, 0.0);
+        view.steps = episode.steps();
+    }
+}
+
+/// The behaviour that walks to the goal whatever is in its way.
+const STRAIGHT: ActionId = ActionId(1);
+
+/// Reads a scene as a page writes it; `None` for numbers that are not one.
+pub fn scene(numbers: &[f32; NUMBERS]) -> Option<Scene> {
+    if !numbers.iter().all(|number| number.is_finite()) {
+        return None;
+    }
+    let (start, rest) = numbers.split_first_chunk::<JOINTS>()?;
+    let (&target, rest) = rest.split_first_chunk::<3>()?;
+    let (&[goal_count], rest) = rest.split_first_chunk::<1>()?;
+    let (goals, rest) = rest.split_first_chunk::<{ GOALS * JOINTS }>()?;
+    let (&[ball_count], balls) = rest.split_first_chunk::<1>()?;
+    let counted = |count: f32, most: usize| (1..=most).find(|&number| number as f32 == count);
+    let (goal_count, ball_count) = (counted(goal_count, GOALS)?, counted(ball_count, BALLS)?);
+    let pose = |ticks: &[f32]| -> Option<[i16; JOINTS]> {
+        let pose = Pose(array::from_fn(|joint| ticks[joint] as i16));
+        let inside = pose.0.iter().zip(&BODY.arm.ranges).all(|(&ticks, range)| range.contains(ticks));
+        inside.then_some(pose.0)
+    };
+    let path = |numbers: &[f32]| {
+        let at = |first: usize| array::from_fn(|axis| numbers[first + axis]);
+        let [radius, period, phase, sine] = array::from_fn(|place| numbers[6 + place]);
+        Path { from: at(0), to: at(3), radius, period, phase, sine: sine == 1.0 }
+    };
+    Some(Scene {
+        start: pose(start)?,
+        target,
+        goals: goals.chunks(JOINTS).take(goal_count).map(pose).collect::<Option<_>>()?,
+        balls: balls.chunks(BALL).take(ball_count).map(path).collect(),
+    })
+}
+
+/// Writes a scene as [`scene`] reads it; `None` for one with more goals or balls than fit.
+pub fn numbers(scene: &Scene) -> Option<[f32; NUMBERS]> {
+    if scene.goals.len() > GOALS || scene.balls.len() > BALLS {
+        return None;
+    }
+    let ticks = |pose: &[i16; JOINTS]| pose.map(f32::from);
+    let mut goals = [0.0; GOALS * JOINTS];
+    let mut balls = [0.0; BALLS * BALL];
+    for (place, goal) in goals.chunks_mut(JOINTS).zip(&scene.goals) {
+        place.copy_from_slice(&ticks(goal));
+    }
+    for (place, Path { from, to, radius, period, phase, sine }) in balls.chunks_mut(BALL).zip(&scene.balls) {
+        place[..3].copy_from_slice(from);
+        place[3..6].copy_from_slice(to);
+        place[6..].copy_from_slice(&[*radius, *period, *phase, f32::from(*sine)]);
+    }
+    let counts = [scene.goals.len(), scene.balls.len()].map(|count| count as f32);
+    let parts: [&[f32]; 6] = [&ticks(&scene.start), &scene.target, &counts[..1], &goals, &counts[1..], &balls];
+    parts.concat().try_into().ok()
+}
