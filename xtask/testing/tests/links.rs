@@ -75,6 +75,17 @@ fn links_between_documents_lead_somewhere() {
 }
 
 #[test]
+fn the_book_has_every_page_of_its_folder() {
+    let summary = fs::read_to_string(top().join("docs/SUMMARY.md")).expect("the book's contents");
+    let mut all = Vec::new();
+    documents(&top().join("docs"), &mut all);
+    let names = all.iter().filter_map(|page| page.file_name()?.to_str());
+    let missing: Vec<_> =
+        names.filter(|name| *name != "SUMMARY.md" && !summary.contains(&format!("]({name})"))).collect();
+    assert!(all.len() > 10 && missing.is_empty(), "not in docs/SUMMARY.md: {missing:?}");
+}
+
+#[test]
 fn a_broken_link_is_found() {
     let here = top().join("README.md");
     assert_eq!(problem(&here, "# A heading", "#a-heading"), None);
