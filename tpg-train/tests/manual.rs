@@ -20,9 +20,12 @@ fn the_page_of_the_command_line_is_fresh() {
 
 #[test]
 fn the_page_of_configurations_is_fresh() {
-    let mut text = "# Configuration\n\nEvery key of a configuration, made from the program's types by a test; do not edit. `tpg-train config \
-                    NAME` prints a preset with comments; change it, and give it to `--config`. An unknown key, a value out of range and a \
-                    contradiction are refused with the line and what is accepted. Keys that a preset leaves out have the default.\n"
+    let mut text = "# Configuration
+
+Every key of a configuration, made from the program's types by a test; do not edit. `tpg-train config NAME` prints a preset with
+comments; change it, and give it to `--config`. An unknown key, a value out of range and a contradiction are refused with the line and
+what is accepted. Keys that a preset leaves out have the default.
+"
         .to_owned();
     text += "\n## `tpg-train tpg`\n";
     let presets = ["general", "continuous", "linear"];
@@ -148,7 +151,7 @@ fn kind(schema: &Value, value: &Value) -> String {
         "string" => "text".to_owned(),
         "object" => "table".to_owned(),
         "array" => match value["maxItems"].as_u64() {
-            Some(length) => format!("{length} × {}", kind(schema, &value["items"])),
+            Some(length) => format!("[{}]", vec![kind(schema, &value["items"]); length as usize].join(", ")),
             None => format!("list of {}", kind(schema, &value["items"])),
         },
         other => other.to_owned(),

@@ -157,7 +157,7 @@ pub struct LearningParameters {
     /// Fraction of `nb_roots` that is deleted in each generation.
     pub ratio_deleted_roots: f64,
     /// True if a first population larger than `nb_roots` is cut to the survivors of `nb_roots` at once. GEGELATI removes
-    /// only as many roots as in any other generation, and breeds children only when fewer than `nbRoots` are left.
+    /// only as many roots as in any other generation, and breeds children only when fewer than `nb_roots` are left.
     pub cut_first_population: bool,
     /// Number of generations.
     pub nb_generations: u64,
