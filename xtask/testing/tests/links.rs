@@ -6,11 +6,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use tpg_testing::library::top;
 
-/// The documents under a folder; not those of dependencies and build folders.
+/// The documents under a folder; not those of dependencies and build folders, nor templates, whose text stands elsewhere.
 fn documents(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path()) {
         let name = entry.file_name().and_then(|name| name.to_str()).unwrap_or_default();
-        if entry.is_dir() && !name.starts_with('.') && !["target", "runs"].contains(&name) {
+        if entry.is_dir() && !name.starts_with('.') && !["target", "runs", "templates"].contains(&name) {
             documents(&entry, found);
         } else if name.ends_with(".md") {
             found.push(entry);
