@@ -13,6 +13,7 @@ mod expect;
 mod generate;
 mod generated;
 mod least;
+mod manual;
 mod memory;
 mod networks;
 mod outputs;

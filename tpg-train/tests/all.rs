@@ -6,6 +6,7 @@ mod evaluator;
 mod hybrid_any;
 mod hybrid_study;
 mod import_actor;
+mod manual;
 mod own_environment;
 mod ranks;
 mod readme;

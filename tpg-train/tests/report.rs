@@ -99,3 +99,26 @@ fn a_folder_without_a_run_is_refused_by_name() {
         assert!(name == "nothing" || error.contains(found), "{error}");
     }
 }
+
+#[test]
+fn the_hall_of_fame_stands_in_return_against_size_and_a_damaged_one_is_refused() {
+    let place = tempfile::tempdir().expect("a temporary folder");
+    let (run, file) = (place.path().join("pole"), place.path().join("report.html"));
+    evolve(&run, "cartpole", "1..3");
+    let hall = |seed: u32| run.join(format!("seed-{seed}/hall.jsonl"));
+    let lines = |seed: u32| fs::read_to_string(hall(seed)).expect("a hall of fame");
+    fs::write(hall(1), lines(2) + &lines(1)).expect("it can be written");
+    let report = || {
+        let mut command = tpg_train();
+        command.arg("report").arg(run.join("seed-1")).args(["--episodes", "5", "--out"]).arg(&file);
+        command
+    };
+    report().assert().success();
+    let html = fs::read_to_string(&file).expect("a report");
+    assert!(html.contains("Return against size") && html.contains("seed-1, generation "), "no policy of the hall");
+
+    fs::write(hall(1), "{}\n").expect("it can be written");
+    let output = report().assert().code(2);
+    let said = String::from_utf8_lossy(&output.get_output().stderr).into_owned();
+    assert!(said.contains("hall.jsonl:1"), "{said}");
+}

@@ -46,7 +46,7 @@ fn refusal(mut command: Command) -> String {
 
 /// Returns all results except the times.
 fn results(folder: &Path) -> Vec<(String, Vec<u8>)> {
-    ["graph.json", "generations.csv", "generations.jsonl", "checkpoint", "config.toml"]
+    ["graph.json", "hall.jsonl", "generations.csv", "generations.jsonl", "checkpoint", "config.toml"]
         .map(|name| (name.to_owned(), fs::read(folder.join(name)).unwrap_or_else(|_| panic!("{name} is missing"))))
         .to_vec()
 }

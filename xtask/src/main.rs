@@ -84,7 +84,11 @@ enum Task {
     /// Make what users download: static programs for Linux, libraries for every target, a bill of materials, checksums
     Dist(dist::DistArgs),
     /// Build the book of `docs/` with mdBook, into target/book
-    Book,
+    Book {
+        /// First write the pages that are made from the programs: command lines and configuration
+        #[arg(long)]
+        update: bool,
+    },
     /// Build the page into target/web: the arm and three problems with their policies as WebAssembly; test it under Node and in
     /// a browser
     Web,
@@ -115,7 +119,7 @@ fn main() -> ExitCode {
         Task::Threads => nightly::threads(),
         Task::Python(arguments) => python::run(arguments),
         Task::Dist(arguments) => arguments.run(),
-        Task::Book => check::book(),
+        Task::Book { update } => check::book(update),
         Task::Web => web::run(),
         Task::Wcet(arguments) => arguments.run(),
         Task::Torture(arguments) => arguments.run(),

@@ -1,5 +1,6 @@
 //! A constant of a problem: one value, or a range from which each episode draws.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tpg_engine::random::Stream;
 use tpg_graph::error::Finding;
@@ -7,7 +8,7 @@ use tpg_graph::error::Finding;
 /// A constant of a problem's rules.
 ///
 /// In TOML it is a number, or two: `mass = 1.0`, or `mass = [0.8, 1.2]`.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(untagged, expecting = "a number, or [lowest, highest]")]
 pub enum Amount {
     /// The same value in every episode.

@@ -4,6 +4,7 @@ use crate::physics::physics;
 use crate::source;
 use crate::varied::{Adjustable, Disturbance};
 use core::f64::consts::{PI, TAU};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tpg_engine::random::Stream;
 use tpg_engine::{Act, ActionSpace, Environment, Output, SourceSet, Step};
@@ -32,7 +33,7 @@ physics! {
 }
 
 /// The section `[problem]` of a configuration for the pendulum.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Config {
     /// Number of torques that a graph chooses among, evenly spaced from −2 to 2 N·m. Without it, a graph computes the

@@ -41,7 +41,7 @@ macro_rules! physics {
         }
 
         /// The section `[problem.physics]` of a configuration: each is a number, or a range from which every episode draws.
-        #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+        #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
         #[serde(deny_unknown_fields, default)]
         pub struct Amounts {
             $($(#[doc = $doc])+ pub $name: $crate::amount::Amount,)+

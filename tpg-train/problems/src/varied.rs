@@ -1,6 +1,7 @@
 //! Problems made harder, or more like a real machine: other constants, late actions, noisy or missing sensors.
 
 use crate::physics::Constants;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use tpg_engine::random::{Purpose, Stream};
@@ -23,7 +24,7 @@ pub trait Adjustable<S: Scalar>: Environment<S> {
 }
 
 /// The section `[problem.disturbance]` of a configuration: whatever stands between a policy and the problem.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Disturbance {
     /// Number of steps from a decision until it takes effect, 0 to 100.
@@ -60,8 +61,9 @@ impl Disturbance {
 }
 
 /// The section `[problem]` of a configuration for a problem without settings of its own.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
+#[schemars(bound = "C: JsonSchema + Default + Serialize")]
 pub struct Settings<C> {
     /// The constants of the rules.
     pub physics: C,

@@ -7,6 +7,7 @@
 mod check;
 
 use super::vocabulary::Vocabulary;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 use tpg_engine::Environment;
@@ -37,11 +38,12 @@ const LEAST_GENERATIONS: u64 = 20;
 /// assert!(error.to_string().contains("unknown field `p_swop`"), "{error}");
 /// # Ok::<(), tpg_graph::error::InputError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct EvolutionConfig {
     /// The problem's own settings, as written by the problem; empty if a program supplies its own environment.
     #[serde(default, skip_serializing_if = "toml::Table::is_empty")]
+    #[schemars(with = "serde_json::Map<String, serde_json::Value>")]
     pub problem: toml::Table,
     /// The language of programs.
     pub language: LanguageConfig,
@@ -73,7 +75,7 @@ pub struct EvolutionConfig {
 }
 
 /// The language of programs.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LanguageConfig {
     /// `f32` or `f64`.
@@ -92,7 +94,7 @@ fn is_zero(memory: &u16) -> bool {
 }
 
 /// GEGELATI's `MutationParameters::tpg` (`mutator/mutationParameters.h`).
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TpgParameters {
     /// Number of roots after populating.
@@ -118,7 +120,7 @@ pub struct TpgParameters {
 }
 
 /// GEGELATI's `MutationParameters::prog` (`mutator/mutationParameters.h`).
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ProgramParameters {
     /// Maximum number of lines.
@@ -142,8 +144,8 @@ pub struct ProgramParameters {
 }
 
 /// GEGELATI's `LearningParameters` (`learn/learningParameters.h`), except `nbIterationsPerJob` (adversarial agents
-/// only), `nbThreads` (`--threads`: results do not depend on it) and `doValidation` (see `validationInterval`).
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+/// only), `nbThreads` (`--threads`: results do not depend on it) and `doValidation` (`validation_share`).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LearningParameters {
     /// Capacity of the archive; 0 disables it.
@@ -152,10 +154,10 @@ pub struct LearningParameters {
     pub archiving_probability: f64,
     /// Number of episodes per root and generation.
     pub nb_iterations_per_policy_evaluation: usize,
-    /// Fraction of `nbRoots` that is deleted in each generation.
+    /// Fraction of `nb_roots` that is deleted in each generation.
     pub ratio_deleted_roots: f64,
-    /// True if a first population larger than `nbRoots` is cut to the survivors of `nbRoots` at once. GEGELATI removes
-    /// only as many roots as in any other generation, and breeds children only when fewer than `nbRoots` are left.
+    /// True if a first population larger than `nb_roots` is cut to the survivors of `nb_roots` at once. GEGELATI removes
+    /// only as many roots as in any other generation, and breeds children only when fewer than `nb_roots` are left.
     pub cut_first_population: bool,
     /// Number of generations.
     pub nb_generations: u64,
@@ -168,7 +170,7 @@ pub struct LearningParameters {
 }
 
 /// Method of selecting survivors.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum SelectionMethod {
     /// The best by running mean, as in GEGELATI (`learningAgent.cpp`, `decimateWorstRoots`).
@@ -178,7 +180,7 @@ pub enum SelectionMethod {
 }
 
 /// Selection of survivors.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SelectionConfig {
     /// Method of selecting survivors.
@@ -210,7 +212,7 @@ pub struct SelectionConfig {
 }
 
 /// Literal constants of operands, if the language has them.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Literals {
     /// Standard deviations in units of an input's half range; each number draws one of them, and an input for the unit.
@@ -225,7 +227,7 @@ pub struct Literals {
 }
 
 /// The range of an input that gives numbers their unit.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Units {
     /// The declared one; its ends that the problem does not know are those that random policies reach.
@@ -236,7 +238,7 @@ pub enum Units {
 }
 
 /// Evolution of policies with outputs: they start as single leaves, and structure is added rarely.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct LeafConfig {
     /// Maximum number of lines of a leaf's program.
@@ -273,10 +275,10 @@ impl Default for LeafConfig {
 }
 
 /// Demes: populations that rarely exchange roots.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DemeConfig {
-    /// Number of demes; each has `nbRoots` roots.
+    /// Number of demes; each has `nb_roots` roots.
     pub count: usize,
     /// Generations between migrations.
     pub migration_interval: u64,
@@ -288,7 +290,7 @@ pub struct DemeConfig {
 }
 
 /// Pool of hard episodes.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PoolConfig {
     /// Capacity of the pool.
@@ -298,7 +300,7 @@ pub struct PoolConfig {
 }
 
 /// Coarser episodes in the first generations.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CurriculumConfig {
     /// Number of generations with coarser episodes; 0 disables the curriculum.
@@ -308,18 +310,18 @@ pub struct CurriculumConfig {
 }
 
 /// The first population.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum StartKind {
     /// Random policies.
     #[default]
     Random,
-    /// In some demes, weighted sums of the inputs that [covariance matrix adaptation](super::cma) has found.
+    /// In some demes, weighted sums of the inputs that covariance matrix adaptation has found.
     Linear,
 }
 
 /// The first population, and the search for it.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct StartConfig {
     /// Its kind; the other settings matter only for a linear one.
@@ -346,7 +348,7 @@ impl Default for StartConfig {
 }
 
 /// Small changes of children, which keep the structure of a policy.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct RefinementConfig {
     /// Probability that a child only has other constants: all of them, or one.
@@ -461,7 +463,7 @@ impl EvolutionConfig {
         roots.saturating_sub(deleted).max(1)
     }
 
-    /// Returns the number of survivors of a generation of `nbRoots`.
+    /// Returns the number of survivors of a generation of `nb_roots`.
     pub fn survivors(&self) -> usize {
         self.survivors_of(self.tpg.nb_roots)
     }

@@ -189,7 +189,7 @@ fn progress<'a, Task>(config: &EvolutionConfig, state: &'a State<Task>) -> Progr
     }
 }
 
-/// Writes the logs, and the best graph.
+/// Writes the logs, the best graph, and the hall of fame: a graph a line, smallest first.
 fn write_results<S: Scalar, E: Environment<S>>(
     config: &EvolutionConfig,
     folder: &Path,
@@ -201,6 +201,12 @@ fn write_results<S: Scalar, E: Environment<S>>(
         let graph = graph_of(config, state.seed, best, environment)?;
         write_atomically(&folder.join("graph.json"), graph.to_json().as_bytes())?;
     }
+    let mut hall = String::new();
+    for best in &state.hall {
+        hall.extend(graph_of(config, state.seed, best, environment)?.to_json().lines().map(str::trim));
+        hall.push('\n');
+    }
+    write_atomically(&folder.join("hall.jsonl"), hall.as_bytes())?;
     Ok(())
 }
 

@@ -19,7 +19,7 @@ use crate::files::write_atomically;
 use crate::hybrid::shared::Shared;
 use crate::picture::Page;
 use clap::Args;
-use runs::Group;
+use runs::{Group, Run};
 use std::path::{Path, PathBuf};
 use test::Tested;
 use tpg_graph::error::{InputError, counted};
@@ -77,6 +77,12 @@ fn page(groups: &[Group], episodes: usize, seed: u64, own: Option<&dyn Shared>) 
     let tested: Vec<Vec<Option<Tested>>> = (groups.iter())
         .map(|group| group.runs.iter().map(|run| test::test(run, episodes, seed, own)).collect())
         .collect::<Result<_, _>>()?;
+    let halls: Vec<Vec<(Run, Tested)>> = (groups.iter())
+        .map(|group| {
+            let of = group.runs.iter().map(|run| test::hall(run, episodes, seed, own));
+            Ok(of.collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect())
+        })
+        .collect::<Result<_, InputError>>()?;
     let lead = format!(
         "Tested on {episodes} episodes of the test set with seed {seed}, which no training and no selection reads. In the tables ± \
          is the standard deviation over the seeds of a group."
@@ -84,7 +90,7 @@ fn page(groups: &[Group], episodes: usize, seed: u64, own: Option<&dyn Shared>) 
     let best: Vec<Option<usize>> = tested.iter().map(|tested| best(tested)).collect();
     let mut sections = vec![tables::section(groups, &tested)];
     sections.extend(curves::sections(groups));
-    sections.extend(size::section(groups, &tested));
+    sections.extend(size::section(groups, &tested, &halls));
     sections.extend(distances::section(groups, &tested));
     let policies = groups.iter().zip(&tested).zip(&best);
     sections.extend(

@@ -54,6 +54,8 @@ pub(super) enum Kind {
         problem: Option<Box<Problem>>,
         /// The graph.
         graph: Box<Graph>,
+        /// The hall of fame: the best graph of each size, without `graph` itself.
+        hall: Vec<Graph>,
     },
     /// A soft actor-critic.
     Sac {
@@ -195,6 +197,7 @@ fn tpg(folder: &Path, name: String, config: &str) -> Result<Run, InputError> {
     let rows: Vec<Row> = lines(&folder.join("generations.jsonl"))?;
     let path = folder.join("graph.json");
     let graph = Graph::from_json(&path.display().to_string(), &read_text(&path, "the graph of a run")?)?;
+    let hall = hall(&folder.join("hall.jsonl"), &graph)?;
     let curve = |value: &dyn Fn(&Row) -> Option<f64>| {
         rows.iter().filter_map(|row| Some([row.generation as f64, value(row)?])).collect::<Vec<_>>()
     };
@@ -212,8 +215,19 @@ fn tpg(folder: &Path, name: String, config: &str) -> Result<Run, InputError> {
         seed: graph.provenance().seed,
         curves,
         cpu: timing.as_deref().and_then(cpu_of_sessions),
-        kind: Kind::Tpg { problem, graph: Box::new(graph) },
+        kind: Kind::Tpg { problem, graph: Box::new(graph), hall },
     })
+}
+
+/// Reads a run's hall of fame, without its best graph; empty for a run of an earlier version, which has none.
+fn hall(path: &Path, best: &Graph) -> Result<Vec<Graph>, InputError> {
+    if !path.exists() {
+        return Ok(Vec::new());
+    }
+    let read = |(line, text): (usize, &str)| Graph::from_json(&format!("{}:{line}", path.display()), text);
+    let text = read_text(path, "the hall of fame of a run")?;
+    let all = (1..).zip(text.lines()).map(read).collect::<Result<Vec<_>, _>>()?;
+    Ok(all.into_iter().filter(|graph| graph != best).collect())
 }
 
 /// Sums `timing.csv` over sessions: it counts within a session, so a decreasing time marks the next session.

@@ -1,40 +1,50 @@
 //! Return against size: what a byte of flash buys.
 
 use super::headline::flash;
-use super::runs::{Group, Kind};
+use super::runs::{Group, Kind, Run};
 use super::test::Tested;
 use crate::picture::{Axis, Colour, Figure, Plot, Section};
 
-/// Draws each problem with at least two tested graphs.
-pub(super) fn section(groups: &[Group], tested: &[Vec<Option<Tested>>]) -> Option<Section> {
+/// Draws each problem with at least two tested graphs. `halls` are the halls of fame of each group's runs.
+pub(super) fn section(
+    groups: &[Group],
+    tested: &[Vec<Option<Tested>>],
+    halls: &[Vec<(Run, Tested)>],
+) -> Option<Section> {
     let mut problems: Vec<String> = Vec::new();
     for group in groups {
         if !problems.contains(&group.problem()) {
             problems.push(group.problem());
         }
     }
-    let figures: Vec<Figure> = problems.iter().filter_map(|problem| figure(groups, tested, problem)).collect();
+    let figures: Vec<Figure> = problems.iter().filter_map(|problem| figure(groups, tested, halls, problem)).collect();
     (!figures.is_empty()).then(|| Section {
         title: "Return against size".to_owned(),
-        text: "Each point is a run: its mean return on the test episodes, and the flash of its graph's fast C on a Cortex-M4F, compiled \
-               with -Os, or estimated where there is no compiler for it. Further up and further left is better."
+        text: "Each point is a graph: the one that a run has chosen, and those of its hall of fame, which nothing smaller was better than on \
+               the selection episodes. Its mean return on the test episodes stands against the flash of its fast C on a Cortex-M4F, \
+               compiled with -Os, or estimated where there is no compiler for it. Further up and further left is better; a line of \
+               hall.jsonl is a graph.json."
             .to_owned(),
         figures,
         ..Section::default()
     })
 }
 
-fn figure(groups: &[Group], tested: &[Vec<Option<Tested>>], problem: &str) -> Option<Figure> {
+fn figure(
+    groups: &[Group],
+    tested: &[Vec<Option<Tested>>],
+    halls: &[Vec<(Run, Tested)>],
+    problem: &str,
+) -> Option<Figure> {
     let mut plot = Plot::new(Axis::linear("bytes of flash"), Axis::linear("mean return"));
     let mut count = 0;
-    for ((place, group), tested) in
-        groups.iter().enumerate().zip(tested).filter(|((_, group), _)| group.problem() == problem)
+    for (((place, group), tested), hall) in
+        groups.iter().enumerate().zip(tested).zip(halls).filter(|(((_, group), _), _)| group.problem() == problem)
     {
-        let points: Vec<([f64; 2], String)> = (group.runs.iter().zip(tested))
-            .filter_map(|(run, tested)| match (&run.kind, tested) {
-                (Kind::Tpg { graph, .. }, Some(tested)) => {
-                    Some(([flash(graph).0 as f64, tested.summary().score], run.name.clone()))
-                }
+        let chosen = group.runs.iter().zip(tested).filter_map(|(run, tested)| Some((run, tested.as_ref()?)));
+        let points: Vec<([f64; 2], String)> = (chosen.chain(hall.iter().map(|(run, tested)| (run, tested))))
+            .filter_map(|(run, tested)| match &run.kind {
+                Kind::Tpg { graph, .. } => Some(([flash(graph).0 as f64, tested.summary().score], run.name.clone())),
                 _ => None,
             })
             .collect();
@@ -45,6 +55,6 @@ fn figure(groups: &[Group], tested: &[Vec<Option<Tested>>], problem: &str) -> Op
         plot.points(Colour(place), points);
         plot.name(Colour(place), &group.name);
     }
-    let caption = format!("{problem}: mean return of each run against the size of its code.");
+    let caption = format!("{problem}: mean return of each graph against the size of its code.");
     (count > 1).then(|| Figure { svg: plot.svg(&caption), caption, ..Figure::default() })
 }

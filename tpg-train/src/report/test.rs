@@ -13,6 +13,7 @@ use crate::hybrid::shared::{Episodes, Shared};
 use crate::hybrid::trial::Acting;
 use crate::sac::network::Network;
 use crate::sac::tensors::place;
+use std::collections::BTreeMap;
 use tpg_arm::{Arm, Pose, WIDOWX};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{
@@ -80,6 +81,27 @@ impl Tested {
     }
 }
 
+/// Returns the runs whose policies are the hall of fame of a run, each with its result.
+pub(super) fn hall(
+    run: &Run,
+    episodes: usize,
+    seed: u64,
+    own: Option<&dyn Shared>,
+) -> Result<Vec<(Run, Tested)>, InputError> {
+    let Kind::Tpg { problem, hall, .. } = &run.kind else { return Ok(Vec::new()) };
+    let mut tested = Vec::new();
+    for graph in hall {
+        let generation = graph.provenance().scores.get("generation").copied().unwrap_or_default();
+        let kind = Kind::Tpg { problem: problem.clone(), graph: Box::new(graph.clone()), hall: Vec::new() };
+        let name = format!("{}, generation {generation}", run.name);
+        let one = Run { name, seed: run.seed, curves: BTreeMap::new(), cpu: None, kind };
+        if let Some(result) = test(&one, episodes, seed, own)? {
+            tested.push((one, result));
+        }
+    }
+    Ok(tested)
+}
+
 /// Tests a run; `None` if its environment is not available.
 pub(super) fn test(
     run: &Run,
@@ -88,14 +110,14 @@ pub(super) fn test(
     own: Option<&dyn Shared>,
 ) -> Result<Option<Tested>, InputError> {
     match &run.kind {
-        Kind::Tpg { problem: None, graph } => {
+        Kind::Tpg { problem: None, graph, .. } => {
             let Some(own) = own else { return Ok(None) };
             let graph = (run.name.clone(), (**graph).clone());
             let episodes = Episodes { purpose: Purpose::Evaluation, count: episodes, seed };
             let endings = own.trial(Acting::Graph(&graph), episodes)?.endings;
             Ok(Some(Tested { endings, measure: own.facts().measure, arm: None, watched: None }))
         }
-        Kind::Tpg { problem: Some(problem), graph } => match &**problem {
+        Kind::Tpg { problem: Some(problem), graph, .. } => match &**problem {
             Problem::Arm(start, config) => {
                 let (arm, problem) = (config.arm(), config.problem(*start));
                 let tasks = targets::tasks(&arm, seed, Set::Test, problem.start, episodes);

@@ -2,6 +2,7 @@
 //!
 //! The section `[problem]` belongs to the problem, which reads and checks it.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tpg_graph::error::{Finding, InputError};
 use tpg_graph::settings;
@@ -11,11 +12,12 @@ use tpg_nn::Spread;
 const ACCEPTED: &str = "the settings that `tpg-train config --sac` prints";
 
 /// Everything that decides a run, but for its seed.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SacConfig {
     /// The problem's own settings, as the problem wrote them; empty where a program brings its own environment.
     #[serde(default, skip_serializing_if = "toml::Table::is_empty")]
+    #[schemars(with = "serde_json::Map<String, serde_json::Value>")]
     pub problem: toml::Table,
     /// The actor.
     pub actor: Actor,
@@ -31,7 +33,7 @@ pub struct SacConfig {
 }
 
 /// The actor.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Actor {
     /// True if the network reads inputs less the middle of their range, divided by half of it, where both ends are known.
@@ -40,7 +42,8 @@ pub struct Actor {
     pub hidden: Vec<usize>,
     /// LayerNorm behind each hidden layer.
     pub layer_norm: bool,
-    /// The meaning of the second half of its outputs.
+    /// The meaning of the second half of its outputs: "log-sigma" or "sigma".
+    #[schemars(with = "String")]
     pub spread: Spread,
     /// Decisions outside of training.
     #[serde(default, skip_serializing_if = "Decides::is_by_mean")]
@@ -48,7 +51,7 @@ pub struct Actor {
 }
 
 /// Decisions of an actor outside of training.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Decides {
     /// By the mean of its distribution: always the same in the same state.
@@ -65,7 +68,7 @@ impl Decides {
 }
 
 /// The critics.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Critic {
     /// Units of each hidden layer.
@@ -73,7 +76,7 @@ pub struct Critic {
 }
 
 /// A learning algorithm.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Algorithm {
     /// Two critics with slow copies and a learned temperature.
@@ -83,7 +86,7 @@ pub enum Algorithm {
 }
 
 /// The algorithm and its parameters.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Learning {
     /// The algorithm.
@@ -104,14 +107,14 @@ pub struct Learning {
     pub rate: f64,
     /// The fraction of it that is left at the end; it falls linearly.
     pub final_rate: f64,
-    /// γ for each step.
+    /// Discount of each step, γ.
     pub discount: f64,
-    /// τ.
+    /// The fraction by which slow copies follow after each update, τ.
     pub follow: f64,
-    /// Nats; minus the number of outputs where it is left out. Only with a learned temperature.
+    /// Target entropy, nats; minus the number of outputs where it is left out. Only with a learned temperature.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub target_entropy: Option<f64>,
-    /// ln α at the start. Only with a learned temperature.
+    /// Logarithm of the temperature at the start, ln α. Only with a learned temperature.
     pub log_temperature: f64,
     /// Adam's step for ln α. Only with a learned temperature.
     pub temperature_rate: f64,
@@ -122,7 +125,7 @@ pub struct Learning {
 }
 
 /// Episodes that begin where the actor failed.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Retry {
     /// The fraction of training episodes that begin there, once a failure is known.
@@ -136,7 +139,7 @@ pub struct Retry {
 }
 
 /// The choice among candidates: on validation tasks, never on test tasks.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Validation {
     /// Decisions between two validations.

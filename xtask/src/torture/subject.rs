@@ -41,7 +41,8 @@ pub(super) fn all(place: &Path) -> Result<Vec<Subject>, String> {
     for (option, file) in [("--tpg", "widowx-fs/graph.json"), ("--policy", "widowx-sac/policy.q.json")] {
         hybrid.extend([option.into(), generated(file)]);
     }
-    let logs = ["graph.json", "generations.csv", "generations.jsonl", "checkpoint", "config.toml"].as_slice();
+    let logs =
+        ["graph.json", "hall.jsonl", "generations.csv", "generations.jsonl", "checkpoint", "config.toml"].as_slice();
     let networks = ["policy.safetensors", "log.csv", "log.jsonl", "checkpoint", "config.toml"].as_slice();
     let cells = ["cells.csv", "alone.csv", "study.toml"].as_slice();
     [("tpg", true, words(tpg), logs), ("sac", true, sac, networks), ("hybrid", false, hybrid, cells)]

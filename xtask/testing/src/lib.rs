@@ -4,6 +4,7 @@
 //! captures output, and `cargo xtask test` lists it again in its summary. If everything must be present, as in CI, a
 //! missing tool is a failure instead.
 
+pub mod book;
 pub mod library;
 pub mod numbers;
 

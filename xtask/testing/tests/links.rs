@@ -6,11 +6,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use tpg_testing::library::top;
 
-/// The documents under a folder; not those of dependencies and build folders.
+/// The documents under a folder; not those of dependencies and build folders, nor templates, whose text stands elsewhere.
 fn documents(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path()) {
         let name = entry.file_name().and_then(|name| name.to_str()).unwrap_or_default();
-        if entry.is_dir() && !name.starts_with('.') && !["target", "runs"].contains(&name) {
+        if entry.is_dir() && !name.starts_with('.') && !["target", "runs", "templates"].contains(&name) {
             documents(&entry, found);
         } else if name.ends_with(".md") {
             found.push(entry);
@@ -72,6 +72,17 @@ fn links_between_documents_lead_somewhere() {
         }
     }
     assert!(problems.is_empty(), "{}", problems.join("\n"));
+}
+
+#[test]
+fn the_book_has_every_page_of_its_folder() {
+    let summary = fs::read_to_string(top().join("docs/SUMMARY.md")).expect("the book's contents");
+    let mut all = Vec::new();
+    documents(&top().join("docs"), &mut all);
+    let names = all.iter().filter_map(|page| page.file_name()?.to_str());
+    let missing: Vec<_> =
+        names.filter(|name| *name != "SUMMARY.md" && !summary.contains(&format!("]({name})"))).collect();
+    assert!(all.len() > 10 && missing.is_empty(), "not in docs/SUMMARY.md: {missing:?}");
 }
 
 #[test]

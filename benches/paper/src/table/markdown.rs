@@ -6,7 +6,9 @@ use super::learned::LearnedRow;
 use super::paper::{self, Measured};
 use super::rows::{Row, STRAIGHT};
 use super::timing::Time;
+use askama::Template;
 use tpg_problems::arm::targets::Start;
+use tpg_train::evaluate::confidence;
 use tpg_train::hybrid::spread::Spread;
 
 /// All results of one problem.
@@ -37,73 +39,49 @@ impl ProblemResults {
     }
 }
 
-const LEAD: &str = "# Results
+/// The page: its prose is `templates/results.md`, its tables are made here.
+#[derive(Template)]
+#[template(path = "results.md", escape = "none")]
+struct Page<'a> {
+    problems: &'a [Section],
+    costs: String,
+    on_target: String,
+    layers: Option<[String; 2]>,
+}
 
-Made by `cargo run --release -p tpg-paper -- table2` from the policies listed in `docs/results.toml`; do not edit. Only the
-times differ between runs.
-
-**Task.** The paper's WidowX arm must bring its hand within 3 mm of a target, in at most 1,707 actions from the home pose
-(fixed start) or 3,414 actions from any pose (random start). Targets are distributed uniformly over the reachable space. An
-action is invalid if it leaves a joint's range or causes a collision. An invalid action ends the episode as a failure and is
-counted as a *collision*, as in the paper. The 1,000 test episodes of each problem are committed
-(`generated/test-targets`). They were not used for training or for choosing policies.
-
-**Prior knowledge.** The graphs read errors in the arm's own geometry, and the network reads 38 features. Both are computed
-from the paper's 13 values with knowledge of the arm. The network's reward also used poses that solve the task, during
-training only. This is therefore not the paper's learning problem. The network's mask holds a joint that would leave its
-range. The hybrid's guard hands over to the network instead of executing such an action of the graph. Both are part of the
-policy.
-";
-
-const COLUMNS: &str = "**Columns.** *By graph*: fraction of all actions that the graph chose. *ns per action*: time from motor positions to a move \
-on this machine, including kinematics but not the simulated arm. The code is compiled as for users: the generated Rust in \
-profile `fast` and the network in integers, with no option for this machine's own instructions. The fastest of seven rounds \
-counts for each episode. *Worst ns* is the slowest single action. *Bytes*: the graph's C for a Cortex-M4F (`-Os`, code and \
-constants, in the profiles `fast` and `small`) plus the network's constants; the runtime that both share is not counted. \
-*All seeds* and *all pairs*: mean ± standard deviation over trainings that differ only in their seed, with the shipped \
-settings. They show what to expect from another training; the shipped policies were chosen, on validation episodes.
-";
+/// The tables of one problem.
+struct Section {
+    title: String,
+    episodes: usize,
+    table: String,
+    ideas: String,
+    learned: String,
+    printed: String,
+    paper: Option<String>,
+}
 
 /// Renders the file.
+///
+/// # Panics
+/// Never: the template only puts text together.
 pub fn page(problems: &[ProblemResults], counts: &Counts) -> String {
-    let mut text = LEAD.to_owned();
-    text += "\n## Table 2\n\n";
-    text += COLUMNS;
-    for problem in problems {
-        text += &format!("\n### {}, {} test episodes\n\n", capital(problem.name()), problem.episodes);
-        text += &table(&problem.rows);
-    }
-    text += "\n## Cost\n\n";
-    for problem in problems {
-        text += &costs(problem);
-    }
-    text += &on_target(problems, counts);
-    text += PLANNER;
-    text += "\n## Effect of each idea\n\n";
-    text += "The shipped graph and actor on 1,000 validation episodes that were not used for training or for choosing policies.\n";
-    for problem in problems {
-        text += &format!("\n{}:\n\n", capital(problem.name()));
-        text += &ideas(&problem.ideas);
-    }
-    text += FAILED;
-    text += "\n## Other learning problems\n\n";
-    text += TAUGHT;
-    for problem in problems {
-        text += &format!("\n{}:\n\n", capital(problem.name()));
-        text += &learned(&problem.learned);
-    }
-    text += "\n## The paper\n\n";
-    text += PAPER;
-    for problem in problems {
-        text += &format!("\n{}:\n\n", capital(problem.name()));
-        text += &printed(problem);
-        if let Some(measured) = &problem.paper {
-            text +=
-                "\nThe paper's own policies, run by this project in the paper's environment on 60 of its targets:\n\n";
-            text += &of_paper(measured);
-        }
-    }
-    text
+    let section = |problem: &ProblemResults| Section {
+        title: capital(problem.name()),
+        episodes: problem.episodes,
+        table: table(&problem.rows, problem.episodes),
+        ideas: ideas(&problem.ideas),
+        learned: learned(&problem.learned),
+        printed: printed(problem),
+        paper: problem.paper.as_deref().map(of_paper),
+    };
+    let sections: Vec<Section> = problems.iter().map(section).collect();
+    let layers = ["f32", "i8"].map(|kind| counts.named(&format!("Rust layers 13-256-256-4 {kind}")));
+    let layers = match layers {
+        [Some(single), Some(integers)] => Some([single, integers].map(|count| thousands(count.mean()))),
+        _ => None,
+    };
+    let page = Page { problems: &sections, costs: costs(problems), on_target: on_target(problems, counts), layers };
+    page.render().expect("text is put together").trim_end().to_owned() + "\n"
 }
 
 fn capital(name: &str) -> String {
@@ -113,10 +91,10 @@ fn capital(name: &str) -> String {
 
 /// Renders a table: the first column is text, the others are numbers.
 fn grid<const N: usize>(names: [&str; N], rows: impl IntoIterator<Item = [String; N]>) -> String {
-    let line = |cells: [String; N]| format!("| {} |\n", cells.join(" | "));
+    let line = |cells: [String; N]| format!("| {} |", cells.join(" | "));
     let rule = std::array::from_fn(|place| if place == 0 { "---" } else { "--:" }.to_owned());
     let head = [names.map(str::to_owned), rule];
-    head.into_iter().chain(rows).map(line).collect()
+    head.into_iter().chain(rows).map(line).collect::<Vec<_>>().join("\n")
 }
 
 fn number(spread: Spread, factor: f64, digits: usize, many: bool) -> String {
@@ -136,7 +114,7 @@ fn thousands(value: f64) -> String {
     text
 }
 
-fn table(rows: &[Row]) -> String {
+fn table(rows: &[Row], episodes: usize) -> String {
     let names = [
         "policy",
         "success %",
@@ -156,7 +134,11 @@ fn table(rows: &[Row]) -> String {
             let fast_text = thousands(fast as f64);
             if fast == small { fast_text } else { format!("{fast_text} · {}", thousands(small as f64)) }
         });
-        let [success, collision, distance, actions] = outcome(row, 2);
+        let [mut success, collision, distance, actions] = outcome(row, 2);
+        if !many {
+            let [low, high] = confidence(row.success.mean, episodes).map(|end| 100.0 * end);
+            success += &format!(" ({low:.1} to {high:.1})");
+        }
         [
             name,
             success,
@@ -187,68 +169,59 @@ fn by_graph(row: &Row) -> String {
     row.by_graph.map_or("–".to_owned(), |ratio| number(ratio, 100.0, 0, row.policies > 1))
 }
 
-fn costs(problem: &ProblemResults) -> String {
-    let Costs { shipped, guards: [none, limits, collisions, both], detectors: [exact, brent], reference, wide } =
-        problem.costs;
-    let planner = problem.rows.first().and_then(|row| row.time);
+/// Tabulates the times of compiled code.
+fn costs(problems: &[ProblemResults]) -> String {
     let times = |of: f64, by: f64| {
         let factor = of / by;
-        if factor >= 10.0 { format!("{factor:.0}") } else { format!("{factor:.1}") }
+        if factor >= 10.0 { format!("{factor:.0} times") } else { format!("{factor:.1} times") }
     };
-    let mut text = format!(
-        "**{}.** In one run on this machine, a mean action takes {} ns with the hybrid, {} ns with its graph alone ({} ns in \
-         constant time) and {} ns with its network alone. The network that the paper compares with, 13-256-256-4 in `f32`, \
-         takes {} ns. All of this code is compiled without options for this machine; with the widest vectors it has, the \
-         paper's network takes {} ns. The hybrid is **{} times as fast as the paper's network** (the paper reports a factor \
-         of {} once its halved times are corrected) and {} times as fast as the small network alone. ",
-        capital(problem.name()),
-        thousands(shipped.hybrid.mean),
-        thousands(shipped.tpg.mean),
-        thousands(shipped.tpg_constant_time.mean),
-        thousands(shipped.sac.mean),
-        thousands(reference.mean),
-        thousands(wide.mean),
-        times(reference.mean, shipped.hybrid.mean),
-        if problem.start == Start::Fs { "11" } else { "2.8" },
-        times(shipped.sac.mean, shipped.hybrid.mean),
-    );
-    if let Some(planner) = planner {
-        text += &format!(
-            "A mean action of the classical planner takes {} ns, {} times as long as the hybrid's. Its slowest action takes \
-             {} µs, the hybrid's {} µs. ",
-            thousands(planner.mean),
-            times(planner.mean, shipped.hybrid.mean),
-            thousands(planner.worst / 1000.0),
-            format_args!("{:.1}", shipped.hybrid.worst / 1000.0),
-        );
-    }
-    let episode = |name: &str, time: Time| {
-        let row = problem.rows.iter().find(|row| row.name == name);
-        thousands(row.map_or(0.0, |row| row.actions.mean) * time.mean / 1000.0)
+    let column = |problem: &ProblemResults| {
+        let Costs { shipped, guards: [none, limits, collisions, both], detectors: [exact, brent], reference, wide } =
+            problem.costs;
+        let row = |name: &str| problem.rows.iter().find(|row| row.name == name);
+        let episode =
+            |name: &str, time: Time| thousands(row(name).map_or(0.0, |row| row.actions.mean) * time.mean / 1e3);
+        let planner = problem.rows.first().and_then(|row| row.time);
+        let planned = |of: &dyn Fn(Time) -> String| planner.map_or("–".to_owned(), of);
+        let of_the_paper = if problem.start == Start::Fs { "11" } else { "2.8" };
+        [
+            thousands(shipped.hybrid.mean),
+            format!("{}; {}", thousands(shipped.tpg.mean), thousands(shipped.tpg_constant_time.mean)),
+            thousands(shipped.sac.mean),
+            format!("{}; {}", thousands(reference.mean), thousands(wide.mean)),
+            planned(&|planner| thousands(planner.mean)),
+            format!("**{}** ({of_the_paper})", times(reference.mean, shipped.hybrid.mean)),
+            times(shipped.sac.mean, shipped.hybrid.mean),
+            planned(&|planner| times(planner.mean, shipped.hybrid.mean)),
+            planned(&|planner| format!("{}; {:.1}", thousands(planner.worst / 1e3), shipped.hybrid.worst / 1e3)),
+            format!("{}; {}", episode("**hybrid, shipped**", shipped.hybrid), episode("SAC, shipped", shipped.sac)),
+            [limits, collisions, both].map(|guard| signed(guard.mean - none.mean)).join("; "),
+            signed(exact.mean - brent.mean),
+        ]
     };
-    text += &format!(
-        "A whole episode takes {} µs with the hybrid and {} µs with the small network alone, which moves all four motors at \
-         once and so needs fewer actions. ",
-        episode("**hybrid, shipped**", shipped.hybrid),
-        episode("SAC, shipped", shipped.sac),
-    );
-    text += &format!(
-        "The guards add {} ns to the hybrid's time (joint limits), {} ns (collisions too) and {} ns (the network's actions \
-         too). The exact set of visited poses (48 KB) takes {} ns more than Brent's detector (16 bytes).\n\n",
-        signed(limits.mean - none.mean),
-        signed(collisions.mean - none.mean),
-        signed(both.mean - none.mean),
-        signed(exact.mean - brent.mean),
-    );
-    text
+    const NAMES: [&str; 12] = [
+        "hybrid, ns per action",
+        "its graph alone; in constant time, ns",
+        "its network alone, ns",
+        "the paper's network, 13-256-256-4 in `f32`; with this machine's widest vectors, ns",
+        "classical planner, ns",
+        "hybrid faster than the paper's network (the paper reports, corrected)",
+        "hybrid faster than the small network alone",
+        "hybrid faster than the planner",
+        "slowest action: planner; hybrid, µs",
+        "a whole episode: hybrid; small network alone, µs",
+        "guards add to the hybrid: joint limits; collisions too; the network's actions too, ns",
+        "the exact set of visited poses (48 KB) adds to Brent's detector (16 bytes), ns",
+    ];
+    let columns: Vec<[String; 12]> = problems.iter().map(column).collect();
+    let cell = |place: usize, row: usize| columns.get(place).map_or(String::new(), |column| column[row].clone());
+    let rows = (0..NAMES.len()).map(|row| [NAMES[row].to_owned(), cell(0, row), cell(1, row)]);
+    let title = |place: usize| problems.get(place).map_or("", ProblemResults::name);
+    grid(["times", title(0), title(1)], rows)
 }
 
-/// Describes the cost of the hybrids' parts on a Cortex-M4.
+/// Tabulates the cost of the hybrids' parts on a Cortex-M4.
 fn on_target(problems: &[ProblemResults], counts: &Counts) -> String {
-    let mut text =
-        "**On a Cortex-M4** (`cargo xtask qemu`: both firmwares on 100 to 200 test targets, every instruction counted). The \
-         counts of *network* and *graph* include kinematics, but not the simulated arm:\n\n"
-            .to_owned();
     let parts = problems.iter().flat_map(|problem| {
         [
             ("hybrid", "**hybrid, shipped**"),
@@ -272,20 +245,7 @@ fn on_target(problems: &[ProblemResults], counts: &Counts) -> String {
             c.map_or("–".to_owned(), |count| thousands(count.mean() * actions)),
         ]
     });
-    text += &grid(
-        ["instructions", "C, mean action", "C, worst", "Rust, mean action", "Rust, worst", "C, per episode"],
-        cells,
-    );
-    let layers = ["f32", "i8"].map(|kind| counts.named(&format!("Rust layers 13-256-256-4 {kind}")));
-    if let [Some(single), Some(integers)] = layers {
-        text += &format!(
-            "\nThe layers of the paper's network alone, 13-256-256-4, take {} instructions in `f32` and {} in 8-bit integers \
-             with this project's kernels.\n\n",
-            thousands(single.mean()),
-            thousands(integers.mean()),
-        );
-    }
-    text
+    grid(["instructions", "C, mean action", "C, worst", "Rust, mean action", "Rust, worst", "C, per episode"], cells)
 }
 
 fn signed(ns: f64) -> String {
@@ -352,48 +312,3 @@ fn learned(rows: &[LearnedRow]) -> String {
     };
     grid(names, rows.iter().map(cells))
 }
-
-const PLANNER: &str = "**Comparison with the classical planner.** The planner solves nearly every episode, and no learned policy here has a \
-higher success rate. Its simple form, straight to the nearest goal, does as well as the network at fixed start and collides \
-more often at random start. The form that looks ahead costs many times as much as the hybrid, needs a list of goal poses in \
-memory, and its slowest action takes far longer than its mean one. *One goal, straight* is simpler still: it goes to the \
-first of four poses in closed form, the one that the graph of random start reads as `stance`. It is the cheapest policy \
-here, also on a microcontroller, and it moves all joints at once, so it needs fewer actions than any graph. What the graph \
-has learned in addition is the order in which to move the joints around table and base. With the hybrid, hardly any target \
-is missed and no invalid action is executed. All policies but the network need a model of the arm; the hybrid needs it for its \
-guard. If the arm and its surroundings are known and fixed, a classical policy may be the best choice. The learned policies decide in \
-constant memory, with a worst case that is known at compile time, and can be trained where there is no closed form. A moving \
-obstacle, or one that was not in the model, forces a planner to plan anew at every step. How well a policy trained with such \
-obstacles would do is not measured here.
-";
-
-const FAILED: &str = "
-Ideas that did not help, or not enough:
-
-- *Handing over because of the distance*: no more success than without it. Without it, nearly every action is the graph's. A
-  weaker graph did benefit: the previous one at random start, with 85 % alone, did best when it handed over 1 mm off its way.
-- *Not handing back*: fewer actions of the graph and no more success, as long as the guard also applies to the network.
-- *The exact set of visited poses*: Brent's detector hands over a few actions later, with the same success.
-- *Other seeds of graph and network*: see *all pairs* in table 2.
-- *A price for handing over*: a graph that was evolved like the shipped one, except that a failure cost 20 mm at most
-  (`hand_over_price`). It has no reason to come near a target that it cannot reach.
-- *A guard on the paper's own hybrids*: little effect, because the paper's network collides as often as its graphs. With our
-  network, the same guard is worth 14 points at random start, and never handing back four more (see below).
-
-Not tried: training a network on the states in which graphs fail. These graphs fail in one or two episodes of a hundred, and
-the hybrid in none or one of a thousand.
-";
-
-const TAUGHT: &str = "Rows of several trainings are means ± standard deviations over seeds. *The paper's targets* are 60 of the recorded \
-ones. Each policy acts alone, without a guard. Networks with 38 features have a mask that holds a joint that would leave \
-its range; graphs have the same protection where the row says *shielded*. The paper's learning problem has its 13 values, \
-its score or reward, its action set and its budget; its networks draw their actions at random, as in the paper's tests. \
-`tpg-train/README.md` lists the differences between `paper-*` and the paper's tools, and gives the paper's figures beside \
-these. The planner, the memoryless inverse kinematics and the closed form were not trained.
-";
-
-const PAPER: &str = "The figures as printed, and recomputed from the artifact's own files (population standard deviation over seeds). The \
-rows *SAC, collisions allowed* are extrema of training curves. The paper halved its hybrid's times. Without that, an action \
-takes 5.5 µs (fixed start) and 21.9 µs (random start), compared with 0.64 µs for a TPG and 61.5 µs for SAC. The models have \
-13 KB and 292 KB.
-";

@@ -4,6 +4,7 @@ use super::description::ArmDescription;
 use super::environment::{ArmEnvironment, ArmProblem, ArmScalar};
 use super::shield::Shield;
 use super::targets::{Start, TOLERANCE};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tpg_arm::observation::Source;
 use tpg_arm::observation::shield::STEP;
@@ -11,7 +12,7 @@ use tpg_arm::{Arm, WIDOWX};
 use tpg_graph::error::Finding;
 
 /// The section `[problem]` for the arm: the task, the sources that programs read, and the scoring.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Config {
     /// Names of the sources that programs read, in order.

@@ -4,6 +4,7 @@
 //! `tpg-train config widowx` prints the WidowX's own section, commented, as a starting point.
 
 use crate::arm::targets::stands_free;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tpg_arm::kinematics::Plane;
 use tpg_arm::{Arm, BaseEdge, JOINTS, JointRange, Links, Pose, Shapes, TICKS_PER_TURN};
@@ -16,7 +17,7 @@ pub const WIDOWX_TOML: &str = include_str!("widowx.toml");
 const TRIED: i32 = 16;
 
 /// An arm as written in a configuration.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ArmDescription {
     /// Start of a fixed-start episode, ticks.
@@ -31,8 +32,8 @@ pub struct ArmDescription {
     pub shapes: ShapesDescription,
 }
 
-/// [`Links`], mm.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+/// Lengths, mm.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LinksDescription {
     /// Height of the shoulder above the table.
@@ -47,8 +48,8 @@ pub struct LinksDescription {
     pub hand: f64,
 }
 
-/// [`Shapes`], mm.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+/// Collision shapes, mm.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ShapesDescription {
     /// Wrist to the face of the hand's tip.

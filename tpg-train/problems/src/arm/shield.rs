@@ -1,10 +1,11 @@
 //! Shields: masks for the actions of a graph.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tpg_arm::observation::Source;
 
 /// Actions that are masked. The shield is part of the graph: without it, the graph is a different policy.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Shield {
     /// Masks no action.

@@ -1,12 +1,13 @@
 //! The section `[problem]` of a configuration, for the arm among balls.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tpg_arm::WIDOWX;
 use tpg_arm::dodge::{Body, DodgerSettings, SCOUT, ScoutSettings, WIDOWX_RADII};
 use tpg_graph::error::Finding;
 
 /// The section `[problem]` for the arm among balls. Lengths in mm, times in steps.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Config {
     /// Fewest and most balls, 1 to 3; every number between is equally likely.

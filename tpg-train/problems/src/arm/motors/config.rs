@@ -2,6 +2,7 @@
 
 use super::Inputs;
 use crate::arm::targets::TOLERANCE;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tpg_arm::sac::{Actions, Mask};
 use tpg_graph::error::Finding;
@@ -10,16 +11,18 @@ use tpg_graph::error::Finding;
 const TICKS: i8 = 3;
 
 /// The section `[problem]` for the arm by its motors: inputs, decision, rules and reward of training.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Config {
     /// The values that an actor reads.
     pub inputs: Inputs,
-    /// "fine" or "coarse".
+    /// The moves of a motor: "fine" or "coarse".
     #[serde(with = "actions_name")]
+    #[schemars(with = "String")]
     pub actions: Actions,
-    /// "none" or "joint-limits".
+    /// The moves that the policy refuses by itself: "none" or "joint-limits".
     #[serde(with = "mask_name")]
+    #[schemars(with = "String")]
     pub mask: Mask,
     /// Lets the arm rest; otherwise the strongest preference moves.
     pub may_rest: bool,
@@ -46,7 +49,7 @@ pub struct Config {
 }
 
 /// The reward of one action in training; d is the distance in mm, 0 before and 1 after it.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Reward {
     /// For each step.

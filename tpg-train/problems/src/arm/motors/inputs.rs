@@ -1,13 +1,14 @@
 //! The inputs of an actor on the arm.
 
 use super::MOTORS;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tpg_arm::frame::Frame;
 use tpg_arm::kinematics;
 use tpg_arm::sac::{FEATURE_NAMES, FEATURES, features};
 
 /// The values that an actor reads.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Inputs {
     /// The features of `tpg_arm::sac`.

@@ -1,0 +1,164 @@
+//! The book's pages that are made from this program: its command line, and every key of a configuration.
+
+use schemars::{JsonSchema, schema_for};
+use serde_json::Value;
+use std::fmt::Write as _;
+use std::path::Path;
+use toml::Table;
+use tpg_problems::{acrobot, arm, cartpole, dodge, mountain_car, mountain_car_continuous, pendulum};
+use tpg_testing::book::{manual, page};
+use tpg_train::evolution::config::EvolutionConfig;
+use tpg_train::evolution::presets::Preset;
+use tpg_train::sac::config::SacConfig;
+use tpg_train::sac::presets as sac_presets;
+
+#[test]
+fn the_page_of_the_command_line_is_fresh() {
+    let lead = "Trains, evaluates and reports policies: [Training](training.md).";
+    page("tpg-train.md", &manual(Path::new(env!("CARGO_BIN_EXE_tpg-train")), "tpg-train", lead));
+}
+
+#[test]
+fn the_page_of_configurations_is_fresh() {
+    let mut text = "# Configuration
+
+Every key of a configuration, made from the program's types by a test; do not edit. `tpg-train config NAME` prints a preset with
+comments; change it, and give it to `--config`. An unknown key, a value out of range and a contradiction are refused with the line and
+what is accepted. Keys that a preset leaves out have the default.
+"
+        .to_owned();
+    text += "\n## `tpg-train tpg`\n";
+    let presets = ["general", "continuous", "linear"];
+    let values: Vec<(&str, Table)> = presets
+        .map(|name| (name, read(&Preset::find(name).expect("a preset").config().expect("a good one").to_toml())))
+        .to_vec();
+    tables::<EvolutionConfig>(&mut text, &values);
+    text += "\n## `tpg-train sac`\n";
+    let values: Vec<(&str, Table)> =
+        ["general", "best-fs"].map(|name| (name, read(sac_presets::find(name).expect("a preset").text))).to_vec();
+    tables::<SacConfig>(&mut text, &values);
+
+    text += "\n## The section `[problem]`\n\n`name` is the problem's, as `tpg-train problems` lists them. Its other keys:\n";
+    problem::<cartpole::Config>(&mut text, "cartpole");
+    problem::<acrobot::Config>(&mut text, "acrobot");
+    problem::<mountain_car::Config>(&mut text, "mountain-car");
+    problem::<mountain_car_continuous::Config>(&mut text, "mountain-car-continuous");
+    problem::<pendulum::Config>(&mut text, "pendulum");
+    problem::<arm::Config>(&mut text, "fs` and `rs` with `tpg");
+    problem::<arm::motors::Config>(&mut text, "fs` and `rs` with `sac");
+    problem::<dodge::Config>(&mut text, "dodge");
+    page("configuration.md", &text);
+}
+
+fn read(text: &str) -> Table {
+    text.parse().expect("TOML")
+}
+
+fn problem<T: JsonSchema>(text: &mut String, name: &str) {
+    let _ = write!(text, "\n### `{name}`\n\n| key | type | default | meaning |\n| --- | --- | --- | --- |\n");
+    let schema = schema_for!(T).to_value();
+    rows(text, &schema, &schema, "", &[], false);
+}
+
+/// Writes a table for each section.
+fn tables<T: JsonSchema>(text: &mut String, presets: &[(&str, Table)]) {
+    let schema = schema_for!(T).to_value();
+    for (section, value) in properties(&schema) {
+        if section == "problem" {
+            continue;
+        }
+        let columns: String = presets.iter().map(|(name, _)| format!(" `{name}` |")).collect();
+        let line = " --- |".repeat(presets.len());
+        let _ = write!(
+            text,
+            "\n### `[{section}]`\n\n{}\n\n| key | type | default |{columns} meaning |\n| --- | --- | --- |{line} --- |\n",
+            sentence(value["description"].as_str().unwrap_or_default())
+        );
+        let here: Vec<Option<&Table>> =
+            presets.iter().map(|(_, table)| table.get(section).and_then(toml::Value::as_table)).collect();
+        rows(text, &schema, resolved(&schema, value), "", &here, true);
+    }
+}
+
+/// Writes a row for each key; those of tables inside have a dot.
+fn rows(text: &mut String, schema: &Value, value: &Value, before: &str, presets: &[Option<&Table>], section: bool) {
+    let required: Vec<&str> = value["required"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
+    for (key, property) in properties(value) {
+        let inner = resolved(schema, property);
+        let meaning = sentence(property["description"].as_str().or(inner["description"].as_str()).unwrap_or_default());
+        if inner.get("properties").is_some() && !section {
+            rows(text, schema, inner, &format!("{before}{key}."), &[], false);
+            continue;
+        }
+        let default = match &property["default"] {
+            Value::Null if required.contains(&key) => "must be given".to_owned(),
+            Value::Null => "left out".to_owned(),
+            value => format!("`{value}`"),
+        };
+        let columns: String = (presets.iter())
+            .map(|preset| {
+                preset.and_then(|table| table.get(key)).map_or(" |".to_owned(), |value| format!(" `{value}` |"))
+            })
+            .collect();
+        let _ = writeln!(
+            text,
+            "| `{before}{key}` | {} | {default} |{columns} {meaning} |",
+            kind(schema, property).replace('|', "\\|")
+        );
+    }
+}
+
+fn properties(value: &Value) -> impl Iterator<Item = (&str, &Value)> {
+    value["properties"].as_object().into_iter().flatten().map(|(key, value)| (key.as_str(), value))
+}
+
+/// Returns the definition that a schema refers to; of one or none, that of one.
+fn resolved<'a>(schema: &'a Value, value: &'a Value) -> &'a Value {
+    if let Some(of) = value["$ref"].as_str() {
+        return schema.pointer(of.trim_start_matches('#')).unwrap_or(value);
+    }
+    let some = value["anyOf"].as_array().and_then(|all| all.iter().find(|it| it["type"] != "null"));
+    match some {
+        Some(some) if value["anyOf"].as_array().is_some_and(|all| all.iter().any(|it| it["type"] == "null")) => {
+            resolved(schema, some)
+        }
+        _ => value,
+    }
+}
+
+/// Names a type.
+fn kind(schema: &Value, value: &Value) -> String {
+    let value = resolved(schema, value);
+    let choices = |key: &str| {
+        value[key].as_array().map(|all| all.iter().map(|one| kind(schema, one)).collect::<Vec<_>>().join(" or "))
+    };
+    if let Some(constant) = value["const"].as_str() {
+        return format!("`\"{constant}\"`");
+    }
+    if let Some(all) = value["enum"].as_array() {
+        return all.iter().map(|one| format!("`{one}`")).collect::<Vec<_>>().join(" or ");
+    }
+    if let Some(choices) = choices("oneOf").or_else(|| choices("anyOf")) {
+        return choices;
+    }
+    let name = match &value["type"] {
+        Value::Array(all) => all.iter().filter_map(Value::as_str).find(|name| *name != "null").unwrap_or_default(),
+        one => one.as_str().unwrap_or_default(),
+    };
+    match name {
+        "integer" => "whole number".to_owned(),
+        "boolean" => "true or false".to_owned(),
+        "string" => "text".to_owned(),
+        "object" => "table".to_owned(),
+        "array" => match value["maxItems"].as_u64() {
+            Some(length) => format!("[{}]", vec![kind(schema, &value["items"]); length as usize].join(", ")),
+            None => format!("list of {}", kind(schema, &value["items"])),
+        },
+        other => other.to_owned(),
+    }
+}
+
+/// Returns a description in one line for a cell.
+fn sentence(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ").replace('|', "\\|")
+}

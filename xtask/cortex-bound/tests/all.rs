@@ -1,0 +1,4 @@
+//! The tests of this crate from outside, as one program: each file is a subject.
+
+mod bounds;
+mod manual;
