@@ -7,7 +7,7 @@
 //! episode, too.
 //!
 //! The long form, of graphs with leaves and memory alone: `TPG_RANDOM_GRAPHS=1000 TPG_RANDOM_STATES=10000 cargo test --release -p
-//! tpg-codegen --test random_graphs -- --nocapture episodes`, 1,000 graphs in C and 250 in Rust.
+//! tpg-codegen random_graphs:: -- --nocapture episodes`, 1,000 graphs in C and 250 in Rust.
 
 use tpg_codegen::emit::{Language, Options, Profile};
 use tpg_codegen::passes;

@@ -11,6 +11,6 @@ fn the_committed_schema_is_fresh() {
     let committed = std::fs::read_to_string(path).expect("the schema is committed");
     assert!(
         committed == fresh,
-        "graph.schema.json is stale: TPG_UPDATE=1 cargo test -p tpg-graph --test schema writes it"
+        "graph.schema.json is stale: TPG_UPDATE=1 cargo test -p tpg-graph schema:: writes it"
     );
 }
