@@ -27,6 +27,8 @@ pub mod acrobot;
 pub mod cartpole;
 #[path = "dodge/dodge.rs"]
 pub mod dodge;
+#[path = "lunar-lander-continuous/lunar_lander_continuous.rs"]
+pub mod lunar_lander_continuous;
 #[path = "mountain-car/mountain_car.rs"]
 pub mod mountain_car;
 #[path = "mountain-car-continuous/mountain_car_continuous.rs"]

@@ -6,6 +6,7 @@ use tpg_codegen::emit::{self, Language, Options, Prefix, Profile};
 use tpg_generated::acrobot::Acrobot;
 use tpg_generated::cartpole::Cartpole;
 use tpg_generated::dodge::Dodge;
+use tpg_generated::lunar_lander_continuous::LunarLanderContinuous;
 use tpg_generated::mountain_car::MountainCar;
 use tpg_generated::mountain_car_continuous::MountainCarContinuous;
 use tpg_generated::pendulum::Pendulum;
@@ -128,6 +129,7 @@ fn compiled_policies_act_like_their_graphs() {
     acts_like(Cartpole, "cartpole");
     acts_like(Dodge, "dodge");
     acts_like(Acrobot, "acrobot");
+    acts_like(LunarLanderContinuous, "lunar-lander-continuous");
     acts_like(MountainCar, "mountain-car");
     acts_like(MountainCarContinuous, "mountain-car-continuous");
     acts_like(Pendulum, "pendulum");

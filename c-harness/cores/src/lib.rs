@@ -5,6 +5,7 @@
 use tpg_generated::acrobot::Acrobot;
 use tpg_generated::cartpole::Cartpole;
 use tpg_generated::dodge::Dodge;
+use tpg_generated::lunar_lander_continuous::LunarLanderContinuous;
 use tpg_generated::mountain_car::MountainCar;
 use tpg_generated::mountain_car_continuous::MountainCarContinuous;
 use tpg_generated::pendulum::Pendulum;
@@ -45,6 +46,7 @@ exported! {
     rust_acrobot Acrobot 6 1
     rust_cartpole Cartpole 4 1
     rust_dodge Dodge 17 1
+    rust_lunar_lander_continuous LunarLanderContinuous 8 2
     rust_mountain_car MountainCar 2 1
     rust_mountain_car_continuous MountainCarContinuous 2 1
     rust_pendulum Pendulum 3 1

@@ -21,7 +21,7 @@ use tpg_runtime::scalar::Scalar;
 const ACCEPTED: &str = "the parameters that `tpg-train config` prints";
 
 /// Generations of a linear start of usual length.
-const GENERATIONS_FOR_A_WEIGHT: u64 = 6;
+const GENERATIONS_FOR_A_WEIGHT: u64 = 3;
 const LEAST_GENERATIONS: u64 = 20;
 
 /// Everything that determines a run except its seed.
@@ -179,6 +179,28 @@ pub enum SelectionMethod {
     Tournament,
 }
 
+/// The choice of a child's parent among the survivors.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum ParentChoice {
+    /// Each survivor is equally likely, as in GEGELATI.
+    #[default]
+    Uniform,
+    /// The better one of two that are drawn.
+    Better,
+}
+
+/// The scores by which racing compares.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum RacingBy {
+    /// This generation's alone; a root that is dropped ranks below every other.
+    #[default]
+    Generation,
+    /// Running means; a root that is dropped only gets no more episodes. For few episodes: a good root survives a bad one.
+    Record,
+}
+
 /// Selection of survivors.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -197,6 +219,12 @@ pub struct SelectionConfig {
     pub racing_episodes: usize,
     /// Fraction of the roots that continue, 0 to 1; never fewer than survive.
     pub racing_share: f64,
+    /// The parents of children.
+    #[serde(default)]
+    pub parents: ParentChoice,
+    /// The scores by which racing compares.
+    #[serde(default)]
+    pub racing_by: RacingBy,
     /// Number of roots compared in a validation: the best by running mean.
     pub validation_roots: usize,
     /// Number of episodes in the selection set, all of which only the winner completes.
@@ -326,7 +354,7 @@ pub enum StartKind {
 pub struct StartConfig {
     /// Its kind; the other settings matter only for a linear one.
     pub kind: StartKind,
-    /// Number of generations of the search for weights; 0 for 6 for each weight, at least 20.
+    /// Number of generations of the search for weights; 0 for 3 for each weight, at least 20.
     pub generations: u64,
     /// Number of searches, of which the best goes on after half of the generations.
     pub searches: usize,

@@ -1,12 +1,12 @@
 //! One generation: populate, evaluate, select, record.
 
 use super::archive::{Recording, bid};
-use super::config::EvolutionConfig;
+use super::config::{EvolutionConfig, ParentChoice, RacingBy};
 use super::genome::{Destination, ProgramId, TeamId};
 use super::linear::LinearWriter;
 use super::mutate_leaf::LeafMutator;
 use super::mutate_program::ProgramMutator;
-use super::mutate_team::{Moment, populate, random_population};
+use super::mutate_team::{Moment, Parents, TeamMutator, random_population};
 use super::refine::Refiner;
 use super::select::{Candidate, ranked, survivors};
 use super::state::{Deme, Record, Row, State};
@@ -178,6 +178,9 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         let refiner = Refiner { vocabulary: &self.vocabulary, parameters: &self.config.refinement };
         let growing =
             LeafMutator { bids: mutator, leaves, refiner, parameters: &self.config.leaves, tpg: &self.config.tpg };
+        let (parameters, archive, actions) = (&self.config.tpg, &state.archive, self.actions);
+        let teams = TeamMutator { programs: mutator, refiner, parameters, archive, actions };
+        let price = self.line_price(state);
         for (index, deme) in (0..).zip(&mut state.demes) {
             let moment = Moment { seed: state.seed, generation: state.generation, deme: index };
             self.refine_elite(deme, &refiner, moment);
@@ -186,15 +189,33 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
                     let mut stream = moment.stream(Purpose::Initial, 0);
                     deme.genome = growing.random_population(self.config.tpg.init_nb_roots, &mut stream);
                 }
-                growing.populate(&mut deme.genome, moment);
+                let parents = self.parents(deme, price);
+                growing.populate(&mut deme.genome, &parents, moment);
                 continue;
             }
             if deme.genome.teams().is_empty() {
                 let mut stream = moment.stream(Purpose::Initial, 0);
                 deme.genome = random_population(&mutator, &self.config.tpg, self.actions, &mut stream);
             }
-            populate(&mut deme.genome, &mutator, &refiner, &self.config.tpg, &state.archive, self.actions, moment);
+            let parents = self.parents(deme, price);
+            teams.populate(&mut deme.genome, &parents, moment);
         }
+    }
+
+    /// Returns the parents of a deme's next children.
+    fn parents(&self, deme: &Deme, price: f64) -> Parents {
+        let choice = self.config.selection.parents;
+        let mut roots = deme.genome.roots();
+        if choice == ParentChoice::Better {
+            let worth = |team: &TeamId| {
+                let mean = deme.records.get(team).map_or(f64::NEG_INFINITY, |record| record.mean);
+                mean - price * deme.genome.policy(*team, &self.vocabulary).lines() as f64
+            };
+            let mut worths: Vec<(f64, TeamId)> = roots.iter().map(|team| (worth(team), *team)).collect();
+            worths.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+            roots = worths.into_iter().map(|(_, team)| team).collect();
+        }
+        Parents { roots, choice }
     }
 
     /// Adds children of a deme's best root that only have other constants.
@@ -243,16 +264,20 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         if self.config.selection.racing_episodes > 0 && !open.is_empty() {
             done = self.config.selection.racing_episodes;
             self.evaluate_some(state, &tasks[..done], &mut roots, &open)?;
-            let mean = |root: &Evaluated| Summary::of(&root.endings).score;
+            let by_record = self.config.selection.racing_by == RacingBy::Record;
+            let mean = |root: &Evaluated| {
+                if by_record { running_mean(state, root) } else { Summary::of(&root.endings).score }
+            };
             let mut means: Vec<f64> = open.iter().map(|&place| mean(&roots[place])).collect();
             means.sort_by(|a, b| b.total_cmp(a));
             let survivors = self.config.survivors() * state.demes.len();
             let share = (self.config.selection.racing_share * means.len() as f64).ceil() as usize;
             let least = means[share.max(survivors).clamp(1, means.len().max(1)) - 1];
-            for &place in &open {
-                roots[place].dropped = mean(&roots[place]) < least;
-            }
-            open.retain(|&place| !roots[place].dropped);
+            open.retain(|&place| {
+                let goes_on = mean(&roots[place]) >= least;
+                roots[place].dropped = !goes_on && !by_record;
+                goes_on
+            });
         }
         self.evaluate_some(state, &tasks[done..], &mut roots, &open)?;
         Ok(roots)
@@ -478,7 +503,40 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
     }
 }
 
+/// Returns a root's mean score over its record and the episodes of this generation.
+fn running_mean<Task>(state: &State<Task>, root: &Evaluated) -> f64 {
+    let mut record = record(state, root);
+    record.add(&root.endings.iter().map(|ending| finite(ending.score)).collect::<Vec<_>>());
+    record.mean
+}
+
 /// Returns a root's record so far.
 fn record<Task>(state: &State<Task>, root: &Evaluated) -> Record {
     state.demes[root.deme].records.get(&root.team).copied().unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Evaluated, running_mean};
+    use crate::evolution::genome::TeamId;
+    use crate::evolution::state::{Record, State};
+    use tpg_engine::{Destination, Edge, Ending, PolicyGraph};
+
+    #[test]
+    fn a_bad_episode_moves_a_long_record_little_and_decides_about_a_new_root() {
+        let mut state = State::<u64>::new(1, 1, 0);
+        state.demes[0].records.insert(TeamId(0), Record { mean: 100.0, evaluations: 9 });
+        let ending = Ending { outcome: 0, success: None, score: 0.0, measure: 0.0, actions: 1 };
+        let policy = PolicyGraph::new(1, 0, vec![vec![Edge { program: 0, to: Destination::Action(0) }]], vec![vec![]]);
+        let root = |team| Evaluated {
+            deme: 0,
+            team: TeamId(team),
+            policy: policy.clone(),
+            lines: 1,
+            endings: vec![ending],
+            dropped: false,
+        };
+        assert_eq!(running_mean(&state, &root(0)), 90.0);
+        assert_eq!(running_mean(&state, &root(1)), 0.0);
+    }
 }

@@ -6,7 +6,7 @@
 use super::config::{LeafConfig, ProgramParameters, TpgParameters};
 use super::genome::{Destination, Edge, Genome, Leaf, LeafId, Team, TeamId};
 use super::mutate_program::ProgramMutator;
-use super::mutate_team::Moment;
+use super::mutate_team::{Moment, Parents};
 use super::refine::Refiner;
 use std::collections::BTreeMap;
 use tpg_engine::random::{Purpose, Stream};
@@ -49,9 +49,8 @@ impl<'a> LeafMutator<'a> {
         Edge { program: genome.add_program(self.bids.random(stream)), to: Destination::Leaf(leaf) }
     }
 
-    /// Adds children until there are `nbRoots` roots. A child is a changed copy of a root, each root being equally likely.
-    /// If an edge of the child leads to a root, that team is no longer a root, so roots are counted again.
-    pub fn populate(&self, genome: &mut Genome, moment: Moment) {
+    /// Adds children until there are `nbRoots` roots. A child is a changed copy of one of the `parents`. If an edge of the child leads to a root, that team is no longer a root, so roots are counted again.
+    pub fn populate(&self, genome: &mut Genome, parents: &Parents, moment: Moment) {
         let roots = genome.roots();
         let teams: Vec<TeamId> = genome.teams().keys().copied().collect();
         let leaves: Vec<LeafId> = genome.leaves().keys().copied().collect();
@@ -61,7 +60,7 @@ impl<'a> LeafMutator<'a> {
         let mut children = 0;
         while count < self.tpg.nb_roots {
             let mut stream = moment.stream(Purpose::Child, children);
-            let parent = *stream.pick(&roots);
+            let parent = parents.draw(&mut stream);
             let child = self.child(genome, parent, &before, &mut stream);
             count += 1;
             for edge in &genome.team(child).edges {
@@ -138,9 +137,10 @@ struct Before<'a> {
 #[cfg(test)]
 mod tests {
     use super::LeafMutator;
+    use crate::evolution::config::ParentChoice;
     use crate::evolution::genome::{Destination, Genome};
     use crate::evolution::mutate_program::ProgramMutator;
-    use crate::evolution::mutate_team::Moment;
+    use crate::evolution::mutate_team::{Moment, Parents};
     use crate::evolution::presets::Preset;
     use crate::evolution::refine::Refiner;
     use crate::evolution::vocabulary::Vocabulary;
@@ -161,7 +161,8 @@ mod tests {
         let mutator = LeafMutator { bids, leaves, refiner, parameters: &config.leaves, tpg: &config.tpg };
         let mut genome = mutator.random_population(40, &mut Stream::new(1, 0, Purpose::Test, 0));
         for generation in 0..generations {
-            mutator.populate(&mut genome, Moment { seed: 1, generation, deme: 0 });
+            let parents = Parents { roots: genome.roots(), choice: ParentChoice::Uniform };
+            mutator.populate(&mut genome, &parents, Moment { seed: 1, generation, deme: 0 });
             let doomed: Vec<_> = genome.roots().into_iter().step_by(2).collect();
             genome.remove_roots(&doomed);
         }

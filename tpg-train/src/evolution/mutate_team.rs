@@ -1,7 +1,7 @@
 //! The first population, and children of roots, with GEGELATI's choices (`mutator/tpgMutator.cpp`).
 
 use super::archive::Archive;
-use super::config::TpgParameters;
+use super::config::{ParentChoice, TpgParameters};
 use super::genome::{Destination, Edge, Genome, Program, ProgramId, Team, TeamId};
 use super::mutate_program::ProgramMutator;
 use super::refine::Refiner;
@@ -23,6 +23,26 @@ impl Moment {
     /// Returns the stream for a purpose. `index` counts within the deme and is below 2⁴⁰.
     pub fn stream(self, purpose: Purpose, index: u64) -> Stream {
         Stream::new(self.seed, self.generation, purpose, self.deme << 40 | index)
+    }
+}
+
+/// The roots that children may have as parents.
+#[derive(Clone, Debug)]
+pub struct Parents {
+    /// The roots; for [`ParentChoice::Better`] the best first.
+    pub roots: Vec<TeamId>,
+    /// The choice among them.
+    pub choice: ParentChoice,
+}
+
+impl Parents {
+    /// Draws a parent.
+    pub fn draw(&self, stream: &mut Stream) -> TeamId {
+        let place = stream.below(self.roots.len());
+        match self.choice {
+            ParentChoice::Uniform => self.roots[place],
+            ParentChoice::Better => self.roots[place.min(stream.below(self.roots.len()))],
+        }
     }
 }
 
@@ -71,51 +91,61 @@ pub fn random_population(
     genome
 }
 
-/// Adds children until there are `nbRoots` roots (`TPGMutator::populateTPG`).
-///
-/// A child is a mutated copy of a root, each root being equally likely; the `refiner` may make it instead. If an edge of the child leads to a root, that
-/// team is no longer a root, so roots are counted again after every child.
-pub fn populate(
-    genome: &mut Genome,
-    mutator: &ProgramMutator<'_>,
-    refiner: &Refiner<'_>,
-    parameters: &TpgParameters,
-    archive: &Archive,
-    actions: u16,
-    moment: Moment,
-) {
-    let roots = genome.roots();
-    let teams: Vec<TeamId> = genome.teams().keys().copied().collect();
-    let edges: Vec<Edge> = genome.teams().values().flat_map(|team| team.edges.iter().copied()).collect();
-    let before = Before { teams: &teams, edges: &edges, actions };
-    let mut to_mutate = Vec::new();
-    let mut is_root: BTreeMap<TeamId, bool> = roots.iter().map(|&root| (root, true)).collect();
-    let mut count = roots.len();
-    let mut children = 0;
-    while count < parameters.nb_roots {
-        let mut stream = moment.stream(Purpose::Child, children);
-        let parent = *stream.pick(&roots);
-        let close = refiner.child(genome, parent, &mut stream);
-        let close = close.or_else(|| refiner.mutated(genome, parent, mutator, &mut stream));
-        let child = close.unwrap_or_else(|| {
-            let child = genome.add_team(genome.team(parent).clone());
-            mutate_team(genome, child, &before, parameters, &mut to_mutate, &mut stream);
-            child
-        });
-        count += 1;
-        for edge in &genome.team(child).edges {
-            if let Destination::Team(to) = edge.to
-                && std::mem::replace(is_root.entry(to).or_insert(false), false)
-            {
-                count -= 1;
+/// Makes children of policies with named actions.
+#[derive(Clone, Copy, Debug)]
+pub struct TeamMutator<'a> {
+    /// Draws and changes programs.
+    pub programs: ProgramMutator<'a>,
+    /// Makes children by small changes.
+    pub refiner: Refiner<'a>,
+    /// Parameters of teams.
+    pub parameters: &'a TpgParameters,
+    /// Recordings that new programs must differ from.
+    pub archive: &'a Archive,
+    /// Number of actions.
+    pub actions: u16,
+}
+
+impl TeamMutator<'_> {
+    /// Adds children until there are `nbRoots` roots (`TPGMutator::populateTPG`).
+    ///
+    /// A child is a mutated copy of one of the `parents`; the refiner may make it instead. If an edge of the child leads to a
+    /// root, that team is no longer a root, so roots are counted again after every child.
+    pub fn populate(&self, genome: &mut Genome, parents: &Parents, moment: Moment) {
+        let Self { programs, refiner, parameters, archive, actions } = *self;
+        let roots = genome.roots();
+        let teams: Vec<TeamId> = genome.teams().keys().copied().collect();
+        let edges: Vec<Edge> = genome.teams().values().flat_map(|team| team.edges.iter().copied()).collect();
+        let before = Before { teams: &teams, edges: &edges, actions };
+        let mut to_mutate = Vec::new();
+        let mut is_root: BTreeMap<TeamId, bool> = roots.iter().map(|&root| (root, true)).collect();
+        let mut count = roots.len();
+        let mut children = 0;
+        while count < parameters.nb_roots {
+            let mut stream = moment.stream(Purpose::Child, children);
+            let parent = parents.draw(&mut stream);
+            let close = refiner.child(genome, parent, &mut stream);
+            let close = close.or_else(|| refiner.mutated(genome, parent, &programs, &mut stream));
+            let child = close.unwrap_or_else(|| {
+                let child = genome.add_team(genome.team(parent).clone());
+                mutate_team(genome, child, &before, parameters, &mut to_mutate, &mut stream);
+                child
+            });
+            count += 1;
+            for edge in &genome.team(child).edges {
+                if let Destination::Team(to) = edge.to
+                    && std::mem::replace(is_root.entry(to).or_insert(false), false)
+                {
+                    count -= 1;
+                }
             }
+            children += 1;
         }
-        children += 1;
-    }
-    for (index, new) in (0..).zip(&to_mutate) {
-        let mut stream = moment.stream(Purpose::Program, index);
-        let mutated = new_behaviour(genome.program(*new), mutator, parameters, archive, &mut stream);
-        genome.replace_program(*new, mutated);
+        for (index, new) in (0..).zip(&to_mutate) {
+            let mut stream = moment.stream(Purpose::Program, index);
+            let mutated = new_behaviour(genome.program(*new), &programs, parameters, archive, &mut stream);
+            genome.replace_program(*new, mutated);
+        }
     }
 }
 
@@ -209,10 +239,10 @@ fn new_behaviour(
 
 #[cfg(test)]
 mod tests {
-    use super::{Moment, new_behaviour, populate, random_population};
+    use super::{Moment, Parents, TeamMutator, new_behaviour, random_population};
     use crate::evolution::archive::{Archive, Recording, bid};
-    use crate::evolution::config::EvolutionConfig;
-    use crate::evolution::genome::{Destination, Genome, Program, ProgramId};
+    use crate::evolution::config::{EvolutionConfig, ParentChoice};
+    use crate::evolution::genome::{Destination, Genome, Program, ProgramId, TeamId};
     use crate::evolution::mutate_program::ProgramMutator;
     use crate::evolution::presets::Preset;
     use crate::evolution::refine::Refiner;
@@ -231,6 +261,10 @@ mod tests {
         Vocabulary::new(config.instructions(), 8, 0, &[source], None, ScalarType::F32)
     }
 
+    fn uniform(genome: &Genome) -> Parents {
+        Parents { roots: genome.roots(), choice: ParentChoice::Uniform }
+    }
+
     fn evolved(config: &EvolutionConfig, generations: u64) -> Genome {
         let vocabulary = vocabulary(config);
         let mutator =
@@ -239,11 +273,25 @@ mod tests {
         for generation in 0..generations {
             let moment = Moment { seed: 1, generation, deme: 0 };
             let refiner = Refiner { vocabulary: &vocabulary, parameters: &config.refinement };
-            populate(&mut genome, &mutator, &refiner, &config.tpg, &Archive::new(0), 9, moment);
+            let parents = uniform(&genome);
+            let archive = &Archive::new(0);
+            let mutator = TeamMutator { programs: mutator, refiner, parameters: &config.tpg, archive, actions: 9 };
+            mutator.populate(&mut genome, &parents, moment);
             let doomed: Vec<_> = genome.roots().into_iter().step_by(3).collect();
             genome.remove_roots(&doomed);
         }
         genome
+    }
+
+    #[test]
+    fn the_better_of_two_is_chosen_more_often() {
+        let roots: Vec<TeamId> = (0..10).map(TeamId).collect();
+        let drawn = |choice| {
+            let parents = Parents { roots: roots.clone(), choice };
+            (0..1000).filter(|&index| parents.draw(&mut Stream::new(1, 0, Purpose::Test, index)).0 < 5).count()
+        };
+        assert!((430..570).contains(&drawn(ParentChoice::Uniform)));
+        assert!((690..810).contains(&drawn(ParentChoice::Better)), "three quarters are of the better half");
     }
 
     #[test]
@@ -273,7 +321,10 @@ mod tests {
             ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
         let moment = Moment { seed: 1, generation: 9, deme: 0 };
         let refiner = Refiner { vocabulary: &vocabulary, parameters: &config.refinement };
-        populate(&mut genome, &mutator, &refiner, &config.tpg, &Archive::new(0), 9, moment);
+        let parents = uniform(&genome);
+        let archive = &Archive::new(0);
+        let mutator = TeamMutator { programs: mutator, refiner, parameters: &config.tpg, archive, actions: 9 };
+        mutator.populate(&mut genome, &parents, moment);
         assert_eq!(genome.roots().len(), config.tpg.nb_roots);
         let mut deep = 0;
         for (&id, team) in genome.teams() {

@@ -33,8 +33,10 @@ pub fn survivors(
     let count = count.min(ranked.len());
     let mut chosen = Vec::new();
     if config.lexicase_survivors > 0 {
+        // Who was left behind in racing has fewer scores.
+        let episodes = candidates.iter().map(|candidate| candidate.scores.len()).max().unwrap_or(0);
         let best: Vec<usize> = (ranked.iter().copied())
-            .filter(|&place| !candidates[place].scores.is_empty() && !candidates[place].dropped)
+            .filter(|&place| episodes > 0 && candidates[place].scores.len() == episodes)
             .take(config.lexicase_candidates)
             .collect();
         let wanted = config.lexicase_survivors.min(count).min(best.len());
@@ -121,7 +123,7 @@ fn median_deviation(mut scores: Vec<f64>) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::{Candidate, survivors};
-    use crate::evolution::config::{SelectionConfig, SelectionMethod};
+    use crate::evolution::config::{ParentChoice, RacingBy, SelectionConfig, SelectionMethod};
     use tpg_engine::random::{Purpose, Stream};
 
     fn config(method: SelectionMethod, lexicase_survivors: usize) -> SelectionConfig {
@@ -131,6 +133,8 @@ mod tests {
             lexicase_survivors,
             lexicase_candidates: 100,
             lexicase_tolerance: 1.0,
+            parents: ParentChoice::Uniform,
+            racing_by: RacingBy::Generation,
             racing_episodes: 0,
             racing_share: 1.0,
             validation_roots: 1,
@@ -175,6 +179,16 @@ mod tests {
             survivors(&candidates, 5, &config(SelectionMethod::Truncation, 5), &mut stream).contains(&9)
         });
         assert!(kept.count() > 40);
+    }
+
+    #[test]
+    fn lexicase_compares_only_roots_that_ran_all_episodes() {
+        let scores = [vec![9.0], vec![5.0, 5.0]];
+        let candidates = candidates(&scores);
+        for index in 0..20 {
+            let mut stream = Stream::new(1, 0, Purpose::Test, index);
+            assert_eq!(survivors(&candidates, 1, &config(SelectionMethod::Truncation, 1), &mut stream), [1]);
+        }
     }
 
     #[test]

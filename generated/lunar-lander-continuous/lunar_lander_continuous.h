@@ -1,0 +1,50 @@
+/*
+ * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
+ * Options: --lang c --prefix lunar_lander_continuous --profile fast
+ * Graph SHA-256: 2ad5238ba90933a5e8628f3bd16400c320cf6ee7e5645d5c59f55bbd81dd7400
+ * 1 teams (1 on the longest walk), 1 edges, 1 programs, 11 distinct operations.
+ * Computes in f32 with own maths.
+ */
+#ifndef LUNAR_LANDER_CONTINUOUS_H
+#define LUNAR_LANDER_CONTINUOUS_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define LUNAR_LANDER_CONTINUOUS_OUTPUTS 2U
+/* Teams, and how many of them decide at most in one inference. */
+#define LUNAR_LANDER_CONTINUOUS_TEAMS 1U
+#define LUNAR_LANDER_CONTINUOUS_DEPTH 1U
+/* At most, in one inference: bids looked at, operations, and sines, cosines, logarithms and exponentials among those. */
+#define LUNAR_LANDER_CONTINUOUS_WORST_BIDS 0U
+#define LUNAR_LANDER_CONTINUOUS_WORST_OPERATIONS 11U
+#define LUNAR_LANDER_CONTINUOUS_WORST_MATHS_CALLS 0U
+
+/* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
+typedef struct lunar_lander_continuous_state {
+    float obs[8]; /* , -2.5 to 2.5; -2.5 to 2.5; -10 to 10; -10 to 10; -6.2831854820251465 to 6.2831854820251465; -10 to 10; -0 to 1; -0 to 1 */
+} lunar_lander_continuous_state_t;
+
+/* The values that the policy answers, each in its range and never NaN. */
+typedef struct lunar_lander_continuous_action {
+    float action_0; /* , -1 to 1 */
+    float action_1; /* , -1 to 1 */
+} lunar_lander_continuous_action_t;
+
+/* The answer to a state. Pure and reentrant: no globals, no memory, no side effect but *action. */
+void lunar_lander_continuous_infer(const lunar_lander_continuous_state_t *state, lunar_lander_continuous_action_t *action);
+
+#ifndef LUNAR_LANDER_CONTINUOUS_NO_SELFTEST
+/* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
+ */
+uint32_t lunar_lander_continuous_selftest(void);
+#endif
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,62 @@
+//! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
+//! Options: --lang rust --prefix lunar_lander_continuous --profile constant-time
+//! Graph SHA-256: 2ad5238ba90933a5e8628f3bd16400c320cf6ee7e5645d5c59f55bbd81dd7400
+//! 1 teams (1 on the longest walk), 1 edges, 1 programs, 11 distinct operations.
+//! Computes in f32 with own maths.
+#![forbid(unsafe_code)]
+#![allow(
+    clippy::all,
+    unused_variables,
+    unused_assignments,
+    reason = "evolved expressions need not make sense"
+)]
+
+use tpg_runtime::ops::constant_time::ConstantTime;
+use tpg_runtime::policy::Policy;
+
+/// A tangled program graph: a formula.
+///
+/// It sees, one after another:
+/// - `s[0..8]`: obs, , -2.5 to 2.5; -2.5 to 2.5; -10 to 10; -10 to 10; -6.2831854820251465 to 6.2831854820251465; -10 to 10; -0 to 1; -0 to 1
+///
+/// Values outside the ranges are legal, NaN and infinities too. It answers:
+/// - `[0]`: action_0, , -1 to 1; 0 in place of NaN
+/// - `[1]`: action_1, , -1 to 1; 0 in place of NaN
+#[derive(Clone, Copy, Debug, Default)]
+pub struct LunarLanderContinuous;
+
+impl LunarLanderContinuous {
+    /// Values of a state.
+    pub const STATE: usize = 8;
+    /// Outputs.
+    pub const OUTPUTS: usize = 2;
+    /// Teams on the longest walk.
+    pub const DEPTH: usize = 1;
+    /// Bids that one decision looks at, at most.
+    pub const WORST_BIDS: usize = 0;
+    /// Operations of one decision, at most.
+    pub const WORST_OPERATIONS: usize = 11;
+    /// Sines, cosines, logarithms and exponentials among them, at most.
+    pub const WORST_MATHS_CALLS: usize = 0;
+}
+
+impl Policy for LunarLanderContinuous {
+    type State = [f32; 8];
+    type Action = [f32; 2];
+
+    fn decide(&self, s: &[f32; 8]) -> [f32; 2] {
+        let ct = ConstantTime::<f32>::default();
+        let v3 = s[1] * -2.9189487_f32;
+        let v4 = 0.0_f32 + v3;
+        let v7 = s[3] * -3.7557209_f32;
+        let v8 = v4 + v7;
+        let v10 = v8 + -0.50095105_f32;
+        let v13 = s[2] * -3.9983425_f32;
+        let v14 = 0.0_f32 + v13;
+        let v17 = s[4] * 2.3448007_f32;
+        let v18 = v14 + v17;
+        let v21 = s[5] * 5.9345937_f32;
+        let v22 = v18 + v21;
+        [ct.clamp(v10, -1.0_f32, 1.0_f32, 0.0_f32), ct.clamp(v22, -1.0_f32, 1.0_f32, 0.0_f32)]
+    }
+}
