@@ -11,6 +11,7 @@
 #include "report.h"
 #include "tpg_runtime.h"
 #include "widowx_fs.h"
+#include "widowx_rs.h"
 #include "widowx_sac.h"
 
 #include <math.h>
@@ -29,14 +30,22 @@ static tpg_hybrid_t hybrid;
 static tpg_switch_t turn;
 static uint32_t scratch[WIDOWX_SAC_SCRATCH];
 
-static uint16_t infer(const void *state)
+static uint16_t fs_infer(const void *state)
 {
     return widowx_fs_infer(state);
 }
 
-static const uint8_t sources[] = WIDOWX_FS_SOURCES;
-static const tpg_move_t moves[] = WIDOWX_FS_MOVES;
-static const tpg_policy_t policy = { infer, sources, WIDOWX_FS_SOURCE_COUNT, moves, WIDOWX_FS_ACTIONS };
+static uint16_t rs_infer(const void *state)
+{
+    return widowx_rs_infer(state);
+}
+
+static const uint8_t fs_sources[] = WIDOWX_FS_SOURCES;
+static const tpg_move_t fs_moves[] = WIDOWX_FS_MOVES;
+static const uint8_t rs_sources[] = WIDOWX_RS_SOURCES;
+static const tpg_move_t rs_moves[] = WIDOWX_RS_MOVES;
+static const tpg_policy_t fs_policy = { fs_infer, fs_sources, WIDOWX_FS_SOURCE_COUNT, fs_moves, WIDOWX_FS_ACTIONS };
+static const tpg_policy_t rs_policy = { rs_infer, rs_sources, WIDOWX_RS_SOURCE_COUNT, rs_moves, WIDOWX_RS_ACTIONS };
 
 /* The simulated arm: where the motors are, and have been. */
 typedef struct world {
@@ -299,8 +308,13 @@ static bool run(const scenario_t *scenario)
     return true;
 }
 
+static bool join(const tpg_policy_t *policy, const tpg_settings_t *settings)
+{
+    return tpg_hybrid_init(&hybrid, &arm, policy, &sac, settings, scratch, WIDOWX_SAC_SCRATCH) == TPG_OK;
+}
+
 /* Instructions of whole control steps, checks and observation included. */
-static bool costs(void)
+static bool costs(const char *name, const tpg_problem_t *problems)
 {
     uint32_t overhead;
     uint32_t steps = 0U;
@@ -311,7 +325,7 @@ static bool costs(void)
     platform_count_from();
     overhead = platform_count();
     for (uint32_t index = 0U; index < PARTS; index++) {
-        const tpg_problem_t *problem = &fs_problems[index];
+        const tpg_problem_t *problem = &problems[index];
         tpg_pose_t motors = problem->start;
         tpg_observation_t seen;
         float distance;
@@ -342,7 +356,7 @@ static bool costs(void)
             }
         }
     }
-    report_begin(&line, "cost fs step");
+    report_begin(&line, name);
     report_unsigned(&line, "actions", steps);
     report_unsigned(&line, "instructions", sum);
     report_unsigned(&line, "worst", worst);
@@ -354,9 +368,8 @@ int main(void)
 {
     report_t line;
 
-    (void)rs_settings;
     if ((tpg_arm_init_widowx(&arm) != TPG_OK) || (tpg_sac_init(&sac, widowx_sac, WIDOWX_SAC_WORDS) != TPG_OK)
-        || (tpg_hybrid_init(&hybrid, &arm, &policy, &sac, &fs_settings, scratch, WIDOWX_SAC_SCRATCH) != TPG_OK)) {
+        || !join(&fs_policy, &fs_settings)) {
         return 2;
     }
     for (size_t at = 0U; at < SCENARIOS; at++) {
@@ -364,7 +377,7 @@ int main(void)
             return 3;
         }
     }
-    if (!costs()) {
+    if (!costs("cost fs step", fs_problems) || !join(&rs_policy, &rs_settings) || !costs("cost rs step", rs_problems)) {
         return 4;
     }
     report_begin(&line, "done");

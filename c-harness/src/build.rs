@@ -139,7 +139,6 @@ pub(crate) fn host(program: &str) -> Result<Option<PathBuf>, Failure> {
 /// The C firmware `program` for a board; `None` where a tool is missing.
 pub(crate) fn c(program: &str, board: Board) -> Result<Option<PathBuf>, Failure> {
     let names: &[&str] = match program {
-        "faults" => &["widowx_fs", "widowx_sac"],
         "costs" => &["fs_fast_c", "fs_small_c", "fs_constant_c", "rs_fast_c", "rs_small_c", "rs_constant_c"],
         "network" => &["pendulum"],
         "continuous" => &continuous::C_FILES,

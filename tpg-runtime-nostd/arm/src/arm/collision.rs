@@ -62,17 +62,14 @@ impl<S: Scalar> Plane<S> {
 /// Returns true if all faces lie above the whole base, or all on the same side of it: then no segment meets an edge. This
 /// saves most poses 32 tests; with a NaN among the faces it is false.
 fn clear_of_base<S: Scalar>(faces: &[(Point<S>, Point<S>); 4], shapes: &Shapes<S>) -> bool {
-    let (mut top, mut side) = (S::ZERO, S::ZERO);
-    for edge in &shapes.base {
-        for (&x, &z) in edge.x.iter().zip(&edge.z) {
-            top = if z > top { z } else { top };
-            side = if x.abs() > side { x.abs() } else { side };
-        }
-    }
+    let greatest = |most: S, value: S| if value > most { value } else { most };
     let all = |beyond: fn(Point<S>, S) -> bool, limit| faces.iter().all(|&(p, q)| beyond(p, limit) && beyond(q, limit));
-    all(|point, top| point.z > top, top)
-        || all(|point, side| point.x > side, side)
-        || all(|point, side| point.x < -side, side)
+    let top = shapes.base.iter().flat_map(|edge| edge.z).fold(S::ZERO, greatest);
+    if all(|point, top| point.z > top, top) {
+        return true;
+    }
+    let side = shapes.base.iter().flat_map(|edge| edge.x.map(S::abs)).fold(S::ZERO, greatest);
+    all(|point, side| point.x > side, side) || all(|point, side| point.x < -side, side)
 }
 
 impl<S: Scalar> BaseEdge<S> {

@@ -3,7 +3,7 @@
 use super::{Cause, Chosen, Hybrid, Settings, Switch};
 use crate::arm::{Arm, Move, Pose};
 use crate::cycle::CycleDetector;
-use crate::kinematics::{Lattice, Vector};
+use crate::kinematics::{self, Lattice, Vector};
 use crate::observation::Observation;
 use crate::sensors::{Fault, Limits, Watch, Watchdog};
 use tpg_runtime::policy::Policy;
@@ -143,7 +143,8 @@ where
         seen: &mut Observation<S>,
     ) -> Result<Chosen, Fault> {
         control.watchdog.check(motors, target)?;
-        *seen = Observation::at(self.arm, motors, *target);
+        // `Observation::at`, but written where it goes.
+        *seen = Observation::new(self.arm, motors, kinematics::hand(self.arm, motors), *target);
         if let Some(executed) = control.executed {
             control.switch.acted(executed, seen);
         }

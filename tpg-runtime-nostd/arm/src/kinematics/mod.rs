@@ -48,17 +48,15 @@ impl Angle {
     const QUARTER: i32 = TICKS_PER_TURN / 4;
 
     /// The direction of this angle, exact to the last bit of the table: no rounding depends on the turn.
+    #[inline]
     pub fn direction<S: Lattice>(self) -> Direction<S> {
-        Direction { cos: Self(self.0.wrapping_add(Self::QUARTER)).sine(), sin: self.sine() }
-    }
-
-    fn sine<S: Lattice>(self) -> S {
         let within_quarter = self.0 & (Self::QUARTER - 1);
-        let falling = self.0 & Self::QUARTER != 0;
-        let negative = self.0 & (2 * Self::QUARTER) != 0;
-        let index = if falling { Self::QUARTER - within_quarter } else { within_quarter };
-        let sine = S::quarter_sine(index as usize);
-        if negative { -sine } else { sine }
+        let rising = S::quarter_sine(within_quarter as usize);
+        let falling = S::quarter_sine((Self::QUARTER - within_quarter) as usize);
+        // Sine and cosine change places from quarter to quarter; the cosine is negative in the second and the third.
+        let (odd, lower) = (self.0 & Self::QUARTER != 0, self.0 & (2 * Self::QUARTER) != 0);
+        let (sin, cos) = if odd { (falling, rising) } else { (rising, falling) };
+        Direction { cos: if odd != lower { -cos } else { cos }, sin: if lower { -sin } else { sin } }
     }
 }
 
@@ -215,8 +213,11 @@ pub fn upper_arm_direction<S: Lattice>(pose: Pose) -> Direction<S> {
 }
 
 /// The place of the hand's tip at a pose, mm.
+#[inline(never)] // once in flash
 pub fn hand<S: Lattice>(arm: &Arm<S>, pose: Pose) -> Vector<S> {
-    Plane::at(arm, pose).hand_in_world(base_direction(pose))
+    // `Plane::at`, of which only the tip is left here.
+    let [upper_arm, forearm, hand] = link_angles(pose).map(Angle::direction);
+    Plane::new(arm, Directions::of_links(upper_arm, forearm, hand)).hand_in_world(base_direction(pose))
 }
 
 /// The place of the hand's tip at any joint angles (rad, 0 = motor position 2048), by libm: the reference.

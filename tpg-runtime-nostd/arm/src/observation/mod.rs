@@ -23,23 +23,23 @@ use crate::frame::Frame;
 use crate::kinematics::Lattice;
 use tpg_runtime::policy::{ActionId, Policy};
 
-/// Parts that several sources share: computed once, when the first of them asks.
+/// Parts that several sources share. The reach is computed once, when the first of them asks; to keep a frame would cost
+/// as much as to compute it.
 struct Parts<'a, S: Copy> {
     arm: &'a Arm<S>,
     seen: &'a Observation<S>,
     memo: &'a TargetMemo<S>,
-    frame: Option<Frame<'a, S>>,
     reach: Option<ReachErrors<S>>,
 }
 
 impl<'a, S: Lattice> Parts<'a, S> {
     fn new(arm: &'a Arm<S>, seen: &'a Observation<S>, memo: &'a TargetMemo<S>) -> Self {
-        Self { arm, seen, memo, frame: None, reach: None }
+        Self { arm, seen, memo, reach: None }
     }
 
-    fn frame(&mut self) -> &Frame<'a, S> {
-        let (arm, seen) = (self.arm, self.seen);
-        self.frame.get_or_insert_with(|| Frame::of(arm, seen))
+    #[inline(always)]
+    fn frame(&self) -> Frame<'a, S> {
+        Frame::of(self.arm, self.seen)
     }
 
     fn reach(&mut self) -> &ReachErrors<S> {
@@ -63,7 +63,7 @@ impl<'a, S: Lattice> Parts<'a, S> {
             Source::MotorsCentred => put(values, derived::centred(seen.pose)),
             Source::Polar => {
                 let frame = self.frame();
-                put(values, derived::polar(frame, frame.target_reach(), frame.hand_reach()));
+                put(values, derived::polar(&frame, frame.target_reach(), frame.hand_reach()));
             }
             Source::Bearing => {
                 let aim = self.memo.aim(self.arm, seen.target);
@@ -73,7 +73,7 @@ impl<'a, S: Lattice> Parts<'a, S> {
             Source::Reach => put(values, self.reach().ticks),
             Source::ReachExcess => put(values, self.reach().excess),
             Source::ReachPitch => put(values, [self.reach().pitch]),
-            Source::Wrist => put(values, derived::wrist(self.frame())),
+            Source::Wrist => put(values, derived::wrist(&self.frame())),
             Source::Floor => put(values, [self.frame().lowest_corner()]),
             Source::Stance => put(values, self.memo.stance(self.arm, seen.target).errors(seen.pose)),
             Source::ShieldLimits => put(values, shield::limits(self.arm, seen.pose, shield::STEP)),
