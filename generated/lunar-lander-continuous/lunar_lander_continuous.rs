@@ -57,6 +57,9 @@ impl Policy for LunarLanderContinuous {
         let v18 = v14 + v17;
         let v21 = s[5] * 5.9345937_f32;
         let v22 = v18 + v21;
-        [ct.clamp(v10, -1.0_f32, 1.0_f32, 0.0_f32), ct.clamp(v22, -1.0_f32, 1.0_f32, 0.0_f32)]
+        [
+            ct.clamp(v10, -1.0_f32, 1.0_f32, 0.0_f32),
+            ct.clamp(v22, -1.0_f32, 1.0_f32, 0.0_f32),
+        ]
     }
 }

@@ -21,7 +21,7 @@ use tpg_train::evolution::checkpoint;
 use tpg_train::evolution::config::EvolutionConfig;
 use tpg_train::evolution::logs::cpu_seconds;
 use tpg_train::evolution::mutate_program::ProgramMutator;
-use tpg_train::evolution::mutate_team::{Moment, populate, random_population};
+use tpg_train::evolution::mutate_team::{Moment, Parents, TeamMutator, random_population};
 use tpg_train::evolution::presets::Preset;
 use tpg_train::evolution::refine::Refiner;
 use tpg_train::evolution::state::State;
@@ -93,7 +93,10 @@ fn population(
             let mut stream = moment.stream(Purpose::Initial, 0);
             population.genome = random_population(&mutator, &config.tpg, actions, &mut stream);
         }
-        populate(&mut population.genome, &mutator, &refiner, &config.tpg, &state.archive, actions, moment);
+        let teams =
+            TeamMutator { programs: mutator, refiner, parameters: &config.tpg, archive: &state.archive, actions };
+        let parents = Parents::uniform(&population.genome);
+        teams.populate(&mut population.genome, &parents, moment);
         units.extend(population.genome.roots().into_iter().map(|root| WorkUnit {
             key: UnitKey { seed: state.seed, generation: state.generation, root: root.0 },
             policy: population.genome.policy(root, &vocabulary),

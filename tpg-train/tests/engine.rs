@@ -26,7 +26,7 @@ use tpg_train::evolution::archive::Archive;
 use tpg_train::evolution::config::EvolutionConfig;
 use tpg_train::evolution::export;
 use tpg_train::evolution::mutate_program::ProgramMutator;
-use tpg_train::evolution::mutate_team::{Moment, populate, random_population};
+use tpg_train::evolution::mutate_team::{Moment, Parents, TeamMutator, random_population};
 use tpg_train::evolution::presets::Preset;
 use tpg_train::evolution::refine::Refiner;
 use tpg_train::evolution::vocabulary::Vocabulary;
@@ -82,7 +82,10 @@ impl<S: ArmScalar> World<S> {
         for generation in 0..6 {
             let moment = Moment { seed: 1, generation, deme: 0 };
             let refiner = Refiner { vocabulary: &vocabulary, parameters: &config.refinement };
-            populate(&mut genome, &mutator, &refiner, &config.tpg, &Archive::new(0), 9, moment);
+            let archive = &Archive::new(0);
+            let teams = TeamMutator { programs: mutator, refiner, parameters: &config.tpg, archive, actions: 9 };
+            let parents = Parents::uniform(&genome);
+            teams.populate(&mut genome, &parents, moment);
             let doomed: Vec<_> = genome.roots().into_iter().step_by(2).collect();
             genome.remove_roots(&doomed);
         }

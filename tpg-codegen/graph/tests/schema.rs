@@ -9,8 +9,5 @@ fn the_committed_schema_is_fresh() {
         std::fs::write(path, &fresh).expect("the schema can be written");
     }
     let committed = std::fs::read_to_string(path).expect("the schema is committed");
-    assert!(
-        committed == fresh,
-        "graph.schema.json is stale: TPG_UPDATE=1 cargo test -p tpg-graph schema:: writes it"
-    );
+    assert!(committed == fresh, "graph.schema.json is stale: TPG_UPDATE=1 cargo test -p tpg-graph schema:: writes it");
 }

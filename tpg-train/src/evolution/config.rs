@@ -180,7 +180,7 @@ pub enum SelectionMethod {
 }
 
 /// The choice of a child's parent among the survivors.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum ParentChoice {
     /// Each survivor is equally likely, as in GEGELATI.
@@ -191,7 +191,7 @@ pub enum ParentChoice {
 }
 
 /// The scores by which racing compares.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum RacingBy {
     /// This generation's alone; a root that is dropped ranks below every other.

@@ -36,6 +36,11 @@ pub struct Parents {
 }
 
 impl Parents {
+    /// Lets every root of a population be the parent, equally likely.
+    pub fn uniform(genome: &Genome) -> Self {
+        Self { roots: genome.roots(), choice: ParentChoice::Uniform }
+    }
+
     /// Draws a parent.
     pub fn draw(&self, stream: &mut Stream) -> TeamId {
         let place = stream.below(self.roots.len());
@@ -261,10 +266,6 @@ mod tests {
         Vocabulary::new(config.instructions(), 8, 0, &[source], None, ScalarType::F32)
     }
 
-    fn uniform(genome: &Genome) -> Parents {
-        Parents { roots: genome.roots(), choice: ParentChoice::Uniform }
-    }
-
     fn evolved(config: &EvolutionConfig, generations: u64) -> Genome {
         let vocabulary = vocabulary(config);
         let mutator =
@@ -273,7 +274,7 @@ mod tests {
         for generation in 0..generations {
             let moment = Moment { seed: 1, generation, deme: 0 };
             let refiner = Refiner { vocabulary: &vocabulary, parameters: &config.refinement };
-            let parents = uniform(&genome);
+            let parents = Parents::uniform(&genome);
             let archive = &Archive::new(0);
             let mutator = TeamMutator { programs: mutator, refiner, parameters: &config.tpg, archive, actions: 9 };
             mutator.populate(&mut genome, &parents, moment);
@@ -321,7 +322,7 @@ mod tests {
             ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
         let moment = Moment { seed: 1, generation: 9, deme: 0 };
         let refiner = Refiner { vocabulary: &vocabulary, parameters: &config.refinement };
-        let parents = uniform(&genome);
+        let parents = Parents::uniform(&genome);
         let archive = &Archive::new(0);
         let mutator = TeamMutator { programs: mutator, refiner, parameters: &config.tpg, archive, actions: 9 };
         mutator.populate(&mut genome, &parents, moment);

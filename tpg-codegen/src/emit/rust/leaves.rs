@@ -2,6 +2,7 @@
 
 use super::expression::Printer;
 use crate::emit::interface::OutputView;
+use crate::emit::layout::array;
 use crate::emit::syntax::Syntax;
 use crate::ir::{Leaf, NodeId, needed, reached};
 use crate::program::Formula;
@@ -49,7 +50,7 @@ pub(super) fn formula(printer: &Printer<'_>, formula: &Formula, outputs: &[Outpu
         let value = printer.value(value);
         if is_constant { value } else { printer.clamp(&value, &output.limits) }
     });
-    let answer = format!("[{}]", limited.collect::<Vec<_>>().join(", "));
+    let answer = array(&limited.collect::<Vec<_>>(), 8);
     let statements = formula.operations.iter().map(|&id| printer.statement(id));
     let lines = masks.into_iter().chain(statements).chain([answer]);
     lines.map(|line| format!("        {line}\n")).collect()
