@@ -49,7 +49,8 @@ impl<'a> LeafMutator<'a> {
         Edge { program: genome.add_program(self.bids.random(stream)), to: Destination::Leaf(leaf) }
     }
 
-    /// Adds children until there are `nbRoots` roots. A child is a changed copy of one of the `parents`. If an edge of the child leads to a root, that team is no longer a root, so roots are counted again.
+    /// Adds children until there are `nbRoots` roots. A child is a changed copy of one of the `parents`. If an edge of the
+    /// child leads to a root, that team is no longer a root, so roots are counted again.
     pub fn populate(&self, genome: &mut Genome, parents: &Parents, moment: Moment) {
         let roots = genome.roots();
         let teams: Vec<TeamId> = genome.teams().keys().copied().collect();
