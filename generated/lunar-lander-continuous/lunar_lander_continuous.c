@@ -1,7 +1,7 @@
 /*
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix lunar_lander_continuous --profile fast
- * Graph SHA-256: 2ad5238ba90933a5e8628f3bd16400c320cf6ee7e5645d5c59f55bbd81dd7400
+ * Graph SHA-256: 8d92aee034785833c57310fdf420c919dfb2aea7db8877dd08cef053e74095de
  * 1 teams (1 on the longest walk), 1 edges, 1 programs, 11 distinct operations.
  * Computes in f32 with own maths.
  */
