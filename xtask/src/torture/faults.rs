@@ -40,7 +40,7 @@ pub(super) fn two_processes(subject: &Subject, _random: &mut ChaCha8Rng) -> Chec
         let mut first = subject.start(&folder);
         let owner = format!("process {},", first.id());
         let locked = || fs::read_to_string(folder.join("run.lock")).is_ok_and(|line| line.contains(&owner));
-        row.note(wait(subject.time, locked), || "the folder was not locked".to_owned());
+        row.note(wait(subject.time * 10, locked), || "the folder was not locked".to_owned());
         signal(&first, "STOP");
         let second = subject.finish(&folder);
         signal(&first, "CONT");
