@@ -138,7 +138,6 @@ struct Before<'a> {
 #[cfg(test)]
 mod tests {
     use super::LeafMutator;
-    use crate::evolution::config::ParentChoice;
     use crate::evolution::genome::{Destination, Genome};
     use crate::evolution::mutate_program::ProgramMutator;
     use crate::evolution::mutate_team::{Moment, Parents};
@@ -162,7 +161,7 @@ mod tests {
         let mutator = LeafMutator { bids, leaves, refiner, parameters: &config.leaves, tpg: &config.tpg };
         let mut genome = mutator.random_population(40, &mut Stream::new(1, 0, Purpose::Test, 0));
         for generation in 0..generations {
-            let parents = Parents { roots: genome.roots(), choice: ParentChoice::Uniform };
+            let parents = Parents::uniform(&genome);
             mutator.populate(&mut genome, &parents, Moment { seed: 1, generation, deme: 0 });
             let doomed: Vec<_> = genome.roots().into_iter().step_by(2).collect();
             genome.remove_roots(&doomed);
