@@ -6,6 +6,7 @@ use crate::web;
 use std::io::{BufRead as _, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
 use std::{env, fs, io};
 
 /// The workspace without the crate that needs a Python interpreter: `python.rs` builds, lints and tests it.
@@ -132,19 +133,21 @@ impl Run {
 
     /// Runs a command that counts as one check.
     pub(crate) fn check(&mut self, name: &str, mut command: Command) {
+        let began = Instant::now();
         let result = self.start(name, &mut command).and_then(|()| command.status());
-        self.summary.note(name, result.map(|status| (status.success(), Count::default())));
+        self.summary.note(name, began.elapsed(), result.map(|status| (status.success(), Count::default())));
     }
 
     /// Runs a command whose tests are counted.
     pub(crate) fn tests(&mut self, name: &str, mut command: Command) {
+        let began = Instant::now();
         let result = self.start(name, &mut command).and_then(|()| counted(&mut command));
-        self.summary.note(name, result);
+        self.summary.note(name, began.elapsed(), result);
     }
 
     /// Records a check that could not begin.
     pub(crate) fn failed(&mut self, name: &str, error: &io::Error) {
-        self.summary.note(name, Err(io::Error::other(error.to_string())));
+        self.summary.note(name, Duration::ZERO, Err(io::Error::other(error.to_string())));
     }
 
     /// Records a check whose tools are missing.
@@ -152,9 +155,9 @@ impl Run {
         self.summary.missing(name, remedy);
     }
 
-    /// Runs a check of the firmwares.
+    /// Runs a check of the firmwares, by a program that shares with the tests what they have compiled.
     fn firmware(&mut self, words: &[&str]) {
-        let arguments = [&["run", "--quiet", "--release", "--package", "tpg-harness", "--"], words].concat();
+        let arguments = [&["run", "--quiet", "--profile", "test", "--package", "tpg-harness", "--"], words].concat();
         self.check(&format!("firmware: {}", words.join(" ")), cargo(&arguments));
     }
 

@@ -1,6 +1,7 @@
 //! Summary of passed, failed and skipped tests.
 
 use std::io;
+use std::time::Duration;
 
 /// Counts of tests in a command's output.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -45,9 +46,9 @@ pub(crate) struct Summary {
 }
 
 impl Summary {
-    /// Records the result of a command. A command without tests counts as one test; a command that failed counts as a
-    /// failure even if no test failed.
-    pub(crate) fn note(&mut self, name: &str, result: io::Result<(bool, Count)>) {
+    /// Records the result of a command and the time it took. A command without tests counts as one test; a command that
+    /// failed counts as a failure even if no test failed.
+    pub(crate) fn note(&mut self, name: &str, took: Duration, result: io::Result<(bool, Count)>) {
         let (good, count) = result.unwrap_or_else(|error| {
             eprintln!("{name}: {error}");
             (false, Count::default())
@@ -57,7 +58,8 @@ impl Summary {
         if count.ignored > 0 {
             self.skipped.push(format!("{name}: {} tests marked #[ignore]", count.ignored));
         }
-        self.checks.push(format!("{} {name}", if good { "passed " } else { "FAILED " }));
+        let result = if good { "passed " } else { "FAILED " };
+        self.checks.push(format!("{result} {name} ({} s)", took.as_secs()));
     }
 
     /// Records a check that cannot run: a failure if missing tools must fail.
@@ -94,6 +96,7 @@ impl Summary {
 #[cfg(test)]
 mod tests {
     use super::{Count, Summary};
+    use std::time::Duration;
 
     #[test]
     fn the_lines_of_cargo_test_are_counted() {
@@ -117,7 +120,7 @@ mod tests {
     #[test]
     fn a_command_that_fails_without_a_failed_test_is_a_failure() {
         let mut summary = Summary::default();
-        summary.note("tests", Ok((false, Count { passed: 3, ..Count::default() })));
+        summary.note("tests", Duration::ZERO, Ok((false, Count { passed: 3, ..Count::default() })));
         assert!(!summary.good());
         assert_eq!((summary.passed, summary.failed), (3, 1));
     }
