@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_problems::arm::description::WIDOWX_TOML;
 use tpg_problems::{Problem, ProblemName};
-use tpg_train::evolution::config::{EvolutionConfig, Units};
+use tpg_train::evolution::config::{EvolutionConfig, StartKind, Units};
 use tpg_train::evolution::presets::Preset;
 
 /// Number of times a run is killed.
@@ -269,13 +269,20 @@ fn ctrl_c_leaves_a_checkpoint_that_ends_in_the_same_bytes() {
     }
 }
 
+/// A preset with two small demes, of which one begins with what four generations of search have found.
+fn small(preset: &str) -> EvolutionConfig {
+    let mut config = Preset::find(preset).expect("it comes with the trainer").config().expect("it is accepted");
+    (config.tpg.nb_roots, config.tpg.init_nb_roots, config.demes.count) = (30, 60, 2);
+    (config.start.generations, config.start.searches, config.start.demes) = (4, 2, 1);
+    config
+}
+
 /// A policy that computes the torque: leaves, teams and refined numbers, two demes with migration.
 #[test]
 fn a_policy_with_outputs_has_the_same_bytes_on_other_threads_and_after_a_stop() {
     let place = tempfile::tempdir().expect("a temporary folder");
     let path = place.path().join("config.toml");
-    let mut config = Preset::find("continuous").expect("it comes with the trainer").config().expect("it is accepted");
-    (config.tpg.nb_roots, config.tpg.init_nb_roots, config.demes.count) = (30, 60, 2);
+    let mut config = small("continuous");
     (config.demes.migration_interval, config.learning.nb_generations) = (5, 25);
     (config.leaves.p_edge_addition, config.leaves.p_team) = (0.3, 0.3);
     config.selection.validation_episodes = 30;
@@ -301,8 +308,7 @@ fn a_policy_with_outputs_has_the_same_bytes_on_other_threads_and_after_a_stop() 
 
 /// A pendulum without a sensor of its velocity, and policies that remember two values.
 fn memory_config() -> EvolutionConfig {
-    let mut config = Preset::find("continuous").expect("it comes with the trainer").config().expect("it is accepted");
-    (config.tpg.nb_roots, config.tpg.init_nb_roots, config.demes.count) = (30, 60, 2);
+    let mut config = small("continuous");
     (config.demes.migration_interval, config.learning.nb_generations) = (5, 8);
     config.selection.validation_episodes = 30;
     config.language.memory = 2;
@@ -344,11 +350,15 @@ fn memory_needs_outputs() {
     assert!(said.contains("language.memory") && said.contains("a problem without outputs"), "{said}");
 }
 
-/// A linear start in one of two demes, of which the worse one ends, for outputs and for named actions; units from visited
-/// states: searches and demes are part of the checkpoint.
+/// A linear start in one of two demes, of which the worse one ends, for outputs, products and named actions; units from
+/// visited states: searches and demes are part of the checkpoint.
 #[test]
 fn a_linear_start_has_the_same_bytes_on_other_threads_and_after_kills() {
-    for (name, problem) in [("outputs", ProblemName::Pendulum), ("actions", ProblemName::Acrobot)] {
+    for (name, problem, kind) in [
+        ("outputs", ProblemName::Pendulum, StartKind::Linear),
+        ("products", ProblemName::Pendulum, StartKind::Product),
+        ("actions", ProblemName::Acrobot, StartKind::Linear),
+    ] {
         let place = tempfile::tempdir().expect("a temporary folder");
         let path = place.path().join("config.toml");
         let mut config = Preset::find("linear").expect("it comes with the trainer").config().expect("it is accepted");
@@ -356,7 +366,7 @@ fn a_linear_start_has_the_same_bytes_on_other_threads_and_after_kills() {
         (config.start.generations, config.start.demes, config.demes.migration_interval) = (12, 1, 5);
         (config.learning.nb_generations, config.selection.validation_episodes) = (24, 30);
         (config.demes.halving_interval, config.literals.units) = (6, Units::Visited);
-        config.refinement.p_mutation = 0.5;
+        (config.refinement.p_mutation, config.start.kind) = (0.5, kind);
         config.problem = Problem::usual(problem).to_table();
         fs::write(&path, config.to_toml()).expect("it can be written");
         let [one, other] = ["one", "other"].map(|name| place.path().join(name));
@@ -384,8 +394,8 @@ fn a_linear_start_has_the_same_bytes_on_other_threads_and_after_kills() {
 #[test]
 fn a_run_without_progress_ends_and_lines_have_their_price() {
     let place = tempfile::tempdir().expect("a temporary folder");
-    let mut config = Preset::find("continuous").expect("it comes with the trainer").config().expect("it is accepted");
-    (config.tpg.nb_roots, config.tpg.init_nb_roots, config.demes.count) = (30, 60, 1);
+    let mut config = small("continuous");
+    config.demes.count = 1;
     (config.learning.nb_generations, config.selection.validation_episodes) = (400, 30);
     config.problem = Problem::usual(ProblemName::Pendulum).to_table();
     config.selection.flat_after = 3;

@@ -51,7 +51,7 @@ impl<Task: std::fmt::Debug> State<Task> {
         }
         equal("scales", self.scales.len(), lengths(environment.bid_bounds().unwrap_or(sources.len())))?;
         let vocabulary = config.vocabulary(environment, self.scales.clone());
-        let writer = LinearWriter::new(&vocabulary, actions as u16);
+        let writer = LinearWriter::new(&vocabulary, actions as u16, config.start.kind);
         let linear = config.linear_generations(writer.map_or(0, |writer| writer.weights()));
         equal("demes", self.demes.len(), config.demes_at(self.generation, linear))?;
         let limits = Limits { config, vocabulary: &vocabulary, actions };
@@ -95,7 +95,7 @@ impl<Task> State<Task> {
         if self.searches.is_empty() {
             return Ok(());
         }
-        let weights = LinearWriter::new(vocabulary, actions as u16)?.weights();
+        let weights = LinearWriter::new(vocabulary, actions as u16, config.start.kind)?.weights();
         for (place, search) in self.searches.iter().enumerate() {
             let key = format!("searches[{place}]");
             search.cma.check(weights).map_err(|finding| finding.within(&format!("{key}.cma")))?;

@@ -346,13 +346,15 @@ pub enum StartKind {
     Random,
     /// In some demes, weighted sums of the inputs that covariance matrix adaptation has found.
     Linear,
+    /// In some demes, products of two weighted sums of the inputs.
+    Product,
 }
 
 /// The first population, and the search for it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct StartConfig {
-    /// Its kind; the other settings matter only for a linear one.
+    /// Its kind; the other settings do not matter for a random one.
     pub kind: StartKind,
     /// Number of generations of the search for weights; 0 for 3 for each weight, at least 20.
     pub generations: u64,
@@ -474,8 +476,10 @@ impl EvolutionConfig {
     pub fn linear_generations(&self, weights: usize) -> u64 {
         match (self.start.kind, self.start.generations) {
             (StartKind::Random, _) => 0,
-            (StartKind::Linear, 0) => (GENERATIONS_FOR_A_WEIGHT * weights as u64).max(LEAST_GENERATIONS),
-            (StartKind::Linear, generations) => generations,
+            (StartKind::Linear | StartKind::Product, 0) => {
+                (GENERATIONS_FOR_A_WEIGHT * weights as u64).max(LEAST_GENERATIONS)
+            }
+            (StartKind::Linear | StartKind::Product, generations) => generations,
         }
     }
 

@@ -91,7 +91,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         let vocabulary = config.vocabulary(environment, scales);
         let selection_tasks = environment.validation_tasks(config.selection.validation_episodes);
         let actions = environment.actions().count().unwrap_or(0) as u16;
-        let weights = LinearWriter::new(&vocabulary, actions).map_or(0, |writer| writer.weights());
+        let weights = LinearWriter::new(&vocabulary, actions, config.start.kind).map_or(0, |writer| writer.weights());
         let linear = config.linear_generations(weights);
         Self { config, vocabulary, environment, evaluator, selection_tasks, goal, actions, linear, number: PhantomData }
     }

@@ -1,9 +1,11 @@
 //! The linear start: one dense linear program for each output or action, found by [`Cma`], from which evolution goes on.
 //!
-//! Mutations of single lines hardly ever find six weights that only help together; covariance matrix adaptation does. Several
+//! A program is a weighted sum of the inputs, or the product of two: that one can change its sign where another input does, as a
+//! swing-up must. Mutations of single lines hardly ever find six weights that only help together; covariance matrix adaptation does. Several
 //! searches run side by side for the first half of the start, the best of them goes on for the second.
 
 use super::cma::Cma;
+use super::config::StartKind;
 use super::generation::Evolution;
 use super::genome::{Destination, Edge, Genome, GenomeLine, Leaf, Program, Team, TeamId};
 use super::state::{Deme, Record, Row, State};
@@ -73,6 +75,8 @@ pub(super) struct LinearWriter<'a> {
     inputs: Vec<(u8, u16, f64)>,
     add: InstructionIndex,
     multiply: Multiply,
+    /// The word that multiplies two sums; none if a program is a single sum.
+    product: Option<InstructionIndex>,
     /// Number of actions; 0 with outputs.
     actions: u16,
 }
@@ -90,8 +94,8 @@ impl<'a> LinearWriter<'a> {
     /// Creates a writer; `actions` is 0 where there are outputs.
     ///
     /// # Errors
-    /// If the vocabulary cannot express a weighted sum.
-    pub(super) fn new(vocabulary: &'a Vocabulary, actions: u16) -> Result<Self, Finding> {
+    /// If the vocabulary cannot express such programs.
+    pub(super) fn new(vocabulary: &'a Vocabulary, actions: u16, kind: StartKind) -> Result<Self, Finding> {
         let index = |word: Word| {
             let place = vocabulary.instructions().iter().position(|known| *known == word)?;
             Some(place as InstructionIndex)
@@ -103,15 +107,20 @@ impl<'a> LinearWriter<'a> {
         let Some((add, multiply)) = index(Instruction::Add.into()).zip(multiply) else {
             return refuse("language.instructions", names(), "add, and multiply_add or mul, for a linear start");
         };
+        let product = (kind == StartKind::Product).then(|| index(Instruction::Mul.into()));
+        if product == Some(None) {
+            return refuse("language.instructions", names(), "add and mul, for a start with products");
+        }
+        let product = product.flatten();
         if vocabulary.scales().is_empty() {
             return refuse("language.literals", "false".to_owned(), "true, for a linear start");
         }
-        if vocabulary.registers() < 2 {
-            return refuse(
-                "learning.nb_registers",
-                vocabulary.registers().to_string(),
-                "at least 2, for a linear start",
-            );
+        let (least, accepted) = match product {
+            None => (2, "at least 2, for a linear start"),
+            Some(_) => (3, "at least 3, for a start with products"),
+        };
+        if vocabulary.registers() < least {
+            return refuse("learning.nb_registers", vocabulary.registers().to_string(), accepted);
         }
         let places = (0..vocabulary.sources()).filter_map(|source| match vocabulary.kind(source as u8) {
             Kind::Data(place, length) => Some((0..length).map(move |at| (source as u8, at, place + at))),
@@ -119,7 +128,7 @@ impl<'a> LinearWriter<'a> {
         });
         let scales = vocabulary.scales();
         let inputs = places.flatten().map(|(source, at, place)| (source, at, scales[usize::from(place)])).collect();
-        Ok(Self { vocabulary, inputs, add, multiply, actions })
+        Ok(Self { vocabulary, inputs, add, multiply, product, actions })
     }
 
     /// Returns the number of programs that are searched for: the first action's bid stays 0.
@@ -130,65 +139,83 @@ impl<'a> LinearWriter<'a> {
         }
     }
 
-    /// Returns the number of weights: those of each program, and a constant.
+    /// Returns the number of sums in a program.
+    fn sums(&self) -> usize {
+        1 + usize::from(self.product.is_some())
+    }
+
+    /// Returns the number of weights: for each sum of each program those of the inputs, and a constant.
     pub(super) fn weights(&self) -> usize {
-        self.programs() * (self.inputs.len() + 1)
+        self.programs() * self.sums() * (self.inputs.len() + 1)
     }
 
     /// Returns the number of lines of a program.
     pub(super) fn lines(&self) -> usize {
-        match self.multiply {
+        let sum = match self.multiply {
             Multiply::Add(_) => self.inputs.len() + 1,
             Multiply::Alone(_) => 2 * self.inputs.len(),
-        }
+        };
+        self.sums() * (sum + 1) - 1
     }
 
     /// Adds the policy with the given weights to a genome. A weight of 1 is a whole output's half range for an input's.
     pub(super) fn add_root(&self, genome: &mut Genome, weights: &[f64]) -> TeamId {
         let outputs = self.vocabulary.outputs();
-        let mut sums = weights.chunks_exact(self.inputs.len() + 1).enumerate().map(|(place, weights)| {
+        let of_program = self.sums() * (self.inputs.len() + 1);
+        let mut programs = weights.chunks_exact(of_program).enumerate().map(|(place, weights)| {
             let unit = outputs.get(place).map_or(1.0, |output| 0.5 * (output.max - output.min));
-            self.sum(weights, unit)
+            self.program_of(weights, unit)
         });
         let edges = if self.actions == 0 {
-            let programs = sums.map(|program| genome.add_program(program)).collect();
+            let programs = programs.map(|program| genome.add_program(program)).collect();
             let leaf = Destination::Leaf(genome.add_leaf(Leaf { programs }));
             vec![Edge { program: genome.add_program(self.zero()), to: leaf }]
         } else {
-            let programs: Vec<_> = (0..self.actions)
-                .map(|action| if action == 0 { self.zero() } else { sums.next().unwrap_or_else(|| self.zero()) })
+            let bids: Vec<_> = (0..self.actions)
+                .map(|action| if action == 0 { self.zero() } else { programs.next().unwrap_or_else(|| self.zero()) })
                 .collect();
             let edge =
                 |(action, program)| Edge { program: genome.add_program(program), to: Destination::Action(action) };
-            (0..).zip(programs).map(edge).collect()
+            (0..).zip(bids).map(edge).collect()
         };
         genome.add_team(Team { edges })
     }
 
-    fn sum(&self, weights: &[f64], unit: f64) -> Program {
+    /// Returns the program with the given weights, `unit` times its sum or product.
+    fn program_of(&self, weights: &[f64], unit: f64) -> Program {
+        let mut lines = Vec::new();
+        let units = [unit, 1.0];
+        for ((to, weights), unit) in (0..).zip(weights.chunks_exact(self.inputs.len() + 1)).zip(units) {
+            self.write_sum(&mut lines, to, weights, unit);
+        }
+        if let Some(instruction) = self.product {
+            lines.push(GenomeLine { instruction, to: 0, operands: [self.register(0), self.register(1)] });
+        }
+        self.program(lines)
+    }
+
+    /// Writes the lines of a sum, whose result is in register `to`.
+    fn write_sum(&self, lines: &mut Vec<GenomeLine>, to: u16, weights: &[f64], unit: f64) {
         let literal = |value: f64| {
             let rounded = self.vocabulary.scalar().round(value);
             self.literal(if rounded.is_finite() { rounded } else { 0.0 })
         };
-        let constant = literal(unit * weights[self.inputs.len()]);
-        let mut lines = Vec::new();
+        let spare = self.sums() as u16;
+        let sum = self.register(to);
         for (place, (&(source, location, scale), weight)) in self.inputs.iter().zip(weights).enumerate() {
             let operands = [Gene { source, location, literal: 0.0 }, literal(unit * weight / scale)];
             match self.multiply {
-                Multiply::Add(instruction) => lines.push(GenomeLine { instruction, to: 0, operands }),
-                Multiply::Alone(instruction) if place == 0 => lines.push(GenomeLine { instruction, to: 0, operands }),
+                Multiply::Add(instruction) => lines.push(GenomeLine { instruction, to, operands }),
+                Multiply::Alone(instruction) if place == 0 => lines.push(GenomeLine { instruction, to, operands }),
                 Multiply::Alone(instruction) => {
-                    lines.push(GenomeLine { instruction, to: 1, operands });
-                    lines.push(GenomeLine {
-                        instruction: self.add,
-                        to: 0,
-                        operands: [self.register(0), self.register(1)],
-                    });
+                    lines.push(GenomeLine { instruction, to: spare, operands });
+                    let operands = [sum, self.register(spare)];
+                    lines.push(GenomeLine { instruction: self.add, to, operands });
                 }
             }
         }
-        lines.push(GenomeLine { instruction: self.add, to: 0, operands: [self.register(0), constant] });
-        self.program(lines)
+        let constant = literal(unit * weights[self.inputs.len()]);
+        lines.push(GenomeLine { instruction: self.add, to, operands: [sum, constant] });
     }
 
     /// Returns a program whose result is 0.
@@ -218,7 +245,8 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
 
     /// Runs one generation of the linear start.
     pub(super) fn advance_linear(&self, state: &mut State<E::Task>) -> Result<(), EvaluationError> {
-        let writer = LinearWriter::new(&self.vocabulary, self.actions).map_err(EvaluationError::new)?;
+        let writer =
+            LinearWriter::new(&self.vocabulary, self.actions, self.config.start.kind).map_err(EvaluationError::new)?;
         let config = &self.config.start;
         self.begin_searches(state, &writer);
         let count = match config.samples {
@@ -290,6 +318,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
 mod tests {
     use super::LinearWriter;
     use crate::evolution::archive::bid;
+    use crate::evolution::config::StartKind;
     use crate::evolution::genome::{Destination, Genome};
     use crate::evolution::vocabulary::Vocabulary;
     use tpg_engine::Limits;
@@ -304,9 +333,9 @@ mod tests {
     }
 
     /// Returns the values of a root's programs in a state: its bids, or its outputs.
-    fn values(words: &[Word], outputs: usize, actions: u16, weights: &[f64]) -> Vec<f64> {
+    fn values(kind: StartKind, words: &[Word], outputs: usize, actions: u16, weights: &[f64]) -> Vec<f64> {
         let vocabulary = vocabulary(words, outputs);
-        let writer = LinearWriter::new(&vocabulary, actions).expect("sums can be written");
+        let writer = LinearWriter::new(&vocabulary, actions, kind).expect("sums can be written");
         assert_eq!(writer.weights(), weights.len());
         let mut genome = Genome::default();
         let root = writer.add_root(&mut genome, weights);
@@ -333,20 +362,38 @@ mod tests {
         let [add, mul] = [Instruction::Add, Instruction::Mul].map(Word::from);
         for words in [&[add, mul][..], &[add, Word::MultiplyAdd]] {
             // Inputs 0.5 of 1 and 8 of 4, outputs of ±2: 2 (3 · 0.5 + 1 · 2 − 1) = 5, and 2 · 2 = 4.
-            assert_eq!(values(words, 2, 0, &[3.0, 1.0, -1.0, 0.0, 1.0, 0.0]), [5.0, 4.0]);
-            assert_eq!(values(words, 0, 3, &[3.0, 1.0, -1.0, 0.0, 1.0, 0.0]), [0.0, 2.5, 2.0], "the first bid stays 0");
+            let weights = [3.0, 1.0, -1.0, 0.0, 1.0, 0.0];
+            assert_eq!(values(StartKind::Linear, words, 2, 0, &weights), [5.0, 4.0]);
+            assert_eq!(values(StartKind::Linear, words, 0, 3, &weights), [0.0, 2.5, 2.0], "the first bid stays 0");
+        }
+    }
+
+    #[test]
+    fn a_product_multiplies_two_sums() {
+        let [add, mul] = [Instruction::Add, Instruction::Mul].map(Word::from);
+        for words in [&[add, mul][..], &[add, mul, Word::MultiplyAdd]] {
+            // Outputs of ±2, and a bid without a unit: (3 · 0.5 + 1 · 2 − 1) (0 · 0.5 + 1 · 2 + 1).
+            let weights = [3.0, 1.0, -1.0, 0.0, 1.0, 1.0];
+            assert_eq!(values(StartKind::Product, words, 1, 0, &weights), [15.0]);
+            assert_eq!(values(StartKind::Product, words, 0, 2, &weights), [0.0, 7.5]);
         }
     }
 
     #[test]
     fn what_cannot_be_written_is_refused_with_its_key() {
-        let key = |vocabulary: &Vocabulary| LinearWriter::new(vocabulary, 0).expect_err("no sums").key;
+        let refused = |vocabulary: &Vocabulary, kind| LinearWriter::new(vocabulary, 0, kind).expect_err("no sums").key;
+        let key = |vocabulary: &Vocabulary| refused(vocabulary, StartKind::Linear);
         assert_eq!(key(&vocabulary(&[Instruction::Mul.into()], 1)), "language.instructions");
         let source = SourceDocument { name: "s".into(), length: 1, unit: "1".into(), ranges: vec![[-1.0, 1.0]] };
         let words = vec![Instruction::Add.into(), Word::MultiplyAdd];
         let without = Vocabulary::new(words.clone(), 4, 0, std::slice::from_ref(&source), None, ScalarType::F64);
         assert_eq!(key(&without), "language.literals");
-        let single = Vocabulary::new(words, 1, 0, &[source], Some(vec![1.0]), ScalarType::F64);
-        assert_eq!(key(&single), "learning.nb_registers");
+        let registers = |count, words: &[Word]| {
+            Vocabulary::new(words.to_vec(), count, 0, std::slice::from_ref(&source), Some(vec![1.0]), ScalarType::F64)
+        };
+        assert_eq!(key(&registers(1, &words)), "learning.nb_registers");
+        assert_eq!(refused(&registers(4, &words), StartKind::Product), "language.instructions");
+        let words = [Instruction::Add.into(), Instruction::Mul.into()];
+        assert_eq!(refused(&registers(2, &words), StartKind::Product), "learning.nb_registers");
     }
 }

@@ -72,7 +72,7 @@ pub const PRESETS: [Preset; 11] = [
     Preset { name: "general", about: "for any problem with named actions", text: include_str!("presets/general.toml") },
     Preset {
         name: "continuous",
-        about: "for any problem with outputs: forces, torques, speeds",
+        about: "for any problem with outputs: some demes begin with products of two weighted sums",
         text: include_str!("presets/continuous.toml"),
     },
     Preset {

@@ -151,6 +151,7 @@ fn copy(genome: &mut Genome, parent: TeamId, replaced: BTreeMap<ProgramId, Progr
 mod tests {
     use super::Refiner;
     use crate::evolution::config::RefinementConfig;
+    use crate::evolution::config::StartKind;
     use crate::evolution::genome::Genome;
     use crate::evolution::linear::LinearWriter;
     use crate::evolution::vocabulary::Vocabulary;
@@ -171,7 +172,7 @@ mod tests {
         let parameters = RefinementConfig { p_jitter, p_deletion, ..RefinementConfig::default() };
         let refiner = Refiner { vocabulary: &vocabulary, parameters: &parameters };
         let mut genome = Genome::default();
-        let writer = LinearWriter::new(&vocabulary, 0).expect("sums can be written");
+        let writer = LinearWriter::new(&vocabulary, 0, StartKind::Linear).expect("sums can be written");
         let parent = writer.add_root(&mut genome, &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]);
         let child = |index| {
             let child = refiner.child(&mut genome, parent, &mut Stream::new(1, 0, Purpose::Test, index));
@@ -200,7 +201,8 @@ mod tests {
         let parameters = RefinementConfig::default();
         let refiner = Refiner { vocabulary: &vocabulary, parameters: &parameters };
         let mut genome = Genome::default();
-        let parent = LinearWriter::new(&vocabulary, 0).expect("sums").add_root(&mut genome, &[0.0; 8]);
+        let parent =
+            LinearWriter::new(&vocabulary, 0, StartKind::Linear).expect("sums").add_root(&mut genome, &[0.0; 8]);
         let mut stream = Stream::new(1, 0, Purpose::Test, 0);
         let before = stream.clone().bits();
         assert_eq!(refiner.child(&mut genome, parent, &mut stream), None);

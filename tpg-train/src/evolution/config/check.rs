@@ -123,7 +123,7 @@ impl EvolutionConfig {
         let count = Finding::range::<usize>;
         let start = &self.start;
         let last = self.learning.nb_generations.saturating_sub(1);
-        if start.kind == StartKind::Linear && start.generations > 0 {
+        if start.kind != StartKind::Random && start.generations > 0 {
             Finding::range("start.generations", start.generations, 2, last)?;
         }
         count("start.searches", start.searches, 1, 100)?;
@@ -172,10 +172,10 @@ impl EvolutionConfig {
         let values: usize = environment.sources().iter().map(|source| source.length as usize).sum();
         let vocabulary = self.vocabulary(environment, vec![1.0; values]);
         let actions = environment.actions().count().unwrap_or(0);
-        let writer = LinearWriter::new(&vocabulary, actions as u16)?;
+        let writer = LinearWriter::new(&vocabulary, actions as u16, self.start.kind)?;
         let weights = writer.weights();
         if weights > MOST_WEIGHTS {
-            let found = format!("linear, with {weights} weights");
+            let found = format!("a start with {weights} weights");
             return Err(Finding::new("start.kind", found, format!("random, or at most {MOST_WEIGHTS} weights")));
         }
         let lines = writer.lines();
