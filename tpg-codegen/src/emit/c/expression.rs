@@ -51,6 +51,10 @@ impl Syntax for Printer<'_> {
         }
     }
 
+    fn hidden(&self, number: &str) -> String {
+        format!("{}_hidden({number})", self.prefix)
+    }
+
     fn number(&self, value: f64) -> String {
         let text = self.literal(value);
         if text.starts_with('-') { format!("({text})") } else { text }

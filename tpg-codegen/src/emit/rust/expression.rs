@@ -47,6 +47,10 @@ impl Syntax for Printer<'_> {
         }
     }
 
+    fn hidden(&self, number: &str) -> String {
+        format!("core::hint::black_box({number})")
+    }
+
     fn input(&self, input: Input) -> String {
         format!("s[{}]", input.index())
     }

@@ -32,11 +32,7 @@ fn statements(printer: &Printer<'_>, values: &[NodeId]) -> Vec<String> {
 }
 
 /// The values, each limited to its output's range, as an array in the body of a method; `value` names an output's.
-pub(super) fn limited(
-    printer: &Printer<'_>,
-    outputs: &[OutputView],
-    value: impl Fn(&OutputView) -> String,
-) -> String {
+pub(super) fn limited(printer: &Printer<'_>, outputs: &[OutputView], value: impl Fn(&OutputView) -> String) -> String {
     answer(printer, outputs.iter().map(|output| (value(output), Some(&*output.limits))).collect())
 }
 
