@@ -9,7 +9,7 @@ use tpg_codegen::emit::{Language, Options, Profile};
 use tpg_codegen::verify::{Workshop, rustc};
 use tpg_graph::engine::{Engine, Reference};
 use tpg_graph::sample::{self, Constants, Shape};
-use tpg_graph::{Document, Graph, MathsProvider, OperandDocument, ScalarType, Word};
+use tpg_graph::{Document, Graph, LineDocument, MathsProvider, OperandDocument, ScalarType, Word};
 
 /// Numbers without a pattern: SplitMix64.
 struct Numbers(u64);
@@ -134,6 +134,46 @@ fn nan_decides_in_rust_as_it_does_in_the_interpreter() {
     }
 }
 
+/// What no state changes is computed before: NaN is among it, and may be a value where the rest is.
+#[test]
+fn nan_is_a_constant_of_generated_code() {
+    let line = |to, op: &str, args: &[&str]| LineDocument {
+        to,
+        op: op.to_owned(),
+        args: args
+            .iter()
+            .map(|text| {
+                text.parse().map_or_else(|_| OperandDocument::Place((*text).to_owned()), OperandDocument::Constant)
+            })
+            .collect(),
+    };
+    let graphs = [ScalarType::F32, ScalarType::F64].map(|scalar| {
+        let text = include_str!("fixtures/swing_up.json");
+        let mut document: Document = serde_json::from_str(text).expect("the fixture is a document");
+        document.scalar = scalar;
+        document.instructions = ["div", "gate", "std_max"].map(str::to_owned).to_vec();
+        for program in &mut document.programs {
+            program.lines = vec![
+                line(0, "div", &["0", "0"]),
+                line(0, "gate", &["r0", "sin_theta[0]"]),
+                line(0, "std_max", &["cos_theta[0]", "r0"]),
+            ];
+        }
+        Graph::from_document("NaN", document).expect("a valid graph")
+    });
+    let states = |graph: &Graph, seed| full_of_nan(graph, 500, seed);
+    compare(Language::Rust, &graphs, rust_at("3"), states);
+    if tpg_testing::tool("gcc", "gcc", "NaN as a constant in C") {
+        compare(Language::C, &graphs, gcc, states);
+    }
+}
+
+fn gcc(folder: &Path) -> Command {
+    let mut command = Command::new("gcc");
+    command.current_dir(folder).args(["-std=c99", "-O2"]);
+    command
+}
+
 /// A graph whose tangents and the like are of constants, as the platform computes them: of a tangent in `f32`, GCC knows some three
 /// of a hundred better.
 fn of_constants(seed: u64) -> Graph {
@@ -161,11 +201,6 @@ fn the_platforms_functions_of_constants_are_the_platforms() {
     let states = |graph: &Graph, seed| tpg_graph::states::sample(graph, 20, seed);
     compare(Language::Rust, &graphs, rust_at("3"), states);
     if tpg_testing::tool("gcc", "gcc", "the platform's functions of constants in C") {
-        let gcc = |folder: &Path| {
-            let mut command = Command::new("gcc");
-            command.current_dir(folder).args(["-std=c99", "-O2"]);
-            command
-        };
         compare(Language::C, &graphs, gcc, states);
     }
 }

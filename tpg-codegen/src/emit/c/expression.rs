@@ -46,7 +46,7 @@ impl Syntax for Printer<'_> {
             _ => {
                 let sign = if value < 0.0 { "-" } else { "" };
                 let cast = if scalar == ScalarType::F64 { "(double)" } else { "" };
-                format!("{sign}{cast}INFINITY")
+                format!("{sign}{cast}{}", if value.is_nan() { "NAN" } else { "INFINITY" })
             }
         }
     }

@@ -41,6 +41,7 @@ impl Syntax for Printer<'_> {
         let scalar = self.graph.scalar();
         let name = scalar.name();
         match scalar {
+            _ if value.is_nan() => format!("{name}::NAN"),
             _ if value.is_infinite() => format!("{name}::{}", if value < 0.0 { "NEG_INFINITY" } else { "INFINITY" }),
             ScalarType::F32 => format!("{:?}_f32", value as f32),
             ScalarType::F64 => format!("{value:?}_f64"),
