@@ -7,6 +7,7 @@
 //! | [`models`] | networks of every kind and size, to count |
 //! | [`network`] | a network of another problem than the arm's |
 //! | [`continuous`] | policies that answer with values, and a pendulum |
+//! | [`cartpole`] | the shipped policy of CartPole and its plant |
 //! | [`emulate`] | QEMU |
 //! | [`expected`] | the host's trajectories |
 //! | [`record`] | how an episode is written down, here and in the firmware |
@@ -20,6 +21,7 @@
 //! | [`size`] | flash and RAM beside `sizes.toml` |
 
 mod build;
+mod cartpole;
 mod continuous;
 mod cores;
 mod costs;
@@ -167,6 +169,12 @@ fn qemu(update: bool) -> Result<(), Failure> {
             symbols::check(&image)?;
             let lines = emulate::run(Board::Mps2An386, &image)?;
             continuous::compare(language, &image, &lines)?;
+            costs.add(language, &lines);
+        }
+        if let Some(image) = builder("cartpole", Board::Mps2An386)? {
+            symbols::check(&image)?;
+            let lines = emulate::run(Board::Mps2An386, &image)?;
+            cartpole::compare(language, &image, &lines)?;
             costs.add(language, &lines);
         }
         // A control step among balls has no C interface.
