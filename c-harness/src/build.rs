@@ -49,7 +49,7 @@ fn harness() -> PathBuf {
 }
 
 /// A folder with what a board's images need: its memories as the linkers want them.
-fn board_folder(board: Board) -> Result<PathBuf, Failure> {
+pub(crate) fn board_folder(board: Board) -> Result<PathBuf, Failure> {
     let folder = room()?.join(board.name());
     fs::create_dir_all(&folder).map_err(|error| Failure::at(&folder, error))?;
     let memories = harness().join("example/boards").join(format!("{}.ld", board.name()));

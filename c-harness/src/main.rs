@@ -8,6 +8,7 @@
 //! | [`network`] | a network of another problem than the arm's |
 //! | [`continuous`] | policies that answer with values, and a pendulum |
 //! | [`cartpole`] | the shipped policy of CartPole and its plant |
+//! | [`profiles`] | what each profile of any graph takes |
 //! | [`emulate`] | QEMU |
 //! | [`expected`] | the host's trajectories |
 //! | [`record`] | how an episode is written down, here and in the firmware |
@@ -34,6 +35,7 @@ mod lint;
 mod models;
 mod network;
 mod problems;
+mod profiles;
 mod record;
 mod rtic;
 mod scenarios;
@@ -97,6 +99,15 @@ enum Check {
     Lint,
     /// Print the parts of a decision's static worst case; runs nothing
     Worst,
+    /// Print flash and instructions of every profile of policies on a Cortex-M4F, beside those of `small`
+    Profiles {
+        /// Policies with actions: graph.json or .dot
+        #[arg(required = true)]
+        graphs: Vec<PathBuf>,
+        /// The artifact that .dot files are of
+        #[arg(long, value_enum)]
+        profile_of: Option<tpg_graph::import::Profile>,
+    },
 }
 
 fn main() -> ExitCode {
@@ -106,6 +117,7 @@ fn main() -> ExitCode {
         Check::Size => size::check(),
         Check::Lint => lint::sees_what_is_bad().and_then(|()| lint::check()),
         Check::Worst => worst(),
+        Check::Profiles { graphs, profile_of } => profiles::table(&graphs, profile_of),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
