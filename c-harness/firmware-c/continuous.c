@@ -2,11 +2,13 @@
  * a hash of every torque and observation, and the instructions of the policies. */
 #include "plant.h"
 #include "platform.h"
+#include "recall_balanced.h"
 #include "recall_constant.h"
 #include "recall_fast.h"
 #include "recall_small.h"
 #include "report.h"
 #include "starts.h"
+#include "swing_balanced.h"
 #include "swing_constant.h"
 #include "swing_fast.h"
 #include "swing_small.h"
@@ -50,9 +52,11 @@ typedef float (*torque_t)(const seen_t *seen);
     }
 
 WITHOUT_MEMORY(swing_fast)
+WITHOUT_MEMORY(swing_balanced)
 WITHOUT_MEMORY(swing_small)
 WITHOUT_MEMORY(swing_constant)
 WITH_MEMORY(recall_fast)
+WITH_MEMORY(recall_balanced)
 WITH_MEMORY(recall_small)
 WITH_MEMORY(recall_constant)
 
@@ -66,9 +70,11 @@ static const struct {
     torque_t torque;
 } policies[] = {
     { "cost swing fast", nothing, swing_fast_torque },
+    { "cost swing balanced", nothing, swing_balanced_torque },
     { "cost swing small", nothing, swing_small_torque },
     { "cost swing constant", nothing, swing_constant_torque },
     { "cost recall fast", recall_fast_begin, recall_fast_torque },
+    { "cost recall balanced", recall_balanced_begin, recall_balanced_torque },
     { "cost recall small", recall_small_begin, recall_small_torque },
     { "cost recall constant", recall_constant_begin, recall_constant_torque },
 };

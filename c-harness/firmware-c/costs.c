@@ -1,10 +1,12 @@
 /* Instructions of each profile's C on the same states: those that the fixed-start graph and the random-start graph see. */
+#include "fs_balanced_c.h"
 #include "fs_constant_c.h"
 #include "fs_fast_c.h"
 #include "fs_small_c.h"
 #include "platform.h"
 #include "problems.h"
 #include "report.h"
+#include "rs_balanced_c.h"
 #include "rs_constant_c.h"
 #include "rs_fast_c.h"
 #include "rs_small_c.h"
@@ -15,6 +17,7 @@
 #include <stdint.h>
 
 #define LONGEST_STATE 64U
+#define PROFILES 4U
 
 typedef uint16_t (*infer_t)(const void *state);
 
@@ -25,9 +28,11 @@ typedef uint16_t (*infer_t)(const void *state);
     }
 
 INFER(fs_fast)
+INFER(fs_balanced)
 INFER(fs_small)
 INFER(fs_constant)
 INFER(rs_fast)
+INFER(rs_balanced)
 INFER(rs_small)
 INFER(rs_constant)
 
@@ -80,7 +85,7 @@ static bool drive(const char *set, variant_t *variants, const uint8_t *sources, 
                 || (tpg_observation_state(&arm, &seen, &memo, sources, source_count, state, LONGEST_STATE) != TPG_OK)) {
                 return false;
             }
-            for (size_t at = 0U; at < 3U; at++) {
+            for (size_t at = 0U; at < PROFILES; at++) {
                 uint16_t said;
                 const uint32_t gross = cost(variants[at].infer, &said);
                 const uint32_t net = (gross > overhead) ? (gross - overhead) : 0U;
@@ -98,7 +103,7 @@ static bool drive(const char *set, variant_t *variants, const uint8_t *sources, 
             steps++;
         }
     }
-    for (size_t at = 0U; at < 3U; at++) {
+    for (size_t at = 0U; at < PROFILES; at++) {
         report_t line;
 
         report_begin(&line, "cost ");
@@ -115,11 +120,17 @@ static bool drive(const char *set, variant_t *variants, const uint8_t *sources, 
 
 int main(void)
 {
-    static variant_t fs[3] = {
-        { "fast", fs_fast, 0U, 0U }, { "small", fs_small, 0U, 0U }, { "constant-time", fs_constant, 0U, 0U },
+    static variant_t fs[PROFILES] = {
+        { "fast", fs_fast, 0U, 0U },
+        { "balanced", fs_balanced, 0U, 0U },
+        { "small", fs_small, 0U, 0U },
+        { "constant-time", fs_constant, 0U, 0U },
     };
-    static variant_t rs[3] = {
-        { "fast", rs_fast, 0U, 0U }, { "small", rs_small, 0U, 0U }, { "constant-time", rs_constant, 0U, 0U },
+    static variant_t rs[PROFILES] = {
+        { "fast", rs_fast, 0U, 0U },
+        { "balanced", rs_balanced, 0U, 0U },
+        { "small", rs_small, 0U, 0U },
+        { "constant-time", rs_constant, 0U, 0U },
     };
     static const uint8_t fs_sources[] = FS_FAST_C_SOURCES;
     static const tpg_move_t fs_moves[] = FS_FAST_C_MOVES;

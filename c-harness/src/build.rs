@@ -1,13 +1,13 @@
 //! Compiles the firmwares.
 
 use crate::Failure;
-use crate::{continuous, models, network, problems, table};
+use crate::{cartpole, continuous, models, network, problems, table};
 use std::env;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use tpg_codegen::emit::{self, File, Language, Options, Prefix, Profile};
+use tpg_codegen::emit::{self, File, Language, Options, Prefix};
 use tpg_codegen::policy::{QuantisedPolicy, to_c};
 use tpg_graph::Graph;
 use tpg_testing::library::{self, Missing};
@@ -49,7 +49,7 @@ fn harness() -> PathBuf {
 }
 
 /// A folder with what a board's images need: its memories as the linkers want them.
-fn board_folder(board: Board) -> Result<PathBuf, Failure> {
+pub(crate) fn board_folder(board: Board) -> Result<PathBuf, Failure> {
     let folder = room()?.join(board.name());
     fs::create_dir_all(&folder).map_err(|error| Failure::at(&folder, error))?;
     let memories = harness().join("example/boards").join(format!("{}.ld", board.name()));
@@ -73,6 +73,7 @@ pub(crate) fn generated_c() -> Result<PathBuf, Failure> {
     files.push(table::file());
     files.extend(network::files()?);
     files.extend(continuous::files(&folder)?);
+    files.extend(cartpole::files(&folder)?);
     let mut modules = String::new();
     for start in problems::STARTS.map(problems::name) {
         let path = library::top().join(format!("generated/widowx-{start}/graph.json"));
@@ -80,9 +81,7 @@ pub(crate) fn generated_c() -> Result<PathBuf, Failure> {
         let graph = Graph::from_json(&path.display().to_string(), &text).map_err(Failure::new)?;
         let prefix = |name: String| name.parse::<Prefix>().map_err(Failure::new);
         files.extend(emit::emit(&graph, Language::C, &Options::new(prefix(format!("widowx_{start}"))?)));
-        for (profile, short) in
-            [(Profile::Fast, "fast"), (Profile::Small, "small"), (Profile::ConstantTime, "constant")]
-        {
+        for (profile, short) in continuous::PROFILES {
             for (language, tag) in [(Language::C, "c"), (Language::Rust, "rust")] {
                 let name = prefix(format!("{start}_{short}_{tag}"))?;
                 if language == Language::Rust {
@@ -139,9 +138,19 @@ pub(crate) fn host(program: &str) -> Result<Option<PathBuf>, Failure> {
 /// The C firmware `program` for a board; `None` where a tool is missing.
 pub(crate) fn c(program: &str, board: Board) -> Result<Option<PathBuf>, Failure> {
     let names: &[&str] = match program {
-        "costs" => &["fs_fast_c", "fs_small_c", "fs_constant_c", "rs_fast_c", "rs_small_c", "rs_constant_c"],
+        "costs" => &[
+            "fs_fast_c",
+            "fs_balanced_c",
+            "fs_small_c",
+            "fs_constant_c",
+            "rs_fast_c",
+            "rs_balanced_c",
+            "rs_small_c",
+            "rs_constant_c",
+        ],
         "network" => &["pendulum"],
         "continuous" => &continuous::C_FILES,
+        "cartpole" => &cartpole::C_FILES,
         _ => &["widowx_fs", "widowx_rs", "widowx_sac"],
     };
     gcc(program, &harness().join(format!("firmware-c/{program}.c")), names, board)

@@ -25,15 +25,23 @@ const STEPS: u32 = 200;
 /// The policies: `recall` sees no velocity and remembers.
 const POLICIES: [&str; 2] = ["swing", "recall"];
 /// The profiles, as prefixes and reports name them.
-pub(crate) const PROFILES: [(Profile, &str); 3] =
-    [(Profile::Fast, "fast"), (Profile::Small, "small"), (Profile::ConstantTime, "constant")];
+pub(crate) const PROFILES: [(Profile, &str); 4] = [
+    (Profile::Fast, "fast"),
+    (Profile::Balanced, "balanced"),
+    (Profile::Small, "small"),
+    (Profile::ConstantTime, "constant"),
+];
 
 /// The start of an episode: angle, velocity, and what is observed of them.
 type Start = ([f32; 2], [f32; 3]);
 
 fn graph(name: &str) -> Result<Graph, Failure> {
-    let path = library::top().join(format!("c-harness/pendulum/{name}.json"));
-    import::load(&path, None, None).map_err(Failure::new)
+    load(&format!("c-harness/pendulum/{name}.json"))
+}
+
+/// A committed graph.
+pub(crate) fn load(path: &str) -> Result<Graph, Failure> {
+    import::load(&library::top().join(path), None, None).map_err(Failure::new)
 }
 
 fn starts() -> Vec<Start> {
@@ -47,7 +55,7 @@ fn starts() -> Vec<Start> {
 }
 
 /// A step of a graph in `f32` with own maths; it replaces the graph's memory.
-fn step(graph: &Graph, seen: &[f32], memory: &mut [f32]) -> Vec<f32> {
+pub(crate) fn step(graph: &Graph, seen: &[f32], memory: &mut [f32]) -> Vec<f32> {
     let state = [seen, &*memory].concat();
     let mut answer: Vec<f32> = match Interpreter::<f32, Own>::new(graph).answer(&state) {
         Answer::Values(values) => values.into_iter().map(|value| value as f32).collect(),
@@ -76,26 +84,40 @@ fn run(policy: &Graph, plant: &Graph) -> (Hash, Vec<[f32; 3]>) {
     (hash, ends)
 }
 
-/// The policies in every profile and the plant, in both languages, and the starts; all of it will be in `folder`.
-pub(crate) fn files(folder: &Path) -> Result<Vec<File>, Failure> {
-    let (mut files, mut modules) = (Vec::new(), String::new());
-    let mut add = |graph: &Graph, name: &str, profile: Profile| {
+/// Generated code in both languages, and the Rust modules that it makes up.
+#[derive(Default)]
+pub(crate) struct Modules {
+    pub(crate) files: Vec<File>,
+    pub(crate) text: String,
+}
+
+impl Modules {
+    /// Adds a graph; its files will be in `folder`.
+    pub(crate) fn add(&mut self, folder: &Path, graph: &Graph, name: &str, profile: Profile) -> Result<(), Failure> {
         let prefix = name.parse::<Prefix>().map_err(Failure::new)?;
         let path = folder.join(format!("{name}.rs")).display().to_string();
-        let _ = writeln!(modules, "#[path = {path:?}]\nmod {name};");
+        let _ = writeln!(self.text, "#[path = {path:?}]\nmod {name};");
         for language in [Language::C, Language::Rust] {
             let options = Options { profile: Some(profile), ..Options::new(prefix.clone()) };
-            files.extend(emit::emit(graph, language, &options));
+            self.files.extend(emit::emit(graph, language, &options));
         }
-        Ok::<_, Failure>(())
-    };
-    for name in POLICIES {
-        let graph = graph(name)?;
-        for (profile, short) in PROFILES {
-            add(&graph, &format!("{name}_{short}"), profile)?;
-        }
+        Ok(())
     }
-    add(&graph("plant")?, "plant", Profile::Fast)?;
+
+    /// Adds a graph in every profile.
+    pub(crate) fn add_profiles(&mut self, folder: &Path, graph: &Graph, name: &str) -> Result<(), Failure> {
+        PROFILES.iter().try_for_each(|&(profile, short)| self.add(folder, graph, &format!("{name}_{short}"), profile))
+    }
+}
+
+/// The policies in every profile and the plant, in both languages, and the starts; all of it will be in `folder`.
+pub(crate) fn files(folder: &Path) -> Result<Vec<File>, Failure> {
+    let mut modules = Modules::default();
+    for name in POLICIES {
+        modules.add_profiles(folder, &graph(name)?, name)?;
+    }
+    modules.add(folder, &graph("plant")?, "plant", Profile::Fast)?;
+    let Modules { mut files, text: modules } = modules;
     let starts = starts();
     let mut c = format!(
         "#ifndef STARTS_H\n#define STARTS_H\n\n#define EPISODES {EPISODES}U\n#define STEPS {STEPS}U\n\n\
@@ -115,8 +137,17 @@ pub(crate) fn files(folder: &Path) -> Result<Vec<File>, Failure> {
 }
 
 /// The names of the generated files that the firmware in C needs.
-pub(crate) const C_FILES: [&str; 7] =
-    ["plant", "swing_fast", "swing_small", "swing_constant", "recall_fast", "recall_small", "recall_constant"];
+pub(crate) const C_FILES: [&str; 9] = [
+    "plant",
+    "swing_fast",
+    "swing_balanced",
+    "swing_small",
+    "swing_constant",
+    "recall_fast",
+    "recall_balanced",
+    "recall_small",
+    "recall_constant",
+];
 
 /// Compares a firmware's torques and observations with this machine's.
 pub(crate) fn compare(language: &str, image: &Path, lines: &[Line]) -> Result<(), Failure> {

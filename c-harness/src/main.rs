@@ -7,6 +7,8 @@
 //! | [`models`] | networks of every kind and size, to count |
 //! | [`network`] | a network of another problem than the arm's |
 //! | [`continuous`] | policies that answer with values, and a pendulum |
+//! | [`cartpole`] | the shipped policy of CartPole and its plant |
+//! | [`profiles`] | what each profile of any graph takes |
 //! | [`emulate`] | QEMU |
 //! | [`expected`] | the host's trajectories |
 //! | [`record`] | how an episode is written down, here and in the firmware |
@@ -20,6 +22,7 @@
 //! | [`size`] | flash and RAM beside `sizes.toml` |
 
 mod build;
+mod cartpole;
 mod continuous;
 mod cores;
 mod costs;
@@ -32,6 +35,7 @@ mod lint;
 mod models;
 mod network;
 mod problems;
+mod profiles;
 mod record;
 mod rtic;
 mod scenarios;
@@ -95,6 +99,15 @@ enum Check {
     Lint,
     /// Print the parts of a decision's static worst case; runs nothing
     Worst,
+    /// Print flash and instructions of every profile of policies on a Cortex-M4F, beside those of `small`
+    Profiles {
+        /// Policies with actions: graph.json or .dot
+        #[arg(required = true)]
+        graphs: Vec<PathBuf>,
+        /// The artifact that .dot files are of
+        #[arg(long, value_enum)]
+        profile_of: Option<tpg_graph::import::Profile>,
+    },
 }
 
 fn main() -> ExitCode {
@@ -104,6 +117,7 @@ fn main() -> ExitCode {
         Check::Size => size::check(),
         Check::Lint => lint::sees_what_is_bad().and_then(|()| lint::check()),
         Check::Worst => worst(),
+        Check::Profiles { graphs, profile_of } => profiles::table(&graphs, profile_of),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
@@ -167,6 +181,12 @@ fn qemu(update: bool) -> Result<(), Failure> {
             symbols::check(&image)?;
             let lines = emulate::run(Board::Mps2An386, &image)?;
             continuous::compare(language, &image, &lines)?;
+            costs.add(language, &lines);
+        }
+        if let Some(image) = builder("cartpole", Board::Mps2An386)? {
+            symbols::check(&image)?;
+            let lines = emulate::run(Board::Mps2An386, &image)?;
+            cartpole::compare(language, &image, &lines)?;
             costs.add(language, &lines);
         }
         // A control step among balls has no C interface.

@@ -16,6 +16,7 @@ mod least;
 mod manual;
 mod memory;
 mod networks;
+mod optimisers;
 mod outputs;
 mod own_maths_c;
 mod packages;

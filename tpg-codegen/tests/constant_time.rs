@@ -12,9 +12,11 @@ use tempfile::TempDir;
 use tpg_codegen::emit::{self, Code, Language, Profile, Style};
 use tpg_codegen::size::RustForCortexM4;
 use tpg_graph::Word;
+use tpg_graph::interpret::{Answer, Interpreter};
 use tpg_graph::sample::{self, Constants, Shape};
 use tpg_graph::{Graph, MathsProvider, ScalarType};
-use tpg_graph::{import, interpret, states};
+use tpg_graph::{import, states};
+use tpg_runtime::ops::Own;
 
 const STATES: usize = 10_000;
 /// A language with a level of optimisation. (Not `z` of Rust: LLVM then calls a function through a register where it is
@@ -43,7 +45,23 @@ fn graphs() -> Vec<(String, Graph)> {
         (format!("random {seed}"), sample::graph(&shape, seed))
     });
     let all = ("every instruction".to_owned(), fixture(ScalarType::F32, MathsProvider::Own));
-    own.into_iter().chain([all, ("many teams".to_owned(), many_teams())]).chain(random).collect()
+    own.into_iter().chain([all, ("many teams".to_owned(), many_teams())]).chain(random).chain(with_values()).collect()
+}
+
+/// Policies that answer with values: a formula, leaves, memory, and random ones, most of which remember.
+fn with_values() -> Vec<(String, Graph)> {
+    let fixtures = [
+        ("formula", include_str!("fixtures/formula.json")),
+        ("swing_up", include_str!("fixtures/swing_up.json")),
+        ("memory", include_str!("fixtures/memory.json")),
+    ];
+    let fixtures = fixtures.map(|(name, text)| (name.to_owned(), Graph::from_json(name, text).expect("a valid graph")));
+    let random = (0..tpg_testing::amount(2, 10)).map(|seed| {
+        let shape = Shape::random_with_outputs(seed + 4);
+        let shape = Shape { teams: shape.teams.min(6), scalar: ScalarType::F32, maths: MathsProvider::Own, ..shape };
+        (format!("random with values {seed}"), sample::graph(&shape, seed))
+    });
+    fixtures.into_iter().chain(random).collect()
 }
 
 /// So many that they are in several functions.
@@ -235,21 +253,52 @@ fn a_tiny_graph_takes_at_most_twice_the_instructions_of_fast_code() {
     }
 }
 
-/// Links an image that decides `states`.
-fn image(folder: &Path, graph: &Graph, states: &[f64], build: (Language, &'static str)) -> PathBuf {
+/// A policy's memory at first.
+fn remembered(graph: &Graph) -> Vec<f64> {
+    graph.outputs()[graph.outputs().len() - graph.memory()..].iter().map(|value| value.nan).collect()
+}
+
+/// A hash of the interpreter's answers to states one after another, with what is remembered between them.
+fn hash_of(graph: &Graph, seen: &[Vec<f64>]) -> u32 {
+    let mut memory = remembered(graph);
+    let interpreter = Interpreter::<f32, Own>::new(graph);
+    let mut hash = 2_166_136_261_u32;
+    let mut add = |bits: u32| hash = (hash ^ bits).wrapping_mul(16_777_619);
+    for seen in seen {
+        let state: Vec<f32> = seen.iter().chain(&memory).map(|&value| value as f32).collect();
+        match interpreter.answer(&state) {
+            Answer::Action(action) => add(u32::from(action.0)),
+            Answer::Values(values) => {
+                let (answered, next) = values.split_at(values.len() - memory.len());
+                answered.iter().for_each(|&value| add((value as f32).to_bits()));
+                memory.copy_from_slice(next);
+            }
+        }
+    }
+    hash
+}
+
+/// Links an image that decides what it sees.
+fn image(folder: &Path, graph: &Graph, seen: &[Vec<f64>], build: (Language, &'static str)) -> PathBuf {
     compile(folder, graph, Profile::ConstantTime, build);
-    // The header names the state for the program around it, whatever language the policy is in.
-    emit_c(folder, graph, Profile::ConstantTime);
-    let bytes: Vec<u8> = states.iter().flat_map(|&value| (value as f32).to_le_bytes()).collect();
+    let memory = remembered(graph);
+    let numbers = memory.iter().chain(seen.iter().flatten());
+    let bytes: Vec<u8> = numbers.flat_map(|&value| (value as f32).to_le_bytes()).collect();
     fs::write(folder.join("states"), bytes).expect("the folder can be written");
     let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures/cortex-m4");
     for file in ["main.c", "image.s", "image.ld"] {
         fs::copy(fixtures.join(file), folder.join(file)).expect("the folder can be written");
     }
-    let count = format!("-DSTATES={}U", states.len() / graph.state_length());
-    let sources =
-        [&count, "ct.o", "main.c", "image.s", "-nostdlib", "-nostartfiles", "-T", "image.ld", "-o", "image.elf"];
-    gcc(folder, "-O2", &sources);
+    let language = if build.0 == Language::Rust { "-DRUST" } else { "-DC" };
+    let counts = [
+        format!("-DSTATES={}", seen.len()),
+        format!("-DOBSERVED={}", graph.state_length() - memory.len()),
+        format!("-DVALUES={}", graph.outputs().len() - memory.len()),
+        format!("-DMEMORY={}", memory.len()),
+    ];
+    let counts = counts.each_ref().map(String::as_str);
+    let sources = ["ct.o", "main.c", "image.s", "-nostartfiles", "-nostdlib", "-T", "image.ld", "-o", "image.elf"];
+    gcc(folder, "-O2", &[&[language], &counts[..], &sources, &["-lc"]].concat());
     folder.join("image.elf")
 }
 
@@ -260,13 +309,13 @@ fn every_state_takes_the_instructions_of_the_static_bound() {
         return;
     }
     for (name, graph) in graphs() {
-        let states = states::sample(&graph, STATES, 1);
-        let expected = interpret::actions(&graph, &states)
-            .iter()
-            .fold(2_166_136_261_u32, |hash, action| (hash ^ u32::from(action.0)).wrapping_mul(16_777_619));
+        let seen: Vec<Vec<f64>> = (states::sample(&graph, STATES, 1).chunks_exact(graph.state_length()))
+            .map(|state| state[..graph.state_length() - graph.memory()].to_vec())
+            .collect();
+        let expected = hash_of(&graph, &seen);
         for build in BUILDS {
             let folder = TempDir::new().expect("a temporary folder");
-            let image = image(folder.path(), &graph, &states, build);
+            let image = image(folder.path(), &graph, &seen, build);
             let listing = disassemble(&image).expect("a listing");
             let bounds = LoopBounds::new();
             let bound = Analyser::new(&listing, &bounds).bound("ct_infer").expect("a bound");
@@ -279,11 +328,58 @@ fn every_state_takes_the_instructions_of_the_static_bound() {
             let numbers: Vec<u32> = text.lines().filter_map(|line| line.trim().parse().ok()).collect();
             let [nothing, least, most, hash] = numbers[..] else { panic!("{name} {build:?}: {text}") };
 
-            assert_eq!(hash, expected, "{name} {build:?}: other actions than the interpreter's");
+            assert_eq!(hash, expected, "{name} {build:?}: other answers than the interpreter's");
             // Less the call of nothing, whose only instruction is its return.
             let instructions = |ticks: u32| ((f64::from(ticks) - f64::from(nothing)) / 25.6).round() as u64 + 1;
             assert_eq!(instructions(least), bound.instructions, "{name} {build:?}");
             assert_eq!(instructions(most), bound.instructions, "{name} {build:?}");
         }
+    }
+}
+
+/// A graph of operations without sines, in f64.
+fn in_doubles() -> Graph {
+    let names = ["add", "sub", "mul", "div", "negate_if_less", "abs", "min", "max", "gate", "multiply_add"];
+    let shape = Shape {
+        teams: 3,
+        edges: 2..=4,
+        lines: 3..=8,
+        outputs: 2,
+        memory: 1,
+        scalar: ScalarType::F64,
+        instructions: names.iter().copied().filter_map(Word::from_name).collect(),
+        ..Shape::default()
+    };
+    sample::graph(&shape, 3)
+}
+
+/// Where the FPU has no doubles a library computes them, by code that branches on them: no bound is claimed for that.
+#[test]
+fn doubles_take_the_same_time_where_the_fpu_has_them() {
+    let binutils = [("arm-none-eabi-gcc", "gcc-arm-none-eabi"), ("arm-none-eabi-objdump", "gcc-arm-none-eabi")];
+    if !tools("constant-time code in f64 on a Cortex-M4F and a Cortex-M7", &binutils) {
+        return;
+    }
+    let graph = in_doubles();
+    let folder = TempDir::new().expect("a temporary folder");
+    emit_c(folder.path(), &graph, Profile::ConstantTime);
+    let text = fs::read_to_string(folder.path().join("ct.c")).expect("it was written");
+    assert!(text.contains("Every decision takes the same time only where the FPU has doubles"), "the file says so");
+    let bounds = LoopBounds::new();
+    for level in ["-O1", "-O2", "-O3", "-Os"] {
+        let listing = |core: [&str; 4]| {
+            let mut command = Command::new("arm-none-eabi-gcc");
+            command.current_dir(folder.path()).args(core).args(["-DCT_NO_SELFTEST", level, "-c", "ct.c", "-o", "ct.o"]);
+            run(&mut command).unwrap_or_else(|message| panic!("{message}"));
+            disassemble(&folder.path().join("ct.o")).expect("a listing")
+        };
+        let single = listing(CORE);
+        let refusal = Analyser::new(&single, &bounds).decisions("ct_infer").expect_err("a library computes");
+        assert!(refusal.to_string().contains("in software"), "{level}: {refusal}");
+        let double = listing(["-mcpu=cortex-m7", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv5-d16"]);
+        let mut analyser = Analyser::new(&double, &bounds);
+        let sites = analyser.decisions("ct_infer").unwrap_or_else(|refusal| panic!("{level}: {refusal}"));
+        assert!(sites.is_empty(), "{level}: {sites:?}");
+        analyser.bound("ct_infer").unwrap_or_else(|refusal| panic!("{level}: {refusal}"));
     }
 }

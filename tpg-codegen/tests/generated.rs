@@ -73,6 +73,12 @@ fn rustfmt_changes_nothing() {
     }
     for seed in 1..=30 {
         add(&sample::graph(&Shape::random(seed), seed), &format!("random{seed}"));
+        add(&sample::graph(&Shape::random_with_outputs(seed), seed), &format!("outputs{seed}"));
+    }
+    // One to eleven outputs, so that a line holds some and not others; eleven values of memory are more than a line.
+    for outputs in 1..12 {
+        let shape = Shape { teams: 2, outputs, memory: 12 - outputs, ..Shape::random(u64::from(outputs)) };
+        add(&sample::graph(&shape, u64::from(outputs)), &format!("values{outputs}"));
     }
     // Around the lengths where arrays get a line more.
     for teams in (0..60).chain([97, 98, 99, 500]) {

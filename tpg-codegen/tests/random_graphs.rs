@@ -7,7 +7,7 @@
 //! episode, too.
 //!
 //! The long form, of graphs with leaves and memory alone: `TPG_RANDOM_GRAPHS=1000 TPG_RANDOM_STATES=10000 cargo test --release -p
-//! tpg-codegen random_graphs:: -- --nocapture episodes`, 1,000 graphs in C and 250 in Rust.
+//! tpg-codegen --test all interpreters_episodes -- --nocapture`, 1,000 graphs in C and 250 in Rust.
 
 use tpg_codegen::emit::{Language, Options, Profile};
 use tpg_codegen::passes;
@@ -172,7 +172,8 @@ fn assert_same_episodes(language: Language, seeds: std::ops::Range<u64>) {
         for (place, (graph, options)) in policies.iter().enumerate() {
             let seed = seeds[place / Profile::ALL.len()];
             let mut process = batch.start(place, graph).expect("the program starts");
-            let comparisons = verify::compare(graph, &mut [&mut process], states_each(), seed).expect("it runs");
+            let comparisons = verify::compare(graph, &mut [&mut process], states_each(), seed)
+                .unwrap_or_else(|error| panic!("graph {seed}, {}: {error}", options.prefix));
             assert_eq!(comparisons[0].differences, 0, "graph {seed}, {}: {comparisons:?}", options.prefix);
             compared += comparisons[0].states;
             if graph.memory() == 0 {

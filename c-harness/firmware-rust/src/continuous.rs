@@ -60,9 +60,11 @@ fn main() -> ! {
         };
     }
     without_memory!("cost swing fast", swing_fast::SwingFast);
+    without_memory!("cost swing balanced", swing_balanced::SwingBalanced);
     without_memory!("cost swing small", swing_small::SwingSmall);
     without_memory!("cost swing constant", swing_constant::SwingConstant);
     with_memory!("cost recall fast", recall_fast::RecallFast);
+    with_memory!("cost recall balanced", recall_balanced::RecallBalanced);
     with_memory!("cost recall small", recall_small::RecallSmall);
     with_memory!("cost recall constant", recall_constant::RecallConstant);
     Report::new("done").unsigned("stack", platform::stack_used(stack)).print();

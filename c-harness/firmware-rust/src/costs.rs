@@ -58,11 +58,11 @@ impl Tally {
     }
 }
 
-/// Three profiles of one graph along the states that it sees.
-fn profiles<A, B, C, const N: usize>(
+/// Every profile of one graph along the states that it sees.
+fn profiles<A, B, C, D, const N: usize>(
     counter: &mut Counter,
-    names: [&str; 3],
-    policies: (A, B, C),
+    names: [&str; 4],
+    policies: (A, B, C, D),
     sources: &[Source],
     moves: &[Move],
     problems: &[ReachTask<f32>],
@@ -70,8 +70,9 @@ fn profiles<A, B, C, const N: usize>(
     A: Policy<State = [f32; N], Action = ActionId>,
     B: Policy<State = [f32; N], Action = ActionId>,
     C: Policy<State = [f32; N], Action = ActionId>,
+    D: Policy<State = [f32; N], Action = ActionId>,
 {
-    let mut tallies = [Tally::default(); 3];
+    let mut tallies = [Tally::default(); 4];
     for &problem in problems.iter().take(PARTS) {
         let mut episode = Episode::new(&ARM, problem, Brent::new());
         let memo = TargetMemo::new();
@@ -79,12 +80,13 @@ fn profiles<A, B, C, const N: usize>(
             let mut state = [0f32; N];
             Source::fill(sources, &ARM, episode.observation(), &memo, &mut state);
             let (ActionId(fast), a) = counter.measure(|| policies.0.decide(black_box(&state)));
-            let (ActionId(small), b) = counter.measure(|| policies.1.decide(black_box(&state)));
-            let (ActionId(constant), c) = counter.measure(|| policies.2.decide(black_box(&state)));
-            if fast != small || fast != constant {
+            let (ActionId(balanced), b) = counter.measure(|| policies.1.decide(black_box(&state)));
+            let (ActionId(small), c) = counter.measure(|| policies.2.decide(black_box(&state)));
+            let (ActionId(constant), d) = counter.measure(|| policies.3.decide(black_box(&state)));
+            if [balanced, small, constant] != [fast; 3] {
                 platform::exit(false);
             }
-            for (tally, instructions) in tallies.iter_mut().zip([a, b, c]) {
+            for (tally, instructions) in tallies.iter_mut().zip([a, b, c, d]) {
                 tally.add(instructions);
             }
             let wanted = moves.get(usize::from(fast)).copied().unwrap_or(Move::STOP);
@@ -222,16 +224,26 @@ fn main() -> ! {
     let mut counter = Counter::new(peripherals.SYST);
     profiles(
         &mut counter,
-        ["fs fast", "fs small", "fs constant-time"],
-        (fs_fast_rust::FsFastRust, fs_small_rust::FsSmallRust, fs_constant_rust::FsConstantRust),
+        ["fs fast", "fs balanced", "fs small", "fs constant-time"],
+        (
+            fs_fast_rust::FsFastRust,
+            fs_balanced_rust::FsBalancedRust,
+            fs_small_rust::FsSmallRust,
+            fs_constant_rust::FsConstantRust,
+        ),
         &const { binding::sources(fs_fast_rust::FsFastRust::SOURCES) },
         &const { binding::moves(fs_fast_rust::FsFastRust::MOVES) },
         &FS_PROBLEMS,
     );
     profiles(
         &mut counter,
-        ["rs fast", "rs small", "rs constant-time"],
-        (rs_fast_rust::RsFastRust, rs_small_rust::RsSmallRust, rs_constant_rust::RsConstantRust),
+        ["rs fast", "rs balanced", "rs small", "rs constant-time"],
+        (
+            rs_fast_rust::RsFastRust,
+            rs_balanced_rust::RsBalancedRust,
+            rs_small_rust::RsSmallRust,
+            rs_constant_rust::RsConstantRust,
+        ),
         &const { binding::sources(rs_fast_rust::RsFastRust::SOURCES) },
         &const { binding::moves(rs_fast_rust::RsFastRust::MOVES) },
         &RS_PROBLEMS,

@@ -1,10 +1,11 @@
 //! The banner of generated files: their origin, never the time or place of generation.
 
 use crate::ir::Node;
-use crate::options::{Language, Style};
+use crate::options::{Language, Profile, Style};
 use crate::passes::interval::Assumption;
 use crate::program::Program;
 use tpg_graph::conversion::Conversion;
+use tpg_graph::{Graph, MathsProvider, ScalarType};
 
 /// The banner's lines, without comment marks.
 pub(super) fn lines(program: &Program<'_>) -> Vec<String> {
@@ -35,6 +36,10 @@ pub(super) fn lines(program: &Program<'_>) -> Vec<String> {
         ),
         format!("Computes in {} with {} maths.", graph.scalar().name(), graph.maths().name()),
     ];
+    let has_profile = language == Language::Rust || options.style == Style::Pure;
+    if has_profile && options.profile_in(language) == Profile::ConstantTime {
+        lines.extend(same_time(graph).map(str::to_owned));
+    }
     if let Some(trace) = options.ordered_by(language) {
         lines.push("Looks first at the bids that win most often along".to_owned());
         lines.push(format!("{}.", trace.origin));
@@ -48,4 +53,21 @@ pub(super) fn lines(program: &Program<'_>) -> Vec<String> {
         lines.push(format!("{agreement}."));
     }
     lines
+}
+
+/// The limit of constant time that lies outside the code.
+fn same_time(graph: &Graph) -> Option<&'static str> {
+    match (graph.scalar(), graph.maths()) {
+        (ScalarType::F64, MathsProvider::Own) => Some(
+            "Every decision takes the same time only where the FPU has doubles: in software they branch on what they compute.",
+        ),
+        (ScalarType::F64, MathsProvider::System) => Some(
+            "Every decision takes the same time only where the FPU has doubles, and as far as the platform's maths does: in software \
+             they branch on what they compute.",
+        ),
+        (ScalarType::F32, MathsProvider::System) => {
+            Some("Every decision takes the same time as far as the platform's maths does.")
+        }
+        (ScalarType::F32, MathsProvider::Own) => None,
+    }
 }

@@ -19,12 +19,13 @@ pub(super) fn tidy(text: &str) -> String {
     out
 }
 
-/// Indents lines by the braces around them; a line holds whole statements, and a label begins its line.
+/// Indents lines by the braces around them, and by the bracket of an array that ends a line; a line holds whole statements, and a
+/// label begins its line.
 pub(super) fn indent(text: &str) -> String {
     let mut out = String::with_capacity(text.len() * 2);
     let mut depth = 0_usize;
     for line in text.lines().map(str::trim) {
-        let closes = line.starts_with('}');
+        let closes = line.starts_with(['}', ']']);
         if closes {
             depth -= 1;
         }
@@ -33,22 +34,36 @@ pub(super) fn indent(text: &str) -> String {
         }
         out.push_str(line);
         out.push('\n');
-        let opened = line.matches('{').count();
-        let closed = line.matches('}').count() - usize::from(closes);
+        let opened = line.matches('{').count() + usize::from(line.ends_with('['));
+        let closed = line.matches('}').count() - usize::from(line.starts_with('}'));
         depth = depth + opened - closed;
     }
     out
 }
 
+/// The widest array or list of arguments that rustfmt leaves on one line.
+const ONE_LINE: usize = 60;
+
+/// The arguments of a call, separated by commas, as rustfmt lays them out on a line indented by `indent`, of which `counted` characters
+/// count with them.
+pub(super) fn arguments(flat: &str, counted: usize, indent: usize) -> String {
+    if counted + flat.len() <= ONE_LINE {
+        return flat.to_owned();
+    }
+    let space = " ".repeat(indent);
+    let lines: String = flat.split(", ").map(|argument| format!("{space}    {argument},\n")).collect();
+    format!("\n{lines}{space}")
+}
+
 /// A Rust array as rustfmt lays it out on lines indented by `indent`: on one line where it is short, short elements
 /// filled into lines, others, and what is more than a name or a number, a line each.
 pub(super) fn array(elements: &[String], indent: usize) -> String {
-    const ONE_LINE: usize = 60;
     const SHORT: usize = 10;
     // rustfmt fills up to a column less than its line width.
     const WIDTH: usize = 99;
     let flat = elements.join(", ");
-    if flat.len() <= ONE_LINE {
+    // A single call has its arguments on lines of their own where it is long.
+    if flat.len() <= ONE_LINE || elements.len() == 1 && flat.ends_with(')') {
         return format!("[{flat}]");
     }
     let inner = indent + 4;
@@ -87,5 +102,6 @@ mod tests {
         let expected = "f(void)\n{\nteam_1:\n    {\n        if (a) {\n            b;\n        } else if (c) {\n            d;\n        } else {\n\n            /* e */\n        }\n    }\n}\n";
         assert_eq!(indent(text), expected);
         assert_eq!(indent("const a[2] = { 1, 2 };\nb;\n"), "const a[2] = { 1, 2 };\nb;\n");
+        assert_eq!(indent("fn f() {\n[\na[0],\nb,\n]\n}\n"), "fn f() {\n    [\n        a[0],\n        b,\n    ]\n}\n");
     }
 }

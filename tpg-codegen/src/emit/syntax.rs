@@ -1,8 +1,9 @@
 //! Values and operations as expressions: what is the same in every language, and what each spells its own way.
 
 use crate::ir::{Node, NodeId};
+use crate::passes::arithmetic::is_transcendental;
 use crate::passes::bytecode::Width;
-use tpg_graph::{Graph, Input};
+use tpg_graph::{Graph, Input, MathsProvider};
 use tpg_runtime::ops::Instruction;
 
 /// A language's spelling.
@@ -24,6 +25,9 @@ pub(super) trait Syntax {
     /// A call of an instruction that is no operator.
     fn call(&self, instruction: Instruction, arguments: &str) -> String;
 
+    /// A number that the compiler must not know.
+    fn hidden(&self, number: &str) -> String;
+
     /// A number as an operand.
     fn number(&self, value: f64) -> String {
         self.literal(value)
@@ -41,7 +45,14 @@ pub(super) trait Syntax {
     /// The expression that computes a node.
     fn operation(&self, id: NodeId) -> String {
         let node = self.nodes()[id.index()];
-        let operands: Vec<String> = node.operands().iter().map(|&operand| self.value(operand)).collect();
+        let platforms = matches!(node, Node::Operation(instruction, _) if is_transcendental(instruction))
+            && self.graph().maths() == MathsProvider::System;
+        let operand = |&id: &NodeId| match self.nodes()[id.index()].as_constant() {
+            // A compiler that knew it would compute the function itself, and round another way than the platform does.
+            Some(number) if platforms => self.hidden(&self.literal(number)),
+            _ => self.value(id),
+        };
+        let operands: Vec<String> = node.operands().iter().map(operand).collect();
         match node {
             Node::Constant(_) | Node::Input(_) => self.value(id),
             Node::Upper(instruction, _) => self.upper(instruction, &operands.concat()),

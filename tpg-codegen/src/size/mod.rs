@@ -13,8 +13,9 @@ use crate::emit::Code;
 use crate::options::{Language, Options, Style};
 use crate::program::compile;
 use crate::verify;
-use object::{Object as _, ObjectSection as _, SectionKind};
+use object::{Object as _, ObjectSection, ObjectSymbol as _, RelocationTarget, SectionKind};
 use serde::Serialize;
+use std::collections::BTreeSet;
 use std::fmt;
 use std::fs;
 use std::io;
@@ -69,6 +70,19 @@ impl Size {
     /// Bytes of RAM, without the stack.
     pub fn ram(self) -> u64 {
         self.data + self.bss
+    }
+
+    fn add<'data>(&mut self, section: &impl ObjectSection<'data>) {
+        let bytes = match section.kind() {
+            SectionKind::Text => &mut self.code,
+            SectionKind::ReadOnlyData | SectionKind::ReadOnlyString | SectionKind::ReadOnlyDataWithRel => {
+                &mut self.constants
+            }
+            SectionKind::Data => &mut self.data,
+            SectionKind::UninitializedData => &mut self.bss,
+            _ => return,
+        };
+        *bytes += section.size();
     }
 }
 
@@ -167,16 +181,30 @@ pub fn flash_of_c(code: &Code<'_>) -> (u64, bool) {
 pub fn measure(object: &[u8]) -> io::Result<Size> {
     let file = object::File::parse(object).map_err(io::Error::other)?;
     let mut size = Size::default();
-    for section in file.sections() {
-        match section.kind() {
-            SectionKind::Text => size.code += section.size(),
-            SectionKind::ReadOnlyData | SectionKind::ReadOnlyString | SectionKind::ReadOnlyDataWithRel => {
-                size.constants += section.size();
-            }
-            SectionKind::Data => size.data += section.size(),
-            SectionKind::UninitializedData => size.bss += section.size(),
-            _ => {}
+    file.sections().for_each(|section| size.add(&section));
+    Ok(size)
+}
+
+/// Sums the sections of an object file that a symbol's section reaches.
+///
+/// # Errors
+/// If it is not an object file, or defines no such symbol.
+fn measure_reached(object: &[u8], symbol: &str) -> io::Result<Size> {
+    let file = object::File::parse(object).map_err(io::Error::other)?;
+    let start = file.symbol_by_name(symbol).and_then(|symbol| symbol.section_index());
+    let mut waiting = vec![start.ok_or_else(|| io::Error::other(format!("the object file defines no {symbol}")))?];
+    let (mut reached, mut size) = (BTreeSet::new(), Size::default());
+    while let Some(index) = waiting.pop() {
+        if !reached.insert(index.0) {
+            continue;
         }
+        let section = file.section_by_index(index).map_err(io::Error::other)?;
+        size.add(&section);
+        waiting.extend(section.relocations().filter_map(|(_, relocation)| match relocation.target() {
+            RelocationTarget::Symbol(symbol) => file.symbol_by_index(symbol).ok()?.section_index(),
+            RelocationTarget::Section(section) => Some(section),
+            _ => None,
+        }));
     }
     Ok(size)
 }

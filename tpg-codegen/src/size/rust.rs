@@ -1,6 +1,6 @@
 //! The size of generated Rust on a Cortex-M4F, if the Rust compiler has that target.
 
-use super::{Size, measure};
+use super::{Size, measure_reached};
 use crate::emit::Code;
 use crate::verify::{self, BuildError};
 use std::path::Path;
@@ -66,12 +66,13 @@ impl RustForCortexM4 {
         fs::read(folder.join("policy.o"))
     }
 
-    /// The bytes of [`object`](Self::object).
+    /// The bytes of [`object`](Self::object) that a linker keeps: what its function reaches. The compiler leaves functions in the object
+    /// that it has also written into their callers.
     ///
     /// # Errors
     /// As [`object`](Self::object).
     pub fn size(&self, code: &Code<'_>, level: &str) -> io::Result<Size> {
-        measure(&self.object(code, level)?)
+        measure_reached(&self.object(code, level)?, &format!("{}_infer", code.program.options.prefix))
     }
 }
 

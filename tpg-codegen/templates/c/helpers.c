@@ -1,3 +1,11 @@
+{% if hides %}
+/* A number that the compiler does not know: it would compute the platform's function of it itself, and round another way. */
+static {{ scalar }} {{ prefix }}_hidden({{ scalar }} number)
+{
+    const volatile {{ scalar }} hidden = number;
+    return hidden;
+}
+{% endif %}
 {% if let Some(own) = own %}
 {% if f64 %}{% include "c/own_f64.c" %}{% else %}{% include "c/own_f32.c" %}{% endif %}
 {% endif %}

@@ -86,6 +86,6 @@ fn leaf_{{ leaf.label }}(s: &[{{ scalar }}; {{ state_length }}]) -> [{{ scalar }
 {%- for statement in leaf.statements %}
 {{ statement }}
 {%- endfor %}
-[{{ leaf.values.join(", ") }}]
+{{ layout::array(leaf.values, 4) }}
 }
 {%- endfor %}

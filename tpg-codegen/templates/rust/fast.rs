@@ -6,7 +6,7 @@ fn leaf_{{ leaf.label }}(s: &[{{ scalar }}; {{ state_length }}]) -> {{ answer }}
 {%- for statement in leaf.statements %}
 {{ statement }}
 {%- endfor %}
-[{{ leaf.values.join(", ") }}]
+{{ layout::array(leaf.values, 4) }}
 }
 {%- endfor %}
 {% for team in teams %}

@@ -43,7 +43,7 @@ impl {{ name }} {
 {%- endif %}
 {%- if !memory.is_empty() %}
     /// The memory before the first decision of an episode.
-    pub const INITIAL: [{{ scalar }}; {{ memory.len() }}] = [{% for value in memory %}{{ value.initial }}{% if !loop.last %}, {% endif %}{% endfor %}];
+    pub const INITIAL: [{{ scalar }}; {{ memory.len() }}] = {{ layout::array(initial, 4) }};
 {%- endif %}
     /// Teams on the longest walk.
     pub const DEPTH: usize = {{ depth }};
@@ -65,12 +65,10 @@ impl {{ name }} {
 impl {{ name }} {
     /// Answers a state, and replaces the memory by the next one: [`INITIAL`](Self::INITIAL) before the first decision.
     pub fn infer(&self, state: &[{{ scalar }}; {{ state_length - memory.len() }}], memory: &mut [{{ scalar }}; {{ memory.len() }}]) -> [{{ scalar }}; {{ outputs.len() - memory.len() }}] {
-        let [{% for output in outputs %}{{ output.variable() }}{% if !loop.last %}, {% endif %}{% endfor %}] = self.decide(&[
-            {%- for place in 0..state_length - memory.len() %}state[{{ place }}], {% endfor -%}
-            {%- for value in memory %}memory[{{ loop.index0 }}]{% if !loop.last %}, {% endif %}{% endfor -%}
-        ]);
-        *memory = [{% for value in memory %}{{ value.variable() }}{% if !loop.last %}, {% endif %}{% endfor %}];
-        [{% for output in outputs %}{% if loop.index0 < outputs.len() - memory.len() %}{% if !loop.first %}, {% endif %}{{ output.variable() }}{% endif %}{% endfor %}]
+        let seen = {{ layout::array(seen, 8) }};
+        let out = self.decide(&seen);
+        *memory = {{ layout::array(remembered, 8) }};
+        {{ layout::array(answered, 8) }}
     }
 }
 

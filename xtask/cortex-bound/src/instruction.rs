@@ -121,8 +121,9 @@ pub fn stack(line: &Line) -> Stack {
     if is(name, "sub").is_some() || is(name, "subw").is_some() || is(name, "subs").is_some() {
         return by_number().map_or(Stack::Unknown, Stack::Down);
     }
-    // Stores at the stack pointer without changing it: `stmia sp, {r3, r5}`.
-    if name.starts_with("str") || name.starts_with("stm") || name.starts_with("vstm") {
+    // Stores and loads at the stack pointer without changing it: `stmia sp, {r3, r5}`.
+    let many = ["stm", "vstm", "ldm", "vldm"].iter().any(|start| name.starts_with(start));
+    if name.starts_with("str") || many {
         return Stack::Same;
     }
     // Releases stack: by a constant, or from the frame pointer that saved the previous value.
@@ -251,7 +252,14 @@ mod tests {
         for (text, bytes) in cases {
             assert_eq!(stack(&line(text)), Stack::Down(bytes), "{text}");
         }
-        for text in ["add sp, #8", "mov sp, r7", "pop {r4, pc}", "str r0, [sp, #4]", "mov r7, sp"] {
+        for text in [
+            "add sp, #8",
+            "mov sp, r7",
+            "pop {r4, pc}",
+            "str r0, [sp, #4]",
+            "mov r7, sp",
+            "ldmia.w sp, {r0, r1, r2, r3}",
+        ] {
             assert_eq!(stack(&line(text)), Stack::Same, "{text}");
         }
         for text in ["sub.w sp, sp, r3", "mov sp, r0", "bic.w sp, sp, #7", "ldr sp, [r0]"] {

@@ -96,7 +96,11 @@ impl std::fmt::Display for Refusal {
                 write!(
                     f,
                     "{function} at {address:#x} calls {callee}, which is not in the object: analyse a linked image"
-                )
+                )?;
+                if callee.starts_with("__aeabi_d") {
+                    write!(f, ". It computes doubles in software, which take as long as what they compute needs")?;
+                }
+                Ok(())
             }
             Self::Loop { function, address } => write!(
                 f,

@@ -46,9 +46,13 @@ impl Syntax for Printer<'_> {
             _ => {
                 let sign = if value < 0.0 { "-" } else { "" };
                 let cast = if scalar == ScalarType::F64 { "(double)" } else { "" };
-                format!("{sign}{cast}INFINITY")
+                format!("{sign}{cast}{}", if value.is_nan() { "NAN" } else { "INFINITY" })
             }
         }
+    }
+
+    fn hidden(&self, number: &str) -> String {
+        format!("{}_hidden({number})", self.prefix)
     }
 
     fn number(&self, value: f64) -> String {

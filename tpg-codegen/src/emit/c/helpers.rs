@@ -42,6 +42,8 @@ struct Helpers<'a> {
     exponent_end: u32,
     sign: &'a str,
     infinity: &'a str,
+    /// Numbers are kept from the compiler.
+    hides: bool,
     uses_negate_if_less: bool,
     uses_min: bool,
     uses_max: bool,
@@ -119,6 +121,7 @@ pub(super) fn render(printer: &Printer<'_>, branch_free: bool, body: &str, upper
         uses_tan: uses(Instruction::Tan),
         uses_ln: uses(Instruction::Ln),
         uses_exp: uses(Instruction::Exp),
+        hides: is_called("hidden"),
         uses_negate_if_less: uses(Instruction::NegateIfLess),
         uses_min: uses(Instruction::Min),
         uses_max: uses(Instruction::Max),

@@ -69,6 +69,7 @@ struct Source<'a> {
     entry: Entry,
     sources: &'a [SourceView],
     vectors: Vec<VectorView>,
+    system_maths: bool,
     /// The outputs, then the next values of the memory.
     outputs: &'a [OutputView],
     /// The values of an answer, and of the memory.
@@ -147,6 +148,7 @@ impl Backend for C {
             entry: Entry::of(&printer),
             sources: &sources,
             vectors: vectors(&printer),
+            system_maths: graph.maths() == MathsProvider::System,
             outputs: &outputs,
             parts: (answers, memory),
             observed,

@@ -36,7 +36,6 @@ struct Walk<'a> {
 struct Body {
     teams: usize,
     leaves: Vec<(usize, u32)>,
-    variables: String,
     limited: String,
 }
 
@@ -47,8 +46,7 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, cases: &Cases, 
     let body = Body {
         teams: module.teams.len(),
         leaves: reached.map(|(number, leaf)| (number, leaf.label)).collect(),
-        variables: leaves::variables(outputs),
-        limited: leaves::limited(printer, outputs),
+        limited: leaves::limited(printer, outputs, leaves::element),
     };
     let table = |values: &[u64]| table(printer, values, |_| "");
     let mut tables = vec![

@@ -129,7 +129,7 @@ fn answer(printer: &Printer<'_>, module: &Module<'_>, functions: &[Function], ou
             });
         }
     }
-    lines.push(leaves::limited(printer, outputs));
+    lines.push(leaves::limited(printer, outputs, OutputView::variable));
     lines.join("\n        ")
 }
 

@@ -1,5 +1,6 @@
 //! Nodes as Rust expressions.
 
+use crate::emit::layout;
 use crate::emit::syntax::Syntax;
 use crate::ir::{Node, NodeId};
 use crate::passes::arithmetic::is_transcendental;
@@ -40,10 +41,15 @@ impl Syntax for Printer<'_> {
         let scalar = self.graph.scalar();
         let name = scalar.name();
         match scalar {
+            _ if value.is_nan() => format!("{name}::NAN"),
             _ if value.is_infinite() => format!("{name}::{}", if value < 0.0 { "NEG_INFINITY" } else { "INFINITY" }),
             ScalarType::F32 => format!("{:?}_f32", value as f32),
             ScalarType::F64 => format!("{value:?}_f64"),
         }
+    }
+
+    fn hidden(&self, number: &str) -> String {
+        format!("core::hint::black_box({number})")
     }
 
     fn input(&self, input: Input) -> String {
@@ -86,9 +92,14 @@ impl Printer<'_> {
         format!("let v{} = {};", id.0, self.operation(id))
     }
 
-    /// A value limited to an output's range.
-    pub(super) fn clamp(&self, value: &str, limits: &str) -> String {
-        format!("{}clamp({value}, {limits})", if self.branch_free { "ct." } else { "ops::" })
+    /// A value limited to an output's range, as an element of an array in the body of a method: a line of its own, unless it is the
+    /// array's only one.
+    pub(super) fn clamp(&self, value: &str, limits: &str, is_single: bool) -> String {
+        let name = if self.branch_free { "ct.clamp" } else { "ops::clamp" };
+        // rustfmt counts a function's name, not a method's, where the call shares its line with brackets.
+        let counted = if is_single && !self.branch_free { name.len() + "()".len() } else { 0 };
+        let indent = if is_single { 8 } else { 12 };
+        format!("{name}({})", layout::arguments(&format!("{value}, {limits}"), counted, indent))
     }
 
     /// Tests whether `ct` implements the graph's maths.

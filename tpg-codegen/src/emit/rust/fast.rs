@@ -80,8 +80,8 @@ pub(super) fn render(printer: &Printer<'_>, module: &Module<'_>, schedule: &Sche
     let (body, answer) = if outputs.is_empty() {
         (format!("        ActionId({root})"), "u16".to_owned())
     } else {
-        let (variables, limited) = (leaves::variables(outputs), leaves::limited(printer, outputs));
-        (format!("        let {variables} = {root};\n        {limited}"), format!("[{scalar}; {}]", outputs.len()))
+        let limited = leaves::limited(printer, outputs, leaves::element);
+        (format!("        let out = {root};\n        {limited}"), format!("[{scalar}; {}]", outputs.len()))
     };
     let fast = Fast {
         scalar,

@@ -31,15 +31,24 @@ fn statements(printer: &Printer<'_>, values: &[NodeId]) -> Vec<String> {
     operations.collect::<BTreeSet<_>>().into_iter().map(|id| printer.statement(id)).collect()
 }
 
-/// The values of variables, each limited to its output's range, as an array.
-pub(super) fn limited(printer: &Printer<'_>, outputs: &[OutputView]) -> String {
-    let limited = |output: &OutputView| printer.clamp(&output.variable(), &output.limits);
-    format!("[{}]", outputs.iter().map(limited).collect::<Vec<_>>().join(", "))
+/// The values, each limited to its output's range, as an array in the body of a method; `value` names an output's.
+pub(super) fn limited(printer: &Printer<'_>, outputs: &[OutputView], value: impl Fn(&OutputView) -> String) -> String {
+    answer(printer, outputs.iter().map(|output| (value(output), Some(&*output.limits))).collect())
 }
 
-/// The pattern of the outputs' variables.
-pub(super) fn variables(outputs: &[OutputView]) -> String {
-    format!("[{}]", outputs.iter().map(OutputView::variable).collect::<Vec<_>>().join(", "))
+/// An array of values in the body of a method, some of them limited.
+fn answer(printer: &Printer<'_>, values: Vec<(String, Option<&str>)>) -> String {
+    let is_single = values.len() == 1;
+    let element = |(value, limits): (String, Option<&str>)| match limits {
+        Some(limits) => printer.clamp(&value, limits, is_single),
+        None => value,
+    };
+    array(&values.into_iter().map(element).collect::<Vec<_>>(), 8)
+}
+
+/// The name of an output's value in the array `out`.
+pub(super) fn element(output: &OutputView) -> String {
+    format!("out[{}]", output.place)
 }
 
 /// The body of a policy that has nothing to decide.
@@ -47,10 +56,9 @@ pub(super) fn formula(printer: &Printer<'_>, formula: &Formula, outputs: &[Outpu
     let masks = printer.branch_free.then(|| masks(printer));
     let limited = outputs.iter().zip(&formula.values).map(|(output, &value)| {
         let is_constant = printer.nodes[value.index()].as_constant().is_some();
-        let value = printer.value(value);
-        if is_constant { value } else { printer.clamp(&value, &output.limits) }
+        (printer.value(value), (!is_constant).then_some(&*output.limits))
     });
-    let answer = array(&limited.collect::<Vec<_>>(), 8);
+    let answer = answer(printer, limited.collect());
     let statements = formula.operations.iter().map(|&id| printer.statement(id));
     let lines = masks.into_iter().chain(statements).chain([answer]);
     lines.map(|line| format!("        {line}\n")).collect()

@@ -31,6 +31,12 @@ struct Policy<'a> {
     /// The outputs, then the next values of the memory.
     outputs: &'a [OutputView],
     memory: &'a [OutputView],
+    /// The memory's first values.
+    initial: Vec<String>,
+    /// The names of a state's values and the memory's, of the outputs that are the next memory, and of the others.
+    seen: Vec<String>,
+    remembered: Vec<String>,
+    answered: Vec<String>,
     arm: Option<ArmView>,
     depth: usize,
     worst: Cost<u64>,
@@ -87,6 +93,8 @@ impl Backend for Rust {
             }
             Shape::Gegelati => unreachable!("GEGELATI's style is C's alone"),
         };
+        let (observed, first) = (graph.state_length() - graph.memory(), outputs.len() - graph.memory());
+        let memory = &outputs[first..];
         let policy = Policy {
             banner: &banner::lines(program),
             name: prefix.camel(),
@@ -97,7 +105,11 @@ impl Backend for Rust {
             sources: sources(graph, one_line),
             actions: graph.actions().iter().map(|action| one_line(&action.name)).collect(),
             outputs: &outputs,
-            memory: &outputs[outputs.len() - graph.memory()..],
+            memory,
+            initial: memory.iter().map(|value| value.initial.clone()).collect(),
+            seen: [names("state", observed), names("memory", memory.len())].concat(),
+            remembered: memory.iter().map(leaves::element).collect(),
+            answered: outputs[..first].iter().map(leaves::element).collect(),
             arm: arm_view(graph),
             depth: module.depth,
             worst: Costs::of(program).worst(),
@@ -121,6 +133,11 @@ fn imports(printer: &Printer<'_>, parts: &Parts) -> Vec<String> {
         (false, false) => None,
     };
     masks.into_iter().chain(others).collect()
+}
+
+/// The names of an array's elements.
+fn names(array: &str, count: usize) -> Vec<String> {
+    (0..count).map(|place| format!("{array}[{place}]")).collect()
 }
 
 fn one_line(text: &str) -> String {

@@ -1,0 +1,110 @@
+/* The shipped policy of CartPole in every profile, in closed loop with the cart and its pole, which are generated code, too: a hash of
+ * every push and observation, and the instructions of the policy. */
+#include "cart.h"
+#include "platform.h"
+#include "pole_balanced.h"
+#include "pole_constant.h"
+#include "pole_fast.h"
+#include "pole_small.h"
+#include "poles.h"
+#include "report.h"
+
+#include <stdint.h>
+
+/* A policy says where to push what it sees: the cart's position and velocity, the pole's angle and angular velocity. */
+typedef uint16_t (*push_t)(const cart_memory_t *seen);
+
+#define PUSH(name)                                                                                                     \
+    static uint16_t name##_push(const cart_memory_t *seen)                                                             \
+    {                                                                                                                  \
+        const name##_state_t state = { { seen->place }, { seen->speed }, { seen->lean }, { seen->spin } };             \
+                                                                                                                       \
+        return name##_infer(&state);                                                                                   \
+    }
+
+PUSH(pole_fast)
+PUSH(pole_balanced)
+PUSH(pole_small)
+PUSH(pole_constant)
+
+static const struct {
+    const char *words;
+    push_t push;
+} policies[] = {
+    { "cost pole fast", pole_fast_push },
+    { "cost pole balanced", pole_balanced_push },
+    { "cost pole small", pole_small_push },
+    { "cost pole constant", pole_constant_push },
+};
+
+/* One step of FNV-1a, as the host's. */
+static uint64_t mixed(uint64_t before, uint32_t bits)
+{
+    return (before ^ bits) * 0x100000001b3U;
+}
+
+/* The same over a value's bits; the core is little-endian. */
+static uint64_t hashed(uint64_t before, float value)
+{
+    const uint8_t *bytes = (const uint8_t *)&value;
+    uint32_t bits = 0U;
+
+    for (uint32_t at = 0U; at < (uint32_t)sizeof value; at++) {
+        bits |= (uint32_t)bytes[at] << (8U * at);
+    }
+    return mixed(before, bits);
+}
+
+static void run(uint32_t number)
+{
+    uint64_t hash = 0xcbf29ce484222325U;
+    uint32_t instructions = 0U;
+    uint32_t worst = 0U;
+    report_t line;
+
+    for (uint32_t episode = 0U; episode < EPISODES; episode++) {
+        const float *start = poles[episode];
+        cart_memory_t seen = { start[0], start[1], start[2], start[3] };
+
+        for (uint32_t step = 0U; step < STEPS; step++) {
+            uint16_t push = 0U;
+            uint32_t count = 0U;
+            cart_action_t shown;
+
+            platform_count_from();
+            push = policies[number].push(&seen);
+            count = platform_count();
+            instructions += count;
+            worst = (count > worst) ? count : worst;
+            {
+                const cart_state_t pushed = { { (float)push } };
+
+                cart_infer(&pushed, &seen, &shown);
+            }
+            hash = mixed(hash, push);
+            hash = hashed(hash, shown.x);
+            hash = hashed(hash, shown.v);
+            hash = hashed(hash, shown.theta);
+            hash = hashed(hash, shown.omega);
+        }
+    }
+    report_begin(&line, policies[number].words);
+    report_unsigned(&line, "actions", EPISODES * STEPS);
+    report_unsigned(&line, "instructions", instructions);
+    report_unsigned(&line, "worst", worst);
+    report_hexadecimal(&line, "hash", hash);
+    report_print(&line);
+}
+
+int main(void)
+{
+    report_t line;
+
+    for (uint32_t number = 0U; number < (uint32_t)(sizeof policies / sizeof policies[0]); number++) {
+        run(number);
+    }
+    report_begin(&line, "done");
+    report_unsigned(&line, "stack", platform_stack_used());
+    report_print(&line);
+    return 0;
+}
