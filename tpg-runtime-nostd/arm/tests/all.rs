@@ -7,5 +7,6 @@ mod frame;
 mod hybrid;
 mod kinematics;
 mod network;
+mod radial;
 mod sensors;
 mod sources;

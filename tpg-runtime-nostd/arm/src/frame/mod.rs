@@ -155,7 +155,7 @@ impl<'a, S: Lattice> Frame<'a, S> {
     pub fn pull(&self, joint: Joint) -> S {
         match joint.0 {
             0 => -(self.target_lateral() * self.radius()),
-            1 => self.moment(self.shoulder()),
+            1 => self.moment(self.arm.shoulder()),
             2 => -self.moment(self.plane.elbow),
             3 => -self.moment(self.plane.wrist),
             _ => S::ZERO,
@@ -167,10 +167,6 @@ impl<'a, S: Lattice> Frame<'a, S> {
         let Point { x, z } = self.plane.tip;
         // ρ − p_ρ is p_x − x: the radius runs against the plane's x.
         self.radial_error() * (z - axis.z) - self.height_error() * (axis.x - x)
-    }
-
-    fn shoulder(&self) -> Point<S> {
-        Point { x: S::ZERO, z: self.arm.links.base }
     }
 
     /// By how much the base's angle is off when the arm reaches forwards and when it reaches over its back, rad:
