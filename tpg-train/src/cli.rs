@@ -3,6 +3,7 @@
 mod examples;
 
 use crate::actor::import::{ImportArgs, import};
+use crate::arm_import::{ArmArgs, execute as execute_arm};
 use crate::evaluate::{EvalArgs, eval};
 use crate::evolution::command::{TpgArgs, execute as execute_tpg};
 use crate::evolution::presets::{ConfigArgs, print_config};
@@ -64,6 +65,9 @@ enum Command {
     /// Print a commented configuration
     #[command(after_help = examples::CONFIG)]
     Config(ConfigArgs),
+    /// Describe arms, from their URDF
+    #[command(after_help = examples::ARM)]
+    Arm(ArmArgs),
     /// Print a set of tasks as CSV
     #[command(after_help = examples::TARGETS)]
     Targets(TargetsArgs),
@@ -90,6 +94,7 @@ impl Cli {
             Command::Eval(args) => eval(&args).map(|()| Verdict::Good).map_err(CommandError::from),
             Command::Report(args) => report(&args).map(|()| Verdict::Good).map_err(CommandError::from),
             Command::Config(args) => print_config(&args).map(|()| Verdict::Good).map_err(CommandError::from),
+            Command::Arm(args) => execute_arm(&args).map(|()| Verdict::Good).map_err(CommandError::from),
             Command::Targets(args) => print_targets(&args).map(|()| Verdict::Good).map_err(CommandError::from),
             Command::Completions(args) => args.run(Self::command()),
             Command::Man(args) => args.run(Self::command()),

@@ -8,6 +8,7 @@
 //! | [`evolution`] | tangled program graphs: genome, mutation, selection, runs |
 //! | [`sac`] | soft actor-critic on any environment with outputs |
 //! | [`actor`] | the arm's actors |
+//! | [`arm_import`] | `tpg-train arm import`: an arm from its URDF |
 //! | [`quantise`] | `tpg-train quantise` |
 //! | [`targets`] | tasks over the reachable space |
 //! | [`evaluate`] | test episodes of a policy |
@@ -24,6 +25,7 @@
 //! | [`report`] | runs in one HTML file |
 
 pub mod actor;
+pub mod arm_import;
 pub mod cli;
 pub mod configuration;
 pub mod course;

@@ -17,7 +17,7 @@ use tpg_graph::Word;
 use tpg_graph::interpret::Interpreter;
 use tpg_graph::{Graph, Provenance, ScalarType};
 use tpg_problems::Problem;
-use tpg_problems::arm::description::WIDOWX_TOML;
+use tpg_problems::arm::arms::ARMS;
 use tpg_problems::arm::targets::{Set, Start, tasks};
 use tpg_problems::arm::{self, ArmEnvironment, ArmProblem, ArmScalar, ArmTask, Shield};
 use tpg_runtime::ops::{Instruction, Maths, Own};
@@ -103,12 +103,13 @@ impl<S: ArmScalar> World<S> {
 
 /// An arm that differs from the WidowX in everything: longer and shorter links, tighter and wider ranges, another base.
 fn another_arm() -> Arm<f64> {
-    let text = WIDOWX_TOML
+    let text = ARMS[0]
+        .text
         .replace("base = 125.0", "base = 90.0")
         .replace("upper_arm = 142.0", "upper_arm = 201.5")
         .replace("elbow_offset = 49.0", "elbow_offset = 0.0")
         .replace("forearm = 142.0", "forearm = 117.25")
-        .replace("hand = 155.0", "hand = 80.0")
+        .replace("hand = 155.0", "hand = 80.0\nshoulder_radial = 25.0")
         .replace("hand_length = 160.0", "hand_length = 99.0")
         .replace("[[2, 4094], [1025, 3071]", "[[700, 3500], [800, 3300]")
         .replace("[15.0, 15.0, 95.0, 151.0]", "[30.0, 30.0, 95.0, 120.0]")

@@ -5,6 +5,7 @@ use serde_json::Value;
 use std::fmt::Write as _;
 use std::path::Path;
 use toml::Table;
+use tpg_problems::arm::arms::ARMS;
 use tpg_problems::{acrobot, arm, cartpole, dodge, mountain_car, mountain_car_continuous, pendulum};
 use tpg_testing::book::{manual, page};
 use tpg_train::evolution::config::EvolutionConfig;
@@ -45,6 +46,8 @@ what is accepted. Keys that a preset leaves out have the default.
     problem::<mountain_car_continuous::Config>(&mut text, "mountain-car-continuous");
     problem::<pendulum::Config>(&mut text, "pendulum");
     problem::<arm::Config>(&mut text, "fs` and `rs` with `tpg");
+    let names = ARMS.map(|arm| format!("`\"{}\"`", arm.name)).join(", ");
+    let _ = write!(text, "\nIn the place of the section, `arm` may be a name: {names}.\n");
     problem::<arm::motors::Config>(&mut text, "fs` and `rs` with `sac");
     problem::<dodge::Config>(&mut text, "dodge");
     page("configuration.md", &text);

@@ -6,7 +6,7 @@ use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 use tpg_engine::random::{Purpose, Stream};
-use tpg_problems::arm::description::WIDOWX_TOML;
+use tpg_problems::arm::arms::ARMS;
 use tpg_problems::{Problem, ProblemName};
 use tpg_train::evolution::config::{EvolutionConfig, StartKind, Units};
 use tpg_train::evolution::presets::Preset;
@@ -196,7 +196,7 @@ fn a_bad_configuration_is_refused_with_its_line_and_what_is_accepted() {
         EvolutionConfig::from_toml("c.toml", &text).err().or_else(of_problem).expect("it is wrong").to_string()
     };
     // Also checks the line of a key in a nested section.
-    let arm = text.to_owned() + &WIDOWX_TOML.replace("elbow_offset = 49.0", "elbow_offset = -1.0");
+    let arm = text.to_owned() + &ARMS[0].text.replace("elbow_offset = 49.0", "elbow_offset = -1.0");
     let line = arm.lines().position(|line| line.starts_with("elbow_offset")).expect("the key") + 1;
     let error = Problem::from_toml("c.toml", &arm).expect_err("it is wrong").to_string();
     assert_eq!(error, format!("c.toml: line {line}: problem.arm.links.elbow_offset = -1; accepted: 0 to 1000 mm"));

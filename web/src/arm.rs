@@ -246,6 +246,5 @@ pub(crate) fn points<S: Lattice>(arm: &Arm<S>, pose: Pose) -> [[f32; 3]; 5] {
     let (plane, base) = (Plane::at(arm, pose), base_direction::<S>(pose));
     let world =
         |point: Point<S>| [point.x * base.sin, -(point.x * base.cos), point.z].map(|value| value.to_f64() as f32);
-    let shoulder = Point { x: S::ZERO, z: arm.links.base };
-    [shoulder, plane.bracket, plane.elbow, plane.wrist, plane.tip].map(world)
+    [arm.shoulder(), plane.bracket, plane.elbow, plane.wrist, plane.tip].map(world)
 }

@@ -1,11 +1,13 @@
 //! The tests of this crate from outside, as one program: each file is a subject.
 
 mod arm;
+mod chain;
 mod dodge;
 mod episode;
 mod frame;
 mod hybrid;
 mod kinematics;
 mod network;
+mod radial;
 mod sensors;
 mod sources;

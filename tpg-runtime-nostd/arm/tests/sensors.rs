@@ -263,6 +263,7 @@ fn impossible_arms_are_refused() {
     assert_eq!(links(|links| links.base = f32::INFINITY), Err(ArmError::Link));
     assert_eq!(links(|links| links.elbow_offset = 1e9), Err(ArmError::Link));
     assert_eq!(links(|links| links.elbow_offset = 0.0), Ok(()));
+    assert_eq!(links(|links| links.shoulder_radial = -1.0), Err(ArmError::Link));
     let shapes = |change: fn(&mut Shapes<f32>)| {
         let mut arm = ARM;
         change(&mut arm.shapes);
@@ -281,16 +282,16 @@ proptest! {
     fn impossible_arms_panic_nowhere(
         home in prop::array::uniform4(any::<i16>()),
         ranges in prop::array::uniform4((any::<i16>(), any::<i16>())),
-        lengths in prop::array::uniform5(any::<f32>()),
+        lengths in prop::array::uniform6(any::<f32>()),
         pose in prop::array::uniform4(any::<i16>()),
         target in prop::array::uniform3(any::<f32>()),
         wanted in prop::array::uniform4(any::<i8>()),
     ) {
-        let [base, upper_arm, elbow_offset, forearm, hand] = lengths;
+        let [base, upper_arm, elbow_offset, forearm, hand, shoulder_radial] = lengths;
         let arm = Arm {
             home: Pose(home),
             ranges: ranges.map(|(min, max)| JointRange { min, max }),
-            links: Links { base, upper_arm, elbow_offset, forearm, hand },
+            links: Links { base, upper_arm, elbow_offset, forearm, hand, shoulder_radial },
             ..ARM
         };
         let (seen, mut state) = (Observation::at(&arm, Pose(pose), target), [0f32; 48]);

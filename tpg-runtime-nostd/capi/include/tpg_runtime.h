@@ -38,7 +38,7 @@
 #define TPG_JOINTS 4
 
 // Words of a tpg_arm_t.
-#define TPG_ARM_WORDS 21
+#define TPG_ARM_WORDS 22
 
 // The step was done.
 #define TPG_VALID 0
@@ -290,7 +290,7 @@ typedef struct {
   float hand;
   // Wrist to the face of the hand's tip.
   float hand_length;
-  // From the hand's axis to its long edges, positive downwards with the arm stretched forwards.
+  // From the hand's axis to its long edges, positive upwards with the arm stretched forwards.
   float hand_edges[2];
   // Distance of the forearm's end face beyond the wrist.
   float forearm_overhang;
@@ -298,6 +298,8 @@ typedef struct {
   float forearm_edges[2];
   // The outline of the base, one side.
   tpg_edge_t base_edges[4];
+  // Distance of the shoulder in front of the base's axis, at which the base turns it round. 0 in many arms.
+  float shoulder_radial;
 } tpg_arm_description_t;
 
 // A change of the motor positions, which an action asks for.
@@ -458,7 +460,7 @@ int32_t tpg_arm_init_widowx(tpg_arm_t *arm);
 //
 // - a joint's range that is empty or goes beyond 0 to 4095, or a home position outside it;
 // - a length that is not finite, or above 100 m: all of them. Not above 0: upper arm, forearm and hand. Below 0: the
-//   base's height and the elbow's offset;
+//   base's height, the elbow's offset and the shoulder's distance from the base's axis;
 // - an edge of the base that is neither horizontal nor vertical.
 int32_t tpg_arm_init(tpg_arm_t *arm, const tpg_arm_description_t *description);
 

@@ -59,7 +59,7 @@ pub struct tpg_arm_description_t {
     pub hand: f32,
     /// Wrist to the face of the hand's tip.
     pub hand_length: f32,
-    /// From the hand's axis to its long edges, positive downwards with the arm stretched forwards.
+    /// From the hand's axis to its long edges, positive upwards with the arm stretched forwards.
     pub hand_edges: [f32; 2],
     /// Distance of the forearm's end face beyond the wrist.
     pub forearm_overhang: f32,
@@ -67,10 +67,12 @@ pub struct tpg_arm_description_t {
     pub forearm_edges: [f32; 2],
     /// The outline of the base, one side.
     pub base_edges: [tpg_edge_t; 4],
+    /// Distance of the shoulder in front of the base's axis, at which the base turns it round. 0 in many arms.
+    pub shoulder_radial: f32,
 }
 
 /// Words of a tpg_arm_t.
-pub const TPG_ARM_WORDS: usize = 21;
+pub const TPG_ARM_WORDS: usize = 22;
 
 /// An arm, ready for use. Opaque; initialised by tpg_arm_init or tpg_arm_init_widowx, constant from then on.
 #[repr(C)]
@@ -145,7 +147,7 @@ pub unsafe extern "C" fn tpg_arm_init_widowx(arm: *mut tpg_arm_t) -> i32 {
 ///
 /// - a joint's range that is empty or goes beyond 0 to 4095, or a home position outside it;
 /// - a length that is not finite, or above 100 m: all of them. Not above 0: upper arm, forearm and hand. Below 0: the
-///   base's height and the elbow's offset;
+///   base's height, the elbow's offset and the shoulder's distance from the base's axis;
 /// - an edge of the base that is neither horizontal nor vertical.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_arm_init(arm: *mut tpg_arm_t, description: *const tpg_arm_description_t) -> i32 {
@@ -163,6 +165,7 @@ pub unsafe extern "C" fn tpg_arm_init(arm: *mut tpg_arm_t, description: *const t
                 elbow_offset: it.elbow_offset,
                 forearm: it.forearm,
                 hand: it.hand,
+                shoulder_radial: it.shoulder_radial,
             },
             shapes: Shapes {
                 hand_length: it.hand_length,

@@ -1,4 +1,5 @@
 //! The tests of this crate from outside, as one program: each file is a subject.
 
+mod arms;
 mod dodge;
 mod erased;

@@ -50,6 +50,10 @@ Examples:
   tpg-train config linear
   tpg-train config --list";
 
+pub(super) const ARM: &str = "\
+Examples:
+  tpg-train arm import so101.urdf --tip gripper_frame_link --fix wrist_roll=0 -o arm.toml";
+
 pub(super) const TARGETS: &str = "\
 Examples:
   tpg-train targets --problem rs";

@@ -5,12 +5,12 @@ use crate::sac;
 use clap::Args;
 use tpg_graph::error::{InputError, Place};
 use tpg_problems::ProblemName;
-use tpg_problems::arm::description::WIDOWX_TOML;
+use tpg_problems::arm::arms::ARMS;
 
 /// Print a commented configuration.
 #[derive(Clone, Debug, Args)]
 pub struct ConfigArgs {
-    /// The preset, or widowx for the section that describes the arm; --list shows all of them
+    /// The preset, or an arm, such as widowx, for the section that describes it; --list shows all of them
     #[arg(value_name = "NAME", default_value = "general")]
     pub name: String,
     /// A preset of `tpg-train sac` instead of `tpg-train tpg`
@@ -27,20 +27,17 @@ pub struct ConfigArgs {
 /// If there is no preset with that name, or stdout is closed.
 pub fn print_config(args: &ConfigArgs) -> Result<(), InputError> {
     let presets: &[Preset] = if args.sac { &sac::presets::PRESETS } else { &PRESETS };
-    let arm = ("widowx", "the section [problem.arm], to append and to change: links, limits, collision shapes");
-    let arm = (!args.sac).then_some(arm);
+    let arms = ARMS.iter().filter(|_| !args.sac).map(|arm| (arm.name, arm.about, arm.text));
+    let texts = presets.iter().map(|preset| (preset.name, preset.about, preset.text)).chain(arms);
     let text = if args.list {
-        let about = presets.iter().map(|preset| (preset.name, preset.about));
-        about.chain(arm).map(|(name, about)| format!("{name:10} {about}\n")).collect()
-    } else if args.name == "widowx" && !args.sac {
-        WIDOWX_TOML.to_owned()
+        texts.map(|(name, about, _)| format!("{name:18} {about}\n")).collect()
     } else {
-        let preset = presets.iter().find(|preset| preset.name == args.name).ok_or_else(|| {
-            let names = presets.iter().map(|preset| preset.name).chain(arm.map(|(name, _)| name));
-            let accepted = names.collect::<Vec<_>>().join(", ");
+        let named = texts.clone().find(|(name, ..)| *name == args.name);
+        let (.., text) = named.ok_or_else(|| {
+            let accepted = texts.map(|(name, ..)| name).collect::<Vec<_>>().join(", ");
             InputError::new("<command line>", Place::Whole, format!("the preset {:?}", args.name), accepted)
         })?;
-        preset.text.to_owned()
+        text.to_owned()
     };
     let written = tpg_graph::command::print(&text);
     written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))

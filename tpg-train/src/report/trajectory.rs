@@ -59,8 +59,9 @@ fn figure(arm: &Arm<f64>, walk: &Walk) -> Figure {
 /// Returns shoulder, bracket, elbow, wrist and tip in the arm's plane, as x, 0, z.
 fn joints(arm: &Arm<f64>, pose: Pose) -> [[f64; 3]; 6] {
     let plane = Plane::at(arm, pose);
-    let [bracket, elbow, wrist, tip] = [plane.bracket, plane.elbow, plane.wrist, plane.tip].map(|p| [p.x, 0.0, p.z]);
-    [[0.0, 0.0, 0.0], [0.0, 0.0, arm.links.base], bracket, elbow, wrist, tip]
+    let [shoulder, bracket, elbow, wrist, tip] =
+        [arm.shoulder(), plane.bracket, plane.elbow, plane.wrist, plane.tip].map(|p| [p.x, 0.0, p.z]);
+    [[0.0, 0.0, 0.0], shoulder, bracket, elbow, wrist, tip]
 }
 
 /// Maps mm to positions in the picture.
@@ -71,9 +72,7 @@ struct View {
 
 impl View {
     fn new(arm: &Arm<f64>) -> Self {
-        let links = &arm.links;
-        let reach = links.upper_arm.hypot(links.elbow_offset) + links.forearm + links.hand;
-        let reach = 1.03 * reach.max(links.base);
+        let reach = 1.03 * arm.reach().max(arm.links.base);
         Self { reach, scale: PANEL / (2.0 * reach) }
     }
 

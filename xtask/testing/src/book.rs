@@ -29,12 +29,17 @@ pub fn page(name: &str, text: &str) {
 /// If the program does not start.
 pub fn manual(program: &Path, name: &str, lead: &str) -> String {
     let mut text = format!("# `{name}`\n\n{lead}\n\nMade from `--help` by a test; do not edit.\n");
-    for words in [Vec::new()].into_iter().chain(commands(&help(program, &[])).into_iter().map(|word| vec![word])) {
-        let title = [&[name.to_owned()], &words[..]].concat().join(" ");
-        let help = help(program, &words);
-        text += &format!("\n## {title}\n\n```text\n{}\n```\n", help.trim_end());
-    }
+    add(&mut text, program, name, &[]);
     text
+}
+
+/// Adds the help of a command and of the commands below it.
+fn add(text: &mut String, program: &Path, title: &str, words: &[String]) {
+    let help = help(program, words);
+    *text += &format!("\n## {title}\n\n```text\n{}\n```\n", help.trim_end());
+    for word in commands(&help) {
+        add(text, program, &format!("{title} {word}"), &[words, &[word]].concat());
+    }
 }
 
 /// Returns the help of a command. Lines end without blanks.

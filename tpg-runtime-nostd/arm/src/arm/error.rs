@@ -16,7 +16,7 @@ pub enum ArmError {
     /// The home position of the joint lies outside its range.
     Home(Joint),
     /// The length of a link is no number, or not in its range: above 0 mm for upper arm, forearm and hand, from 0 mm for the
-    /// base's height and the elbow's offset, up to 100 m for all.
+    /// base's height, the elbow's offset and the shoulder's distance from the axis, up to 100 m for all.
     Link,
     /// A collision shape has a number that is not within ±100 m, or an edge of the base that is neither horizontal nor
     /// vertical.
@@ -64,9 +64,9 @@ impl<S: Lattice> Arm<S> {
         if let Some((joint, _)) = joints().find(|(_, (range, home))| !range.contains(*home)) {
             return Err(ArmError::Home(joint));
         }
-        let Links { base, upper_arm, elbow_offset, forearm, hand } = self.links;
+        let Links { base, upper_arm, elbow_offset, forearm, hand, shoulder_radial } = self.links;
         if [upper_arm, forearm, hand].iter().any(|&length| !(length > S::ZERO && finite(length)))
-            || [base, elbow_offset].iter().any(|&length| !(length >= S::ZERO && finite(length)))
+            || [base, elbow_offset, shoulder_radial].iter().any(|&length| !(length >= S::ZERO && finite(length)))
         {
             return Err(ArmError::Link);
         }

@@ -15,7 +15,7 @@ pub use pose::{JOINTS, Joint, Move, Pose, TICKS_PER_TURN};
 pub use step::{Invalid, Step};
 pub use widowx::WIDOWX;
 
-use crate::kinematics::Lattice;
+use crate::kinematics::{Lattice, Point};
 
 /// The positions that a joint may take, both ends included.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,6 +46,8 @@ pub struct Links<S> {
     pub forearm: S,
     /// Wrist to the tip of the hand: the point that must reach the target.
     pub hand: S,
+    /// Distance of the shoulder in front of the base's axis, at which the base turns it round.
+    pub shoulder_radial: S,
 }
 
 /// A horizontal or vertical edge of the arm's base in the arm plane, mm; the base has its mirror image at −x too.
@@ -62,7 +64,7 @@ pub struct BaseEdge<S> {
 pub struct Shapes<S> {
     /// Wrist to the face of the hand's tip.
     pub hand_length: S,
-    /// From the hand's axis to its two long edges, measured across, positive downwards with the arm stretched forwards.
+    /// From the hand's axis to its two long edges, measured across, positive upwards with the arm stretched forwards.
     pub hand_edges: [S; 2],
     /// Distance of the forearm's end face beyond the wrist.
     pub forearm_overhang: S,
@@ -88,10 +90,18 @@ pub struct Arm<S> {
 }
 
 impl<S: Lattice> Arm<S> {
-    /// Returns the distance from the shoulder to the hand's tip with the arm stretched, mm.
+    /// Returns the greatest distance of the hand's tip from the base's axis, at the shoulder's height: the arm stretched
+    /// forwards, mm.
     pub fn reach(&self) -> S {
-        let Links { upper_arm, elbow_offset, forearm, hand, .. } = self.links;
-        (upper_arm * upper_arm + elbow_offset * elbow_offset).sqrt() + forearm + hand
+        let Links { upper_arm, elbow_offset, forearm, hand, shoulder_radial, .. } = self.links;
+        (upper_arm * upper_arm + elbow_offset * elbow_offset).sqrt() + forearm + hand + shoulder_radial
+    }
+
+    /// Returns the place of the shoulder in the arm plane.
+    #[inline]
+    pub fn shoulder(&self) -> Point<S> {
+        // The arm at home stretches to negative x. A difference, as the negative of 0 has another sign.
+        Point { x: S::ZERO - self.links.shoulder_radial, z: self.links.base }
     }
 }
 
@@ -104,7 +114,7 @@ impl Arm<f64> {
         const fn edge(e: BaseEdge<f64>) -> BaseEdge<f32> {
             BaseEdge { x: pair(e.x), z: pair(e.z) }
         }
-        let Links { base, upper_arm, elbow_offset, forearm, hand } = self.links;
+        let Links { base, upper_arm, elbow_offset, forearm, hand, shoulder_radial } = self.links;
         let shapes = &self.shapes;
         Arm {
             home: self.home,
@@ -116,6 +126,7 @@ impl Arm<f64> {
                 elbow_offset: elbow_offset as f32,
                 forearm: forearm as f32,
                 hand: hand as f32,
+                shoulder_radial: shoulder_radial as f32,
             },
             shapes: Shapes {
                 hand_length: shapes.hand_length as f32,

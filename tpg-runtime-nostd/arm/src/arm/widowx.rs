@@ -13,7 +13,14 @@ pub const WIDOWX: Arm<f64> = Arm {
         JointRange { min: 1025, max: 3071 },
         JointRange { min: 1025, max: 3071 },
     ],
-    links: Links { base: 125.0, upper_arm: 142.0, elbow_offset: 49.0, forearm: 142.0, hand: 155.0 },
+    links: Links {
+        base: 125.0,
+        upper_arm: 142.0,
+        elbow_offset: 49.0,
+        forearm: 142.0,
+        hand: 155.0,
+        shoulder_radial: 0.0,
+    },
     shapes: Shapes {
         hand_length: 160.0,
         hand_edges: [24.0, -32.0],

@@ -104,8 +104,7 @@ impl Body {
     #[inline]
     pub fn at(&self, pose: Pose) -> Posture {
         let plane = Plane::at(&self.arm, pose);
-        let shoulder = Point { x: 0.0, z: self.arm.links.base };
-        let points = [shoulder, plane.bracket, plane.elbow, plane.wrist, plane.tip];
+        let points = [self.arm.shoulder(), plane.bracket, plane.elbow, plane.wrist, plane.tip];
         Posture { plane, base: base_direction(pose), points }
     }
 

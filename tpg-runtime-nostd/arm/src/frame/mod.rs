@@ -21,6 +21,9 @@
 //! | e_z | [`height_error`](Frame::height_error) | t_z − z | mm |
 //! | d | [`distance`](Frame::distance) | √(e_r² + t_l² + e_z²) | mm |
 //!
+//! Reaches and elevations are those from the point of the base's axis at the shoulder's height: from the shoulder itself, but for an arm
+//! whose shoulder stands in front of the axis.
+//!
 //! A [`Frame`] holds no more than pose, target and plane. Each quantity is a method, computed when it is asked for, so
 //! that a policy pays for what it reads.
 
@@ -155,7 +158,7 @@ impl<'a, S: Lattice> Frame<'a, S> {
     pub fn pull(&self, joint: Joint) -> S {
         match joint.0 {
             0 => -(self.target_lateral() * self.radius()),
-            1 => self.moment(self.shoulder()),
+            1 => self.moment(self.arm.shoulder()),
             2 => -self.moment(self.plane.elbow),
             3 => -self.moment(self.plane.wrist),
             _ => S::ZERO,
@@ -167,10 +170,6 @@ impl<'a, S: Lattice> Frame<'a, S> {
         let Point { x, z } = self.plane.tip;
         // ρ − p_ρ is p_x − x: the radius runs against the plane's x.
         self.radial_error() * (z - axis.z) - self.height_error() * (axis.x - x)
-    }
-
-    fn shoulder(&self) -> Point<S> {
-        Point { x: S::ZERO, z: self.arm.links.base }
     }
 
     /// By how much the base's angle is off when the arm reaches forwards and when it reaches over its back, rad:

@@ -156,8 +156,12 @@ impl<S: Scalar> Plane<S> {
     pub fn new(arm: &Arm<S>, directions: Directions<S>) -> Self {
         let Directions { upper_arm, bracket, forearm, forearm_across, hand, hand_across } = directions;
         let links = &arm.links;
-        // The artifact adds the base's height after the first product: the order decides the last bit.
-        let bracket_end = Point { x: upper_arm.cos * links.upper_arm, z: upper_arm.sin * links.upper_arm + links.base };
+        // The artifact adds the base's height after the first product: the order decides the last bit. What is taken away
+        // changes no bit where it is 0, whatever the sign of the product.
+        let bracket_end = Point {
+            x: upper_arm.cos * links.upper_arm - links.shoulder_radial,
+            z: upper_arm.sin * links.upper_arm + links.base,
+        };
         let elbow = bracket_end.along(bracket, links.elbow_offset);
         let wrist = elbow.along(forearm, links.forearm);
         let tip = wrist.along(hand, links.hand);

@@ -69,7 +69,8 @@ impl<S: Lattice> ReachTarget<S> {
     pub fn at(arm: &Arm<S>, target: Vector<S>) -> Self {
         let links = &arm.links;
         let [x, y, z] = target;
-        let range = (x * x + y * y).sqrt();
+        // From the shoulder, once the base has turned to the target.
+        let range = (x * x + y * y).sqrt() - links.shoulder_radial;
         let height = z - links.base;
         Self {
             base: S::from_i32(TICKS_PER_TURN / 2) + ticks_of((-x).atan2(y)),

@@ -16,7 +16,8 @@ pub enum Source {
     /// The four motor positions less 2048, ticks: 0 is the middle of a joint's travel.
     MotorsCentred,
     /// Errors in the shoulder's polar frame, mm: lateral, tangential, radial. They suit an arm that stays on its front
-    /// side.
+    /// side. The frame's origin is the point of the base's axis at the shoulder's height, as of
+    /// [`Bearing`](Self::Bearing).
     Polar,
     /// Errors as seen from the shoulder: azimuth (half ticks, not wrapped), elevation (1/250 rad), radial (mm). They also
     /// suit an arm that reaches over its back.

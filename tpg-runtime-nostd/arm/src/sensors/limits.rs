@@ -17,7 +17,7 @@ pub struct Limits<S> {
     pub(super) ranges: Ranges,
     /// Height of the shoulder over the table, mm.
     shoulder: S,
-    /// The square of the greatest distance from the shoulder, mm².
+    /// The square of the greatest distance from the base's axis at that height, mm².
     reach_squared: S,
 }
 
@@ -33,8 +33,8 @@ impl<S: Lattice> Limits<S> {
         Self { ranges, shoulder: arm.links.base, reach_squared: reach * reach }
     }
 
-    /// Returns true if a target, mm, is a point that the stretched arm could reach: no farther from the shoulder than it is
-    /// long, with 1 mm to spare.
+    /// Returns true if a target, mm, is a point that the stretched arm could reach: no farther from the base's axis, at the
+    /// shoulder's height, than its hand comes, with 1 mm to spare.
     ///
     /// Nearer targets may still be out of reach: in the table, or inside the arm. The guard holds the arm back there.
     #[inline(always)]

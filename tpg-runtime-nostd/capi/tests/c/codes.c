@@ -55,6 +55,7 @@ static const tpg_arm_description_t widowx = {
     125.0F, 142.0F, 49.0F, 142.0F, 155.0F, 160.0F, { 24.0F, -32.0F }, 10.0F, { 18.0F, -18.0F },
     { { { 68.0F, 90.0F }, { 9.0F, 9.0F } }, { { 68.0F, 68.0F }, { 9.0F, 95.0F } },
       { { 15.0F, 68.0F }, { 95.0F, 95.0F } }, { { 15.0F, 15.0F }, { 95.0F, 151.0F } } },
+    0.0F,
 };
 
 static void arm_and_observation(void)

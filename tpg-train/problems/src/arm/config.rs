@@ -1,5 +1,6 @@
 //! The section `[problem]` of a configuration, for the arm.
 
+use super::arms;
 use super::description::ArmDescription;
 use super::environment::{ArmEnvironment, ArmProblem, ArmScalar};
 use super::shield::Shield;
@@ -34,8 +35,9 @@ pub struct Config {
     pub coef_reward_multiplication: f64,
     /// Maximum cost of a failure, mm: finite if a network takes over from the graph.
     pub hand_over_price: f64,
-    /// The arm; the WidowX if omitted.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    /// The arm: a section, or the name of an arm that `tpg-train config --list` shows; the WidowX if omitted.
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "arms::named_or_own")]
+    #[schemars(schema_with = "arms::schema")]
     pub arm: Option<ArmDescription>,
 }
 

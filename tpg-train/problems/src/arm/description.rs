@@ -1,7 +1,8 @@
 //! An arm as a section of a configuration: `[problem.arm]`, `[problem.arm.links]` and `[problem.arm.shapes]`. By
 //! default the arm is the WidowX.
 //!
-//! `tpg-train config widowx` prints the WidowX's own section, commented, as a starting point.
+//! `tpg-train config widowx` prints the WidowX's own section, commented, as a starting point. [`ARMS`](super::arms::ARMS) has
+//! others.
 
 use crate::arm::targets::stands_free;
 use schemars::JsonSchema;
@@ -9,9 +10,6 @@ use serde::{Deserialize, Serialize};
 use tpg_arm::kinematics::Plane;
 use tpg_arm::{Arm, BaseEdge, JOINTS, JointRange, Links, Pose, Shapes, TICKS_PER_TURN};
 use tpg_graph::error::Finding;
-
-/// The WidowX's section, with comments.
-pub const WIDOWX_TOML: &str = include_str!("widowx.toml");
 
 /// Positions tried for each joint of the plane when checking that an arm has a free pose.
 const TRIED: i32 = 16;
@@ -46,6 +44,14 @@ pub struct LinksDescription {
     pub forearm: f64,
     /// Wrist to the tip of the hand.
     pub hand: f64,
+    /// Distance of the shoulder in front of the base's axis.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub shoulder_radial: f64,
+}
+
+/// Returns true for a length that need not be written.
+fn is_zero(length: &f64) -> bool {
+    *length == 0.0
 }
 
 /// Collision shapes, mm.
@@ -66,13 +72,13 @@ pub struct ShapesDescription {
 
 impl From<&Arm<f64>> for ArmDescription {
     fn from(arm: &Arm<f64>) -> Self {
-        let Links { base, upper_arm, elbow_offset, forearm, hand } = arm.links;
+        let Links { base, upper_arm, elbow_offset, forearm, hand, shoulder_radial } = arm.links;
         let shapes = &arm.shapes;
         Self {
             home: arm.home.0,
             fixed_servos: arm.fixed_servos,
             ranges: arm.ranges.map(|range| [range.min, range.max]),
-            links: LinksDescription { base, upper_arm, elbow_offset, forearm, hand },
+            links: LinksDescription { base, upper_arm, elbow_offset, forearm, hand, shoulder_radial },
             shapes: ShapesDescription {
                 hand_length: shapes.hand_length,
                 hand_edges: shapes.hand_edges,
@@ -86,13 +92,13 @@ impl From<&Arm<f64>> for ArmDescription {
 
 impl From<&ArmDescription> for Arm<f64> {
     fn from(text: &ArmDescription) -> Self {
-        let LinksDescription { base, upper_arm, elbow_offset, forearm, hand } = text.links;
+        let LinksDescription { base, upper_arm, elbow_offset, forearm, hand, shoulder_radial } = text.links;
         let shapes = &text.shapes;
         Self {
             home: Pose(text.home),
             fixed_servos: text.fixed_servos,
             ranges: text.ranges.map(|[min, max]| JointRange { min, max }),
-            links: Links { base, upper_arm, elbow_offset, forearm, hand },
+            links: Links { base, upper_arm, elbow_offset, forearm, hand, shoulder_radial },
             shapes: Shapes {
                 hand_length: shapes.hand_length,
                 hand_edges: shapes.hand_edges,
@@ -147,6 +153,7 @@ impl ArmDescription {
             ("problem.arm.links.elbow_offset", links.elbow_offset, 0.0),
             ("problem.arm.links.forearm", links.forearm, 1.0),
             ("problem.arm.links.hand", links.hand, 1.0),
+            ("problem.arm.links.shoulder_radial", links.shoulder_radial, 0.0),
             ("problem.arm.shapes.hand_length", shapes.hand_length, 0.0),
             ("problem.arm.shapes.forearm_overhang", shapes.forearm_overhang, 0.0),
         ] {
@@ -192,7 +199,8 @@ const LONGEST: f64 = 1000.0;
 
 #[cfg(test)]
 mod tests {
-    use super::{ArmDescription, WIDOWX_TOML};
+    use super::ArmDescription;
+    use crate::arm::arms::ARMS;
     use serde::Deserialize;
     use tpg_arm::{Arm, WIDOWX};
 
@@ -212,7 +220,7 @@ mod tests {
 
     #[test]
     fn the_printed_section_is_the_widowx() {
-        let described = read(WIDOWX_TOML);
+        let described = read(ARMS[0].text);
         assert_eq!(described.check(), Ok(()));
         assert_eq!(Arm::from(&described), WIDOWX);
         assert_eq!(ArmDescription::from(&WIDOWX), described);
@@ -230,8 +238,8 @@ mod tests {
             ("hand_edges = [24.0", "hand_edges = [nan", "problem.arm.shapes.hand_edges"),
             ("[68.0, 90.0, 9.0, 9.0]", "[68.0, 90.0, 9.0, 10.0]", "problem.arm.shapes.base"),
         ] {
-            let text = WIDOWX_TOML.replacen(from, to, 1);
-            assert_ne!(text, WIDOWX_TOML, "{from} is in the text");
+            let text = ARMS[0].text.replacen(from, to, 1);
+            assert_ne!(text, ARMS[0].text, "{from} is in the text");
             assert_eq!(read(&text).check().map_err(|finding| finding.key), Err(key.to_owned()), "{to}");
         }
     }

@@ -45,8 +45,8 @@ pub fn goals_of_pitches(arm: &Arm<f64>, target: [f64; 3], pitches: u32) -> Vec<P
 /// Returns the angles of upper arm and forearm that bring the wrist to a point of the plane, for both bends of the
 /// elbow.
 fn two_links(arm: &Arm<f64>, (x, z): (f64, f64)) -> [Option<(f64, f64)>; 2] {
-    let links = &arm.links;
-    let z = z - links.base;
+    let (links, shoulder) = (&arm.links, arm.shoulder());
+    let (x, z) = (x - shoulder.x, z - shoulder.z);
     let first = links.upper_arm.hypot(links.elbow_offset);
     let tilt = libm::atan2(links.elbow_offset, links.upper_arm);
     let far = x.hypot(z);

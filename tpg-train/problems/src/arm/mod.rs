@@ -8,11 +8,13 @@
 //! | [`shield`] | actions that a graph cannot choose |
 //! | [`motors`] | the arm by its four motors, for policies with outputs |
 //! | [`description`] | an arm as a section of a configuration |
+//! | [`arms`] | arms that are known by name |
 //! | [`targets`] | tasks over the reachable space |
 //! | [`ik`] | inverse kinematics: poses that solve a task |
 //! | [`planner`] | classical controllers |
 //! | [`trial`] | results of one policy on many tasks |
 
+pub mod arms;
 pub mod binding;
 pub mod config;
 pub mod description;

@@ -101,7 +101,7 @@ impl ReachableSpace {
     pub fn sample(arm: &Arm<f64>, seed: u64, set: Set) -> Self {
         let mut random = Stream::new(seed, set as u64, Purpose::Reach, 0);
         let links = &arm.links;
-        let reach = links.upper_arm + links.elbow_offset + links.forearm + links.hand;
+        let reach = links.upper_arm + links.elbow_offset + links.forearm + links.hand + links.shoulder_radial;
         let side = (2.0 * reach / CUBE) as usize + 2;
         let cube = |hand: [f64; 3]| {
             let index = |value: f64, low: f64| ((value - low) / CUBE) as usize;

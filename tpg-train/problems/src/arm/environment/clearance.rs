@@ -55,6 +55,6 @@ impl<S: ArmScalar> Clearances<S> {
 /// Returns the maximum distance that a shielded action moves any point of the arm, mm, rounded up.
 pub(super) fn swing(arm: &Arm<f64>) -> f64 {
     let links = &arm.links;
-    let length = links.upper_arm + links.elbow_offset + links.forearm + links.hand;
+    let length = links.upper_arm + links.elbow_offset + links.forearm + links.hand + links.shoulder_radial;
     length * f64::from(shield::STEP) * std::f64::consts::TAU / f64::from(TICKS_PER_TURN) + 1.0
 }

@@ -1,0 +1,81 @@
+//! The section `[problem.arm]` of a recognised arm, with comments.
+
+use super::planar::{Planar, Position};
+use std::f64::consts::TAU;
+use std::fmt::Write as _;
+use tpg_arm::TICKS_PER_TURN;
+use tpg_problems::arm::ArmDescription;
+use tpg_problems::arm::description::ShapesDescription;
+
+/// The thickness that a URDF's reader is told, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Radii {
+    /// Of forearm and hand.
+    pub(super) link: f64,
+    /// Of the base.
+    pub(super) base: f64,
+}
+
+/// Returns the arm's description: upright and stretched ahead at the start, as near as its ranges allow, with plain shapes of
+/// the given radii.
+pub(super) fn describe(arm: &Planar, radii: Radii) -> ArmDescription {
+    let middle = (TICKS_PER_TURN / 2) as i16;
+    let ranges = arm.joints.each_ref().map(|joint| joint.range);
+    let height = (arm.links.base - radii.link).max(0.0);
+    let (side, top) = ([radii.base, radii.base, 0.0, height], [0.0, radii.base, height, height]);
+    ArmDescription {
+        home: ranges.map(|[min, max]| middle.clamp(min, max)),
+        fixed_servos: [middle; 2],
+        ranges,
+        links: arm.links,
+        shapes: ShapesDescription {
+            hand_length: arm.links.hand,
+            hand_edges: [radii.link, -radii.link],
+            forearm_overhang: radii.link,
+            forearm_edges: [radii.link, -radii.link],
+            base: [side, top, side, top],
+        },
+    }
+}
+
+/// Returns the section as text.
+pub(super) fn text(file: &str, tip: &str, fix: &[(String, f64)], arm: &Planar, description: &ArmDescription) -> String {
+    let held: String = fix.iter().map(|(joint, angle)| format!(", {joint} held at {angle} rad")).collect();
+    // Adding 0 takes the sign of what is rounded to −0.
+    let tenths = |value: f64| (10.0 * value).round() / 10.0 + 0.0;
+    let ahead = tenths(libm::atan2(arm.front[1], arm.front[0]).to_degrees());
+    let [x, y] = arm.axis.map(tenths);
+    let mut text = format!(
+        "# From {file:?}, tip {tip}{held}.\n\
+         #\n\
+         # The origin is on the axis of {}, at x = {x:.1}, y = {y:.1} mm of the URDF; ahead is {ahead:.1} degrees from its x. Positions are\n\
+         # ticks, 4096 a turn; at 2048 the upper arm stands upright, forearm and hand are stretched ahead. Lengths are in mm.\n\
+         # The URDF's angles, rad:\n\
+         #\n",
+        arm.joints[0].name
+    );
+    for joint in &arm.joints {
+        writeln!(text, "#     {}", angle_of(joint)).expect("a string");
+    }
+    let mut problem = toml::Table::new();
+    problem.insert("arm".to_owned(), toml::Value::try_from(description).expect("plain data"));
+    let mut file = toml::Table::new();
+    file.insert("problem".to_owned(), problem.into());
+    let section = file.to_string();
+    let shapes = "# The shapes are not the URDF's, which are not read: bars of --radius and a column of --base-radius. Put better ones here.\n\
+                  [problem.arm.shapes]";
+    text + &section.replacen("[problem.arm.shapes]", shapes, 1)
+}
+
+/// The URDF's angle as an expression of the position.
+fn angle_of(Position { name, sign, zero, .. }: &Position) -> String {
+    let a_radian = f64::from(TICKS_PER_TURN) / TAU;
+    let minus = if *sign < 0.0 { "-" } else { "" };
+    let zero = (10.0 * zero * a_radian).round() / 10.0;
+    let less = match zero {
+        0.0 => String::new(),
+        zero if zero > 0.0 => format!(" - {zero:.1}"),
+        zero => format!(" + {:.1}", -zero),
+    };
+    format!("{name} = {minus}(position - {}{less}) / {a_radian:.1}", TICKS_PER_TURN / 2)
+}
