@@ -60,7 +60,7 @@ pub(crate) fn table(graphs: &[PathBuf], profile_of: Option<import::Profile>) -> 
     Ok(())
 }
 
-/// What each profile takes; `None` where a tool is missing.
+/// Measures each profile; `None` if a tool is missing.
 fn costs(graph: &Graph) -> Result<Option<[Cost; PROFILES.len()]>, Failure> {
     let folder = build::room()?.join("profiles");
     fs::create_dir_all(&folder).map_err(|error| Failure::at(&folder, error))?;

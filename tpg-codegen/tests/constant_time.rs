@@ -353,7 +353,7 @@ fn in_doubles() -> Graph {
     sample::graph(&shape, 3)
 }
 
-/// Where the FPU has no doubles a library computes them, by code that branches on them: no bound is claimed for that.
+/// A library computes doubles for an FPU that has none, by code that branches on them: no bound is claimed for that.
 #[test]
 fn doubles_take_the_same_time_where_the_fpu_has_them() {
     let binutils = [("arm-none-eabi-gcc", "gcc-arm-none-eabi"), ("arm-none-eabi-objdump", "gcc-arm-none-eabi")];

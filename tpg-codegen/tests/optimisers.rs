@@ -1,4 +1,4 @@
-//! What an optimiser takes for known: numbers where there is NaN, and the platform's functions of constants.
+//! Assumptions of optimisers: numbers in place of NaN, and functions of constants that are not the platform's.
 //!
 //! LLVM takes `if v > 0 { v } else { 0 }` of a `v = max(0, x)` for v, which it is not where x is NaN, and computes the cosine of a
 //! constant itself, rounded another way than the platform's. Generated code hides both from it.
@@ -134,7 +134,7 @@ fn nan_decides_in_rust_as_it_does_in_the_interpreter() {
     }
 }
 
-/// What no state changes is computed before: NaN is among it, and may be a value where the rest is.
+/// Constant parts are folded, and may be NaN in the middle of a formula.
 #[test]
 fn nan_is_a_constant_of_generated_code() {
     let line = |to, op: &str, args: &[&str]| LineDocument {

@@ -62,7 +62,7 @@ fn places() -> impl Strategy<Value = [f64; 3]> {
     (-500.0..500.0, -500.0..500.0, 0.0..700.0).prop_map(|(x, y, z)| [x, y, z])
 }
 
-/// What a joint moves within 8 ticks, a radian.
+/// Returns the slope over 8 ticks, a radian.
 fn slope(after: f64, before: f64) -> f64 {
     (after - before) / (8.0 * TAU / 4096.0)
 }

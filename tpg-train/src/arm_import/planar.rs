@@ -27,7 +27,7 @@ pub(super) struct Position {
     pub(super) range: [i16; 2],
 }
 
-/// What the recognised arm is made of.
+/// The recognised arm.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Planar {
     /// Its lengths, to a micrometre.

@@ -60,7 +60,7 @@ impl<S: Lattice, const N: usize> Placed<S, N> {
         })
     }
 
-    /// How a joint moves a point behind it, mm a radian; 0 for a joint that does not exist.
+    /// Returns the speed at which a joint moves a point behind it, mm a radian; 0 for a joint that does not exist.
     fn turning(&self, joint: usize, point: Vector<S>) -> Vector<S> {
         let axis = self.points.get(joint).zip(self.axes.get(joint));
         axis.map_or([S::ZERO; 3], |(at, axis)| cross(*axis, difference(point, *at)))
