@@ -176,7 +176,7 @@ mod tests {
     #[test]
     fn a_policy_starts_as_a_formula_and_structure_is_added_rarely() {
         assert!(evolved(0).teams().values().all(|team| team.edges.len() == 1));
-        let genome = evolved(30);
+        let genome = evolved(60);
         let edges: Vec<usize> = genome.teams().values().map(|team| team.edges.len()).collect();
         assert!(edges.iter().any(|&edges| edges > 1), "{edges:?}");
         let to_teams = genome.teams().values().flat_map(|team| &team.edges);
@@ -184,6 +184,6 @@ mod tests {
         assert!(to_teams.clone().all(|edge| !matches!(edge.to, Destination::Action(_))));
         let used: std::collections::BTreeSet<_> = to_teams.map(|edge| edge.to).collect();
         assert!(genome.leaves().keys().all(|&leaf| used.contains(&Destination::Leaf(leaf))), "no leaf is left over");
-        assert_eq!(evolved(30), genome, "the same seed, the same genome");
+        assert_eq!(evolved(60), genome, "the same seed, the same genome");
     }
 }
