@@ -2,9 +2,9 @@
 //!
 //! | module | subject |
 //! | --- | --- |
-//! | [`urdf`] | the joints between a file's root and a link, or what is wrong with them |
-//! | [`planar`] | a turning base and three parallel axes in them: lengths, zeros, signs |
-//! | [`section`] | the section with its comments |
+//! | `urdf` | the joints between a file's root and a link, or what is wrong with them |
+//! | `planar` | a turning base and three parallel axes in them: lengths, zeros, signs |
+//! | `section` | the section with its comments |
 
 mod planar;
 mod section;
