@@ -1,6 +1,7 @@
 /* The shipped policy of CartPole in every profile, in closed loop with the cart and its pole, which are generated code, too: a hash of
  * every push and observation, and the instructions of the policy. */
 #include "cart.h"
+#include "hash.h"
 #include "platform.h"
 #include "pole_balanced.h"
 #include "pole_constant.h"
@@ -37,27 +38,9 @@ static const struct {
     { "cost pole constant", pole_constant_push },
 };
 
-/* One step of FNV-1a, as the host's. */
-static uint64_t mixed(uint64_t before, uint32_t bits)
-{
-    return (before ^ bits) * 0x100000001b3U;
-}
-
-/* The same over a value's bits; the core is little-endian. */
-static uint64_t hashed(uint64_t before, float value)
-{
-    const uint8_t *bytes = (const uint8_t *)&value;
-    uint32_t bits = 0U;
-
-    for (uint32_t at = 0U; at < (uint32_t)sizeof value; at++) {
-        bits |= (uint32_t)bytes[at] << (8U * at);
-    }
-    return mixed(before, bits);
-}
-
 static void run(uint32_t number)
 {
-    uint64_t hash = 0xcbf29ce484222325U;
+    uint64_t hash = HASH_START;
     uint32_t instructions = 0U;
     uint32_t worst = 0U;
     report_t line;
@@ -81,11 +64,11 @@ static void run(uint32_t number)
 
                 cart_infer(&pushed, &seen, &shown);
             }
-            hash = mixed(hash, push);
-            hash = hashed(hash, shown.x);
-            hash = hashed(hash, shown.v);
-            hash = hashed(hash, shown.theta);
-            hash = hashed(hash, shown.omega);
+            hash = hash_bits(hash, push);
+            hash = hash_value(hash, shown.x);
+            hash = hash_value(hash, shown.v);
+            hash = hash_value(hash, shown.theta);
+            hash = hash_value(hash, shown.omega);
         }
     }
     report_begin(&line, policies[number].words);

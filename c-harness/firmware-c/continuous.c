@@ -1,5 +1,6 @@
 /* Policies that answer with values, one of them with memory, in closed loop with a pendulum, which is generated code, too:
  * a hash of every torque and observation, and the instructions of the policies. */
+#include "hash.h"
 #include "plant.h"
 #include "platform.h"
 #include "recall_balanced.h"
@@ -79,18 +80,6 @@ static const struct {
     { "cost recall constant", recall_constant_begin, recall_constant_torque },
 };
 
-/* One step of FNV-1a over a value's bits, as the host's; the core is little-endian. */
-static uint64_t hashed(uint64_t before, float value)
-{
-    const uint8_t *bytes = (const uint8_t *)&value;
-    uint32_t bits = 0U;
-
-    for (uint32_t at = 0U; at < (uint32_t)sizeof value; at++) {
-        bits |= (uint32_t)bytes[at] << (8U * at);
-    }
-    return (before ^ bits) * 0x100000001b3U;
-}
-
 /* The pendulum moves; what it shows then. */
 static seen_t moved(plant_memory_t *swing, float torque)
 {
@@ -107,7 +96,7 @@ static seen_t moved(plant_memory_t *swing, float torque)
 
 static void run(uint32_t number)
 {
-    uint64_t hash = 0xcbf29ce484222325U;
+    uint64_t hash = HASH_START;
     uint32_t instructions = 0U;
     uint32_t worst = 0U;
     report_t line;
@@ -127,9 +116,9 @@ static void run(uint32_t number)
             instructions += count;
             worst = (count > worst) ? count : worst;
             seen = moved(&swing, torque);
-            hash = hashed(hash, torque);
+            hash = hash_value(hash, torque);
             for (uint32_t value = 0U; value < 3U; value++) {
-                hash = hashed(hash, seen.values[value]);
+                hash = hash_value(hash, seen.values[value]);
             }
         }
     }

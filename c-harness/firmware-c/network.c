@@ -1,4 +1,5 @@
 /* What a network of another problem than the arm's answers to recorded observations: a hash of its values' bits. */
+#include "hash.h"
 #include "observations.h"
 #include "pendulum.h"
 #include "platform.h"
@@ -11,21 +12,9 @@
 static tpg_network_t network;
 static uint32_t scratch[PENDULUM_SCRATCH];
 
-/* One step of FNV-1a over a value's bits, as the host's; the core is little-endian. */
-static uint64_t hashed(uint64_t before, float value)
-{
-    const uint8_t *bytes = (const uint8_t *)&value;
-    uint32_t bits = 0U;
-
-    for (uint32_t at = 0U; at < (uint32_t)sizeof value; at++) {
-        bits |= (uint32_t)bytes[at] << (8U * at);
-    }
-    return (before ^ bits) * 0x100000001b3U;
-}
-
 int main(void)
 {
-    uint64_t hash = 0xcbf29ce484222325U;
+    uint64_t hash = HASH_START;
     uint32_t instructions = 0U;
     uint32_t worst = 0U;
     report_t line;
@@ -48,7 +37,7 @@ int main(void)
         instructions += count;
         worst = (count > worst) ? count : worst;
         for (size_t output = 0U; output < PENDULUM_OUTPUTS; output++) {
-            hash = hashed(hash, values[output]);
+            hash = hash_value(hash, values[output]);
         }
     }
     report_begin(&line, "actions pendulum");

@@ -1,7 +1,7 @@
 //! Compiles the firmwares.
 
 use crate::Failure;
-use crate::{cartpole, continuous, models, network, problems, table};
+use crate::{cartpole, closed_loop, continuous, models, network, problems, table};
 use std::env;
 use std::fmt::Write as _;
 use std::fs;
@@ -81,7 +81,7 @@ pub(crate) fn generated_c() -> Result<PathBuf, Failure> {
         let graph = Graph::from_json(&path.display().to_string(), &text).map_err(Failure::new)?;
         let prefix = |name: String| name.parse::<Prefix>().map_err(Failure::new);
         files.extend(emit::emit(&graph, Language::C, &Options::new(prefix(format!("widowx_{start}"))?)));
-        for (profile, short) in continuous::PROFILES {
+        for (profile, short) in closed_loop::PROFILES {
             for (language, tag) in [(Language::C, "c"), (Language::Rust, "rust")] {
                 let name = prefix(format!("{start}_{short}_{tag}"))?;
                 if language == Language::Rust {

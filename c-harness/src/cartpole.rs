@@ -2,7 +2,7 @@
 //! firmware computes the very steps that the interpreter does here, and every push and every observation must have the same bits.
 
 use crate::Failure;
-use crate::continuous::{Modules, PROFILES, load, step};
+use crate::closed_loop::{Modules, compare_profiles, load, step};
 use crate::line::Line;
 use crate::record::Hash;
 use std::fmt::Write as _;
@@ -79,14 +79,7 @@ pub(crate) const C_FILES: [&str; 5] = ["cart", "pole_fast", "pole_balanced", "po
 /// Compares a firmware's pushes and observations with this machine's.
 pub(crate) fn compare(language: &str, image: &Path, lines: &[Line]) -> Result<(), Failure> {
     let (hash, all) = run(&graphs()?);
-    for (_, profile) in PROFILES {
-        let line = lines.iter().find(|line| line.words == ["cost", "pole", profile]);
-        let line = line.ok_or_else(|| Failure::at(image, format!("no line of pole {profile}")))?;
-        if line.values.get("hash") != Some(&format!("{:016x}", hash.0)) || line.number("actions") != all.len() as u64 {
-            let found = format!("{language}: pole {profile}: other pushes or observations than here: {line:?}");
-            return Err(Failure::new(found));
-        }
-    }
+    compare_profiles(language, image, lines, "pole", hash, all.len() as u64)?;
     println!(
         "{language}: {} pushes of CartPole's policy in every profile, {STEPS} an episode, and what cart and pole do then: the same \
          bits as on the host",
@@ -97,7 +90,8 @@ pub(crate) fn compare(language: &str, image: &Path, lines: &[Line]) -> Result<()
 
 #[cfg(test)]
 mod tests {
-    use super::{PROFILES, STEPS, compare, graphs, run, starts, step};
+    use super::{STEPS, compare, graphs, run, starts, step};
+    use crate::closed_loop::PROFILES;
     use crate::line::Line;
     use tpg_engine::{Act, Environment};
     use tpg_problems::CartPole;

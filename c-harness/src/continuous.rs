@@ -4,18 +4,17 @@
 //! torque and every observation must have the same bits.
 
 use crate::Failure;
+use crate::closed_loop::{Modules, compare_profiles, load, step};
 use crate::line::Line;
 use crate::record::Hash;
 use std::fmt::Write as _;
 use std::path::Path;
-use tpg_codegen::emit::{self, File, Language, Options, Prefix, Profile};
+use tpg_codegen::emit::{File, Profile};
 use tpg_engine::Environment;
 use tpg_engine::random::{Purpose, Stream};
-use tpg_graph::interpret::{Answer, Interpreter};
-use tpg_graph::{Graph, import};
+use tpg_graph::Graph;
 use tpg_problems::Pendulum;
-use tpg_runtime::ops::{Own, own};
-use tpg_testing::library;
+use tpg_runtime::ops::own;
 
 /// Episodes of each policy in each profile.
 const EPISODES: u64 = 4;
@@ -24,24 +23,11 @@ const STEPS: u32 = 200;
 
 /// The policies: `recall` sees no velocity and remembers.
 const POLICIES: [&str; 2] = ["swing", "recall"];
-/// The profiles, as prefixes and reports name them.
-pub(crate) const PROFILES: [(Profile, &str); 4] = [
-    (Profile::Fast, "fast"),
-    (Profile::Balanced, "balanced"),
-    (Profile::Small, "small"),
-    (Profile::ConstantTime, "constant"),
-];
-
 /// The start of an episode: angle, velocity, and what is observed of them.
 type Start = ([f32; 2], [f32; 3]);
 
 fn graph(name: &str) -> Result<Graph, Failure> {
     load(&format!("c-harness/pendulum/{name}.json"))
-}
-
-/// A committed graph.
-pub(crate) fn load(path: &str) -> Result<Graph, Failure> {
-    import::load(&library::top().join(path), None, None).map_err(Failure::new)
 }
 
 fn starts() -> Vec<Start> {
@@ -52,18 +38,6 @@ fn starts() -> Vec<Start> {
             (swing, [own::f32::cos(angle), own::f32::sin(angle), velocity])
         })
         .collect()
-}
-
-/// A step of a graph in `f32` with own maths; it replaces the graph's memory.
-pub(crate) fn step(graph: &Graph, seen: &[f32], memory: &mut [f32]) -> Vec<f32> {
-    let state = [seen, &*memory].concat();
-    let mut answer: Vec<f32> = match Interpreter::<f32, Own>::new(graph).answer(&state) {
-        Answer::Values(values) => values.into_iter().map(|value| value as f32).collect(),
-        Answer::Action(_) => Vec::new(),
-    };
-    let next = answer.split_off(answer.len() - memory.len());
-    memory.copy_from_slice(&next);
-    answer
 }
 
 /// Runs the episodes of a policy here: a hash of every torque and observation, and the last observation of each episode.
@@ -82,32 +56,6 @@ fn run(policy: &Graph, plant: &Graph) -> (Hash, Vec<[f32; 3]>) {
     });
     let ends = ends.collect();
     (hash, ends)
-}
-
-/// Generated code in both languages, and the Rust modules that it makes up.
-#[derive(Default)]
-pub(crate) struct Modules {
-    pub(crate) files: Vec<File>,
-    pub(crate) text: String,
-}
-
-impl Modules {
-    /// Adds a graph; its files will be in `folder`.
-    pub(crate) fn add(&mut self, folder: &Path, graph: &Graph, name: &str, profile: Profile) -> Result<(), Failure> {
-        let prefix = name.parse::<Prefix>().map_err(Failure::new)?;
-        let path = folder.join(format!("{name}.rs")).display().to_string();
-        let _ = writeln!(self.text, "#[path = {path:?}]\nmod {name};");
-        for language in [Language::C, Language::Rust] {
-            let options = Options { profile: Some(profile), ..Options::new(prefix.clone()) };
-            self.files.extend(emit::emit(graph, language, &options));
-        }
-        Ok(())
-    }
-
-    /// Adds a graph in every profile.
-    pub(crate) fn add_profiles(&mut self, folder: &Path, graph: &Graph, name: &str) -> Result<(), Failure> {
-        PROFILES.iter().try_for_each(|&(profile, short)| self.add(folder, graph, &format!("{name}_{short}"), profile))
-    }
 }
 
 /// The policies in every profile and the plant, in both languages, and the starts; all of it will be in `folder`.
@@ -155,14 +103,7 @@ pub(crate) fn compare(language: &str, image: &Path, lines: &[Line]) -> Result<()
     let actions = EPISODES * u64::from(STEPS);
     for name in POLICIES {
         let (hash, _) = run(&graph(name)?, &plant);
-        for (_, profile) in PROFILES {
-            let line = lines.iter().find(|line| line.words == ["cost", name, profile]);
-            let line = line.ok_or_else(|| Failure::at(image, format!("no line of {name} {profile}")))?;
-            if line.values.get("hash") != Some(&format!("{:016x}", hash.0)) || line.number("actions") != actions {
-                let found = format!("{language}: {name} {profile}: other torques or observations than here: {line:?}");
-                return Err(Failure::new(found));
-            }
-        }
+        compare_profiles(language, image, lines, name, hash, actions)?;
     }
     println!(
         "{language}: {actions} torques of a policy and of one with memory, in every profile, and what a pendulum does then: the \
@@ -173,7 +114,8 @@ pub(crate) fn compare(language: &str, image: &Path, lines: &[Line]) -> Result<()
 
 #[cfg(test)]
 mod tests {
-    use super::{POLICIES, PROFILES, STEPS, compare, graph, run, starts, step};
+    use super::{POLICIES, STEPS, compare, graph, run, starts, step};
+    use crate::closed_loop::PROFILES;
     use crate::line::Line;
     use tpg_engine::{Act, Environment, SourceSet};
     use tpg_problems::Pendulum;

@@ -6,6 +6,7 @@
 //! | [`build`] | the firmwares in C and Rust |
 //! | [`models`] | networks of every kind and size, to count |
 //! | [`network`] | a network of another problem than the arm's |
+//! | [`closed_loop`] | policies and plants that are graphs |
 //! | [`continuous`] | policies that answer with values, and a pendulum |
 //! | [`cartpole`] | the shipped policy of CartPole and its plant |
 //! | [`profiles`] | what each profile of any graph takes |
@@ -23,6 +24,7 @@
 
 mod build;
 mod cartpole;
+mod closed_loop;
 mod continuous;
 mod cores;
 mod costs;

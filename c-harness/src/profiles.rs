@@ -5,7 +5,7 @@
 
 use crate::Failure;
 use crate::build::{self, Board, CORE, there};
-use crate::continuous::PROFILES;
+use crate::closed_loop::PROFILES;
 use crate::emulate;
 use crate::line::Line;
 use std::fmt::Write as _;
