@@ -57,9 +57,10 @@ fn common() -> Facts {
         ("tpg_kernels6hidden", 2),
         // A stance is kept while the target stays: at most the four candidates of one.
         ("6stance9candidate", 4),
-        // Those four, the guard's own test of the graph's move, and of the network's move and its parts the eight that
-        // differ in the arm's plane.
-        ("kinematics..Plane$LT$S$GT$$GT$9collision", 4 + 1 + 8),
+        ("kinematics..Plane$LT$S$GT$$GT$9collision", 4),
+        // The guard's own test of the graph's move, and of the network's move and its parts the eight that differ in the
+        // arm's plane.
+        ("6leeway6Leeway4look", 1 + 8),
     ];
     Facts { roots: "", stack_roots: "", loops, calls: vec![], limits }
 }
@@ -75,6 +76,8 @@ pub(crate) fn of(language: &str) -> Facts {
             ("16tpg_runtime_capi11observation4fill", vec![2]),
             // Four edges of the base, two sides of a part of the arm.
             ("9clearance7nearest", vec![4, 2]),
+            // Two hidden layers, and four outputs: in an order that is the compiler's.
+            ("5model5Model5first", vec![4; 2]),
         ]);
         // The hook calls what the policies of control.c name; a decision asks the graph once.
         facts.calls.push(("6switch19Hybrid$LT$T$C$P$GT$6decide28_", &["fs_infer", "rs_infer"]));

@@ -8,7 +8,7 @@ use std::fs;
 use std::path::Path;
 
 /// Bytes for the stack: the linker script keeps them free.
-pub(crate) const STACK: u64 = 3072;
+pub(crate) const STACK: u64 = 2304;
 
 /// `sizes.toml`.
 #[derive(Clone, Copy, Debug, Deserialize)]

@@ -171,10 +171,10 @@
 #define TPG_HYBRID_WORDS 28
 
 // Words of a tpg_switch_t.
-#define TPG_SWITCH_WORDS 15
+#define TPG_SWITCH_WORDS 17
 
 // Words of a tpg_hybrid_episode_t.
-#define TPG_HYBRID_EPISODE_WORDS 32
+#define TPG_HYBRID_EPISODE_WORDS 34
 
 // Words of a tpg_memo_t.
 #define TPG_MEMO_WORDS 12

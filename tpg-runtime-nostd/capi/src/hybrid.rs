@@ -187,7 +187,7 @@ unsafe impl Opaque for tpg_hybrid_t {
 }
 
 /// Words of a tpg_switch_t.
-pub const TPG_SWITCH_WORDS: usize = 15;
+pub const TPG_SWITCH_WORDS: usize = 17;
 
 /// The state of a control loop towards one target: the one whose turn it is, the last move that was commanded, the places
 /// where the motors should be.
@@ -207,7 +207,7 @@ unsafe impl Opaque for tpg_switch_t {
 }
 
 /// Words of a tpg_hybrid_episode_t.
-pub const TPG_HYBRID_EPISODE_WORDS: usize = 32;
+pub const TPG_HYBRID_EPISODE_WORDS: usize = 34;
 
 /// An episode of a hybrid in the simulated arm. Opaque; initialised by tpg_hybrid_episode_init.
 #[repr(C)]

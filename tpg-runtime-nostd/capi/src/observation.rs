@@ -4,7 +4,7 @@ use crate::arm::{Ready, tpg_arm_t, tpg_pose_t};
 use crate::code::{self, Refusal, TPG_ARGUMENT, TPG_LENGTH};
 use crate::memo::{self, tpg_memo_t};
 use crate::memory;
-use core::mem::offset_of;
+use core::mem::{MaybeUninit, offset_of};
 use tpg_arm::observation::{Observation, Source, TargetMemo};
 use tpg_arm::{Arm, Pose};
 
@@ -97,7 +97,13 @@ pub(crate) fn source(number: u8) -> Result<Source, Refusal> {
 
 /// Writes the values of sources, one after another; stops where `state` is full. All at once: they share what they are
 /// made of.
-pub(crate) fn fill(arm: &Arm<f32>, seen: &Observation<f32>, memo: &TargetMemo<f32>, numbers: &[u8], state: &mut [f32]) {
+pub(crate) fn fill(
+    arm: &Arm<f32>,
+    seen: &Observation<f32>,
+    memo: &TargetMemo<f32>,
+    numbers: &[u8],
+    state: &mut [MaybeUninit<f32>],
+) {
     let sources = numbers.iter().map_while(|&number| Source::ALL.get(usize::from(number)).copied());
     Source::fill_each(sources, arm, seen, memo, state);
 }
@@ -150,7 +156,7 @@ pub unsafe extern "C" fn tpg_observation_state(
             memory::content(arm),
             memory::read(observation),
             memory::array(sources, count),
-            memory::array_mut(state, length),
+            memory::array_mut(state.cast::<MaybeUninit<f32>>(), length),
         )
     };
     code::of(arm.and_then(|Ready { arm, .. }| {

@@ -6,7 +6,6 @@ use crate::memo::{self, tpg_memo_t};
 use crate::memory;
 use crate::observation::{TPG_STATE_LENGTH, fill, source, tpg_observation_t};
 use core::mem::MaybeUninit;
-use core::slice;
 use tpg_arm::observation::{Observation, TargetMemo};
 use tpg_arm::{Arm, Move};
 
@@ -33,8 +32,6 @@ pub struct tpg_policy_t {
 pub(crate) struct Checked<'a> {
     infer: unsafe extern "C" fn(state: *const core::ffi::c_void) -> u16,
     sources: &'a [u8],
-    /// Floats of all sources together, at most [`TPG_STATE_LENGTH`].
-    length: usize,
     moves: &'a [tpg_move_t],
 }
 
@@ -53,19 +50,15 @@ impl<'a> Checked<'a> {
         for &number in sources {
             length = length.saturating_add(source(number)?.length());
         }
-        if length > TPG_STATE_LENGTH { Err(Refusal(TPG_LENGTH)) } else { Ok(Self { infer, sources, length, moves }) }
+        if length > TPG_STATE_LENGTH { Err(Refusal(TPG_LENGTH)) } else { Ok(Self { infer, sources, moves }) }
     }
 
     /// The move.
     pub(crate) fn decide(&self, arm: &Arm<f32>, seen: &Observation<f32>, memo: &TargetMemo<f32>) -> Move {
-        // No more is cleared than the sources fill.
-        let mut room = [MaybeUninit::<f32>::uninit(); TPG_STATE_LENGTH];
-        let state = &mut room[..self.length.min(TPG_STATE_LENGTH)];
-        state.iter_mut().for_each(|value| _ = value.write(0.0));
-        // SAFETY: each of these floats has just been written, and `room` is not used while the slice lives.
-        let state = unsafe { slice::from_raw_parts_mut(state.as_mut_ptr().cast::<f32>(), state.len()) };
-        fill(arm, seen, memo, self.sources, state);
-        // SAFETY: the header asks for the function of these sources: it reads no more than they have written.
+        let mut state = [const { MaybeUninit::<f32>::uninit() }; TPG_STATE_LENGTH];
+        fill(arm, seen, memo, self.sources, &mut state);
+        // SAFETY: the header asks for the function of these sources: it reads no more than they have written, which
+        // `Checked::new` has found to be no more than there is room for.
         let action = unsafe { (self.infer)(state.as_ptr().cast()) };
         self.moves.get(usize::from(action)).map_or(Move::STOP, |moved| Move(moved.ticks))
     }

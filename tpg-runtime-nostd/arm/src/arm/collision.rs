@@ -18,28 +18,34 @@ pub enum Collision {
     Base,
 }
 
+/// The two ends of each of four segments, mm.
+pub(super) type Faces<S> = [(Point<S>, Point<S>); 4];
+
 impl<S: Scalar> Plane<S> {
     /// The first collision, in the order of the enumeration; `None` where the arm is free.
     pub fn collision(&self, shapes: &Shapes<S>) -> Option<Collision> {
-        if [self.bracket, self.elbow, self.wrist, self.tip].iter().any(|point| point.z < S::ZERO) {
-            return Some(Collision::Table);
-        }
         let faces = self.faces(shapes);
-        let [(tip_upper, tip_lower), ..] = faces;
-        if tip_upper.z < S::ZERO || tip_lower.z < S::ZERO {
-            return Some(Collision::HandCorner);
+        self.below_table(&faces).or_else(|| {
+            let base = !clear_of_base(&faces, shapes) && meets_base(&faces, shapes);
+            base.then_some(Collision::Base)
+        })
+    }
+
+    /// The collision with the table, if there is one.
+    #[inline(always)]
+    pub(super) fn below_table(&self, [(tip_upper, tip_lower), ..]: &Faces<S>) -> Option<Collision> {
+        if [self.bracket, self.elbow, self.wrist, self.tip].iter().any(|point| point.z < S::ZERO) {
+            Some(Collision::Table)
+        } else if tip_upper.z < S::ZERO || tip_lower.z < S::ZERO {
+            Some(Collision::HandCorner)
+        } else {
+            None
         }
-        if clear_of_base(&faces, shapes) {
-            return None;
-        }
-        let faces = faces.map(|(p, q)| Face::new(p, q));
-        let base = shapes.base.iter().any(|&edge| meets(&faces, edge) || meets(&faces, edge.mirrored()));
-        base.then_some(Collision::Base)
     }
 
     /// The parts of the arm that can meet its base, as segments: the hand's tip face and lower edge, the forearm's end
     /// face and lower edge.
-    pub fn faces(&self, shapes: &Shapes<S>) -> [(Point<S>, Point<S>); 4] {
+    pub fn faces(&self, shapes: &Shapes<S>) -> Faces<S> {
         let [tip_upper, tip_lower] = self.tip_corners(shapes);
         let heel = across(self.wrist, self.hand_across, shapes.hand_edges[1]);
         let [end_upper, end_lower] = self.forearm_end_corners(shapes);
@@ -61,15 +67,29 @@ impl<S: Scalar> Plane<S> {
 
 /// Returns true if all faces lie above the whole base, or all on the same side of it: then no segment meets an edge. This
 /// saves most poses 32 tests; with a NaN among the faces it is false.
-fn clear_of_base<S: Scalar>(faces: &[(Point<S>, Point<S>); 4], shapes: &Shapes<S>) -> bool {
-    let greatest = |most: S, value: S| if value > most { value } else { most };
+fn clear_of_base<S: Scalar>(faces: &Faces<S>, shapes: &Shapes<S>) -> bool {
     let all = |beyond: fn(Point<S>, S) -> bool, limit| faces.iter().all(|&(p, q)| beyond(p, limit) && beyond(q, limit));
-    let top = shapes.base.iter().flat_map(|edge| edge.z).fold(S::ZERO, greatest);
-    if all(|point, top| point.z > top, top) {
+    if all(|point, top| point.z > top, shapes.base_top()) {
         return true;
     }
-    let side = shapes.base.iter().flat_map(|edge| edge.x.map(S::abs)).fold(S::ZERO, greatest);
+    let side = shapes.base_side();
     all(|point, side| point.x > side, side) || all(|point, side| point.x < -side, side)
+}
+
+impl<S: Scalar> Shapes<S> {
+    /// Height of the base's highest point, mm.
+    pub(super) fn base_top(&self) -> S {
+        self.base.iter().flat_map(|edge| edge.z).fold(S::ZERO, greatest)
+    }
+
+    /// Distance of the base's outermost point from its axis, mm.
+    pub(super) fn base_side(&self) -> S {
+        self.base.iter().flat_map(|edge| edge.x.map(S::abs)).fold(S::ZERO, greatest)
+    }
+}
+
+fn greatest<S: Scalar>(most: S, value: S) -> S {
+    if value > most { value } else { most }
 }
 
 impl<S: Scalar> BaseEdge<S> {
@@ -103,6 +123,13 @@ impl<S: Scalar> Face<S> {
         let slope = (q.z - p.z) / (q.x - p.x);
         Self { x: sorted([p.x, q.x]), z: sorted([p.z, q.z]), slope, intercept: p.z - slope * p.x }
     }
+}
+
+/// Returns true if a face meets an edge of the base.
+#[inline(never)] // once in flash
+pub(super) fn meets_base<S: Scalar>(faces: &Faces<S>, shapes: &Shapes<S>) -> bool {
+    let faces = faces.map(|(p, q)| Face::new(p, q));
+    shapes.base.iter().any(|&edge| meets(&faces, edge) || meets(&faces, edge.mirrored()))
 }
 
 /// Returns true if a face meets an axis-aligned edge; touching counts, and so does an undefined crossing.

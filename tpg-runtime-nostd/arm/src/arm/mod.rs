@@ -5,12 +5,14 @@
 
 mod collision;
 mod error;
+mod leeway;
 mod pose;
 mod step;
 mod widowx;
 
 pub use collision::Collision;
 pub use error::ArmError;
+pub(crate) use leeway::Leeway;
 pub use pose::{JOINTS, Joint, Move, Pose, TICKS_PER_TURN};
 pub use step::{Invalid, Step};
 pub use widowx::WIDOWX;

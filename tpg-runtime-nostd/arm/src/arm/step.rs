@@ -33,6 +33,18 @@ impl<S: Lattice> Arm<S> {
 }
 
 impl<S: Scalar> Arm<S> {
+    /// The pose behind a move that leaves no joint's range; `None` for another move.
+    #[inline(always)]
+    pub(crate) fn moved(&self, pose: Pose, wanted: Move) -> Option<Pose> {
+        let mut moved = pose;
+        let mut joints = moved.0.iter_mut().zip(wanted.0).zip(&self.ranges);
+        let within = joints.all(|((ticks, delta), range)| {
+            *ticks = ticks.saturating_add(i16::from(delta));
+            range.contains(*ticks)
+        });
+        within.then_some(moved)
+    }
+
     /// [`step`](Self::step) with another evaluation of the collision test.
     ///
     /// The conformance suite uses it: the recorded episodes come from the same rule in another arithmetic.

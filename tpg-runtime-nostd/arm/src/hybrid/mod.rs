@@ -59,7 +59,7 @@ pub use episode::{HybridEpisode, HybridSummary};
 pub use tpg_runtime::switch::NEVER;
 pub use turns::{CAUSES, Cause, Chosen, Counts, Driver, Switch};
 
-use crate::arm::{Arm, Invalid, Move, Pose};
+use crate::arm::{Arm, Invalid, Leeway, Move, Pose};
 use crate::cycle::CycleDetector;
 use crate::kinematics::Lattice;
 use crate::observation::Observation;
@@ -147,7 +147,8 @@ where
     /// The next action and the policy that chose it. A guard may hand over here: then both policies are asked, once each.
     pub fn decide<D: CycleDetector<Pose>>(&self, switch: &mut Switch<S, D>, seen: &Observation<S>) -> Chosen {
         let both = switch::Hybrid { tpg: &self.tpg, sac: &self.sac };
-        both.decide(&mut switch.0, seen, &Guarded { arm: self.arm, guard: self.settings.guard })
+        let guard = Guarded { arm: self.arm, guard: self.settings.guard, leeway: &switch.leeway };
+        both.decide(&mut switch.turns, seen, &guard)
     }
 }
 
@@ -155,12 +156,21 @@ where
 struct Guarded<'a, S> {
     arm: &'a Arm<S>,
     guard: Guard,
+    leeway: &'a Leeway,
 }
 
 impl<S: Lattice> switch::Guard<Observation<S>, Move> for Guarded<'_, S> {
     #[inline(always)]
     fn refuses(&self, seen: &Observation<S>, &wanted: &Move) -> bool {
-        self.guard.refuses(self.arm, seen.pose, wanted).is_some()
+        // `Guard::refuses`, without the reason.
+        match self.guard {
+            Guard::None => false,
+            Guard::JointLimits => self.arm.moved(seen.pose, wanted).is_none(),
+            Guard::Collisions | Guard::Both => self
+                .arm
+                .moved(seen.pose, wanted)
+                .is_none_or(|moved| moves_in_plane(wanted) && self.leeway.collision(self.arm, moved).is_some()),
+        }
     }
 
     #[inline(always)]
@@ -168,7 +178,7 @@ impl<S: Lattice> switch::Guard<Observation<S>, Move> for Guarded<'_, S> {
         if self.guard != Guard::Both {
             return Chosen { driver: Driver::Sac, wanted };
         }
-        if let Some(wanted) = valid_part(self.arm, seen.pose, wanted) {
+        if let Some(wanted) = valid_part(self.arm, self.leeway, seen.pose, wanted) {
             return Chosen { driver: Driver::Sac, wanted };
         }
         match again() {
@@ -179,6 +189,7 @@ impl<S: Lattice> switch::Guard<Observation<S>, Move> for Guarded<'_, S> {
 }
 
 /// Returns true if more than the base moves. The base alone changes nothing in the arm's plane, where collisions are.
+#[inline(always)]
 fn moves_in_plane(Move([_, plane @ ..]): Move) -> bool {
     plane.iter().any(|&delta| delta != 0)
 }

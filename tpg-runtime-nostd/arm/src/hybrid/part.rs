@@ -1,6 +1,6 @@
 //! The part of the network's move that can be done.
 
-use crate::arm::{Arm, Move, Pose};
+use crate::arm::{Arm, Leeway, Move, Pose};
 use crate::kinematics::Lattice;
 
 /// Joints that are held, as bits from the base on: fewer first, and of as many those nearer to the hand.
@@ -11,7 +11,7 @@ const HELD: [u8; 14] =
 ///
 /// As [`Arm::step`] judges them. It judges the joints' limits one by one, and collisions in the arm's plane, which the base
 /// does not change: no more than 8 of these 15 moves differ there, and none is tested twice.
-pub(super) fn valid_part<S: Lattice>(arm: &Arm<S>, pose: Pose, wanted: Move) -> Option<Move> {
+pub(super) fn valid_part<S: Lattice>(arm: &Arm<S>, leeway: &Leeway, pose: Pose, wanted: Move) -> Option<Move> {
     // As bits, like `HELD`: joints that move; that would be out of range if they did; that are if they do not.
     let [mut moving, mut out_there, mut out_here] = [0u8; 3];
     let Move(deltas) = wanted;
@@ -37,7 +37,8 @@ pub(super) fn valid_part<S: Lattice>(arm: &Arm<S>, pose: Pose, wanted: Move) -> 
         let plane = 1u8 << (moves >> 1);
         if tested & plane == 0 {
             tested |= plane;
-            free |= if arm.step(pose, part(moves)).invalid.is_none() { plane } else { 0 };
+            let is_free = |moved| leeway.collision(arm, moved).is_none();
+            free |= if arm.moved(pose, part(moves)).is_some_and(is_free) { plane } else { 0 };
         }
         free & plane != 0
     };
@@ -51,7 +52,7 @@ pub(super) fn valid_part<S: Lattice>(arm: &Arm<S>, pose: Pose, wanted: Move) -> 
 #[cfg(test)]
 mod tests {
     use super::{HELD, valid_part};
-    use crate::arm::{Arm, Move, Pose, WIDOWX};
+    use crate::arm::{Arm, Leeway, Move, Pose, WIDOWX};
     use proptest::prelude::*;
 
     const ARM: Arm<f32> = WIDOWX.to_f32();
@@ -85,7 +86,7 @@ mod tests {
         ) {
             let [shoulder, elbow, wrist] = plane;
             let (pose, wanted) = (Pose([base, shoulder, elbow, wrist]), Move(deltas));
-            prop_assert_eq!(valid_part(&ARM, pose, wanted), plainly(pose, wanted));
+            prop_assert_eq!(valid_part(&ARM, &Leeway::new(), pose, wanted), plainly(pose, wanted));
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The [switch](tpg_runtime::switch) over observations: distance in mm, and the pose as the key.
 
 use super::Settings;
-use crate::arm::{Move, Pose};
+use crate::arm::{Leeway, Move, Pose};
 use crate::cycle::CycleDetector;
 use crate::kinematics::Lattice;
 use crate::observation::Observation;
@@ -11,41 +11,46 @@ pub use tpg_runtime::switch::{CAUSES, Cause, Counts, Driver};
 /// A move and the policy that chose it.
 pub type Chosen = switch::Chosen<Move>;
 
-/// The state of the switch in one episode of the arm.
+/// The state of the switch in one episode of one arm.
 #[derive(Clone, Debug)]
-pub struct Switch<S, D>(pub(super) switch::Switch<S, D>);
+pub struct Switch<S, D> {
+    pub(super) turns: switch::Switch<S, D>,
+    /// What the guard knows about poses near the arm's.
+    pub(super) leeway: Leeway,
+}
 
 impl<S: Lattice, D: CycleDetector<Pose>> Switch<S, D> {
     /// A switch at the start of an episode, where the graph drives.
     pub fn new(settings: Settings<S>, detector: D, seen: &Observation<S>) -> Self {
         let Settings { hand_back_after, separation, .. } = settings;
         let settings = switch::Settings { hand_back_after, separation };
-        Self(switch::Switch::new(settings, detector, seen.pose, seen.distance()))
+        Self { turns: switch::Switch::new(settings, detector, seen.pose, seen.distance()), leeway: Leeway::new() }
     }
 
     /// The policy that acts next, unless a guard turns it down.
     pub fn driver(&self) -> Driver {
-        self.0.driver()
+        self.turns.driver()
     }
 
     /// Counts so far.
     pub fn counts(&self) -> &Counts {
-        self.0.counts()
+        self.turns.counts()
     }
 
     /// Notes that the guard refused the graph's action, which was not executed.
     pub fn refused(&mut self) {
-        self.0.refused();
+        self.turns.refused();
     }
 
     /// Notes that an action ended the episode: it counts, and nothing else changes.
     pub fn ended(&mut self, chosen: Chosen) {
-        self.0.ended(chosen.driver);
+        self.turns.ended(chosen.driver);
     }
 
     /// Notes an action that did not end the episode, and the observation behind it; the reason why the network acts next,
     /// if it newly does.
+    #[inline(always)] // as `Hybrid::decide`
     pub fn acted(&mut self, chosen: Chosen, seen: &Observation<S>) -> Option<Cause> {
-        self.0.acted(chosen.driver, chosen.wanted == Move::STOP, seen.pose, seen.distance())
+        self.turns.acted(chosen.driver, chosen.wanted == Move::STOP, seen.pose, seen.distance())
     }
 }

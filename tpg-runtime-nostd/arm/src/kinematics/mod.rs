@@ -50,13 +50,13 @@ impl Angle {
     /// The direction of this angle, exact to the last bit of the table: no rounding depends on the turn.
     #[inline]
     pub fn direction<S: Lattice>(self) -> Direction<S> {
+        // Sine and cosine change places from quarter to quarter. The sine is negative in the lower half of the turn, the cosine
+        // a quarter before.
         let within_quarter = self.0 & (Self::QUARTER - 1);
-        let rising = S::quarter_sine(within_quarter as usize);
-        let falling = S::quarter_sine((Self::QUARTER - within_quarter) as usize);
-        // Sine and cosine change places from quarter to quarter; the cosine is negative in the second and the third.
-        let (odd, lower) = (self.0 & Self::QUARTER != 0, self.0 & (2 * Self::QUARTER) != 0);
-        let (sin, cos) = if odd { (falling, rising) } else { (rising, falling) };
-        Direction { cos: if odd != lower { -cos } else { cos }, sin: if lower { -sin } else { sin } }
+        let place = if self.0 & Self::QUARTER != 0 { Self::QUARTER - within_quarter } else { within_quarter };
+        let [cos, sin] = [Self::QUARTER - place, place].map(|place| S::quarter_sine(place as usize));
+        let lower = |angle: i32| angle & (2 * Self::QUARTER) != 0;
+        Direction { cos: cos.negated_if(lower(self.0.wrapping_add(Self::QUARTER))), sin: sin.negated_if(lower(self.0)) }
     }
 }
 
@@ -177,6 +177,7 @@ impl<S: Scalar> Plane<S> {
 
 impl<S: Lattice> Plane<S> {
     /// At a pose of the motor lattice.
+    #[inline(never)] // once in flash
     pub fn at(arm: &Arm<S>, pose: Pose) -> Self {
         let [upper_arm, forearm, hand] = link_angles(pose).map(Angle::direction);
         Self::new(arm, Directions::of_links(upper_arm, forearm, hand))

@@ -21,6 +21,7 @@ pub use straight::Straight;
 use crate::arm::{Arm, Move};
 use crate::frame::Frame;
 use crate::kinematics::Lattice;
+use core::mem::MaybeUninit;
 use tpg_runtime::policy::{ActionId, Policy};
 
 /// Parts that several sources share. The reach is computed once, when the first of them asks; to keep a frame would cost
@@ -42,13 +43,27 @@ impl<'a, S: Lattice> Parts<'a, S> {
         Frame::of(self.arm, self.seen)
     }
 
+    #[inline(never)] // as `bearing`
     fn reach(&mut self) -> &ReachErrors<S> {
         let (arm, seen, memo) = (self.arm, self.seen, self.memo);
         let [.., wrist] = seen.pose.0;
         self.reach.get_or_insert_with(|| memo.reach(arm, seen.target).keeping_wrist(arm, wrist).errors(arm, seen.pose))
     }
 
-    fn write(&mut self, source: Source, values: &mut [S]) {
+    #[inline(never)] // the sources that most policies have need far fewer registers than this
+    fn bearing(&self) -> [S; 3] {
+        let aim = self.memo.aim(self.arm, self.seen.target);
+        let frame = self.frame();
+        derived::bearing(&aim, self.seen.pose, frame.hand_elevation(), frame.hand_reach())
+    }
+
+    #[inline(never)] // as `bearing`
+    fn wrist(&self) -> [S; 2] {
+        derived::wrist(&self.frame())
+    }
+
+    #[inline(always)]
+    fn write<W: Slot<S>>(&mut self, source: Source, values: &mut [W]) {
         let seen = self.seen;
         match source {
             Source::Target => put(values, seen.target),
@@ -65,15 +80,11 @@ impl<'a, S: Lattice> Parts<'a, S> {
                 let frame = self.frame();
                 put(values, derived::polar(&frame, frame.target_reach(), frame.hand_reach()));
             }
-            Source::Bearing => {
-                let aim = self.memo.aim(self.arm, seen.target);
-                let frame = self.frame();
-                put(values, derived::bearing(&aim, seen.pose, frame.hand_elevation(), frame.hand_reach()));
-            }
+            Source::Bearing => put(values, self.bearing()),
             Source::Reach => put(values, self.reach().ticks),
             Source::ReachExcess => put(values, self.reach().excess),
             Source::ReachPitch => put(values, [self.reach().pitch]),
-            Source::Wrist => put(values, derived::wrist(&self.frame())),
+            Source::Wrist => put(values, self.wrist()),
             Source::Floor => put(values, [self.frame().lowest_corner()]),
             Source::Stance => put(values, self.memo.stance(self.arm, seen.target).errors(seen.pose)),
             Source::ShieldLimits => put(values, shield::limits(self.arm, seen.pose, shield::STEP)),
@@ -101,14 +112,14 @@ impl Source {
         Self::fill_each(sources.iter().copied(), arm, seen, memo, state);
     }
 
-    /// [`fill`](Self::fill) for sources that do not lie in an array.
+    /// [`fill`](Self::fill) for sources that do not lie in an array, into memory that need not be initialised.
     #[inline]
-    pub fn fill_each<S: Lattice>(
+    pub fn fill_each<S: Lattice, W: Slot<S>>(
         sources: impl Iterator<Item = Self>,
         arm: &Arm<S>,
         seen: &Observation<S>,
         memo: &TargetMemo<S>,
-        state: &mut [S],
+        state: &mut [W],
     ) {
         let mut parts = Parts::new(arm, seen, memo);
         let mut rest = state;
@@ -120,9 +131,30 @@ impl Source {
     }
 }
 
-fn put<S: Copy, const N: usize>(values: &mut [S], these: [S; N]) {
-    for (slot, value) in values.iter_mut().zip(these) {
-        *slot = value;
+/// A place that a value can be written to.
+pub trait Slot<S> {
+    /// Writes the value.
+    fn put(&mut self, value: S);
+}
+
+impl<S: Lattice> Slot<S> for S {
+    #[inline(always)]
+    fn put(&mut self, value: S) {
+        *self = value;
+    }
+}
+
+impl<S: Lattice> Slot<S> for MaybeUninit<S> {
+    #[inline(always)]
+    fn put(&mut self, value: S) {
+        self.write(value);
+    }
+}
+
+#[inline(always)]
+fn put<S, W: Slot<S>, const N: usize>(slots: &mut [W], values: [S; N]) {
+    for (slot, value) in slots.iter_mut().zip(values) {
+        slot.put(value);
     }
 }
 
