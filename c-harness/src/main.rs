@@ -254,8 +254,7 @@ fn compare(language: &str, expected: &[Line], lines: &[Line]) -> Result<(), Fail
 fn stack(language: &str, lines: &[Line]) -> Result<(), Failure> {
     let used = lines.iter().find(|line| line.words == ["done"]).map_or(0, |line| line.number("stack"));
     println!("{language}: {used} bytes of stack were written to");
-    // The Rust program has its hybrids and episodes there, too.
-    let most = if language == "C" { size::STACK } else { 3072 };
+    let most = if language == "C" { size::STACK } else { size::STACK_OF_RUST };
     if used == 0 || used > most {
         return Err(Failure::new(format!("{language}: {used} bytes of stack, at most {most}")));
     }

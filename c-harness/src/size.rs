@@ -9,6 +9,8 @@ use std::path::Path;
 
 /// Bytes for the stack: the linker script keeps them free.
 pub(crate) const STACK: u64 = 2304;
+/// Most bytes of stack of the Rust program, which has its hybrids and episodes there, too.
+pub(crate) const STACK_OF_RUST: u64 = 3072;
 
 /// `sizes.toml`.
 #[derive(Clone, Copy, Debug, Deserialize)]

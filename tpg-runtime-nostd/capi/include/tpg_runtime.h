@@ -383,7 +383,7 @@ typedef struct {
 } tpg_settings_t;
 
 // The state of a control loop towards one target: the one whose turn it is, the last move that was commanded, the places
-// where the motors should be.
+// where the motors should be, and poses at which the hybrid's arm is free. So it goes with no other hybrid.
 // Opaque; initialised by tpg_switch_init for every target.
 typedef struct {
   // The library's.

@@ -190,7 +190,7 @@ unsafe impl Opaque for tpg_hybrid_t {
 pub const TPG_SWITCH_WORDS: usize = 17;
 
 /// The state of a control loop towards one target: the one whose turn it is, the last move that was commanded, the places
-/// where the motors should be.
+/// where the motors should be, and poses at which the hybrid's arm is free. So it goes with no other hybrid.
 /// Opaque; initialised by tpg_switch_init for every target.
 #[repr(C)]
 pub struct tpg_switch_t {

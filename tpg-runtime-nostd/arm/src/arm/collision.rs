@@ -79,17 +79,18 @@ fn clear_of_base<S: Scalar>(faces: &Faces<S>, shapes: &Shapes<S>) -> bool {
 impl<S: Scalar> Shapes<S> {
     /// Height of the base's highest point, mm.
     pub(super) fn base_top(&self) -> S {
-        self.base.iter().flat_map(|edge| edge.z).fold(S::ZERO, greatest)
+        self.base.iter().flat_map(|edge| edge.z).fold(S::ZERO, greater)
     }
 
     /// Distance of the base's outermost point from its axis, mm.
     pub(super) fn base_side(&self) -> S {
-        self.base.iter().flat_map(|edge| edge.x.map(S::abs)).fold(S::ZERO, greatest)
+        self.base.iter().flat_map(|edge| edge.x.map(S::abs)).fold(S::ZERO, greater)
     }
 }
 
-fn greatest<S: Scalar>(most: S, value: S) -> S {
-    if value > most { value } else { most }
+/// Returns the greater number, or the first of equals. A NaN is passed over where it is the second.
+pub(super) fn greater<S: Scalar>(a: S, b: S) -> S {
+    if b > a { b } else { a }
 }
 
 impl<S: Scalar> BaseEdge<S> {

@@ -3,7 +3,7 @@
 //! A tick of a joint moves no point of the arm farther than the arm is long, times the angle of a tick. So where every part of
 //! the arm is some distance from all that it can hit, as many ticks are free as would take it there, whichever joints turn.
 
-use super::collision::{Faces, meets_base};
+use super::collision::{Faces, greater, meets_base};
 use super::{Arm, Collision, Pose, Shapes, TICKS_PER_TURN};
 use crate::kinematics::{Lattice, Plane};
 use core::cell::Cell;
@@ -70,11 +70,16 @@ fn ticks<S: Lattice>(arm: &Arm<S>, room: S) -> i32 {
 
 impl<S: Lattice> Plane<S> {
     /// A distance that every part of the arm can move without a collision, mm. It is less than the greatest one, and 0 or
-    /// negative where the arm may be free all the same.
+    /// negative where the arm may be free all the same; NaN where one of its points is.
     fn room(&self, faces: &Faces<S>, shapes: &Shapes<S>) -> S {
         let [(tip_upper, tip_lower), ..] = *faces;
         let over_table = [self.bracket, self.elbow, self.wrist, self.tip, tip_upper, tip_lower];
         let room = over_table.into_iter().fold(S::from_f64(f64::INFINITY), |room, point| lesser(room, point.z));
+        // Comparisons may pass a NaN over; a sum does not.
+        let known = faces.iter().fold(S::ZERO, |sum, (p, q)| sum + p.x + p.z + q.x + q.z);
+        if known.is_nan() {
+            return known;
+        }
         let (top, side) = (shapes.base_top(), shapes.base_side());
         faces.iter().fold(room, |room, (p, q)| {
             let beside = greater(lesser(p.x, q.x), -greater(p.x, q.x)) - side;
@@ -87,16 +92,15 @@ fn lesser<S: Lattice>(a: S, b: S) -> S {
     if a < b { a } else { b }
 }
 
-fn greater<S: Lattice>(a: S, b: S) -> S {
-    if a > b { a } else { b }
-}
-
 #[cfg(test)]
 mod tests {
     use super::Leeway;
-    use crate::arm::{Arm, Collision, Pose, WIDOWX};
+    use crate::arm::{Arm, Collision, Links, Pose, WIDOWX};
     use crate::kinematics::{Lattice, Plane};
     use proptest::prelude::*;
+
+    /// Its shoulder stands in front of the base's axis.
+    const RADIAL: Arm<f64> = Arm { links: Links { shoulder_radial: 30.4, ..WIDOWX.links }, ..WIDOWX };
 
     fn plainly<S: Lattice>(arm: &Arm<S>, pose: Pose) -> Option<Collision> {
         Plane::at(arm, pose).collision(&arm.shapes)
@@ -112,7 +116,7 @@ mod tests {
             walk in prop::collection::vec((0usize..3, -1i16..=1, 1i16..40, 1i16..30), 1..20),
         ) {
             let single = WIDOWX.to_f32();
-            let leeways = [Leeway::new(), Leeway::new()];
+            let leeways = [(); 3].map(|()| Leeway::new());
             let mut plane = start.map(i32::from);
             for (joint, way, ticks, steps) in walk {
                 for _ in 0..steps {
@@ -121,6 +125,7 @@ mod tests {
                     let pose = Pose([0, shoulder, elbow, wrist]);
                     prop_assert_eq!(leeways[0].collision(&single, pose), plainly(&single, pose), "f32 {:?}", pose);
                     prop_assert_eq!(leeways[1].collision(&WIDOWX, pose), plainly(&WIDOWX, pose), "f64 {:?}", pose);
+                    prop_assert_eq!(leeways[2].collision(&RADIAL, pose), plainly(&RADIAL, pose), "radial {:?}", pose);
                 }
             }
         }
@@ -133,5 +138,18 @@ mod tests {
         assert_eq!(leeway.collision(&WIDOWX, WIDOWX.home), None);
         assert!(leeway.holds(Pose([9, 2048 + 10, 2048 - 10, 2048 + 10])));
         assert!(!leeway.holds(Pose([2048, 1025, 2048, 2048])));
+    }
+
+    #[test]
+    fn of_an_arm_that_is_not_a_number_nothing_is_known() {
+        let [mut hand, mut corner, mut link] = [WIDOWX; 3];
+        hand.shapes.hand_edges[1] = f64::NAN;
+        corner.shapes.forearm_edges[0] = f64::NAN;
+        link.links.forearm = f64::NAN;
+        for arm in [hand, corner, link] {
+            let leeway = Leeway::new();
+            assert_eq!(leeway.collision(&arm, arm.home), plainly(&arm, arm.home));
+            assert!(!leeway.holds(arm.home));
+        }
     }
 }

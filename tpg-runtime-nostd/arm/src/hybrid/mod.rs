@@ -59,7 +59,7 @@ pub use episode::{HybridEpisode, HybridSummary};
 pub use tpg_runtime::switch::NEVER;
 pub use turns::{CAUSES, Cause, Chosen, Counts, Driver, Switch};
 
-use crate::arm::{Arm, Invalid, Leeway, Move, Pose};
+use crate::arm::{Arm, Collision, Leeway, Move, Pose};
 use crate::cycle::CycleDetector;
 use crate::kinematics::Lattice;
 use crate::observation::Observation;
@@ -87,10 +87,10 @@ pub enum Guard {
     None,
     /// Not the graph's that leave a joint's range: the network takes over instead. Two comparisons a joint.
     JointLimits,
-    /// Nor the graph's that collide: one collision test an action of the graph.
+    /// Nor the graph's that collide: at most one collision test an action of the graph.
     Collisions,
     /// Nor the network's: where its action would be invalid it holds joints, or lets the graph act once, or rests. From a
-    /// free pose no invalid action is ever executed. One collision test an action, up to 9 where the network's would be
+    /// free pose no invalid action is ever executed. At most one collision test an action, up to 9 where the network's would be
     /// invalid.
     Both,
 }
@@ -114,13 +114,21 @@ impl Guard {
         Self::ALL.into_iter().find(|guard| guard.name() == name)
     }
 
-    /// Returns the reason why an action of the graph must not be executed, if there is one.
-    pub fn refuses<S: Lattice>(self, arm: &Arm<S>, pose: Pose, wanted: Move) -> Option<Invalid> {
+    /// Returns true if an action of the graph must not be executed. `collision` finds the arm's collision at a pose.
+    #[inline(always)] // as `Hybrid::decide`
+    pub fn refuses<S: Lattice>(
+        self,
+        arm: &Arm<S>,
+        pose: Pose,
+        wanted: Move,
+        collision: impl FnOnce(Pose) -> Option<Collision>,
+    ) -> bool {
         match self {
-            Self::None => None,
-            Self::JointLimits => arm.step_with(pose, wanted, |_| None).invalid,
-            Self::Collisions | Self::Both if moves_in_plane(wanted) => arm.step(pose, wanted).invalid,
-            Self::Collisions | Self::Both => arm.step_with(pose, wanted, |_| None).invalid,
+            Self::None => false,
+            Self::JointLimits => arm.moved(pose, wanted).is_none(),
+            Self::Collisions | Self::Both => {
+                arm.moved(pose, wanted).is_none_or(|moved| moves_in_plane(wanted) && collision(moved).is_some())
+            }
         }
     }
 }
@@ -162,15 +170,7 @@ struct Guarded<'a, S> {
 impl<S: Lattice> switch::Guard<Observation<S>, Move> for Guarded<'_, S> {
     #[inline(always)]
     fn refuses(&self, seen: &Observation<S>, &wanted: &Move) -> bool {
-        // `Guard::refuses`, without the reason.
-        match self.guard {
-            Guard::None => false,
-            Guard::JointLimits => self.arm.moved(seen.pose, wanted).is_none(),
-            Guard::Collisions | Guard::Both => self
-                .arm
-                .moved(seen.pose, wanted)
-                .is_none_or(|moved| moves_in_plane(wanted) && self.leeway.collision(self.arm, moved).is_some()),
-        }
+        self.guard.refuses(self.arm, seen.pose, wanted, |moved| self.leeway.collision(self.arm, moved))
     }
 
     #[inline(always)]

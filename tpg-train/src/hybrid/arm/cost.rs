@@ -8,6 +8,7 @@ use std::time::Instant;
 use tpg_arm::cycle::Brent;
 use tpg_arm::episode::Episode;
 use tpg_arm::hybrid::Guard;
+use tpg_arm::kinematics::Plane;
 use tpg_arm::observation::Observation;
 use tpg_arm::{Move, WIDOWX};
 use tpg_graph::Graph;
@@ -45,7 +46,8 @@ impl Costs {
         let policy = study.sacs[0].1.policy();
         let states = states::<f32, _>(&Narrowed::<f32, _>::new(&*policy), study);
         let single = Move([3, 0, 0, 0]);
-        let guards = Guard::ALL.map(|guard| best_of(&states, |seen| guard.refuses(&arm, seen.pose, single)));
+        let collision = |moved| Plane::at(&arm, moved).collision(&arm.shapes);
+        let guards = Guard::ALL.map(|guard| best_of(&states, |seen| guard.refuses(&arm, seen.pose, single, collision)));
         // Cost of the loop itself: the time of the guard that does nothing.
         let [nothing, ..] = guards;
         Ok(Self { tpg, sac, guards: guards.map(|ns| (ns - nothing).max(0.0)) })
