@@ -67,8 +67,9 @@ impl<'a> Planner<'a> {
 
     /// Returns the first step of the first free walk to one of `goals`.
     fn free_step(&self, pose: Pose, goals: &[Pose]) -> Option<Move> {
-        let straight = goals.iter().map(|&goal| (goal, Walk::Straight));
-        let in_order = goals.iter().flat_map(|&goal| orders().map(move |order| (goal, Walk::InOrder(order))));
+        let straight = nearest_first(pose, goals).map(|goal| (goal, Walk::Straight));
+        let in_order =
+            nearest_first(pose, goals).flat_map(|goal| orders().map(move |order| (goal, Walk::InOrder(order))));
         let mut walks = straight.chain(in_order);
         walks.find(|&(goal, walk)| self.free(pose, goal, walk)).map(|(goal, walk)| walk.step(pose, goal))
     }
@@ -104,6 +105,15 @@ fn orders() -> impl Iterator<Item = [usize; JOINTS]> {
     })
 }
 
+/// Returns the goals, the one that costs least first. Each is found when it is asked for: most often one is enough.
+fn nearest_first(pose: Pose, goals: &[Pose]) -> impl Iterator<Item = Pose> {
+    let mut left = goals.to_vec();
+    std::iter::from_fn(move || {
+        let nearest = (0..left.len()).min_by_key(|&place| (cost(pose, left[place]), left[place]))?;
+        Some(left.swap_remove(nearest))
+    })
+}
+
 /// Returns the number of steps with all motors moving, in hundredths of a tick; ties go to the smaller sum.
 fn cost(pose: Pose, goal: Pose) -> i32 {
     let ticks: [i32; JOINTS] = std::array::from_fn(|joint| i32::from((goal.0[joint] - pose.0[joint]).abs()));
@@ -119,12 +129,11 @@ impl Policy for Planner<'_> {
         if solved.0 != seen.target {
             *solved = (seen.target, self.solve(seen.target));
         }
-        let mut goals: Vec<Pose> = solved.1.clone();
-        goals.sort_by_key(|&goal| (cost(seen.pose, goal), goal));
-        let nearest = || goals.first().map(|&goal| Walk::Straight.step(seen.pose, goal));
+        let goals = &solved.1;
+        let nearest = || nearest_first(seen.pose, goals).next().map(|goal| Walk::Straight.step(seen.pose, goal));
         let step = match self.choice {
             Choice::Nearest => nearest(),
-            Choice::NearestFree => self.free_step(seen.pose, &goals).or_else(nearest),
+            Choice::NearestFree => self.free_step(seen.pose, goals).or_else(nearest),
         };
         step.unwrap_or(Move::STOP)
     }
