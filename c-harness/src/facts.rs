@@ -28,18 +28,21 @@ const FOURS: u64 = FEATURES as u64 / 4 + 1;
 
 /// Facts about functions of the library, which both images have.
 fn common() -> Facts {
-    let kernels =
-        ["3dsp10w16a16_raw", "3dsp10w8a8_pairs", "3dsp10w8a8_split", "3dsp11w8a16_pairs", "3dsp11w8a16_split"];
-    let more = ["3dsp12w16a16_pairs", "3dsp12w16a16_split", "3dsp8w8a8_raw", "3dsp9w8a16_raw"];
-    let mut loops: Vec<_> = kernels.into_iter().chain(more).map(|name| (name, vec![COLUMNS])).collect();
+    let blocks = ["3dsp10w16a16_raw", "3dsp8w8a8_raw", "3dsp9w8a16_raw"].map(|name| (name, vec![COLUMNS]));
+    let layers = [
+        "3dsp10w8a8_pairs",
+        "3dsp10w8a8_split",
+        "3dsp11w8a16_pairs",
+        "3dsp11w8a16_split",
+        "3dsp12w16a16_pairs",
+        "3dsp12w16a16_split",
+    ];
+    let layers = layers.map(|name| (name, vec![BLOCKS, COLUMNS]));
+    let mut loops: Vec<_> = blocks.into_iter().chain(layers).collect();
     loops.extend([
-        // One loop for each form of a kernel; a layer turns one of them.
-        ("tpg_kernels6hidden", vec![BLOCKS; 5]),
-        // Columns of the portable form, four a turn: there, but not reached (see the limits).
-        ("8portable10accumulate", vec![FOURS; 3]),
         ("11pair_inputs", vec![FOURS]),
         ("12split_inputs", vec![FOURS]),
-        ("5fixed8quantise", vec![FEATURES as u64]),
+        ("5fixed13quantise_into", vec![FEATURES as u64]),
         // The eight actions of a shield: there, but not reached.
         ("6shield9collision", vec![8]),
         // What is cleared or copied has at most 64 words, or 32: four words a turn, but one where it is not aligned, and
@@ -50,14 +53,12 @@ fn common() -> Facts {
     ]);
     let limits = vec![
         // The shipped graphs have no shield among their sources.
+        ("6shield6limits", 0),
         ("6shield9collision", 0),
-        // A parsed model's layers are whole turns, for which the kernels do not turn to the portable form.
-        ("8portable10accumulate", 0),
         // Two hidden layers.
         ("tpg_kernels6hidden", 2),
         // A stance is kept while the target stays: at most the four candidates of one.
         ("6stance9candidate", 4),
-        ("kinematics..Plane$LT$S$GT$$GT$9collision", 4),
         // The guard's own test of the graph's move, and of the network's move and its parts the eight that differ in the
         // arm's plane.
         ("6leeway6Leeway4look", 1 + 8),
@@ -74,6 +75,14 @@ pub(crate) fn of(language: &str) -> Facts {
         facts.loops.extend([
             // Two sources at most.
             ("16tpg_runtime_capi11observation4fill", vec![2]),
+            // Four joints.
+            ("13FixedDecision6decide", vec![4]),
+            // Fourteen ways to hold joints.
+            ("6hybrid4part10valid_part17", vec![14]),
+            // Four parts of the arm, four edges of the base.
+            ("9collision10meets_base", vec![4, 4]),
+            // The eight actions of a shield: there, but not reached.
+            ("6shield6limits", vec![8]),
             // Four edges of the base, two sides of a part of the arm.
             ("9clearance7nearest", vec![4, 2]),
             // Two hidden layers, and four outputs: in an order that is the compiler's.
@@ -90,8 +99,9 @@ pub(crate) fn of(language: &str) -> Facts {
         facts.loops.extend([
             // Two sources at most.
             ("Source$GT$9fill_each", vec![2]),
-            // Four edges of the base; the sides are not a loop here.
+            // Four edges of the base; the sides are not a loop here, and no more the edges that a part of the arm may meet.
             ("9clearance7nearest", vec![4]),
+            ("9collision10meets_base", vec![4]),
         ]);
     }
     facts

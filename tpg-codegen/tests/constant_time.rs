@@ -40,7 +40,7 @@ fn graphs() -> Vec<(String, Graph)> {
         let graph = import::load(&folder.join(name).join("graph.json"), None, None).expect("a committed graph");
         (name.to_owned(), graph)
     });
-    let random = (0..tpg_testing::amount(2, 6)).map(|seed| {
+    let random = (0..tpg_testing::amount(2, 3)).map(|seed| {
         let shape = Shape { teams: 12, scalar: ScalarType::F32, maths: MathsProvider::Own, ..Shape::random(seed) };
         (format!("random {seed}"), sample::graph(&shape, seed))
     });
@@ -56,7 +56,7 @@ fn with_values() -> Vec<(String, Graph)> {
         ("memory", include_str!("fixtures/memory.json")),
     ];
     let fixtures = fixtures.map(|(name, text)| (name.to_owned(), Graph::from_json(name, text).expect("a valid graph")));
-    let random = (0..tpg_testing::amount(2, 10)).map(|seed| {
+    let random = (0..tpg_testing::amount(2, 4)).map(|seed| {
         let shape = Shape::random_with_outputs(seed + 4);
         let shape = Shape { teams: shape.teams.min(6), scalar: ScalarType::F32, maths: MathsProvider::Own, ..shape };
         (format!("random with values {seed}"), sample::graph(&shape, seed))
@@ -181,7 +181,7 @@ fn nor_where_operands_are_constants() {
     }
     let names = ["add", "min", "max", "negate_if_less"];
     let bounds = LoopBounds::new();
-    for seed in 0..tpg_testing::amount(10, 60) {
+    for seed in 0..tpg_testing::amount(6, 30) {
         let shape = Shape {
             teams: 6,
             scalar: ScalarType::F32,
@@ -230,7 +230,7 @@ fn a_tiny_graph_takes_at_most_twice_the_instructions_of_fast_code() {
     let fixture = |name: &str, text| Graph::from_json(name, text).expect("a valid graph");
     let formula = vec![fixture("formula", include_str!("fixtures/formula.json"))];
     let cartpole = vec![fixture("cartpole", include_str!("fixtures/cartpole.json"))];
-    let random: Vec<Graph> = (0..tpg_testing::amount(12, 100)).map(tiny).collect();
+    let random: Vec<Graph> = (0..tpg_testing::amount(12, 60)).map(tiny).collect();
     for (language, level, hiding) in [(Language::C, "-Os", 0), (Language::Rust, "s", 8)] {
         let compiler = Compiler::new(language, level);
         let instructions = |graph: &Graph, profile| {

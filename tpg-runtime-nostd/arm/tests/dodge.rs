@@ -154,8 +154,10 @@ proptest! {
         let steep = BODY.gradient(&view.posture, nearest).iter().any(|slope| slope.abs() > 50.0);
         prop_assume!(steep && nearest.clearance > -20.0);
         let after = BODY.at(moved(pose, away(&view)));
-        // Three ticks turn a joint by 0.0046 rad: curvature and limits may cost a little.
-        prop_assert!(BODY.clearance(&after, ball.at, ball.radius) > nearest.clearance - 0.02);
+        let then = BODY.nearest(&after, ball.at, ball.radius);
+        // Three ticks turn a joint by 0.0046 rad: curvature and limits may cost a little. Another part, about as near, may come
+        // nearer.
+        prop_assert!(then.capsule != nearest.capsule || then.clearance > nearest.clearance - 0.02);
     }
 
     #[test]

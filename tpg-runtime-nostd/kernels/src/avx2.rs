@@ -19,7 +19,7 @@ pub(crate) fn is_there() -> bool {
 
 /// A hidden layer, as [`crate::hidden`]; `false` where the machine has no AVX2 or blocks or columns do not come in pairs.
 #[expect(unsafe_code, reason = "a call of functions that need AVX2")]
-pub(crate) fn hidden(kind: Kind, form: Form, blocks: &[u32], inputs: &[u32], outputs: &mut [u32]) -> bool {
+pub(crate) fn layer(kind: Kind, form: Form, blocks: &[u32], inputs: &[u32], outputs: &mut [u32]) -> bool {
     let block = kind.block(inputs.len());
     // Said so that the compiler sees it too: chunks of no words would be a way to panic.
     let Some(pair) = block.checked_mul(2).filter(|&pair| pair > 0) else { return false };

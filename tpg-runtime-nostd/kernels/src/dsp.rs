@@ -1,17 +1,13 @@
 //! The kernels for Arm cores with the DSP extension (Cortex-M4, -M7).
 //!
-//! A block is one call of assembly: four accumulators in r8–r11, four words of weights in r4–r7, two words of inputs in
-//! r12 and lr. Plain inline assembly could not have so many registers (r6 and r7 are the compiler's), so these are naked
+//! A hidden layer is one call of assembly, and so is a block of the last one: four accumulators in r8–r11, four words of
+//! weights in r4–r7, two words of inputs in r12 and lr. Plain inline assembly could not have so many registers (r6 and r7 are the compiler's), so these are naked
 //! functions. Eight columns a turn: 38 instructions for `i8` weights with `i16` activations, 24 for `i16` weights, 30 for
 //! `i8` with `i8`, for 32 multiplications each.
 #![expect(unsafe_code, reason = "packed multiplications have no name in stable Rust")]
 
-use crate::{Form, Kind, ROWS};
+use crate::{Form, Kind, ROWS, TURN};
 use core::arch::naked_asm;
-use core::mem::MaybeUninit;
-
-// Every function takes a block of weights, its inputs, a number of turns of eight columns (at least 1), and where the
-// result goes: two words, or four of a `raw` one.
 
 /// Four columns of `i8` weights with `i16` activations. Uses r3.
 macro_rules! w8a16 {
@@ -96,7 +92,7 @@ macro_rules! unscale {
 macro_rules! rescale {
     () => {
         "
-        ldmia r0, {{r4-r7}}
+        ldmia r0!, {{r4-r7}}
         smmulr r8, r8, r4
         smmulr r9, r9, r5
         smmulr r10, r10, r6
@@ -115,8 +111,6 @@ macro_rules! pairs {
         usat r11, #15, r11
         pkhbt r8, r8, r9, lsl #16
         pkhbt r9, r10, r11, lsl #16
-        ldr r3, [sp]
-        strd r8, r9, [r3]
         "
     };
 }
@@ -133,24 +127,47 @@ macro_rules! split {
         rsb r9, r11, r9, lsl #8
         pkhbt r8, r8, r9, lsl #16
         pkhbt r9, r10, r11, lsl #16
-        ldr r3, [sp]
-        strd r8, r9, [r3]
         "
     };
 }
 
-/// The accumulators themselves.
-macro_rules! raw {
-    () => {
-        "
-        ldr r3, [sp]
-        stmia r3, {{r8-r11}}
-        "
-    };
-}
-
-macro_rules! block {
+/// A hidden layer: its blocks, their inputs, a number of turns of eight columns, the place of two words for each block, and its
+/// end. Turns and blocks are at least 1.
+macro_rules! layer {
     ($name:ident: $columns:ident $(, $then:ident)*) => {
+        #[unsafe(naked)]
+        unsafe extern "C" fn $name(
+            blocks: *const u32, inputs: *const u32, turns: usize, results: *mut u32, end: *const u32,
+        ) {
+            naked_asm!(
+                "push {{r4-r11, lr}}",
+                "ldr r12, [sp, #36]",
+                "push {{r1-r3, r12}}",
+                "2:",
+                "ldmia r0!, {{r8-r11}}",
+                "ldrd r1, r2, [sp]",
+                "3:",
+                $columns!(),
+                $columns!(),
+                "subs r2, r2, #1",
+                "bne 3b",
+                $($then!(),)*
+                "ldrd r3, r12, [sp, #8]",
+                "strd r8, r9, [r3], #8",
+                "cmp r3, r12",
+                "str r3, [sp, #8]",
+                "bne 2b",
+                "add sp, #16",
+                "pop {{r4-r11, pc}}",
+            )
+        }
+    };
+}
+
+/// The accumulators of a block: its weights, their inputs, a number of turns of eight columns (at least 1), and the place of four
+/// words.
+macro_rules! block {
+    ($name:ident: $columns:ident) => {
         #[unsafe(naked)]
         unsafe extern "C" fn $name(block: *const u32, inputs: *const u32, turns: usize, result: *mut u32) {
             naked_asm!(
@@ -161,65 +178,66 @@ macro_rules! block {
                 $columns!(),
                 "subs r2, r2, #1",
                 "bne 2b",
-                $($then!(),)*
+                "ldr r3, [sp]",
+                "stmia r3, {{r8-r11}}",
                 "pop {{r3-r11, pc}}",
             )
         }
     };
 }
 
-block!(w8a16_pairs: w8a16, rescale, pairs);
-block!(w8a16_split: w8a16, rescale, split);
-block!(w8a16_raw: w8a16, raw);
-block!(w16a16_pairs: w16a16, rescale, pairs);
-block!(w16a16_split: w16a16, rescale, split);
-block!(w16a16_raw: w16a16, raw);
-block!(w8a8_pairs: w8a8, unscale, rescale, pairs);
-block!(w8a8_split: w8a8, unscale, rescale, split);
-block!(w8a8_raw: w8a8, raw);
+layer!(w8a16_pairs: w8a16, rescale, pairs);
+layer!(w8a16_split: w8a16, rescale, split);
+layer!(w16a16_pairs: w16a16, rescale, pairs);
+layer!(w16a16_split: w16a16, rescale, split);
+layer!(w8a8_pairs: w8a8, unscale, rescale, pairs);
+layer!(w8a8_split: w8a8, unscale, rescale, split);
+block!(w8a16_raw: w8a16);
+block!(w16a16_raw: w16a16);
+block!(w8a8_raw: w8a8);
 
-/// One block of a hidden layer.
+/// A hidden layer of whole turns.
 #[inline]
-pub(crate) fn hidden(kind: Kind, form: Form, block: &[u32], inputs: &[u32]) -> [u32; 2] {
-    let Some(turns) = turns(kind, block, inputs) else { return crate::portable::hidden(kind, form, block, inputs) };
-    let mut result = MaybeUninit::<[u32; 2]>::uninit();
-    let (block, inputs, to) = (block.as_ptr(), inputs.as_ptr(), result.as_mut_ptr().cast());
-    // SAFETY: `turns` has checked what is read; each of these functions writes two words and keeps the registers that the
-    // procedure call standard says are its caller's. (Called by name: a static bound does not follow pointers.)
+pub(crate) fn layer(kind: Kind, form: Form, blocks: &[u32], inputs: &[u32], outputs: &mut [u32]) {
+    let count = (blocks.len() / kind.block(inputs.len())).min(outputs.len() / 2);
+    let (Some(turns), Some(outputs)) = (turns(inputs), outputs.get_mut(..2 * count)) else { return };
+    if outputs.is_empty() {
+        return;
+    }
+    let (blocks, inputs, to) = (blocks.as_ptr(), inputs.as_ptr(), outputs.as_mut_ptr_range());
+    // SAFETY: there are `count` blocks for these inputs, and as many pairs of words; each of these functions keeps the registers
+    // that the procedure call standard says are its caller's. (Called by name: a static bound does not follow pointers.)
     unsafe {
         match (kind, form) {
-            (Kind::W8A16, Form::Pairs) => w8a16_pairs(block, inputs, turns, to),
-            (Kind::W8A16, Form::Split) => w8a16_split(block, inputs, turns, to),
-            (Kind::W16A16, Form::Pairs) => w16a16_pairs(block, inputs, turns, to),
-            (Kind::W16A16, Form::Split) => w16a16_split(block, inputs, turns, to),
-            (Kind::W8A8, Form::Pairs) => w8a8_pairs(block, inputs, turns, to),
-            (Kind::W8A8, Form::Split) => w8a8_split(block, inputs, turns, to),
+            (Kind::W8A16, Form::Pairs) => w8a16_pairs(blocks, inputs, turns, to.start, to.end),
+            (Kind::W8A16, Form::Split) => w8a16_split(blocks, inputs, turns, to.start, to.end),
+            (Kind::W16A16, Form::Pairs) => w16a16_pairs(blocks, inputs, turns, to.start, to.end),
+            (Kind::W16A16, Form::Split) => w16a16_split(blocks, inputs, turns, to.start, to.end),
+            (Kind::W8A8, Form::Pairs) => w8a8_pairs(blocks, inputs, turns, to.start, to.end),
+            (Kind::W8A8, Form::Split) => w8a8_split(blocks, inputs, turns, to.start, to.end),
         }
-        result.assume_init()
     }
 }
 
-/// The accumulators of a block's rows.
+/// The accumulators of a whole block's rows, or zeros.
 #[inline]
 pub(crate) fn accumulate(kind: Kind, block: &[u32], inputs: &[u32]) -> [i32; ROWS] {
-    let Some(turns) = turns(kind, block, inputs) else { return crate::portable::accumulate(kind, block, inputs) };
-    let mut result = MaybeUninit::<[i32; ROWS]>::uninit();
+    let mut result = [0; ROWS];
+    let Some(turns) = turns(inputs).filter(|_| block.len() >= kind.block(inputs.len())) else { return result };
     let (block, inputs, to) = (block.as_ptr(), inputs.as_ptr(), result.as_mut_ptr().cast());
-    // SAFETY: as in `hidden`; these functions write four words.
+    // SAFETY: as in `layer`; the block is whole, and these functions write four words.
     unsafe {
         match kind {
             Kind::W8A16 => w8a16_raw(block, inputs, turns, to),
             Kind::W16A16 => w16a16_raw(block, inputs, turns, to),
             Kind::W8A8 => w8a8_raw(block, inputs, turns, to),
         }
-        result.assume_init()
     }
+    result
 }
 
-/// Number of turns that a kernel makes, if block and inputs are as long as it will read: 4 words of inputs and their weights a
-/// turn, biases before them and multipliers behind.
+/// Number of turns that a kernel makes: [`TURN`] words of inputs each. `None` where there is none, or not a whole one.
 #[inline(always)]
-fn turns(kind: Kind, block: &[u32], inputs: &[u32]) -> Option<usize> {
-    let whole = !inputs.is_empty() && inputs.len().is_multiple_of(4) && block.len() >= kind.block(inputs.len());
-    whole.then_some(inputs.len() / 4)
+fn turns(inputs: &[u32]) -> Option<usize> {
+    crate::whole(inputs).then_some(inputs.len() / TURN)
 }

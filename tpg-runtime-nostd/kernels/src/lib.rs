@@ -56,24 +56,42 @@ pub fn form() -> &'static str {
     if cfg!(tpg_dsp) { "SMLAD" } else { "portable" }
 }
 
+/// Words of inputs for [`COLUMNS`] columns.
+const TURN: usize = COLUMNS / 2;
+
+/// Returns true if there are inputs, as many columns as padding leaves.
+#[inline(always)]
+fn whole(inputs: &[u32]) -> bool {
+    !inputs.is_empty() && inputs.len().is_multiple_of(TURN)
+}
+
 /// A hidden layer: its outputs behind their ReLU, as the next layer's inputs.
 ///
-/// `blocks` are whole blocks for as many columns as `inputs` has. Two words come out of every block; what does not fit
-/// into `outputs`, or an incomplete block, is left out.
+/// `blocks` are whole blocks for as many columns as `inputs` has, a multiple of [`COLUMNS`]: for others nothing is written. Two
+/// words come out of every block; what does not fit into `outputs`, or an incomplete block, is left out.
 #[inline(never)] // its loop is not its caller's: a static bound multiplies nested ones
 pub fn hidden(kind: Kind, form: Form, blocks: &[u32], inputs: &[u32], outputs: &mut [u32]) {
-    #[cfg(target_arch = "x86_64")]
-    if avx2::hidden(kind, form, blocks, inputs, outputs) {
+    if !whole(inputs) {
         return;
     }
-    let blocks = blocks.chunks_exact(kind.block(inputs.len()));
-    for (block, outputs) in blocks.zip(outputs.as_chunks_mut::<2>().0) {
+    #[cfg(target_arch = "x86_64")]
+    if avx2::layer(kind, form, blocks, inputs, outputs) {
+        return;
+    }
+    #[cfg(tpg_dsp)]
+    dsp::layer(kind, form, blocks, inputs, outputs);
+    #[cfg(not(tpg_dsp))]
+    for (block, outputs) in blocks.chunks_exact(kind.block(inputs.len())).zip(outputs.as_chunks_mut::<2>().0) {
         *outputs = chosen::hidden(kind, form, block, inputs);
     }
 }
 
-/// The outputs of one block of the last layer: no ReLU, no clipping.
+/// The outputs of one block of the last layer: no ReLU, no clipping. Zeros where its columns are no multiple of [`COLUMNS`], or
+/// the block is incomplete.
 pub fn last(kind: Kind, block: &[u32], inputs: &[u32]) -> [i32; ROWS] {
+    if !whole(inputs) {
+        return [0; ROWS];
+    }
     let accumulators = chosen::accumulate(kind, block, inputs);
     portable::rescale(kind, block, inputs, accumulators)
 }
@@ -116,7 +134,7 @@ mod tests {
     proptest! {
         #[test]
         fn a_layer_is_its_portable_blocks(
-            (kind, columns, layer) in (prop::sample::select(&Kind::ALL[..]), 0usize..5, 0usize..5)
+            (kind, columns, layer) in (prop::sample::select(&Kind::ALL[..]), 1usize..5, 0usize..5)
                 .prop_flat_map(|(kind, eights, blocks)| {
                     let inputs = eights * 4;
                     (Just(kind), Just(inputs), words(inputs + blocks * kind.block(inputs)))
@@ -139,5 +157,10 @@ mod tests {
         hidden(Kind::W8A16, Form::Pairs, &[1; 15], &[1; 4], &mut outputs);
         assert_eq!(outputs, [7; 5], "a block has 16 words");
         assert_eq!(last(Kind::W16A16, &[1; 3], &[1; 4]), [0; 4]);
+        for no_turn in [&[][..], &[1; 6]] {
+            hidden(Kind::W8A16, Form::Pairs, &[1; 40], no_turn, &mut outputs);
+            assert_eq!(outputs, [7; 5]);
+            assert_eq!(last(Kind::W8A16, &[1; 40], no_turn), [0; 4]);
+        }
     }
 }

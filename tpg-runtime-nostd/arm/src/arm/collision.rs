@@ -19,21 +19,33 @@ pub enum Collision {
 }
 
 /// The two ends of each of four segments, mm.
-pub(super) type Faces<S> = [(Point<S>, Point<S>); 4];
+type Faces<S> = [(Point<S>, Point<S>); 4];
 
 impl<S: Scalar> Plane<S> {
     /// The first collision, in the order of the enumeration; `None` where the arm is free.
     pub fn collision(&self, shapes: &Shapes<S>) -> Option<Collision> {
+        self.room(shapes).err()
+    }
+
+    /// A distance that every part of the arm can move without a collision, mm. It is less than the greatest one, and 0 or
+    /// negative where the arm may be free all the same; NaN where one of its points is.
+    ///
+    /// # Errors
+    /// The first collision.
+    #[inline(never)] // once in flash
+    pub(super) fn room(&self, shapes: &Shapes<S>) -> Result<S, Collision> {
         let faces = self.faces(shapes);
-        self.below_table(&faces).or_else(|| {
-            let base = !clear_of_base(&faces, shapes) && meets_base(&faces, shapes);
-            base.then_some(Collision::Base)
-        })
+        if let Some(collision) = self.below_table(&faces) {
+            return Err(collision);
+        }
+        let room = lesser(self.over_table(&faces), beyond_base(&faces, shapes));
+        // Most poses have room, which saves the tests of each face with each edge.
+        if room > S::ZERO || !meets_base(&faces, shapes) { Ok(room) } else { Err(Collision::Base) }
     }
 
     /// The collision with the table, if there is one.
     #[inline(always)]
-    pub(super) fn below_table(&self, [(tip_upper, tip_lower), ..]: &Faces<S>) -> Option<Collision> {
+    fn below_table(&self, [(tip_upper, tip_lower), ..]: &Faces<S>) -> Option<Collision> {
         if [self.bracket, self.elbow, self.wrist, self.tip].iter().any(|point| point.z < S::ZERO) {
             Some(Collision::Table)
         } else if tip_upper.z < S::ZERO || tip_lower.z < S::ZERO {
@@ -41,6 +53,13 @@ impl<S: Scalar> Plane<S> {
         } else {
             None
         }
+    }
+
+    /// Height of the lowest of the points that the table stops, mm.
+    #[inline(always)]
+    fn over_table(&self, [(tip_upper, tip_lower), ..]: &Faces<S>) -> S {
+        let points = [self.bracket, self.elbow, self.wrist, self.tip, *tip_upper, *tip_lower];
+        points.into_iter().fold(S::from_f64(f64::INFINITY), |height, point| lesser(height, point.z))
     }
 
     /// The parts of the arm that can meet its base, as segments: the hand's tip face and lower edge, the forearm's end
@@ -65,25 +84,30 @@ impl<S: Scalar> Plane<S> {
     }
 }
 
-/// Returns true if all faces lie above the whole base, or all on the same side of it: then no segment meets an edge. This
-/// saves most poses 32 tests; with a NaN among the faces it is false.
-fn clear_of_base<S: Scalar>(faces: &Faces<S>, shapes: &Shapes<S>) -> bool {
-    let all = |beyond: fn(Point<S>, S) -> bool, limit| faces.iter().all(|&(p, q)| beyond(p, limit) && beyond(q, limit));
-    if all(|point, top| point.z > top, shapes.base_top()) {
-        return true;
+/// Least distance by which a face lies above the whole base or beside it, mm; 0 or negative where one does neither, and NaN
+/// where a point of one is.
+#[inline(always)]
+fn beyond_base<S: Scalar>(faces: &Faces<S>, shapes: &Shapes<S>) -> S {
+    // Comparisons may pass a NaN over; a sum does not.
+    let known = faces.iter().fold(S::ZERO, |sum, (p, q)| sum + p.x + p.z + q.x + q.z);
+    if known.is_nan() {
+        return known;
     }
-    let side = shapes.base_side();
-    all(|point, side| point.x > side, side) || all(|point, side| point.x < -side, side)
+    let (top, side) = (shapes.base_top(), shapes.base_side());
+    faces.iter().fold(S::from_f64(f64::INFINITY), |room, (p, q)| {
+        let beside = greater(lesser(p.x, q.x), -greater(p.x, q.x)) - side;
+        lesser(room, greater(lesser(p.z, q.z) - top, beside))
+    })
 }
 
 impl<S: Scalar> Shapes<S> {
     /// Height of the base's highest point, mm.
-    pub(super) fn base_top(&self) -> S {
+    fn base_top(&self) -> S {
         self.base.iter().flat_map(|edge| edge.z).fold(S::ZERO, greater)
     }
 
     /// Distance of the base's outermost point from its axis, mm.
-    pub(super) fn base_side(&self) -> S {
+    fn base_side(&self) -> S {
         self.base.iter().flat_map(|edge| edge.x.map(S::abs)).fold(S::ZERO, greater)
     }
 }
@@ -91,6 +115,11 @@ impl<S: Scalar> Shapes<S> {
 /// Returns the greater number, or the first of equals. A NaN is passed over where it is the second.
 pub(super) fn greater<S: Scalar>(a: S, b: S) -> S {
     if b > a { b } else { a }
+}
+
+/// Returns the lesser number, or the second of equals. A NaN is passed over where it is the first, kept where it is the second.
+fn lesser<S: Scalar>(a: S, b: S) -> S {
+    if a < b { a } else { b }
 }
 
 impl<S: Scalar> BaseEdge<S> {
@@ -109,7 +138,7 @@ fn across<S: Scalar>(origin: Point<S>, aside: Direction<S>, by: S) -> Point<S> {
     Point { x: origin.x + aside.cos * by, z: origin.z + aside.sin * by }
 }
 
-/// A segment with what every edge asks of it: computed once, not for each of the eight.
+/// A segment with what every edge asks of it: computed once, not for each of them.
 struct Face<S> {
     /// Its two ends, the lesser one first.
     x: [S; 2],
@@ -128,29 +157,33 @@ impl<S: Scalar> Face<S> {
 
 /// Returns true if a face meets an edge of the base.
 #[inline(never)] // once in flash
-pub(super) fn meets_base<S: Scalar>(faces: &Faces<S>, shapes: &Shapes<S>) -> bool {
-    let faces = faces.map(|(p, q)| Face::new(p, q));
-    shapes.base.iter().any(|&edge| meets(&faces, edge) || meets(&faces, edge.mirrored()))
+fn meets_base<S: Scalar>(faces: &Faces<S>, shapes: &Shapes<S>) -> bool {
+    let edges = shapes.base.map(|edge| BaseEdge { x: sorted(edge.x), z: sorted(edge.z) });
+    faces.iter().any(|&(p, q)| {
+        let face = Face::new(p, q);
+        edges.iter().any(|edge| face.meets(edge))
+    })
 }
 
-/// Returns true if a face meets an axis-aligned edge; touching counts, and so does an undefined crossing.
-fn meets<S: Scalar>(faces: &[Face<S>; 4], edge: BaseEdge<S>) -> bool {
-    let x = sorted(edge.x);
-    let z = sorted(edge.z);
-    let horizontal = z[0] == z[1];
-    faces.iter().any(|face| {
-        if disjoint(face.x, x) || disjoint(face.z, z) {
+impl<S: Scalar> Face<S> {
+    /// Returns true if the face meets an axis-aligned edge, whose lesser numbers come first, or its mirror image; touching
+    /// counts, and so does an undefined crossing.
+    fn meets(&self, &BaseEdge { x: [near, far], z }: &BaseEdge<S>) -> bool {
+        if disjoint(self.z, z) {
             return false;
         }
-        if face.x[0] == face.x[1] {
-            return horizontal || face.x[0] == x[0];
-        }
-        let Face { slope, intercept, .. } = *face;
-        let (crossing, bounds) =
-            if horizontal { ((z[0] - intercept) / slope, x) } else { (slope * x[0] + intercept, z) };
+        let Self { slope, intercept, .. } = *self;
+        let upright = self.x[0] == self.x[1];
         // A NaN crossing (a segment along the edge) is neither above nor below: it is a hit, as in the artifact.
-        !(crossing > bounds[1] || crossing < bounds[0])
-    })
+        let outside = |crossing: S, [from, to]: [S; 2]| crossing > to || crossing < from;
+        let mut both = [[near, far], [-far, -near]].into_iter().filter(|&x| !disjoint(self.x, x));
+        if z[0] == z[1] {
+            let crossing = (z[0] - intercept) / slope;
+            both.any(|x| upright || !outside(crossing, x))
+        } else {
+            both.any(|[x, _]| if upright { self.x[0] == x } else { !outside(slope * x + intercept, z) })
+        }
+    }
 }
 
 fn sorted<S: Scalar>([a, b]: [S; 2]) -> [S; 2] {

@@ -3,8 +3,8 @@
 //! A tick of a joint moves no point of the arm farther than the arm is long, times the angle of a tick. So where every part of
 //! the arm is some distance from all that it can hit, as many ticks are free as would take it there, whichever joints turn.
 
-use super::collision::{Faces, greater, meets_base};
-use super::{Arm, Collision, Pose, Shapes, TICKS_PER_TURN};
+use super::collision::greater;
+use super::{Arm, Collision, Pose, TICKS_PER_TURN};
 use crate::kinematics::{Lattice, Plane};
 use core::cell::Cell;
 
@@ -39,19 +39,15 @@ impl Leeway {
 
     #[inline(never)] // once in flash
     fn look<S: Lattice>(&self, arm: &Arm<S>, pose: Pose) -> Option<Collision> {
-        let plane = Plane::at(arm, pose);
-        let faces = plane.faces(&arm.shapes);
-        let table = plane.below_table(&faces);
-        if table.is_some() {
-            return table;
-        }
-        let room = plane.room(&faces, &arm.shapes);
+        let room = match Plane::at(arm, pose).room(&arm.shapes) {
+            Ok(room) => room,
+            Err(collision) => return Some(collision),
+        };
         if room > S::ZERO {
             self.free.set(pose);
             self.ticks.set(ticks(arm, room));
-            return None;
         }
-        meets_base(&faces, &arm.shapes).then_some(Collision::Base)
+        None
     }
 }
 
@@ -66,30 +62,6 @@ fn ticks<S: Lattice>(arm: &Arm<S>, room: S) -> i32 {
     let error = (length + links.base + links.shoulder_radial) * S::from_f64(1.0 / 16384.0);
     let tick = length * S::from_f64(1.001 * core::f64::consts::TAU / TICKS_PER_TURN as f64);
     ((room - error) / tick).to_i32()
-}
-
-impl<S: Lattice> Plane<S> {
-    /// A distance that every part of the arm can move without a collision, mm. It is less than the greatest one, and 0 or
-    /// negative where the arm may be free all the same; NaN where one of its points is.
-    fn room(&self, faces: &Faces<S>, shapes: &Shapes<S>) -> S {
-        let [(tip_upper, tip_lower), ..] = *faces;
-        let over_table = [self.bracket, self.elbow, self.wrist, self.tip, tip_upper, tip_lower];
-        let room = over_table.into_iter().fold(S::from_f64(f64::INFINITY), |room, point| lesser(room, point.z));
-        // Comparisons may pass a NaN over; a sum does not.
-        let known = faces.iter().fold(S::ZERO, |sum, (p, q)| sum + p.x + p.z + q.x + q.z);
-        if known.is_nan() {
-            return known;
-        }
-        let (top, side) = (shapes.base_top(), shapes.base_side());
-        faces.iter().fold(room, |room, (p, q)| {
-            let beside = greater(lesser(p.x, q.x), -greater(p.x, q.x)) - side;
-            lesser(room, greater(lesser(p.z, q.z) - top, beside))
-        })
-    }
-}
-
-fn lesser<S: Lattice>(a: S, b: S) -> S {
-    if a < b { a } else { b }
 }
 
 #[cfg(test)]

@@ -41,6 +41,7 @@ fn within<S: Lattice>(arm: &Arm<S>, pose: Pose, wanted: Move) -> bool {
 }
 
 /// [`Source::ShieldLimits`](super::Source::ShieldLimits), for actions of `step` ticks; the source's are of [`STEP`].
+#[inline(never)] // as `collision`
 pub fn limits<S: Lattice>(arm: &Arm<S>, pose: Pose, step: i8) -> [S; SHIELDED] {
     bounds(step, |wanted| within(arm, pose, wanted))
 }

@@ -11,9 +11,19 @@ use tpg_runtime::net::{HIDDEN, LAST, Layer, Meaning, OutputKind, PREFERENCE_ONE,
 use tpg_runtime::policy::Policy;
 
 /// Features as integers: rounded to nearest, halves away from zero, clipped to `i16`; NaN becomes 0.
-#[inline(never)] // its loop is not its caller's: a static bound multiplies nested ones
+#[inline]
 pub fn quantise(features: &[f32; FEATURES]) -> [i16; FEATURES] {
-    features.map(integer)
+    let mut integers = [0; FEATURES];
+    quantise_into(features, &mut integers);
+    integers
+}
+
+/// [`quantise`] in place, which copies nothing.
+#[inline(never)] // its loop is not its caller's: a static bound multiplies nested ones
+pub(super) fn quantise_into(features: &[f32; FEATURES], integers: &mut [i16; FEATURES]) {
+    for (to, &feature) in integers.iter_mut().zip(features) {
+        *to = integer(feature);
+    }
 }
 
 /// A network of two hidden layers.

@@ -3,7 +3,7 @@
 //! [`Network::pack`] makes the words, at compile time in generated Rust and on the host for C. A packed network answers bit
 //! for bit what [`Network::preferences`] does.
 
-use super::fixed::{FixedDecision, Network, quantise};
+use super::fixed::{FixedDecision, Network, quantise_into};
 use super::{FEATURE_CONTRACT, FEATURES, features};
 use crate::arm::{Arm, JOINTS, Move};
 use crate::frame::Frame;
@@ -67,8 +67,9 @@ impl<'a> Model<'a> {
         if scratch.len() < self.scratch() {
             return Move::STOP;
         }
-        let features = quantise(&features(&Frame::of(arm, seen)));
-        self.decision.decide(self.preferences(&features, scratch), seen.pose, &arm.ranges)
+        let mut inputs = [0; FEATURES];
+        quantise_into(&features(&Frame::of(arm, seen)), &mut inputs);
+        self.decision.decide(self.preferences(&inputs, scratch), seen.pose, &arm.ranges)
     }
 }
 
