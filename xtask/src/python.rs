@@ -87,7 +87,7 @@ fn sb3(run: &mut Run, python: &str, place: &Path, wanted: bool) {
     };
     match ready() {
         Ok(venv) => {
-            let example = "tests/test_examples.py::test_an_example_runs[sb3_to_microcontroller]";
+            let example = "tests/test_examples.py::test_a_notebook_runs[sb3_to_microcontroller]";
             run.tests("pytest with PyTorch", tests(&venv, place, &["tests/test_sb3.py", example]));
         }
         Err(error) => run.failed("pytest with PyTorch", &error),
