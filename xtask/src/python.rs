@@ -137,9 +137,7 @@ fn wheel(venv: &Path, place: &Path, release: bool) -> io::Result<PathBuf> {
     let mut build = Command::new(&python);
     build.args(["-m", "maturin", "build", "--quiet", "--manifest-path"]).arg(folder().join("Cargo.toml"));
     build.arg("--out").arg(&wheels).arg("--interpreter").arg(&python).env("PYO3_PYTHON", &python);
-    if release {
-        build.arg("--release");
-    }
+    build.args(["--profile", if release { "wheel" } else { "dev" }]);
     step(build)?;
     let wheel = newest(&wheels)?;
     let size = fs::metadata(&wheel)?.len();
