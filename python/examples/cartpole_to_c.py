@@ -17,11 +17,12 @@ print("built in:  ", model.evaluate(1000))
 print("Gymnasium: ", model.evaluate(20, native=False))
 
 # %% [markdown]
-# The policy can be read. In a notebook, `model.graph` draws itself.
+# The policy can be read, and `model.graph` draws itself.
 
 # %%
 print(model.formula())
 print(model.report("cortex-m4"))
+model.graph
 
 # %% [markdown]
 # `verify` compiles the C and compares its answers with the interpreter's, bit for bit.

@@ -6,8 +6,10 @@ use numpy::{PyArray1, PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use tpg_engine::Single;
+use tpg_graph::ScalarType;
 use tpg_graph::interpret::Answer;
-use tpg_runtime::ops::Own;
+use tpg_runtime::ops::{Maths, Own};
+use tpg_runtime::scalar::Scalar;
 
 /// The result of an episode: return, number of actions, and success where the environment's info says `is_success`.
 type Played = (f64, u32, Option<bool>);
@@ -71,16 +73,43 @@ impl Driver {
 
     /// Runs one episode for each seed.
     fn run(&self, py: Python<'_>, policy: &Policy, seeds: Vec<u64>) -> PyResult<Vec<Played>> {
-        let single = policy.single();
-        seeds.into_iter().map(|seed| self.episode(py, &single, seed, |_, _| true)).collect()
+        match policy.scalar() {
+            ScalarType::F32 => self.run_in(py, &policy.single::<f32>(), seeds),
+            ScalarType::F64 => self.run_in(py, &policy.single::<f64>(), seeds),
+        }
     }
 
     /// Returns the observations after given numbers of actions, ascending.
-    fn visit(&self, py: Python<'_>, policy: &Policy, seed: u64, after: Vec<u32>) -> PyResult<Vec<Vec<f32>>> {
+    fn visit(&self, py: Python<'_>, policy: &Policy, seed: u64, after: Vec<u32>) -> PyResult<Vec<Vec<f64>>> {
+        match policy.scalar() {
+            ScalarType::F32 => self.visit_in(py, &policy.single::<f32>(), seed, &after),
+            ScalarType::F64 => self.visit_in(py, &policy.single::<f64>(), seed, &after),
+        }
+    }
+}
+
+impl Driver {
+    fn run_in<S: Scalar>(&self, py: Python<'_>, single: &Single<S, Own>, seeds: Vec<u64>) -> PyResult<Vec<Played>>
+    where
+        Own: Maths<S>,
+    {
+        seeds.into_iter().map(|seed| self.episode(py, single, seed, |_, _| true)).collect()
+    }
+
+    fn visit_in<S: Scalar>(
+        &self,
+        py: Python<'_>,
+        single: &Single<S, Own>,
+        seed: u64,
+        after: &[u32],
+    ) -> PyResult<Vec<Vec<f64>>>
+    where
+        Own: Maths<S>,
+    {
         let mut seen = Vec::with_capacity(after.len());
-        self.episode(py, &policy.single(), seed, |step, state| {
+        self.episode(py, single, seed, |step, state| {
             while after.get(seen.len()) == Some(&step) {
-                seen.push(state.to_vec());
+                seen.push(state.iter().map(|value| value.to_f64()).collect());
             }
             seen.len() < after.len()
         })?;
@@ -91,17 +120,18 @@ impl Driver {
             ))),
         }
     }
-}
 
-impl Driver {
     /// Runs one episode; `watch` sees each observation before the action, and ends the episode with false.
-    fn episode(
+    fn episode<S: Scalar>(
         &self,
         py: Python<'_>,
-        single: &Single<f32, Own>,
+        single: &Single<S, Own>,
         seed: u64,
-        mut watch: impl FnMut(u32, &[f32]) -> bool,
-    ) -> PyResult<Played> {
+        mut watch: impl FnMut(u32, &[S]) -> bool,
+    ) -> PyResult<Played>
+    where
+        Own: Maths<S>,
+    {
         let arguments = PyDict::new(py);
         arguments.set_item("seed", seed)?;
         let pair = self.reset.bind(py).call((), Some(&arguments))?;
@@ -131,7 +161,10 @@ impl Driver {
         Ok((score, actions, success))
     }
 
-    fn act<'py>(&self, py: Python<'py>, single: &Single<f32, Own>, state: &[f32]) -> PyResult<Bound<'py, PyAny>> {
+    fn act<'py, S: Scalar>(&self, py: Python<'py>, single: &Single<S, Own>, state: &[S]) -> PyResult<Bound<'py, PyAny>>
+    where
+        Own: Maths<S>,
+    {
         if let Action::Listed(actions, arrays) = &self.action {
             let action = actions[usize::from(single.decide(state).0)].bind(py);
             return if *arrays { action.call_method0("copy") } else { Ok(action.clone()) };
@@ -144,7 +177,12 @@ impl Driver {
     }
 
     /// Reads an observation.
-    fn read(&self, observation: &Bound<'_, PyAny>, state: &mut Vec<f32>, at: impl Fn() -> String) -> PyResult<()> {
+    fn read<S: Scalar>(
+        &self,
+        observation: &Bound<'_, PyAny>,
+        state: &mut Vec<S>,
+        at: impl Fn() -> String,
+    ) -> PyResult<()> {
         let flat = match &self.flatten {
             Some(flatten) => flatten.bind(observation.py()).call1((observation,))?,
             None => observation.clone(),
@@ -152,22 +190,23 @@ impl Driver {
         state.clear();
         if let Ok(array) = flat.cast::<PyArrayDyn<f32>>() {
             let array = array.readonly();
+            let number = |&value: &f32| S::from_f64(f64::from(value));
             match array.as_slice() {
-                Ok(values) => state.extend(values),
-                Err(_) => state.extend(array.as_array().iter()),
+                Ok(values) => state.extend(values.iter().map(number)),
+                Err(_) => state.extend(array.as_array().iter().map(number)),
             }
         } else if let Ok(array) = flat.cast::<PyArrayDyn<f64>>() {
-            state.extend(array.readonly().as_array().iter().map(|&value| value as f32));
+            state.extend(array.readonly().as_array().iter().map(|&value| S::from_f64(value)));
         } else {
             let array = self.asarray.bind(flat.py()).call1((&flat, "float64"))?;
             let array = array.cast::<PyArrayDyn<f64>>()?.readonly();
-            state.extend(array.as_array().iter().map(|&value| value as f32));
+            state.extend(array.as_array().iter().map(|&value| S::from_f64(value)));
         }
         if state.len() != self.inputs {
             let (found, accepted) = (state.len(), self.inputs);
             return Err(error::input(format!("{}: an observation of {found} values; accepted: {accepted}", at())));
         }
-        match state.iter().position(|value| value.is_nan()) {
+        match state.iter().position(|value| value.to_f64().is_nan()) {
             Some(place) => Err(error::input(format!("{}: observation[{place}] is NaN; accepted: a number", at()))),
             None => Ok(()),
         }

@@ -14,8 +14,12 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::sync::{Mutex, MutexGuard};
 use std::thread::JoinHandle;
 use std::time::Duration;
-use tpg_engine::{Choices, Ending, EngineOptions, Environment, Evaluator, LocalThreads};
-use tpg_runtime::ops::Own;
+use tpg_engine::{Choices, Ending, EngineOptions, Environment, Evaluator, LocalThreads, PolicyGraph};
+use tpg_graph::ScalarType;
+use tpg_problems::Problem;
+use tpg_problems::arm::ArmScalar;
+use tpg_runtime::ops::{Maths, Own};
+use tpg_runtime::scalar::Scalar;
 use tpg_train::evolution::checkpoint;
 use tpg_train::evolution::config::EvolutionConfig;
 use tpg_train::evolution::generation::Goal;
@@ -50,6 +54,7 @@ type Thread = JoinHandle<Result<RunEnd, RunError>>;
 #[pyclass(frozen, module = "tpg_train._tpg")]
 pub(crate) struct Evolution {
     inputs: usize,
+    scalar: ScalarType,
     line: Mutex<Line>,
 }
 
@@ -108,9 +113,6 @@ pub(crate) fn configuration(preset: &str, settings: &str) -> PyResult<String> {
     }
     let text = table.to_string();
     let config = EvolutionConfig::from_toml("<settings>", &text).map_err(error::input)?;
-    if config.language.scalar != tpg_graph::ScalarType::F32 {
-        return Err(error::input("language.scalar = \"f64\"; accepted: \"f32\""));
-    }
     Ok(config.to_toml())
 }
 
@@ -131,8 +133,11 @@ impl Evolution {
     fn start(space: &Space, settings: Settings) -> PyResult<Self> {
         let (config, options) = settings.read()?;
         let (space, seed) = (space.clone(), settings.seed);
-        let inputs = space.length();
-        Ok(Self::spawn(inputs, move |mailbox| evolve(&config, seed, &space, mailbox, &options, mailbox)))
+        let (inputs, scalar) = (space.length(), config.language.scalar);
+        Ok(Self::spawn(inputs, scalar, move |mailbox| match scalar {
+            ScalarType::F32 => evolve::<f32, _, _>(&config, seed, &space, mailbox, &options, mailbox),
+            ScalarType::F64 => evolve::<f64, _, _>(&config, seed, &space, mailbox, &options, mailbox),
+        }))
     }
 
     /// Starts a run on a built-in problem, on `threads` threads; 0 for all.
@@ -141,12 +146,10 @@ impl Evolution {
         let (mut config, options) = settings.read()?;
         let problem = native::problem(problem)?;
         config.problem = problem.to_table();
-        let seed = settings.seed;
-        Ok(Self::spawn(0, move |mailbox| {
-            let environment = problem.environment();
-            let choices = Choices::new(&*environment, problem.levels()).map_err(tpg_engine::EvaluationError::new)?;
-            let evaluator = LocalThreads::<f32, Own, _>::new(&choices, EngineOptions::default(), threads)?;
-            evolve(&config, seed, &choices, &evaluator, &options, mailbox)
+        let (seed, scalar) = (settings.seed, config.language.scalar);
+        Ok(Self::spawn(0, scalar, move |mailbox| match scalar {
+            ScalarType::F32 => evolve_native::<f32>(&config, seed, &problem, threads, &options, mailbox),
+            ScalarType::F64 => evolve_native::<f64>(&config, seed, &problem, threads, &options, mailbox),
         }))
     }
 
@@ -185,6 +188,9 @@ impl Evolution {
 
     /// Replies to `visit`: for each visit the state after each number of actions.
     fn states(&self, py: Python<'_>, states: Vec<Vec<Vec<f64>>>) -> PyResult<()> {
+        let mut states = states;
+        // What the policy read: the bench may tell more digits.
+        states.iter_mut().flatten().flatten().for_each(|value| *value = self.scalar.round(*value));
         self.reply(py, (states.len(), 0), Reply::States(states))
     }
 
@@ -205,31 +211,37 @@ impl Evolution {
 }
 
 impl Evolution {
-    fn spawn(inputs: usize, job: impl FnOnce(&Mailbox<Report>) -> Result<RunEnd, RunError> + Send + 'static) -> Self {
+    fn spawn(
+        inputs: usize,
+        scalar: ScalarType,
+        job: impl FnOnce(&Mailbox<Report>) -> Result<RunEnd, RunError> + Send + 'static,
+    ) -> Self {
         let (events, told) = sync_channel(1);
         let (answers, replies) = sync_channel(1);
         let thread = std::thread::spawn(move || job(&Mailbox::new(events, replies)));
         let line = Line { events: Some(told), replies: Some(answers), thread: Some(thread), asked: None };
-        Self { inputs, line: Mutex::new(line) }
+        Self { inputs, scalar, line: Mutex::new(line) }
     }
 
     fn line(&self) -> MutexGuard<'_, Line> {
         self.line.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
     }
 
+    fn policy(&self, policy: PolicyGraph) -> Policy {
+        Policy::new(policy, self.inputs, self.scalar)
+    }
+
     fn told<'py>(&self, py: Python<'py>, event: Event<Report>) -> PyResult<(&'static str, Bound<'py, PyAny>)> {
         let (kind, says, asked) = match event {
             Event::Evaluate(work) => {
                 let asked = (work.units.len(), work.tasks.len());
-                let policies: Vec<Policy> =
-                    work.units.into_iter().map(|unit| Policy::new(unit.policy, self.inputs)).collect();
+                let policies: Vec<Policy> = work.units.into_iter().map(|unit| self.policy(unit.policy)).collect();
                 ("evaluate", (policies, work.tasks).into_pyobject(py)?.into_any(), asked)
             }
             Event::Visit(visits) => {
                 let asked = (visits.len(), 0);
-                let visits: Vec<(Policy, u64, Vec<u32>)> = (visits.into_iter())
-                    .map(|visit| (Policy::new(visit.policy, self.inputs), visit.task, visit.after))
-                    .collect();
+                let visits: Vec<(Policy, u64, Vec<u32>)> =
+                    (visits.into_iter()).map(|visit| (self.policy(visit.policy), visit.task, visit.after)).collect();
                 ("visit", visits.into_pyobject(py)?.into_any(), asked)
             }
             Event::Progress(report) => ("progress", report.into_dict(py)?.into_any(), (0, 0)),
@@ -289,15 +301,36 @@ impl Report {
     }
 }
 
+/// A run on a built-in problem.
+fn evolve_native<S: ArmScalar>(
+    config: &EvolutionConfig,
+    seed: u64,
+    problem: &Problem,
+    threads: usize,
+    options: &RunOptions,
+    mailbox: &Mailbox<Report>,
+) -> Result<RunEnd, RunError>
+where
+    Own: Maths<S>,
+{
+    let environment = problem.environment::<S>();
+    let choices = Choices::new(&*environment, problem.levels()).map_err(tpg_engine::EvaluationError::new)?;
+    let evaluator = LocalThreads::<S, Own, _>::new(&choices, EngineOptions::default(), threads)?;
+    evolve(config, seed, &choices, &evaluator, options, mailbox)
+}
+
 /// A run that reports to a mailbox.
-fn evolve<E: Environment<f32>, V: Evaluator<E::Task>>(
+fn evolve<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
     config: &EvolutionConfig,
     seed: u64,
     environment: &E,
     evaluator: &V,
     options: &RunOptions,
     mailbox: &Mailbox<Report>,
-) -> Result<RunEnd, RunError> {
+) -> Result<RunEnd, RunError>
+where
+    Own: Maths<S>,
+{
     let mut shown: Vec<u64> = Vec::new();
     run(config, seed, environment, evaluator, options, |progress| {
         let report = Report {
@@ -312,7 +345,7 @@ fn evolve<E: Environment<f32>, V: Evaluator<E::Task>>(
 }
 
 /// Returns the best graph and the hall of fame, if these are others than those that were shown.
-fn fresh<E: Environment<f32>>(
+fn fresh<S: Scalar, E: Environment<S>>(
     config: &EvolutionConfig,
     environment: &E,
     progress: &Progress<'_>,

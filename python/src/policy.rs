@@ -8,7 +8,8 @@ use std::sync::Mutex;
 use tpg_engine::{EngineOptions, Plan, Single};
 use tpg_graph::interpret::Answer;
 use tpg_graph::{MathsProvider, ScalarType, SourceDocument};
-use tpg_runtime::ops::Own;
+use tpg_runtime::ops::{Maths, Own};
+use tpg_runtime::scalar::Scalar;
 
 /// A policy that is evaluated in an episode.
 #[pyclass(frozen, module = "tpg_train._tpg")]
@@ -16,18 +17,46 @@ use tpg_runtime::ops::Own;
 pub(crate) struct Policy {
     policy: tpg_engine::PolicyGraph,
     inputs: usize,
+    scalar: ScalarType,
     /// Its own plan, made when it first acts.
-    single: Mutex<Option<Single<f32, Own>>>,
+    acting: Mutex<Option<Acting>>,
+}
+
+/// An evaluator of one state at a time, in what the policy computes in.
+#[derive(Debug)]
+enum Acting {
+    F32(Single<f32, Own>),
+    F64(Single<f64, Own>),
+}
+
+impl Acting {
+    fn answer(&self, state: &[f64]) -> Answer {
+        fn rounded<S: Scalar>(state: &[f64]) -> Vec<S> {
+            state.iter().map(|&value| S::from_f64(value)).collect()
+        }
+        match self {
+            Self::F32(single) => single.answer(&rounded(state)),
+            Self::F64(single) => single.answer(&rounded(state)),
+        }
+    }
 }
 
 impl Policy {
-    /// Wraps a policy over a state of `inputs` values.
-    pub(crate) fn new(policy: tpg_engine::PolicyGraph, inputs: usize) -> Self {
-        Self { policy, inputs, single: Mutex::new(None) }
+    /// Wraps a policy over a state of `inputs` values, computed in `scalar`.
+    pub(crate) fn new(policy: tpg_engine::PolicyGraph, inputs: usize, scalar: ScalarType) -> Self {
+        Self { policy, inputs, scalar, acting: Mutex::new(None) }
     }
 
-    /// Creates an evaluator of one state at a time.
-    pub(crate) fn single(&self) -> Single<f32, Own> {
+    /// Returns what it computes in.
+    pub(crate) fn scalar(&self) -> ScalarType {
+        self.scalar
+    }
+
+    /// Creates an evaluator of one state at a time; `S` is to be the policy's own scalar.
+    pub(crate) fn single<S: Scalar>(&self) -> Single<S, Own>
+    where
+        Own: Maths<S>,
+    {
         let source = SourceDocument {
             name: "state".to_owned(),
             length: self.inputs as u32,
@@ -43,41 +72,40 @@ impl Policy {
     /// Returns the policy of a graph.
     #[staticmethod]
     fn of(graph: &Graph) -> PyResult<Self> {
-        let graph = in_f32(&graph.0)?;
-        Ok(Self::new(tpg_engine::PolicyGraph::from(graph), graph.state_length()))
+        let graph = &graph.0;
+        if graph.maths() != MathsProvider::Own {
+            let found = format!("a graph with {} maths", graph.maths().name());
+            return Err(error::input(format!("{found}; accepted: own maths, or a built-in problem")));
+        }
+        Ok(Self::new(tpg_engine::PolicyGraph::from(graph), graph.state_length(), graph.scalar()))
     }
 
     /// Reads what `to_bytes` wrote.
     #[staticmethod]
     fn from_bytes(bytes: &[u8]) -> PyResult<Self> {
-        let (inputs, policy) = serde_json::from_slice(bytes).map_err(error::input)?;
-        Ok(Self::new(policy, inputs))
+        let (inputs, scalar, policy) = serde_json::from_slice(bytes).map_err(error::input)?;
+        Ok(Self::new(policy, inputs, scalar))
     }
 
     /// Returns the policy as bytes, one to three kilobytes.
     fn to_bytes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
-        let bytes = serde_json::to_vec(&(self.inputs, &self.policy)).map_err(error::input)?;
+        let bytes = serde_json::to_vec(&(self.inputs, self.scalar, &self.policy)).map_err(error::input)?;
         Ok(PyBytes::new(py, &bytes))
     }
 
     /// Returns the number of the action for a flat state; the values of the outputs for a policy that has some.
-    fn answer(&self, state: Vec<f32>) -> PyResult<(Option<u16>, Vec<f64>)> {
+    fn answer(&self, state: Vec<f64>) -> PyResult<(Option<u16>, Vec<f64>)> {
         if state.len() != self.inputs {
             return Err(error::input(format!("a state of {} values; accepted: {}", state.len(), self.inputs)));
         }
-        let mut single = self.single.lock().map_err(error::training)?;
-        Ok(match single.get_or_insert_with(|| self.single()).answer(&state) {
+        let mut acting = self.acting.lock().map_err(error::training)?;
+        let acting = acting.get_or_insert_with(|| match self.scalar {
+            ScalarType::F32 => Acting::F32(self.single()),
+            ScalarType::F64 => Acting::F64(self.single()),
+        });
+        Ok(match acting.answer(&state) {
             Answer::Action(action) => (Some(action.0), Vec::new()),
             Answer::Values(values) => (None, values),
         })
     }
-}
-
-/// Returns a graph that computes in f32 with own maths, as evolution does.
-fn in_f32(graph: &tpg_graph::Graph) -> PyResult<&tpg_graph::Graph> {
-    if (graph.scalar(), graph.maths()) == (ScalarType::F32, MathsProvider::Own) {
-        return Ok(graph);
-    }
-    let found = format!("a graph in {} with {} maths", graph.scalar().name(), graph.maths().name());
-    Err(error::input(format!("{found}; accepted: f32 with own maths")))
 }

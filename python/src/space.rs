@@ -5,6 +5,7 @@ use pyo3::prelude::*;
 use tpg_engine::random::Stream;
 use tpg_engine::{Act, ActionSpace, Environment, Output, SourceSet, Step};
 use tpg_graph::SourceDocument;
+use tpg_runtime::scalar::Scalar;
 
 /// Names, units and ranges of an environment's observations and actions. It never steps: episodes run in Python.
 #[pyclass(frozen, module = "tpg_train._tpg")]
@@ -58,7 +59,7 @@ pub(crate) fn seed_of(stream: &mut Stream) -> u64 {
     stream.bits() >> 33
 }
 
-impl Environment<f32> for Space {
+impl<S: Scalar> Environment<S> for Space {
     /// The seed of `reset`.
     type Task = u64;
     type Episode = ();
@@ -76,10 +77,10 @@ impl Environment<f32> for Space {
         seed_of(stream)
     }
     fn start(&self, _seed: &u64) {}
-    fn observe(&self, (): &mut (), _wanted: SourceSet, _state: &mut [f32]) {
+    fn observe(&self, (): &mut (), _wanted: SourceSet, _state: &mut [S]) {
         unreachable!("the mailbox evaluates, and observes nothing itself")
     }
-    fn step(&self, (): &mut (), _act: Act<'_, f32>) -> Step {
+    fn step(&self, (): &mut (), _act: Act<'_, S>) -> Step {
         unreachable!("the mailbox evaluates, and steps nothing itself")
     }
 }

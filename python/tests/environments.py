@@ -79,6 +79,19 @@ class ManyCart(Cart):
         return 0.1 * float(action[0] / 2) - 0.05 * float(action[1])
 
 
+class Digits(Cart):
+    """A decision about a digit that f32 does not have."""
+
+    observation_space = spaces.Box(0, 2, (3,), np.float64)
+
+    def observe(self) -> Any:
+        return np.array([1 + np.copysign(1e-10, self.x), 1, 0])
+
+    def step(self, action: Any) -> tuple[Any, float, bool, bool, dict[str, Any]]:
+        right = (action == 0) == (self.x > 0)
+        return self.observe(), float(right), True, False, {"is_success": bool(right)}
+
+
 class StartingCart(Cart):
     action_space = spaces.Discrete(2, start=5)
 

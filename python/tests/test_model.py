@@ -89,17 +89,18 @@ def test_the_c_answers_as_the_interpreter_in_whole_episodes(pole: TPG, tmp_path:
     )
     infer = ctypes.CDLL(str(library)).cart_infer
     infer.restype = ctypes.c_uint16
-    env, steps = gymnasium.make("CartPole-v1"), 0
-    for seed in range(20):
-        observation, _ = env.reset(seed=seed)
-        done = False
-        while not done:
-            state = np.ascontiguousarray(observation, np.float32)
-            action = infer(state.ctypes.data_as(ctypes.c_void_p))
-            assert action == pole.predict(observation)[0]
-            observation, _, terminated, truncated, _ = env.step(action)
-            done, steps = terminated or truncated, steps + 1
-    assert steps > 1000
+    episodes = 1000
+    env = gymnasium.make_vec("CartPole-v1", num_envs=episodes)
+    observations, _ = env.reset(seed=1)
+    over, steps = np.zeros(episodes, bool), 0
+    while not over.all():
+        states = np.ascontiguousarray(observations, np.float32)
+        actions = [infer(ctypes.c_void_p(states.ctypes.data + row * states.strides[0])) for row in range(episodes)]
+        assert actions == pole.predict(observations)[0].tolist()
+        observations, _, terminated, truncated, _ = env.step(np.array(actions))
+        steps += int((~over).sum())
+        over |= terminated | truncated
+    assert steps > 400 * episodes
 
 
 def test_proof_report_formula_and_rust(pole: TPG, tmp_path: Path) -> None:
@@ -162,6 +163,55 @@ def test_known_ids_run_as_built_in_problems_unless_wrapped(caplog: pytest.LogCap
     assert TPG(gymnasium.make("CartPole-v1", max_episode_steps=100)).native is None
     assert TPG(gymnasium.wrappers.TransformReward(made, lambda reward: -reward)).native is None
     assert TPG(lambda: gymnasium.make("CartPole-v1")).native is None
+
+
+@pytest.mark.parametrize("make", [environments.Cart, environments.BoxCart, environments.DictCart])
+def test_a_policy_is_evolved_in_f64(make: type[environments.Cart], tmp_path: Path) -> None:
+    double = TPG(make, scalar="f64", **SMALL).learn(20_000)
+    assert double.graph.scalar == "f64" and TPG(make, **SMALL).learn(100).graph.scalar == "f32"
+    assert TPG(make, scalar="f64", **SMALL).learn(20_000, n_workers=2).graph.sha256 == double.graph.sha256
+    assert any("double" in path.read_text() for path in double.export_c(tmp_path, prefix="cart"))
+    assert double.verify(500).differences == 0
+    # What the worker does is what the model says.
+    env, total = make(), 0.0
+    observation, _ = env.reset(seed=tpg_train._tpg.test_seeds(1, 1)[0])
+    done = False
+    while not done:
+        observation, reward, terminated, truncated, _ = env.step(double.predict(observation)[0])
+        total, done = total + float(reward), terminated or truncated
+    assert double.evaluate(1).mean == total
+
+
+def test_a_built_in_problem_is_evolved_in_f64() -> None:
+    model = TPG("CartPole-v1", scalar="f64").learn(200_000, target=475)
+    assert model.native == "cartpole" and model.graph.scalar == "f64"
+    assert model.evaluate(100).mean > 300 and model.evaluate(3, native=False).mean > 100
+    assert model.verify(500).differences == 0
+
+
+def test_f64_reads_digits_that_f32_does_not(tmp_path: Path) -> None:
+    value = {"length": 1, "unit": "", "ranges": [[0, 2]]}
+    text = {
+        "format": "tpg-graph",
+        "version": 1,
+        "maths": "own",
+        "registers": 1,
+        "sources": [{"name": name, **value} for name in ("x", "one", "zero")],
+        "instructions": ["add"],
+        "actions": [{"id": 0, "name": "above"}, {"id": 1, "name": "below"}],
+        "root": 0,
+        "teams": [{"id": 0, "edges": [{"program": place, "action": place} for place in (0, 1)]}],
+        "programs": [
+            {"id": place, "lines": [{"to": 0, "op": "add", "args": [name, "zero[0]"]}]}
+            for place, name in enumerate(("x[0]", "one[0]"))
+        ],
+    }
+    right = {}
+    for scalar in ("f32", "f64"):
+        file = tmp_path / f"{scalar}.json"
+        file.write_text(json.dumps({**text, "scalar": scalar}))
+        right[scalar] = TPG.load(file, environments.Digits).evaluate(40).success_rate
+    assert right["f64"] == 1.0 and right["f32"] is not None and right["f32"] < 0.8
 
 
 @pytest.mark.parametrize("name", ["CartPole-v1", "Pendulum-v1", "MountainCarContinuous-v0"])
@@ -265,7 +315,7 @@ def test_settings_and_presets_are_checked() -> None:
         ({"preset": "best"}, "accepted: linear, frugal, general, continuous"),
         ({"settings": {"tpg.roots": 3}}, "tpg.roots"),
         ({"settings": {"tpg.nb_roots": 0}}, "nb_roots"),
-        ({"settings": {"language.scalar": "f64"}}, "f32"),
+        ({"scalar": "f16"}, "f16.*expected `f32` or `f64`"),
         ({"input_names": ["x"]}, "1 input_names; accepted: 2"),
     ]:
         with pytest.raises(InputError, match=message):
@@ -387,8 +437,10 @@ def test_hardware_in_the_loop() -> None:
             model.tell(candidates, [float("nan")] * len(candidates))
         model.tell(list(reversed(candidates)), returns)
     assert rounds > 5 and model.has_graph
-    learned = TPG(environments.Cart, **arguments).learn(model.num_timesteps)
-    assert learned.num_timesteps >= model.num_timesteps
+    learned = TPG(environments.Cart, **arguments).learn(20_000)
+    # A bench says nothing of success, which the file tells.
+    found, accepted = ((one.num_timesteps, one.graph.size, one.formula(), one.graph.ranges) for one in (model, learned))
+    assert found == accepted
     with pytest.raises(InputError, match="native=False"):
         TPG("CartPole-v1").ask()
 

@@ -16,9 +16,11 @@ sb3 = pytest.importorskip("stable_baselines3", reason="stable-baselines3 (with P
 torch = pytest.importorskip("torch", reason="PyTorch is not installed")
 
 from stable_baselines3.common.callbacks import BaseCallback  # noqa: E402
+from stable_baselines3.common.env_checker import check_env  # noqa: E402
 from stable_baselines3.common.evaluation import evaluate_policy  # noqa: E402
 
 from tpg_train import TPG, InputError, from_sb3  # noqa: E402
+from tpg_train.envs import IDS  # noqa: E402
 
 RELU: dict[str, Any] = {"activation_fn": torch.nn.ReLU}
 
@@ -91,6 +93,16 @@ def test_what_is_no_such_actor_is_refused() -> None:
         from_sb3(odd)
     with pytest.raises(InputError, match="4 inputs; accepted: 3"):
         from_sb3(trained("DQN", "CartPole-v1"), env=gymnasium.make("Pendulum-v1"))
+
+
+@pytest.mark.parametrize("name", sorted(IDS))
+def test_the_arm_is_an_environment_of_theirs(name: str) -> None:
+    check_env(gymnasium.make(name))
+
+
+def test_they_train_on_the_arm_and_the_actor_becomes_integers() -> None:
+    policy = from_sb3(trained("PPO", "tpg_train/WidowX-v0", n_steps=200, policy_kwargs=RELU))
+    assert policy.agreement["mean_difference"] < 0.03 and policy.verify(500) == 500
 
 
 def test_evaluate_policy_works_on_our_models() -> None:

@@ -110,6 +110,7 @@ class TPG:
         folder: keeps the run, for `resume=True` in a later process and for `tpg-train report`; by default temporary.
         max_episode_steps: cuts episodes; by default the environment's own limit, or 10,000.
         input_names: names of the observation's values, for formulas.
+        scalar: "f32" or "f64": what the policy and its code compute in; by default the preset's, which is "f32".
     """
 
     def __init__(
@@ -127,6 +128,7 @@ class TPG:
         resume: bool = False,
         max_episode_steps: int | None = None,
         input_names: Sequence[str] | None = None,
+        scalar: str | None = None,
         verbose: int = 0,
     ) -> None:
         self.seed, self.verbose, self.n_workers = int(seed), verbose, n_workers
@@ -135,7 +137,7 @@ class TPG:
         self.native: str | None = known if native and max_episode_steps is None and input_names is None else None
         if self.native is not None:
             self._say(f"{self._interface.name} runs as the built-in problem {known}; native=False runs Gymnasium's")
-        self._config = self._configuration(preset, settings or {}, population, episodes)
+        self._config = self._configuration(preset, settings or {}, population, episodes, scalar)
         self._temporary = tempfile.TemporaryDirectory(prefix="tpg-") if folder is None else None
         self.folder = Path(folder if folder is not None else os.path.join(self._temporary.name, "run"))  # type: ignore[union-attr]
         self._resume = resume
@@ -187,7 +189,12 @@ class TPG:
     # Training
 
     def _configuration(
-        self, preset: str | None, settings: Mapping[str, Any], population: int | None, episodes: int | None
+        self,
+        preset: str | None,
+        settings: Mapping[str, Any],
+        population: int | None,
+        episodes: int | None,
+        scalar: str | None,
     ) -> str:
         chosen: dict[str, Any] = {"learning.nb_generations": 1_000_000}
         if preset is None:
@@ -210,6 +217,8 @@ class TPG:
             # The usual preset races after its first episode.
             if chosen.get("selection.racing_episodes", 1 if preset is None else 0) >= episodes:
                 chosen["selection.racing_episodes"] = 0
+        if scalar is not None:
+            chosen["language.scalar"] = scalar
         chosen.update(settings)
         return _tpg.configuration(name, json.dumps(chosen))
 

@@ -168,7 +168,7 @@ class Interface:
         space = self.observation_space
         if isinstance(space, spaces.Box):
             return None
-        return lambda observation: np.asarray(spaces.flatten(space, observation), dtype=np.float32)
+        return lambda observation: np.asarray(spaces.flatten(space, observation), dtype=np.float64)
 
     def encode(self) -> Callable[[Sequence[float]], NDArray[Any]] | None:
         """Returns the function that makes an action of a policy's values; None where a flat array of float32 is one."""

@@ -87,7 +87,7 @@ fn sb3(run: &mut Run, python: &str, place: &Path, wanted: bool) {
     };
     match ready() {
         Ok(venv) => {
-            let example = "tests/test_examples.py::test_an_example_runs[sb3_to_microcontroller]";
+            let example = "tests/test_examples.py::test_a_notebook_runs[sb3_to_microcontroller]";
             run.tests("pytest with PyTorch", tests(&venv, place, &["tests/test_sb3.py", example]));
         }
         Err(error) => run.failed("pytest with PyTorch", &error),
@@ -137,9 +137,7 @@ fn wheel(venv: &Path, place: &Path, release: bool) -> io::Result<PathBuf> {
     let mut build = Command::new(&python);
     build.args(["-m", "maturin", "build", "--quiet", "--manifest-path"]).arg(folder().join("Cargo.toml"));
     build.arg("--out").arg(&wheels).arg("--interpreter").arg(&python).env("PYO3_PYTHON", &python);
-    if release {
-        build.arg("--release");
-    }
+    build.args(["--profile", if release { "wheel" } else { "dev" }]);
     step(build)?;
     let wheel = newest(&wheels)?;
     let size = fs::metadata(&wheel)?.len();
