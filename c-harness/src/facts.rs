@@ -99,8 +99,9 @@ pub(crate) fn of(language: &str) -> Facts {
         facts.loops.extend([
             // Two sources at most.
             ("Source$GT$9fill_each", vec![2]),
-            // Four edges of the base; the sides are not a loop here, and no more the edges that a part of the arm may meet.
+            // Four edges of the base; the sides are not a loop here.
             ("9clearance7nearest", vec![4]),
+            // Four parts of the arm; the edges of the base are not a loop here.
             ("9collision10meets_base", vec![4]),
         ]);
     }
