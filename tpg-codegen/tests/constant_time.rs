@@ -181,7 +181,7 @@ fn nor_where_operands_are_constants() {
     }
     let names = ["add", "min", "max", "negate_if_less"];
     let bounds = LoopBounds::new();
-    for seed in 0..tpg_testing::amount(6, 30) {
+    for seed in 0..tpg_testing::amount(6, 15) {
         let shape = Shape {
             teams: 6,
             scalar: ScalarType::F32,
@@ -230,7 +230,7 @@ fn a_tiny_graph_takes_at_most_twice_the_instructions_of_fast_code() {
     let fixture = |name: &str, text| Graph::from_json(name, text).expect("a valid graph");
     let formula = vec![fixture("formula", include_str!("fixtures/formula.json"))];
     let cartpole = vec![fixture("cartpole", include_str!("fixtures/cartpole.json"))];
-    let random: Vec<Graph> = (0..tpg_testing::amount(12, 60)).map(tiny).collect();
+    let random: Vec<Graph> = (0..tpg_testing::amount(12, 40)).map(tiny).collect();
     for (language, level, hiding) in [(Language::C, "-Os", 0), (Language::Rust, "s", 8)] {
         let compiler = Compiler::new(language, level);
         let instructions = |graph: &Graph, profile| {

@@ -61,7 +61,7 @@ fn many_with_outputs(seed: u64) -> Shape {
 }
 
 fn count() -> usize {
-    let usual = tpg_testing::amount(4, 24);
+    let usual = tpg_testing::amount(4, 12);
     std::env::var("TPG_RANDOM_GRAPHS").map_or(usual, |text| text.parse().expect("TPG_RANDOM_GRAPHS is a number"))
 }
 

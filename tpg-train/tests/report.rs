@@ -21,7 +21,7 @@ fn a_report_shows_every_run_and_is_the_same_wherever_the_runs_are() {
     evolve(&evolved, "fs", "1..3");
     let sac = place.path().join("sac");
     let mut command = tpg_train();
-    command.args(["sac", "--problem", "rs", "--decisions", "12000", "--out"]).arg(&sac);
+    command.args(["sac", "--problem", "rs", "--decisions", "3000", "--out"]).arg(&sac);
     command.assert().success();
 
     let report = |runs: &[&Path]| {

@@ -38,9 +38,23 @@ fn a_few_thousand_decisions_swing_the_pendulum_up() {
     assert!(before < -900.0 && after > -400.0, "{before} before, {after} after");
 }
 
+/// Writes the preset `general` with an early first validation of few episodes.
+fn short(file: &Path) {
+    let mut text = presets::find("general").expect("a preset").text.to_owned();
+    for (usual, short) in [("random_decisions = 1_000", "random_decisions = 200"), ("every = 4_000", "every = 1_000")] {
+        assert!(text.contains(usual), "{usual}");
+        text = text.replace(usual, short);
+    }
+    fs::write(file, text.replace("episodes = 100 ", "episodes = 10 ")).expect("it can be written");
+}
+
+/// Trains for a few updates, beside a configuration that it writes.
 fn train(folder: &Path, more: &[&str]) -> std::process::Command {
+    let config = folder.with_extension("toml");
+    short(&config);
     let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_tpg-train"));
-    command.args(["sac", "--problem", "pendulum", "--max-steps", "5000", "--out"]).arg(folder).args(more);
+    command.args(["sac", "--problem", "pendulum", "--max-steps", "1500", "--config"]).arg(config);
+    command.arg("--out").arg(folder).args(more);
     command.stdout(Stdio::null()).stderr(Stdio::null());
     command
 }
@@ -74,14 +88,11 @@ fn killed_and_resumed_a_run_ends_in_the_same_bytes() {
 #[test]
 fn no_output_depends_on_how_the_configuration_is_called() {
     let place = tempfile::tempdir().expect("a temporary folder");
-    let text = presets::find("general").expect("a preset").text;
     fs::create_dir(place.path().join("other")).expect("it can be made");
-    ["mine.toml", "other/same.toml"].iter().for_each(|name| {
-        fs::write(place.path().join(name), text).expect("it can be written");
-    });
+    ["mine.toml", "other/same.toml"].iter().for_each(|name| short(&place.path().join(name)));
     let run = |config: &str, folder: &str| {
         let mut command = tpg_train();
-        command.current_dir(place.path()).args(["sac", "--problem", "pendulum", "--max-steps", "1500"]);
+        command.current_dir(place.path()).args(["sac", "--problem", "pendulum", "--max-steps", "600"]);
         command.args(["--config", config, "--out", folder]).assert().success();
         results(&place.path().join(folder))
     };
