@@ -63,7 +63,7 @@ impl ActionSpace {
     /// assert_eq!(ActionSpace::discrete(["left", "right"]).count(), Some(2));
     /// ```
     pub fn discrete<'a>(names: impl IntoIterator<Item = &'a str>) -> Self {
-        let action = |(id, name): (u32, &str)| ActionDocument { id, name: name.to_owned(), effect: None };
+        let action = |(id, name): (u32, &str)| ActionDocument { id, name: name.to_owned(), effect: None, ask: None };
         Self::Discrete((0..).zip(names).map(action).collect())
     }
 

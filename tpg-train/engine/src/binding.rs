@@ -10,8 +10,8 @@ use tpg_runtime::scalar::Scalar;
 /// matched by name, in any order.
 ///
 /// # Errors
-/// If the graph reads a source that the environment does not have, or takes an action that it does not know. `file` is
-/// the name shown in the error.
+/// If the graph reads a source that the environment does not have, takes an action that it does not know, or asks a policy
+/// that it does not have. `file` is the name shown in the error.
 pub fn bind<S: Scalar>(
     file: &str,
     graph: &Graph,
@@ -59,7 +59,12 @@ pub fn bind<S: Scalar>(
     };
     let mut actions = Vec::new();
     for (number, action) in graph.actions().iter().enumerate() {
-        let Some(at) = named.iter().position(|other| other.name == action.name) else {
+        if let Some(asked) = action.ask.as_ref().filter(|_| !named.iter().any(|other| other.ask == action.ask)) {
+            let found = format!("{asked:?}: a graph that does not act alone");
+            let accepted = format!("{asked} beside the graph: `tpg-train eval --hybrid hybrid.toml` names both");
+            return Err(refuse(format!("$.actions[{number}].ask"), found, accepted));
+        }
+        let Some(at) = named.iter().position(|other| other.name == action.name && other.ask == action.ask) else {
             let names: Vec<&str> = named.iter().map(|action| action.name.as_str()).collect();
             let (path, found) = (format!("$.actions[{number}].name"), format!("{:?}", action.name));
             return Err(refuse(path, found, names.join(", ")));
