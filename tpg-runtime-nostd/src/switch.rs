@@ -242,6 +242,13 @@ pub struct Turn<A> {
     pub asked: bool,
 }
 
+impl<A> Turn<A> {
+    /// The policy whose turn it was: the first one's where it asked.
+    pub fn driver(&self) -> Driver {
+        if self.asked { Driver::Tpg } else { self.chosen.driver }
+    }
+}
+
 /// A [`Switch`] whose first policy can ask: the second one then decides a single action, and the turn stays the first
 /// one's. The rules judge the state behind such an action as behind the first policy's own.
 ///

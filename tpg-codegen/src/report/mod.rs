@@ -186,7 +186,7 @@ pub fn report(graph: &Graph, options: &Options, targets: &[Target], set: &StateS
         maths: graph.maths(),
         conversion: options.conversion.clone(),
         graph: counts(optimised),
-        asks: graph.actions().iter().filter_map(|action| action.ask.clone()).collect(),
+        asks: graph.asks().map(str::to_owned).collect(),
         dead_inputs: dead_inputs(optimised),
         removed: log.counts(),
         states: set.origin.clone(),

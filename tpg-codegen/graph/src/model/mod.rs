@@ -252,6 +252,11 @@ impl Graph {
         &self.actions
     }
 
+    /// Returns the other policies that actions ask, by name; a graph that asks none acts alone.
+    pub fn asks(&self) -> impl Iterator<Item = &str> {
+        self.actions.iter().filter_map(|action| action.ask.as_deref())
+    }
+
     /// Returns the number of values that leaves compute for the next decision: the last of the [outputs](Self::outputs),
     /// and, under the same names, the last of the [sources](Self::sources), each of one value.
     ///
