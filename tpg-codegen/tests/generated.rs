@@ -4,6 +4,7 @@ use crate::common::{COMBINATIONS, emit_into, fixture, options, run, shaped};
 use std::process::Command;
 use tempfile::TempDir;
 use tpg_codegen::emit::{self, Language, Profile, Style};
+use tpg_codegen::explain::explain;
 use tpg_graph::sample::{self, Shape};
 use tpg_graph::{Document, Graph, MathsProvider, ScalarType};
 
@@ -29,6 +30,26 @@ fn the_gegelati_header_of_every_instruction() {
 fn the_rust_of_every_instruction() {
     let graph = fixture(ScalarType::F32, MathsProvider::Own);
     insta::assert_snapshot!("arm.rs", text(&graph, Language::Rust, Style::Pure, "arm.rs"));
+}
+
+#[test]
+fn an_action_that_asks_is_named_where_code_is_read() {
+    let mut document = sample::graph(&Shape::default(), 7).to_document();
+    (document.actions[1].name, document.actions[1].ask) = ("help".to_owned(), Some("network".to_owned()));
+    let graph = Graph::from_document("asking", document.clone()).expect("a valid graph");
+    let header = text(&graph, Language::C, Style::Pure, "arm.h");
+    assert!(header.contains("\n * 1 help (asks network)\n"), "{header}");
+    assert!(header.contains("\n#define ARM_ASKS_NETWORK 1U\n"), "{header}");
+    let rust = text(&graph, Language::Rust, Style::Pure, "arm.rs");
+    assert!(rust.contains("/// - 1: help (asks network)\n"), "{rust}");
+    assert!(rust.contains("    pub const ASKS_NETWORK: ActionId = ActionId(1);\n"), "{rust}");
+    assert!(explain(&graph, &options("arm", Style::Pure)).contains("action 1 help (asks network)"));
+    // Nothing else of the code knows of it.
+    document.actions[1].ask = None;
+    let alone = Graph::from_document("alone", document).expect("a valid graph");
+    let body =
+        |graph: &Graph| text(graph, Language::C, Style::Pure, "arm.c").split_once("*/").expect("a banner").1.to_owned();
+    assert_eq!(body(&graph), body(&alone));
 }
 
 /// The fixture with this many actions and, in front of its root, this many more teams, each leading to the next.

@@ -68,7 +68,7 @@ pub struct Chosen<A> {
     pub wanted: A,
 }
 
-/// The reason why the second policy took over. Where several reasons fall together the first of these counts.
+/// The reason why the second policy took over. Where several of the rules' reasons fall together the first of these counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Cause {
     /// The first policy's action was not executed: the guard refused it.
@@ -79,14 +79,16 @@ pub enum Cause {
     Stop,
     /// The first policy came to a state where it had been before.
     Cycle,
+    /// The first policy asked, for one action: see [`AskSwitch`].
+    Asked,
 }
 
-/// The number of causes.
+/// The number of causes that a [`Switch`] has of its own: the rules, all but [`Cause::Asked`].
 pub const CAUSES: usize = 4;
 
 impl Cause {
-    /// Every cause, in order.
-    pub const ALL: [Self; CAUSES] = [Self::Guard, Self::Drift, Self::Stop, Self::Cycle];
+    /// Every cause, in order; the rules come first.
+    pub const ALL: [Self; CAUSES + 1] = [Self::Guard, Self::Drift, Self::Stop, Self::Cycle, Self::Asked];
 
     /// The name in tables.
     pub const fn name(self) -> &'static str {
@@ -95,6 +97,7 @@ impl Cause {
             Self::Drift => "drift",
             Self::Stop => "stop",
             Self::Cycle => "cycle",
+            Self::Asked => "asked",
         }
     }
 }
@@ -106,7 +109,7 @@ pub struct Counts {
     pub tpg_actions: u32,
     /// Actions of the second policy.
     pub sac_actions: u32,
-    /// Hand-overs to the second policy, by cause, in the order of [`Cause::ALL`].
+    /// Hand-overs to the second policy by a rule, in the order of [`Cause::ALL`].
     pub hand_overs: [u32; CAUSES],
     /// Times that the second policy handed back.
     pub hand_backs: u32,
@@ -173,24 +176,7 @@ impl<S: Scalar, D> Switch<S, D> {
     {
         self.ended(driver);
         match driver {
-            Driver::Tpg => {
-                if distance < self.best {
-                    self.best = distance;
-                }
-                // Asked in any case: it must learn of every state of the first policy.
-                let repeats = self.detector.repeats(key);
-                let cause = if distance > self.best + self.settings.separation {
-                    Cause::Drift
-                } else if rests {
-                    Cause::Stop
-                } else if repeats {
-                    Cause::Cycle
-                } else {
-                    return None;
-                };
-                self.hand_over(cause);
-                Some(cause)
-            }
+            Driver::Tpg => self.judged(rests, key, distance),
             Driver::Sac => {
                 if self.left != NEVER {
                     self.left = self.left.saturating_sub(1);
@@ -205,12 +191,144 @@ impl<S: Scalar, D> Switch<S, D> {
         }
     }
 
+    /// Applies the rules to the state behind an action in the first policy's turn.
+    #[inline(always)] // as `acted`
+    fn judged<K>(&mut self, rests: bool, key: K, distance: S) -> Option<Cause>
+    where
+        D: CycleDetector<K>,
+    {
+        if distance < self.best {
+            self.best = distance;
+        }
+        // The detector is asked in any case: it must learn of every state of the first policy's turn.
+        let repeats = self.detector.repeats(key);
+        let cause = if distance > self.best + self.settings.separation {
+            Cause::Drift
+        } else if rests {
+            Cause::Stop
+        } else if repeats {
+            Cause::Cycle
+        } else {
+            return None;
+        };
+        self.hand_over(cause);
+        Some(cause)
+    }
+
     fn hand_over(&mut self, cause: Cause) {
         self.driver = Driver::Sac;
         self.left = self.settings.hand_back_after;
         if let Some(count) = self.counts.hand_overs.get_mut(cause as usize) {
             *count = count.saturating_add(1);
         }
+    }
+}
+
+/// An answer of a first policy that can ask the second one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Answer<A> {
+    /// An action of its own.
+    Act(A),
+    /// The second policy decides this action.
+    Ask,
+}
+
+/// An action by either policy, and the reason if the second chose it in the first one's turn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Turn<A> {
+    /// The action and the policy that chose it.
+    pub chosen: Chosen<A>,
+    /// True if the second policy chose because the first asked.
+    pub asked: bool,
+}
+
+impl<A> Turn<A> {
+    /// The policy whose turn it was: the first one's where it asked.
+    pub fn driver(&self) -> Driver {
+        if self.asked { Driver::Tpg } else { self.chosen.driver }
+    }
+}
+
+/// A [`Switch`] whose first policy can ask: the second one then decides a single action, and the turn stays the first
+/// one's. The rules judge the state behind such an action as behind the first policy's own.
+///
+/// ```
+/// use tpg_runtime::cycle::Brent;
+/// use tpg_runtime::policy::Policy;
+/// use tpg_runtime::switch::{Answer, AskSwitch, Hybrid, Settings, Switch, Unguarded};
+///
+/// /// Walks by 1, and asks at every third place.
+/// struct Walk;
+/// impl Policy for Walk {
+///     type State = i32;
+///     type Action = Answer<i32>;
+///     fn decide(&self, place: &i32) -> Answer<i32> { if place % 3 == 2 { Answer::Ask } else { Answer::Act(1) } }
+/// }
+///
+/// /// Leaps over it.
+/// struct Leap;
+/// impl Policy for Leap {
+///     type State = i32;
+///     type Action = i32;
+///     fn decide(&self, _place: &i32) -> i32 { 2 }
+/// }
+///
+/// // Nothing but asking hands over: the separation is infinite, and no state repeats.
+/// let hybrid = Hybrid { tpg: Walk, sac: Leap };
+/// let settings = Settings { hand_back_after: 1, separation: f32::INFINITY };
+/// let (mut place, distance) = (0, |place: i32| (9 - place) as f32);
+/// let mut switch = AskSwitch::new(Switch::new(settings, Brent::new(), place, distance(place)));
+/// while place < 9 {
+///     let turn = hybrid.decide_or_ask(&mut switch, &place, &Unguarded);
+///     place += turn.chosen.wanted;
+///     switch.acted(&turn, false, place, distance(place));
+/// }
+/// assert_eq!((switch.asks(), switch.counts().tpg_actions, switch.counts().sac_actions), (3, 4, 3));
+/// ```
+#[derive(Clone, Debug)]
+pub struct AskSwitch<S, D> {
+    rules: Switch<S, D>,
+    asks: u32,
+}
+
+impl<S: Scalar, D> AskSwitch<S, D> {
+    /// Lets the first policy of a switch ask; call it at the start of an episode.
+    pub fn new(rules: Switch<S, D>) -> Self {
+        Self { rules, asks: 0 }
+    }
+
+    /// The policy whose turn it is.
+    pub fn driver(&self) -> Driver {
+        self.rules.driver()
+    }
+
+    /// Actions that the first policy asked for: the count of [`Cause::Asked`].
+    pub fn asks(&self) -> u32 {
+        self.asks
+    }
+
+    /// Counts of the rules so far. Actions that were asked for count as the second policy's.
+    pub fn counts(&self) -> &Counts {
+        self.rules.counts()
+    }
+
+    /// Notes an action that ended the episode.
+    pub fn ended<A>(&mut self, turn: &Turn<A>) {
+        self.rules.ended(turn.chosen.driver);
+        self.asks = self.asks.saturating_add(turn.asked.into());
+    }
+
+    /// Notes an action that did not end the episode, and the state behind it; see [`Switch::acted`]. Returns the reason why
+    /// the second policy acts next, or why it acted.
+    pub fn acted<A, K>(&mut self, turn: &Turn<A>, rests: bool, key: K, distance: S) -> Option<Cause>
+    where
+        D: CycleDetector<K>,
+    {
+        if !turn.asked {
+            return self.rules.acted(turn.chosen.driver, rests, key, distance);
+        }
+        self.ended(turn);
+        self.rules.judged(rests, key, distance).or(Some(Cause::Asked))
     }
 }
 
@@ -306,5 +424,36 @@ impl<T: Policy, P: Policy<State = T::State, Action = T::Action>> Hybrid<T, P> {
         }
         // Refused once, it would be refused again.
         guard.mend(state, self.sac.decide(state), || if drives { None } else { first() })
+    }
+}
+
+impl<A, T: Policy<Action = Answer<A>>, P: Policy<State = T::State, Action = A>> Hybrid<T, P> {
+    /// The next action where the first policy can ask. A guard judges what the first policy wants itself, and mends
+    /// what the second one answers, whether it was asked or has its turn.
+    pub fn decide_or_ask<S: Scalar, D>(
+        &self,
+        switch: &mut AskSwitch<S, D>,
+        state: &T::State,
+        guard: &impl Guard<T::State, A>,
+    ) -> Turn<A> {
+        if switch.driver() == Driver::Sac {
+            let again = || match self.tpg.decide(state) {
+                Answer::Act(wanted) => Some(wanted).filter(|wanted| !guard.refuses(state, wanted)),
+                Answer::Ask => None,
+            };
+            return Turn { chosen: guard.mend(state, self.sac.decide(state), again), asked: false };
+        }
+        let asked = match self.tpg.decide(state) {
+            Answer::Act(wanted) if !guard.refuses(state, &wanted) => {
+                return Turn { chosen: Chosen { driver: Driver::Tpg, wanted }, asked: false };
+            }
+            Answer::Act(_) => {
+                switch.rules.refused();
+                false
+            }
+            Answer::Ask => true,
+        };
+        // The first policy has nothing of its own that may be executed.
+        Turn { chosen: guard.mend(state, self.sac.decide(state), || None), asked }
     }
 }

@@ -23,6 +23,18 @@ impl<S> Decision<S> {
     }
 }
 
+impl Decision<f32> {
+    /// Returns the same decision in another scalar type.
+    pub fn widened<S: Scalar>(self) -> Decision<S> {
+        match self {
+            Self::Choice(action) => Decision::Choice(action),
+            Self::Values(values) => {
+                Decision::Values(values.into_iter().map(|value| S::from_f64(f64::from(value))).collect())
+            }
+        }
+    }
+}
+
 /// A running episode with its flat state and its score.
 #[derive(Debug)]
 pub struct Course<'e, S: Scalar, E: Environment<S>> {

@@ -353,7 +353,7 @@ fn memory(index: u32) -> MemoryDocument {
 }
 
 fn action(id: u32) -> ActionDocument {
-    ActionDocument { id, name: format!("action {id}"), effect: None }
+    ActionDocument { id, name: format!("action {id}"), effect: None, ask: None }
 }
 
 #[cfg(test)]

@@ -204,6 +204,19 @@ fn json() {
             "an action with two effects",
             &[("\"move\":[3,0,0,0]", "\"move\":[3],\"effect\":{\"name\":\"f\",\"values\":[1]}")],
         ),
+        ("an action that asks nobody", &[("\"left\"", "\"left\",\"ask\":\"\"")]),
+        ("an action that asks beside an effect", &[("\"move\":[3,0,0,0]", "\"move\":[3,0,0,0],\"ask\":\"network\"")]),
+        (
+            "actions that all ask",
+            &[("\"left\"", "\"left\",\"ask\":\"network\""), ("\"move\":[3,0,0,0]", "\"ask\":\"planner\"")],
+        ),
+        (
+            "two actions that ask the same",
+            &[
+                ("\"left\"", "\"left\",\"ask\":\"network\""),
+                ("\"move\":[3,0,0,0]}", "\"ask\":\"network\"},{\"id\":2,\"name\":\"up\"}"),
+            ],
+        ),
         ("an effect that is not finite", &[("[3,0,0,0]", "[3,0,0,1e999]")]),
         ("an edge to a missing team", &[("\"team\":9", "\"team\":8")]),
         ("an edge to a missing action", &[("\"action\":1", "\"action\":2")]),

@@ -61,6 +61,7 @@ fn everything_of_a_hand_written_graph_survives() {
     document.sources[0].ranges[0] = [-0.0, 5e-324];
     document.actions[0].name = "left's \"3\"".to_owned();
     document.actions[0].effect = Some(Effect::new("move", [-3.0, 0.0, 127.0, -128.5]));
+    document.actions[1].ask = Some("network".to_owned());
     document.scalar = tpg_graph::ScalarType::F64;
     document.provenance.seed = Some(u64::MAX);
     document.provenance.config =

@@ -46,7 +46,7 @@ pub fn figure(graph: &Graph) -> Figure {
             }
             Node::Action(action) => {
                 let name = match graph.actions().get(action) {
-                    Some(action) => action.name.clone(),
+                    Some(action) => action.to_string(),
                     None => graph.end_name(ActionId(action as u16)),
                 };
                 svg.rect("body", [at[0] - 44.0, at[1] - 11.0], [88.0, 22.0], &name);

@@ -101,7 +101,7 @@ impl TeamFormulas {
             let (to, team) = match edge.to {
                 Target::Team(team) => (format!("team {}", module.teams[team].label), Some(team)),
                 Target::Action(end) if spelling == Spelling::Short && module.graph.leaves().is_empty() => {
-                    (module.graph.actions()[usize::from(end.0)].name.clone(), None)
+                    (module.graph.actions()[usize::from(end.0)].to_string(), None)
                 }
                 Target::Action(end) => (module.graph.end_name(end), None),
             };

@@ -83,7 +83,7 @@ impl<'a> Facts<'a> {
                     range: source.ranges.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "),
                 })
                 .collect(),
-            actions: graph.actions().iter().map(|action| cell(&action.name)).collect(),
+            actions: graph.actions().iter().map(|action| cell(&action.to_string())).collect(),
             outputs: answered
                 .iter()
                 .map(|output| Row {

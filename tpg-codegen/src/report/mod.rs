@@ -33,6 +33,9 @@ pub struct Report {
     pub conversion: Option<Conversion>,
     /// The graph's size.
     pub graph: GraphCounts,
+    /// Other policies that the graph asks, by name; left out of JSON where there are none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub asks: Vec<String>,
     /// Values of the state that no action depends on, by name.
     pub dead_inputs: Vec<String>,
     /// The passes' removals.
@@ -183,6 +186,7 @@ pub fn report(graph: &Graph, options: &Options, targets: &[Target], set: &StateS
         maths: graph.maths(),
         conversion: options.conversion.clone(),
         graph: counts(optimised),
+        asks: graph.asks().map(str::to_owned).collect(),
         dead_inputs: dead_inputs(optimised),
         removed: log.counts(),
         states: set.origin.clone(),

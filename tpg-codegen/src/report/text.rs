@@ -12,8 +12,10 @@ impl fmt::Display for Report {
         let GraphCounts {
             teams, depth, edges, programs, actions, outputs, memory, leaves, inputs, lines, introns, ..
         } = self.graph;
+        let asks = &self.asks;
         let answers = match outputs {
-            0 => counted(actions, "action"),
+            0 if asks.is_empty() => counted(actions, "action"),
+            0 => format!("{}, of which {} asks {}", counted(actions, "action"), asks.len(), asks.join(", ")),
             _ => format!(
                 "{} with {}{}",
                 if leaves == 1 { "1 leaf".to_owned() } else { format!("{leaves} leaves") },

@@ -19,6 +19,9 @@ extern "C" {
 {%- endfor %}
  */
 #define {{ upper }}_ACTIONS {{ actions.len() }}U
+{%- for (name, number) in asks %}
+#define {{ upper }}_ASKS_{{ name }} {{ number }}U
+{%- endfor %}
 {%- else %}
 #define {{ upper }}_OUTPUTS {{ outputs.len() }}U
 {%- endif %}

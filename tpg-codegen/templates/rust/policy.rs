@@ -37,6 +37,10 @@ impl {{ name }} {
 {%- if outputs.is_empty() %}
     /// Actions.
     pub const ACTIONS: usize = {{ actions.len() }};
+{%- for (name, number) in asks %}
+    /// The action that lets another policy decide this step.
+    pub const ASKS_{{ name }}: ActionId = ActionId({{ number }});
+{%- endfor %}
 {%- else %}
     /// Outputs.
     pub const OUTPUTS: usize = {{ outputs.len() - memory.len() }};

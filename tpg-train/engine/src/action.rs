@@ -63,8 +63,31 @@ impl ActionSpace {
     /// assert_eq!(ActionSpace::discrete(["left", "right"]).count(), Some(2));
     /// ```
     pub fn discrete<'a>(names: impl IntoIterator<Item = &'a str>) -> Self {
-        let action = |(id, name): (u32, &str)| ActionDocument { id, name: name.to_owned(), effect: None };
+        let action = |(id, name): (u32, &str)| ActionDocument { id, name: name.to_owned(), effect: None, ask: None };
         Self::Discrete((0..).zip(names).map(action).collect())
+    }
+
+    /// Adds to a discrete space an action `ask`, which asks another policy; any other space stays as it is.
+    ///
+    /// ```
+    /// use tpg_engine::ActionSpace;
+    ///
+    /// let space = ActionSpace::discrete(["left", "right"]).with_ask("network");
+    /// assert_eq!(space.asking("network").map(|action| action.0), Some(2));
+    /// ```
+    #[must_use]
+    pub fn with_ask(mut self, asked: &str) -> Self {
+        if let Self::Discrete(actions) = &mut self {
+            let (id, name) = (actions.len() as u32, "ask".to_owned());
+            actions.push(ActionDocument { id, name, effect: None, ask: Some(asked.to_owned()) });
+        }
+        self
+    }
+
+    /// Returns the action that asks a policy, if there is one.
+    pub fn asking(&self, asked: &str) -> Option<ActionId> {
+        let Self::Discrete(actions) = self else { return None };
+        actions.iter().position(|action| action.ask.as_deref() == Some(asked)).map(|place| ActionId(place as u16))
     }
 
     /// Returns the outputs of a box; empty for any other space.

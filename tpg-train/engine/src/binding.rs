@@ -1,25 +1,38 @@
 //! Binding of a graph to an environment: maps the graph's sources and actions to those of the environment.
 
+use crate::action::{ActionSpace, Output};
 use crate::environment::Environment;
 use crate::policy::{Destination, Edge, Line, Operand, PolicyGraph};
 use tpg_graph::error::{InputError, Place};
-use tpg_graph::{Graph, Input};
+use tpg_graph::{Action, ActionDocument, Graph, Input, SourceDocument};
 use tpg_runtime::scalar::Scalar;
 
 /// Turns a graph into a policy for an environment with named actions, or with outputs. Sources, actions and outputs are
 /// matched by name, in any order.
 ///
 /// # Errors
-/// If the graph reads a source that the environment does not have, or takes an action that it does not know. `file` is
-/// the name shown in the error.
+/// If the graph reads a source that the environment does not have, takes an action that it does not know, or asks a policy
+/// that it does not have. `file` is the name shown in the error.
 pub fn bind<S: Scalar>(
     file: &str,
     graph: &Graph,
     environment: &impl Environment<S>,
 ) -> Result<PolicyGraph, InputError> {
+    bind_to(file, graph, &environment.sources(), &environment.actions())
+}
+
+/// Turns a graph into a policy of these sources and actions: see [`bind`].
+///
+/// # Errors
+/// As [`bind`].
+pub fn bind_to(
+    file: &str,
+    graph: &Graph,
+    known: &[SourceDocument],
+    space: &ActionSpace,
+) -> Result<PolicyGraph, InputError> {
     let refuse =
         |path: String, found: String, accepted: String| InputError::new(file, Place::Path(path), found, accepted);
-    let known = environment.sources();
     let mut places = Vec::new();
     for (number, source) in graph.sources().iter().enumerate() {
         let path = || format!("$.sources[{number}].name");
@@ -35,8 +48,7 @@ pub fn bind<S: Scalar>(
         let first: usize = known[..at].iter().map(|source| source.length as usize).sum();
         places.extend((first..first + length).map(|place| place as u16));
     }
-    let space = environment.actions();
-    if let (crate::ActionSpace::Box(known), false) = (&space, graph.outputs().is_empty()) {
+    if let (ActionSpace::Box(known), false) = (space, graph.outputs().is_empty()) {
         let outputs = outputs(graph, known, refuse)?;
         let PolicyGraph { outputs: limits, leaves, .. } = PolicyGraph::from(graph);
         let order = |list: &[u32]| outputs.iter().map(|&at| list[at]).collect();
@@ -53,13 +65,18 @@ pub fn bind<S: Scalar>(
             "a graph that chooses among the problem's actions".to_owned(),
         ));
     }
-    let crate::ActionSpace::Discrete(named) = space else {
+    let ActionSpace::Discrete(named) = space else {
         let found = format!("a graph that chooses among {} actions", graph.actions().len());
         return Err(refuse("$.actions".to_owned(), found, "a problem with named actions".to_owned()));
     };
     let mut actions = Vec::new();
     for (number, action) in graph.actions().iter().enumerate() {
-        let Some(at) = named.iter().position(|other| other.name == action.name) else {
+        let Some(at) = named.iter().position(|other| is_same(action, other)) else {
+            if let Some(asked) = &action.ask {
+                let found = format!("{asked:?}: a graph that does not act alone");
+                let accepted = "the asked policy beside the graph: `tpg-train eval --tpg GRAPH --policy FILE`";
+                return Err(refuse(format!("$.actions[{number}].ask"), found, accepted.to_owned()));
+            }
             let names: Vec<&str> = named.iter().map(|action| action.name.as_str()).collect();
             let (path, found) = (format!("$.actions[{number}].name"), format!("{:?}", action.name));
             return Err(refuse(path, found, names.join(", ")));
@@ -69,10 +86,15 @@ pub fn bind<S: Scalar>(
     Ok(renumbered(PolicyGraph::from(graph), &places, &actions))
 }
 
+/// Compares a graph's action with an environment's: by what it asks, or else by name.
+fn is_same(action: &Action, other: &ActionDocument) -> bool {
+    action.ask == other.ask && (action.ask.is_some() || action.name == other.name)
+}
+
 /// Returns the place in the graph of each output that the environment expects.
 fn outputs(
     graph: &Graph,
-    known: &[crate::Output],
+    known: &[Output],
     refuse: impl Fn(String, String, String) -> InputError,
 ) -> Result<Vec<usize>, InputError> {
     if graph.outputs().len() != known.len() {

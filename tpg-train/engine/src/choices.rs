@@ -132,7 +132,10 @@ fn level(output: &Output, at: u16, levels: u16) -> f64 {
 }
 
 fn named(names: impl Iterator<Item = String>, effects: &[Effect]) -> ActionSpace {
-    let action = |(id, name): (u32, String)| ActionDocument { id, name, effect: effects.get(id as usize).cloned() };
+    let action = |(id, name): (u32, String)| {
+        let effect = effects.get(id as usize).cloned();
+        ActionDocument { id, name, effect, ask: None }
+    };
     ActionSpace::Discrete((0..).zip(names).map(action).collect())
 }
 

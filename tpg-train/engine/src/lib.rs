@@ -45,7 +45,7 @@ mod source_set;
 mod view;
 
 pub use action::{Act, ActionSpace, Acts, Choice, Output};
-pub use binding::bind;
+pub use binding::{bind, bind_to};
 pub use choices::{Choices, TooManyActions};
 pub use ending::{End, Ending, Measure, Preference, Step, Summary, finite};
 pub use environment::Environment;

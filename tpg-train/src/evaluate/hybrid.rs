@@ -1,6 +1,6 @@
 //! A hybrid on any problem but the arm's.
 
-use super::report::{EvaluationReport, HybridFigures};
+use super::report::{Asks, EvaluationReport, HybridFigures};
 use crate::hybrid::command::check_detector;
 use crate::hybrid::setting::Hybrid;
 use crate::hybrid::shared::{Episodes, Facts, Shared};
@@ -49,6 +49,7 @@ pub fn on_problem(
         network_actions: done.network_actions,
         hand_overs: hand_overs.collect(),
         hand_backs: done.hand_backs,
+        asks: Asks::of(&hybrid.graph.1, &done),
     };
     Ok(EvaluationReport { hybrid: Some(figures), ..general })
 }

@@ -14,7 +14,7 @@ pub mod hybrid;
 pub mod network;
 mod report;
 
-pub use report::{ArmFigures, EvaluationReport, HybridFigures, confidence};
+pub use report::{ArmFigures, Asks, EvaluationReport, HybridFigures, confidence};
 
 use crate::files::{read_graph, read_text};
 use crate::hybrid::command::setting_of;
@@ -35,7 +35,7 @@ pub struct EvalArgs {
     /// The problem
     #[arg(long, value_enum)]
     pub problem: ProblemName,
-    /// A graph; with --policy too, the graph hands over to the network
+    /// A graph; with --policy too, the graph hands over to the network, or asks it
     #[arg(long, value_name = "GRAPH", required_unless_present_any = ["policy", "hybrid"])]
     pub tpg: Option<PathBuf>,
     /// The problem's settings of this configuration. Default: those of the problem; for the arm, the arm that the graph was
@@ -131,14 +131,12 @@ fn on_a_problem(args: &EvalArgs) -> Result<EvaluationReport, InputError> {
             let (separation, patience) =
                 (args.separation.unwrap_or(f64::INFINITY), args.patience.unwrap_or(Span::NEVER));
             let detector = args.cycle_detector.unwrap_or_default();
-            let hybrid = Hybrid {
-                problem: name.to_owned(),
-                graph: (graph.display().to_string(), read_graph(graph)?),
-                network: (actor.clone(), Network::read(Path::new(actor))?),
-                setting: setting_of(args.hand_back_after, separation, patience, detector)?,
-            };
+            let (place, graph) = (graph.display().to_string(), read_graph(graph)?);
+            let setting = setting_of(&graph, args.hand_back_after, separation, patience, detector)?;
+            let file = format!("{place} with {actor}: {}", setting.sentence());
+            let network = (actor.clone(), Network::read(Path::new(actor))?);
+            let hybrid = Hybrid { problem: name.to_owned(), graph: (place, graph), network, setting };
             same_problem(name, actor, &hybrid.network.1)?;
-            let file = format!("{} with {actor}: {}", graph.display(), hybrid.setting.sentence());
             hybrid::on_problem(&graph_problem(args.problem, config)?, &file, &hybrid, args.episodes, args.seed)
         }
         (None, Some(path), None) => {

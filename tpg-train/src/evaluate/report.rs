@@ -1,11 +1,13 @@
 //! The figures that `tpg-train eval` prints.
 
 use crate::hybrid::arm::trial::HybridTrial;
+use crate::hybrid::trial;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use tpg_arm::hybrid::Cause;
-use tpg_engine::{Ending, Measure, Summary};
+use tpg_engine::{Ending, Measure, Summary, finite};
+use tpg_graph::Graph;
 use tpg_problems::ProblemName;
 use tpg_problems::arm::Shield;
 use tpg_problems::arm::environment::{DISTANCE, OUTCOMES};
@@ -84,6 +86,39 @@ pub struct HybridFigures {
     pub hand_overs: BTreeMap<String, f64>,
     /// The number of times per episode that the network handed back.
     pub hand_backs: f64,
+    /// The figures of a graph that asks; absent for any other.
+    #[serde(flatten)]
+    pub asks: Option<Asks>,
+}
+
+/// Figures that only a graph that asks has: means over the episodes, with 95 % intervals of ± 1.96 standard errors.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Asks {
+    /// The actions per episode that the graph asked the network for.
+    pub asks: f64,
+    /// Its interval.
+    pub asks_ci95: [f64; 2],
+    /// The interval of the mean score. Nothing is paid for asks here.
+    pub mean_score_ci95: [f64; 2],
+}
+
+impl Asks {
+    /// The figures of a trial; none if the graph does not ask.
+    pub fn of(graph: &Graph, done: &trial::HybridTrial) -> Option<Self> {
+        graph.asks().next()?;
+        let (asks, asks_ci95) = mean(done.asks.iter().map(|&asks| asks.into()));
+        let (_, mean_score_ci95) = mean(done.endings.iter().map(|ending| finite(ending.score)));
+        Some(Self { asks, asks_ci95, mean_score_ci95 })
+    }
+}
+
+/// The mean of values and its 95 % interval.
+fn mean(values: impl ExactSizeIterator<Item = f64> + Clone) -> (f64, [f64; 2]) {
+    let count = values.len().max(1) as f64;
+    let mean = values.clone().sum::<f64>() / count;
+    let squares: f64 = values.map(|value| (value - mean) * (value - mean)).sum();
+    let half = Z * (squares / (count - 1.0).max(1.0) / count).sqrt();
+    (mean, [mean - half, mean + half])
 }
 
 /// Lists hand-overs for people.
@@ -191,6 +226,10 @@ impl EvaluationReport {
                 row("actions", format!("{:.1} mean", self.mean_steps));
                 if let Some(hybrid) = &self.hybrid {
                     row("by the graph", listed(hybrid.tpg_action_ratio, &hybrid.hand_overs));
+                    if let Some(Asks { asks, asks_ci95: [few, many], mean_score_ci95: [low, high] }) = hybrid.asks {
+                        row("asks", format!("{asks:.2} an episode (95 %: {few:.2} to {many:.2})"));
+                        row("mean score", format!("95 %: {low:.2} to {high:.2}"));
+                    }
                 }
             }
         }
@@ -201,9 +240,11 @@ impl EvaluationReport {
     }
 }
 
+/// The 0.975 quantile of the normal distribution.
+const Z: f64 = 1.959_963_984_540_054;
+
 /// Wilson's 95 % interval of a rate that was seen in `count` episodes.
 pub fn confidence(rate: f64, count: usize) -> [f64; 2] {
-    const Z: f64 = 1.959_963_984_540_054;
     let n = count.max(1) as f64;
     let middle = (rate + Z * Z / (2.0 * n)) / (1.0 + Z * Z / n);
     let half = Z / (1.0 + Z * Z / n) * (rate * (1.0 - rate) / n + Z * Z / (4.0 * n * n)).sqrt();

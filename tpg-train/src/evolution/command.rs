@@ -9,18 +9,24 @@ use crate::configuration::{Chosen, Configuration};
 use crate::csv_text::{optional, table};
 use crate::files::{read_text, write_atomically};
 use crate::folder::{RunFolder, Trainer};
+use crate::hybrid::asking::{self, Asking};
 use crate::interrupt;
 use crate::progress::Bar;
 use crate::ranks::workplace::Workplace;
 use crate::run_args::{RunArgs, command_line};
+use crate::sac::network::decided;
 use clap::Args;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
-use tpg_engine::{Choices, EngineOptions, Environment, Evaluator, LocalThreads, Remembered, Remembering, Summary};
+use tpg_codegen::policy::QuantisedPolicy;
+use tpg_engine::{
+    AnyEpisode, AnyTask, Choices, EngineOptions, Environment, Evaluator, LocalThreads, Remembered, Remembering, Summary,
+};
 use tpg_graph::ScalarType;
 use tpg_graph::command::Verdict;
 use tpg_graph::error::InputError;
 use tpg_problems::arm::ArmScalar;
+use tpg_problems::registry::USUAL_LEVELS;
 use tpg_problems::{Problem, ProblemName};
 use tpg_runtime::ops::{Maths, Own};
 
@@ -85,8 +91,9 @@ pub fn execute(args: &TpgArgs, place: &impl Workplace) -> Result<Verdict, RunErr
     if let Some(generations) = args.generations {
         config.learning.nb_generations = generations;
     }
+    let network = config.ask.as_mut().map(|ask| asking::read(ask, &problem)).transpose()?;
     let stop = interrupt::watch();
-    let training = Training { args, config: &config, problem: &problem, stop: &stop, place };
+    let training = Training { args, config: &config, problem: &problem, network, stop: &stop, place };
     match config.language.scalar {
         ScalarType::F32 => training.run::<f32>(),
         ScalarType::F64 => training.run::<f64>(),
@@ -114,6 +121,8 @@ struct Training<'a, W> {
     args: &'a TpgArgs,
     config: &'a EvolutionConfig,
     problem: &'a Problem,
+    /// The network that policies can ask.
+    network: Option<QuantisedPolicy>,
     stop: &'a AtomicBool,
     place: &'a W,
 }
@@ -124,10 +133,22 @@ impl<W: Workplace> Training<'_, W> {
         Own: Maths<S>,
     {
         let environment = self.problem.environment::<S>();
-        let choices = Choices::new(&*environment, self.problem.levels())
+        // Actions must be named to have one more.
+        let levels = self.problem.levels().or(self.config.ask.as_ref().map(|_| USUAL_LEVELS));
+        let choices = Choices::new(&*environment, levels)
             .map_err(|error| command_line(error.to_string(), "fewer problem.levels"))?;
-        let memory = Remembered::usual(self.config.language.memory, &choices.sources());
-        let environment = Remembering::new(choices, memory);
+        let asking = self
+            .config
+            .ask
+            .as_ref()
+            .zip(self.network.as_ref())
+            .map(|(ask, network)| Asking::new(&choices, |state: &[f32]| decided(network, state), ask.price));
+        let acting: &dyn Environment<S, Task = AnyTask, Episode = AnyEpisode> = match &asking {
+            Some(asking) => asking,
+            None => &choices,
+        };
+        let memory = Remembered::usual(self.config.language.memory, &acting.sources());
+        let environment = Remembering::new(acting, memory);
         let options = EngineOptions { lanes: self.args.lanes.into(), ..EngineOptions::default() };
         let local = LocalThreads::<S, Own, _>::new(&environment, options, self.args.threads)?;
         let identity = format!("{}\n{}", env!("CARGO_PKG_VERSION"), self.config.to_toml());

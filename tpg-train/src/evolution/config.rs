@@ -45,6 +45,9 @@ pub struct EvolutionConfig {
     #[serde(default, skip_serializing_if = "toml::Table::is_empty")]
     #[schemars(with = "serde_json::Map<String, serde_json::Value>")]
     pub problem: toml::Table,
+    /// One more action: a network decides the step.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ask: Option<AskConfig>,
     /// The language of programs.
     pub language: LanguageConfig,
     /// GEGELATI's parameters of teams.
@@ -72,6 +75,19 @@ pub struct EvolutionConfig {
     /// Small changes of children.
     #[serde(default)]
     pub refinement: RefinementConfig,
+}
+
+/// One more action, *ask*: a network decides the step.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct AskConfig {
+    /// The network's policy.q.json, from the folder where the command runs.
+    pub policy: String,
+    /// The price of one ask, in the unit of the problem's score; 0 or more.
+    pub price: f64,
+    /// Checksum of the network's file, in hexadecimal digits; a run writes it, and another file is refused.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sha256: Option<String>,
 }
 
 /// The language of programs.

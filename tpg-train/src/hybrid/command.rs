@@ -24,6 +24,7 @@ use std::path::PathBuf;
 use tpg_arm::hybrid::Guard;
 use tpg_engine::Summary;
 use tpg_engine::random::Purpose;
+use tpg_graph::Graph;
 use tpg_graph::command::Verdict;
 use tpg_graph::error::{Finding, InputError};
 use tpg_problems::ProblemName;
@@ -311,14 +312,18 @@ fn alone(subject: &Subject<'_>) -> Result<Vec<Alone>, InputError> {
 /// Returns the setting of a graph and a network that were named on the command line.
 ///
 /// # Errors
-/// If it has no trigger, or one that the problem does not have.
+/// If it has no trigger and the graph asks nobody, or if its separation is no distance.
 pub fn setting_of(
+    graph: &Graph,
     hand_back_after: Span,
     separation: f64,
     patience: Span,
     detector: Detector,
 ) -> Result<Setting, InputError> {
     let setting = Setting { hand_back_after, separation, patience, detector };
+    if separation == f64::INFINITY && graph.asks().next().is_some() {
+        return Ok(setting);
+    }
     setting.check().map_err(|Finding { key, found, accepted }| command_line(format!("{key} = {found}"), accepted))?;
     Ok(setting)
 }

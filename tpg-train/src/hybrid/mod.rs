@@ -8,6 +8,7 @@
 //! | [`setting`], [`span`] | the parameters, and `hybrid.toml` |
 //! | [`shared`] | the problems that a graph and a network can share |
 //! | [`trial`] | a hybrid, or one of its parts, on many tasks |
+//! | [`asking`] | one more action for a graph: ask the network, at a price |
 //! | [`study`] | every pair under every setting, in a folder |
 //! | [`cells`] | the rows of a study |
 //! | [`choice`], [`spread`] | means over pairs, Pareto front, the setting to use |
@@ -17,6 +18,7 @@
 //! | [`arm`] | the arm's part: guards, and the paper's parameters |
 
 pub mod arm;
+pub mod asking;
 pub mod cells;
 pub mod choice;
 pub mod command;

@@ -37,7 +37,7 @@ impl Detector {
 
 /// The settings of a hybrid: three triggers that hand over to the network, and the length of its turn.
 ///
-/// All triggers judge the distance to the goal, in the problem's own unit: see
+/// A graph that asks needs no trigger. All triggers judge the distance to the goal, in the problem's own unit: see
 /// [`Environment::distance`](tpg_engine::Environment::distance).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Setting {
@@ -53,6 +53,14 @@ pub struct Setting {
 }
 
 impl Setting {
+    /// No trigger: the graph only asks.
+    pub const ONLY_ASKS: Self = Self {
+        hand_back_after: Span::NEVER,
+        separation: f64::INFINITY,
+        patience: Span::NEVER,
+        detector: Detector::None,
+    };
+
     /// Converts the setting for the runtime.
     pub fn settings<S: Scalar>(&self) -> Settings<S> {
         Settings { hand_back_after: self.hand_back_after.0, separation: S::from_f64(self.separation) }
@@ -63,8 +71,12 @@ impl Setting {
         self.separation.is_finite() || self.patience != Span::NEVER || self.detector != Detector::None
     }
 
-    /// Describes the setting: `hands back after 20, separation 3.5, patience never, cycles none`.
+    /// Describes the setting: `hands back after 20, separation 3.5, patience never, cycles none`, or `only asks` without a
+    /// trigger.
     pub fn sentence(&self) -> String {
+        if !self.has_trigger() {
+            return "only asks".to_owned();
+        }
         let Self { hand_back_after, separation, patience, detector } = self;
         let cycles = detector.name();
         format!(

@@ -135,7 +135,8 @@ fn read<T: DeserializeOwned>(name: &str, cells: &[u8]) -> Result<Vec<T>, InputEr
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Input {
     file: String,
-    sha256: String,
+    /// Checksum of its bytes, in hexadecimal digits.
+    pub(super) sha256: String,
 }
 
 impl Input {
@@ -144,12 +145,17 @@ impl Input {
     /// # Errors
     /// If one cannot be read.
     pub fn of(paths: &[PathBuf]) -> Result<Vec<Self>, InputError> {
-        let one = |path: &PathBuf| {
-            let bytes = fs::read(path).map_err(|error| InputError::io(path, &error, "a graph or an actor"))?;
-            let sha256 = Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect();
-            Ok(Self { file: path.display().to_string(), sha256 })
-        };
-        paths.iter().map(one).collect()
+        paths.iter().map(|path| Self::read(path)).collect()
+    }
+
+    /// Reads a file.
+    ///
+    /// # Errors
+    /// If it cannot be read.
+    pub fn read(path: &Path) -> Result<Self, InputError> {
+        let bytes = fs::read(path).map_err(|error| InputError::io(path, &error, "a graph or an actor"))?;
+        let sha256 = Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect();
+        Ok(Self { file: path.display().to_string(), sha256 })
     }
 }
 

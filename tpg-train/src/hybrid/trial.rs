@@ -6,15 +6,18 @@ use crate::evaluate::graph::endings_on;
 use crate::sac::network::Network;
 use std::cell::RefCell;
 use std::marker::PhantomData;
-use tpg_engine::{Choices, Ending, EngineOptions, Environment, Plan, Single, bind};
+use tpg_engine::{ActionSpace, Choices, Ending, EngineOptions, Environment, Plan, Single, bind_to};
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
-use tpg_graph::interpret::Answer;
+use tpg_graph::interpret;
 use tpg_runtime::cycle::{Brent, CycleDetector, Visited};
 use tpg_runtime::ops::Maths;
-use tpg_runtime::policy::Policy;
+use tpg_runtime::policy::{ActionId, Policy};
 use tpg_runtime::scalar::Scalar;
-use tpg_runtime::switch::{CAUSES, Cause, Counts, Hybrid, Patience, Switch, Unguarded};
+use tpg_runtime::switch::{Answer, AskSwitch, CAUSES, Cause, Counts, Hybrid, Patience, Switch, Unguarded};
+
+/// The name by which a graph asks the network beside it.
+pub const NETWORK: &str = "network";
 
 /// The policies that act, each with the name that errors show.
 #[derive(Clone, Copy, Debug)]
@@ -23,7 +26,7 @@ pub enum Acting<'a> {
     Graph(&'a (String, Graph)),
     /// A network alone.
     Network(&'a (String, Network)),
-    /// A graph that hands over to a network.
+    /// A graph that hands over to a network, or asks it.
     Both(&'a (String, Graph), &'a (String, Network), &'a Setting),
 }
 
@@ -54,6 +57,8 @@ pub struct HybridTrial {
     pub hand_overs: [f64; TRIGGERS.len()],
     /// Number of times per episode that the network handed back.
     pub hand_backs: f64,
+    /// Actions of each episode that the graph asked the network for; they count as the network's.
+    pub asks: Vec<u32>,
 }
 
 /// Lets policies do every task.
@@ -67,11 +72,11 @@ pub fn run<S: Scalar, M: Maths<S>, E: Environment<S>>(
 ) -> Result<HybridTrial, InputError> {
     let fit =
         |(file, network): &(String, Network)| network.fit(file, &environment.sources(), &environment.inner().actions());
-    let episodes: Vec<(Ending, Counts)> = match acting {
+    let episodes: Vec<Episode> = match acting {
         Acting::Graph((file, graph)) => {
             let endings = endings_on::<S, M, _>(file, graph, environment, tasks)?;
             let counts = |tpg_actions| Counts { tpg_actions, ..Counts::default() };
-            endings.into_iter().map(|ending| (ending, counts(ending.actions))).collect()
+            endings.into_iter().map(|ending| (ending, counts(ending.actions), 0)).collect()
         }
         Acting::Network(network) => {
             fit(network)?;
@@ -79,12 +84,12 @@ pub fn run<S: Scalar, M: Maths<S>, E: Environment<S>>(
             network.1.deciding(|decide| {
                 let network = NetworkPolicy::new(decide);
                 let ending = |task| Course::new(environment, task).run(|state| network.decide(state));
-                tasks.iter().map(ending).map(|ending| (ending, counts(ending.actions))).collect()
+                tasks.iter().map(ending).map(|ending| (ending, counts(ending.actions), 0)).collect()
             })
         }
         Acting::Both(graph, network, setting) => {
             fit(network)?;
-            let tpg = GraphPolicy::<S, M>::new(graph, environment)?;
+            let tpg = GraphPolicy::<S, M>::new(graph, environment, environment.actions().with_ask(NETWORK))?;
             network.1.deciding(|decide| {
                 let hybrid = Hybrid { tpg, sac: NetworkPolicy::new(decide) };
                 tasks.iter().map(|task| together(environment, task, &hybrid, setting)).collect()
@@ -103,13 +108,13 @@ pub fn rises<S: Scalar, M: Maths<S>, E: Environment<S>>(
     graph: &(String, Graph),
     tasks: &[E::Task],
 ) -> Result<Vec<f64>, InputError> {
-    let graph = GraphPolicy::<S, M>::new(graph, environment)?;
+    let graph = GraphPolicy::<S, M>::new(graph, environment, environment.actions())?;
     let mut rises = Vec::new();
     for task in tasks {
         let mut course = Course::new(environment, task);
         let mut least = course.distance().to_f64();
         loop {
-            let decision = graph.decide(course.observe());
+            let decision = graph.decision(course.observe());
             if course.act(decision.act()).is_some() {
                 break;
             }
@@ -121,15 +126,18 @@ pub fn rises<S: Scalar, M: Maths<S>, E: Environment<S>>(
     Ok(rises)
 }
 
+/// An ending, the counts of the rules, and the number of asks.
+type Episode = (Ending, Counts, u32);
+
 /// One episode of both policies.
 fn together<S: Scalar, E: Environment<S>, T, P>(
     environment: &E,
     task: &E::Task,
     hybrid: &Hybrid<T, P>,
     setting: &Setting,
-) -> (Ending, Counts)
+) -> Episode
 where
-    T: Policy<State = [S], Action = Decision<S>>,
+    T: Policy<State = [S], Action = Answer<Decision<S>>>,
     P: Policy<State = [S], Action = Decision<S>>,
 {
     match setting.detector {
@@ -145,25 +153,26 @@ fn watched<S: Scalar, E: Environment<S>, T, P>(
     hybrid: &Hybrid<T, P>,
     setting: &Setting,
     detector: impl CycleDetector<u64>,
-) -> (Ending, Counts)
+) -> Episode
 where
-    T: Policy<State = [S], Action = Decision<S>>,
+    T: Policy<State = [S], Action = Answer<Decision<S>>>,
     P: Policy<State = [S], Action = Decision<S>>,
 {
     let mut course = Course::new(environment, task);
     // Without keys the detector is blind.
     let key = |course: &Course<'_, S, E>| course.key().unwrap_or_default();
-    let mut switch = Switch::new(setting.settings::<S>(), detector, key(&course), course.distance());
+    let rules = Switch::new(setting.settings::<S>(), detector, key(&course), course.distance());
+    let mut switch = AskSwitch::new(rules);
     let mut patience = Patience::new(setting.patience.0, course.distance());
     loop {
-        let chosen = hybrid.decide(&mut switch, course.observe(), &Unguarded);
-        if let Some(ending) = course.act(chosen.wanted.act()) {
-            switch.ended(chosen.driver);
-            return (ending, *switch.counts());
+        let turn = hybrid.decide_or_ask(&mut switch, course.observe(), &Unguarded);
+        if let Some(ending) = course.act(turn.chosen.wanted.act()) {
+            switch.ended(&turn);
+            return (ending, *switch.counts(), switch.asks());
         }
         let distance = course.distance();
-        let stalls = patience.ends(chosen.driver, distance);
-        switch.acted(chosen.driver, stalls, key(&course), distance);
+        let stalls = patience.ends(turn.driver(), distance);
+        switch.acted(&turn, stalls, key(&course), distance);
     }
 }
 
@@ -182,23 +191,39 @@ impl CycleDetector<u64> for Blind {
 }
 
 /// A graph as a policy of an environment.
-struct GraphPolicy<S, M>(Single<S, M>);
+struct GraphPolicy<S, M> {
+    graph: Single<S, M>,
+    /// The action that asks the network.
+    ask: Option<ActionId>,
+}
 
 impl<S: Scalar, M: Maths<S>> GraphPolicy<S, M> {
-    fn new((file, graph): &(String, Graph), environment: &impl Environment<S>) -> Result<Self, InputError> {
-        let policy = bind(file, graph, environment)?;
-        Ok(Self(Single::new(Plan::new::<M>(&policy, &environment.sources(), EngineOptions::default()))))
+    fn new(
+        (file, graph): &(String, Graph),
+        environment: &impl Environment<S>,
+        actions: ActionSpace,
+    ) -> Result<Self, InputError> {
+        let sources = environment.sources();
+        let plan = Plan::new::<M>(&bind_to(file, graph, &sources, &actions)?, &sources, EngineOptions::default());
+        Ok(Self { graph: Single::new(plan), ask: actions.asking(NETWORK) })
+    }
+
+    fn decision(&self, state: &[S]) -> Decision<S> {
+        match self.graph.answer(state) {
+            interpret::Answer::Action(action) => Decision::Choice(action),
+            interpret::Answer::Values(values) => Decision::Values(values.into_iter().map(S::from_f64).collect()),
+        }
     }
 }
 
 impl<S: Scalar, M: Maths<S>> Policy for GraphPolicy<S, M> {
     type State = [S];
-    type Action = Decision<S>;
+    type Action = Answer<Decision<S>>;
 
-    fn decide(&self, state: &[S]) -> Decision<S> {
-        match self.0.answer(state) {
-            Answer::Action(action) => Decision::Choice(action),
-            Answer::Values(values) => Decision::Values(values.into_iter().map(S::from_f64).collect()),
+    fn decide(&self, state: &[S]) -> Answer<Decision<S>> {
+        match self.decision(state) {
+            Decision::Choice(action) if Some(action) == self.ask => Answer::Ask,
+            decision => Answer::Act(decision),
         }
     }
 }
@@ -224,19 +249,14 @@ impl<S: Scalar> Policy for NetworkPolicy<'_, S> {
         let mut narrow = self.state.borrow_mut();
         narrow.clear();
         narrow.extend(state.iter().map(|value| value.to_f64() as f32));
-        match (self.network)(&narrow) {
-            Decision::Choice(action) => Decision::Choice(action),
-            Decision::Values(values) => {
-                Decision::Values(values.into_iter().map(|value| S::from_f64(f64::from(value))).collect())
-            }
-        }
+        (self.network)(&narrow).widened()
     }
 }
 
 impl HybridTrial {
-    fn of(episodes: &[(Ending, Counts)]) -> Self {
+    fn of(episodes: &[Episode]) -> Self {
         let (mut tpg, mut sac, mut hand_backs, mut causes) = (0.0, 0.0, 0.0, [0.0; CAUSES]);
-        for (_, counts) in episodes {
+        for (_, counts, _) in episodes {
             tpg += f64::from(counts.tpg_actions);
             sac += f64::from(counts.sac_actions);
             hand_backs += f64::from(counts.hand_backs);
@@ -244,11 +264,12 @@ impl HybridTrial {
         }
         let count = episodes.len().max(1) as f64;
         Self {
-            endings: episodes.iter().map(|(ending, _)| *ending).collect(),
+            endings: episodes.iter().map(|(ending, ..)| *ending).collect(),
             tpg_action_ratio: tpg / (tpg + sac).max(1.0),
             network_actions: sac / count,
             hand_overs: TRIGGERS.map(|(_, cause)| causes[cause as usize] / count),
             hand_backs: hand_backs / count,
+            asks: episodes.iter().map(|&(_, _, asks)| asks).collect(),
         }
     }
 }

@@ -1,12 +1,13 @@
 //! Reading and grouping of run folders.
 
 use crate::actor::version1::upgraded;
-use crate::evolution::config::EvolutionConfig;
+use crate::evolution::config::{AskConfig, EvolutionConfig};
 use crate::evolution::state::Row;
 use crate::files::read_text;
 use crate::hybrid::arm::setting::Hybrid as ArmHybrid;
-use crate::hybrid::setting::Hybrid;
+use crate::hybrid::setting::{Hybrid, Setting};
 use crate::sac::contract::Contract;
+use crate::sac::network::Network;
 use crate::sac::tensors::{Tensors, place};
 use crate::sac::weights::{LIMIT, from_tensors};
 use serde::Deserialize;
@@ -192,8 +193,8 @@ fn named(mut group: Group) -> Group {
 
 fn tpg(folder: &Path, name: String, config: &str) -> Result<Run, InputError> {
     let file = folder.join("config.toml").display().to_string();
-    let own = EvolutionConfig::of_run(&file, config)?.problem.is_empty();
-    let problem = if own { None } else { Some(Box::new(Problem::from_toml(&file, config)?)) };
+    let EvolutionConfig { problem, ask, .. } = EvolutionConfig::of_run(&file, config)?;
+    let problem = if problem.is_empty() { None } else { Some(Box::new(Problem::from_toml(&file, config)?)) };
     let rows: Vec<Row> = lines(&folder.join("generations.jsonl"))?;
     let path = folder.join("graph.json");
     let graph = Graph::from_json(&path.display().to_string(), &read_text(&path, "the graph of a run")?)?;
@@ -210,12 +211,22 @@ fn tpg(folder: &Path, name: String, config: &str) -> Result<Run, InputError> {
         ("teams", curve(&|row| Some(row.teams as f64))),
     ]);
     let timing = fs::read_to_string(folder.join("timing.csv")).ok();
-    Ok(Run {
-        name,
-        seed: graph.provenance().seed,
-        curves,
-        cpu: timing.as_deref().and_then(cpu_of_sessions),
-        kind: Kind::Tpg { problem, graph: Box::new(graph), hall },
+    let (seed, cpu) = (graph.provenance().seed, timing.as_deref().and_then(cpu_of_sessions));
+    let kind = match ask {
+        Some(ask) => Kind::Hybrid(asking(&ask, problem, (path.display().to_string(), graph))?),
+        None => Kind::Tpg { problem, graph: Box::new(graph), hall },
+    };
+    Ok(Run { name, seed, curves, cpu, kind })
+}
+
+/// A graph with the network that it learned to ask.
+fn asking(ask: &AskConfig, problem: Option<Box<Problem>>, graph: (String, Graph)) -> Result<Together, InputError> {
+    let network = (ask.policy.clone(), Network::read(Path::new(&ask.policy))?);
+    let name = problem.as_ref().map(|problem| problem.name().name().to_owned()).unwrap_or_default();
+    let hybrid = Box::new(Hybrid { problem: name, graph, network, setting: Setting::ONLY_ASKS });
+    Ok(match problem {
+        Some(problem) => Together::Other(problem, hybrid),
+        None => Together::Own(hybrid),
     })
 }
 

@@ -79,10 +79,7 @@ impl Network {
                     Decision::Values(values)
                 })
             }
-            Self::Fixed(policy) => act(&|state| match policy.output {
-                Output::Argmax(_) => Decision::Choice(ActionId(policy.choose(state) as u16)),
-                Output::Values(_) | Output::Preferences(_) => Decision::Values(policy.values(state)),
-            }),
+            Self::Fixed(policy) => act(&|state| decided(policy, state)),
         }
     }
 
@@ -121,5 +118,13 @@ impl Network {
             return refuse(format!("the outputs {found} ({answer})"), format!("{wanted} ({accepted})"));
         }
         Ok(())
+    }
+}
+
+/// The decision of a network in integers for a flat state.
+pub fn decided(policy: &QuantisedPolicy, state: &[f32]) -> Decision<f32> {
+    match policy.output {
+        Output::Argmax(_) => Decision::Choice(ActionId(policy.choose(state) as u16)),
+        Output::Values(_) | Output::Preferences(_) => Decision::Values(policy.values(state)),
     }
 }

@@ -46,6 +46,9 @@ fn output(OutputDocument { name, unit, min, max, nan }: &OutputDocument) -> Stri
 
 fn action(action: &ActionDocument) -> String {
     let name = string(&action.name);
+    if let Some(asked) = &action.ask {
+        return format!("{{ id = {}, name = {name}, ask = {} }}", action.id, string(asked));
+    }
     match &action.effect {
         Some(Effect { name: effect, values }) if effect == Effect::MOVE => {
             format!("{{ id = {}, name = {name}, move = {} }}", action.id, numbers(values))

@@ -144,6 +144,8 @@ pub struct ActionDocument {
     pub name: String,
     /// Numbers that the action carries for its problem.
     pub effect: Option<Effect>,
+    /// Name of another policy that decides this step: the action is to ask it.
+    pub ask: Option<String>,
 }
 
 /// A value that a policy answers: the result of a leaf's program, limited to a range.

@@ -47,6 +47,11 @@ pub(super) struct WrittenAction {
     /// Any other effect; at most one of `move` and `effect` is given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     effect: Option<Effect>,
+    /// The action is to let another policy decide this step: its name, such as "network". No other action asks it, and an
+    /// action that asks has no effect.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(regex(pattern = r"^[a-z][a-z0-9_]*$"))]
+    ask: Option<String>,
 }
 
 /// Numbers; whole ones are written without a fraction.
@@ -89,12 +94,12 @@ impl Serialize for Number {
 
 impl From<super::ActionDocument> for WrittenAction {
     fn from(action: super::ActionDocument) -> Self {
-        let super::ActionDocument { id, name, effect } = action;
+        let super::ActionDocument { id, name, effect, ask } = action;
         match effect {
             Some(effect) if effect.name == Effect::MOVE => {
-                Self { id, name, moves: Some(Numbers(effect.values)), effect: None }
+                Self { id, name, moves: Some(Numbers(effect.values)), effect: None, ask }
             }
-            effect => Self { id, name, moves: None, effect },
+            effect => Self { id, name, moves: None, effect, ask },
         }
     }
 }
@@ -103,12 +108,12 @@ impl TryFrom<WrittenAction> for super::ActionDocument {
     type Error = &'static str;
 
     fn try_from(written: WrittenAction) -> Result<Self, &'static str> {
-        let WrittenAction { id, name, moves, effect } = written;
+        let WrittenAction { id, name, moves, effect, ask } = written;
         let effect = match (moves, effect) {
             (Some(_), Some(_)) => return Err("both \"move\" and \"effect\""),
             (Some(Numbers(values)), None) => Some(Effect::new(Effect::MOVE, values)),
             (None, effect) => effect,
         };
-        Ok(Self { id, name, effect })
+        Ok(Self { id, name, effect, ask })
     }
 }

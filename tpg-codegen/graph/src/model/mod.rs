@@ -107,6 +107,18 @@ pub struct Action {
     pub name: String,
     /// Numbers that the action carries for its problem; equally many for all actions that have an effect.
     pub effect: Option<Effect>,
+    /// Name of another policy that decides this step: the action is to ask it. It has no effect of its own.
+    pub ask: Option<String>,
+}
+
+impl std::fmt::Display for Action {
+    /// Writes the name, and what the action asks: `help (asks network)`.
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match &self.ask {
+            Some(asked) => write!(f, "{} (asks {asked})", self.name),
+            None => f.write_str(&self.name),
+        }
+    }
 }
 
 /// A value that a policy answers.
@@ -240,6 +252,11 @@ impl Graph {
         &self.actions
     }
 
+    /// Returns the other policies that actions ask, by name; a graph that asks none acts alone.
+    pub fn asks(&self) -> impl Iterator<Item = &str> {
+        self.actions.iter().filter_map(|action| action.ask.as_deref())
+    }
+
     /// Returns the number of values that leaves compute for the next decision: the last of the [outputs](Self::outputs),
     /// and, under the same names, the last of the [sources](Self::sources), each of one value.
     ///
@@ -275,7 +292,7 @@ impl Graph {
         let number = usize::from(end.0);
         match self.leaves.get(number) {
             Some(leaf) => format!("leaf {}", leaf.label),
-            None => format!("action {number} {}", self.actions[number].name),
+            None => format!("action {number} {}", self.actions[number]),
         }
     }
 

@@ -206,7 +206,33 @@ impl Validator<'_> {
         if actions.is_empty() || actions.len() > MAX_NUMBERED {
             return Err(self.error("$.actions", format!("{} actions", actions.len()), format!("1 to {MAX_NUMBERED}")));
         }
+        self.asks()?;
         self.effects()
+    }
+
+    fn asks(&self) -> Result<(), InputError> {
+        let mut asked = Vec::new();
+        for (index, action) in self.document.actions.iter().enumerate() {
+            let Some(ask) = &action.ask else { continue };
+            let refuse = |found: String, accepted: &str| {
+                Err(self.error(format!("$.actions[{index}].ask"), found, accepted.to_owned()))
+            };
+            if !name::is_source(ask) {
+                return refuse(format!("{ask:?}"), name::SOURCE);
+            }
+            if action.effect.is_some() {
+                return refuse(format!("{ask:?} beside an effect"), "an action that asks, or one with an effect");
+            }
+            if asked.contains(&ask) {
+                return refuse(format!("{ask:?} a second time"), "a name that no other action asks");
+            }
+            asked.push(ask);
+        }
+        if asked.len() == self.document.actions.len() {
+            let found = "actions that all ask".to_owned();
+            return Err(self.error("$.actions", found, "an action of the graph's own, too"));
+        }
+        Ok(())
     }
 
     fn effects(&self) -> Result<(), InputError> {
@@ -454,7 +480,7 @@ fn remembered(memory: &Output) -> Source {
 }
 
 fn action(action: &ActionDocument) -> Action {
-    Action { name: action.name.clone(), effect: action.effect.clone() }
+    Action { name: action.name.clone(), effect: action.effect.clone(), ask: action.ask.clone() }
 }
 
 fn known_instructions() -> String {

@@ -76,7 +76,7 @@ fn source_document(source: &Source) -> SourceDocument {
 }
 
 fn action_document(id: u32, action: &Action) -> ActionDocument {
-    ActionDocument { id, name: action.name.clone(), effect: action.effect.clone() }
+    ActionDocument { id, name: action.name.clone(), effect: action.effect.clone(), ask: action.ask.clone() }
 }
 
 fn output_document(output: &Output) -> OutputDocument {

@@ -13,7 +13,7 @@ mod own;
 mod small;
 mod walk;
 
-use super::interface::{OutputView, SourceView, outputs, sources};
+use super::interface::{OutputView, SourceView, asks, outputs, sources};
 use super::syntax::Syntax;
 use super::{Backend, File, banner, layout, moves::moves};
 use crate::cost::{Cost, Costs};
@@ -39,6 +39,8 @@ struct Header<'a> {
     scalar: &'a str,
     sources: &'a [SourceView],
     actions: Vec<String>,
+    /// Name and number of each action that asks.
+    asks: Vec<(String, usize)>,
     outputs: &'a [OutputView],
     memory: &'a [OutputView],
     teams: usize,
@@ -125,7 +127,8 @@ impl Backend for C {
             upper: &upper,
             scalar: printer.scalar(),
             sources: seen,
-            actions: graph.actions().iter().map(|action| comment(&action.name)).collect(),
+            actions: graph.actions().iter().map(|action| comment(&action.to_string())).collect(),
+            asks: asks(graph, str::to_ascii_uppercase),
             outputs: answers,
             memory,
             teams: module.teams.len(),

@@ -8,7 +8,7 @@ mod helpers;
 mod leaves;
 mod small;
 
-use super::interface::{OutputView, SourceView, outputs, sources};
+use super::interface::{OutputView, SourceView, asks, outputs, sources};
 use super::{Backend, File, banner, layout, moves::moves};
 use crate::cost::{Cost, Costs};
 use crate::program::{Program, Shape};
@@ -28,6 +28,8 @@ struct Policy<'a> {
     state_length: usize,
     sources: Vec<SourceView>,
     actions: Vec<String>,
+    /// Name and number of each action that asks.
+    asks: Vec<(String, usize)>,
     /// The outputs, then the next values of the memory.
     outputs: &'a [OutputView],
     memory: &'a [OutputView],
@@ -103,7 +105,8 @@ impl Backend for Rust {
             imports: imports(&printer, &parts),
             state_length: graph.state_length(),
             sources: sources(graph, one_line),
-            actions: graph.actions().iter().map(|action| one_line(&action.name)).collect(),
+            actions: graph.actions().iter().map(|action| one_line(&action.to_string())).collect(),
+            asks: asks(graph, str::to_ascii_uppercase),
             outputs: &outputs,
             memory,
             initial: memory.iter().map(|value| value.initial.clone()).collect(),

@@ -25,7 +25,7 @@ pub fn bind(file: &str, graph: &Graph) -> Result<(Vec<Source>, Vec<Move>), Input
     let moved = |(place, action): (usize, &Action)| {
         let effect = action.effect.as_ref();
         effect.and_then(|effect| binding::moved(&effect.name, &effect.values)).ok_or_else(|| {
-            let found = format!("the action {:?} without a move", action.name);
+            let found = format!("the action \"{action}\" without a move");
             error(format!("$.actions[{place}]"), found, "a move of the arm's four joints, in ticks")
         })
     };

@@ -283,6 +283,7 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
             id,
             name: name.to_owned(),
             effect: Some(Effect { name: MOVE.to_owned(), values: moves.0.map(f64::from).to_vec() }),
+            ask: None,
         };
         ActionSpace::Discrete((0..).zip(&self.moves).zip(NAMES).map(document).collect())
     }

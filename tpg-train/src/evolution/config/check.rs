@@ -2,6 +2,7 @@
 
 use super::{EvolutionConfig, StartKind};
 use crate::evolution::linear::{LinearWriter, MOST_WEIGHTS};
+use crate::hybrid::trial::NETWORK;
 use tpg_engine::{ActionSpace, Environment};
 use tpg_graph::Word;
 use tpg_graph::error::Finding;
@@ -18,6 +19,9 @@ impl EvolutionConfig {
         let count = Finding::range::<usize>;
         const MANY: usize = 1_000_000;
         self.check_instructions()?;
+        if let Some(ask) = &self.ask {
+            number("ask.price", ask.price, 0.0, 1e9)?;
+        }
         let tpg = &self.tpg;
         count("tpg.nb_roots", tpg.nb_roots, 2, MANY)?;
         count("tpg.init_nb_roots", tpg.init_nb_roots, 2, MANY)?;
@@ -192,6 +196,10 @@ impl EvolutionConfig {
     /// # Errors
     /// The first parameter that does not fit these actions.
     pub fn check_actions(&self, actions: &ActionSpace) -> Result<(), Finding> {
+        if self.ask.is_some() && actions.asking(NETWORK).is_none() {
+            let accepted = "none, or an environment with that action: tpg_train::hybrid::asking::Asking";
+            return Err(Finding::new("ask", "a section [ask] for an environment that nobody can ask", accepted));
+        }
         if !actions.outputs().is_empty() {
             let accepted = "0: programs of leaves are not compared with an archive";
             let size = self.learning.archive_size;
