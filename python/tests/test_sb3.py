@@ -121,3 +121,16 @@ def test_a_callback_of_theirs_works_here() -> None:
     callback = Three()
     TPG("CartPole-v1", native=False, population=10, episodes=1).learn(100_000, callback)
     assert callback.n_calls == 3 and callback.num_timesteps > 0
+
+
+def test_the_snippets_of_the_guide_about_importing_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    text = (Path(__file__).parents[2] / "docs/importing.md").read_text()
+    snippets = [part.removeprefix("python\n") for part in text.split("```")[1::2] if part.startswith("python\n")]
+    assert len(snippets) == 2
+    monkeypatch.chdir(tmp_path)
+    # What a reader has: a trained model, and its file.
+    names: dict[str, Any] = {"model": trained("SAC", "Pendulum-v1", policy_kwargs=RELU)}
+    names["model"].save("pendulum.zip")
+    for snippet in snippets:
+        exec(snippet, names)
+    assert list(tmp_path.glob("policy/*.c")) and (tmp_path / "actor.safetensors").stat().st_size > 0

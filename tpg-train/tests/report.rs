@@ -67,6 +67,8 @@ fn a_report_of_another_problem_has_a_headline_formulas_units_and_episodes() {
         ">omega, rad/s<",
         "the root: the highest bid wins",
         "what the policy does",
+        "Inputs that matter",
+        "over the first 20 test episodes",
         ">left</",
     ] {
         assert!(html.contains(part), "{part} is missing");

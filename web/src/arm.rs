@@ -4,6 +4,7 @@
 //! target, at a refused action, at rest, in a circle, or at the limit of actions of random
 //! starts.
 
+use core::cell::Cell;
 use tpg_arm::binding;
 use tpg_arm::cycle::Brent;
 use tpg_arm::episode::{Episode, Outcome, ReachTask};
@@ -15,7 +16,7 @@ use tpg_arm::{Arm, Invalid, Move, Pose, WIDOWX};
 use tpg_generated::{widowx_rs_fast::WidowxRsFast, widowx_rs_hybrid, widowx_sac};
 use tpg_problems::arm::planner::{Choice, Planner};
 use tpg_problems::arm::targets::Start;
-use tpg_runtime::policy::Policy;
+use tpg_runtime::policy::{ActionId, Policy};
 
 /// Hand and target are less than this apart at the end, mm.
 pub const TOLERANCE: f32 = 3.0;
@@ -25,7 +26,23 @@ static EXACT_ARM: Arm<f64> = WIDOWX;
 static SOURCES: [Source; WidowxRsFast::SOURCES.len()] = binding::sources(WidowxRsFast::SOURCES);
 static MOVES: [Move; WidowxRsFast::MOVES.len()] = binding::moves(WidowxRsFast::MOVES);
 
-type Graph = ArmPolicy<'static, f32, WidowxRsFast>;
+/// The number of values that the graph reads.
+pub const SEEN: usize = 5;
+
+/// The generated code of the graph, and what it saw last.
+struct Watched(&'static Cell<[f32; SEEN]>);
+
+impl Policy for Watched {
+    type State = [f32; SEEN];
+    type Action = ActionId;
+
+    fn decide(&self, state: &[f32; SEEN]) -> ActionId {
+        self.0.set(*state);
+        WidowxRsFast.decide(state)
+    }
+}
+
+type Graph = ArmPolicy<'static, f32, Watched>;
 type Network = PackedPolicy<'static, { widowx_sac::SCRATCH }>;
 
 /// The state of an arm, as numbers that a page reads.
@@ -86,6 +103,8 @@ pub struct View {
     pub actions: [u32; 2],
     /// The policy that acted last, or the end.
     pub state: State,
+    /// The state by which the graph decided last.
+    pub seen: [f32; SEEN],
 }
 
 /// An episode of one of the four.
@@ -102,6 +121,7 @@ pub const ARMS: usize = 4;
 /// Four arms with one target.
 pub struct Scene {
     hybrid: &'static Hybrid<'static, f32, Graph, Network>,
+    seen: &'static Cell<[f32; SEEN]>,
     planner: Planner<'static>,
     target: [f64; 3],
     courses: [Course; ARMS],
@@ -112,14 +132,22 @@ impl Scene {
     /// Puts all arms in the pose at rest. `None` if the network in flash is damaged.
     pub fn new() -> Option<Self> {
         let sac = Network::new(&ARM, Model::parse(&widowx_sac::MODEL).ok()?)?;
-        let tpg = ArmPolicy::new(WidowxRsFast, &ARM, &SOURCES, &MOVES);
-        // One for the life of the page.
+        // Both are one for the life of the page.
+        let seen: &'static Cell<_> = Box::leak(Box::new(Cell::new([0.0; SEEN])));
+        let tpg = ArmPolicy::new(Watched(seen), &ARM, &SOURCES, &MOVES);
         let hybrid = Box::leak(Box::new(Hybrid { arm: &ARM, tpg, sac, settings: widowx_rs_hybrid::SETTINGS }));
         let target = [0.0, 300.0, 300.0];
         let planner = Planner::new(&EXACT_ARM, Choice::NearestFree);
         let courses = courses(hybrid, [ARM.home; ARMS], target);
-        let blank = View { points: [[0.0; 3]; 5], distance: 0.0, pose: [0; 4], actions: [0; 2], state: State::Graph };
-        let mut scene = Self { hybrid, planner, target, courses, views: [blank; ARMS] };
+        let blank = View {
+            points: [[0.0; 3]; 5],
+            distance: 0.0,
+            pose: [0; 4],
+            actions: [0; 2],
+            state: State::Graph,
+            seen: [0.0; SEEN],
+        };
+        let mut scene = Self { hybrid, seen, planner, target, courses, views: [blank; ARMS] };
         scene.show_all();
         Some(scene)
     }
@@ -166,6 +194,7 @@ impl Scene {
             };
             view.actions[usize::from(driver == State::Network)] += 1;
             view.state = outcome.map_or(driver, State::from);
+            view.seen = self.seen.get();
         }
         self.show(arm);
     }

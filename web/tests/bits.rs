@@ -3,6 +3,7 @@
 mod support;
 
 use std::fs;
+use std::path::Path;
 use std::process::Command;
 use support::page;
 use tpg_arm::Pose;
@@ -52,12 +53,23 @@ fn a_thousand_targets_give_the_poses_of_native_code() {
     let expected = native(&targets);
     println!("native: {expected}");
     let Some(folder) = page("the module's bits under Node", &["node"]) else { return };
-    let file = std::env::temp_dir().join(format!("tpg-targets-{}.json", std::process::id()));
+    assert_eq!(node("bits.mjs", &folder, &targets).trim(), expected);
+}
+
+#[test]
+fn the_way_that_is_lit_ends_at_the_action_of_the_arm() {
+    let Some(folder) = page("the arm's decisions under Node", &["node"]) else { return };
+    print!("{}", node("decision.mjs", &folder, &targets()[..40]));
+}
+
+/// Runs a script with the page, the targets and the arm's graph; returns what it prints.
+fn node(script: &str, folder: &Path, targets: &[[f64; 3]]) -> String {
+    let file = std::env::temp_dir().join(format!("tpg-targets-{}-{script}.json", std::process::id()));
     fs::write(&file, format!("{targets:?}")).expect("a folder for temporary files");
-    let script = top().join("web/tests/bits.mjs");
-    let output = Command::new("node").arg(script).arg(folder).arg(&file).output().expect("node starts");
+    let mut node = Command::new("node");
+    node.arg(top().join("web/tests").join(script)).arg(folder).arg(&file);
+    let output = node.arg(top().join("generated/widowx-rs/graph.json")).output().expect("node starts");
     let _ = fs::remove_file(&file);
-    let found = String::from_utf8_lossy(&output.stdout);
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    assert_eq!(found.trim(), expected);
+    String::from_utf8_lossy(&output.stdout).into_owned()
 }

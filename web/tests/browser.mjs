@@ -90,6 +90,7 @@ async function desktop() {
   assert.equal(await tab.evaluate(() => page.arm.shown), 1);
   await tab.click(".arm >> nth=0");
 
+  await decision(tab);
   await balls(tab);
   await problems(tab);
   await tab.evaluate(() => scrollTo(0, 0));
@@ -103,6 +104,24 @@ async function desktop() {
   console.log(`${rate.toFixed(1)} frames a second at 1280 x 900`);
   assert.ok(rate >= LEAST_RATE, `${rate} frames a second; accepted: from ${LEAST_RATE}`);
   await close();
+}
+
+/** Each team on the way of the arm's decision is shown with one lit bid; the network has none. */
+async function decision(tab) {
+  await tab.click("#another");
+  await tab.click("#step");
+  await tab.waitForFunction(() => document.querySelectorAll("#teams .lit").length > 0);
+  const [lit, groups, way] = await tab.evaluate(() => [
+    document.querySelectorAll("#teams .lit").length, document.querySelectorAll("#teams .group:not([hidden])").length, page.arm.decision.way.length,
+  ]);
+  assert.ok(lit === way && groups === way, `${lit} lit bids in ${groups} teams on a way of ${way}`);
+  assert.equal(await tab.evaluate(() => page.arm.running), false, "a step is followed by rest");
+  await tab.locator("#teams").screenshot({ path: join(out, "1280-decision.png") });
+  await tab.click(".arm >> nth=2");
+  await tab.waitForFunction(() => document.getElementById("decider").textContent.includes("network"));
+  await tab.click(".arm >> nth=0");
+  await tab.click("#run");
+  await reached(tab);
 }
 
 /** Both arms among balls come to an end; the policy is at the target, and another scene begins. */

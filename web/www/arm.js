@@ -4,27 +4,33 @@ import { ARMS, REACHED, STATES } from "./module.js";
 import { Camera } from "./solids.js";
 import { paint, reachable } from "./scene.js";
 import { chart } from "./chart.js";
+import { decide } from "./decision.js";
+import { Formulas } from "./formulas.js";
 
 const NAMES = { hybrid: "Hybrid", graph: "Graph", network: "Network", planner: "Planner" };
 const LATEST = 2000;
 const STEP = 12;
+/** Milliseconds for which a decision is shown at least: nobody reads faster, and nothing flickers. */
+const SHOWN = 400;
 const thousands = number => Math.round(number).toLocaleString("en");
 
 export class ArmView {
-  constructor(module, costs, colours) {
-    Object.assign(this, { module, costs, colours, shown: 0, running: true, speed: 4, target: [0, 300, 300], held: null });
+  constructor(module, { costs, arm: graph }, colours) {
+    Object.assign(this, { module, costs, graph, colours, shown: 0, told: 0, running: true, speed: 4, target: [0, 300, 300], held: null });
     this.camera = new Camera();
     this.ways = ARMS.map(() => []);
     const find = id => document.getElementById(id);
     this.view = find("view");
-    this.parts = Object.fromEntries(["driver", "distance", "course", "share", "facts", "run"].map(id => [id, find(id)]));
+    this.parts = Object.fromEntries(["driver", "distance", "course", "share", "facts", "run", "decider", "teams"].map(id => [id, find(id)]));
     this.cards = ARMS.map((name, arm) => this.card(find("arms"), name, arm));
+    this.formulas = new Formulas(this.parts.teams, graph, true);
     this.pointer();
     this.keys();
     find("another").addEventListener("click", () => this.another());
     find("home").addEventListener("click", () => this.begin(() => module.home()));
     find("gather").addEventListener("click", () => this.begin(() => module.gather()));
     this.parts.run.addEventListener("click", () => this.run(!this.running));
+    find("step").addEventListener("click", () => this.step());
     find("speed").addEventListener("input", event => { this.speed = Number(event.target.value); });
     this.select(0);
     this.aim(this.target);
@@ -67,6 +73,13 @@ export class ArmView {
     this.running = running;
     this.parts.run.textContent = running ? "Pause" : "Run";
     this.parts.run.setAttribute("aria-pressed", String(running));
+    this.dirty = true;
+  }
+
+  /** One action of each arm, to read what decides it. */
+  step() {
+    this.run(false);
+    this.act(1);
   }
 
   /** A target drawn from the half space in front of and beside the base. */
@@ -150,8 +163,29 @@ export class ArmView {
     rows.push(["instructions each", mean === null ? "not measured" : all ? thousands(mean) : "–"]);
     rows.push(["motors, ticks", pose.join(" ")]);
     parts.facts.innerHTML = rows.map(([what, value]) => `<dt>${what}</dt><dd>${value}</dd>`).join("");
+    this.tellDecision();
     chart(parts.course, this.ways[this.shown].map(({ distance, driver }) => [distance, driver]), this.colours);
     this.cards.forEach((card, arm) => this.tellCard(card, arm));
+  }
+
+  /** The way of the graph's last decision; while the arm moves, not at every action. */
+  tellDecision() {
+    const { state, actions, seen } = this.module.view(this.shown), now = performance.now(), { decider, teams } = this.parts;
+    const moves = this.running && state < REACHED && this.drawn === this.shown;
+    if (moves && now - this.told < SHOWN) return;
+    this.told = now;
+    this.drawn = this.shown;
+    const driver = this.driver(this.shown), acted = actions[0] + actions[1] > 0, lit = acted && driver === "graph";
+    teams.classList.toggle("past", !lit);
+    if (!acted) decider.textContent = "Nothing has been decided yet.";
+    else if (!lit) decider.textContent = `The ${driver} decided: it has no bids.`;
+    if (!lit) return;
+    const decision = decide(this.graph.table, seen), { teams: all } = this.graph;
+    const ways = all.flatMap(({ id, bids }) => bids.map(({ to }) => [id, to.replaceAll("_", " ")]));
+    this.decision = decision;
+    decider.textContent = [...decision.way.map(edge => `team ${ways[edge][0]}`), ways[decision.way.at(-1)][1]].join(" → ");
+    this.formulas.show({ ...decision, actions: 1 });
+    teams.style.minHeight = `${Math.max(parseFloat(teams.style.minHeight) || 0, Math.min(teams.scrollHeight, 420))}px`;
   }
 
   tellCard({ state, numbers }, arm) {
@@ -220,6 +254,7 @@ export class ArmView {
       if (event.shiftKey && turns[event.key]) this.turn(...turns[event.key]);
       else if (ways[event.key]) this.aim(this.target.map((value, i) => value + STEP * ways[event.key][i]));
       else if (event.key === "n" || event.key === "N") this.another();
+      else if (event.key === "s" || event.key === "S") this.step();
       else if (event.key === " ") this.run(!this.running);
       else return;
       event.preventDefault();

@@ -13,17 +13,20 @@ export function readable(formula) {
     .replaceAll("-", "−");
 }
 
-const bidText = value => value === -Infinity ? "−∞" : value.toPrecision(3).replace("-", "−");
+const bidText = value => value.toPrecision(3).replace("Infinity", "∞").replace("-", "−");
 
+/** The formulas of a policy; of a great one, `along`, only the teams that a decision goes through. */
 export class Formulas {
-  constructor(parent, { teams, leaves }) {
+  constructor(parent, { teams, leaves }, along = false) {
     this.bids = [];
     this.leaves = [];
+    this.along = along;
+    let place = parent;
     const add = (tag, name, text = "") => {
       const element = document.createElement(tag);
       element.className = name;
       element.textContent = text;
-      parent.append(element);
+      place.append(element);
       return element;
     };
     const row = (name, label, formula) => {
@@ -37,16 +40,21 @@ export class Formulas {
       element.lastChild.title = formula;
       return element;
     };
-    teams.forEach((team, index) => {
+    this.teams = teams.map((team, index) => {
+      place = parent;
+      const group = place = add("div", "group");
+      group.hidden = along;
       add("p", "team", index === 0 ? `team ${team.id}, the root: the highest bid wins` : `team ${team.id}`);
       for (const [name, formula] of team.shared) row("bid", name, formula);
       for (const { to, formula } of team.bids) {
-        const element = row("bid", to, formula), value = document.createElement("span");
+        const element = row("bid", to.replaceAll("_", " "), formula), value = document.createElement("span");
         value.className = "value";
         element.append(value);
-        this.bids.push({ element, value });
+        this.bids.push({ element, value, group });
       }
+      return group;
     });
+    place = parent;
     for (const { id, number, values } of leaves) {
       add("p", "team", `leaf ${id}`);
       for (const [name, formula] of values) this.leaves.push({ number, element: row("bid leaf", name, formula) });
@@ -58,6 +66,10 @@ export class Formulas {
 
   show({ bids, way, end, actions }) {
     const lit = new Set(way);
+    if (this.along) {
+      this.teams.forEach(group => { group.hidden = true; });
+      way.forEach((edge, step) => Object.assign(this.bids[edge].group, { hidden: false }).style.order = step);
+    }
     this.bids.forEach(({ element, value }, edge) => {
       element.classList.toggle("lit", lit.has(edge));
       value.textContent = actions || way.length ? bidText(bids[edge]) : "";

@@ -10,7 +10,7 @@ const still = matchMedia("(prefers-reduced-motion: reduce)");
 
 async function begin() {
   const [module, data] = await Promise.all([load("tpg_web.wasm"), fetch("data.json").then(answer => answer.json())]);
-  const arm = new ArmView(module.arms, data.costs, colours());
+  const arm = new ArmView(module.arms, data, colours());
   const balls = new Balls(module.balls, data.balls, arm.colours, still.matches);
   const problems = document.getElementById("problems");
   const controls = data.problems.map((problem, i) => new Control(problems, module.problems[i], problem, i, arm.colours, still.matches));

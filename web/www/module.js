@@ -24,13 +24,14 @@ export function wrap(exports) {
     view(arm) {
       const place = exports.tpg_arm_view(arm);
       if (place === 0) throw new Error("the network in the module is damaged");
-      const data = at(place, 92), float = offset => data.getFloat32(offset, true), word = offset => data.getUint32(offset, true);
+      const data = at(place, 112), float = offset => data.getFloat32(offset, true), word = offset => data.getUint32(offset, true);
       return {
         points: [0, 1, 2, 3, 4].map(point => [0, 4, 8].map(part => float(12 * point + part))),
         distance: float(60),
         pose: [64, 68, 72, 76].map(offset => data.getInt32(offset, true)),
         actions: [word(80), word(84)],
         state: word(88),
+        seen: [92, 96, 100, 104, 108].map(float),
       };
     },
   };

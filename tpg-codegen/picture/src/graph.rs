@@ -56,13 +56,16 @@ pub fn figure(graph: &Graph) -> Figure {
     }
     let edges: usize = graph.teams().iter().map(|team| team.edges.len()).sum();
     let caption = format!(
-        "The graph: {}, {}, {}, {} {}. A circle is a team with its number of edges, the root \
+        "The graph: {}, {}, {}, {}. A circle is a team with its number of edges, the root \
          is filled; edges to actions have the colour of the joint; several edges between the same two are one thick line.",
         counted(graph.teams().len(), "team"),
         counted(edges, "edge"),
         counted(graph.programs().len(), "program"),
-        graph.ends(),
-        if graph.outputs().is_empty() { "actions" } else { "leaves" }
+        match (graph.ends(), graph.outputs().is_empty()) {
+            (ends, true) => counted(ends, "action"),
+            (1, false) => "1 leaf".to_owned(),
+            (ends, false) => format!("{ends} leaves"),
+        }
     );
     let is_broad = places.len() > BROAD;
     Figure { svg: svg.finish("the graph"), caption, is_broad }

@@ -92,11 +92,11 @@ fn page(groups: &[Group], episodes: usize, seed: u64, own: Option<&dyn Shared>) 
     sections.extend(curves::sections(groups));
     sections.extend(size::section(groups, &tested, &halls));
     sections.extend(distances::section(groups, &tested));
-    let policies = groups.iter().zip(&tested).zip(&best);
-    sections.extend(
-        policies
-            .filter_map(|((group, tested), &best)| Some(policy::section(&group.runs[best?], tested[best?].as_ref()))),
-    );
+    for ((group, tested), best) in groups.iter().zip(&tested).zip(&best) {
+        let Some(best) = *best else { continue };
+        sections.push(policy::section(&group.runs[best], tested[best].as_ref()));
+        sections.extend(tested[best].as_ref().and_then(|tested| tested.watched.as_ref()).map(episode::weights));
+    }
     let title = groups.iter().map(|group| group.name.as_str()).collect::<Vec<_>>().join(", ");
     Ok(Page { title, lead, headlines: headline::headlines(groups, &tested, &best), sections })
 }

@@ -1,6 +1,6 @@
 //! Tests of runs: the trained policy on the test episodes.
 
-use super::episode::{EPISODES, Watched, watch};
+use super::episode::{WEIGHED, Watched, watch};
 use super::runs::{Kind, Run, Together};
 use crate::actor::file::FloatActor;
 use crate::evaluate::arm::endings_of;
@@ -209,7 +209,7 @@ impl OnAProblem<'_> {
         let choices = Choices::new(&*environment, problem.levels_for(graph))
             .map_err(|error| InputError::new(file, Place::Whole, error.to_string(), "fewer problem.levels"))?;
         let draw = |index| choices.draw(&mut Stream::new(seed, 0, Purpose::Evaluation, index));
-        let tasks: Vec<_> = (0..EPISODES.min(episodes) as u64).map(draw).collect();
+        let tasks: Vec<_> = (0..WEIGHED.min(episodes) as u64).map(draw).collect();
         let watched = watch::<S, M, _>(graph, &choices, &tasks);
         let remembering = Remembering::new(choices, Remembered::of(graph));
         let endings = endings::<S, M>(file, graph, &remembering, episodes, seed)?;

@@ -1,6 +1,7 @@
 //! The data of the page: the policies as formulas, their code, and what a decision costs.
 
-use crate::policies::{POLICIES, Policy, read, top};
+use crate::bids::Table;
+use crate::policies::{ARM, POLICIES, Policy, read, top};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::io;
@@ -15,8 +16,17 @@ use tpg_web::balls::numbers;
 struct Data {
     /// Instructions of an action on a Cortex-M4, by driver.
     costs: BTreeMap<&'static str, Cost>,
+    arm: Graph,
     balls: Balls,
     problems: Vec<Problem>,
+}
+
+/// The graph of the arm: what its teams compare, in words and as a table that the page evaluates.
+#[derive(Serialize)]
+struct Graph {
+    table: Table,
+    #[serde(flatten)]
+    formulas: PolicyFormulas,
 }
 
 /// Scenes among moving balls.
@@ -68,7 +78,8 @@ pub(crate) fn text() -> io::Result<String> {
     let problems = POLICIES.iter().map(problem).collect::<io::Result<_>>()?;
     let costs = costs()?;
     let balls = balls(costs["balls"].worst)?;
-    let text = serde_json::to_string(&Data { costs, balls, problems }).map_err(io::Error::other)?;
+    let arm = Graph { table: Table::of(&ARM)?, formulas: PolicyFormulas::of(&ARM.graph()?, &ARM.options()?) };
+    let text = serde_json::to_string(&Data { costs, arm, balls, problems }).map_err(io::Error::other)?;
     Ok(text + "\n")
 }
 

@@ -9,18 +9,19 @@ use tpg_graph::Graph;
 pub(crate) struct Policy {
     /// The folder below `generated/`.
     pub(crate) folder: &'static str,
-    /// The name of its table in `bids.rs`.
-    pub(crate) table: &'static str,
     /// The name for readers.
     pub(crate) title: &'static str,
 }
 
 /// The policies in the order of the module's problems.
 pub(crate) const POLICIES: [Policy; 3] = [
-    Policy { folder: "cartpole", table: "CARTPOLE", title: "CartPole" },
-    Policy { folder: "pendulum", table: "PENDULUM", title: "Pendulum" },
-    Policy { folder: "mountain-car", table: "MOUNTAIN_CAR", title: "MountainCar" },
+    Policy { folder: "cartpole", title: "CartPole" },
+    Policy { folder: "pendulum", title: "Pendulum" },
+    Policy { folder: "mountain-car", title: "MountainCar" },
 ];
+
+/// The graph of the arm.
+pub(crate) const ARM: Policy = Policy { folder: "widowx-rs", title: "WidowX" };
 
 /// The repository's top folder.
 pub(crate) fn top() -> PathBuf {
