@@ -11,7 +11,7 @@ const NAMES = { hybrid: "Hybrid", graph: "Graph", network: "Network", planner: "
 const LATEST = 2000;
 const STEP = 12;
 /** Milliseconds for which a decision is shown at least: nobody reads faster, and nothing flickers. */
-const SHOWN = 400;
+const SHOWN = 700;
 const thousands = number => Math.round(number).toLocaleString("en");
 
 export class ArmView {
@@ -185,7 +185,6 @@ export class ArmView {
     this.decision = decision;
     decider.textContent = [...decision.way.map(edge => `team ${ways[edge][0]}`), ways[decision.way.at(-1)][1]].join(" → ");
     this.formulas.show({ ...decision, actions: 1 });
-    teams.style.minHeight = `${Math.max(parseFloat(teams.style.minHeight) || 0, Math.min(teams.scrollHeight, 420))}px`;
   }
 
   tellCard({ state, numbers }, arm) {

@@ -66,12 +66,14 @@ export class Formulas {
 
   show({ bids, way, end, actions }) {
     const lit = new Set(way);
+    const shown = new Set(way.map(edge => this.bids[edge].group));
     if (this.along) {
-      this.teams.forEach(group => { group.hidden = true; });
-      way.forEach((edge, step) => Object.assign(this.bids[edge].group, { hidden: false }).style.order = step);
+      this.teams.forEach(group => { group.hidden = !shown.has(group); });
+      way.forEach((edge, step) => { this.bids[edge].group.style.order = step; });
     }
-    this.bids.forEach(({ element, value }, edge) => {
+    this.bids.forEach(({ element, value, group }, edge) => {
       element.classList.toggle("lit", lit.has(edge));
+      if (this.along && !shown.has(group)) return;
       value.textContent = actions || way.length ? bidText(bids[edge]) : "";
     });
     for (const { number, element } of this.leaves) element.classList.toggle("lit", way.length > 0 && number === end);
