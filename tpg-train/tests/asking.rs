@@ -1,5 +1,6 @@
 //! Graphs that ask a network: they are trained at a price, act beside the network, and are refused alone.
 
+use crate::hybrid_any::NETWORK;
 use assert_cmd::Command;
 use serde_json::Value;
 use std::fs;
@@ -15,9 +16,6 @@ use tpg_train::evolution::config::{AskConfig, EvolutionConfig};
 use tpg_train::evolution::presets::Preset;
 use tpg_train::hybrid::asking::Asking;
 use tpg_train::sac::network::decided;
-
-/// The pendulum's network, made by `tpg-train sac`.
-const NETWORK: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../c-harness/pendulum/policy.q.json");
 
 /// Asks where the angular velocity is negative, else pushes with the highest torque.
 const ASKS: &str = r#"{

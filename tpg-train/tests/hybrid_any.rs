@@ -22,7 +22,7 @@ use tpg_train::report::{ReportArgs, report_with};
 use tpg_train::sac::network::Network;
 
 /// The pendulum's network, made by `tpg-train sac`.
-const NETWORK: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../c-harness/pendulum/policy.q.json");
+pub(crate) const NETWORK: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../c-harness/pendulum/policy.q.json");
 
 /// Swings up by the direction of rotation, and knows nothing else: pushes where the pendulum is already going.
 const SWINGS: &str = r#"{

@@ -1,11 +1,9 @@
 //! Any action space as a list of named actions, for policies that choose among actions.
 
 use crate::action::{Act, ActionSpace, Output};
-use crate::ending::{End, Ending, Measure, Preference, Step};
+use crate::ending::Step;
 use crate::environment::Environment;
-use crate::random::Stream;
-use crate::source_set::SourceSet;
-use tpg_graph::{ActionDocument, Effect, SourceDocument};
+use tpg_graph::{ActionDocument, Effect};
 use tpg_runtime::scalar::Scalar;
 
 /// An environment whose actions are named. Each output of a box takes one of a few evenly spaced levels; every
@@ -156,6 +154,10 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Choices<S, E> {
     type Task = E::Task;
     type Episode = E::Episode;
 
+    crate::forward!(this => this.environment;
+        sources time_limit draw start observe outcomes timeout measure preference rougher validation_tasks trial_tasks
+        task_from constants memory bid_bounds accepts key cycle distance);
+
     fn actions(&self) -> ActionSpace {
         self.actions.clone()
     }
@@ -167,71 +169,11 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Choices<S, E> {
         };
         self.environment.step(episode, inner)
     }
-    fn sources(&self) -> Vec<SourceDocument> {
-        self.environment.sources()
-    }
-    fn time_limit(&self) -> u32 {
-        self.environment.time_limit()
-    }
-    fn draw(&self, stream: &mut Stream) -> E::Task {
-        self.environment.draw(stream)
-    }
-    fn start(&self, task: &E::Task) -> E::Episode {
-        self.environment.start(task)
-    }
-    fn observe(&self, episode: &mut E::Episode, wanted: SourceSet, state: &mut [S]) {
-        self.environment.observe(episode, wanted, state);
-    }
-    fn outcomes(&self) -> &'static [&'static str] {
-        self.environment.outcomes()
-    }
-    fn timeout(&self, episode: &E::Episode) -> End {
-        self.environment.timeout(episode)
-    }
-    fn measure(&self) -> Option<Measure> {
-        self.environment.measure()
-    }
-    fn preference(&self) -> Preference {
-        self.environment.preference()
-    }
-    fn rougher(&self, task: E::Task, factor: u8) -> E::Task {
-        self.environment.rougher(task, factor)
-    }
-    fn validation_tasks(&self, count: usize) -> Vec<E::Task> {
-        self.environment.validation_tasks(count)
-    }
-    fn trial_tasks(&self, stream: &mut Stream, count: usize) -> Vec<E::Task> {
-        self.environment.trial_tasks(stream, count)
-    }
-    fn task_from(&self, episode: &E::Episode) -> Option<E::Task> {
-        self.environment.task_from(episode)
-    }
-    fn constants(&self) -> Vec<u16> {
-        self.environment.constants()
-    }
-    fn memory(&self) -> usize {
-        self.environment.memory()
-    }
-    fn bid_bounds(&self) -> Option<usize> {
-        self.environment.bid_bounds()
-    }
-    fn accepts(&self, task: &E::Task) -> bool {
-        self.environment.accepts(task)
-    }
     fn lanes(&self) -> Box<dyn crate::Episodes<S, E::Task> + '_> {
         match self.meaning {
             Meaning::Same => self.environment.lanes(),
             Meaning::Values(_) | Meaning::Options(_) => Box::new(crate::OneByOne::new(self)),
         }
-    }
-    fn key(&self, episode: &E::Episode) -> Option<u64> {
-        self.environment.key(episode)
-    }
-    fn cycle(&self, episode: &E::Episode, key: u64, actions: u32) -> Option<Ending> {
-        self.environment.cycle(episode, key, actions)
-    }
-    fn distance(&self, episode: &E::Episode) -> Option<f64> {
-        self.environment.distance(episode)
     }
 }
 

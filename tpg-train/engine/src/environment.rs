@@ -188,73 +188,7 @@ impl<S: Scalar, E: Environment<S> + ?Sized> Environment<S> for &E {
     type Task = E::Task;
     type Episode = E::Episode;
 
-    fn sources(&self) -> Vec<SourceDocument> {
-        E::sources(self)
-    }
-    fn actions(&self) -> ActionSpace {
-        E::actions(self)
-    }
-    fn time_limit(&self) -> u32 {
-        E::time_limit(self)
-    }
-    fn draw(&self, stream: &mut Stream) -> Self::Task {
-        E::draw(self, stream)
-    }
-    fn start(&self, task: &Self::Task) -> Self::Episode {
-        E::start(self, task)
-    }
-    fn observe(&self, episode: &mut Self::Episode, wanted: SourceSet, state: &mut [S]) {
-        E::observe(self, episode, wanted, state);
-    }
-    fn step(&self, episode: &mut Self::Episode, act: Act<'_, S>) -> Step {
-        E::step(self, episode, act)
-    }
-    fn outcomes(&self) -> &'static [&'static str] {
-        E::outcomes(self)
-    }
-    fn timeout(&self, episode: &Self::Episode) -> End {
-        E::timeout(self, episode)
-    }
-    fn measure(&self) -> Option<Measure> {
-        E::measure(self)
-    }
-    fn preference(&self) -> Preference {
-        E::preference(self)
-    }
-    fn rougher(&self, task: Self::Task, factor: u8) -> Self::Task {
-        E::rougher(self, task, factor)
-    }
-    fn validation_tasks(&self, count: usize) -> Vec<Self::Task> {
-        E::validation_tasks(self, count)
-    }
-    fn trial_tasks(&self, stream: &mut Stream, count: usize) -> Vec<Self::Task> {
-        E::trial_tasks(self, stream, count)
-    }
-    fn task_from(&self, episode: &Self::Episode) -> Option<Self::Task> {
-        E::task_from(self, episode)
-    }
-    fn constants(&self) -> Vec<u16> {
-        E::constants(self)
-    }
-    fn memory(&self) -> usize {
-        E::memory(self)
-    }
-    fn bid_bounds(&self) -> Option<usize> {
-        E::bid_bounds(self)
-    }
-    fn accepts(&self, task: &Self::Task) -> bool {
-        E::accepts(self, task)
-    }
-    fn lanes(&self) -> Box<dyn Episodes<S, Self::Task> + '_> {
-        E::lanes(self)
-    }
-    fn key(&self, episode: &Self::Episode) -> Option<u64> {
-        E::key(self, episode)
-    }
-    fn cycle(&self, episode: &Self::Episode, key: u64, actions: u32) -> Option<Ending> {
-        E::cycle(self, episode, key, actions)
-    }
-    fn distance(&self, episode: &Self::Episode) -> Option<f64> {
-        E::distance(self, episode)
-    }
+    crate::forward!(this => (**this);
+        sources actions time_limit draw start observe step outcomes timeout measure preference rougher validation_tasks
+        trial_tasks task_from constants memory bid_bounds accepts lanes key cycle distance);
 }

@@ -18,6 +18,7 @@
 //! | [`PolicyGraph`], [`Plan`], [`Node`], [`Arena`] | a graph in the engine's own form |
 //! | [`Lanes`], [`Single`], [`EngineOptions`], [`History`] | execution |
 //! | [`Evaluator`], [`LocalThreads`], [`Work`], [`Piece`], [`Visit`] | evaluation of many roots, on threads or elsewhere |
+//! | [`forward`](crate::forward!) | environments that wrap another one |
 //! | [`random`] | independent streams of random numbers, one for each purpose |
 
 mod action;
@@ -31,6 +32,7 @@ mod episodes;
 mod erased;
 mod error;
 mod evaluator;
+mod forward;
 mod history;
 mod lanes;
 mod nodes;
@@ -63,4 +65,5 @@ pub use policy::{Destination, Edge, Limits, Line, Operand, PolicyGraph, bounded}
 pub use remembering::{Remembered, Remembering, WithMemory};
 pub use single::{Single, single};
 pub use source_set::SourceSet;
+pub use tpg_graph::SourceDocument;
 pub use view::{BLOCK, Block, View};

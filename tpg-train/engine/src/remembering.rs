@@ -1,11 +1,10 @@
 //! A memory for policies: values that they compute at one decision and read at the next.
 
 use crate::action::{Act, ActionSpace, Output};
-use crate::ending::{End, Ending, Measure, Preference, Step};
+use crate::ending::{End, Ending, Step};
 use crate::environment::Environment;
 use crate::episodes::Episodes;
 use crate::one_by_one::OneByOne;
-use crate::random::Stream;
 use crate::source_set::SourceSet;
 use tpg_graph::{Graph, SourceDocument};
 use tpg_runtime::scalar::Scalar;
@@ -114,6 +113,9 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Remembering<E> {
     type Task = E::Task;
     type Episode = WithMemory<E::Episode, S>;
 
+    crate::forward!(this => this.environment;
+        time_limit draw outcomes measure preference rougher validation_tasks trial_tasks constants accepts);
+
     fn sources(&self) -> Vec<SourceDocument> {
         let value = |value: &Remembered| SourceDocument {
             name: value.name.clone(),
@@ -168,44 +170,14 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Remembering<E> {
         self.environment.step(&mut with.episode, Act::Values(values))
     }
 
-    fn time_limit(&self) -> u32 {
-        self.environment.time_limit()
-    }
-    fn draw(&self, stream: &mut Stream) -> E::Task {
-        self.environment.draw(stream)
-    }
-    fn outcomes(&self) -> &'static [&'static str] {
-        self.environment.outcomes()
-    }
     fn timeout(&self, with: &Self::Episode) -> End {
         self.environment.timeout(&with.episode)
-    }
-    fn measure(&self) -> Option<Measure> {
-        self.environment.measure()
-    }
-    fn preference(&self) -> Preference {
-        self.environment.preference()
-    }
-    fn rougher(&self, task: E::Task, factor: u8) -> E::Task {
-        self.environment.rougher(task, factor)
-    }
-    fn validation_tasks(&self, count: usize) -> Vec<E::Task> {
-        self.environment.validation_tasks(count)
-    }
-    fn trial_tasks(&self, stream: &mut Stream, count: usize) -> Vec<E::Task> {
-        self.environment.trial_tasks(stream, count)
     }
     fn task_from(&self, with: &Self::Episode) -> Option<E::Task> {
         self.environment.task_from(&with.episode)
     }
-    fn constants(&self) -> Vec<u16> {
-        self.environment.constants()
-    }
     fn bid_bounds(&self) -> Option<usize> {
         self.environment.bid_bounds().filter(|_| self.memory.is_empty())
-    }
-    fn accepts(&self, task: &E::Task) -> bool {
-        self.environment.accepts(task)
     }
     /// With a memory, the default: a repeated state of the environment alone repeats nothing.
     fn key(&self, with: &Self::Episode) -> Option<u64> {

@@ -14,6 +14,7 @@ pub mod hybrid;
 pub mod network;
 mod report;
 
+pub(crate) use report::mean_with_confidence;
 pub use report::{ArmFigures, Asks, EvaluationReport, HybridFigures, confidence};
 
 use crate::files::{read_graph, read_text};

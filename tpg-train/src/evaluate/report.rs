@@ -106,14 +106,14 @@ impl Asks {
     /// The figures of a trial; none if the graph does not ask.
     pub fn of(graph: &Graph, done: &trial::HybridTrial) -> Option<Self> {
         graph.asks().next()?;
-        let (asks, asks_ci95) = mean(done.asks.iter().map(|&asks| asks.into()));
-        let (_, mean_score_ci95) = mean(done.endings.iter().map(|ending| finite(ending.score)));
+        let (asks, asks_ci95) = mean_with_confidence(done.asks.iter().map(|&asks| asks.into()));
+        let (_, mean_score_ci95) = mean_with_confidence(done.endings.iter().map(|ending| finite(ending.score)));
         Some(Self { asks, asks_ci95, mean_score_ci95 })
     }
 }
 
-/// The mean of values and its 95 % interval.
-fn mean(values: impl ExactSizeIterator<Item = f64> + Clone) -> (f64, [f64; 2]) {
+/// Computes the mean of values and its 95 % interval, of ± 1.96 standard errors.
+pub(crate) fn mean_with_confidence(values: impl ExactSizeIterator<Item = f64> + Clone) -> (f64, [f64; 2]) {
     let count = values.len().max(1) as f64;
     let mean = values.clone().sum::<f64>() / count;
     let squares: f64 = values.map(|value| (value - mean) * (value - mean)).sum();

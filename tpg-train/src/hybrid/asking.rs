@@ -11,9 +11,7 @@ use crate::evolution::run::RunError;
 use crate::sac::network::Network;
 use std::path::Path;
 use tpg_codegen::policy::QuantisedPolicy;
-use tpg_engine::random::Stream;
-use tpg_engine::{Act, ActionSpace, End, Environment, Measure, Preference, SourceSet, Step};
-use tpg_graph::SourceDocument;
+use tpg_engine::{Act, ActionSpace, Environment, Preference, SourceSet, Step};
 use tpg_graph::error::{Finding, InputError, Place};
 use tpg_problems::Problem;
 use tpg_runtime::scalar::Scalar;
@@ -60,7 +58,7 @@ pub fn read(ask: &mut AskConfig, problem: &Problem) -> Result<QuantisedPolicy, R
 ///
 /// // A network that pushes where the pole is falling; inputs are x, v, theta and omega.
 /// let network = |state: &[f32]| Decision::Choice(ActionId((state[2] + state[3] > 0.0).into()));
-/// let asking = Asking::new(CartPole, network, 0.25);
+/// let asking = Asking::new::<f32>(CartPole, network, 0.25);
 /// let task = Environment::<f32>::validation_tasks(&asking, 1).remove(0);
 /// let mut episode = Environment::<f32>::start(&asking, &task);
 /// // Actions: left, right, ask. A step that the pole stands earns 1.
@@ -72,13 +70,25 @@ pub struct Asking<E, P> {
     environment: E,
     network: P,
     price: f64,
+    /// The number of the action that asks, behind the environment's own.
+    ask: usize,
+    /// The number of values of a flat state.
+    length: usize,
 }
 
 impl<E, P: Fn(&[f32]) -> Decision<f32> + Sync> Asking<E, P> {
     /// Adds asking to an environment. The network decides for the flat state, as the environment takes its actions; each
     /// ask costs `price`, in the score's unit.
-    pub fn new(environment: E, network: P, price: f64) -> Self {
-        Self { environment, network, price }
+    ///
+    /// # Panics
+    /// If the environment's actions are not named: [`Choices`](tpg_engine::Choices) names them.
+    pub fn new<S: Scalar>(environment: E, network: P, price: f64) -> Self
+    where
+        E: Environment<S>,
+    {
+        let ask = environment.actions().count().expect("actions are named: tpg_engine::Choices names them");
+        let length = environment.sources().iter().map(|source| source.length as usize).sum();
+        Self { environment, network, price, ask, length }
     }
 }
 
@@ -86,21 +96,20 @@ impl<S: Scalar, E: Environment<S>, P: Fn(&[f32]) -> Decision<f32> + Sync> Enviro
     type Task = E::Task;
     type Episode = E::Episode;
 
+    tpg_engine::forward!(this => this.environment;
+        sources time_limit draw start observe outcomes timeout measure rougher validation_tasks trial_tasks task_from
+        constants bid_bounds accepts distance);
+
     /// The environment's actions, then the one that asks.
-    ///
-    /// # Panics
-    /// If the environment's actions are not named.
     fn actions(&self) -> ActionSpace {
-        let space = self.environment.actions();
-        assert!(space.count().is_some(), "actions are named: tpg_engine::Choices names them");
-        space.with_ask(NETWORK)
+        self.environment.actions().with_ask(NETWORK)
     }
 
     fn step(&self, episode: &mut E::Episode, act: Act<'_, S>) -> Step {
-        if self.environment.actions().count() != Some(act.choice()) {
+        if act.choice() != self.ask {
             return self.environment.step(episode, act);
         }
-        let mut state = vec![S::ZERO; self.sources().iter().map(|source| source.length as usize).sum()];
+        let mut state = vec![S::ZERO; self.length];
         self.environment.observe(episode, SourceSet::ALL, &mut state);
         let state: Vec<f32> = state.iter().map(|value| value.to_f64() as f32).collect();
         let step = self.environment.step(episode, (self.network)(&state).widened().act());
@@ -109,54 +118,5 @@ impl<S: Scalar, E: Environment<S>, P: Fn(&[f32]) -> Decision<f32> + Sync> Enviro
 
     fn preference(&self) -> Preference {
         Preference::Score
-    }
-
-    fn sources(&self) -> Vec<SourceDocument> {
-        self.environment.sources()
-    }
-    fn time_limit(&self) -> u32 {
-        self.environment.time_limit()
-    }
-    fn draw(&self, stream: &mut Stream) -> E::Task {
-        self.environment.draw(stream)
-    }
-    fn start(&self, task: &E::Task) -> E::Episode {
-        self.environment.start(task)
-    }
-    fn observe(&self, episode: &mut E::Episode, wanted: SourceSet, state: &mut [S]) {
-        self.environment.observe(episode, wanted, state);
-    }
-    fn outcomes(&self) -> &'static [&'static str] {
-        self.environment.outcomes()
-    }
-    fn timeout(&self, episode: &E::Episode) -> End {
-        self.environment.timeout(episode)
-    }
-    fn measure(&self) -> Option<Measure> {
-        self.environment.measure()
-    }
-    fn rougher(&self, task: E::Task, factor: u8) -> E::Task {
-        self.environment.rougher(task, factor)
-    }
-    fn validation_tasks(&self, count: usize) -> Vec<E::Task> {
-        self.environment.validation_tasks(count)
-    }
-    fn trial_tasks(&self, stream: &mut Stream, count: usize) -> Vec<E::Task> {
-        self.environment.trial_tasks(stream, count)
-    }
-    fn task_from(&self, episode: &E::Episode) -> Option<E::Task> {
-        self.environment.task_from(episode)
-    }
-    fn constants(&self) -> Vec<u16> {
-        self.environment.constants()
-    }
-    fn bid_bounds(&self) -> Option<usize> {
-        self.environment.bid_bounds()
-    }
-    fn accepts(&self, task: &E::Task) -> bool {
-        self.environment.accepts(task)
-    }
-    fn distance(&self, episode: &E::Episode) -> Option<f64> {
-        self.environment.distance(episode)
     }
 }

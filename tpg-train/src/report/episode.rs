@@ -51,7 +51,8 @@ struct Course {
     answers: Vec<f64>,
 }
 
-/// Watches a graph on tasks, of which the first [`EPISODES`] are kept, and with each input held; `None` where it has a memory, or the environment has other names than the graph.
+/// Watches a graph on tasks, of which the first [`EPISODES`] are kept, and with each input held. `None` where it has a
+/// memory, or the environment has other names than the graph.
 pub(super) fn watch<S: Scalar, M: Maths<S>, E: Environment<S>>(
     graph: &Graph,
     environment: &E,

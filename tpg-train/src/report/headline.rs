@@ -2,15 +2,13 @@
 
 use super::runs::{Group, Kind, Run};
 use super::test::Tested;
-use crate::evaluate::confidence;
+use crate::evaluate::{confidence, mean_with_confidence};
 use crate::picture::Headline;
 use tpg_codegen::emit::Code;
 use tpg_codegen::options::Language;
 use tpg_codegen::{Options, compile, size};
+use tpg_engine::finite;
 use tpg_graph::Graph;
-
-/// The half width of a 95 % interval, in standard errors.
-const Z: f64 = 1.96;
 
 /// Returns one headline for each group; `best` is the place of its best run.
 pub(super) fn headlines(groups: &[Group], tested: &[Vec<Option<Tested>>], best: &[Option<usize>]) -> Vec<Headline> {
@@ -57,8 +55,9 @@ fn result(tested: &Tested) -> String {
             format!("{:.1} % ({low:.1} to {high:.1})", 100.0 * rate)
         }
         None => {
-            let error = summary.score_deviation(&tested.endings) / (summary.episodes.max(1) as f64).sqrt();
-            format!("return {:.2} ± {:.2}", summary.score, Z * error)
+            let scores = tested.endings.iter().map(|ending| finite(ending.score));
+            let (score, [_, high]) = mean_with_confidence(scores);
+            format!("return {score:.2} ± {:.2}", high - score)
         }
     }
 }
