@@ -30,7 +30,7 @@ fn generated(name: &str) -> PathBuf {
 
 /// Random observations that are compared.
 fn observations() -> u32 {
-    tpg_testing::amount(100_000, 1_000_000)
+    tpg_testing::amount(30_000, 1_000_000)
 }
 
 fn policy() -> QuantisedPolicy {
@@ -56,7 +56,13 @@ fn every_kind_answers_packed_as_its_file_for_any_observation_and_succeeds() {
         let path = folder.path().join(kind.name()).with_extension("json");
         quantise_file(&args(path.clone(), kind)).expect("the committed weights");
         for (start, least) in [(Start::Fs, 0.98), (Start::Rs, 0.96)] {
-            let tasks = tasks(&WIDOWX, 78, Set::Validation, start, 200);
+            let tasks = tasks(
+                &WIDOWX,
+                78,
+                Set::Validation,
+                start,
+                tpg_testing::amount(60, 200),
+            );
             let trial = trial_of(&path.display().to_string(), start, &tasks).expect("a good file");
             assert!(
                 trial.success_rate >= least,

@@ -16,8 +16,7 @@ use std::thread::JoinHandle;
 use std::time::Duration;
 use tpg_engine::{Choices, Ending, EngineOptions, Environment, Evaluator, LocalThreads, PolicyGraph};
 use tpg_graph::ScalarType;
-use tpg_problems::Problem;
-use tpg_problems::arm::ArmScalar;
+use tpg_problems::{Number, Problem};
 use tpg_runtime::ops::{Maths, Own};
 use tpg_runtime::scalar::Scalar;
 use tpg_train::evolution::checkpoint;
@@ -302,7 +301,7 @@ impl Report {
 }
 
 /// A run on a built-in problem.
-fn evolve_native<S: ArmScalar>(
+fn evolve_native<S: Number>(
     config: &EvolutionConfig,
     seed: u64,
     problem: &Problem,

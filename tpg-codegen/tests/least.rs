@@ -86,7 +86,7 @@ const MARGIN: f64 = 1.1;
 #[test]
 fn no_profile_in_c_is_smaller() {
     if tpg_testing::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", "the profile small beside the others") {
-        assert_least(Language::C, &KNOWN, tpg_testing::amount(10, 30) as u64, |code| {
+        assert_least(Language::C, &KNOWN, tpg_testing::amount(5, 30) as u64, |code| {
             let built = build_c(code, Target::CortexM4).expect("it compiles");
             measure(&built.object).expect("an object file").flash()
         });
@@ -99,7 +99,7 @@ fn no_profile_in_rust_is_smaller() {
         Ok(compiler) => compiler,
         Err(error) => return tpg_testing::skip(&error.to_string()),
     };
-    assert_least(Language::Rust, &KNOWN, tpg_testing::amount(4, 12) as u64, |code| {
+    assert_least(Language::Rust, &KNOWN, tpg_testing::amount(2, 12) as u64, |code| {
         compiler.size(code, "s").expect("it compiles").flash()
     });
 }

@@ -127,7 +127,7 @@ fn rust_at(level: &str) -> impl Fn(&Path) -> Command {
 
 #[test]
 fn nan_decides_in_rust_as_it_does_in_the_interpreter() {
-    let graphs: Vec<Graph> = (0..tpg_testing::amount(15, 30)).map(about_nan).collect();
+    let graphs: Vec<Graph> = (0..tpg_testing::amount(8, 30)).map(about_nan).collect();
     for level in tpg_testing::amount(&["3"][..], &["1", "2", "3", "s"][..]) {
         let compared = compare(Language::Rust, &graphs, rust_at(level), |graph, seed| full_of_nan(graph, 1000, seed));
         println!("opt-level {level}: {} graphs in every profile, {compared} answers", graphs.len());
@@ -197,7 +197,7 @@ fn of_constants(seed: u64) -> Graph {
 
 #[test]
 fn the_platforms_functions_of_constants_are_the_platforms() {
-    let graphs: Vec<Graph> = (0..tpg_testing::amount(20, 40)).map(of_constants).collect();
+    let graphs: Vec<Graph> = (0..tpg_testing::amount(8, 40)).map(of_constants).collect();
     let states = |graph: &Graph, seed| tpg_graph::states::sample(graph, 20, seed);
     compare(Language::Rust, &graphs, rust_at("3"), states);
     if tpg_testing::tool("gcc", "gcc", "the platform's functions of constants in C") {

@@ -114,15 +114,22 @@ macro_rules! same_bits {
 #[test]
 fn f32_has_the_bits_of_rust() {
     let limits = (0x7f7f_ff00..0x7f80_0010).chain(0..0x100);
-    let strided = (0..=u32::MAX).step_by(1999);
-    let random = random_bits().map(|bits| (bits >> 16) as u32).take(500_000);
+    let strided = (0..=u32::MAX).step_by(tpg_testing::amount(19_991, 1999));
+    let random = random_bits().map(|bits| (bits >> 16) as u32).take(tpg_testing::amount(100_000, 500_000));
     // Between 2⁻¹² and 2¹², where everything is in use.
     let moderate = random_bits().map(|bits| (bits as u32 & 0x807f_ffff) | ((115 + (bits >> 40) as u32 % 24) << 23));
-    same_bits!(f32, f32, ScalarType::F32, "float", limits.chain(strided).chain(random).chain(moderate.take(500_000)));
+    same_bits!(
+        f32,
+        f32,
+        ScalarType::F32,
+        "float",
+        limits.chain(strided).chain(random).chain(moderate.take(tpg_testing::amount(100_000, 500_000)))
+    );
 }
 
 #[test]
 fn f64_has_the_bits_of_rust() {
+    let count = tpg_testing::amount(200_000, 700_000);
     let limits = [0, 1, 0x000f_ffff_ffff_ffff, 0x0010_0000_0000_0000, 0x7fef_ffff_ffff_ffff, 0x7ff0_0000_0000_0000];
     let limits = limits.into_iter().flat_map(|bits: u64| [bits, bits | (1 << 63)]);
     let moderate = random_bits().map(|bits| (bits & 0x800f_ffff_ffff_ffff) | ((1009 + (bits >> 52) % 28) << 52));
@@ -131,6 +138,6 @@ fn f64_has_the_bits_of_rust() {
         f64,
         ScalarType::F64,
         "double",
-        limits.chain(random_bits().take(700_000)).chain(moderate.take(700_000))
+        limits.chain(random_bits().take(count)).chain(moderate.take(count))
     );
 }

@@ -127,7 +127,7 @@ fn without_a_cross_compiler_it_is_an_estimate_and_says_so() {
 #[test]
 fn a_wide_graph_takes_little_memory() {
     use tpg_graph::sample::{self, Shape};
-    let shape = Shape { sources: vec![16_384], teams: 2, edges: 1..=2, ..Shape::default() };
+    let shape = Shape { sources: vec![tpg_testing::amount(8_192, 16_384)], teams: 2, edges: 1..=2, ..Shape::default() };
     let folder = tempfile::tempdir().expect("a temporary folder");
     fs::write(folder.path().join("wide.json"), sample::graph(&shape, 1).to_json()).expect("written");
     let tool = assert_cmd::cargo::cargo_bin("tpg-codegen");

@@ -11,7 +11,7 @@ use tpg_graph::{Document, Graph, ScalarType};
 use tpg_graph::{interpret, states};
 
 fn teams() -> usize {
-    tpg_testing::amount(2_000, 10_000)
+    tpg_testing::amount(1_000, 10_000)
 }
 
 #[test]

@@ -186,7 +186,7 @@ where
     Own: Maths<S>,
 {
     let world = World::<S>::new(scalar, arm, shield);
-    let tasks = arm_tasks(arm, 12);
+    let tasks = arm_tasks(arm, tpg_testing::amount(6, 12));
     let mut ways = [0usize; 7];
     let mut steps = 0;
     for policy in &world.policies {
@@ -290,8 +290,9 @@ fn no_option_and_no_number_of_threads_changes_an_answer() {
     let world = World::<f32>::new(ScalarType::F32, &WIDOWX, Shield::None);
     let units = (0..)
         .zip(&world.policies)
+        .take(tpg_testing::amount(25, usize::MAX))
         .map(|(root, policy)| WorkUnit { key: UnitKey { seed: 1, generation: 0, root }, policy: policy.clone() });
-    let work = Work { tasks: arm_tasks(&WIDOWX, 30), units: units.collect() };
+    let work = Work { tasks: arm_tasks(&WIDOWX, tpg_testing::amount(8, 30)), units: units.collect() };
     let answers = |options: EngineOptions, threads: usize| {
         let evaluator = LocalThreads::<f32, Own, _>::new(&world.environment, options, threads).expect("threads start");
         evaluator.evaluate(&work).expect("local threads always answer")

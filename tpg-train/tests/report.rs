@@ -21,11 +21,16 @@ fn a_report_shows_every_run_and_is_the_same_wherever_the_runs_are() {
     evolve(&evolved, "fs", "1..3");
     let sac = place.path().join("sac");
     let mut command = tpg_train();
-    command.args(["sac", "--problem", "rs", "--decisions", "3000", "--out"]).arg(&sac);
+    command.args(["sac", "--problem", "rs", "--decisions", tpg_testing::amount("1500", "3000"), "--out"]).arg(&sac);
     command.assert().success();
 
     let report = |runs: &[&Path]| {
-        let output = tpg_train().arg("report").args(runs).args(["--episodes", "50", "--out", "-"]).assert().success();
+        let output = tpg_train()
+            .arg("report")
+            .args(runs)
+            .args(["--episodes", tpg_testing::amount("20", "50"), "--out", "-"])
+            .assert()
+            .success();
         String::from_utf8(output.get_output().stdout.clone()).expect("text")
     };
     let html = report(&[&evolved, &sac]);

@@ -11,9 +11,6 @@ use tpg_problems::{Problem, ProblemName};
 use tpg_train::evolution::config::{EvolutionConfig, StartKind, Units};
 use tpg_train::evolution::presets::Preset;
 
-/// Number of times a run is killed.
-const KILLS: usize = 20;
-
 /// A run of seconds that uses every feature: two demes with migration, pool, archive, lexicase, racing.
 fn small_config() -> EvolutionConfig {
     let mut config = Preset::find("best-rs").expect("it comes with the trainer").config().expect("it is accepted");
@@ -71,8 +68,9 @@ fn killed_resumed_or_on_other_threads_a_run_ends_in_the_same_bytes() {
 
     // Each session uses different threads and lanes. A run that finishes is compared, and another one started.
     let mut stream = Stream::new(1, 0, Purpose::Test, 0);
+    let times = tpg_testing::amount(6, 20);
     let (mut kills, mut ends) = (0, 0);
-    while kills < KILLS {
+    while kills < times {
         let killed = place.path().join(format!("killed-{ends}"));
         let [threads, lanes] = [*stream.pick(&["1", "2", "5"]), *stream.pick(&["1", "3", "112"])];
         let arguments = ["--threads", threads, "--lanes", lanes, "--checkpoint-seconds", "0", "--resume"];
@@ -157,10 +155,13 @@ fn a_target_and_a_number_of_steps_end_a_run_early() {
 #[test]
 fn selection_takes_no_more_than_a_tenth_of_the_episodes() {
     let place = tempfile::tempdir().expect("a temporary folder");
+    let generations = tpg_testing::amount("12", "30");
     for preset in ["kelly", "general"] {
         let folder = place.path().join(preset);
         let mut command = Command::new(env!("CARGO_BIN_EXE_tpg-train"));
-        command.args(["tpg", "--problem", "cartpole", "--preset", preset, "--generations", "30", "--out"]).arg(&folder);
+        command
+            .args(["tpg", "--problem", "cartpole", "--preset", preset, "--generations", generations, "--out"])
+            .arg(&folder);
         assert!(command.stderr(Stdio::null()).status().expect("it runs").success());
         let state = state(&folder);
         let number = |key: &str| state[key].as_u64().expect("a count");

@@ -29,7 +29,7 @@ fn a_few_thousand_decisions_swing_the_pendulum_up() {
     let tasks = Environment::<f32>::validation_tasks(&Pendulum, 50);
     let mut score = || -> [f64; 2] {
         let before: Summary = training.validate(&tasks);
-        while training.decisions() < 8000 {
+        while training.decisions() < tpg_testing::amount(5000, 8000) {
             training.tick();
         }
         [before.score, training.validate(&tasks).score]

@@ -1,5 +1,6 @@
 //! `cargo xtask`: every CI step, for local use.
 
+mod book;
 mod check;
 mod dist;
 mod fuzz;
@@ -83,7 +84,7 @@ enum Task {
     Python(python::PythonArgs),
     /// Make what users download: static programs for Linux, libraries for every target, a bill of materials, checksums
     Dist(dist::DistArgs),
-    /// Build the book of `docs/` with mdBook, into target/book
+    /// Build the book of `docs/` with mdBook, into target/book; check its links
     Book {
         /// First write the pages that are made from the programs: command lines and configuration
         #[arg(long)]

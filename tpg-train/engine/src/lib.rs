@@ -34,6 +34,8 @@ mod error;
 mod evaluator;
 mod forward;
 mod history;
+#[cfg(all(debug_assertions, not(test)))]
+mod instances;
 mod lanes;
 mod nodes;
 mod one_by_one;

@@ -35,6 +35,10 @@ impl<T: Real> Adam<T> {
     /// # Panics
     /// If `parameters` or `gradient` differs in length from the optimiser's state.
     pub fn step(&mut self, parameters: &mut [T], gradient: &[T], rate: f64) {
+        T::step(self, parameters, gradient, rate);
+    }
+
+    pub(super) fn compute_step(&mut self, parameters: &mut [T], gradient: &[T], rate: f64) {
         assert!(parameters.len() == self.mean.len() && gradient.len() == self.mean.len(), "another parameter vector");
         self.steps += 1;
         let steps = self.steps as f64;

@@ -56,6 +56,10 @@ impl Gaussian {
     /// # Panics
     /// If the size of `noise` does not match `outputs`.
     pub fn sample<T: Real>(self, outputs: &[T], noise: &[T], samples: &mut Samples<T>) {
+        T::sample(self, outputs, noise, samples);
+    }
+
+    pub(super) fn compute_sample<T: Real>(self, outputs: &[T], noise: &[T], samples: &mut Samples<T>) {
         assert_eq!(outputs.len(), 2 * noise.len(), "noise for another batch");
         let (low, high) = self.spread.range();
         let (low, high) = (T::of(low), T::of(high));
@@ -104,6 +108,17 @@ impl Gaussian {
     /// # Panics
     /// If the sizes do not match.
     pub fn backward<T: Real>(
+        self,
+        samples: &Samples<T>,
+        noise: &[T],
+        by_actions: &[T],
+        by_density: T,
+        by_outputs: &mut [T],
+    ) {
+        T::sample_backward(self, samples, noise, by_actions, by_density, by_outputs);
+    }
+
+    pub(super) fn compute_backward<T: Real>(
         self,
         samples: &Samples<T>,
         noise: &[T],

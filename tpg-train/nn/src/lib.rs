@@ -15,6 +15,7 @@
 
 mod adam;
 mod gaussian;
+mod loops;
 mod mlp;
 mod norm;
 mod product;
@@ -22,6 +23,7 @@ mod sum;
 
 pub use adam::Adam;
 pub use gaussian::{Gaussian, Samples, Spread};
+pub use loops::Loops;
 pub use mlp::{Mlp, Shape, Tape};
 pub use product::{Factor, Finish, Scratch, multiply};
 
@@ -31,7 +33,8 @@ use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// `f32` or `f64`, with platform-independent elementary functions and vector operations.
 pub trait Real:
-    Copy
+    Loops
+    + Copy
     + Default
     + Debug
     + PartialOrd

@@ -191,6 +191,10 @@ impl<T: Real> Mlp<T> {
     /// # Panics
     /// If the shapes differ.
     pub fn follow(&mut self, other: &Self, rate: T) {
+        T::follow(self, other, rate);
+    }
+
+    pub(super) fn compute_follow(&mut self, other: &Self, rate: T) {
         assert_eq!(self.shape, other.shape, "networks of different shapes");
         let pairs = self.parameters.iter_mut().zip(&other.parameters);
         Arch::new().dispatch(
@@ -204,6 +208,10 @@ impl<T: Real> Mlp<T> {
     /// # Panics
     /// If the tape was made for a different shape.
     pub fn forward(&self, tape: &mut Tape<T>) {
+        T::forward(self, tape);
+    }
+
+    pub(super) fn compute_forward(&self, tape: &mut Tape<T>) {
         let last = self.shape.hidden.len();
         let scratch = &mut tape.scratch;
         for (index, layer) in self.layers.iter().enumerate() {
@@ -237,6 +245,16 @@ impl<T: Real> Mlp<T> {
     /// # Panics
     /// If the sizes do not match.
     pub fn backward(
+        &self,
+        tape: &mut Tape<T>,
+        by_output: &[T],
+        gradients: Option<&mut [T]>,
+        by_input: Option<&mut [T]>,
+    ) {
+        T::backward(self, tape, by_output, gradients, by_input);
+    }
+
+    pub(super) fn compute_backward(
         &self,
         tape: &mut Tape<T>,
         by_output: &[T],

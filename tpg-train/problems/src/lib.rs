@@ -44,7 +44,7 @@ pub use continuous::ContinuousProblem;
 pub use mountain_car::MountainCar;
 pub use mountain_car_continuous::MountainCarContinuous;
 pub use pendulum::Pendulum;
-pub use registry::{Problem, ProblemName};
+pub use registry::{Number, Problem, ProblemName};
 
 use tpg_graph::SourceDocument;
 

@@ -243,7 +243,11 @@ impl Problem {
     /// let environment = Problem::usual(ProblemName::Cartpole).environment::<f32>();
     /// assert_eq!(environment.time_limit(), 500);
     /// ```
-    pub fn environment<S: ArmScalar>(&self) -> AnyEnvironment<S> {
+    pub fn environment<S: Number>(&self) -> AnyEnvironment<S> {
+        S::environment(self)
+    }
+
+    fn create<S: ArmScalar>(&self) -> AnyEnvironment<S> {
         match self {
             Self::Arm(start, config) => erase(config.environment::<S>(*start)),
             Self::Dodge(config) => erase(Dodge::new(config)),
@@ -291,6 +295,27 @@ pub(crate) fn section<Settings: DeserializeOwned>(file: &str, text: &str) -> Res
         let found = error.inner().message().trim().to_owned();
         InputError { found, ..settings::place(file, text, Finding::new(key, "", ACCEPTED)) }
     })
+}
+
+/// Number types of the problems in the registry.
+///
+/// Its method is not a generic function, so that the problems are compiled in this crate and not once more in every crate that
+/// uses them.
+pub trait Number: ArmScalar {
+    /// Implements [`Problem::environment`].
+    fn environment(problem: &Problem) -> AnyEnvironment<Self>;
+}
+
+impl Number for f32 {
+    fn environment(problem: &Problem) -> AnyEnvironment<f32> {
+        problem.create()
+    }
+}
+
+impl Number for f64 {
+    fn environment(problem: &Problem) -> AnyEnvironment<f64> {
+        problem.create()
+    }
 }
 
 #[cfg(test)]

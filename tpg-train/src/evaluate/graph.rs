@@ -7,10 +7,9 @@ use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{Choices, Ending, EngineOptions, Environment, Lanes, Plan, Remembered, Remembering, bind};
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::{Graph, in_arithmetic_of};
-use tpg_problems::Problem;
-use tpg_problems::arm::ArmScalar;
 use tpg_problems::dodge::scene::Scene;
 use tpg_problems::dodge::{self, Dodge};
+use tpg_problems::{Number, Problem};
 use tpg_runtime::ops::Maths;
 use tpg_runtime::scalar::Scalar;
 
@@ -149,7 +148,7 @@ struct Evaluation<'a> {
 }
 
 impl Evaluation<'_> {
-    fn run<S: ArmScalar, M: Maths<S>>(&self) -> Result<EvaluationReport, InputError> {
+    fn run<S: Number, M: Maths<S>>(&self) -> Result<EvaluationReport, InputError> {
         let Self { problem, file, graph, episodes, seed } = *self;
         let environment = problem.environment::<S>();
         let choices = Choices::new(&*environment, problem.levels_for(graph))

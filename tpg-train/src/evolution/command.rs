@@ -25,9 +25,8 @@ use tpg_engine::{
 use tpg_graph::ScalarType;
 use tpg_graph::command::Verdict;
 use tpg_graph::error::InputError;
-use tpg_problems::arm::ArmScalar;
 use tpg_problems::registry::USUAL_LEVELS;
-use tpg_problems::{Problem, ProblemName};
+use tpg_problems::{Number, Problem, ProblemName};
 use tpg_runtime::ops::{Maths, Own};
 
 /// Seconds between checkpoints.
@@ -128,7 +127,7 @@ struct Training<'a, W> {
 }
 
 impl<W: Workplace> Training<'_, W> {
-    fn run<S: ArmScalar>(self) -> Result<Verdict, RunError>
+    fn run<S: Number>(self) -> Result<Verdict, RunError>
     where
         Own: Maths<S>,
     {
@@ -155,7 +154,7 @@ impl<W: Workplace> Training<'_, W> {
         self.place.train(&identity, &local, |evaluator| self.restarts(&environment, evaluator))
     }
 
-    fn restarts<S: ArmScalar, E: Environment<S>>(
+    fn restarts<S: Number, E: Environment<S>>(
         &self,
         environment: &E,
         evaluator: &dyn Evaluator<E::Task>,
@@ -200,7 +199,7 @@ impl<W: Workplace> Training<'_, W> {
 }
 
 /// Writes `restarts.csv`, and the best seed's graph as `graph.json`.
-fn keep_best<S: ArmScalar>(
+fn keep_best<S: Number>(
     folder: &Path,
     finished: &[(u64, Box<Best>)],
     environment: &impl Environment<S>,
@@ -221,7 +220,7 @@ fn keep_best<S: ArmScalar>(
     Ok(())
 }
 
-fn sentence<S: ArmScalar>(seed: u64, best: &Best, environment: &impl Environment<S>) -> String {
+fn sentence<S: Number>(seed: u64, best: &Best, environment: &impl Environment<S>) -> String {
     let Summary { score, success, measure, episodes, .. } = best.result;
     let success = success.map(|success| format!(", {:.1} % solved", 100.0 * success)).unwrap_or_default();
     let measure = environment.measure().map(|of| format!(", mean {} {measure:.1} {}", of.name, of.unit));

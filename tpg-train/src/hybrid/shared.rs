@@ -7,8 +7,7 @@ use tpg_engine::{Choices, Environment, Measure, Preference};
 use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::in_arithmetic_of;
-use tpg_problems::Problem;
-use tpg_problems::arm::ArmScalar;
+use tpg_problems::{Number, Problem};
 use tpg_runtime::ops::{Maths, Own};
 use tpg_runtime::scalar::Scalar;
 
@@ -120,7 +119,7 @@ trait Job {
     ) -> Result<Self::Output, InputError>;
 
     /// Runs the job on a built-in problem.
-    fn opened<S: ArmScalar, M: Maths<S>>(self, problem: &Problem) -> Result<Self::Output, InputError>
+    fn opened<S: Number, M: Maths<S>>(self, problem: &Problem) -> Result<Self::Output, InputError>
     where
         Self: Sized,
     {

@@ -24,7 +24,7 @@ use tpg_graph::{Graph, in_arithmetic_of};
 use tpg_problems::arm::environment::{DISTANCE, OUTCOMES};
 use tpg_problems::arm::targets::{self, Set, Start, TOLERANCE};
 use tpg_problems::arm::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
-use tpg_problems::{ContinuousProblem, Problem};
+use tpg_problems::{ContinuousProblem, Number, Problem};
 use tpg_runtime::ops::Maths;
 
 /// Number of trajectories to keep: the first successful and the first failed episodes.
@@ -203,7 +203,7 @@ struct OnAProblem<'a> {
 }
 
 impl OnAProblem<'_> {
-    fn run<S: ArmScalar, M: Maths<S>>(&self) -> Result<Tested, InputError> {
+    fn run<S: Number, M: Maths<S>>(&self) -> Result<Tested, InputError> {
         let Self { problem, file, graph, episodes, seed } = *self;
         let environment = problem.environment::<S>();
         let choices = Choices::new(&*environment, problem.levels_for(graph))
