@@ -54,7 +54,7 @@ use std::fmt::Display;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
-/// Why a check could not be done, or failed.
+/// A reason that a check failed or could not be done.
 #[derive(Debug)]
 pub(crate) struct Failure(String);
 

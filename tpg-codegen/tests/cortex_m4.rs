@@ -7,7 +7,7 @@ use tpg_codegen::emit::{Code, Language};
 use tpg_codegen::size::{self, Target};
 use tpg_graph::{Graph, MathsProvider, ScalarType};
 
-/// What the object file asks others for, but for GEGELATI's own inputs.
+/// Symbols that the object file needs from elsewhere, without GEGELATI's own inputs.
 fn undefined(graph: &Graph, shape: Shape) -> Vec<String> {
     let object = size::compile_c(graph, &shaped("arm", shape), Target::CortexM4).expect("it compiles");
     let file = object::File::parse(&*object).expect("an object file");

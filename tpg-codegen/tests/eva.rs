@@ -5,7 +5,7 @@
 //! writes, belongs together, which intervals of each do not show. So EVA is told to look at every team and every program
 //! for itself (`//@ split`, a comment to compilers), in a copy of the code that is otherwise the same to the byte.
 //!
-//! What is explained and so not an alarm: infinities and NaN are values here, as in the graph
+//! Values that are explained and so no alarm: infinities and NaN are values here, as in the graph
 //! (`-warn-special-float none`).
 
 use crate::common::{emit_into, run, shaped};
@@ -57,7 +57,7 @@ fn split(path: &Path, profile: Profile) {
     fs::write(path, text).expect("the folder can be written");
 }
 
-/// What EVA says of a graph's code in a profile.
+/// EVA's report on a graph's code in a profile.
 fn analyse(graph: &Graph, profile: Profile, bad_index: bool) -> String {
     let folder = TempDir::new().expect("a temporary folder");
     emit_into(folder.path(), graph, Language::C, &shaped("arm", (Style::Pure, Some(profile))));

@@ -55,7 +55,7 @@ fn program(scalar: ScalarType, number: &str) -> [(String, String); 2] {
     [(header.name, header.text), ("own.c".to_owned(), text)]
 }
 
-/// What the compiled program answers, or `None` where there is no such compiler.
+/// The compiled program's answers, or `None` where there is no such compiler.
 fn run(compiler: &[&str], program: &[(String, String)], input: Vec<u8>) -> Option<Vec<u8>> {
     Command::new(compiler[0]).arg("--version").stdout(Stdio::null()).status().ok()?;
     let directory = tempfile::tempdir().unwrap();

@@ -1,4 +1,4 @@
-//! What the fast profile relies on: its plans look at every bid once, and what they spare cannot win.
+//! Properties that the fast profile relies on: its plans look at every bid once, and the bids they leave out cannot win.
 
 use tpg_codegen::ir::{Module, Node, NodeId, needed};
 use tpg_codegen::passes::arithmetic::is_transcendental;

@@ -20,7 +20,7 @@ fn pair() -> [Graph; 2] {
     [left, right]
 }
 
-/// What the interpreter answers for the state that the programs below ask about.
+/// The interpreter's answers for the state that the programs below ask about.
 fn expected([left, right]: &[Graph; 2]) -> String {
     let action = |graph: &Graph| {
         let state = vec![1.0; graph.state_length()];

@@ -43,7 +43,7 @@ fn shell(line: &str, place: &Path, path: &OsStr, what: &str) {
     assert!(output.status.success(), "{what}\n{}", String::from_utf8_lossy(&output.stderr));
 }
 
-/// What a user's own program would record of `generated/cartpole`: states, and the action by the README's formula.
+/// A recording of `generated/cartpole` as a user's own program would make it: states, and the action by the README's formula.
 fn recorded() -> String {
     let mut numbers = Numbers(1);
     let mut text = "x[0],v[0],theta[0],omega[0],action\n".to_owned();

@@ -33,7 +33,7 @@ pub(super) fn sources(graph: &Graph, safe: impl Fn(&str) -> String) -> Vec<Sourc
         .collect()
 }
 
-/// What each asking action asks, as part of a constant's name, and its number.
+/// Name of the policy that each asking action asks, as part of a constant's name, and the action's number.
 pub(super) fn asks(graph: &Graph, name: impl Fn(&str) -> String) -> Vec<(String, usize)> {
     let actions = graph.actions().iter().enumerate();
     actions.filter_map(|(number, action)| Some((name(action.ask.as_deref()?), number))).collect()

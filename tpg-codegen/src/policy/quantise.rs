@@ -19,7 +19,7 @@ use super::float::FloatLayer;
 use super::{QuantisedLayer, layer_kind};
 use tpg_runtime::net::{INPUT_ONE, Kind, PREFERENCE_ONE};
 
-/// Why a network cannot be put into integers.
+/// A reason not to put a network into integers.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum QuantiseError {
     /// A weight or a bias is not finite.

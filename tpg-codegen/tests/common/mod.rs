@@ -1,4 +1,4 @@
-//! What several tests need: the fixture graph in every scalar and maths, and its code in a folder.
+//! Parts that several tests share: the fixture graph in every scalar and maths, and its code in a folder.
 
 use std::path::Path;
 use std::process::Command;

@@ -5,7 +5,7 @@ use super::pack::{ANSWER_ARGMAX, ANSWER_PREFERENCES, ANSWER_VALUES, HEADER, LAYE
 use super::{LAST, crc, integer};
 use tpg_kernels::{COLUMNS, Form, Kind, ROWS};
 
-/// Why words are not a model.
+/// A reason that words are not a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ModelError {
     /// They do not begin with [`MAGIC`].

@@ -4,7 +4,7 @@ use super::{Arm, Collision, Joint, Move, Pose};
 use crate::kinematics::{Lattice, Plane};
 use tpg_runtime::scalar::Scalar;
 
-/// Why an action was refused.
+/// A reason to refuse an action.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Invalid {
     /// The joint would leave its range.
@@ -18,7 +18,7 @@ pub enum Invalid {
 pub struct Step {
     /// The pose afterwards.
     pub pose: Pose,
-    /// Why the move, or a part of it, was refused.
+    /// The reason that the move, or a part of it, was refused.
     pub invalid: Option<Invalid>,
 }
 

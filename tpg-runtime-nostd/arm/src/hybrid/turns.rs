@@ -15,7 +15,7 @@ pub type Chosen = switch::Chosen<Move>;
 #[derive(Clone, Debug)]
 pub struct Switch<S, D> {
     pub(super) turns: switch::Switch<S, D>,
-    /// What the guard knows about poses near the arm's.
+    /// The guard's knowledge about poses near the arm's.
     pub(super) leeway: Leeway,
 }
 
