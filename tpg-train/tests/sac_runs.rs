@@ -27,9 +27,10 @@ fn a_few_thousand_decisions_swing_the_pendulum_up() {
     let config = presets::config(presets::find("general").expect("a preset")).expect("it is accepted");
     let mut training = Training::new(&Pendulum, config, 1).expect("a torque");
     let tasks = Environment::<f32>::validation_tasks(&Pendulum, 50);
+    let decisions = tpg_testing::amount(5000, 8000);
     let mut score = || -> [f64; 2] {
         let before: Summary = training.validate(&tasks);
-        while training.decisions() < tpg_testing::amount(5000, 8000) {
+        while training.decisions() < decisions {
             training.tick();
         }
         [before.score, training.validate(&tasks).score]
