@@ -131,6 +131,7 @@ export class Control {
   paint(state) {
     const { canvas, colours } = this, g = canvas.getContext("2d"), ratio = Math.min(devicePixelRatio || 1, 2);
     const [width, height] = [canvas.clientWidth, canvas.clientHeight];
+    if (!width || !height) return;
     if (canvas.width !== Math.round(width * ratio)) Object.assign(canvas, { width: Math.round(width * ratio), height: Math.round(height * ratio) });
     g.setTransform(ratio, 0, 0, ratio, 0, 0);
     g.clearRect(0, 0, width, height);
@@ -197,7 +198,7 @@ function drawCart(g, colours, { width, height, state: [x, , theta], action, valu
 }
 
 function drawPendulum(g, colours, { width, height, state: [theta], action, values: [, long], acted }) {
-  const reach = Math.min(width, height) / 2 - 22, [cx, cy] = [width / 2, height / 2], rod = reach * Math.min(1, long / 1.6 + 0.25);
+  const reach = Math.max(0, Math.min(width, height) / 2 - 22), [cx, cy] = [width / 2, height / 2], rod = reach * Math.min(1, long / 1.6 + 0.25);
   g.strokeStyle = colours.line;
   g.lineWidth = 1.5;
   g.setLineDash([4, 6]);
