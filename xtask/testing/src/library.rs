@@ -96,6 +96,10 @@ pub fn make(target: &str, folder: &Path) -> Result<PathBuf, Missing> {
     for folder in [&library, &objects] {
         fs::create_dir_all(folder).map_err(|error| Missing::Failed(format!("{}: {error}", folder.display())))?;
     }
+    // Tests make the same library at the same time; the lock ends with the file.
+    let lock = objects.join("lock");
+    let locked = fs::File::create(&lock).and_then(|file| file.lock().map(|()| file));
+    let _locked = locked.map_err(|error| Missing::Failed(format!("{}: {error}", lock.display())))?;
     let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     cargo.current_dir(top()).args(["build", "--quiet", "--package", "tpg-runtime-capi", "--profile", "firmware"]);
     cargo.args(["--target", target, "--lib"]);
@@ -118,9 +122,11 @@ pub fn make(target: &str, folder: &Path) -> Result<PathBuf, Missing> {
     let link: Vec<&str> = link.iter().copied().chain(relocatable).chain(wanted).chain(["all.a"]).collect();
     run("ld", &link)?;
     run("objcopy", &["--wildcard", "--keep-global-symbol=tpg_*", "--strip-unneeded", "tpg_runtime.o"])?;
-    let archive = library.join("libtpg_runtime.a");
-    let _ = fs::remove_file(&archive);
-    run("ar", &["rcsD", &archive.to_string_lossy(), "tpg_runtime.o"])?;
+    // Whoever links meanwhile sees the old archive or the new one.
+    let (archive, made) = (library.join("libtpg_runtime.a"), objects.join("libtpg_runtime.a"));
+    let _ = fs::remove_file(&made);
+    run("ar", &["rcsD", "libtpg_runtime.a", "tpg_runtime.o"])?;
+    fs::rename(&made, &archive).map_err(|error| Missing::Failed(format!("{}: {error}", archive.display())))?;
     install(target, folder)?;
     Ok(archive)
 }
