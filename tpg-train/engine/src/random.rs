@@ -89,10 +89,11 @@ impl Stream {
     pub fn below(&mut self, bound: usize) -> usize {
         assert!(bound > 0, "there is no number below 0");
         let bound = bound as u64;
-        let reject_below = bound.wrapping_neg() % bound;
         loop {
             let wide = u128::from(self.bits()) * u128::from(bound);
-            if wide as u64 >= reject_below {
+            let low = wide as u64;
+            // Numbers below 2⁶⁴ mod `bound` are rejected; as that is below `bound`, the division is rarely needed.
+            if low >= bound || low >= bound.wrapping_neg() % bound {
                 return (wide >> 64) as usize;
             }
         }
