@@ -12,7 +12,7 @@ mod urdf;
 
 use crate::files::{read_text, write_atomically};
 use clap::{Args, Subcommand};
-use section::Radii;
+pub use section::Radii;
 use std::path::PathBuf;
 use tpg_graph::error::{Finding, InputError, Place};
 
@@ -79,8 +79,12 @@ pub fn execute(args: &ArmArgs) -> Result<(), InputError> {
     }
 }
 
-/// Returns the section for a URDF's text.
-fn import(file: &str, text: &str, tip: &str, fix: &[(String, f64)], radii: Radii) -> Result<String, InputError> {
+/// Returns the section `[problem.arm]` for a URDF's text. `file` is its name in messages, `tip` the link whose origin must reach
+/// targets, `fix` the joints that are held, each at an angle in rad.
+///
+/// # Errors
+/// A text that is no URDF, or no URDF of a planar arm; a link or joint that it does not have.
+pub fn import(file: &str, text: &str, tip: &str, fix: &[(String, f64)], radii: Radii) -> Result<String, InputError> {
     let chain = urdf::chain(file, text, tip, fix)?;
     let arm = planar::recognise(file, &chain)?;
     let description = section::describe(&arm, radii);

@@ -7,13 +7,13 @@ use tpg_arm::TICKS_PER_TURN;
 use tpg_problems::arm::ArmDescription;
 use tpg_problems::arm::description::ShapesDescription;
 
-/// The thickness that a URDF's reader is told, mm.
+/// Thicknesses for the collision test, mm: a URDF's shapes are not read.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Radii {
-    /// Of forearm and hand.
-    pub(super) link: f64,
-    /// Of the base.
-    pub(super) base: f64,
+pub struct Radii {
+    /// Half the thickness of forearm and hand.
+    pub link: f64,
+    /// The radius of the base.
+    pub base: f64,
 }
 
 /// Returns the arm's description: upright and stretched ahead at the start, as near as its ranges allow, with plain shapes of

@@ -6,6 +6,7 @@ use tpg_codegen::emit::{self, Language, Options, Profile, Style};
 use tpg_codegen::passes::interval::Assumption;
 use tpg_codegen::verify::{self, Workshop};
 use tpg_graph::import::{self, Sidecar};
+use tpg_graph::interpret::Answer;
 use tpg_graph::sample::{self, Shape};
 use tpg_graph::{Graph, interpret, states};
 
@@ -40,6 +41,22 @@ pub fn trace(data: &[u8]) {
     let graph = GRAPH.get_or_init(|| sample::graph(&Shape { sources: vec![2, 1], ..Shape::default() }, 1));
     match tpg_graph::trace::from_text("fuzzed.csv", &String::from_utf8_lossy(data), graph) {
         Ok(states) => assert_eq!(states.len() % graph.state_length(), 0),
+        Err(error) => drop(error.to_string()),
+    }
+}
+
+/// Recorded states of a graph with the answers of another tool.
+pub fn recording(data: &[u8]) {
+    static GRAPH: OnceLock<Graph> = OnceLock::new();
+    let graph = GRAPH.get_or_init(|| sample::graph(&Shape { sources: vec![2, 1], ..Shape::default() }, 1));
+    match tpg_graph::trace::recording_from_text("fuzzed.csv", &String::from_utf8_lossy(data), graph) {
+        Ok(recording) => {
+            assert_eq!(recording.states.len(), graph.state_length() * recording.answers.len());
+            assert_eq!(recording.lines.len(), recording.answers.len());
+            let actions = graph.actions().len();
+            let known = |answer: &Answer| matches!(answer, Answer::Action(action) if usize::from(action.0) < actions);
+            assert!(recording.answers.iter().all(known), "every answer is an action of the graph");
+        }
         Err(error) => drop(error.to_string()),
     }
 }

@@ -6,9 +6,9 @@
 //!
 //! | module | subject |
 //! | --- | --- |
-//! | [`graphs`] | `graph.json`, `.dot` with its sidecar, traces; graphs compiled and compared |
+//! | [`graphs`] | `graph.json`, `.dot` with its sidecar, traces, recordings; graphs compiled and compared |
 //! | [`networks`] | `policy.q.json`, packed words, safetensors |
-//! | [`settings`] | tasks, configurations, hybrids |
+//! | [`settings`] | tasks, configurations, hybrids, arms |
 //! | [`checkpoints`] | checkpoints of both trainers, and training from them |
 //! | [`mutation`] | changes of seeds, for the test |
 
@@ -30,15 +30,18 @@ pub struct Target {
 }
 
 /// Every target.
-pub const TARGETS: [Target; 15] = [
+pub const TARGETS: [Target; 18] = [
     Target { name: "graph_json", run: graphs::json },
     Target { name: "dot", run: graphs::dot },
     Target { name: "trace", run: graphs::trace },
+    Target { name: "recording", run: graphs::recording },
     Target { name: "compiled", run: graphs::compiled },
     Target { name: "policy", run: networks::policy },
     Target { name: "packed_words", run: networks::words },
     Target { name: "safetensors", run: networks::safetensors },
     Target { name: "targets", run: settings::targets },
+    Target { name: "scenes", run: settings::scenes },
+    Target { name: "urdf", run: settings::urdf },
     Target { name: "hybrid", run: settings::hybrid },
     Target { name: "tpg_config", run: settings::tpg_config },
     Target { name: "sac_config", run: settings::sac_config },

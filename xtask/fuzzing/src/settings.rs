@@ -1,8 +1,10 @@
-//! Files of settings and tasks: TOML and CSV.
+//! Files of settings, tasks and arms: TOML, CSV and URDF.
 
 use tpg_arm::WIDOWX;
 use tpg_problems::arm::targets;
 use tpg_problems::continuous::ContinuousProblem;
+use tpg_problems::dodge::file as scenes_file;
+use tpg_train::arm_import::{self, Radii};
 use tpg_train::evolution::config::EvolutionConfig;
 use tpg_train::hybrid::arm::setting::HybridFile;
 use tpg_train::hybrid::setting::parse_file;
@@ -19,6 +21,34 @@ pub fn targets(data: &[u8]) {
             let again = parse(&targets::to_csv(&tasks)).expect("what is written is read");
             assert!(again == tasks, "what is read is what was written");
         }
+        Err(error) => drop(error.to_string()),
+    }
+}
+
+/// Scenes of `dodge` as CSV.
+///
+/// # Panics
+/// If what is written is not read again.
+pub fn scenes(data: &[u8]) {
+    match scenes_file::parse_csv("scenes.csv", &String::from_utf8_lossy(data)) {
+        Ok(scenes) => {
+            let written = scenes_file::to_csv(&scenes);
+            let again = scenes_file::parse_csv("written.csv", &written).expect("what is written is read");
+            assert_eq!(scenes_file::to_csv(&again), written, "what is read is what was written");
+        }
+        Err(error) => drop(error.to_string()),
+    }
+}
+
+/// A URDF, imported with its link `tip` as the tip.
+///
+/// # Panics
+/// If the section that is made of it is no TOML.
+pub fn urdf(data: &[u8]) {
+    let text = String::from_utf8_lossy(data);
+    let radii = Radii { link: 20.0, base: 60.0 };
+    match arm_import::import("fuzzed.urdf", &text, "tip", &[("roll".to_owned(), 0.0)], radii) {
+        Ok(section) => drop(section.parse::<toml::Table>().expect("the section is TOML")),
         Err(error) => drop(error.to_string()),
     }
 }
