@@ -105,7 +105,7 @@ impl<S: Scalar, M: Maths<S>> Columns<S, M> {
                 match (lanes, a, b, &mut from[..used]) {
                     // A single lane is cheaper to compute as a scalar than as a block.
                     (1, [a], [b], [to]) => to[0] = instruction.apply::<S, M>(a[0], b[0]),
-                    (_, a, b, to) => compute_column::<S, M>(instruction, [a, b], to),
+                    (_, a, b, to) => compute_column::<S, M>(instruction, [a, b], to, lanes),
                 }
             },
         );
@@ -127,9 +127,16 @@ impl<S: Scalar, M: Maths<S>> Columns<S, M> {
 /// Dispatches once per instruction, so that the loops do not test it again.
 ///
 /// The shape of the loops suits the compiler. Short bodies loop over single values (it would unroll the inner of two
-/// nested loops and turn the outer one into gathers); long bodies loop over blocks (which leaves no scalar remainder).
+/// nested loops and turn the outer one into gathers); long bodies loop over blocks (which leaves no scalar remainder). Long
+/// bodies in doubles are calls, number by number, so that only the lanes in use are computed.
 #[inline(always)]
-fn compute_column<S: Scalar, M: Maths<S>>(instruction: Instruction, [a, b]: [&[Block<S>]; 2], to: &mut [Block<S>]) {
+fn compute_column<S: Scalar, M: Maths<S>>(
+    instruction: Instruction,
+    [a, b]: [&[Block<S>]; 2],
+    to: &mut [Block<S>],
+    lanes: usize,
+) {
+    let by_number = size_of::<S>() == size_of::<f64>();
     macro_rules! loops {
         (short: $($short:ident)*; long: $($long:ident)*) => {
             match instruction {
@@ -137,6 +144,12 @@ fn compute_column<S: Scalar, M: Maths<S>>(instruction: Instruction, [a, b]: [&[B
                     let (a, b) = (a.as_flattened(), b.as_flattened());
                     for ((to, &a), &b) in to.as_flattened_mut().iter_mut().zip(a).zip(b) {
                         *to = Instruction::$short.apply::<S, M>(a, b);
+                    }
+                })*
+                $(Instruction::$long if by_number => {
+                    let to = &mut to.as_flattened_mut()[..lanes];
+                    for (to, &a) in to.iter_mut().zip(a.as_flattened()) {
+                        *to = Instruction::$long.apply::<S, M>(a, a);
                     }
                 })*
                 $(Instruction::$long => {

@@ -82,12 +82,15 @@ pub struct Swing {
     pub(crate) velocity: f64,
     /// Sine of the angle: an observation and a step read it.
     sine: f64,
+    /// Cosine of the angle, from the same reduction of the angle.
+    cosine: f64,
 }
 
 impl Swing {
     pub(crate) fn new(angle: f64, velocity: f64) -> Self {
         // The crate libm instead of the platform's: the same results on every machine.
-        Self { angle, velocity, sine: libm::sin(angle) }
+        let (sine, cosine) = libm::sincos(angle);
+        Self { angle, velocity, sine, cosine }
     }
 }
 
@@ -130,7 +133,7 @@ impl<S: Scalar> Environment<S> for Pendulum {
     }
 
     fn observe(&self, swing: &mut Swing, _wanted: SourceSet, state: &mut [S]) {
-        let values = [libm::cos(swing.angle), swing.sine, swing.velocity];
+        let values = [swing.cosine, swing.sine, swing.velocity];
         state.iter_mut().zip(values).for_each(|(slot, value)| *slot = S::from_f64(value));
     }
 
@@ -149,7 +152,7 @@ impl<S: Scalar> Adjustable<S> for Pendulum {
         let Physics { gravity, mass, length, friction } = *physics;
         // A torque is an f32, and NumPy multiplies an f32 in f32.
         let torque = (act.values()[0].to_f64() as f32).clamp(-TORQUE as f32, TORQUE as f32);
-        let Swing { angle, velocity, sine } = *swing;
+        let Swing { angle, velocity, sine, .. } = *swing;
         let off = wrapped(angle);
         let cost = off * off + 0.1 * (velocity * velocity) + f64::from(0.001 * (torque * torque));
         let eased = 3.0 / (mass * (length * length));
@@ -204,6 +207,18 @@ mod tests {
         let mut fast = Swing::new(PI / 2.0, 7.9);
         step(&mut fast, 2.0);
         assert_eq!(fast.velocity, 8.0);
+    }
+
+    /// Small angles, where the functions take short cuts, and large ones, where they reduce the angle.
+    #[test]
+    fn sine_and_cosine_together_are_those_of_either_function() {
+        let exponents = (-60..=12).map(|exponent| f64::from(exponent).exp2());
+        let angles = exponents.flat_map(|scale| (0..2000).map(move |step| scale * (1.0 + f64::from(step) / 2000.0)));
+        for angle in angles.flat_map(|angle| [angle, -angle]) {
+            let swing = Swing::new(angle, 0.0);
+            let bits = [swing.sine, swing.cosine].map(f64::to_bits);
+            assert_eq!(bits, [libm::sin(angle), libm::cos(angle)].map(f64::to_bits), "{angle}");
+        }
     }
 
     #[test]

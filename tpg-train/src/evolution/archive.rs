@@ -75,12 +75,17 @@ impl Archive {
         if self.recordings.is_empty() {
             return true;
         }
-        let lines = program.lines(vocabulary);
+        // Lines without effect are most of a long program.
+        let lines = program.behaviour(vocabulary);
+        let mut registers = Vec::new();
         let mut same: BTreeMap<(u64, ProgramId), bool> = BTreeMap::new();
         for recording in &self.recordings {
             let same = same.entry(recording.program).or_insert(true);
             // Written so that NaN never equals anything, as in GEGELATI.
-            *same = *same && (bid(&lines, vocabulary, &recording.state) - f64::from_bits(recording.bid)).abs() <= TAU;
+            *same = *same && {
+                let bid = bid_in(&mut registers, &lines, vocabulary, &recording.state);
+                (bid - f64::from_bits(recording.bid)).abs() <= TAU
+            };
         }
         !same.values().any(|&same| same)
     }
@@ -88,26 +93,34 @@ impl Archive {
 
 /// Returns a program's bid in a state, in its scalar type with the project's own maths; NaN is returned unchanged.
 pub fn bid(lines: &[Line], vocabulary: &Vocabulary, state: &[f64]) -> f64 {
+    bid_in(&mut Vec::new(), lines, vocabulary, state)
+}
+
+/// Returns a program's bid: see [`bid`]. `registers` is space that several calls may share.
+fn bid_in(registers: &mut Vec<f64>, lines: &[Line], vocabulary: &Vocabulary, state: &[f64]) -> f64 {
+    registers.clear();
+    registers.resize(usize::from(vocabulary.registers()), 0.0);
     match vocabulary.scalar() {
-        ScalarType::F32 => run::<f32>(lines, vocabulary.registers(), state),
-        ScalarType::F64 => run::<f64>(lines, vocabulary.registers(), state),
+        ScalarType::F32 => run::<f32>(lines, registers, state),
+        ScalarType::F64 => run::<f64>(lines, registers, state),
     }
 }
 
-fn run<S: Scalar>(lines: &[Line], registers: u16, state: &[f64]) -> f64
+/// Registers hold values of `S`, which an `f64` represents exactly.
+fn run<S: Scalar>(lines: &[Line], register: &mut [f64], state: &[f64]) -> f64
 where
     Own: Maths<S>,
 {
-    let mut register = vec![S::ZERO; usize::from(registers)];
     for line in lines {
-        let [a, b] = line.operands.map(|operand| match operand {
-            Operand::Register(index) => register[usize::from(index)],
+        let read = |operand| match operand {
+            Operand::Register(index) => S::from_f64(register[usize::from(index)]),
             Operand::Input(index) => S::from_f64(state[usize::from(index)]),
             Operand::Constant(value) => S::from_f64(value),
-        });
-        let to = register[usize::from(line.to)];
+        };
+        let [a, b] = line.operands;
+        let to = usize::from(line.to);
         let apply = |instruction: Instruction, [a, b]: [S; 2]| instruction.apply::<S, Own>(a, b);
-        register[usize::from(line.to)] = line.instruction.compose(to, [a, b], apply);
+        register[to] = line.instruction.compose(S::from_f64(register[to]), [read(a), read(b)], apply).to_f64();
     }
-    register[0].to_f64()
+    register[0]
 }
