@@ -95,7 +95,7 @@ pub(crate) fn of(language: &str) -> Facts {
         facts.roots = "hybrid_decide";
         facts.stack_roots = "hybrid_decide";
         // A decision asks the graph once.
-        facts.limits.push(("Source$GT$9fill_each", 1));
+        facts.limits.push(("6switch19Hybrid$LT$T$C$P$GT$6decide28_", 1));
         facts.loops.extend([
             // Two sources at most.
             ("Source$GT$9fill_each", vec![2]),
