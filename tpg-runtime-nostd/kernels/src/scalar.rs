@@ -1,9 +1,9 @@
-//! The kernels for cores that multiply one pair at a time (Cortex-M3, RV32): a weight is loaded and extended by one
-//! instruction, and an activation once for four rows.
+//! The kernels for RV32, which multiplies one pair at a time: a weight is loaded and extended by one instruction, and an
+//! activation once for four rows.
 //!
-//! Behind the loads stand a multiplication and an addition, or one instruction for both. That is all such a core can do: three
-//! instructions a product on RV32, two on a Cortex-M3. Words that are shifted, as in [`portable`](crate::portable), cost one
-//! or two more.
+//! With the multiplication and the addition behind it that is three instructions a product, all that such a core can do. Words that are
+//! shifted, as in [`portable`](crate::portable), cost one or two more. Four columns a turn: with eight a compiler runs out of registers.
+//! Words must lie in memory with their lowest byte first.
 
 use crate::portable::{clip, rescale};
 use crate::{Form, Kind, ROWS};

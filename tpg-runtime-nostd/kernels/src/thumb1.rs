@@ -2,7 +2,7 @@
 //!
 //! Such a core multiplies in one cycle (or 32), adds in another, and has eight registers for both. So accumulators stand in r8–r11,
 //! where only additions reach them, and the low registers hold four inputs, a word of weights and one of them. Eight columns a turn:
-//! 132 instructions for `i8` weights with `i16` activations, 118 for `i16` weights, 116 for `i8` with `i8`, for 32 multiplications
+//! 133 instructions for `i8` weights with `i16` activations, 118 for `i16` weights, 116 for `i8` with `i8`, for 32 multiplications
 //! each. A compiler spills.
 #![expect(unsafe_code, reason = "a compiler keeps no accumulators in the upper registers")]
 

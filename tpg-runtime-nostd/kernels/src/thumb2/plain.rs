@@ -1,4 +1,4 @@
-//! By multiplications of one pair, which also add. Eight columns a turn: 74 instructions for `i8` weights, 76 for `i16` ones, for
+//! By multiplications of one pair, which also add. Eight columns a turn: 76 instructions for `i8` weights, 78 for `i16` ones, for
 //! 32 multiplications each.
 //!
 //! Words of weights are loaded four at a time and extended in registers: that takes one instruction more for four columns than loads
