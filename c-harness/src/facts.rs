@@ -28,14 +28,14 @@ const FOURS: u64 = FEATURES as u64 / 4 + 1;
 
 /// Facts about functions of the library, which both images have.
 fn common() -> Facts {
-    let blocks = ["3dsp10w16a16_raw", "3dsp8w8a8_raw", "3dsp9w8a16_raw"].map(|name| (name, vec![COLUMNS]));
+    let blocks = ["6thumb210w16a16_raw", "6thumb28w8a8_raw", "6thumb29w8a16_raw"].map(|name| (name, vec![COLUMNS]));
     let layers = [
-        "3dsp10w8a8_pairs",
-        "3dsp10w8a8_split",
-        "3dsp11w8a16_pairs",
-        "3dsp11w8a16_split",
-        "3dsp12w16a16_pairs",
-        "3dsp12w16a16_split",
+        "6thumb210w8a8_pairs",
+        "6thumb210w8a8_split",
+        "6thumb211w8a16_pairs",
+        "6thumb211w8a16_split",
+        "6thumb212w16a16_pairs",
+        "6thumb212w16a16_split",
     ];
     let layers = layers.map(|name| (name, vec![BLOCKS, COLUMNS]));
     let mut loops: Vec<_> = blocks.into_iter().chain(layers).collect();
@@ -95,7 +95,7 @@ pub(crate) fn of(language: &str) -> Facts {
         facts.roots = "hybrid_decide";
         facts.stack_roots = "hybrid_decide";
         // A decision asks the graph once.
-        facts.limits.push(("Source$GT$9fill_each", 1));
+        facts.limits.push(("6switch19Hybrid$LT$T$C$P$GT$6decide28_", 1));
         facts.loops.extend([
             // Two sources at most.
             ("Source$GT$9fill_each", vec![2]),

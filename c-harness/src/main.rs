@@ -15,7 +15,7 @@
 //! | [`record`] | how an episode is written down, here and in the firmware |
 //! | [`scenarios`], [`faults`], [`table`] | the table of sensor faults: the table, its run in Rust, its comparison |
 //! | [`mod@cores`] | the shipped policies and the hybrid on every core |
-//! | [`rtic`] | the example in RTIC |
+//! | [`frameworks`] | the examples in RTIC and Embassy |
 //! | [`costs`] | instructions beside `costs.toml` |
 //! | [`symbols`] | what must not be in an image |
 //! | [`mod@worst`], [`facts`] | the static worst case of a decision, and what it rests on |
@@ -32,6 +32,7 @@ mod emulate;
 mod expected;
 mod facts;
 mod faults;
+mod frameworks;
 mod line;
 mod lint;
 mod models;
@@ -39,7 +40,6 @@ mod network;
 mod problems;
 mod profiles;
 mod record;
-mod rtic;
 mod scenarios;
 mod size;
 mod symbols;
@@ -200,7 +200,7 @@ fn qemu(update: bool) -> Result<(), Failure> {
         }
         fits(language, builder)?;
     }
-    rtic::check()?;
+    frameworks::check()?;
     costs.print();
     if update && all {
         return costs.commit();

@@ -1,6 +1,9 @@
-//! The shipped policies in generated Rust, as `cargo xtask cores` asks them: a state in, the bits of the answer out.
+//! The shipped policies in generated Rust, as `cargo xtask cores` asks them: a state in, the bits of the answer out. Beside them
+//! [networks](layers).
 
 #![cfg_attr(target_os = "none", no_std)]
+
+pub mod layers;
 
 use tpg_generated::acrobot::Acrobot;
 use tpg_generated::cartpole::Cartpole;

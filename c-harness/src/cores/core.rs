@@ -57,7 +57,7 @@ const MPS2: Memories = memories((0, "4M"), (0x2000_0000, "4M"));
 const VIRT: Memories = memories((0x8000_0000, "4M"), (0x8040_0000, "4M"));
 
 /// Every core.
-pub(super) const CORES: [Core; 15] = [
+pub(super) const CORES: [Core; 17] = [
     Core {
         name: "Cortex-M0",
         machine: "microbit",
@@ -104,6 +104,15 @@ pub(super) const CORES: [Core; 15] = [
         figures: true,
     },
     Core {
+        name: "Cortex-M33 without FPU",
+        machine: "mps2-an505",
+        runner: Runner::Arm(memories((0x1000_0000, "4M"), (0x3800_0000, "4M")), 20_480),
+        flags: &["-mcpu=cortex-m33+nofp", "-mthumb", "-mfloat-abi=soft"],
+        target: Some("thumbv8m.main-none-eabi"),
+        images: 1,
+        figures: false,
+    },
+    Core {
         name: "Cortex-M55",
         machine: "mps3-an547",
         runner: Runner::Arm(memories((0, "512K"), (0x2000_0000, "512K")), 32_768),
@@ -127,6 +136,15 @@ pub(super) const CORES: [Core; 15] = [
         runner: Runner::RiscV(memories((0x2040_0000, "4M"), (0x8000_0000, "16K"))),
         flags: &["-march=rv32imac", "-mabi=ilp32", "-mcmodel=medany"],
         target: Some("riscv32imac-unknown-none-elf"),
+        images: 1,
+        figures: false,
+    },
+    Core {
+        name: "RISC-V rv32imc",
+        machine: "virt",
+        runner: Runner::RiscV(VIRT),
+        flags: &["-march=rv32imc", "-mabi=ilp32", "-mcmodel=medany"],
+        target: Some("riscv32imc-unknown-none-elf"),
         images: 1,
         figures: false,
     },

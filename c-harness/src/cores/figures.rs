@@ -12,6 +12,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::fs;
 use std::path::PathBuf;
+use tpg_cores::layers::INPUTS;
 use tpg_testing::library;
 
 const FILE: &str = "cores.toml";
@@ -42,6 +43,9 @@ struct OfCore {
     /// Instructions of decisions of the hybrid, in C, by start.
     #[serde(default)]
     hybrid: BTreeMap<String, Cost>,
+    /// Instructions of a network, by the kind of its weights and activations.
+    #[serde(default)]
+    layers: BTreeMap<String, Cost>,
 }
 
 /// The programs of one language.
@@ -50,6 +54,7 @@ pub(super) enum Program {
     C,
     Rust,
     Hybrid,
+    Layers,
 }
 
 impl Figures {
@@ -77,10 +82,12 @@ impl Figures {
             Program::C => &mut of.c,
             Program::Rust => &mut of.rust,
             Program::Hybrid => &mut of.hybrid,
+            Program::Layers => &mut of.layers,
         };
         for line in lines {
             let (name, actions) = match line.words.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-                ["policy", name] if program != Program::Hybrid => (name, "states"),
+                ["policy", name] if matches!(program, Program::C | Program::Rust) => (name, "states"),
+                ["layers", kind] if program == Program::Layers => (kind, "inputs"),
                 ["episode", start, "hybrid"] if program == Program::Hybrid => (start, "actions"),
                 _ => continue,
             };
@@ -108,9 +115,12 @@ impl Figures {
                         .push(format!("{name}, {policy}: {flash} bytes, {FILE} has {:?}", was.flash.get(policy)));
                 }
             }
-            for (what, found, was) in
-                [("C", &of.c, &was.c), ("Rust", &of.rust, &was.rust), ("hybrid", &of.hybrid, &was.hybrid)]
-            {
+            for (what, found, was) in [
+                ("C", &of.c, &was.c),
+                ("Rust", &of.rust, &was.rust),
+                ("hybrid", &of.hybrid, &was.hybrid),
+                ("layers", &of.layers, &was.layers),
+            ] {
                 for (policy, cost) in found {
                     let same = |was: &Cost| {
                         cost.actions == was.actions
@@ -191,6 +201,7 @@ impl std::fmt::Display for Figures {
              infinities, denormals), the others lie in the declared ranges. As in a user's project: GNU C, `-Os`, no word about\n  \
              contraction.\n\
              - Rust: profile `constant-time`, on the same states.\n\
+             - Networks in integers, of every kind, on {INPUTS} inputs, in the same column as the Rust.\n\
              - Library: every motor position of {} episodes of the shipped hybrids, and of four of their parts alone, with\n  \
              `libtpg_runtime.a`.\n\n\
              | core | runs on | C | Rust | library |\n| --- | --- | --- | --- | --- |",
@@ -225,10 +236,17 @@ impl std::fmt::Display for Figures {
             "## Instructions of the Rust\n\nThe same, profile `constant-time`.\n\n{}",
             self.table(|of| cost(&of.rust))
         )?;
-        write!(
+        writeln!(
             f,
             "## Instructions of a decision of the hybrid\n\nMean · worst, in {EPISODES} test episodes from each start: `fs` fixed, `rs` random.\n\n{}",
             self.table(|of| cost(&of.hybrid))
+        )?;
+        write!(
+            f,
+            "## Instructions of a network\n\nMean · worst of {INPUTS} inputs of a network 38-64-64-4 in integers (6,912 multiplications, \
+             padding included), by the bits of a\nweight and of an activation. The loops are assembly on every Cortex-M and plain Rust on \
+             RISC-V; what a core could do at best\nstands in [performance](performance.md#networks-on-small-cores).\n\n{}",
+            self.table(|of| cost(&of.layers))
         )
     }
 }

@@ -98,8 +98,8 @@ impl Place {
         (0..core.images).map(image).collect()
     }
 
-    /// The image of the policies in Rust; `None` where there is no such target, or it is not installed.
-    pub(super) fn in_rust(&self, core: &Core) -> Result<Option<PathBuf>, Failure> {
+    /// The images of the policies in Rust and of the networks; `None` where there is no such target, or it is not installed.
+    pub(super) fn in_rust(&self, core: &Core) -> Result<Option<[PathBuf; 2]>, Failure> {
         let Some(target) = core.target else { return Ok(None) };
         if !library::rust_target(target, &format!("the generated Rust on {}", core.title())) {
             return Ok(None);
@@ -107,8 +107,13 @@ impl Place {
         let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
         cargo.current_dir(library::top()).args(["build", "--quiet", "--package", "tpg-cores", "--lib"]);
         run(cargo.args(["--profile", "firmware", "--target", target]))?;
-        let archive = library::target_folder().join(target).join("firmware/libtpg_cores.a");
-        self.link(core, "states-rust", "policies_rust.c", u32::MAX, vec![archive.into()]).map(Some)
+        let archive = OsString::from(library::target_folder().join(target).join("firmware/libtpg_cores.a"));
+        let folder = self.of(core)?;
+        let mut compiler = self.compiler(core, &folder);
+        compiler.arg(self.firmware.join("cores/layers.c"));
+        let layers = self.finish(core, compiler, std::slice::from_ref(&archive), folder.join("layers"))?;
+        let policies = self.link(core, "states-rust", "policies_rust.c", u32::MAX, vec![archive])?;
+        Ok(Some([policies, layers]))
     }
 
     /// An image of those policies whose bit is set in `chosen`.

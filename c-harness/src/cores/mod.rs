@@ -22,6 +22,8 @@ use images::{EPISODES, Place};
 use shipped::{Bits, STATES, Shipped};
 use std::collections::BTreeMap;
 use std::fs;
+use tpg_cores::layers;
+use tpg_kernels::Kind;
 
 /// A hash of the answers of each policy, by name.
 type Hashes = BTreeMap<String, String>;
@@ -99,12 +101,16 @@ fn one(core: &Core, expected: &Expected, place: &Place, figures: &mut Figures) -
     let mut said = format!("C of {count} policies on {STATES} states each");
     let mut all = true;
     match place.in_rust(core)? {
-        Some(image) => {
-            let lines = run(&image)?;
+        Some([policies, layers]) => {
+            let lines = run(&policies)?;
             let shipped = expected.shipped.iter().filter(|one| one.in_rust()).count();
             let count = compare(core, "Rust", expected.hashes(core), &lines, shipped)?;
             figures.add(core, Program::Rust, &lines);
             said.push_str(&format!(", Rust of {count}"));
+            let lines = run(&layers)?;
+            networks(core, &lines)?;
+            said.push_str(&format!(", networks of {} kinds", Kind::ALL.len()));
+            figures.add(core, Program::Layers, &lines);
         }
         None => all &= core.target.is_none(),
     }
@@ -138,4 +144,20 @@ fn compare(core: &Core, language: &str, hashes: &Hashes, lines: &[Line], wanted:
         return Err(Failure::new(format!("{}, {language}: {count} policies, not {wanted}", core.title())));
     }
     Ok(count)
+}
+
+/// Compares the hashes of what the networks answer with this machine's.
+fn networks(core: &Core, lines: &[Line]) -> Result<(), Failure> {
+    for kind in Kind::ALL {
+        let place = format!("{}, network {}", core.title(), kind.name());
+        let line = lines.iter().find(|line| line.words == ["layers", kind.name()]);
+        let line = line.ok_or_else(|| Failure::new(format!("{place}: no answers")))?;
+        let here = layers::ask(kind, || (), || 0).ok_or_else(|| Failure::new(format!("{place}: no model")))?;
+        if line.number("inputs") != u64::from(here.inputs)
+            || line.values.get("hash") != Some(&format!("{:016x}", here.hash))
+        {
+            return Err(Failure::new(format!("{place}: other answers than on this machine: {line:?}, not {here:?}")));
+        }
+    }
+    Ok(())
 }

@@ -15,13 +15,16 @@
 //!
 //! | form | where | module |
 //! | --- | --- | --- |
-//! | SMLAD, by inline assembly | `thumbv7em-*` | `dsp` |
+//! | SMLAD, by inline assembly | `thumbv7em-*` | `thumb2` |
+//! | MLA, by inline assembly | `thumbv7m-*`, `thumbv8m.main-*` | `thumb2` |
+//! | MULS, by inline assembly | `thumbv6m-*`, `thumbv8m.base-*` | `thumb1` |
+//! | plain Rust, a load for each weight | `riscv32*` | `scalar` |
 //! | AVX2 | `x86_64` that has it, looked for once | `avx2` |
 //! | SSE2 | `x86_64` | `sse2` |
 //! | plain Rust | everywhere else; always there to compare with | [`portable`] |
 //!
 //! This is the one crate under `tpg-runtime` with `unsafe` code: calls of assembly, SSE2 and AVX2, behind functions
-//! that check their preconditions.
+//! that check their preconditions, and views of words as bytes.
 
 #![no_std]
 
@@ -29,31 +32,49 @@ mod activations;
 mod kind;
 pub mod portable;
 mod root;
+#[cfg(any(tpg_scalar, all(test, target_endian = "little")))]
+mod scalar;
 
 #[cfg(target_arch = "x86_64")]
 mod avx2;
-#[cfg(tpg_dsp)]
-mod dsp;
 #[cfg(target_arch = "x86_64")]
 mod sse2;
+#[cfg(tpg_thumb1)]
+mod thumb1;
+#[cfg(tpg_thumb2)]
+mod thumb2;
 
 pub use activations::{clip_to_i8, pair_inputs, split_inputs};
 pub use kind::{COLUMNS, Form, Kind, ROWS};
 pub use root::sqrt;
 
-#[cfg(tpg_dsp)]
-use dsp as chosen;
-#[cfg(not(any(tpg_dsp, target_arch = "x86_64")))]
+#[cfg(not(any(tpg_thumb1, tpg_thumb2, tpg_scalar, target_arch = "x86_64")))]
 use portable as chosen;
+#[cfg(tpg_scalar)]
+use scalar as chosen;
 #[cfg(target_arch = "x86_64")]
 use sse2 as chosen;
+#[cfg(tpg_thumb1)]
+use thumb1 as chosen;
+#[cfg(tpg_thumb2)]
+use thumb2 as chosen;
 
 /// The name of the form that hidden layers use here.
 pub fn form() -> &'static str {
     #[cfg(target_arch = "x86_64")]
     return if avx2::is_there() { "AVX2" } else { "SSE2" };
     #[cfg(not(target_arch = "x86_64"))]
-    if cfg!(tpg_dsp) { "SMLAD" } else { "portable" }
+    if cfg!(tpg_dsp) {
+        "SMLAD"
+    } else if cfg!(tpg_thumb2) {
+        "MLA"
+    } else if cfg!(tpg_thumb1) {
+        "MULS"
+    } else if cfg!(tpg_scalar) {
+        "scalar"
+    } else {
+        "portable"
+    }
 }
 
 /// Words of inputs for [`COLUMNS`] columns.
@@ -78,9 +99,9 @@ pub fn hidden(kind: Kind, form: Form, blocks: &[u32], inputs: &[u32], outputs: &
     if avx2::layer(kind, form, blocks, inputs, outputs) {
         return;
     }
-    #[cfg(tpg_dsp)]
-    dsp::layer(kind, form, blocks, inputs, outputs);
-    #[cfg(not(tpg_dsp))]
+    #[cfg(any(tpg_thumb2, tpg_scalar))]
+    chosen::layer(kind, form, blocks, inputs, outputs);
+    #[cfg(not(any(tpg_thumb2, tpg_scalar)))]
     for (block, outputs) in blocks.chunks_exact(kind.block(inputs.len())).zip(outputs.as_chunks_mut::<2>().0) {
         *outputs = chosen::hidden(kind, form, block, inputs);
     }
@@ -123,6 +144,10 @@ mod tests {
             prop_assert_eq!(
                 chosen::accumulate(kind, block, inputs), portable::accumulate(kind, block, inputs)
             );
+            #[cfg(target_endian = "little")]
+            prop_assert_eq!(
+                scalar::accumulate(kind, block, inputs), portable::accumulate(kind, block, inputs)
+            );
             for form in [Form::Pairs, Form::Split] {
                 prop_assert_eq!(
                     chosen::hidden(kind, form, block, inputs), portable::hidden(kind, form, block, inputs)
@@ -147,7 +172,13 @@ mod tests {
             let expected: Vec<u32> = each.flat_map(|block| portable::hidden(kind, form, block, inputs)).collect();
             let mut outputs = std::vec![0; expected.len()];
             hidden(kind, form, blocks, inputs, &mut outputs);
-            prop_assert_eq!(outputs, expected, "{}", super::form());
+            prop_assert_eq!(&outputs, &expected, "{}", super::form());
+            #[cfg(target_endian = "little")]
+            {
+                outputs.fill(0);
+                scalar::layer(kind, form, blocks, inputs, &mut outputs);
+                prop_assert_eq!(outputs, expected);
+            }
         }
     }
 

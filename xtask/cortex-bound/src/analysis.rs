@@ -127,7 +127,8 @@ impl<'a> Analyser<'a> {
     /// The reason why there is no bound.
     pub fn loops(&mut self, name: &str) -> Result<Vec<Loop>, Refusal> {
         let mut loops = Vec::new();
-        for place in self.reached(name)? {
+        let from = self.place(name)?;
+        for place in self.reached(from)? {
             let headers = self.headers(place)?;
             let turns = self.turns(place, &headers)?;
             let function = &self.listing.functions()[place];
@@ -174,8 +175,8 @@ impl<'a> Analyser<'a> {
     }
 
     /// Returns a function and everything that it may call.
-    fn reached(&mut self, name: &str) -> Result<BTreeSet<usize>, Refusal> {
-        let mut open = vec![self.place(name)?];
+    fn reached(&mut self, from: usize) -> Result<BTreeSet<usize>, Refusal> {
+        let mut open = vec![from];
         let mut seen: BTreeSet<usize> = open.iter().copied().collect();
         while let Some(place) = open.pop() {
             open.extend(self.flow(place)?.callees().into_iter().filter(|&callee| seen.insert(callee)));
@@ -250,13 +251,19 @@ impl<'a> Analyser<'a> {
         }
     }
 
-    /// Returns the functions that this function's limits apply to and that are not counted elsewhere already.
-    fn limits(&self, place: usize, elsewhere: &Elsewhere) -> Result<Vec<(usize, u64)>, Refusal> {
-        let here = self.limits.iter().filter(|limit| limit.within == self.name(place));
+    /// Returns the functions that this function's limits apply to, that it reaches, and that are not counted elsewhere already.
+    fn limits(&mut self, place: usize, elsewhere: &Elsewhere) -> Result<Vec<(usize, u64)>, Refusal> {
+        let all = self.limits;
+        let here: Vec<&Limit> = all.iter().filter(|limit| limit.within == self.name(place)).collect();
         let mut limits = Vec::new();
+        if here.is_empty() {
+            return Ok(limits);
+        }
+        let reached = self.reached(place)?;
         for limit in here {
             let function = self.place(&limit.function)?;
-            if !elsewhere.contains(&function) {
+            // What it cannot call does not run, however often it might.
+            if reached.contains(&function) && !elsewhere.contains(&function) {
                 limits.push((function, limit.times));
             }
         }

@@ -282,6 +282,9 @@ fn limits_count_a_function_no_more_than_it_runs() {
         bx lr
         h:
         bl c <g>
+        bx lr
+        apart:
+        add r0, r1
         bx lr",
     );
     let bounds = LoopBounds::new();
@@ -305,5 +308,6 @@ fn limits_count_a_function_no_more_than_it_runs() {
     assert_eq!(found(&[limit("f", "g", 1)]), Ok(5 + 3 + 3));
     assert_eq!(found(&[limit("f", "g", 1), limit("f", "h", 0)]), Ok(5 + 3));
     assert_eq!(found(&[limit("h", "g", 0)]), Ok(5 + 2 * 3 + 3));
+    assert_eq!(found(&[limit("f", "apart", 7)]), found(&[]), "a function that is not called does not run");
     assert_eq!(found(&[limit("f", "lost", 0)]), Err(Refusal::NoFunction { name: "lost".to_owned() }));
 }

@@ -1,22 +1,24 @@
-//! The bill of materials, in CycloneDX's JSON: every crate that is compiled into what is shipped, with its licence.
+//! The bill of materials, in CycloneDX's JSON: every crate that is compiled into what is shipped, and the standard library, with
+//! licences.
 
 use super::{PROGRAMS, STATIC};
 use crate::check::cargo;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::io;
+use std::process::Command;
+use tpg_testing::library;
 
 /// The crate of the libraries.
 const LIBRARY: &str = "tpg-runtime-capi";
 
 /// The bill, the same for the same Cargo.lock.
 pub(super) fn text() -> io::Result<String> {
-    let output = cargo(&["metadata", "--format-version", "1", "--locked", "--filter-platform", STATIC]).output()?;
-    if !output.status.success() {
-        return Err(io::Error::other(String::from_utf8_lossy(&output.stderr).into_owned()));
+    let mut components = tree(&PROGRAMS, STATIC)?;
+    for target in library::TARGETS.into_iter().chain([library::host()]) {
+        components.extend(tree(&[LIBRARY], target)?);
     }
-    let metadata: Value = serde_json::from_slice(&output.stdout)?;
-    let components = components(&metadata);
+    let components: Vec<Value> = components.into_values().chain([standard_library()?]).collect();
     let bill = json!({
         "bomFormat": "CycloneDX",
         "specVersion": "1.5",
@@ -27,57 +29,76 @@ pub(super) fn text() -> io::Result<String> {
     Ok(format!("{bill:#}\n"))
 }
 
-fn list(value: &Value) -> &[Value] {
-    value.as_array().map_or(&[], Vec::as_slice)
-}
-
-/// The crates that the shipped ones reach, tests aside, in the order of names.
-fn components(metadata: &Value) -> Vec<Value> {
-    let packages: BTreeMap<&str, &Value> =
-        list(&metadata["packages"]).iter().filter_map(|package| Some((package["id"].as_str()?, package))).collect();
-    let nodes: BTreeMap<&str, &Value> =
-        list(&metadata["resolve"]["nodes"]).iter().filter_map(|node| Some((node["id"].as_str()?, node))).collect();
-    let shipped = |id: &&str| {
-        let name = packages[id]["name"].as_str().unwrap_or_default();
-        packages[id]["source"].is_null() && (PROGRAMS.contains(&name) || name == LIBRARY)
-    };
-    let mut open: Vec<&str> = packages.keys().copied().filter(shipped).collect();
-    let mut reached = BTreeMap::new();
-    while let Some(id) = open.pop() {
-        let package = packages[id];
-        let text = |key: &str| package[key].as_str().unwrap_or_default();
-        let (name, version) = (text("name"), text("version"));
+/// The crates of a build of packages for a target, with the features that it turns on, by name and version: tests aside, what runs
+/// while compiling included.
+fn tree(packages: &[&str], target: &str) -> io::Result<BTreeMap<(String, String), Value>> {
+    let mut command =
+        cargo(&["tree", "--locked", "--edges", "normal,build", "--prefix", "none", "--format", "{p}|{l}"]);
+    command.args(["--target", target]);
+    packages.iter().for_each(|package| {
+        command.args(["--package", package]);
+    });
+    let output = command.output()?;
+    if !output.status.success() {
+        return Err(io::Error::other(String::from_utf8_lossy(&output.stderr).into_owned()));
+    }
+    let mut components = BTreeMap::new();
+    for line in String::from_utf8_lossy(&output.stdout).lines().filter(|line| !line.is_empty()) {
+        let read = line.split_once('|').and_then(|(package, license)| {
+            let (name, rest) = package.split_once(" v")?;
+            // Behind a crate that stood there before comes a star.
+            Some((name, rest.split(' ').next()?, license.trim_end_matches(" (*)")))
+        });
+        let (name, version, license) = read.ok_or_else(|| io::Error::other(format!("cargo tree says {line:?}")))?;
         let component = json!({
             "type": "library",
             "name": name,
             "version": version,
             "purl": format!("pkg:cargo/{name}@{version}"),
-            "licenses": [{ "expression": text("license").replace('/', " OR ") }],
+            "licenses": [{ "expression": license.replace('/', " OR ") }],
         });
-        if reached.insert((name, version), component).is_none() {
-            let used = |dependency: &&Value| list(&dependency["dep_kinds"]).iter().any(|kind| kind["kind"] != "dev");
-            let dependencies = nodes.get(id).map_or(&[][..], |node| list(&node["deps"]));
-            open.extend(dependencies.iter().filter(used).filter_map(|dependency| dependency["pkg"].as_str()));
-        }
+        components.insert((name.to_owned(), version.to_owned()), component);
     }
-    reached.into_values().collect()
+    Ok(components)
+}
+
+/// Rust's own library, which is in every program and archive. The static programs' C library comes with it.
+fn standard_library() -> io::Result<Value> {
+    let output = Command::new("rustc").current_dir(library::top()).arg("--version").output()?;
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    let version = text.split(' ').nth(1).filter(|_| output.status.success());
+    let version = version.ok_or_else(|| io::Error::other("rustc says no version"))?;
+    Ok(json!({
+        "type": "library",
+        "name": "rust-std",
+        "version": version,
+        "description": "Rust's standard library; in static programs also musl (MIT), which comes with it",
+        "purl": format!("pkg:generic/rust-std@{version}"),
+        "licenses": [{ "expression": "MIT OR Apache-2.0" }],
+    }))
 }
 
 #[cfg(test)]
 mod tests {
     use serde_json::Value;
 
+    fn list(value: &Value) -> &[Value] {
+        value.as_array().map_or(&[], Vec::as_slice)
+    }
+
     #[test]
     fn what_is_shipped_is_listed_and_what_only_tests_use_is_not() {
         let bill: Value = serde_json::from_str(&super::text().expect("cargo is there")).expect("JSON");
-        let has = |name: &str| super::list(&bill["components"]).iter().any(|component| component["name"] == name);
-        for name in ["tpg-codegen", "tpg-train", "tpg-runtime-capi", "clap", "serde", "libm", "serde_derive"] {
+        let has = |name: &str| list(&bill["components"]).iter().any(|component| component["name"] == name);
+        for name in
+            ["tpg-codegen", "tpg-train", "tpg-runtime-capi", "clap", "serde", "libm", "serde_derive", "rust-std"]
+        {
             assert!(has(name), "{name} is not listed");
         }
-        for name in ["proptest", "insta", "assert_cmd", "pyo3", "xtask", "tpg-testing"] {
+        for name in ["proptest", "insta", "assert_cmd", "pyo3", "xtask", "tpg-testing", "glam"] {
             assert!(!has(name), "{name} is listed");
         }
-        for component in super::list(&bill["components"]) {
+        for component in list(&bill["components"]) {
             let license = component["licenses"][0]["expression"].as_str().unwrap_or_default();
             assert!(!license.is_empty() && !license.contains('/'), "{component}");
         }

@@ -123,12 +123,12 @@ fn beside(folder: &Path) -> io::Result<()> {
 
 /// Packs a folder of `out`: the same files give the same bytes.
 fn archive(out: &Path, name: &str) -> io::Result<PathBuf> {
-    let path = out.join(format!("{name}.tar.gz"));
+    let file = format!("{name}.tar.gz");
     let mut tar = Command::new("tar");
     tar.current_dir(out).args(["--sort=name", "--mtime=@0", "--owner=0", "--group=0", "--numeric-owner"]);
-    tar.args(["--mode=u=rwX,go=rX", "--use-compress-program=gzip -n", "-cf"]).arg(&path).arg(name);
+    tar.args(["--mode=u=rwX,go=rX", "--use-compress-program=gzip -n", "-cf", &file, name]);
     done(&mut tar)?;
-    Ok(path)
+    Ok(out.join(file))
 }
 
 /// The lines that `sha256sum --check` reads.
@@ -154,19 +154,22 @@ fn done(command: &mut Command) -> io::Result<()> {
 mod tests {
     use super::{archive, checksums};
     use std::fs;
+    use std::path::Path;
     use std::process::Command;
 
     #[test]
     fn archives_are_the_same_bytes_and_their_checksums_are_those_of_sha256sum() {
-        let folder = tempfile::TempDir::new().expect("a temporary folder");
+        // A relative path, as a user may name one.
+        let folder = tempfile::TempDir::new_in(".").expect("a temporary folder");
+        let out = Path::new(folder.path().file_name().expect("it has one"));
         let write = |name: &str| fs::write(folder.path().join("it").join(name), name).expect("writable");
         fs::create_dir(folder.path().join("it")).expect("writable");
         write("b");
         write("a");
-        let first = archive(folder.path(), "it").expect("tar is there");
+        let first = archive(out, "it").expect("tar is there");
         let bytes = fs::read(&first).expect("an archive");
         write("a");
-        archive(folder.path(), "it").expect("tar is there");
+        archive(out, "it").expect("tar is there");
         assert!(fs::read(&first).expect("an archive") == bytes);
         let sums = checksums(&[first]).expect("readable");
         fs::write(folder.path().join("SHA256SUMS"), sums).expect("writable");

@@ -1,4 +1,4 @@
-//! The example in RTIC: it stops where the same loop stops here.
+//! The examples in RTIC and in Embassy: they stop where the same loop stops here.
 
 use crate::Failure;
 use crate::build::there;
@@ -20,21 +20,27 @@ use tpg_testing::library;
 
 const TARGET: &str = "thumbv7m-none-eabi";
 const BOARD: &str = "lm3s6965evb";
+/// Names of the frameworks, and of the examples' folders.
+const EXAMPLES: [(&str, &str); 2] = [("RTIC", "example-rtic"), ("Embassy", "example-embassy")];
 
-/// As in the example.
+/// As in the examples.
 const WHERE: [f32; 3] = [-250.0, 239.0, 267.0];
 const TOLERANCE_MM: f32 = 3.0;
 const MOST_STEPS: usize = 1707;
 
-/// Builds the example, runs it, and compares where it stops.
+/// Builds the examples, runs them, and compares where they stop.
 pub(crate) fn check() -> Result<(), Failure> {
-    if !library::rust_target(TARGET, "the example in RTIC") {
+    if !library::rust_target(TARGET, "the examples in RTIC and Embassy") {
         return Ok(());
     }
-    let folder = library::top().join("c-harness/example-rtic");
-    let made = library::target_folder().join("example-rtic");
+    let expected = expected()?;
+    EXAMPLES.iter().try_for_each(|(framework, name)| one(framework, name, &expected))
+}
+
+fn one(framework: &str, name: &str, expected: &Line) -> Result<(), Failure> {
+    let made = library::target_folder().join(name);
     let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    cargo.current_dir(folder).args(["build", "--quiet", "--release", "--locked"]);
+    cargo.current_dir(library::top().join("c-harness").join(name)).args(["build", "--quiet", "--release", "--locked"]);
     cargo.env("CARGO_TARGET_DIR", &made).env_remove("CARGO_ENCODED_RUSTFLAGS");
     if there(library::output(&mut cargo))?.is_none() {
         return Ok(());
@@ -42,16 +48,16 @@ pub(crate) fn check() -> Result<(), Failure> {
     let mut qemu = Command::new("qemu-system-arm");
     qemu.args(["-machine", BOARD, "-nographic", "-monitor", "none", "-serial", "none"]);
     qemu.args(["-semihosting-config", "enable=on,target=native", "-kernel"]);
-    let lines = emulate::until_done(qemu.arg(made.join(TARGET).join("release/tpg-example-rtic")))?;
-    let expected = expected()?;
-    if lines.iter().filter(|line| line.words == ["stopped"]).ne([&expected]) {
-        return Err(Failure::new(format!("the example in RTIC is not the host: {lines:?}, not {expected:?}")));
+    let image = made.join(TARGET).join("release").join(format!("tpg-{name}"));
+    let lines = emulate::until_done(qemu.arg(image))?;
+    if lines.iter().filter(|line| line.words == ["stopped"]).ne([expected]) {
+        return Err(Failure::new(format!("the example in {framework} is not the host: {lines:?}, not {expected:?}")));
     }
-    println!("RTIC on {BOARD}: {} actions, stopped where the host does", expected.number("actions"));
+    println!("{framework} on {BOARD}: {} actions, stopped where the host does", expected.number("actions"));
     Ok(())
 }
 
-/// The example's loop on this machine.
+/// The examples' loop on this machine.
 fn expected() -> Result<Line, Failure> {
     const ARM: Arm<f32> = WIDOWX.to_f32();
     let tpg = ArmPolicy::new(
@@ -62,7 +68,7 @@ fn expected() -> Result<Line, Failure> {
     );
     let hybrid = Hybrid { arm: &ARM, tpg, sac: NETWORK, settings: settings(Start::Fs) };
     let (mut motors, mut actions) = (ARM.home, 0);
-    let fault = |fault| Failure::new(format!("the example in RTIC, on this machine: {fault:?}"));
+    let fault = |fault| Failure::new(format!("the examples' loop on this machine: {fault:?}"));
     let seen = Observation::at(&ARM, motors, WHERE);
     let mut control = Control::new(&ARM, hybrid.settings, Watch::DEFAULT, Brent::new(), &seen).map_err(fault)?;
     for _ in 0..MOST_STEPS {

@@ -1,135 +1,22 @@
-//! The kernels for Arm cores with the DSP extension (Cortex-M4, -M7).
+//! The kernels for Arm cores with Thumb-2 instructions: Cortex-M4 and -M7 by SMLAD, Cortex-M3 and -M33 by MLA.
 //!
 //! A hidden layer is one call of assembly, and so is a block of the last one: four accumulators in r8–r11, four words of
-//! weights in r4–r7, two words of inputs in r12 and lr. Plain inline assembly could not have so many registers (r6 and r7 are the compiler's), so these are naked
-//! functions. Eight columns a turn: 38 instructions for `i8` weights with `i16` activations, 24 for `i16` weights, 30 for
-//! `i8` with `i8`, for 32 multiplications each.
-#![expect(unsafe_code, reason = "packed multiplications have no name in stable Rust")]
+//! weights in r4–r7, inputs in r12 and lr. Plain inline assembly could not have so many registers (r6 and r7 are the compiler's),
+//! so these are naked functions. What differs between the cores stands in `dsp` and `plain`.
+#![expect(
+    unsafe_code,
+    reason = "packed multiplications have no name in stable Rust, and its plain loops run out of registers"
+)]
+
+#[cfg(tpg_dsp)]
+#[macro_use]
+mod dsp;
+#[cfg(not(tpg_dsp))]
+#[macro_use]
+mod plain;
 
 use crate::{Form, Kind, ROWS, TURN};
 use core::arch::naked_asm;
-
-/// Four columns of `i8` weights with `i16` activations. Uses r3.
-macro_rules! w8a16 {
-    () => {
-        "
-        ldmia r0!, {{r4-r7}}
-        ldrd r12, lr, [r1], #8
-        sxtb16 r3, r4
-        sxtb16 r4, r4, ror #8
-        smlad r8, r3, r12, r8
-        smlad r8, r4, lr, r8
-        sxtb16 r3, r5
-        sxtb16 r5, r5, ror #8
-        smlad r9, r3, r12, r9
-        smlad r9, r5, lr, r9
-        sxtb16 r3, r6
-        sxtb16 r6, r6, ror #8
-        smlad r10, r3, r12, r10
-        smlad r10, r6, lr, r10
-        sxtb16 r3, r7
-        sxtb16 r7, r7, ror #8
-        smlad r11, r3, r12, r11
-        smlad r11, r7, lr, r11
-        "
-    };
-}
-
-/// Four columns of `i16` weights.
-macro_rules! w16a16 {
-    () => {
-        "
-        ldmia r0!, {{r4-r7}}
-        ldrd r12, lr, [r1], #8
-        smlad r8, r4, r12, r8
-        smlad r9, r5, r12, r9
-        smlad r10, r6, r12, r10
-        smlad r11, r7, r12, r11
-        ldmia r0!, {{r4-r7}}
-        smlad r8, r4, lr, r8
-        smlad r9, r5, lr, r9
-        smlad r10, r6, lr, r10
-        smlad r11, r7, lr, r11
-        "
-    };
-}
-
-/// Four columns of `i8` weights with `i8` activations.
-macro_rules! w8a8 {
-    () => {
-        "
-        ldmia r0!, {{r4-r7}}
-        ldrd r12, lr, [r1], #8
-        smlad r8, r4, lr, r8
-        sxtb16 r4, r4
-        smlad r9, r5, lr, r9
-        sxtb16 r5, r5
-        smlad r10, r6, lr, r10
-        sxtb16 r6, r6
-        smlad r11, r7, lr, r11
-        sxtb16 r7, r7
-        smlad r8, r4, r12, r8
-        smlad r9, r5, r12, r9
-        smlad r10, r6, r12, r10
-        smlad r11, r7, r12, r11
-        "
-    };
-}
-
-/// Accumulators of `i8` activations are 256 times too great.
-macro_rules! unscale {
-    () => {
-        "
-        asr r8, r8, #8
-        asr r9, r9, #8
-        asr r10, r10, #8
-        asr r11, r11, #8
-        "
-    };
-}
-
-/// Times the multipliers, rounded.
-macro_rules! rescale {
-    () => {
-        "
-        ldmia r0!, {{r4-r7}}
-        smmulr r8, r8, r4
-        smmulr r9, r9, r5
-        smmulr r10, r10, r6
-        smmulr r11, r11, r7
-        "
-    };
-}
-
-/// The ReLU, and four outputs as two words of `i16` neighbours.
-macro_rules! pairs {
-    () => {
-        "
-        usat r8, #15, r8
-        usat r9, #15, r9
-        usat r10, #15, r10
-        usat r11, #15, r11
-        pkhbt r8, r8, r9, lsl #16
-        pkhbt r9, r10, r11, lsl #16
-        "
-    };
-}
-
-/// The ReLU, and four outputs as the two words of [`Form::Split`].
-macro_rules! split {
-    () => {
-        "
-        usat r8, #7, r8
-        usat r9, #7, r9
-        usat r10, #7, r10
-        usat r11, #7, r11
-        rsb r8, r10, r8, lsl #8
-        rsb r9, r11, r9, lsl #8
-        pkhbt r8, r8, r9, lsl #16
-        pkhbt r9, r10, r11, lsl #16
-        "
-    };
-}
 
 /// A hidden layer: its blocks, their inputs, a number of turns of eight columns, the place of two words for each block, and its
 /// end. Turns and blocks are at least 1.
