@@ -60,29 +60,24 @@ impl Policy for Acrobot {
         let v14 = s[4] - s[2];
 
         // What is bid, as integers in the same order.
-        let k1 = 0_i32; // 0.0_f32
-        let k2 = ct.key(v2);
-        let k6 = ct.key(v6);
-        let k8 = ct.key(v8);
-        let k10 = ct.key(v10);
-        let k12 = ct.key(v12);
-        let k14 = ct.key(v14);
+        let k1 = -8388607_i32; // 0.0_f32
+        let k2 = ct.order(v2);
+        let k6 = ct.order(v6);
+        let k8 = ct.order(v8);
+        let k10 = ct.order(v10);
+        let k12 = ct.order(v12);
+        let k14 = ct.order(v14);
 
-        // Where each team leads: teams are numbered from 0, the root, and the actions follow them.
+        // Where the team leads: the number behind the best bid.
         // Team 0
-        let best = (k2, 1);
-        let best = ct.challenge(best, (k6, 3));
-        let best = ct.challenge(best, (k8, 3));
-        let best = ct.challenge(best, (k10, 3));
-        let best = ct.challenge(best, (k12, 3));
-        let best = ct.challenge(best, (k1, 1));
-        let best = ct.challenge(best, (k14, 1));
-        let t0 = best.1 as u8;
+        let best = (k2, 0);
+        let best = ct.challenge(best, (k6, 2));
+        let best = ct.challenge(best, (k8, 2));
+        let best = ct.challenge(best, (k10, 2));
+        let best = ct.challenge(best, (k12, 2));
+        let best = ct.challenge(best, (k1, 0));
+        let best = ct.challenge(best, (k14, 0));
 
-        // An action leads to itself, and so does what fills the array up to a power of two: it is never come to.
-        let next: [u8; 4] = [t0, 1, 2, 3];
-        // The longest walk decides 1 times; a shorter one waits at its action. No loop, and no end to check.
-        let vertex = next[0];
-        ActionId(vertex.wrapping_sub(1) as u16)
+        ActionId(best.1 as u16)
     }
 }

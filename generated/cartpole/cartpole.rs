@@ -53,19 +53,14 @@ impl Policy for Cartpole {
         let v5 = s[1] / -3.2907495_f32;
 
         // What is bid, as integers in the same order.
-        let k2 = ct.key(v2);
-        let k5 = ct.key(v5);
+        let k2 = ct.order(v2);
+        let k5 = ct.order(v5);
 
-        // Where each team leads: teams are numbered from 0, the root, and the actions follow them.
+        // Where the team leads: the number behind the best bid.
         // Team 0
-        let best = (k5, 1);
-        let best = ct.challenge(best, (k2, 2));
-        let t0 = best.1 as u8;
+        let best = (k5, 0);
+        let best = ct.challenge(best, (k2, 1));
 
-        // An action leads to itself, and so does what fills the array up to a power of two: it is never come to.
-        let next: [u8; 4] = [t0, 1, 2, 3];
-        // The longest walk decides 1 times; a shorter one waits at its action. No loop, and no end to check.
-        let vertex = next[0];
-        ActionId(vertex.wrapping_sub(1) as u16)
+        ActionId(best.1 as u16)
     }
 }

@@ -49,20 +49,15 @@ impl Policy for MountainCarContinuous {
         let v2 = ct.min(s[1], 0.0_f32);
 
         // What is bid, as integers in the same order.
-        let k0 = 0_i32; // 0.0_f32
-        let k2 = ct.key(v2);
+        let k0 = -8388607_i32; // 0.0_f32
+        let k2 = ct.order(v2);
 
-        // Where each team leads: teams are numbered from 0, the root, and the actions follow them.
+        // Where the team leads: the number behind the best bid.
         // Team 0
-        let best = (k0, 1);
-        let best = ct.challenge(best, (k2, 2));
-        let t0 = best.1 as u8;
+        let best = (k0, 0);
+        let best = ct.challenge(best, (k2, 1));
 
-        // An action leads to itself, and so does what fills the array up to a power of two: it is never come to.
-        let next: [u8; 4] = [t0, 1, 2, 3];
-        // The longest walk decides 1 times; a shorter one waits at its action. No loop, and no end to check.
-        let vertex = next[0];
-        let leaf = (vertex as u32).wrapping_sub(1);
+        let leaf = best.1;
         // Every leaf's values, and the choice among them.
         let v4 = s[1] - 0.04839926_f32;
         let v6 = s[1] * 4.846634_f32;

@@ -64,11 +64,11 @@ impl Policy for MountainCar {
         let v25 = v23 + -1.033289_f32;
 
         // What is bid, as integers in the same order.
-        let k0 = 0_i32; // 0.0_f32
-        let k6 = ct.key(v6);
-        let k15 = ct.key(v15);
-        let k17 = ct.key(v17);
-        let k25 = ct.key(v25);
+        let k0 = -8388607_i32; // 0.0_f32
+        let k6 = ct.order(v6);
+        let k15 = ct.order(v15);
+        let k17 = ct.order(v17);
+        let k25 = ct.order(v25);
 
         // Where each team leads: teams are numbered from 0, the root, and the actions follow them.
         // Team 0

@@ -50,20 +50,15 @@ impl Policy for Pendulum {
         let v3 = ct.negate_if_less(-0.28330687_f32, s[0]);
 
         // What is bid, as integers in the same order.
-        let k0 = 0_i32; // 0.0_f32
-        let k3 = ct.key(v3);
+        let k0 = -8388607_i32; // 0.0_f32
+        let k3 = ct.order(v3);
 
-        // Where each team leads: teams are numbered from 0, the root, and the actions follow them.
+        // Where the team leads: the number behind the best bid.
         // Team 0
-        let best = (k0, 2);
-        let best = ct.challenge(best, (k3, 1));
-        let t0 = best.1 as u8;
+        let best = (k0, 1);
+        let best = ct.challenge(best, (k3, 0));
 
-        // An action leads to itself, and so does what fills the array up to a power of two: it is never come to.
-        let next: [u8; 4] = [t0, 1, 2, 3];
-        // The longest walk decides 1 times; a shorter one waits at its action. No loop, and no end to check.
-        let vertex = next[0];
-        let leaf = (vertex as u32).wrapping_sub(1);
+        let leaf = best.1;
         // Every leaf's values, and the choice among them.
         let v6 = s[1] / -0.11899939_f32;
         let v9 = -0.03674821_f32 - s[2];

@@ -10,6 +10,7 @@ mod convert;
 mod cortex_m4;
 mod eva;
 mod expect;
+mod fields;
 mod generate;
 mod generated;
 mod least;

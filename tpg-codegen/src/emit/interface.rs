@@ -1,11 +1,14 @@
 //! The sources of a state and the outputs of an answer as generated code documents them.
 
+use super::field;
 use super::syntax::Syntax;
 use tpg_graph::{Graph, Output, Range};
 
 /// A source.
 pub(super) struct SourceView {
     pub(super) name: String,
+    /// The field of C's struct.
+    pub(super) field: String,
     /// The places of its values in a flat state: from the first to the one behind the last.
     pub(super) first: usize,
     pub(super) end: usize,
@@ -23,6 +26,7 @@ pub(super) fn sources(graph: &Graph, safe: impl Fn(&str) -> String) -> Vec<Sourc
             end += length;
             SourceView {
                 name: source.name.clone(),
+                field: field(graph, &source.name),
                 first: end - length,
                 end,
                 length,
@@ -42,6 +46,8 @@ pub(super) fn asks(graph: &Graph, name: impl Fn(&str) -> String) -> Vec<(String,
 /// An output.
 pub(super) struct OutputView {
     pub(super) name: String,
+    /// The field of C's struct.
+    pub(super) field: String,
     pub(super) unit: String,
     pub(super) range: String,
     pub(super) nan: f64,
@@ -65,6 +71,7 @@ pub(super) fn outputs(syntax: &impl Syntax, safe: impl Fn(&str) -> String) -> Ve
     (syntax.graph().outputs().iter().enumerate())
         .map(|(place, Output { name, unit, range, nan })| OutputView {
             name: name.clone(),
+            field: field(syntax.graph(), name),
             unit: safe(unit),
             range: range.to_string(),
             nan: *nan,

@@ -16,6 +16,8 @@ mod rust;
 mod syntax;
 mod table;
 
+pub(crate) use c::field::field;
+
 pub use crate::options::{Language, Options, Prefix, Profile, Style};
 
 use crate::program::{Program, compile};

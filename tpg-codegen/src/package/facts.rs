@@ -2,7 +2,7 @@
 
 use super::Details;
 use crate::cost::{Cost, Costs};
-use crate::emit::Code;
+use crate::emit::{Code, field};
 use crate::options::{Language, Options};
 use crate::program::compile;
 use crate::size::{self, Target};
@@ -38,6 +38,8 @@ pub(super) struct Facts<'a> {
 /// An input or output: name, values, unit, range.
 pub(super) struct Row {
     pub(super) name: String,
+    /// The field of C's struct.
+    pub(super) field: String,
     pub(super) length: usize,
     pub(super) unit: String,
     pub(super) range: String,
@@ -78,6 +80,7 @@ impl<'a> Facts<'a> {
                 .iter()
                 .map(|source| Row {
                     name: source.name.clone(),
+                    field: field(graph, &source.name),
                     length: source.ranges.len(),
                     unit: cell(&source.unit),
                     range: source.ranges.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "),
@@ -88,6 +91,7 @@ impl<'a> Facts<'a> {
                 .iter()
                 .map(|output| Row {
                     name: output.name.clone(),
+                    field: field(graph, &output.name),
                     length: 1,
                     unit: cell(&output.unit),
                     range: output.range.to_string(),

@@ -40,12 +40,16 @@ pub struct Sparing {
 impl Sparing {
     /// The rule for a logarithm or an exponential of an argument: numbers far enough apart for every provider.
     pub fn of(instruction: Instruction, argument: NodeId) -> Option<Self> {
-        let (at_most, below) = match instruction {
-            Instruction::Exp => (2.0, 7.5),
-            Instruction::Ln => (8000.0, 9.0),
-            _ => return None,
-        };
-        Some(Self { argument, at_most, below })
+        Self::ends(instruction).map(|(at_most, below)| Self { argument, at_most, below })
+    }
+
+    /// The two numbers of a logarithm or an exponential.
+    pub(crate) fn ends(instruction: Instruction) -> Option<(f64, f64)> {
+        match instruction {
+            Instruction::Exp => Some((2.0, 7.5)),
+            Instruction::Ln => Some((8000.0, 9.0)),
+            _ => None,
+        }
     }
 }
 

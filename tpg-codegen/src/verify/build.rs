@@ -1,7 +1,7 @@
 //! Compiles generated code into small programs that decide over a pipe.
 
 use super::Process;
-use crate::emit::{Code, File};
+use crate::emit::{Code, File, field};
 use crate::options::{Language, Options};
 use crate::program::{Shape, compile as compile_graph};
 use askama::Template;
@@ -20,10 +20,10 @@ struct CHarness<'a> {
     prefix: &'a str,
     scalar: &'a str,
     state_length: usize,
-    /// The observed sources: their names and lengths.
+    /// The observed sources: their fields and lengths.
     sources: Vec<(String, usize)>,
     outputs: usize,
-    /// The names of the memory's values.
+    /// The fields of the memory's values.
     memory: Vec<String>,
     gegelati: bool,
 }
@@ -168,15 +168,15 @@ impl Workshop {
     }
 }
 
-/// The names and lengths of the sources that a caller gives.
+/// The fields and lengths of the sources that a caller gives.
 pub(super) fn observed(graph: &Graph) -> Vec<(String, usize)> {
     let sources = &graph.sources()[..graph.sources().len() - graph.memory()];
-    sources.iter().map(|source| (source.name.clone(), source.ranges.len())).collect()
+    sources.iter().map(|source| (field(graph, &source.name), source.ranges.len())).collect()
 }
 
-/// The names of the memory's values.
+/// The fields of the memory's values.
 pub(super) fn memory(graph: &Graph) -> Vec<String> {
-    graph.outputs()[graph.outputs().len() - graph.memory()..].iter().map(|value| value.name.clone()).collect()
+    graph.outputs()[graph.outputs().len() - graph.memory()..].iter().map(|value| field(graph, &value.name)).collect()
 }
 
 /// The host's C compiler, as the crate `cc` finds it (`CC` is honoured).

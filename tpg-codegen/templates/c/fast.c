@@ -1,3 +1,4 @@
+{{ leading }}
 {% for late in late %}
 /* What the edge at a place of team {{ late.label }} bids; others than these have been computed. */
 static {{ scalar }} {{ prefix }}_bid_{{ late.label }}(const {{ entry.state }} *state, uint32_t edge, {{ scalar }} computed)
@@ -58,7 +59,9 @@ static uint32_t {{ prefix }}_walk_{{ loop.index0 }}(const {{ entry.state }} *sta
 team_{{ team.label }}:
 {%- endif %}
     {
-{%- if team.ways.len() > 1 %}
+{%- if team.ways.len() > 1 && team.is_compact %}
+{% include "c/fast_team.c" %}
+{%- else if team.ways.len() > 1 %}
 {%- if let Some(first) = team.first %}
 {%- for statement in first.statements %}
         {{ statement }}
@@ -184,6 +187,8 @@ team_{{ team.label }}:
         }
 {%- endif %}
 {%- endfor %}
+{%- endif %}
+{%- if team.ways.len() > 1 %}
 
 {% for way in team.ways %}        {% if !loop.last %}{% if !loop.first %}} else {% endif %}if ({{ way.condition }}) {{ "{" }}{% else %}} else {{ "{" }}{% endif %}
 {%- if let Some(vertex) = way.vertex %}

@@ -44,7 +44,7 @@ int inferenceTPG(void);
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
 typedef struct {{ prefix }}_state {
 {%- for source in sources %}
-    {{ scalar }} {{ source.name }}[{{ source.length }}]; /* {{ source.unit }}, {{ source.range }} */
+    {{ scalar }} {{ source.field }}[{{ source.length }}]; /* {% if source.field != source.name %}{{ source.name }}: {% endif %}{{ source.unit }}, {{ source.range }} */
 {%- endfor %}
 } {{ prefix }}_state_t;
 
@@ -57,7 +57,7 @@ uint16_t {{ prefix }}_infer(const {{ prefix }}_state_t *state);
 /* The values that the policy answers, each in its range and never NaN. */
 typedef struct {{ prefix }}_action {
 {%- for output in outputs %}
-    {{ scalar }} {{ output.name }}; /* {{ output.unit }}, {{ output.range }} */
+    {{ scalar }} {{ output.field }}; /* {% if output.field != output.name %}{{ output.name }}: {% endif %}{{ output.unit }}, {{ output.range }} */
 {%- endfor %}
 } {{ prefix }}_action_t;
 
@@ -70,7 +70,7 @@ void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_action_t
 /* The values that the policy carries from one decision to the next, each in its range and never NaN. */
 typedef struct {{ prefix }}_memory {
 {%- for value in memory %}
-    {{ scalar }} {{ value.name }}; /* {{ value.range }}; at first {{ value.nan }} */
+    {{ scalar }} {{ value.field }}; /* {% if value.field != value.name %}{{ value.name }}: {% endif %}{{ value.range }}; at first {{ value.nan }} */
 {%- endfor %}
 } {{ prefix }}_memory_t;
 

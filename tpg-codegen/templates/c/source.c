@@ -24,13 +24,13 @@
 /* A state and the memory as one; an answer and the next memory as one. */
 typedef struct {{ prefix }}_view {
 {%- for source in sources %}
-    {{ scalar }} {{ source.name }}[{{ source.length }}];
+    {{ scalar }} {{ source.field }}[{{ source.length }}];
 {%- endfor %}
 } {{ entry.state }};
 
 typedef struct {{ prefix }}_answer {
 {%- for output in outputs %}
-    {{ scalar }} {{ output.name }};
+    {{ scalar }} {{ output.field }};
 {%- endfor %}
 } {{ entry.answer }};
 {% endif %}
@@ -40,7 +40,7 @@ typedef struct {{ prefix }}_answer {
 void {{ prefix }}_reset({{ prefix }}_memory_t *memory)
 {
 {%- for value in parts.1 %}
-    memory->{{ value.name }} = {{ value.initial }};
+    memory->{{ value.field }} = {{ value.initial }};
 {%- endfor %}
 }
 
@@ -52,14 +52,14 @@ void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_memory_t
     {{ statement }}
 {%- endfor %}
 {%- for value in parts.1 %}
-    view.{{ value.name }}[0] = memory->{{ value.name }};
+    view.{{ value.field }}[0] = memory->{{ value.field }};
 {%- endfor %}
     {{ entry.function }}(&view, &answer);
 {%- for output in parts.0 %}
-    action->{{ output.name }} = answer.{{ output.name }};
+    action->{{ output.field }} = answer.{{ output.field }};
 {%- endfor %}
 {%- for value in parts.1 %}
-    memory->{{ value.name }} = answer.{{ value.name }};
+    memory->{{ value.field }} = answer.{{ value.field }};
 {%- endfor %}
 }
 {% endif %}
@@ -67,7 +67,7 @@ void {{ prefix }}_infer(const {{ prefix }}_state_t *state, {{ prefix }}_memory_t
 {% if gegelati %}
 typedef struct {{ prefix }}_vector {
 {%- for source in sources %}
-    {{ scalar }} {{ source.name }}[{{ source.length }}];
+    {{ scalar }} {{ source.field }}[{{ source.length }}];
 {%- endfor %}
 } {{ prefix }}_vector_t;
 {% endif %}
@@ -107,7 +107,7 @@ uint32_t {{ prefix }}_selftest(void)
 
         copy = {% if system_maths %}hidden{% else %}states{% endif %}[vector];
 {%- for source in sources %}
-        in{{ loop.index }} = copy.{{ source.name }};
+        in{{ loop.index }} = copy.{{ source.field }};
 {%- endfor %}
         if (inferenceTPG() != (int)actions[vector]) {
 {%- else if outputs.is_empty() %}
@@ -117,7 +117,7 @@ uint32_t {{ prefix }}_selftest(void)
 
         {{ entry.function }}(&{% if system_maths %}hidden{% else %}states{% endif %}[vector], &action);
         if ({% for output in outputs %}{% if !loop.first %} ||
-            {% endif %}(action.{{ output.name }} < actions[vector].{{ output.name }}) || (action.{{ output.name }} > actions[vector].{{ output.name }}){% endfor %}) {
+            {% endif %}(action.{{ output.field }} < actions[vector].{{ output.field }}) || (action.{{ output.field }} > actions[vector].{{ output.field }}){% endfor %}) {
 {%- endif %}
             failures++;
         }

@@ -23,7 +23,7 @@
 {%- else %}
     {{ it.name }}_infer(&state{% if it.memory > 0 %}, &memory{% endif %}, &action);
 {%- for row in it.outputs %}
-    printf("{{ row.name }} %g\n", (double)action.{{ row.name }});
+    printf("{{ row.name }} %g\n", (double)action.{{ row.field }});
 {%- endfor %}
 {%- endif %}
 {%- if returns %}

@@ -9,7 +9,9 @@
         let {{ bid.name }} = {{ bid.value }}
 {%- endfor %}
 
-        // Where each team leads: teams are numbered from 0, the root, and the actions follow them.
+{% if only %}        // Where the team leads: the number behind the best bid.
+{%- else %}        // Where each team leads: teams are numbered from 0, the root, and the actions follow them.
+{%- endif %}
 {%- for team in teams %}
         // Team {{ team.label }}
 {%- if team.edges.len() == 1 %}
@@ -17,11 +19,13 @@
 {%- else %}
 {%- for edge in team.edges %}
 {%- if loop.first %}
-        let best = ({{ edge.key }}, {{ edge.to }});
+        let best = ({{ edge.key }}, {% if only %}{{ edge.to - 1 }}{% else %}{{ edge.to }}{% endif %});
 {%- else %}
-        let best = ct.challenge(best, ({{ edge.key }}, {{ edge.to }}));
+        let best = ct.challenge(best, ({{ edge.key }}, {% if only %}{{ edge.to - 1 }}{% else %}{{ edge.to }}{% endif %}));
 {%- endif %}
 {%- endfor %}
+{%- if !only %}
         let t{{ team.number }} = best.1{% if vertex != "u32" %} as {{ vertex }}{% endif %};
+{%- endif %}
 {%- endif %}
 {%- endfor %}

@@ -72,13 +72,6 @@ macro_rules! constant_time {
                 Self::choose(self.mask($key::from(sign)), otherwise, then)
             }
 
-            /// A bid as an integer in the order of bids; a NaN counts as −∞.
-            #[inline(always)]
-            pub fn key(self, bid: $scalar) -> $key {
-                let unordered = self.is_nan(bid);
-                (self.order(bid) & !unordered).wrapping_sub($infinity & unordered)
-            }
-
             /// Lets a challenger bid against the best so far: it wins when its bid is as high. `.1` is where the bidder
             /// leads.
             #[inline(always)]
@@ -101,14 +94,6 @@ macro_rules! constant_time {
             #[inline(always)]
             fn below(self, a: $key, b: $key) -> $key {
                 self.mask(a.saturating_sub(b))
-            }
-
-            /// An integer in the order of the numbers, 0 for −0.
-            #[inline(always)]
-            fn order(self, x: $scalar) -> $key {
-                let bits = x.to_bits().cast_signed();
-                let negative = self.mask(bits);
-                ((bits & $key::MAX) ^ negative).wrapping_sub(negative)
             }
 
             #[inline(always)]
@@ -134,6 +119,32 @@ macro_rules! constant_time {
 
 constant_time!(f32, i32, 0x7f80_0000_i32);
 constant_time!(f64, i64, 0x7ff0_0000_0000_0000_i64);
+
+impl ConstantTime<f32> {
+    /// A bid as an integer in the order of bids; a NaN counts as −∞.
+    #[inline(always)]
+    pub fn order(self, bid: f32) -> i32 {
+        // −0 becomes 0. Then the bits of numbers are in their order, those of negative numbers once they are inverted.
+        let bits = (bid + 0.0).to_bits();
+        let order = bits ^ (self.mask(bits.cast_signed()).cast_unsigned() >> 1);
+        // So that infinity is the highest integer, and a positive NaN wraps round: no NaN is above −∞ any more, and saturated all are
+        // the same.
+        order.wrapping_add(0x007f_ffff).cast_signed().saturating_sub(0x00ff_fffe)
+    }
+}
+
+impl ConstantTime<f64> {
+    /// A bid as an integer in the order of bids; a NaN counts as −∞.
+    #[inline(always)]
+    pub fn order(self, bid: f64) -> i64 {
+        let unordered = self.is_nan(bid);
+        let bits = bid.to_bits().cast_signed();
+        let negative = self.mask(bits);
+        // 0 for −0.
+        let order = ((bits & i64::MAX) ^ negative).wrapping_sub(negative);
+        (order & !unordered).wrapping_sub(0x7ff0_0000_0000_0000 & unordered)
+    }
+}
 
 /// Own maths; the kernels of [`own::f32`], which make masks, too.
 impl ConstantTime<f32> {
@@ -208,7 +219,7 @@ mod tests {
                     }
                     prop_assert_eq!(ct.if_equal(3, 3, a, b).to_bits(), a.to_bits());
                     prop_assert_eq!(ct.if_equal(3, 3 + (1 << 31), a, b).to_bits(), b.to_bits());
-                    let (_, to) = ct.challenge((ct.key(a), 1), (ct.key(b), 2));
+                    let (_, to) = ct.challenge((ct.order(a), 1), (ct.order(b), 2));
                     prop_assert_eq!(to, ops::challenge((ops::bid(a), 1), (ops::bid(b), 2)).1);
                 });
             }

@@ -1,5 +1,6 @@
 //! Nodes as C expressions.
 
+use crate::emit::field;
 use crate::emit::syntax::Syntax;
 use crate::ir::{Node, NodeId};
 use crate::passes::bytecode::Width;
@@ -66,7 +67,7 @@ impl Syntax for Printer<'_> {
             let number = self.graph.sources().iter().position(|s| s.name == source.name).unwrap_or(0) + 1;
             format!("in{number}[{place}]")
         } else {
-            format!("state->{}[{place}]", source.name)
+            format!("state->{}[{place}]", field(self.graph, &source.name))
         }
     }
 

@@ -24,7 +24,7 @@ pub(super) fn render(printer: &Printer<'_>, formula: &Formula, outputs: &[Output
         let is_constant = printer.nodes[value.index()].as_constant().is_some();
         let value = printer.value(value);
         let limited = if is_constant { value } else { leaves::limited(printer, output, &value) };
-        (output.name.clone(), limited)
+        (output.field.clone(), limited)
     });
     let straight = Straight {
         entry: Entry::of(printer),

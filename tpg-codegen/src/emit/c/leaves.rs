@@ -51,7 +51,7 @@ pub(super) fn limited(printer: &Printer<'_>, output: &OutputView, value: &str) -
 /// The assignments that finish an answer: each output's variable, limited.
 pub(super) fn assignments(printer: &Printer<'_>, outputs: &[OutputView]) -> Vec<String> {
     let assign =
-        |output: &OutputView| format!("action->{} = {};", output.name, limited(printer, output, &output.variable()));
+        |output: &OutputView| format!("action->{} = {};", output.field, limited(printer, output, &output.variable()));
     outputs.iter().map(assign).collect()
 }
 

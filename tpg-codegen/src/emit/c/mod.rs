@@ -5,6 +5,7 @@ mod constant_time;
 mod entry;
 mod expression;
 mod fast;
+pub(crate) mod field;
 mod formula;
 mod gegelati;
 mod helpers;
@@ -180,7 +181,7 @@ fn arm_view(graph: &Graph) -> Option<ArmView> {
 fn observed(source: &SourceView) -> Vec<String> {
     /// More values than this are copied as a block.
     const FEW: usize = 16;
-    let SourceView { name, length, .. } = source;
+    let SourceView { field: name, length, .. } = source;
     if *length > FEW {
         return vec![format!("(void)memcpy(view.{name}, state->{name}, sizeof view.{name});")];
     }

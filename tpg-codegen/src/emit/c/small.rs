@@ -82,5 +82,5 @@ pub(super) fn render(printer: &Printer<'_>, code: &Bytecode, outputs: &[OutputVi
 fn assignment(printer: &Printer<'_>, output: &OutputView) -> String {
     let program = format!("programs[{}]", output.place);
     let value = format!("{}_run(frame, {program})", printer.prefix);
-    format!("action->{} = {};", output.name, leaves::limited(printer, output, &value))
+    format!("action->{} = {};", output.field, leaves::limited(printer, output, &value))
 }

@@ -21,6 +21,8 @@ use tpg_runtime::ops::constant_time as ct;
 #[template(path = "rust/constant_time.rs", escape = "none")]
 struct Whole<'a> {
     decided: &'a str,
+    /// There is one team: what it decides is the answer.
+    only: bool,
     /// The names of the teams' choices, then the actions, padded to a power of two by numbers that all differ: many zeros
     /// would become a call of `memset`.
     next: Vec<String>,
@@ -63,6 +65,7 @@ struct FunctionView {
 #[template(path = "rust/constant_time_teams.rs", escape = "none")]
 struct Teams<'a> {
     scalar: &'a str,
+    only: bool,
     statements: Vec<String>,
     keys: Vec<KeyView>,
     teams: Vec<TeamView>,
@@ -82,7 +85,8 @@ pub(super) fn render(
     if let [function] = functions {
         let size = vertices.next_power_of_two();
         let decided = decided(printer, module, function, vertex);
-        let whole = Whole { decided: &decided, next: next(0..size, teams), size, vertex, depth, answer };
+        let (only, next) = (teams == 1, next(0..size, teams));
+        let whole = Whole { decided: &decided, only, next, size, vertex, depth, answer };
         return Parts { body: whole.render().expect("the template renders"), items: String::new() };
     }
     let row = functions[0].teams.len();
@@ -110,14 +114,19 @@ pub(super) fn render(
 /// The statements that turn the vertex of the walk's end into the answer.
 fn answer(printer: &Printer<'_>, module: &Module<'_>, functions: &[Function], outputs: &[OutputView]) -> String {
     let teams = module.teams.len();
+    let decided = if teams == 1 { "best.1".to_owned() } else { format!("(vertex as u32).wrapping_sub({teams})") };
     if outputs.is_empty() {
-        return format!("ActionId(vertex.wrapping_sub({teams}) as u16)");
+        return if teams == 1 {
+            format!("ActionId({decided} as u16)")
+        } else {
+            format!("ActionId(vertex.wrapping_sub({teams}) as u16)")
+        };
     }
     let mut lines = Vec::new();
     if functions.len() > 1 {
         lines.push(leaves::masks(printer));
     }
-    lines.push(format!("let leaf = (vertex as u32).wrapping_sub({teams});"));
+    lines.push(format!("let leaf = {decided};"));
     lines.push("// Every leaf's values, and the choice among them.".to_owned());
     lines.extend(functions::of_leaves(module, functions).into_iter().map(|id| printer.statement(id)));
     for (place, (number, leaf)) in reached(&module.leaves).enumerate() {
@@ -141,6 +150,7 @@ fn next(vertices: Range<usize>, teams: usize) -> Vec<String> {
 fn decided(printer: &Printer<'_>, module: &Module<'_>, function: &Function, vertex: &str) -> String {
     let teams = Teams {
         scalar: printer.graph.scalar().name(),
+        only: module.teams.len() == 1,
         statements: function.operations.iter().map(|&id| printer.statement(id)).collect(),
         keys: function
             .bids
@@ -158,10 +168,10 @@ fn decided(printer: &Printer<'_>, module: &Module<'_>, function: &Function, vert
 fn key_value(printer: &Printer<'_>, bid: NodeId) -> String {
     let value = printer.value(bid);
     match (printer.nodes[bid.index()].as_constant(), printer.graph.scalar()) {
-        (None, _) => format!("ct.key({value});"),
+        (None, _) => format!("ct.order({value});"),
         (Some(bid), ScalarType::F32) => {
-            format!("{}_i32; // {value}", ct::ConstantTime::<f32>::default().key(bid as f32))
+            format!("{}_i32; // {value}", ct::ConstantTime::<f32>::default().order(bid as f32))
         }
-        (Some(bid), ScalarType::F64) => format!("{}_i64; // {value}", ct::ConstantTime::<f64>::default().key(bid)),
+        (Some(bid), ScalarType::F64) => format!("{}_i64; // {value}", ct::ConstantTime::<f64>::default().order(bid)),
     }
 }

@@ -10,6 +10,7 @@
 //! A bid of 0 is read from a volatile variable: clang takes `(v > 0) ? v : 0` of a `v = max(0, x)` for v, which it is not
 //! where x is NaN. Where what is best is no constant, it does not.
 
+mod leader;
 mod team;
 mod view;
 
@@ -37,6 +38,10 @@ struct Fast<'a> {
     scalar: &'a str,
     lowest: &'a str,
     infinity: String,
+    /// The functions that change who leads; empty unless the code is compact.
+    leading: String,
+    /// Who leads may not have been computed.
+    near: bool,
     /// For teams with bids that may lead without having been computed.
     late: Vec<LateTeamView>,
     functions: Vec<FunctionView>,
@@ -62,6 +67,7 @@ pub(super) fn render(
     for (place, &team) in order.iter().enumerate() {
         places[team] = place;
     }
+    let is_compact = leader::is_compact(module);
     let mut late = Vec::new();
     let functions = available.functions().map(|teams| {
         let (start, whole) = (places[teams[0]], teams.len() == order.len());
@@ -73,7 +79,7 @@ pub(super) fn render(
             .collect();
         let teams = teams.iter().map(|&team| {
             let computed = available.on_entry(team).clone();
-            let mut printed = TeamPrinter::new(printer, module, &schedule.plans[team], &span, computed);
+            let mut printed = TeamPrinter::new(printer, module, &schedule.plans[team], &span, computed, is_compact);
             let view = printed.view(!whole || team != 0);
             reads_state |= printed.reads_state;
             late.extend(printed.late_team());
@@ -84,6 +90,13 @@ pub(super) fn render(
         FunctionView { shared, entries, teams, end: span.end, reads_state }
     });
     let mut functions: Vec<FunctionView> = functions.collect();
+    let (near, leading) = {
+        let teams = functions.iter().flat_map(|function| &function.teams);
+        let steps: Vec<_> =
+            teams.flat_map(|team| team.steps.iter().chain(&team.steps_before).chain(&team.steps_lazy)).collect();
+        let leading = if steps.is_empty() { String::new() } else { leader::functions(printer, upper, &steps) };
+        (leader::has_near(&steps), leading)
+    };
     let (mut leaves, mut over_functions) = (Vec::new(), String::new());
     match &mut functions[..] {
         [whole] if !outputs.is_empty() => {
@@ -105,6 +118,8 @@ pub(super) fn render(
         scalar: printer.scalar(),
         lowest: if printer.graph.scalar() == ScalarType::F32 { "FLT_MAX" } else { "DBL_MAX" },
         infinity: printer.number(f64::INFINITY),
+        near,
+        leading,
         late,
         functions,
     };

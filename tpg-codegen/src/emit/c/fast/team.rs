@@ -1,6 +1,7 @@
 //! One team: the tests of its bids, in order, and the jump to the winner's destination.
 
 use super::Span;
+use super::leader;
 use super::view::{EagerView, InfiniteView, LateTeamView, LateView, LazyView, TeamView, WayView};
 use crate::emit::c::expression::Printer;
 use crate::emit::questions;
@@ -11,9 +12,9 @@ use crate::passes::schedule::{Bid, Infinite, LazyBid, TeamSchedule};
 use std::collections::BTreeSet;
 
 pub(super) struct TeamPrinter<'a> {
-    printer: &'a Printer<'a>,
+    pub(super) printer: &'a Printer<'a>,
     module: &'a Module<'a>,
-    plan: &'a TeamSchedule,
+    pub(super) plan: &'a TeamSchedule,
     span: &'a Span<'a>,
     /// The distinct destinations of the edges; the last is the last edge's.
     targets: Vec<Target>,
@@ -23,7 +24,8 @@ pub(super) struct TeamPrinter<'a> {
     computed: BTreeSet<NodeId>,
     pub(super) reads_state: bool,
     /// The leader may be a bid that was not computed.
-    pending: bool,
+    pub(super) pending: bool,
+    is_compact: bool,
 }
 
 impl Reuse for TeamPrinter<'_> {
@@ -39,19 +41,36 @@ impl<'a> TeamPrinter<'a> {
         plan: &'a TeamSchedule,
         span: &'a Span<'a>,
         computed: BTreeSet<NodeId>,
+        is_compact: bool,
     ) -> Self {
         let ascending = plan.infinite.is_none() && plan.bids().all(|bid| bid.ascending);
         let ascending = ascending && plan.lazy.iter().all(|lazy| lazy.certain.is_none());
         let targets = plan.destinations();
         let (reads_state, pending) = (false, false);
-        Self { printer, module, plan, span, targets, ascending, computed, reads_state, pending }
+        Self { printer, module, plan, span, targets, ascending, computed, reads_state, pending, is_compact }
     }
 
     pub(super) fn view(&mut self, is_entered: bool) -> TeamView {
         let (mut eager, mut eager_before, mut lazy) = (Vec::new(), Vec::new(), Vec::new());
         let (mut infinite, mut first) = (None, None);
+        let (mut steps, mut steps_before, mut steps_lazy) = (Vec::new(), Vec::new(), Vec::new());
         // With one way to go, no bid matters.
-        if self.targets.len() > 1 {
+        if self.targets.len() > 1 && self.is_compact {
+            infinite = self.plan.infinite.as_ref().map(|infinite| self.infinite(infinite));
+            let mut always = self.plan.eager.iter();
+            if self.plan.leads_at_first(self.printer.nodes) {
+                first = always.next().map(|bid| self.eager(bid));
+            }
+            steps.extend(always.map(|bid| self.eager_step(bid)));
+            steps_before.extend(
+                self.in_braces(|team| {
+                    team.plan.eager_before.iter().map(|bid| team.eager_step(bid)).collect::<Vec<_>>()
+                }),
+            );
+            steps_lazy.extend(self.plan.lazy.iter().map(|lazy| self.lazy_step(lazy)));
+            leader::join(&mut steps_lazy, self.printer.prefix);
+            self.reads_state |= self.pending;
+        } else if self.targets.len() > 1 {
             infinite = self.plan.infinite.as_ref().map(|infinite| self.infinite(infinite));
             eager.extend(self.plan.eager.iter().map(|bid| self.eager(bid)));
             first = self.plan.leads_at_first(self.printer.nodes).then(|| eager.remove(0));
@@ -68,10 +87,14 @@ impl<'a> TeamPrinter<'a> {
         TeamView {
             label: self.plan.label,
             is_entered,
-            winner: if self.ascending { "way" } else { "edge" },
+            winner: self.winner(),
             nobody: if self.ascending { format!("{}U", self.targets.len()) } else { "0U".to_owned() },
             first,
+            is_compact: self.is_compact,
             infinite,
+            steps,
+            steps_before,
+            steps_lazy,
             eager,
             eager_before,
             lazy,
@@ -79,14 +102,23 @@ impl<'a> TeamPrinter<'a> {
         }
     }
 
+    /// The variable that holds the winner.
+    fn winner(&self) -> &'static str {
+        match (self.is_compact, self.ascending) {
+            (true, _) => "lead.winner",
+            (false, true) => "way",
+            (false, false) => "edge",
+        }
+    }
+
     /// The condition for a target, and the jump to it.
     fn way(&self, target: Target) -> WayView {
         let condition = if self.ascending {
-            format!("way == {}", self.number(target))
+            format!("{} == {}", self.winner(), self.number(target))
         } else {
             let leads_there = |&(_, &to): &(usize, &Target)| to == target;
             let places: Vec<String> = (self.plan.targets.iter().enumerate().filter(leads_there))
-                .map(|(place, _)| format!("edge == {}U", place + 1))
+                .map(|(place, _)| format!("{} == {}U", self.winner(), place + 1))
                 .collect();
             if let [place] = &places[..] { place.clone() } else { format!("({})", places.join(") || (")) }
         };
@@ -113,7 +145,7 @@ impl<'a> TeamPrinter<'a> {
         format!("{}U", place + 1)
     }
 
-    fn rank(&self, bid: &Bid) -> String {
+    pub(super) fn rank(&self, bid: &Bid) -> String {
         if self.ascending { self.number(self.plan.targets[bid.place]) } else { format!("{}U", bid.place + 1) }
     }
 
@@ -124,7 +156,7 @@ impl<'a> TeamPrinter<'a> {
         InfiniteView { statements, condition, rank: format!("{}U", infinite.place + 1) }
     }
 
-    fn eager(&mut self, bid: &Bid) -> EagerView {
+    pub(super) fn eager(&mut self, bid: &Bid) -> EagerView {
         let mut statements = self.statements(bid.value, true);
         let mut value = self.printer.value(bid.value);
         if self.printer.nodes[bid.value.index()].as_constant() == Some(0.0) {
@@ -205,7 +237,7 @@ impl<'a> TeamPrinter<'a> {
     }
 
     /// Statements for the operations that a value still needs; later bids reuse them if it `stays` in scope.
-    fn statements(&mut self, value: NodeId, stays: bool) -> Vec<String> {
+    pub(super) fn statements(&mut self, value: NodeId, stays: bool) -> Vec<String> {
         let missing = self.missing(self.printer.nodes, value, stays);
         self.reads_state |= self.printer.reads_state(missing.iter().chain([&value]));
         let statement = |&id: &NodeId| {

@@ -33,8 +33,15 @@ pub(super) struct TeamView {
     pub(super) nobody: String,
     /// The first bid, where it is a number: it leads without a test.
     pub(super) first: Option<EagerView>,
+    /// The leader is a variable that functions change.
+    pub(super) is_compact: bool,
+    /// Bids that are computed unless an infinite one leads, where the code is compact.
+    pub(super) steps_before: Vec<StepView>,
+    pub(super) steps_lazy: Vec<StepView>,
     /// The first test: a bid's condition for infinity, and its rank.
     pub(super) infinite: Option<InfiniteView>,
+    /// The bids in order, where the code is compact; the next three are empty then.
+    pub(super) steps: Vec<StepView>,
     pub(super) eager: Vec<EagerView>,
     pub(super) eager_before: Vec<EagerView>,
     pub(super) lazy: Vec<LazyView>,
@@ -62,6 +69,31 @@ pub(super) struct EagerView {
     pub(super) ascending: bool,
     /// The last bid of its team: `best` is dead after it.
     pub(super) last: bool,
+}
+
+/// A bid of a team whose leader is a variable that functions change.
+pub(super) struct StepView {
+    pub(super) before: Vec<String>,
+    /// The condition for evaluating even the bound.
+    pub(super) considered: Option<String>,
+    pub(super) bound: Vec<String>,
+    pub(super) guard: Option<String>,
+    /// The guard is that of the bid before, which stands in the same braces: nothing that could lead there is above it, and the leader is
+    /// known.
+    pub(super) continues: bool,
+    /// A number bounds it.
+    pub(super) is_bounded: bool,
+    /// The next one continues.
+    pub(super) goes_on: bool,
+    /// Statements without braces around them.
+    pub(super) outside: Vec<String>,
+    pub(super) statements: Vec<String>,
+    /// The leader may not have been computed yet.
+    pub(super) is_late: bool,
+    pub(super) value: String,
+    /// The function that lets it lead.
+    pub(super) take: &'static str,
+    pub(super) rank: String,
 }
 
 /// A bid that may lead without having been computed.
