@@ -101,10 +101,15 @@ fn a_run_with_a_price_ends_in_a_graph_that_asks_on_any_threads() {
     refused(train(&changed, &out("three"), &[]), &["other.q.json", "sha256", "as ask.sha256 says"]);
     assert!(!out("three").exists());
 
-    // Reports find the network by the configuration.
+    // Reports find the network by the configuration, also for the hall of fame.
+    let text = fs::read_to_string(out("two").join("graph.json")).expect("text");
+    let mut other: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    other["provenance"]["scores"]["generation"] = 77.into();
+    fs::write(out("two").join("hall.jsonl"), other.to_string()).expect("a file");
     let page = out("report.html");
     tpg_train(&["report", "--episodes", "20", "--out"]).arg(&page).arg(out("two")).assert().success();
-    assert!(fs::read_to_string(page).expect("a page").contains("only asks"));
+    let page = fs::read_to_string(page).expect("a page");
+    assert!(page.contains("only asks") && page.contains("two, generation 77"), "{page}");
 }
 
 #[test]

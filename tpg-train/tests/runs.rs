@@ -153,6 +153,27 @@ fn a_target_and_a_number_of_steps_end_a_run_early() {
 }
 
 #[test]
+fn a_target_that_the_search_for_weights_reaches_ends_it() {
+    let place = tempfile::tempdir().expect("a temporary folder");
+    let mut config = Preset::find("frugal").expect("it comes with the trainer").config().expect("it is accepted");
+    config.problem = Problem::usual(ProblemName::Cartpole).to_table();
+    let file = place.path().join("config.toml");
+    fs::write(&file, config.to_toml()).expect("it can be written");
+    let run = |name: &str, threads: &str| {
+        let folder = place.path().join(name);
+        assert!(train(&folder, &file, &["--target", "475", "--threads", threads]).status().expect("it runs").success());
+        results(&folder)
+    };
+    assert!(run("one", "1") == run("three", "3"));
+    let state = state(&place.path().join("one"));
+    let number = |key: &str| state[key].as_u64().expect(key);
+    assert!(number("generation") < 20, "{} generations", number("generation"));
+    assert_eq!(state["best"]["result"]["episodes"], 100, "it has played all selection episodes");
+    assert!(state["best"]["result"]["score"].as_f64().expect("a score") >= 475.0);
+    assert!(number("steps") < 150_000, "{} steps", number("steps"));
+}
+
+#[test]
 fn selection_takes_no_more_than_a_tenth_of_the_episodes() {
     let place = tempfile::tempdir().expect("a temporary folder");
     let generations = tpg_testing::amount("12", "30");

@@ -1,5 +1,6 @@
 //! The book: `docs/` by mdBook, beside it the files outside of `docs/` that its pages link to, and a check of every link.
 
+use crate::venv::{environment, interpreter, target};
 use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, html};
 use std::collections::BTreeSet;
 use std::ffi::OsStr;
@@ -8,17 +9,32 @@ use std::process::Command;
 use std::{fs, io};
 use tpg_testing::library::top;
 
+/// Returns the mdBook to build with: the pinned one in a virtual environment, which PyPI has built, or else an installed one;
+/// `None`, if there is neither a Python for the first nor the second.
+///
+/// # Errors
+/// If there is a Python, but mdBook can neither be installed nor found.
+pub(crate) fn mdbook() -> io::Result<Option<PathBuf>> {
+    let installed = || tpg_testing::exists("mdbook").then(|| PathBuf::from("mdbook"));
+    let Some(python) = interpreter() else { return Ok(installed()) };
+    let requirements = top().join("xtask/requirements-book.txt");
+    match environment(&python, &target().join("mdbook"), &requirements) {
+        Ok(venv) => Ok(Some(venv.join("bin/mdbook"))),
+        Err(error) => installed().map(Some).ok_or(error),
+    }
+}
+
 /// Builds the book into `target/book`, with its first page at `docs/index.html`; returns true if every link of it leads to
 /// a file and a place in it.
 ///
 /// # Errors
 /// If mdBook cannot be started, or a file cannot be read or written.
-pub(crate) fn build() -> io::Result<bool> {
+pub(crate) fn build(mdbook: &Path) -> io::Result<bool> {
     let place = top().join("target/book");
     if place.exists() {
         fs::remove_dir_all(&place)?;
     }
-    let built = Command::new("mdbook").arg("build").arg(top().join("docs")).status()?.success();
+    let built = Command::new(mdbook).arg("build").arg(top().join("docs")).status()?.success();
     if !built {
         return Ok(false);
     }

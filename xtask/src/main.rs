@@ -9,6 +9,7 @@ mod python;
 mod setup;
 mod summary;
 mod torture;
+mod venv;
 mod web;
 
 use clap::{Parser, Subcommand};

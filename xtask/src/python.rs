@@ -1,13 +1,14 @@
 //! The Python package: built as a wheel, installed into a virtual environment, tested there.
 
 use crate::check::{Run, cargo};
+use crate::venv::{environment, interpreter, step, target};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::Command;
 use std::{env, fs, io};
 use tpg_testing::library::top;
 
 /// The greatest size of a wheel, bytes.
-const LARGEST_WHEEL: u64 = 3 << 20;
+const LARGEST_WHEEL: u64 = 3_000_000;
 
 /// The options of `cargo xtask python`.
 #[derive(Clone, Copy, Debug, Default, clap::Args)]
@@ -98,36 +99,6 @@ fn folder() -> PathBuf {
     top().join("python")
 }
 
-/// Returns cargo's target folder.
-fn target() -> PathBuf {
-    env::var_os("CARGO_TARGET_DIR").map_or_else(|| top().join("target"), PathBuf::from)
-}
-
-/// Finds a Python of 3.10 or newer that can make virtual environments.
-fn interpreter() -> Option<String> {
-    let named = env::var("TPG_PYTHON").unwrap_or_else(|_| "python3".to_owned());
-    let test = "import sys, venv, ensurepip; sys.exit(sys.version_info < (3, 10))";
-    let done = Command::new(&named).args(["-c", test]).stderr(Stdio::null()).status();
-    done.is_ok_and(|status| status.success()).then_some(named)
-}
-
-/// Makes a virtual environment with the pinned requirements, unless it is there.
-fn environment(python: &str, venv: &Path, requirements: &Path) -> io::Result<PathBuf> {
-    let stamp = venv.join("requirements.txt");
-    let wanted = fs::read_to_string(requirements)?;
-    if fs::read_to_string(&stamp).is_ok_and(|have| have == wanted) {
-        return Ok(venv.to_owned());
-    }
-    let mut make = Command::new(python);
-    make.args(["-m", "venv", "--clear"]).arg(venv);
-    step(make)?;
-    let mut pip = Command::new(venv.join("bin/python"));
-    pip.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "-r"]).arg(requirements);
-    step(pip)?;
-    fs::write(stamp, wanted)?;
-    Ok(venv.to_owned())
-}
-
 /// Builds the wheel and returns its path.
 fn wheel(venv: &Path, place: &Path, release: bool) -> io::Result<PathBuf> {
     let wheels = place.join("wheels");
@@ -174,13 +145,4 @@ fn command(venv: &Path, place: &Path) -> Command {
     let mut python = Command::new(venv.join("bin/python"));
     python.current_dir(place).env("PYTHONDONTWRITEBYTECODE", "1");
     python
-}
-
-fn step(mut command: Command) -> io::Result<()> {
-    let words: Vec<_> = command.get_args().map(|word| word.to_string_lossy()).collect();
-    println!("python: {}", words.join(" "));
-    match command.stdin(Stdio::null()).status()? {
-        status if status.success() => Ok(()),
-        status => Err(io::Error::other(format!("{}: {status}", command.get_program().display()))),
-    }
 }

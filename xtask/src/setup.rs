@@ -33,7 +33,7 @@ const PACKAGES: [(&str, &str); 32] = [
     ("meson", "/usr/bin/meson"),
     ("pkg-config", "/usr/bin/pkg-config"),
     ("frama-c-base", "/usr/bin/frama-c"),
-    ("python3-venv", "/usr/bin/python3"),
+    ("python3-venv", "/usr/lib/python3.11/ensurepip/__init__.py"),
     ("openmpi-bin", "/usr/bin/mpirun"),
     ("libopenmpi-dev", "/usr/bin/mpicc"),
     ("nodejs", "/usr/bin/node"),

@@ -64,6 +64,15 @@ pub(super) struct Fitted<'a> {
 }
 
 impl Fitted<'_> {
+    /// Returns the axis with room at both ends that no one has fixed: points on an end would be cut.
+    pub(super) fn roomy(self) -> Self {
+        let Scale::Linear = self.axis.scale else { return self };
+        let room = 0.05 * (self.high - self.low);
+        let low = if self.axis.low.is_none() { self.low - room } else { self.low };
+        let high = if self.axis.high.is_none() { self.high + room } else { self.high };
+        Self { low, high, ..self }
+    }
+
     /// Returns the position of a value: 0 at the low end, 1 at the high end.
     pub(super) fn place(&self, value: f64) -> f64 {
         let value = value.clamp(self.low, self.high);
@@ -126,6 +135,17 @@ mod tests {
         assert_eq!(texts(&Axis::log("", 0.1), [0.5, 300.0]), ["0.1", "1", "10", "100"]);
         assert_eq!(texts(&Axis::names("", vec!["a".into(), "b".into()]), [0.0, 1.0]), ["a", "b"]);
         assert_eq!(texts(&Axis::linear(""), [f64::NAN, f64::NAN]).len(), 6, "no data is no reason to fail");
+    }
+
+    #[test]
+    fn room_is_left_at_ends_that_follow_the_data() {
+        let ends = |axis: &Axis| {
+            let fitted = axis.fit([0.0, 10.0].into_iter()).roomy();
+            [fitted.low, fitted.high]
+        };
+        assert!(ends(&Axis::linear("")) == [-0.5, 10.5]);
+        assert!(ends(&Axis::linear("").between(0.0, 20.0)) == [0.0, 20.0]);
+        assert!(ends(&Axis::log("", 1.0)) == [1.0, 10.0]);
     }
 
     #[test]

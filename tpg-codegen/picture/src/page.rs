@@ -56,8 +56,19 @@ pub struct Formulas {
 pub struct Table {
     /// One text per column.
     pub header: Vec<String>,
-    /// Rows of as many texts; the first column is aligned left, the others right.
+    /// Rows of as many texts; the first column and columns of words are aligned left, columns of numbers right.
     pub rows: Vec<Vec<String>>,
+}
+
+impl Table {
+    /// Tests for a column of words behind the first one: its first text has letters.
+    fn is_words(&self, column: &usize) -> bool {
+        if *column == 0 {
+            return false;
+        }
+        let texts = self.rows.iter().filter_map(|row| row.get(*column)).find(|text| !text.is_empty());
+        texts.is_some_and(|text| text.contains(char::is_alphabetic))
+    }
 }
 
 /// A picture with its caption.
@@ -121,6 +132,18 @@ mod tests {
             assert!(html.contains(part), "{part} in\n{html}");
         }
         assert!(!html.contains("<script") && !html.contains("http"));
+    }
+
+    #[test]
+    fn columns_of_words_are_aligned_as_the_first_one() {
+        let row = |cells: [&str; 4]| cells.map(str::to_owned).to_vec();
+        let table = Table {
+            header: row(["", "", "", ""]),
+            rows: vec![row(["a", "", "-1", "2 teams"]), row(["b", "rad", "", ""])],
+        };
+        assert_eq!([0, 1, 2, 3].map(|column| table.is_words(&column)), [false, true, false, true]);
+        let section = Section { tables: vec![table], ..Section::default() };
+        assert!(Page { sections: vec![section], ..Page::default() }.html().contains("<td class=\"words\">rad</td>"));
     }
 
     #[test]

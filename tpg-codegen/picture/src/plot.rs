@@ -5,7 +5,7 @@ use super::svg::{Point, Svg};
 
 const SIZE: [f64; 2] = [620.0, 340.0];
 /// Left, top, right and bottom margins for numbers and labels.
-const MARGIN: [f64; 4] = [62.0, 12.0, 14.0, 44.0];
+const MARGIN: [f64; 4] = [72.0, 12.0, 14.0, 44.0];
 const LEGEND_ROW: f64 = 18.0;
 const LEGEND_COLUMN: f64 = 270.0;
 
@@ -113,7 +113,10 @@ impl Plot {
         let rows = self.legend.len().div_ceil(2) as f64;
         let mut svg = Svg::new(width, height + rows * LEGEND_ROW);
         let (xs, ys): (Vec<f64>, Vec<f64>) = self.extent().into_iter().map(|[x, y]| (x, y)).unzip();
-        let frame = Frame { x: self.x.fit(xs.into_iter()), y: self.y.fit(ys.into_iter()) };
+        let mut frame = Frame { x: self.x.fit(xs.into_iter()), y: self.y.fit(ys.into_iter()) };
+        if self.marks.iter().any(|(_, mark)| matches!(mark, Mark::Points(_))) {
+            (frame.x, frame.y) = (frame.x.roomy(), frame.y.roomy());
+        }
         self.axes(&mut svg, &frame);
         for (colour, mark) in &self.marks {
             mark.draw(&mut svg, &frame, &colour.class());
@@ -155,7 +158,7 @@ impl Plot {
             svg.text("middle", [x, height - bottom + 16.0], &text);
         }
         svg.text("middle label", [(left + width - right) / 2.0, height - 8.0], &self.x.label);
-        svg.upright_text("middle label", [14.0, (top + height - bottom) / 2.0], &self.y.label);
+        svg.upright_text("middle label", [13.0, (top + height - bottom) / 2.0], &self.y.label);
     }
 }
 
@@ -234,7 +237,7 @@ mod tests {
     fn a_single_value_is_shown() {
         let mut plot = Plot::new(Axis::linear("x").between(0.0, 10.0), Axis::linear("y"));
         plot.line(Colour(1), vec![[5.0, 2.0]]);
-        assert!(plot.svg("t").contains("<circle class=\"fill c1\" cx=\"334\""), "{}", plot.svg("t"));
+        assert!(plot.svg("t").contains("<circle class=\"fill c1\" cx=\"339\""), "{}", plot.svg("t"));
     }
 
     #[test]
@@ -243,7 +246,7 @@ mod tests {
         plot.line(Colour(2), vec![[0.0, 0.0], [5.0, 2.0]]);
         plot.name(Colour(2), "two");
         let text = plot.svg("t");
-        assert!(text.contains("<polyline class=\"line c2\" points=\"62,296 606,12\"/>"), "{text}");
+        assert!(text.contains("<polyline class=\"line c2\" points=\"72,296 606,12\"/>"), "{text}");
         assert!(text.contains(">two</text>"));
     }
 }

@@ -86,7 +86,7 @@ fn sizes(report: &Report) -> Section {
             how.to_owned(),
         ]
     };
-    let header = ["profile", "target", "flash", "RAM", "stack", ""];
+    let header = ["profile", "target", "flash", "RAM", "stack", "method"];
     Section {
         title: "Bytes".to_owned(),
         text: "Of the C, with -Os, without the libraries that are called.".to_owned(),

@@ -12,7 +12,7 @@ use super::state::{Deme, Record, Row, State};
 use super::vocabulary::{Gene, InstructionIndex, Kind, OPERANDS, Vocabulary};
 use serde::{Deserialize, Serialize};
 use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{Environment, EvaluationError, Evaluator, Summary, UnitKey, Work, WorkUnit};
+use tpg_engine::{Environment, EvaluationError, Evaluator, PolicyGraph, Summary, UnitKey, Work, WorkUnit};
 use tpg_graph::Word;
 use tpg_graph::error::Finding;
 use tpg_runtime::ops::Instruction;
@@ -258,10 +258,8 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         };
         let samples: Vec<Vec<f64>> = (0..).zip(&state.searches).flat_map(draw).collect();
         let unit = |(root, weights): (u64, &Vec<f64>)| {
-            let mut genome = Genome::default();
-            let team = writer.add_root(&mut genome, weights);
             let key = UnitKey { seed: state.seed, generation: state.generation, root };
-            WorkUnit { key, policy: genome.policy(team, &self.vocabulary) }
+            WorkUnit { key, policy: self.linear_policy(&writer, weights) }
         };
         let units = (0..).zip(&samples).map(unit).collect();
         let answers = self.evaluator.evaluate(&Work { tasks: self.tasks(state, config.episodes), units })?;
@@ -278,12 +276,23 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         if state.generation + 1 == self.linear || self.is_last(state) {
             self.populate_from_linear(state, &writer);
             row.validation = self.validate(state)?;
+        } else {
+            // The mean of a search is better than its samples.
+            let weights = state.searches[ranked(&results)[0] / count].cma.mean().to_vec();
+            row.validation = self.try_for_target(state, row.best_score, || self.linear_policy(&writer, &weights))?;
         }
         row.teams = state.demes.iter().map(|deme| deme.genome.teams().len()).sum();
         row.programs = state.demes.iter().map(|deme| deme.genome.program_count()).sum();
         state.rows.push(row);
         state.generation += 1;
         Ok(())
+    }
+
+    /// Returns the policy with the given weights.
+    fn linear_policy(&self, writer: &LinearWriter<'_>, weights: &[f64]) -> PolicyGraph {
+        let mut genome = Genome::default();
+        let team = writer.add_root(&mut genome, weights);
+        genome.policy(team, &self.vocabulary)
     }
 
     /// Starts the searches in the first generation, and keeps the best of them after half of the generations.

@@ -20,5 +20,6 @@ pub mod run;
 pub mod scales;
 pub mod select;
 pub mod state;
+mod target;
 mod validate;
 pub mod vocabulary;

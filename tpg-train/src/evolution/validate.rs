@@ -9,7 +9,7 @@ use super::generation::{Evolution, root_number};
 use super::state::{Best, State};
 use std::cmp::Ordering;
 use tpg_engine::{
-    Ending, Environment, EvaluationError, Evaluator, PolicyGraph, Summary, UnitKey, Visit, Work, WorkUnit,
+    Ending, Environment, EvaluationError, Evaluator, PolicyGraph, Summary, UnitKey, UnitResult, Visit, Work, WorkUnit,
 };
 use tpg_runtime::scalar::Scalar;
 
@@ -42,16 +42,27 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
     /// Validates if it is time to; returns the result of the winner, and updates the best root so far.
     pub(super) fn validate(&self, state: &mut State<E::Task>) -> Result<Option<Summary>, EvaluationError> {
         let Some(episodes) = self.episodes_to_spend(state) else { return Ok(None) };
-        let (policy, result) = self.race(state, episodes)?;
-        let preference = self.environment.preference();
-        let winner = Best { generation: state.generation, result, ranges: self.learned_ranges(&policy)?, policy };
+        let (policy, endings) = self.race(state, episodes)?;
+        self.enter(state, policy, &endings).map(Some)
+    }
+
+    /// Enters a policy with its endings on the selection set, the first tasks first; returns its result.
+    pub(super) fn enter(
+        &self,
+        state: &mut State<E::Task>,
+        policy: PolicyGraph,
+        endings: &[Ending],
+    ) -> Result<Summary, EvaluationError> {
+        let (preference, result) = (self.environment.preference(), Summary::of(endings));
+        let ranges = self.learned_ranges(&policy, endings)?;
+        let winner = Best { generation: state.generation, result, ranges, policy };
         let is_better =
             |best: &Best| self.compare(state, (&best.result, &best.policy), (&result, &winner.policy)).is_gt();
         if state.best.as_ref().is_none_or(is_better) {
             state.best = Some(winner.clone());
         }
         winner.enter(&mut state.hall, preference);
-        Ok(Some(result))
+        Ok(result)
     }
 
     /// Compares two results, in favour of the second, less the price of the policies' lines; of equal ones the smaller policy is
@@ -111,7 +122,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         roots.into_iter().take(self.config.selection.validation_roots).map(|(_, _, unit)| unit).collect()
     }
 
-    fn race(&self, state: &mut State<E::Task>, episodes: usize) -> Result<(PolicyGraph, Summary), EvaluationError> {
+    fn race(&self, state: &mut State<E::Task>, episodes: usize) -> Result<(PolicyGraph, Vec<Ending>), EvaluationError> {
         let mut field: Vec<(WorkUnit, Vec<Ending>)> =
             self.field(state).into_iter().map(|unit| (unit, Vec::new())).collect();
         let mut done = 0;
@@ -134,18 +145,24 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
             }
         }
         let (winner, endings) = field.swap_remove(0);
-        Ok((winner.policy, Summary::of(&endings)))
+        Ok((winner.policy, endings))
     }
 
-    /// Returns the ranges of inputs if the environment does not know all of them: those visited by the policy, widened
-    /// by a quarter.
-    fn learned_ranges(&self, policy: &PolicyGraph) -> Result<Option<Vec<[f64; 2]>>, EvaluationError> {
+    /// Returns the ranges of inputs if the environment does not know all of them: those visited by the policy in episodes
+    /// that ended so, widened by a quarter.
+    fn learned_ranges(
+        &self,
+        policy: &PolicyGraph,
+        endings: &[Ending],
+    ) -> Result<Option<Vec<[f64; 2]>>, EvaluationError> {
         let sources = self.environment.sources();
         let declared: Vec<[f64; 2]> = sources.into_iter().flat_map(|source| source.ranges).collect();
         if declared.iter().flatten().all(|end| end.is_finite()) {
             return Ok(None);
         }
-        let states = self.visited(std::slice::from_ref(policy), EPISODES_FOR_RANGES)?;
+        let played = self.selection_tasks.iter().zip(endings).take(EPISODES_FOR_RANGES);
+        let visits: Vec<_> = played.map(|(task, ending)| along(policy, task, ending)).collect();
+        let states: Vec<Vec<f64>> = self.evaluator.visit(&visits)?.into_iter().flatten().collect();
         Ok(Some((declared.into_iter().enumerate()).map(|(input, range)| widened(range, &states, input)).collect()))
     }
 
@@ -157,18 +174,20 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
             policy: policy.clone(),
         });
         let answers = self.evaluator.evaluate(&Work { tasks: tasks.to_vec(), units: units.collect() })?;
-        let visits: Vec<_> = (policies.iter().zip(answers))
-            .flat_map(|(policy, answer)| {
-                tasks.iter().zip(answer.endings).map(|(task, ending)| {
-                    let after = (0..STATES_FOR_RANGES).map(|state| {
-                        (u64::from(state) * u64::from(ending.actions) / u64::from(STATES_FOR_RANGES)) as u32
-                    });
-                    Visit { policy: policy.clone(), task: task.clone(), after: after.collect() }
-                })
-            })
-            .collect();
+        let along = |(policy, answer): (&PolicyGraph, UnitResult)| {
+            let played = tasks.iter().zip(answer.endings);
+            played.map(|(task, ending)| along(policy, task, &ending)).collect::<Vec<_>>()
+        };
+        let visits: Vec<_> = policies.iter().zip(answers).flat_map(along).collect();
         Ok(self.evaluator.visit(&visits)?.into_iter().flatten().collect())
     }
+}
+
+/// Returns a visit of states all along an episode that ended so.
+fn along<Task: Clone>(policy: &PolicyGraph, task: &Task, ending: &Ending) -> Visit<Task> {
+    let actions = u64::from(ending.actions);
+    let after = (0..STATES_FOR_RANGES).map(|state| (u64::from(state) * actions / u64::from(STATES_FOR_RANGES)) as u32);
+    Visit { policy: policy.clone(), task: task.clone(), after: after.collect() }
 }
 
 /// Returns a declared range whose infinite ends are replaced by visited values, widened by a quarter; never empty.

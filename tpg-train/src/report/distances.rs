@@ -52,18 +52,15 @@ pub(super) fn section(groups: &[Group], tested: &[Vec<Option<Tested>>]) -> Optio
         caption: caption.to_owned(),
         ..Figure::default()
     };
-    Some(Section {
-        title: "Final distances on the test episodes".to_owned(),
-        figures: vec![
-            figure(&boxes, "Each seed's episodes: median, quartiles, 5th and 95th percentile."),
-            figure(
-                &seeds,
-                "Each seed's mean distance as a point; boxes as in the picture before, over the seeds of a group.",
-            ),
-            figure(&cumulative, "Fraction of a group's episodes, all seeds together, that end closer than a distance."),
-        ],
-        ..Section::default()
-    })
+    let mut figures = vec![figure(&boxes, "Each seed's episodes: median, quartiles, 5th and 95th percentile.")];
+    if groups.iter().any(|group| group.runs.len() > 1) {
+        let caption =
+            "Each seed's mean distance as a point; boxes as in the picture before, over the seeds of a group.";
+        figures.push(figure(&seeds, caption));
+    }
+    let caption = "Fraction of a group's episodes, all seeds together, that end closer than a distance.";
+    figures.push(figure(&cumulative, caption));
+    Some(Section { title: "Final distances on the test episodes".to_owned(), figures, ..Section::default() })
 }
 
 /// Returns a run's name for use next to its group's name: its seed.

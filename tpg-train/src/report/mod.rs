@@ -77,7 +77,7 @@ fn page(groups: &[Group], episodes: usize, seed: u64, own: Option<&dyn Shared>) 
     let tested: Vec<Vec<Option<Tested>>> = (groups.iter())
         .map(|group| group.runs.iter().map(|run| test::test(run, episodes, seed, own)).collect())
         .collect::<Result<_, _>>()?;
-    let halls: Vec<Vec<(Run, Tested)>> = (groups.iter())
+    let halls: Vec<Vec<(String, &Run, Tested)>> = (groups.iter())
         .map(|group| {
             let of = group.runs.iter().map(|run| test::hall(run, episodes, seed, own));
             Ok(of.collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect())

@@ -44,6 +44,8 @@ pub(super) struct Run {
     pub(super) cpu: Option<f64>,
     /// The trained policy.
     pub(super) kind: Kind,
+    /// The hall of fame: the best policy of each size, without the trained one itself, named by its generation.
+    pub(super) hall: Vec<Self>,
 }
 
 /// A trained policy.
@@ -55,8 +57,6 @@ pub(super) enum Kind {
         problem: Option<Box<Problem>>,
         /// The graph.
         graph: Box<Graph>,
-        /// The hall of fame: the best graph of each size, without `graph` itself.
-        hall: Vec<Graph>,
     },
     /// A soft actor-critic.
     Sac {
@@ -108,6 +108,18 @@ impl Together {
 }
 
 impl Kind {
+    /// Returns the graph that evolution has found: its bytes can be compared. `None` for a network, and for a hybrid of a graph and
+    /// rules, which was put together later.
+    pub(super) fn evolved(&self) -> Option<&Graph> {
+        match self {
+            Self::Tpg { graph, .. } => Some(graph),
+            Self::Hybrid(Together::Other(_, hybrid) | Together::Own(hybrid)) => {
+                (hybrid.setting == Setting::ONLY_ASKS).then_some(&hybrid.graph.1)
+            }
+            Self::Sac { .. } | Self::Hybrid(Together::Arm(..)) => None,
+        }
+    }
+
     /// The name of the problem; "own" for one that is not built in.
     fn problem(&self) -> String {
         match self {
@@ -212,11 +224,20 @@ fn tpg(folder: &Path, name: String, config: &str) -> Result<Run, InputError> {
     ]);
     let timing = fs::read_to_string(folder.join("timing.csv")).ok();
     let (seed, cpu) = (graph.provenance().seed, timing.as_deref().and_then(cpu_of_sessions));
-    let kind = match ask {
-        Some(ask) => Kind::Hybrid(asking(&ask, problem, (path.display().to_string(), graph))?),
-        None => Kind::Tpg { problem, graph: Box::new(graph), hall },
+    let kind = |graph: Graph| {
+        let problem = problem.clone();
+        Ok(match &ask {
+            Some(ask) => Kind::Hybrid(asking(ask, problem, (path.display().to_string(), graph))?),
+            None => Kind::Tpg { problem, graph: Box::new(graph) },
+        })
     };
-    Ok(Run { name, seed, curves, cpu, kind })
+    let of_hall = |graph: Graph| {
+        let generation = graph.provenance().scores.get("generation").copied().unwrap_or_default();
+        let name = format!("generation {generation}");
+        Ok(Run { name, seed, curves: BTreeMap::new(), cpu: None, kind: kind(graph)?, hall: Vec::new() })
+    };
+    let hall = hall.into_iter().map(of_hall).collect::<Result<_, InputError>>()?;
+    Ok(Run { name, seed, curves, cpu, kind: kind(graph)?, hall })
 }
 
 /// A graph with the network that it learned to ask.
@@ -280,6 +301,7 @@ fn sac(folder: &Path, name: String) -> Result<Run, InputError> {
         curves,
         cpu,
         kind: Kind::Sac { problem, network: Box::new(network), contract: Box::new(contract) },
+        hall: Vec::new(),
     })
 }
 
@@ -308,7 +330,7 @@ fn study(folder: &Path, name: String, text: &str) -> Result<Run, InputError> {
             Together::Arm(start, Box::new(ArmHybrid::read(&path)?))
         }
     };
-    Ok(Run { name, seed: None, curves: BTreeMap::new(), cpu: None, kind: Kind::Hybrid(together) })
+    Ok(Run { name, seed: None, curves: BTreeMap::new(), cpu: None, kind: Kind::Hybrid(together), hall: Vec::new() })
 }
 
 /// Parses one JSON value per line.

@@ -1,7 +1,7 @@
 //! Return against size: what a byte of flash buys.
 
 use super::headline::flash;
-use super::runs::{Group, Kind, Run};
+use super::runs::{Group, Run};
 use super::test::Tested;
 use crate::picture::{Axis, Colour, Figure, Plot, Section};
 
@@ -9,7 +9,7 @@ use crate::picture::{Axis, Colour, Figure, Plot, Section};
 pub(super) fn section(
     groups: &[Group],
     tested: &[Vec<Option<Tested>>],
-    halls: &[Vec<(Run, Tested)>],
+    halls: &[Vec<(String, &Run, Tested)>],
 ) -> Option<Section> {
     let mut problems: Vec<String> = Vec::new();
     for group in groups {
@@ -22,7 +22,7 @@ pub(super) fn section(
         title: "Return against size".to_owned(),
         text: "Each point is a graph: the one that a run has chosen, and those of its hall of fame, which nothing smaller was better than on \
                the selection episodes. Its mean return on the test episodes stands against the flash of its fast C on a Cortex-M4F, \
-               compiled with -Os, or estimated where there is no compiler for it. Further up and further left is better; a line of \
+               compiled with -Os, or estimated where there is no compiler for it; a network that it asks is not counted. Further up and further left is better; a line of \
                hall.jsonl is a graph.json."
             .to_owned(),
         figures,
@@ -33,7 +33,7 @@ pub(super) fn section(
 fn figure(
     groups: &[Group],
     tested: &[Vec<Option<Tested>>],
-    halls: &[Vec<(Run, Tested)>],
+    halls: &[Vec<(String, &Run, Tested)>],
     problem: &str,
 ) -> Option<Figure> {
     let mut plot = Plot::new(Axis::linear("bytes of flash"), Axis::linear("mean return"));
@@ -41,13 +41,14 @@ fn figure(
     for (((place, group), tested), hall) in
         groups.iter().enumerate().zip(tested).zip(halls).filter(|(((_, group), _), _)| group.problem() == problem)
     {
-        let chosen = group.runs.iter().zip(tested).filter_map(|(run, tested)| Some((run, tested.as_ref()?)));
-        let points: Vec<([f64; 2], String)> = (chosen.chain(hall.iter().map(|(run, tested)| (run, tested))))
-            .filter_map(|(run, tested)| match &run.kind {
-                Kind::Tpg { graph, .. } => Some(([flash(graph).0 as f64, tested.summary().score], run.name.clone())),
-                _ => None,
-            })
-            .collect();
+        let chosen = group.runs.iter().zip(tested).filter_map(|(run, tested)| Some((&run.name, run, tested.as_ref()?)));
+        let points: Vec<([f64; 2], String)> = (chosen
+            .chain(hall.iter().map(|(name, run, tested)| (name, *run, tested))))
+        .filter_map(|(name, run, tested)| {
+            let bytes = flash(run.kind.evolved()?).0;
+            Some(([bytes as f64, tested.summary().score], name.clone()))
+        })
+        .collect();
         if points.is_empty() {
             continue;
         }

@@ -43,7 +43,7 @@ pub(super) fn section(groups: &[Group], tested: &[Vec<Option<Tested>>]) -> Secti
                 &[
                     "run",
                     "seed",
-                    "what",
+                    "policy",
                     "score",
                     "success %",
                     &mean_measure,

@@ -13,7 +13,6 @@ use crate::hybrid::shared::{Episodes, Shared};
 use crate::hybrid::trial::Acting;
 use crate::sac::network::Network;
 use crate::sac::tensors::place;
-use std::collections::BTreeMap;
 use tpg_arm::{Arm, Pose, WIDOWX};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{
@@ -81,22 +80,17 @@ impl Tested {
     }
 }
 
-/// Returns the runs whose policies are the hall of fame of a run, each with its result.
-pub(super) fn hall(
-    run: &Run,
+/// Returns the policies of a run's hall of fame, each with its name and result.
+pub(super) fn hall<'r>(
+    run: &'r Run,
     episodes: usize,
     seed: u64,
     own: Option<&dyn Shared>,
-) -> Result<Vec<(Run, Tested)>, InputError> {
-    let Kind::Tpg { problem, hall, .. } = &run.kind else { return Ok(Vec::new()) };
+) -> Result<Vec<(String, &'r Run, Tested)>, InputError> {
     let mut tested = Vec::new();
-    for graph in hall {
-        let generation = graph.provenance().scores.get("generation").copied().unwrap_or_default();
-        let kind = Kind::Tpg { problem: problem.clone(), graph: Box::new(graph.clone()), hall: Vec::new() };
-        let name = format!("{}, generation {generation}", run.name);
-        let one = Run { name, seed: run.seed, curves: BTreeMap::new(), cpu: None, kind };
-        if let Some(result) = test(&one, episodes, seed, own)? {
-            tested.push((one, result));
+    for one in &run.hall {
+        if let Some(result) = test(one, episodes, seed, own)? {
+            tested.push((format!("{}, {}", run.name, one.name), one, result));
         }
     }
     Ok(tested)

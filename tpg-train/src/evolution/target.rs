@@ -1,0 +1,59 @@
+//! An early end for a run with a target: what reaches it in training plays the selection episodes for as long as it may.
+
+use super::generation::Evolution;
+use super::state::State;
+use tpg_engine::{Ending, Environment, EvaluationError, Evaluator, PolicyGraph, Summary, UnitKey, Work, WorkUnit};
+use tpg_runtime::scalar::Scalar;
+
+/// Number of episodes after which a trial is judged first; then after twice as many, again and again.
+const FIRST: usize = 4;
+
+/// Returns the numbers of episodes after which a trial is judged; the last is `episodes`.
+fn stages(episodes: usize) -> impl Iterator<Item = usize> {
+    let doubled = std::iter::successors(Some(FIRST), |stage| Some(2 * stage));
+    doubled.take_while(move |&stage| stage < episodes).chain([episodes])
+}
+
+impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V> {
+    /// Lets a policy play the selection episodes and enters it, if their mean reaches the run's target after each stage. `found`
+    /// is what training has found of it: a trial is due where that reaches the target, and where no more episodes have been
+    /// spent on selection than on training.
+    pub(super) fn try_for_target(
+        &self,
+        state: &mut State<E::Task>,
+        found: f64,
+        policy: impl FnOnce() -> PolicyGraph,
+    ) -> Result<Option<Summary>, EvaluationError> {
+        let Some(target) = self.goal.target.filter(|&target| found >= target) else { return Ok(None) };
+        if state.selection_episodes > state.training_episodes {
+            return Ok(None);
+        }
+        let key = UnitKey { seed: state.seed, generation: state.generation, root: 0 };
+        let unit = WorkUnit { key, policy: policy() };
+        let mut endings: Vec<Ending> = Vec::new();
+        for stage in stages(self.selection_tasks.len()) {
+            let tasks = self.selection_tasks[endings.len()..stage].to_vec();
+            state.selection_episodes += tasks.len() as u64;
+            for answer in self.evaluator.evaluate(&Work { tasks, units: vec![unit.clone()] })? {
+                state.steps += answer.endings.iter().map(|ending| u64::from(ending.actions)).sum::<u64>();
+                endings.extend(answer.endings);
+            }
+            if Summary::of(&endings).score < target {
+                return Ok(None);
+            }
+        }
+        self.enter(state, unit.policy, &endings).map(Some)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::stages;
+
+    #[test]
+    fn a_trial_doubles_its_episodes_up_to_all() {
+        assert_eq!(stages(100).collect::<Vec<_>>(), [4, 8, 16, 32, 64, 100]);
+        assert_eq!(stages(8).collect::<Vec<_>>(), [4, 8]);
+        assert_eq!(stages(3).collect::<Vec<_>>(), [3]);
+    }
+}

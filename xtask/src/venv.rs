@@ -1,0 +1,47 @@
+//! Virtual environments of Python under the target folder, with pinned packages.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::{env, fs, io};
+use tpg_testing::library::top;
+
+/// Returns cargo's target folder.
+pub(crate) fn target() -> PathBuf {
+    env::var_os("CARGO_TARGET_DIR").map_or_else(|| top().join("target"), PathBuf::from)
+}
+
+/// Finds a Python of 3.10 or newer that can make virtual environments.
+pub(crate) fn interpreter() -> Option<String> {
+    let named = env::var("TPG_PYTHON").unwrap_or_else(|_| "python3".to_owned());
+    let test = "import sys, venv, ensurepip; sys.exit(sys.version_info < (3, 10))";
+    let done = Command::new(&named).args(["-c", test]).stderr(Stdio::null()).status();
+    done.is_ok_and(|status| status.success()).then_some(named)
+}
+
+/// Makes a virtual environment with the pinned requirements, unless it is there.
+pub(crate) fn environment(python: &str, venv: &Path, requirements: &Path) -> io::Result<PathBuf> {
+    let stamp = venv.join("requirements.txt");
+    let wanted = fs::read_to_string(requirements)?;
+    if fs::read_to_string(&stamp).is_ok_and(|have| have == wanted) {
+        return Ok(venv.to_owned());
+    }
+    let mut make = Command::new(python);
+    make.args(["-m", "venv", "--clear"]).arg(venv);
+    step(make)?;
+    let mut pip = Command::new(venv.join("bin/python"));
+    pip.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "-r"]).arg(requirements);
+    step(pip)?;
+    fs::write(stamp, wanted)?;
+    Ok(venv.to_owned())
+}
+
+/// Runs a command and shows it first.
+pub(crate) fn step(mut command: Command) -> io::Result<()> {
+    let program = Path::new(command.get_program()).file_name().unwrap_or_default().to_string_lossy();
+    let words: Vec<_> = std::iter::once(program).chain(command.get_args().map(|word| word.to_string_lossy())).collect();
+    println!("{}", words.join(" "));
+    match command.stdin(Stdio::null()).status()? {
+        status if status.success() => Ok(()),
+        status => Err(io::Error::other(format!("{}: {status}", command.get_program().display()))),
+    }
+}
