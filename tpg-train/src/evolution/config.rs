@@ -277,7 +277,8 @@ pub enum Units {
     /// The declared one; its ends that the problem does not know are those that random policies reach.
     #[default]
     Declared,
-    /// The one where random policies usually are: declared ranges are often never reached.
+    /// The one where random policies usually are, half of the way to the mean of all inputs: declared ranges are often never
+    /// reached.
     Visited,
 }
 

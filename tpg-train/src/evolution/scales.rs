@@ -14,8 +14,12 @@ use tpg_runtime::scalar::Scalar;
 const EXPLORERS: usize = 16;
 const EPISODES: usize = 2;
 
-/// The part of the visited values on either side that does not count for a usual range.
-const TAIL: f64 = 0.025;
+/// The part of the visited values on either side that does not count for a usual range: random policies lose control now and
+/// then, and what they see then is far from where good ones are.
+const RARE: f64 = 0.1;
+
+/// That part where nearly all values are equal: an input that is rarely on.
+const VERY_RARE: f64 = 0.025;
 
 /// Returns half the range of each value of the flat state that programs can read: the declared one, with ends that the
 /// environment does not know estimated from states visited by random roots, or where these usually are.
@@ -42,17 +46,31 @@ pub fn scales<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>>(
         Units::Declared => declared((input, range)),
         Units::Visited => usual(&states, input).unwrap_or_else(|| declared((input, range))),
     };
-    Ok(ranges.iter().enumerate().map(scale).collect())
+    let scales = ranges.iter().enumerate().map(scale).collect();
+    Ok(match units {
+        Units::Declared => scales,
+        Units::Visited => nearer(scales),
+    })
+}
+
+/// Moves units half of the way, in logarithms, to their mean. What random policies visit says little about what good ones need:
+/// in units of it alone, an input that hardly moves there would begin with the largest weight.
+fn nearer(scales: Vec<f64>) -> Vec<f64> {
+    let mean = scales.iter().map(|scale| libm::log(*scale)).sum::<f64>() / scales.len().max(1) as f64;
+    scales.into_iter().map(|scale| libm::exp(0.5 * (libm::log(scale) + mean))).collect()
 }
 
 /// Returns half the range of most of the visited values of an input; `None` if they are equal.
 fn usual(states: &[Vec<f64>], input: usize) -> Option<f64> {
     let mut values: Vec<f64> = states.iter().map(|state| state[input]).filter(|value| value.is_finite()).collect();
     values.sort_by(f64::total_cmp);
-    let tail = (TAIL * values.len() as f64) as usize;
-    let (low, high) = (values.get(tail)?, values.get(values.len() - 1 - tail)?);
-    let half = 0.5 * (high - low);
-    (half > 0.0).then_some(half)
+    let half = |part: f64| {
+        let tail = (part * values.len() as f64) as usize;
+        let (low, high) = (values.get(tail)?, values.get(values.len() - 1 - tail)?);
+        let half = 0.5 * (high - low);
+        (half > 0.0).then_some(half)
+    };
+    half(RARE).or_else(|| half(VERY_RARE))
 }
 
 /// Returns states visited by random roots.
@@ -92,15 +110,26 @@ fn unit([min, max]: [f64; 2], states: &[Vec<f64>], input: usize) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{unit, usual};
+    use super::{nearer, unit, usual};
+
+    #[test]
+    fn units_move_half_of_the_way_to_their_mean() {
+        let near = nearer(vec![0.01, 1.0, 100.0]);
+        for (found, expected) in near.iter().zip([0.1, 1.0, 10.0]) {
+            assert!((found / expected - 1.0).abs() < 1e-12, "{near:?}");
+        }
+        assert_eq!(nearer(Vec::new()), Vec::<f64>::new());
+    }
 
     #[test]
     fn a_usual_unit_leaves_out_rare_values() {
         let mut states: Vec<Vec<f64>> = (0..=100).map(|value| vec![f64::from(value), 3.0]).collect();
         states[50][0] = 1e9;
         states[51][0] = f64::NAN;
-        assert_eq!(usual(&states, 0), Some(0.5 * (99.0 - 2.0)));
+        assert_eq!(usual(&states, 0), Some(0.5 * (91.0 - 10.0)));
         assert_eq!(usual(&states, 1), None, "always the same value");
+        let switch: Vec<Vec<f64>> = (0..100).map(|at| vec![f64::from(u8::from(at < 5))]).collect();
+        assert_eq!(usual(&switch, 0), Some(0.5), "rarely on");
         assert_eq!(usual(&[], 0), None);
     }
 
