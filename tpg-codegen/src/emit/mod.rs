@@ -16,7 +16,7 @@ mod rust;
 mod syntax;
 mod table;
 
-pub(crate) use c::field::field;
+pub(crate) use c::{field::field, is_compact};
 
 pub use crate::options::{Language, Options, Prefix, Profile, Style};
 

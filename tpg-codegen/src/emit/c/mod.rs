@@ -22,6 +22,7 @@ use crate::program::{Program, Shape};
 use askama::Template;
 use entry::Entry;
 use expression::Printer;
+pub(crate) use fast::is_compact;
 use tpg_graph::interpret::{self, Answer};
 use tpg_graph::states;
 use tpg_graph::{Graph, MathsProvider, ScalarType};

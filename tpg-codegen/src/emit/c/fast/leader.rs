@@ -20,7 +20,7 @@ use tpg_runtime::ops::Instruction;
 const EDGES: usize = 32;
 
 /// Tests for code that is compact.
-pub(super) fn is_compact(module: &Module<'_>) -> bool {
+pub(crate) fn is_compact(module: &Module<'_>) -> bool {
     let edges = module.teams.iter().map(|team| team.edges.len()).sum::<usize>();
     module.graph.scalar() == ScalarType::F64 && module.graph.outputs().is_empty() && edges >= EDGES
 }

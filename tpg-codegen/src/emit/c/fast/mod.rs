@@ -24,6 +24,7 @@ use crate::ir::{Module, NodeId};
 use crate::passes::available::Available;
 use crate::passes::schedule::Schedule;
 use askama::Template;
+pub(crate) use leader::is_compact;
 use std::collections::BTreeSet;
 use team::TeamPrinter;
 use tpg_graph::ScalarType;
@@ -67,7 +68,7 @@ pub(super) fn render(
     for (place, &team) in order.iter().enumerate() {
         places[team] = place;
     }
-    let is_compact = leader::is_compact(module);
+    let is_compact = is_compact(module);
     let mut late = Vec::new();
     let functions = available.functions().map(|teams| {
         let (start, whole) = (places[teams[0]], teams.len() == order.len());
