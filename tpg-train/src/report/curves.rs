@@ -31,7 +31,7 @@ pub(super) fn sections(groups: &[Group]) -> Vec<Section> {
             y: Axis::linear(SCORE),
             caption: "Mean score of the best survivor on the selection episodes.",
         },
-        Shown { curve: "success", y: part("success"), caption: "Its success there." },
+        Shown { curve: "success", y: part("success"), caption: "Share of the selection episodes that it solved." },
         Shown {
             curve: "measure",
             y: Axis::log("measure (arm: distance, mm)", 1.0),
@@ -47,7 +47,7 @@ pub(super) fn sections(groups: &[Group]) -> Vec<Section> {
             y: Axis::linear(SCORE),
             caption: "Mean score of the actor on the validation episodes.",
         },
-        Shown { curve: "success", y: part("success"), caption: "Its success there." },
+        Shown { curve: "success", y: part("success"), caption: "Share of the validation episodes that it solved." },
         Shown {
             curve: "measure",
             y: Axis::log("measure (arm: distance, mm)", 1.0),
