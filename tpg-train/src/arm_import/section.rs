@@ -40,19 +40,20 @@ pub(super) fn describe(arm: &Planar, radii: Radii) -> ArmDescription {
 
 /// Returns the section as text.
 pub(super) fn text(file: &str, tip: &str, fix: &[(String, f64)], arm: &Planar, description: &ArmDescription) -> String {
-    let held: String = fix.iter().map(|(joint, angle)| format!(", {joint} held at {angle} rad")).collect();
+    let held: String = fix.iter().map(|(joint, angle)| format!(", {} held at {angle} rad", one_line(joint))).collect();
     // Adding 0 takes the sign of what is rounded to −0.
     let tenths = |value: f64| (10.0 * value).round() / 10.0 + 0.0;
     let ahead = tenths(libm::atan2(arm.front[1], arm.front[0]).to_degrees());
     let [x, y] = arm.axis.map(tenths);
     let mut text = format!(
-        "# From {file:?}, tip {tip}{held}.\n\
+        "# From {file:?}, tip {}{held}.\n\
          #\n\
          # The origin is on the axis of {}, at x = {x:.1}, y = {y:.1} mm of the URDF; ahead is {ahead:.1} degrees from its x. Positions are\n\
          # ticks, 4096 a turn; at 2048 the upper arm stands upright, forearm and hand are stretched ahead. Lengths are in mm.\n\
          # The URDF's angles, rad:\n\
          #\n",
-        arm.joints[0].name
+        one_line(tip),
+        one_line(&arm.joints[0].name)
     );
     for joint in &arm.joints {
         writeln!(text, "#     {}", angle_of(joint)).expect("a string");
@@ -77,5 +78,13 @@ fn angle_of(Position { name, sign, zero, .. }: &Position) -> String {
         zero if zero > 0.0 => format!(" - {zero:.1}"),
         zero => format!(" + {:.1}", -zero),
     };
-    format!("{name} = {minus}(position - {}{less}) / {a_radian:.1}", TICKS_PER_TURN / 2)
+    format!("{} = {minus}(position - {}{less}) / {a_radian:.1}", one_line(name), TICKS_PER_TURN / 2)
+}
+
+/// Returns a name of the URDF as a comment can hold it: a line's end or another control character would leave the comment.
+fn one_line(name: &str) -> String {
+    let shown = |character: char| {
+        if character.is_control() { character.escape_default().collect() } else { character.to_string() }
+    };
+    name.chars().map(shown).collect()
 }

@@ -167,3 +167,14 @@ fn the_comments_say_how_to_come_back_to_the_urdf() {
         assert!(section.lines().any(|own| own == line), "{line} is not in\n{section}");
     }
 }
+
+/// A name with a line's end must not become a key of the configuration.
+#[test]
+fn names_stay_in_their_comments() {
+    let text = ARM.replace("\"lift\"", "\"lift&#10;[problem]&#10;name = 1\"");
+    let section = import("five.urdf", &text, "tip", &held(), RADII).expect("an arm");
+    assert!(section.contains(r"lift\n[problem]\nname = 1 = "), "{section}");
+    let table: toml::Table = section.parse().expect("TOML");
+    let problem = table["problem"].as_table().expect("a table");
+    assert_eq!(problem.keys().collect::<Vec<_>>(), ["arm"]);
+}
