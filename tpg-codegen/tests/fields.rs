@@ -67,7 +67,7 @@ fn macros(compiler: &str, language: &str) -> BTreeSet<String> {
     text.lines().filter_map(name).filter(is_lower).collect()
 }
 
-/// What the names are of.
+/// Kinds of things that have names.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Role {
     Sources,

@@ -18,7 +18,7 @@ static W8A16: [u32; words(Kind::W8A16)] = model(Kind::W8A16);
 static W16A16: [u32; words(Kind::W16A16)] = model(Kind::W16A16);
 static W8A8: [u32; words(Kind::W8A8)] = model(Kind::W8A8);
 
-/// What a network answered, and what that took.
+/// The answer of a network, and the instructions that it took.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Asked {

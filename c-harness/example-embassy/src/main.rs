@@ -29,7 +29,7 @@ const MOST_STEPS: u32 = 1707;
 
 static ARM: Arm<f32> = WIDOWX.to_f32();
 
-/// Where the hand is wanted.
+/// The target of the hand.
 static TARGET: Signal<ThreadModeRawMutex, [f32; 3]> = Signal::new();
 
 // An interrupt each millisecond.
