@@ -2,6 +2,7 @@
 
 mod arm;
 mod chain;
+mod control_among_balls;
 mod dodge;
 mod episode;
 mod frame;
