@@ -15,6 +15,7 @@
 //! | [`network`] | a network in integers, for any problem |
 //! | [`sac`] | the arm's network in integers |
 //! | [`hybrid`] | a generated policy and a network that share an arm |
+//! | [`dodge`] | the control step of an arm among moving balls |
 //! | [`sensors`] | the watch over motors, for control loops without a hybrid |
 //! | [`episode`] | one episode of one policy |
 
@@ -23,6 +24,7 @@
 
 pub mod arm;
 pub mod code;
+pub mod dodge;
 pub mod episode;
 pub mod hybrid;
 pub mod memo;
