@@ -166,6 +166,7 @@ proptest! {
         goal in free_pose(),
         mut balls in balls(),
         stays: bool,
+        walked: bool,
     ) {
         if let (Some(ball), true) = (balls.first_mut(), stays) {
             ball.velocity = [0.0; 3];
@@ -174,7 +175,7 @@ proptest! {
         let view = View::new(&BODY, pose, &goals, &balls);
         let wanted = straight(pose, goal);
         let allowed = permitted(&view, wanted).step;
-        let answer = guarded(&view, wanted);
+        let answer = guarded(&view, wanted, walked);
         let after = BODY.at(moved(pose, allowed));
         let clear = |ball: &Ball| {
             BODY.clearance(&after, ball.after(2.0), ball.radius) >= if ball.stays() { 0.5 } else { 3.0 }

@@ -43,7 +43,8 @@ impl Dodger {
     /// Turns a policy's choice into a step that the arm can take, and searches on.
     pub fn act(&mut self, view: &View<'_>, choice: Behaviour) -> Move {
         let wanted = choice.step(view, self.scout.plan_mut());
-        let answer = if self.settings.guard { guarded(view, wanted) } else { permitted(view, wanted) };
+        let answer =
+            if self.settings.guard { guarded(view, wanted, choice.walks_in_field()) } else { permitted(view, wanted) };
         let left = steps(view.pose, view.goal());
         if left < self.least {
             (self.least, self.since) = (left, 0);

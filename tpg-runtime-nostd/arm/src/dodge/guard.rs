@@ -4,6 +4,7 @@ use super::ball::Ball;
 use super::behaviour::{EVASION, View, away};
 use super::body::Posture;
 use crate::arm::{Move, Pose};
+use core::mem;
 
 /// Steps ahead at which a move is judged.
 const SOON: f32 = 2.0;
@@ -40,7 +41,9 @@ pub fn permitted(view: &View<'_>, wanted: Move) -> Guarded {
 
 /// Returns what is [`permitted`] of a move, or a better one if it would come too near to a ball in two steps: the best of the move
 /// itself, a strong potential field, fleeing and holding by their clearance after four steps.
-pub fn guarded(view: &View<'_>, wanted: Move) -> Guarded {
+///
+/// `walked` says that the move has cost a potential field already: the strong one is not paid for then.
+pub fn guarded(view: &View<'_>, wanted: Move, walked: bool) -> Guarded {
     let body = view.body;
     let (step, posture, mut effort) = tested(view, wanted);
     let motion = body.motion() + ROUNDING;
@@ -58,13 +61,21 @@ pub fn guarded(view: &View<'_>, wanted: Move) -> Guarded {
     if view.balls.iter().all(spares) {
         return Guarded { step, threatened: false, effort };
     }
-    // What is worse than holding, or not known to be permitted, is no way out.
+    // What is worse than holding, or not known to be permitted, is no way out. One exact test is paid for.
     let mut best = (body.clearance_of_all(&view.posture, view.balls, LATER), Move::STOP);
-    for (way, is_permitted) in [(step, true), (EVASION.step(view, view.goal()), false), (away(view), false)] {
+    let mut exact = true;
+    let evasion = (!walked).then(|| EVASION.step(view, view.goal()));
+    for (way, is_permitted) in [(Some(step), true), (evasion, false), (Some(away(view)), false)] {
+        let Some(way) = way else { continue };
         let way = within(view, way);
         let posture = body.at(after(view, way, 2));
         let clearance = body.clearance_of_all(&posture, view.balls, LATER);
-        if clearance > best.0 && (is_permitted || body.stands_next(&posture)) {
+        let mut passes = || {
+            is_permitted
+                || body.stands_next(&posture)
+                || (mem::take(&mut exact) && body.stands(&body.at(after(view, way, 1))))
+        };
+        if clearance > best.0 && passes() {
             best = (clearance, way);
         }
     }
