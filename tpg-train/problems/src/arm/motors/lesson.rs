@@ -1,11 +1,12 @@
 //! An episode under the rules of training: a shaped reward, repeated actions, a cut that is no failure.
 
+use super::config::TICKS;
 use super::{ARM, Config};
 use crate::arm::environment::outcome_number;
 use crate::arm::ik;
 use tpg_arm::episode::Outcome;
 use tpg_arm::frame::Frame;
-use tpg_arm::{JOINTS, Move, Pose, WIDOWX, kinematics};
+use tpg_arm::{JOINTS, Move, Pose, TICKS_PER_TURN, WIDOWX, kinematics};
 use tpg_engine::{End, Step};
 
 /// A training episode under way.
@@ -19,6 +20,8 @@ pub(super) struct Lesson {
     goals: Vec<[i16; JOINTS]>,
     distance: f32,
     steps_to_goal: f32,
+    /// Position of the base at which the arm's front faces the target, ticks.
+    facing: f32,
 }
 
 impl Lesson {
@@ -27,7 +30,10 @@ impl Lesson {
         let goals: Vec<[i16; JOINTS]> = goals.into_iter().map(|pose| pose.0).collect();
         let distance = distance(pose, target);
         let steps_to_goal = steps_to_goal(pose, &goals);
-        Self { pose, target, steps: 0, goals, distance, steps_to_goal }
+        let [x, y, _] = target;
+        let turns = libm::atan2(-x, y) / core::f64::consts::TAU;
+        let facing = (f64::from(TICKS_PER_TURN) * (0.5 + turns)) as f32;
+        Self { pose, target, steps: 0, goals, distance, steps_to_goal, facing }
     }
 
     pub(super) fn pose(&self) -> Pose {
@@ -42,6 +48,11 @@ impl Lesson {
         self.distance
     }
 
+    /// Steps that the base must turn until the arm's front faces the target: within its range, so not always the short way.
+    fn steps_to_facing(&self) -> f32 {
+        (f32::from(self.pose.0[0]) - self.facing).abs() / f32::from(TICKS)
+    }
+
     pub(super) fn frame(&self) -> Frame<'static, f32> {
         Frame::at(&ARM, self.pose, self.target.map(|mm| mm as f32))
     }
@@ -51,11 +62,12 @@ impl Lesson {
         let reward = &config.reward;
         let repeats = ((self.distance / config.repeat_per_mm) as u32).clamp(1, config.repeat_most);
         let (distance_before, to_goal_before) = (self.distance, self.steps_to_goal);
+        let to_facing_before = self.steps_to_facing();
         let (mut steps, mut outcome, mut invalid) = (0, None, None);
         while steps < repeats && outcome.is_none() {
             let wanted = decide(self.pose);
             let wanted =
-                if config.step == 3 { wanted } else { Move(wanted.0.map(|ticks| ticks.signum() * config.step)) };
+                if config.step == TICKS { wanted } else { Move(wanted.0.map(|ticks| ticks.signum() * config.step)) };
             let step = ARM.step(self.pose, wanted);
             self.pose = step.pose;
             self.distance = distance(self.pose, self.target);
@@ -77,6 +89,7 @@ impl Lesson {
             + reward.log_distance * libm::logf((distance_before + 3.0) / (self.distance + 3.0))
             + reward.distance * (distance_before - self.distance)
             + reward.steps_to_goal * (to_goal_before - self.steps_to_goal)
+            + reward.azimuth * (to_facing_before - self.steps_to_facing())
             + reward.remaining_distance * remaining
             + if outcome == Some(Outcome::Reached) { reward.success } else { 0.0 }
             + if invalid.is_some() { reward.invalid } else { 0.0 };
