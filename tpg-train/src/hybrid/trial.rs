@@ -185,7 +185,6 @@ fn mixed<S: Scalar, M: Maths<S>, E: Environment<S>>(
 }
 
 /// One episode of both policies; `seen` is told the distance at the start and behind each action but the last.
-
 fn watched<S: Scalar, E: Environment<S>, T, P>(
     environment: &E,
     task: &E::Task,
