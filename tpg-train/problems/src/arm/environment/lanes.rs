@@ -8,7 +8,7 @@
 use super::group::{Group, Lane};
 use super::usual::Usual;
 use super::{ArmEnvironment, ArmEpisode, ArmScalar, ArmTask};
-use pulp::Arch;
+use fearless_simd::{Level, dispatch};
 use tpg_arm::observation::Source;
 use tpg_arm::{JOINTS, Move};
 use tpg_engine::{Acts, BLOCK, Block, Ending, Environment, Episodes, EvaluationError, SourceSet, View};
@@ -23,7 +23,7 @@ pub(super) struct ArmLanes<'e, S> {
     /// Data that usual steps do not need; the poses are stale.
     episodes: Vec<ArmEpisode<S>>,
     state: Vec<S>,
-    arch: Arch,
+    level: Level,
 }
 
 impl<'e, S: ArmScalar> ArmLanes<'e, S> {
@@ -37,7 +37,7 @@ impl<'e, S: ArmScalar> ArmLanes<'e, S> {
             keys: Vec::new(),
             episodes: Vec::new(),
             state: vec![S::ZERO; length],
-            arch: Arch::new(),
+            level: Level::new(),
         }
     }
 
@@ -91,7 +91,7 @@ impl<S: ArmScalar> Episodes<S, ArmTask> for ArmLanes<'_, S> {
     fn step(&mut self, acts: Acts<'_, S>, ended: &mut Vec<(usize, Ending)>) -> Result<(), EvaluationError> {
         let actions = acts.choices();
         let Self { environment, moves, groups, keys, .. } = self;
-        self.arch.dispatch(Usual { environment, moves, groups, keys, actions });
+        dispatch!(self.level, _ => Usual { environment, moves, groups, keys, actions }.take());
         for (lane, &action) in actions.iter().enumerate() {
             if !self.groups[lane / BLOCK].other[lane % BLOCK] {
                 continue;
