@@ -1,6 +1,8 @@
 //! The tests of this crate from outside, as one program: each file is a subject.
 
 mod asking;
+mod asking_in_c;
+mod asking_prices;
 mod damaged_checkpoints;
 mod engine;
 mod evaluator;
