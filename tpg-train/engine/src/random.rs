@@ -60,6 +60,8 @@ pub enum Purpose {
     Scales = 13,
     /// The tasks on which failures of an actor under training are looked for.
     Retry = 28,
+    /// The play of an arm's joints in one episode.
+    Play = 29,
 }
 
 /// A stream of random numbers.
