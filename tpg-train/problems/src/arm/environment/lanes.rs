@@ -9,7 +9,7 @@ use super::clearance::swing;
 use super::group::{Group, Lane};
 use super::usual::Usual;
 use super::{ArmEnvironment, ArmEpisode, ArmScalar, ArmTask};
-use pulp::Arch;
+use fearless_simd::{Level, dispatch};
 use tpg_arm::observation::Source;
 use tpg_arm::{JOINTS, Move, Play};
 use tpg_engine::{Acts, BLOCK, Block, Ending, Environment, Episodes, EvaluationError, SourceSet, View};
@@ -24,7 +24,7 @@ pub(super) struct ArmLanes<'e, S> {
     /// Data that usual steps do not need; the poses are stale.
     episodes: Vec<ArmEpisode<S>>,
     state: Vec<S>,
-    arch: Arch,
+    level: Level,
 }
 
 impl<'e, S: ArmScalar> ArmLanes<'e, S> {
@@ -38,7 +38,7 @@ impl<'e, S: ArmScalar> ArmLanes<'e, S> {
             keys: Vec::new(),
             episodes: Vec::new(),
             state: vec![S::ZERO; length],
-            arch: Arch::new(),
+            level: Level::new(),
         }
     }
 
@@ -102,7 +102,7 @@ impl<S: ArmScalar> Episodes<S, ArmTask> for ArmLanes<'_, S> {
     fn step(&mut self, acts: Acts<'_, S>, ended: &mut Vec<(usize, Ending)>) -> Result<(), EvaluationError> {
         let actions = acts.choices();
         let Self { environment, moves, groups, keys, .. } = self;
-        self.arch.dispatch(Usual { environment, moves, groups, keys, actions });
+        dispatch!(self.level, _ => Usual { environment, moves, groups, keys, actions }.take());
         for (lane, &action) in actions.iter().enumerate() {
             if !self.groups[lane / BLOCK].other[lane % BLOCK] {
                 continue;
