@@ -3,6 +3,10 @@
 mod among_balls;
 mod asking;
 mod calls;
+mod chain;
 mod header;
 mod library;
+mod linked;
 mod network;
+mod radial;
+mod text;
