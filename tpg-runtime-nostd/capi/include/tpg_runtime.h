@@ -7,8 +7,8 @@
  *
  * For the arm, everything else: kinematics and steps (tpg_arm_*), observation (tpg_observe, tpg_observation_*, tpg_memo_*),
  * generated policies and networks that drive it (tpg_policy_*, tpg_sac_*), two that share it (tpg_hybrid_*, tpg_switch_*),
- * the watch over its motors (tpg_watchdog_*), episodes in simulation (tpg_episode_*, tpg_hybrid_episode_*). An arm that need not
- * be planar is geometry alone (tpg_chain_*).
+ * the watch over its motors (tpg_watchdog_*), the arm among moving balls (tpg_body_*, tpg_dodger_*), episodes in simulation
+ * (tpg_episode_*, tpg_hybrid_episode_*). An arm that need not be planar is geometry alone (tpg_chain_*).
  *
  * Every function answers TPG_OK or says by a code why it did nothing. A pointer that is NULL or misaligned gives TPG_NULL or
  * TPG_MISALIGNED. No other bad pointer can be noticed: one must point to as much memory as its type, and the length beside
@@ -16,9 +16,9 @@
  * Opaque structures are initialised before use: zero one first if it may be used before (TPG_STATE is the answer then).
  *
  * All memory is the caller's; there is no heap and no variable. Nothing behind a pointer to const is ever written. So any
- * number of tasks may share a tpg_arm_t, tpg_sac_t, tpg_network_t, tpg_policy_t, a model and settings. Each task needs its own
- * tpg_hybrid_t, tpg_switch_t, tpg_watchdog_t, tpg_memo_t, tpg_recall_t, episodes and scratch memory: two tasks must not use one of these at
- * the same time.
+ * number of tasks may share a tpg_arm_t, tpg_body_t, tpg_sac_t, tpg_network_t, tpg_policy_t, tpg_dodge_policy_t, a model and
+ * settings. Each task needs its own tpg_hybrid_t, tpg_switch_t, tpg_watchdog_t, tpg_dodger_t, tpg_memo_t, tpg_recall_t, episodes
+ * and scratch memory: two tasks must not use one of these at the same time.
  *
  * Readings that cannot be move nothing: a decision answers TPG_BAD_TARGET, TPG_BAD_SENSOR or TPG_STUCK with a move of zero,
  * and what it keeps is as before. docs/sensors.md has the whole contract, and how a caller recovers.
@@ -120,6 +120,67 @@
 
 // The motors are not where the commands led them: stuck, moved by something else, or read too late. Nothing may move.
 #define TPG_STUCK 13
+
+// Most balls that are seen.
+#define TPG_BALLS 3
+
+// Most poses that solve a task.
+#define TPG_GOALS 4
+
+// Parts of a body: shoulder to bracket, bracket to elbow, forearm, hand.
+#define TPG_CAPSULES 4
+
+// Goal less pose of base, shoulder, elbow and wrist, ticks.
+#define TPG_SOURCE_LEFT 32
+
+// Of the nearest ball: clearance, its change in a step, by how much each joint changes it: 6 values in mm, mm/step, mm/rad.
+#define TPG_SOURCE_NEAR 33
+
+// Of the second nearest ball: clearance and its change in a step.
+#define TPG_SOURCE_SECOND 34
+
+// Steps until the straight walk and the plan meet something, and until the plan arrives.
+#define TPG_SOURCE_AHEAD 35
+
+// Steps since the arm was nearer to its goal than ever.
+#define TPG_SOURCE_PROGRESS 36
+
+// Steps of the plan less those of the straight walk.
+#define TPG_SOURCE_DETOUR 37
+
+// Follows the plan that the search has found.
+#define TPG_BEHAVIOUR_PLAN 0
+
+// Walks straight to the goal.
+#define TPG_BEHAVIOUR_STRAIGHT 1
+
+// Stays.
+#define TPG_BEHAVIOUR_HOLD 2
+
+// Flees from the nearest ball.
+#define TPG_BEHAVIOUR_AWAY 3
+
+// Walks to the goal in the potential field.
+#define TPG_BEHAVIOUR_FIELD 4
+
+// Follows the plan in the potential field.
+#define TPG_BEHAVIOUR_FIELD_PLAN 5
+
+// Stretches upwards in the potential field.
+#define TPG_BEHAVIOUR_UPRIGHT 6
+
+// Goes in the field to the goal with the base moved 200 ticks up from where it is. The seven after it: base down, shoulder up
+// and down, elbow up and down, wrist up and down.
+#define TPG_BEHAVIOUR_FIELD_BASE_UP 7
+
+// Number of behaviours.
+#define TPG_BEHAVIOURS 15
+
+// Words of a tpg_body_t.
+#define TPG_BODY_WORDS 30
+
+// Words of a tpg_dodger_t.
+#define TPG_DODGER_WORDS 42
 
 // The episode goes on.
 #define TPG_RUNNING 0
@@ -360,6 +421,71 @@ typedef struct {
   float gradient[TPG_CHAIN_JOINTS];
 } tpg_near_t;
 
+// An arm whose links are capsules. Opaque; initialised by tpg_body_init, constant from then on.
+typedef struct {
+  // The library's.
+  uint64_t opaque[TPG_BODY_WORDS];
+} tpg_body_t;
+
+// The state of a control loop among balls towards one target: the search, the places where the motors should be, the goals.
+// Opaque; initialised by tpg_dodger_init for every target. It belongs to one task.
+typedef struct {
+  // The library's.
+  uint64_t opaque[TPG_DODGER_WORDS];
+} tpg_dodger_t;
+
+// A generated `PREFIX_infer` behind a pointer of one type for all: `return PREFIX_infer(state);`.
+typedef uint16_t (*tpg_infer_t)(const void *state);
+
+// A policy that tpg-codegen compiled, in f32, whose actions are behaviours. Constant: it can lie in flash.
+typedef struct {
+  // The decision. Its argument points to the sources' values, aligned for the generated structure.
+  tpg_infer_t infer;
+  // TPG_SOURCE codes from TPG_SOURCE_LEFT to TPG_SOURCE_DETOUR, in order; 17 values at most.
+  const uint8_t *sources;
+  // Number of sources.
+  size_t source_count;
+  // A TPG_BEHAVIOUR code for each action. An action past the end holds.
+  const uint8_t *behaviours;
+  // Number of behaviours.
+  size_t behaviour_count;
+} tpg_dodge_policy_t;
+
+// Settings of search and guard.
+typedef struct {
+  // The cost that behaviour, guard and search may have in one step, in instructions of a Cortex-M4, about: 2000 to 60000.
+  uint16_t effort;
+  // 1 if steps that would soon be hit are replaced, 0 if not.
+  uint8_t guard;
+} tpg_dodger_settings_t;
+
+// The difference that commanded and observed motion may have.
+typedef struct {
+  // Ticks that a motor may be away from where the commands led it, up to TPG_WATCH_NEVER.
+  uint16_t threshold;
+  // Steps over which differences add up, from 1; then the comparison starts anew from where the motors are. With a
+  // patience greater than the threshold a motor is found that is asked for a tick a step and does not move.
+  uint16_t patience;
+} tpg_watch_t;
+
+// A ball as it is seen.
+typedef struct {
+  // Its centre: x, y, z in mm; at most 100 m away.
+  float at[3];
+  // Its displacement in the last step, mm; at most 1 m.
+  float velocity[3];
+  // Its radius, mm; above 0, at most 1 m.
+  float radius;
+} tpg_ball_t;
+
+// A step of a control loop among balls.
+typedef struct {
+  // The move that goes to the motors: never against limits, table or base.
+  tpg_move_t wanted;
+  // The TPG_BEHAVIOUR that the policy chose.
+  uint8_t behaviour;
+} tpg_dodge_t;
+
 // An episode under way. Opaque; initialised by tpg_episode_init.
 typedef struct {
   // The library's.
@@ -401,9 +527,6 @@ typedef struct {
   uint64_t opaque[TPG_HYBRID_WORDS];
 } tpg_hybrid_t;
 
-// A generated `PREFIX_infer` behind a pointer of one type for all: `return PREFIX_infer(state);`.
-typedef uint16_t (*tpg_infer_t)(const void *state);
-
 // A policy that tpg-codegen compiled, in f32. Constant: it can lie in flash.
 typedef struct {
   // The decision. Its argument points to the sources' values, aligned for the generated structure.
@@ -441,15 +564,6 @@ typedef struct {
   // The library's.
   uint64_t opaque[TPG_SWITCH_WORDS];
 } tpg_switch_t;
-
-// The difference that commanded and observed motion may have.
-typedef struct {
-  // Ticks that a motor may be away from where the commands led it, up to TPG_WATCH_NEVER.
-  uint16_t threshold;
-  // Steps over which differences add up, from 1; then the comparison starts anew from where the motors are. With a
-  // patience greater than the threshold a motor is found that is asked for a tick a step and does not move.
-  uint16_t patience;
-} tpg_watch_t;
 
 // An action, and the one that chose it.
 typedef struct {
@@ -566,6 +680,46 @@ int32_t tpg_chain_near(const tpg_placed_t *placed,
                        const float *radii,
                        const float *ball,
                        tpg_near_t *near);
+
+// Gives an arm a body: a capsule around each of its links. `radii` are TPG_CAPSULES numbers, mm, or NULL: those of the WidowX.
+// TPG_ARGUMENT for a radius that is not above 0 and at most 1 m.
+int32_t tpg_body_init(tpg_body_t *body,
+                      const tpg_arm_t *arm,
+                      const float *radii);
+
+// Begins a control loop towards a target, which is given by the poses that solve it: one to TPG_GOALS `goals`, the nearest first.
+// `body` and `policy` must stay where they are for as long as the loop is used. `settings` and `watch` may be NULL: the defaults.
+//
+// TPG_BAD_TARGET for no goal, too many, or one that is outside the joints' ranges or touches table or base. TPG_BAD_SENSOR as
+// tpg_dodger_step. TPG_ARGUMENT for settings, sources or behaviours that are not accepted.
+int32_t tpg_dodger_init(tpg_dodger_t *dodger,
+                        const tpg_body_t *body,
+                        const tpg_dodge_policy_t *policy,
+                        const tpg_dodger_settings_t *settings,
+                        const tpg_watch_t *watch,
+                        const tpg_pose_t *goals,
+                        size_t goal_count,
+                        const tpg_pose_t *motors,
+                        const tpg_ball_t *balls,
+                        size_t ball_count);
+
+// One step of a control loop: takes a reading of the motors and of up to TPG_BALLS `balls`, answers the move that goes to the motors
+// before the next step. `balls` may be NULL where there are none.
+//
+// TPG_BAD_SENSOR for a motor outside its joint's range, more balls, or one that cannot be (see tpg_ball_t); TPG_STUCK for
+// motors that are not where the moves led them; docs/sensors.md has the contract. With any other code than TPG_OK the move is
+// zero, and the loop is as before: the next step with a good reading goes on. After TPG_STUCK it does once the motors are where
+// the moves led them, or after tpg_dodger_resume.
+int32_t tpg_dodger_step(tpg_dodger_t *dodger,
+                        const tpg_pose_t *motors,
+                        const tpg_ball_t *balls,
+                        size_t count,
+                        tpg_dodge_t *chosen);
+
+// Starts to compare commanded with observed motion anew, from where the motors are: the way out of TPG_STUCK once its cause
+// is removed. The search goes on as it is. TPG_BAD_SENSOR for a motor outside its joint's range.
+int32_t tpg_dodger_resume(tpg_dodger_t *dodger,
+                          const tpg_pose_t *motors);
 
 // Puts an arm at a problem's start. `arm` must stay where it is for as long as the episode is used. TPG_BAD_TARGET for a
 // target out of reach, TPG_BAD_SENSOR for a start outside the joints' ranges.

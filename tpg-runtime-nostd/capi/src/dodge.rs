@@ -204,7 +204,7 @@ fn number(behaviour: Behaviour) -> u8 {
 }
 
 /// Words of a tpg_dodger_t.
-pub const TPG_DODGER_WORDS: usize = 36;
+pub const TPG_DODGER_WORDS: usize = 42;
 
 /// The state of a control loop among balls towards one target: the search, the places where the motors should be, the goals.
 /// Opaque; initialised by tpg_dodger_init for every target. It belongs to one task.
@@ -331,7 +331,7 @@ pub unsafe extern "C" fn tpg_dodger_step(
         Err(refusal) => return code::of(Err(refusal)),
     };
     *chosen = tpg_dodge_t { wanted: tpg_move_t { ticks: Move::STOP.0 }, behaviour: TPG_BEHAVIOUR_HOLD };
-    let step = || {
+    let mut step = || {
         // SAFETY: the header's contract.
         let (Loop { control, body, chooser }, motors) =
             unsafe { (memory::content_mut(dodger)?, memory::read(motors)?) };
