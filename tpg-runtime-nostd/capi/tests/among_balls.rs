@@ -57,7 +57,7 @@ fn pose(numbers: &mut Numbers) -> Pose {
 }
 
 fn ball(numbers: &mut Numbers) -> Ball {
-    let still = numbers.next_u32() % 4 == 0;
+    let still = numbers.next_u32().is_multiple_of(4);
     let mut axis = |size: f32| if still { 0.0 } else { between(numbers, -size, size) };
     let velocity = [axis(1.0), axis(1.0), axis(0.5)];
     let at = [(-350.0, 350.0), (-350.0, 350.0), (30.0, 400.0)].map(|(low, high)| between(numbers, low, high));

@@ -251,7 +251,11 @@ pub fn call(data: &[u8]) {
                 23 => balls = [0; TPG_BALLS + 1].map(|_: u8| bytes.ball()),
                 24 => {
                     let radii = [0; TPG_CAPSULES].map(|_: u8| bytes.float());
-                    known(tpg_body_init(&mut body, &arm, if bytes.byte() % 2 == 0 { null() } else { radii.as_ptr() }));
+                    known(tpg_body_init(
+                        &mut body,
+                        &arm,
+                        if bytes.byte().is_multiple_of(2) { null() } else { radii.as_ptr() },
+                    ));
                 }
                 25 => {
                     let goals = [0; TPG_GOALS].map(|_: u8| bytes.pose());
@@ -259,7 +263,7 @@ pub fn call(data: &[u8]) {
                         (usize::from(bytes.byte()) % (TPG_GOALS + 1), usize::from(bytes.byte()) % balls.len());
                     let settings =
                         tpg_dodger_settings_t { effort: u16::from_le_bytes(bytes.array()), guard: bytes.byte() % 3 };
-                    let settings = if bytes.byte() % 2 == 0 { null() } else { &raw const settings };
+                    let settings = if bytes.byte().is_multiple_of(2) { null() } else { &raw const settings };
                     let (goals, seen_from) = (goals.as_ptr(), balls.as_ptr());
                     let (loop_, body) = (&raw mut dodger, &raw const body);
                     known(tpg_dodger_init(loop_, body, &among, settings, null(), goals, count, &pose, seen_from, seen));
@@ -268,7 +272,7 @@ pub fn call(data: &[u8]) {
                     let count = usize::from(bytes.byte()) % (balls.len() + 1);
                     let code = known(tpg_dodger_step(&mut dodger, &pose, balls.as_ptr(), count, &mut dodge));
                     moves_at_most(&dodge.wanted, code);
-                    if bytes.byte() % 4 == 0 {
+                    if bytes.byte().is_multiple_of(4) {
                         known(tpg_dodger_resume(&mut dodger, &pose));
                     }
                 }
