@@ -14,6 +14,7 @@
 //! | [`memo`] | the parts of sources that depend on the target alone |
 //! | [`policy`] | the hook for generated code |
 //! | [`network`] | a network in integers, for any problem |
+//! | [`recall`] | what a graph that asks can know of its past |
 //! | [`sac`] | the arm's network in integers |
 //! | [`hybrid`] | a generated policy and a network that share an arm |
 //! | [`sensors`] | the watch over motors, for control loops without a hybrid |
@@ -32,6 +33,7 @@ pub mod memory;
 pub mod network;
 pub mod observation;
 pub mod policy;
+pub mod recall;
 pub mod sac;
 pub mod sensors;
 

@@ -57,7 +57,7 @@ pub struct Preset {
 }
 
 /// Every preset.
-pub const PRESETS: [Preset; 11] = [
+pub const PRESETS: [Preset; 13] = [
     Preset {
         name: "linear",
         about: "for any problem: some demes begin with weighted sums of the inputs, the others at random",
@@ -88,6 +88,16 @@ pub const PRESETS: [Preset; 11] = [
         name: "paper-rs",
         about: "the paper's learning problem, random start",
         text: include_str!("presets/paper-rs.toml"),
+    },
+    Preset {
+        name: "raw-fs",
+        about: "the paper's observation, actions and score, fixed start, with this project's search",
+        text: concat!(include_str!("presets/raw-fs.toml"), include_str!("presets/raw.toml")),
+    },
+    Preset {
+        name: "raw-rs",
+        about: "the paper's observation, actions and score, random start, with this project's search",
+        text: concat!(include_str!("presets/raw-rs.toml"), include_str!("presets/raw.toml")),
     },
     Preset { name: "best-fs", about: "this project's, fixed start", text: include_str!("presets/best-fs.toml") },
     Preset {

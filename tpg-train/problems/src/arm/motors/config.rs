@@ -10,8 +10,8 @@ use tpg_arm::sac::{Actions, Mask};
 use tpg_arm::{Arm, WIDOWX};
 use tpg_graph::error::Finding;
 
-/// Ticks of a coarse action in tests.
-const TICKS: i8 = 3;
+/// Ticks of a step in tests.
+pub(super) const TICKS: i8 = 3;
 
 /// The section `[problem]` for the arm by its motors: inputs, decision, rules and reward of training.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -74,6 +74,9 @@ pub struct Reward {
     pub distance: f32,
     /// Times (D0 − D1), D being the steps to the nearest pose that solves the task: privileged knowledge.
     pub steps_to_goal: f32,
+    /// Times (A0 − A1), A being the steps that the base must turn within its range until the arm's front faces the target.
+    #[serde(default)]
+    pub azimuth: f32,
     /// Times d1, unless the action ended the episode.
     pub remaining_distance: f32,
     /// On success.
@@ -115,6 +118,7 @@ impl Default for Config {
                 log_distance: 2.0,
                 distance: 0.0,
                 steps_to_goal: 0.1,
+                azimuth: 0.0,
                 remaining_distance: 0.0,
                 success: 5.0,
                 invalid: -5.0,

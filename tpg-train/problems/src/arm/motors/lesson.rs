@@ -1,12 +1,13 @@
 //! An episode under the rules of training: a shaped reward, repeated actions, a cut that is no failure.
 
 use super::Config;
+use super::config::TICKS;
 use crate::arm::environment::outcome_number;
 use crate::arm::targets::Start;
 use crate::arm::{ik, targets};
 use tpg_arm::episode::Outcome;
 use tpg_arm::frame::Frame;
-use tpg_arm::{Arm, JOINTS, Move, Play, Pose, kinematics};
+use tpg_arm::{Arm, JOINTS, Move, Play, Pose, TICKS_PER_TURN, kinematics};
 use tpg_engine::{End, Step};
 
 /// A training episode under way.
@@ -21,6 +22,8 @@ pub(super) struct Lesson {
     goals: Vec<[i16; JOINTS]>,
     distance: f32,
     steps_to_goal: f32,
+    /// Position of the base at which the arm's front faces the target, ticks.
+    facing: f32,
 }
 
 impl Lesson {
@@ -30,7 +33,10 @@ impl Lesson {
         let play = config.tests(Start::Rs).play(&targets::Task { start: pose, target });
         let distance = distance(arm, play.joints(pose), target);
         let steps_to_goal = steps_to_goal(pose, &goals);
-        Self { pose, target, play, steps: 0, goals, distance, steps_to_goal }
+        let [x, y, _] = target;
+        let turns = libm::atan2(-x, y) / core::f64::consts::TAU;
+        let facing = (f64::from(TICKS_PER_TURN) * (0.5 + turns)) as f32;
+        Self { pose, target, play, steps: 0, goals, distance, steps_to_goal, facing }
     }
 
     pub(super) fn pose(&self) -> Pose {
@@ -45,6 +51,11 @@ impl Lesson {
         self.distance
     }
 
+    /// Steps that the base must turn until the arm's front faces the target: within its range, so not always the short way.
+    fn steps_to_facing(&self) -> f32 {
+        (f32::from(self.pose.0[0]) - self.facing).abs() / f32::from(TICKS)
+    }
+
     pub(super) fn frame<'a>(&self, arm: &'a Arm<f32>) -> Frame<'a, f32> {
         Frame::at(arm, self.pose, self.target.map(|mm| mm as f32))
     }
@@ -54,11 +65,12 @@ impl Lesson {
         let reward = &config.reward;
         let repeats = ((self.distance / config.repeat_per_mm) as u32).clamp(1, config.repeat_most);
         let (distance_before, to_goal_before) = (self.distance, self.steps_to_goal);
+        let to_facing_before = self.steps_to_facing();
         let (mut steps, mut outcome, mut invalid) = (0, None, None);
         while steps < repeats && outcome.is_none() {
             let wanted = decide(self.pose);
             let wanted =
-                if config.step == 3 { wanted } else { Move(wanted.0.map(|ticks| ticks.signum() * config.step)) };
+                if config.step == TICKS { wanted } else { Move(wanted.0.map(|ticks| ticks.signum() * config.step)) };
             let step = arm.step(self.pose, wanted);
             self.pose = step.pose;
             self.distance = distance(arm, self.play.joints(self.pose), self.target);
@@ -80,6 +92,7 @@ impl Lesson {
             + reward.log_distance * libm::logf((distance_before + 3.0) / (self.distance + 3.0))
             + reward.distance * (distance_before - self.distance)
             + reward.steps_to_goal * (to_goal_before - self.steps_to_goal)
+            + reward.azimuth * (to_facing_before - self.steps_to_facing())
             + reward.remaining_distance * remaining
             + if outcome == Some(Outcome::Reached) { reward.success } else { 0.0 }
             + if invalid.is_some() { reward.invalid } else { 0.0 };

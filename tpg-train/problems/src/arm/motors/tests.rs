@@ -1,6 +1,6 @@
 //! Tests of the arm by its motors.
 
-use super::{Config, Motors, MotorsTask, Rules};
+use super::{Config, Motors, MotorsTask, Reward, Rules};
 use crate::arm::arms::NamedArm;
 use crate::arm::targets::{Set, Start, tasks};
 use tpg_arm::sac::{Actions, Mask};
@@ -39,6 +39,36 @@ fn a_cut_is_truncated_and_an_invalid_step_is_not() {
     let edge = MotorsTask { start: [WIDOWX.ranges[0].max, task.start[1], task.start[2], task.start[3]], ..task };
     let step = motors.step(&mut motors.start(&edge), Act::Values(&[0.9, 0.0, 0.0, 0.0]));
     assert!(step.end.is_some_and(|end| !end.truncated && end.success == Some(false)));
+}
+
+#[test]
+fn azimuth_pays_for_the_way_of_the_base_that_its_range_allows() {
+    // The base stands 9° left of straight back, the target 9° right of it: the short way leads through the limit.
+    let start = [WIDOWX.ranges[0].max - 100, 2048, 2048, 2048];
+    let (sin, cos) = (-171f64).to_radians().sin_cos();
+    let task = MotorsTask { start, target: [-346.0 * sin, 346.0 * cos, 267.0], rules: Rules::Training };
+    let only = |azimuth, distance| {
+        let nothing = Reward {
+            step: 0.0,
+            log_distance: 0.0,
+            distance: 0.0,
+            steps_to_goal: 0.0,
+            azimuth: 0.0,
+            remaining_distance: 0.0,
+            success: 0.0,
+            invalid: 0.0,
+            scale: 1.0,
+        };
+        Motors::new(Start::Rs, Config { reward: Reward { azimuth, distance, ..nothing }, ..coarse(3) }, 1)
+    };
+    let earned =
+        |motors: &Motors, base| motors.step(&mut motors.start(&task), Act::Values(&[base, 0.0, 0.0, 0.0])).reward;
+    let (by_azimuth, by_distance) = (only(1.0, 0.0), only(0.0, 1.0));
+    for (base, azimuth) in [(-0.9, 1.0), (0.9, -1.0)] {
+        assert!((earned(&by_azimuth, base) - azimuth).abs() < 1e-3, "{base}");
+        // The distance leads the other way.
+        assert!(earned(&by_distance, base) * azimuth < 0.0, "{base}");
+    }
 }
 
 #[test]
