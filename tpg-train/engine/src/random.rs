@@ -62,6 +62,8 @@ pub enum Purpose {
     Retry = 28,
     /// The actions of an episode that a network decides in a mixture with a graph.
     Mixture = 29,
+    /// The play of an arm's joints in one episode.
+    Play = 30,
 }
 
 /// A stream of random numbers.

@@ -38,7 +38,8 @@ pub struct HybridArgs {
     /// The arguments of a study on any problem
     #[command(flatten)]
     pub study: StudyArgs,
-    /// The problem's settings of this configuration. Default: those of the problem; the arm has only its usual ones
+    /// The problem's settings of this configuration. Default: those of the problem; on the arm those of the network's tests, and
+    /// the arm that the graphs were trained for
     #[arg(long, value_name = "FILE")]
     pub config: Option<PathBuf>,
     /// The arm only: guards, none, joint-limits, collisions or both [default: every one]

@@ -20,7 +20,7 @@ use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::settings;
 use tpg_nn::Mlp;
-use tpg_problems::arm::targets::Start;
+use tpg_problems::arm::{ArmProblem, Config as ArmConfig};
 use tpg_problems::{ContinuousProblem, Problem, ProblemName};
 
 /// Runs with the same configuration.
@@ -75,8 +75,8 @@ pub(super) enum Kind {
 /// A hybrid with its problem.
 #[derive(Debug)]
 pub(super) enum Together {
-    /// On the arm, from that start.
-    Arm(Start, Box<ArmHybrid>),
+    /// On an arm, with the rules of its episodes.
+    Arm(Box<ArmProblem>, Box<ArmHybrid>),
     /// On any other built-in problem.
     Other(Box<Problem>, Box<Hybrid>),
     /// In an environment that a program supplied.
@@ -126,8 +126,7 @@ impl Kind {
         match self {
             Self::Tpg { problem: Some(problem), .. } => problem.name().name().to_owned(),
             Self::Sac { problem, .. } => problem.name().name().to_owned(),
-            Self::Hybrid(Together::Arm(Start::Fs, _)) => "fs".to_owned(),
-            Self::Hybrid(Together::Arm(Start::Rs, _)) => "rs".to_owned(),
+            Self::Hybrid(Together::Arm(rules, _)) => ProblemName::from(rules.start).name().to_owned(),
             Self::Hybrid(Together::Other(problem, _)) => problem.name().name().to_owned(),
             Self::Tpg { problem: None, .. } | Self::Hybrid(Together::Own(_)) => "own".to_owned(),
         }
@@ -327,9 +326,11 @@ fn study(folder: &Path, name: String, text: &str) -> Result<Run, InputError> {
     #[derive(Deserialize)]
     struct Asked {
         problem: toml::Value,
+        /// Of an arm's study with a configuration.
+        settings: Option<ArmConfig>,
     }
     let file = folder.join("study.toml").display().to_string();
-    let Asked { problem } = settings::from_toml(&file, text, "the study.toml of a study")?;
+    let Asked { problem, settings } = settings::from_toml(&file, text, "the study.toml of a study")?;
     let path = folder.join("hybrid.toml");
     let together = match &problem {
         toml::Value::Table(table) => {
@@ -344,7 +345,9 @@ fn study(folder: &Path, name: String, text: &str) -> Result<Run, InputError> {
             let start = problem.try_into().map_err(|error: toml::de::Error| {
                 InputError::new(&file, Place::Path("problem".to_owned()), error.message(), "fs, rs or a section")
             })?;
-            Together::Arm(start, Box::new(ArmHybrid::read(&path)?))
+            let hybrid = Box::new(ArmHybrid::read(&path)?);
+            let rules = settings.map_or_else(|| hybrid.actor.tests(start), |config| config.problem(start));
+            Together::Arm(Box::new(rules), hybrid)
         }
     };
     Ok(Run { name, seed: None, curves: BTreeMap::new(), cpu: None, kind: Kind::Hybrid(together), hall: Vec::new() })
