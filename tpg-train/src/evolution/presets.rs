@@ -6,6 +6,7 @@ use clap::Args;
 use tpg_graph::error::{InputError, Place};
 use tpg_problems::ProblemName;
 use tpg_problems::arm::arms::ARMS;
+use tpg_problems::arm::chain::CHAINS;
 
 /// Print a commented configuration.
 #[derive(Clone, Debug, Args)]
@@ -27,7 +28,8 @@ pub struct ConfigArgs {
 /// If there is no preset with that name, or stdout is closed.
 pub fn print_config(args: &ConfigArgs) -> Result<(), InputError> {
     let presets: &[Preset] = if args.sac { &sac::presets::PRESETS } else { &PRESETS };
-    let arms = ARMS.iter().filter(|_| !args.sac).map(|arm| (arm.name, arm.about, arm.text));
+    let arms = ARMS.iter().map(|arm| (arm.name, arm.about, arm.text));
+    let arms = arms.chain(CHAINS.iter().map(|chain| (chain.name, chain.about, chain.text))).filter(|_| !args.sac);
     let texts = presets.iter().map(|preset| (preset.name, preset.about, preset.text)).chain(arms);
     let text = if args.list {
         texts.map(|(name, about, _)| format!("{name:18} {about}\n")).collect()
