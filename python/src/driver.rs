@@ -14,6 +14,22 @@ use tpg_runtime::scalar::Scalar;
 /// The result of an episode: return, number of actions, and success where the environment's info says `is_success`.
 type Played = (f64, u32, Option<bool>);
 
+/// What an environment tells about a step.
+pub(crate) struct Told {
+    /// The reward.
+    pub(crate) reward: f64,
+    /// The end of the episode.
+    pub(crate) end: Option<Ended>,
+}
+
+/// The end of an episode.
+pub(crate) struct Ended {
+    /// True if it was cut off, not over.
+    pub(crate) truncated: bool,
+    /// Success, where the environment's info says `is_success`.
+    pub(crate) success: Option<bool>,
+}
+
 /// Runs episodes of an environment.
 #[pyclass(frozen, module = "tpg_train._tpg")]
 pub(crate) struct Driver {
@@ -133,33 +149,58 @@ impl Driver {
     where
         Own: Maths<S>,
     {
+        let mut state = Vec::with_capacity(self.inputs);
+        self.begin(py, seed, &mut state)?;
+        let (mut score, mut actions, mut success) = (0.0, 0, None);
+        while actions < self.limit && watch(actions, &state) {
+            actions += 1;
+            let at = || format!("seed {seed}, step {actions}");
+            let told = self.advance(self.act(py, single, &state)?, &mut state, at)?;
+            score += told.reward;
+            if let Some(end) = told.end {
+                success = end.success;
+                break;
+            }
+        }
+        Ok((score, actions, success))
+    }
+
+    /// Begins an episode and reads its first observation.
+    pub(crate) fn begin<S: Scalar>(&self, py: Python<'_>, seed: u64, state: &mut Vec<S>) -> PyResult<()> {
         let arguments = PyDict::new(py);
         arguments.set_item("seed", seed)?;
         let pair = self.reset.bind(py).call((), Some(&arguments))?;
-        let at = |step: u32| format!("seed {seed}, step {step}");
-        let first = parts::<2>(&pair, "reset", "(observation, info)", &at(0))?;
-        let mut state = Vec::with_capacity(self.inputs);
-        self.read(&first[0], &mut state, || at(0))?;
-        let step = self.step.bind(py);
-        let (mut score, mut actions, mut success) = (0.0, 0, None);
-        while actions < self.limit && watch(actions, &state) {
-            let told = step.call1((self.act(py, single, &state)?,))?;
-            actions += 1;
-            let accepted = "(observation, reward, terminated, truncated, info)";
-            let [observation, reward, terminated, truncated, info] = parts::<5>(&told, "step", accepted, &at(actions))?;
-            let reward: f64 = reward.extract()?;
-            if reward.is_nan() {
-                return Err(error::input(format!("{}: the reward is NaN; accepted: a number", at(actions))));
-            }
-            score += reward;
-            if terminated.extract::<bool>()? || truncated.extract::<bool>()? {
-                let info = info.cast::<PyDict>().ok().and_then(|info| info.get_item("is_success").ok().flatten());
-                success = info.and_then(|info| info.extract().ok());
-                break;
-            }
-            self.read(&observation, &mut state, || at(actions))?;
+        let at = || format!("seed {seed}, step 0");
+        let first = parts::<2>(&pair, "reset", "(observation, info)", &at())?;
+        self.read(&first[0], state, at)
+    }
+
+    /// Takes an action and reads what follows, unless the episode ends.
+    pub(crate) fn advance<S: Scalar>(
+        &self,
+        action: Bound<'_, PyAny>,
+        state: &mut Vec<S>,
+        at: impl Fn() -> String,
+    ) -> PyResult<Told> {
+        let told = self.step.bind(action.py()).call1((action,))?;
+        let accepted = "(observation, reward, terminated, truncated, info)";
+        let [observation, reward, terminated, truncated, info] = parts::<5>(&told, "step", accepted, &at())?;
+        let reward: f64 = reward.extract()?;
+        if reward.is_nan() {
+            return Err(error::input(format!("{}: the reward is NaN; accepted: a number", at())));
         }
-        Ok((score, actions, success))
+        let terminated = terminated.extract::<bool>()?;
+        if terminated || truncated.extract::<bool>()? {
+            let info = info.cast::<PyDict>().ok().and_then(|info| info.get_item("is_success").ok().flatten());
+            let success = info.and_then(|info| info.extract().ok());
+            // The last observation still has a value where the episode was cut.
+            if !terminated {
+                self.read(&observation, state, at)?;
+            }
+            return Ok(Told { reward, end: Some(Ended { truncated: !terminated, success }) });
+        }
+        self.read(&observation, state, at)?;
+        Ok(Told { reward, end: None })
     }
 
     fn act<'py, S: Scalar>(&self, py: Python<'py>, single: &Single<S, Own>, state: &[S]) -> PyResult<Bound<'py, PyAny>>
@@ -171,6 +212,11 @@ impl Driver {
             return if *arrays { action.call_method0("copy") } else { Ok(action.clone()) };
         }
         let Answer::Values(values) = single.answer(state) else { unreachable!("a policy of a box has outputs") };
+        self.values(py, values)
+    }
+
+    /// Returns values as the environment's action.
+    pub(crate) fn values<'py>(&self, py: Python<'py>, values: Vec<f64>) -> PyResult<Bound<'py, PyAny>> {
         match &self.action {
             Action::Encoded(encode) => encode.bind(py).call1((values,)),
             _ => Ok(PyArray1::from_iter(py, values.iter().map(|&value| value as f32)).into_any()),

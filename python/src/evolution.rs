@@ -100,19 +100,24 @@ pub(crate) fn configuration(preset: &str, settings: &str) -> PyResult<String> {
         let names = PRESETS.map(|preset| preset.name).join(", ");
         error::input(format!("the preset {preset:?}; accepted: {names}"))
     })?;
-    let mut table: toml::Table = toml::from_str(found.text).map_err(error::input)?;
+    let text = with_settings(found, settings)?;
+    let config = EvolutionConfig::from_toml("<settings>", &text).map_err(error::input)?;
+    Ok(config.to_toml())
+}
+
+/// Returns a preset's text with other values of some settings.
+pub(crate) fn with_settings(preset: &Preset, settings: &str) -> PyResult<String> {
+    let mut table: toml::Table = toml::from_str(preset.text).map_err(error::input)?;
     table.remove("problem");
     let settings: toml::Table = serde_json::from_str(settings).map_err(error::input)?;
     for (key, value) in settings {
         let place = key.split_once('.').and_then(|(section, name)| table.get_mut(section)?.get_mut(name));
         let place = place.ok_or_else(|| {
-            error::input(format!("the setting {key:?}; accepted: SECTION.NAME as in the preset {preset}"))
+            error::input(format!("the setting {key:?}; accepted: SECTION.NAME as in the preset {}", preset.name))
         })?;
         *place = value;
     }
-    let text = table.to_string();
-    let config = EvolutionConfig::from_toml("<settings>", &text).map_err(error::input)?;
-    Ok(config.to_toml())
+    Ok(table.to_string())
 }
 
 /// Returns the number of steps of the run in a folder; 0 if there is none.

@@ -8,19 +8,25 @@
 //! | [`policy`] | what a worker is sent |
 //! | [`driver`] | whole episodes of a Gymnasium environment |
 //! | [`space`] | an environment's observations and actions |
+//! | [`gym`] | an environment that a trainer steps itself |
+//! | [`actor`] | soft actor-critics |
+//! | [`switch`] | turns of a graph and a network |
 //! | [`native`] | the built-in problems as environments |
 //! | [`network`] | networks in integers |
 //! | [`error`] | Python exceptions |
 
+mod actor;
 mod driver;
 mod error;
 mod evolution;
 mod graph;
+mod gym;
 mod mailbox;
 mod native;
 mod network;
 mod policy;
 mod space;
+mod switch;
 
 use pyo3::prelude::*;
 use tpg_engine::random::{Purpose, Stream};
@@ -43,6 +49,8 @@ fn _tpg(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<space::Space>()?;
     module.add_class::<native::NativeEnv>()?;
     module.add_class::<network::Network>()?;
+    module.add_class::<switch::Switch>()?;
+    module.add_function(wrap_pyfunction!(actor::train_network, module)?)?;
     module.add_function(wrap_pyfunction!(test_seeds, module)?)?;
     module.add_function(wrap_pyfunction!(evolution::configuration, module)?)?;
     module.add_function(wrap_pyfunction!(evolution::steps_of, module)?)?;

@@ -51,9 +51,7 @@ impl Network {
             true => FloatOutput::Values(values.into_iter().map(value).collect::<PyResult<_>>()?),
             false => FloatOutput::Argmax(actions),
         };
-        let kind = Kind::from_name(kind).ok_or_else(|| {
-            error::input(format!("the kind {kind:?}; accepted: {}", Kind::ALL.map(Kind::name).join(", ")))
-        })?;
+        let kind = kind_of(kind)?;
         let network = FloatNetwork {
             inputs: inputs.into_iter().map(input).collect(),
             layers: layers.iter().map(layer).collect(),
@@ -131,6 +129,19 @@ impl Network {
         let states = rows(&states);
         py.detach(|| differences(&self.0, &states)).map_err(error::training)
     }
+}
+
+impl Network {
+    /// Wraps a network.
+    pub(crate) fn of(policy: QuantisedPolicy) -> Self {
+        Self(policy)
+    }
+}
+
+/// Finds the widths of weights and activations by name.
+pub(crate) fn kind_of(kind: &str) -> PyResult<Kind> {
+    Kind::from_name(kind)
+        .ok_or_else(|| error::input(format!("the kind {kind:?}; accepted: {}", Kind::ALL.map(Kind::name).join(", "))))
 }
 
 fn rows(states: &PyReadonlyArray2<'_, f32>) -> Vec<Vec<f32>> {

@@ -6,6 +6,7 @@ use tpg_engine::random::Stream;
 use tpg_engine::{Act, ActionSpace, Environment, Output, SourceSet, Step};
 use tpg_graph::SourceDocument;
 use tpg_runtime::scalar::Scalar;
+use tpg_train::hybrid::trial::NETWORK;
 
 /// Names, units and ranges of an environment's observations and actions. It never steps: episodes run in Python.
 #[pyclass(frozen, module = "tpg_train._tpg")]
@@ -19,14 +20,16 @@ pub(crate) struct Space {
 #[pymethods]
 impl Space {
     /// Creates a space. `sources` are names with the range of each value; either `actions`, by name, or `outputs`, by name
-    /// with lowest and highest value; `limit` is the greatest number of actions of an episode.
+    /// with lowest and highest value; `limit` is the greatest number of actions of an episode. Where `asks`, the last of the
+    /// actions asks the network.
     #[new]
-    #[pyo3(signature = (sources, actions, outputs, limit))]
+    #[pyo3(signature = (sources, actions, outputs, limit, asks = false))]
     fn new(
         sources: Vec<(String, Vec<[f64; 2]>)>,
         actions: Vec<String>,
         outputs: Vec<(String, f64, f64)>,
         limit: u32,
+        asks: bool,
     ) -> PyResult<Self> {
         let source = |(name, ranges): (String, Vec<[f64; 2]>)| SourceDocument {
             name,
@@ -36,7 +39,9 @@ impl Space {
         };
         let output = |(name, min, max)| Output { name, unit: String::new(), min, max };
         let actions = if outputs.is_empty() {
-            ActionSpace::discrete(actions.iter().map(String::as_str))
+            let own = &actions[..actions.len() - usize::from(asks && !actions.is_empty())];
+            let space = ActionSpace::discrete(own.iter().map(String::as_str));
+            if asks { space.with_ask(NETWORK) } else { space }
         } else {
             ActionSpace::Box(outputs.into_iter().map(output).collect())
         };

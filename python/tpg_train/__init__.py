@@ -10,15 +10,17 @@ model.verify()
 """
 
 from ._tpg import Graph, InputError, TrainingError, __version__
+from .asking import Asking
 from .envs import register_envs
 from .model import TPG, Candidate, StatefulEnvironmentWarning, VerificationError
-from .network import NetworkPolicy, from_sb3
+from .network import NetworkPolicy, from_sb3, train_network
 from .reports import Evaluation, HallEntry, Proof, Report
 
 register_envs()
 
 __all__ = [
     "TPG",
+    "Asking",
     "Candidate",
     "Evaluation",
     "Graph",
@@ -33,4 +35,5 @@ __all__ = [
     "__version__",
     "from_sb3",
     "register_envs",
+    "train_network",
 ]

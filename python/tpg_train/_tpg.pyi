@@ -1,6 +1,6 @@
 """The compiled part of the package."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from os import PathLike
 from pathlib import Path
 from typing import Any, Literal, final
@@ -17,6 +17,7 @@ __all__ = [
     "Network",
     "Policy",
     "Space",
+    "Switch",
     "TrainingError",
     "__version__",
     "configuration",
@@ -24,6 +25,7 @@ __all__ = [
     "problems",
     "steps_of",
     "test_seeds",
+    "train_network",
 ]
 
 __version__: str
@@ -84,6 +86,7 @@ class Space:
         actions: Sequence[str],
         outputs: Sequence[tuple[str, float, float]],
         limit: int,
+        asks: bool = False,
     ) -> Space: ...
 
 @final
@@ -158,6 +161,24 @@ class Network:
     def export_rust(self, folder: str | PathLike[str], prefix: str) -> list[Path]: ...
     def differences(self, states: NDArray[np.float32]) -> int: ...
 
+@final
+class Switch:
+    """The turns of one episode."""
+
+    def __new__(
+        cls,
+        distance: float,
+        separation: float = ...,
+        patience: int | None = None,
+        hand_back_after: int | None = None,
+    ) -> Switch: ...
+    @property
+    def network_drives(self) -> bool: ...
+    @property
+    def recall(self) -> list[float]: ...
+    def acted(self, asked: bool, distance: float) -> None: ...
+
+def train_network(space: Space, make: Callable[[], Driver], settings: str, seed: int, kind: str) -> tuple[Network, float]: ...
 def configuration(preset: str, settings: str) -> str: ...
 def steps_of(folder: str | PathLike[str]) -> int: ...
 def test_seeds(seed: int, count: int) -> list[int]: ...

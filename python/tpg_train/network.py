@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 import hashlib
+import itertools
+import json
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Union
 
@@ -15,6 +18,7 @@ from gymnasium import spaces
 from numpy.typing import NDArray
 
 from ._tpg import InputError, Network
+from ._tpg import train_network as train
 from .model import VerificationError
 from .reports import Evaluation
 from .spaces import Interface, _name
@@ -110,8 +114,49 @@ class NetworkPolicy:
         """Writes a `policy.q.json`, which `tpg-codegen policy` reads."""
         self._network.save(Path(path))
 
+    @classmethod
+    def load(cls, path: PathLike, env: gymnasium.Env[Any, Any]) -> NetworkPolicy:
+        """Reads a `policy.q.json` for an environment, which gives the states of `verify`."""
+        network, interface = Network.load(Path(path)), Interface.of(env)
+        found = len(network.inputs)
+        if found != interface.inputs:
+            raise InputError(f"{path}: a network of {found} inputs; accepted: {interface.inputs}, as {interface.name} has")
+        return cls(network, interface, np.zeros((1, found), np.float32), {})
+
     def __repr__(self) -> str:
         return f"<NetworkPolicy for {self._interface.name}, {self.bytes} bytes, {self.multiplications} multiplications>"
+
+
+def train_network(
+    env: str | Callable[[], gymnasium.Env[Any, Any]],
+    decisions: int = 40_000,
+    *,
+    seed: int = 1,
+    hidden: Sequence[int] = (64, 64),
+    settings: Mapping[str, Any] | None = None,
+    kind: str = "w8a16",
+) -> NetworkPolicy:
+    """Trains a soft actor-critic on an environment whose actions are a `Box`, and puts its actor into integers.
+
+    Args:
+        env: a Gymnasium id, or a function that makes an environment: each of the parallel episodes has one of its own.
+        hidden: units of each hidden layer of the actor.
+        settings: other values of what `tpg-train config --sac general` prints, such as `{"learning.lanes": 4}`.
+        kind: bits of weights and activations: "w8a16", "w16a16" or "w8a8".
+
+    The result's `agreement` has `validation_score`: the mean return on the validation episodes, before the integers.
+    """
+    make: Callable[[], gymnasium.Env[Any, Any]] = functools.partial(gymnasium.make, env) if isinstance(env, str) else env
+    one = make()
+    interface = Interface.of(one)
+    if not isinstance(interface.action_space, spaces.Box):
+        raise InputError(f"{interface.name}: the action space {interface.action_space}; accepted: a Box")
+    chosen = {"learning.decisions": decisions, "actor.hidden": list(hidden), **(settings or {})}
+    drivers = itertools.chain([interface.driver(one)], (interface.driver(make()) for _ in itertools.count()))
+    network, score = train(interface.space(), lambda: next(drivers), json.dumps(chosen), seed, kind)
+    policy = NetworkPolicy(network, interface, np.zeros((1, interface.inputs), np.float32), {"validation_score": score})
+    policy._states = _visited(policy, make(), interface, seed)
+    return policy
 
 
 def from_sb3(model: Any, *, env: gymnasium.Env[Any, Any] | None = None, kind: str = "w8a16", seed: int = 1) -> NetworkPolicy:
@@ -290,4 +335,4 @@ def _agreement(model: Any, policy: NetworkPolicy, interface: Interface, states: 
     return {"equal_actions": float((found == wanted).mean())}
 
 
-__all__ = ["NetworkPolicy", "from_sb3"]
+__all__ = ["NetworkPolicy", "from_sb3", "train_network"]

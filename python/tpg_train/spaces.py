@@ -72,6 +72,7 @@ class Interface:
     limit: int
     input_names: tuple[str, ...] | None = None
     end_names: tuple[str, ...] | None = None
+    asks: bool = False
 
     @classmethod
     def of(
@@ -92,7 +93,8 @@ class Interface:
         limit = max_episode_steps or getattr(spec, "max_episode_steps", None) or DEFAULT_LIMIT
         parts = tuple(_parts(env.observation_space, ""))
         names = tuple(tuple(given) if given else None for given in (input_names, end_names))
-        interface = cls(name, env.observation_space, env.action_space, parts, int(limit), *names)
+        asks = bool(getattr(env, "asks_network", False))
+        interface = cls(name, env.observation_space, env.action_space, parts, int(limit), *names, asks=asks)
         if not 1 <= interface.inputs <= MOST_INPUTS:
             raise InputError(f"{name}: an observation of {interface.inputs} values; accepted: 1 to {MOST_INPUTS}")
         if input_names is not None and len(input_names) != interface.inputs:
@@ -115,7 +117,7 @@ class Interface:
             ends = iter(ranges)
             sources = [(part.name, list(itertools.islice(ends, len(part.low)))) for part in self.parts]
         choices, outputs = self.actions()
-        return Space(sources, choices, outputs, self.limit)
+        return Space(sources, choices, outputs, self.limit, self.asks)
 
     def actions(self) -> tuple[list[str], list[tuple[str, float, float]]]:
         """Returns the names of the actions, or the outputs with their ranges."""

@@ -11,6 +11,7 @@
 //! | [`ops`] | the instruction set, and sin, cos, tan, ln, exp with the same bits everywhere |
 //! | [`cycle`] | has this been here before? |
 //! | [`switch`] | two policies over one problem, and the rules by which they take turns |
+//! | [`recall`] | what a first policy can know of its past |
 //! | [`net`] | networks in integers, of any shape |
 //! | [`scalar`] | `f32` and `f64` |
 //!
@@ -32,6 +33,7 @@ pub mod cycle;
 pub mod net;
 pub mod ops;
 pub mod policy;
+pub mod recall;
 pub mod scalar;
 #[cfg(feature = "standalone")]
 pub mod standalone;

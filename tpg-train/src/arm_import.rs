@@ -1,11 +1,13 @@
-//! `tpg-train arm import`: an arm's URDF as the section `[problem.arm]` of a configuration.
+//! `tpg-train arm import`: an arm's URDF as the section `[problem.arm]` of a configuration, or as a section `[chain]`.
 //!
 //! | module | subject |
 //! | --- | --- |
 //! | `urdf` | the joints between a file's root and a link, or what is wrong with them |
 //! | `planar` | a turning base and three parallel axes in them: lengths, zeros, signs |
 //! | `section` | the section with its comments |
+//! | `chain` | the section of joints that are no planar arm |
 
+mod chain;
 mod planar;
 mod section;
 mod urdf;
@@ -25,7 +27,7 @@ pub struct ArmArgs {
 
 #[derive(Clone, Debug, Subcommand)]
 enum ArmCommand {
-    /// Turn a URDF into the section [problem.arm] of a configuration
+    /// Turn a URDF into the section [problem.arm] of a configuration, or a section [chain] where the arm is not planar
     Import(ImportArgs),
 }
 
@@ -66,32 +68,56 @@ fn radius(text: &str) -> Result<f64, String> {
 /// Runs a command about arms.
 ///
 /// # Errors
-/// If the file cannot be read or is no URDF of a planar arm, or the result cannot be written.
+/// If the file cannot be read or is no URDF of an arm, or the result cannot be written.
 pub fn execute(args: &ArmArgs) -> Result<(), InputError> {
     let ArmCommand::Import(args) = &args.command;
     let text = read_text(&args.file, "a URDF")?;
     let radii = Radii { link: args.radius, base: args.base_radius };
-    let section = import(&args.file.display().to_string(), &text, &args.tip, &args.fix, radii)?;
+    let Imported { text, not_planar } = import(&args.file.display().to_string(), &text, &args.tip, &args.fix, radii)?;
+    if let Some(reason) = not_planar {
+        tpg_graph::command::note(format_args!("a [chain], which cannot be trained: not a planar arm: {reason}"));
+    }
     match &args.output {
-        Some(path) => write_atomically(path, section.as_bytes()),
-        None => tpg_graph::command::print(&section)
+        Some(path) => write_atomically(path, text.as_bytes()),
+        None => tpg_graph::command::print(&text)
             .map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe")),
     }
 }
 
-/// Returns the section `[problem.arm]` for a URDF's text. `file` is its name in messages, `tip` the link whose origin must reach
+/// An imported arm.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Imported {
+    /// Its section, with comments.
+    pub text: String,
+    /// The reason why that is a `[chain]`; none for a `[problem.arm]`.
+    pub not_planar: Option<String>,
+}
+
+/// Returns the section for a URDF's text. `file` is its name in messages, `tip` the link whose origin must reach
 /// targets, `fix` the joints that are held, each at an angle in rad.
 ///
 /// # Errors
-/// A text that is no URDF, or no URDF of a planar arm; a link or joint that it does not have.
-pub fn import(file: &str, text: &str, tip: &str, fix: &[(String, f64)], radii: Radii) -> Result<String, InputError> {
-    let chain = urdf::chain(file, text, tip, fix)?;
-    let arm = planar::recognise(file, &chain)?;
-    let description = section::describe(&arm, radii);
-    description.check().map_err(|Finding { key, found, accepted }| {
+/// A text that is no URDF, a link or joint that it does not have, a joint that does not turn within limits, an arm that cannot be.
+pub fn import(file: &str, text: &str, tip: &str, fix: &[(String, f64)], radii: Radii) -> Result<Imported, InputError> {
+    let joints = urdf::chain(file, text, tip, fix)?;
+    let held = section::held(fix);
+    let refuse = |Finding { key, found, accepted }: Finding| {
         InputError::new(file, Place::Whole, format!("an arm whose {key} = {found}"), accepted)
-    })?;
-    Ok(section::text(file, tip, fix, &arm, &description))
+    };
+    match planar::recognise(file, &joints) {
+        Ok(arm) => {
+            let description = section::describe(&arm, radii);
+            description.check().map_err(refuse)?;
+            Ok(Imported { text: section::text(file, tip, &held, &arm, &description), not_planar: None })
+        }
+        Err(error) => {
+            let description = chain::describe(file, &joints)?;
+            description.check().map_err(refuse)?;
+            let reason = format!("{}{}", error.place, error.found);
+            let text = chain::text(file, tip, &held, &description, &reason);
+            Ok(Imported { text, not_planar: Some(reason) })
+        }
+    }
 }
 
 #[cfg(test)]

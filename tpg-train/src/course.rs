@@ -35,6 +35,12 @@ impl Decision<f32> {
     }
 }
 
+/// The distance that rules judge by: see [`Course::distance`]. `reward` is the last action's.
+pub(crate) fn distance<S: Scalar, E: Environment<S>>(environment: &E, episode: &E::Episode, reward: Option<f64>) -> S {
+    let of_reward = || reward.map_or(f64::INFINITY, |reward| -reward);
+    S::from_f64(environment.distance(episode).unwrap_or_else(of_reward))
+}
+
 /// A running episode with its flat state and its score.
 #[derive(Debug)]
 pub struct Course<'e, S: Scalar, E: Environment<S>> {
@@ -86,8 +92,7 @@ impl<'e, S: Scalar, E: Environment<S>> Course<'e, S, E> {
     /// Returns the [distance](Environment::distance) to the goal, or the last reward with its sign changed; infinity
     /// where that is unknown before the first action.
     pub fn distance(&self) -> S {
-        let of_reward = || self.reward.map_or(f64::INFINITY, |reward| -reward);
-        S::from_f64(self.environment.distance(&self.episode).unwrap_or_else(of_reward))
+        distance(self.environment, &self.episode, self.reward)
     }
 
     /// Returns the [key](Environment::key) of this moment, if the environment has keys.

@@ -26,6 +26,7 @@
 
 pub mod actor;
 pub mod arm_import;
+pub mod arm_of;
 pub mod cli;
 pub mod configuration;
 pub mod course;

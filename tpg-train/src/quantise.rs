@@ -15,6 +15,7 @@ use std::fmt::Display;
 use std::fs;
 use std::path::PathBuf;
 use tpg_codegen::policy::{QuantisedPolicy, to_rust};
+use tpg_engine::Preferring;
 use tpg_graph::error::{InputError, Place};
 use tpg_problems::ContinuousProblem;
 use tpg_runtime::net::Kind;
@@ -66,7 +67,8 @@ pub fn quantise(args: &QuantiseArgs) -> Result<(), InputError> {
             args.write(&policy, || OnTheArm::new(&actor, &policy))
         }
         problem => {
-            let (environment, mean) = (&*problem.environment(args.seed), (&network, &contract));
+            let (environment, mean) = (problem.environment(args.seed), (&network, &contract));
+            let environment = Preferring::new(&*environment);
             let policy = integers::quantise(&file, mean, &environment, hash, args.kind, args.seed)?;
             args.write(&policy, || Ok(Comparison::new(mean, &policy, &environment, args.seed)))
         }

@@ -1,6 +1,6 @@
 //! `tpg-train targets`: the arm's committed test tasks.
 
-use crate::evaluate::arm::arm_config;
+use crate::arm_of;
 use crate::evaluate::graph_problem;
 use crate::run_args::command_line;
 use std::path::PathBuf;
@@ -43,7 +43,7 @@ pub fn print_targets(args: &TargetsArgs) -> Result<(), InputError> {
 }
 
 fn reach(args: &TargetsArgs, start: Start) -> Result<String, InputError> {
-    let config = args.config.as_deref().map(|path| arm_config(path, start)).transpose()?;
+    let config = args.config.as_deref().map(|path| arm_of::config(path, start)).transpose()?;
     let arm = config.map_or(WIDOWX, |config| config.arm());
     Ok(to_csv(&tasks(&arm, args.seed.unwrap_or(TEST_SEED), Set::Test, start, args.episodes)))
 }

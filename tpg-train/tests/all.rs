@@ -1,6 +1,9 @@
 //! The tests of this crate from outside, as one program: each file is a subject.
 
+mod arms;
 mod asking;
+mod asking_in_c;
+mod asking_prices;
 mod damaged_checkpoints;
 mod engine;
 mod evaluator;

@@ -12,13 +12,13 @@ use tpg_graph::Graph;
 use tpg_problems::{Pendulum, Problem, ProblemName};
 use tpg_runtime::ops::Own;
 use tpg_train::evaluate::graph::endings;
-use tpg_train::evolution::config::{AskConfig, EvolutionConfig};
+use tpg_train::evolution::config::{AskConfig, EvolutionConfig, Price};
 use tpg_train::evolution::presets::Preset;
 use tpg_train::hybrid::asking::Asking;
 use tpg_train::sac::network::decided;
 
 /// Asks where the angular velocity is negative, else pushes with the highest torque.
-const ASKS: &str = r#"{
+pub(crate) const ASKS: &str = r#"{
     "format": "tpg-graph", "version": 1, "scalar": "f32", "maths": "own", "registers": 1,
     "sources": [{ "name": "omega", "length": 1, "unit": "rad/s", "ranges": [[-8, 8]] }],
     "instructions": ["sub"],
@@ -31,42 +31,42 @@ const ASKS: &str = r#"{
     ]
 }"#;
 
-fn config(problem: ProblemName, policy: &str) -> EvolutionConfig {
+pub(crate) fn config(problem: ProblemName, policy: &str) -> EvolutionConfig {
     let mut config = Preset::find("general").expect("it comes with the trainer").config().expect("it is accepted");
     config.problem = Problem::usual(problem).to_table();
-    config.ask = Some(AskConfig { policy: policy.to_owned(), price: 2.0, sha256: None });
+    config.ask = Some(AskConfig { policy: policy.to_owned(), price: Price::One(2.0), memory: false, sha256: None });
     (config.tpg.nb_roots, config.tpg.init_nb_roots) = (40, 60);
     (config.learning.nb_iterations_per_policy_evaluation, config.learning.nb_generations) = (4, 8);
     (config.selection.lexicase_survivors, config.selection.validation_episodes) = (0, 20);
     config
 }
 
-fn written(folder: &TempDir, config: &EvolutionConfig) -> PathBuf {
+pub(crate) fn written(folder: &TempDir, config: &EvolutionConfig) -> PathBuf {
     let path = folder.path().join("ask.toml");
     fs::write(&path, config.to_toml()).expect("a file");
     path
 }
 
-fn tpg_train(arguments: &[&str]) -> Command {
+pub(crate) fn tpg_train(arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_tpg-train"));
     command.args(arguments);
     command
 }
 
-fn train(config: &Path, out: &Path, more: &[&str]) -> Command {
+pub(crate) fn train(config: &Path, out: &Path, more: &[&str]) -> Command {
     let mut command = tpg_train(&["tpg"]);
     command.arg("--config").arg(config).arg("--out").arg(out).args(more);
     command
 }
 
-fn refused(mut command: Command, says: &[&str]) {
+pub(crate) fn refused(mut command: Command, says: &[&str]) {
     let stderr = String::from_utf8(command.assert().code(2).get_output().stderr.clone()).expect("text");
     for part in says {
         assert!(stderr.contains(part), "{part} in {stderr}");
     }
 }
 
-fn eval(graph: &Path, more: &[&str]) -> Command {
+pub(crate) fn eval(graph: &Path, more: &[&str]) -> Command {
     let mut command = tpg_train(&["eval", "--problem", "pendulum", "--episodes", "50"]);
     command.arg("--tpg").arg(graph).args(more);
     command
@@ -154,19 +154,13 @@ fn what_cannot_be_asked_is_refused() {
     fs::write(&path, ASKS).expect("a file");
     let alone = ["asks.json: $.actions[0].ask: \"network\"", "does not act alone", "--tpg GRAPH --policy FILE"];
     refused(eval(&path, &[]), &alone);
-    let study = folder.path().join("study");
-    let mut hybrid = tpg_train(&["hybrid", "--problem", "pendulum", "--episodes", "5", "--policy", NETWORK, "--tpg"]);
-    hybrid.arg(&path).arg("--out").arg(&study);
-    refused(hybrid, &alone);
-    assert!(!study.exists());
-
     let out = folder.path().join("run");
     let refuses = |config: &EvolutionConfig, says: &[&str]| {
         refused(train(&written(&folder, config), &out, &[]), says);
         assert!(!out.exists(), "{says:?} left a folder");
     };
     let mut costly = config(ProblemName::Pendulum, NETWORK);
-    costly.ask.as_mut().expect("a section").price = -1.0;
+    costly.ask.as_mut().expect("a section").price = Price::One(-1.0);
     refuses(&costly, &["ask.toml:", "ask.price = -1", "accepted: 0 to 1000000000"]);
     refuses(&config(ProblemName::Cartpole, NETWORK), &["policy.q.json", "cos_theta", "accepted: x v theta omega"]);
     refuses(&config(ProblemName::Fs, NETWORK), &["ask = a section [ask] for fs", "a problem but the arm's"]);

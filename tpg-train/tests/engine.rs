@@ -66,9 +66,9 @@ fn literal_units<S: ArmScalar>(environment: &ArmEnvironment<S>) -> Vec<f64> {
 
 impl<S: ArmScalar> World<S> {
     /// Creates roots that are several mutations away from random ones, with several levels of teams.
-    fn new(scalar: ScalarType, arm: &Arm<f64>, shield: Shield) -> Self {
+    fn new(scalar: ScalarType, arm: &Arm<f64>, mut problem: arm::Config) -> Self {
         let config = config(scalar);
-        let mut problem = problem(shield);
+        let shield = problem.shield;
         if shield == Shield::None {
             // Random policies that read this source rarely return to a pose, and the test needs cycles.
             problem.sources.retain(|name| name != "stance");
@@ -132,13 +132,8 @@ fn by_interpreter<S: ArmScalar, M: Maths<S>>(
     task: &ArmTask,
 ) -> (Vec<ActionId>, Summary<S>, S) {
     let interpreter = Interpreter::<S, M>::new(graph);
-    let start = tpg_arm::episode::ReachTask {
-        start: tpg_arm::Pose(task.start),
-        target: task.target.map(S::from_f64),
-        tolerance: S::from_f64(problem.tolerance),
-        max_actions: problem.max_actions,
-    };
-    let mut episode = Episode::new(arm, start, Visited::<4096>::new());
+    let (start, play) = (problem.reach(&task.into()), problem.play(&task.into()));
+    let mut episode = Episode::with_play(arm, start, Visited::<4096>::new(), play);
     let mut actions = Vec::new();
     let mut state = vec![S::ZERO; graph.state_length()];
     loop {
@@ -149,7 +144,7 @@ fn by_interpreter<S: ArmScalar, M: Maths<S>>(
         let moves = effect.and_then(|effect| moved(&effect.name, &effect.values)).unwrap_or(Move::STOP);
         if let Some(outcome) = episode.advance(moves) {
             let Observation { pose, .. } = *episode.observation();
-            let distance = episode.observation().distance();
+            let distance = episode.distance();
             let bid = walk.last().expect("a walk has a decision").bid;
             return (actions, Summary { outcome, actions: episode.actions(), pose, distance }, bid);
         }
@@ -185,7 +180,15 @@ fn engine_is_the_interpreter<S: ArmScalar>(scalar: ScalarType, arm: &Arm<f64>, s
 where
     Own: Maths<S>,
 {
-    let world = World::<S>::new(scalar, arm, shield);
+    engine_is_the_interpreter_in::<S>(scalar, arm, problem(shield))
+}
+
+fn engine_is_the_interpreter_in<S: ArmScalar>(scalar: ScalarType, arm: &Arm<f64>, problem: arm::Config) -> [usize; 7]
+where
+    Own: Maths<S>,
+{
+    let shield = problem.shield;
+    let world = World::<S>::new(scalar, arm, problem);
     let tasks = arm_tasks(arm, tpg_testing::amount(6, 12));
     let mut ways = [0usize; 7];
     let mut steps = 0;
@@ -228,6 +231,20 @@ fn every_step_is_the_interpreters_in_f32() {
 fn every_step_is_the_interpreters_in_f64() {
     let ways = engine_is_the_interpreter::<f64>(ScalarType::F64, &WIDOWX, Shield::None);
     assert!(ways[1] > 5 && ways[2] > 10 && ways[3] > 10, "cycles, stops and limits must occur: {ways:?}");
+}
+
+/// So wide a tolerance is reached by chance, and so much play decides when.
+#[test]
+fn with_play_too_every_step_is_the_interpreters() {
+    let wide = arm::Config { tolerance: 80.0, ..problem(Shield::None) };
+    let [rigid, ..] = engine_is_the_interpreter_in::<f32>(ScalarType::F32, &WIDOWX, wide.clone());
+    let loose = arm::Config { backlash: 150, ..wide };
+    let [reached, cycles, ..] = engine_is_the_interpreter_in::<f32>(ScalarType::F32, &WIDOWX, loose.clone());
+    assert!(
+        reached > 5 && cycles > 5 && reached != rigid,
+        "{rigid} targets reached, {reached} with play, {cycles} cycles"
+    );
+    engine_is_the_interpreter_in::<f64>(ScalarType::F64, &another_arm(), loose);
 }
 
 /// Many random policies have teams in which every bid is NaN; a shield does not affect these, and they may collide.
@@ -287,7 +304,7 @@ fn every_step_is_the_interpreters_on_another_arm() {
 
 #[test]
 fn no_option_and_no_number_of_threads_changes_an_answer() {
-    let world = World::<f32>::new(ScalarType::F32, &WIDOWX, Shield::None);
+    let world = World::<f32>::new(ScalarType::F32, &WIDOWX, problem(Shield::None));
     let units = (0..)
         .zip(&world.policies)
         .take(tpg_testing::amount(25, usize::MAX))
@@ -333,7 +350,7 @@ fn no_option_and_no_number_of_threads_changes_an_answer() {
 
 #[test]
 fn a_work_unit_survives_its_way_over_a_wire() {
-    let world = World::<f32>::new(ScalarType::F32, &WIDOWX, Shield::None);
+    let world = World::<f32>::new(ScalarType::F32, &WIDOWX, problem(Shield::None));
     let policy = world.policies[3].clone();
     let unit = WorkUnit { key: UnitKey { seed: 9, generation: 4, root: 77 }, policy };
     let work = Work { tasks: arm_tasks(&WIDOWX, 3), units: vec![unit] };

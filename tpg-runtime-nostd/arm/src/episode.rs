@@ -4,10 +4,9 @@
 //! bookkeeping, which ends a cycle one action later, lives with the conformance suite in `tpg-train`. An episode that two
 //! policies share is a [`HybridEpisode`](crate::hybrid::HybridEpisode).
 
-use crate::arm::{Arm, Invalid, Move, Pose};
+use crate::arm::{Arm, Invalid, Move, Play, Pose};
 use crate::cycle::CycleDetector;
-use crate::kinematics::Lattice;
-use crate::kinematics::Vector;
+use crate::kinematics::{self, Lattice, Vector};
 use crate::observation::Observation;
 use tpg_runtime::policy::Policy;
 
@@ -46,39 +45,72 @@ pub struct Summary<S> {
     pub outcome: Outcome,
     /// Actions done, the last one included.
     pub actions: u32,
-    /// The final pose.
+    /// The final pose of the motors.
     pub pose: Pose,
     /// Hand to target at the end, mm.
     pub distance: S,
 }
 
-/// The part of an episode that is the same for any policy: the arm on its way, and the ends that every policy shares.
+/// An episode without its arm, which every call is given: for an owner of both. [`Episode`] borrows the arm.
+///
+/// It is the part that is the same for any policy: the arm on its way, and the ends that every policy shares.
 #[derive(Clone, Debug)]
-pub(crate) struct Course<'a, S> {
-    arm: &'a Arm<S>,
+pub struct Course<S> {
     problem: ReachTask<S>,
+    play: Play,
     observation: Observation<S>,
     actions: u32,
 }
 
-impl<'a, S: Lattice> Course<'a, S> {
-    pub(crate) fn new(arm: &'a Arm<S>, problem: ReachTask<S>) -> Self {
+impl<S: Lattice> Course<S> {
+    /// Puts the arm at the problem's start.
+    pub fn new(arm: &Arm<S>, problem: ReachTask<S>, play: Play) -> Self {
         let observation = Observation::at(arm, problem.start, problem.target);
-        Self { arm, problem, observation, actions: 0 }
+        Self { problem, play, observation, actions: 0 }
     }
 
-    pub(crate) fn observation(&self) -> &Observation<S> {
+    /// The observation that the policy sees now.
+    pub fn observation(&self) -> &Observation<S> {
         &self.observation
     }
 
+    /// Actions done so far.
+    pub fn actions(&self) -> u32 {
+        self.actions
+    }
+
+    /// Hand to target, mm: the hand where the joints put it, which is where a policy sees it unless they have [`Play`].
+    pub fn distance(&self, arm: &Arm<S>) -> S {
+        if self.play == Play::NONE {
+            return self.observation.distance();
+        }
+        let joints = self.play.joints(self.observation.pose);
+        kinematics::distance(self.problem.target, kinematics::hand(arm, joints))
+    }
+
+    /// Does one action of a policy without memory; `Some` when it ended the episode.
+    ///
+    /// If several ends fall together, the first of these holds: invalid, reached, stop, cycle, timeout.
+    pub fn advance(&mut self, arm: &Arm<S>, detector: &mut impl CycleDetector<Pose>, wanted: Move) -> Option<Outcome> {
+        if let Some(end) = self.step(arm, wanted) {
+            Some(end)
+        } else if wanted == Move::STOP {
+            Some(Outcome::Stop)
+        } else if detector.repeats(self.observation.pose) {
+            Some(Outcome::Cycle)
+        } else {
+            self.timeout()
+        }
+    }
+
     /// Does one action; `Some` where it was invalid or reached the target.
-    pub(crate) fn step(&mut self, wanted: Move) -> Option<Outcome> {
-        let step = self.arm.step(self.observation.pose, wanted);
+    pub(crate) fn step(&mut self, arm: &Arm<S>, wanted: Move) -> Option<Outcome> {
+        let step = arm.step(self.observation.pose, wanted);
         self.actions = self.actions.saturating_add(1);
-        self.observation = Observation::at(self.arm, step.pose, self.problem.target);
+        self.observation = Observation::at(arm, step.pose, self.problem.target);
         if let Some(invalid) = step.invalid {
             Some(Outcome::Invalid(invalid))
-        } else if self.observation.distance() < self.problem.tolerance {
+        } else if self.distance(arm) < self.problem.tolerance {
             Some(Outcome::Reached)
         } else {
             None
@@ -89,24 +121,29 @@ impl<'a, S: Lattice> Course<'a, S> {
         (self.actions >= self.problem.max_actions).then_some(Outcome::Timeout)
     }
 
-    pub(crate) fn summary(&self, outcome: Outcome) -> Summary<S> {
-        let Observation { pose, .. } = self.observation;
-        Summary { outcome, actions: self.actions, pose, distance: self.observation.distance() }
+    pub(crate) fn summary(&self, arm: &Arm<S>, outcome: Outcome) -> Summary<S> {
+        Summary { outcome, actions: self.actions, pose: self.observation.pose, distance: self.distance(arm) }
     }
 }
 
 /// An episode under way.
 #[derive(Clone, Debug)]
 pub struct Episode<'a, S, D> {
-    course: Course<'a, S>,
+    arm: &'a Arm<S>,
+    course: Course<S>,
     detector: D,
 }
 
 impl<'a, S: Lattice, D: CycleDetector<Pose>> Episode<'a, S, D> {
     /// Puts the arm at the problem's start.
-    pub fn new(arm: &'a Arm<S>, problem: ReachTask<S>, mut detector: D) -> Self {
+    pub fn new(arm: &'a Arm<S>, problem: ReachTask<S>, detector: D) -> Self {
+        Self::with_play(arm, problem, detector, Play::NONE)
+    }
+
+    /// Puts an arm whose joints have play at the problem's start.
+    pub fn with_play(arm: &'a Arm<S>, problem: ReachTask<S>, mut detector: D, play: Play) -> Self {
         detector.reset(problem.start);
-        Self { course: Course::new(arm, problem), detector }
+        Self { arm, course: Course::new(arm, problem, play), detector }
     }
 
     /// The observation that the policy sees now.
@@ -119,19 +156,14 @@ impl<'a, S: Lattice, D: CycleDetector<Pose>> Episode<'a, S, D> {
         self.course.actions
     }
 
-    /// Does one action; `Some` when it ended the episode.
-    ///
-    /// If several ends fall together, the first of these holds: invalid, reached, stop, cycle, timeout.
+    /// Hand to target, mm, as [`Course::distance`].
+    pub fn distance(&self) -> S {
+        self.course.distance(self.arm)
+    }
+
+    /// Does one action, as [`Course::advance`].
     pub fn advance(&mut self, wanted: Move) -> Option<Outcome> {
-        if let Some(end) = self.course.step(wanted) {
-            Some(end)
-        } else if wanted == Move::STOP {
-            Some(Outcome::Stop)
-        } else if self.detector.repeats(self.observation().pose) {
-            Some(Outcome::Cycle)
-        } else {
-            self.course.timeout()
-        }
+        self.course.advance(self.arm, &mut self.detector, wanted)
     }
 
     /// Lets the policy act until the end; `each` sees the pose after every action.
@@ -143,7 +175,7 @@ impl<'a, S: Lattice, D: CycleDetector<Pose>> Episode<'a, S, D> {
             let outcome = self.advance(policy.decide(self.observation()));
             each(self.observation().pose);
             if let Some(outcome) = outcome {
-                return self.course.summary(outcome);
+                return self.course.summary(self.arm, outcome);
             }
         }
     }

@@ -59,6 +59,6 @@ pub mod sac;
 pub mod sensors;
 
 pub use arm::{
-    Arm, ArmError, BaseEdge, Collision, Invalid, JOINTS, Joint, JointRange, Links, Move, Pose, Shapes, Step,
+    Arm, ArmError, BaseEdge, Collision, Invalid, JOINTS, Joint, JointRange, Links, Move, Play, Pose, Shapes, Step,
     TICKS_PER_TURN, WIDOWX,
 };

@@ -1,6 +1,7 @@
 //! The tests of this crate from outside, as one program: each file is a subject.
 
 mod arm;
+mod behind;
 mod chain;
 mod dodge;
 mod episode;

@@ -1,4 +1,4 @@
-//! General chains: the WidowX as one against the planar arm, the WidowX 250 S against its URDF, derivatives against differences.
+//! General chains: the WidowX as one against the planar arm, derivatives against differences.
 
 use proptest::prelude::*;
 use std::f64::consts::TAU;
@@ -35,7 +35,7 @@ const CHAIN: Chain<f64, 4> = Chain {
     tip: [155.0, 0.0, 0.0],
 };
 
-/// The WidowX 250 S: `wx250s.urdf.xacro` of Interbotix/interbotix_ros_manipulators, 0bb2b0e.
+/// The WidowX 250 S. `tpg_problems` has it as a file, and a test of that against its URDF.
 const WX250S: Chain<f64, 6> = Chain {
     links: [
         Link { origin: [0.0, 0.0, 72.0], range: JointRange { min: 1, max: 4095 }, ..LINK },
@@ -141,22 +141,6 @@ proptest! {
             }
         }
     }
-}
-
-/// The table is `tpg-train/problems/tests/arms/vectors.py`'s, with five decimals of a millimetre.
-#[test]
-fn the_widowx_250_s_is_where_its_urdf_puts_it() {
-    let mut poses = 0;
-    for row in include_str!("fixtures/wx250s.csv").lines().skip(1) {
-        let values: Vec<f64> = row.split(',').map(|value| value.parse().expect("a number")).collect();
-        let [a, b, c, d, e, f, x, y, z] = values[..] else { panic!("nine numbers") };
-        let pose = [a, b, c, d, e, f].map(|ticks| 2048 + ticks as i16);
-        assert!(WX250S.allows(pose), "{pose:?}");
-        let off = distance(WX250S.place(pose).tip, [x, y, z]);
-        assert!(off < 1e-4, "{pose:?}: {off} mm");
-        poses += 1;
-    }
-    assert_eq!(poses, 120);
 }
 
 #[test]

@@ -6,7 +6,7 @@ use tpg_arm::cycle::{Brent, CycleDetector, Visited};
 use tpg_arm::episode::{Episode, Outcome, ReachTask, Summary};
 use tpg_arm::kinematics;
 use tpg_arm::observation::Observation;
-use tpg_arm::{Collision, Invalid, JOINTS, Joint, Move, Pose, WIDOWX};
+use tpg_arm::{Collision, Invalid, JOINTS, Joint, Move, Play, Pose, WIDOWX};
 use tpg_runtime::policy::Policy;
 
 /// Does what it is told, move by move, and then stops.
@@ -182,4 +182,24 @@ proptest! {
         prop_assert!(brent.actions >= exact.actions);
         prop_assert_eq!(&later[..poses.len()], &poses[..]);
     }
+}
+
+/// The base stands 60 ticks ahead of its motor: the hand arrives 20 actions earlier, while the policy sees it elsewhere.
+#[test]
+fn with_play_the_hand_is_where_the_joints_put_it() {
+    let moves = [forwards(0); 50];
+    let problem = ReachTask { target: hand_after(&moves), ..PROBLEM };
+    let rigid = run(problem, &moves);
+    let script = Script { moves: &moves, next: Cell::new(0) };
+    let mut episode = Episode::with_play(&WIDOWX, problem, Visited::<2048>::new(), Play([60, 0, 0, 0]));
+    let mut outcome = None;
+    while outcome.is_none() {
+        let seen = *episode.observation();
+        assert_eq!(seen.hand, kinematics::hand(&WIDOWX, seen.pose), "what a policy sees follows the motors");
+        outcome = episode.advance(script.decide(&seen));
+    }
+    assert_eq!((rigid.outcome, outcome), (Outcome::Reached, Some(Outcome::Reached)));
+    assert_eq!(episode.actions() + 20, rigid.actions);
+    assert_eq!(episode.distance(), rigid.distance);
+    assert!(episode.observation().distance() > 30.0);
 }

@@ -1,12 +1,14 @@
 /*
  * The runtime of learned policies, in two parts.
  *
- * For any problem: TPG_VERSION and tpg_version, the codes from TPG_OK on, and networks in integers: tpg_network_t
- * and tpg_network_*. Graphs that tpg-codegen compiled need nothing of this library.
+ * For any problem: TPG_VERSION and tpg_version, the codes from TPG_OK on, networks in integers (tpg_network_t and
+ * tpg_network_*), and the memory of a graph that asks one (tpg_recall_t and tpg_recall_*). Graphs that tpg-codegen compiled
+ * need nothing of this library.
  *
  * For the arm, everything else: kinematics and steps (tpg_arm_*), observation (tpg_observe, tpg_observation_*, tpg_memo_*),
  * generated policies and networks that drive it (tpg_policy_*, tpg_sac_*), two that share it (tpg_hybrid_*, tpg_switch_*),
- * the watch over its motors (tpg_watchdog_*), episodes in simulation (tpg_episode_*, tpg_hybrid_episode_*).
+ * the watch over its motors (tpg_watchdog_*), episodes in simulation (tpg_episode_*, tpg_hybrid_episode_*). An arm that need not
+ * be planar is geometry alone (tpg_chain_*).
  *
  * Every function answers TPG_OK or says by a code why it did nothing. A pointer that is NULL or misaligned gives TPG_NULL or
  * TPG_MISALIGNED. No other bad pointer can be noticed: one must point to as much memory as its type, and the length beside
@@ -15,7 +17,7 @@
  *
  * All memory is the caller's; there is no heap and no variable. Nothing behind a pointer to const is ever written. So any
  * number of tasks may share a tpg_arm_t, tpg_sac_t, tpg_network_t, tpg_policy_t, a model and settings. Each task needs its own
- * tpg_hybrid_t, tpg_switch_t, tpg_watchdog_t, tpg_memo_t, episodes and scratch memory: two tasks must not use one of these at
+ * tpg_hybrid_t, tpg_switch_t, tpg_watchdog_t, tpg_memo_t, tpg_recall_t, episodes and scratch memory: two tasks must not use one of these at
  * the same time.
  *
  * Readings that cannot be move nothing: a decision answers TPG_BAD_TARGET, TPG_BAD_SENSOR or TPG_STUCK with a move of zero,
@@ -63,6 +65,18 @@
 
 // Hand or forearm would meet the arm's own base; nothing moved.
 #define TPG_COLLISION_BASE 7
+
+// The most joints of a chain.
+#define TPG_CHAIN_JOINTS 8
+
+// A joint turns about the first direction of its frame.
+#define TPG_AXIS_X 0
+
+// A joint turns about the second direction of its frame.
+#define TPG_AXIS_Y 1
+
+// A joint turns about the third direction of its frame.
+#define TPG_AXIS_Z 2
 
 // All went well.
 #define TPG_OK 0
@@ -308,6 +322,44 @@ typedef struct {
   int8_t ticks[TPG_JOINTS];
 } tpg_move_t;
 
+// A joint of a chain and the link that it turns. Lengths in mm, positions in ticks of 1/4096 turn.
+typedef struct {
+  // The joint in the frame of the link before; the first in that of the world.
+  float origin[3];
+  // The rotation of its frame there at `zero`, row by row: times a vector of its own frame, one of the frame before.
+  float turned[3][3];
+  // A code of TPG_AXIS.
+  uint8_t axis;
+  // Not 0 where rising positions turn against the right hand's fingers whose thumb is the axis.
+  uint8_t reversed;
+  // The position at which the joint adds nothing to `turned`.
+  int16_t zero;
+} tpg_link_t;
+
+// A chain at a pose, in the world, mm. Link i reaches from joint i to the next one, the last to the tip.
+typedef struct {
+  // Joints that it has; 1 to TPG_CHAIN_JOINTS.
+  uint32_t joints;
+  // A point of each joint's axis.
+  float points[TPG_CHAIN_JOINTS][3];
+  // The direction of each axis, of length 1: a rising position turns as the right hand's fingers whose thumb it is.
+  float axes[TPG_CHAIN_JOINTS][3];
+  // The tip.
+  float tip[3];
+} tpg_placed_t;
+
+// The place where a ball is nearest to a chain.
+typedef struct {
+  // Distance between the two surfaces, mm; negative where they overlap.
+  float clearance;
+  // Index of the link.
+  uint32_t link;
+  // The nearest point of the line along the link, mm.
+  float point[3];
+  // How each joint changes the clearance of a ball that stays, mm a radian; 0 beyond the last joint.
+  float gradient[TPG_CHAIN_JOINTS];
+} tpg_near_t;
+
 // An episode under way. Opaque; initialised by tpg_episode_init.
 typedef struct {
   // The library's.
@@ -439,6 +491,19 @@ typedef struct {
   uint64_t opaque[TPG_NETWORK_WORDS];
 } tpg_network_t;
 
+// The memory of an episode, for the sources of a graph that was trained with it: copy each value to the field of its name.
+// Begun by tpg_recall_init; tpg_recall_acted follows every action. Counts stay at 16,777,216.
+typedef struct {
+  // The least distance so far.
+  float least;
+  // The distance beyond the least; 0 where it is no number.
+  float drift;
+  // Actions since the least distance was reached.
+  float since_progress;
+  // Actions since the network decided, or since the start.
+  float since_asked;
+} tpg_recall_t;
+
 // The watch over an arm's motors, for control loops without a hybrid: tpg_watchdog_check before every decision,
 // tpg_watchdog_commanded after it. A tpg_switch_t holds one of its own. Opaque; initialised by tpg_watchdog_init.
 typedef struct {
@@ -482,6 +547,25 @@ int32_t tpg_arm_step(const tpg_arm_t *arm,
                      const tpg_move_t *wanted,
                      tpg_pose_t *after,
                      int32_t *validity);
+
+// Places a chain of `joints` links at a pose, `joints` positions; `tip` is x, y, z in the frame of the last link, mm. Limits are
+// the caller's. TPG_LENGTH for no joint or more than TPG_CHAIN_JOINTS, TPG_ARGUMENT for an unknown axis.
+int32_t tpg_chain_place(const tpg_link_t *links,
+                        size_t joints,
+                        const float *tip,
+                        const int16_t *ticks,
+                        tpg_placed_t *placed);
+
+// How each joint of a placed chain moves the tip: x, y, z in mm a radian for each, into `jacobian` of `length` floats.
+// TPG_LENGTH where they are too few, or for a chain that tpg_chain_place did not place.
+int32_t tpg_chain_jacobian(const tpg_placed_t *placed, float *jacobian, size_t length);
+
+// Where a ball is nearest to a placed chain, whose links are capsules of `radii`, a number of mm for each joint. `ball` is its
+// centre's x, y, z and its radius, mm. TPG_LENGTH for a chain that tpg_chain_place did not place.
+int32_t tpg_chain_near(const tpg_placed_t *placed,
+                       const float *radii,
+                       const float *ball,
+                       tpg_near_t *near);
 
 // Puts an arm at a problem's start. `arm` must stay where it is for as long as the episode is used. TPG_BAD_TARGET for a
 // target out of reach, TPG_BAD_SENSOR for a start outside the joints' ranges.
@@ -638,6 +722,15 @@ int32_t tpg_policy_decide(const tpg_policy_t *policy,
                           const tpg_observation_t *observation,
                           tpg_memo_t *memo,
                           tpg_move_t *wanted);
+
+// Begins an episode at a distance to the goal. INFINITY where it is not known before the first action.
+int32_t tpg_recall_init(tpg_recall_t *recall, float distance);
+
+// Notes an action, and the distance to the goal behind it. `asked` is 0 for the graph's own action, anything else for the
+// network's.
+int32_t tpg_recall_acted(tpg_recall_t *recall,
+                         int32_t asked,
+                         float distance);
 
 // Checks a model of `words` 32-bit words and borrows it: it must stay where it is and as it is, in flash say, for as long
 // as `sac` is used.

@@ -9,10 +9,12 @@
 //! | [`code`] | the codes that functions answer |
 //! | [`memory`] | pointers from C, checked; opaque structures |
 //! | [`arm`] | the arm, forward kinematics, collisions, one step |
+//! | [`chain`] | the geometry of an arm that need not be planar |
 //! | [`observation`] | observations, and a graph's sources |
 //! | [`memo`] | the parts of sources that depend on the target alone |
 //! | [`policy`] | the hook for generated code |
 //! | [`network`] | a network in integers, for any problem |
+//! | [`recall`] | what a graph that asks can know of its past |
 //! | [`sac`] | the arm's network in integers |
 //! | [`hybrid`] | a generated policy and a network that share an arm |
 //! | [`sensors`] | the watch over motors, for control loops without a hybrid |
@@ -22,6 +24,7 @@
 #![allow(non_camel_case_types, reason = "these are C's names")]
 
 pub mod arm;
+pub mod chain;
 pub mod code;
 pub mod episode;
 pub mod hybrid;
@@ -30,6 +33,7 @@ pub mod memory;
 pub mod network;
 pub mod observation;
 pub mod policy;
+pub mod recall;
 pub mod sac;
 pub mod sensors;
 

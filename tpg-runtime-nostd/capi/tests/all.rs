@@ -2,6 +2,10 @@
 
 mod asking;
 mod calls;
+mod chain;
 mod header;
 mod library;
+mod linked;
 mod network;
+mod radial;
+mod text;

@@ -1,14 +1,12 @@
 //! Networks of random shapes: a C program that links the library answers with the same bits as Rust.
 
+use crate::linked;
 use std::fmt::Write as _;
 use std::fs;
-use std::path::Path;
-use std::process::Command;
 use tempfile::TempDir;
 use tpg_codegen::emit::Prefix;
 use tpg_codegen::policy::{FloatLayer, FloatNetwork, FloatOutput, FloatValue, Input, to_c, to_words};
 use tpg_runtime::net::{Kind, Model, OutputKind, Squash};
-use tpg_testing::library::{self, Missing};
 use tpg_testing::numbers::Numbers;
 
 /// A number from −1 to 1.
@@ -63,14 +61,7 @@ fn by_rust(words: &[u32], states: &[Vec<f32>]) -> String {
 
 #[test]
 fn c_answers_with_the_same_bits_as_rust_for_any_shape() {
-    let archive = match library::make(library::host(), &library::dist()) {
-        Ok(archive) => archive,
-        Err(Missing::Tool) => return,
-        Err(Missing::Failed(message)) => panic!("{message}"),
-    };
-    if !tpg_testing::tool("gcc", "gcc", "networks of any shape in C") {
-        return;
-    }
+    let Some(archive) = linked::archive("networks of any shape in C") else { return };
     let mut numbers = Numbers(5);
     let shapes: [&[usize]; 6] =
         [&[1, 1], &[3, 5], &[7, 9, 2], &[4, 8, 8, 6], &[17, 20, 3, 11, 9], &[2, 33, 5, 40, 6, 13]];
@@ -92,18 +83,8 @@ fn c_answers_with_the_same_bits_as_rust_for_any_shape() {
         }
         text.push_str("};\n");
         fs::write(folder.path().join("states.h"), text).expect("the folder can be written");
-        let include = library::dist().join("include");
-        let main = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/c/network.c");
-        let program = folder.path().join("program");
-        let mut gcc = Command::new("gcc");
-        gcc.args(["-std=c99", "-O1", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"]);
-        gcc.arg(format!("-I{}", include.display())).arg(format!("-I{}", folder.path().display()));
-        gcc.arg(main).arg(folder.path().join("network.c")).arg(&archive).arg("-lm").arg("-o").arg(&program);
-        let output = gcc.output().expect("gcc starts");
-        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-        let output = Command::new(&program).output().expect("it starts");
-        assert!(output.status.success(), "{sizes:?}, {kind:?}: {:?}", output.status);
+        let output = linked::output_of("network.c", folder.path(), &["network.c"], &archive);
         let words = to_words(&policy, false).expect("it packs");
-        assert!(String::from_utf8_lossy(&output.stdout) == by_rust(&words, &states), "{sizes:?}, {kind:?}");
+        assert!(output == by_rust(&words, &states), "{sizes:?}, {kind:?}");
     }
 }

@@ -13,7 +13,7 @@ use crate::action::Acts;
 use crate::columns::Columns;
 use crate::plan::{Code, LazyEdge, Plan, PlannedTeam};
 use crate::view::{BLOCK, Block};
-use pulp::{Arch, Simd, WithSimd};
+use fearless_simd::{Level, dispatch};
 use tpg_runtime::ops::{self, Maths};
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
@@ -40,24 +40,7 @@ pub(super) struct Decider<S> {
     actions: Vec<ActionId>,
     /// The outputs of a policy that has some: lane after lane.
     values: Vec<S>,
-    arch: Arch,
-}
-
-struct Decision<'a, S, M> {
-    decider: &'a mut Decider<S>,
-    plan: &'a Plan<S>,
-    columns: &'a mut Columns<S, M>,
-    all: usize,
-}
-
-impl<S: Scalar, M: Maths<S>> WithSimd for Decision<'_, S, M> {
-    type Output = ();
-
-    #[inline(always)]
-    fn with_simd<V: Simd>(self, _: V) {
-        let Self { decider, plan, columns, all } = self;
-        decider.decide_in_vectors(plan, columns, all);
-    }
+    level: Level,
 }
 
 impl<S: Scalar> Decider<S> {
@@ -71,7 +54,7 @@ impl<S: Scalar> Decider<S> {
             open: vec![[0; BLOCK]; blocks],
             actions: vec![ActionId(0); lanes],
             values: Vec::new(),
-            arch: Arch::new(),
+            level: Level::new(),
         }
     }
 
@@ -87,7 +70,7 @@ impl<S: Scalar> Decider<S> {
         columns: &mut Columns<S, M>,
         all: usize,
     ) -> &[ActionId] {
-        self.arch.dispatch(Decision { decider: self, plan, columns, all });
+        dispatch!(self.level, _ => self.decide_in_vectors(plan, columns, all));
         &self.actions[..all]
     }
 

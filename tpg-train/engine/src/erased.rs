@@ -46,10 +46,10 @@ pub type AnyEnvironment<S> = Box<dyn Environment<S, Task = AnyTask, Episode = An
 /// assert_eq!(serde_json::to_string(&task)?, "0.5", "a task looks as the problem's own in a file");
 /// # Ok::<(), serde_json::Error>(())
 /// ```
-pub fn erase<S, E>(environment: E) -> AnyEnvironment<S>
+pub fn erase<'e, S, E>(environment: E) -> Box<dyn Environment<S, Task = AnyTask, Episode = AnyEpisode> + Send + 'e>
 where
     S: Scalar,
-    E: Environment<S> + Send + 'static,
+    E: Environment<S> + Send + 'e,
     E::Task: 'static,
     E::Episode: 'static,
 {

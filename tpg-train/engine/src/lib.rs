@@ -12,6 +12,7 @@
 //! | [`erase`], [`AnyEnvironment`] | environments whose type is only known at run time |
 //! | [`bind`] | binding of a graph to an environment |
 //! | [`Choices`] | any action space as a list of named actions |
+//! | [`Preferring`] | named actions as outputs: the greatest acts |
 //! | [`Remembering`], [`Remembered`] | a memory for policies |
 //! | [`Episodes`], [`OneByOne`], [`View`], [`SourceSet`] | parallel episodes |
 //! | [`Ending`], [`Summary`], [`Preference`] | results |
@@ -42,6 +43,7 @@ mod one_by_one;
 mod options;
 mod plan;
 mod policy;
+mod preferring;
 pub mod random;
 mod remembering;
 mod single;
@@ -64,6 +66,7 @@ pub use one_by_one::OneByOne;
 pub use options::EngineOptions;
 pub use plan::Plan;
 pub use policy::{Destination, Edge, Limits, Line, Operand, PolicyGraph, bounded};
+pub use preferring::{Preferring, preferred};
 pub use remembering::{Remembered, Remembering, WithMemory};
 pub use single::{Single, single};
 pub use source_set::SourceSet;

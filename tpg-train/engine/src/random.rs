@@ -60,6 +60,10 @@ pub enum Purpose {
     Scales = 13,
     /// The tasks on which failures of an actor under training are looked for.
     Retry = 28,
+    /// The actions of an episode that a network decides in a mixture with a graph.
+    Mixture = 29,
+    /// The play of an arm's joints in one episode.
+    Play = 30,
 }
 
 /// A stream of random numbers.

@@ -1,7 +1,7 @@
 //! The Adam optimiser (Kingma and Ba 2015), as PyTorch computes it: β = (0.9, 0.999), ε = 1e-8.
 
 use super::Real;
-use pulp::Arch;
+use super::vectors::vectorised;
 
 const BETA: [f64; 2] = [0.9, 0.999];
 const EPSILON: f64 = 1e-8;
@@ -49,7 +49,7 @@ impl<T: Real> Adam<T> {
         let epsilon = T::of(EPSILON);
         let moments = self.mean.iter_mut().zip(&mut self.square);
         let all = parameters.iter_mut().zip(gradient).zip(moments);
-        Arch::new().dispatch(
+        vectorised(
             #[inline(always)]
             || {
                 for ((parameter, &slope), (mean, square)) in all {

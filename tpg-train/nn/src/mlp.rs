@@ -2,8 +2,8 @@
 
 use super::norm::{denormalise, normalise};
 use super::product::passing;
+use super::vectors::vectorised;
 use super::{Factor, Finish, Real, Scratch, multiply};
-use pulp::Arch;
 use serde::{Deserialize, Serialize};
 
 /// The sizes of a network. A hidden layer is linear, then ReLU and, with `norm`, LayerNorm; the last layer is linear.
@@ -197,7 +197,7 @@ impl<T: Real> Mlp<T> {
     pub(super) fn compute_follow(&mut self, other: &Self, rate: T) {
         assert_eq!(self.shape, other.shape, "networks of different shapes");
         let pairs = self.parameters.iter_mut().zip(&other.parameters);
-        Arch::new().dispatch(
+        vectorised(
             #[inline(always)]
             || pairs.for_each(|(own, &others)| *own += rate * (others - *own)),
         );
@@ -306,7 +306,7 @@ impl<T: Real> Mlp<T> {
 /// Masks the gradient where a ReLU's output was zero.
 fn mask<T: Real>(gradient: &mut [T], passed: &[T]) {
     let pairs = gradient.iter_mut().zip(passed);
-    Arch::new().dispatch(
+    vectorised(
         #[inline(always)]
         || pairs.for_each(|(gradient, &passed)| *gradient = passing(*gradient, passed)),
     );
@@ -314,7 +314,7 @@ fn mask<T: Real>(gradient: &mut [T], passed: &[T]) {
 
 /// Sets `sums` to the sum of all columns, added first to last.
 fn sum_columns<T: Real>(sums: &mut [T], columns: &[T]) {
-    Arch::new().dispatch(
+    vectorised(
         #[inline(always)]
         || {
             sums.fill(T::zero());

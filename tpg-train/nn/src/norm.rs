@@ -2,7 +2,7 @@
 
 use super::Real;
 use super::sum::sum;
-use pulp::Arch;
+use super::vectors::vectorised;
 
 const EPSILON: f64 = 1e-5;
 
@@ -10,7 +10,7 @@ const EPSILON: f64 = 1e-5;
 pub(super) fn normalise<T: Real>(out: &mut [T], moments: &mut [[T; 2]], values: &[T], gain: &[T], shift: &[T]) {
     let (size, count) = (gain.len(), T::of(gain.len() as f64));
     let columns = out.chunks_exact_mut(size).zip(values.chunks_exact(size));
-    Arch::new().dispatch(
+    vectorised(
         #[inline(always)]
         || {
             for ((out, values), moments) in columns.zip(moments) {
@@ -40,7 +40,7 @@ pub(super) fn denormalise<T: Real>(
         by_norm.fill(T::zero());
         let (by_gain, by_shift) = by_norm.split_at_mut(size);
         let columns = gradient.chunks_exact(size).zip(values.chunks_exact(size)).zip(moments);
-        Arch::new().dispatch(
+        vectorised(
             #[inline(always)]
             || {
                 for ((gradient, values), &[mean, inverse]) in columns {
@@ -54,7 +54,7 @@ pub(super) fn denormalise<T: Real>(
         );
     }
     let columns = gradient.chunks_exact_mut(size).zip(values.chunks_exact(size)).zip(moments);
-    Arch::new().dispatch(
+    vectorised(
         #[inline(always)]
         || {
             for ((gradient, values), &[mean, inverse]) in columns {

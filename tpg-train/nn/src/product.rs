@@ -11,7 +11,8 @@ mod zeros;
 
 use super::Real;
 use super::sum::dot;
-use pulp::{Arch, Simd, WithSimd};
+use super::vectors::{Vector, load, many_registers, where_positive};
+use fearless_simd::{Level, Simd, dispatch};
 
 /// A factor of a product: a column-major matrix, used as it is or transposed.
 #[derive(Clone, Copy, Debug)]
@@ -81,13 +82,15 @@ impl<T: Real> Finish<'_, T> {
 
     /// Finishes one vector of rows, from that row and place on.
     #[inline(always)]
-    fn vector<S: Simd>(self, simd: S, row: usize, place: usize, sum: T::Vector<S>) -> T::Vector<S> {
-        let load = |values: &[T], first: usize| T::vectors::<S>(&values[first..][..T::lanes::<S>()])[0];
+    fn vector<S: Simd>(self, simd: S, row: usize, place: usize, sum: Vector<T, S>) -> Vector<T, S> {
         match self {
             Self::Plain => sum,
-            Self::Bias(bias) => T::plus(simd, sum, load(bias, row)),
-            Self::Rectified(bias) => T::rectify(simd, T::plus(simd, sum, load(bias, row))),
-            Self::Where(passed) => T::pass(simd, sum, load(passed, place)),
+            Self::Bias(bias) => sum + load(simd, &bias[row..], 0),
+            Self::Rectified(bias) => {
+                let sum = sum + load(simd, &bias[row..], 0);
+                where_positive::<T, S>(simd, sum, sum)
+            }
+            Self::Where(passed) => where_positive::<T, S>(simd, sum, load(simd, &passed[place..], 0)),
         }
     }
 }
@@ -129,7 +132,7 @@ pub fn multiply<T: Real>(
     finish: Finish<'_, T>,
     scratch: &mut Scratch<T>,
 ) {
-    Arch::new().dispatch(Product { out, a, b, finish, scratch });
+    dispatch!(Level::new(), simd => Product { out, a, b, finish, scratch }.compute(simd));
 }
 
 struct Product<'a, T> {
@@ -140,11 +143,9 @@ struct Product<'a, T> {
     scratch: &'a mut Scratch<T>,
 }
 
-impl<T: Real> WithSimd for Product<'_, T> {
-    type Output = ();
-
+impl<T: Real> Product<'_, T> {
     #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) {
+    fn compute<S: Simd>(self, simd: S) {
         let ((rows, inner), (inner_b, columns)) = (self.a.size(), self.b.size());
         assert_eq!(inner, inner_b, "factors that do not fit");
         assert_eq!(self.out.len(), rows * columns, "a product of another size");
@@ -169,7 +170,7 @@ impl<T: Real> WithSimd for Product<'_, T> {
             // One row in memory is one column: (a·b)ᵀ = bᵀ·aᵀ.
             let pairs = self.b.values.chunks_exact(columns).zip(self.a.values.iter().copied());
             columns::by_columns(simd, self.out, pairs, self.finish);
-        } else if S::REGISTER_COUNT >= 32 {
+        } else if many_registers::<S>() {
             self.by_tiles_of_samples::<S, 1, 16>(simd);
         } else {
             self.by_tiles_of_samples::<S, 2, 4>(simd);
@@ -207,9 +208,46 @@ mod tests {
         if flip { Factor::new(values, columns, rows).transposed() } else { Factor::new(values, rows, columns) }
     }
 
-    /// Computes products of every shape, orientation and finish; returns factors and results of `arch`.
-    fn products<S: Simd>(simd: S) -> Vec<f32> {
-        let mut all = Vec::new();
+    /// Lists the widths of vectors that this processor has.
+    fn levels() -> Vec<Level> {
+        let widest = Level::new();
+        #[cfg(target_arch = "x86_64")]
+        let narrower = [
+            widest.as_sse2().map(Level::Sse2),
+            widest.as_sse4_2().map(Level::Sse4_2),
+            widest.as_avx2().map(Level::Avx2),
+        ];
+        #[cfg(not(target_arch = "x86_64"))]
+        let narrower = [None];
+        narrower.into_iter().flatten().chain([widest]).collect()
+    }
+
+    fn bits(values: &[f32]) -> Vec<u32> {
+        values.iter().map(|value| value.to_bits()).collect()
+    }
+
+    /// Computes a product number by number, in the documented order.
+    fn plainly(a: Factor<'_, f32>, b: Factor<'_, f32>, finish: Finish<'_, f32>) -> Vec<f32> {
+        let at = |factor: Factor<'_, f32>, row: usize, column: usize| {
+            let (row, column) = if factor.transposed { (column, row) } else { (row, column) };
+            factor.values[column * factor.rows + row]
+        };
+        let ((rows, inner), (_, columns)) = (a.size(), b.size());
+        let whole = rows == 1 && !b.transposed;
+        let product = |place: usize| {
+            let (row, column) = (place % rows, place / rows);
+            let sum = if whole {
+                dot(a.values, &b.values[column * inner..][..inner])
+            } else {
+                (0..inner).fold(0.0, |sum, k| sum + at(a, row, k) * at(b, k, column))
+            };
+            finish.scalar(row, place, sum)
+        };
+        (0..rows * columns).map(product).collect()
+    }
+
+    #[test]
+    fn every_width_of_vectors_gives_the_bits_of_single_numbers() {
         let mut scratch = Scratch::default();
         for (rows, inner, columns) in SHAPES {
             let (a, b, bias) = (normals(rows * inner, 1), normals(inner * columns, 2), normals(rows, 3));
@@ -217,59 +255,40 @@ mod tests {
             for (flip_a, flip_b) in FLIPS {
                 let (a, b) = (factor(&a, flip_a, (rows, inner)), factor(&b, flip_b, (inner, columns)));
                 for finish in [Finish::Plain, Finish::Bias(&bias), Finish::Rectified(&bias), Finish::Where(&passed)] {
-                    let mut out = vec![f32::NAN; rows * columns];
-                    Product { out: &mut out, a, b, finish, scratch: &mut scratch }.with_simd(simd);
-                    all.extend(out);
+                    let expected = bits(&plainly(a, b, finish));
+                    for level in levels() {
+                        let mut out = vec![f32::NAN; rows * columns];
+                        let product = Product { out: &mut out, a, b, finish, scratch: &mut scratch };
+                        dispatch!(level, simd => product.compute(simd));
+                        assert!(bits(&out) == expected, "{rows} {inner} {columns} {finish:?} {level:?}");
+                    }
                 }
             }
         }
-        all
     }
 
     #[test]
-    fn every_width_of_vectors_gives_the_same_bits() {
-        let bits = |values: Vec<f32>| -> Vec<u32> { values.into_iter().map(f32::to_bits).collect() };
-        let scalar = bits(products(pulp::Scalar));
-        assert!(scalar == bits(products(pulp::Scalar128b)) && scalar == bits(products(pulp::Scalar512b)));
-        #[cfg(target_arch = "x86_64")]
-        {
-            let v3 = pulp::x86::V3::try_new().map(|v3| bits(products(v3)));
-            let v4 = pulp::x86::V4::try_new().map(|v4| bits(products(v4)));
-            assert!(v3.is_none_or(|v3| v3 == scalar), "AVX2");
-            assert!(v4.is_none_or(|v4| v4 == scalar), "AVX-512");
-        }
-    }
-
-    /// Computes a product whose right factor has columns of zeros: first and last, in between, most, all, none.
-    fn sparse_products<S: Simd>(simd: S, sparse: bool) -> Vec<u32> {
+    fn columns_of_zeros_are_left_out_without_changing_a_bit() {
         let (rows, inner, columns) = (37, 20, 70);
-        let (a, passed) = (normals(rows * inner, 1), normals(rows * columns, 4));
+        let (a, bias, passed) = (normals(rows * inner, 1), normals(rows, 3), normals(rows * columns, 4));
+        let a = Factor::new(&a, rows, inner);
+        // First and last columns, some in between, most, all, none.
         let kept: [fn(usize) -> bool; 5] = [|c| (9..60).contains(&c), |c| c % 3 == 1, |c| c == 41, |_| false, |_| true];
         let mut scratch = Scratch::default();
-        let mut all = Vec::new();
         for kept in kept {
             let mut b = normals(inner * columns, 2);
             let zeros = b.chunks_exact_mut(inner).enumerate().filter(|&(column, _)| !kept(column));
             zeros.for_each(|(_, column)| column.fill(0.0));
             let b = Factor::new(&b, inner, columns);
-            for finish in [Finish::Plain, Finish::Bias(&normals(rows, 3)), Finish::Where(&passed)] {
-                let mut out = vec![f32::NAN; rows * columns];
-                let (a, b) = (Factor::new(&a, rows, inner), if sparse { b.sparse() } else { b });
-                Product { out: &mut out, a, b, finish, scratch: &mut scratch }.with_simd(simd);
-                all.extend(out.into_iter().map(f32::to_bits));
+            for finish in [Finish::Plain, Finish::Bias(&bias), Finish::Where(&passed)] {
+                let expected = bits(&plainly(a, b, finish));
+                for (level, b) in levels().into_iter().flat_map(|level| [(level, b), (level, b.sparse())]) {
+                    let mut out = vec![f32::NAN; rows * columns];
+                    let product = Product { out: &mut out, a, b, finish, scratch: &mut scratch };
+                    dispatch!(level, simd => product.compute(simd));
+                    assert!(bits(&out) == expected, "{finish:?} {level:?}");
+                }
             }
-        }
-        all
-    }
-
-    #[test]
-    fn columns_of_zeros_are_left_out_without_changing_a_bit() {
-        let dense = sparse_products(pulp::Scalar, false);
-        assert!(dense == sparse_products(pulp::Scalar, true) && dense == sparse_products(pulp::Scalar512b, true));
-        #[cfg(target_arch = "x86_64")]
-        {
-            assert!(pulp::x86::V3::try_new().is_none_or(|v3| dense == sparse_products(v3, true)), "AVX2");
-            assert!(pulp::x86::V4::try_new().is_none_or(|v4| dense == sparse_products(v4, true)), "AVX-512");
         }
     }
 
@@ -279,16 +298,14 @@ mod tests {
         let (a, bias, mut b) = (normals(rows * inner, 1), normals(rows, 3), normals(inner, 2));
         for zeros in [0, 17, inner] {
             b.iter_mut().step_by(2).take(zeros).for_each(|value| *value = 0.0);
-            let (a, b) = (Factor::new(&a, rows, inner), Factor::new(&b, inner, 1));
-            let product = |b, simd: fn(Product<'_, f32>)| {
+            let (a, b, finish) = (Factor::new(&a, rows, inner), Factor::new(&b, inner, 1), Finish::Rectified(&bias));
+            let expected = bits(&plainly(a, b, finish));
+            for (level, b) in levels().into_iter().flat_map(|level| [(level, b), (level, b.sparse())]) {
                 let mut out = vec![f32::NAN; rows];
-                let scratch = &mut Scratch::default();
-                simd(Product { out: &mut out, a, b, finish: Finish::Rectified(&bias), scratch });
-                out.into_iter().map(f32::to_bits).collect::<Vec<_>>()
-            };
-            let dense = product(b, |product| product.with_simd(pulp::Scalar));
-            assert!(dense == product(b.sparse(), |product| product.with_simd(pulp::Scalar)), "{zeros} zeros, plain");
-            assert!(dense == product(b.sparse(), |product| Arch::new().dispatch(product)), "{zeros} zeros, vectors");
+                let product = Product { out: &mut out, a, b, finish, scratch: &mut Scratch::default() };
+                dispatch!(level, simd => product.compute(simd));
+                assert!(bits(&out) == expected, "{zeros} zeros, {level:?}");
+            }
         }
     }
 

@@ -9,7 +9,6 @@ use tpg_graph::settings;
 
 /// A problem as a policy with outputs sees it: the arm by its four motors, every other problem as it is.
 #[derive(Clone, Debug, PartialEq)]
-#[expect(clippy::large_enum_variant, reason = "a run has one of them")]
 pub enum ContinuousProblem {
     /// The arm by its motors.
     Motors(Start, motors::Config),

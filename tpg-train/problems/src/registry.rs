@@ -367,6 +367,7 @@ mod tests {
                 4,
                 "problem.disturbance.noise.omega",
             ),
+            ("[problem]\nname = \"rs\"\nbacklash = 201\n", 3, "problem.backlash = 201"),
             ("[problem]\nname = \"dodge\"\nballs = [2, 4]\n", 3, "problem.balls = [2, 4]"),
             ("[problem]\nname = \"dodge\"\n\nspeed = [2.0, 0.3]\n", 4, "problem.speed = [2.0, 0.3]"),
             ("[problem]\nname = \"dodge\"\neffort = 10\n", 3, "problem.effort = 10"),

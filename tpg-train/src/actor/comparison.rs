@@ -7,10 +7,9 @@ use serde::Serialize;
 use std::cell::Cell;
 use std::fmt;
 use tpg_arm::observation::Observation;
-use tpg_arm::{JOINTS, Move, WIDOWX};
+use tpg_arm::{JOINTS, Move};
 use tpg_codegen::policy::QuantisedPolicy;
 use tpg_graph::error::InputError;
-use tpg_problems::arm::motors::ARM;
 use tpg_problems::arm::targets::{Set, Start, tasks};
 use tpg_problems::arm::trial::{self, Trial};
 use tpg_runtime::policy::Policy;
@@ -74,18 +73,20 @@ impl Comparison {
     /// # Errors
     /// As [`FixedActor::new`].
     pub fn new(actor: &FloatActor, policy: &QuantisedPolicy) -> Result<Self, InputError> {
-        let (float, fixed) = (actor.policy(), FixedActor::new(policy.clone())?);
+        let (float, fixed) = (actor.policy(), FixedActor::new(policy.clone(), &actor.motors.arm())?);
+        let (arm, single) = (actor.motors.arm(), actor.motors.arm().to_f32());
         let starts = [Start::Fs, Start::Rs].map(|start| {
-            let tasks = tasks(&WIDOWX, SEED, Set::Validation, start, EPISODES);
+            let rules = actor.motors.tests(start);
+            let tasks = tasks(&arm, SEED, Set::Validation, start, EPISODES);
             let watched = Watched { float: &float, fixed: &fixed, counts: Cell::default() };
-            let by_float = trial::run(&ARM, &watched, start, &tasks);
+            let by_float = trial::run(&single, &watched, rules.clone(), &tasks);
             let [observations, moves, motors] = watched.counts.get();
             OnStart {
                 observations,
                 same_move: moves as f64 / observations as f64,
                 same_motor: motors as f64 / (observations * JOINTS as u64) as f64,
                 float: by_float,
-                fixed: trial::run(&ARM, &fixed, start, &tasks),
+                fixed: trial::run(&single, &fixed, rules, &tasks),
             }
         });
         Ok(Self {

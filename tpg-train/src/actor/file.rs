@@ -6,16 +6,17 @@ use super::version1;
 use crate::files::read_text;
 use crate::sac::config::Actor as ActorConfig;
 use crate::sac::contract::Contract;
-use crate::sac::tensors::{Tensors, place};
+use crate::sac::tensors::{Tensors, place as refused};
 use crate::sac::weights::{LIMIT, from_tensors};
 use std::path::Path;
-use tpg_arm::Move;
 use tpg_arm::observation::Observation;
+use tpg_arm::{Arm, Move, WIDOWX};
 use tpg_codegen::policy::QuantisedPolicy;
-use tpg_graph::error::{Finding, InputError};
+use tpg_graph::error::{Finding, InputError, Place};
 use tpg_nn::Mlp;
 use tpg_problems::ContinuousProblem;
-use tpg_problems::arm::motors::{ARM, Config, MOTORS};
+use tpg_problems::arm::ArmProblem;
+use tpg_problems::arm::motors::{Config, MOTORS};
 use tpg_problems::arm::targets::{Start, Task};
 use tpg_problems::arm::trial::{self, Trial};
 use tpg_runtime::policy::Policy;
@@ -44,7 +45,7 @@ impl FloatActor {
             let (network, contract) = from_tensors(version1::upgraded(tensors)?)?;
             Self::of_contract(network, &contract)
         };
-        read(Tensors::read(path, LIMIT)?).map_err(|finding| place(path, finding))
+        read(Tensors::read(path, LIMIT)?).map_err(|finding| refused(path, finding))
     }
 
     /// The actor of a network and its contract.
@@ -93,18 +94,29 @@ pub enum Actor {
 }
 
 impl Actor {
-    /// Reads either file: JSON is the one in integers.
+    /// Reads either file: JSON is the one in integers, which names no arm. With `arm` the actor must be for that one; without,
+    /// one in integers is taken for the WidowX's.
     ///
     /// # Errors
-    /// If it is neither.
-    pub fn read(path: &Path) -> Result<Self, InputError> {
+    /// If it is neither, or for another arm.
+    pub fn read(path: &Path, arm: Option<&Arm<f64>>) -> Result<Self, InputError> {
         if path.extension().is_some_and(|extension| extension == "json") {
             let file = path.display().to_string();
             let policy = QuantisedPolicy::from_json(&file, &read_text(path, "a policy.q.json")?)?;
             let bytes = policy.bytes();
-            return Ok(Self::Fixed(Box::new(FixedActor::new(policy)?), bytes));
+            return Ok(Self::Fixed(Box::new(FixedActor::new(policy, arm.unwrap_or(&WIDOWX))?), bytes));
         }
-        Ok(Self::Float(Box::new(FloatActor::read(path)?)))
+        let float = FloatActor::read(path)?;
+        if arm.is_some_and(|arm| float.motors.arm() != *arm) {
+            let accepted = "one for the arm of the configuration, or of the graph";
+            return Err(InputError::new(
+                path.display().to_string(),
+                Place::Whole,
+                "a network for another arm",
+                accepted,
+            ));
+        }
+        Ok(Self::Float(Box::new(float)))
     }
 
     /// Bytes of the constants that decide: four a parameter in floating point, the spreads left out.
@@ -119,11 +131,27 @@ impl Actor {
         }
     }
 
-    /// One episode of each task, decided as the actor does outside of training.
-    pub fn trial(&self, start: Start, tasks: &[Task]) -> Trial {
+    /// Returns the arm that it drives.
+    pub fn arm(&self) -> Arm<f64> {
         match self {
-            Self::Float(float) => float.policy().trial(start, tasks),
-            Self::Fixed(actor, _) => trial::run(&ARM, actor.as_ref(), start, tasks),
+            Self::Float(float) => float.motors.arm(),
+            Self::Fixed(actor, _) => *actor.arm(),
+        }
+    }
+
+    /// Returns the rules of its tests that begin at that start.
+    pub fn tests(&self, start: Start) -> ArmProblem {
+        match self {
+            Self::Float(float) => float.motors.tests(start),
+            Self::Fixed(..) => start.into(),
+        }
+    }
+
+    /// One episode of each task, decided as the actor does outside of training.
+    pub fn trial(&self, problem: impl Into<ArmProblem>, tasks: &[Task]) -> Trial {
+        match self {
+            Self::Float(float) => float.policy().trial(problem, tasks),
+            Self::Fixed(actor, _) => trial::run(&actor.arm().to_f32(), actor.as_ref(), problem, tasks),
         }
     }
 

@@ -8,11 +8,11 @@ use tpg_arm::frame::Frame;
 use tpg_arm::observation::Observation;
 use tpg_arm::sac::fixed::{FixedDecision, quantise as quantise_features};
 use tpg_arm::sac::{Actions, FEATURE_NAMES, Mask, features};
-use tpg_arm::{JOINTS, Move, WIDOWX};
+use tpg_arm::{Arm, JOINTS, Move};
 use tpg_codegen::policy::{Input, Output, Preferences, QuantisedPolicy, quantise};
 use tpg_graph::error::{InputError, Place};
 use tpg_nn::Tape;
-use tpg_problems::arm::motors::{ARM, Inputs};
+use tpg_problems::arm::motors::Inputs;
 use tpg_problems::arm::targets::{Set, Start, tasks};
 use tpg_runtime::net::Kind;
 use tpg_runtime::policy::Policy;
@@ -50,15 +50,16 @@ pub fn quantise_actor(
 
 /// The greatest activation behind each hidden layer, over the calibration episodes.
 fn greatest_activations(float: &FloatActor, seed: u64) -> Vec<f32> {
-    let policy = float.policy();
+    let (policy, arm) = (float.policy(), float.motors.arm());
+    let single = arm.to_f32();
     let mut tape = Tape::new(float.network.shape(), 1);
     let mut greatest = vec![0.0f32; float.actor.hidden.len()];
     for start in [Start::Fs, Start::Rs] {
-        for task in tasks(&WIDOWX, seed, Set::Training, start, EPISODES) {
-            let mut episode = Episode::new(&ARM, task.problem(start), Brent::new());
+        for task in tasks(&arm, seed, Set::Training, start, EPISODES) {
+            let mut episode = Episode::new(&single, float.motors.tests(start).reach(&task), Brent::new());
             loop {
                 let seen = *episode.observation();
-                float.motors.inputs.observe(&Frame::of(&ARM, &seen), tape.input_mut());
+                float.motors.inputs.observe(&Frame::of(&single, &seen), tape.input_mut());
                 float.network.forward(&mut tape);
                 for (layer, greatest) in greatest.iter_mut().enumerate() {
                     *greatest = tape.activations(layer).iter().copied().fold(*greatest, f32::max);
@@ -77,14 +78,17 @@ fn greatest_activations(float: &FloatActor, seed: u64) -> Vec<f32> {
 pub struct FixedActor {
     policy: QuantisedPolicy,
     decision: FixedDecision,
+    description: Arm<f64>,
+    /// In the precision that it runs in.
+    arm: Arm<f32>,
 }
 
 impl FixedActor {
-    /// The actor of a checked policy.
+    /// The actor of a checked policy, on an arm.
     ///
     /// # Errors
     /// If it is not a network of the arm's features with a preference for each joint.
-    pub fn new(policy: QuantisedPolicy) -> Result<Self, InputError> {
+    pub fn new(policy: QuantisedPolicy, arm: &Arm<f64>) -> Result<Self, InputError> {
         let refuse =
             |found: String, accepted: &str| Err(InputError::new("policy.q.json", Place::Whole, found, accepted));
         let names: Vec<&str> = policy.inputs.iter().map(|input| input.name.as_str()).collect();
@@ -101,7 +105,12 @@ impl FixedActor {
             return refuse(format!("{outputs} outputs, {preferences:?}"), &accepted);
         };
         let decision = FixedDecision::new(actions, mask, preferences.may_rest);
-        Ok(Self { policy, decision })
+        Ok(Self { policy, decision, description: *arm, arm: arm.to_f32() })
+    }
+
+    /// Returns the arm that it drives.
+    pub fn arm(&self) -> &Arm<f64> {
+        &self.description
     }
 }
 
@@ -110,9 +119,9 @@ impl Policy for FixedActor {
     type Action = Move;
 
     fn decide(&self, seen: &Observation<f32>) -> Move {
-        let features = quantise_features(&features(&Frame::of(&ARM, seen)));
+        let features = quantise_features(&features(&Frame::of(&self.arm, seen)));
         let outputs = self.policy.outputs(&features);
         let preferences = std::array::from_fn(|joint| outputs.get(joint).copied().unwrap_or(0));
-        self.decision.decide(preferences, seen.pose, &ARM.ranges)
+        self.decision.decide(preferences, seen.pose, &self.arm.ranges)
     }
 }

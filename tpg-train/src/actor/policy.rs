@@ -5,11 +5,12 @@ use std::cell::RefCell;
 use tpg_arm::episode::Summary;
 use tpg_arm::frame::Frame;
 use tpg_arm::observation::Observation;
-use tpg_arm::{JOINTS, Move, Pose};
+use tpg_arm::{Arm, JOINTS, Move, Pose};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_nn::{Gaussian, Mlp, Samples, Tape};
-use tpg_problems::arm::motors::{ARM, Config, Discretiser, Inputs};
-use tpg_problems::arm::targets::{Start, Task};
+use tpg_problems::arm::ArmProblem;
+use tpg_problems::arm::motors::{Config, Discretiser, Inputs};
+use tpg_problems::arm::targets::Task;
 use tpg_problems::arm::trial::{self, Trial};
 use tpg_runtime::policy::Policy;
 
@@ -17,6 +18,7 @@ use tpg_runtime::policy::Policy;
 #[derive(Debug)]
 pub struct ActorPolicy<'a> {
     network: &'a Mlp<f32>,
+    arm: Arm<f32>,
     inputs: Inputs,
     discretiser: Discretiser,
     gaussian: Gaussian,
@@ -35,41 +37,51 @@ impl<'a> ActorPolicy<'a> {
         let tape = RefCell::new(Tape::new(network.shape(), 1));
         let gaussian = Gaussian { actions: JOINTS, spread: actor.spread };
         let discretiser = Discretiser::new(motors);
-        Self { network, inputs: motors.inputs, discretiser, gaussian, decides: actor.decides, tape }
+        Self {
+            network,
+            arm: motors.arm().to_f32(),
+            inputs: motors.inputs,
+            discretiser,
+            gaussian,
+            decides: actor.decides,
+            tape,
+        }
     }
 
     /// One episode of each task, decided as the actor does outside of training.
     ///
     /// # Panics
     /// If it draws its actions and its network answers no spread.
-    pub fn trial(&self, start: Start, tasks: &[Task]) -> Trial {
-        let episode = |(place, task)| self.watch(start, place, task, |_pose| ());
-        trial::summarise(start, &tasks.iter().enumerate().map(episode).collect::<Vec<_>>())
+    pub fn trial(&self, problem: impl Into<ArmProblem>, tasks: &[Task]) -> Trial {
+        let problem = problem.into();
+        let episode = |(place, task)| self.watch(&problem, place, task, |_pose| ());
+        let summaries: Vec<_> = tasks.iter().enumerate().map(episode).collect();
+        trial::summarise(problem, &summaries)
     }
 
     /// The episode at that place of a list; `each` sees the pose after every action.
     ///
     /// # Panics
     /// As [`trial`](Self::trial).
-    pub fn watch(&self, start: Start, place: usize, task: &Task, each: impl FnMut(Pose)) -> Summary<f32> {
+    pub fn watch(&self, problem: &ArmProblem, place: usize, task: &Task, each: impl FnMut(Pose)) -> Summary<f32> {
         match self.decides {
-            Decides::ByMean => trial::watch(&ARM, self, start, task, each),
+            Decides::ByMean => trial::watch(&self.arm, self, problem, task, each),
             Decides::ByDraw => {
                 let mut random = Stream::new(0, place as u64, Purpose::Draws, 0);
-                trial::watch_drawn(&ARM, |seen| self.draw(seen, &mut random), start, task, each)
+                trial::watch_drawn(&self.arm, |seen| self.draw(seen, &mut random), problem, task, each)
             }
         }
     }
 
     fn draw(&self, seen: &Observation<f32>, random: &mut Stream) -> Move {
         let mut tape = self.tape.borrow_mut();
-        self.inputs.observe(&Frame::of(&ARM, seen), tape.input_mut());
+        self.inputs.observe(&Frame::of(&self.arm, seen), tape.input_mut());
         self.network.forward(&mut tape);
         let (mut noise, mut samples) = ([0.0; JOINTS], Samples::default());
         random.normals(&mut noise);
         self.gaussian.sample(tape.output(), &noise, &mut samples);
         let preferences = std::array::from_fn(|joint| libm::atanhf(samples.actions[joint]));
-        self.discretiser.decide(preferences, seen.pose)
+        self.discretiser.decide(preferences, seen.pose, &self.arm.ranges)
     }
 
     /// The means before the tanh.
@@ -86,7 +98,7 @@ impl Policy for ActorPolicy<'_> {
     type Action = Move;
 
     fn decide(&self, seen: &Observation<f32>) -> Move {
-        self.discretiser.decide(self.preferences(&Frame::of(&ARM, seen)), seen.pose)
+        self.discretiser.decide(self.preferences(&Frame::of(&self.arm, seen)), seen.pose, &self.arm.ranges)
     }
 }
 
@@ -97,7 +109,7 @@ mod tests {
     use tpg_arm::WIDOWX;
     use tpg_arm::sac::{Actions, Mask};
     use tpg_nn::Shape;
-    use tpg_problems::arm::targets::{Set, tasks};
+    use tpg_problems::arm::targets::{Set, Start, tasks};
 
     #[test]
     fn a_policy_that_draws_is_not_stopped_by_rest_and_draws_the_same_again() {
@@ -119,7 +131,10 @@ mod tests {
         assert_eq!((drawn.failures.stop, drawn.failures.cycle), (0, 0));
         actor.decides = Decides::ByMean;
         let by_mean = trial(&actor);
-        assert_eq!(by_mean, trial::run(&ARM, &ActorPolicy::new(&network, &motors, &actor), Start::Fs, &tasks));
+        assert_eq!(
+            by_mean,
+            trial::run(&WIDOWX.to_f32(), &ActorPolicy::new(&network, &motors, &actor), Start::Fs, &tasks)
+        );
         assert!(by_mean.failures.stop > 0, "a network that has not learned rests somewhere: {by_mean:?}");
         assert!(drawn.mean_actions > by_mean.mean_actions);
     }

@@ -38,9 +38,13 @@ pub(super) fn describe(arm: &Planar, radii: Radii) -> ArmDescription {
     }
 }
 
+/// Lists the joints that are held.
+pub(super) fn held(fix: &[(String, f64)]) -> String {
+    fix.iter().map(|(joint, angle)| format!(", {} held at {angle} rad", one_line(joint))).collect()
+}
+
 /// Returns the section as text.
-pub(super) fn text(file: &str, tip: &str, fix: &[(String, f64)], arm: &Planar, description: &ArmDescription) -> String {
-    let held: String = fix.iter().map(|(joint, angle)| format!(", {} held at {angle} rad", one_line(joint))).collect();
+pub(super) fn text(file: &str, tip: &str, held: &str, arm: &Planar, description: &ArmDescription) -> String {
     // Adding 0 takes the sign of what is rounded to −0.
     let tenths = |value: f64| (10.0 * value).round() / 10.0 + 0.0;
     let ahead = tenths(libm::atan2(arm.front[1], arm.front[0]).to_degrees());
@@ -82,7 +86,7 @@ fn angle_of(Position { name, sign, zero, .. }: &Position) -> String {
 }
 
 /// Returns a name of the URDF as a comment can hold it: a line's end or another control character would leave the comment.
-fn one_line(name: &str) -> String {
+pub(super) fn one_line(name: &str) -> String {
     let shown = |character: char| {
         if character.is_control() { character.escape_default().collect() } else { character.to_string() }
     };

@@ -1,6 +1,8 @@
 use super::*;
+use tpg_arm::chain::Kinematics as _;
 use tpg_arm::kinematics::{distance, hand_from_radians};
 use tpg_problems::Problem;
+use tpg_problems::arm::chain::ChainDescription;
 
 const RADII: Radii = Radii { link: 20.0, base: 60.0 };
 
@@ -41,6 +43,12 @@ fn refusal(text: &str, tip: &str, fix: &[(String, f64)]) -> String {
     import("five.urdf", text, tip, fix, RADII).expect_err("it is wrong").to_string()
 }
 
+fn planar_section(text: &str) -> String {
+    let Imported { text, not_planar } = import("five.urdf", text, "tip", &held(), RADII).expect("an arm");
+    assert_eq!(not_planar, None);
+    text
+}
+
 #[test]
 fn lengths_zeros_and_ranges_are_those_of_the_urdf() {
     let chain = urdf::chain("five.urdf", ARM, "tip", &held()).expect("a chain");
@@ -63,7 +71,7 @@ fn tips_are_where_the_urdf_puts_them() {
         let held = held().into_iter().chain(names.into_iter().zip(angles)).collect::<Vec<_>>();
         urdf::chain("five.urdf", ARM, "tip", &held).expect("a chain").tip
     };
-    let section = import("five.urdf", ARM, "tip", &held(), RADII).expect("a planar arm");
+    let section = planar_section(ARM);
     let own = Problem::from_toml("own.toml", &format!("[problem]\nname = \"fs\"\n{section}")).expect("an arm");
     let Problem::Arm(_, config) = own else { panic!("an arm's problem") };
     let arm = config.arm();
@@ -92,7 +100,7 @@ fn an_arm_that_stretches_ahead_at_0_has_no_bracket() {
 }
 
 #[test]
-fn what_is_no_planar_arm_is_refused_with_file_and_joint() {
+fn what_is_no_arm_is_refused_with_file_and_joint() {
     let lift = "<axis xyz=\"0 1 0\"/><limit lower=\"-1.2\" upper=\"1.6\" effort=\"1\" velocity=\"1\"/>";
     for (from, to, expected) in [
         (lift, "<axis xyz=\"0 1 0\"/>", "five.urdf: joint lift: no limits; accepted: a revolute joint with limits"),
@@ -102,11 +110,6 @@ fn what_is_no_planar_arm_is_refused_with_file_and_joint() {
             "five.urdf: joint lift: limits of -7 to 7 rad, which",
         ),
         ("lower=\"-1.2\" upper=\"1.6\"", "lower=\"2\" upper=\"1\"", "five.urdf: joint lift: limits of 2 to 1 rad"),
-        (
-            "lower=\"-1.2\" upper=\"1.6\"",
-            "lower=\"0\" upper=\"4\"",
-            "five.urdf: joint lift: limits that are positions 2048 to 4655",
-        ),
         (
             "name=\"lift\" type=\"revolute\"",
             "name=\"lift\" type=\"continuous\"",
@@ -118,14 +121,7 @@ fn what_is_no_planar_arm_is_refused_with_file_and_joint() {
             "five.urdf: joint lift: a joint that does not",
         ),
         (lift, "<axis xyz=\"0 1 0\"/><mimic joint=\"pan\"/>", "five.urdf: joint lift: it mimics the joint \"pan\""),
-        (
-            lift,
-            &lift.replace("0 1 0", "1 0 0"),
-            "five.urdf: joint bend: an axis that is not level, or not parallel to that of lift",
-        ),
         (lift, &lift.replace("0 1 0", "0 0 0"), "five.urdf: joint lift: an axis without a direction"),
-        ("<axis xyz=\"0 0 1\"/>", "<axis xyz=\"0 1 1\"/>", "five.urdf: joint pan: an axis that leans by 45.00 degrees"),
-        ("0.05 -0.003 -0.01", "0.05 0.003 -0.01", "five.urdf: a tip that is 6.000 mm beside the arm's plane"),
         ("<parent link=\"root\"/>", "<parent link=\"tip\"/>", "five.urdf: joint"),
         ("0.05 -0.003", "${width} -0.003", "five.urdf: line 20: a xacro that is not expanded"),
         ("</robot>", "", "five.urdf: "),
@@ -144,18 +140,52 @@ fn what_is_no_planar_arm_is_refused_with_file_and_joint() {
         refusal(ARM, "tip", &twist)
             .starts_with("five.urdf: no joint \"twist\" between the root and \"tip\", to be held")
     );
+    assert!(refusal(ARM, "tip", &[]).starts_with("five.urdf: joint roll: a continuous joint"));
+}
+
+/// The section is read back, and puts the tip where the URDF's own frames do, at every pose of a grid.
+fn chain_is_the_urdfs<const N: usize>(text: &str, fix: &[(String, f64)], reason: &str) {
+    let Imported { text: section, not_planar } = import("five.urdf", text, "tip", fix, RADII).expect("an arm");
+    assert!(not_planar.is_some_and(|found| found.starts_with(reason)), "{reason}");
+    assert!(section.contains(&format!("# Not a planar arm: {reason}")), "{section}");
+    let described = ChainDescription::from_toml("own.toml", &section).unwrap_or_else(|error| panic!("{error}"));
+    let chain = described.chain::<N>().expect("so many joints");
+    for index in 0..4usize.pow(N as u32) {
+        let ticks: [i16; N] = std::array::from_fn(|joint| (index >> (2 * joint)) as i16 % 4 * 400 - 500);
+        let pose = std::array::from_fn(|joint| chain.links[joint].zero + ticks[joint]);
+        let angles = ticks.map(|ticks| f64::from(ticks) * std::f64::consts::TAU / 4096.0);
+        let turned = described.links.iter().map(|link| link.name.clone()).zip(angles);
+        let held: Vec<_> = fix.iter().cloned().chain(turned).collect();
+        let tip = urdf::chain("five.urdf", text, "tip", &held).expect("a chain").tip;
+        let off = distance(chain.place(pose).tip, [tip.x, tip.y, tip.z]);
+        assert!(off < 5e-3, "{reason}, {angles:?}: {off} mm");
+    }
+}
+
+#[test]
+fn what_is_no_planar_arm_becomes_a_chain() {
+    let lift = "<axis xyz=\"0 1 0\"/><limit lower=\"-1.2\" upper=\"1.6\" effort=\"1\" velocity=\"1\"/>";
+    for (from, to, reason) in [
+        (
+            lift,
+            lift.replace("0 1 0", "1 0 0"),
+            "joint bend: an axis that is not level, or not parallel to that of lift",
+        ),
+        (lift, lift.replace("0 1 0", "1 2 -3"), "joint lift: an axis that is not level"),
+        (lift, lift.replace("-1.2", "0").replace("1.6", "4"), "joint lift: limits that are positions 2048 to 4655"),
+        ("<axis xyz=\"0 0 1\"/>", "<axis xyz=\"0 1 1\"/>".to_owned(), "joint pan: an axis that leans by 45.00 degrees"),
+        ("0.05 -0.003 -0.01", "0.05 0.003 -0.01".to_owned(), "a tip that is 6.000 mm beside the arm's plane"),
+    ] {
+        chain_is_the_urdfs::<4>(&ARM.replacen(from, &to, 1), &held(), reason);
+    }
     let limited =
         ARM.replace("\"continuous\"", "\"revolute\"").replace("<axis xyz=\"1 0 0\"/>", &lift.replace("0 1 0", "1 0 0"));
-    assert!(
-        refusal(&limited, "tip", &[])
-            .starts_with("five.urdf: 5 joints that turn: pan, lift, bend, tilt, roll; accepted: four")
-    );
-    assert!(refusal(ARM, "tip", &[]).starts_with("five.urdf: joint roll: a continuous joint"));
+    chain_is_the_urdfs::<5>(&limited, &[], "5 joints that turn: pan, lift, bend, tilt, roll");
 }
 
 #[test]
 fn the_comments_say_how_to_come_back_to_the_urdf() {
-    let section = import("five.urdf", ARM, "tip", &held(), RADII).expect("a planar arm");
+    let section = planar_section(ARM);
     for line in [
         "# From \"five.urdf\", tip tip, roll held at 0 rad.",
         "# The origin is on the axis of pan, at x = 20.0, y = 10.0 mm of the URDF; ahead is 0.0 degrees from its x. Positions are",
@@ -172,7 +202,7 @@ fn the_comments_say_how_to_come_back_to_the_urdf() {
 #[test]
 fn names_stay_in_their_comments() {
     let text = ARM.replace("\"lift\"", "\"lift&#10;[problem]&#10;name = 1\"");
-    let section = import("five.urdf", &text, "tip", &held(), RADII).expect("an arm");
+    let section = planar_section(&text);
     assert!(section.contains(r"lift\n[problem]\nname = 1 = "), "{section}");
     let table: toml::Table = section.parse().expect("TOML");
     let problem = table["problem"].as_table().expect("a table");

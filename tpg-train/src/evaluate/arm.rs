@@ -3,25 +3,65 @@
 use super::EvalArgs;
 use super::report::EvaluationReport;
 use crate::actor::file::Actor;
+use crate::arm_of;
 use crate::files::read_graph;
 use crate::hybrid::arm::setting::{Detector, Hybrid, Setting};
 use crate::hybrid::arm::trial;
 use crate::hybrid::setting::Detector as AnyDetector;
 use crate::run_args::command_line;
-use serde::Deserialize as _;
 use std::path::Path;
 use std::time::Instant;
+use tpg_arm::observation::Straight;
 use tpg_arm::observation::shield::{SHIELDED, STEP, action as action_of};
 use tpg_arm::{Arm, WIDOWX};
 use tpg_engine::{Ending, EngineOptions, Environment, Lanes, Plan, PolicyGraph};
-use tpg_graph::error::{Finding, InputError, Place};
+use tpg_graph::error::{InputError, Place};
 use tpg_graph::{Graph, in_arithmetic_of};
 use tpg_problems::arm::planner::{Choice, Planner};
 use tpg_problems::arm::targets::{self, Set, Start};
 use tpg_problems::arm::trial::{Trial, run};
-use tpg_problems::arm::{ArmDescription, ArmEnvironment, ArmProblem, ArmScalar, ArmTask, Config, Shield};
-use tpg_problems::{Problem, ProblemName};
+use tpg_problems::arm::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask, Config, Shield};
 use tpg_runtime::ops::Maths;
+
+/// A policy that is asked for.
+enum Asked {
+    /// A graph alone.
+    Graph(String, Graph),
+    /// A network alone.
+    Network(String, Actor),
+    /// A graph and a network.
+    Hybrid(String, Hybrid),
+    /// A classical controller, by its name.
+    Classical(String, Classical),
+}
+
+/// A controller that learns nothing.
+#[derive(Clone, Copy)]
+enum Classical {
+    /// It chooses among all poses that solve the task.
+    Planner(Choice),
+    /// Straight to the stance: what fits a microcontroller.
+    ClosedForm,
+}
+
+impl Classical {
+    const ALL: [(&str, Self); 3] = [
+        ("planner", Self::Planner(Choice::NearestFree)),
+        ("nearest-goal", Self::Planner(Choice::Nearest)),
+        ("closed-form", Self::ClosedForm),
+    ];
+
+    fn find(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|(known, _)| *known == name).map(|(_, classical)| classical)
+    }
+
+    fn trial(self, arm: &Arm<f64>, problem: &ArmProblem, tasks: &[targets::Task]) -> Trial {
+        match self {
+            Self::Planner(choice) => run(arm, &Planner::within(arm, choice, problem.tolerance), problem.clone(), tasks),
+            Self::ClosedForm => run(arm, &Straight::new(arm), problem.clone(), tasks),
+        }
+    }
+}
 
 /// Evaluates what the arguments ask on the arm.
 ///
@@ -34,30 +74,75 @@ pub fn evaluate(args: &EvalArgs, start: Start) -> Result<EvaluationReport, Input
             "--separation-mm, --guard, --cycle-detector",
         ));
     }
-    let config = args.config.as_deref().map(|path| arm_config(path, start)).transpose()?;
-    let arm = arm_for(args, config.as_ref())?;
+    let config = args.config.as_deref().map(|path| arm_of::config(path, start)).transpose()?;
+    let asked = asked(args, config.as_ref())?;
+    let (arm, problem) = match &config {
+        Some(config) => (config.arm(), config.problem(start)),
+        None => asked.usual(start)?,
+    };
     let (tasks, seed) = match &args.targets {
         Some(path) => (targets::read_csv(&arm, path)?, None),
         None => (targets::tasks(&arm, args.seed, Set::Test, start, args.episodes), Some(args.seed)),
     };
-    match (&args.hybrid, &args.tpg, &args.policy) {
-        (Some(path), ..) => of_hybrid(&path.display().to_string(), &Hybrid::read(path)?, start, &tasks, seed),
-        (None, Some(graph), Some(actor)) => {
+    let began = Instant::now();
+    let seconds = || began.elapsed().as_secs_f64();
+    match &asked {
+        Asked::Graph(file, graph) => of_graph(file, graph, &arm, problem, args.shield, tasks, seed),
+        Asked::Network(file, actor) => {
+            let trial = actor.trial(problem, &tasks);
+            Ok(EvaluationReport::of_trial(&trial, file, Shield::None, 0.0, seed, seconds()))
+        }
+        Asked::Hybrid(name, Hybrid { graph: (file, graph), actor, setting }) => {
+            let done = trial::run(file, graph, actor, setting, problem, &tasks)?;
+            Ok(EvaluationReport::of_hybrid(&done, name, seed, seconds()))
+        }
+        Asked::Classical(name, classical) => {
+            let trial = classical.trial(&arm, &problem, &tasks);
+            Ok(EvaluationReport::of_trial(&trial, name, Shield::None, 0.0, seed, seconds()))
+        }
+    }
+}
+
+/// Reads the policies that the arguments name.
+fn asked(args: &EvalArgs, config: Option<&Config>) -> Result<Asked, InputError> {
+    let arm = config.map(Config::arm);
+    let named = |path: &Path| Ok::<_, InputError>((path.display().to_string(), read_graph(path)?));
+    match (&args.hybrid, args.tpg.as_deref(), &args.policy) {
+        (Some(path), ..) => {
+            let (file, hybrid) = (path.display().to_string(), Hybrid::read(path)?);
+            if arm.is_some_and(|arm| arm != hybrid.actor.arm()) {
+                let accepted = "one for the arm of --config";
+                return Err(InputError::new(file, Place::Whole, "a hybrid for another arm", accepted));
+            }
+            Ok(Asked::Hybrid(file, hybrid))
+        }
+        (None, Some(path), Some(actor)) => {
             let setting = setting(args)?;
-            let name = format!("{} with {actor}: {}", graph.display(), setting.sentence());
-            let graph = (graph.display().to_string(), read_graph(graph)?);
-            let hybrid = Hybrid { graph, actor: Actor::read(Path::new(actor))?, setting };
-            of_hybrid(&name, &hybrid, start, &tasks, seed)
+            let graph = named(path)?;
+            let arm = match arm {
+                Some(arm) => arm,
+                None => arm_of::graph(&graph.0, &graph.1)?,
+            };
+            let name = format!("{} with {actor}: {}", graph.0, setting.sentence());
+            let actor = Actor::read(Path::new(actor), Some(&arm))?;
+            Ok(Asked::Hybrid(name, Hybrid { graph, actor, setting }))
         }
-        (None, Some(path), None) => {
-            let problem = problem_of(start, config.as_ref());
-            of_graph(&path.display().to_string(), &read_graph(path)?, &arm, problem, args.shield, tasks, seed)
-        }
-        (None, None, policy) => {
-            let policy = policy.as_deref().unwrap_or("planner");
-            let began = Instant::now();
-            let trial = trial_of(policy, start, &tasks)?;
-            Ok(EvaluationReport::of_trial(&trial, policy, Shield::None, 0.0, seed, began.elapsed().as_secs_f64()))
+        (None, Some(path), None) => named(path).map(|(file, graph)| Asked::Graph(file, graph)),
+        (None, None, Some(policy)) => match Classical::find(policy) {
+            Some(classical) => Ok(Asked::Classical(policy.clone(), classical)),
+            None => Ok(Asked::Network(policy.clone(), Actor::read(Path::new(policy), arm.as_ref())?)),
+        },
+        (None, None, None) => Err(command_line("no policy", "--tpg GRAPH, --policy FILE or --hybrid FILE")),
+    }
+}
+
+impl Asked {
+    /// The arm and the rules of episodes without a configuration: those that the policy was made for, as far as it says.
+    fn usual(&self, start: Start) -> Result<(Arm<f64>, ArmProblem), InputError> {
+        match self {
+            Self::Graph(file, graph) => Ok((arm_of::graph(file, graph)?, start.into())),
+            Self::Network(_, actor) | Self::Hybrid(_, Hybrid { actor, .. }) => Ok((actor.arm(), actor.tests(start))),
+            Self::Classical(..) => Ok((WIDOWX, start.into())),
         }
     }
 }
@@ -80,91 +165,6 @@ fn setting(args: &EvalArgs) -> Result<Setting, InputError> {
     })
 }
 
-/// Lets a policy do tasks: a `policy.safetensors`, a `policy.q.json`, or the classical `planner` or `nearest-goal`.
-///
-/// # Errors
-/// If there is no such policy.
-pub fn trial_of(policy: &str, start: Start, tasks: &[targets::Task]) -> Result<Trial, InputError> {
-    let choice = match policy {
-        "planner" => Some(Choice::NearestFree),
-        "nearest-goal" => Some(Choice::Nearest),
-        _ => None,
-    };
-    match choice {
-        Some(choice) => Ok(run(&WIDOWX, &Planner::new(&WIDOWX, choice), start, tasks)),
-        None => Ok(Actor::read(Path::new(policy))?.trial(start, tasks)),
-    }
-}
-
-/// Reads the arm's section of a configuration.
-///
-/// # Errors
-/// If it cannot be read, or is for another problem.
-pub fn arm_config(path: &Path, start: Start) -> Result<Config, InputError> {
-    let text = crate::files::read_text(path, "a configuration as `tpg-train config` prints")?;
-    match Problem::from_toml(&path.display().to_string(), &text)? {
-        Problem::Arm(of, config) if of == start => Ok(config),
-        other => {
-            let (asked, found) = (ProblemName::from(start).name(), other.name().name());
-            Err(command_line(format!("--problem {asked} with a configuration for {found}"), "the same problem twice"))
-        }
-    }
-}
-
-fn of_hybrid(
-    name: &str,
-    hybrid: &Hybrid,
-    start: Start,
-    tasks: &[targets::Task],
-    seed: Option<u64>,
-) -> Result<EvaluationReport, InputError> {
-    let Hybrid { graph: (file, graph), actor, setting } = hybrid;
-    let began = Instant::now();
-    let done = trial::run(file, graph, actor, setting, start, tasks)?;
-    Ok(EvaluationReport::of_hybrid(&done, name, seed, began.elapsed().as_secs_f64()))
-}
-
-/// The configuration's arm, or the graph's. Only graphs are for other arms than the WidowX.
-fn arm_for(args: &EvalArgs, config: Option<&Config>) -> Result<Arm<f64>, InputError> {
-    let of_graph = |path: &Path| arm_of(&path.display().to_string(), &read_graph(path)?);
-    let arm = match (config, &args.tpg) {
-        (Some(config), _) => config.arm(),
-        (None, Some(path)) => of_graph(path)?,
-        (None, None) => WIDOWX,
-    };
-    let graph_alone = args.hybrid.is_none() && args.policy.is_none();
-    if !graph_alone && (config.is_some() || arm != WIDOWX) {
-        let accepted = "--tpg alone: a network, a hybrid and a planner are for the WidowX";
-        return Err(command_line("another arm or --config", accepted));
-    }
-    Ok(arm)
-}
-
-/// The arm that a graph was trained for, as its provenance says; the WidowX where that says nothing.
-///
-/// # Errors
-/// If what it says is no arm.
-pub fn arm_of(file: &str, graph: &Graph) -> Result<Arm<f64>, InputError> {
-    let Some(text) =
-        graph.provenance().config.as_ref().and_then(|config| config.get("problem")?.get("arm").or(config.get("arm")))
-    else {
-        return Ok(WIDOWX);
-    };
-    let refuse = |found: String| {
-        let place = Place::Path("$.provenance.config.problem.arm".to_owned());
-        InputError::new(file, place, found, "an arm as `tpg-train config widowx` prints, or none")
-    };
-    let arm = ArmDescription::deserialize(text).map_err(|error| refuse(error.to_string()))?;
-    arm.check().map_err(|Finding { key, found, .. }| refuse(format!("{key} = {found}")))?;
-    Ok(Arm::from(&arm))
-}
-
-/// The problem without its sources: a configuration's tolerance and action limit, or the paper's.
-fn problem_of(start: Start, config: Option<&Config>) -> ArmProblem {
-    let usual = ArmProblem::new(start, Vec::new());
-    config.map_or(usual, |config| ArmProblem { sources: Vec::new(), ..config.problem(start) })
-}
-
 fn of_graph(
     file: &str,
     graph: &Graph,
@@ -175,6 +175,7 @@ fn of_graph(
     seed: Option<u64>,
 ) -> Result<EvaluationReport, InputError> {
     let start = problem.start;
+    let problem = ArmProblem { sources: Vec::new(), ..problem };
     let shield = match (Shield::of(graph.sources().iter().map(|source| source.name.as_str())), added) {
         (own, Shield::None) => own,
         (Shield::None, added) => added,

@@ -39,11 +39,11 @@ pub struct EvalArgs {
     /// A graph; with --policy too, the graph hands over to the network, or asks it
     #[arg(long, value_name = "GRAPH", required_unless_present_any = ["policy", "hybrid"])]
     pub tpg: Option<PathBuf>,
-    /// The problem's settings of this configuration. Default: those of the problem; for the arm, the arm that the graph was
-    /// trained for (the WidowX where it does not say)
+    /// The problem's settings of this configuration. Default: those of the problem; for the arm, the arm that the policy was
+    /// trained for (the WidowX where it does not say), and for a network its tests' settings
     #[arg(long, value_name = "FILE")]
     pub config: Option<PathBuf>,
-    /// A policy.safetensors or policy.q.json; on the arm also the classical `planner` or `nearest-goal`
+    /// A policy.safetensors or policy.q.json; on the arm also the classical `planner`, `nearest-goal` or `closed-form`
     #[arg(long, value_name = "FILE")]
     pub policy: Option<String>,
     /// A hybrid.toml: graph, network, and when they take turns

@@ -1,10 +1,11 @@
 //! `tpg-train tpg`: evolves a tangled program graph.
 
-use super::config::EvolutionConfig;
+use super::config::{EvolutionConfig, Price};
 use super::generation::Goal;
 use super::presets::{PRESETS, Preset};
 use super::run::{RunEnd, RunError, RunOptions, run};
 use super::state::Best;
+use super::sweep;
 use crate::configuration::{Chosen, Configuration};
 use crate::csv_text::{optional, table};
 use crate::files::{read_text, write_atomically};
@@ -20,7 +21,8 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 use tpg_codegen::policy::QuantisedPolicy;
 use tpg_engine::{
-    AnyEpisode, AnyTask, Choices, EngineOptions, Environment, Evaluator, LocalThreads, Remembered, Remembering, Summary,
+    AnyEpisode, AnyTask, Choices, EngineOptions, Environment, Evaluator, LocalThreads, Remembered, Remembering,
+    Summary, erase,
 };
 use tpg_graph::ScalarType;
 use tpg_graph::command::Verdict;
@@ -71,6 +73,18 @@ pub struct Seeds {
     end: u64,
 }
 
+impl Seeds {
+    /// Returns the seeds.
+    pub(super) fn all(self) -> impl Iterator<Item = u64> {
+        self.first..self.end
+    }
+}
+
+/// Returns the name of the folder of one of several seeds.
+pub(super) fn of_seed(seed: u64) -> String {
+    format!("seed-{seed}")
+}
+
 fn seeds(text: &str) -> Result<Seeds, String> {
     let parse = || {
         let (first, end) = text.split_once("..")?;
@@ -92,10 +106,14 @@ pub fn execute(args: &TpgArgs, place: &impl Workplace) -> Result<Verdict, RunErr
     }
     let network = config.ask.as_mut().map(|ask| asking::read(ask, &problem)).transpose()?;
     let stop = interrupt::watch();
-    let training = Training { args, config: &config, problem: &problem, network, stop: &stop, place };
-    match config.language.scalar {
-        ScalarType::F32 => training.run::<f32>(),
-        ScalarType::F64 => training.run::<f64>(),
+    // Actions must be named to have one more.
+    let levels = problem.levels().or(config.ask.as_ref().map(|_| USUAL_LEVELS));
+    let training =
+        Training { args, config: &config, problem: &problem, levels, network: network.as_ref(), stop: &stop, place };
+    let out = args.run.folder(problem.name(), args.seeds.map_or(args.seed, |seeds| seeds.first));
+    match config.ask.as_ref().map(|ask| &ask.price) {
+        Some(Price::Several(prices)) => sweep::run(&training, prices, &out),
+        Some(Price::One(_)) | None => training.run(&out),
     }
 }
 
@@ -116,34 +134,42 @@ impl Configuration for EvolutionConfig {
 }
 
 /// Training on a built-in problem.
-struct Training<'a, W> {
-    args: &'a TpgArgs,
-    config: &'a EvolutionConfig,
-    problem: &'a Problem,
+pub(super) struct Training<'a, W> {
+    pub(super) args: &'a TpgArgs,
+    pub(super) config: &'a EvolutionConfig,
+    pub(super) problem: &'a Problem,
+    /// The levels of outputs, where they are actions.
+    pub(super) levels: Option<u16>,
     /// The network that policies can ask.
-    network: Option<QuantisedPolicy>,
-    stop: &'a AtomicBool,
-    place: &'a W,
+    pub(super) network: Option<&'a QuantisedPolicy>,
+    pub(super) stop: &'a AtomicBool,
+    pub(super) place: &'a W,
 }
 
 impl<W: Workplace> Training<'_, W> {
-    fn run<S: Number>(self) -> Result<Verdict, RunError>
+    /// Trains in a folder, with one seed or with several.
+    pub(super) fn run(&self, out: &Path) -> Result<Verdict, RunError> {
+        match self.config.language.scalar {
+            ScalarType::F32 => self.run_in::<f32>(out),
+            ScalarType::F64 => self.run_in::<f64>(out),
+        }
+    }
+
+    fn run_in<S: Number>(&self, out: &Path) -> Result<Verdict, RunError>
     where
         Own: Maths<S>,
     {
         let environment = self.problem.environment::<S>();
-        // Actions must be named to have one more.
-        let levels = self.problem.levels().or(self.config.ask.as_ref().map(|_| USUAL_LEVELS));
-        let choices = Choices::new(&*environment, levels)
+        let choices = Choices::new(&*environment, self.levels)
             .map_err(|error| command_line(error.to_string(), "fewer problem.levels"))?;
-        let asking = self
-            .config
-            .ask
-            .as_ref()
-            .zip(self.network.as_ref())
-            .map(|(ask, network)| Asking::new(&choices, |state: &[f32]| decided(network, state), ask.price));
+        let asking = self.config.ask.as_ref().zip(self.network).map(|(ask, network)| {
+            // Of several prices each has a run of its own.
+            let price = ask.price.all()[0];
+            let decide = |state: &[f32]| decided(network, state);
+            erase(Asking::new::<S>(&choices, decide, price).with_memory(ask.memory))
+        });
         let acting: &dyn Environment<S, Task = AnyTask, Episode = AnyEpisode> = match &asking {
-            Some(asking) => asking,
+            Some(asking) => &**asking,
             None => &choices,
         };
         let memory = Remembered::usual(self.config.language.memory, &acting.sources());
@@ -151,18 +177,19 @@ impl<W: Workplace> Training<'_, W> {
         let options = EngineOptions { lanes: self.args.lanes.into(), ..EngineOptions::default() };
         let local = LocalThreads::<S, Own, _>::new(&environment, options, self.args.threads)?;
         let identity = format!("{}\n{}", env!("CARGO_PKG_VERSION"), self.config.to_toml());
-        self.place.train(&identity, &local, |evaluator| self.restarts(&environment, evaluator))
+        self.place.train(&identity, &local, |evaluator| self.restarts(out, &environment, evaluator))
     }
 
     fn restarts<S: Number, E: Environment<S>>(
         &self,
+        out: &Path,
         environment: &E,
         evaluator: &dyn Evaluator<E::Task>,
     ) -> Result<Verdict, RunError>
     where
         Own: Maths<S>,
     {
-        let Self { args, config, problem, stop, .. } = *self;
+        let Self { args, config, stop, .. } = *self;
         let goal = Goal { target: args.target, max_steps: args.max_steps };
         let one = |seed: u64, folder: PathBuf| {
             let resume = args.run.resume;
@@ -172,7 +199,7 @@ impl<W: Workplace> Training<'_, W> {
             run(config, seed, environment, &evaluator, &options, |progress| bar.show(progress, stop))
         };
         let Some(seeds) = args.seeds else {
-            return match one(args.seed, args.run.folder(problem.name(), args.seed))? {
+            return match one(args.seed, out.to_owned())? {
                 RunEnd::Finished(best) => {
                     tpg_graph::command::note(format_args!("{}", sentence(args.seed, &best, environment)));
                     Ok(Verdict::Good)
@@ -180,11 +207,10 @@ impl<W: Workplace> Training<'_, W> {
                 RunEnd::Interrupted => Ok(Verdict::Interrupted),
             };
         };
-        let out = args.run.folder(problem.name(), seeds.first);
-        let _folder = RunFolder::open(&out, Trainer::Restarts, args.run.resume)?;
+        let _folder = RunFolder::open(out, Trainer::Restarts, args.run.resume)?;
         let mut finished = Vec::new();
-        for seed in seeds.first..seeds.end {
-            let folder = out.join(format!("seed-{seed}"));
+        for seed in seeds.all() {
+            let folder = out.join(of_seed(seed));
             match one(seed, folder)? {
                 RunEnd::Finished(best) => {
                     tpg_graph::command::note(format_args!("{}", sentence(seed, &best, environment)));
@@ -192,7 +218,7 @@ impl<W: Workplace> Training<'_, W> {
                 }
                 RunEnd::Interrupted => return Ok(Verdict::Interrupted),
             }
-            keep_best(&out, &finished, environment)?;
+            keep_best(out, &finished, environment)?;
         }
         Ok(Verdict::Good)
     }
@@ -214,7 +240,7 @@ fn keep_best<S: Number>(
     let better = |a: &Best, b: &Best| b.result.compare(&a.result, preference).is_gt();
     let best = finished.iter().reduce(|a, b| if better(&a.1, &b.1) { b } else { a });
     if let Some((seed, _)) = best {
-        let graph = read_text(&folder.join(format!("seed-{seed}/graph.json")), "the graph of a finished run")?;
+        let graph = read_text(&folder.join(of_seed(*seed)).join("graph.json"), "the graph of a finished run")?;
         write_atomically(&folder.join("graph.json"), graph.as_bytes())?;
     }
     Ok(())

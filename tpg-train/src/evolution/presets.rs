@@ -6,6 +6,7 @@ use clap::Args;
 use tpg_graph::error::{InputError, Place};
 use tpg_problems::ProblemName;
 use tpg_problems::arm::arms::ARMS;
+use tpg_problems::arm::chain::CHAINS;
 
 /// Print a commented configuration.
 #[derive(Clone, Debug, Args)]
@@ -27,7 +28,8 @@ pub struct ConfigArgs {
 /// If there is no preset with that name, or stdout is closed.
 pub fn print_config(args: &ConfigArgs) -> Result<(), InputError> {
     let presets: &[Preset] = if args.sac { &sac::presets::PRESETS } else { &PRESETS };
-    let arms = ARMS.iter().filter(|_| !args.sac).map(|arm| (arm.name, arm.about, arm.text));
+    let arms = ARMS.iter().map(|arm| (arm.name, arm.about, arm.text));
+    let arms = arms.chain(CHAINS.iter().map(|chain| (chain.name, chain.about, chain.text))).filter(|_| !args.sac);
     let texts = presets.iter().map(|preset| (preset.name, preset.about, preset.text)).chain(arms);
     let text = if args.list {
         texts.map(|(name, about, _)| format!("{name:18} {about}\n")).collect()
@@ -55,7 +57,7 @@ pub struct Preset {
 }
 
 /// Every preset.
-pub const PRESETS: [Preset; 11] = [
+pub const PRESETS: [Preset; 13] = [
     Preset {
         name: "linear",
         about: "for any problem: some demes begin with weighted sums of the inputs, the others at random",
@@ -86,6 +88,16 @@ pub const PRESETS: [Preset; 11] = [
         name: "paper-rs",
         about: "the paper's learning problem, random start",
         text: include_str!("presets/paper-rs.toml"),
+    },
+    Preset {
+        name: "raw-fs",
+        about: "the paper's observation, actions and score, fixed start, with this project's search",
+        text: concat!(include_str!("presets/raw-fs.toml"), include_str!("presets/raw.toml")),
+    },
+    Preset {
+        name: "raw-rs",
+        about: "the paper's observation, actions and score, random start, with this project's search",
+        text: concat!(include_str!("presets/raw-rs.toml"), include_str!("presets/raw.toml")),
     },
     Preset { name: "best-fs", about: "this project's, fixed start", text: include_str!("presets/best-fs.toml") },
     Preset {

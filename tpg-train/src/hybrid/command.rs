@@ -38,7 +38,8 @@ pub struct HybridArgs {
     /// The arguments of a study on any problem
     #[command(flatten)]
     pub study: StudyArgs,
-    /// The problem's settings of this configuration. Default: those of the problem; the arm has only its usual ones
+    /// The problem's settings of this configuration. Default: those of the problem; on the arm those of the network's tests, and
+    /// the arm that the graphs were trained for
     #[arg(long, value_name = "FILE")]
     pub config: Option<PathBuf>,
     /// The arm only: guards, none, joint-limits, collisions or both [default: every one]
@@ -174,6 +175,9 @@ pub fn study_on(problem: &dyn Shared, args: &StudyArgs, place: &impl Workplace) 
         policy: Input::of(&args.policy)?,
     };
     subject.settings = grid(&asked.cycle_detectors, &asked.hand_back_after, &asked.separation, &asked.patience);
+    if subject.graphs.iter().any(|(_, graph)| asks(graph)) {
+        subject.settings.push(Setting::ONLY_ASKS);
+    }
     if subject.settings.is_empty() {
         let accepted = "a finite --separation, a --patience in actions, or --cycle-detector visited or brent";
         return Err(command_line("settings by which the graph never hands over", accepted));
@@ -277,20 +281,36 @@ fn separations(args: &StudyArgs, subject: &Subject<'_>) -> Result<Vec<f64>, Inpu
     let episodes = Episodes { count: MEASURED.min(args.episodes), ..subject.episodes };
     let mut rises = Vec::new();
     for graph in &subject.graphs {
-        rises.extend(subject.problem.rises(graph, episodes)?.into_iter().filter(|rise| rise.is_finite()));
+        // A graph that asks rises with each network in its own way, any other as without one.
+        for network in subject.networks.iter().take(if asks(&graph.1) { usize::MAX } else { 1 }) {
+            rises.extend(subject.problem.rises(graph, network, episodes)?);
+        }
     }
+    Ok(quantiles(rises))
+}
+
+/// Returns separations for rises that were seen: quantiles, to two digits, and infinity.
+pub(super) fn quantiles(mut rises: Vec<f64>) -> Vec<f64> {
+    rises.retain(|rise| rise.is_finite());
     rises.sort_by(f64::total_cmp);
     let two_digits = |value: f64| format!("{value:.1e}").parse::<f64>().unwrap_or(value);
     let quantile = |part: f64| rises.get((part * rises.len() as f64) as usize).map(|&rise| two_digits(rise));
     let mut all: Vec<f64> = QUANTILES.into_iter().filter_map(quantile).filter(|&rise| rise > 0.0).collect();
     all.push(f64::INFINITY);
     all.dedup();
-    Ok(all)
+    all
 }
 
+/// Returns true if a graph asks for a network, and so cannot act alone.
+fn asks(graph: &Graph) -> bool {
+    graph.asks().next().is_some()
+}
+
+/// Lets every policy that can act alone.
 fn alone(subject: &Subject<'_>) -> Result<Vec<Alone>, InputError> {
     let graphs = subject.graphs.iter().map(|graph| ("tpg", &graph.0, Acting::Graph(graph))).enumerate();
     let networks = subject.networks.iter().map(|network| ("sac", &network.0, Acting::Network(network))).enumerate();
+    let graphs = graphs.filter(|&(place, _)| !asks(&subject.graphs[place].1));
     let all: Vec<_> = graphs.chain(networks).collect();
     all.into_par_iter()
         .map(|(place, (kind, file, acting))| {
@@ -321,9 +341,7 @@ pub fn setting_of(
     detector: Detector,
 ) -> Result<Setting, InputError> {
     let setting = Setting { hand_back_after, separation, patience, detector };
-    if separation == f64::INFINITY && graph.asks().next().is_some() {
-        return Ok(setting);
-    }
-    setting.check().map_err(|Finding { key, found, accepted }| command_line(format!("{key} = {found}"), accepted))?;
+    let refuse = |Finding { key, found, accepted }: Finding| command_line(format!("{key} = {found}"), accepted);
+    setting.check_for(graph).map_err(refuse)?;
     Ok(setting)
 }

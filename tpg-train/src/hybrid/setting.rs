@@ -85,20 +85,34 @@ impl Setting {
         )
     }
 
-    /// Checks the setting.
+    /// Checks the setting for itself.
     ///
     /// # Errors
-    /// A separation that is no distance, or no trigger at all.
+    /// A separation that is no distance.
     pub fn check(&self) -> Result<(), Finding> {
-        if !matches!(self.separation, 0.0..) {
-            return Err(Finding::new("separation", self.separation, "a distance from 0, or inf"));
+        if matches!(self.separation, 0.0..) {
+            return Ok(());
         }
-        if !self.has_trigger() {
-            let accepted = "a finite separation, a patience in actions, or cycle_detector visited or brent";
-            return Err(Finding::new("separation", "inf, with patience never and cycle_detector none", accepted));
-        }
-        Ok(())
+        Err(Finding::new("separation", self.separation, "a distance from 0, or inf"))
     }
+
+    /// Checks the setting for a graph.
+    ///
+    /// # Errors
+    /// As [`check`](Self::check), or no trigger at all for a graph that asks nobody.
+    pub fn check_for(&self, graph: &Graph) -> Result<(), Finding> {
+        self.check()?;
+        if self.has_trigger() || graph.asks().next().is_some() {
+            return Ok(());
+        }
+        let accepted =
+            "a finite separation, a patience in actions, cycle_detector visited or brent, or a graph that asks";
+        Err(Finding::new("separation", "inf, with patience never and cycle_detector none", accepted))
+    }
+}
+
+fn infinity() -> f64 {
+    f64::INFINITY
 }
 
 /// Formats a distance; infinity is shown as ∞.
@@ -106,7 +120,8 @@ pub fn shown(distance: f64) -> String {
     if distance == f64::INFINITY { "∞".to_owned() } else { distance.to_string() }
 }
 
-/// A complete hybrid, as written in `hybrid.toml`. Paths are relative to the file.
+/// A complete hybrid, as written in `hybrid.toml`. Paths are relative to the file. Rules that it leaves out are off: a
+/// graph that only asks needs none.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct HybridFile {
@@ -117,12 +132,16 @@ pub struct HybridFile {
     /// The network: policy.safetensors or policy.q.json.
     pub actor: String,
     /// Number of actions of the network before the graph takes over again, or "never".
+    #[serde(default)]
     pub hand_back_after: Span,
     /// The network takes over when the distance is this much greater than at its least; `inf` for never.
+    #[serde(default = "infinity")]
     pub separation: f64,
     /// The network takes over after that many actions without progress, or "never".
+    #[serde(default)]
     pub patience: Span,
     /// "none", "visited" or "brent".
+    #[serde(default)]
     pub cycle_detector: Detector,
 }
 
@@ -188,30 +207,35 @@ impl Hybrid {
     /// Reads a `hybrid.toml` and the policies that it names.
     ///
     /// # Errors
-    /// If one of them cannot be read, or the setting is impossible.
+    /// If one of them cannot be read, or the setting is impossible for the graph.
     pub fn read(path: &Path) -> Result<Self, InputError> {
-        let file = read_file(path)?;
+        let (name, text) = (path.display().to_string(), read_text(path, ACCEPTED)?);
+        let file = parse_file(&name, &text)?;
         let beside = |name: &str| path.parent().unwrap_or(Path::new("")).join(name);
         let (graph, actor) = (beside(&file.graph), beside(&file.actor));
         let setting = file.setting();
         let graph = (graph.display().to_string(), read_graph(&graph)?);
+        setting.check_for(&graph.1).map_err(|finding| settings::place(&name, &text, finding))?;
         let network = (actor.display().to_string(), Network::read(&actor)?);
         Ok(Self { problem: file.problem, graph, network, setting })
     }
 }
 
-/// Reads a `hybrid.toml` of any problem but the arm's.
+/// The file, for messages.
+const ACCEPTED: &str = "a hybrid.toml";
+
+/// Reads a `hybrid.toml` of any problem but the arm's, without its policies.
 ///
 /// # Errors
-/// If it cannot be read or contains an impossible setting.
+/// If it cannot be read or contains a setting that no graph can have.
 pub fn read_file(path: &Path) -> Result<HybridFile, InputError> {
-    parse_file(&path.display().to_string(), &read_text(path, "a hybrid.toml")?)
+    parse_file(&path.display().to_string(), &read_text(path, ACCEPTED)?)
 }
 
 /// Reads the text of such a file; `name` is the file's, for messages.
 ///
 /// # Errors
-/// If it contains an impossible setting.
+/// As [`read_file`].
 pub fn parse_file(name: &str, text: &str) -> Result<HybridFile, InputError> {
     let accepted = "problem, graph, actor, hand_back_after, separation, patience, cycle_detector";
     let file: HybridFile = settings::from_toml(name, text, accepted)?;
@@ -248,13 +272,20 @@ mod tests {
     }
 
     #[test]
+    fn rules_that_are_left_out_are_off() {
+        let text: String = TEXT.lines().take(3).map(|line| format!("{line}\n")).collect();
+        let file = parse_file("hybrid.toml", &text).expect("a good file");
+        assert_eq!(file.setting(), Setting::ONLY_ASKS);
+        assert_eq!(parse_file("hybrid.toml", &toml::to_string(&file).expect("plain data")), Ok(file));
+    }
+
+    #[test]
     fn an_impossible_setting_is_refused_at_its_line() {
         let folder = tempfile::tempdir().expect("a temporary folder");
         let path = folder.path().join("hybrid.toml");
         for (from, to, line, found) in [
             ("2.5", "-1.0", 5, "separation = -1"),
             ("2.5", "nan", 5, "separation = NaN"),
-            ("2.5", "inf", 5, "separation = inf, with patience never"),
             ("20", "0", 4, "\"0\": neither a number"),
             ("\"never\"", "\"soon\"", 6, "\"soon\": neither a number"),
             ("\"none\"", "\"floyd\"", 7, "unknown variant"),

@@ -1,6 +1,7 @@
 //! Problems whose episodes a graph and a network can share: the built-in ones, and any other environment.
 
 use super::trial::{Acting, HybridTrial, rises, run};
+use crate::sac::network::Network;
 use std::marker::PhantomData;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{Choices, Environment, Measure, Preference};
@@ -71,11 +72,16 @@ pub trait Shared: Sync {
     /// If a policy is not one for this problem.
     fn trial(&self, acting: Acting<'_>, episodes: Episodes) -> Result<HybridTrial, InputError>;
 
-    /// Returns the [`rises`] of a graph's episodes.
+    /// Returns the [`rises`] of a graph's episodes; the network is there for a graph that asks.
     ///
     /// # Errors
     /// If the graph is not one for this problem.
-    fn rises(&self, graph: &(String, Graph), episodes: Episodes) -> Result<Vec<f64>, InputError>;
+    fn rises(
+        &self,
+        graph: &(String, Graph),
+        network: &(String, Network),
+        episodes: Episodes,
+    ) -> Result<Vec<f64>, InputError>;
 
     /// Returns the problem's name.
     fn name(&self) -> String {
@@ -100,8 +106,13 @@ impl Shared for Problem {
         }
     }
 
-    fn rises(&self, graph: &(String, Graph), episodes: Episodes) -> Result<Vec<f64>, InputError> {
-        let rises = Rises { graph, episodes };
+    fn rises(
+        &self,
+        graph: &(String, Graph),
+        network: &(String, Network),
+        episodes: Episodes,
+    ) -> Result<Vec<f64>, InputError> {
+        let rises = Rises { graph, network, episodes };
         in_arithmetic_of!(graph.1, rises.opened(self))
     }
 }
@@ -153,6 +164,7 @@ impl Job for Trial<'_> {
 
 struct Rises<'a> {
     graph: &'a (String, Graph),
+    network: &'a (String, Network),
     episodes: Episodes,
 }
 
@@ -164,7 +176,7 @@ impl Job for Rises<'_> {
     }
 
     fn run<S: Scalar, M: Maths<S>, E: Environment<S>>(self, choices: &Choices<S, E>) -> Result<Vec<f64>, InputError> {
-        rises::<S, M, _>(choices, self.graph, &self.episodes.tasks(choices))
+        rises::<S, M, _>(choices, self.graph, self.network, &self.episodes.tasks(choices))
     }
 }
 
@@ -208,7 +220,12 @@ impl<S: Scalar, M: Maths<S>, E: Environment<S>> Shared for OwnProblem<S, M, E> {
         Trial { acting, episodes }.run::<S, M, _>(&self.choices)
     }
 
-    fn rises(&self, graph: &(String, Graph), episodes: Episodes) -> Result<Vec<f64>, InputError> {
-        Rises { graph, episodes }.run::<S, M, _>(&self.choices)
+    fn rises(
+        &self,
+        graph: &(String, Graph),
+        network: &(String, Network),
+        episodes: Episodes,
+    ) -> Result<Vec<f64>, InputError> {
+        Rises { graph, network, episodes }.run::<S, M, _>(&self.choices)
     }
 }

@@ -1,20 +1,23 @@
 //! Trials of a graph, a network, or both together, on any environment.
 
+use super::asking::recalled;
 use super::setting::{Detector, Setting};
 use crate::course::{Course, Decision};
 use crate::evaluate::graph::endings_on;
 use crate::sac::network::Network;
 use std::cell::RefCell;
 use std::marker::PhantomData;
-use tpg_engine::{ActionSpace, Choices, Ending, EngineOptions, Environment, Plan, Single, bind_to};
+use tpg_engine::random::{Purpose, Stream};
+use tpg_engine::{ActionSpace, Choices, Ending, EngineOptions, Environment, Plan, Single, SourceDocument, bind_to};
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
 use tpg_graph::interpret;
 use tpg_runtime::cycle::{Brent, CycleDetector, Visited};
 use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::{ActionId, Policy};
+use tpg_runtime::recall::Recall;
 use tpg_runtime::scalar::Scalar;
-use tpg_runtime::switch::{Answer, AskSwitch, CAUSES, Cause, Counts, Hybrid, Patience, Switch, Unguarded};
+use tpg_runtime::switch::{Answer, AskSwitch, CAUSES, Cause, Counts, Driver, Hybrid, Patience, Switch, Unguarded};
 
 /// The name by which a graph asks the network beside it.
 pub const NETWORK: &str = "network";
@@ -28,13 +31,15 @@ pub enum Acting<'a> {
     Network(&'a (String, Network)),
     /// A graph that hands over to a network, or asks it.
     Both(&'a (String, Graph), &'a (String, Network), &'a Setting),
+    /// A graph, and a network in a share of the actions, 0 to 1, that are drawn: what every switch must beat.
+    Mixture(&'a (String, Graph), &'a (String, Network), f64),
 }
 
 impl<'a> Acting<'a> {
     /// Returns the graph, if one acts.
     pub fn graph(self) -> Option<&'a Graph> {
         match self {
-            Self::Graph((_, graph)) | Self::Both((_, graph), ..) => Some(graph),
+            Self::Graph((_, graph)) | Self::Both((_, graph), ..) | Self::Mixture((_, graph), ..) => Some(graph),
             Self::Network(_) => None,
         }
     }
@@ -82,48 +87,58 @@ pub fn run<S: Scalar, M: Maths<S>, E: Environment<S>>(
             fit(network)?;
             let counts = |sac_actions| Counts { sac_actions, ..Counts::default() };
             network.1.deciding(|decide| {
-                let network = NetworkPolicy::new(decide);
+                let network = NetworkPolicy::of(environment, decide);
                 let ending = |task| Course::new(environment, task).run(|state| network.decide(state));
                 tasks.iter().map(ending).map(|ending| (ending, counts(ending.actions), 0)).collect()
             })
         }
         Acting::Both(graph, network, setting) => {
             fit(network)?;
-            let tpg = GraphPolicy::<S, M>::new(graph, environment, environment.actions().with_ask(NETWORK))?;
+            let tpg = GraphPolicy::<S, M>::asking(graph, environment)?;
             network.1.deciding(|decide| {
-                let hybrid = Hybrid { tpg, sac: NetworkPolicy::new(decide) };
+                let hybrid = Hybrid { tpg, sac: NetworkPolicy::of(environment, decide) };
                 tasks.iter().map(|task| together(environment, task, &hybrid, setting)).collect()
+            })
+        }
+        Acting::Mixture(graph, network, share) => {
+            fit(network)?;
+            let graph = GraphPolicy::<S, M>::alone(graph, environment)?;
+            network.1.deciding(|decide| {
+                let network = NetworkPolicy::of(environment, decide);
+                let drawn = |index| Stream::new(0, 0, Purpose::Mixture, index);
+                let episode = |(index, task)| mixed(environment, task, &graph, &network, share, drawn(index));
+                (0..).zip(tasks).map(episode).collect()
             })
         }
     };
     Ok(HybridTrial::of(&episodes))
 }
 
-/// Lets a graph do every task alone; how far the distance lies above the least one so far, after each action.
+/// Lets a graph do every task, by itself or with a network that it asks; how far the distance lies above the least one so
+/// far, after each action.
 ///
 /// # Errors
 /// As [`run`].
 pub fn rises<S: Scalar, M: Maths<S>, E: Environment<S>>(
     environment: &Choices<S, E>,
     graph: &(String, Graph),
+    network: &(String, Network),
     tasks: &[E::Task],
 ) -> Result<Vec<f64>, InputError> {
-    let graph = GraphPolicy::<S, M>::new(graph, environment, environment.actions())?;
-    let mut rises = Vec::new();
-    for task in tasks {
-        let mut course = Course::new(environment, task);
-        let mut least = course.distance().to_f64();
-        loop {
-            let decision = graph.decision(course.observe());
-            if course.act(decision.act()).is_some() {
-                break;
-            }
-            let distance = course.distance().to_f64();
-            least = least.min(distance);
-            rises.push(distance - least);
+    let graph = GraphPolicy::<S, M>::asking(graph, environment)?;
+    Ok(network.1.deciding(|decide| {
+        let hybrid = Hybrid { tpg: graph, sac: NetworkPolicy::of(environment, decide) };
+        let mut rises = Vec::new();
+        for task in tasks {
+            let mut least: Option<f64> = None;
+            watched(environment, task, &hybrid, &Setting::ONLY_ASKS, Blind, |distance| {
+                let known = least.map(|least| least.min(distance));
+                rises.extend(known.map(|least| distance - least));
+                least = known.or(Some(distance));
+            });
         }
-    }
-    Ok(rises)
+        rises
+    }))
 }
 
 /// An ending, the counts of the rules, and the number of asks.
@@ -141,18 +156,42 @@ where
     P: Policy<State = [S], Action = Decision<S>>,
 {
     match setting.detector {
-        Detector::None => watched(environment, task, hybrid, setting, Blind),
-        Detector::Visited => watched(environment, task, hybrid, setting, Visited::<u64, CAPACITY>::new()),
-        Detector::Brent => watched(environment, task, hybrid, setting, Brent::new()),
+        Detector::None => watched(environment, task, hybrid, setting, Blind, |_| ()),
+        Detector::Visited => watched(environment, task, hybrid, setting, Visited::<u64, CAPACITY>::new(), |_| ()),
+        Detector::Brent => watched(environment, task, hybrid, setting, Brent::new(), |_| ()),
     }
 }
 
+/// One episode in which a draw decides who acts.
+fn mixed<S: Scalar, M: Maths<S>, E: Environment<S>>(
+    environment: &E,
+    task: &E::Task,
+    graph: &GraphPolicy<S, M>,
+    network: &NetworkPolicy<'_, S>,
+    share: f64,
+    mut draw: Stream,
+) -> Episode {
+    let mut counts = Counts::default();
+    let ending = Course::new(environment, task).run(|state| {
+        if draw.unit() < share {
+            counts.sac_actions += 1;
+            network.decide(state)
+        } else {
+            counts.tpg_actions += 1;
+            graph.decision(state)
+        }
+    });
+    (ending, counts, 0)
+}
+
+/// One episode of both policies; `seen` is told the distance at the start and behind each action but the last.
 fn watched<S: Scalar, E: Environment<S>, T, P>(
     environment: &E,
     task: &E::Task,
     hybrid: &Hybrid<T, P>,
     setting: &Setting,
     detector: impl CycleDetector<u64>,
+    mut seen: impl FnMut(f64),
 ) -> Episode
 where
     T: Policy<State = [S], Action = Answer<Decision<S>>>,
@@ -164,13 +203,21 @@ where
     let rules = Switch::new(setting.settings::<S>(), detector, key(&course), course.distance());
     let mut switch = AskSwitch::new(rules);
     let mut patience = Patience::new(setting.patience.0, course.distance());
+    let mut recall = Recall::new(course.distance());
+    seen(course.distance().to_f64());
+    let mut state = Vec::new();
     loop {
-        let turn = hybrid.decide_or_ask(&mut switch, course.observe(), &Unguarded);
+        state.clear();
+        state.extend_from_slice(course.observe());
+        state.extend(recall.values());
+        let turn = hybrid.decide_or_ask(&mut switch, &state, &Unguarded);
         if let Some(ending) = course.act(turn.chosen.wanted.act()) {
             switch.ended(&turn);
             return (ending, *switch.counts(), switch.asks());
         }
         let distance = course.distance();
+        seen(distance.to_f64());
+        recall.acted(turn.chosen.driver == Driver::Sac, distance);
         let stalls = patience.ends(turn.driver(), distance);
         switch.acted(&turn, stalls, key(&course), distance);
     }
@@ -190,7 +237,7 @@ impl CycleDetector<u64> for Blind {
     }
 }
 
-/// A graph as a policy of an environment.
+/// A graph as a policy of an environment, of its flat state or of that and the rules' memory behind it.
 struct GraphPolicy<S, M> {
     graph: Single<S, M>,
     /// The action that asks the network.
@@ -198,13 +245,25 @@ struct GraphPolicy<S, M> {
 }
 
 impl<S: Scalar, M: Maths<S>> GraphPolicy<S, M> {
+    /// A graph that acts alone.
+    fn alone(graph: &(String, Graph), environment: &impl Environment<S>) -> Result<Self, InputError> {
+        Self::new(graph, &environment.sources(), &environment.actions())
+    }
+
+    /// A graph with a network beside it, which it may ask, and with the rules' memory.
+    fn asking(graph: &(String, Graph), environment: &impl Environment<S>) -> Result<Self, InputError> {
+        let mut sources = environment.sources();
+        // A problem's own source of that name comes first, and is the one that is bound.
+        sources.extend(recalled(environment.time_limit()));
+        Self::new(graph, &sources, &environment.actions().with_ask(NETWORK))
+    }
+
     fn new(
         (file, graph): &(String, Graph),
-        environment: &impl Environment<S>,
-        actions: ActionSpace,
+        sources: &[SourceDocument],
+        actions: &ActionSpace,
     ) -> Result<Self, InputError> {
-        let sources = environment.sources();
-        let plan = Plan::new::<M>(&bind_to(file, graph, &sources, &actions)?, &sources, EngineOptions::default());
+        let plan = Plan::new::<M>(&bind_to(file, graph, sources, actions)?, sources, EngineOptions::default());
         Ok(Self { graph: Single::new(plan), ask: actions.asking(NETWORK) })
     }
 
@@ -228,16 +287,19 @@ impl<S: Scalar, M: Maths<S>> Policy for GraphPolicy<S, M> {
     }
 }
 
-/// A network as a policy of an environment in any precision: the state is rounded to `f32`.
+/// A network as a policy of an environment in any precision: the state is rounded to `f32`. It reads no further than its
+/// inputs.
 struct NetworkPolicy<'a, S> {
     network: &'a dyn Fn(&[f32]) -> Decision<f32>,
+    inputs: usize,
     state: RefCell<Vec<f32>>,
     precision: PhantomData<S>,
 }
 
-impl<'a, S> NetworkPolicy<'a, S> {
-    fn new(network: &'a dyn Fn(&[f32]) -> Decision<f32>) -> Self {
-        Self { network, state: RefCell::default(), precision: PhantomData }
+impl<'a, S: Scalar> NetworkPolicy<'a, S> {
+    fn of(environment: &impl Environment<S>, network: &'a dyn Fn(&[f32]) -> Decision<f32>) -> Self {
+        let inputs = environment.sources().iter().map(|source| source.length as usize).sum();
+        Self { network, inputs, state: RefCell::default(), precision: PhantomData }
     }
 }
 
@@ -248,7 +310,7 @@ impl<S: Scalar> Policy for NetworkPolicy<'_, S> {
     fn decide(&self, state: &[S]) -> Decision<S> {
         let mut narrow = self.state.borrow_mut();
         narrow.clear();
-        narrow.extend(state.iter().map(|value| value.to_f64() as f32));
+        narrow.extend(state[..self.inputs].iter().map(|value| value.to_f64() as f32));
         (self.network)(&narrow).widened()
     }
 }

@@ -7,6 +7,7 @@
 mod curves;
 mod distances;
 mod episode;
+mod front;
 mod headline;
 mod policy;
 mod runs;
@@ -29,7 +30,8 @@ use tpg_graph::error::{InputError, counted};
 /// Runs with equal configurations are one group: curves are their mean, with a band of one standard deviation.
 #[derive(Clone, Debug, Args)]
 pub struct ReportArgs {
-    /// Folders of `tpg`, `sac` or `hybrid` runs; a folder of `--seeds` stands for all of its seeds
+    /// Folders of `tpg`, `sac` or `hybrid` runs; a folder of `--seeds` stands for all of its seeds, one of several prices for all of
+    /// them
     #[arg(value_name = "RUN", required = true)]
     pub runs: Vec<PathBuf>,
     /// The file to write; - for stdout
@@ -57,7 +59,10 @@ pub fn report(args: &ReportArgs) -> Result<(), InputError> {
 /// As [`report`].
 pub fn report_with(args: &ReportArgs, own: Option<&dyn Shared>) -> Result<(), InputError> {
     let groups = runs::read(&args.runs)?;
-    let html = page(&groups, args.episodes as usize, args.seed, own)?.html();
+    let mut page = page(&groups, args.episodes as usize, args.seed, own)?;
+    // Behind the tables of results.
+    page.sections.splice(1..1, front::sections(&args.runs)?);
+    let html = page.html();
     if args.out == Path::new("-") {
         let written = tpg_graph::command::print(&html);
         return written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"));

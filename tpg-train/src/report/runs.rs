@@ -1,5 +1,6 @@
 //! Reading and grouping of run folders.
 
+use super::front;
 use crate::actor::version1::upgraded;
 use crate::evolution::config::{AskConfig, EvolutionConfig};
 use crate::evolution::state::Row;
@@ -19,7 +20,7 @@ use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::settings;
 use tpg_nn::Mlp;
-use tpg_problems::arm::targets::Start;
+use tpg_problems::arm::{ArmProblem, Config as ArmConfig};
 use tpg_problems::{ContinuousProblem, Problem, ProblemName};
 
 /// Runs with the same configuration.
@@ -74,8 +75,8 @@ pub(super) enum Kind {
 /// A hybrid with its problem.
 #[derive(Debug)]
 pub(super) enum Together {
-    /// On the arm, from that start.
-    Arm(Start, Box<ArmHybrid>),
+    /// On an arm, with the rules of its episodes.
+    Arm(Box<ArmProblem>, Box<ArmHybrid>),
     /// On any other built-in problem.
     Other(Box<Problem>, Box<Hybrid>),
     /// In an environment that a program supplied.
@@ -125,8 +126,7 @@ impl Kind {
         match self {
             Self::Tpg { problem: Some(problem), .. } => problem.name().name().to_owned(),
             Self::Sac { problem, .. } => problem.name().name().to_owned(),
-            Self::Hybrid(Together::Arm(Start::Fs, _)) => "fs".to_owned(),
-            Self::Hybrid(Together::Arm(Start::Rs, _)) => "rs".to_owned(),
+            Self::Hybrid(Together::Arm(rules, _)) => ProblemName::from(rules.start).name().to_owned(),
             Self::Hybrid(Together::Other(problem, _)) => problem.name().name().to_owned(),
             Self::Tpg { problem: None, .. } | Self::Hybrid(Together::Own(_)) => "own".to_owned(),
         }
@@ -145,7 +145,7 @@ impl Kind {
 /// Reads all runs and groups those with equal configurations, in the given order.
 pub(super) fn read(folders: &[PathBuf]) -> Result<Vec<Group>, InputError> {
     let mut groups: Vec<(String, Group)> = Vec::new();
-    for (folder, name) in folders.iter().map(|folder| with_restarts(folder)).collect::<Result<Vec<_>, _>>()?.concat() {
+    for (folder, name) in folders.iter().map(|folder| with_prices(folder)).collect::<Result<Vec<_>, _>>()?.concat() {
         if folder.join("study.toml").exists() {
             let text = read_text(&folder.join("study.toml"), "the study.toml of a study")?;
             let group = Group { name: String::new(), runs: vec![study(&folder, name, &text)?] };
@@ -170,12 +170,28 @@ pub(super) fn read(folders: &[PathBuf]) -> Result<Vec<Group>, InputError> {
     Ok(groups.into_iter().map(|(_, group)| named(group)).collect())
 }
 
+/// Returns the runs of each price where the folder is that of several prices; else those of [`with_restarts`].
+fn with_prices(folder: &Path) -> Result<Vec<(PathBuf, String)>, InputError> {
+    if !folder.join("sweep.toml").exists() {
+        return with_restarts(folder);
+    }
+    let runs = front::folders(folder)?.iter().map(|folder| with_restarts(folder)).collect::<Result<Vec<_>, _>>()?;
+    let name = last(&whole(folder)?);
+    Ok(runs.concat().into_iter().map(|(path, run)| (path, format!("{name}/{run}"))).collect())
+}
+
+/// Returns the last part of a path.
+fn last(path: &Path) -> String {
+    path.file_name().map_or_else(|| ".".to_owned(), |name| name.to_string_lossy().into_owned())
+}
+
+fn whole(folder: &Path) -> Result<PathBuf, InputError> {
+    fs::canonicalize(folder).map_err(|error| InputError::io(folder, &error, "the folder of a run"))
+}
+
 /// Returns the folder itself, or its restarts, with their names.
 fn with_restarts(folder: &Path) -> Result<Vec<(PathBuf, String)>, InputError> {
-    let last =
-        |path: &Path| path.file_name().map_or_else(|| ".".to_owned(), |name| name.to_string_lossy().into_owned());
-    let whole = fs::canonicalize(folder).map_err(|error| InputError::io(folder, &error, "the folder of a run"))?;
-    let name = last(&whole);
+    let name = last(&whole(folder)?);
     if folder.join("config.toml").exists() || folder.join("study.toml").exists() {
         return Ok(vec![(folder.to_owned(), name)]);
     }
@@ -310,9 +326,11 @@ fn study(folder: &Path, name: String, text: &str) -> Result<Run, InputError> {
     #[derive(Deserialize)]
     struct Asked {
         problem: toml::Value,
+        /// Of an arm's study with a configuration.
+        settings: Option<ArmConfig>,
     }
     let file = folder.join("study.toml").display().to_string();
-    let Asked { problem } = settings::from_toml(&file, text, "the study.toml of a study")?;
+    let Asked { problem, settings } = settings::from_toml(&file, text, "the study.toml of a study")?;
     let path = folder.join("hybrid.toml");
     let together = match &problem {
         toml::Value::Table(table) => {
@@ -327,7 +345,9 @@ fn study(folder: &Path, name: String, text: &str) -> Result<Run, InputError> {
             let start = problem.try_into().map_err(|error: toml::de::Error| {
                 InputError::new(&file, Place::Path("problem".to_owned()), error.message(), "fs, rs or a section")
             })?;
-            Together::Arm(start, Box::new(ArmHybrid::read(&path)?))
+            let hybrid = Box::new(ArmHybrid::read(&path)?);
+            let rules = settings.map_or_else(|| hybrid.actor.tests(start), |config| config.problem(start));
+            Together::Arm(Box::new(rules), hybrid)
         }
     };
     Ok(Run { name, seed: None, curves: BTreeMap::new(), cpu: None, kind: Kind::Hybrid(together), hall: Vec::new() })

@@ -13,7 +13,7 @@ use crate::hybrid::shared::{Episodes, Shared};
 use crate::hybrid::trial::Acting;
 use crate::sac::network::Network;
 use crate::sac::tensors::place;
-use tpg_arm::{Arm, Pose, WIDOWX};
+use tpg_arm::{Arm, Pose};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{
     Choices, Ending, EngineOptions, Environment, Lanes, Measure, Plan, PolicyGraph, Remembered, Remembering, Summary,
@@ -21,7 +21,7 @@ use tpg_engine::{
 use tpg_graph::error::{InputError, Place};
 use tpg_graph::{Graph, in_arithmetic_of};
 use tpg_problems::arm::environment::{DISTANCE, OUTCOMES};
-use tpg_problems::arm::targets::{self, Set, Start, TOLERANCE};
+use tpg_problems::arm::targets::{self, Set, Start};
 use tpg_problems::arm::{ArmEnvironment, ArmProblem, ArmScalar, ArmTask};
 use tpg_problems::{ContinuousProblem, Number, Problem};
 use tpg_runtime::ops::Maths;
@@ -141,7 +141,7 @@ pub(super) fn test(
                 Ok(Some(Tested { endings, measure, arm: None, watched: None }))
             }
         },
-        Kind::Hybrid(Together::Arm(start, hybrid)) => Ok(Some(of_an_arms_hybrid(hybrid, *start, episodes, seed)?)),
+        Kind::Hybrid(Together::Arm(rules, hybrid)) => Ok(Some(of_an_arms_hybrid(hybrid, rules, episodes, seed)?)),
         Kind::Hybrid(Together::Other(problem, hybrid)) => Ok(Some(of_a_hybrid(&**problem, hybrid, episodes, seed)?)),
         Kind::Hybrid(Together::Own(hybrid)) => {
             let Some(own) = own else { return Ok(None) };
@@ -157,22 +157,22 @@ fn of_a_hybrid(problem: &dyn Shared, hybrid: &Hybrid, episodes: usize, seed: u64
 }
 
 /// A hybrid of the arm on its test episodes.
-fn of_an_arms_hybrid(hybrid: &ArmHybrid, start: Start, episodes: usize, seed: u64) -> Result<Tested, InputError> {
-    let tasks = targets::tasks(&WIDOWX, seed, Set::Test, start, episodes);
+fn of_an_arms_hybrid(hybrid: &ArmHybrid, rules: &ArmProblem, episodes: usize, seed: u64) -> Result<Tested, InputError> {
     let ArmHybrid { graph: (file, graph), actor, setting } = hybrid;
-    let endings = trial::run(file, graph, actor, setting, start, &tasks)?.trial.endings;
-    let arm = OnTheArm { arm: WIDOWX, tolerance: TOLERANCE, walks: Vec::new() };
+    let tasks = targets::tasks(&actor.arm(), seed, Set::Test, rules.start, episodes);
+    let endings = trial::run(file, graph, actor, setting, rules.clone(), &tasks)?.trial.endings;
+    let arm = OnTheArm { arm: actor.arm(), tolerance: rules.tolerance, walks: Vec::new() };
     Ok(Tested { endings, measure: Some(DISTANCE), arm: Some(arm), watched: None })
 }
 
 /// An actor of the arm on its test episodes.
 fn of_an_actor(actor: &FloatActor, start: Start, episodes: usize, seed: u64) -> Tested {
-    let tasks = targets::tasks(&WIDOWX, seed, Set::Test, start, episodes);
+    let (arm, rules) = (actor.motors.arm(), actor.motors.tests(start));
+    let tasks = targets::tasks(&arm, seed, Set::Test, start, episodes);
     let policy = actor.policy();
-    let rules = ArmProblem::new(start, Vec::new());
     let watch = |place: usize| {
         let mut poses = vec![tasks[place].start];
-        let summary = policy.watch(start, place, &tasks[place], |pose| poses.push(pose));
+        let summary = policy.watch(&rules, place, &tasks[place], |pose| poses.push(pose));
         (rules.ending(summary.outcome, summary.actions, f64::from(summary.distance)), poses)
     };
     let endings: Vec<Ending> = (0..tasks.len()).map(|place| watch(place).0).collect();
@@ -182,7 +182,7 @@ fn of_an_actor(actor: &FloatActor, start: Start, episodes: usize, seed: u64) -> 
     Tested {
         endings,
         measure: Some(DISTANCE),
-        arm: Some(OnTheArm { arm: WIDOWX, tolerance: TOLERANCE, walks }),
+        arm: Some(OnTheArm { arm, tolerance: rules.tolerance, walks }),
         watched: None,
     }
 }

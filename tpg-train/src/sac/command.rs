@@ -22,7 +22,7 @@ use serde_json::Value;
 use sha2::{Digest as _, Sha256};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
-use tpg_engine::{Environment, Summary};
+use tpg_engine::{Environment, Preferring, Summary};
 use tpg_graph::command::Verdict;
 use tpg_graph::error::{Finding, InputError};
 use tpg_problems::{ContinuousProblem, ProblemName};
@@ -65,7 +65,8 @@ pub fn execute(args: &SacArgs) -> Result<Verdict, InputError> {
     let name = preset.map_or_else(|| name_by_content(&config), str::to_owned);
     let stop = interrupt::watch();
     let command = Command { args, name: &name, config, problem: problem.name() };
-    Run::begin(command, &&*problem.environment(args.seed))?.finish(&stop)
+    let environment = problem.environment(args.seed);
+    Run::begin(command, &Preferring::new(&*environment))?.finish(&stop)
 }
 
 impl Configuration for SacConfig {
@@ -100,14 +101,14 @@ struct Command<'a> {
 }
 
 struct Run<'a, E: Environment<f32>> {
-    environment: &'a E,
+    environment: &'a Preferring<E>,
     folder: RunFolder,
     name: &'a str,
     problem: ProblemName,
     seed: u64,
     goal: Goal,
     checkpoint_every: Duration,
-    training: Training<'a, E>,
+    training: Training<'a, Preferring<E>>,
     validation: Vec<E::Task>,
     log: Vec<Value>,
     progress: ProgressBar,
@@ -115,7 +116,7 @@ struct Run<'a, E: Environment<f32>> {
 }
 
 impl<'a, E: Environment<f32>> Run<'a, E> {
-    fn begin(command: Command<'a>, environment: &'a E) -> Result<Self, InputError> {
+    fn begin(command: Command<'a>, environment: &'a Preferring<E>) -> Result<Self, InputError> {
         let Command { args, name, config, problem } = command;
         let (seed, folder) = (args.seed, args.run.folder(problem, args.seed));
         let refused = |finding: Finding| {
@@ -210,8 +211,11 @@ impl<'a, E: Environment<f32>> Run<'a, E> {
             validation: Some(best.result),
         };
         let config = self.training.config();
-        let contract =
-            Contract::new(config.problem.clone(), self.training.interface(), config.actor.clone(), provenance);
+        let (interface, actor) = (self.training.interface(), config.actor.clone());
+        let contract = Contract {
+            chooses: self.environment.chooses(),
+            ..Contract::new(config.problem.clone(), interface, actor, provenance)
+        };
         to_tensors(&best.actor, &contract).write(&self.folder.file("policy.safetensors"))?;
         self.log.push(log::row(&self.training, &recent, &result, self.environment));
         log::write(self.folder.path(), &self.log, self.began)

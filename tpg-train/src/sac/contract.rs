@@ -25,10 +25,17 @@ pub struct Contract {
     pub inputs: Vec<Input>,
     /// The outputs, in order: a component of the action, tanh of a mean, is the fraction of half the range.
     pub outputs: Vec<OutputRange>,
+    /// True if the outputs are preferences for named actions: the greatest acts.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub chooses: bool,
     /// The network.
     pub actor: Actor,
     /// The origin of the policy.
     pub provenance: Provenance,
+}
+
+fn is_false(value: &bool) -> bool {
+    !value
 }
 
 /// An output and its range.
@@ -78,6 +85,7 @@ impl Contract {
             problem,
             inputs: interface.inputs.clone(),
             outputs: interface.outputs.iter().map(output).collect(),
+            chooses: false,
             actor,
             provenance,
         }

@@ -7,7 +7,7 @@ use serde::Serialize;
 use std::fmt;
 use tpg_codegen::policy::{FloatLayer, FloatNetwork, FloatOutput, FloatValue, Input, QuantisedPolicy};
 use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{Environment, Summary};
+use tpg_engine::{Environment, Summary, preferred};
 use tpg_graph::error::{InputError, Place};
 use tpg_nn::Mlp;
 use tpg_runtime::net::{Kind, Squash};
@@ -55,11 +55,15 @@ pub fn quantise(
         max: output.max as f32,
         squash: Squash::Tanh,
     });
+    let output = match contract.chooses {
+        true => FloatOutput::Argmax(contract.outputs.iter().map(|output| output.name.clone()).collect()),
+        false => FloatOutput::Values(values.collect()),
+    };
     let inputs = contract.inputs.iter();
     let float = FloatNetwork {
         inputs: inputs.map(|of| Input { name: of.name.clone(), offset: of.offset, scale: of.scale }).collect(),
         layers: deciding_layers(network, contract.outputs.len()),
-        output: FloatOutput::Values(values.collect()),
+        output,
     };
     let interface = contract.interface();
     let policy = NetworkPolicy::new(network, &interface, &contract.actor);
@@ -86,7 +90,8 @@ pub struct Comparison {
     pub bytes: usize,
     /// Multiplications of a weight that one decision costs.
     pub multiplications: usize,
-    /// The mean difference of an output, on the way of the policy in floating point, as a fraction of half its range.
+    /// The mean difference of an output, on the way of the policy in floating point, as a fraction of half its range; of a network
+    /// that chooses, the fraction of other choices.
     pub mean_difference: f64,
     /// The greatest of these differences.
     pub greatest_difference: f64,
@@ -111,13 +116,24 @@ impl Comparison {
             let task = environment.draw(&mut Stream::new(seed, 0, Purpose::Evaluation, index));
             let compared = |state: &[f32], values: &mut Vec<f32>| {
                 float.answer(state, values);
+                if contract.chooses {
+                    let differs = f64::from(u8::from(usize::from(preferred(values).0) != fixed.choose(state)));
+                    (count, sum, greatest) = (count + 1, sum + differs, greatest.max(differs));
+                    return;
+                }
                 for ((a, b), of) in values.iter().zip(fixed.values(state)).zip(&interface.outputs) {
                     let difference = f64::from((a - b).abs()) / (0.5 * (of.max - of.min));
                     (count, sum, greatest) = (count + 1, sum + difference, greatest.max(difference));
                 }
             };
             endings[0].push(play(environment, &task, compared, |_episode| ()));
-            let alone = |state: &[f32], values: &mut Vec<f32>| *values = fixed.values(state);
+            let alone = |state: &[f32], values: &mut Vec<f32>| {
+                *values = fixed.values(state);
+                if contract.chooses {
+                    values.resize(interface.outputs.len(), 0.0);
+                    values[fixed.choose(state)] = 1.0;
+                }
+            };
             endings[1].push(play(environment, &task, alone, |_episode| ()));
         }
         Self {

@@ -1,10 +1,11 @@
 //! Files of settings, tasks and arms: TOML, CSV and URDF.
 
 use tpg_arm::WIDOWX;
+use tpg_problems::arm::chain::ChainDescription;
 use tpg_problems::arm::targets;
 use tpg_problems::continuous::ContinuousProblem;
 use tpg_problems::dodge::file as scenes_file;
-use tpg_train::arm_import::{self, Radii};
+use tpg_train::arm_import::{self, Imported, Radii};
 use tpg_train::evolution::config::EvolutionConfig;
 use tpg_train::hybrid::arm::setting::HybridFile;
 use tpg_train::hybrid::setting::parse_file;
@@ -48,7 +49,10 @@ pub fn urdf(data: &[u8]) {
     let text = String::from_utf8_lossy(data);
     let radii = Radii { link: 20.0, base: 60.0 };
     match arm_import::import("fuzzed.urdf", &text, "tip", &[("roll".to_owned(), 0.0)], radii) {
-        Ok(section) => drop(section.parse::<toml::Table>().expect("the section is TOML")),
+        Ok(Imported { text, not_planar: None }) => drop(text.parse::<toml::Table>().expect("the section is TOML")),
+        Ok(Imported { text, not_planar: Some(_) }) => {
+            drop(ChainDescription::from_toml("imported.toml", &text).expect("a chain that is read again"));
+        }
         Err(error) => drop(error.to_string()),
     }
 }

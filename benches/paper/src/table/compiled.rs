@@ -7,7 +7,7 @@ use tpg_arm::cycle::{Brent, CycleDetector, Visited};
 use tpg_arm::hybrid::{Guard, Hybrid, Settings};
 use tpg_arm::observation::{ArmPolicy, Observation};
 use tpg_arm::sac::packed::{Model, PackedPolicy};
-use tpg_arm::{JOINTS, Move, Pose};
+use tpg_arm::{Arm, JOINTS, Move, Pose, WIDOWX};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_generated::widowx_fs::WidowxFs;
 use tpg_generated::widowx_fs_fast::WidowxFsFast;
@@ -16,11 +16,13 @@ use tpg_generated::widowx_rs_fast::WidowxRsFast;
 use tpg_generated::{widowx_fs_hybrid, widowx_rs_hybrid, widowx_sac};
 use tpg_nn::{Mlp, Shape};
 use tpg_problems::ContinuousProblem;
-use tpg_problems::arm::motors::ARM;
 use tpg_problems::arm::targets::{Start, Task};
 use tpg_runtime::policy::Policy;
 use tpg_train::actor::policy::ActorPolicy;
 use tpg_train::sac::presets;
+
+/// The arm that they were trained for, in the precision that they run in.
+const ARM: Arm<f32> = WIDOWX.to_f32();
 
 /// Times of a shipped hybrid and its parts.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -43,7 +43,7 @@ pub fn measure(start: Start, inputs: &ProblemInputs) -> Result<Vec<Row>, InputEr
     ];
     let arm = WIDOWX.to_f32();
     let mut rows = vec![
-        Row::of("the graph alone", &[trial::graph_alone(file, graph, start, &tasks)?]),
+        Row::of("the graph alone", &[trial::graph_alone(file, graph, &WIDOWX, start, &tasks)?]),
         Row::of("the actor alone", &[tpg_problems::arm::trial::run(&arm, &*shipped.actor.policy(), start, &tasks)]),
     ];
     for (name, setting) in settings {
@@ -54,7 +54,7 @@ pub fn measure(start: Start, inputs: &ProblemInputs) -> Result<Vec<Row>, InputEr
         let together = trial::run(&file, &priced, &shipped.actor, &shipped.setting, start, &tasks)?;
         rows.push(Row::of(
             "a graph evolved with a price for handing over, alone",
-            &[trial::graph_alone(&file, &priced, start, &tasks)?],
+            &[trial::graph_alone(&file, &priced, &WIDOWX, start, &tasks)?],
         ));
         rows.push(Row::of_hybrids("that graph in the shipped setting", &[together]));
     }

@@ -96,7 +96,7 @@ fn graphs(learned: &Learned, shield: Shield, start: Start, tasks: &[Task]) -> Re
 }
 
 fn actors(learned: &Learned, start: Start, tasks: &[Task]) -> Result<Row, InputError> {
-    let trial = |path: &PathBuf| Ok(Actor::read(path)?.trial(start, tasks));
+    let trial = |path: &PathBuf| Ok(Actor::read(path, None)?.trial(start, tasks));
     let trials: Result<Vec<_>, InputError> = learned.sac.iter().map(trial).collect();
     Ok(Row::of(&learned.name, &trials?))
 }

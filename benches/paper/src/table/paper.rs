@@ -201,7 +201,7 @@ impl Recordings {
     /// Runs the graphs alone, by the recorded rules: a hybrid could not end a cycle as the artifact did.
     fn graphs_alone(&self) -> Result<Vec<Vec<EndState>>, InputError> {
         let ends = |graph: &Graph| {
-            let policy = GraphPolicy::<f64, System>::new("recorded", graph)?;
+            let policy = GraphPolicy::<f64, System>::new("recorded", graph, &WIDOWX)?;
             let run = |task: &Task| {
                 let mut episode = crate::episode::Episode::new(&self.chain, self.rules, task.start, task.target);
                 while !episode.advance(policy.decide(episode.observation())) {}
@@ -222,7 +222,7 @@ impl Recordings {
         let pairs: Vec<(usize, usize)> =
             (0..self.graphs.len()).flat_map(|tpg| (0..actors as usize).map(move |sac| (tpg, sac))).collect();
         let ends = |(pair, &(tpg, sac)): (usize, &(usize, usize))| {
-            let policy = GraphPolicy::<f64, System>::new("recorded", &self.graphs[tpg])?;
+            let policy = GraphPolicy::<f64, System>::new("recorded", &self.graphs[tpg], &WIDOWX)?;
             let run = |(row, task): (&u32, &Task)| {
                 let seed = pair as u64 * 1000 + u64::from(*row);
                 let done = act(sac, seed, &|actor| {

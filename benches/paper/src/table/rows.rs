@@ -120,7 +120,7 @@ pub fn measure(start: Start, inputs: &ProblemInputs, tasks: &[Task]) -> Result<V
     rows.push(actor_row("SAC, shipped, collisions allowed", run_allowing_collisions(&arm, &*actor, start, tasks)));
     rows.push(actor_row("SAC, shipped", run(&arm, &*actor, start, tasks)));
     let bytes = graph_bytes(graph);
-    rows.push(Row { bytes, ..Row::of("TPG, shipped", &[trial::graph_alone(file, graph, start, tasks)?]) });
+    rows.push(Row { bytes, ..Row::of("TPG, shipped", &[trial::graph_alone(file, graph, &WIDOWX, start, tasks)?]) });
     let both = trial::run(file, graph, &shipped.actor, &shipped.setting, start, tasks)?;
     let bytes = bytes.map(|graph| graph.map(|graph| graph + actor_bytes));
     rows.push(Row { bytes, ..Row::of_hybrids("**hybrid, shipped**", &[both]) });
@@ -139,11 +139,11 @@ fn of_seeds(start: Start, inputs: &ProblemInputs, shipped: &Hybrid, tasks: &[Tas
     let arm = WIDOWX.to_f32();
     let read = |path: &PathBuf| Ok((path.display().to_string(), read_graph(path)?));
     let graphs = inputs.tpg.iter().map(read).collect::<Result<Vec<(String, Graph)>, InputError>>()?;
-    let actors = inputs.sac.iter().map(|path| Actor::read(path)).collect::<Result<Vec<_>, _>>()?;
+    let actors = inputs.sac.iter().map(|path| Actor::read(path, None)).collect::<Result<Vec<_>, _>>()?;
     let of_actors = |run: &dyn Fn(&Actor) -> Trial| actors.iter().map(run).collect::<Vec<_>>();
     let allowed = of_actors(&|actor| run_allowing_collisions(&arm, &*actor.policy(), start, tasks));
     let ending = of_actors(&|actor| run(&arm, &*actor.policy(), start, tasks));
-    let alone = graphs.iter().map(|(file, graph)| trial::graph_alone(file, graph, start, tasks));
+    let alone = graphs.iter().map(|(file, graph)| trial::graph_alone(file, graph, &WIDOWX, start, tasks));
     let alone = alone.collect::<Result<Vec<_>, _>>()?;
     let mut together = Vec::new();
     for (file, graph) in &graphs {

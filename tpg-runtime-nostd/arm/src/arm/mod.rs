@@ -6,6 +6,7 @@
 mod collision;
 mod error;
 mod leeway;
+mod play;
 mod pose;
 mod step;
 mod widowx;
@@ -13,6 +14,7 @@ mod widowx;
 pub use collision::Collision;
 pub use error::ArmError;
 pub(crate) use leeway::Leeway;
+pub use play::Play;
 pub use pose::{JOINTS, Joint, Move, Pose, TICKS_PER_TURN};
 pub use step::{Invalid, Step};
 pub use widowx::WIDOWX;

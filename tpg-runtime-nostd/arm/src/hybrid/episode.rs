@@ -1,7 +1,7 @@
 //! One episode of a hybrid in the simulated arm.
 
 use super::{Chosen, Counts, Driver, Hybrid, NEVER, Switch};
-use crate::arm::{Move, Pose};
+use crate::arm::{Move, Play, Pose};
 use crate::cycle::{Brent, CycleDetector};
 use crate::episode::{Course, Outcome, ReachTask, Summary};
 use crate::kinematics::Lattice;
@@ -25,7 +25,7 @@ pub struct HybridSummary<S> {
 #[derive(Clone, Debug)]
 pub struct HybridEpisode<'a, S, T, P, D> {
     hybrid: &'a Hybrid<'a, S, T, P>,
-    course: Course<'a, S>,
+    course: Course<S>,
     switch: Switch<S, D>,
     /// Watches the network once it keeps the arm to the end.
     last_turn: Option<Brent>,
@@ -40,7 +40,12 @@ where
 {
     /// Puts the arm at the problem's start.
     pub fn new(hybrid: &'a Hybrid<'a, S, T, P>, problem: ReachTask<S>, detector: D) -> Self {
-        let course = Course::new(hybrid.arm, problem);
+        Self::with_play(hybrid, problem, detector, Play::NONE)
+    }
+
+    /// Puts an arm whose joints have play at the problem's start.
+    pub fn with_play(hybrid: &'a Hybrid<'a, S, T, P>, problem: ReachTask<S>, detector: D, play: Play) -> Self {
+        let course = Course::new(hybrid.arm, problem, play);
         let switch = Switch::new(hybrid.settings, detector, course.observation());
         Self { hybrid, course, switch, last_turn: None }
     }
@@ -75,7 +80,7 @@ where
             detector.reset(self.course.observation().pose);
             self.last_turn = Some(detector);
         }
-        let outcome = self.course.step(chosen.wanted);
+        let outcome = self.course.step(self.hybrid.arm, chosen.wanted);
         if outcome.is_some() {
             self.switch.ended(chosen);
             return outcome;
@@ -92,7 +97,10 @@ where
             let (driver, outcome) = self.advance();
             each(driver, self.course.observation().pose);
             if let Some(outcome) = outcome {
-                return HybridSummary { summary: self.course.summary(outcome), counts: *self.switch.counts() };
+                return HybridSummary {
+                    summary: self.course.summary(self.hybrid.arm, outcome),
+                    counts: *self.switch.counts(),
+                };
             }
         }
     }

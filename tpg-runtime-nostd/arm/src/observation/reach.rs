@@ -22,6 +22,8 @@ struct Bend<S> {
 pub struct ReachTarget<S> {
     /// Base's goal, ticks.
     base: S,
+    /// True where the base turns its back to the target, which lies beyond its range.
+    pub(super) behind: bool,
     /// Shoulder to target, mm.
     wanted: S,
     /// Of the target as seen from the shoulder, in the arm plane turned to it, rad.
@@ -69,11 +71,15 @@ impl<S: Lattice> ReachTarget<S> {
     pub fn at(arm: &Arm<S>, target: Vector<S>) -> Self {
         let links = &arm.links;
         let [x, y, z] = target;
-        // From the shoulder, once the base has turned to the target.
-        let range = (x * x + y * y).sqrt() - links.shoulder_radial;
+        let far = (x * x + y * y).sqrt();
+        let facing = S::from_i32(TICKS_PER_TURN / 2) + ticks_of((-x).atan2(y));
+        let (base, behind) = turned(facing, arm.ranges[0]);
+        // From the shoulder, once the base has turned; negative over the arm's back.
+        let range = if behind { -far } else { far } - links.shoulder_radial;
         let height = z - links.base;
         Self {
-            base: S::from_i32(TICKS_PER_TURN / 2) + ticks_of((-x).atan2(y)),
+            base,
+            behind,
             wanted: (range * range + height * height).sqrt(),
             // The stretched arm points to negative x of its plane: so does a target on the front side.
             direction: height.atan2(-range),
@@ -84,7 +90,7 @@ impl<S: Lattice> ReachTarget<S> {
 
     /// The goals for a wrist position in ticks.
     pub fn keeping_wrist(&self, arm: &Arm<S>, wrist: i16) -> Reach<S> {
-        let Self { base, wanted, direction, upper, upper_angle } = *self;
+        let Self { base, wanted, direction, upper, upper_angle, .. } = *self;
         let links = &arm.links;
         let turned = Angle(TICKS_PER_TURN / 2 - i32::from(wrist)).direction::<S>();
         let (along, aside) = (links.forearm + links.hand * turned.cos, links.hand * turned.sin);
@@ -154,6 +160,25 @@ impl<S: Lattice> Reach<S> {
             pitch: bend.pitch,
         }
     }
+}
+
+/// Ticks by which the base may miss its target: a joint of a whole turn has up to two positions less than the turn.
+const MISSED: i16 = 2;
+
+/// The base's goal, and whether it turns the arm's back to the target: where only that lies within its range.
+#[inline(always)]
+fn turned<S: Lattice>(facing: S, range: JointRange) -> (S, bool) {
+    let within = |ticks: S| {
+        ticks >= S::from_i32(i32::from(range.min) - i32::from(MISSED))
+            && ticks <= S::from_i32(i32::from(range.max) + i32::from(MISSED))
+    };
+    if within(facing) {
+        return (facing, false);
+    }
+    let half = S::from_i32(TICKS_PER_TURN / 2);
+    let away = if facing > half { facing - half } else { facing + half };
+    // An arm whose base turns by less than half a turn reaches some targets neither way.
+    if within(away) { (away, true) } else { (facing, false) }
 }
 
 /// A joint goal, moved by whole turns to 0..=4096, around the middle of a joint's travel.

@@ -2,7 +2,8 @@
 
 use super::Finish;
 use crate::Real;
-use pulp::Simd;
+use crate::vectors::{Vector, lanes, load, many_registers, save};
+use fearless_simd::{Simd, SimdBase};
 
 /// From this number of rows on, multiplying a column is more expensive than testing whether its factor is zero.
 const MANY: usize = 128;
@@ -40,13 +41,12 @@ pub(super) fn by_columns<'a, T: Real, S: Simd>(
     columns: impl Iterator<Item = (&'a [T], T)> + Clone,
     finish: Finish<'_, T>,
 ) {
-    let lanes = T::lanes::<S>();
     let mut first = 0;
-    if S::REGISTER_COUNT >= 32 {
-        first = rows_of_vectors::<T, S, 16>(simd, out, columns.clone(), finish, first, 16 * lanes);
+    if many_registers::<S>() {
+        first = rows_of_vectors::<T, S, 16>(simd, out, columns.clone(), finish, first);
     }
-    first = rows_of_vectors::<T, S, 8>(simd, out, columns.clone(), finish, first, 8 * lanes);
-    first = rows_of_vectors::<T, S, 2>(simd, out, columns.clone(), finish, first, 2 * lanes);
+    first = rows_of_vectors::<T, S, 8>(simd, out, columns.clone(), finish, first);
+    first = rows_of_vectors::<T, S, 2>(simd, out, columns.clone(), finish, first);
     let rows = out.len();
     while rows - first >= 4 {
         few_rows::<T, 4>(out, columns.clone(), finish, first);
@@ -80,27 +80,27 @@ fn few_rows<'a, T: Real, const N: usize>(
 
 /// Computes rows from `first` on, `M` vectors at once; returns the first remaining row.
 #[inline(always)]
+#[allow(clippy::needless_range_loop, reason = "an iterator would take the address of what is to stay in registers")]
 fn rows_of_vectors<'a, T: Real, S: Simd, const M: usize>(
     simd: S,
     out: &mut [T],
     columns: impl Iterator<Item = (&'a [T], T)> + Clone,
     finish: Finish<'_, T>,
     mut first: usize,
-    height: usize,
 ) -> usize {
-    let rows = out.len();
+    let (rows, height) = (out.len(), M * lanes::<T, S>());
     while rows - first >= height {
-        let mut sums = [T::splat(simd, T::zero()); M];
+        let mut sums: [Vector<T, S>; M] = [SimdBase::splat(simd, T::zero()); M];
         for (column, factor) in columns.clone() {
-            let (values, factor) = (T::vectors::<S>(&column[first..first + height]), T::splat(simd, factor));
+            let (values, factor) = (&column[first..first + height], <Vector<T, S>>::splat(simd, factor));
             for i in 0..M {
-                sums[i] = T::plus(simd, sums[i], T::times(simd, values[i], factor));
+                sums[i] += load::<T, S>(simd, values, i) * factor;
             }
         }
-        let slots = T::vectors_mut::<S>(&mut out[first..first + height]);
+        let slots = &mut out[first..first + height];
         for i in 0..M {
-            let row = first + i * T::lanes::<S>();
-            slots[i] = finish.vector(simd, row, row, sums[i]);
+            let row = first + i * lanes::<T, S>();
+            save::<T, S>(finish.vector(simd, row, row, sums[i]), slots, i);
         }
         first += height;
     }

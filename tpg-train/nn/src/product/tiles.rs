@@ -3,7 +3,9 @@
 
 use super::{Factor, Finish, Product, Scratch};
 use crate::Real;
-use pulp::Simd;
+use crate::vectors::{Vector, lanes, load, save, where_positive};
+use fearless_simd::{Simd, SimdBase};
+use std::marker::PhantomData;
 
 /// Tile widths, in columns, for when the widest tile no longer fits, and for when this one no longer fits either.
 const NARROW: usize = 8;
@@ -15,12 +17,12 @@ impl<T: Real> Product<'_, T> {
     pub(super) fn by_tiles<S: Simd, const M: usize, const N: usize>(self, simd: S) {
         let Self { out, a, b, finish, scratch: Scratch { panels, rest, sums, .. } } = self;
         let ((rows, inner), (_, columns)) = (a.size(), b.size());
-        let height = M * T::lanes::<S>();
+        let height = M * lanes::<T, S>();
         panels.resize(rows.next_multiple_of(height) * inner, T::zero());
         for first in (0..rows).step_by(height) {
-            pack::<T, S, M>(&mut panels[first * inner..][..height * inner], a, first);
+            pack::<T, S, M>(simd, &mut panels[first * inner..][..height * inner], a, first);
         }
-        let panels = Panels::<T, S, M> { vectors: T::vectors::<S>(panels), rows, inner };
+        let panels = Panels::<T, S, M> { values: panels, rows, inner, simd: PhantomData };
         sums.resize(height * N, T::zero());
         let mut first = panels.times_whole::<N>(simd, out, b, 0, finish, sums);
         if N > NARROW {
@@ -47,18 +49,20 @@ impl<T: Real> Product<'_, T> {
 
 /// The left factor, packed into panels of `M` vectors of rows.
 struct Panels<'a, T: Real, S: Simd, const M: usize> {
-    vectors: &'a [T::Vector<S>],
+    values: &'a [T],
     rows: usize,
     inner: usize,
+    simd: PhantomData<S>,
 }
 
 impl<T: Real, S: Simd, const M: usize> Panels<'_, T, S, M> {
     /// Iterates over the panels with their first rows.
     #[inline(always)]
-    fn each(&self) -> impl Iterator<Item = (&[T::Vector<S>], usize)> {
-        let size = M * self.inner;
-        let firsts = (0..self.rows).step_by(M * T::lanes::<S>());
-        firsts.enumerate().map(move |(index, first)| (&self.vectors[index * size..][..size], first))
+    fn each(&self) -> impl Iterator<Item = (&[T], usize)> {
+        let height = M * lanes::<T, S>();
+        let size = height * self.inner;
+        let firsts = (0..self.rows).step_by(height);
+        firsts.enumerate().map(move |(index, first)| (&self.values[index * size..][..size], first))
     }
 
     /// Computes the product's columns from `first` on, as long as they fill tiles of `N`; returns the first remaining
@@ -92,9 +96,9 @@ impl<T: Real, S: Simd, const M: usize> Panels<'_, T, S, M> {
 
 /// Copies `M` vectors of a factor's rows from row `first` on, column after column, padded with zeros.
 #[inline(always)]
-fn pack<T: Real, S: Simd, const M: usize>(panel: &mut [T], a: Factor<'_, T>, first: usize) {
+fn pack<T: Real, S: Simd, const M: usize>(simd: S, panel: &mut [T], a: Factor<'_, T>, first: usize) {
     let (rows, inner) = a.size();
-    let height = M * T::lanes::<S>();
+    let height = M * lanes::<T, S>();
     let there = height.min(rows - first);
     if there < height {
         panel.fill(T::zero());
@@ -114,26 +118,29 @@ fn pack<T: Real, S: Simd, const M: usize>(panel: &mut [T], a: Factor<'_, T>, fir
     } else {
         // A fixed number of vectors, so there is no call per column.
         for (slots, column) in slots.zip(a.values.chunks_exact(rows)) {
-            let (slots, values) = (T::vectors_mut::<S>(slots), T::vectors::<S>(&column[first..first + height]));
-            slots[..M].copy_from_slice(&values[..M]);
+            let values = &column[first..first + height];
+            for i in 0..M {
+                save::<T, S>(load(simd, values, i), slots, i);
+            }
         }
     }
 }
 
 /// Multiplies a panel by the rows of `b`, `N` numbers each, into `sums`, column by column.
 #[inline(always)]
+#[allow(clippy::needless_range_loop, reason = "an iterator would take the address of what is to stay in registers")]
 fn tile<'a, T: Real, S: Simd, const M: usize, const N: usize>(
     simd: S,
-    panel: &[T::Vector<S>],
+    panel: &[T],
     b: impl Iterator<Item = &'a [T]>,
     sums: &mut [T],
 ) {
-    let mut tile = [[T::splat(simd, T::zero()); M]; N];
-    for (a, b) in panel.chunks_exact(M).zip(b) {
+    let mut tile: [[Vector<T, S>; M]; N] = [[SimdBase::splat(simd, T::zero()); M]; N];
+    for (a, b) in panel.chunks_exact(M * lanes::<T, S>()).zip(b) {
         for j in 0..N {
-            let factor = T::splat(simd, b[j]);
+            let factor = <Vector<T, S>>::splat(simd, b[j]);
             for i in 0..M {
-                tile[j][i] = T::plus(simd, tile[j][i], T::times(simd, a[i], factor));
+                tile[j][i] += load::<T, S>(simd, a, i) * factor;
             }
         }
     }
@@ -142,20 +149,21 @@ fn tile<'a, T: Real, S: Simd, const M: usize, const N: usize>(
 
 /// Multiplies a panel by `N` whole columns of `b`, `inner` numbers each, into `sums`, column by column.
 #[inline(always)]
+#[allow(clippy::needless_range_loop, reason = "an iterator would take the address of what is to stay in registers")]
 fn tile_of_columns<T: Real, S: Simd, const M: usize, const N: usize>(
     simd: S,
-    panel: &[T::Vector<S>],
+    panel: &[T],
     b: &[T],
     inner: usize,
     sums: &mut [T],
 ) {
-    let mut tile = [[T::splat(simd, T::zero()); M]; N];
+    let mut tile: [[Vector<T, S>; M]; N] = [[SimdBase::splat(simd, T::zero()); M]; N];
     let b: [&[T]; N] = std::array::from_fn(|j| &b[j * inner..][..inner]);
-    for (k, a) in panel.chunks_exact(M).enumerate().take(inner) {
+    for (k, a) in panel.chunks_exact(M * lanes::<T, S>()).enumerate().take(inner) {
         for j in 0..N {
-            let factor = T::splat(simd, b[j][k]);
+            let factor = <Vector<T, S>>::splat(simd, b[j][k]);
             for i in 0..M {
-                tile[j][i] = T::plus(simd, tile[j][i], T::times(simd, a[i], factor));
+                tile[j][i] += load::<T, S>(simd, a, i) * factor;
             }
         }
     }
@@ -164,11 +172,12 @@ fn tile_of_columns<T: Real, S: Simd, const M: usize, const N: usize>(
 
 /// Stores a tile in memory. Until then it stays in registers because nothing takes its address.
 #[inline(always)]
-fn leave<T: Real, S: Simd, const M: usize, const N: usize>(tile: [[T::Vector<S>; M]; N], sums: &mut [T]) {
-    let slots = &mut T::vectors_mut::<S>(sums)[..M * N];
+#[allow(clippy::needless_range_loop, reason = "an iterator would take the address of what is to stay in registers")]
+fn leave<T: Real, S: Simd, const M: usize, const N: usize>(tile: [[Vector<T, S>; M]; N], sums: &mut [T]) {
+    let slots = &mut sums[..M * N * lanes::<T, S>()];
     for j in 0..N {
         for i in 0..M {
-            slots[j * M + i] = tile[j][i];
+            save::<T, S>(tile[j][i], slots, j * M + i);
         }
     }
 }
@@ -184,7 +193,7 @@ fn store<T: Real, S: Simd, const M: usize>(
     sums: &[T],
     finish: Finish<'_, T>,
 ) {
-    let height = M * T::lanes::<S>();
+    let height = M * lanes::<T, S>();
     let here = row..rows.min(row + height);
     let columns = out[column * rows..].chunks_exact_mut(rows).zip(sums.chunks_exact(height)).enumerate();
     let columns = columns.map(|(j, (out, sums))| ((column + j) * rows + row, &mut out[here.clone()], sums));
@@ -196,7 +205,6 @@ fn store<T: Real, S: Simd, const M: usize>(
         }
         return;
     }
-    let columns = columns.map(|(first, out, sums)| (first, T::vectors_mut::<S>(out), T::vectors::<S>(sums)));
     // One loop per kind of finish, so that the loops do not test it.
     match finish {
         Finish::Plain => {
@@ -205,26 +213,28 @@ fn store<T: Real, S: Simd, const M: usize>(
             }
         }
         Finish::Bias(bias) => {
-            let bias = T::vectors::<S>(&bias[here.clone()]);
+            let bias = &bias[here.clone()];
             for (_, out, sums) in columns {
                 for i in 0..M {
-                    out[i] = T::plus(simd, sums[i], bias[i]);
+                    save::<T, S>(load::<T, S>(simd, sums, i) + load(simd, bias, i), out, i);
                 }
             }
         }
         Finish::Rectified(bias) => {
-            let bias = T::vectors::<S>(&bias[here.clone()]);
+            let bias = &bias[here.clone()];
             for (_, out, sums) in columns {
                 for i in 0..M {
-                    out[i] = T::rectify(simd, T::plus(simd, sums[i], bias[i]));
+                    let sum = load::<T, S>(simd, sums, i) + load(simd, bias, i);
+                    save::<T, S>(where_positive::<T, S>(simd, sum, sum), out, i);
                 }
             }
         }
         Finish::Where(passed) => {
             for (first, out, sums) in columns {
-                let passed = T::vectors::<S>(&passed[first..][..height]);
+                let passed = &passed[first..][..height];
                 for i in 0..M {
-                    out[i] = T::pass(simd, sums[i], passed[i]);
+                    let passed = load::<T, S>(simd, passed, i);
+                    save::<T, S>(where_positive::<T, S>(simd, load(simd, sums, i), passed), out, i);
                 }
             }
         }

@@ -3,7 +3,7 @@
 
 use super::{Factor, Finish, Product};
 use crate::Real;
-use pulp::Simd;
+use fearless_simd::Simd;
 
 impl<T: Real> Product<'_, T> {
     /// As [`by_tiles`](Self::by_tiles), but skips columns of zeros in a [`sparse`](Factor::sparse) right factor if

@@ -22,6 +22,10 @@ pub struct Config {
     pub shield: Shield,
     /// Distance below which the hand has reached its target, mm.
     pub tolerance: f64,
+    /// Each joint stands up to that many ticks beside its motor, drawn for each episode: the play of its gears. Neither the
+    /// policy nor the limits know of it; it moves the hand.
+    #[serde(skip_serializing_if = "is_none")]
+    pub backlash: i16,
     /// Ticks moved by one action.
     pub step: i8,
     /// True if there is an action that does nothing and ends the episode.
@@ -41,6 +45,19 @@ pub struct Config {
     pub arm: Option<ArmDescription>,
 }
 
+/// Returns true for joints without play, which need not be written.
+pub(super) fn is_none(backlash: &i16) -> bool {
+    *backlash == 0
+}
+
+/// Checks the setting `problem.backlash`.
+pub(super) fn check_backlash(ticks: i16) -> Result<(), Finding> {
+    Finding::range("problem.backlash", ticks, 0, MOST_BACKLASH)
+}
+
+/// Most ticks of play: 18 degrees.
+const MOST_BACKLASH: i16 = 200;
+
 impl Default for Config {
     /// Returns the paper's problem, with the pose that solves the task and the height above the table as sources.
     fn default() -> Self {
@@ -48,6 +65,7 @@ impl Default for Config {
             sources: [Source::Stance, Source::Floor].map(|source| source.name().to_owned()).to_vec(),
             shield: Shield::None,
             tolerance: TOLERANCE,
+            backlash: 0,
             step: STEP,
             may_stop: false,
             max_actions: None,
@@ -74,6 +92,7 @@ impl Config {
             arm.check()?;
         }
         Finding::range("problem.tolerance", self.tolerance, 1e-3, 1e3)?;
+        check_backlash(self.backlash)?;
         Finding::range("problem.step", self.step, 1, 127)?;
         Finding::range("problem.max_actions", self.max_actions.unwrap_or(1), 1, 1_000_000)?;
         Finding::range("problem.bonus_success", self.bonus_success, 0.0, 1e9)?;
@@ -109,6 +128,7 @@ impl Config {
             start,
             tolerance: self.tolerance,
             max_actions: self.max_actions.unwrap_or(start.max_actions()),
+            backlash: self.backlash,
             step: self.step,
             may_stop: self.may_stop,
             sources: sources.chain(self.shield.source()).collect(),

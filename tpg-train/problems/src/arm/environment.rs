@@ -18,9 +18,9 @@ use crate::arm::targets::{self, ReachableSpace, Set};
 use clearance::{Clearances, swing};
 use tpg_arm::binding::MOVE;
 use tpg_arm::episode::Outcome;
-use tpg_arm::kinematics::{self, Angle, Direction, Directions, Lattice, Plane, link_angles};
+use tpg_arm::kinematics::{self, Angle, Direction, Directions, Lattice, Plane, Vector, link_angles};
 use tpg_arm::observation::{Observation, ReachErrors, Source, derived, shield};
-use tpg_arm::{Arm, JOINTS, Joint, Move, Pose, TICKS_PER_TURN};
+use tpg_arm::{Arm, JOINTS, Joint, Move, Play, Pose, TICKS_PER_TURN};
 use tpg_engine::random::Stream;
 use tpg_engine::{
     Act, ActionSpace, End, Ending, Environment, Episodes, Measure, OneByOne, Preference, SourceSet, Step,
@@ -123,7 +123,7 @@ impl<S: ArmScalar> ArmEnvironment<S> {
             tolerance: S::from_f64(problem.tolerance),
             problem,
             clearances: Clearances::of(arm),
-            swing: S::from_f64(swing(arm)),
+            swing: S::from_f64(swing(arm, f64::from(shield::STEP))),
             moves,
             places,
             sines: Some(Box::new(std::array::from_fn(|ticks| Angle(ticks as i32).direction().sin))),
@@ -210,6 +210,15 @@ impl<S: ArmScalar> ArmEnvironment<S> {
         episode.hand = episode.plane.hand_in_world(episode.base);
     }
 
+    /// Returns hand to target, mm, of motors at a pose whose own hand is known.
+    fn distance(&self, episode: &ArmEpisode<S>, motors: Pose, hand: Vector<S>) -> S {
+        if episode.play == Play::NONE {
+            return kinematics::distance(episode.target, hand);
+        }
+        let joints = episode.play.joints(motors);
+        kinematics::distance(episode.target, self.plane(joints).hand_in_world(self.base(joints)))
+    }
+
     /// Takes one action and returns the ending if the episode ended. The only reward is the score at the end.
     fn advance(&self, episode: &mut ArmEpisode<S>, action: usize) -> Option<Ending> {
         let wanted = self.moves.get(action).copied().unwrap_or(Move::STOP);
@@ -231,7 +240,7 @@ impl<S: ArmScalar> ArmEnvironment<S> {
             episode.collides = false;
             self.arrive(episode, step.pose, moved_plane);
         }
-        let distance = kinematics::distance(episode.target, episode.hand);
+        let distance = self.distance(episode, episode.pose, episode.hand);
         // The same order as in the runtime's episode; cycles are detected by the engine.
         let outcome = if let Some(invalid) = step.invalid {
             Outcome::Invalid(invalid)
@@ -322,6 +331,7 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
             pose,
             target: task.target.map(S::from_f64),
             roughness: task.roughness,
+            play: self.problem.play(&task.into()),
             plane,
             base,
             hand: plane.hand_in_world(base),
@@ -427,6 +437,6 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
     fn cycle(&self, episode: &ArmEpisode<S>, key: u64, actions: u32) -> Option<Ending> {
         let pose = Pose::from_packed(key);
         let hand = self.plane(pose).hand_in_world(self.base(pose));
-        Some(self.problem.ending(Outcome::Cycle, actions, kinematics::distance(episode.target, hand).to_f64()))
+        Some(self.problem.ending(Outcome::Cycle, actions, self.distance(episode, pose, hand).to_f64()))
     }
 }

@@ -9,6 +9,7 @@
 //! | [`motors`] | the arm by its four motors, for policies with outputs |
 //! | [`description`] | an arm as a section of a configuration |
 //! | [`arms`] | arms that are known by name |
+//! | [`chain`] | arms that need not be planar, as a section of a file |
 //! | [`targets`] | tasks over the reachable space |
 //! | [`ik`] | inverse kinematics: poses that solve a task |
 //! | [`planner`] | classical controllers |
@@ -16,6 +17,7 @@
 
 pub mod arms;
 pub mod binding;
+pub mod chain;
 pub mod config;
 pub mod description;
 pub mod environment;

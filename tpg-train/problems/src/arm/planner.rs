@@ -24,6 +24,7 @@ pub enum Choice {
 pub struct Planner<'a> {
     arm: &'a Arm<f64>,
     choice: Choice,
+    tolerance: f64,
     /// The last target, and the poses that solve it.
     solved: RefCell<([f64; 3], Vec<Pose>)>,
 }
@@ -36,15 +37,20 @@ const FINE_PITCHES: u32 = 2880;
 const STEP: i16 = 3;
 
 impl<'a> Planner<'a> {
-    /// Creates a planner for an arm.
+    /// Creates a planner for an arm, and the paper's tolerance.
     pub fn new(arm: &'a Arm<f64>, choice: Choice) -> Self {
-        Self { arm, choice, solved: RefCell::new(([f64::NAN; 3], Vec::new())) }
+        Self::within(arm, choice, TOLERANCE)
+    }
+
+    /// Creates a planner for an arm whose hand must come nearer to its target than so many mm.
+    pub fn within(arm: &'a Arm<f64>, choice: Choice, tolerance: f64) -> Self {
+        Self { arm, choice, tolerance, solved: RefCell::new(([f64::NAN; 3], Vec::new())) }
     }
 
     fn solve(&self, target: [f64; 3]) -> Vec<Pose> {
         let reaches = |pose: &Pose| {
             // Slightly below the tolerance: episodes may run in single precision.
-            kinematics::distance(kinematics::hand(self.arm, *pose), target) < 0.95 * TOLERANCE
+            kinematics::distance(kinematics::hand(self.arm, *pose), target) < 0.95 * self.tolerance
         };
         let solve = |pitches| -> Vec<Pose> {
             ik::goals_of_pitches(self.arm, target, pitches).into_iter().filter(reaches).collect()

@@ -13,6 +13,7 @@ mod file;
 
 pub use file::{parse_csv, read_csv, to_csv};
 
+use super::environment::ArmProblem;
 use serde::{Deserialize, Serialize};
 use tpg_arm::episode::ReachTask;
 use tpg_arm::frame::Clearance;
@@ -74,12 +75,7 @@ pub struct Task {
 impl Task {
     /// Converts the task to a problem with the paper's tolerance.
     pub fn problem<S: Lattice>(&self, start: Start) -> ReachTask<S> {
-        ReachTask {
-            start: self.start,
-            target: self.target.map(S::from_f64),
-            tolerance: S::from_f64(TOLERANCE),
-            max_actions: start.max_actions(),
-        }
+        ArmProblem::from(start).reach(self)
     }
 }
 

@@ -5,7 +5,7 @@ use crate::arm::targets::{Start, Task};
 use serde::Serialize;
 use tpg_arm::cycle::{Brent, CycleDetector};
 use tpg_arm::episode::{Episode, Outcome, ReachTask, Summary};
-use tpg_arm::kinematics::Lattice;
+use tpg_arm::kinematics::{self, Lattice};
 use tpg_arm::observation::Observation;
 use tpg_arm::{Arm, Move, Pose, Step};
 use tpg_engine::Ending;
@@ -55,22 +55,23 @@ pub struct Failures {
 }
 
 /// Runs one episode of each task.
-pub fn run<S, P>(arm: &Arm<S>, policy: &P, start: Start, tasks: &[Task]) -> Trial
+pub fn run<S, P>(arm: &Arm<S>, policy: &P, problem: impl Into<ArmProblem>, tasks: &[Task]) -> Trial
 where
     S: Lattice,
     P: Policy<State = Observation<S>, Action = Move> + ?Sized,
 {
-    let episode = |task: &Task| watch(arm, policy, start, task, |_pose| ());
-    summarise(start, &tasks.iter().map(episode).collect::<Vec<_>>())
+    let problem = problem.into();
+    let summaries: Vec<_> = tasks.iter().map(|task| watch(arm, policy, &problem, task, |_pose| ())).collect();
+    summarise(problem, &summaries)
 }
 
 /// Runs one episode and calls `each` with the pose after every action.
-pub fn watch<S, P>(arm: &Arm<S>, policy: &P, start: Start, task: &Task, each: impl FnMut(Pose)) -> Summary<S>
+pub fn watch<S, P>(arm: &Arm<S>, policy: &P, problem: &ArmProblem, task: &Task, each: impl FnMut(Pose)) -> Summary<S>
 where
     S: Lattice,
     P: Policy<State = Observation<S>, Action = Move> + ?Sized,
 {
-    Episode::new(arm, task.problem(start), Brent::new()).run(policy, each)
+    Episode::with_play(arm, problem.reach(task), Brent::new(), problem.play(task)).run(policy, each)
 }
 
 /// Runs one episode of a policy that samples its actions: neither standing still nor repeating a pose ends it. Calls
@@ -78,12 +79,11 @@ where
 pub fn watch_drawn<S: Lattice>(
     arm: &Arm<S>,
     decide: impl FnMut(&Observation<S>) -> Move,
-    start: Start,
+    problem: &ArmProblem,
     task: &Task,
     mut each: impl FnMut(Pose),
 ) -> Summary<S> {
-    let problem: ReachTask<S> = task.problem(start);
-    walk(arm, &problem, decide, |step, reached, in_time| {
+    walk(arm, problem, task, decide, |step, reached, in_time| {
         each(step.pose);
         let invalid = step.invalid.map(Outcome::Invalid);
         invalid.or(reached.then_some(Outcome::Reached)).or((!in_time).then_some(Outcome::Timeout))
@@ -99,12 +99,12 @@ where
     P: Policy<State = Observation<S>, Action = Move> + ?Sized,
 {
     let episode = |task: &Task| {
-        let problem: ReachTask<S> = task.problem(start);
         let mut detector = Brent::new();
-        detector.reset(problem.start);
+        detector.reset(task.start);
         walk(
             arm,
-            &problem,
+            &start.into(),
+            task,
             |seen| policy.decide(seen),
             |step, reached, in_time| {
                 let failed = |otherwise| Some(step.invalid.map_or(otherwise, Outcome::Invalid));
@@ -126,28 +126,30 @@ where
 /// Acts until a step has an outcome, given whether it reached the target and whether another action is allowed.
 fn walk<S: Lattice>(
     arm: &Arm<S>,
-    problem: &ReachTask<S>,
+    problem: &ArmProblem,
+    task: &Task,
     mut decide: impl FnMut(&Observation<S>) -> Move,
     mut outcome: impl FnMut(&Step, bool, bool) -> Option<Outcome>,
 ) -> Summary<S> {
-    let mut seen = Observation::at(arm, problem.start, problem.target);
+    let (ReachTask { start, target, tolerance, max_actions }, play) = (problem.reach(task), problem.play(task));
+    let mut seen = Observation::at(arm, start, target);
     let mut actions = 0;
     loop {
         let step = arm.step(seen.pose, decide(&seen));
-        seen = Observation::at(arm, step.pose, problem.target);
+        seen = Observation::at(arm, step.pose, target);
         actions += 1;
-        let reached = seen.distance() < problem.tolerance;
-        if let Some(outcome) = outcome(&step, reached, actions < problem.max_actions) {
-            return Summary { outcome, actions, pose: seen.pose, distance: seen.distance() };
+        let distance = kinematics::distance(target, kinematics::hand(arm, play.joints(step.pose)));
+        if let Some(outcome) = outcome(&step, distance < tolerance, actions < max_actions) {
+            return Summary { outcome, actions, pose: seen.pose, distance };
         }
     }
 }
 
-/// Computes the statistics of episodes with the paper's scores.
-pub fn summarise<S: Lattice>(problem: Start, summaries: &[Summary<S>]) -> Trial {
-    let rules = ArmProblem::new(problem, Vec::new());
-    let ending = |summary: &Summary<S>| rules.ending(summary.outcome, summary.actions, summary.distance.to_f64());
-    Trial::of(problem, summaries.iter().map(ending).collect())
+/// Computes the statistics of episodes with a problem's scores; a start's are the paper's.
+pub fn summarise<S: Lattice>(problem: impl Into<ArmProblem>, summaries: &[Summary<S>]) -> Trial {
+    let problem = problem.into();
+    let ending = |summary: &Summary<S>| problem.ending(summary.outcome, summary.actions, summary.distance.to_f64());
+    Trial::of(problem.start, summaries.iter().map(ending).collect())
 }
 
 impl Trial {

@@ -5,7 +5,9 @@ use super::cost::Costs;
 use super::report;
 use super::setting::{Detector, HybridFile};
 use super::study::{Cell, Study, settings};
+use super::trial::graph_alone;
 use crate::actor::file::Actor;
+use crate::arm_of;
 use crate::files::{read_graph, write_atomically};
 use crate::hybrid::command::{HybridArgs, StudyArgs};
 use crate::hybrid::setting::Detector as AnyDetector;
@@ -14,10 +16,12 @@ use crate::ranks::workplace::Workplace;
 use crate::run_args::command_line;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
-use tpg_arm::WIDOWX;
+use tpg_arm::Arm;
 use tpg_arm::hybrid::Guard;
+use tpg_graph::Graph;
 use tpg_graph::command::Verdict;
-use tpg_graph::error::InputError;
+use tpg_graph::error::{InputError, Place};
+use tpg_problems::arm::Config;
 use tpg_problems::arm::targets::{Set, Start, tasks};
 
 /// One row of `alone.csv`: a policy acting alone.
@@ -49,6 +53,9 @@ struct Asked {
     cycle_detectors: Vec<Detector>,
     tpg: Vec<Input>,
     policy: Vec<Input>,
+    /// Of a configuration.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    settings: Option<Config>,
 }
 
 /// Runs the study.
@@ -59,7 +66,17 @@ struct Asked {
 pub fn execute(args: &HybridArgs, start: Start, place: &impl Workplace) -> Result<Verdict, InputError> {
     let guards = if args.guard.is_empty() { Guard::ALL.to_vec() } else { args.guard.clone() };
     let detectors = detectors(args)?;
+    let config = args.config.as_deref().map(|path| arm_of::config(path, start)).transpose()?;
     let args = &args.study;
+    let tpgs = args.tpg.iter().map(|path| Ok((path.display().to_string(), read_graph(path)?)));
+    let tpgs = tpgs.collect::<Result<Vec<_>, InputError>>()?;
+    let arm = match &config {
+        Some(config) => config.arm(),
+        None => common_arm(&tpgs)?,
+    };
+    let sacs = args.policy.iter().map(|path| Ok((path.display().to_string(), Actor::read(path, Some(&arm))?)));
+    let sacs = sacs.collect::<Result<Vec<_>, InputError>>()?;
+    let problem = config.as_ref().map_or_else(|| sacs[0].1.tests(start), |config| config.problem(start));
     let asked = Asked {
         problem: start,
         episodes: args.episodes,
@@ -68,13 +85,15 @@ pub fn execute(args: &HybridArgs, start: Start, place: &impl Workplace) -> Resul
         cycle_detectors: detectors.clone(),
         tpg: Input::of(&args.tpg)?,
         policy: Input::of(&args.policy)?,
+        settings: config,
     };
     let study = Study {
-        tpgs: args.tpg.iter().map(|p| Ok((p.display().to_string(), read_graph(p)?))).collect::<Result<_, _>>()?,
-        sacs: args.policy.iter().map(|p| Ok((p.display().to_string(), Actor::read(p)?))).collect::<Result<_, _>>()?,
+        tpgs,
+        sacs,
         settings: settings(&guards, &detectors),
-        start,
-        tasks: tasks(&WIDOWX, args.seed, Set::Validation, start, args.episodes),
+        arm,
+        problem,
+        tasks: tasks(&arm, args.seed, Set::Validation, start, args.episodes),
     };
     let threads = study::threads(args.threads)?;
     place.study(&study::identity(&asked), &threads, &|number| study::numbered(&study, number), |cells| {
@@ -87,15 +106,25 @@ pub fn execute(args: &HybridArgs, start: Start, place: &impl Workplace) -> Resul
     })
 }
 
+/// Returns the arm that all graphs were trained for.
+fn common_arm(tpgs: &[(String, Graph)]) -> Result<Arm<f64>, InputError> {
+    let (first, graph) = &tpgs[0];
+    let arm = arm_of::graph(first, graph)?;
+    for (file, graph) in tpgs {
+        if arm_of::graph(file, graph)? != arm {
+            let accepted = format!("one for the arm of {first}, or --config");
+            return Err(InputError::new(file, Place::Whole, "a graph for another arm", accepted));
+        }
+    }
+    Ok(arm)
+}
+
 /// Returns the detectors asked for; the settings of other problems are refused.
 fn detectors(args: &HybridArgs) -> Result<Vec<Detector>, InputError> {
     let refuse = |found: &str, accepted: &str| {
         let found = format!("{found} with --problem {}", args.problem.name());
         command_line(found, accepted)
     };
-    if args.config.is_some() {
-        return Err(refuse("--config", "the WidowX with its usual settings: without --config"));
-    }
     let StudyArgs { hand_back_after, separation, patience, cycle_detector, .. } = &args.study;
     if !hand_back_after.is_empty() || !separation.is_empty() || !patience.is_empty() {
         let accepted = "the paper's settings: without them";
@@ -116,11 +145,11 @@ fn alone(study: &Study) -> Result<Vec<Alone>, InputError> {
         .map(|(kind, place)| {
             let (file, trial) = if kind == "tpg" {
                 let (file, graph) = &study.tpgs[place];
-                (file, super::trial::graph_alone(file, graph, study.start, &study.tasks)?)
+                (file, graph_alone(file, graph, &study.arm, study.problem.clone(), &study.tasks)?)
             } else {
                 let (file, actor) = &study.sacs[place];
-                let arm = WIDOWX.to_f32();
-                (file, tpg_problems::arm::trial::run(&arm, &*actor.policy(), study.start, &study.tasks))
+                let arm = study.arm.to_f32();
+                (file, tpg_problems::arm::trial::run(&arm, &*actor.policy(), study.problem.clone(), &study.tasks))
             };
             Ok(Alone {
                 kind,
@@ -141,7 +170,7 @@ fn finish(args: &StudyArgs, study: &Study, costs: &Costs, cells: &[Cell], alone:
     write_atomically(&file("settings.csv"), &to_csv(summaries.iter()))?;
     write_atomically(&file("alone.csv"), &to_csv(alone.iter()))?;
     write_atomically(&file("timing.csv"), timing(study, costs).as_bytes())?;
-    write_atomically(&file("report.html"), report::page(study.start, cells, &summaries, alone).as_bytes())?;
+    write_atomically(&file("report.html"), report::page(study.problem.start, cells, &summaries, alone).as_bytes())?;
     let Some(chosen) = summaries.iter().find(|summary| summary.chosen) else { return Ok(()) };
     if let Some(text) = best_pair(args, cells, chosen) {
         write_atomically(&file("hybrid.toml"), text.as_bytes())?;

@@ -5,12 +5,12 @@ use super::narrowed::Narrowed;
 use super::study::{Cell, Study};
 use std::hint::black_box;
 use std::time::Instant;
+use tpg_arm::Move;
 use tpg_arm::cycle::Brent;
 use tpg_arm::episode::Episode;
 use tpg_arm::hybrid::Guard;
 use tpg_arm::kinematics::Plane;
 use tpg_arm::observation::Observation;
-use tpg_arm::{Move, WIDOWX};
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
 use tpg_graph::in_arithmetic_of;
@@ -36,7 +36,7 @@ impl Costs {
     /// If a graph does not fit the arm.
     pub fn measure(study: &Study) -> Result<Self, InputError> {
         let tpg = study.tpgs.iter().map(|(file, graph)| of_graph(file, graph, study)).collect::<Result<_, _>>()?;
-        let arm = WIDOWX.to_f32();
+        let arm = study.arm.to_f32();
         let sac = study.sacs.iter().map(|(_, actor)| {
             let policy = actor.policy();
             let states = states::<f32, _>(&*policy, study);
@@ -70,7 +70,7 @@ fn of_graph(file: &str, graph: &Graph, study: &Study) -> Result<f64, InputError>
 }
 
 fn of<S: ArmScalar, M: Maths<S>>(file: &str, graph: &Graph, study: &Study) -> Result<f64, InputError> {
-    let policy = GraphPolicy::<S, M>::new(file, graph)?;
+    let policy = GraphPolicy::<S, M>::new(file, graph, &study.arm)?;
     let states = states(&policy, study);
     Ok(best_of(&states, |seen| policy.decide(seen)))
 }
@@ -86,12 +86,12 @@ where
     S: ArmScalar,
     P: Policy<State = Observation<S>, Action = Move> + ?Sized,
 {
-    let arm = S::arm(&WIDOWX);
+    let arm = S::arm(&study.arm);
     let mut states = Vec::new();
     for task in study.tasks.iter().take(EPISODES) {
         let target = task.target.map(S::from_f64);
         states.push(Observation::at(&arm, task.start, target));
-        Episode::new(&arm, task.problem(study.start), Brent::new())
+        Episode::new(&arm, study.problem.reach(task), Brent::new())
             .run(policy, |pose| states.push(Observation::at(&arm, pose, target)));
     }
     states

@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 use tpg_arm::observation::{Observation, Source, TargetMemo};
-use tpg_arm::{Arm, Move, WIDOWX};
+use tpg_arm::{Arm, Move};
 use tpg_engine::{EngineOptions, Plan, PolicyGraph, Single};
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
@@ -22,15 +22,15 @@ pub struct GraphPolicy<S: Copy, M> {
 }
 
 impl<S: ArmScalar, M: Maths<S>> GraphPolicy<S, M> {
-    /// Creates the policy of a graph; `file` is the name shown in errors.
+    /// Creates the policy of a graph on an arm; `file` is the name shown in errors.
     ///
     /// # Errors
     /// If the graph reads sources that the arm does not have, or has actions that do not state their move.
-    pub fn new(file: &str, graph: &Graph) -> Result<Self, InputError> {
+    pub fn new(file: &str, graph: &Graph, arm: &Arm<f64>) -> Result<Self, InputError> {
         let binding = Binding::of(file, graph)?;
         let plan = Plan::new::<M>(&PolicyGraph::from(graph), &graph.state_sources(), EngineOptions::default());
         let state = RefCell::new(vec![S::ZERO; binding.state_length()]);
-        Ok(Self { arm: S::arm(&WIDOWX), single: Single::new(plan), binding, memo: TargetMemo::new(), state })
+        Ok(Self { arm: S::arm(arm), single: Single::new(plan), binding, memo: TargetMemo::new(), state })
     }
 }
 

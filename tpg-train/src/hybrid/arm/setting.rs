@@ -1,6 +1,7 @@
 //! Settings for sharing an arm between a graph and an actor, and their file `hybrid.toml`.
 
 use crate::actor::file::Actor;
+use crate::arm_of;
 use crate::files::{read_graph, read_text};
 use crate::hybrid::setting::{rust_distance, shown};
 use crate::hybrid::span::Span;
@@ -166,7 +167,7 @@ pub struct Hybrid {
 }
 
 impl Hybrid {
-    /// Reads a `hybrid.toml` and the policies that it names.
+    /// Reads a `hybrid.toml` and the policies that it names, for the arm that the graph was trained for.
     ///
     /// # Errors
     /// If one of them cannot be read, or the setting is impossible.
@@ -174,8 +175,9 @@ impl Hybrid {
         let (file, setting) = read(path)?;
         let beside = |name: &str| path.parent().unwrap_or(Path::new("")).join(name);
         let graph = beside(&file.graph);
-        let actor = Actor::read(&beside(&file.actor))?;
-        Ok(Self { graph: (graph.display().to_string(), read_graph(&graph)?), actor, setting })
+        let (name, graph) = (graph.display().to_string(), read_graph(&graph)?);
+        let actor = Actor::read(&beside(&file.actor), Some(&arm_of::graph(&name, &graph)?))?;
+        Ok(Self { graph: (name, graph), actor, setting })
     }
 }
 

@@ -6,10 +6,12 @@ use crate::actor::file::Actor;
 use crate::hybrid::span::Span;
 use crate::hybrid::study;
 use serde::{Deserialize, Serialize};
+use tpg_arm::Arm;
 use tpg_arm::hybrid::Guard;
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
-use tpg_problems::arm::targets::{Start, Task};
+use tpg_problems::arm::ArmProblem;
+use tpg_problems::arm::targets::Task;
 
 /// The paper's values of `nbItGoBackTPG`, plus "never".
 pub const HAND_BACKS: [Span; 7] = [Span(1), Span(5), Span(10), Span(50), Span(100), Span(1000), Span::NEVER];
@@ -100,8 +102,10 @@ pub struct Study {
     pub sacs: Vec<(String, Actor)>,
     /// The settings.
     pub settings: Vec<Setting>,
-    /// Start of the episodes.
-    pub start: Start,
+    /// The arm.
+    pub arm: Arm<f64>,
+    /// The rules of the episodes.
+    pub problem: ArmProblem,
     /// Tasks of the episodes.
     pub tasks: Vec<Task>,
 }
@@ -131,7 +135,7 @@ impl study::Study for Study {
 
     fn cell(&self, tpg: usize, sac: usize, setting: &Setting) -> Result<Cell, InputError> {
         let (file, graph) = &self.tpgs[tpg];
-        let done = trial::run(file, graph, &self.sacs[sac].1, setting, self.start, &self.tasks)?;
+        let done = trial::run(file, graph, &self.sacs[sac].1, setting, self.problem.clone(), &self.tasks)?;
         let [guard, drift, stop, cycle] = done.hand_overs;
         Ok(Cell {
             tpg,

@@ -8,13 +8,13 @@ use serde::Serialize;
 use tpg_arm::cycle::{Brent, CycleDetector, Visited};
 use tpg_arm::hybrid::{CAUSES, Hybrid, HybridEpisode, HybridSummary};
 use tpg_arm::observation::Observation;
-use tpg_arm::{Move, Pose, WIDOWX};
+use tpg_arm::{Arm, Move, Pose};
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
 use tpg_graph::in_arithmetic_of;
-use tpg_problems::arm::ArmScalar;
-use tpg_problems::arm::targets::{Start, Task};
+use tpg_problems::arm::targets::Task;
 use tpg_problems::arm::trial::{self, Trial};
+use tpg_problems::arm::{ArmProblem, ArmScalar};
 use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::Policy;
 
@@ -37,7 +37,7 @@ pub struct HybridTrial {
 /// Capacity of the exact set of poses: the action limit of random starts, plus the start.
 const CAPACITY: usize = 4096;
 
-/// Lets a graph and an actor do every task together.
+/// Lets a graph and an actor do every task together, on the actor's arm.
 ///
 /// # Errors
 /// If the graph does not fit the arm; `file` is its name in errors.
@@ -46,10 +46,11 @@ pub fn run(
     graph: &Graph,
     actor: &Actor,
     setting: &Setting,
-    start: Start,
+    problem: impl Into<ArmProblem>,
     tasks: &[Task],
 ) -> Result<HybridTrial, InputError> {
-    in_arithmetic_of!(graph, of(file, graph, actor, setting, start, tasks))
+    let problem = problem.into();
+    in_arithmetic_of!(graph, of(file, graph, actor, setting, &problem, tasks))
 }
 
 fn of<S: ArmScalar, M: Maths<S>>(
@@ -57,51 +58,65 @@ fn of<S: ArmScalar, M: Maths<S>>(
     graph: &Graph,
     actor: &Actor,
     setting: &Setting,
-    start: Start,
+    problem: &ArmProblem,
     tasks: &[Task],
 ) -> Result<HybridTrial, InputError> {
-    let tpg = GraphPolicy::<S, M>::new(file, graph)?;
+    let description = actor.arm();
+    let tpg = GraphPolicy::<S, M>::new(file, graph, &description)?;
     let sac = actor.policy();
-    let arm = S::arm(&WIDOWX);
+    let arm = S::arm(&description);
     let hybrid = Hybrid { arm: &arm, tpg, sac: Narrowed::<S, _>::new(&*sac), settings: setting.settings() };
-    Ok(trial(&hybrid, setting.detector, start, tasks))
+    Ok(trial(&hybrid, setting.detector, problem, tasks))
 }
 
 /// Lets a graph do every task alone.
 ///
 /// # Errors
 /// If the graph does not fit the arm; `file` is its name in errors.
-pub fn graph_alone(file: &str, graph: &Graph, start: Start, tasks: &[Task]) -> Result<Trial, InputError> {
-    in_arithmetic_of!(graph, alone(file, graph, start, tasks))
+pub fn graph_alone(
+    file: &str,
+    graph: &Graph,
+    arm: &Arm<f64>,
+    problem: impl Into<ArmProblem>,
+    tasks: &[Task],
+) -> Result<Trial, InputError> {
+    let problem = problem.into();
+    in_arithmetic_of!(graph, alone(file, graph, arm, problem, tasks))
 }
 
 fn alone<S: ArmScalar, M: Maths<S>>(
     file: &str,
     graph: &Graph,
-    start: Start,
+    arm: &Arm<f64>,
+    problem: ArmProblem,
     tasks: &[Task],
 ) -> Result<Trial, InputError> {
-    Ok(trial::run(&S::arm(&WIDOWX), &GraphPolicy::<S, M>::new(file, graph)?, start, tasks))
+    Ok(trial::run(&S::arm(arm), &GraphPolicy::<S, M>::new(file, graph, arm)?, problem, tasks))
 }
 
 /// Runs one episode of each task.
-pub fn trial<S, T, P>(hybrid: &Hybrid<'_, S, T, P>, detector: Detector, start: Start, tasks: &[Task]) -> HybridTrial
+pub fn trial<S, T, P>(
+    hybrid: &Hybrid<'_, S, T, P>,
+    detector: Detector,
+    problem: &ArmProblem,
+    tasks: &[Task],
+) -> HybridTrial
 where
     S: ArmScalar,
     T: Policy<State = Observation<S>, Action = Move>,
     P: Policy<State = Observation<S>, Action = Move>,
 {
     let summaries = match detector {
-        Detector::Visited => episodes(hybrid, &Visited::<CAPACITY>::new(), start, tasks),
-        Detector::Brent => episodes(hybrid, &Brent::new(), start, tasks),
+        Detector::Visited => episodes(hybrid, &Visited::<CAPACITY>::new(), problem, tasks),
+        Detector::Brent => episodes(hybrid, &Brent::new(), problem, tasks),
     };
-    summarise(start, &summaries)
+    summarise(problem, &summaries)
 }
 
 fn episodes<S, T, P, D>(
     hybrid: &Hybrid<'_, S, T, P>,
     detector: &D,
-    start: Start,
+    problem: &ArmProblem,
     tasks: &[Task],
 ) -> Vec<HybridSummary<S>>
 where
@@ -110,11 +125,13 @@ where
     P: Policy<State = Observation<S>, Action = Move>,
     D: CycleDetector<Pose> + Clone,
 {
-    let episode = |task: &Task| HybridEpisode::new(hybrid, task.problem(start), detector.clone()).run(|_, _| ());
+    let episode = |task: &Task| {
+        HybridEpisode::with_play(hybrid, problem.reach(task), detector.clone(), problem.play(task)).run(|_, _| ())
+    };
     tasks.iter().map(episode).collect()
 }
 
-fn summarise<S: ArmScalar>(start: Start, summaries: &[HybridSummary<S>]) -> HybridTrial {
+fn summarise<S: ArmScalar>(problem: &ArmProblem, summaries: &[HybridSummary<S>]) -> HybridTrial {
     let episodes = summaries.len().max(1) as f64;
     let (mut tpg, mut ratios, mut hand_backs, mut hand_overs) = (0.0, 0.0, 0.0, [0.0; CAUSES]);
     for HybridSummary { summary, counts } in summaries {
@@ -124,7 +141,7 @@ fn summarise<S: ArmScalar>(start: Start, summaries: &[HybridSummary<S>]) -> Hybr
         hand_overs.iter_mut().zip(counts.hand_overs).for_each(|(sum, count)| *sum += f64::from(count));
     }
     let ended: Vec<_> = summaries.iter().map(|episode| episode.summary).collect();
-    let trial = trial::summarise(start, &ended);
+    let trial = trial::summarise(problem.clone(), &ended);
     let all = (trial.mean_actions * episodes).max(1.0);
     HybridTrial {
         trial,

@@ -2,7 +2,6 @@
 
 use super::ArmScalar;
 use tpg_arm::kinematics::Plane;
-use tpg_arm::observation::shield;
 use tpg_arm::{Arm, TICKS_PER_TURN};
 
 /// Distances from the corners of the collision shapes to their joints, and the extent of the base; mm, rounded up to
@@ -52,9 +51,9 @@ impl<S: ArmScalar> Clearances<S> {
     }
 }
 
-/// Returns the maximum distance that a shielded action moves any point of the arm, mm, rounded up.
-pub(super) fn swing(arm: &Arm<f64>) -> f64 {
+/// Returns the maximum distance that so many ticks, of all joints together, move any point of the arm, mm, rounded up.
+pub(super) fn swing(arm: &Arm<f64>, ticks: f64) -> f64 {
     let links = &arm.links;
     let length = links.upper_arm + links.elbow_offset + links.forearm + links.hand + links.shoulder_radial;
-    length * f64::from(shield::STEP) * std::f64::consts::TAU / f64::from(TICKS_PER_TURN) + 1.0
+    length * ticks * std::f64::consts::TAU / f64::from(TICKS_PER_TURN) + 1.0
 }

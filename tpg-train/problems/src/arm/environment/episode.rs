@@ -3,7 +3,7 @@
 use tpg_arm::frame::Frame;
 use tpg_arm::kinematics::{Direction, Lattice, Plane, Vector};
 use tpg_arm::observation::{Aim, Reach, ReachTarget, Stance, shield};
-use tpg_arm::{Arm, Pose};
+use tpg_arm::{Arm, Play, Pose};
 
 /// A running episode with its cached values.
 #[derive(Clone, Debug)]
@@ -11,6 +11,8 @@ pub struct ArmEpisode<S> {
     pub(super) pose: Pose,
     pub(super) target: Vector<S>,
     pub(super) roughness: u8,
+    /// The joints' play.
+    pub(super) play: Play,
     pub(super) plane: Plane<S>,
     pub(super) base: Direction<S>,
     pub(super) hand: Vector<S>,

@@ -5,12 +5,13 @@
 //! [`ArmEnvironment::step`], which alone implements the rules. The most common sources are observed in vectors as well,
 //! the others by [`ArmEnvironment::observe`].
 
+use super::clearance::swing;
 use super::group::{Group, Lane};
 use super::usual::Usual;
 use super::{ArmEnvironment, ArmEpisode, ArmScalar, ArmTask};
-use pulp::Arch;
+use fearless_simd::{Level, dispatch};
 use tpg_arm::observation::Source;
-use tpg_arm::{JOINTS, Move};
+use tpg_arm::{JOINTS, Move, Play};
 use tpg_engine::{Acts, BLOCK, Block, Ending, Environment, Episodes, EvaluationError, SourceSet, View};
 
 /// [`ArmEnvironment::lanes`].
@@ -23,7 +24,7 @@ pub(super) struct ArmLanes<'e, S> {
     /// Data that usual steps do not need; the poses are stale.
     episodes: Vec<ArmEpisode<S>>,
     state: Vec<S>,
-    arch: Arch,
+    level: Level,
 }
 
 impl<'e, S: ArmScalar> ArmLanes<'e, S> {
@@ -37,7 +38,7 @@ impl<'e, S: ArmScalar> ArmLanes<'e, S> {
             keys: Vec::new(),
             episodes: Vec::new(),
             state: vec![S::ZERO; length],
-            arch: Arch::new(),
+            level: Level::new(),
         }
     }
 
@@ -55,9 +56,19 @@ impl<'e, S: ArmScalar> ArmLanes<'e, S> {
         episode
     }
 
+    /// Returns a distance, mm, beyond which play leads no hand astray from where its motors would put it.
+    fn astray(&self, play: Play) -> S {
+        if play == Play::NONE {
+            return S::ZERO;
+        }
+        let ticks: i32 = play.0.iter().map(|&ticks| i32::from(ticks).abs()).sum();
+        S::from_f64(swing(&self.environment.description, f64::from(ticks)))
+    }
+
     /// Returns the lane that corresponds to an episode.
     fn lane(&self, episode: &ArmEpisode<S>) -> Lane<S> {
-        let tolerance = self.environment.tolerance * S::from_i32(i32::from(episode.roughness));
+        let tolerance =
+            self.environment.tolerance * S::from_i32(i32::from(episode.roughness)) + self.astray(episode.play);
         Lane {
             ticks: episode.pose.0.map(i32::from),
             target: episode.target,
@@ -91,7 +102,7 @@ impl<S: ArmScalar> Episodes<S, ArmTask> for ArmLanes<'_, S> {
     fn step(&mut self, acts: Acts<'_, S>, ended: &mut Vec<(usize, Ending)>) -> Result<(), EvaluationError> {
         let actions = acts.choices();
         let Self { environment, moves, groups, keys, .. } = self;
-        self.arch.dispatch(Usual { environment, moves, groups, keys, actions });
+        dispatch!(self.level, _ => Usual { environment, moves, groups, keys, actions }.take());
         for (lane, &action) in actions.iter().enumerate() {
             if !self.groups[lane / BLOCK].other[lane % BLOCK] {
                 continue;

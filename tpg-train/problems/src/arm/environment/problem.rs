@@ -2,10 +2,12 @@
 
 use crate::arm::targets::{self, Start, Task};
 use serde::{Deserialize, Serialize};
-use tpg_arm::episode::Outcome;
+use tpg_arm::episode::{Outcome, ReachTask};
+use tpg_arm::kinematics::Lattice;
 use tpg_arm::observation::Source;
-use tpg_arm::{Collision, Invalid, JOINTS};
+use tpg_arm::{Collision, Invalid, JOINTS, Play, Pose};
 use tpg_engine::Ending;
+use tpg_engine::random::{Purpose, Stream};
 
 /// The arm's problem and its scoring.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,6 +18,8 @@ pub struct ArmProblem {
     pub tolerance: f64,
     /// Maximum number of actions.
     pub max_actions: u32,
+    /// Each joint stands up to that many ticks beside its motor, drawn for each episode.
+    pub backlash: i16,
     /// Ticks by which an action moves one joint.
     pub step: i8,
     /// True if there is an action that does nothing (and so ends the episode).
@@ -38,6 +42,7 @@ impl ArmProblem {
             start,
             tolerance: targets::TOLERANCE,
             max_actions: start.max_actions(),
+            backlash: 0,
             step: 3,
             may_stop: true,
             sources,
@@ -48,7 +53,35 @@ impl ArmProblem {
     }
 }
 
+impl From<Start> for ArmProblem {
+    /// The project's problem without sources, for policies that observe by themselves.
+    fn from(start: Start) -> Self {
+        Self::new(start, Vec::new())
+    }
+}
+
 impl ArmProblem {
+    /// Returns a task under this problem's tolerance and limit.
+    pub fn reach<S: Lattice>(&self, task: &Task) -> ReachTask<S> {
+        ReachTask {
+            start: task.start,
+            target: task.target.map(S::from_f64),
+            tolerance: S::from_f64(self.tolerance),
+            max_actions: self.max_actions,
+        }
+    }
+
+    /// Draws the play of the joints in a task: the same for every policy that does the task.
+    pub fn play(&self, Task { start, target: [x, y, z] }: &Task) -> Play {
+        if self.backlash == 0 {
+            return Play::NONE;
+        }
+        let most = i64::from(self.backlash);
+        let place = y.to_bits() ^ z.to_bits().rotate_left(32);
+        let mut random = Stream::new(start.packed(), x.to_bits(), Purpose::Play, place);
+        Play([(); JOINTS].map(|()| random.between(-most, most) as i16))
+    }
+
     /// Returns the ending of an episode with its score: for a success the bonus plus that for unused actions, for a
     /// failure minus the distance, mm.
     pub fn ending(&self, outcome: Outcome, actions: u32, distance: f64) -> Ending {
@@ -71,6 +104,12 @@ pub struct ArmTask {
     pub roughness: u8,
 }
 
+impl From<&ArmTask> for Task {
+    fn from(task: &ArmTask) -> Self {
+        Self { start: Pose(task.start), target: task.target }
+    }
+}
+
 impl From<Task> for ArmTask {
     fn from(task: Task) -> Self {
         Self { start: task.start.0, target: task.target, roughness: 1 }
@@ -90,5 +129,30 @@ pub fn outcome_number(outcome: Outcome) -> u8 {
         Outcome::Invalid(Invalid::Collision(Collision::Table | Collision::HandCorner)) => 4,
         Outcome::Invalid(Invalid::Collision(Collision::Base)) => 5,
         Outcome::Timeout => 6,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ArmProblem, Task};
+    use crate::arm::targets::{Set, Start, tasks};
+    use std::collections::BTreeSet;
+    use tpg_arm::{Play, WIDOWX};
+
+    #[test]
+    fn play_belongs_to_the_task_and_fills_its_range() {
+        let problem = ArmProblem { backlash: 6, ..Start::Rs.into() };
+        let tasks = tasks(&WIDOWX, 1, Set::Validation, Start::Rs, 300);
+        let drawn: Vec<Play> = tasks.iter().map(|task| problem.play(task)).collect();
+        assert_eq!(drawn, tasks.iter().map(|task| problem.play(task)).collect::<Vec<_>>());
+        for joint in 0..4 {
+            let ticks: BTreeSet<i16> = drawn.iter().map(|play| play.0[joint]).collect();
+            assert_eq!(ticks, (-6..=6).collect(), "joint {joint}");
+        }
+        // Another start, another target: other play.
+        let [one, other] = [tasks[0], tasks[1]];
+        let mixed = Task { start: other.start, ..one };
+        assert!(problem.play(&mixed) != problem.play(&one) && problem.play(&mixed) != problem.play(&other));
+        assert_eq!(ArmProblem::from(Start::Rs).play(&one), Play::NONE);
     }
 }

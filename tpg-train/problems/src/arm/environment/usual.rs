@@ -2,7 +2,6 @@
 
 use super::group::Group;
 use super::{ArmEnvironment, ArmScalar, base_angle, look_up};
-use pulp::{Simd, WithSimd};
 use tpg_arm::kinematics::{Angle, Direction, Directions, Plane, difference, link_angles};
 use tpg_arm::{JOINTS, Pose};
 use tpg_engine::{BLOCK, Block};
@@ -18,11 +17,10 @@ pub(super) struct Usual<'a, S> {
     pub(super) actions: &'a [ActionId],
 }
 
-impl<S: ArmScalar> WithSimd for Usual<'_, S> {
-    type Output = ();
-
+impl<S: ArmScalar> Usual<'_, S> {
+    /// Takes the steps.
     #[inline(always)]
-    fn with_simd<V: Simd>(self, _: V) {
+    pub(super) fn take(self) {
         let nothing = self.moves.len() - 1;
         for ((group, keys), actions) in self.groups.iter_mut().zip(self.keys).zip(self.actions.chunks(BLOCK)) {
             let mut steps = [[0; BLOCK]; JOINTS];
@@ -73,7 +71,9 @@ fn usual<S: ArmScalar>(
             moved[lane] |= step;
         }
     }
-    let pose = |lane: usize| Pose([0, 1, 2, 3].map(|joint: usize| ticks[joint][lane] as i16));
+    // Not by `map`: an array's is not inlined here, and would be a call for each lane.
+    let [base, shoulder, elbow, wrist] = &ticks;
+    let pose = |lane: usize| Pose([base[lane] as i16, shoulder[lane] as i16, elbow[lane] as i16, wrist[lane] as i16]);
     let (mut cosines, mut sines) = ([[S::ZERO; BLOCK]; JOINTS], [[S::ZERO; BLOCK]; JOINTS]);
     for lane in 0..BLOCK {
         let [upper_arm, forearm, hand] = link_angles(pose(lane));

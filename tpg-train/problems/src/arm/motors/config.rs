@@ -1,14 +1,17 @@
 //! The section `[problem]` of a configuration for the arm by its motors.
 
 use super::Inputs;
-use crate::arm::targets::TOLERANCE;
+use crate::arm::config::{check_backlash, is_none};
+use crate::arm::targets::{Start, TOLERANCE};
+use crate::arm::{ArmDescription, ArmProblem, arms};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tpg_arm::sac::{Actions, Mask};
+use tpg_arm::{Arm, WIDOWX};
 use tpg_graph::error::Finding;
 
-/// Ticks of a coarse action in tests.
-const TICKS: i8 = 3;
+/// Ticks of a step in tests.
+pub(super) const TICKS: i8 = 3;
 
 /// The section `[problem]` for the arm by its motors: inputs, decision, rules and reward of training.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -40,12 +43,23 @@ pub struct Config {
     pub invalid_ends: bool,
     /// Ticks of a coarse action in training. Tests always move by 3.
     pub step: i8,
-    /// The distance below which a training episode succeeds, mm. In tests it is 3 mm.
+    /// The distance below which a training episode succeeds, mm.
     pub tolerance: f64,
+    /// The distance below which a test episode succeeds, mm; 3 mm if omitted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub test_tolerance: Option<f64>,
+    /// Each joint stands up to that many ticks beside its motor, drawn for each episode: the play of its gears. Neither the
+    /// policy nor the limits know of it; it moves the hand.
+    #[serde(skip_serializing_if = "is_none")]
+    pub backlash: i16,
     /// Ends a test at rest, or at a pose that comes again: false for a policy that draws its actions.
     pub stuck_ends: bool,
     /// The reward of training.
     pub reward: Reward,
+    /// The arm: a section, or the name of an arm that `tpg-train config --list` shows; the WidowX if omitted.
+    #[serde(skip_serializing_if = "Option::is_none", deserialize_with = "arms::named_or_own")]
+    #[schemars(schema_with = "arms::schema")]
+    pub arm: Option<ArmDescription>,
 }
 
 /// The reward of one action in training; d is the distance in mm, 0 before and 1 after it.
@@ -60,6 +74,9 @@ pub struct Reward {
     pub distance: f32,
     /// Times (D0 − D1), D being the steps to the nearest pose that solves the task: privileged knowledge.
     pub steps_to_goal: f32,
+    /// Times (A0 − A1), A being the steps that the base must turn within its range until the arm's front faces the target.
+    #[serde(default)]
+    pub azimuth: f32,
     /// Times d1, unless the action ended the episode.
     pub remaining_distance: f32,
     /// On success.
@@ -93,17 +110,21 @@ impl Default for Config {
             invalid_ends: true,
             step: TICKS,
             tolerance: TOLERANCE,
+            test_tolerance: None,
+            backlash: 0,
             stuck_ends: true,
             reward: Reward {
                 step: -0.05,
                 log_distance: 2.0,
                 distance: 0.0,
                 steps_to_goal: 0.1,
+                azimuth: 0.0,
                 remaining_distance: 0.0,
                 success: 5.0,
                 invalid: -5.0,
                 scale: 1.0,
             },
+            arm: None,
         }
     }
 }
@@ -120,10 +141,27 @@ impl Config {
         Finding::range("problem.repeat_per_mm", self.repeat_per_mm, 1e-3, 1e6)?;
         Finding::range("problem.repeat_most", self.repeat_most, 1, 1_000_000)?;
         Finding::range("problem.tolerance", self.tolerance, 1e-3, 1e3)?;
+        Finding::range("problem.test_tolerance", self.test_tolerance.unwrap_or(TOLERANCE), 1e-3, 1e3)?;
+        check_backlash(self.backlash)?;
+        if let Some(arm) = &self.arm {
+            arm.check()?;
+        }
         if self.step != TICKS && (self.step < 1 || self.actions != Actions::Coarse) {
             return Err(Finding::new("problem.step", self.step, "3; with coarse actions, 1 to 127"));
         }
         Ok(())
+    }
+
+    /// Returns the arm.
+    pub fn arm(&self) -> Arm<f64> {
+        self.arm.as_ref().map_or(WIDOWX, Arm::from)
+    }
+
+    /// Returns the rules of tests that begin at that start.
+    pub fn tests(&self, start: Start) -> ArmProblem {
+        let usual = ArmProblem::from(start);
+        let tolerance = self.test_tolerance.unwrap_or(usual.tolerance);
+        ArmProblem { tolerance, backlash: self.backlash, ..usual }
     }
 }
 

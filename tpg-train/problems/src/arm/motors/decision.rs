@@ -1,8 +1,8 @@
 //! From an actor's preferences to a move of the arm.
 
-use super::{ARM, Config};
+use super::Config;
 use tpg_arm::sac::{Actions, Decision, TRAINED_COARSE, TRAINED_FINE};
-use tpg_arm::{JOINTS, Move, Pose};
+use tpg_arm::{JOINTS, JointRange, Move, Pose};
 
 /// The decision behind an actor, for either set of actions.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,11 +23,11 @@ impl Discretiser {
         }
     }
 
-    /// The move for preferences before the tanh.
-    pub fn decide(&self, preferences: [f32; JOINTS], pose: Pose) -> Move {
+    /// The move for preferences before the tanh, of an arm of those ranges.
+    pub fn decide(&self, preferences: [f32; JOINTS], pose: Pose, ranges: &[JointRange; JOINTS]) -> Move {
         match self {
-            Self::Fine(decision) => decision.decide(preferences, pose, &ARM.ranges),
-            Self::Coarse(decision) => decision.decide(preferences, pose, &ARM.ranges),
+            Self::Fine(decision) => decision.decide(preferences, pose, ranges),
+            Self::Coarse(decision) => decision.decide(preferences, pose, ranges),
         }
     }
 }

@@ -24,14 +24,11 @@ use super::ik;
 use super::targets::{self, ReachableSpace, Set, Start};
 use lesson::Lesson;
 use serde::{Deserialize, Serialize};
-use tpg_arm::{Arm, JOINTS, Pose, WIDOWX};
+use tpg_arm::{Arm, JOINTS, Pose};
 use tpg_engine::random::Stream;
 use tpg_engine::{Act, ActionSpace, Environment, Measure, Output, Preference, SourceSet, Step};
 use tpg_graph::SourceDocument;
 use trial::Trial;
-
-/// The arm that actors are trained on, in the precision that they run in.
-pub const ARM: Arm<f32> = WIDOWX.to_f32();
 
 /// The names of the motors, in order.
 pub const MOTORS: [&str; JOINTS] = ["base", "shoulder", "elbow", "wrist"];
@@ -44,6 +41,9 @@ pub const MOTORS: [&str; JOINTS] = ["base", "shoulder", "elbow", "wrist"];
 pub struct Motors {
     start: Start,
     config: Config,
+    /// In the precision that actors run in.
+    arm: Arm<f32>,
+    description: Arm<f64>,
     discretiser: Discretiser,
     seed: u64,
     reach: ReachableSpace,
@@ -93,8 +93,17 @@ impl MotorsEpisode {
 impl Motors {
     /// The problem of that start. The space that tasks are drawn from, and the validation tasks, depend on `seed`.
     pub fn new(start: Start, config: Config, seed: u64) -> Self {
-        let reach = ReachableSpace::sample(&WIDOWX, seed, Set::Training);
-        Self { start, discretiser: Discretiser::new(&config), config, seed, reach }
+        let description = config.arm();
+        let reach = ReachableSpace::sample(&description, seed, Set::Training);
+        Self {
+            start,
+            arm: description.to_f32(),
+            description,
+            discretiser: Discretiser::new(&config),
+            config,
+            seed,
+            reach,
+        }
     }
 
     /// The settings.
@@ -106,7 +115,7 @@ impl Motors {
     fn fresh(&self, start: Start, rules: Rules, stream: &mut Stream) -> MotorsTask {
         loop {
             let targets::Task { start, target } = self.reach.task(start, stream);
-            if !self.config.reward.knows_goals() || !ik::goals(&WIDOWX, target).is_empty() {
+            if !self.config.reward.knows_goals() || !ik::goals(&self.description, target).is_empty() {
                 return MotorsTask { start: start.0, target, rules };
             }
         }
@@ -151,7 +160,7 @@ impl Environment<f32> for Motors {
     }
 
     fn validation_tasks(&self, count: usize) -> Vec<MotorsTask> {
-        let tasks = targets::tasks(&WIDOWX, self.seed, Set::Validation, self.start, count);
+        let tasks = targets::tasks(&self.description, self.seed, Set::Validation, self.start, count);
         let rules = Rules::Test(self.start);
         tasks.into_iter().map(|task| MotorsTask { start: task.start.0, target: task.target, rules }).collect()
     }
@@ -170,7 +179,7 @@ impl Environment<f32> for Motors {
     fn task_from(&self, episode: &MotorsEpisode) -> Option<MotorsTask> {
         let (pose, target, distance) = match &episode.0 {
             Course::Lesson(lesson) => (lesson.pose(), lesson.target(), lesson.distance()),
-            Course::Trial(trial) => (trial.pose(), trial.target(), trial.distance()),
+            Course::Trial(trial) => (trial.pose(), trial.target(), trial.distance(&self.arm)),
         };
         let rules = Rules::Training;
         (f64::from(distance) > self.config.tolerance).then_some(MotorsTask { start: pose.0, target, rules })
@@ -178,21 +187,21 @@ impl Environment<f32> for Motors {
 
     fn accepts(&self, task: &MotorsTask) -> bool {
         let needs_goals = task.rules == Rules::Training && self.config.reward.knows_goals();
-        on_the_arm(task.start) && (!needs_goals || !ik::goals(&WIDOWX, task.target).is_empty())
+        on_the_arm(task.start) && (!needs_goals || !ik::goals(&self.description, task.target).is_empty())
     }
 
     fn start(&self, task: &MotorsTask) -> MotorsEpisode {
-        let pose = Pose(task.start);
+        let of = targets::Task { start: Pose(task.start), target: task.target };
         MotorsEpisode(match task.rules {
-            Rules::Training => Course::Lesson(Lesson::new(&self.config, pose, task.target)),
-            Rules::Test(start) => Course::Trial(Box::new(Trial::new(start, pose, task.target))),
+            Rules::Training => Course::Lesson(Lesson::new(&self.config, &self.arm, of.start, of.target)),
+            Rules::Test(start) => Course::Trial(Box::new(Trial::new(&self.arm, self.config.tests(start), &of))),
         })
     }
 
     fn observe(&self, episode: &mut MotorsEpisode, _wanted: SourceSet, state: &mut [f32]) {
         let frame = match &episode.0 {
-            Course::Lesson(lesson) => lesson.frame(),
-            Course::Trial(trial) => trial.frame(),
+            Course::Lesson(lesson) => lesson.frame(&self.arm),
+            Course::Trial(trial) => trial.frame(&self.arm),
         };
         self.config.inputs.observe(&frame, state);
     }
@@ -200,10 +209,10 @@ impl Environment<f32> for Motors {
     fn step(&self, episode: &mut MotorsEpisode, act: Act<'_, f32>) -> Step {
         let values = act.values();
         let preferences = std::array::from_fn(|joint| libm::atanhf(values[joint]));
-        let decide = |pose| self.discretiser.decide(preferences, pose);
+        let decide = |pose| self.discretiser.decide(preferences, pose, &self.arm.ranges);
         match &mut episode.0 {
-            Course::Lesson(lesson) => lesson.step(&self.config, decide),
-            Course::Trial(trial) => trial.step(decide, self.config.stuck_ends),
+            Course::Lesson(lesson) => lesson.step(&self.config, &self.arm, decide),
+            Course::Trial(trial) => trial.step(&self.arm, decide, self.config.stuck_ends),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Tests of the arm by its motors.
 
-use super::{Config, Motors, MotorsTask, Rules};
+use super::{Config, Motors, MotorsTask, Reward, Rules};
+use crate::arm::arms::NamedArm;
 use crate::arm::targets::{Set, Start, tasks};
 use tpg_arm::sac::{Actions, Mask};
 use tpg_arm::{Pose, WIDOWX};
@@ -41,6 +42,36 @@ fn a_cut_is_truncated_and_an_invalid_step_is_not() {
 }
 
 #[test]
+fn azimuth_pays_for_the_way_of_the_base_that_its_range_allows() {
+    // The base stands 9° left of straight back, the target 9° right of it: the short way leads through the limit.
+    let start = [WIDOWX.ranges[0].max - 100, 2048, 2048, 2048];
+    let (sin, cos) = (-171f64).to_radians().sin_cos();
+    let task = MotorsTask { start, target: [-346.0 * sin, 346.0 * cos, 267.0], rules: Rules::Training };
+    let only = |azimuth, distance| {
+        let nothing = Reward {
+            step: 0.0,
+            log_distance: 0.0,
+            distance: 0.0,
+            steps_to_goal: 0.0,
+            azimuth: 0.0,
+            remaining_distance: 0.0,
+            success: 0.0,
+            invalid: 0.0,
+            scale: 1.0,
+        };
+        Motors::new(Start::Rs, Config { reward: Reward { azimuth, distance, ..nothing }, ..coarse(3) }, 1)
+    };
+    let earned =
+        |motors: &Motors, base| motors.step(&mut motors.start(&task), Act::Values(&[base, 0.0, 0.0, 0.0])).reward;
+    let (by_azimuth, by_distance) = (only(1.0, 0.0), only(0.0, 1.0));
+    for (base, azimuth) in [(-0.9, 1.0), (0.9, -1.0)] {
+        assert!((earned(&by_azimuth, base) - azimuth).abs() < 1e-3, "{base}");
+        // The distance leads the other way.
+        assert!(earned(&by_distance, base) * azimuth < 0.0, "{base}");
+    }
+}
+
+#[test]
 fn rest_ends_a_test_unless_the_policy_may_leave_it() {
     for stuck_ends in [true, false] {
         let motors = Motors::new(Start::Fs, Config { stuck_ends, ..coarse(3) }, 1);
@@ -72,4 +103,30 @@ fn trial_tasks_have_both_starts_and_training_goes_on_from_where_one_is() {
     motors.observe(&mut episode, SourceSet::ALL, &mut here);
     motors.observe(&mut motors.start(&from), SourceSet::ALL, &mut there);
     assert_eq!(here, there);
+}
+
+/// The SO-101's base does not turn as far as the WidowX's, and its play leads its hand astray.
+#[test]
+fn another_arm_brings_its_own_tasks_limits_and_rules() {
+    let arm = NamedArm::find("so101").map(NamedArm::description);
+    let config = Config { arm, test_tolerance: Some(10.0), backlash: 6, ..coarse(3) };
+    assert_eq!((config.check(), config.tests(Start::Rs).tolerance), (Ok(()), 10.0));
+    let motors = Motors::new(Start::Rs, config, 1);
+    let so101 = motors.config().arm();
+    for task in motors.validation_tasks(20) {
+        assert!(task.start.iter().zip(&so101.ranges).all(|(&ticks, range)| range.contains(ticks)));
+    }
+    let task = motors.validation_tasks(1)[0];
+    for rules in [Rules::Training, Rules::Test(Start::Rs)] {
+        let edge = MotorsTask { start: [so101.ranges[0].max, 2048, 2048, 2048], rules, ..task };
+        let step = motors.step(&mut motors.start(&edge), Act::Values(&[0.9, 0.0, 0.0, 0.0]));
+        assert!(step.end.is_some_and(|end| end.success == Some(false)), "{rules:?}");
+    }
+    // At rest ends at once, with the distance of a hand that its play moves.
+    let motors_rest = |motors: &Motors| {
+        motors.step(&mut motors.start(&task), Act::Values(&[0.0; 4])).end.expect("rest ends a test").measure
+    };
+    let rigid = Motors::new(Start::Rs, Config { backlash: 0, ..motors.config().clone() }, 1);
+    let apart = (motors_rest(&motors) - motors_rest(&rigid)).abs();
+    assert!(apart > 0.0 && apart < 15.0, "{apart} mm");
 }

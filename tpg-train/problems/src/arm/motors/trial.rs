@@ -1,57 +1,59 @@
 //! An episode under the rules of tests: single steps of 3 ticks, an end for every failure, the paper's score.
 
-use super::ARM;
 use crate::arm::environment::ArmProblem;
-use crate::arm::targets::{Start, Task};
-use tpg_arm::cycle::Brent;
-use tpg_arm::episode::{Episode, Outcome};
+use crate::arm::targets::Task;
+use tpg_arm::cycle::{Brent, CycleDetector as _};
+use tpg_arm::episode::{Course, Outcome};
 use tpg_arm::frame::Frame;
-use tpg_arm::{Move, Pose};
+use tpg_arm::{Arm, Move, Pose};
 use tpg_engine::{End, Ending, Step};
 
 /// A test episode under way.
 #[derive(Clone, Debug)]
 pub(super) struct Trial {
-    start: Start,
+    rules: ArmProblem,
     target: [f64; 3],
-    episode: Episode<'static, f32, Brent>,
+    course: Course<f32>,
+    detector: Brent,
 }
 
 impl Trial {
-    pub(super) fn new(start: Start, pose: Pose, target: [f64; 3]) -> Self {
-        let task = Task { start: pose, target };
-        Self { start, target, episode: Episode::new(&ARM, task.problem(start), Brent::new()) }
+    pub(super) fn new(arm: &Arm<f32>, rules: ArmProblem, task: &Task) -> Self {
+        let mut detector = Brent::new();
+        detector.reset(task.start);
+        let course = Course::new(arm, rules.reach(task), rules.play(task));
+        Self { rules, target: task.target, course, detector }
     }
 
     pub(super) fn pose(&self) -> Pose {
-        self.episode.observation().pose
+        self.course.observation().pose
     }
 
     pub(super) fn target(&self) -> [f64; 3] {
         self.target
     }
 
-    pub(super) fn distance(&self) -> f32 {
-        self.episode.observation().distance()
+    pub(super) fn distance(&self, arm: &Arm<f32>) -> f32 {
+        self.course.distance(arm)
     }
 
-    pub(super) fn frame(&self) -> Frame<'static, f32> {
-        Frame::of(&ARM, self.episode.observation())
+    pub(super) fn frame<'a>(&self, arm: &'a Arm<f32>) -> Frame<'a, f32> {
+        Frame::of(arm, self.course.observation())
     }
 
     /// Takes one step. Rest, and a pose that comes again, end the episode only where `stuck_ends`.
-    pub(super) fn step(&mut self, decide: impl Fn(Pose) -> Move, stuck_ends: bool) -> Step {
-        let outcome = match self.episode.advance(decide(self.pose())) {
+    pub(super) fn step(&mut self, arm: &Arm<f32>, decide: impl Fn(Pose) -> Move, stuck_ends: bool) -> Step {
+        let wanted = decide(self.pose());
+        let outcome = match self.course.advance(arm, &mut self.detector, wanted) {
             Some(Outcome::Stop | Outcome::Cycle) if !stuck_ends => {
-                (self.episode.actions() >= self.start.max_actions()).then_some(Outcome::Timeout)
+                (self.course.actions() >= self.rules.max_actions).then_some(Outcome::Timeout)
             }
             outcome => outcome,
         };
         let Some(outcome) = outcome else { return Step::reward(0.0) };
-        let rules = ArmProblem::new(self.start, Vec::new());
         let truncated = outcome == Outcome::Timeout;
         let Ending { outcome, success, score, measure, .. } =
-            rules.ending(outcome, self.episode.actions(), f64::from(self.distance()));
+            self.rules.ending(outcome, self.course.actions(), f64::from(self.distance(arm)));
         Step::reward(score).ending(End { outcome, success, measure, truncated })
     }
 }

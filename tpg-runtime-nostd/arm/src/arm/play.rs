@@ -1,0 +1,30 @@
+//! Play: joints that stand beside their motors.
+
+use super::{JOINTS, Pose};
+
+/// Ticks by which each joint stands beside its motor, as a joint does whose weight rests on one flank of its gears.
+///
+/// A controller reads the motors, and limits and collisions are told by them; only the hand is where the joints put it.
+///
+/// ```
+/// use tpg_arm::{Play, Pose};
+///
+/// let play = Play([6, -6, 0, 1]);
+/// assert_eq!(play.joints(Pose([2048; 4])), Pose([2054, 2042, 2048, 2049]));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Play(pub [i16; JOINTS]);
+
+impl Play {
+    /// Joints that stand where their motors do.
+    pub const NONE: Self = Self([0; JOINTS]);
+
+    /// The joints' positions while the motors are at `motors`.
+    pub fn joints(self, Pose(motors): Pose) -> Pose {
+        let mut joints = motors;
+        for (ticks, beside) in joints.iter_mut().zip(self.0) {
+            *ticks = ticks.saturating_add(beside);
+        }
+        Pose(joints)
+    }
+}

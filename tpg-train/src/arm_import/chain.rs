@@ -1,0 +1,100 @@
+//! The section `[chain]` of joints that are no planar arm.
+
+use super::section::one_line;
+use super::urdf::{Chain, Turning, at_joint};
+use nalgebra::{Rotation3, UnitVector3, Vector3};
+use std::f64::consts::TAU;
+use tpg_arm::TICKS_PER_TURN;
+use tpg_graph::error::InputError;
+use tpg_problems::arm::chain::{ChainDescription, LinkDescription, SignedAxis};
+
+const A_RADIAN: f64 = TICKS_PER_TURN as f64 / TAU;
+const MIDDLE: f64 = 0.5 * TICKS_PER_TURN as f64;
+/// Greatest distance of a unit vector from an axis of its frame that counts as none.
+const ALONG: f64 = 1e-9;
+
+/// Describes a chain. The frames of its links stand as the URDF's root does while every joint is at 0; only for an axis that leans
+/// is one turned.
+///
+/// # Errors
+/// Limits that no range of positions holds.
+pub(super) fn describe(file: &str, chain: &Chain) -> Result<ChainDescription, InputError> {
+    let (mut at, mut frame) = (Vector3::zeros(), Rotation3::identity());
+    let mut links = Vec::new();
+    for joint in &chain.joints {
+        let (own, axis) = own_frame(&joint.axis);
+        let (zero, range) = positions(file, joint)?;
+        links.push(LinkDescription {
+            name: one_line(&joint.name),
+            origin: micrometres(frame.inverse() * (joint.at - at)),
+            turned: rows(&(frame.inverse() * own)),
+            axis,
+            zero,
+            range,
+        });
+        (at, frame) = (joint.at, own);
+    }
+    Ok(ChainDescription { tip: micrometres(frame.inverse() * (chain.tip - at)), links })
+}
+
+/// Returns the frame of a joint, in the root's, and the axis in it.
+fn own_frame(axis: &UnitVector3<f64>) -> (Rotation3<f64>, SignedAxis) {
+    let straight = [
+        (Vector3::x(), SignedAxis::X),
+        (Vector3::y(), SignedAxis::Y),
+        (Vector3::z(), SignedAxis::Z),
+        (-Vector3::x(), SignedAxis::MinusX),
+        (-Vector3::y(), SignedAxis::MinusY),
+        (-Vector3::z(), SignedAxis::MinusZ),
+    ];
+    match straight.into_iter().find(|(along, _)| (axis.into_inner() - along).norm() < ALONG) {
+        Some((_, signed)) => (Rotation3::identity(), signed),
+        None => {
+            let turned = Rotation3::rotation_between(&Vector3::z(), axis).unwrap_or_else(Rotation3::identity);
+            (turned, SignedAxis::Z)
+        }
+    }
+}
+
+/// Returns the position at the URDF's 0 and the first and last one, none of them beyond the limits. Zero is the middle unless
+/// limits far to one side leave no room.
+fn positions(file: &str, joint: &Turning) -> Result<(i16, [i16; 2]), InputError> {
+    let [low, high] = joint.limits.map(|limit| limit * A_RADIAN);
+    let fits = |zero: f64| zero + low >= -0.5 && zero + high < f64::from(TICKS_PER_TURN) + 0.5;
+    let zero = if fits(MIDDLE) { MIDDLE } else { MIDDLE - (0.5 * (low + high)).round() };
+    let (first, last) = ((zero + low - 1e-6).ceil().max(0.0), (zero + high + 1e-6).floor());
+    let last = last.min(f64::from(TICKS_PER_TURN - 1));
+    if first >= last || zero.abs() > f64::from(i16::MAX) {
+        let found = format!("limits of {} to {} rad", joint.limits[0], joint.limits[1]);
+        return Err(at_joint(file, &joint.name, found, "limits that are at least a tick of 1/4096 turn apart"));
+    }
+    Ok((zero as i16, [first as i16, last as i16]))
+}
+
+fn micrometres(place: Vector3<f64>) -> [f64; 3] {
+    // Adding 0 takes the sign of what is rounded to −0.
+    [place.x, place.y, place.z].map(|mm| (mm * 1000.0).round() / 1000.0 + 0.0)
+}
+
+fn rows(turned: &Rotation3<f64>) -> [[f64; 3]; 3] {
+    let matrix = turned.matrix();
+    [0, 1, 2].map(|row| [0, 1, 2].map(|column| matrix[(row, column)] + 0.0))
+}
+
+/// Returns the section as text; `reason` says why it is no planar arm.
+pub(super) fn text(file: &str, tip: &str, held: &str, chain: &ChainDescription, reason: &str) -> String {
+    let mut sections = toml::Table::new();
+    sections.insert("chain".to_owned(), toml::Value::try_from(chain).expect("plain data"));
+    format!(
+        "# From {file:?}, tip {}{held}.\n\
+         #\n\
+         # Not a planar arm: {}.\n\
+         # Geometry only, for programs with `tpg_arm::chain`: training is for planar arms.\n\
+         #\n\
+         # Positions are ticks, 4096 a turn; lengths are in mm. The URDF's angles, rad: (position - zero) / {A_RADIAN:.1}, where zero is 2048\n\
+         # if it is left out.\n\
+         {sections}",
+        one_line(tip),
+        one_line(reason),
+    )
+}
