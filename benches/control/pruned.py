@@ -1,4 +1,4 @@
-"""The simplest rival for size: weights found by covariance matrix adaptation, the least of which are then left out; no evolution."""
+"""The simplest rival for size: weights by covariance matrix adaptation, the least of them left out; no evolution."""
 
 from __future__ import annotations
 
@@ -73,8 +73,8 @@ def explored(env: gymnasium.Env[Any, Any], seed: int) -> np.ndarray:
 def pruned_search(env: gymnasium.Env[Any, Any], steps: int, seed: int) -> tuple[Linear, Linear, int]:
     """Returns the mean of the search, the same without its least weights, and the number of steps.
 
-    The search has four fifths of the steps. Then the weight that moves its sum least, in units of its input, is left out, again and
-    again; the smallest policy within a standard error of the best on episodes of its own is taken."""
+    The search has four fifths of the steps. Then the weight that moves its sum least, in units of its input, is left out,
+    again and again; the smallest policy within a standard error of the best on episodes of its own is taken."""
     draw = np.random.default_rng(seed)
     unit = np.append(explored(env, seed), 1.0)
     space = env.action_space

@@ -8,8 +8,8 @@
 Every policy plays the same episodes, seeds 10,000,000 and up, which nothing was trained or chosen on. A return stands with its 95 %
 interval; bytes are code and constants for a Cortex-M4F, `arm-none-eabi-gcc -Os`, instructions the most that one decision takes
 (`cortex-bound`). `--rivals` trains linear policies with the same number of steps for everybody, by augmented random search and by
-covariance matrix adaptation, leaves out the least weights of the second, and distils decision trees from the shipped policy; it takes minutes. Published returns are those of Stable-Baselines3's zoo. Prints a table
-in Markdown.
+covariance matrix adaptation, leaves the least weights of the second out, and distils decision trees from the shipped policy; it
+takes minutes. Published returns are those of Stable-Baselines3's zoo. Prints a table in Markdown.
 """
 
 from __future__ import annotations

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 from typing import Any
 
@@ -56,9 +57,11 @@ class Fresh(gymnasium.Wrapper[Any, Any, Any, Any]):
     """
 
     def __init__(self, make: str | Callable[[], gymnasium.Env[Any, Any]]) -> None:
-        if isinstance(make, gymnasium.Env) or not (isinstance(make, str) or callable(make)):
+        if not (isinstance(make, str) or callable(make)):
             raise ValueError(f"{make!r}; accepted: a registered id, or a function that makes an environment")
-        self._make = (lambda: gymnasium.make(make)) if isinstance(make, str) else make
+        self._make: Callable[[], gymnasium.Env[Any, Any]] = (
+            functools.partial(gymnasium.make, make) if isinstance(make, str) else make
+        )
         self._is_new = True
         super().__init__(self._make())
 
