@@ -7,10 +7,11 @@
 
 Every policy plays the same episodes, seeds 10,000,000 and up, which nothing was trained or chosen on. A return stands with its 95 %
 interval; bytes are code and constants for a Cortex-M4F, `arm-none-eabi-gcc -Os`, instructions the most that one decision takes
-(`cortex-bound`). `--rivals` trains a linear policy by augmented random search with the same number of steps for everybody, and
-distils decision trees from the shipped policy; it takes minutes. `--agents` trains agents of Stable-Baselines3 with the zoo's settings
-where that takes minutes, and puts them into integers; it needs `stable-baselines3` and this project's Python package, too. Published
-returns are those of Stable-Baselines3's zoo. Prints a table in Markdown.
+(`cortex-bound`). `--rivals` trains linear policies with the same number of steps for everybody, by augmented random search and by
+covariance matrix adaptation, leaves the least weights of the second out, and distils decision trees from the shipped policy; it
+takes minutes. `--agents` trains agents of Stable-Baselines3 with the zoo's settings where that takes minutes, and puts them into
+integers; it needs `stable-baselines3` and this project's Python package, too. Published returns are those of Stable-Baselines3's zoo.
+Prints a table in Markdown.
 """
 
 from __future__ import annotations
@@ -28,6 +29,7 @@ import numpy as np
 from agents import RECIPES, Agent, Integers, trained
 from figure import figure
 from generated import ROOT, Policy, built, flash_of, footprint, report
+from pruned import pruned_search
 from rivals import distilled, episode, random_search, write_c
 
 FIRST_SEED = 10_000_000
@@ -99,6 +101,9 @@ def rows(problem: Problem, episodes: int, with_rivals: bool, folder: Path) -> li
     env = gymnasium.make(problem.id)
     linear, steps = random_search(env, problem.steps, 1)
     found.append(rival(problem, "linear, random search", linear, episodes, folder, f"{steps / 1e6:.2f} M steps"))
+    whole, small, steps = pruned_search(env, problem.steps, 1)
+    found.append(rival(problem, "linear, covariance matrix adaptation", whole, episodes, folder, f"{steps / 1e6:.2f} M steps"))
+    found.append(rival(problem, "the same, pruned", small, episodes, folder, f"{np.count_nonzero(small.weights)} weights"))
     for leaves in TREE_LEAVES:
         tree = distilled(env, policy, leaves)
         found.append(rival(problem, f"tree of {leaves} leaves", tree, episodes, folder, "imitates this project's"))
