@@ -63,7 +63,7 @@ fn cases(arm: &Arm<f32>) -> Vec<Case> {
         }))
     };
     let case = |number: usize| {
-        let (here, there) = (pose(number % 10 == 0), pose(false));
+        let (here, there) = (pose(number.is_multiple_of(10)), pose(false));
         let wanted = Move([0, 1, 2, 3].map(|joint: usize| ((number + joint) % 7) as i8 - 3));
         Case { pose: here, wanted, target: kinematics::hand(arm, there) }
     };
