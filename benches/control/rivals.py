@@ -35,7 +35,7 @@ class Linear:
     def c(self, name: str) -> str:
         """Returns it as C."""
         rows = [
-            "".join(f" + {literal(weight)} * s[{at}]" for at, weight in enumerate(row[:-1]))
+            "".join(f" + {literal(weight)} * s[{at}]" for at, weight in enumerate(row[:-1]) if weight)
             for row in self.weights.astype(float)
         ]
         sums = "".join(

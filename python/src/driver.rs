@@ -132,7 +132,8 @@ impl Driver {
         match seen.len() == after.len() {
             true => Ok(seen),
             false => Err(error::training(format!(
-                "the episode of seed {seed} was shorter than before: the environment's state survives reset(seed=...)"
+                "the episode of seed {seed} was shorter than before: the environment's state survives reset(seed=...); \
+                 tpg_train.wrappers.Fresh makes a new environment for each episode"
             ))),
         }
     }

@@ -42,15 +42,15 @@ class Broken(Motor):
 
 @pytest.fixture(scope="module")
 def network() -> NetworkPolicy:
-    return train_network(Motor, 2000, seed=1, hidden=(8, 8), settings=SMALL)
+    return train_network(Motor, 4000, seed=1, hidden=(8, 8), settings=SMALL)
 
 
 def test_a_network_is_trained_the_same_again_and_helps(network: NetworkPolicy, tmp_path: Path) -> None:
-    again = train_network(Motor, 2000, seed=1, hidden=(8, 8), settings=SMALL)
+    again = train_network(Motor, 4000, seed=1, hidden=(8, 8), settings=SMALL)
     network.save(tmp_path / "one.json")
     again.save(tmp_path / "two.json")
     assert (tmp_path / "one.json").read_bytes() == (tmp_path / "two.json").read_bytes()
-    other = train_network(Motor, 2000, seed=2, hidden=(8, 8), settings=SMALL)
+    other = train_network(Motor, 4000, seed=2, hidden=(8, 8), settings=SMALL)
     other.save(tmp_path / "two.json")
     assert (tmp_path / "one.json").read_bytes() != (tmp_path / "two.json").read_bytes()
     rest = np.mean([_rest(seed) for seed in range(20)])

@@ -12,9 +12,9 @@ import pytest
 from gymnasium.utils.env_checker import check_env
 
 import tpg_train
-from tpg_train import TPG, InputError
+from tpg_train import TPG, InputError, StatefulEnvironmentWarning
 from tpg_train.envs import IDS, BuiltInEnv
-from tpg_train.wrappers import Differences
+from tpg_train.wrappers import Differences, Fresh
 
 
 @pytest.mark.parametrize("name", sorted(IDS))
@@ -74,6 +74,28 @@ def test_differences_are_named_sources() -> None:
     assert set(model.graph.inputs) == {"change[0]", "change[1]", "now[0]", "now[1]"}
     with pytest.raises(ValueError, match="FlattenObservation"):
         Differences(environments.DictCart())
+
+
+def test_a_fresh_environment_for_each_episode_forgets_everything() -> None:
+    fresh = Fresh(environments.Stateful)
+    first, _ = fresh.reset(seed=1)
+    fresh.step(1)
+    assert (fresh.reset(seed=1)[0] == first).all(), "an environment of its own"
+    stateful = environments.Stateful()
+    assert (stateful.reset(seed=1)[0] == first).all() and (stateful.reset(seed=1)[0] != first).any()
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", StatefulEnvironmentWarning)
+        graphs = [
+            TPG(lambda: Fresh(environments.Stateful), population=20, episodes=3).learn(10_000, n_workers=workers).graph
+            for workers in (0, 2)
+        ]
+    assert graphs[0].sha256 == graphs[1].sha256
+    by_id = TPG(lambda: Fresh("CartPole-v1"), population=20, episodes=3).learn(2_000)
+    assert by_id.native is None and by_id.evaluate(2).environment == "CartPole-v1"
+    for wrong in (environments.Cart(), 7):
+        with pytest.raises(ValueError, match="accepted: a registered id, or a function"):
+            Fresh(wrong)  # type: ignore[arg-type]
 
 
 def test_importing_registers_and_registering_twice_does_no_harm() -> None:

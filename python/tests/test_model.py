@@ -325,7 +325,7 @@ def test_settings_and_presets_are_checked() -> None:
 
 
 def test_state_that_survives_a_reset_is_noticed_and_named() -> None:
-    with pytest.warns(StatefulEnvironmentWarning, match="Stateful: the observation after 0 actions"):
+    with pytest.warns(StatefulEnvironmentWarning, match=r"Stateful: the observation after 0 actions .*wrappers\.Fresh"):
         TPG(environments.Stateful, **SMALL).learn(100)
 
 

@@ -266,7 +266,7 @@ class TPG:
             warnings.warn(
                 f"{self._interface.name}: {difference} is another one when reset(seed=...) gets the same seed again: the "
                 "environment keeps state from earlier episodes, or has randomness of its own. Graphs then depend on the number "
-                "of workers, and a resumed run is another one",
+                "of workers, and a resumed run is another one. tpg_train.wrappers.Fresh makes a new environment for each episode",
                 StatefulEnvironmentWarning,
                 stacklevel=3,
             )

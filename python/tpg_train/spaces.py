@@ -92,9 +92,9 @@ class Interface:
         name = spec.id if spec is not None else type(getattr(env, "unwrapped", env)).__name__
         limit = max_episode_steps or getattr(spec, "max_episode_steps", None) or DEFAULT_LIMIT
         parts = tuple(_parts(env.observation_space, ""))
-        names = tuple(tuple(given) if given else None for given in (input_names, end_names))
+        inputs, ends = (tuple(given) if given else None for given in (input_names, end_names))
         asks = bool(getattr(env, "asks_network", False))
-        interface = cls(name, env.observation_space, env.action_space, parts, int(limit), *names, asks=asks)
+        interface = cls(name, env.observation_space, env.action_space, parts, int(limit), inputs, ends, asks)
         if not 1 <= interface.inputs <= MOST_INPUTS:
             raise InputError(f"{name}: an observation of {interface.inputs} values; accepted: 1 to {MOST_INPUTS}")
         if input_names is not None and len(input_names) != interface.inputs:

@@ -1,7 +1,9 @@
-"""Wrappers that help small policies."""
+"""Wrappers that help small policies, and wrappers that help training."""
 
 from __future__ import annotations
 
+import functools
+from collections.abc import Callable
 from typing import Any
 
 import gymnasium
@@ -10,7 +12,7 @@ from gymnasium import spaces
 from gymnasium.wrappers import FlattenObservation
 from numpy.typing import NDArray
 
-__all__ = ["Differences", "FlattenObservation"]
+__all__ = ["Differences", "FlattenObservation", "Fresh"]
 
 
 class Differences(gymnasium.ObservationWrapper[Any, Any, Any], gymnasium.utils.RecordConstructorArgs):
@@ -42,3 +44,31 @@ class Differences(gymnasium.ObservationWrapper[Any, Any, Any], gymnasium.utils.R
         change = np.zeros_like(now) if self._last is None else now - self._last
         self._last = now.copy()
         return {"now": observation, "change": change}
+
+
+class Fresh(gymnasium.Wrapper[Any, Any, Any, Any]):
+    """Makes a new environment for each episode, where the state of one survives `reset(seed=...)`, as that of BipedalWalker-v3.
+
+    Episodes can then be repeated: results depend neither on their order nor on the number of workers. Making an environment
+    takes time, most of all where episodes are short.
+
+    Args:
+        make: a registered id, or a function that makes an environment.
+    """
+
+    def __init__(self, make: str | Callable[[], gymnasium.Env[Any, Any]]) -> None:
+        if not (isinstance(make, str) or callable(make)):
+            raise ValueError(f"{make!r}; accepted: a registered id, or a function that makes an environment")
+        self._make: Callable[[], gymnasium.Env[Any, Any]] = (
+            functools.partial(gymnasium.make, make) if isinstance(make, str) else make
+        )
+        self._is_new = True
+        super().__init__(self._make())
+
+    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
+        """Starts an episode in an environment that has had none."""
+        if not self._is_new:
+            self.env.close()
+            self.env = self._make()
+        self._is_new = False
+        return self.env.reset(seed=seed, options=options)

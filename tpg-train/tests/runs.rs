@@ -209,7 +209,7 @@ fn a_folder_that_cannot_be_written_is_an_error() {
 
 #[test]
 fn a_bad_configuration_is_refused_with_its_line_and_what_is_accepted() {
-    let text = Preset::find("polar-fs").expect("it comes with the trainer").text;
+    let text = Preset::find("polar-fs").expect("it comes with the trainer").text();
     let line_of = |start: &str| text.lines().position(|line| line.starts_with(start)).expect("the key") + 1;
     let wrong = |from: &str, to: &str| {
         let changed: Vec<&str> = text.lines().map(|line| if line.starts_with(from) { to } else { line }).collect();
@@ -376,10 +376,12 @@ fn memory_needs_outputs() {
 /// visited states: searches and demes are part of the checkpoint.
 #[test]
 fn a_linear_start_has_the_same_bytes_on_other_threads_and_after_kills() {
-    for (name, problem, kind) in [
-        ("outputs", ProblemName::Pendulum, StartKind::Linear),
-        ("products", ProblemName::Pendulum, StartKind::Product),
-        ("actions", ProblemName::Acrobot, StartKind::Linear),
+    // With a share of the steps, milestones and the choice among policies within doubt are part of it, too.
+    for (name, problem, kind, share) in [
+        ("outputs", ProblemName::Pendulum, StartKind::Linear, 0.0),
+        ("products", ProblemName::Pendulum, StartKind::Product, 0.0),
+        ("actions", ProblemName::Acrobot, StartKind::Linear, 0.0),
+        ("steps", ProblemName::Pendulum, StartKind::Linear, 0.5),
     ] {
         let place = tempfile::tempdir().expect("a temporary folder");
         let path = place.path().join("config.toml");
@@ -389,17 +391,21 @@ fn a_linear_start_has_the_same_bytes_on_other_threads_and_after_kills() {
         (config.learning.nb_generations, config.selection.validation_episodes) = (24, 30);
         (config.demes.halving_interval, config.literals.units) = (6, Units::Visited);
         (config.refinement.p_mutation, config.start.kind) = (0.5, kind);
+        config.start.share = [0.5 * share, share];
+        config.selection.choice_errors = 2.0 * share;
+        let steps = if share > 0.0 { "200000" } else { "1000000000000" };
+        let train = |folder: &Path, more: &[&str]| train(folder, &path, &[more, &["--max-steps", steps]].concat());
         config.problem = Problem::usual(problem).to_table();
         fs::write(&path, config.to_toml()).expect("it can be written");
         let [one, other] = ["one", "other"].map(|name| place.path().join(name));
-        assert!(train(&one, &path, &["--threads", "1"]).status().expect("it runs").success());
-        assert!(train(&other, &path, &["--threads", "3", "--lanes", "5"]).status().expect("it runs").success());
+        assert!(train(&one, &["--threads", "1"]).status().expect("it runs").success());
+        assert!(train(&other, &["--threads", "3", "--lanes", "5"]).status().expect("it runs").success());
         assert!(results(&one) == results(&other), "{name}: threads and lanes change nothing");
         // Stopped in the first half of the start, in the second half, at its end, and after it.
         let stopped = place.path().join("stopped");
         for generations in ["3", "9", "12", "15"] {
             let arguments = ["--checkpoint-seconds", "0", "--lanes", "1", "--resume"];
-            let mut run = train(&stopped, &path, &arguments).spawn().expect("it starts");
+            let mut run = train(&stopped, &arguments).spawn().expect("it starts");
             let rows = stopped.join("generations.csv");
             let done = || fs::read_to_string(&rows).map_or(0, |text| text.lines().count().saturating_sub(1));
             while done() < generations.parse().expect("a number") && run.try_wait().expect("a child").is_none() {
@@ -408,7 +414,7 @@ fn a_linear_start_has_the_same_bytes_on_other_threads_and_after_kills() {
             run.kill().expect("it can be killed");
             run.wait().expect("it ends");
         }
-        assert!(train(&stopped, &path, &["--resume"]).status().expect("it runs").success());
+        assert!(train(&stopped, &["--resume"]).status().expect("it runs").success());
         assert!(results(&one) == results(&stopped), "{name}: kills change nothing");
     }
 }

@@ -52,7 +52,9 @@ impl<Task: std::fmt::Debug> State<Task> {
         equal("scales", self.scales.len(), lengths(environment.bid_bounds().unwrap_or(sources.len())))?;
         let vocabulary = config.vocabulary(environment, self.scales.clone());
         let writer = LinearWriter::new(&vocabulary, actions as u16, config.start.kind);
-        let linear = config.linear_generations(writer.map_or(0, |writer| writer.weights()));
+        self.milestones.check(config, self.generation, self.steps)?;
+        let usual = config.linear_generations(writer.map_or(0, |writer| writer.weights()));
+        let linear = config.linear_end(usual, &self.milestones).unwrap_or(u64::MAX);
         equal("demes", self.demes.len(), config.demes_at(self.generation, linear))?;
         let limits = Limits { config, vocabulary: &vocabulary, actions };
         for (place, deme) in self.demes.iter().enumerate() {
@@ -62,7 +64,7 @@ impl<Task: std::fmt::Debug> State<Task> {
             }
             limits.deme(deme).map_err(|finding| finding.within(&format!("demes[{place}]")))?;
         }
-        self.check_searches(config, &vocabulary, actions, linear)?;
+        self.check_searches(config, &vocabulary, actions, usual)?;
         equal("archive.size", self.archive.size(), config.learning.archive_size)?;
         self.archive.check(self.demes.len(), inputs).map_err(|finding| finding.within("archive"))?;
         Finding::range("pool", self.pool.len(), 0, config.pool.size)?;
@@ -83,13 +85,15 @@ impl<Task> State<Task> {
         config: &EvolutionConfig,
         vocabulary: &Vocabulary,
         actions: usize,
-        generations: u64,
+        usual: u64,
     ) -> Result<(), Finding> {
         let accepted = match self.generation {
             0 => [0, 0],
-            _ if generations == 0 => [0, 0],
-            generation if generation <= generations.div_ceil(2) => [config.start.searches; 2],
-            _ => [1, 1],
+            _ if usual == 0 => [0, 0],
+            generation => match config.linear_choice(usual, &self.milestones) {
+                Some(chosen) if generation > chosen => [1, 1],
+                _ => [config.start.searches; 2],
+            },
         };
         Finding::range("searches", self.searches.len(), accepted[0], accepted[1])?;
         if self.searches.is_empty() {
@@ -115,6 +119,7 @@ fn check_best(
     if best.generation >= generation {
         return Err(Finding::new("generation", best.generation, format!("below {generation}")));
     }
+    Finding::range("error", best.error, 0.0, 1e30)?;
     if let Some(ranges) = &best.ranges {
         equal("ranges", ranges.len(), inputs)?;
         if let Some(place) = ranges.iter().position(|[low, high]| low > high) {

@@ -6,6 +6,7 @@
 
 mod check;
 
+use super::milestones::Milestones;
 use super::vocabulary::Vocabulary;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -30,7 +31,7 @@ const LEAST_GENERATIONS: u64 = 20;
 /// use tpg_train::evolution::config::EvolutionConfig;
 /// use tpg_train::evolution::presets::Preset;
 ///
-/// let text = Preset::find("general").expect("a built-in preset").text;
+/// let text = Preset::find("general").expect("a built-in preset").text();
 /// let config = EvolutionConfig::from_toml("mine.toml", &text.replace("\nnb_roots = 200", "\nnb_roots = 100"))?;
 /// assert_eq!(config.tpg.nb_roots, 100);
 ///
@@ -278,6 +279,10 @@ pub struct SelectionConfig {
     /// Price of a line of a policy, as a fraction of the way from the first generation's median score to the best.
     #[serde(default)]
     pub line_price: f64,
+    /// Number of standard errors of the best result on the selection set within which the smallest policy is chosen; 0: the best
+    /// result less the price of its lines.
+    #[serde(default)]
+    pub choice_errors: f64,
     /// Number of validations in a row without a better root after which the run ends; 0 for none.
     #[serde(default)]
     pub flat_after: usize,
@@ -403,6 +408,9 @@ pub struct StartConfig {
     pub kind: StartKind,
     /// Number of generations of the search for weights; 0 for 3 for each weight, at least 20.
     pub generations: u64,
+    /// Two fractions of a run's steps (`--max-steps`): a search whose generations have taken less than the first goes on while it
+    /// gets better, and every search ends at the second. `[0, 0]`, or a run without that limit: its generations alone decide.
+    pub share: [f64; 2],
     /// Number of searches, of which the best goes on after half of the generations.
     pub searches: usize,
     /// Number of samples of a search in a generation; 0 for 4 + 3 ln n with n weights.
@@ -415,10 +423,26 @@ pub struct StartConfig {
     pub demes: usize,
 }
 
+impl StartConfig {
+    /// True if the search for weights is limited by the steps of the run.
+    pub fn is_by_steps(&self) -> bool {
+        self.kind != StartKind::Random && self.share[1] > 0.0
+    }
+}
+
 impl Default for StartConfig {
     fn default() -> Self {
         let kind = StartKind::Random;
-        Self { kind, generations: 60, searches: 3, samples: 0, episodes: 2, deviation: 0.5, demes: 1 }
+        Self {
+            kind,
+            generations: 60,
+            share: [0.0, 0.0],
+            searches: 3,
+            samples: 0,
+            episodes: 2,
+            deviation: 0.5,
+            demes: 1,
+        }
     }
 }
 
@@ -526,6 +550,16 @@ impl EvolutionConfig {
             }
             (StartKind::Linear | StartKind::Product, generations) => generations,
         }
+    }
+
+    /// Returns the generation with which a linear start ends that usually has so many; `None` if that is not known yet.
+    pub(super) fn linear_end(&self, usual: u64, milestones: &Milestones) -> Option<u64> {
+        if self.start.is_by_steps() { milestones.ended } else { Some(usual) }
+    }
+
+    /// Returns the generation from which only the best search of a linear start goes on; `None` if that is not known yet.
+    pub(super) fn linear_choice(&self, usual: u64, milestones: &Milestones) -> Option<u64> {
+        if self.start.is_by_steps() { milestones.chosen } else { Some(usual.div_ceil(2)) }
     }
 
     /// Returns the instruction set, looked up by name.

@@ -30,7 +30,7 @@ pub struct Evolution<'e, S: Scalar, E: Environment<S>, V> {
     pub(super) selection_tasks: Vec<E::Task>,
     pub(super) goal: Goal,
     pub(super) actions: u16,
-    /// Number of generations of the linear start.
+    /// Usual number of generations of the linear start.
     pub(super) linear: u64,
     number: PhantomData<S>,
 }
@@ -163,7 +163,10 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
     fn is_flat(&self, state: &State<E::Task>) -> bool {
         let most = self.config.selection.flat_after;
         let Some(best) = state.best.as_ref().filter(|_| most > 0) else { return false };
-        let since = state.rows.iter().rev().take_while(|row| row.generation > best.generation);
+        // A smaller root that is as good within doubt may be older than the best result.
+        let newest = state.hall.iter().map(|it| it.generation).fold(best.generation, u64::max);
+        let newest = if self.config.selection.choice_errors > 0.0 { newest } else { best.generation };
+        let since = state.rows.iter().rev().take_while(|row| row.generation > newest);
         since.filter(|row| row.validation.is_some()).count() >= most
     }
 
@@ -396,7 +399,8 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
     /// Ends the worse half of the demes, judged by their best root, where it is time for it: independent starts are many, but
     /// only the promising ones are paid for.
     fn end_worse_demes(&self, state: &mut State<E::Task>) {
-        let next = self.config.demes_at(state.generation + 1, self.linear);
+        let linear = self.config.linear_end(self.linear, &state.milestones).unwrap_or(u64::MAX);
+        let next = self.config.demes_at(state.generation + 1, linear);
         if next >= state.demes.len() {
             return;
         }

@@ -8,6 +8,7 @@ use super::cma::Cma;
 use super::config::StartKind;
 use super::generation::Evolution;
 use super::genome::{Destination, Edge, Genome, GenomeLine, Leaf, Program, Team, TeamId};
+use super::milestones::{Bounds, Point, StepBounds};
 use super::state::{Deme, Record, Row, State};
 use super::vocabulary::{Gene, InstructionIndex, Kind, OPERANDS, Vocabulary};
 use serde::{Deserialize, Serialize};
@@ -240,7 +241,7 @@ impl<'a> LinearWriter<'a> {
 impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V> {
     /// True if the next generation belongs to the linear start.
     pub(super) fn is_linear(&self, state: &State<E::Task>) -> bool {
-        state.generation < self.linear
+        self.config.linear_end(self.linear, &state.milestones).is_none_or(|end| state.generation < end)
     }
 
     /// Runs one generation of the linear start.
@@ -273,7 +274,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
             search.update(&samples[its.clone()], &results[its]);
         }
         let mut row = row(state.generation, &results);
-        if state.generation + 1 == self.linear || self.is_last(state) {
+        if self.ends_linear(state) || self.is_last(state) {
             self.populate_from_linear(state, &writer);
             row.validation = self.validate(state)?;
         } else {
@@ -286,6 +287,21 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         state.rows.push(row);
         state.generation += 1;
         Ok(())
+    }
+
+    /// Records how far the linear start has come; returns true if the current generation is its last one.
+    fn ends_linear(&self, state: &mut State<E::Task>) -> bool {
+        let start = &self.config.start;
+        if start.is_by_steps() {
+            let score = state.searches.iter().map(|search| search.score).fold(f64::NEG_INFINITY, f64::max);
+            let steps = self.goal.max_steps.map(|most| {
+                let part = |share: f64| (share * most as f64) as u64;
+                StepBounds { least: part(start.share[0]), most: part(start.share[1]) }
+            });
+            let point = Point { generations: state.generation + 1, steps: state.steps, score };
+            state.milestones.reach(point, Bounds { generations: self.linear, steps });
+        }
+        self.config.linear_end(self.linear, &state.milestones) == Some(state.generation + 1)
     }
 
     /// Returns the policy with the given weights.
@@ -302,7 +318,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
             let search = Search { cma: Cma::new(writer.weights(), config.deviation), score: f64::NEG_INFINITY };
             state.searches = vec![search; config.searches];
         }
-        if state.generation == self.linear.div_ceil(2) {
+        if self.config.linear_choice(self.linear, &state.milestones) == Some(state.generation) {
             // The first of equals: `max_by` would return the last.
             let best = state.searches.iter().rev().max_by(|a, b| a.score.total_cmp(&b.score)).cloned();
             state.searches = best.into_iter().collect();

@@ -11,6 +11,7 @@ pub mod generation;
 pub mod genome;
 pub mod linear;
 pub mod logs;
+pub mod milestones;
 pub mod mutate_leaf;
 pub mod mutate_program;
 pub mod mutate_team;

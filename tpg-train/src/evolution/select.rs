@@ -141,6 +141,7 @@ mod tests {
             validation_episodes: 1,
             validation_share: 0.1,
             line_price: 0.0,
+            choice_errors: 0.0,
             flat_after: 0,
         }
     }

@@ -3,6 +3,7 @@
 use super::archive::Archive;
 use super::genome::{Genome, TeamId};
 use super::linear::Search;
+use super::milestones::Milestones;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, VecDeque};
 use tpg_engine::{PolicyGraph, Preference, Summary};
@@ -41,6 +42,9 @@ pub struct Best {
     pub generation: u64,
     /// Its result on the selection set.
     pub result: Summary,
+    /// Standard error of that result: of the mean score, or of the success rate where policies are compared by it.
+    #[serde(default)]
+    pub error: f64,
     /// The root.
     pub policy: PolicyGraph,
     /// Ranges of the inputs, if the environment does not know all of them.
@@ -56,6 +60,19 @@ impl Best {
         hall.retain(|other| !self.covers(other, preference));
         let place = hall.partition_point(|other| other.policy.size() < self.policy.size());
         hall.insert(place, self);
+    }
+
+    /// Returns the smallest root of a hall of fame whose result is at most `errors` standard errors below the best one. Where that
+    /// reaches the target of the run, so does the choice.
+    pub(super) fn choose(hall: &[Self], errors: f64, preference: Preference, target: Option<f64>) -> Option<&Self> {
+        let figure = |it: &Self| match preference {
+            Preference::Score => it.result.score,
+            Preference::Success => it.result.success.unwrap_or(0.0),
+        };
+        let best = hall.iter().max_by(|a, b| a.result.compare(&b.result, preference))?;
+        let least = figure(best) - errors * best.error;
+        let reaches = |it: &Self| target.is_none_or(|target| it.result.score >= target);
+        hall.iter().find(|it| figure(it) >= least && (reaches(it) || !reaches(best)))
     }
 
     /// Returns true if this root is neither larger nor worse than the other.
@@ -97,6 +114,9 @@ pub struct State<Task> {
     /// The searches of a linear start.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub searches: Vec<Search>,
+    /// Milestones of a start that is limited by steps.
+    #[serde(default, skip_serializing_if = "Milestones::is_empty")]
+    pub milestones: Milestones,
     /// The demes.
     pub demes: Vec<Deme>,
     /// The archive.
@@ -128,6 +148,7 @@ impl<Task> State<Task> {
             seed,
             generation: 0,
             searches: Vec::new(),
+            milestones: Milestones::default(),
             demes: vec![Deme::default(); demes],
             archive: Archive::new(archive_size),
             pool: VecDeque::new(),
@@ -150,7 +171,7 @@ mod tests {
     fn best(edges: usize, score: f64, generation: u64) -> Best {
         let result = Summary::of(&[Ending { outcome: 0, success: None, score, measure: 0.0, actions: 1 }]);
         let team = vec![Edge { program: 0, to: Destination::Action(0) }; edges];
-        Best { generation, result, policy: PolicyGraph::new(1, 0, vec![team], vec![vec![]]), ranges: None }
+        Best { generation, result, error: 0.1, policy: PolicyGraph::new(1, 0, vec![team], vec![vec![]]), ranges: None }
     }
 
     #[test]
@@ -161,5 +182,14 @@ mod tests {
         }
         let found: Vec<_> = hall.iter().map(|it| (it.policy.size(), it.result.score, it.generation)).collect();
         assert_eq!(found, [(2, 0.5, 5), (5, 1.0, 0), (9, 2.0, 4)]);
+
+        // Errors of 0.1 each: 10 of them reach 1.0, 15 reach 0.5.
+        let chosen = |errors, target| Best::choose(&hall, errors, Preference::Score, target).map(|it| it.policy.size());
+        assert_eq!(chosen(9.0, None), Some(9));
+        assert_eq!(chosen(10.5, None), Some(5));
+        assert_eq!(chosen(15.5, None), Some(2));
+        assert_eq!(chosen(15.5, Some(0.9)), Some(5), "what reaches the target");
+        assert_eq!(chosen(15.5, Some(7.0)), Some(2), "nothing does");
+        assert_eq!(Best::choose(&[], 1.0, Preference::Score, None), None);
     }
 }

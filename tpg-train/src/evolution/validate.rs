@@ -9,7 +9,8 @@ use super::generation::{Evolution, root_number};
 use super::state::{Best, State};
 use std::cmp::Ordering;
 use tpg_engine::{
-    Ending, Environment, EvaluationError, Evaluator, PolicyGraph, Summary, UnitKey, UnitResult, Visit, Work, WorkUnit,
+    Ending, Environment, EvaluationError, Evaluator, PolicyGraph, Preference, Summary, UnitKey, UnitResult, Visit,
+    Work, WorkUnit, finite,
 };
 use tpg_runtime::scalar::Scalar;
 
@@ -55,13 +56,18 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
     ) -> Result<Summary, EvaluationError> {
         let (preference, result) = (self.environment.preference(), Summary::of(endings));
         let ranges = self.learned_ranges(&policy, endings)?;
-        let winner = Best { generation: state.generation, result, ranges, policy };
+        let error = standard_error(&result, endings, preference);
+        let winner = Best { generation: state.generation, result, error, ranges, policy };
         let is_better =
             |best: &Best| self.compare(state, (&best.result, &best.policy), (&result, &winner.policy)).is_gt();
-        if state.best.as_ref().is_none_or(is_better) {
+        let errors = self.config.selection.choice_errors;
+        if errors == 0.0 && state.best.as_ref().is_none_or(is_better) {
             state.best = Some(winner.clone());
         }
         winner.enter(&mut state.hall, preference);
+        if errors > 0.0 {
+            state.best = Best::choose(&state.hall, errors, preference, self.goal.target).cloned();
+        }
         Ok(result)
     }
 
@@ -183,6 +189,15 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
     }
 }
 
+/// Returns the standard error of the figure by which results are compared: the mean score, or the success rate.
+fn standard_error(result: &Summary, endings: &[Ending], preference: Preference) -> f64 {
+    let deviation = match preference {
+        Preference::Score => result.score_deviation(endings),
+        Preference::Success => result.success.map_or(0.0, |rate| (rate * (1.0 - rate)).sqrt()),
+    };
+    finite(deviation / (endings.len().max(1) as f64).sqrt()).max(0.0)
+}
+
 /// Returns a visit of states all along an episode that ended so.
 fn along<Task: Clone>(policy: &PolicyGraph, task: &Task, ending: &Ending) -> Visit<Task> {
     let actions = u64::from(ending.actions);
@@ -204,7 +219,8 @@ fn widened(declared: [f64; 2], states: &[Vec<f64>], input: usize) -> [f64; 2] {
 
 #[cfg(test)]
 mod tests {
-    use super::{cost, stages, widened};
+    use super::{cost, stages, standard_error, widened};
+    use tpg_engine::{Ending, Preference, Summary};
 
     #[test]
     fn a_race_halves_its_field_and_its_winner_does_all_episodes() {
@@ -213,6 +229,17 @@ mod tests {
         assert_eq!(stages(1, 1000), [1000]);
         assert_eq!(cost(4, 1000), 4 * 250 + 2 * 250 + 500);
         assert_eq!(cost(1, 7), 7);
+    }
+
+    #[test]
+    fn a_standard_error_is_of_the_figure_that_decides() {
+        let ending = |score, success| Ending { outcome: 0, success: Some(success), score, measure: 0.0, actions: 1 };
+        let endings = [ending(1.0, true), ending(3.0, false), ending(5.0, true), ending(3.0, false)];
+        let error = |preference| standard_error(&Summary::of(&endings), &endings, preference);
+        assert!((error(Preference::Score) - (8.0f64 / 3.0).sqrt() / 2.0).abs() < 1e-12);
+        assert_eq!(error(Preference::Success), 0.25);
+        let odd = [ending(f64::NAN, true), ending(1.0, true)];
+        assert!(standard_error(&Summary::of(&odd), &odd, Preference::Score) >= 0.0);
     }
 
     #[test]

@@ -184,6 +184,37 @@ fn a_damaged_search_for_a_linear_start_is_refused_at_its_place() {
 }
 
 #[test]
+fn damaged_milestones_of_a_start_that_is_limited_by_steps_are_refused() {
+    let mut config = config();
+    config.language.literals = true;
+    config.program.max_program_size = 6;
+    config.start = StartConfig { kind: StartKind::Linear, generations: 3, share: [0.2, 0.5], ..StartConfig::default() };
+    config.learning.nb_generations = 4;
+    let content = content(&config, &swing());
+    let read = |content: &Value| -> Result<State<[f64; 2]>, InputError> {
+        from_bytes("x", content.to_string().as_bytes(), &config, 1, &swing())
+    };
+    let milestones = read(&content).expect("a real one").milestones;
+    assert_eq!(
+        (milestones.chosen, milestones.ended),
+        (Some(2), Some(3)),
+        "generations decide: there is no limit of steps"
+    );
+    for (path, value, place) in [
+        ("/state/milestones/chosen", json!(5), "state.milestones.chosen"),
+        ("/state/milestones/ended", json!(1), "state.milestones.ended"),
+        ("/state/milestones/peak/generations", json!(5), "state.milestones.peak.generations"),
+        ("/state/milestones/peak/steps", json!(1u64 << 52), "state.milestones.peak.steps"),
+        ("/state/best/error", json!(-1.0), "state.best.error"),
+    ] {
+        let mut content = content.clone();
+        *content.pointer_mut(path).unwrap_or_else(|| panic!("{path}")) = value;
+        let error = read(&content).expect_err(path).to_string();
+        assert!(error.contains(place), "{path}: {error}");
+    }
+}
+
+#[test]
 fn text_that_is_no_checkpoint_is_refused() {
     for text in ["", "{}", "[]", "null", "{\"config\":\"\",\"state\":{}}", "\u{0}\u{ff}"] {
         let refused = from_bytes("x", text.as_bytes(), &config(), 1, &swing()).expect_err(text);

@@ -81,6 +81,7 @@ impl EvolutionConfig {
         number("selection.validation_share", selection.validation_share, 0.001, 0.9)?;
 
         number("selection.line_price", selection.line_price, 0.0, 1.0)?;
+        number("selection.choice_errors", selection.choice_errors, 0.0, 100.0)?;
         count("selection.flat_after", selection.flat_after, 0, MANY)?;
         self.check_start()?;
         if self.literals.deviations.is_empty() || self.literals.deviations.iter().any(|d| !(1e-9..=1e9).contains(d)) {
@@ -133,6 +134,10 @@ impl EvolutionConfig {
         let last = self.learning.nb_generations.saturating_sub(1);
         if start.kind != StartKind::Random && start.generations > 0 {
             Finding::range("start.generations", start.generations, 2, last)?;
+        }
+        let [first, second] = start.share;
+        if !(0.0 <= first && first <= second && second <= 1.0) {
+            return Err(Finding::new("start.share", format!("{:?}", start.share), "two numbers of 0 to 1, ascending"));
         }
         count("start.searches", start.searches, 1, 100)?;
         if start.samples != 0 {

@@ -3,7 +3,7 @@
 //! | file | subject |
 //! | --- | --- |
 //! | (root) | [`Front`], and [`conclude`], which makes and writes one |
-//! | [`measure`](mod@measure) | every policy on validation episodes |
+//! | [`measure`] | every policy on validation episodes |
 //! | [`files`] | `front.json`, `front.csv`, `hybrid.toml` |
 //! | [`figure`] | the front as a section of a page |
 

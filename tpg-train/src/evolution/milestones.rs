@@ -1,0 +1,158 @@
+//! The end of the search for weights: after so many generations, or by the steps that the run has.
+//!
+//! No number of generations fits every problem. Episodes of a pole that falls at once have ten steps, and the search has hardly begun
+//! when it ends; episodes of a swimmer always have a thousand, and it takes the whole run. So a search that has taken less than one
+//! share of the run's steps goes on while it gets better, and none goes beyond another share.
+
+use super::config::EvolutionConfig;
+use serde::{Deserialize, Serialize};
+use std::cmp::Ordering;
+use tpg_graph::error::Finding;
+
+/// A search has stalled when this part of its least steps has brought nothing better.
+const PATIENCE: u64 = 2;
+/// Least number of generations that bring nothing better before a search has stalled.
+const LEAST_PATIENCE: u64 = 10;
+/// Greatest such number, in usual lengths of a search: a run whose steps never end must not search for ever.
+const GREATEST_PATIENCE: u64 = 3;
+
+/// What has happened in a search for weights that is limited by steps.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Milestones {
+    /// The generation from which only the best of several searches goes on.
+    pub chosen: Option<u64>,
+    /// Number of generations of the search, once it has ended.
+    pub ended: Option<u64>,
+    /// The best score of a search so far.
+    pub peak: Option<Point>,
+}
+
+/// A point that a search for weights has reached.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Point {
+    /// Number of generations so far.
+    pub generations: u64,
+    /// Number of actions so far.
+    pub steps: u64,
+    /// Best score of a search then.
+    pub score: f64,
+}
+
+/// The bounds of a search for weights.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bounds {
+    /// Usual number of generations.
+    pub generations: u64,
+    /// Bounds in steps; none in a run without a limit of steps.
+    pub steps: Option<StepBounds>,
+}
+
+/// The bounds of a search for weights in steps.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct StepBounds {
+    /// Number of steps at which it ends with its generations.
+    pub least: u64,
+    /// Number of steps with which it ends in any case.
+    pub most: u64,
+}
+
+impl Milestones {
+    /// True if nothing has happened: nothing is written then.
+    pub(super) fn is_empty(&self) -> bool {
+        *self == Self::default()
+    }
+
+    /// Records what a generation of the search brought: the choice among searches after half of each bound, and the end.
+    pub(super) fn reach(&mut self, point: Point, bounds: Bounds) {
+        let peak = *self.peak.get_or_insert(point);
+        if point.score > peak.score {
+            self.peak = Some(point);
+        }
+        let is_over = |part: u64| bounds.steps.is_some_and(|steps| point.steps >= steps.most / part);
+        if self.chosen.is_none() {
+            if point.generations >= bounds.generations.div_ceil(2) || is_over(2) {
+                // What goes on is compared with itself: of several searches some score was the best by luck.
+                (self.chosen, self.peak) = (Some(point.generations), None);
+            }
+        } else if is_over(1) || self.is_enough(point, bounds) {
+            self.ended = Some(point.generations);
+        }
+    }
+
+    /// True if a search has had its generations and need not go on.
+    fn is_enough(&self, point: Point, bounds: Bounds) -> bool {
+        match (point.generations.cmp(&bounds.generations), bounds.steps) {
+            (Ordering::Less, _) => false,
+            (_, None) => true,
+            (Ordering::Equal, Some(steps)) if point.steps >= steps.least => true,
+            (_, Some(steps)) => self.peak.is_none_or(|peak| {
+                let generations = point.generations - peak.generations;
+                let is_long = point.steps - peak.steps >= steps.least / PATIENCE;
+                generations >= LEAST_PATIENCE && (is_long || generations >= GREATEST_PATIENCE * bounds.generations)
+            }),
+        }
+    }
+
+    /// Checks the milestones of a run after so many generations and steps.
+    ///
+    /// # Errors
+    /// One that is later than the run, or that the configuration does not have.
+    pub(super) fn check(&self, config: &EvolutionConfig, generation: u64, steps: u64) -> Result<(), Finding> {
+        if !config.start.is_by_steps() && !self.is_empty() {
+            return Err(Finding::new("milestones", "milestones", "none, without start.share"));
+        }
+        let peak = self.peak.map(|peak| peak.generations);
+        for (key, found) in [("chosen", self.chosen), ("ended", self.ended), ("peak.generations", peak)] {
+            Finding::range(&format!("milestones.{key}"), found.unwrap_or(0), 0, generation)?;
+        }
+        Finding::range("milestones.peak.steps", self.peak.map_or(0, |peak| peak.steps), 0, steps)?;
+        if self.ended.is_some_and(|ended| self.chosen.is_none_or(|chosen| chosen >= ended)) {
+            return Err(Finding::new("milestones.ended", "an end", "one after milestones.chosen"));
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Bounds, Milestones, Point, StepBounds};
+
+    /// Returns the generations of the choice and of the end where a generation takes 100 steps and scores what `score` says.
+    fn end(generations: u64, steps: Option<(u64, u64)>, score: impl Fn(u64) -> f64) -> (u64, u64) {
+        let steps = steps.map(|(least, most)| StepBounds { least, most });
+        let mut milestones = Milestones::default();
+        for now in 1..10_000 {
+            let point = Point { generations: now, steps: 100 * now, score: score(now) };
+            milestones.reach(point, Bounds { generations, steps });
+            if let (Some(chosen), Some(ended)) = (milestones.chosen, milestones.ended) {
+                return (chosen, ended);
+            }
+        }
+        panic!("a search without end: {milestones:?}");
+    }
+
+    #[test]
+    fn a_search_goes_on_while_it_gets_better_and_its_steps_last() {
+        let (rising, flat) = (|now| now as f64, |_| 0.0);
+        assert_eq!(
+            end(20, Some((4_000, 100_000)), flat),
+            (10, 31),
+            "stalled 20 generations after the first that counts"
+        );
+        assert_eq!(end(20, Some((2_000, 100_000)), rising), (10, 20), "its generations have taken enough");
+        assert_eq!(end(20, Some((2_001, 100_000)), flat), (10, 21), "never before ten generations");
+        assert_eq!(end(20, Some((1 << 50, 1 << 60)), flat), (10, 71), "however many steps there are");
+        assert_eq!(end(20, Some((4_000, 100_000)), rising), (10, 1_000), "the second share");
+        assert_eq!(end(20, Some((400, 1_600)), rising), (8, 16), "the second share, before its generations");
+        assert_eq!(end(20, Some((400, 800)), rising), (4, 8), "it also ends what has hardly begun");
+        assert_eq!(end(20, Some((4_000, 100_000)), |now| now.min(30) as f64), (10, 50));
+    }
+
+    #[test]
+    fn without_a_limit_of_steps_generations_decide() {
+        assert_eq!(end(20, None, |now| now as f64), (10, 20));
+        assert_eq!(end(20, None, |_| 0.0), (10, 20));
+    }
+}
