@@ -67,14 +67,24 @@ def compiled(source: Path, folder: Path) -> ctypes.CDLL:
     return ctypes.CDLL(str(shared))
 
 
+def built(source: Path, folder: Path, *define: str) -> Path:
+    """Compiles C for a Cortex-M4F."""
+    thing = folder / f"{source.stem}.o"
+    subprocess.run([*M4, *(f"-D{name}" for name in define), "-c", str(source), "-o", str(thing)], check=True)
+    return thing
+
+
+def flash_of(thing: Path) -> int:
+    """Returns the bytes of code and constants of an object."""
+    told = subprocess.run(["arm-none-eabi-size", "-A", str(thing)], check=True, capture_output=True, text=True).stdout
+    return sum(int(line.split()[1]) for line in told.splitlines() if line.startswith((".text", ".rodata", ".data")))
+
+
 def footprint(source: Path, function: str, folder: Path, *define: str) -> Footprint:
     """Compiles C for a Cortex-M4F: bytes of code and constants, and the most instructions of a decision."""
-    thing = folder / f"{source.stem}-{function}.o"
-    subprocess.run([*M4, *(f"-D{name}" for name in define), "-c", str(source), "-o", str(thing)], check=True)
-    told = subprocess.run(["arm-none-eabi-size", "-A", str(thing)], check=True, capture_output=True, text=True).stdout
-    flash = sum(int(line.split()[1]) for line in told.splitlines() if line.startswith((".text", ".rodata", ".data")))
+    thing = built(source, folder, *define)
     bound = subprocess.run([str(BOUND), str(thing), function, "--json"], check=True, capture_output=True, text=True)
-    return Footprint(flash, json.loads(bound.stdout.splitlines()[0])["instructions"])
+    return Footprint(flash_of(thing), json.loads(bound.stdout.splitlines()[0])["instructions"])
 
 
 def report(graph: Path) -> int:

@@ -9,7 +9,9 @@ Every policy plays the same episodes, seeds 10,000,000 and up, which nothing was
 interval; bytes are code and constants for a Cortex-M4F, `arm-none-eabi-gcc -Os`, instructions the most that one decision takes
 (`cortex-bound`). `--rivals` trains linear policies with the same number of steps for everybody, by augmented random search and by
 covariance matrix adaptation, leaves the least weights of the second out, and distils decision trees from the shipped policy; it
-takes minutes. Published returns are those of Stable-Baselines3's zoo. Prints a table in Markdown.
+takes minutes. `--agents` trains agents of Stable-Baselines3 with the zoo's settings where that takes minutes, and puts them into
+integers; it needs `stable-baselines3` and this project's Python package, too. Published returns are those of Stable-Baselines3's zoo.
+Prints a table in Markdown.
 """
 
 from __future__ import annotations
@@ -24,8 +26,9 @@ from typing import Any
 
 import gymnasium
 import numpy as np
+from agents import RECIPES, Agent, Integers, trained
 from figure import figure
-from generated import ROOT, Policy, footprint, report
+from generated import ROOT, Policy, built, flash_of, footprint, report
 from pruned import pruned_search
 from rivals import distilled, episode, random_search, write_c
 
@@ -107,6 +110,30 @@ def rows(problem: Problem, episodes: int, with_rivals: bool, folder: Path) -> li
     return found
 
 
+def agent_rows(problem: Problem, episodes: int, folder: Path) -> list[Row]:
+    """Returns the rows of an agent of Stable-Baselines3: its network in floats, and the same in integers."""
+    if problem.id not in RECIPES:
+        return []
+    agent, steps = trained(problem.id, 1), RECIPES[problem.id].steps
+    note = f"trained here: {steps / 1e6:.2f} M steps, {agent.seconds:.0f} CPU s"
+    integers = Integers(agent)
+    function = f"agent_{agent.name.lower()}"
+    multiplications = f"the same network, {integers.network.multiplications:,} multiplications a decision"
+    return [
+        agent_row(problem, agent, "floats", function, episodes, folder, note),
+        agent_row(problem, integers, "integers", f"{function}_integers", episodes, folder, multiplications),
+    ]
+
+
+def agent_row(
+    problem: Problem, policy: Agent | Integers, kind: str, function: str, episodes: int, folder: Path, note: str
+) -> Row:
+    """Returns the row of an agent: its return, and the flash of its C without the C library."""
+    name = f"{RECIPES[problem.id].algorithm} in {kind}"
+    flash = flash_of(built(policy.write_c(function, folder), folder))
+    return Row(problem.name, name, *played(problem, policy, episodes), flash, None, note)
+
+
 def rival(problem: Problem, name: str, policy: Any, episodes: int, folder: Path, note: str) -> Row:
     """Returns a rival's row."""
     function = f"rival_{''.join(letter for letter in name if letter.isalnum())}"
@@ -119,6 +146,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--episodes", type=int, default=1000)
     parser.add_argument("--rivals", action="store_true", help="train and distil rivals, too")
+    parser.add_argument("--agents", action="store_true", help="train agents of Stable-Baselines3, too")
     parser.add_argument("--only", action="append", help="one problem; can be repeated")
     parser.add_argument("--json", type=Path, help="writes the figures")
     parser.add_argument("--figure", type=Path, help="writes return against bytes as SVG")
@@ -134,11 +162,14 @@ def main() -> None:
             shipped = (ROOT / "generated" / problem.name / "graph.json").exists()
             if not shipped or (options.only and problem.name not in options.only):
                 continue
-            for row in rows(problem, options.episodes, options.rivals, Path(folder)):
+            found = rows(problem, options.episodes, options.rivals, Path(folder))
+            if options.agents:
+                found += agent_rows(problem, options.episodes, Path(folder))
+            for row in found:
                 table.append(row)
                 print(
                     f"| {row.problem} | {row.policy} | {row.mean:.2f} ± {row.interval:.2f} | {row.least:.1f} | "
-                    f"{row.flash} | {row.instructions} | {row.note} |"
+                    f"{row.flash or ''} | {row.instructions or ''} | {row.note} |"
                 )
                 sys.stdout.flush()
             zoo = ", ".join(f"{name} {value:g}" for name, value in problem.published.items())
@@ -146,7 +177,7 @@ def main() -> None:
     if options.json:
         options.json.write_text(json.dumps([asdict(row) for row in table], indent=1) + "\n")
     if options.figure:
-        options.figure.write_text(figure([asdict(row) for row in table]))
+        options.figure.write_text(figure([asdict(row) for row in table if row.flash]))
 
 
 if __name__ == "__main__":

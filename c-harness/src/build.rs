@@ -1,7 +1,7 @@
 //! Compiles the firmwares.
 
 use crate::Failure;
-use crate::{cartpole, closed_loop, continuous, models, network, problems, table};
+use crate::{cartpole, closed_loop, continuous, dodge, models, network, problems, table};
 use std::env;
 use std::fmt::Write as _;
 use std::fs;
@@ -74,6 +74,7 @@ pub(crate) fn generated_c() -> Result<PathBuf, Failure> {
     files.extend(network::files()?);
     files.extend(continuous::files(&folder)?);
     files.extend(cartpole::files(&folder)?);
+    files.extend(dodge::files()?);
     let mut modules = String::new();
     for start in problems::STARTS.map(problems::name) {
         let path = library::top().join(format!("generated/widowx-{start}/graph.json"));
@@ -151,6 +152,7 @@ pub(crate) fn c(program: &str, board: Board) -> Result<Option<PathBuf>, Failure>
         "network" => &["pendulum"],
         "continuous" => &continuous::C_FILES,
         "cartpole" => &cartpole::C_FILES,
+        "dodge" => &["dodge"],
         _ => &["widowx_fs", "widowx_rs", "widowx_sac"],
     };
     gcc(program, &harness().join(format!("firmware-c/{program}.c")), names, board)

@@ -8,11 +8,12 @@ use std::process::Command;
 use tpg_testing::library;
 
 /// The files of each program: rules about a whole program need to see one, and no more.
-const PROGRAMS: [&[&str]; 7] = [
+const PROGRAMS: [&[&str]; 8] = [
     &["example/main.c", "example/startup.c", "example/qemu.c", "example/report.c"],
     &["firmware-c/control.c", "example/startup.c", "example/qemu.c", "example/report.c"],
     &["firmware-c/costs.c", "example/startup.c", "example/qemu.c", "example/report.c"],
     &["firmware-c/faults.c", "example/startup.c", "example/qemu.c", "example/report.c"],
+    &["firmware-c/dodge.c", "example/startup.c", "example/qemu.c", "example/report.c"],
     &["firmware-c/network.c", "example/startup.c", "example/qemu.c", "example/report.c"],
     &["firmware-c/control.c", "firmware-c/host.c", "example/report.c"],
     &["firmware-c/faults.c", "firmware-c/host.c", "example/report.c"],

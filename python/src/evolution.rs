@@ -107,7 +107,7 @@ pub(crate) fn configuration(preset: &str, settings: &str) -> PyResult<String> {
 
 /// Returns a preset's text with other values of some settings.
 pub(crate) fn with_settings(preset: &Preset, settings: &str) -> PyResult<String> {
-    let mut table: toml::Table = toml::from_str(preset.text).map_err(error::input)?;
+    let mut table: toml::Table = toml::from_str(&preset.text()).map_err(error::input)?;
     table.remove("problem");
     let settings: toml::Table = serde_json::from_str(settings).map_err(error::input)?;
     for (key, value) in settings {

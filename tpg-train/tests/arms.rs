@@ -55,7 +55,7 @@ fn classical_controllers_drive_any_planar_arm() {
 fn short(folder: &Path) -> PathBuf {
     let path = folder.join("sac.toml");
     let preset = tpg_train::sac::presets::find("best-rs").expect("a preset");
-    let mut text = preset.text.to_owned();
+    let mut text = preset.text();
     for (usual, short) in [
         ("\ntolerance = 3.0 ", "\narm = \"so101\"\ntest_tolerance = 10.0\ntolerance = 10.0 "),
         ("hidden = [64, 64]", "hidden = [8]"),

@@ -161,7 +161,7 @@ fn a_networks_run_never_believes_a_damaged_checkpoint() {
 fn a_run_that_was_asked_for_less_than_it_has_had_is_refused_where_it_has_no_graph() {
     let place = tempfile::tempdir().expect("a temporary folder");
     let config = place.path().join("config.toml");
-    let text = Preset::find("general").expect("a preset").text;
+    let text = Preset::find("general").expect("a preset").text();
     fs::write(&config, text).expect("it can be written");
     let go = |more: &[&str]| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_tpg-train"));

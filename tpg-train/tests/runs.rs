@@ -209,7 +209,7 @@ fn a_folder_that_cannot_be_written_is_an_error() {
 
 #[test]
 fn a_bad_configuration_is_refused_with_its_line_and_what_is_accepted() {
-    let text = Preset::find("polar-fs").expect("it comes with the trainer").text;
+    let text = Preset::find("polar-fs").expect("it comes with the trainer").text();
     let line_of = |start: &str| text.lines().position(|line| line.starts_with(start)).expect("the key") + 1;
     let wrong = |from: &str, to: &str| {
         let changed: Vec<&str> = text.lines().map(|line| if line.starts_with(from) { to } else { line }).collect();

@@ -41,7 +41,7 @@ fn a_few_thousand_decisions_swing_the_pendulum_up() {
 
 /// Writes the preset `general` with an early first validation of few episodes.
 fn short(file: &Path) {
-    let mut text = presets::find("general").expect("a preset").text.to_owned();
+    let mut text = presets::find("general").expect("a preset").text();
     for (usual, short) in [("random_decisions = 1_000", "random_decisions = 200"), ("every = 4_000", "every = 1_000")] {
         assert!(text.contains(usual), "{usual}");
         text = text.replace(usual, short);
@@ -195,7 +195,7 @@ fn what_a_network_cannot_do_is_refused_with_the_reason() {
     assert!(error_of(&["sac", "--problem", "pendulum", "--preset", "huge"]).contains("general, best-fs"));
     let place = tempfile::tempdir().expect("a temporary folder");
     let config = place.path().join("config.toml");
-    let text = presets::find("general").expect("a preset").text;
+    let text = presets::find("general").expect("a preset").text();
     let name = config.display().to_string();
     let arguments = ["sac", "--problem", "pendulum", "--config", &name];
     for (from, to, found) in [

@@ -1,20 +1,28 @@
-//! Counts the instructions of a control step among balls: what is seen, the policy's decision, the behaviour with guard and
-//! search. Arms and balls are drawn, three balls always; they fly straight on for the steps of a task.
+//! The control step among balls: recorded scenes, in which every motor position is as on the host, and drawn ones, which are
+//! counted: the whole step, and its parts. Three balls always; they fly straight on for the steps of a task.
 
 #![no_std]
 #![no_main]
 
 mod platform;
+#[path = "../../src/record.rs"]
+mod record;
 mod report;
 
 use core::hint::black_box;
 use cortex_m_rt::entry;
 use platform::Counter;
+use record::Hash;
 use report::Report;
-use tpg_arm::dodge::{Ball, Behaviour, Body, Dodger, DodgerSettings, FIELD, SCOUT, View, WIDOWX_RADII};
+use tpg_arm::dodge::{
+    BALLS, Ball, Behaviour, Body, Control, Dodger, DodgerSettings, FIELD, GOALS, SCOUT, VALUES, View, WIDOWX_RADII,
+};
+use tpg_arm::sensors::Watch;
 use tpg_arm::{Pose, WIDOWX};
 use tpg_generated::dodge::Dodge;
 use tpg_runtime::policy::{ActionId, Policy};
+
+include!(concat!(env!("TPG_GENERATED"), "/balls.rs"));
 
 static BODY: Body = Body::new(WIDOWX.to_f32(), WIDOWX_RADII);
 
@@ -27,6 +35,7 @@ struct Tally {
     actions: u32,
     instructions: u32,
     worst: u32,
+    poses: Option<u64>,
 }
 
 impl Tally {
@@ -37,12 +46,62 @@ impl Tally {
     }
 
     fn tell(&self, words: &str) {
-        Report::new(words)
+        let line = Report::new(words)
             .unsigned("actions", self.actions)
             .unsigned("instructions", self.instructions)
-            .unsigned("worst", self.worst)
-            .print();
+            .unsigned("worst", self.worst);
+        match self.poses {
+            Some(hash) => line.hexadecimal("poses", hash).print(),
+            None => line.print(),
+        }
     }
+}
+
+/// The behaviour of an action: the graph's actions are all behaviours, in their order.
+fn behaviour(action: usize) -> Behaviour {
+    Behaviour::ALL.get(action).map_or(Behaviour::Hold, |(behaviour, _)| *behaviour)
+}
+
+/// The shipped graph's choice.
+fn shipped(values: &[f32; VALUES]) -> Behaviour {
+    let ActionId(action) = Dodge.decide(values);
+    behaviour(usize::from(action))
+}
+
+/// The balls of a scene at a step: where they are, and how far they went since the step before.
+fn observe(scene: &Scene, step: usize) -> ([Ball; BALLS], usize) {
+    let mut balls = [Ball::default(); BALLS];
+    let count = scene.radii.len();
+    let at = |time: usize, ball: usize| CENTRES.get(scene.first + time * count + ball).copied().unwrap_or_default();
+    for (place, (ball, &radius)) in balls.iter_mut().zip(scene.radii).enumerate() {
+        let ([x, y, z], [nx, ny, nz]) = (at(step, place), at(step + 1, place));
+        *ball = Ball { at: [nx, ny, nz], velocity: [nx - x, ny - y, nz - z], radius };
+    }
+    (balls, count)
+}
+
+/// Runs the recorded scenes; `None` where a step is refused.
+fn recorded(counter: &mut Counter, settings: DodgerSettings) -> Option<Tally> {
+    let (mut tally, mut poses) = (Tally::default(), Hash::new());
+    for scene in &SCENES {
+        let mut goals = [Pose([0; 4]); GOALS];
+        goals.iter_mut().zip(scene.goals).for_each(|(goal, ticks)| *goal = Pose(*ticks));
+        let mut motors = Pose(scene.start);
+        let (balls, count) = observe(scene, 0);
+        let (goals, balls) = (goals.get(..scene.goals.len())?, balls.get(..count)?);
+        let mut control = Control::new(&BODY, settings, Watch::DEFAULT, goals, motors, balls).ok()?;
+        for step in 0..scene.steps {
+            let (balls, count) = observe(scene, step);
+            let balls = balls.get(..count)?;
+            let (step, count) =
+                counter.measure(|| control.step(&BODY, &shipped, black_box(motors), black_box(balls)));
+            motors = BODY.arm.step(motors, step.ok()?.wanted).pose;
+            tally.add(count);
+            poses.add_pose(motors);
+        }
+    }
+    tally.poses = Some(poses.0);
+    Some(tally)
 }
 
 /// Numerical Recipes' generator: states for counting need no better one.
@@ -79,52 +138,56 @@ fn main() -> ! {
     let Some(peripherals) = cortex_m::Peripherals::take() else { platform::exit(false) };
     let mut counter = Counter::new(peripherals.SYST);
     let mut random = Random(1);
-    let [mut see, mut decide, mut act, mut step, mut field, mut any] = [Tally::default(); 6];
+    let settings = DodgerSettings { scout: SCOUT, guard: true };
+    let Some(scenes) = recorded(&mut counter, settings) else { platform::exit(false) };
+    let [mut see, mut decide, mut act, mut field, mut any] = [Tally::default(); 5];
+    let mut poses = Hash::new();
     for _ in 0..TASKS {
         let (mut pose, goals) = (random.pose(), [(); 4].map(|()| random.pose()));
         let mut balls = [(); 3].map(|()| random.ball());
-        let settings = DodgerSettings { scout: SCOUT, guard: true };
+        let begun = Control::new(&BODY, settings, Watch::DEFAULT, &goals, pose, &balls);
+        let Ok(mut control) = begun else { platform::exit(false) };
+        // The parts of a step, beside it: the same search from the same readings.
         let mut dodger = Dodger::new(settings, &View::new(&BODY, pose, &goals, &balls));
         for count in 0..STEPS {
             for ball in &mut balls {
                 ball.at = ball.after(1.0);
             }
+            // Every other step takes a behaviour in turn, so that the dearest is among them.
+            let choose = |values: &[f32; VALUES]| {
+                let chosen = shipped(values);
+                if count % 2 == 0 { chosen } else { behaviour(count as usize / 2 % Behaviour::ALL.len()) }
+            };
+            let (step, all) =
+                counter.measure(|| control.step(&BODY, &choose, black_box(pose), black_box(&balls)));
+            let Ok(step) = step else { platform::exit(false) };
             let ((view, state), seen) = counter.measure(|| {
                 let view = View::new(&BODY, black_box(pose), &goals, black_box(&balls));
                 let state = dodger.observe(&view);
                 (view, state)
             });
             let (_, walked) = counter.measure(|| FIELD.step(black_box(&view), view.goal()));
-            let (ActionId(action), decided) = counter.measure(|| Dodge.decide(black_box(&state)));
-            // Every other step takes a behaviour in turn, so that the dearest is among them.
-            let other = count / 2 % Behaviour::ALL.len() as u32;
-            let chosen = if count % 2 == 0 { u32::from(action) } else { other };
-            let behaviour = Behaviour::ALL.get(chosen as usize).map_or(Behaviour::Hold, |(behaviour, _)| *behaviour);
-            let (wanted, acted) = counter.measure(|| dodger.act(black_box(&view), black_box(behaviour)));
+            let (_, decided) = counter.measure(|| shipped(black_box(&state)));
+            let (wanted, acted) = counter.measure(|| dodger.act(black_box(&view), black_box(step.behaviour)));
+            if wanted != step.wanted {
+                platform::exit(false);
+            }
             see.add(seen);
             decide.add(decided);
+            act.add(acted);
             field.add(walked);
-            any.add(seen + decided + acted);
-            if count % 2 == 0 {
-                act.add(acted);
-                step.add(seen + decided + acted);
-            }
-            let mut moved = pose;
-            for (ticks, by) in moved.0.iter_mut().zip(wanted.0) {
-                *ticks += i16::from(by);
-            }
-            let inside = moved.0.iter().zip(&BODY.arm.ranges).all(|(&ticks, range)| range.contains(ticks));
-            if inside && BODY.stands(&BODY.at(moved)) {
-                pose = moved;
-            }
+            any.add(all);
+            pose = BODY.arm.step(pose, step.wanted).pose;
+            poses.add_pose(pose);
         }
     }
+    any.poses = Some(poses.0);
+    scenes.tell("cost dodge scenes");
     see.tell("cost dodge see");
     decide.tell("cost dodge decide");
     act.tell("cost dodge act");
-    step.tell("cost dodge step");
-    any.tell("cost dodge any behaviour");
     field.tell("cost dodge field");
+    any.tell("cost dodge any behaviour");
     Report::new("done").unsigned("stack", platform::stack_used(stack)).print();
     platform::exit(true)
 }

@@ -3,6 +3,7 @@
 mod arm;
 mod behind;
 mod chain;
+mod control_among_balls;
 mod dodge;
 mod episode;
 mod frame;

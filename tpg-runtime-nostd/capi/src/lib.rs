@@ -17,6 +17,7 @@
 //! | [`recall`] | what a graph that asks can know of its past |
 //! | [`sac`] | the arm's network in integers |
 //! | [`hybrid`] | a generated policy and a network that share an arm |
+//! | [`dodge`] | the control step of an arm among moving balls |
 //! | [`sensors`] | the watch over motors, for control loops without a hybrid |
 //! | [`episode`] | one episode of one policy |
 
@@ -26,6 +27,7 @@
 pub mod arm;
 pub mod chain;
 pub mod code;
+pub mod dodge;
 pub mod episode;
 pub mod hybrid;
 pub mod memo;

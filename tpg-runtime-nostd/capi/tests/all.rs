@@ -1,5 +1,6 @@
 //! The tests of this crate from outside, as one program: each file is a subject.
 
+mod among_balls;
 mod asking;
 mod calls;
 mod chain;

@@ -31,7 +31,7 @@ const LEAST_GENERATIONS: u64 = 20;
 /// use tpg_train::evolution::config::EvolutionConfig;
 /// use tpg_train::evolution::presets::Preset;
 ///
-/// let text = Preset::find("general").expect("a built-in preset").text;
+/// let text = Preset::find("general").expect("a built-in preset").text();
 /// let config = EvolutionConfig::from_toml("mine.toml", &text.replace("\nnb_roots = 200", "\nnb_roots = 100"))?;
 /// assert_eq!(config.tpg.nb_roots, 100);
 ///

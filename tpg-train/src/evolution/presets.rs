@@ -28,9 +28,10 @@ pub struct ConfigArgs {
 /// If there is no preset with that name, or stdout is closed.
 pub fn print_config(args: &ConfigArgs) -> Result<(), InputError> {
     let presets: &[Preset] = if args.sac { &sac::presets::PRESETS } else { &PRESETS };
-    let arms = ARMS.iter().map(|arm| (arm.name, arm.about, arm.text));
-    let arms = arms.chain(CHAINS.iter().map(|chain| (chain.name, chain.about, chain.text))).filter(|_| !args.sac);
-    let texts = presets.iter().map(|preset| (preset.name, preset.about, preset.text)).chain(arms);
+    let arms = ARMS.iter().map(|arm| (arm.name, arm.about, arm.text.to_owned()));
+    let chains = CHAINS.iter().map(|chain| (chain.name, chain.about, chain.text.to_owned()));
+    let others = arms.chain(chains).filter(|_| !args.sac);
+    let texts = presets.iter().map(|preset| (preset.name, preset.about, preset.text())).chain(others);
     let text = if args.list {
         texts.map(|(name, about, _)| format!("{name:18} {about}\n")).collect()
     } else {
@@ -39,7 +40,7 @@ pub fn print_config(args: &ConfigArgs) -> Result<(), InputError> {
             let accepted = texts.map(|(name, ..)| name).collect::<Vec<_>>().join(", ");
             InputError::new("<command line>", Place::Whole, format!("the preset {:?}", args.name), accepted)
         })?;
-        text.to_owned()
+        text
     };
     let written = tpg_graph::command::print(&text);
     written.map_err(|error| InputError::io("<stdout>".as_ref(), &error, "an open pipe"))
@@ -52,68 +53,82 @@ pub struct Preset {
     pub name: &'static str,
     /// One-line description.
     pub about: &'static str,
-    /// Its commented text.
-    pub text: &'static str,
+    /// The file that its text is made from.
+    file: &'static str,
+    /// What its text has in place of words of the file, wherever these stand: old words, new words.
+    changes: &'static [(&'static str, &'static str)],
 }
 
 /// Every preset.
 pub const PRESETS: [Preset; 13] = [
-    Preset {
-        name: "linear",
-        about: "for any problem: some demes begin with weighted sums of the inputs, the others at random",
-        text: include_str!("presets/linear.toml"),
-    },
-    Preset {
-        name: "frugal",
-        about: "for any problem whose steps take long: few episodes for each decision",
-        text: include_str!("presets/frugal.toml"),
-    },
-    Preset { name: "general", about: "for any problem with named actions", text: include_str!("presets/general.toml") },
-    Preset {
-        name: "continuous",
-        about: "for any problem with outputs: some demes begin with products of two weighted sums",
-        text: include_str!("presets/continuous.toml"),
-    },
-    Preset {
-        name: "kelly",
-        about: "Kelly's parameters, GEGELATI's defaults, on the paper's fixed-start problem",
-        text: include_str!("presets/kelly.toml"),
-    },
-    Preset {
-        name: "paper-fs",
-        about: "the paper's learning problem, fixed start",
-        text: include_str!("presets/paper-fs.toml"),
-    },
-    Preset {
-        name: "paper-rs",
-        about: "the paper's learning problem, random start",
-        text: include_str!("presets/paper-rs.toml"),
-    },
-    Preset {
-        name: "raw-fs",
-        about: "the paper's observation, actions and score, fixed start, with this project's search",
-        text: concat!(include_str!("presets/raw-fs.toml"), include_str!("presets/raw.toml")),
-    },
-    Preset {
-        name: "raw-rs",
-        about: "the paper's observation, actions and score, random start, with this project's search",
-        text: concat!(include_str!("presets/raw-rs.toml"), include_str!("presets/raw.toml")),
-    },
-    Preset { name: "best-fs", about: "this project's, fixed start", text: include_str!("presets/best-fs.toml") },
-    Preset {
-        name: "polar-fs",
-        about: "this project's, fixed start, with less knowledge of the arm than best-fs",
-        text: include_str!("presets/polar-fs.toml"),
-    },
-    Preset { name: "best-rs", about: "this project's, random start", text: include_str!("presets/best-rs.toml") },
-    Preset {
-        name: "dodge",
-        about: "this project's, for the arm among balls: few roots, many episodes",
-        text: include_str!("presets/dodge.toml"),
-    },
+    Preset::new(
+        "linear",
+        "for any problem: some demes begin with weighted sums of the inputs, the others at random",
+        include_str!("presets/linear.toml"),
+    ),
+    Preset::new(
+        "frugal",
+        "for any problem whose steps take long: few episodes for each decision",
+        include_str!("presets/frugal.toml"),
+    ),
+    Preset::new("general", "for any problem with named actions", include_str!("presets/general.toml")),
+    Preset::new(
+        "continuous",
+        "for any problem with outputs: some demes begin with products of two weighted sums",
+        include_str!("presets/continuous.toml"),
+    ),
+    Preset::new(
+        "kelly",
+        "Kelly's parameters, GEGELATI's defaults, on the paper's fixed-start problem",
+        include_str!("presets/kelly.toml"),
+    ),
+    Preset::new("paper-fs", "the paper's learning problem, fixed start", include_str!("presets/paper-fs.toml")),
+    Preset::new("paper-rs", "the paper's learning problem, random start", include_str!("presets/paper-fs.toml"))
+        .with(&[RANDOM_START, ("name = \"fs\"", "name = \"rs\""), ("max_actions = 1710", "max_actions = 3414")]),
+    Preset::new(
+        "raw-fs",
+        "the paper's observation, actions and score, fixed start, with this project's search",
+        include_str!("presets/raw-fs.toml"),
+    ),
+    Preset::new(
+        "raw-rs",
+        "the paper's observation, actions and score, random start, with this project's search",
+        include_str!("presets/raw-fs.toml"),
+    )
+    .with(&[RANDOM_START, ("name = \"fs\"", "name = \"rs\""), ("max_actions = 1710", "max_actions = 3414")]),
+    Preset::new("best-fs", "this project's, fixed start", include_str!("presets/best-fs.toml")),
+    Preset::new(
+        "polar-fs",
+        "this project's, fixed start, with less knowledge of the arm than best-fs",
+        include_str!("presets/polar-fs.toml"),
+    ),
+    Preset::new("best-rs", "this project's, random start", include_str!("presets/best-fs.toml")).with(&[
+        RANDOM_START,
+        ("name = \"fs\"", "name = \"rs\""),
+        ("max_actions = 1707", "max_actions = 3414"),
+        ("racing_share = 0.25", "racing_share = 0.5"),
+    ]),
+    Preset::new(
+        "dodge",
+        "this project's, for the arm among balls: few roots, many episodes",
+        include_str!("presets/dodge.toml"),
+    ),
 ];
 
+/// The start in the first line of a preset.
+const RANDOM_START: (&str, &str) = (" fixed start", " random start");
+
 impl Preset {
+    /// Creates a preset whose text is a file.
+    pub(crate) const fn new(name: &'static str, about: &'static str, file: &'static str) -> Self {
+        Self { name, about, file, changes: &[] }
+    }
+
+    /// Changes words of the file.
+    pub(crate) const fn with(self, changes: &'static [(&'static str, &'static str)]) -> Self {
+        Self { changes, ..self }
+    }
+
     /// Finds a preset by name.
     pub fn find(name: &str) -> Option<&'static Self> {
         PRESETS.iter().find(|preset| preset.name == name)
@@ -137,9 +152,14 @@ impl Preset {
         Self::find(name).expect("it is in the list")
     }
 
+    /// Returns its commented text.
+    pub fn text(&self) -> String {
+        self.changes.iter().fold(self.file.to_owned(), |text, (old, new)| text.replace(old, new))
+    }
+
     /// Returns the preset's name in messages, and its text.
     pub fn file(&self) -> (String, String) {
-        (format!("<preset {}>", self.name), self.text.to_owned())
+        (format!("<preset {}>", self.name), self.text())
     }
 
     /// Returns the configuration.
@@ -147,7 +167,8 @@ impl Preset {
     /// # Errors
     /// None: a test reads every preset.
     pub fn config(&self) -> Result<EvolutionConfig, InputError> {
-        EvolutionConfig::from_toml(&format!("<preset {}>", self.name), self.text)
+        let (file, text) = self.file();
+        EvolutionConfig::from_toml(&file, &text)
     }
 }
 
@@ -160,10 +181,20 @@ mod tests {
         for preset in PRESETS {
             let config = preset.config().unwrap_or_else(|error| panic!("{error}"));
             assert_eq!(crate::evolution::config::EvolutionConfig::from_toml("written", &config.to_toml()), Ok(config));
-            let lines: Vec<&str> = preset.text.lines().collect();
+            let text = preset.text();
+            let lines: Vec<&str> = text.lines().collect();
             for (place, line) in lines.iter().enumerate() {
                 let key = !line.starts_with(['#', '[', ' ', ']']) && line.contains('=');
                 assert!(!key || lines[place - 1].starts_with('#'), "{}: {line} has no comment", preset.name);
+            }
+        }
+    }
+
+    #[test]
+    fn every_change_of_a_preset_has_its_words() {
+        for preset in PRESETS.iter().chain(&crate::sac::presets::PRESETS) {
+            for (old, _) in preset.changes {
+                assert!(preset.file.contains(old), "{}: {old}", preset.name);
             }
         }
     }

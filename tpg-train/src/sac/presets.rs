@@ -5,24 +5,72 @@ use crate::evolution::presets::Preset;
 use tpg_graph::error::InputError;
 use tpg_problems::ProblemName;
 
-macro_rules! preset {
-    ($name:literal, $about:literal) => {
-        Preset { name: $name, about: $about, text: include_str!(concat!("presets/", $name, ".toml")) }
-    };
-}
-
 /// Every preset.
 pub const PRESETS: [Preset; 9] = [
-    preset!("general", "for any problem with outputs"),
-    preset!("best-fs", "ours, the arm from its home position"),
-    preset!("best-rs", "ours, the arm from anywhere"),
-    preset!("no-planner-fs", "as best-fs, without a reward that knows solving poses"),
-    preset!("no-planner-rs", "as best-rs, without a reward that knows solving poses"),
-    preset!("paper-fs", "the paper's learning problem, fixed start"),
-    preset!("paper-rs", "the paper's learning problem, random start"),
-    preset!("paper-fs-16-units", "as paper-fs, with layers of 16 units"),
-    preset!("paper-fs-no-collision-in-training", "as paper-fs, where an invalid step ends training episodes too"),
+    Preset::new("general", "for any problem with outputs", include_str!("presets/general.toml")),
+    Preset::new("best-fs", "ours, the arm from its home position", include_str!("presets/best-fs.toml")),
+    Preset::new("best-rs", "ours, the arm from anywhere", include_str!("presets/best-fs.toml")).with(&[
+        ("for the fixed start.", "for both starts, chosen on random starts."),
+        RANDOM_START,
+        MOSTLY_ANYWHERE,
+    ]),
+    Preset::new(
+        "no-planner-fs",
+        "as best-fs, without a reward that knows solving poses",
+        include_str!("presets/no-planner-fs.toml"),
+    ),
+    Preset::new(
+        "no-planner-rs",
+        "as best-rs, without a reward that knows solving poses",
+        include_str!("presets/no-planner-fs.toml"),
+    )
+    .with(&[RANDOM_START, MOSTLY_ANYWHERE]),
+    Preset::new("paper-fs", "the paper's learning problem, fixed start", include_str!("presets/paper-fs.toml")),
+    Preset::new("paper-rs", "the paper's learning problem, random start", include_str!("presets/paper-fs.toml")).with(
+        &[
+            ("its artifact): 13", "its artifact), random start: 13"),
+            RANDOM_START,
+            ("inputs = \"paper-fs\"", "inputs = \"paper-rs\""),
+            ("fixed_start_share = 1.0", "fixed_start_share = 0.0"),
+            ("max_steps = 1000", "max_steps = 2000"),
+            (
+                "step = 3                    # ticks of a coarse action in training;",
+                "step = 5                    # ticks of an action in training, as in the artifact;",
+            ),
+            (
+                "tolerance = 3.0             # in training an episode succeeds nearer than this, mm; in",
+                "tolerance = 5.0             # an episode succeeds nearer than this, mm, in training, as in the artifact; in",
+            ),
+        ],
+    ),
+    Preset::new(
+        "paper-fs-16-units",
+        "as paper-fs, with layers of 16 units",
+        include_str!("presets/paper-fs.toml"),
+    )
+    .with(&[("256-256", "16-16"), ("hidden = [256, 256]", "hidden = [16, 16]")]),
+    Preset::new(
+        "paper-fs-no-collision-in-training",
+        "as paper-fs, where an invalid step ends training episodes too",
+        include_str!("presets/paper-fs.toml"),
+    )
+    .with(&[
+        ("update every 16 steps.", "update every 16 steps.\n# Variant: an invalid step ends a training episode."),
+        (
+            "invalid_ends = false        # training goes on after an invalid step; tests end",
+            "invalid_ends = true",
+        ),
+        (
+            "decisions = 10_000_000",
+            "decisions = 2_500_000       # a quarter: the paper trained it for 7,200 s, the others for 28,800 s",
+        ),
+    ]),
 ];
+
+/// The start that chooses the best candidate.
+const RANDOM_START: (&str, &str) = ("name = \"fs\"", "name = \"rs\"");
+/// Which episodes train.
+const MOSTLY_ANYWHERE: (&str, &str) = ("fixed_start_share = 0.7", "fixed_start_share = 0.3");
 
 /// Finds a preset by name.
 pub fn find(name: &str) -> Option<&'static Preset> {
@@ -63,7 +111,7 @@ mod tests {
             let config = config(&preset).unwrap_or_else(|error| panic!("{error}"));
             if !config.problem.is_empty() {
                 let problem =
-                    ContinuousProblem::from_toml(preset.name, preset.text).expect("a problem of the registry");
+                    ContinuousProblem::from_toml(preset.name, &preset.text()).expect("a problem of the registry");
                 assert_eq!(problem.to_table().len(), config.problem.len(), "{}: every setting is said", preset.name);
             }
             assert_eq!(SacConfig::from_toml("written", &config.to_toml()), Ok(config));

@@ -86,7 +86,7 @@ pub fn measure(start: Start, tasks: &[Task]) -> Costs {
 fn wide(start: Start, tasks: &[Task]) -> Time {
     let preset = presets::find("paper-fs").expect("it comes with the trainer");
     let actor = presets::config(preset).expect("it is accepted").actor;
-    let Ok(ContinuousProblem::Motors(_, motors)) = ContinuousProblem::from_toml(preset.name, preset.text) else {
+    let Ok(ContinuousProblem::Motors(_, motors)) = ContinuousProblem::from_toml(preset.name, &preset.text()) else {
         panic!("the preset is for the arm")
     };
     let shape = Shape {

@@ -175,6 +175,11 @@ impl Behaviour {
         }
     }
 
+    /// Returns true if the behaviour computes a potential field.
+    pub const fn walks_in_field(self) -> bool {
+        matches!(self, Self::Field | Self::FieldPlan | Self::Upright | Self::Shifted(_))
+    }
+
     /// Returns the step that the behaviour takes; following the plan changes it.
     pub fn step(self, view: &View<'_>, plan: &mut Plan) -> Move {
         match self {

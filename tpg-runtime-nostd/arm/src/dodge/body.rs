@@ -1,7 +1,8 @@
 //! An arm with a volume: four capsules along its links, their distance from balls, and how the joints change it.
 
 use super::ball::Ball;
-use crate::arm::{Arm, JOINTS, Links, Pose};
+use super::plan::STEP;
+use crate::arm::{Arm, JOINTS, Links, Pose, TICKS_PER_TURN};
 use crate::kinematics::{Direction, Lattice, Plane, Point, Vector, base_direction};
 
 /// Number of capsules: shoulder to bracket, bracket to elbow, forearm, hand.
@@ -21,6 +22,8 @@ pub struct Body {
     inverse_squares: [f32; CAPSULES],
     /// The rule for being clear of table and base.
     keep: Keep,
+    /// The most that a step moves a point of the arm, mm: within the arm plane, and in space.
+    motion: [f32; 2],
 }
 
 /// Distances from which on the joints' points say that nothing is touched, mm.
@@ -34,12 +37,28 @@ struct Keep {
     side: f32,
 }
 
+/// The larger magnitude.
+const fn larger(a: f32, b: f32) -> f32 {
+    let (a, b) = (a.abs(), b.abs());
+    if b > a { b } else { a }
+}
+
+/// The most that a step of every joint moves a point of an arm, mm: within the arm plane, and in space.
+const fn motion(arm: &Arm<f32>) -> [f32; 2] {
+    let (links, shapes) = (&arm.links, &arm.shapes);
+    // Points that lie furthest beyond wrist, elbow and shoulder. Sums of lengths are rounded, by much less than a thousandth.
+    let hand = larger(links.hand, shapes.hand_length) + larger(shapes.hand_edges[0], shapes.hand_edges[1]);
+    let end = shapes.forearm_overhang.abs() + larger(shapes.forearm_edges[0], shapes.forearm_edges[1]);
+    let wrist = larger(hand, end);
+    let elbow = links.forearm + wrist;
+    let shoulder = links.upper_arm + links.elbow_offset.abs() + elbow;
+    let angle = STEP as f32 * (1.001 * core::f32::consts::TAU / TICKS_PER_TURN as f32);
+    let plane = angle * (shoulder + elbow + wrist);
+    [plane, plane + angle * (shoulder + links.shoulder_radial.abs())]
+}
+
 impl Keep {
     const fn of(arm: &Arm<f32>) -> Self {
-        const fn larger(a: f32, b: f32) -> f32 {
-            let (a, b) = (a.abs(), b.abs());
-            if b > a { b } else { a }
-        }
         let shapes = &arm.shapes;
         let edges = larger(
             larger(shapes.hand_edges[0], shapes.hand_edges[1]),
@@ -97,7 +116,7 @@ impl Body {
         let Links { upper_arm, elbow_offset, forearm, hand, .. } = arm.links;
         let inverse_squares =
             [inverse_square(upper_arm), inverse_square(elbow_offset), inverse_square(forearm), inverse_square(hand)];
-        Self { arm, radii, inverse_squares, keep: Keep::of(&arm) }
+        Self { arm, radii, inverse_squares, keep: Keep::of(&arm), motion: motion(&arm) }
     }
 
     /// Places the body at a pose.
@@ -173,13 +192,31 @@ impl Body {
     /// false near them says nothing.
     #[inline]
     pub fn stands_clearly(&self, posture: &Posture) -> bool {
+        self.keeps_clear(posture, 0.0)
+    }
+
+    /// Returns true only if the arm touches neither table nor base after any step from here.
+    #[inline]
+    pub fn stands_next(&self, posture: &Posture) -> bool {
+        self.keeps_clear(posture, self.motion[0])
+    }
+
+    /// Returns the most that a step moves a point of the arm, mm.
+    #[inline]
+    pub fn motion(&self) -> f32 {
+        self.motion[1]
+    }
+
+    /// True only if nothing is touched wherever the points are up to `room` mm away.
+    #[inline(always)]
+    fn keeps_clear(&self, posture: &Posture, room: f32) -> bool {
         let [_, bracket, elbow, wrist, tip] = &posture.points;
         let (mut x, mut z) = ([elbow.x; 2], elbow.z);
         for point in [wrist, tip] {
             widen(&mut x, point.x);
             z = if point.z < z { point.z } else { z };
         }
-        let Keep { width, top, side } = self.keep;
+        let [width, top, side] = [self.keep.width, self.keep.top, self.keep.side].map(|distance| distance + room);
         z > width && bracket.z > width && (z > top || x[0] > side || x[1] < -side)
     }
 

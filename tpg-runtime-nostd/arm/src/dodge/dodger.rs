@@ -1,7 +1,7 @@
 //! The part of a controller that stands around a policy: what it sees, what becomes of its choice, and what is remembered.
 
 use super::behaviour::{Behaviour, View};
-use super::guard::{Guarded, guarded};
+use super::guard::{guarded, permitted};
 use super::plan::steps;
 use super::scout::{Scout, ScoutSettings};
 use super::sources::{VALUES, values};
@@ -40,13 +40,11 @@ impl Dodger {
         values(view, &self.scout, self.since)
     }
 
-    /// Turns a policy's choice into a step of the arm, and searches on.
+    /// Turns a policy's choice into a step that the arm can take, and searches on.
     pub fn act(&mut self, view: &View<'_>, choice: Behaviour) -> Move {
         let wanted = choice.step(view, self.scout.plan_mut());
-        let mut answer = Guarded { step: wanted, threatened: false };
-        if self.settings.guard {
-            answer = guarded(view, wanted);
-        }
+        let answer =
+            if self.settings.guard { guarded(view, wanted, choice.walks_in_field()) } else { permitted(view, wanted) };
         let left = steps(view.pose, view.goal());
         if left < self.least {
             (self.least, self.since) = (left, 0);
@@ -55,7 +53,7 @@ impl Dodger {
         }
         // A way out has cost what the search may cost.
         if !answer.threatened {
-            self.scout.step(view, choice.price());
+            self.scout.step(view, choice.price() + answer.effort);
         }
         answer.step
     }

@@ -1,52 +1,125 @@
-//! The guard that looks ahead: it replaces a step that would soon be hit.
+//! The guard: no step is taken against limits, table or base, and one that would soon be hit is replaced.
 
+use super::ball::Ball;
 use super::behaviour::{EVASION, View, away};
-use crate::arm::{JOINTS, Move, Pose};
+use super::body::Posture;
+use crate::arm::{Move, Pose};
+use core::mem;
 
 /// Steps ahead at which a move is judged.
 const SOON: f32 = 2.0;
 /// Steps ahead at which the ways out are compared.
 const LATER: f32 = 4.0;
-/// Clearance below which a move is refused, mm.
+/// Clearance below which a move is refused, mm: from a ball that moves, and from one that stays.
 const MARGIN: f32 = 3.0;
+const STILL: f32 = 0.5;
+/// A sum of rounded numbers may be off by that, mm.
+const ROUNDING: f32 = 0.01;
+
+/// Effort of placing the arm, of a ball beside it, and of the test against table and base.
+const PLACE: u16 = 200;
+const BALL: u16 = 190;
+const BASE: u16 = 750;
 
 /// A step that the guard has looked at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Guarded {
-    /// The step to take.
+    /// The step to take: the arm's rule refuses no part of it.
     pub step: Move,
     /// True if the step that was asked for would soon be hit.
     pub threatened: bool,
+    /// The cost of looking, in instructions of a Cortex-M4, about.
+    pub effort: u16,
 }
 
-/// Returns the move, or a better one if it would come within 3 mm of a ball in two steps: the best of the move itself, a
-/// strong potential field, fleeing and holding by their clearance after four steps.
-pub fn guarded(view: &View<'_>, wanted: Move) -> Guarded {
+/// Returns the part of a move that the arm's own rule lets pass: a joint that would leave its range stays, and nothing moves
+/// if the arm would touch table or base.
+pub fn permitted(view: &View<'_>, wanted: Move) -> Guarded {
+    let (step, _, effort) = tested(view, wanted);
+    Guarded { step, threatened: false, effort }
+}
+
+/// Returns what is [`permitted`] of a move, or a better one if it would come too near to a ball in two steps: the best of the move
+/// itself, a strong potential field, fleeing and holding by their clearance after four steps.
+///
+/// `walked` says that the move has cost a potential field already: the strong one is not paid for then.
+pub fn guarded(view: &View<'_>, wanted: Move, walked: bool) -> Guarded {
     let body = view.body;
-    let after = body.at(moved(view, wanted, 1));
-    if body.clearance_of_all(&after, view.balls, SOON) >= MARGIN {
-        return Guarded { step: wanted, threatened: false };
+    let (step, posture, mut effort) = tested(view, wanted);
+    let motion = body.motion() + ROUNDING;
+    let is_far = |ball: &Ball, clearance: f32| clearance - (motion + SOON * ball.speed_bound()) >= margin(ball);
+    if view.nearest().all(|(ball, near)| is_far(ball, near.clearance)) {
+        return Guarded { step, threatened: false, effort };
     }
-    // A way out against table or base is refused by the arm's own rule: it holds then, too.
-    let hold = body.clearance_of_all(&view.posture, view.balls, LATER);
-    let mut best = (hold, Move::STOP);
-    for step in [wanted, EVASION.step(view, view.goal()), away(view)] {
-        let posture = body.at(moved(view, step, 2));
+    let balls = view.balls.len() as u16;
+    let posture = posture.unwrap_or_else(|| {
+        effort += PLACE;
+        body.at(after(view, step, 1))
+    });
+    effort += BALL * balls;
+    let spares = |ball: &Ball| body.clearance(&posture, ball.after(SOON), ball.radius) >= margin(ball);
+    if view.balls.iter().all(spares) {
+        return Guarded { step, threatened: false, effort };
+    }
+    // What is worse than holding, or not known to be permitted, is no way out. One exact test is paid for.
+    let mut best = (body.clearance_of_all(&view.posture, view.balls, LATER), Move::STOP);
+    let mut exact = true;
+    let evasion = (!walked).then(|| EVASION.step(view, view.goal()));
+    for (way, is_permitted) in [(Some(step), true), (evasion, false), (Some(away(view)), false)] {
+        let Some(way) = way else { continue };
+        let way = within(view, way);
+        let posture = body.at(after(view, way, 2));
         let clearance = body.clearance_of_all(&posture, view.balls, LATER);
-        if clearance > best.0 {
-            best = (clearance, step);
+        let mut passes = || {
+            is_permitted
+                || body.stands_next(&posture)
+                || (mem::take(&mut exact) && body.stands(&body.at(after(view, way, 1))))
+        };
+        if clearance > best.0 && passes() {
+            best = (clearance, way);
         }
     }
-    Guarded { step: best.1, threatened: true }
+    Guarded { step: best.1, threatened: true, effort: u16::MAX }
+}
+
+/// The clearance that is kept from a ball, mm.
+fn margin(ball: &Ball) -> f32 {
+    if ball.stays() { STILL } else { MARGIN }
+}
+
+/// The permitted part of a move, the arm after it where that was computed, and the effort.
+fn tested(view: &View<'_>, wanted: Move) -> (Move, Option<Posture>, u16) {
+    let body = view.body;
+    let step = within(view, wanted);
+    if body.stands_next(&view.posture) {
+        return (step, None, 0);
+    }
+    let posture = body.at(after(view, step, 1));
+    if body.stands_clearly(&posture) {
+        (step, Some(posture), PLACE)
+    } else if body.stands(&posture) {
+        (step, Some(posture), PLACE + BASE)
+    } else {
+        (Move::STOP, Some(view.posture), PLACE + BASE)
+    }
+}
+
+/// A move without the joints that would leave their ranges.
+fn within(view: &View<'_>, wanted: Move) -> Move {
+    let mut step = wanted;
+    for ((ticks, at), range) in step.0.iter_mut().zip(view.pose.0).zip(&view.body.arm.ranges) {
+        if !range.contains(at.saturating_add(i16::from(*ticks))) {
+            *ticks = 0;
+        }
+    }
+    step
 }
 
 /// The pose after a move was made so many times, within the joints' ranges.
-fn moved(view: &View<'_>, wanted: Move, times: i16) -> Pose {
+fn after(view: &View<'_>, step: Move, times: i16) -> Pose {
     let mut pose = view.pose;
-    for joint in 0..JOINTS {
-        let range = view.body.arm.ranges[joint];
-        let ticks = pose.0[joint].saturating_add(i16::from(wanted.0[joint]) * times);
-        pose.0[joint] = ticks.max(range.min).min(range.max);
+    for ((at, by), range) in pose.0.iter_mut().zip(step.0).zip(&view.body.arm.ranges) {
+        *at = at.saturating_add(i16::from(by) * times).max(range.min).min(range.max);
     }
     pose
 }

@@ -9,13 +9,15 @@
 //! | [`plan`] | a walk to a goal, at once or by way of another pose |
 //! | [`Behaviour`] | what a policy chooses among |
 //! | [`Scout`] | the search: a few looks at a few plans in every step |
-//! | [`guarded`] | the guard: a step that would be hit is replaced |
+//! | [`guarded`] | the guard: a step that would be hit is replaced, none is against limits, table or base |
 //! | [`Source`] | what a policy sees |
 //! | [`Dodger`] | all of that around a policy |
+//! | [`Control`] | a control step on a real arm, whose readings may be wrong |
 
 mod ball;
 mod behaviour;
 mod body;
+mod control;
 mod dodger;
 mod guard;
 pub mod plan;
@@ -25,7 +27,8 @@ mod sources;
 pub use ball::Ball;
 pub use behaviour::{BALLS, Behaviour, EVASION, FIELD, Field, Shift, View, away};
 pub use body::{Body, CAPSULES, Nearest, Outline, Posture, WIDOWX_RADII};
+pub use control::{Chooser, Control, GOALS, Step};
 pub use dodger::{Dodger, DodgerSettings};
-pub use guard::{Guarded, guarded};
+pub use guard::{Guarded, guarded, permitted};
 pub use scout::{Fate, HORIZON, SCOUT, Scout, ScoutSettings};
 pub use sources::{Source, VALUES};

@@ -5,8 +5,10 @@ use super::behaviour::View;
 use super::plan::{Plan, steps, towards};
 use crate::arm::Pose;
 
-/// Steps that the search looks ahead.
+/// Steps that the search looks ahead for balls that move.
 pub const HORIZON: u32 = 160;
+/// Steps of a plan that are looked at, at most.
+const LIMIT: u32 = 4000;
 /// Effort of one look at a pose of a plan: where the arm is, and the distance of nothing yet.
 const LOOK: u16 = 480;
 /// Effort of a ball that is far, and of one that is near.
@@ -24,12 +26,14 @@ const NEAR: f32 = 40.0;
 /// The search's settings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ScoutSettings {
-    /// The cost that a step of the search may have, in instructions of a Cortex-M4, about.
+    /// The cost that behaviour, guard and search may have in one step, in instructions of a Cortex-M4, about.
     pub effort: u16,
     /// The part of it that is kept for the plan itself.
     pub watch: u16,
     /// Clearance below which a ball is met, mm.
     pub margin: f32,
+    /// The same for a ball that stays: it is known where it will be.
+    pub still: f32,
     /// Speed of the arm's points that is reckoned with when the next look is placed, mm a step.
     pub pace: f32,
     /// Fewest steps between two looks.
@@ -42,13 +46,14 @@ pub struct ScoutSettings {
 
 /// The settings of the project's policies.
 pub const SCOUT: ScoutSettings = ScoutSettings {
-    effort: 5400,
+    effort: 6500,
     watch: 1800,
     margin: 4.0,
+    still: 0.6,
     pace: 2.0,
-    stride: 12,
+    stride: 16,
     gain: 10,
-    spreads: [100, 200, 300, 400],
+    spreads: [150, 250, 400, 700],
 };
 
 /// The end that a plan was found to have.
@@ -56,15 +61,15 @@ pub const SCOUT: ScoutSettings = ScoutSettings {
 pub enum Fate {
     /// A ball, the table or the base after so many steps.
     Meets(u16),
-    /// Nothing within the horizon.
+    /// Nothing: no ball that moves within the horizon, no ball that stays, nor table or base, until the goal.
     Free,
 }
 
 impl Fate {
-    /// Returns the steps until something is met; the horizon where nothing is.
+    /// Returns the steps until something is met, at most the horizon.
     pub fn free_steps(self) -> u16 {
         match self {
-            Self::Meets(steps) => steps,
+            Self::Meets(steps) => steps.min(HORIZON as u16),
             Self::Free => HORIZON as u16,
         }
     }
@@ -79,7 +84,8 @@ struct Probe {
     age: u16,
     /// Steps after its beginning at which it is looked at next.
     next: u16,
-    /// Steps after its beginning at which the last leg begins, and at which it has been looked at to the end.
+    /// Steps after its beginning at which it comes to the pose on the way, at which it leaves it, and at its end.
+    stay: u16,
     turn: u16,
     last: u16,
 }
@@ -87,8 +93,15 @@ struct Probe {
 impl Probe {
     fn new(plan: Plan, from: Pose) -> Self {
         let turn = plan.turn(from);
-        let last = (turn + steps(plan.last_corner(from), plan.goal)).min(HORIZON) as u16;
-        Self { plan, from, age: 0, next: 1, turn: turn.min(u32::from(u16::MAX)) as u16, last }
+        let last = turn + steps(plan.last_corner(from), plan.goal);
+        let stay = turn - plan.via.map_or(0, |(_, wait)| u32::from(wait));
+        let [stay, turn, last] = [stay, turn, last].map(|time| time.min(LIMIT) as u16);
+        Self { plan, from, age: 0, next: 1, stay, turn, last }
+    }
+
+    /// Begins with another plan.
+    fn begin(&mut self, plan: Plan, from: Pose) {
+        *self = Self::new(plan, from);
     }
 
     /// The pose at which it is looked at next.
@@ -109,7 +122,13 @@ impl Probe {
             let outline = posture.outline();
             let after = f32::from(self.next) - f32::from(self.age);
             let mut skip = HORIZON as f32;
+            // Nobody knows where a ball that moves will be by then; one that stays is there.
+            let beyond = after > HORIZON as f32;
             for ball in view.balls {
+                let stays = ball.stays();
+                if beyond && !stays {
+                    continue;
+                }
                 let centre = ball.after(after);
                 let mut clearance = view.body.clearance_bound(&posture, &outline, centre, ball.radius);
                 *effort -= FAR_BALL;
@@ -117,7 +136,7 @@ impl Probe {
                     *effort -= NEAR_BALL - FAR_BALL;
                     clearance = view.body.clearance(&posture, centre, ball.radius);
                 }
-                let room = clearance - settings.margin;
+                let room = clearance - if stays { settings.still } else { settings.margin };
                 if room < 0.0 {
                     return Some(self.met());
                 }
@@ -141,6 +160,10 @@ impl Probe {
                 return Some(Fate::Free);
             }
             self.next = (self.next + (skip as u16).max(settings.stride.into())).min(self.last);
+            if beyond && self.next > self.stay {
+                // The arm waits there.
+                self.next = self.next.max(self.turn);
+            }
         }
         None
     }
@@ -161,8 +184,9 @@ pub struct Scout {
     /// Steps until the straight walk meets something, when it was examined last.
     straight: Fate,
     watch: Probe,
-    /// The plan under examination; none until there is effort left for one.
-    candidate: Option<Probe>,
+    /// The last candidate, and true while it is under examination.
+    candidate: Probe,
+    examines: bool,
     /// Number of candidates so far.
     count: u16,
     random: u32,
@@ -174,7 +198,7 @@ impl Scout {
         let plan = Plan::straight(view.goal());
         let probe = Probe::new(plan, view.pose);
         let (fate, random) = (Fate::Free, 0x9E37_79B9);
-        Self { settings, plan, fate, straight: fate, watch: probe, candidate: None, count: 0, random }
+        Self { settings, plan, fate, straight: fate, watch: probe, candidate: probe, examines: false, count: 0, random }
     }
 
     /// Returns the plan.
@@ -200,53 +224,57 @@ impl Scout {
     /// Searches for one step; `spent` of its effort has gone elsewhere.
     pub fn step(&mut self, view: &View<'_>, spent: u16) {
         self.watch.age = self.watch.age.saturating_add(1);
-        if let Some(candidate) = &mut self.candidate {
-            candidate.age = candidate.age.saturating_add(1);
-        }
+        self.candidate.age = self.candidate.age.saturating_add(1);
         let mut effort = self.settings.effort.saturating_sub(spent);
         let mut kept = self.settings.watch.min(effort);
         effort -= kept;
         if let Some(fate) = self.watch.look(view, &self.settings, &mut kept) {
             self.fate = fate;
-            self.watch = Probe::new(self.plan, view.pose);
+            self.watch.begin(self.plan, view.pose);
             kept = kept.saturating_sub(BEGIN);
         }
         effort += kept;
         loop {
-            let mut candidate = match self.candidate.take() {
-                Some(candidate) => candidate,
-                None if effort < PROPOSE => return,
-                None => {
-                    effort -= PROPOSE;
-                    Probe::new(self.propose(view), view.pose)
+            if !self.examines {
+                if effort < PROPOSE {
+                    return;
                 }
-            };
-            let Some(fate) = candidate.look(view, &self.settings, &mut effort) else {
-                self.candidate = Some(candidate);
-                return;
-            };
-            self.judge(view, candidate.plan, fate);
+                effort -= PROPOSE;
+                let plan = self.propose(view);
+                // A detour that would not be taken though it were free. The straight walk's fate is looked at all the same.
+                if plan.via.is_some() && self.fate == Fate::Free && !self.is_faster(view.pose, &plan) {
+                    continue;
+                }
+                self.candidate.begin(plan, view.pose);
+                self.examines = true;
+            }
+            let Some(fate) = self.candidate.look(view, &self.settings, &mut effort) else { return };
+            self.examines = false;
+            self.judge(view, fate);
         }
     }
 
     /// Compares a candidate with the plan.
-    fn judge(&mut self, view: &View<'_>, plan: Plan, fate: Fate) {
+    fn judge(&mut self, view: &View<'_>, fate: Fate) {
+        let plan = self.candidate.plan;
         if plan == Plan::straight(view.goal()) {
             self.straight = fate;
         }
         let better = match (fate, self.fate) {
             (Fate::Free, Fate::Meets(_)) => true,
-            (Fate::Free, Fate::Free) => {
-                let (new, old) = (plan.arrival(view.pose), self.plan.arrival(view.pose));
-                new + u32::from(self.settings.gain) < old
-            }
-            (Fate::Meets(new), Fate::Meets(old)) => new > old + 10,
+            (Fate::Free, Fate::Free) => self.is_faster(view.pose, &plan),
+            (Fate::Meets(_), Fate::Meets(_)) => fate.free_steps() > self.fate.free_steps() + 10,
             (Fate::Meets(_), Fate::Free) => false,
         };
         if better {
             (self.plan, self.fate) = (plan, fate);
-            self.watch = Probe::new(plan, view.pose);
+            self.watch.begin(plan, view.pose);
         }
+    }
+
+    /// True for a plan that is worth taking instead of the present one, where both are free.
+    fn is_faster(&self, from: Pose, plan: &Plan) -> bool {
+        plan.arrival(from) + u32::from(self.settings.gain) < self.plan.arrival(from)
     }
 
     /// The next candidate: a straight walk, a wait, or a detour.

@@ -4,6 +4,7 @@ use super::behaviour::View;
 use super::body::Nearest;
 use super::scout::{HORIZON, Scout};
 use crate::arm::JOINTS;
+use crate::observation::same;
 
 /// Number of values of all sources.
 pub const VALUES: usize = 17;
@@ -39,6 +40,46 @@ impl Source {
             Self::Ahead => "ahead",
             Self::Progress => "progress",
             Self::Detour => "detour",
+        }
+    }
+
+    /// Finds a source by its name.
+    pub const fn from_name(name: &str) -> Option<Self> {
+        let mut place = 0;
+        while place < Self::ALL.len() {
+            if same(Self::ALL[place].name().as_bytes(), name.as_bytes()) {
+                return Some(Self::ALL[place]);
+            }
+            place += 1;
+        }
+        None
+    }
+
+    /// Returns the places of its values among those of all sources: the first, and their number.
+    const fn place(self) -> (usize, usize) {
+        match self {
+            Self::Left => (0, 4),
+            Self::Near => (4, 6),
+            Self::Second => (10, 2),
+            Self::Ahead => (12, 3),
+            Self::Progress => (15, 1),
+            Self::Detour => (16, 1),
+        }
+    }
+
+    /// Copies the values of some sources, in their order, out of the values of all. What does not fit is left away.
+    #[inline]
+    pub fn gather(sources: &[Self], values: &[f32; VALUES], state: &mut [f32]) {
+        if sources == Self::ALL && state.len() == VALUES {
+            state.copy_from_slice(values);
+            return;
+        }
+        let mut slots = state.iter_mut();
+        for source in sources {
+            let (first, length) = source.place();
+            for (value, slot) in values.iter().skip(first).take(length).zip(&mut slots) {
+                *slot = *value;
+            }
         }
     }
 

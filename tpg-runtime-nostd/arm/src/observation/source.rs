@@ -128,7 +128,7 @@ impl Source {
 }
 
 /// Returns true if both are the same bytes: `==` for constants.
-const fn same(a: &[u8], b: &[u8]) -> bool {
+pub(crate) const fn same(a: &[u8], b: &[u8]) -> bool {
     match (a.split_first(), b.split_first()) {
         (Some((first, rest)), Some((other, others))) => *first == *other && same(rest, others),
         (None, None) => true,

@@ -96,6 +96,22 @@ impl<S: Lattice> Watchdog<S> {
         }
     }
 
+    /// Checks the motors' positions alone.
+    ///
+    /// # Errors
+    /// [`Fault::Sensor`] or [`Fault::Stuck`]. Nothing changes then.
+    #[inline(always)]
+    pub fn check_motors(&self, motors: Pose) -> Result<(), Fault> {
+        let at = lanes::of(motors);
+        if self.limits.ranges.hold(at) & self.expected.hold(at) & TOP == TOP {
+            Ok(())
+        } else if self.limits.hold(motors) {
+            Err(Fault::Stuck)
+        } else {
+            Err(Fault::Sensor)
+        }
+    }
+
     /// Checks an observation.
     ///
     /// # Errors

@@ -4,6 +4,7 @@
 use core::ptr::null;
 use tpg_runtime_capi::arm::*;
 use tpg_runtime_capi::code::*;
+use tpg_runtime_capi::dodge::*;
 use tpg_runtime_capi::episode::*;
 use tpg_runtime_capi::hybrid::*;
 use tpg_runtime_capi::memo::*;
@@ -55,6 +56,10 @@ impl Bytes<'_> {
         tpg_pose_t { ticks: [0; 4].map(|_: u8| self.ticks()) }
     }
 
+    fn ball(&mut self) -> tpg_ball_t {
+        tpg_ball_t { at: self.vector(), velocity: self.vector(), radius: self.float() }
+    }
+
     fn motion(&mut self) -> tpg_move_t {
         tpg_move_t { ticks: [0; 4].map(|_: u8| self.byte() as i8) }
     }
@@ -89,6 +94,19 @@ pub fn call(data: &[u8]) {
     let (mut watchdog, mut seen): (tpg_watchdog_t, tpg_observation_t) = unsafe { core::mem::zeroed() };
     // SAFETY: as above.
     let (mut chosen, mut counts): (tpg_chosen_t, tpg_counts_t) = unsafe { core::mem::zeroed() };
+    // SAFETY: as above.
+    let (mut body, mut dodger, mut dodge): (tpg_body_t, tpg_dodger_t, tpg_dodge_t) = unsafe { core::mem::zeroed() };
+    // SAFETY: as above.
+    let mut balls: [tpg_ball_t; TPG_BALLS + 1] = unsafe { core::mem::zeroed() };
+    let behaviours: [u8; TPG_BEHAVIOURS as usize] = core::array::from_fn(|place| place as u8);
+    let of_balls = [TPG_SOURCE_PROGRESS, TPG_SOURCE_NEAR];
+    let among = tpg_dodge_policy_t {
+        infer: Some(infer),
+        sources: of_balls.as_ptr(),
+        source_count: of_balls.len(),
+        behaviours: behaviours.as_ptr(),
+        behaviour_count: behaviours.len(),
+    };
     let mut recall = tpg_recall_t { least: 0.0, drift: 0.0, since_progress: 0.0, since_asked: 0.0 };
     let mut words = tpg_generated::widowx_sac::MODEL.to_vec();
     let mut scratch = vec![0_u32; 4096];
@@ -112,7 +130,7 @@ pub fn call(data: &[u8]) {
             if bytes.0.is_empty() {
                 return;
             }
-            match bytes.byte() % 24 {
+            match bytes.byte() % 28 {
                 0 => {
                     let mut description: tpg_arm_description_t = core::mem::zeroed();
                     let memory = (&raw mut description).cast::<u8>();
@@ -229,6 +247,30 @@ pub fn call(data: &[u8]) {
                     known(tpg_network_scratch(&network, &mut size));
                     known(tpg_network_values(&network, from, count, memory, needed, outputs.as_mut_ptr(), 16));
                     known(tpg_network_choose(&network, from, count, memory, needed, &mut action));
+                }
+                23 => balls = [0; TPG_BALLS + 1].map(|_: u8| bytes.ball()),
+                24 => {
+                    let radii = [0; TPG_CAPSULES].map(|_: u8| bytes.float());
+                    known(tpg_body_init(&mut body, &arm, if bytes.byte() % 2 == 0 { null() } else { radii.as_ptr() }));
+                }
+                25 => {
+                    let goals = [0; TPG_GOALS].map(|_: u8| bytes.pose());
+                    let (count, seen) =
+                        (usize::from(bytes.byte()) % (TPG_GOALS + 1), usize::from(bytes.byte()) % balls.len());
+                    let settings =
+                        tpg_dodger_settings_t { effort: u16::from_le_bytes(bytes.array()), guard: bytes.byte() % 3 };
+                    let settings = if bytes.byte() % 2 == 0 { null() } else { &raw const settings };
+                    let (goals, seen_from) = (goals.as_ptr(), balls.as_ptr());
+                    let (loop_, body) = (&raw mut dodger, &raw const body);
+                    known(tpg_dodger_init(loop_, body, &among, settings, null(), goals, count, &pose, seen_from, seen));
+                }
+                26 => {
+                    let count = usize::from(bytes.byte()) % (balls.len() + 1);
+                    let code = known(tpg_dodger_step(&mut dodger, &pose, balls.as_ptr(), count, &mut dodge));
+                    moves_at_most(&dodge.wanted, code);
+                    if bytes.byte() % 4 == 0 {
+                        known(tpg_dodger_resume(&mut dodger, &pose));
+                    }
                 }
                 _ => {
                     known(tpg_arm_hand(&arm, null(), values.as_mut_ptr()));

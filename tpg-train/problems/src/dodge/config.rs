@@ -38,7 +38,7 @@ pub struct Config {
     pub capsules: [f32; 4],
     /// True if the guard that looks ahead replaces steps that would be hit.
     pub guard: bool,
-    /// The cost that the search may have in one step, in instructions of a Cortex-M4, about.
+    /// The cost that behaviour, guard and search may have in one step, in instructions of a Cortex-M4, about.
     pub effort: u16,
 }
 
