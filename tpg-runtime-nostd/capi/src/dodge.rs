@@ -5,6 +5,7 @@ use crate::code::{self, Refusal, TPG_ARGUMENT, TPG_BAD_SENSOR, TPG_LENGTH, TPG_N
 use crate::memory::{self, Opaque};
 use crate::policy::tpg_infer_t;
 use crate::sensors::tpg_watch_t;
+use core::cell::Cell;
 use tpg_arm::dodge::{
     BALLS, Ball, Behaviour, Body, CAPSULES, Control, DodgerSettings, GOALS, SCOUT, ScoutSettings, Source, Step, VALUES,
     WIDOWX_RADII,
@@ -173,7 +174,8 @@ impl Chooser {
         Ok(Self { infer, sources, behaviours, whole })
     }
 
-    fn choose(&self, values: &[f32; VALUES]) -> Behaviour {
+    /// Returns the TPG_BEHAVIOUR of the policy's action.
+    fn choose(&self, values: &[f32; VALUES]) -> u8 {
         let mut other = [0.0; VALUES];
         let mut state = values;
         if !self.whole {
@@ -188,8 +190,7 @@ impl Chooser {
         // SAFETY: the header asks for the function of these sources: it reads no more than their values, and `new` has found
         // that there are no more than there is room for.
         let action = unsafe { (self.infer)(state.as_ptr().cast()) };
-        let number = self.behaviours.get(usize::from(action)).copied().unwrap_or(TPG_BEHAVIOUR_HOLD);
-        Behaviour::ALL.get(usize::from(number)).map_or(Behaviour::Hold, |&(behaviour, _)| behaviour)
+        self.behaviours.get(usize::from(action)).copied().unwrap_or(TPG_BEHAVIOUR_HOLD)
     }
 }
 
@@ -198,9 +199,9 @@ fn source(number: u8) -> Option<Source> {
     Source::ALL.get(usize::from(number.checked_sub(TPG_SOURCE_LEFT)?)).copied()
 }
 
-/// The number of a behaviour: its place in [`Behaviour::ALL`].
-fn number(behaviour: Behaviour) -> u8 {
-    Behaviour::ALL.iter().position(|&(known, _)| known == behaviour).map_or(TPG_BEHAVIOUR_HOLD, |place| place as u8)
+/// The behaviour of a number, which is its place in [`Behaviour::ALL`].
+fn behaviour(number: u8) -> Behaviour {
+    Behaviour::ALL.get(usize::from(number)).map_or(Behaviour::Hold, |&(behaviour, _)| behaviour)
 }
 
 /// Words of a tpg_dodger_t.
@@ -338,9 +339,13 @@ pub unsafe extern "C" fn tpg_dodger_step(
         let mut room = [Ball::default(); BALLS];
         // SAFETY: the header's contract.
         let balls = unsafe { seen(balls, count, &mut room) }?;
-        let choose = |values: &[f32; VALUES]| chooser.choose(values);
-        let Step { wanted, behaviour } = control.step(body, &choose, Pose(motors.ticks), balls).map_err(code::fault)?;
-        *chosen = tpg_dodge_t { wanted: tpg_move_t { ticks: wanted.0 }, behaviour: number(behaviour) };
+        let number = Cell::new(TPG_BEHAVIOUR_HOLD);
+        let choose = |values: &[f32; VALUES]| {
+            number.set(chooser.choose(values));
+            behaviour(number.get())
+        };
+        let Step { wanted, .. } = control.step(body, &choose, Pose(motors.ticks), balls).map_err(code::fault)?;
+        *chosen = tpg_dodge_t { wanted: tpg_move_t { ticks: wanted.0 }, behaviour: number.get() };
         Ok(())
     };
     code::of(step())

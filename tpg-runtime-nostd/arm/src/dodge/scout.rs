@@ -46,7 +46,7 @@ pub struct ScoutSettings {
 
 /// The settings of the project's policies.
 pub const SCOUT: ScoutSettings = ScoutSettings {
-    effort: 5700,
+    effort: 6500,
     watch: 1800,
     margin: 4.0,
     still: 0.6,
