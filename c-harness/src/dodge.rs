@@ -29,7 +29,7 @@ struct Course {
     scene: Scene,
     end: End,
     steps: u32,
-    /// Where each ball was seen: before the first step, and in every step.
+    /// The places where each ball was seen: before the first step, and in every step.
     centres: Vec<Vector<f32>>,
 }
 

@@ -14,7 +14,7 @@ use tpg_runtime::scalar::Scalar;
 /// The result of an episode: return, number of actions, and success where the environment's info says `is_success`.
 type Played = (f64, u32, Option<bool>);
 
-/// What an environment tells about a step.
+/// The outcome of a step, as an environment tells it.
 pub(crate) struct Told {
     /// The reward.
     pub(crate) reward: f64,

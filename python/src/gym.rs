@@ -17,7 +17,7 @@ pub(crate) struct Gym {
     /// Makes a driver with an environment of its own.
     make: Py<PyAny>,
     idle: Idle,
-    /// What went wrong first: the contract of environments knows no errors.
+    /// The first error: the contract of environments knows no errors.
     failed: Mutex<Option<PyErr>>,
 }
 

@@ -1,4 +1,4 @@
-//! What a first policy can know of its own past: what the rules of a [`Switch`](crate::switch::Switch) judge by.
+//! The past as a first policy can know it: by these values the rules of a [`Switch`](crate::switch::Switch) judge.
 //!
 //! A policy decides by the present state alone. With these values among its sources it can learn when to ask, as the rules
 //! know when to hand over.
@@ -19,7 +19,7 @@ use crate::scalar::Scalar;
 /// The names of the values as a graph's sources, in their order.
 pub const NAMES: [&str; 3] = ["drift", "since_progress", "since_asked"];
 
-/// What is remembered of an episode. Counts are exact up to 2²⁴ in `f32`, and stay there.
+/// The memory of an episode. Counts are exact up to 2²⁴ in `f32`, and stay there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Recall<S> {
     /// The least distance so far.

@@ -417,7 +417,7 @@ typedef struct {
   uint32_t link;
   // The nearest point of the line along the link, mm.
   float point[3];
-  // How each joint changes the clearance of a ball that stays, mm a radian; 0 beyond the last joint.
+  // The change of the clearance of a ball that stays by each joint, mm a radian; 0 beyond the last joint.
   float gradient[TPG_CHAIN_JOINTS];
 } tpg_near_t;
 
@@ -670,11 +670,11 @@ int32_t tpg_chain_place(const tpg_link_t *links,
                         const int16_t *ticks,
                         tpg_placed_t *placed);
 
-// How each joint of a placed chain moves the tip: x, y, z in mm a radian for each, into `jacobian` of `length` floats.
+// Writes the motion of a placed chain's tip by each joint, x, y, z in mm a radian, into `jacobian` of `length` floats.
 // TPG_LENGTH where they are too few, or for a chain that tpg_chain_place did not place.
 int32_t tpg_chain_jacobian(const tpg_placed_t *placed, float *jacobian, size_t length);
 
-// Where a ball is nearest to a placed chain, whose links are capsules of `radii`, a number of mm for each joint. `ball` is its
+// Finds where a ball is nearest to a placed chain, whose links are capsules of `radii`, mm for each joint. `ball` is its
 // centre's x, y, z and its radius, mm. TPG_LENGTH for a chain that tpg_chain_place did not place.
 int32_t tpg_chain_near(const tpg_placed_t *placed,
                        const float *radii,

@@ -55,7 +55,7 @@ pub struct tpg_near_t {
     pub link: u32,
     /// The nearest point of the line along the link, mm.
     pub point: [f32; 3],
-    /// How each joint changes the clearance of a ball that stays, mm a radian; 0 beyond the last joint.
+    /// The change of the clearance of a ball that stays by each joint, mm a radian; 0 beyond the last joint.
     pub gradient: [f32; TPG_CHAIN_JOINTS],
 }
 
@@ -171,7 +171,7 @@ pub unsafe extern "C" fn tpg_chain_place(
     code::answer(links.and_then(of), placed)
 }
 
-/// How each joint of a placed chain moves the tip: x, y, z in mm a radian for each, into `jacobian` of `length` floats.
+/// Writes the motion of a placed chain's tip by each joint, x, y, z in mm a radian, into `jacobian` of `length` floats.
 /// TPG_LENGTH where they are too few, or for a chain that tpg_chain_place did not place.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_chain_jacobian(placed: *const tpg_placed_t, jacobian: *mut f32, length: usize) -> i32 {
@@ -186,7 +186,7 @@ pub unsafe extern "C" fn tpg_chain_jacobian(placed: *const tpg_placed_t, jacobia
     }))
 }
 
-/// Where a ball is nearest to a placed chain, whose links are capsules of `radii`, a number of mm for each joint. `ball` is its
+/// Finds where a ball is nearest to a placed chain, whose links are capsules of `radii`, mm for each joint. `ball` is its
 /// centre's x, y, z and its radius, mm. TPG_LENGTH for a chain that tpg_chain_place did not place.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tpg_chain_near(

@@ -1,4 +1,4 @@
-//! What a graph that asks can know of its past, in the caller's memory.
+//! The past as a graph that asks can know it, in the caller's memory.
 
 use crate::code;
 use crate::memory;

@@ -16,7 +16,7 @@ const LEAST_PATIENCE: u64 = 10;
 /// Greatest such number, in usual lengths of a search: a run whose steps never end must not search for ever.
 const GREATEST_PATIENCE: u64 = 3;
 
-/// What has happened in a search for weights that is limited by steps.
+/// Milestones of a search for weights that is limited by steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Milestones {

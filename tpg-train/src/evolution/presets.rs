@@ -55,7 +55,7 @@ pub struct Preset {
     pub about: &'static str,
     /// The file that its text is made from.
     file: &'static str,
-    /// What its text has in place of words of the file, wherever these stand: old words, new words.
+    /// Replacements that its text has for words of the file, wherever these stand: old words, new words.
     changes: &'static [(&'static str, &'static str)],
 }
 
