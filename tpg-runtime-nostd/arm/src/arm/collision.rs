@@ -43,6 +43,18 @@ impl<S: Scalar> Plane<S> {
         if room > S::ZERO || !meets_base(&faces, shapes) { Ok(room) } else { Err(Collision::Base) }
     }
 
+    /// Returns true where there is no [collision](Self::collision), sooner: no part of the base is higher than `top` nor further from
+    /// its axis than `side`, mm.
+    #[inline(never)] // once in flash
+    pub(crate) fn stands(&self, shapes: &Shapes<S>, top: S, side: S) -> bool {
+        let faces = self.faces(shapes);
+        self.below_table(&faces).is_none()
+            && faces.iter().all(|&(p, q)| {
+                let (x, z) = (sorted([p.x, q.x]), sorted([p.z, q.z]));
+                z[0] > top || x[0] > side || x[1] < -side || !meets_base(&[(p, q)], shapes)
+            })
+    }
+
     /// The collision with the table, if there is one.
     #[inline(always)]
     fn below_table(&self, [(tip_upper, tip_lower), ..]: &Faces<S>) -> Option<Collision> {
@@ -157,7 +169,7 @@ impl<S: Scalar> Face<S> {
 
 /// Returns true if a face meets an edge of the base.
 #[inline(never)] // once in flash
-fn meets_base<S: Scalar>(faces: &Faces<S>, shapes: &Shapes<S>) -> bool {
+fn meets_base<S: Scalar>(faces: &[(Point<S>, Point<S>)], shapes: &Shapes<S>) -> bool {
     let edges = shapes.base.map(|edge| BaseEdge { x: sorted(edge.x), z: sorted(edge.z) });
     faces.iter().any(|&(p, q)| {
         let face = Face::new(p, q);

@@ -1,7 +1,8 @@
 //! A search that never stops and never takes long: in every step it looks at a few poses of a few plans, and goes on in the
 //! next step where it stopped.
 
-use super::behaviour::View;
+use super::ball::Ball;
+use super::behaviour::{BALLS, View};
 use super::plan::{Plan, steps, towards};
 use crate::arm::Pose;
 
@@ -75,6 +76,30 @@ impl Fate {
     }
 }
 
+/// What a look asks of a ball: found once a step.
+#[derive(Clone, Copy)]
+struct Watched<'a> {
+    ball: &'a Ball,
+    /// True if it is known where it will be at any time.
+    stays: bool,
+    /// Clearance below which it is met, mm.
+    margin: f32,
+    /// The speed at which it and the arm come together at most, mm a step.
+    closing: f32,
+}
+
+/// The balls as looks need them.
+#[inline(always)]
+fn watched<'a>(balls: &'a [Ball], settings: &ScoutSettings) -> [Option<Watched<'a>>; BALLS] {
+    let mut all = [None; BALLS];
+    for (watched, ball) in all.iter_mut().zip(balls) {
+        let stays = ball.stays();
+        let margin = if stays { settings.still } else { settings.margin };
+        *watched = Some(Watched { ball, stays, margin, closing: settings.pace + ball.speed_bound() });
+    }
+    all
+}
+
 /// A plan under examination.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Probe {
@@ -115,7 +140,14 @@ impl Probe {
     }
 
     /// Looks at a plan until its fate is known or too little effort is left for a look.
-    fn look(&mut self, view: &View<'_>, settings: &ScoutSettings, effort: &mut u16) -> Option<Fate> {
+    #[inline(never)] // once in flash
+    fn look(
+        &mut self,
+        view: &View<'_>,
+        balls: &[Option<Watched<'_>>; BALLS],
+        stride: u16,
+        effort: &mut u16,
+    ) -> Option<Fate> {
         while *effort >= LOOK + NEAR_BALL * view.balls.len() as u16 {
             *effort -= LOOK;
             let posture = view.body.at(self.pose());
@@ -124,8 +156,7 @@ impl Probe {
             let mut skip = HORIZON as f32;
             // Nobody knows where a ball that moves will be by then; one that stays is there.
             let beyond = after > HORIZON as f32;
-            for ball in view.balls {
-                let stays = ball.stays();
+            for &Watched { ball, stays, margin, closing } in balls.iter().flatten() {
                 if beyond && !stays {
                     continue;
                 }
@@ -136,11 +167,11 @@ impl Probe {
                     *effort -= NEAR_BALL - FAR_BALL;
                     clearance = view.body.clearance(&posture, centre, ball.radius);
                 }
-                let room = clearance - if stays { settings.still } else { settings.margin };
+                let room = clearance - margin;
                 if room < 0.0 {
                     return Some(self.met());
                 }
-                let pause = room / (settings.pace + ball.speed_bound());
+                let pause = room / closing;
                 if pause < skip {
                     skip = pause;
                 }
@@ -159,7 +190,7 @@ impl Probe {
             if self.next >= self.last {
                 return Some(Fate::Free);
             }
-            self.next = (self.next + (skip as u16).max(settings.stride.into())).min(self.last);
+            self.next = (self.next + (skip as u16).max(stride)).min(self.last);
             if beyond && self.next > self.stay {
                 // The arm waits there.
                 self.next = self.next.max(self.turn);
@@ -228,7 +259,8 @@ impl Scout {
         let mut effort = self.settings.effort.saturating_sub(spent);
         let mut kept = self.settings.watch.min(effort);
         effort -= kept;
-        if let Some(fate) = self.watch.look(view, &self.settings, &mut kept) {
+        let (balls, stride) = (watched(view.balls, &self.settings), u16::from(self.settings.stride));
+        if let Some(fate) = self.watch.look(view, &balls, stride, &mut kept) {
             self.fate = fate;
             self.watch.begin(self.plan, view.pose);
             kept = kept.saturating_sub(BEGIN);
@@ -248,7 +280,7 @@ impl Scout {
                 self.candidate.begin(plan, view.pose);
                 self.examines = true;
             }
-            let Some(fate) = self.candidate.look(view, &self.settings, &mut effort) else { return };
+            let Some(fate) = self.candidate.look(view, &balls, stride, &mut effort) else { return };
             self.examines = false;
             self.judge(view, fate);
         }
