@@ -119,7 +119,10 @@ pub(crate) fn files() -> Result<Vec<File>, Failure> {
     }
     c.push_str("};\n");
     rust.push_str("];\n");
-    files.extend([("balls.h", header), ("balls.c", c), ("balls.rs", rust)].map(|(name, text)| File { name: name.to_owned(), text }));
+    files.extend(
+        [("balls.h", header), ("balls.c", c), ("balls.rs", rust)]
+            .map(|(name, text)| File { name: name.to_owned(), text }),
+    );
     Ok(files)
 }
 

@@ -73,7 +73,7 @@ pub struct tpg_ball_t {
 }
 
 /// Words of a tpg_body_t.
-pub const TPG_BODY_WORDS: usize = 30;
+pub const TPG_BODY_WORDS: usize = 38;
 
 /// An arm whose links are capsules. Opaque; initialised by tpg_body_init, constant from then on.
 #[repr(C)]
@@ -110,7 +110,7 @@ pub struct tpg_dodge_policy_t {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct tpg_dodger_settings_t {
-    /// The cost that behaviour, guard and search may have in one step, in instructions of a Cortex-M4, about: 2000 to 60000.
+    /// The cost that a whole step may have, in instructions of a Cortex-M4, about: 4000 to 60000.
     pub effort: u16,
     /// 1 if steps that would soon be hit are replaced, 0 if not.
     pub guard: u8,
@@ -124,7 +124,7 @@ impl tpg_dodger_settings_t {
         }
         // SAFETY: the header's contract.
         let &Self { effort, guard } = unsafe { memory::read(pointer) }?;
-        if !(2000..=60_000).contains(&effort) || guard > 1 {
+        if !(4000..=60_000).contains(&effort) || guard > 1 {
             return Err(Refusal(TPG_ARGUMENT));
         }
         Ok(DodgerSettings { scout: ScoutSettings { effort, ..SCOUT }, guard: guard == 1 })

@@ -2,6 +2,7 @@
 
 use super::ball::Ball;
 use super::plan::STEP;
+use crate::arm::collision::Base;
 use crate::arm::{Arm, JOINTS, Links, Pose, TICKS_PER_TURN};
 use crate::kinematics::{Angle, Direction, Directions, Lattice, Plane, Point, Vector, base_direction, link_angles};
 
@@ -22,21 +23,11 @@ pub struct Body {
     inverse_squares: [f32; CAPSULES],
     /// The greatest of the radii, mm.
     widest: f32,
-    /// The rule for being clear of table and base.
-    keep: Keep,
+    /// The base, and the furthest that a corner of forearm or hand lies from the joints' points, mm.
+    base: Base<f32>,
+    width: f32,
     /// The most that a step moves a point of the arm, mm: within the arm plane, and in space.
     motion: [f32; 2],
-}
-
-/// Distances from which on the joints' points say that nothing is touched, mm.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Keep {
-    /// The furthest that a corner of forearm or hand lies from the points.
-    width: f32,
-    /// Height of the base.
-    top: f32,
-    /// Half the width of the base.
-    side: f32,
 }
 
 /// The larger magnitude.
@@ -59,23 +50,15 @@ const fn motion(arm: &Arm<f32>) -> [f32; 2] {
     [plane, plane + angle * (shoulder + links.shoulder_radial.abs())]
 }
 
-impl Keep {
-    const fn of(arm: &Arm<f32>) -> Self {
-        let shapes = &arm.shapes;
-        let edges = larger(
-            larger(shapes.hand_edges[0], shapes.hand_edges[1]),
-            larger(shapes.forearm_edges[0], shapes.forearm_edges[1]),
-        );
-        // Beyond the points lie the ends of hand and forearm.
-        let width = edges + larger(shapes.hand_length - arm.links.hand, shapes.forearm_overhang);
-        let (mut top, mut side, mut edge) = (0.0, 0.0, 0);
-        while edge < shapes.base.len() {
-            top = larger(top, larger(shapes.base[edge].z[0], shapes.base[edge].z[1]));
-            side = larger(side, larger(shapes.base[edge].x[0], shapes.base[edge].x[1]));
-            edge += 1;
-        }
-        Self { width, top, side }
-    }
+/// The furthest that a corner of forearm or hand lies from the joints' points, mm.
+const fn width(arm: &Arm<f32>) -> f32 {
+    let shapes = &arm.shapes;
+    let edges = larger(
+        larger(shapes.hand_edges[0], shapes.hand_edges[1]),
+        larger(shapes.forearm_edges[0], shapes.forearm_edges[1]),
+    );
+    // Beyond the points lie the ends of hand and forearm.
+    edges + larger(shapes.hand_length - arm.links.hand, shapes.forearm_overhang)
 }
 
 /// The body at a pose.
@@ -120,7 +103,15 @@ impl Body {
         let inverse_squares =
             [inverse_square(upper_arm), inverse_square(elbow_offset), inverse_square(forearm), inverse_square(hand)];
         let widest = larger(larger(radii[0], radii[1]), larger(radii[2], radii[3]));
-        Self { arm, radii, inverse_squares, widest, keep: Keep::of(&arm), motion: motion(&arm) }
+        Self {
+            arm,
+            radii,
+            inverse_squares,
+            widest,
+            base: Base::of(&arm.shapes),
+            width: width(&arm),
+            motion: motion(&arm),
+        }
     }
 
     /// Places the body at a pose.
@@ -190,7 +181,13 @@ impl Body {
     /// Returns true if the arm touches neither the table nor its own base.
     #[inline]
     pub fn stands(&self, posture: &Posture) -> bool {
-        posture.plane().stands(&self.arm.shapes, self.keep.top, self.keep.side)
+        self.stands_after(posture).0
+    }
+
+    /// The answer of [`stands`](Self::stands), and the number of faces of the arm, at most 4, that were compared with the base.
+    #[inline]
+    pub(super) fn stands_after(&self, posture: &Posture) -> (bool, u16) {
+        posture.plane().stands(&self.arm.shapes, &self.base)
     }
 
     /// Returns true only if the arm touches neither table nor base, at a tenth of the price of [`stands`](Self::stands):
@@ -221,9 +218,8 @@ impl Body {
             widen(&mut x, point.x);
             z = if point.z < z { point.z } else { z };
         }
-        let Keep { width, top, side } = self.keep;
-        let width = width + room;
-        let (top, side) = (top + width, side + width);
+        let width = self.width + room;
+        let (top, side) = (self.base.top + width, self.base.side + width);
         z > width && bracket.z > width && (z > top || x[0] > side || x[1] < -side)
     }
 

@@ -16,10 +16,11 @@ const STILL: f32 = 0.5;
 /// A sum of rounded numbers may be off by that, mm.
 const ROUNDING: f32 = 0.01;
 
-/// Effort of placing the arm, of a ball beside it, and of the test against table and base.
-const PLACE: u16 = 200;
+/// Effort of placing the arm, of a ball beside it, of the test against table and base, and of a face near the base.
+const PLACE: u16 = 260;
 const BALL: u16 = 190;
-const BASE: u16 = 750;
+const BASE: u16 = 240;
+const FACE: u16 = 110;
 
 /// A step that the guard has looked at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -103,7 +104,11 @@ fn margin(ball: &Ball) -> f32 {
 /// True if the arm touches neither table nor base, and the effort of knowing.
 #[inline(always)]
 fn tested(view: &View<'_>, posture: &Posture) -> (bool, u16) {
-    if view.body.stands_clearly(posture) { (true, 0) } else { (view.body.stands(posture), BASE) }
+    if view.body.stands_clearly(posture) {
+        return (true, 0);
+    }
+    let (stands, faces) = view.body.stands_after(posture);
+    (stands, BASE + FACE * faces)
 }
 
 /// A move without the joints that would leave their ranges.
