@@ -1,7 +1,7 @@
 /*
  * The control step among balls in C: recorded scenes, in which every motor position is as on the host, and drawn ones with three
- * balls, which are counted. balls.h is made from the committed scenes by src/dodge.rs; src/dodge.rs of the firmware in Rust does
- * the same.
+ * balls, which are counted. balls.h and balls.c are made from the committed scenes by src/dodge.rs; src/dodge.rs of the firmware in
+ * Rust does the same.
  */
 #include "balls.h"
 #include "dodge.h"
@@ -46,7 +46,7 @@ static uint16_t in_turn(const void *state)
 {
     const uint16_t action = dodge_infer(state);
 
-    return ((turn % 2U) == 0U) ? action : (uint16_t)((turn / 2U) % TPG_BEHAVIOURS);
+    return ((turn % 2U) == 0U) ? action : (uint16_t)((turn / 2U) % (uint32_t)TPG_BEHAVIOURS);
 }
 
 static const tpg_dodge_policy_t shipped = { graph, sources, sizeof sources, behaviours, TPG_BEHAVIOURS };
@@ -111,9 +111,10 @@ static bool recorded(tally_t *tally)
 {
     for (size_t at = 0U; at < (size_t)SCENES; at++) {
         const scene_t *scene = &scenes[at];
-        tpg_pose_t motors = scene->start;
+        tpg_pose_t motors;
         tpg_ball_t seen[TPG_BALLS];
 
+        motors = scene->start;
         observe(scene, 0U, seen);
         if (tpg_dodger_init(&dodger, &body, &shipped, NULL, NULL, scene->goals, scene->goal_count, &motors, seen,
                             scene->balls) != TPG_OK) {

@@ -152,7 +152,7 @@ pub(crate) fn c(program: &str, board: Board) -> Result<Option<PathBuf>, Failure>
         "network" => &["pendulum"],
         "continuous" => &continuous::C_FILES,
         "cartpole" => &cartpole::C_FILES,
-        "dodge" => &["dodge"],
+        "dodge" => &["dodge", "balls"],
         _ => &["widowx_fs", "widowx_rs", "widowx_sac"],
     };
     gcc(program, &harness().join(format!("firmware-c/{program}.c")), names, board)

@@ -73,19 +73,22 @@ pub(crate) fn files() -> Result<Vec<File>, Failure> {
     let mut files = emit::emit(&graph, Language::C, &Options::new("dodge".parse().map_err(Failure::new::<String>)?));
     let (courses, _) = run()?;
     let count: usize = courses.iter().map(|course| course.centres.len()).sum();
-    let mut c = format!(
+    // Apart from their declarations: linters read the header with the program, and take many minutes over so many numbers.
+    let header = format!(
         "#ifndef BALLS_H\n#define BALLS_H\n\n#include \"tpg_runtime.h\"\n\n#define SCENES {}U\n\n\
          typedef struct scene {{\n    tpg_pose_t start;\n    tpg_pose_t goals[TPG_GOALS];\n    uint32_t goal_count;\n    \
          float radii[TPG_BALLS];\n    uint32_t balls;\n    /* Of the first ball before the first step, in centres. */\n    \
-         uint32_t first;\n    uint32_t steps;\n}} scene_t;\n\nstatic const float centres[{count}][3] = {{\n",
+         uint32_t first;\n    uint32_t steps;\n}} scene_t;\n\nextern const float centres[{count}][3];\n\
+         extern const scene_t scenes[SCENES];\n\n#endif\n",
         courses.len()
     );
+    let mut c = format!("#include \"balls.h\"\n\nconst float centres[{count}][3] = {{\n");
     let mut rust = format!("static CENTRES: [[f32; 3]; {count}] = [\n");
     for [x, y, z] in courses.iter().flat_map(|course| &course.centres) {
         let _ = writeln!(c, "    {{ {x:?}F, {y:?}F, {z:?}F }},");
         let _ = writeln!(rust, "[{x:?}, {y:?}, {z:?}],");
     }
-    let _ = write!(c, "}};\n\nstatic const scene_t scenes[SCENES] = {{\n");
+    let _ = write!(c, "}};\n\nconst scene_t scenes[SCENES] = {{\n");
     let _ = write!(
         rust,
         "];\nstruct Scene {{\n    start: [i16; 4],\n    goals: &'static [[i16; 4]],\n    radii: &'static [f32],\n    \
@@ -114,9 +117,12 @@ pub(crate) fn files() -> Result<Vec<File>, Failure> {
         );
         first += centres.len();
     }
-    c.push_str("};\n\n#endif\n");
+    c.push_str("};\n");
     rust.push_str("];\n");
-    files.extend([("balls.h", c), ("balls.rs", rust)].map(|(name, text)| File { name: name.to_owned(), text }));
+    files.extend(
+        [("balls.h", header), ("balls.c", c), ("balls.rs", rust)]
+            .map(|(name, text)| File { name: name.to_owned(), text }),
+    );
     Ok(files)
 }
 

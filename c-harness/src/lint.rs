@@ -55,10 +55,6 @@ pub(crate) fn check() -> Result<(), Failure> {
     }
     if tpg_testing::tool("cppcheck", "cppcheck", "cppcheck and its MISRA addon on the firmwares' C") {
         for files in PROGRAMS {
-            // The addon takes many minutes over the numbers of its scenes.
-            if files.contains(&"firmware-c/dodge.c") {
-                continue;
-            }
             clean(cppcheck(&headers).args(files))?;
         }
         println!("cppcheck and its MISRA addon: nothing but what misra-deviations.txt explains");

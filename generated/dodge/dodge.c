@@ -1,8 +1,8 @@
 /*
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix dodge --profile fast
- * Graph SHA-256: db0aaf6f89a54e71dac36cbedbd06aacc0142ac9130db3bacc9a6d5cb6598c4e
- * 1 teams (1 on the longest walk), 2 edges, 2 programs, 1 distinct operations.
+ * Graph SHA-256: cdea7daabca328e27e33a768eb228f4f6759f7262ab7fd254d28e16436a5fda2
+ * 2 teams (2 on the longest walk), 13 edges, 12 programs, 9 distinct operations.
  * Computes in f32 with own maths.
  */
 #include "dodge.h"
@@ -26,9 +26,14 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
-static float dodge_min(float a, float b)
+static float dodge_negate_if_less(float a, float b)
 {
-    return (a < b) ? a : b;
+    return (a < b) ? -a : a;
+}
+
+static float dodge_max(float a, float b)
+{
+    return (a > b) ? a : b;
 }
 
 /* Teams in an order in which every one comes after all that lead to it: control only goes forward. */
@@ -38,19 +43,110 @@ uint16_t dodge_infer(const dodge_state_t *state)
     uint32_t vertex;
 
     {
-        float best = 31.54649F;
-        uint32_t way = 1U;
-        const float v3 = dodge_min(state->detour[0], state->near[5]);
+        float best = -FLT_MAX;
+        uint32_t way = 4U;
+        const float v5 = state->detour[0] - state->second[0];
 
-        if (v3 >= best) {
+        if (v5 >= best) {
+            best = v5;
+            way = 1U;
+        }
+        const float v7 = fabsf(state->ahead[2]);
+
+        if (v7 >= best) {
+            best = v7;
+            way = 4U;
+        }
+        const volatile float constant = 0.0F;
+        const float zero = constant;
+
+        if (zero >= best) {
+            best = zero;
+            way = 1U;
+        }
+        const float v12 = 634.5653F / state->near[3];
+
+        if (v12 >= best) {
+            best = v12;
+            way = 2U;
+        }
+        const float v1 = fabsf(state->second[1]);
+
+        if (v1 >= best) {
+            best = v1;
+            way = 3U;
+        }
+        const float v10 = dodge_negate_if_less(state->ahead[0], state->near[3]);
+
+        if (v10 >= best) {
+            best = v10;
+            way = 4U;
+        }
+        const float v13 = 634.5653F / state->detour[0];
+
+        if (v13 >= best) {
+            best = v13;
+            way = 4U;
+        }
+        const float v14 = dodge_max(state->ahead[0], state->near[3]);
+
+        if (v14 >= best) {
+            way = 4U;
+        }
+
+        if (way == 1U) {
+            vertex = 7U;
+            goto decided;
+        } else if (way == 2U) {
+            goto team_1;
+        } else if (way == 3U) {
+            vertex = 8U;
+            goto decided;
+        } else {
+            vertex = 0U;
+            goto decided;
+        }
+    }
+
+team_1:
+    {
+        float best = -FLT_MAX;
+        uint32_t way = 2U;
+        const float v13 = 634.5653F / state->detour[0];
+
+        if (v13 >= best) {
+            best = v13;
+            way = 2U;
+        }
+        const float v10 = dodge_negate_if_less(state->ahead[0], state->near[3]);
+
+        if (v10 >= best) {
+            best = v10;
+            way = 2U;
+        }
+        const float v16 = state->left[3] - state->second[0];
+
+        if (v16 >= best) {
+            best = v16;
+            way = 1U;
+        }
+        const float v14 = dodge_max(state->ahead[0], state->near[3]);
+
+        if (v14 >= best) {
+            best = v14;
+            way = 2U;
+        }
+        const float v17 = state->ahead[0] - state->near[3];
+
+        if (v17 >= best) {
             way = 2U;
         }
 
         if (way == 1U) {
-            vertex = 0U;
+            vertex = 13U;
             goto decided;
         } else {
-            vertex = 5U;
+            vertex = 0U;
             goto decided;
         }
     }
@@ -82,7 +178,7 @@ uint32_t dodge_selftest(void)
         { { -2250.9756F, 2637.7083F, -1344.5947F, -1225.853F }, { 839.82007F, 3.933066F, -138.74998F, 150.554F, -76.777F, -439.83112F }, { 400.82498F, 0.64301753F }, { 78.15145F, 2.1564908F, 840.6795F }, { 88.21128F }, { 615.3496F } },
     };
     static const uint16_t actions[16] = {
-        5U, 5U, 0U, 5U, 0U, 5U, 5U, 0U, 5U, 0U, 0U, 0U, 5U, 0U, 5U, 0U
+        7U, 0U, 0U, 0U, 0U, 0U, 0U, 0U, 0U, 0U, 0U, 0U, 0U, 0U, 0U, 0U
     };
     uint32_t failures = 0U;
     uint32_t vector;

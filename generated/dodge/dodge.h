@@ -1,8 +1,8 @@
 /*
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix dodge --profile fast
- * Graph SHA-256: db0aaf6f89a54e71dac36cbedbd06aacc0142ac9130db3bacc9a6d5cb6598c4e
- * 1 teams (1 on the longest walk), 2 edges, 2 programs, 1 distinct operations.
+ * Graph SHA-256: cdea7daabca328e27e33a768eb228f4f6759f7262ab7fd254d28e16436a5fda2
+ * 2 teams (2 on the longest walk), 13 edges, 12 programs, 9 distinct operations.
  * Computes in f32 with own maths.
  */
 #ifndef DODGE_H
@@ -33,11 +33,11 @@ extern "C" {
  */
 #define DODGE_ACTIONS 15U
 /* Teams, and how many of them decide at most in one inference. */
-#define DODGE_TEAMS 1U
-#define DODGE_DEPTH 1U
+#define DODGE_TEAMS 2U
+#define DODGE_DEPTH 2U
 /* At most, in one inference: bids looked at, operations, and sines, cosines, logarithms and exponentials among those. */
-#define DODGE_WORST_BIDS 2U
-#define DODGE_WORST_OPERATIONS 1U
+#define DODGE_WORST_BIDS 13U
+#define DODGE_WORST_OPERATIONS 12U
 #define DODGE_WORST_MATHS_CALLS 0U
 
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */

@@ -1,7 +1,7 @@
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix dodge --profile constant-time
-//! Graph SHA-256: db0aaf6f89a54e71dac36cbedbd06aacc0142ac9130db3bacc9a6d5cb6598c4e
-//! 1 teams (1 on the longest walk), 2 edges, 2 programs, 1 distinct operations.
+//! Graph SHA-256: cdea7daabca328e27e33a768eb228f4f6759f7262ab7fd254d28e16436a5fda2
+//! 2 teams (2 on the longest walk), 13 edges, 12 programs, 9 distinct operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
 #![allow(
@@ -49,11 +49,11 @@ impl Dodge {
     /// Actions.
     pub const ACTIONS: usize = 15;
     /// Teams on the longest walk.
-    pub const DEPTH: usize = 1;
+    pub const DEPTH: usize = 2;
     /// Bids that one decision looks at, at most.
-    pub const WORST_BIDS: usize = 2;
+    pub const WORST_BIDS: usize = 13;
     /// Operations of one decision, at most.
-    pub const WORST_OPERATIONS: usize = 1;
+    pub const WORST_OPERATIONS: usize = 9;
     /// Sines, cosines, logarithms and exponentials among them, at most.
     pub const WORST_MATHS_CALLS: usize = 0;
 }
@@ -64,17 +64,55 @@ impl Policy for Dodge {
 
     fn decide(&self, s: &[f32; 17]) -> ActionId {
         let ct = ConstantTime::<f32>::default();
-        let v3 = ct.min(s[16], s[9]);
+        let v1 = f32::abs(s[11]);
+        let v5 = s[16] - s[10];
+        let v7 = f32::abs(s[14]);
+        let v10 = ct.negate_if_less(s[12], s[7]);
+        let v12 = 634.5653_f32 / s[7];
+        let v13 = 634.5653_f32 / s[16];
+        let v14 = ct.max(s[12], s[7]);
+        let v16 = s[3] - s[10];
+        let v17 = s[12] - s[7];
 
         // What is bid, as integers in the same order.
-        let k0 = 1098669879_i32; // 31.54649_f32
-        let k3 = ct.order(v3);
+        let k1 = ct.order(v1);
+        let k2 = -8388607_i32; // 0.0_f32
+        let k5 = ct.order(v5);
+        let k7 = ct.order(v7);
+        let k10 = ct.order(v10);
+        let k12 = ct.order(v12);
+        let k13 = ct.order(v13);
+        let k14 = ct.order(v14);
+        let k16 = ct.order(v16);
+        let k17 = ct.order(v17);
 
-        // Where the team leads: the number behind the best bid.
+        // Where each team leads: teams are numbered from 0, the root, and the actions follow them.
         // Team 0
-        let best = (k0, 0);
-        let best = ct.challenge(best, (k3, 5));
+        let best = (k5, 9);
+        let best = ct.challenge(best, (k7, 2));
+        let best = ct.challenge(best, (k2, 9));
+        let best = ct.challenge(best, (k12, 1));
+        let best = ct.challenge(best, (k1, 10));
+        let best = ct.challenge(best, (k10, 2));
+        let best = ct.challenge(best, (k13, 2));
+        let best = ct.challenge(best, (k14, 2));
+        let t0 = best.1 as u8;
+        // Team 1
+        let best = (k13, 2);
+        let best = ct.challenge(best, (k10, 2));
+        let best = ct.challenge(best, (k16, 15));
+        let best = ct.challenge(best, (k14, 2));
+        let best = ct.challenge(best, (k17, 2));
+        let t1 = best.1 as u8;
 
-        ActionId(best.1 as u16)
+        // An action leads to itself, and so does what fills the array up to a power of two: it is never come to.
+        let next: [u8; 32] = [
+            t0, t1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23,
+            24, 25, 26, 27, 28, 29, 30, 31,
+        ];
+        // The longest walk decides 2 times; a shorter one waits at its action. No loop, and no end to check.
+        let vertex = next[0];
+        let vertex = next[(vertex & 31) as usize];
+        ActionId(vertex.wrapping_sub(2) as u16)
     }
 }

@@ -6,10 +6,11 @@ mod rival;
 
 use clap::Parser;
 use rival::{ByHand, Clairvoyant, OneStepSearch, PotentialField, Replanner, Rival, StopAndWait, Straight};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 use tpg_arm::dodge::Behaviour;
+use tpg_problems::Problem;
 use tpg_problems::dodge::Config;
 use tpg_problems::dodge::draw::Certified;
 use tpg_problems::dodge::episode::{End, Episode};
@@ -21,6 +22,9 @@ use tpg_train::evaluate::confidence;
 struct Args {
     /// The scenes, as `tpg-train targets --problem dodge` prints them
     scenes: PathBuf,
+    /// The problem's settings, as `tpg-train eval` takes them
+    #[arg(long, value_name = "FILE")]
+    config: Option<PathBuf>,
     /// The replanner with 64 samples too, which takes minutes
     #[arg(long)]
     slow: bool,
@@ -45,9 +49,17 @@ fn main() -> ExitCode {
             return ExitCode::from(2);
         }
     };
+    let config = match args.config.as_deref().map_or(Ok(Config::default()), settings) {
+        Ok(config) => config,
+        Err(message) => {
+            eprintln!("{message}");
+            return ExitCode::from(2);
+        }
+    };
     println!("| policy | success % | hits % | time-outs % | with a static ball % | steps of a success | ns a step |");
     println!("| --- | --- | --- | --: | --: | --: | --: |");
-    let settings = Config::default().settings();
+    let settings = config.settings();
+    let show = |name: &str, rival: &mut dyn Rival, scenes: &[Certified]| show(&config, name, rival, scenes);
     show("straight walk", &mut Straight, &scenes);
     show("stop and wait, 32 steps", &mut StopAndWait { horizon: 32 }, &scenes);
     show("stop and wait, 96 steps", &mut StopAndWait { horizon: 96 }, &scenes);
@@ -71,9 +83,19 @@ fn main() -> ExitCode {
     ExitCode::SUCCESS
 }
 
-fn show(name: &str, rival: &mut dyn Rival, scenes: &[Certified]) {
+/// The settings that a configuration has for the arm among balls.
+fn settings(path: &Path) -> Result<Config, String> {
+    let file = path.display().to_string();
+    let text = std::fs::read_to_string(path).map_err(|error| format!("{file}: {error}"))?;
+    match Problem::from_toml(&file, &text).map_err(|error| error.to_string())? {
+        Problem::Dodge(config) => Ok(config),
+        other => Err(format!("{file}: the problem {}, expected dodge", other.name().name())),
+    }
+}
+
+fn show(config: &Config, name: &str, rival: &mut dyn Rival, scenes: &[Certified]) {
     let began = Instant::now();
-    let tally = run(rival, scenes);
+    let tally = run(config, rival, scenes);
     let nanoseconds = began.elapsed().as_nanos() as f64 / tally.steps as f64;
     let count = scenes.len();
     let rate = |part: usize| {
@@ -91,12 +113,11 @@ fn show(name: &str, rival: &mut dyn Rival, scenes: &[Certified]) {
     );
 }
 
-fn run(rival: &mut dyn Rival, scenes: &[Certified]) -> Tally {
-    let config = Config::default();
+fn run(config: &Config, rival: &mut dyn Rival, scenes: &[Certified]) -> Tally {
     let body = config.body();
     let mut tally = Tally::default();
     for Certified { scene, .. } in scenes {
-        let mut episode = Episode::new(&body, scene);
+        let mut episode = Episode::sensed(&body, scene, config.sensing());
         rival.begin(&body, scene, &episode.view(&body));
         let end = loop {
             let step = rival.step(&episode.view(&body));

@@ -114,6 +114,18 @@ proptest! {
         prop_assert!(!BODY.stands_clearly(&posture) || BODY.stands(&posture), "{:?}", pose);
     }
 
+    /// The sooner test is the exact one, also of a base whose edges are given backwards and on the other side.
+    #[test]
+    fn what_stands_has_no_collision(pose in pose(), backwards: bool, side in 0.2f32..1.5) {
+        let mut arm = BODY.arm;
+        for edge in &mut arm.shapes.base {
+            edge.x = edge.x.map(|x| side * if backwards { -x } else { x });
+        }
+        let body = Body::new(arm, WIDOWX_RADII);
+        let posture = body.at(pose);
+        prop_assert_eq!(body.stands(&posture), posture.plane().collision(&arm.shapes).is_none(), "{:?}", pose);
+    }
+
     #[test]
     fn a_plan_arrives_when_it_says(from in pose(), via in pose(), goal in pose(), wait in 0u16..200, direct: bool) {
         let mut plan = Plan { via: (!direct).then_some((via, wait)), goal };

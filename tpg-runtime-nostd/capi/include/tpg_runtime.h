@@ -177,7 +177,7 @@
 #define TPG_BEHAVIOURS 15
 
 // Words of a tpg_body_t.
-#define TPG_BODY_WORDS 30
+#define TPG_BODY_WORDS 38
 
 // Words of a tpg_dodger_t.
 #define TPG_DODGER_WORDS 42
@@ -453,7 +453,7 @@ typedef struct {
 
 // Settings of search and guard.
 typedef struct {
-  // The cost that behaviour, guard and search may have in one step, in instructions of a Cortex-M4, about: 2000 to 60000.
+  // The cost that a whole step may have, in instructions of a Cortex-M4, about: 4000 to 60000.
   uint16_t effort;
   // 1 if steps that would soon be hit are replaced, 0 if not.
   uint8_t guard;

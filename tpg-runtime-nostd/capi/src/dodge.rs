@@ -6,6 +6,7 @@ use crate::memory::{self, Opaque};
 use crate::policy::tpg_infer_t;
 use crate::sensors::tpg_watch_t;
 use core::cell::Cell;
+use core::mem::offset_of;
 use tpg_arm::dodge::{
     BALLS, Ball, Behaviour, Body, CAPSULES, Control, DodgerSettings, GOALS, SCOUT, ScoutSettings, Source, Step, VALUES,
     WIDOWX_RADII,
@@ -72,7 +73,7 @@ pub struct tpg_ball_t {
 }
 
 /// Words of a tpg_body_t.
-pub const TPG_BODY_WORDS: usize = 30;
+pub const TPG_BODY_WORDS: usize = 38;
 
 /// An arm whose links are capsules. Opaque; initialised by tpg_body_init, constant from then on.
 #[repr(C)]
@@ -109,7 +110,7 @@ pub struct tpg_dodge_policy_t {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct tpg_dodger_settings_t {
-    /// The cost that behaviour, guard and search may have in one step, in instructions of a Cortex-M4, about: 2000 to 60000.
+    /// The cost that a whole step may have, in instructions of a Cortex-M4, about: 4000 to 60000.
     pub effort: u16,
     /// 1 if steps that would soon be hit are replaced, 0 if not.
     pub guard: u8,
@@ -123,7 +124,7 @@ impl tpg_dodger_settings_t {
         }
         // SAFETY: the header's contract.
         let &Self { effort, guard } = unsafe { memory::read(pointer) }?;
-        if !(2000..=60_000).contains(&effort) || guard > 1 {
+        if !(4000..=60_000).contains(&effort) || guard > 1 {
             return Err(Refusal(TPG_ARGUMENT));
         }
         Ok(DodgerSettings { scout: ScoutSettings { effort, ..SCOUT }, guard: guard == 1 })
@@ -176,9 +177,10 @@ impl Chooser {
 
     /// Returns the TPG_BEHAVIOUR of the policy's action.
     fn choose(&self, values: &[f32; VALUES]) -> u8 {
-        let mut other = [0.0; VALUES];
+        let mut other: [f32; VALUES];
         let mut state = values;
         if !self.whole {
+            other = [0.0; VALUES];
             let mut slots = other.as_mut_slice();
             for source in self.sources.iter().filter_map(|&number| source(number)) {
                 let Some((own, rest)) = slots.split_at_mut_checked(source.ranges().len()) else { break };
@@ -250,18 +252,24 @@ pub unsafe extern "C" fn tpg_body_init(body: *mut tpg_body_t, arm: *const tpg_ar
     }))
 }
 
-/// The balls that are seen, copied; more than there may be are a reading that cannot be.
-unsafe fn seen(balls: *const tpg_ball_t, count: usize, room: &mut [Ball; BALLS]) -> Result<&[Ball], Refusal> {
+const _: () = assert!(
+    size_of::<tpg_ball_t>() == size_of::<Ball>()
+        && align_of::<tpg_ball_t>() == align_of::<Ball>()
+        && offset_of!(tpg_ball_t, velocity) == offset_of!(Ball, velocity)
+        && offset_of!(tpg_ball_t, radius) == offset_of!(Ball, radius),
+    "a ball lies otherwise in C"
+);
+
+/// The balls that are seen; more than there may be are a reading that cannot be.
+unsafe fn seen<'a>(balls: *const tpg_ball_t, count: usize) -> Result<&'a [Ball], Refusal> {
     if count == 0 {
         return Ok(&[]);
     }
-    let Some(room) = room.get_mut(..count) else { return Err(Refusal(TPG_BAD_SENSOR)) };
-    // SAFETY: the header's contract.
-    let balls = unsafe { memory::array(balls, count) }?;
-    for (ball, &tpg_ball_t { at, velocity, radius }) in room.iter_mut().zip(balls) {
-        *ball = Ball { at, velocity, radius };
+    if count > BALLS {
+        return Err(Refusal(TPG_BAD_SENSOR));
     }
-    Ok(room)
+    // SAFETY: the header's contract; the same numbers lie in the same order, as is asserted above.
+    unsafe { memory::array(balls.cast::<Ball>(), count) }
 }
 
 /// Begins a control loop towards a target, which is given by the poses that solve it: one to TPG_GOALS `goals`, the nearest first.
@@ -301,9 +309,8 @@ pub unsafe extern "C" fn tpg_dodger_init(
         let wanted = unsafe { memory::array(goals, goal_count) }?;
         poses.iter_mut().zip(wanted).for_each(|(pose, goal)| *pose = Pose(goal.ticks));
         let poses = poses.get(..wanted.len()).unwrap_or(&[]);
-        let mut room = [Ball::default(); BALLS];
         // SAFETY: the header's contract.
-        let balls = unsafe { seen(balls, ball_count, &mut room) }?;
+        let balls = unsafe { seen(balls, ball_count) }?;
         let control = Control::new(body, settings, watch, poses, Pose(motors.ticks), balls).map_err(code::fault)?;
         // SAFETY: the header's contract.
         unsafe { memory::initialise(dodger, Loop { control, body, chooser }) }
@@ -336,9 +343,8 @@ pub unsafe extern "C" fn tpg_dodger_step(
         // SAFETY: the header's contract.
         let (Loop { control, body, chooser }, motors) =
             unsafe { (memory::content_mut(dodger)?, memory::read(motors)?) };
-        let mut room = [Ball::default(); BALLS];
         // SAFETY: the header's contract.
-        let balls = unsafe { seen(balls, count, &mut room) }?;
+        let balls = unsafe { seen(balls, count) }?;
         let number = Cell::new(TPG_BEHAVIOUR_HOLD);
         let choose = |values: &[f32; VALUES]| {
             number.set(chooser.choose(values));

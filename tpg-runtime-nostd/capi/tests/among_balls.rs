@@ -195,7 +195,7 @@ fn what_cannot_begin_is_refused_by_its_code() {
         for goals in [vec![], vec![home; 5], vec![tpg_pose_t { ticks: [2048, 3000, 2048, 2048] }]] {
             assert_eq!(begin(&good, null(), &goals), TPG_BAD_TARGET);
         }
-        for (effort, guard) in [(1999, 1), (60_001, 1), (6000, 2)] {
+        for (effort, guard) in [(3999, 1), (60_001, 1), (6000, 2)] {
             assert_eq!(begin(&good, &tpg_dodger_settings_t { effort, guard }, &[home]), TPG_ARGUMENT);
         }
         assert_eq!(begin(&good, &tpg_dodger_settings_t { effort: 6000, guard: 0 }, &[home]), TPG_OK);

@@ -60,7 +60,7 @@ pub struct Preset {
 }
 
 /// Every preset.
-pub const PRESETS: [Preset; 13] = [
+pub const PRESETS: [Preset; 14] = [
     Preset::new(
         "linear",
         "for any problem: some demes begin with weighted sums of the inputs, the others at random",
@@ -113,6 +113,31 @@ pub const PRESETS: [Preset; 13] = [
         "this project's, for the arm among balls: few roots, many episodes",
         include_str!("presets/dodge.toml"),
     ),
+    Preset::new(
+        "dodge-hard",
+        "as dodge, with balls up to twice as fast that are seen late, with noise, and without their velocities",
+        include_str!("presets/dodge.toml"),
+    )
+    .with(&[
+        ("# For `dodge`, the arm among balls.", "# For `dodge`, the arm among faster balls that are not seen well."),
+        (
+            "# A configuration can have a section [problem] with the problem's name and its settings; this one takes the problem of the\n\
+             # command line.\n",
+            "[problem]\n\
+             # The problem; the other keys of this section are its settings.\n\
+             name = \"dodge\"\n\
+             # Least and greatest peak speed of a moving ball, mm a step.\n\
+             speed = [0.3, 4.0]\n\
+             # Standard deviation of each coordinate of a ball that is seen, mm.\n\
+             noise = 3.0\n\
+             # Steps that pass until a ball's place is seen.\n\
+             delay = 2\n\
+             # Whether a ball's displacement in a step is seen; otherwise it is found from its places.\n\
+             velocities = false\n\
+             # Clearance that the search keeps from a ball that moves, and from one that stays, mm.\n\
+             keep = [8.0, 0.6]\n",
+        ),
+    ]),
 ];
 
 /// The start in the first line of a preset.

@@ -43,6 +43,29 @@ impl<S: Scalar> Plane<S> {
         if room > S::ZERO || !meets_base(&faces, shapes) { Ok(room) } else { Err(Collision::Base) }
     }
 
+    /// Returns true where there is no [collision](Self::collision), and the number of faces, at most 4, that had to be compared with
+    /// the base's edges: most poses need none.
+    #[inline(never)] // once in flash
+    pub(crate) fn stands(&self, shapes: &Shapes<S>, base: &Base<S>) -> (bool, u16) {
+        let faces = self.faces(shapes);
+        if self.below_table(&faces).is_some() {
+            return (false, 0);
+        }
+        let mut compared = 0;
+        for (p, q) in faces {
+            let (x, z) = (sorted([p.x, q.x]), sorted([p.z, q.z]));
+            if z[0] > base.top || x[0] > base.side || x[1] < -base.side {
+                continue;
+            }
+            compared += 1;
+            let face = Face::new(p, q);
+            if base.edges.iter().any(|edge| face.meets(edge)) {
+                return (false, compared);
+            }
+        }
+        (true, compared)
+    }
+
     /// The collision with the table, if there is one.
     #[inline(always)]
     fn below_table(&self, [(tip_upper, tip_lower), ..]: &Faces<S>) -> Option<Collision> {
@@ -98,6 +121,37 @@ fn beyond_base<S: Scalar>(faces: &Faces<S>, shapes: &Shapes<S>) -> S {
         let beside = greater(lesser(p.x, q.x), -greater(p.x, q.x)) - side;
         lesser(room, greater(lesser(p.z, q.z) - top, beside))
     })
+}
+
+/// The arm's own base, made ready for [`Plane::stands`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Base<S> {
+    /// Its edges, the lesser numbers first.
+    edges: [BaseEdge<S>; 4],
+    /// Height of its highest point, and distance of its outermost one from its axis, mm.
+    pub(crate) top: S,
+    pub(crate) side: S,
+}
+
+impl Base<f32> {
+    /// Makes a base ready.
+    pub(crate) const fn of(shapes: &Shapes<f32>) -> Self {
+        const fn order([a, b]: [f32; 2]) -> [f32; 2] {
+            if b < a { [b, a] } else { [a, b] }
+        }
+        const fn larger(a: f32, b: f32) -> f32 {
+            if b > a { b } else { a }
+        }
+        let (mut edges, mut top, mut side, mut place) = (shapes.base, 0.0, 0.0, 0);
+        while place < edges.len() {
+            let edge = &mut edges[place];
+            *edge = BaseEdge { x: order(edge.x), z: order(edge.z) };
+            top = larger(top, edge.z[1]);
+            side = larger(side, larger(-edge.x[0], edge.x[1]));
+            place += 1;
+        }
+        Self { edges, top, side }
+    }
 }
 
 impl<S: Scalar> Shapes<S> {

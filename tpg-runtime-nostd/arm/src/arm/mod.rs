@@ -3,7 +3,7 @@
 //! Everything else in the project is generic over an [`Arm`]; the paper's is [`WIDOWX`]. Positions are integers, in
 //! motor ticks of 1/4096 turn, so that a trajectory is a list of integers on every machine.
 
-mod collision;
+pub(crate) mod collision;
 mod error;
 mod leeway;
 mod play;

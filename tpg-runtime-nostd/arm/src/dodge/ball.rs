@@ -6,7 +6,10 @@ use crate::kinematics::Vector;
 const STILL: f32 = 0.01;
 
 /// A ball at the moment of an observation.
+///
+/// Its fields lie in this order, as they come from C.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
 pub struct Ball {
     /// Its centre, mm.
     pub at: Vector<f32>,

@@ -2,8 +2,9 @@
 
 use super::ball::Ball;
 use super::plan::STEP;
+use crate::arm::collision::Base;
 use crate::arm::{Arm, JOINTS, Links, Pose, TICKS_PER_TURN};
-use crate::kinematics::{Direction, Lattice, Plane, Point, Vector, base_direction};
+use crate::kinematics::{Angle, Direction, Directions, Lattice, Plane, Point, Vector, base_direction, link_angles};
 
 /// Number of capsules: shoulder to bracket, bracket to elbow, forearm, hand.
 pub const CAPSULES: usize = 4;
@@ -20,21 +21,13 @@ pub struct Body {
     radii: [f32; CAPSULES],
     /// 1 / length², mm⁻²; 0 for a link without length, which is a ball then.
     inverse_squares: [f32; CAPSULES],
-    /// The rule for being clear of table and base.
-    keep: Keep,
+    /// The greatest of the radii, mm.
+    widest: f32,
+    /// The base, and the furthest that a corner of forearm or hand lies from the joints' points, mm.
+    base: Base<f32>,
+    width: f32,
     /// The most that a step moves a point of the arm, mm: within the arm plane, and in space.
     motion: [f32; 2],
-}
-
-/// Distances from which on the joints' points say that nothing is touched, mm.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Keep {
-    /// The furthest that a corner of forearm or hand lies from the points.
-    width: f32,
-    /// Height of the base and that.
-    top: f32,
-    /// Half the width of the base and that.
-    side: f32,
 }
 
 /// The larger magnitude.
@@ -57,34 +50,27 @@ const fn motion(arm: &Arm<f32>) -> [f32; 2] {
     [plane, plane + angle * (shoulder + links.shoulder_radial.abs())]
 }
 
-impl Keep {
-    const fn of(arm: &Arm<f32>) -> Self {
-        let shapes = &arm.shapes;
-        let edges = larger(
-            larger(shapes.hand_edges[0], shapes.hand_edges[1]),
-            larger(shapes.forearm_edges[0], shapes.forearm_edges[1]),
-        );
-        // Beyond the points lie the ends of hand and forearm.
-        let width = edges + larger(shapes.hand_length - arm.links.hand, shapes.forearm_overhang);
-        let (mut top, mut side, mut edge) = (0.0, 0.0, 0);
-        while edge < shapes.base.len() {
-            top = larger(top, larger(shapes.base[edge].z[0], shapes.base[edge].z[1]));
-            side = larger(side, larger(shapes.base[edge].x[0], shapes.base[edge].x[1]));
-            edge += 1;
-        }
-        Self { width, top: top + width, side: side + width }
-    }
+/// The furthest that a corner of forearm or hand lies from the joints' points, mm.
+const fn width(arm: &Arm<f32>) -> f32 {
+    let shapes = &arm.shapes;
+    let edges = larger(
+        larger(shapes.hand_edges[0], shapes.hand_edges[1]),
+        larger(shapes.forearm_edges[0], shapes.forearm_edges[1]),
+    );
+    // Beyond the points lie the ends of hand and forearm.
+    edges + larger(shapes.hand_length - arm.links.hand, shapes.forearm_overhang)
 }
 
 /// The body at a pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Posture {
-    /// The arm seen from its side.
-    pub plane: Plane<f32>,
     /// Direction of the base joint.
     pub base: Direction<f32>,
     /// Shoulder, bracket, elbow, wrist and tip in the arm plane.
     points: [Point<f32>; CAPSULES + 1],
+    /// Directions of forearm and hand.
+    forearm: Direction<f32>,
+    hand: Direction<f32>,
 }
 
 /// The box around the capsules' axes in the arm plane: its least and greatest distance from the base's axis, and heights.
@@ -116,15 +102,25 @@ impl Body {
         let Links { upper_arm, elbow_offset, forearm, hand, .. } = arm.links;
         let inverse_squares =
             [inverse_square(upper_arm), inverse_square(elbow_offset), inverse_square(forearm), inverse_square(hand)];
-        Self { arm, radii, inverse_squares, keep: Keep::of(&arm), motion: motion(&arm) }
+        let widest = larger(larger(radii[0], radii[1]), larger(radii[2], radii[3]));
+        Self {
+            arm,
+            radii,
+            inverse_squares,
+            widest,
+            base: Base::of(&arm.shapes),
+            width: width(&arm),
+            motion: motion(&arm),
+        }
     }
 
     /// Places the body at a pose.
-    #[inline]
+    #[inline(never)] // once in flash
     pub fn at(&self, pose: Pose) -> Posture {
-        let plane = Plane::at(&self.arm, pose);
+        let [upper_arm, forearm, hand] = link_angles(pose).map(Angle::direction);
+        let plane = Plane::new(&self.arm, Directions::of_links(upper_arm, forearm, hand));
         let points = [self.arm.shoulder(), plane.bracket, plane.elbow, plane.wrist, plane.tip];
-        Posture { plane, base: base_direction(pose), points }
+        Posture { base: base_direction(pose), points, forearm, hand }
     }
 
     /// Returns the distance between the surfaces of the body and of a ball, mm; negative where they overlap.
@@ -185,7 +181,13 @@ impl Body {
     /// Returns true if the arm touches neither the table nor its own base.
     #[inline]
     pub fn stands(&self, posture: &Posture) -> bool {
-        posture.plane.collision(&self.arm.shapes).is_none()
+        self.stands_after(posture).0
+    }
+
+    /// The answer of [`stands`](Self::stands), and the number of faces of the arm, at most 4, that were compared with the base.
+    #[inline]
+    pub(super) fn stands_after(&self, posture: &Posture) -> (bool, u16) {
+        posture.plane().stands(&self.arm.shapes, &self.base)
     }
 
     /// Returns true only if the arm touches neither table nor base, at a tenth of the price of [`stands`](Self::stands):
@@ -216,7 +218,8 @@ impl Body {
             widen(&mut x, point.x);
             z = if point.z < z { point.z } else { z };
         }
-        let [width, top, side] = [self.keep.width, self.keep.top, self.keep.side].map(|distance| distance + room);
+        let width = self.width + room;
+        let (top, side) = (self.base.top + width, self.base.side + width);
         z > width && bracket.z > width && (z > top || x[0] > side || x[1] < -side)
     }
 
@@ -225,8 +228,7 @@ impl Body {
     pub fn clearance_bound(&self, posture: &Posture, outline: &Outline, centre: Vector<f32>, radius: f32) -> f32 {
         let [along, across, up] = posture.in_frame(centre);
         let (x, z) = (beyond(outline.x, along), beyond(outline.z, up));
-        let widest = self.radii.iter().fold(0.0f32, |widest, &radius| if radius > widest { radius } else { widest });
-        Lattice::sqrt(x * x + z * z + across * across) - widest - radius
+        Lattice::sqrt(x * x + z * z + across * across) - self.widest - radius
     }
 
     /// The point of a capsule's axis that is nearest to a ball.
@@ -248,6 +250,14 @@ impl Body {
 }
 
 impl Posture {
+    /// Returns the arm seen from its side.
+    #[inline]
+    pub fn plane(&self) -> Plane<f32> {
+        let Self { points: [_, bracket, elbow, wrist, tip], forearm, hand, .. } = *self;
+        let (forearm_across, hand_across) = (forearm.quarter_behind(), hand.quarter_behind());
+        Plane { bracket, elbow, wrist, tip, forearm, forearm_across, hand, hand_across }
+    }
+
     /// Turns a vector of the world into the arm's frame: along the arm plane, across it, up.
     #[inline]
     pub fn in_frame(&self, [x, y, z]: Vector<f32>) -> Vector<f32> {
@@ -270,7 +280,7 @@ impl Posture {
     /// Returns the place of the hand's tip in the world, mm.
     #[inline]
     pub fn hand(&self) -> Vector<f32> {
-        self.plane.hand_in_world(self.base)
+        self.plane().hand_in_world(self.base)
     }
 
     /// Returns the point at a fraction, 0 to 1, of a capsule's axis in the world, mm; of the last capsule beyond it.

@@ -7,6 +7,11 @@ use super::scout::{Scout, ScoutSettings};
 use super::sources::{VALUES, values};
 use crate::arm::Move;
 
+/// Effort of what every control step does: readings checked, body and balls placed, values gathered, motors watched; and of each
+/// ball.
+const SEE: u16 = 1150;
+const SEE_BALL: u16 = 410;
+
 /// A controller's settings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DodgerSettings {
@@ -53,7 +58,8 @@ impl Dodger {
         }
         // A way out has cost what the search may cost.
         if !answer.threatened {
-            self.scout.step(view, choice.price() + answer.effort);
+            let seen = SEE + SEE_BALL * view.balls.len() as u16;
+            self.scout.step(view, seen + choice.price() + answer.effort);
         }
         answer.step
     }

@@ -16,10 +16,11 @@ const STILL: f32 = 0.5;
 /// A sum of rounded numbers may be off by that, mm.
 const ROUNDING: f32 = 0.01;
 
-/// Effort of placing the arm, of a ball beside it, and of the test against table and base.
-const PLACE: u16 = 200;
+/// Effort of placing the arm, of a ball beside it, of the test against table and base, and of a face near the base.
+const PLACE: u16 = 260;
 const BALL: u16 = 190;
-const BASE: u16 = 750;
+const BASE: u16 = 240;
+const FACE: u16 = 110;
 
 /// A step that the guard has looked at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,8 +36,12 @@ pub struct Guarded {
 /// Returns the part of a move that the arm's own rule lets pass: a joint that would leave its range stays, and nothing moves
 /// if the arm would touch table or base.
 pub fn permitted(view: &View<'_>, wanted: Move) -> Guarded {
-    let (step, _, effort) = tested(view, wanted);
-    Guarded { step, threatened: false, effort }
+    let step = within(view, wanted);
+    if view.body.stands_next(&view.posture) {
+        return Guarded { step, threatened: false, effort: 0 };
+    }
+    let (stands, effort) = tested(view, &view.body.at(after(view, step, 1)));
+    Guarded { step: if stands { step } else { Move::STOP }, threatened: false, effort: PLACE + effort }
 }
 
 /// Returns what is [`permitted`] of a move, or a better one if it would come too near to a ball in two steps: the best of the move
@@ -45,19 +50,28 @@ pub fn permitted(view: &View<'_>, wanted: Move) -> Guarded {
 /// `walked` says that the move has cost a potential field already: the strong one is not paid for then.
 pub fn guarded(view: &View<'_>, wanted: Move, walked: bool) -> Guarded {
     let body = view.body;
-    let (step, posture, mut effort) = tested(view, wanted);
+    let mut step = within(view, wanted);
+    let stands = body.stands_next(&view.posture);
     let motion = body.motion() + ROUNDING;
     let is_far = |ball: &Ball, clearance: f32| clearance - (motion + SOON * ball.speed_bound()) >= margin(ball);
-    if view.nearest().all(|(ball, near)| is_far(ball, near.clearance)) {
+    let far = view.nearest().all(|(ball, near)| is_far(ball, near.clearance));
+    if stands && far {
+        return Guarded { step, threatened: false, effort: 0 };
+    }
+    let placed = body.at(after(view, step, 1));
+    let (mut posture, mut effort) = (&placed, PLACE);
+    if !stands {
+        let (stands, cost) = tested(view, posture);
+        effort += cost;
+        if !stands {
+            (step, posture) = (Move::STOP, &view.posture);
+        }
+    }
+    if far {
         return Guarded { step, threatened: false, effort };
     }
-    let balls = view.balls.len() as u16;
-    let posture = posture.unwrap_or_else(|| {
-        effort += PLACE;
-        body.at(after(view, step, 1))
-    });
-    effort += BALL * balls;
-    let spares = |ball: &Ball| body.clearance(&posture, ball.after(SOON), ball.radius) >= margin(ball);
+    effort += BALL * view.balls.len() as u16;
+    let spares = |ball: &Ball| body.clearance(posture, ball.after(SOON), ball.radius) >= margin(ball);
     if view.balls.iter().all(spares) {
         return Guarded { step, threatened: false, effort };
     }
@@ -87,21 +101,14 @@ fn margin(ball: &Ball) -> f32 {
     if ball.stays() { STILL } else { MARGIN }
 }
 
-/// The permitted part of a move, the arm after it where that was computed, and the effort.
-fn tested(view: &View<'_>, wanted: Move) -> (Move, Option<Posture>, u16) {
-    let body = view.body;
-    let step = within(view, wanted);
-    if body.stands_next(&view.posture) {
-        return (step, None, 0);
+/// True if the arm touches neither table nor base, and the effort of knowing.
+#[inline(always)]
+fn tested(view: &View<'_>, posture: &Posture) -> (bool, u16) {
+    if view.body.stands_clearly(posture) {
+        return (true, 0);
     }
-    let posture = body.at(after(view, step, 1));
-    if body.stands_clearly(&posture) {
-        (step, Some(posture), PLACE)
-    } else if body.stands(&posture) {
-        (step, Some(posture), PLACE + BASE)
-    } else {
-        (Move::STOP, Some(view.posture), PLACE + BASE)
-    }
+    let (stands, faces) = view.body.stands_after(posture);
+    (stands, BASE + FACE * faces)
 }
 
 /// A move without the joints that would leave their ranges.

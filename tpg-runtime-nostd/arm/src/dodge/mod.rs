@@ -12,6 +12,7 @@
 //! | [`guarded`] | the guard: a step that would be hit is replaced, none is against limits, table or base |
 //! | [`Source`] | what a policy sees |
 //! | [`Dodger`] | all of that around a policy |
+//! | [`Tracker`] | balls that are seen late, with noise, and without velocities |
 //! | [`Control`] | a control step on a real arm, whose readings may be wrong |
 
 mod ball;
@@ -23,6 +24,7 @@ mod guard;
 pub mod plan;
 mod scout;
 mod sources;
+mod tracker;
 
 pub use ball::Ball;
 pub use behaviour::{BALLS, Behaviour, EVASION, FIELD, Field, Shift, View, away};
@@ -32,3 +34,4 @@ pub use dodger::{Dodger, DodgerSettings};
 pub use guard::{Guarded, guarded, permitted};
 pub use scout::{Fate, HORIZON, SCOUT, Scout, ScoutSettings};
 pub use sources::{Source, VALUES};
+pub use tracker::Tracker;

@@ -7,6 +7,7 @@ pub const STEP: i16 = 3;
 
 /// A way to a goal. Every joint walks its own way at full speed and waits for the others where the leg ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(align(4))] // it is copied word by word
 pub struct Plan {
     /// The pose to pass first, with the steps to wait there; `None`: straight to the goal.
     pub via: Option<(Pose, u16)>,

@@ -1,7 +1,8 @@
 //! A search that never stops and never takes long: in every step it looks at a few poses of a few plans, and goes on in the
 //! next step where it stopped.
 
-use super::behaviour::View;
+use super::ball::Ball;
+use super::behaviour::{BALLS, View};
 use super::plan::{Plan, steps, towards};
 use crate::arm::Pose;
 
@@ -10,25 +11,27 @@ pub const HORIZON: u32 = 160;
 /// Steps of a plan that are looked at, at most.
 const LIMIT: u32 = 4000;
 /// Effort of one look at a pose of a plan: where the arm is, and the distance of nothing yet.
-const LOOK: u16 = 480;
+const LOOK: u16 = 410;
 /// Effort of a ball that is far, and of one that is near.
-const FAR_BALL: u16 = 70;
-const NEAR_BALL: u16 = 250;
-/// Effort of a pose near the table or the base.
-const BASE: u16 = 750;
-/// Effort of a new plan.
-const PROPOSE: u16 = 1000;
-/// Effort of beginning with a known plan.
-const BEGIN: u16 = 250;
+const FAR_BALL: u16 = 85;
+const NEAR_BALL: u16 = 270;
+/// Effort of a pose near the table or the base, and of a face of the arm near the base.
+const BASE: u16 = 240;
+const FACE: u16 = 120;
+/// Effort of a new plan, with the comparison that may refuse it.
+const PROPOSE: u16 = 420;
+/// Effort of beginning with a plan, and of judging it in the end.
+const BEGIN: u16 = 300;
 /// Clearance up to which it is computed exactly, mm.
 const NEAR: f32 = 40.0;
 
 /// The search's settings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ScoutSettings {
-    /// The cost that behaviour, guard and search may have in one step, in instructions of a Cortex-M4, about.
+    /// The cost that a whole control step may have, in instructions of a Cortex-M4, about: the search takes what seeing, behaviour
+    /// and guard leave.
     pub effort: u16,
-    /// The part of it that is kept for the plan itself.
+    /// The part of it that is kept for the plan itself: enough for a look at a pose near every ball and the base.
     pub watch: u16,
     /// Clearance below which a ball is met, mm.
     pub margin: f32,
@@ -46,13 +49,13 @@ pub struct ScoutSettings {
 
 /// The settings of the project's policies.
 pub const SCOUT: ScoutSettings = ScoutSettings {
-    effort: 6500,
-    watch: 1800,
+    effort: 9700,
+    watch: 2600,
     margin: 4.0,
     still: 0.6,
     pace: 2.0,
     stride: 16,
-    gain: 10,
+    gain: 20,
     spreads: [150, 250, 400, 700],
 };
 
@@ -73,6 +76,31 @@ impl Fate {
             Self::Free => HORIZON as u16,
         }
     }
+}
+
+/// What a look asks of a ball: found once a step.
+#[derive(Clone, Copy)]
+struct Watched {
+    ball: Ball,
+    /// True if it is known where it will be at any time.
+    stays: bool,
+    /// Clearance below which it is met, mm.
+    margin: f32,
+    /// The speed at which it and the arm come together at most, mm a step.
+    closing: f32,
+}
+
+/// The balls as looks need them; places without one come last.
+#[inline(always)]
+fn watched(balls: &[Ball], settings: &ScoutSettings) -> [Watched; BALLS] {
+    const NOBODY: Ball = Ball { at: [0.0; 3], velocity: [0.0; 3], radius: 0.0 };
+    let mut all = [Watched { ball: NOBODY, stays: true, margin: 0.0, closing: 1.0 }; BALLS];
+    for (watched, &ball) in all.iter_mut().zip(balls) {
+        let stays = ball.stays();
+        let margin = if stays { settings.still } else { settings.margin };
+        *watched = Watched { ball, stays, margin, closing: settings.pace + ball.speed_bound() };
+    }
+    all
 }
 
 /// A plan under examination.
@@ -115,7 +143,8 @@ impl Probe {
     }
 
     /// Looks at a plan until its fate is known or too little effort is left for a look.
-    fn look(&mut self, view: &View<'_>, settings: &ScoutSettings, effort: &mut u16) -> Option<Fate> {
+    #[inline(never)] // once in flash
+    fn look(&mut self, view: &View<'_>, balls: &[Watched], stride: u16, effort: &mut u16) -> Option<Fate> {
         while *effort >= LOOK + NEAR_BALL * view.balls.len() as u16 {
             *effort -= LOOK;
             let posture = view.body.at(self.pose());
@@ -124,8 +153,7 @@ impl Probe {
             let mut skip = HORIZON as f32;
             // Nobody knows where a ball that moves will be by then; one that stays is there.
             let beyond = after > HORIZON as f32;
-            for ball in view.balls {
-                let stays = ball.stays();
+            for &Watched { ref ball, stays, margin, closing } in balls {
                 if beyond && !stays {
                     continue;
                 }
@@ -136,30 +164,31 @@ impl Probe {
                     *effort -= NEAR_BALL - FAR_BALL;
                     clearance = view.body.clearance(&posture, centre, ball.radius);
                 }
-                let room = clearance - if stays { settings.still } else { settings.margin };
+                let room = clearance - margin;
                 if room < 0.0 {
                     return Some(self.met());
                 }
-                let pause = room / (settings.pace + ball.speed_bound());
+                let pause = room / closing;
                 if pause < skip {
                     skip = pause;
                 }
             }
             if !view.body.stands_clearly(&posture) {
-                if *effort < BASE {
+                if *effort < BASE + 4 * FACE {
                     // It is looked at again in the next step.
                     *effort = 0;
                     return None;
                 }
-                *effort -= BASE;
-                if !view.body.stands(&posture) {
+                let (stands, faces) = view.body.stands_after(&posture);
+                *effort -= BASE + FACE * faces;
+                if !stands {
                     return Some(self.met());
                 }
             }
             if self.next >= self.last {
                 return Some(Fate::Free);
             }
-            self.next = (self.next + (skip as u16).max(settings.stride.into())).min(self.last);
+            self.next = (self.next + (skip as u16).max(stride)).min(self.last);
             if beyond && self.next > self.stay {
                 // The arm waits there.
                 self.next = self.next.max(self.turn);
@@ -228,29 +257,37 @@ impl Scout {
         let mut effort = self.settings.effort.saturating_sub(spent);
         let mut kept = self.settings.watch.min(effort);
         effort -= kept;
-        if let Some(fate) = self.watch.look(view, &self.settings, &mut kept) {
+        let (watched, stride) = (watched(view.balls, &self.settings), u16::from(self.settings.stride));
+        let balls = watched.get(..view.balls.len()).unwrap_or(&watched);
+        if let Some(fate) = self.watch.look(view, balls, stride, &mut kept) {
             self.fate = fate;
             self.watch.begin(self.plan, view.pose);
             kept = kept.saturating_sub(BEGIN);
         }
         effort += kept;
+        let mut arrival = None;
         loop {
             if !self.examines {
-                if effort < PROPOSE {
+                if effort < PROPOSE + BEGIN {
                     return;
                 }
                 effort -= PROPOSE;
                 let plan = self.propose(view);
                 // A detour that would not be taken though it were free. The straight walk's fate is looked at all the same.
-                if plan.via.is_some() && self.fate == Fate::Free && !self.is_faster(view.pose, &plan) {
-                    continue;
+                if plan.via.is_some() && self.fate == Fate::Free {
+                    let arrival = *arrival.get_or_insert_with(|| self.plan.arrival(view.pose));
+                    if !self.is_faster(&plan, view.pose, arrival) {
+                        continue;
+                    }
                 }
+                effort -= BEGIN;
                 self.candidate.begin(plan, view.pose);
                 self.examines = true;
             }
-            let Some(fate) = self.candidate.look(view, &self.settings, &mut effort) else { return };
+            let Some(fate) = self.candidate.look(view, balls, stride, &mut effort) else { return };
             self.examines = false;
             self.judge(view, fate);
+            arrival = None;
         }
     }
 
@@ -262,7 +299,7 @@ impl Scout {
         }
         let better = match (fate, self.fate) {
             (Fate::Free, Fate::Meets(_)) => true,
-            (Fate::Free, Fate::Free) => self.is_faster(view.pose, &plan),
+            (Fate::Free, Fate::Free) => self.is_faster(&plan, view.pose, self.plan.arrival(view.pose)),
             (Fate::Meets(_), Fate::Meets(_)) => fate.free_steps() > self.fate.free_steps() + 10,
             (Fate::Meets(_), Fate::Free) => false,
         };
@@ -272,9 +309,9 @@ impl Scout {
         }
     }
 
-    /// True for a plan that is worth taking instead of the present one, where both are free.
-    fn is_faster(&self, from: Pose, plan: &Plan) -> bool {
-        plan.arrival(from) + u32::from(self.settings.gain) < self.plan.arrival(from)
+    /// True for a plan that is worth taking instead of one that arrives after so many steps, where both are free.
+    fn is_faster(&self, plan: &Plan, from: Pose, arrival: u32) -> bool {
+        plan.arrival(from) + u32::from(self.settings.gain) < arrival
     }
 
     /// The next candidate: a straight walk, a wait, or a detour.

@@ -1,5 +1,6 @@
 //! The section `[problem]` of a configuration, for the arm among balls.
 
+use super::sensing::Sensing;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tpg_arm::WIDOWX;
@@ -36,9 +37,18 @@ pub struct Config {
     pub tolerance: f32,
     /// Radii of the arm's capsules: shoulder to bracket, bracket to elbow, forearm, hand.
     pub capsules: [f32; 4],
+    /// Standard deviation of each coordinate of a ball that is seen.
+    pub noise: f32,
+    /// Steps that pass until a ball's place is seen, at most 20.
+    pub delay: u8,
+    /// True if a ball's displacement in a step is seen; otherwise it is found from its places.
+    pub velocities: bool,
+    /// Clearance that the search keeps from a ball that moves, and from one that stays.
+    pub keep: [f64; 2],
     /// True if the guard that looks ahead replaces steps that would be hit.
     pub guard: bool,
-    /// The cost that behaviour, guard and search may have in one step, in instructions of a Cortex-M4, about.
+    /// The cost that a whole control step may have, in instructions of a Cortex-M4, about: the search takes what seeing, behaviour and
+    /// guard leave.
     pub effort: u16,
 }
 
@@ -58,6 +68,10 @@ impl Default for Config {
             margin: 1.0,
             tolerance: 3.0,
             capsules: WIDOWX_RADII,
+            noise: 0.0,
+            delay: 0,
+            velocities: true,
+            keep: [4.0, 0.6],
             guard: true,
             effort: SCOUT.effort,
         }
@@ -95,12 +109,23 @@ impl Config {
         for radius in self.capsules {
             Finding::range("problem.capsules", radius, 1.0, 100.0)?;
         }
-        Finding::range("problem.effort", self.effort, 2000, 60_000)
+        Finding::range("problem.noise", self.noise, 0.0, 100.0)?;
+        Finding::range("problem.delay", self.delay, 0, 20)?;
+        for clearance in self.keep {
+            Finding::range("problem.keep", clearance, 0.0, 100.0)?;
+        }
+        Finding::range("problem.effort", self.effort, 4000, 60_000)
     }
 
     /// Returns the settings of what stands around a policy.
     pub fn settings(&self) -> DodgerSettings {
-        DodgerSettings { scout: ScoutSettings { effort: self.effort, ..SCOUT }, guard: self.guard }
+        let [margin, still] = self.keep.map(|mm| mm as f32);
+        DodgerSettings { scout: ScoutSettings { effort: self.effort, margin, still, ..SCOUT }, guard: self.guard }
+    }
+
+    /// Returns how balls are seen.
+    pub fn sensing(&self) -> Sensing {
+        Sensing { noise: self.noise, delay: self.delay, velocities: self.velocities }
     }
 
     /// Returns the arm with its capsules.

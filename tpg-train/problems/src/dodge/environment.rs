@@ -93,7 +93,7 @@ impl<S: Scalar> Environment<S> for Dodge {
     }
 
     fn start(&self, scene: &Scene) -> Trial {
-        let episode = Episode::new(&self.body, scene);
+        let episode = Episode::sensed(&self.body, scene, self.config.sensing());
         let dodger = Dodger::new(self.config.settings(), &episode.view(&self.body));
         Trial { episode, dodger }
     }

@@ -7,6 +7,7 @@
 //! | [`draw`] | the generator: every scene has a plan that solves it |
 //! | [`walk`] | plans of any number of legs, followed step by step |
 //! | [`mod@file`] | lists of scenes as CSV |
+//! | [`sensing`] | how balls are seen: exactly, or late, with noise, and without velocities |
 //! | [`episode`] | the rules of a step |
 //! | [`environment`] | the problem as an [`Environment`](tpg_engine::Environment) |
 
@@ -16,6 +17,7 @@ pub mod environment;
 pub mod episode;
 pub mod file;
 pub mod scene;
+pub mod sensing;
 pub mod walk;
 
 pub use config::Config;
