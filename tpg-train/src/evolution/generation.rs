@@ -206,10 +206,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
             if deme.genome.teams().is_empty() {
                 let mut stream = moment.stream(Purpose::Initial, 0);
                 deme.genome = random_population(&mutator, &self.config.tpg, self.actions, &mut stream);
-                if mirror.probability > 0.0 {
-                    let most = self.config.tpg.max_outgoing_edges;
-                    deme.genome.roots().into_iter().for_each(|root| mirror.complete(&mut deme.genome, root, most));
-                }
+                mirror.complete_roots(&mut deme.genome, self.config.tpg.max_outgoing_edges);
             }
             let parents = self.parents(deme, price);
             teams.populate(&mut deme.genome, &parents, moment);

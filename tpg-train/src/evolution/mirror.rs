@@ -72,8 +72,14 @@ impl Mirror<'_> {
         Some(genome.add_team(Team { edges }))
     }
 
+    /// Completes the pairs of every root of a first population; does nothing where the probability is 0.
+    pub fn complete_roots(&self, genome: &mut Genome, most_edges: usize) {
+        let roots = if self.probability > 0.0 { genome.roots() } else { Vec::new() };
+        roots.into_iter().for_each(|root| self.complete(genome, root, most_edges));
+    }
+
     /// Gives every action of a team that has an opposite the opposite bid of it, as far as there is room.
-    pub fn complete(&self, genome: &mut Genome, team: TeamId, most_edges: usize) {
+    fn complete(&self, genome: &mut Genome, team: TeamId, most_edges: usize) {
         let before = genome.team(team).edges.clone();
         let mut edges: Vec<Edge> = before.clone();
         for (edge, pair) in self.paired(&before) {
