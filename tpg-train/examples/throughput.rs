@@ -20,6 +20,7 @@ use tpg_runtime::ops::{Maths, Own, System};
 use tpg_train::evolution::checkpoint;
 use tpg_train::evolution::config::EvolutionConfig;
 use tpg_train::evolution::logs::cpu_seconds;
+use tpg_train::evolution::mirror::{Mirror, opposites};
 use tpg_train::evolution::mutate_program::ProgramMutator;
 use tpg_train::evolution::mutate_team::{Moment, Parents, TeamMutator, random_population};
 use tpg_train::evolution::presets::Preset;
@@ -85,6 +86,8 @@ fn population(
     let vocabulary = config.vocabulary(&environment, state.scales.clone());
     let mutator = ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
     let refiner = Refiner { vocabulary: &vocabulary, parameters: &config.refinement };
+    let opposites = opposites(&environment.actions());
+    let mirror = Mirror { programs: mutator, opposites: &opposites, probability: config.refinement.p_mirror };
     let actions = environment.actions().count().ok_or("named actions")? as u16;
     let mut units = Vec::new();
     for (deme, population) in (0..).zip(&mut state.demes) {
@@ -92,9 +95,16 @@ fn population(
         if population.genome.teams().is_empty() {
             let mut stream = moment.stream(Purpose::Initial, 0);
             population.genome = random_population(&mutator, &config.tpg, actions, &mut stream);
+            mirror.complete_roots(&mut population.genome, config.tpg.max_outgoing_edges);
         }
-        let teams =
-            TeamMutator { programs: mutator, refiner, parameters: &config.tpg, archive: &state.archive, actions };
+        let teams = TeamMutator {
+            programs: mutator,
+            refiner,
+            mirror,
+            parameters: &config.tpg,
+            archive: &state.archive,
+            actions,
+        };
         let parents = Parents::uniform(&population.genome);
         teams.populate(&mut population.genome, &parents, moment);
         units.extend(population.genome.roots().into_iter().map(|root| WorkUnit {

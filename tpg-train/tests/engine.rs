@@ -25,6 +25,7 @@ use tpg_runtime::policy::{ActionId, Policy as _};
 use tpg_train::evolution::archive::Archive;
 use tpg_train::evolution::config::EvolutionConfig;
 use tpg_train::evolution::export;
+use tpg_train::evolution::mirror::Mirror;
 use tpg_train::evolution::mutate_program::ProgramMutator;
 use tpg_train::evolution::mutate_team::{Moment, Parents, TeamMutator, random_population};
 use tpg_train::evolution::presets::Preset;
@@ -83,7 +84,9 @@ impl<S: ArmScalar> World<S> {
             let moment = Moment { seed: 1, generation, deme: 0 };
             let refiner = Refiner { vocabulary: &vocabulary, parameters: &config.refinement };
             let archive = &Archive::new(0);
-            let teams = TeamMutator { programs: mutator, refiner, parameters: &config.tpg, archive, actions: 9 };
+            let mirror = Mirror { programs: mutator, opposites: &[], probability: 0.0 };
+            let teams =
+                TeamMutator { programs: mutator, refiner, mirror, parameters: &config.tpg, archive, actions: 9 };
             let parents = Parents::uniform(&genome);
             teams.populate(&mut genome, &parents, moment);
             let doomed: Vec<_> = genome.roots().into_iter().step_by(2).collect();

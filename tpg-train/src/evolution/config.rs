@@ -134,6 +134,10 @@ fn is_zero(memory: &u16) -> bool {
     *memory == 0
 }
 
+fn is_nothing(probability: &f64) -> bool {
+    *probability == 0.0
+}
+
 fn is_false(value: &bool) -> bool {
     !value
 }
@@ -182,6 +186,10 @@ pub struct ProgramParameters {
     pub p_constant_mutation: f64,
     /// Probability of drawing an entirely new program instead.
     pub p_new_program: f64,
+    /// Probability that a random program is a sum of products of two inputs, and that such a product is inserted in place of a
+    /// line.
+    #[serde(default, skip_serializing_if = "is_nothing")]
+    pub p_product: f64,
     /// Minimum program constant.
     pub min_const_value: i32,
     /// Maximum program constant.
@@ -458,13 +466,17 @@ pub struct RefinementConfig {
     pub p_deletion: f64,
     /// Probability that another child of a policy with named actions only has one program mutated.
     pub p_mutation: f64,
+    /// Probability that another child of a policy with named actions bids for one action the opposite of what it bids for the
+    /// action that undoes it, by the actions' effects.
+    #[serde(skip_serializing_if = "is_nothing")]
+    pub p_mirror: f64,
     /// Number of children of the best root of a deme that only have other constants.
     pub elite: usize,
 }
 
 impl Default for RefinementConfig {
     fn default() -> Self {
-        Self { p_jitter: 0.0, deviations: [0.02, 0.6], p_deletion: 0.0, p_mutation: 0.0, elite: 0 }
+        Self { p_jitter: 0.0, deviations: [0.02, 0.6], p_deletion: 0.0, p_mutation: 0.0, p_mirror: 0.0, elite: 0 }
     }
 }
 

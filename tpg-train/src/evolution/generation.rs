@@ -4,6 +4,7 @@ use super::archive::{Recording, bid};
 use super::config::{EvolutionConfig, ParentChoice, RacingBy};
 use super::genome::{Destination, ProgramId, TeamId};
 use super::linear::LinearWriter;
+use super::mirror::{Mirror, opposites};
 use super::mutate_leaf::LeafMutator;
 use super::mutate_program::ProgramMutator;
 use super::mutate_team::{Moment, Parents, TeamMutator, random_population};
@@ -30,6 +31,8 @@ pub struct Evolution<'e, S: Scalar, E: Environment<S>, V> {
     pub(super) selection_tasks: Vec<E::Task>,
     pub(super) goal: Goal,
     pub(super) actions: u16,
+    /// The action that undoes each one, if there is one.
+    opposites: Vec<Option<u16>>,
     /// Usual number of generations of the linear start.
     pub(super) linear: u64,
     number: PhantomData<S>,
@@ -91,9 +94,11 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         let vocabulary = config.vocabulary(environment, scales);
         let selection_tasks = environment.validation_tasks(config.selection.validation_episodes);
         let actions = environment.actions().count().unwrap_or(0) as u16;
+        let opposites = opposites(&environment.actions());
         let weights = LinearWriter::new(&vocabulary, actions, config.start.kind).map_or(0, |writer| writer.weights());
         let linear = config.linear_generations(weights);
-        Self { config, vocabulary, environment, evaluator, selection_tasks, goal, actions, linear, number: PhantomData }
+        let number = PhantomData;
+        Self { config, vocabulary, environment, evaluator, selection_tasks, goal, actions, opposites, linear, number }
     }
 
     /// Returns the vocabulary of programs.
@@ -182,7 +187,9 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         let growing =
             LeafMutator { bids: mutator, leaves, refiner, parameters: &self.config.leaves, tpg: &self.config.tpg };
         let (parameters, archive, actions) = (&self.config.tpg, &state.archive, self.actions);
-        let teams = TeamMutator { programs: mutator, refiner, parameters, archive, actions };
+        let probability = self.config.refinement.p_mirror;
+        let mirror = Mirror { programs: mutator, opposites: &self.opposites, probability };
+        let teams = TeamMutator { programs: mutator, refiner, mirror, parameters, archive, actions };
         let price = self.line_price(state);
         for (index, deme) in (0..).zip(&mut state.demes) {
             let moment = Moment { seed: state.seed, generation: state.generation, deme: index };
@@ -199,6 +206,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
             if deme.genome.teams().is_empty() {
                 let mut stream = moment.stream(Purpose::Initial, 0);
                 deme.genome = random_population(&mutator, &self.config.tpg, self.actions, &mut stream);
+                mirror.complete_roots(&mut deme.genome, self.config.tpg.max_outgoing_edges);
             }
             let parents = self.parents(deme, price);
             teams.populate(&mut deme.genome, &parents, moment);

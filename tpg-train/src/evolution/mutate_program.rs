@@ -22,6 +22,9 @@ impl ProgramMutator<'_> {
     pub fn random(&self, stream: &mut Stream) -> Program {
         let constants = (0..self.vocabulary.constants()).map(|_| self.random_constant(stream)).collect();
         let mut program = Program { constants, lines: Vec::new() };
+        if let Some(lines) = self.random_sum(stream) {
+            return Program { lines, ..program };
+        }
         let lines = 1 + stream.below(self.parameters.max_program_size);
         while program.lines.len() < lines {
             self.insert_line(&mut program, stream);
@@ -56,7 +59,9 @@ impl ProgramMutator<'_> {
             any = true;
         }
         if program.lines.len() < parameters.max_program_size && stream.chance(parameters.p_add) {
-            self.insert_line(program, stream);
+            if !self.insert_term(program, stream) {
+                self.insert_line(program, stream);
+            }
             any = true;
         }
         if stream.chance(parameters.p_mutate) {

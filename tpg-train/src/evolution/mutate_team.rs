@@ -3,6 +3,7 @@
 use super::archive::Archive;
 use super::config::{ParentChoice, TpgParameters};
 use super::genome::{Destination, Edge, Genome, Program, ProgramId, Team, TeamId};
+use super::mirror::Mirror;
 use super::mutate_program::ProgramMutator;
 use super::refine::Refiner;
 use std::collections::BTreeMap;
@@ -103,6 +104,8 @@ pub struct TeamMutator<'a> {
     pub programs: ProgramMutator<'a>,
     /// Makes children by small changes.
     pub refiner: Refiner<'a>,
+    /// Makes children with opposite bids.
+    pub mirror: Mirror<'a>,
     /// Parameters of teams.
     pub parameters: &'a TpgParameters,
     /// Recordings that new programs must differ from.
@@ -117,7 +120,7 @@ impl TeamMutator<'_> {
     /// A child is a mutated copy of one of the `parents`; the refiner may make it instead. If an edge of the child leads to a
     /// root, that team is no longer a root, so roots are counted again after every child.
     pub fn populate(&self, genome: &mut Genome, parents: &Parents, moment: Moment) {
-        let Self { programs, refiner, parameters, archive, actions } = *self;
+        let Self { programs, refiner, mirror, parameters, archive, actions } = *self;
         let roots = genome.roots();
         let teams: Vec<TeamId> = genome.teams().keys().copied().collect();
         let edges: Vec<Edge> = genome.teams().values().flat_map(|team| team.edges.iter().copied()).collect();
@@ -130,6 +133,7 @@ impl TeamMutator<'_> {
             let mut stream = moment.stream(Purpose::Child, children);
             let parent = parents.draw(&mut stream);
             let close = refiner.child(genome, parent, &mut stream);
+            let close = close.or_else(|| mirror.child(genome, parent, &edges, parameters, &mut stream));
             let close = close.or_else(|| refiner.mutated(genome, parent, &programs, &mut stream));
             let child = close.unwrap_or_else(|| {
                 let child = genome.add_team(genome.team(parent).clone());
@@ -248,6 +252,7 @@ mod tests {
     use crate::evolution::archive::{Archive, Recording, bid};
     use crate::evolution::config::{EvolutionConfig, ParentChoice};
     use crate::evolution::genome::{Destination, Genome, Program, ProgramId, TeamId};
+    use crate::evolution::mirror::Mirror;
     use crate::evolution::mutate_program::ProgramMutator;
     use crate::evolution::presets::Preset;
     use crate::evolution::refine::Refiner;
@@ -276,7 +281,9 @@ mod tests {
             let refiner = Refiner { vocabulary: &vocabulary, parameters: &config.refinement };
             let parents = Parents::uniform(&genome);
             let archive = &Archive::new(0);
-            let mutator = TeamMutator { programs: mutator, refiner, parameters: &config.tpg, archive, actions: 9 };
+            let mirror = Mirror { programs: mutator, opposites: &[], probability: 0.0 };
+            let mutator =
+                TeamMutator { programs: mutator, refiner, mirror, parameters: &config.tpg, archive, actions: 9 };
             mutator.populate(&mut genome, &parents, moment);
             let doomed: Vec<_> = genome.roots().into_iter().step_by(3).collect();
             genome.remove_roots(&doomed);
@@ -324,7 +331,8 @@ mod tests {
         let refiner = Refiner { vocabulary: &vocabulary, parameters: &config.refinement };
         let parents = Parents::uniform(&genome);
         let archive = &Archive::new(0);
-        let mutator = TeamMutator { programs: mutator, refiner, parameters: &config.tpg, archive, actions: 9 };
+        let mirror = Mirror { programs: mutator, opposites: &[], probability: 0.0 };
+        let mutator = TeamMutator { programs: mutator, refiner, mirror, parameters: &config.tpg, archive, actions: 9 };
         mutator.populate(&mut genome, &parents, moment);
         assert_eq!(genome.roots().len(), config.tpg.nb_roots);
         let mut deep = 0;

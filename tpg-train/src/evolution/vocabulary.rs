@@ -158,6 +158,18 @@ impl Vocabulary {
         self.kinds[usize::from(source)]
     }
 
+    /// Returns the inputs that programs can read: an operand for each, and its unit.
+    pub fn inputs(&self) -> Vec<(Gene, f64)> {
+        let of = |(source, kind): (u8, &Kind)| match *kind {
+            Kind::Data(place, length) => (0..length).map(|location| (source, location, place + location)).collect(),
+            Kind::Registers | Kind::Constants | Kind::Literal => Vec::new(),
+        };
+        let places: Vec<(u8, u16, u16)> = (0..).zip(&self.kinds).flat_map(of).collect();
+        let unit = |place: u16| self.scales.get(usize::from(place)).copied().unwrap_or(1.0);
+        let gene = |(source, location, place)| (Gene { source, location, literal: 0.0 }, unit(place));
+        places.into_iter().map(gene).collect()
+    }
+
     /// Returns the exclusive upper bound of locations.
     pub fn largest_address_space(&self) -> u16 {
         self.largest_address_space

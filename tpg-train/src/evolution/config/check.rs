@@ -6,6 +6,7 @@ use crate::hybrid::trial::NETWORK;
 use tpg_engine::{ActionSpace, Environment};
 use tpg_graph::Word;
 use tpg_graph::error::Finding;
+use tpg_runtime::ops::Instruction;
 use tpg_runtime::scalar::Scalar;
 
 impl EvolutionConfig {
@@ -47,6 +48,7 @@ impl EvolutionConfig {
             ("program.p_swap", program.p_swap),
             ("program.p_constant_mutation", program.p_constant_mutation),
             ("program.p_new_program", program.p_new_program),
+            ("program.p_product", program.p_product),
         ];
         chances.iter().try_for_each(|(key, value)| probability(key, *value))?;
         if program.p_mutate + program.p_new_program <= 0.0 {
@@ -58,6 +60,7 @@ impl EvolutionConfig {
             return Err(Finding::new("program.min_const_value", program.min_const_value.to_string(), accepted));
         }
 
+        self.check_products()?;
         let learning = &self.learning;
         count("learning.archive_size", learning.archive_size, 0, MANY)?;
         probability("learning.archiving_probability", learning.archiving_probability)?;
@@ -127,6 +130,18 @@ impl EvolutionConfig {
         Ok(())
     }
 
+    /// Checks that products of inputs can be written, if they are wanted.
+    fn check_products(&self) -> Result<(), Finding> {
+        let needed = [Word::from(Instruction::Mul), Word::MultiplyAdd];
+        let has = |word: &Word| self.language.instructions.iter().any(|name| name == word.name());
+        let room = self.learning.nb_registers >= 2 && self.program.max_program_size >= 2;
+        if self.program.p_product <= 0.0 || (self.language.literals && needed.iter().all(has) && room) {
+            return Ok(());
+        }
+        let accepted = "0, or the words mul and multiply_add, literals, two registers and two lines";
+        Err(Finding::new("program.p_product", self.program.p_product, accepted))
+    }
+
     /// Checks the settings of the first population and of small changes.
     fn check_start(&self) -> Result<(), Finding> {
         let count = Finding::range::<usize>;
@@ -150,6 +165,13 @@ impl EvolutionConfig {
         Finding::range("refinement.p_jitter", refinement.p_jitter, 0.0, 1.0)?;
         Finding::range("refinement.p_deletion", refinement.p_deletion, 0.0, 1.0 - refinement.p_jitter)?;
         Finding::range("refinement.p_mutation", refinement.p_mutation, 0.0, 1.0)?;
+        Finding::range("refinement.p_mirror", refinement.p_mirror, 0.0, 1.0)?;
+        let sub = Word::from(Instruction::Sub).name();
+        let negates = self.language.literals && self.language.instructions.iter().any(|word| word == sub);
+        if refinement.p_mirror > 0.0 && !negates {
+            let accepted = "0, or the word sub in language.instructions and language.literals = true";
+            return Err(Finding::new("refinement.p_mirror", refinement.p_mirror, accepted));
+        }
         let [low, high] = refinement.deviations;
         if !(1e-6 <= low && low <= high && high <= 10.0) {
             let found = format!("{:?}", refinement.deviations);
