@@ -42,6 +42,10 @@ fn a_list_of_prices_gives_one_front_on_any_threads_and_after_an_interruption() {
     let (free, dear, graph) = (of("asking", "price 0"), of("asking", "price 1000"), of("graph", ""));
     assert!(calls(free) > 100.0 && calls(dear) < 20.0 && calls(graph) == 0.0, "{free} {dear} {graph}");
     assert!(calls(of("mixture", "50 %")) > 90.0 && calls(of("network", "")) == 200.0);
+    let work = |point: &Value, which: &str| point["mean"]["operations"][which].as_f64().expect("a number");
+    let [alone, network] = [graph, of("network", "")].map(|point| work(point, "worst"));
+    assert!(alone > 0.0 && work(free, "worst") > network && work(dear, "mean") < work(free, "mean"), "{front}");
+    assert_eq!(network, 640.0, "16 and 16 units with three inputs and one output: 320 weights");
     assert_eq!(front["rules_tried"].as_u64().map(|count| count > 10), Some(true));
     assert_eq!(points.iter().filter(|point| point["chosen"] == true).count(), 1);
     for point in points {

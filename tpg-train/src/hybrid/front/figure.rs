@@ -13,7 +13,7 @@ pub fn section(front: &Front) -> Section {
             "{} of each price and of a graph that asks nobody, the network {}, {} validation episodes each; nothing is paid for asks \
              here. Rules and mixtures join the network with the graphs that ask nobody: of {} the front, which they were \
              chosen for on the same episodes; mixtures draw who acts. Crosses in the table: no other row has as high a score with as few \
-             actions of the network. Chosen: of the prices within one standard error of the best, the one that asks least.",
+             actions of the network. Operations of a decision: the graph's C takes at most so many, the network two for each weight. Chosen: of the prices within one standard error of the best, the one that asks least.",
             counted(front.seeds.len(), "seed"),
             front.network,
             front.episodes,
@@ -60,15 +60,17 @@ fn legend(kind: Kind) -> &'static str {
 }
 
 fn rows(front: &Front) -> Table {
-    let header = ["policy", "setting", "return", "network's actions", "of all, %", "front", ""];
+    let header =
+        ["policy", "setting", "return", "network's actions", "of all, %", "operations: mean, most", "front", ""];
     let row = |point: &Point| {
-        let Outcome { score, score_error, network_actions, actions } = point.mean;
+        let Outcome { score, score_error, network_actions, actions, operations } = point.mean;
         vec![
             point.kind.name().to_owned(),
             point.setting.clone(),
             format!("{score:.2} ± {:.2}", 1.96 * score_error),
             format!("{network_actions:.1}"),
             format!("{:.1}", 100.0 * network_actions / actions.max(1.0)),
+            format!("{:.0}, {:.0}", operations.mean, operations.worst),
             if point.on_front { "×" } else { "" }.to_owned(),
             if point.chosen { "chosen" } else { "" }.to_owned(),
         ]

@@ -36,8 +36,19 @@ pub fn read(path: &Path) -> Result<Front, InputError> {
 
 /// A row for each point, and one for each of its seeds.
 fn csv(front: &Front) -> Vec<u8> {
-    let header =
-        ["kind", "setting", "seed", "score", "score_error", "network_actions", "actions", "on_front", "chosen"];
+    let header = [
+        "kind",
+        "setting",
+        "seed",
+        "score",
+        "score_error",
+        "network_actions",
+        "actions",
+        "mean_operations",
+        "most_operations",
+        "on_front",
+        "chosen",
+    ];
     let row = |point: &Point, seed: String, result: &Outcome| {
         [
             point.kind.name().to_owned(),
@@ -47,6 +58,8 @@ fn csv(front: &Front) -> Vec<u8> {
             result.score_error.to_string(),
             result.network_actions.to_string(),
             result.actions.to_string(),
+            result.operations.mean.to_string(),
+            result.operations.worst.to_string(),
             point.on_front.to_string(),
             point.chosen.to_string(),
         ]

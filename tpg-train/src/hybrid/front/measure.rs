@@ -1,5 +1,6 @@
 //! Every policy of a sweep on the same validation episodes.
 
+use super::work::Work;
 use super::{Front, Kind, Outcome, Point, Trained};
 use crate::hybrid::cells::grid;
 use crate::hybrid::command::quantiles;
@@ -48,7 +49,7 @@ pub fn measure(trained: &Trained<'_>) -> Result<Front, InputError> {
         .collect();
     let outcomes: Vec<Outcome> = jobs
         .par_iter()
-        .map(|&(_, acting)| Ok(outcome(&problem.trial(acting, episodes)?)))
+        .map(|&(_, acting)| Ok(outcome(acting, &problem.trial(acting, episodes)?)))
         .collect::<Result<_, InputError>>()?;
     let mut points: Vec<Point> = policies.iter().map(|(kind, setting, _)| Point::new(*kind, setting.clone())).collect();
     for ((point, _), outcome) in jobs.iter().zip(outcomes) {
@@ -81,13 +82,15 @@ fn rules(trained: &Trained<'_>) -> Result<Vec<Setting>, InputError> {
     Ok(grid(&[Detector::None], &BACK, &quantiles(rises), &PATIENCE))
 }
 
-fn outcome(done: &HybridTrial) -> Outcome {
+fn outcome(acting: Acting<'_>, done: &HybridTrial) -> Outcome {
     let summary = Summary::of(&done.endings);
+    let share = done.network_actions / summary.actions.max(1.0);
     Outcome {
         score: summary.score,
         score_error: summary.score_deviation(&done.endings) / (summary.episodes.max(1) as f64).sqrt(),
         network_actions: done.network_actions,
         actions: summary.actions,
+        operations: Work::of(acting, share),
     }
 }
 
@@ -100,12 +103,15 @@ impl Point {
 fn mean(seeds: &[Outcome]) -> Outcome {
     let count = seeds.len().max(1) as f64;
     let of = |value: fn(&Outcome) -> f64| seeds.iter().map(value).sum::<f64>() / count;
+    let most = seeds.iter().map(|seed| seed.operations.worst).fold(0.0, f64::max);
     let squares: f64 = seeds.iter().map(|seed| seed.score_error * seed.score_error).sum();
     Outcome {
         score: of(|seed| seed.score),
         score_error: squares.sqrt() / count,
         network_actions: of(|seed| seed.network_actions),
         actions: of(|seed| seed.actions),
+        // The mean over seeds, and the most of any.
+        operations: Work { mean: of(|seed| seed.operations.mean), worst: most },
     }
 }
 
@@ -141,10 +147,11 @@ fn mark(points: &mut [Point]) {
 
 #[cfg(test)]
 mod tests {
-    use super::{Kind, Outcome, Point, best_rules, mark, mean};
+    use super::{Kind, Outcome, Point, Work, best_rules, mark, mean};
 
     fn point(kind: Kind, setting: &str, score: f64, network_actions: f64) -> Point {
-        let seeds = vec![Outcome { score, score_error: 2.0, network_actions, actions: 200.0 }];
+        let seeds =
+            vec![Outcome { score, score_error: 2.0, network_actions, actions: 200.0, operations: Work::default() }];
         Point { mean: mean(&seeds), seeds, ..Point::new(kind, setting.to_owned()) }
     }
 
@@ -172,8 +179,12 @@ mod tests {
 
     #[test]
     fn a_mean_has_the_error_of_all_its_episodes() {
-        let seed = |score| Outcome { score, score_error: 3.0, network_actions: score, actions: 10.0 };
+        let seed = |score| {
+            let operations = Work { mean: score, worst: 10.0 * score };
+            Outcome { score, score_error: 3.0, network_actions: score, actions: 10.0, operations }
+        };
         let mean = mean(&[seed(1.0), seed(2.0), seed(3.0), seed(6.0)]);
         assert_eq!((mean.score, mean.score_error, mean.network_actions, mean.actions), (3.0, 1.5, 3.0, 10.0));
+        assert_eq!(mean.operations, Work { mean: 3.0, worst: 60.0 });
     }
 }

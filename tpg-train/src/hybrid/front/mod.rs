@@ -4,12 +4,14 @@
 //! | --- | --- |
 //! | (root) | [`Front`], and [`conclude`], which makes and writes one |
 //! | [`measure`] | every policy on validation episodes |
+//! | [`work`] | operations of a decision |
 //! | [`files`] | `front.json`, `front.csv`, `hybrid.toml` |
 //! | [`figure`] | the front as a section of a page |
 
 pub mod figure;
 pub mod files;
 pub mod measure;
+pub mod work;
 
 use super::shared::Shared;
 use crate::files::write_atomically;
@@ -19,6 +21,7 @@ use serde::{Deserialize, Serialize};
 use std::path::Path;
 use tpg_graph::Graph;
 use tpg_graph::error::InputError;
+use work::Work;
 
 /// The graphs of a sweep, one for each seed.
 pub struct Trained<'a> {
@@ -79,6 +82,8 @@ pub struct Outcome {
     pub network_actions: f64,
     /// Actions of an episode.
     pub actions: f64,
+    /// Operations of a decision.
+    pub operations: Work,
 }
 
 /// A price, a share, or a setting of rules: the mean over seeds, and each seed.
