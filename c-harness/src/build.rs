@@ -1,7 +1,7 @@
 //! Compiles the firmwares.
 
 use crate::Failure;
-use crate::{cartpole, closed_loop, continuous, dodge, models, network, problems, table};
+use crate::{cartpole, closed_loop, continuous, dodge, models, network, problems, size, table};
 use std::env;
 use std::fmt::Write as _;
 use std::fs;
@@ -184,6 +184,7 @@ fn gcc(program: &str, main: &Path, names: &[&str], board: Board) -> Result<Optio
     gcc.arg(format!("-I{}", library::dist().join("include").display()));
     gcc.args(&sources).arg(archive);
     gcc.arg(format!("-L{}", board_folder.display())).arg("-T").arg(source.join("sections.ld"));
+    gcc.args(size::own_stack(program).map(|bytes| format!("-Wl,--defsym=_stack_size={bytes}")));
     gcc.args(["-Wl,--gc-sections", "-Wl,--no-warn-rwx-segments", "-Wl,-z,noexecstack", "-lc", "-lgcc", "-o"])
         .arg(&image);
     gcc.current_dir(&board_folder);

@@ -2,15 +2,35 @@
 
 use crate::Failure;
 use crate::build::{self, Board};
+use crate::line::Line;
 use object::{Object as _, ObjectSection as _, SectionKind};
 use serde::Deserialize;
 use std::fs;
 use std::path::Path;
 
-/// Bytes for the stack: the linker script keeps them free.
-pub(crate) const STACK: u64 = 2304;
-/// Most bytes of stack of the Rust program, which has its hybrids and episodes there, too.
-pub(crate) const STACK_OF_RUST: u64 = 3072;
+/// Bytes for the stack of the control loop in C: the linker script keeps them free.
+const STACK: u64 = 2304;
+/// Bytes for the stack of the control step among balls in C.
+const STACK_AMONG_BALLS: u64 = 4096;
+/// Most bytes of stack of a Rust program, which has its hybrids and episodes there, too.
+const STACK_OF_RUST: u64 = 3072;
+
+/// Returns the bytes for the stack of a C program; `None`, where they are those of the linker script.
+pub(crate) fn own_stack(program: &str) -> Option<u64> {
+    (program == "dodge").then_some(STACK_AMONG_BALLS)
+}
+
+/// Compares the stack that a program has written to with what there is for it.
+pub(crate) fn stack(language: &str, program: &str, lines: &[Line]) -> Result<(), Failure> {
+    let used = lines.iter().find(|line| line.words == ["done"]).map_or(0, |line| line.number("stack"));
+    println!("{language}, {program}: {used} bytes of stack were written to");
+    let most = if language == "C" { own_stack(program).unwrap_or(STACK) } else { STACK_OF_RUST };
+    // Only as much as there is was painted: a program that has written to all of it may have written beyond.
+    if used == 0 || used >= most {
+        return Err(Failure::new(format!("{language}, {program}: {used} bytes of stack, accepted: less than {most}")));
+    }
+    Ok(())
+}
 
 /// `sizes.toml`.
 #[derive(Clone, Copy, Debug, Deserialize)]
