@@ -27,6 +27,8 @@ pub mod acrobot;
 pub mod cartpole;
 #[path = "dodge/dodge.rs"]
 pub mod dodge;
+#[path = "inverted-double-pendulum/inverted_double_pendulum.rs"]
+pub mod inverted_double_pendulum;
 #[path = "lunar-lander-continuous/lunar_lander_continuous.rs"]
 pub mod lunar_lander_continuous;
 #[path = "mountain-car/mountain_car.rs"]
@@ -35,6 +37,8 @@ pub mod mountain_car;
 pub mod mountain_car_continuous;
 #[path = "pendulum/pendulum.rs"]
 pub mod pendulum;
+#[path = "swimmer/swimmer.rs"]
+pub mod swimmer;
 #[path = "widowx-fs/widowx_fs.rs"]
 pub mod widowx_fs;
 #[path = "widowx-fs/widowx_fs_fast.rs"]

@@ -2,7 +2,7 @@
 """The shipped policies on real Gymnasium, driven by their generated C, beside other people's and other kinds of policies.
 
     cargo build --release -p tpg-codegen -p cortex-bound
-    python3 -m venv control && control/bin/pip install "gymnasium[box2d]==1.4.0" scikit-learn
+    python3 -m venv control && control/bin/pip install "gymnasium[box2d,mujoco]==1.4.0" scikit-learn
     control/bin/python benches/control/table.py [--episodes 1000] [--rivals] [--only cartpole] [--json FILE] [--figure FILE.svg]
 
 Every policy plays the same episodes, seeds 10,000,000 and up, which nothing was trained or chosen on. A return stands with its 95 %
@@ -10,7 +10,8 @@ interval; bytes are code and constants for a Cortex-M4F, `arm-none-eabi-gcc -Os`
 (`cortex-bound`). `--rivals` trains linear policies with the same number of steps for everybody, by augmented random search and by
 covariance matrix adaptation, leaves the least weights of the second out, and distils decision trees from the shipped policy; it
 takes minutes. `--agents` trains agents of Stable-Baselines3 with the zoo's settings where that takes minutes, and puts them into
-integers; it needs `stable-baselines3` and this project's Python package, too. Published returns are those of Stable-Baselines3's zoo.
+integers; it needs `stable-baselines3` and this project's Python package, too. Published returns are those of Stable-Baselines3's zoo
+where it has the problem.
 Prints a table in Markdown.
 """
 
@@ -38,15 +39,17 @@ TREE_LEAVES = (16, 128)
 
 @dataclass(frozen=True)
 class Problem:
-    """A problem: its folder under generated/, Gymnasium's id, steps for a linear rival, published returns."""
+    """A problem: its folder under generated/, Gymnasium's id, steps for a linear rival, published returns and their source."""
 
     name: str
     id: str
     steps: int
     published: dict[str, float]
+    source: str = "the zoo"
 
 
-# benchmark.md of DLR-RM/rl-baselines3-zoo at 0088472 (LunarLander: version 2 of the environments).
+# benchmark.md of DLR-RM/rl-baselines3-zoo at 0088472 (LunarLander: version 2 of the environments; Swimmer: version 3). The zoo
+# has no InvertedDoublePendulum of MuJoCo's: means of ten runs from deep_rl_data/sumup_rl_results.csv of gegelati/GECCO-2025 (version 4).
 PROBLEMS = [
     Problem("cartpole", "CartPole-v1", 200_000, {"PPO": 500.0, "DQN": 500.0, "ARS": 500.0}),
     Problem("acrobot", "Acrobot-v1", 500_000, {"PPO": -73.5, "DQN": -76.6, "ARS": -82.9}),
@@ -60,6 +63,14 @@ PROBLEMS = [
         1_000_000,
         {"TQC": 278.0, "PPO": 270.9, "SAC": 260.4, "ARS": 168.0},
     ),
+    Problem(
+        "inverted-double-pendulum",
+        "InvertedDoublePendulum-v5",
+        1_000_000,
+        {"SAC": 9348.0, "PPO": 6713.0},
+        "gegelati/GECCO-2025",
+    ),
+    Problem("swimmer", "Swimmer-v5", 1_500_000, {"TD3": 359.1, "ARS": 355.3, "SAC": 345.6, "PPO": 281.6}),
 ]
 
 
@@ -172,8 +183,8 @@ def main() -> None:
                     f"{row.flash or ''} | {row.instructions or ''} | {row.note} |"
                 )
                 sys.stdout.flush()
-            zoo = ", ".join(f"{name} {value:g}" for name, value in problem.published.items())
-            print(f"| {problem.name} | published by the zoo | {zoo} | | | | |")
+            published = ", ".join(f"{name} {value:g}" for name, value in problem.published.items())
+            print(f"| {problem.name} | published by {problem.source} | {published} | | | | |")
     if options.json:
         options.json.write_text(json.dumps([asdict(row) for row in table], indent=1) + "\n")
     if options.figure:

@@ -6,10 +6,12 @@ use tpg_codegen::emit::{self, Language, Options, Prefix, Profile};
 use tpg_generated::acrobot::Acrobot;
 use tpg_generated::cartpole::Cartpole;
 use tpg_generated::dodge::Dodge;
+use tpg_generated::inverted_double_pendulum::InvertedDoublePendulum;
 use tpg_generated::lunar_lander_continuous::LunarLanderContinuous;
 use tpg_generated::mountain_car::MountainCar;
 use tpg_generated::mountain_car_continuous::MountainCarContinuous;
 use tpg_generated::pendulum::Pendulum;
+use tpg_generated::swimmer::Swimmer;
 use tpg_generated::widowx_fs::WidowxFs;
 use tpg_generated::widowx_fs_fast::WidowxFsFast;
 use tpg_generated::widowx_rs::WidowxRs;
@@ -129,8 +131,10 @@ fn compiled_policies_act_like_their_graphs() {
     acts_like(Cartpole, "cartpole");
     acts_like(Dodge, "dodge");
     acts_like(Acrobot, "acrobot");
+    acts_like(InvertedDoublePendulum, "inverted-double-pendulum");
     acts_like(LunarLanderContinuous, "lunar-lander-continuous");
     acts_like(MountainCar, "mountain-car");
     acts_like(MountainCarContinuous, "mountain-car-continuous");
     acts_like(Pendulum, "pendulum");
+    acts_like(Swimmer, "swimmer");
 }

@@ -8,10 +8,12 @@ pub mod layers;
 use tpg_generated::acrobot::Acrobot;
 use tpg_generated::cartpole::Cartpole;
 use tpg_generated::dodge::Dodge;
+use tpg_generated::inverted_double_pendulum::InvertedDoublePendulum;
 use tpg_generated::lunar_lander_continuous::LunarLanderContinuous;
 use tpg_generated::mountain_car::MountainCar;
 use tpg_generated::mountain_car_continuous::MountainCarContinuous;
 use tpg_generated::pendulum::Pendulum;
+use tpg_generated::swimmer::Swimmer;
 use tpg_generated::widowx_fs::WidowxFs;
 use tpg_generated::widowx_rs::WidowxRs;
 use tpg_runtime::policy::{ActionId, Policy};
@@ -49,10 +51,12 @@ exported! {
     rust_acrobot Acrobot 6 1
     rust_cartpole Cartpole 4 1
     rust_dodge Dodge 17 1
+    rust_inverted_double_pendulum InvertedDoublePendulum 9 1
     rust_lunar_lander_continuous LunarLanderContinuous 8 2
     rust_mountain_car MountainCar 2 1
     rust_mountain_car_continuous MountainCarContinuous 2 1
     rust_pendulum Pendulum 3 1
+    rust_swimmer Swimmer 8 2
     rust_widowx_fs WidowxFs 3 1
     rust_widowx_rs WidowxRs 5 1
 }

@@ -41,9 +41,11 @@ impl<Task: std::fmt::Debug> State<Task> {
             ("training_episodes", self.training_episodes),
             ("selection_episodes", self.selection_episodes),
             ("steps", self.steps),
+            ("episode_steps", self.episode_steps),
         ] {
             Finding::range(key, count, 0, MOST)?;
         }
+        Finding::range("selection_steps", self.selection_steps, 0, self.steps)?;
         Finding::range("generation", self.generation, 0, 1_000_000)?;
         equal("rows", self.rows.len() as u64, self.generation)?;
         for (place, row) in (0..).zip(&self.rows) {

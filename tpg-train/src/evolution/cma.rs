@@ -56,18 +56,15 @@ impl Cma {
         (0..count).map(|_| sample()).collect()
     }
 
-    /// Moves the distribution towards the better half of a generation's samples, which are given best first.
+    /// Moves the distribution towards the better half of a generation's samples, which are given best first in groups of
+    /// equals, whose sizes are given.
     ///
     /// # Panics
     /// If there are fewer than 2 samples.
-    pub fn update(&mut self, samples: &[Vec<f64>]) {
+    pub fn update(&mut self, samples: &[Vec<f64>], groups: &[usize]) {
         let n = self.mean.len() as f64;
-        let parents = samples.len() / 2;
-        assert!(parents > 0, "at least two samples");
-        let weights: Vec<f64> =
-            (1..=parents).map(|rank| libm::log(parents as f64 + 0.5) - libm::log(rank as f64)).collect();
-        let total: f64 = weights.iter().sum();
-        let weights: Vec<f64> = weights.iter().map(|weight| weight / total).collect();
+        let weights = weights(samples.len(), groups);
+        let parents = weights.iter().take_while(|&&weight| weight > 0.0).count();
         let effective = 1.0 / weights.iter().map(|weight| weight * weight).sum::<f64>();
         let path_rate = (4.0 + effective / n) / (n + 4.0 + 2.0 * effective / n);
         let step_rate = (effective + 2.0) / (n + effective + 5.0);
@@ -143,9 +140,32 @@ impl Cma {
     }
 }
 
+/// Returns the weights of samples, best first, which sum up to 1: those of the better half fall with the rank, and equals share
+/// theirs.
+///
+/// # Panics
+/// If there are fewer than 2 samples.
+fn weights(samples: usize, groups: &[usize]) -> Vec<f64> {
+    let parents = samples / 2;
+    assert!(parents > 0, "at least two samples");
+    let of_rank = |rank: usize| {
+        if rank <= parents { libm::log(parents as f64 + 0.5) - libm::log(rank as f64) } else { 0.0 }
+    };
+    let weights: Vec<f64> = (1..=samples).map(of_rank).collect();
+    let total: f64 = weights.iter().sum();
+    let mut left = &weights[..];
+    let mut shared = Vec::with_capacity(samples);
+    for &size in groups {
+        let (group, rest) = left.split_at(size);
+        shared.extend(vec![group.iter().map(|weight| weight / total).sum::<f64>() / size as f64; size]);
+        left = rest;
+    }
+    shared
+}
+
 #[cfg(test)]
 mod tests {
-    use super::Cma;
+    use super::{Cma, weights};
     use tpg_engine::random::{Purpose, Stream};
 
     /// Minimises a function and returns the best value of the last generation.
@@ -157,7 +177,7 @@ mod tests {
             let mut samples = cma.samples(Cma::usual_samples(numbers), &mut stream);
             samples.sort_by(|a, b| value(a).total_cmp(&value(b)));
             best = value(&samples[0]);
-            cma.update(&samples);
+            cma.update(&samples, &vec![1; samples.len()]);
         }
         best
     }
@@ -176,12 +196,24 @@ mod tests {
 
     #[test]
     fn where_nothing_is_better_it_stays_finite() {
-        let mut cma = Cma::new(6, 0.5);
-        for generation in 0..500 {
-            let samples = cma.samples(9, &mut Stream::new(1, generation, Purpose::Test, 0));
-            cma.update(&samples);
+        for groups in [vec![1; 9], vec![9]] {
+            let mut cma = Cma::new(6, 0.5);
+            for generation in 0..500 {
+                let samples = cma.samples(9, &mut Stream::new(1, generation, Purpose::Test, 0));
+                cma.update(&samples, &groups);
+            }
+            assert_eq!(cma.check(6), Ok(()));
         }
-        assert_eq!(cma.check(6), Ok(()));
+    }
+
+    #[test]
+    fn equals_share_the_weights_of_their_ranks() {
+        let alone = weights(6, &[1; 6]);
+        assert!(alone[0] > alone[1] && alone[1] > alone[2] && alone[3..] == [0.0; 3]);
+        let shared = weights(6, &[1, 3, 2]);
+        let third = (alone[1] + alone[2]) / 3.0;
+        assert_eq!(shared, [alone[0], third, third, third, 0.0, 0.0]);
+        assert!((shared.iter().sum::<f64>() - 1.0).abs() < 1e-12);
     }
 
     #[test]
@@ -189,7 +221,7 @@ mod tests {
         let mut cma = Cma::new(4, 0.5);
         for generation in 0..20 {
             let samples = cma.samples(8, &mut Stream::new(1, generation, Purpose::Test, 0));
-            cma.update(&samples);
+            cma.update(&samples, &vec![1; samples.len()]);
         }
         let text = serde_json::to_string(&cma).expect("plain data");
         let read: Cma = serde_json::from_str(&text).expect("what was written");

@@ -254,6 +254,23 @@ pub enum RacingBy {
     Record,
 }
 
+/// The unit of a run's effort.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Effort {
+    /// Episodes.
+    #[default]
+    Episodes,
+    /// Steps: where episodes grow long as policies get better, those of validation are the longest.
+    Steps,
+}
+
+impl Effort {
+    fn is_usual(&self) -> bool {
+        *self == Self::default()
+    }
+}
+
 /// Selection of survivors.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -282,8 +299,11 @@ pub struct SelectionConfig {
     pub validation_roots: usize,
     /// Number of episodes in the selection set, all of which only the winner completes.
     pub validation_episodes: usize,
-    /// Fraction of a run's episodes available for validation, 0 to 1.
+    /// Fraction of a run's effort available for validation, 0 to 1.
     pub validation_share: f64,
+    /// The unit of that effort.
+    #[serde(default, skip_serializing_if = "Effort::is_usual")]
+    pub validation_by: Effort,
     /// Price of a line of a policy, as a fraction of the way from the first generation's median score to the best.
     #[serde(default)]
     pub line_price: f64,
@@ -425,6 +445,10 @@ pub struct StartConfig {
     pub samples: usize,
     /// Number of episodes of a sample.
     pub episodes: usize,
+    /// Samples whose scores differ by less than this fraction of the way from the first generation's median score to the best count
+    /// as equal; 0 for none.
+    #[serde(skip_serializing_if = "is_nothing")]
+    pub tie: f64,
     /// Standard deviation of the first samples: 1 is a whole output for a whole input.
     pub deviation: f64,
     /// Number of demes that begin with the result; the others begin at random.
@@ -448,6 +472,7 @@ impl Default for StartConfig {
             searches: 3,
             samples: 0,
             episodes: 2,
+            tie: 0.0,
             deviation: 0.5,
             demes: 1,
         }

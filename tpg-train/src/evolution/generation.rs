@@ -132,9 +132,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
             }
         }
         let mut row = self.row(state, &evaluated, &scores);
-        let endings = || evaluated.iter().flat_map(|root| &root.endings);
-        state.training_episodes += endings().count() as u64;
-        state.steps += endings().map(|ending| u64::from(ending.actions)).sum::<u64>();
+        state.count_training(evaluated.iter().flat_map(|root| &root.endings));
         self.remember_hard_tasks(state, &tasks, &evaluated, &scores);
         self.record(state, &tasks, &evaluated)?;
         self.select(state, &evaluated, &scores);

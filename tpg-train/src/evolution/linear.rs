@@ -35,13 +35,27 @@ pub struct Search {
 }
 
 impl Search {
-    /// Learns from the results of a generation's samples.
-    fn update(&mut self, samples: &[Vec<f64>], results: &[Summary]) {
+    /// Learns from the results of a generation's samples, which are equal if their scores differ by less than `tolerance`.
+    fn update(&mut self, samples: &[Vec<f64>], results: &[Summary], tolerance: f64) {
         let mean = results.iter().map(|result| result.score).sum::<f64>() / results.len() as f64;
         self.score = if self.score.is_finite() { self.score + NEWEST * (mean - self.score) } else { mean };
-        let ranked: Vec<Vec<f64>> = ranked(results).into_iter().map(|place| samples[place].clone()).collect();
-        self.cma.update(&ranked);
+        let order = ranked(results);
+        let scores: Vec<f64> = order.iter().map(|&place| results[place].score).collect();
+        let ranked: Vec<Vec<f64>> = order.into_iter().map(|place| samples[place].clone()).collect();
+        self.cma.update(&ranked, &groups(&scores, tolerance));
     }
+}
+
+/// Returns the sizes of the groups of equals among falling scores: those that are less than `tolerance` below a group's first.
+fn groups(scores: &[f64], tolerance: f64) -> Vec<usize> {
+    let mut left = scores;
+    let mut sizes = Vec::new();
+    while let Some(first) = left.first() {
+        let size = left.iter().take_while(|score| first - *score < tolerance).count().max(1);
+        sizes.push(size);
+        left = &left[size..];
+    }
+    sizes
 }
 
 /// Returns the indices of results, best first; of equals, the first.
@@ -264,14 +278,14 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         };
         let units = (0..).zip(&samples).map(unit).collect();
         let answers = self.evaluator.evaluate(&Work { tasks: self.tasks(state, config.episodes), units })?;
-        let endings = || answers.iter().flat_map(|answer| &answer.endings);
-        state.training_episodes += endings().count() as u64;
-        state.steps += endings().map(|ending| u64::from(ending.actions)).sum::<u64>();
+        state.count_training(answers.iter().flat_map(|answer| &answer.endings));
 
         let results: Vec<Summary> = answers.iter().map(|answer| Summary::of(&answer.endings)).collect();
+        let best = results[ranked(&results)[0]].score;
+        let tolerance = state.rows.first().map_or(0.0, |first| config.tie * (best - first.median_score).max(0.0));
         for (place, search) in state.searches.iter_mut().enumerate() {
             let its = place * count..(place + 1) * count;
-            search.update(&samples[its.clone()], &results[its]);
+            search.update(&samples[its.clone()], &results[its], tolerance);
         }
         let mut row = row(state.generation, &results);
         if self.ends_linear(state) || self.is_last(state) {
@@ -341,7 +355,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
 
 #[cfg(test)]
 mod tests {
-    use super::LinearWriter;
+    use super::{LinearWriter, groups};
     use crate::evolution::archive::bid;
     use crate::evolution::config::StartKind;
     use crate::evolution::genome::{Destination, Genome};
@@ -402,6 +416,13 @@ mod tests {
             assert_eq!(values(StartKind::Product, words, 1, 0, &weights), [15.0]);
             assert_eq!(values(StartKind::Product, words, 0, 2, &weights), [0.0, 7.5]);
         }
+    }
+
+    #[test]
+    fn scores_within_the_tolerance_of_the_best_are_one_group() {
+        assert_eq!(groups(&[9.0, 8.9, 8.6, 8.4, 1.0], 0.5), [3, 1, 1]);
+        assert_eq!(groups(&[9.0, 9.0, 8.0], 0.0), [1, 1, 1], "no tolerance: ranks alone");
+        assert_eq!(groups(&[f64::INFINITY, 1.0, f64::NEG_INFINITY, f64::NAN], 0.5), [1; 4]);
     }
 
     #[test]

@@ -123,7 +123,7 @@ fn median_deviation(mut scores: Vec<f64>) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::{Candidate, survivors};
-    use crate::evolution::config::{ParentChoice, RacingBy, SelectionConfig, SelectionMethod};
+    use crate::evolution::config::{Effort, ParentChoice, RacingBy, SelectionConfig, SelectionMethod};
     use tpg_engine::random::{Purpose, Stream};
 
     fn config(method: SelectionMethod, lexicase_survivors: usize) -> SelectionConfig {
@@ -140,6 +140,7 @@ mod tests {
             validation_roots: 1,
             validation_episodes: 1,
             validation_share: 0.1,
+            validation_by: Effort::Episodes,
             line_price: 0.0,
             choice_errors: 0.0,
             flat_after: 0,

@@ -6,7 +6,7 @@ use super::linear::Search;
 use super::milestones::Milestones;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, VecDeque};
-use tpg_engine::{PolicyGraph, Preference, Summary};
+use tpg_engine::{Ending, PolicyGraph, Preference, Summary};
 
 /// A root's record so far (`learn/evaluationResult.h`): the mean over all of its episodes, and their number.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -139,6 +139,17 @@ pub struct State<Task> {
     pub selection_episodes: u64,
     /// Number of actions of all episodes so far.
     pub steps: u64,
+    /// Number of them in validation.
+    #[serde(default)]
+    pub selection_steps: u64,
+    /// Mean number of actions in a training episode of the newest generation, rounded up.
+    #[serde(default)]
+    pub episode_steps: u64,
+}
+
+/// Returns the number of actions of episodes.
+fn actions<'a>(endings: impl IntoIterator<Item = &'a Ending>) -> u64 {
+    endings.into_iter().map(|ending| u64::from(ending.actions)).sum()
 }
 
 impl<Task> State<Task> {
@@ -159,7 +170,25 @@ impl<Task> State<Task> {
             training_episodes: 0,
             selection_episodes: 0,
             steps: 0,
+            selection_steps: 0,
+            episode_steps: 0,
         }
+    }
+
+    /// Counts the training episodes of a generation, which ended so.
+    pub(super) fn count_training<'a>(&mut self, endings: impl Iterator<Item = &'a Ending> + Clone) {
+        let (episodes, steps) = (endings.clone().count() as u64, actions(endings));
+        self.training_episodes += episodes;
+        self.steps += steps;
+        self.episode_steps = steps.div_ceil(episodes.max(1));
+    }
+
+    /// Counts episodes of validation, which ended so.
+    pub(super) fn count_selection(&mut self, endings: &[Ending]) {
+        let steps = actions(endings);
+        self.selection_episodes += endings.len() as u64;
+        self.steps += steps;
+        self.selection_steps += steps;
     }
 }
 

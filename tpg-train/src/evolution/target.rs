@@ -33,9 +33,8 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         let mut endings: Vec<Ending> = Vec::new();
         for stage in stages(self.selection_tasks.len()) {
             let tasks = self.selection_tasks[endings.len()..stage].to_vec();
-            state.selection_episodes += tasks.len() as u64;
             for answer in self.evaluator.evaluate(&Work { tasks, units: vec![unit.clone()] })? {
-                state.steps += answer.endings.iter().map(|ending| u64::from(ending.actions)).sum::<u64>();
+                state.count_selection(&answer.endings);
                 endings.extend(answer.endings);
             }
             if Summary::of(&endings).score < target {

@@ -5,6 +5,7 @@
 //! completes all of them. Validations take no more than a fixed share of a run's episodes: one is done when the budget
 //! allows for it and for the final one.
 
+use super::config::Effort;
 use super::generation::{Evolution, root_number};
 use super::state::{Best, State};
 use std::cmp::Ordering;
@@ -37,6 +38,16 @@ fn cost(roots: usize, episodes: usize) -> u64 {
 fn stages(roots: usize, episodes: usize) -> Vec<usize> {
     let halvings = roots.next_power_of_two().trailing_zeros();
     (0..=halvings).rev().map(|halving| (episodes >> halving).max(1)).collect()
+}
+
+/// Returns the number of episodes that validations may still take with their share of a run's effort, if these have as many steps as
+/// the newest ones of training.
+fn episodes_left<Task>(state: &State<Task>, share: f64, effort: Effort) -> u64 {
+    let left = |training: u64, spent: u64| ((share / (1.0 - share) * training as f64) as u64).saturating_sub(spent);
+    match effort {
+        Effort::Episodes => left(state.training_episodes, state.selection_episodes),
+        Effort::Steps => left(state.steps - state.selection_steps, state.selection_steps) / state.episode_steps.max(1),
+    }
 }
 
 impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V> {
@@ -92,9 +103,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         let all = selection.validation_episodes;
         let roots = self.field(state).len();
         let cost = cost(roots, all);
-        let share = selection.validation_share / (1.0 - selection.validation_share);
-        let budget = (share * state.training_episodes as f64) as u64;
-        let left = budget.saturating_sub(state.selection_episodes);
+        let left = episodes_left(state, selection.validation_share, selection.validation_by);
         if self.is_last(state) {
             let affordable = (all as u64 * left / cost.max(1)) as usize;
             return Some(affordable.clamp(LEAST.min(all), all));
@@ -135,10 +144,9 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         for stage in stages(field.len(), episodes) {
             let units: Vec<WorkUnit> = field.iter().map(|(unit, _)| unit.clone()).collect();
             let tasks = self.selection_tasks[done..stage.max(done)].to_vec();
-            state.selection_episodes += (units.len() * tasks.len()) as u64;
             let answers = self.evaluator.evaluate(&Work { tasks, units })?;
             for ((_, endings), answer) in field.iter_mut().zip(answers) {
-                state.steps += answer.endings.iter().map(|ending| u64::from(ending.actions)).sum::<u64>();
+                state.count_selection(&answer.endings);
                 endings.extend(answer.endings);
             }
             done = stage;
@@ -219,7 +227,9 @@ fn widened(declared: [f64; 2], states: &[Vec<f64>], input: usize) -> [f64; 2] {
 
 #[cfg(test)]
 mod tests {
-    use super::{cost, stages, standard_error, widened};
+    use super::{cost, episodes_left, stages, standard_error, widened};
+    use crate::evolution::config::Effort;
+    use crate::evolution::state::State;
     use tpg_engine::{Ending, Preference, Summary};
 
     #[test]
@@ -229,6 +239,23 @@ mod tests {
         assert_eq!(stages(1, 1000), [1000]);
         assert_eq!(cost(4, 1000), 4 * 250 + 2 * 250 + 500);
         assert_eq!(cost(1, 7), 7);
+    }
+
+    #[test]
+    fn a_share_of_the_steps_is_fewer_episodes_where_they_have_grown_long() {
+        let mut state = State::<u64>::new(1, 1, 0);
+        let ending = |actions| Ending { outcome: 0, success: None, score: 0.0, measure: 0.0, actions };
+        state.count_training([ending(10); 900].iter());
+        state.count_training([ending(500); 98].iter().chain(&[ending(499); 2]));
+        assert_eq!((state.training_episodes, state.steps, state.episode_steps), (1000, 58_998, 500));
+        // Half of the effort, which is as much as training.
+        assert_eq!(episodes_left(&state, 0.5, Effort::Episodes), 1000);
+        assert_eq!(episodes_left(&state, 0.5, Effort::Steps), 117);
+        state.count_selection(&[ending(1000); 50]);
+        assert_eq!((state.steps, state.selection_steps), (108_998, 50_000));
+        assert_eq!(episodes_left(&state, 0.5, Effort::Episodes), 950);
+        assert_eq!(episodes_left(&state, 0.5, Effort::Steps), 17);
+        assert_eq!(episodes_left(&state, 0.1, Effort::Steps), 0, "more than it may");
     }
 
     #[test]

@@ -160,6 +160,7 @@ impl EvolutionConfig {
         }
         count("start.episodes", start.episodes, 1, 1_000_000)?;
         Finding::range("start.deviation", start.deviation, 1e-6, 1e3)?;
+        Finding::range("start.tie", start.tie, 0.0, 0.5)?;
         count("start.demes", start.demes, 1, self.demes.count)?;
         let refinement = &self.refinement;
         Finding::range("refinement.p_jitter", refinement.p_jitter, 0.0, 1.0)?;

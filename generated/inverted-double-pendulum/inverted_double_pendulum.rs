@@ -1,0 +1,65 @@
+//! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
+//! Options: --lang rust --prefix inverted_double_pendulum --profile constant-time
+//! Graph SHA-256: ba2902e94cacfb3696fb57d03d491546eecd9a47a46ad8cebac61158551ceab9
+//! 1 teams (1 on the longest walk), 1 edges, 1 programs, 15 distinct operations.
+//! Computes in f32 with own maths.
+#![forbid(unsafe_code)]
+#![allow(
+    clippy::all,
+    unused_variables,
+    unused_assignments,
+    reason = "evolved expressions need not make sense"
+)]
+
+use tpg_runtime::ops::constant_time::ConstantTime;
+use tpg_runtime::policy::Policy;
+
+/// A tangled program graph: a formula.
+///
+/// It sees, one after another:
+/// - `s[0..9]`: obs, , -0.5142331123352051 to 0.5882623791694641; -0.14117883145809174 to 0.11996287107467651; -0.14263926446437836 to 0.12101449817419052; 0.9940253496170044 to 1.001194953918457; 0.9938969016075134 to 1.001220703125; -0.23651891946792603 to 0.23257842659950256; -0.3906712830066681 to 0.2939753234386444; -0.31223034858703613 to 0.38351622223854065; -0.0002500000118743628 to 0.0002500000118743628
+///
+/// Values outside the ranges are legal, NaN and infinities too. It answers:
+/// - `[0]`: action, , -1 to 1; 0 in place of NaN
+#[derive(Clone, Copy, Debug, Default)]
+pub struct InvertedDoublePendulum;
+
+impl InvertedDoublePendulum {
+    /// Values of a state.
+    pub const STATE: usize = 9;
+    /// Outputs.
+    pub const OUTPUTS: usize = 1;
+    /// Teams on the longest walk.
+    pub const DEPTH: usize = 1;
+    /// Bids that one decision looks at, at most.
+    pub const WORST_BIDS: usize = 0;
+    /// Operations of one decision, at most.
+    pub const WORST_OPERATIONS: usize = 15;
+    /// Sines, cosines, logarithms and exponentials among them, at most.
+    pub const WORST_MATHS_CALLS: usize = 0;
+}
+
+impl Policy for InvertedDoublePendulum {
+    type State = [f32; 9];
+    type Action = [f32; 1];
+
+    fn decide(&self, s: &[f32; 9]) -> [f32; 1] {
+        let ct = ConstantTime::<f32>::default();
+        let v3 = s[1] * -2.279319_f32;
+        let v4 = 0.0_f32 + v3;
+        let v7 = s[2] * -6.601197_f32;
+        let v8 = v4 + v7;
+        let v11 = s[3] * 0.97524905_f32;
+        let v12 = v8 + v11;
+        let v15 = s[4] * -3.6436548_f32;
+        let v16 = v12 + v15;
+        let v19 = s[5] * -0.44152543_f32;
+        let v20 = v16 + v19;
+        let v23 = s[6] * -1.120801_f32;
+        let v24 = v20 + v23;
+        let v27 = s[7] * -1.0105162_f32;
+        let v28 = v24 + v27;
+        let v30 = v28 + 2.670596_f32;
+        [ct.clamp(v30, -1.0_f32, 1.0_f32, 0.0_f32)]
+    }
+}
