@@ -1,6 +1,6 @@
 //! Every policy of a sweep on the same validation episodes.
 
-use super::work::Work;
+use super::work::{self, Work};
 use super::{Front, Kind, Outcome, Point, Trained};
 use crate::hybrid::cells::grid;
 use crate::hybrid::command::quantiles;
@@ -12,6 +12,7 @@ use rayon::prelude::*;
 use std::cmp::Ordering;
 use tpg_engine::Summary;
 use tpg_engine::random::Purpose;
+use tpg_graph::Graph;
 use tpg_graph::error::InputError;
 
 /// Shares of the network in mixtures.
@@ -21,6 +22,9 @@ const BACK: [Span; 3] = [Span(1), Span(5), Span(20)];
 /// Actions without progress.
 const PATIENCE: [Span; 2] = [Span(10), Span::NEVER];
 
+/// A policy, and the operations of its graph; 0 without one.
+type Counted<'a> = (Acting<'a>, f64);
+
 /// Measures all policies.
 ///
 /// # Errors
@@ -29,30 +33,38 @@ pub fn measure(trained: &Trained<'_>) -> Result<Front, InputError> {
     let Trained { problem, network, seeds, alone, asking, .. } = trained;
     let episodes = episodes(trained.episodes);
     let rules = rules(trained)?;
-    let mut policies: Vec<(Kind, String, Vec<Acting<'_>>)> = Vec::new();
-    policies.push((Kind::Graph, "alone".to_owned(), alone.iter().map(Acting::Graph).collect()));
+    let of_network = work::of_network(&network.1);
+    let of_graphs = |graphs: &[(String, Graph)]| graphs.par_iter().map(|(_, graph)| work::of_graph(graph)).collect();
+    let of_alone: Vec<f64> = of_graphs(alone);
+    let with = |acting: Vec<_>, operations: &[f64]| acting.into_iter().zip(operations.iter().copied()).collect();
+    let mut policies: Vec<(Kind, String, Vec<Counted<'_>>)> = Vec::new();
+    policies.push((Kind::Graph, "alone".to_owned(), with(alone.iter().map(Acting::Graph).collect(), &of_alone)));
     for (price, graphs) in asking {
         let acting = graphs.iter().map(|graph| Acting::Both(graph, network, &Setting::ONLY_ASKS)).collect();
+        let acting = with(acting, &of_graphs(graphs));
         policies.push((Kind::Asking, format!("price {price}"), acting));
     }
     for setting in &rules {
         let acting = alone.iter().map(|graph| Acting::Both(graph, network, setting)).collect();
-        policies.push((Kind::Rules, setting.sentence(), acting));
+        policies.push((Kind::Rules, setting.sentence(), with(acting, &of_alone)));
     }
     for share in SHARES {
         let acting = alone.iter().map(|graph| Acting::Mixture(graph, network, share)).collect();
-        policies.push((Kind::Mixture, format!("{} %", 100.0 * share), acting));
+        policies.push((Kind::Mixture, format!("{} %", 100.0 * share), with(acting, &of_alone)));
     }
-    policies.push((Kind::Network, "alone".to_owned(), vec![Acting::Network(network)]));
-    let jobs: Vec<(usize, Acting<'_>)> = (policies.iter().enumerate())
-        .flat_map(|(point, (_, _, acting))| acting.iter().map(move |&acting| (point, acting)))
+    policies.push((Kind::Network, "alone".to_owned(), vec![(Acting::Network(network), 0.0)]));
+    let jobs: Vec<(usize, Acting<'_>, f64)> = (policies.iter().enumerate())
+        .flat_map(|(point, (_, _, acting))| acting.iter().map(move |&(acting, of_graph)| (point, acting, of_graph)))
         .collect();
     let outcomes: Vec<Outcome> = jobs
         .par_iter()
-        .map(|&(_, acting)| Ok(outcome(acting, &problem.trial(acting, episodes)?)))
+        .map(|&(point, acting, of_graph)| {
+            let done = problem.trial(acting, episodes)?;
+            Ok(outcome(&done, |share| Work::of(policies[point].0, of_graph, of_network, share)))
+        })
         .collect::<Result<_, InputError>>()?;
     let mut points: Vec<Point> = policies.iter().map(|(kind, setting, _)| Point::new(*kind, setting.clone())).collect();
-    for ((point, _), outcome) in jobs.iter().zip(outcomes) {
+    for ((point, ..), outcome) in jobs.iter().zip(outcomes) {
         points[*point].seeds.push(outcome);
     }
     points.iter_mut().for_each(|point| point.mean = mean(&point.seeds));
@@ -82,7 +94,8 @@ fn rules(trained: &Trained<'_>) -> Result<Vec<Setting>, InputError> {
     Ok(grid(&[Detector::None], &BACK, &quantiles(rises), &PATIENCE))
 }
 
-fn outcome(acting: Acting<'_>, done: &HybridTrial) -> Outcome {
+/// Sums a trial up; `work` tells the operations by the network's share of the actions.
+fn outcome(done: &HybridTrial, work: impl Fn(f64) -> Work) -> Outcome {
     let summary = Summary::of(&done.endings);
     let share = done.network_actions / summary.actions.max(1.0);
     Outcome {
@@ -90,7 +103,7 @@ fn outcome(acting: Acting<'_>, done: &HybridTrial) -> Outcome {
         score_error: summary.score_deviation(&done.endings) / (summary.episodes.max(1) as f64).sqrt(),
         network_actions: done.network_actions,
         actions: summary.actions,
-        operations: Work::of(acting, share),
+        operations: work(share),
     }
 }
 
