@@ -104,7 +104,10 @@ impl<Task> State<Task> {
         let weights = LinearWriter::new(vocabulary, actions as u16, config.start.kind)?.weights();
         for (place, search) in self.searches.iter().enumerate() {
             let key = format!("searches[{place}]");
-            search.cma.check(weights).map_err(|finding| finding.within(&format!("{key}.cma")))?;
+            search
+                .cma
+                .check(weights, config.start.covariance)
+                .map_err(|finding| finding.within(&format!("{key}.cma")))?;
             Finding::range(&format!("{key}.score"), search.score, -1e30, 1e30)?;
         }
         Ok(())

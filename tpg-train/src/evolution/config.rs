@@ -138,6 +138,10 @@ fn is_nothing(probability: &f64) -> bool {
     *probability == 0.0
 }
 
+fn is_one(factor: &usize) -> bool {
+    *factor == 1
+}
+
 fn is_false(value: &bool) -> bool {
     !value
 }
@@ -428,6 +432,24 @@ pub enum StartKind {
     Product,
 }
 
+/// What a search learns of how its numbers belong together.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Covariance {
+    /// The variance of each number and the covariance of each pair.
+    #[default]
+    Full,
+    /// The variances alone, which needs fewer generations.
+    Diagonal,
+}
+
+impl Covariance {
+    /// True for the default.
+    fn is_full(&self) -> bool {
+        *self == Self::Full
+    }
+}
+
 /// The first population, and the search for it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
@@ -441,8 +463,14 @@ pub struct StartConfig {
     pub share: [f64; 2],
     /// Number of searches, of which the best goes on after half of the generations.
     pub searches: usize,
-    /// Number of samples of a search in a generation; 0 for 4 + 3 ln n with n weights.
+    /// Number of samples of a search in a generation; 0 for `breadth` times 4 + 3 ln n with n weights.
     pub samples: usize,
+    /// Factor of the usual number of samples.
+    #[serde(skip_serializing_if = "is_one")]
+    pub breadth: usize,
+    /// What a search learns of how weights belong together.
+    #[serde(skip_serializing_if = "Covariance::is_full")]
+    pub covariance: Covariance,
     /// Number of episodes of a sample.
     pub episodes: usize,
     /// Samples whose scores differ by less than this fraction of the way from the first generation's median score to the best count
@@ -471,6 +499,8 @@ impl Default for StartConfig {
             share: [0.0, 0.0],
             searches: 3,
             samples: 0,
+            breadth: 1,
+            covariance: Covariance::Full,
             episodes: 2,
             tie: 0.0,
             deviation: 0.5,

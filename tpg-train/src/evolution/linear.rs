@@ -265,7 +265,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         let config = &self.config.start;
         self.begin_searches(state, &writer);
         let count = match config.samples {
-            0 => Cma::usual_samples(writer.weights()),
+            0 => config.breadth * Cma::usual_samples(writer.weights()),
             samples => samples,
         };
         let draw = |(place, search): (u64, &Search)| {
@@ -329,7 +329,8 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
     fn begin_searches(&self, state: &mut State<E::Task>, writer: &LinearWriter<'_>) {
         let config = &self.config.start;
         if state.searches.is_empty() {
-            let search = Search { cma: Cma::new(writer.weights(), config.deviation), score: f64::NEG_INFINITY };
+            let cma = Cma::new(writer.weights(), config.deviation, config.covariance);
+            let search = Search { cma, score: f64::NEG_INFINITY };
             state.searches = vec![search; config.searches];
         }
         if self.config.linear_choice(self.linear, &state.milestones) == Some(state.generation) {

@@ -158,6 +158,7 @@ impl EvolutionConfig {
         if start.samples != 0 {
             count("start.samples", start.samples, 4, 10_000)?;
         }
+        count("start.breadth", start.breadth, 1, 100)?;
         count("start.episodes", start.episodes, 1, 1_000_000)?;
         Finding::range("start.deviation", start.deviation, 1e-6, 1e3)?;
         Finding::range("start.tie", start.tie, 0.0, 0.5)?;
