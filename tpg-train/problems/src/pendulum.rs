@@ -133,8 +133,7 @@ impl<S: Scalar> Environment<S> for Pendulum {
     }
 
     fn observe(&self, swing: &mut Swing, _wanted: SourceSet, state: &mut [S]) {
-        let values = [swing.cosine, swing.sine, swing.velocity];
-        state.iter_mut().zip(values).for_each(|(slot, value)| *slot = S::from_f64(value));
+        state.copy_from_slice(&[swing.cosine, swing.sine, swing.velocity].map(S::from_f64));
     }
 
     fn step(&self, swing: &mut Swing, act: Act<'_, S>) -> Step {
