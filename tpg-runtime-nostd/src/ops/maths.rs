@@ -75,6 +75,14 @@ impl Maths<f32> for Own {
     fn exp(x: f32) -> f32 {
         own::f32::exp(x)
     }
+    #[inline(always)]
+    fn sines(numbers: &mut [f32; 8], _used: usize) {
+        eight::f32::sines(numbers);
+    }
+    #[inline(always)]
+    fn cosines(numbers: &mut [f32; 8], _used: usize) {
+        eight::f32::cosines(numbers);
+    }
 }
 
 impl Maths<f64> for Own {
@@ -100,19 +108,19 @@ impl Maths<f64> for Own {
     }
     #[inline(always)]
     fn sines(numbers: &mut [f64; 8], _used: usize) {
-        eight::sines(numbers);
+        eight::f64::sines(numbers);
     }
     #[inline(always)]
     fn cosines(numbers: &mut [f64; 8], _used: usize) {
-        eight::cosines(numbers);
+        eight::f64::cosines(numbers);
     }
     #[inline(always)]
     fn logarithms(numbers: &mut [f64; 8], _used: usize) {
-        eight::map(numbers, own::f64::ln);
+        numbers.iter_mut().for_each(|x| *x = own::f64::ln(*x));
     }
     #[inline(always)]
     fn exponentials(numbers: &mut [f64; 8], _used: usize) {
-        eight::map(numbers, own::f64::exp);
+        numbers.iter_mut().for_each(|x| *x = own::f64::exp(*x));
     }
 }
 

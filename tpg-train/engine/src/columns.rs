@@ -128,7 +128,7 @@ impl<S: Scalar, M: Maths<S>> Columns<S, M> {
 ///
 /// The shape of the loops suits the compiler. Short bodies loop over single values (it would unroll the inner of two
 /// nested loops and turn the outer one into gathers); long bodies loop over blocks (which leaves no scalar remainder). Long
-/// bodies in doubles go by eight lanes, because a block of them is two vectors.
+/// bodies in doubles go by eight lanes, because a block of them is two vectors; so do those that compute in 64 bits.
 #[inline(always)]
 fn compute_column<S: Scalar, M: Maths<S>>(
     instruction: Instruction,
@@ -136,7 +136,7 @@ fn compute_column<S: Scalar, M: Maths<S>>(
     to: &mut [Block<S>],
     lanes: usize,
 ) {
-    let by_eight = size_of::<S>() == size_of::<f64>();
+    let by_eight = size_of::<S>() == size_of::<f64>() || matches!(instruction, Instruction::Cos | Instruction::Sin);
     macro_rules! loops {
         (short: $($short:ident)*; long: $($long:ident $many:ident)*) => {
             match instruction {

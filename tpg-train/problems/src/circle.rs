@@ -38,8 +38,8 @@ pub(crate) fn sincos(angles: &[f64; 8]) -> [[f64; 8]; 2] {
     [sines, cosines]
 }
 
-/// Sine, cosine, and whether libm takes another way for this angle: one that is tiny, huge or no number, or close to where the
-/// quadrant or the way changes.
+/// Sine, cosine, and whether libm takes another way for this angle: one that is −0, huge or no number, or close to where the
+/// quadrant or the way changes. (Of a tiny angle libm returns itself and 1, which is what comes out here, too.)
 #[inline(always)]
 fn usual(angle: f64) -> (f64, f64, bool) {
     let high = (angle.to_bits() >> 32) & 0x7fff_ffff;
@@ -56,7 +56,7 @@ fn usual(angle: f64) -> (f64, f64, bool) {
     // Upper halves of the odd eighths of a turn up to which libm takes off 0, 1, 2, 3 or 4 quarters: they are rounded up.
     let changes = [0x3fe9_21fb, 0x4002_d97c, 0x400f_6a7a, 0x4015_fdbc, 0x401c_463b_u64];
     let close = changes.iter().fold(false, |any, change| any | (change.wrapping_sub(high) < 2));
-    let other = cancelled | close | (high < 0x3e46_a09e) | (high >= 0x4139_21fb);
+    let other = cancelled | close | (angle.to_bits() == 1 << 63) | (high >= 0x4139_21fb);
 
     let z = x * x;
     let w = z * z;

@@ -164,12 +164,7 @@ impl<S: Scalar> Adjustable<S> for Pendulum {
 
 /// Returns the cost of a moment, given by angle, velocity and sine, and the next angle and velocity; `off` is the angle, wrapped.
 #[inline(always)]
-fn moved(
-    physics: &Physics,
-    (angle, velocity, sine): (f64, f64, f64),
-    off: f64,
-    torque: f32,
-) -> (f64, f64, f64) {
+fn moved(physics: &Physics, (angle, velocity, sine): (f64, f64, f64), off: f64, torque: f32) -> (f64, f64, f64) {
     let Physics { gravity, mass, length, friction } = *physics;
     // A torque is an f32, and NumPy multiplies an f32 in f32.
     let torque = torque.clamp(-TORQUE as f32, TORQUE as f32);
@@ -185,8 +180,12 @@ fn moved(
 fn wrapped(angle: f64) -> f64 {
     let turned = angle + PI;
     // A remainder is slow; within one turn it is exact without one.
-    let rest = if (0.0..TAU).contains(&turned) { turned } else { turned.rem_euclid(TAU) };
+    let rest = if is_within_a_turn(turned) { turned } else { turned.rem_euclid(TAU) };
     rest - PI
+}
+
+fn is_within_a_turn(turned: f64) -> bool {
+    (0.0 <= turned) & (turned < TAU)
 }
 
 #[cfg(test)]

@@ -1,7 +1,8 @@
 //! Many pendulums in parallel, eight at a time.
 
-use super::{ACTIONS, Pendulum, Physics, Swing, moved, wrapped};
+use super::{ACTIONS, Pendulum, Physics, Swing, is_within_a_turn, moved, wrapped};
 use crate::circle::sincos;
+use core::f64::consts::PI;
 use fearless_simd::{Level, dispatch};
 use tpg_engine::{Acts, End, Ending, Environment, Episodes, EvaluationError, SourceSet, View};
 use tpg_runtime::scalar::Scalar;
@@ -42,8 +43,17 @@ impl Eight {
 
     #[inline(always)]
     fn step(&mut self, torques: [f32; 8]) {
-        let mut off = [0.0; 8];
-        off.iter_mut().zip(&self.angle).for_each(|(off, &angle)| *off = wrapped(angle));
+        // Without the call for the others, this is a loop of vectors.
+        let mut off = self.angle;
+        let mut any_is_beyond = false;
+        for off in &mut off {
+            let turned = *off + PI;
+            any_is_beyond |= !is_within_a_turn(turned);
+            *off = turned - PI;
+        }
+        if any_is_beyond {
+            off = self.angle.map(wrapped);
+        }
         for lane in 0..8 {
             let moment = (self.angle[lane], self.velocity[lane], self.sine[lane]);
             let (cost, angle, velocity) = moved(&Physics::STANDARD, moment, off[lane], torques[lane]);
@@ -100,7 +110,8 @@ impl<S: Scalar> Episodes<S, [f64; 2]> for Swings {
     }
 
     fn observe(&mut self, _wanted: SourceSet, view: &mut View<'_, S>) -> Result<(), EvaluationError> {
-        let sources: [fn(&Eight) -> &[f64; 8]; 3] = [|eight| &eight.cosine, |eight| &eight.sine, |eight| &eight.velocity];
+        let sources: [fn(&Eight) -> &[f64; 8]; 3] =
+            [|eight| &eight.cosine, |eight| &eight.sine, |eight| &eight.velocity];
         for (input, source) in sources.into_iter().enumerate() {
             if let Some(column) = view.column(input) {
                 for (slots, eight) in column.as_flattened_mut().chunks_exact_mut(8).zip(&self.eights) {
@@ -123,9 +134,7 @@ impl<S: Scalar> Episodes<S, [f64; 2]> for Swings {
 mod tests {
     use crate::Pendulum;
     use tpg_engine::random::{Purpose, Stream};
-    use tpg_engine::{
-        Destination, Edge, EngineOptions, Environment, Lanes, Limits, Line, Operand, Plan, PolicyGraph,
-    };
+    use tpg_engine::{Destination, Edge, EngineOptions, Environment, Lanes, Limits, Line, Operand, Plan, PolicyGraph};
     use tpg_runtime::ops::{Instruction, Maths, Own};
     use tpg_runtime::scalar::Scalar;
 
@@ -147,7 +156,11 @@ mod tests {
         PolicyGraph::new(1, 0, vec![team], vec![vec![line]]).with_outputs(vec![limits], vec![vec![0]])
     }
 
-    fn scores<S: Scalar, E: Environment<S, Task = [f64; 2]>>(environment: &E, policy: &PolicyGraph, lanes: usize) -> Vec<u64>
+    fn scores<S: Scalar, E: Environment<S, Task = [f64; 2]>>(
+        environment: &E,
+        policy: &PolicyGraph,
+        lanes: usize,
+    ) -> Vec<u64>
     where
         Own: Maths<S>,
     {
@@ -164,8 +177,14 @@ mod tests {
         let [cosine, sine, velocity] = [0, 1, 2].map(Operand::Input);
         let same = |policy: &PolicyGraph| {
             for lanes in [1, 7, 8, 19, 112] {
-                assert_eq!(scores::<f32, _>(&Pendulum, policy, lanes), scores::<f32, _>(&Usual(Pendulum), policy, lanes));
-                assert_eq!(scores::<f64, _>(&Pendulum, policy, lanes), scores::<f64, _>(&Usual(Pendulum), policy, lanes));
+                assert_eq!(
+                    scores::<f32, _>(&Pendulum, policy, lanes),
+                    scores::<f32, _>(&Usual(Pendulum), policy, lanes)
+                );
+                assert_eq!(
+                    scores::<f64, _>(&Pendulum, policy, lanes),
+                    scores::<f64, _>(&Usual(Pendulum), policy, lanes)
+                );
             }
         };
         // The first goes round and round.

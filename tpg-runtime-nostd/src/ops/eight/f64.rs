@@ -1,6 +1,6 @@
-//! Functions of eight doubles at once, with the bits of [`own::f64`](super::own::f64), in a form that compilers turn into vectors.
+//! Eight doubles.
 
-use super::own::f64::{self as own, CIRCLE, HALF_PI, TWO_OVER_PI};
+use super::super::own::f64::{self as own, CIRCLE, HALF_PI, TWO_OVER_PI};
 
 const SIGN: u64 = 1 << 63;
 const FRACTION: u64 = 0x000f_ffff_ffff_ffff;
@@ -15,30 +15,27 @@ const fn bits(word: usize) -> u64 {
     (TWO_OVER_PI[word] as u64) << 32 | TWO_OVER_PI[word + 1] as u64
 }
 
-/// Replaces each number by a function of it.
-#[inline(always)]
-pub(super) fn map(numbers: &mut [f64; 8], function: impl Fn(f64) -> f64) {
-    for x in numbers {
-        *x = function(*x);
-    }
-}
-
 /// Replaces each number by its sine.
 #[inline(always)]
-pub(super) fn sines(numbers: &mut [f64; 8]) {
+pub(in crate::ops) fn sines(numbers: &mut [f64; 8]) {
     if any_is_large(numbers) {
-        return map(numbers, own::sin);
+        return numbers.iter_mut().for_each(|x| *x = own::sin(*x));
     }
-    map(numbers, |x| f64::from_bits(circle(x.to_bits() & !SIGN, 0x2000_0000_0000_0000) ^ (x.to_bits() & SIGN)));
+    for x in numbers {
+        let bits = x.to_bits();
+        *x = f64::from_bits(circle(bits & !SIGN, 0x2000_0000_0000_0000) ^ (bits & SIGN));
+    }
 }
 
 /// Replaces each number by its cosine.
 #[inline(always)]
-pub(super) fn cosines(numbers: &mut [f64; 8]) {
+pub(in crate::ops) fn cosines(numbers: &mut [f64; 8]) {
     if any_is_large(numbers) {
-        return map(numbers, own::cos);
+        return numbers.iter_mut().for_each(|x| *x = own::cos(*x));
     }
-    map(numbers, |x| f64::from_bits(circle(x.to_bits() & !SIGN, 0x6000_0000_0000_0000)));
+    for x in numbers {
+        *x = f64::from_bits(circle(x.to_bits() & !SIGN, 0x6000_0000_0000_0000));
+    }
 }
 
 /// Infinities and NaN are not large: they become NaN in any case.
@@ -82,14 +79,12 @@ fn circle(magnitude: u64, offset: u64) -> u64 {
     let r = f64::from_bits(choose(small, magnitude, reduced));
     let odd = all_ones(turn << 1);
     let base = f64::from_bits(choose(odd, ONE, r.to_bits()));
-    let coefficient = |place: usize| {
-        let [even, of_odd] = CIRCLE.map(|row| row[place].to_bits());
-        f64::from_bits(choose(odd, of_odd, even))
-    };
     let s = r * r;
-    let mut p = coefficient(6) * s;
-    for place in (0..6).rev() {
-        p = (p + coefficient(place)) * s;
+    let mut p = 0.0;
+    for place in (0..7).rev() {
+        let coefficient = choose(odd, CIRCLE[1][place].to_bits(), CIRCLE[0][place].to_bits());
+        // Of the first, 0 + c is c.
+        p = (p + f64::from_bits(coefficient)) * s;
     }
     let zero = f64::from_bits(magnitude) * 0.0;
     (base + (p * base + zero)).to_bits() ^ (turn & SIGN)
@@ -124,7 +119,8 @@ mod tests {
     /// Numbers of every exponent, close to multiples of ⅛ turn, and what is no number.
     #[test]
     fn eight_at_once_have_the_bits_of_one() {
-        let mut numbers = [0.0, f64::INFINITY, f64::MIN_POSITIVE, 5e-324, f64::NAN, 0.75, 18014398509481984.0, f64::MAX].to_vec();
+        let mut numbers =
+            [0.0, f64::INFINITY, f64::MIN_POSITIVE, 5e-324, f64::NAN, 0.75, 18014398509481984.0, f64::MAX].to_vec();
         let mut seed = 1_u64;
         for exponent in 0..0x7ff {
             for _ in 0..40 {
@@ -141,7 +137,9 @@ mod tests {
             for (at_once, one) in [(sines as fn(&mut [f64; 8]), own::sin as fn(f64) -> f64), (cosines, own::cos)] {
                 let mut found = *eight;
                 at_once(&mut found);
-                let is_same = |(found, x): (&f64, &f64)| found.to_bits() == one(*x).to_bits() || found.is_nan() && one(*x).is_nan();
+                let is_same = |(found, x): (&f64, &f64)| {
+                    found.to_bits() == one(*x).to_bits() || found.is_nan() && one(*x).is_nan()
+                };
                 assert!(found.iter().zip(eight).all(is_same), "{eight:?}");
             }
         }
