@@ -1,41 +1,42 @@
 //! Sine and cosine of eight angles at once, with the bits of [`libm::sincos`], in a form that compilers turn into vectors.
 
 /// 2/π, and π/2 in two parts: the first has 33 bits, so that its product with a small whole number is exact (`rem_pio2.c`).
-const TURNS: f64 = 6.36619772367581382433e-01;
-const HALF_PI: [f64; 2] = [1.57079632673412561417e+00, 6.07710050650619224932e-11];
+const TURNS: f64 = core::f64::consts::FRAC_2_PI;
+const HALF_PI: [f64; 2] = [1.5707963267341256, 6.077100506506192e-11];
 /// Adding it rounds to a whole number, which is then in the lowest bits.
 const ROUND: f64 = 6755399441055744.0;
 /// The polynomials of `k_sin.c` and `k_cos.c`.
 const SINE: [f64; 6] = [
-    -1.66666666666666324348e-01,
-    8.33333333332248946124e-03,
-    -1.98412698298579493134e-04,
-    2.75573137070700676789e-06,
-    -2.50507602534068634195e-08,
-    1.58969099521155010221e-10,
+    -0.16666666666666632,
+    0.00833333333332249,
+    -0.0001984126982985795,
+    2.7557313707070068e-06,
+    -2.5050760253406863e-08,
+    1.58969099521155e-10,
 ];
 const COSINE: [f64; 6] = [
-    4.16666666666666019037e-02,
-    -1.38888888888741095749e-03,
-    2.48015872894767294178e-05,
-    -2.75573143513906633035e-07,
-    2.08757232129817482790e-09,
-    -1.13596475577881948265e-11,
+    0.0416666666666666,
+    -0.001388888888887411,
+    2.480158728947673e-05,
+    -2.7557314351390663e-07,
+    2.087572321298175e-09,
+    -1.1359647557788195e-11,
 ];
 
-/// Returns the sine and the cosine of each angle.
+/// Writes the sine and the cosine of each angle.
 #[inline(always)]
-pub(crate) fn sincos(angles: &[f64; 8]) -> [[f64; 8]; 2] {
-    let (mut sines, mut cosines, mut other) = ([0.0; 8], [0.0; 8], [false; 8]);
-    for lane in 0..8 {
-        (sines[lane], cosines[lane], other[lane]) = usual(angles[lane]);
+pub(crate) fn sincos(angles: &[f64; 8], sines: &mut [f64; 8], cosines: &mut [f64; 8]) {
+    let mut any_is_other = false;
+    for ((&angle, sine), cosine) in angles.iter().zip(&mut *sines).zip(&mut *cosines) {
+        let other;
+        (*sine, *cosine, other) = usual(angle);
+        any_is_other |= other;
     }
-    if other.contains(&true) {
-        for lane in (0..8).filter(|&lane| other[lane]) {
-            (sines[lane], cosines[lane]) = libm::sincos(angles[lane]);
+    if any_is_other {
+        for ((&angle, sine), cosine) in angles.iter().zip(sines).zip(cosines) {
+            (*sine, *cosine) = libm::sincos(angle);
         }
     }
-    [sines, cosines]
 }
 
 /// Sine, cosine, and whether libm takes another way for this angle: one that is −0, huge or no number, or close to where the
@@ -95,7 +96,8 @@ mod tests {
         }
         angles.extend(angles.clone().iter().map(|angle| -angle));
         for eight in angles.as_chunks::<8>().0 {
-            let [sines, cosines] = sincos(eight);
+            let (mut sines, mut cosines) = ([0.0; 8], [0.0; 8]);
+            sincos(eight, &mut sines, &mut cosines);
             for (lane, &angle) in eight.iter().enumerate() {
                 let (sine, cosine) = libm::sincos(angle);
                 let bits = |[a, b]: [f64; 2]| [a, b].map(|x| if x.is_nan() { 0 } else { x.to_bits() });

@@ -180,12 +180,8 @@ fn moved(physics: &Physics, (angle, velocity, sine): (f64, f64, f64), off: f64, 
 fn wrapped(angle: f64) -> f64 {
     let turned = angle + PI;
     // A remainder is slow; within one turn it is exact without one.
-    let rest = if is_within_a_turn(turned) { turned } else { turned.rem_euclid(TAU) };
+    let rest = if (0.0..TAU).contains(&turned) { turned } else { turned.rem_euclid(TAU) };
     rest - PI
-}
-
-fn is_within_a_turn(turned: f64) -> bool {
-    (0.0 <= turned) & (turned < TAU)
 }
 
 #[cfg(test)]

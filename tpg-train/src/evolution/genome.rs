@@ -283,6 +283,25 @@ impl Genome {
 
     /// Converts a root to an engine policy.
     pub fn policy(&self, root: TeamId, vocabulary: &Vocabulary) -> PolicyGraph {
+        self.policy_of(root, vocabulary, |id| self.program(id).lines(vocabulary))
+    }
+
+    /// Converts roots to engine policies, each program once.
+    pub fn policies(&self, roots: &[TeamId], vocabulary: &Vocabulary) -> Vec<PolicyGraph> {
+        let mut known = BTreeMap::new();
+        let mut lines = |id| {
+            let lines: &Vec<Line> = known.entry(id).or_insert_with(|| self.program(id).lines(vocabulary));
+            lines.clone()
+        };
+        roots.iter().map(|&root| self.policy_of(root, vocabulary, &mut lines)).collect()
+    }
+
+    fn policy_of(
+        &self,
+        root: TeamId,
+        vocabulary: &Vocabulary,
+        mut lines: impl FnMut(ProgramId) -> Vec<Line>,
+    ) -> PolicyGraph {
         let reached: Vec<TeamId> = self.reachable(root).into_iter().collect();
         let place = |id: TeamId| reached.binary_search(&id).expect("the team is reached") as u32;
         let mut programs = Vec::new();
@@ -291,7 +310,7 @@ impl Genome {
         let (mut leaves, mut leaf_numbers) = (Vec::new(), BTreeMap::new());
         let mut number = |id: ProgramId| {
             *numbers.entry(id).or_insert_with(|| {
-                programs.push(self.program(id).lines(vocabulary));
+                programs.push(lines(id));
                 programs.len() as u32 - 1
             })
         };

@@ -99,6 +99,7 @@ fn choose(mask: u32, a: u32, b: u32) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::{cosines, own, sines};
+    use std::vec::Vec;
 
     /// Every 997th number there is.
     #[test]

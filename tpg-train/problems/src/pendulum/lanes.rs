@@ -1,8 +1,8 @@
 //! Many pendulums in parallel, eight at a time.
 
-use super::{ACTIONS, Pendulum, Physics, Swing, is_within_a_turn, moved, wrapped};
+use super::{ACTIONS, Pendulum, Physics, Swing, moved, wrapped};
 use crate::circle::sincos;
-use core::f64::consts::PI;
+use core::f64::consts::{PI, TAU};
 use fearless_simd::{Level, dispatch};
 use tpg_engine::{Acts, End, Ending, Environment, Episodes, EvaluationError, SourceSet, View};
 use tpg_runtime::scalar::Scalar;
@@ -42,26 +42,41 @@ impl Eight {
     }
 
     #[inline(always)]
-    fn step(&mut self, torques: [f32; 8]) {
-        // Without the call for the others, this is a loop of vectors.
-        let mut off = self.angle;
-        let mut any_is_beyond = false;
-        for off in &mut off {
-            let turned = *off + PI;
-            any_is_beyond |= !is_within_a_turn(turned);
-            *off = turned - PI;
+    fn step(&mut self, torques: &[f32; 8]) {
+        let Self { angle, velocity, sine, cosine, score, actions } = self;
+        let mut off = [0.0; 8];
+        wrap(angle, &mut off);
+        let moments = angle.iter_mut().zip(velocity).zip(&*sine).zip(off).zip(torques).zip(score);
+        for (((((angle, velocity), &sine), off), &torque), score) in moments {
+            let cost;
+            (cost, *angle, *velocity) = moved(&Physics::STANDARD, (*angle, *velocity, sine), off, torque);
+            *score -= cost;
         }
-        if any_is_beyond {
-            off = self.angle.map(wrapped);
-        }
-        for lane in 0..8 {
-            let moment = (self.angle[lane], self.velocity[lane], self.sine[lane]);
-            let (cost, angle, velocity) = moved(&Physics::STANDARD, moment, off[lane], torques[lane]);
-            (self.angle[lane], self.velocity[lane]) = (angle, velocity);
-            self.score[lane] -= cost;
-            self.actions[lane] += 1;
-        }
-        [self.sine, self.cosine] = sincos(&self.angle);
+        actions.iter_mut().for_each(|actions| *actions += 1);
+        sincos(angle, sine, cosine);
+    }
+}
+
+/// A turn in two parts: times a whole number below 2048, each is exact.
+const TAU_HIGH: f64 = f64::from_bits(TAU.to_bits() & !0x7ff);
+const TAU_LOW: f64 = TAU - TAU_HIGH;
+
+/// Writes what [`wrapped`] makes of each angle.
+///
+/// Below 2048 the remainder is exact: whole turns are taken off in two parts, both differences are multiples of 2⁻⁵⁰ below 8,
+/// and where the quotient was rounded up to a whole number, the turn too many is put back.
+#[inline(always)]
+fn wrap(angles: &[f64; 8], off: &mut [f64; 8]) {
+    let mut any_is_far = false;
+    for (off, &angle) in off.iter_mut().zip(angles) {
+        let turned = angle + PI;
+        any_is_far |= (turned.abs() >= 2048.0) | turned.is_nan();
+        let turns = (turned / TAU).trunc();
+        let rest = (turned - turns * TAU_HIGH) - turns * TAU_LOW;
+        *off = if rest < 0.0 { rest + TAU } else { rest } - PI;
+    }
+    if any_is_far {
+        off.iter_mut().zip(angles).for_each(|(off, &angle)| *off = wrapped(angle));
     }
 }
 
@@ -75,7 +90,7 @@ impl Swings {
         for (eight, values) in self.eights.iter_mut().zip(values.chunks(8)) {
             let mut torques = [0.0; 8];
             torques.iter_mut().zip(values).for_each(|(torque, value)| *torque = value.to_f64() as f32);
-            eight.step(torques);
+            eight.step(&torques);
         }
     }
 }
@@ -132,7 +147,9 @@ impl<S: Scalar> Episodes<S, [f64; 2]> for Swings {
 
 #[cfg(test)]
 mod tests {
+    use super::{wrap, wrapped};
     use crate::Pendulum;
+    use core::f64::consts::PI;
     use tpg_engine::random::{Purpose, Stream};
     use tpg_engine::{Destination, Edge, EngineOptions, Environment, Lanes, Limits, Line, Operand, Plan, PolicyGraph};
     use tpg_runtime::ops::{Instruction, Maths, Own};
@@ -170,6 +187,18 @@ mod tests {
         let tasks: Vec<[f64; 2]> = (0..30).map(draw).collect();
         let endings = Lanes::<S, Own, _>::new(environment, options).run(&plan, &tasks).expect("nothing fails");
         endings.iter().map(|ending| ending.score.to_bits() ^ u64::from(ending.actions) << 1).collect()
+    }
+
+    #[test]
+    fn eight_angles_are_wrapped_as_one() {
+        let turns = (-400..400).map(|turn| f64::from(turn) * PI);
+        let near = |angle: f64| (0..50).map(move |bit| f64::from_bits(angle.to_bits() ^ 1 << bit));
+        let angles: Vec<f64> = turns.flat_map(near).chain((-9000..9000).map(|step| f64::from(step) * 0.37)).collect();
+        for eight in angles.as_chunks::<8>().0 {
+            let mut off = [0.0; 8];
+            wrap(eight, &mut off);
+            assert_eq!(off.map(f64::to_bits), eight.map(|angle| wrapped(angle).to_bits()), "{eight:?}");
+        }
     }
 
     #[test]
