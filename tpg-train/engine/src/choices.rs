@@ -200,9 +200,14 @@ impl<S: Scalar, Task> Episodes<S, Task> for Valued<'_, S, Task> {
     }
     fn step(&mut self, acts: Acts<'_, S>, ended: &mut Vec<(usize, Ending)>) -> Result<(), EvaluationError> {
         let Acts::Choices(actions) = acts else { return self.episodes.step(acts, ended) };
+        let outputs = self.levels[0].len();
+        let values = actions.iter().map(|action| &self.levels[usize::from(action.0)]);
         self.values.clear();
-        actions.iter().for_each(|action| self.values.extend_from_slice(&self.levels[usize::from(action.0)]));
-        self.episodes.step(Acts::Values { values: &self.values, outputs: self.levels[0].len() }, ended)
+        match outputs {
+            1 => self.values.extend(values.map(|values| values[0])),
+            _ => self.values.extend(values.flatten()),
+        }
+        self.episodes.step(Acts::Values { values: &self.values, outputs }, ended)
     }
     fn keys(&self) -> &[u64] {
         self.episodes.keys()

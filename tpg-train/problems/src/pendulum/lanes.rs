@@ -106,12 +106,10 @@ impl<S: Scalar> Episodes<S, [f64; 2]> for Swings {
     fn step(&mut self, acts: Acts<'_, S>, ended: &mut Vec<(usize, Ending)>) -> Result<(), EvaluationError> {
         let values = acts.values();
         dispatch!(self.level, _ => self.step_in_vectors(values));
-        for lane in 0..self.lanes {
+        for lane in (0..self.lanes).filter(|lane| self.eights[lane / 8].actions[lane % 8] >= ACTIONS) {
             let (swing, score, actions) = self.eights[lane / 8].get(lane % 8);
-            if actions >= ACTIONS {
-                let End { outcome, success, measure, .. } = Environment::<S>::timeout(&Pendulum, &swing);
-                ended.push((lane, Ending { outcome, success, score, measure, actions }));
-            }
+            let End { outcome, success, measure, .. } = Environment::<S>::timeout(&Pendulum, &swing);
+            ended.push((lane, Ending { outcome, success, score, measure, actions }));
         }
         Ok(())
     }
