@@ -75,7 +75,7 @@ fn usual(angle: f64) -> (f64, f64, bool) {
 
     let (a, b) = if quadrant & 1 == 1 { (cosine, sine) } else { (sine, cosine) };
     let signed = |value: f64, negative: u64| f64::from_bits(value.to_bits() ^ ((negative & 2) << 62));
-    (signed(a, quadrant), signed(b, quadrant + 1), other)
+    (signed(a, quadrant), signed(b, quadrant.wrapping_add(1)), other)
 }
 
 #[cfg(test)]
