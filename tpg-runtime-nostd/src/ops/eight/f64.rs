@@ -115,7 +115,6 @@ fn multiply_high(a: u64, b: u64) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::{cosines, own, sines};
-    use std::vec::Vec;
 
     /// Numbers of every exponent, close to multiples of ⅛ turn, and what is no number.
     #[test]
