@@ -4,10 +4,13 @@
 //! or network: the very text of this crate, not a copy that could differ.
 
 /// File names, relative to a crate's `src`, and their text. `lib.rs` comes first.
-pub const FILES: [(&str, &str); 11] = [
+pub const FILES: [(&str, &str); 14] = [
     ("lib.rs", LIB),
     ("ops/mod.rs", include_str!("ops/mod.rs")),
     ("ops/constant_time.rs", include_str!("ops/constant_time.rs")),
+    ("ops/eight/mod.rs", include_str!("ops/eight/mod.rs")),
+    ("ops/eight/f32.rs", include_str!("ops/eight/f32.rs")),
+    ("ops/eight/f64.rs", include_str!("ops/eight/f64.rs")),
     ("ops/instruction.rs", include_str!("ops/instruction.rs")),
     ("ops/maths.rs", include_str!("ops/maths.rs")),
     ("ops/own/mod.rs", include_str!("ops/own/mod.rs")),

@@ -1,6 +1,6 @@
 //! The providers of sine, cosine, tangent, logarithm and exponential.
 
-use super::own;
+use super::{eight, own};
 use crate::scalar::Scalar;
 
 /// The transcendental functions that programs use, in one scalar type.
@@ -15,6 +15,31 @@ pub trait Maths<S: Scalar>: Copy + Default + Send + Sync + 'static {
     fn ln(x: S) -> S;
     /// Exponential.
     fn exp(x: S) -> S;
+    /// Replaces at least the first `used` numbers by their sines, with the same bits as one by one.
+    #[inline]
+    fn sines(numbers: &mut [S; 8], used: usize) {
+        numbers[..used].iter_mut().for_each(|x| *x = Self::sin(*x));
+    }
+    /// As [`sines`](Self::sines), cosines.
+    #[inline]
+    fn cosines(numbers: &mut [S; 8], used: usize) {
+        numbers[..used].iter_mut().for_each(|x| *x = Self::cos(*x));
+    }
+    /// As [`sines`](Self::sines), tangents.
+    #[inline]
+    fn tangents(numbers: &mut [S; 8], used: usize) {
+        numbers[..used].iter_mut().for_each(|x| *x = Self::tan(*x));
+    }
+    /// As [`sines`](Self::sines), natural logarithms.
+    #[inline]
+    fn logarithms(numbers: &mut [S; 8], used: usize) {
+        numbers[..used].iter_mut().for_each(|x| *x = Self::ln(*x));
+    }
+    /// As [`sines`](Self::sines), exponentials.
+    #[inline]
+    fn exponentials(numbers: &mut [S; 8], used: usize) {
+        numbers[..used].iter_mut().for_each(|x| *x = Self::exp(*x));
+    }
 }
 
 /// This project's kernels: no loop, no table search, the same bits on every machine and in generated C.
@@ -50,6 +75,14 @@ impl Maths<f32> for Own {
     fn exp(x: f32) -> f32 {
         own::f32::exp(x)
     }
+    #[inline(always)]
+    fn sines(numbers: &mut [f32; 8], _used: usize) {
+        eight::f32::sines(numbers);
+    }
+    #[inline(always)]
+    fn cosines(numbers: &mut [f32; 8], _used: usize) {
+        eight::f32::cosines(numbers);
+    }
 }
 
 impl Maths<f64> for Own {
@@ -72,6 +105,22 @@ impl Maths<f64> for Own {
     #[inline]
     fn exp(x: f64) -> f64 {
         own::f64::exp(x)
+    }
+    #[inline(always)]
+    fn sines(numbers: &mut [f64; 8], _used: usize) {
+        eight::f64::sines(numbers);
+    }
+    #[inline(always)]
+    fn cosines(numbers: &mut [f64; 8], _used: usize) {
+        eight::f64::cosines(numbers);
+    }
+    #[inline(always)]
+    fn logarithms(numbers: &mut [f64; 8], _used: usize) {
+        numbers.iter_mut().for_each(|x| *x = own::f64::ln(*x));
+    }
+    #[inline(always)]
+    fn exponentials(numbers: &mut [f64; 8], _used: usize) {
+        numbers.iter_mut().for_each(|x| *x = own::f64::exp(*x));
     }
 }
 

@@ -4,6 +4,7 @@
 //! protected, as in GEGELATI. A comparison with NaN is false.
 
 pub mod constant_time;
+mod eight;
 mod instruction;
 mod maths;
 pub mod own;

@@ -128,7 +128,7 @@ impl<S: Scalar, M: Maths<S>> Columns<S, M> {
 ///
 /// The shape of the loops suits the compiler. Short bodies loop over single values (it would unroll the inner of two
 /// nested loops and turn the outer one into gathers); long bodies loop over blocks (which leaves no scalar remainder). Long
-/// bodies in doubles are calls, number by number, so that only the lanes in use are computed.
+/// bodies in doubles go by eight lanes, because a block of them is two vectors; so do those that compute in 64 bits.
 #[inline(always)]
 fn compute_column<S: Scalar, M: Maths<S>>(
     instruction: Instruction,
@@ -136,9 +136,9 @@ fn compute_column<S: Scalar, M: Maths<S>>(
     to: &mut [Block<S>],
     lanes: usize,
 ) {
-    let by_number = size_of::<S>() == size_of::<f64>();
+    let by_eight = size_of::<S>() == size_of::<f64>() || matches!(instruction, Instruction::Cos | Instruction::Sin);
     macro_rules! loops {
-        (short: $($short:ident)*; long: $($long:ident)*) => {
+        (short: $($short:ident)*; long: $($long:ident $many:ident)*) => {
             match instruction {
                 $(Instruction::$short => {
                     let (a, b) = (a.as_flattened(), b.as_flattened());
@@ -146,10 +146,11 @@ fn compute_column<S: Scalar, M: Maths<S>>(
                         *to = Instruction::$short.apply::<S, M>(a, b);
                     }
                 })*
-                $(Instruction::$long if by_number => {
-                    let to = &mut to.as_flattened_mut()[..lanes];
-                    for (to, &a) in to.iter_mut().zip(a.as_flattened()) {
-                        *to = Instruction::$long.apply::<S, M>(a, a);
+                $(Instruction::$long if by_eight => {
+                    let (to, a) = (to.as_flattened_mut().as_chunks_mut().0, a.as_flattened().as_chunks().0);
+                    for (place, (to, a)) in (0..lanes).step_by(8).zip(to.iter_mut().zip(a)) {
+                        *to = *a;
+                        M::$many(to, (lanes - place).min(8));
                     }
                 })*
                 $(Instruction::$long => {
@@ -164,5 +165,5 @@ fn compute_column<S: Scalar, M: Maths<S>>(
             }
         };
     }
-    loops!(short: Sub Add Mul Div NegateIfLess Abs Min Max Gate Fmod; long: Cos Sin Tan Ln Exp);
+    loops!(short: Sub Add Mul Div NegateIfLess Abs Min Max Gate Fmod; long: Cos cosines Sin sines Tan tangents Ln logarithms Exp exponentials);
 }

@@ -94,7 +94,9 @@ impl<S: Scalar> Decider<S> {
             if !std::mem::take(&mut self.reached[place as usize]) {
                 continue;
             }
-            let here: u32 = self.at[..used].as_flattened().iter().map(|&at| u32::from(at == place)).sum();
+            let at = self.at[..used].as_flattened();
+            // Every lane begins at the root.
+            let here = if place == 0 { all as u32 } else { at.iter().map(|&at| u32::from(at == place)).sum() };
             if here == 0 {
                 continue;
             }
@@ -195,6 +197,14 @@ impl<S: Scalar> Decider<S> {
         }
         if count as usize * SPARSE_NODES > all {
             columns.compute(plan, &lazy.needs, all);
+            let bids = columns.column(lazy.bid)[..used].as_flattened();
+            for (((&bid, &open), best), winner) in bids.iter().zip(&*open).zip(best).zip(winner) {
+                let bid = ops::max(bid, S::NEG_INFINITY);
+                let wins = (open != 0) & could_win(bid, lazy.code, *best, Code(*winner));
+                *best = if wins { bid } else { *best };
+                *winner ^= (*winner ^ lazy.code.0) & all_ones(wins);
+            }
+            return;
         }
         for (lane, _) in open.iter().enumerate().filter(|&(_, &open)| open != 0) {
             let bid = ops::bid(columns.value(plan, lazy.bid, lane));

@@ -1,19 +1,17 @@
 //! Environments whose type is only known at run time: what works with them is compiled once for all problems.
 
-use crate::action::{Act, ActionSpace, Acts};
+use crate::action::{Act, ActionSpace};
 use crate::ending::{End, Ending, Measure, Preference, Step};
 use crate::environment::Environment;
 use crate::episodes::Episodes;
-use crate::error::EvaluationError;
+use crate::mapped::Mapped;
 use crate::random::Stream;
 use crate::source_set::SourceSet;
-use crate::view::View;
 use serde::de::{DeserializeOwned, Error as _};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::value::RawValue;
 use std::any::Any;
 use std::fmt;
-use std::marker::PhantomData;
 use std::sync::{Arc, OnceLock};
 use tpg_graph::SourceDocument;
 use tpg_runtime::scalar::Scalar;
@@ -213,7 +211,7 @@ where
         task.typed().is_some_and(|task| self.0.accepts(task))
     }
     fn lanes(&self) -> Box<dyn Episodes<S, AnyTask> + '_> {
-        Box::new(TypedEpisodes { episodes: self.0.lanes(), task: PhantomData })
+        Box::new(Mapped::new(self.0.lanes(), |task: &AnyTask| task.typed().expect(ACCEPTED)))
     }
     fn key(&self, episode: &AnyEpisode) -> Option<u64> {
         self.0.key(episode.typed())
@@ -228,33 +226,3 @@ where
 
 /// Tasks that were read from a file have been [accepted](Environment::accepts).
 const ACCEPTED: &str = "a task that the environment accepts";
-
-/// Parallel episodes of an environment whose type nobody sees.
-struct TypedEpisodes<'e, S, Task> {
-    episodes: Box<dyn Episodes<S, Task> + 'e>,
-    task: PhantomData<Task>,
-}
-
-impl<S, Task> Episodes<S, AnyTask> for TypedEpisodes<'_, S, Task>
-where
-    Task: Serialize + DeserializeOwned + Send + Sync + 'static,
-{
-    fn begin(&mut self, lane: usize, task: &AnyTask) -> Result<(), EvaluationError> {
-        self.episodes.begin(lane, task.typed().expect(ACCEPTED))
-    }
-    fn step(&mut self, acts: Acts<'_, S>, ended: &mut Vec<(usize, Ending)>) -> Result<(), EvaluationError> {
-        self.episodes.step(acts, ended)
-    }
-    fn keys(&self) -> &[u64] {
-        self.episodes.keys()
-    }
-    fn cycle(&self, lane: usize, key: u64, actions: u32) -> Option<Ending> {
-        self.episodes.cycle(lane, key, actions)
-    }
-    fn observe(&mut self, wanted: SourceSet, view: &mut View<'_, S>) -> Result<(), EvaluationError> {
-        self.episodes.observe(wanted, view)
-    }
-    fn close_up(&mut self, lane: usize) {
-        self.episodes.close_up(lane);
-    }
-}

@@ -228,9 +228,8 @@ impl<S: Scalar, M: Maths<S>, E: Environment<S>> LocalThreads<'_, S, M, E> {
     fn states(&self, visit: &Visit<E::Task>) -> Result<Vec<Vec<f64>>, EvaluationError> {
         let options = EngineOptions { lanes: 1, ..self.options };
         let plan = Plan::new::<M>(&visit.policy, &self.sources, options);
-        let mut actions = Vec::new();
-        let mut lanes = Lanes::<S, M, E>::new(self.environment, options);
-        lanes.run_watched(&plan, std::slice::from_ref(&visit.task), |_, action| actions.push(action))?;
+        let most = visit.after.last().map_or(0, |&after| after as usize);
+        let actions = Lanes::<S, M, E>::new(self.environment, options).actions(&plan, &visit.task, most)?;
         let mut episode = self.environment.start(&visit.task);
         let mut state = vec![S::ZERO; plan.state_length()];
         let computes = !self.environment.actions().outputs().is_empty();

@@ -109,10 +109,41 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
         &mut self,
         plan: &Plan<S>,
         tasks: &[E::Task],
-        watch: impl FnMut(usize, ActionId),
+        mut watch: impl FnMut(usize, ActionId),
     ) -> Result<Vec<Ending>, EvaluationError> {
+        let endings = self.run_while(plan, tasks, |task, action| {
+            watch(task, action);
+            true
+        })?;
+        Ok(endings.into_iter().map(|ending| ending.expect("every task was begun and every lane ended")).collect())
+    }
+
+    /// Returns the first actions of a root on a task: at most so many.
+    pub(super) fn actions(
+        &mut self,
+        plan: &Plan<S>,
+        task: &E::Task,
+        most: usize,
+    ) -> Result<Vec<ActionId>, EvaluationError> {
+        let mut actions = Vec::new();
+        if most > 0 {
+            self.run_while(plan, std::slice::from_ref(task), |_, action| {
+                actions.push(action);
+                actions.len() < most
+            })?;
+        }
+        Ok(actions)
+    }
+
+    /// Runs until every task has an ending, or `watch` returns false.
+    fn run_while(
+        &mut self,
+        plan: &Plan<S>,
+        tasks: &[E::Task],
+        watch: impl FnMut(usize, ActionId) -> bool,
+    ) -> Result<Vec<Option<Ending>>, EvaluationError> {
         let result = self.run_all(plan, tasks, watch);
-        if result.is_err() {
+        if !self.running.is_empty() {
             // Unfinished episodes of an earlier call must not be continued.
             self.running.clear();
             self.episodes = self.environment.lanes();
@@ -124,8 +155,8 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
         &mut self,
         plan: &Plan<S>,
         tasks: &[E::Task],
-        mut watch: impl FnMut(usize, ActionId),
-    ) -> Result<Vec<Ending>, EvaluationError> {
+        mut watch: impl FnMut(usize, ActionId) -> bool,
+    ) -> Result<Vec<Option<Ending>>, EvaluationError> {
         self.columns.prepare(plan, &self.constants);
         self.decider.prepare(plan);
         let mut endings = vec![None; tasks.len()];
@@ -138,8 +169,15 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
         while !self.running.is_empty() {
             self.episodes.observe(plan.wanted, &mut self.columns.view(&plan.places))?;
             let actions = self.decider.decide(plan, &mut self.columns, self.running.len());
-            self.running.iter().zip(actions).for_each(|(&(task, _), &action)| watch(task, action));
             self.steps += actions.len() as u64;
+            if !self
+                .running
+                .iter()
+                .zip(actions)
+                .fold(true, |goes_on, (&(task, _), &action)| goes_on & watch(task, action))
+            {
+                break;
+            }
             self.ended.clear();
             self.episodes.step(self.decider.acts(plan, self.running.len()), &mut self.ended)?;
             self.end_cycles();
@@ -157,7 +195,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
                 }
             }
         }
-        Ok(endings.into_iter().map(|ending| ending.expect("every task was begun and every lane ended")).collect())
+        Ok(endings)
     }
 
     /// Starts a lane's episode.

@@ -14,7 +14,7 @@
 //! | [`Choices`] | any action space as a list of named actions |
 //! | [`Preferring`] | named actions as outputs: the greatest acts |
 //! | [`Remembering`], [`Remembered`] | a memory for policies |
-//! | [`Episodes`], [`OneByOne`], [`View`], [`SourceSet`] | parallel episodes |
+//! | [`Episodes`], [`OneByOne`], [`Mapped`], [`View`], [`SourceSet`] | parallel episodes |
 //! | [`Ending`], [`Summary`], [`Preference`] | results |
 //! | [`PolicyGraph`], [`Plan`], [`Node`], [`Arena`] | a graph in the engine's own form |
 //! | [`Lanes`], [`Single`], [`EngineOptions`], [`History`] | execution |
@@ -38,6 +38,7 @@ mod history;
 #[cfg(all(debug_assertions, not(test)))]
 mod instances;
 mod lanes;
+mod mapped;
 mod nodes;
 mod one_by_one;
 mod options;
@@ -61,6 +62,7 @@ pub use error::EvaluationError;
 pub use evaluator::{Evaluator, LocalThreads, Piece, UnitKey, UnitResult, Visit, Work, WorkUnit};
 pub use history::{History, Repeat};
 pub use lanes::Lanes;
+pub use mapped::Mapped;
 pub use nodes::{Arena, Node, NodeId};
 pub use one_by_one::OneByOne;
 pub use options::EngineOptions;

@@ -6,7 +6,7 @@ use crate::environment::Environment;
 use crate::episodes::Episodes;
 use crate::error::EvaluationError;
 use crate::source_set::SourceSet;
-use crate::view::{BLOCK, View};
+use crate::view::View;
 use tpg_runtime::scalar::Scalar;
 
 /// Steps one episode after another.
@@ -15,7 +15,10 @@ pub struct OneByOne<'e, S: Scalar, E: Environment<S> + ?Sized> {
     limit: u32,
     lanes: Vec<Lane<E::Episode>>,
     keys: Vec<u64>,
-    state: Vec<S>,
+    /// Number of values of the flat state.
+    length: usize,
+    /// The flat state of each lane.
+    states: Vec<S>,
 }
 
 /// An episode with its score so far.
@@ -30,7 +33,7 @@ impl<'e, S: Scalar, E: Environment<S> + ?Sized> OneByOne<'e, S, E> {
     pub fn new(environment: &'e E) -> Self {
         let length = environment.sources().iter().map(|source| source.length as usize).sum();
         let limit = environment.time_limit();
-        Self { environment, limit, lanes: Vec::new(), keys: Vec::new(), state: vec![S::ZERO; length] }
+        Self { environment, limit, lanes: Vec::new(), keys: Vec::new(), length, states: Vec::new() }
     }
 }
 
@@ -66,12 +69,15 @@ impl<S: Scalar, E: Environment<S> + ?Sized> Episodes<S, E::Task> for OneByOne<'_
     }
 
     fn observe(&mut self, wanted: SourceSet, view: &mut View<'_, S>) -> Result<(), EvaluationError> {
-        for (place, lane) in self.lanes.iter_mut().enumerate() {
-            self.environment.observe(&mut lane.episode, wanted, &mut self.state);
-            for (input, &value) in self.state.iter().enumerate() {
-                if let Some(column) = view.column(input) {
-                    column[place / BLOCK][place % BLOCK] = value;
-                }
+        let Self { environment, lanes, length, states, .. } = self;
+        states.resize(lanes.len() * *length, S::ZERO);
+        for (place, lane) in lanes.iter_mut().enumerate() {
+            environment.observe(&mut lane.episode, wanted, &mut states[place * *length..][..*length]);
+        }
+        for input in 0..*length {
+            if let Some(column) = view.column(input) {
+                let values = states.iter().skip(input).step_by(*length);
+                column.as_flattened_mut().iter_mut().zip(values).for_each(|(slot, value)| *slot = *value);
             }
         }
         Ok(())

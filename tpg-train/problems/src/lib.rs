@@ -27,6 +27,7 @@ pub mod acrobot;
 pub mod amount;
 pub mod arm;
 pub mod cartpole;
+mod circle;
 pub mod continuous;
 pub mod dodge;
 #[cfg(test)]

@@ -1,5 +1,7 @@
 //! Gymnasium's Pendulum-v1: swing a pendulum up with a motor that is too weak to lift it directly, and keep it up.
 
+mod lanes;
+
 use crate::physics::physics;
 use crate::source;
 use crate::varied::{Adjustable, Disturbance};
@@ -7,7 +9,7 @@ use core::f64::consts::{PI, TAU};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tpg_engine::random::Stream;
-use tpg_engine::{Act, ActionSpace, Environment, Output, SourceSet, Step};
+use tpg_engine::{Act, ActionSpace, Environment, Episodes, Output, SourceSet, Step};
 use tpg_graph::SourceDocument;
 use tpg_graph::error::Finding;
 use tpg_runtime::scalar::Scalar;
@@ -133,12 +135,15 @@ impl<S: Scalar> Environment<S> for Pendulum {
     }
 
     fn observe(&self, swing: &mut Swing, _wanted: SourceSet, state: &mut [S]) {
-        let values = [swing.cosine, swing.sine, swing.velocity];
-        state.iter_mut().zip(values).for_each(|(slot, value)| *slot = S::from_f64(value));
+        state.copy_from_slice(&[swing.cosine, swing.sine, swing.velocity].map(S::from_f64));
     }
 
     fn step(&self, swing: &mut Swing, act: Act<'_, S>) -> Step {
         self.step_under(&Physics::STANDARD, swing, act)
+    }
+
+    fn lanes(&self) -> Box<dyn Episodes<S, [f64; 2]> + '_> {
+        Box::new(lanes::Swings::new())
     }
 }
 
@@ -149,19 +154,26 @@ impl<S: Scalar> Adjustable<S> for Pendulum {
 
     #[inline]
     fn step_under(&self, physics: &Physics, swing: &mut Swing, act: Act<'_, S>) -> Step {
-        let Physics { gravity, mass, length, friction } = *physics;
-        // A torque is an f32, and NumPy multiplies an f32 in f32.
-        let torque = (act.values()[0].to_f64() as f32).clamp(-TORQUE as f32, TORQUE as f32);
         let Swing { angle, velocity, sine, .. } = *swing;
-        let off = wrapped(angle);
-        let cost = off * off + 0.1 * (velocity * velocity) + f64::from(0.001 * (torque * torque));
-        let eased = 3.0 / (mass * (length * length));
-        let pushed = f64::from(eased as f32 * torque) - eased * friction * velocity;
-        let faster = velocity + (3.0 * gravity / (2.0 * length) * sine + pushed) * STEP;
-        let velocity = faster.clamp(-FASTEST, FASTEST);
-        *swing = Swing::new(angle + velocity * STEP, velocity);
+        let torque = act.values()[0].to_f64() as f32;
+        let (cost, angle, velocity) = moved(physics, (angle, velocity, sine), wrapped(angle), torque);
+        *swing = Swing::new(angle, velocity);
         Step::reward(-cost)
     }
+}
+
+/// Returns the cost of a moment, given by angle, velocity and sine, and the next angle and velocity; `off` is the angle, wrapped.
+#[inline(always)]
+fn moved(physics: &Physics, (angle, velocity, sine): (f64, f64, f64), off: f64, torque: f32) -> (f64, f64, f64) {
+    let Physics { gravity, mass, length, friction } = *physics;
+    // A torque is an f32, and NumPy multiplies an f32 in f32.
+    let torque = torque.clamp(-TORQUE as f32, TORQUE as f32);
+    let cost = off * off + 0.1 * (velocity * velocity) + f64::from(0.001 * (torque * torque));
+    let eased = 3.0 / (mass * (length * length));
+    let pushed = f64::from(eased as f32 * torque) - eased * friction * velocity;
+    let faster = velocity + (3.0 * gravity / (2.0 * length) * sine + pushed) * STEP;
+    let velocity = faster.clamp(-FASTEST, FASTEST);
+    (cost, angle + velocity * STEP, velocity)
 }
 
 /// Wraps the angle to −π..π, with every bit of NumPy's remainder.

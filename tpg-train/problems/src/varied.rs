@@ -5,7 +5,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{Act, ActionSpace, End, Environment, Measure, Preference, SourceSet, Step};
+use tpg_engine::{
+    Act, ActionSpace, End, Environment, Episodes, Mapped, Measure, OneByOne, Preference, SourceSet, Step,
+};
 use tpg_graph::SourceDocument;
 use tpg_graph::error::Finding;
 use tpg_runtime::policy::ActionId;
@@ -113,6 +115,14 @@ pub enum VariedTask<T> {
         /// Seed of constants and noise.
         seed: u64,
     },
+}
+
+impl<T> VariedTask<T> {
+    /// Returns the bare environment's task.
+    fn start(&self) -> &T {
+        let (Self::Standard(start) | Self::Varied { start, .. }) = self;
+        start
+    }
 }
 
 /// A running episode.
@@ -255,6 +265,13 @@ impl<S: Scalar, E: Adjustable<S>, C: Constants<Physics = E::Physics>> Environmen
 
     fn distance(&self, trial: &Self::Episode) -> Option<f64> {
         self.environment.distance(&trial.bare)
+    }
+
+    fn lanes(&self) -> Box<dyn Episodes<S, Self::Task> + '_> {
+        if !self.is_standard {
+            return Box::new(OneByOne::new(self));
+        }
+        Box::new(Mapped::new(self.environment.lanes(), VariedTask::start))
     }
 }
 

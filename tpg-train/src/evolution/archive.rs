@@ -9,7 +9,7 @@
 use super::genome::{Program, ProgramId};
 use super::vocabulary::Vocabulary;
 use serde::{Deserialize, Serialize};
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::VecDeque;
 use tpg_engine::{Line, Operand};
 use tpg_graph::ScalarType;
 use tpg_graph::error::Finding;
@@ -70,24 +70,34 @@ impl Archive {
         }
     }
 
+    /// Returns the recordings by program, to compare new programs with.
+    pub fn known(&self) -> Known<'_> {
+        let mut recordings: Vec<&Recording> = self.recordings.iter().collect();
+        recordings.sort_by_key(|recording| recording.program);
+        Known { recordings }
+    }
+}
+
+/// The recordings of an archive, those of a program next to each other.
+#[derive(Clone, Debug)]
+pub struct Known<'a> {
+    recordings: Vec<&'a Recording>,
+}
+
+impl Known<'_> {
     /// True if no archived program bid the same on all of its states (`areProgramResultsUnique`).
     pub fn is_new(&self, program: &Program, vocabulary: &Vocabulary) -> bool {
         if self.recordings.is_empty() {
             return true;
         }
-        // Lines without effect are most of a long program.
-        let lines = program.behaviour(vocabulary);
+        let lines = program.lines(vocabulary);
         let mut registers = Vec::new();
-        let mut same: BTreeMap<(u64, ProgramId), bool> = BTreeMap::new();
-        for recording in &self.recordings {
-            let same = same.entry(recording.program).or_insert(true);
+        let mut is_same = |recording: &&Recording| {
+            let bid = bid_in(&mut registers, &lines, vocabulary, &recording.state);
             // Written so that NaN never equals anything, as in GEGELATI.
-            *same = *same && {
-                let bid = bid_in(&mut registers, &lines, vocabulary, &recording.state);
-                (bid - f64::from_bits(recording.bid)).abs() <= TAU
-            };
-        }
-        !same.values().any(|&same| same)
+            (bid - f64::from_bits(recording.bid)).abs() <= TAU
+        };
+        !self.recordings.chunk_by(|a, b| a.program == b.program).any(|of_one| of_one.iter().all(&mut is_same))
     }
 }
 

@@ -258,8 +258,9 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
     fn evaluate(&self, state: &State<E::Task>, tasks: &[E::Task]) -> Result<Vec<Evaluated>, EvaluationError> {
         let mut roots: Vec<Evaluated> = Vec::new();
         for (deme, population) in state.demes.iter().enumerate() {
-            for team in population.genome.roots() {
-                let policy = population.genome.policy(team, &self.vocabulary);
+            let teams = population.genome.roots();
+            let policies = population.genome.policies(&teams, &self.vocabulary);
+            for (team, policy) in teams.into_iter().zip(policies) {
                 let lines = policy.lines();
                 roots.push(Evaluated { deme, team, policy, lines, endings: Vec::new(), dropped: false });
             }

@@ -4,7 +4,7 @@ use super::vocabulary::{Gene, InstructionIndex, OPERANDS, Vocabulary};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 use tpg_engine::{self, Line, PolicyGraph};
-use tpg_graph::dataflow::effective;
+use tpg_graph::dataflow::{Assignment, effective};
 
 /// Number of a team. Numbers only increase and are never reused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -73,27 +73,50 @@ pub struct Program {
 }
 
 impl Program {
-    /// Returns the lines with every operand resolved.
+    /// Tells of each line whether register 0, the bid, depends on it.
+    pub fn effective(&self, vocabulary: &Vocabulary) -> Vec<bool> {
+        let lines: Vec<Spelled<'_>> = self.lines.iter().map(|line| Spelled { line, vocabulary }).collect();
+        effective(vocabulary.registers().into(), &lines)
+    }
+
+    /// Returns the effective lines with every operand resolved; they are few of a long program's lines.
     pub fn lines(&self, vocabulary: &Vocabulary) -> Vec<Line> {
-        let line = |line: &GenomeLine| Line {
+        let line = |(line, _): (&GenomeLine, bool)| Line {
             to: line.to,
             instruction: vocabulary.instruction(line.instruction),
             operands: line.operands.map(|gene| vocabulary.read(&gene, &self.constants)),
         };
-        self.lines.iter().map(line).collect()
+        self.lines.iter().zip(self.effective(vocabulary)).filter(|(_, effective)| *effective).map(line).collect()
     }
 
     /// Returns what GEGELATI's `Program::hasIdenticalBehavior` compares: the effective lines, without operands they do
     /// not read.
     pub fn behaviour(&self, vocabulary: &Vocabulary) -> Vec<Line> {
-        let lines = self.lines(vocabulary);
-        let effective = effective(vocabulary.registers().into(), &lines);
-        let kept = lines.into_iter().zip(effective).filter(|(_, effective)| *effective);
-        kept.map(|(line, _)| {
-            let [a, b] = line.operands;
-            Line { operands: [a, if line.instruction.arity() == 1 { a } else { b }], ..line }
-        })
-        .collect()
+        let mut lines = self.lines(vocabulary);
+        for line in lines.iter_mut().filter(|line| line.instruction.arity() == 1) {
+            line.operands[1] = line.operands[0];
+        }
+        lines
+    }
+}
+
+/// A line with the vocabulary that says what it reads.
+struct Spelled<'a> {
+    line: &'a GenomeLine,
+    vocabulary: &'a Vocabulary,
+}
+
+impl Assignment for Spelled<'_> {
+    fn writes(&self) -> usize {
+        self.line.to.into()
+    }
+
+    fn reads(&self) -> impl Iterator<Item = usize> {
+        let Self { line, vocabulary } = *self;
+        let word = vocabulary.instruction(line.instruction);
+        let genes = line.operands.iter().take(word.arity());
+        let registers = genes.filter_map(|gene| vocabulary.register(gene).map(usize::from));
+        registers.chain(word.reads_destination().then(|| self.writes()))
     }
 }
 
@@ -260,6 +283,25 @@ impl Genome {
 
     /// Converts a root to an engine policy.
     pub fn policy(&self, root: TeamId, vocabulary: &Vocabulary) -> PolicyGraph {
+        self.policy_of(root, vocabulary, |id| self.program(id).lines(vocabulary))
+    }
+
+    /// Converts roots to engine policies, each program once.
+    pub fn policies(&self, roots: &[TeamId], vocabulary: &Vocabulary) -> Vec<PolicyGraph> {
+        let mut known = BTreeMap::new();
+        let mut lines = |id| {
+            let lines: &Vec<Line> = known.entry(id).or_insert_with(|| self.program(id).lines(vocabulary));
+            lines.clone()
+        };
+        roots.iter().map(|&root| self.policy_of(root, vocabulary, &mut lines)).collect()
+    }
+
+    fn policy_of(
+        &self,
+        root: TeamId,
+        vocabulary: &Vocabulary,
+        mut lines: impl FnMut(ProgramId) -> Vec<Line>,
+    ) -> PolicyGraph {
         let reached: Vec<TeamId> = self.reachable(root).into_iter().collect();
         let place = |id: TeamId| reached.binary_search(&id).expect("the team is reached") as u32;
         let mut programs = Vec::new();
@@ -268,7 +310,7 @@ impl Genome {
         let (mut leaves, mut leaf_numbers) = (Vec::new(), BTreeMap::new());
         let mut number = |id: ProgramId| {
             *numbers.entry(id).or_insert_with(|| {
-                programs.push(self.program(id).lines(vocabulary));
+                programs.push(lines(id));
                 programs.len() as u32 - 1
             })
         };

@@ -6,7 +6,6 @@ use super::mutate_program::ProgramMutator;
 use super::vocabulary::{Gene, Kind, Vocabulary};
 use tpg_engine::ActionSpace;
 use tpg_engine::random::Stream;
-use tpg_graph::dataflow::effective;
 use tpg_runtime::ops::Instruction;
 
 /// Returns the action that undoes each one: that with the same effect and the opposite values.
@@ -136,7 +135,7 @@ impl Mirror<'_> {
     fn negated(&self, program: &Program) -> Option<Program> {
         let vocabulary = self.programs.vocabulary;
         let negation = negation(vocabulary)?;
-        let has_effect = effective(vocabulary.registers().into(), &program.lines(vocabulary));
+        let has_effect = program.effective(vocabulary);
         let kept = program.lines.iter().zip(has_effect).filter(|(_, effect)| *effect).map(|(line, _)| *line);
         let mut lines: Vec<GenomeLine> = kept.collect();
         if lines.len() > 1 && lines.last() == Some(&negation) {

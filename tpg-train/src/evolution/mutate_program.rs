@@ -4,7 +4,6 @@ use super::config::{Literals, ProgramParameters};
 use super::genome::{GenomeLine, Program};
 use super::vocabulary::{Gene, Kind, OPERANDS, Vocabulary};
 use tpg_engine::random::Stream;
-use tpg_graph::dataflow::effective;
 
 /// Parameters of program mutations.
 #[derive(Clone, Copy, Debug)]
@@ -34,7 +33,7 @@ impl ProgramMutator<'_> {
 
     /// Changes every literal that a program reads, each by a factor near 1; returns true if there is one.
     pub fn refine(&self, program: &mut Program, deviation: f64, stream: &mut Stream) -> bool {
-        let effective = effective(self.vocabulary.registers().into(), &program.lines(self.vocabulary));
+        let effective = program.effective(self.vocabulary);
         let mut any = false;
         for (line, _) in program.lines.iter_mut().zip(effective).filter(|(_, effective)| *effective) {
             let arity = self.vocabulary.instruction(line.instruction).arity();

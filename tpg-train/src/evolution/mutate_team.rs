@@ -1,6 +1,6 @@
 //! The first population, and children of roots, with GEGELATI's choices (`mutator/tpgMutator.cpp`).
 
-use super::archive::Archive;
+use super::archive::{Archive, Known};
 use super::config::{ParentChoice, TpgParameters};
 use super::genome::{Destination, Edge, Genome, Program, ProgramId, Team, TeamId};
 use super::mirror::Mirror;
@@ -150,9 +150,10 @@ impl TeamMutator<'_> {
             }
             children += 1;
         }
+        let known = archive.known();
         for (index, new) in (0..).zip(&to_mutate) {
             let mut stream = moment.stream(Purpose::Program, index);
-            let mutated = new_behaviour(genome.program(*new), &programs, parameters, archive, &mut stream);
+            let mutated = new_behaviour(genome.program(*new), &programs, parameters, &known, &mut stream);
             genome.replace_program(*new, mutated);
         }
     }
@@ -224,7 +225,7 @@ fn new_behaviour(
     original: &Program,
     mutator: &ProgramMutator<'_>,
     parameters: &TpgParameters,
-    archive: &Archive,
+    known: &Known<'_>,
     stream: &mut Stream,
 ) -> Program {
     let old = parameters.force_program_behavior_change_on_mutation.then(|| original.behaviour(mutator.vocabulary));
@@ -240,7 +241,7 @@ fn new_behaviour(
                 }
             }
         }
-        if archive.is_new(&program, mutator.vocabulary) {
+        if known.is_new(&program, mutator.vocabulary) {
             return program;
         }
     }
@@ -360,7 +361,7 @@ mod tests {
         for index in 0..300 {
             let mut stream = Stream::new(1, 0, Purpose::Test, index);
             let program = mutator.random(&mut stream);
-            let mutated = new_behaviour(&program, &mutator, &config.tpg, &Archive::new(0), &mut stream);
+            let mutated = new_behaviour(&program, &mutator, &config.tpg, &Archive::new(0).known(), &mut stream);
             assert_ne!(mutated.behaviour(&vocabulary), program.behaviour(&vocabulary));
         }
     }
@@ -373,8 +374,8 @@ mod tests {
             ProgramMutator { vocabulary: &vocabulary, parameters: &config.program, literals: &config.literals };
         let mut archive = Archive::new(50);
         let mut stream = Stream::new(1, 0, Purpose::Test, 0);
-        let known: Vec<_> = (0..10).map(|_| mutator.random(&mut stream)).collect();
-        for (number, program) in (0..).zip(&known) {
+        let programs: Vec<_> = (0..10).map(|_| mutator.random(&mut stream)).collect();
+        for (number, program) in (0..).zip(&programs) {
             for state in 0..5 {
                 let state = [0, 1, 2].map(|place| f64::from(state) * 0.25 - f64::from(place)).to_vec();
                 let bid = bid(&program.lines(&vocabulary), &vocabulary, &state).to_bits();
@@ -382,10 +383,11 @@ mod tests {
             }
         }
         let finite = |program: &Program| bid(&program.lines(&vocabulary), &vocabulary, &[0.5, -0.5, 1.0]).is_finite();
-        let same = known.iter().filter(|program| finite(program));
+        let same = programs.iter().filter(|program| finite(program));
         assert!(same.clone().count() > 3);
-        assert!(same.clone().all(|program| !archive.is_new(program, &vocabulary)), "the archived themselves are known");
-        let mutated = new_behaviour(&known[0], &mutator, &config.tpg, &archive, &mut stream);
-        assert!(archive.is_new(&mutated, &vocabulary));
+        let known = archive.known();
+        assert!(same.clone().all(|program| !known.is_new(program, &vocabulary)), "the archived themselves are known");
+        let mutated = new_behaviour(&programs[0], &mutator, &config.tpg, &known, &mut stream);
+        assert!(known.is_new(&mutated, &vocabulary));
     }
 }

@@ -6,7 +6,6 @@ use super::mutate_program::ProgramMutator;
 use super::vocabulary::{Kind, Vocabulary};
 use std::collections::BTreeMap;
 use tpg_engine::random::Stream;
-use tpg_graph::dataflow::effective;
 
 /// Makes children by small changes.
 #[derive(Clone, Copy, Debug)]
@@ -106,7 +105,7 @@ impl Refiner<'_> {
         });
         let short = |id: ProgramId| {
             let program = genome.program(id);
-            let has_effect = effective(self.vocabulary.registers().into(), &program.lines(self.vocabulary));
+            let has_effect = program.effective(self.vocabulary);
             let kept = program.lines.iter().zip(has_effect).filter(|(_, effect)| *effect).map(|(line, _)| *line);
             let mut lines: Vec<GenomeLine> = kept.collect();
             if lines.is_empty() {

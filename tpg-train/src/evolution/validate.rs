@@ -101,7 +101,8 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
     fn episodes_to_spend(&self, state: &State<E::Task>) -> Option<usize> {
         let selection = &self.config.selection;
         let all = selection.validation_episodes;
-        let roots = self.field(state).len();
+        let roots: usize = state.demes.iter().map(|deme| deme.records.len()).sum();
+        let roots = roots.min(selection.validation_roots);
         let cost = cost(roots, all);
         let left = episodes_left(state, selection.validation_share, selection.validation_by);
         if self.is_last(state) {

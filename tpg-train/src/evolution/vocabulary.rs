@@ -180,6 +180,11 @@ impl Vocabulary {
         self.scalar
     }
 
+    /// Returns the register that an operand refers to, if it is one.
+    pub fn register(&self, gene: &Gene) -> Option<u16> {
+        (self.kind(gene.source) == Kind::Registers).then(|| gene.location % self.registers)
+    }
+
     /// Resolves an operand; `constants` are those of its program.
     pub fn read(&self, gene: &Gene, constants: &[f64]) -> Operand {
         match self.kind(gene.source) {

@@ -223,6 +223,7 @@ fn circle(magnitude: u64, offset: u64) -> u64 {
 }
 
 /// Natural logarithm: off by at most 0.96 ulp; of ±0 it is −∞, of a negative number NaN.
+#[inline]
 pub fn ln(x: f64) -> f64 {
     let bits = x.to_bits();
 
@@ -272,6 +273,7 @@ pub fn ln(x: f64) -> f64 {
 
 /// `eˣ`: off by at most 1 ulp, subnormal results included; +∞ from 709.782_712_893_384_1 on, 0 below
 /// −745.133_219_101_941_2.
+#[inline]
 pub fn exp(x: f64) -> f64 {
     // 1.5 · 2⁵²: adding it leaves the nearest integer in the low bits of the sum.
     const ROUND: f64 = 6755399441055744.0;
