@@ -165,5 +165,8 @@ fn compute_column<S: Scalar, M: Maths<S>>(
             }
         };
     }
-    loops!(short: Sub Add Mul Div NegateIfLess Abs Min Max Gate Fmod; long: Cos cosines Sin sines Tan tangents Ln logarithms Exp exponentials);
+    loops!(
+        short: Sub Add Mul Div NegateIfLess Abs Min Max Gate Fmod;
+        long: Cos cosines Sin sines Tan tangents Ln logarithms Exp exponentials
+    );
 }

@@ -170,12 +170,8 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
             self.episodes.observe(plan.wanted, &mut self.columns.view(&plan.places))?;
             let actions = self.decider.decide(plan, &mut self.columns, self.running.len());
             self.steps += actions.len() as u64;
-            if !self
-                .running
-                .iter()
-                .zip(actions)
-                .fold(true, |goes_on, (&(task, _), &action)| goes_on & watch(task, action))
-            {
+            let watched = self.running.iter().zip(actions);
+            if !watched.fold(true, |goes_on, (&(task, _), &action)| goes_on & watch(task, action)) {
                 break;
             }
             self.ended.clear();
