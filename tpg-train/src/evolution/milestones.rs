@@ -14,7 +14,7 @@ const PATIENCE: u64 = 2;
 /// Least number of generations that bring nothing better before a search has stalled.
 const LEAST_PATIENCE: u64 = 10;
 /// Greatest such number, in usual lengths of a search: a run whose steps never end must not search for ever.
-const GREATEST_PATIENCE: u64 = 3;
+const GREATEST_PATIENCE: u64 = 30;
 
 /// Milestones of a search for weights that is limited by steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -143,7 +143,7 @@ mod tests {
         );
         assert_eq!(end(20, Some((2_000, 100_000)), rising), (10, 20), "its generations have taken enough");
         assert_eq!(end(20, Some((2_001, 100_000)), flat), (10, 21), "never before ten generations");
-        assert_eq!(end(20, Some((1 << 50, 1 << 60)), flat), (10, 71), "however many steps there are");
+        assert_eq!(end(20, Some((1 << 50, 1 << 60)), flat), (10, 611), "however many steps there are");
         assert_eq!(end(20, Some((4_000, 100_000)), rising), (10, 1_000), "the second share");
         assert_eq!(end(20, Some((400, 1_600)), rising), (8, 16), "the second share, before its generations");
         assert_eq!(end(20, Some((400, 800)), rising), (4, 8), "it also ends what has hardly begun");
