@@ -6,8 +6,9 @@ use tpg_graph::error::InputError;
 use tpg_problems::ProblemName;
 
 /// Every preset.
-pub const PRESETS: [Preset; 9] = [
+pub const PRESETS: [Preset; 10] = [
     Preset::new("general", "for any problem with outputs", include_str!("presets/general.toml")),
+    Preset::new("long", "for long episodes and named actions", include_str!("presets/long.toml")),
     Preset::new("best-fs", "ours, the arm from its home position", include_str!("presets/best-fs.toml")),
     Preset::new("best-rs", "ours, the arm from anywhere", include_str!("presets/best-fs.toml")).with(&[
         ("for the fixed start.", "for both starts, chosen on random starts."),
@@ -85,6 +86,7 @@ pub fn usual(problem: ProblemName) -> &'static Preset {
     let name = match problem {
         ProblemName::Fs => "best-fs",
         ProblemName::Rs => "best-rs",
+        ProblemName::Dodge => "long",
         _ => "general",
     };
     find(name).expect("it is in the list")
