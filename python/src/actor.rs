@@ -19,7 +19,7 @@ use tpg_train::sac::weights::to_tensors;
 const LOOK: u64 = 256;
 
 /// Trains a network on an environment with outputs, and puts it into integers. `make` makes a driver with an environment of
-/// its own; `settings` is a JSON object of other values than the preset `general` has. Returns the network and its mean
+/// its own; `settings` is a JSON object of other values than the preset `long` has. Returns the network and its mean
 /// return on the validation episodes, before it was put into integers.
 #[pyfunction]
 pub(crate) fn train_network(
