@@ -19,7 +19,7 @@ use tpg_train::sac::weights::to_tensors;
 const LOOK: u64 = 256;
 
 /// Trains a network on an environment with outputs, and puts it into integers. `make` makes a driver with an environment of
-/// its own; `settings` is a JSON object of other values than the preset `general` has. Returns the network and its mean
+/// its own; `settings` is a JSON object of other values than the preset `long` has. Returns the network and its mean
 /// return on the validation episodes, before it was put into integers.
 #[pyfunction]
 pub(crate) fn train_network(
@@ -30,7 +30,7 @@ pub(crate) fn train_network(
     seed: u64,
     kind: &str,
 ) -> PyResult<(Network, f64)> {
-    let text = with_settings(presets::find("general").expect("it comes with the trainer"), settings)?;
+    let text = with_settings(presets::find("long").expect("it comes with the trainer"), settings)?;
     let config = SacConfig::from_toml("<settings>", &text).map_err(error::input)?;
     let (gym, kind) = (Gym::new(space.clone(), make), kind_of(kind)?);
     py.detach(|| {
@@ -58,7 +58,7 @@ pub(crate) fn train_network(
             training.best().ok_or_else(|| error::input("a run without a validation; accepted: more decisions"))?;
         let provenance = Provenance {
             tool: concat!("tpg-train ", env!("CARGO_PKG_VERSION")).to_owned(),
-            config: "general".to_owned(),
+            config: "long".to_owned(),
             seed,
             decisions: best.decisions,
             validation: Some(best.result),

@@ -129,7 +129,7 @@ class NetworkPolicy:
 
 def train_network(
     env: str | Callable[[], gymnasium.Env[Any, Any]],
-    decisions: int = 40_000,
+    decisions: int = 150_000,
     *,
     seed: int = 1,
     hidden: Sequence[int] = (64, 64),
@@ -140,8 +140,9 @@ def train_network(
 
     Args:
         env: a Gymnasium id, or a function that makes an environment: each of the parallel episodes has one of its own.
+        decisions: in training, each of which lasts four actions of the environment (`learning.decision_lasts`).
         hidden: units of each hidden layer of the actor.
-        settings: other values of what `tpg-train config --sac general` prints, such as `{"learning.lanes": 4}`.
+        settings: other values of what `tpg-train config --sac long` prints, such as `{"learning.lanes": 4}`.
         kind: bits of weights and activations: "w8a16", "w16a16" or "w8a8".
 
     The result's `agreement` has `validation_score`: the mean return on the validation episodes, before the integers.

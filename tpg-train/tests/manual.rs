@@ -35,8 +35,9 @@ what is accepted. Keys that a preset leaves out have the default.
         .to_vec();
     tables::<EvolutionConfig>(&mut text, &values);
     text += "\n## `tpg-train sac`\n";
-    let values: Vec<(&str, Table)> =
-        ["general", "best-fs"].map(|name| (name, read(&sac_presets::find(name).expect("a preset").text()))).to_vec();
+    let values: Vec<(&str, Table)> = ["general", "long", "best-fs"]
+        .map(|name| (name, read(&sac_presets::find(name).expect("a preset").text())))
+        .to_vec();
     tables::<SacConfig>(&mut text, &values);
 
     text += "\n## The section `[problem]`\n\n`name` is the problem's, as `tpg-train problems` lists them. Its other keys:\n";

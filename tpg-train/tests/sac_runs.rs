@@ -192,7 +192,9 @@ fn a_network_chooses_among_named_actions_in_floating_point_and_in_integers() {
 #[test]
 fn what_a_network_cannot_do_is_refused_with_the_reason() {
     assert!(error_of(&["sac"]).contains("no problem"));
-    assert!(error_of(&["sac", "--problem", "pendulum", "--preset", "huge"]).contains("general, best-fs"));
+    assert!(
+        error_of(&["sac", "--problem", "pendulum", "--preset", "huge"]).contains("general, long, choices, best-fs")
+    );
     let place = tempfile::tempdir().expect("a temporary folder");
     let config = place.path().join("config.toml");
     let text = presets::find("general").expect("a preset").text();

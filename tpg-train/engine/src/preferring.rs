@@ -52,11 +52,6 @@ impl<E> Preferring<E> {
         let chooses = environment.actions().count().is_some();
         Self { environment, chooses }
     }
-
-    /// Returns true if outputs are preferences.
-    pub fn chooses(&self) -> bool {
-        self.chooses
-    }
 }
 
 /// Returns the action with the greatest preference, of equals the first; NaN is preferred least.
@@ -92,6 +87,10 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Preferring<E> {
             ActionSpace::Discrete(actions) => ActionSpace::Box(actions.into_iter().map(output).collect()),
             space => space,
         }
+    }
+
+    fn chooses(&self) -> bool {
+        self.chooses || self.environment.chooses()
     }
 
     fn step(&self, episode: &mut E::Episode, act: Act<'_, S>) -> Step {

@@ -14,6 +14,7 @@
 //! `fearless_simd` detects.
 
 mod adam;
+mod categorical;
 mod gaussian;
 mod loops;
 mod mlp;
@@ -23,6 +24,7 @@ mod sum;
 mod vectors;
 
 pub use adam::Adam;
+pub use categorical::{softmax, softmax_backward};
 pub use gaussian::{Gaussian, Samples, Spread};
 pub use loops::Loops;
 pub use mlp::{Mlp, Shape, Tape};

@@ -123,7 +123,11 @@ fn motors(actor: &Actor1) -> Result<Config, Finding> {
 pub(super) fn interface(inputs: Inputs) -> Interface {
     let input = |name: String| Input { name, unit: String::new(), offset: 0.0, scale: 1.0 };
     let output = |name: &str| Output { name: name.to_owned(), unit: String::new(), min: -1.0, max: 1.0 };
-    Interface { inputs: inputs.names().into_iter().map(input).collect(), outputs: MOTORS.map(output).into() }
+    Interface {
+        inputs: inputs.names().into_iter().map(input).collect(),
+        outputs: MOTORS.map(output).into(),
+        chooses: false,
+    }
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@
 
 use super::agent::{Agent, Bootstrap, Learner};
 use super::config::SacConfig;
+use super::interface::Input;
 use super::lanes::Lanes;
 use super::replay::Replay;
 use super::tensors::{Tensor, Tensors, place};
@@ -16,7 +17,7 @@ use tpg_graph::error::{Finding, InputError};
 use tpg_nn::{Adam, Mlp, Shape};
 
 /// Incremented with every change to the content or meaning of checkpoints.
-pub const VERSION: u32 = 5;
+pub const VERSION: u32 = 6;
 /// No run counts further: sums of two such counts do not overflow, and `f64` holds them exactly.
 const MOST: u64 = 1 << 53;
 
@@ -37,6 +38,8 @@ struct State<Task> {
     /// The task of each lane, and the number of values in its actions so far.
     lanes: Vec<(Task, usize)>,
     failures: Vec<Task>,
+    /// The inputs, which a run may have measured.
+    inputs: Vec<Input>,
     /// The rows of the log so far.
     log: Vec<serde_json::Value>,
 }
@@ -96,6 +99,7 @@ pub fn to_bytes<E: Environment<f32>>(training: &Training<'_, E>, log: &[serde_js
         recent: recent.clone(),
         lanes: lanes.lanes.iter().map(|lane| (lane.task.clone(), lane.actions.len())).collect(),
         failures: lanes.failures.places.clone(),
+        inputs: lanes.interface().inputs.clone(),
         log: log.to_vec(),
     };
     tensors.text = Some(serde_json::to_string(&state).expect("plain data"));
@@ -204,6 +208,7 @@ fn restore<'e, E: Environment<f32>>(
     let interface = interface(environment, config)?;
     let (inputs, actions) = (interface.inputs.len(), interface.outputs.len());
     state.check(config, environment, actions).map_err(|finding| finding.within("metadata.tpg"))?;
+    check_inputs(&state.inputs, &interface.inputs).map_err(|finding| finding.within("metadata.tpg"))?;
     let mut numbers = Numbers(file);
     // The weights drawn here are all overwritten: only the shapes count.
     let mut agent = agent(config, &interface, seed);
@@ -233,6 +238,7 @@ fn restore<'e, E: Environment<f32>>(
     }
     lanes.episodes = state.episodes;
     lanes.failures.places = state.failures;
+    lanes.set_inputs(state.inputs);
     let mut training = Training::of_parts(config.clone(), seed, agent, replay, lanes);
     training.average = average;
     training.decisions = state.decisions;
@@ -297,6 +303,18 @@ fn check_task<E: Environment<f32>>(environment: &E, key: &str, task: &E::Task) -
     Err(Finding::new(key, format!("{task:?}"), "a task of the problem"))
 }
 
+/// Refuses other inputs than the environment's, and scales that are no numbers.
+fn check_inputs(found: &[Input], accepted: &[Input]) -> Result<(), Finding> {
+    let same = |(found, accepted): (&Input, &Input)| {
+        found.name == accepted.name && found.offset.is_finite() && found.scale.is_finite() && found.scale > 0.0
+    };
+    if found.len() == accepted.len() && found.iter().zip(accepted).all(same) {
+        return Ok(());
+    }
+    let accepted = accepted.iter().map(|input| input.name.as_str()).collect::<Vec<_>>().join(" ");
+    Err(Finding::new("inputs", format!("{found:?}"), format!("{accepted}, each with a finite offset and scale")))
+}
+
 /// Refuses the checkpoint of another configuration or seed.
 fn check_header(text: &str, config: &SacConfig, seed: u64) -> Result<(), Finding> {
     let header: Header = parse(text)?;
@@ -314,9 +332,10 @@ fn check_header(text: &str, config: &SacConfig, seed: u64) -> Result<(), Finding
 mod tests {
     use super::*;
     use crate::sac::presets;
-    use tpg_problems::Pendulum;
+    use tpg_engine::Preferring;
     use tpg_problems::arm::motors::{self, Motors};
     use tpg_problems::arm::targets::Start;
+    use tpg_problems::{CartPole, Pendulum};
 
     fn small(preset: &str) -> SacConfig {
         let mut config = presets::config(presets::find(preset).expect("a preset")).expect("it is accepted");
@@ -370,6 +389,10 @@ mod tests {
             check_resumed(&motors(preset), &small(preset));
         }
         check_resumed(&Pendulum, &small("general"));
+        let mut measured = small("general");
+        measured.learning.measured_inputs = true;
+        check_resumed(&Pendulum, &measured);
+        check_resumed(&Preferring::new::<f32>(CartPole), &measured);
     }
 
     #[test]

@@ -212,10 +212,7 @@ impl<'a, E: Environment<f32>> Run<'a, E> {
         };
         let config = self.training.config();
         let (interface, actor) = (self.training.interface(), config.actor.clone());
-        let contract = Contract {
-            chooses: self.environment.chooses(),
-            ..Contract::new(config.problem.clone(), interface, actor, provenance)
-        };
+        let contract = Contract::new(config.problem.clone(), interface, actor, provenance);
         to_tensors(&best.actor, &contract).write(&self.folder.file("policy.safetensors"))?;
         self.log.push(log::row(&self.training, &recent, &result, self.environment));
         log::write(self.folder.path(), &self.log, self.began)

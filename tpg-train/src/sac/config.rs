@@ -95,10 +95,18 @@ pub struct Learning {
     pub decisions: u64,
     /// Episodes side by side.
     pub lanes: usize,
+    /// Actions of the environment that a decision lasts in training, the same one each time; outside of training one. Longer
+    /// decisions differ more in what they lead to, and explore farther.
+    #[serde(default = "one", skip_serializing_if = "is_one")]
+    pub decision_lasts: u32,
     /// Decisions between two updates.
     pub decisions_per_update: u64,
     /// Random decisions before the first update.
     pub random_decisions: u64,
+    /// True if inputs are scaled once more after the random decisions, by what was seen: less the mean, divided by the standard
+    /// deviation.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub measured_inputs: bool,
     /// Transitions in an update.
     pub batch: usize,
     /// Transitions remembered.
@@ -111,9 +119,14 @@ pub struct Learning {
     pub discount: f64,
     /// The fraction by which slow copies follow after each update, τ.
     pub follow: f64,
-    /// Target entropy, nats; minus the number of outputs where it is left out. Only with a learned temperature.
+    /// Target entropy, nats; where it is left out, minus the number of outputs, or 0.3 times the most possible where actions are
+    /// named. Only with a learned temperature.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub target_entropy: Option<f64>,
+    /// Target entropy of each output at the start, nats; it falls linearly to the other at the end. Without it, the target stays the
+    /// same, as it does where actions are named.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub exploring_entropy: Option<f64>,
     /// Logarithm of the temperature at the start, ln α. Only with a learned temperature.
     pub log_temperature: f64,
     /// Adam's step for ln α. Only with a learned temperature.
@@ -122,6 +135,14 @@ pub struct Learning {
     /// Without it, the two are one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub average: Option<f64>,
+}
+
+fn one() -> u32 {
+    1
+}
+
+fn is_one(&value: &u32) -> bool {
+    value == 1
 }
 
 /// Episodes that begin where the actor failed.
@@ -184,6 +205,7 @@ impl SacConfig {
             ("learning.replay", learning.replay as u64),
             ("learning.decisions_per_update", learning.decisions_per_update),
             ("learning.random_decisions", learning.random_decisions),
+            ("learning.decision_lasts", u64::from(learning.decision_lasts)),
             ("validation.every", validation.every),
             ("validation.episodes", validation.episodes as u64),
         ] {

@@ -85,7 +85,7 @@ impl Contract {
             problem,
             inputs: interface.inputs.clone(),
             outputs: interface.outputs.iter().map(output).collect(),
-            chooses: false,
+            chooses: interface.chooses,
             actor,
             provenance,
         }
@@ -99,7 +99,11 @@ impl Contract {
             min: *min,
             max: *max,
         };
-        Interface { inputs: self.inputs.clone(), outputs: self.outputs.iter().map(output).collect() }
+        Interface {
+            inputs: self.inputs.clone(),
+            outputs: self.outputs.iter().map(output).collect(),
+            chooses: self.chooses,
+        }
     }
 
     /// Reads the text of a policy file.

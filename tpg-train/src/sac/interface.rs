@@ -19,6 +19,18 @@ pub struct Input {
     pub scale: f32,
 }
 
+/// Mean and standard deviation of an input.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moments {
+    /// Mean.
+    pub mean: f32,
+    /// Standard deviation.
+    pub deviation: f32,
+}
+
+/// An input that changes less stays as it is.
+pub const LEAST_DEVIATION: f32 = 1e-3;
+
 /// The names of a network's inputs: one for each value of the flat state of these sources.
 pub fn input_names(sources: &[SourceDocument]) -> Vec<String> {
     sources.iter().flat_map(|source| inputs(source, false)).map(|input| input.name).collect()
@@ -31,6 +43,8 @@ pub struct Interface {
     pub inputs: Vec<Input>,
     /// One for each component of an action.
     pub outputs: Vec<Output>,
+    /// True if the outputs are preferences for named actions: the greatest acts.
+    pub chooses: bool,
 }
 
 impl Interface {
@@ -40,7 +54,18 @@ impl Interface {
     /// If the environment's actions are not outputs.
     pub fn new(environment: &impl Environment<f32>, scaled: bool) -> Result<Self, Finding> {
         let inputs = environment.sources().iter().flat_map(|source| inputs(source, scaled)).collect();
-        Ok(Self { inputs, outputs: outputs(environment.actions())? })
+        Ok(Self { inputs, outputs: outputs(environment.actions())?, chooses: environment.chooses() })
+    }
+
+    /// Makes the network read inputs less their mean, divided by their standard deviation; both are of what it has read so far. An
+    /// input that hardly changes, by less than a thousandth of its unit, stays as it is.
+    pub fn measure(&mut self, seen: &[Moments]) {
+        for (input, seen) in self.inputs.iter_mut().zip(seen) {
+            if seen.deviation > LEAST_DEVIATION {
+                input.offset += seen.mean / input.scale;
+                input.scale /= seen.deviation;
+            }
+        }
     }
 
     /// Turns a flat state into what the network reads.

@@ -2,7 +2,7 @@
 
 use super::config::SacConfig;
 use super::failures::Failures;
-use super::interface::Interface;
+use super::interface::{Input, Interface};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{Act, End, Environment, SourceSet};
 
@@ -33,6 +33,10 @@ pub struct Lanes<'e, E: Environment<f32>> {
     environment: &'e E,
     interface: Interface,
     limit: u32,
+    /// Actions of the environment that a decision lasts.
+    lasts: u32,
+    /// Discount of each elementary step.
+    discount: f32,
     seed: u64,
     /// The lanes.
     pub lanes: Vec<Lane<E>>,
@@ -60,7 +64,8 @@ impl<'e, E: Environment<f32>> Lanes<'e, E> {
         let retried = config.retry.map_or(0.0, |retry| retry.share);
         let (limit, failures) = (environment.time_limit(), Failures::new());
         let (lanes, values) = (Vec::new(), Vec::new());
-        Self { environment, interface, limit, seed, lanes, episodes: 0, failures, retried, values }
+        let (lasts, discount) = (config.learning.decision_lasts, config.learning.discount as f32);
+        Self { environment, interface, limit, lasts, discount, seed, lanes, episodes: 0, failures, retried, values }
     }
 
     /// Adds a lane whose episode began with `task` and has had `actions`: they are done again. False if the episode ends
@@ -91,15 +96,25 @@ impl<'e, E: Environment<f32>> Lanes<'e, E> {
         self.interface.scale(inputs);
     }
 
-    /// Takes an action in a lane. The episode stays as it ended; see [`renew`](Self::renew).
+    /// Takes an action in a lane, for as long as a decision lasts; the reward is the discounted sum. The episode stays as it
+    /// ended; see [`renew`](Self::renew).
     pub fn act(&mut self, lane: usize, action: &[f32]) -> Consequence {
         let lane = &mut self.lanes[lane];
         self.interface.values(action, &mut self.values);
-        let step = self.environment.step(&mut lane.episode, Act::Values(&self.values));
         lane.actions.extend_from_slice(action);
-        lane.done += 1;
-        let timeout = || (lane.done >= self.limit).then(|| self.environment.timeout(&lane.episode));
-        Consequence { reward: step.reward as f32, steps: step.repeats, end: step.end.or_else(timeout) }
+        let mut whole = Consequence { reward: 0.0, steps: 0, end: None };
+        for _ in 0..self.lasts {
+            let step = self.environment.step(&mut lane.episode, Act::Values(&self.values));
+            lane.done += 1;
+            let timeout = || (lane.done >= self.limit).then(|| self.environment.timeout(&lane.episode));
+            whole.reward += libm::powf(self.discount, whole.steps as f32) * step.reward as f32;
+            whole.steps += step.repeats;
+            whole.end = step.end.or_else(timeout);
+            if whole.end.is_some() {
+                break;
+            }
+        }
+        whole
     }
 
     /// Begins the next episode in a lane.
@@ -110,6 +125,11 @@ impl<'e, E: Environment<f32>> Lanes<'e, E> {
     /// Returns the environment.
     pub fn environment(&self) -> &'e E {
         self.environment
+    }
+
+    /// Changes what the network reads.
+    pub fn set_inputs(&mut self, inputs: Vec<Input>) {
+        self.interface.inputs = inputs;
     }
 
     /// Returns the network's inputs and outputs.
@@ -145,5 +165,21 @@ mod tests {
         let task = lanes.lanes[0].task;
         lanes.renew(0);
         assert!(lanes.lanes[0].task != task && lanes.lanes[0].actions.is_empty());
+    }
+
+    #[test]
+    fn a_decision_that_lasts_pays_the_discounted_sum_and_ends_at_the_limit() {
+        let mut config = presets::config(presets::find("general").expect("a preset")).expect("it is accepted");
+        config.learning.discount = 0.5;
+        let interface = Interface::new(&Pendulum, true).expect("a torque");
+        let mut single = Lanes::new(&Pendulum, interface.clone(), &config, 5);
+        config.learning.decision_lasts = 3;
+        let mut lasting = Lanes::new(&Pendulum, interface, &config, 5);
+        let [a, b, c] = [0, 1, 2].map(|_| single.act(0, &[0.5]).reward);
+        let whole = lasting.act(0, &[0.5]);
+        assert_eq!((whole.reward, whole.steps, whole.end), (a + 0.5 * b + 0.25 * c, 3, None));
+        // 200 actions are 66 decisions and two actions.
+        let last = (1..67).map(|_| lasting.act(0, &[0.5])).last().expect("some");
+        assert!(last.steps == 2 && last.end.is_some_and(|end| end.truncated), "{last:?}");
     }
 }

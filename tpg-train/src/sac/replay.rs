@@ -1,5 +1,6 @@
 //! The replay buffer: the latest transitions.
 
+use super::interface::Moments;
 use tpg_engine::random::Stream;
 
 /// One transition: a state, an action, its reward and the next state.
@@ -102,6 +103,27 @@ impl Replay {
         numbers.copy_from_slice(&[transition.reward, transition.discount]);
         next.copy_from_slice(transition.next);
         self.added += 1;
+    }
+
+    /// Returns mean and standard deviation of each input, in the states before.
+    pub fn moments(&self) -> Vec<Moments> {
+        let states = || self.rows.chunks_exact(self.width());
+        let count = self.len().max(1) as f64;
+        let moments = |input: usize| {
+            let mean = states().map(|row| f64::from(row[input])).sum::<f64>() / count;
+            let square = states().map(|row| (f64::from(row[input]) - mean).powi(2)).sum::<f64>() / count;
+            Moments { mean: mean as f32, deviation: square.sqrt() as f32 }
+        };
+        (0..self.inputs).map(moments).collect()
+    }
+
+    /// Changes every state.
+    pub fn map_states(&mut self, mut change: impl FnMut(&mut [f32])) {
+        let (width, inputs) = (self.width(), self.inputs);
+        for row in self.rows.chunks_exact_mut(width) {
+            change(&mut row[..inputs]);
+            change(&mut row[width - inputs..]);
+        }
     }
 
     /// Draws a batch, every transition held equally likely, with repeats.

@@ -4,11 +4,12 @@
 //! tick's random numbers are a function of the seed and of how many decisions came before.
 
 use super::agent::{Agent, Experience, Rates, UpdateFigures, Workspace};
-use super::config::{Algorithm, SacConfig};
+use super::choice::usual_entropy;
+use super::config::{Algorithm, Learning, SacConfig};
 use super::curve::flat;
 use super::interface::Interface;
 use super::lanes::Lanes;
-use super::policy::NetworkPolicy;
+use super::policy::{NetworkPolicy, draw_choice};
 use super::replay::{Batch, Replay, Transition};
 use serde::{Deserialize, Serialize};
 use tpg_engine::random::{Purpose, Stream};
@@ -69,6 +70,7 @@ struct Space {
     noise: Vec<f32>,
     next_noise: Vec<f32>,
     before: Vec<f32>,
+    choice: Vec<f32>,
 }
 
 impl Space {
@@ -83,6 +85,7 @@ impl Space {
             noise: vec![0.0; actions * batch.max(lanes)],
             next_noise: vec![0.0; actions * batch],
             before: vec![0.0; inputs * lanes],
+            choice: vec![0.0; actions],
         }
     }
 }
@@ -161,11 +164,16 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
 
     /// Lets every lane decide once, then does the updates that are due.
     pub fn tick(&mut self) {
+        let began = self.decisions;
         self.act();
         let learning = &self.config.learning;
         if self.decisions < learning.random_decisions {
             return;
         }
+        if learning.measured_inputs && began < learning.random_decisions {
+            self.measure_inputs();
+        }
+        let learning = &self.config.learning;
         let due = (self.decisions - learning.random_decisions) / learning.decisions_per_update;
         while self.updates < due {
             self.update();
@@ -179,16 +187,40 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
         }
     }
 
+    /// Scales inputs by what was seen so far, and the states that are remembered with them.
+    fn measure_inputs(&mut self) {
+        let (before, mut interface) = (self.interface().inputs.clone(), self.interface().clone());
+        interface.measure(&self.replay.moments());
+        self.replay.map_states(|state| {
+            for (value, input) in state.iter_mut().zip(&before) {
+                *value = *value / input.scale + input.offset;
+            }
+            interface.scale(state);
+        });
+        self.lanes.set_inputs(interface.inputs);
+    }
+
     fn act(&mut self) {
         let Self { config, seed, agent, replay, lanes, space, .. } = self;
         let (width, actions) = (agent.actor.network.shape().inputs, agent.gaussian().actions);
         let columns = space.acting.input_mut().chunks_exact_mut(width);
         columns.enumerate().for_each(|(lane, column)| lanes.observe(lane, column));
         space.before.copy_from_slice(space.acting.input_mut());
-        let mut random = Stream::new(*seed, self.decisions, Purpose::Exploration, 0);
         let count = config.learning.lanes;
+        let mut random = Stream::new(*seed, self.decisions, Purpose::Exploration, 0);
         let exploring = self.decisions < config.learning.random_decisions;
-        if exploring {
+        if agent.chooses() {
+            if !exploring {
+                agent.actor.network.forward(&mut space.acting);
+            }
+            space.samples.actions.clear();
+            for output in space.acting.output().chunks_exact(2 * actions) {
+                // Before the first update, no action is preferred.
+                let preferences = if exploring { &vec![0.0; actions][..] } else { &output[..actions] };
+                draw_choice(preferences, &mut random, &mut space.choice);
+                space.samples.actions.extend_from_slice(&space.choice);
+            }
+        } else if exploring {
             space.samples.actions.clear();
             space.samples.actions.extend((0..actions * count).map(|_| (2.0 * random.unit() - 1.0) as f32));
         } else {
@@ -247,11 +279,12 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
             noise,
         };
         let done = (self.decisions as f64 / learning.decisions as f64).min(1.0);
+        let target_entropy = target_entropy(learning, actions, self.agent.chooses(), done);
         let rates = Rates {
             learning: learning.rate * (1.0 + (learning.final_rate - 1.0) * done),
             temperature: learning.temperature_rate,
             follow: learning.follow,
-            target_entropy: learning.target_entropy.unwrap_or(-(actions as f64)),
+            target_entropy,
         };
         let report = self.agent.update(&mut space.update, experience, &rates);
         self.updates += 1;
@@ -288,6 +321,16 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
     }
 }
 
+/// Returns the target entropy when a fraction of the run is `done`.
+fn target_entropy(learning: &Learning, actions: usize, chooses: bool, done: f64) -> f64 {
+    let usual = if chooses { usual_entropy(actions) } else { -(actions as f64) };
+    let target = learning.target_entropy.unwrap_or(usual);
+    match learning.exploring_entropy {
+        Some(each) if !chooses => target + (actions as f64 * each - target) * (1.0 - done),
+        _ => target,
+    }
+}
+
 /// Returns the interface that a configuration asks for.
 pub(super) fn interface(environment: &impl Environment<f32>, config: &SacConfig) -> Result<Interface, Finding> {
     if config.retry.is_some() && environment.preference() != Preference::Success {
@@ -297,6 +340,10 @@ pub(super) fn interface(environment: &impl Environment<f32>, config: &SacConfig)
             "none: this problem knows no failure",
         ));
     }
+    if environment.chooses() && config.learning.algorithm == Algorithm::ValueNetwork {
+        let accepted = "\"twin-critics\", where actions are named";
+        return Err(Finding::new("learning.algorithm", "\"value-network\"", accepted));
+    }
     Interface::new(environment, config.actor.scaled_inputs)
 }
 
@@ -304,7 +351,7 @@ pub(super) fn interface(environment: &impl Environment<f32>, config: &SacConfig)
 pub(super) fn agent(config: &SacConfig, interface: &Interface, seed: u64) -> Agent<f32> {
     let gaussian = Gaussian { actions: interface.outputs.len(), spread: config.actor.spread };
     let mut random = Stream::new(seed, 0, Purpose::Weights, 0);
-    Agent::new(config, interface.inputs.len(), gaussian, &mut random)
+    Agent::new(config, interface.inputs.len(), gaussian, interface.chooses, &mut random)
 }
 
 impl Recent {
@@ -326,5 +373,67 @@ impl Recent {
             entropy: entropy / count,
             temperature: temperature / count,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sac::presets;
+    use tpg_problems::{CartPole, Pendulum};
+
+    fn long() -> SacConfig {
+        let mut config = presets::config(presets::find("long").expect("a preset")).expect("it is accepted");
+        config.learning.random_decisions = 500;
+        config
+    }
+
+    #[test]
+    fn the_target_entropy_falls_where_actions_are_values() {
+        let learning = long().learning;
+        let values = [0.0, 0.5, 1.0].map(|done| target_entropy(&learning, 2, false, done));
+        assert_eq!(values, [0.0, -1.0, -2.0]);
+        let named = [0.0, 1.0].map(|done| target_entropy(&learning, 15, true, done));
+        assert_eq!(named, [usual_entropy(15); 2]);
+        assert_eq!(target_entropy(&Learning { exploring_entropy: None, ..learning }, 2, false, 0.0), -2.0);
+    }
+
+    #[test]
+    fn inputs_are_measured_once_after_the_random_decisions() {
+        let mut training = Training::new(&Pendulum, long(), 3).expect("a torque");
+        let declared = training.interface().clone();
+        while training.decisions() < 498 {
+            training.tick();
+        }
+        let mut seen = training.replay.clone();
+        assert_eq!(training.interface(), &declared);
+        training.tick();
+        let measured = training.interface().clone();
+        for moments in training.replay.moments() {
+            assert!(moments.mean.abs() < 1e-4 && (moments.deviation - 1.0).abs() < 1e-4, "{moments:?}");
+        }
+        // The states themselves are the same, by the policy's own scale.
+        let (mut before, mut after) = (Vec::new(), Vec::new());
+        seen.map_states(|state| {
+            let raw: Vec<f32> =
+                (declared.inputs.iter().zip(&*state)).map(|(of, &x)| x / of.scale + of.offset).collect();
+            state.copy_from_slice(&raw);
+            measured.scale(state);
+            before.extend_from_slice(state);
+        });
+        training.replay.map_states(|state| after.extend_from_slice(state));
+        assert!(before.iter().zip(&after).all(|(a, b)| (a - b).abs() < 1e-5));
+        (0..200).for_each(|_| training.tick());
+        assert_eq!(training.interface(), &measured);
+    }
+
+    #[test]
+    fn the_papers_algorithm_is_refused_where_actions_are_named() {
+        let named = tpg_engine::Preferring::new::<f32>(CartPole);
+        let mut config = long();
+        assert!(Training::new(&named, config.clone(), 1).is_ok());
+        config.learning.algorithm = Algorithm::ValueNetwork;
+        let Err(finding) = Training::new(&named, config, 1) else { panic!("it is accepted") };
+        assert_eq!(finding.key, "learning.algorithm");
     }
 }
