@@ -15,7 +15,16 @@ from gymnasium import spaces
 import tpg_train
 from tpg_train import TPG, Asking, InputError, NetworkPolicy, train_network
 
-SMALL: dict[str, Any] = {"learning.random_decisions": 200, "validation.every": 500, "validation.episodes": 5}
+# Episodes of 50 steps: what the preset `general` has.
+SMALL: dict[str, Any] = {
+    "learning.random_decisions": 200,
+    "learning.decision_lasts": 1,
+    "learning.measured_inputs": False,
+    "learning.discount": 0.99,
+    "learning.exploring_entropy": -1.0,
+    "validation.every": 500,
+    "validation.episodes": 5,
+}
 
 
 class Motor(environments.Cart):

@@ -27,7 +27,7 @@ pub fn softmax<T: Real>(preferences: &[T], probabilities: &mut [T], logarithms: 
     }
     let logarithm = sum.logarithm();
     for ((probability, log), &x) in probabilities.iter_mut().zip(logarithms).zip(preferences) {
-        *probability = *probability / sum;
+        *probability /= sum;
         *log = x - greatest - logarithm;
     }
 }
