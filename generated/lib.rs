@@ -29,6 +29,8 @@ pub mod cartpole;
 pub mod dodge;
 #[path = "inverted-double-pendulum/inverted_double_pendulum.rs"]
 pub mod inverted_double_pendulum;
+#[path = "lunar-lander/lunar_lander.rs"]
+pub mod lunar_lander;
 #[path = "lunar-lander-continuous/lunar_lander_continuous.rs"]
 pub mod lunar_lander_continuous;
 #[path = "mountain-car/mountain_car.rs"]

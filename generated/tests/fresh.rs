@@ -7,6 +7,7 @@ use tpg_generated::acrobot::Acrobot;
 use tpg_generated::cartpole::Cartpole;
 use tpg_generated::dodge::Dodge;
 use tpg_generated::inverted_double_pendulum::InvertedDoublePendulum;
+use tpg_generated::lunar_lander::LunarLander;
 use tpg_generated::lunar_lander_continuous::LunarLanderContinuous;
 use tpg_generated::mountain_car::MountainCar;
 use tpg_generated::mountain_car_continuous::MountainCarContinuous;
@@ -132,6 +133,7 @@ fn compiled_policies_act_like_their_graphs() {
     acts_like(Dodge, "dodge");
     acts_like(Acrobot, "acrobot");
     acts_like(InvertedDoublePendulum, "inverted-double-pendulum");
+    acts_like(LunarLander, "lunar-lander");
     acts_like(LunarLanderContinuous, "lunar-lander-continuous");
     acts_like(MountainCar, "mountain-car");
     acts_like(MountainCarContinuous, "mountain-car-continuous");

@@ -9,6 +9,7 @@ use tpg_generated::acrobot::Acrobot;
 use tpg_generated::cartpole::Cartpole;
 use tpg_generated::dodge::Dodge;
 use tpg_generated::inverted_double_pendulum::InvertedDoublePendulum;
+use tpg_generated::lunar_lander::LunarLander;
 use tpg_generated::lunar_lander_continuous::LunarLanderContinuous;
 use tpg_generated::mountain_car::MountainCar;
 use tpg_generated::mountain_car_continuous::MountainCarContinuous;
@@ -52,6 +53,7 @@ exported! {
     rust_cartpole Cartpole 4 1
     rust_dodge Dodge 17 1
     rust_inverted_double_pendulum InvertedDoublePendulum 9 1
+    rust_lunar_lander LunarLander 8 1
     rust_lunar_lander_continuous LunarLanderContinuous 8 2
     rust_mountain_car MountainCar 2 1
     rust_mountain_car_continuous MountainCarContinuous 2 1

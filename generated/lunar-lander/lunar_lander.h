@@ -1,0 +1,50 @@
+/*
+ * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
+ * Options: --lang c --prefix lunar_lander --profile fast
+ * Graph SHA-256: c5d781b19e6db96e9189b52ea5da29d69ffb299c5a96bc384c1ffb985bc2b9ff
+ * 1 teams (1 on the longest walk), 4 edges, 4 programs, 27 distinct operations.
+ * Computes in f32 with own maths.
+ */
+#ifndef LUNAR_LANDER_H
+#define LUNAR_LANDER_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The actions:
+ * 0 a0
+ * 1 a1
+ * 2 a2
+ * 3 a3
+ */
+#define LUNAR_LANDER_ACTIONS 4U
+/* Teams, and how many of them decide at most in one inference. */
+#define LUNAR_LANDER_TEAMS 1U
+#define LUNAR_LANDER_DEPTH 1U
+/* At most, in one inference: bids looked at, operations, and sines, cosines, logarithms and exponentials among those. */
+#define LUNAR_LANDER_WORST_BIDS 4U
+#define LUNAR_LANDER_WORST_OPERATIONS 27U
+#define LUNAR_LANDER_WORST_MATHS_CALLS 0U
+
+/* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
+typedef struct lunar_lander_state {
+    float obs[8]; /* , -2.5 to 2.5; -2.5 to 2.5; -10 to 10; -10 to 10; -6.2831854820251465 to 6.2831854820251465; -10 to 10; -0 to 1; -0 to 1 */
+} lunar_lander_state_t;
+
+/* The action for a state, below LUNAR_LANDER_ACTIONS. Pure and reentrant: no globals, no memory, no side effect. */
+uint16_t lunar_lander_infer(const lunar_lander_state_t *state);
+
+#ifndef LUNAR_LANDER_NO_SELFTEST
+/* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
+ */
+uint32_t lunar_lander_selftest(void);
+#endif
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
