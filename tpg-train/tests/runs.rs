@@ -373,15 +373,16 @@ fn memory_needs_outputs() {
 }
 
 /// A linear start in one of two demes, of which the worse one ends, for outputs, products and named actions; units from
-/// visited states: searches and demes are part of the checkpoint.
+/// visited states: searches, what stalled before them, and demes are part of the checkpoint.
 #[test]
 fn a_linear_start_has_the_same_bytes_on_other_threads_and_after_kills() {
     // With a share of the steps, milestones and the choice among policies within doubt are part of it, too.
-    for (name, problem, kind, share) in [
-        ("outputs", ProblemName::Pendulum, StartKind::Linear, 0.0),
-        ("products", ProblemName::Pendulum, StartKind::Product, 0.0),
-        ("actions", ProblemName::Acrobot, StartKind::Linear, 0.0),
-        ("steps", ProblemName::Pendulum, StartKind::Linear, 0.5),
+    for (name, problem, kind, share, deviation) in [
+        ("outputs", ProblemName::Pendulum, StartKind::Linear, 0.0, 0.5),
+        ("products", ProblemName::Pendulum, StartKind::Product, 0.0, 0.5),
+        ("actions", ProblemName::Acrobot, StartKind::Linear, 0.0, 0.5),
+        ("steps", ProblemName::Pendulum, StartKind::Linear, 0.5, 0.5),
+        ("new searches", ProblemName::Pendulum, StartKind::Linear, 1.0, 1e-9),
     ] {
         let place = tempfile::tempdir().expect("a temporary folder");
         let path = place.path().join("config.toml");
@@ -392,8 +393,14 @@ fn a_linear_start_has_the_same_bytes_on_other_threads_and_after_kills() {
         (config.demes.halving_interval, config.literals.units) = (6, Units::Visited);
         (config.refinement.p_mutation, config.start.kind) = (0.5, kind);
         config.start.share = [0.5 * share, share];
+        config.start.deviation = deviation;
         config.selection.choice_errors = 2.0 * share;
-        let steps = if share > 0.0 { "200000" } else { "1000000000000" };
+        let steps = if share == 0.5 { "200000" } else { "1000000000000" };
+        let begins_anew = share == 1.0;
+        if begins_anew {
+            // Equal samples: some generation is the best of the ten after it.
+            (config.start.generations, config.learning.nb_generations) = (2, 40);
+        }
         let train = |folder: &Path, more: &[&str]| train(folder, &path, &[more, &["--max-steps", steps]].concat());
         config.problem = Problem::usual(problem).to_table();
         fs::write(&path, config.to_toml()).expect("it can be written");
@@ -401,6 +408,8 @@ fn a_linear_start_has_the_same_bytes_on_other_threads_and_after_kills() {
         assert!(train(&one, &["--threads", "1"]).status().expect("it runs").success());
         assert!(train(&other, &["--threads", "3", "--lanes", "5"]).status().expect("it runs").success());
         assert!(results(&one) == results(&other), "{name}: threads and lanes change nothing");
+        let checkpoint = fs::read(one.join("checkpoint")).expect("it is there");
+        assert_eq!(String::from_utf8_lossy(&checkpoint).contains("\"stalled\""), begins_anew, "{name}");
         // Stopped in the first half of the start, in the second half, at its end, and after it.
         let stopped = place.path().join("stopped");
         for generations in ["3", "9", "12", "15"] {

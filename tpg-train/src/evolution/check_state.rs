@@ -94,16 +94,23 @@ impl<Task> State<Task> {
             _ if usual == 0 => [0, 0],
             generation => match config.linear_choice(usual, &self.milestones) {
                 Some(chosen) if generation > chosen => [1, 1],
+                // The old ones stay until the next generation.
+                _ if self.milestones.begun.is_some_and(|begun| begun.generation == generation) => [1, 1],
                 _ => [config.start.searches; 2],
             },
         };
         Finding::range("searches", self.searches.len(), accepted[0], accepted[1])?;
+        let begun = self.milestones.begun.map(|begun| begun.generation);
+        if self.stalled.is_some() != begun.is_some_and(|begun| begun < self.generation) {
+            let found = if self.stalled.is_some() { "a search" } else { "none" };
+            return Err(Finding::new("stalled", found, "a search if, and only if, another one has begun since"));
+        }
         if self.searches.is_empty() {
             return Ok(());
         }
         let weights = LinearWriter::new(vocabulary, actions as u16, config.start.kind)?.weights();
-        for (place, search) in self.searches.iter().enumerate() {
-            let key = format!("searches[{place}]");
+        let searches = (self.searches.iter().enumerate()).map(|(place, search)| (format!("searches[{place}]"), search));
+        for (key, search) in searches.chain(self.stalled.iter().map(|search| ("stalled".to_owned(), search))) {
             search
                 .cma
                 .check(weights, config.start.covariance)

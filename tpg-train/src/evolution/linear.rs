@@ -2,7 +2,8 @@
 //!
 //! A program is a weighted sum of the inputs, or the product of two: that one can change its sign where another input does, as a
 //! swing-up must. Mutations of single lines hardly ever find six weights that only help together; covariance matrix adaptation does. Several
-//! searches run side by side for the first half of the start, the best of them goes on for the second.
+//! searches run side by side for the first half of the start, the best of them goes on for the second. Where that stalls early, the search
+//! begins anew, and evolution goes on from both.
 
 use super::cma::Cma;
 use super::config::StartKind;
@@ -325,24 +326,25 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         genome.policy(team, &self.vocabulary)
     }
 
-    /// Starts the searches in the first generation, and keeps the best of them after half of the generations.
+    /// Starts the searches in their first generation, and keeps the best of them after half of the generations.
     fn begin_searches(&self, state: &mut State<E::Task>, writer: &LinearWriter<'_>) {
         let config = &self.config.start;
+        if state.milestones.begun.is_some_and(|begun| begun.generation == state.generation) {
+            state.stalled = best_of(state.stalled.take().into_iter().chain(state.searches.drain(..)));
+        }
         if state.searches.is_empty() {
             let cma = Cma::new(writer.weights(), config.deviation, config.covariance);
             let search = Search { cma, score: f64::NEG_INFINITY };
             state.searches = vec![search; config.searches];
         }
         if self.config.linear_choice(self.linear, &state.milestones) == Some(state.generation) {
-            // The first of equals: `max_by` would return the last.
-            let best = state.searches.iter().rev().max_by(|a, b| a.score.total_cmp(&b.score)).cloned();
-            state.searches = best.into_iter().collect();
+            state.searches = best_of(state.searches.drain(..)).into_iter().collect();
         }
     }
 
     /// Puts what was found into the demes that begin with it: a root for each search, the best first.
     fn populate_from_linear(&self, state: &mut State<E::Task>, writer: &LinearWriter<'_>) {
-        let mut searches: Vec<&Search> = state.searches.iter().collect();
+        let mut searches: Vec<&Search> = state.searches.iter().chain(&state.stalled).collect();
         searches.sort_by(|a, b| b.score.total_cmp(&a.score));
         for deme in state.demes.iter_mut().take(self.config.start.demes) {
             *deme = Deme::default();
@@ -352,6 +354,11 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
             }
         }
     }
+}
+
+/// Returns the search with the best score; the first of equals.
+fn best_of(searches: impl Iterator<Item = Search>) -> Option<Search> {
+    searches.reduce(|best, other| if other.score > best.score { other } else { best })
 }
 
 #[cfg(test)]

@@ -2,7 +2,8 @@
 //!
 //! No number of generations fits every problem. Episodes of a pole that falls at once have ten steps, and the search has hardly begun
 //! when it ends; episodes of a swimmer always have a thousand, and it takes the whole run. So a search that has taken less than one
-//! share of the run's steps goes on while it gets better, and none goes beyond another share.
+//! share of the run's steps goes on while it gets better, and none goes beyond another share. A search that has stalled before the
+//! first share begins anew: where it got stuck was luck.
 
 use super::config::EvolutionConfig;
 use serde::{Deserialize, Serialize};
@@ -13,19 +14,33 @@ use tpg_graph::error::Finding;
 const PATIENCE: u64 = 2;
 /// Least number of generations that bring nothing better before a search has stalled.
 const LEAST_PATIENCE: u64 = 10;
-/// Greatest such number, in usual lengths of a search: a run whose steps never end must not search for ever.
-const GREATEST_PATIENCE: u64 = 30;
+/// Greatest number of generations, in usual lengths of a search, after which none begins anew: a run whose steps never end must
+/// not search for ever.
+const MOST_LENGTHS: u64 = 30;
 
 /// Milestones of a search for weights that is limited by steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Milestones {
+    /// Where the latest search began; none if it is the first.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub begun: Option<Begin>,
     /// The generation from which only the best of several searches goes on.
     pub chosen: Option<u64>,
     /// Number of generations of the search, once it has ended.
     pub ended: Option<u64>,
     /// The best score of a search so far.
     pub peak: Option<Point>,
+}
+
+/// Where a search began.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Begin {
+    /// Its first generation.
+    pub generation: u64,
+    /// Number of actions before.
+    pub steps: u64,
 }
 
 /// A point that a search for weights has reached.
@@ -64,35 +79,52 @@ impl Milestones {
         *self == Self::default()
     }
 
-    /// Records what a generation of the search brought: the choice among searches after half of each bound, and the end.
+    /// Records what a generation of the search brought: the choice among searches after half of each bound, a new beginning, and the
+    /// end.
     pub(super) fn reach(&mut self, point: Point, bounds: Bounds) {
         let peak = *self.peak.get_or_insert(point);
         if point.score > peak.score {
             self.peak = Some(point);
         }
-        let is_over = |part: u64| bounds.steps.is_some_and(|steps| point.steps >= steps.most / part);
+        let begun = self.begun.unwrap_or_default();
+        let its_generations = point.generations - begun.generation;
+        let is_over = |part: u64| {
+            bounds.steps.is_some_and(|steps| point.steps >= begun.steps + steps.most.saturating_sub(begun.steps) / part)
+        };
         if self.chosen.is_none() {
-            if point.generations >= bounds.generations.div_ceil(2) || is_over(2) {
+            if its_generations >= bounds.generations.div_ceil(2) || is_over(2) {
                 // What goes on is compared with itself: of several searches some score was the best by luck.
                 (self.chosen, self.peak) = (Some(point.generations), None);
             }
-        } else if is_over(1) || self.is_enough(point, bounds) {
+        } else if is_over(1) || self.is_enough(point, its_generations, bounds) {
             self.ended = Some(point.generations);
+        } else if self.is_stuck(point, its_generations, bounds) {
+            let begun = Begin { generation: point.generations, steps: point.steps };
+            *self = Self { begun: Some(begun), ..Self::default() };
         }
     }
 
     /// True if a search has had its generations and need not go on.
-    fn is_enough(&self, point: Point, bounds: Bounds) -> bool {
-        match (point.generations.cmp(&bounds.generations), bounds.steps) {
+    fn is_enough(&self, point: Point, its_generations: u64, bounds: Bounds) -> bool {
+        match (its_generations.cmp(&bounds.generations), bounds.steps) {
             (Ordering::Less, _) => false,
             (_, None) => true,
             (Ordering::Equal, Some(steps)) if point.steps >= steps.least => true,
             (_, Some(steps)) => self.peak.is_none_or(|peak| {
                 let generations = point.generations - peak.generations;
                 let is_long = point.steps - peak.steps >= steps.least / PATIENCE;
-                generations >= LEAST_PATIENCE && (is_long || generations >= GREATEST_PATIENCE * bounds.generations)
+                let is_late = point.generations >= MOST_LENGTHS * bounds.generations;
+                generations >= LEAST_PATIENCE && (is_long || is_late)
             }),
         }
+    }
+
+    /// True if a search that has steps left has brought nothing better for as many generations as it usually has.
+    fn is_stuck(&self, point: Point, its_generations: u64, bounds: Bounds) -> bool {
+        let patience = bounds.generations.max(LEAST_PATIENCE);
+        bounds.steps.is_some_and(|steps| point.steps < steps.least)
+            && its_generations >= bounds.generations
+            && self.peak.is_some_and(|peak| point.generations - peak.generations >= patience)
     }
 
     /// Checks the milestones of a run after so many generations and steps.
@@ -107,6 +139,10 @@ impl Milestones {
         for (key, found) in [("chosen", self.chosen), ("ended", self.ended), ("peak.generations", peak)] {
             Finding::range(&format!("milestones.{key}"), found.unwrap_or(0), 0, generation)?;
         }
+        let begun = self.begun.unwrap_or_default();
+        let latest = self.chosen.map_or(generation, |chosen| chosen.min(generation));
+        Finding::range("milestones.begun.generation", begun.generation, 0, latest)?;
+        Finding::range("milestones.begun.steps", begun.steps, 0, steps)?;
         Finding::range("milestones.peak.steps", self.peak.map_or(0, |peak| peak.steps), 0, steps)?;
         if self.ended.is_some_and(|ended| self.chosen.is_none_or(|chosen| chosen >= ended)) {
             return Err(Finding::new("milestones.ended", "an end", "one after milestones.chosen"));
@@ -117,20 +153,31 @@ impl Milestones {
 
 #[cfg(test)]
 mod tests {
-    use super::{Bounds, Milestones, Point, StepBounds};
+    use super::{Begin, Bounds, Milestones, Point, StepBounds};
 
-    /// Returns the generations of the choice and of the end where a generation takes 100 steps and scores what `score` says.
-    fn end(generations: u64, steps: Option<(u64, u64)>, score: impl Fn(u64) -> f64) -> (u64, u64) {
+    /// Runs a search whose generations take 100 steps and score what `score` says; returns its milestones once it has ended, and the
+    /// generations in which it began anew.
+    fn run(generations: u64, steps: Option<(u64, u64)>, score: impl Fn(u64) -> f64) -> (Milestones, Vec<u64>) {
         let steps = steps.map(|(least, most)| StepBounds { least, most });
         let mut milestones = Milestones::default();
+        let mut beginnings = Vec::new();
         for now in 1..10_000 {
             let point = Point { generations: now, steps: 100 * now, score: score(now) };
             milestones.reach(point, Bounds { generations, steps });
-            if let (Some(chosen), Some(ended)) = (milestones.chosen, milestones.ended) {
-                return (chosen, ended);
+            beginnings.extend(milestones.begun.map(|begun| begun.generation));
+            if milestones.ended.is_some() {
+                beginnings.dedup();
+                return (milestones, beginnings);
             }
         }
         panic!("a search without end: {milestones:?}");
+    }
+
+    /// Returns the generations of the choice and of the end of a search that never begins anew.
+    fn end(generations: u64, steps: Option<(u64, u64)>, score: impl Fn(u64) -> f64) -> (u64, u64) {
+        let (milestones, beginnings) = run(generations, steps, score);
+        assert_eq!(beginnings, []);
+        (milestones.chosen.expect("a choice"), milestones.ended.expect("an end"))
     }
 
     #[test]
@@ -143,11 +190,27 @@ mod tests {
         );
         assert_eq!(end(20, Some((2_000, 100_000)), rising), (10, 20), "its generations have taken enough");
         assert_eq!(end(20, Some((2_001, 100_000)), flat), (10, 21), "never before ten generations");
-        assert_eq!(end(20, Some((1 << 50, 1 << 60)), flat), (10, 611), "however many steps there are");
         assert_eq!(end(20, Some((4_000, 100_000)), rising), (10, 1_000), "the second share");
         assert_eq!(end(20, Some((400, 1_600)), rising), (8, 16), "the second share, before its generations");
         assert_eq!(end(20, Some((400, 800)), rising), (4, 8), "it also ends what has hardly begun");
         assert_eq!(end(20, Some((4_000, 100_000)), |now| now.min(30) as f64), (10, 50));
+    }
+
+    #[test]
+    fn a_search_that_stalls_with_steps_left_begins_anew() {
+        // The first stalls 20 generations after generation 11, the first that counts; the second gets better to its end.
+        let second = |now: u64| if now > 31 { now as f64 } else { 0.0 };
+        let (milestones, beginnings) = run(20, Some((8_000, 10_000)), second);
+        assert_eq!(beginnings, [31]);
+        assert_eq!(milestones.begun, Some(Begin { generation: 31, steps: 3_100 }));
+        assert_eq!((milestones.chosen, milestones.ended), (Some(41), Some(100)));
+        // It began with 1,900 of its 5,000 steps left, and chooses after half of them.
+        let (milestones, _) = run(20, Some((4_900, 5_000)), second);
+        assert_eq!((milestones.chosen, milestones.ended), (Some(41), Some(50)));
+        // However many steps there are, no search begins after 30 times the usual number of generations.
+        let (milestones, beginnings) = run(20, Some((1 << 50, 1 << 60)), |_| 0.0);
+        assert_eq!(beginnings, (1..=19).map(|time| 31 * time).collect::<Vec<_>>());
+        assert_eq!((milestones.chosen, milestones.ended), (Some(599), Some(610)));
     }
 
     #[test]

@@ -114,6 +114,9 @@ pub struct State<Task> {
     /// The searches of a linear start.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub searches: Vec<Search>,
+    /// The best search that stalled before another one began.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stalled: Option<Search>,
     /// Milestones of a start that is limited by steps.
     #[serde(default, skip_serializing_if = "Milestones::is_empty")]
     pub milestones: Milestones,
@@ -159,6 +162,7 @@ impl<Task> State<Task> {
             seed,
             generation: 0,
             searches: Vec::new(),
+            stalled: None,
             milestones: Milestones::default(),
             demes: vec![Deme::default(); demes],
             archive: Archive::new(archive_size),
