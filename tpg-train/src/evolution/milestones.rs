@@ -14,6 +14,8 @@ use tpg_graph::error::Finding;
 const PATIENCE: u64 = 2;
 /// Least number of generations that bring nothing better before a search has stalled.
 const LEAST_PATIENCE: u64 = 10;
+/// A search has come further when it has gained this part of all that it had gained before: creeping is no reason to go on.
+const FURTHER: f64 = 0.2;
 /// Greatest number of generations, in usual lengths of a search, after which none begins anew: a run whose steps never end must
 /// not search for ever.
 const MOST_LENGTHS: u64 = 30;
@@ -31,6 +33,12 @@ pub struct Milestones {
     pub ended: Option<u64>,
     /// The best score of a search so far.
     pub peak: Option<Point>,
+    /// The first score of the latest search.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub first: Option<f64>,
+    /// Where it last came further.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub further: Option<Point>,
 }
 
 /// Where a search began.
@@ -86,6 +94,10 @@ impl Milestones {
         if point.score > peak.score {
             self.peak = Some(point);
         }
+        let first = *self.first.get_or_insert(point.score);
+        if self.further.is_none_or(|last| point.score - last.score > FURTHER * (last.score - first).max(0.0)) {
+            self.further = Some(point);
+        }
         let begun = self.begun.unwrap_or_default();
         let its_generations = point.generations - begun.generation;
         let is_over = |part: u64| {
@@ -94,7 +106,7 @@ impl Milestones {
         if self.chosen.is_none() {
             if its_generations >= bounds.generations.div_ceil(2) || is_over(2) {
                 // What goes on is compared with itself: of several searches some score was the best by luck.
-                (self.chosen, self.peak) = (Some(point.generations), None);
+                (self.chosen, self.peak, self.further) = (Some(point.generations), None, None);
             }
         } else if is_over(1) || self.is_enough(point, its_generations, bounds) {
             self.ended = Some(point.generations);
@@ -119,12 +131,12 @@ impl Milestones {
         }
     }
 
-    /// True if a search that has steps left has brought nothing better for as many generations as it usually has.
+    /// True if a search that has steps left has come no further for as many generations as it usually has.
     fn is_stuck(&self, point: Point, its_generations: u64, bounds: Bounds) -> bool {
         let patience = bounds.generations.max(LEAST_PATIENCE);
         bounds.steps.is_some_and(|steps| point.steps < steps.least)
             && its_generations >= bounds.generations
-            && self.peak.is_some_and(|peak| point.generations - peak.generations >= patience)
+            && self.further.is_some_and(|last| point.generations - last.generations >= patience)
     }
 
     /// Checks the milestones of a run after so many generations and steps.
@@ -135,15 +147,18 @@ impl Milestones {
         if !config.start.is_by_steps() && !self.is_empty() {
             return Err(Finding::new("milestones", "milestones", "none, without start.share"));
         }
-        let peak = self.peak.map(|peak| peak.generations);
-        for (key, found) in [("chosen", self.chosen), ("ended", self.ended), ("peak.generations", peak)] {
+        for (key, found) in [("chosen", self.chosen), ("ended", self.ended)] {
             Finding::range(&format!("milestones.{key}"), found.unwrap_or(0), 0, generation)?;
+        }
+        for (key, point) in [("peak", self.peak), ("further", self.further)] {
+            let (generations, its_steps) = point.map_or((0, 0), |point| (point.generations, point.steps));
+            Finding::range(&format!("milestones.{key}.generations"), generations, 0, generation)?;
+            Finding::range(&format!("milestones.{key}.steps"), its_steps, 0, steps)?;
         }
         let begun = self.begun.unwrap_or_default();
         let latest = self.chosen.map_or(generation, |chosen| chosen.min(generation));
         Finding::range("milestones.begun.generation", begun.generation, 0, latest)?;
         Finding::range("milestones.begun.steps", begun.steps, 0, steps)?;
-        Finding::range("milestones.peak.steps", self.peak.map_or(0, |peak| peak.steps), 0, steps)?;
         if self.ended.is_some_and(|ended| self.chosen.is_none_or(|chosen| chosen >= ended)) {
             return Err(Finding::new("milestones.ended", "an end", "one after milestones.chosen"));
         }
@@ -176,7 +191,7 @@ mod tests {
     /// Returns the generations of the choice and of the end of a search that never begins anew.
     fn end(generations: u64, steps: Option<(u64, u64)>, score: impl Fn(u64) -> f64) -> (u64, u64) {
         let (milestones, beginnings) = run(generations, steps, score);
-        assert_eq!(beginnings, []);
+        assert!(beginnings.is_empty(), "{beginnings:?}");
         (milestones.chosen.expect("a choice"), milestones.ended.expect("an end"))
     }
 

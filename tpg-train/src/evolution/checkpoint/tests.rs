@@ -3,6 +3,7 @@
 
 use super::{VERSION, from_bytes, to_bytes};
 use crate::evolution::config::{EvolutionConfig, StartConfig, StartKind};
+use crate::evolution::generation::Goal;
 use crate::evolution::presets::Preset;
 use crate::evolution::run::{RunOptions, run};
 use crate::evolution::state::State;
@@ -45,8 +46,13 @@ fn whole() -> &'static Value {
 }
 
 fn content<E: Environment<f32>>(config: &EvolutionConfig, environment: &E) -> Value {
+    content_within(config, environment, Goal::default())
+}
+
+/// Returns the content of the checkpoint of a run that ends early if it reaches a goal.
+fn content_within<E: Environment<f32>>(config: &EvolutionConfig, environment: &E, goal: Goal) -> Value {
     let place = tempfile::tempdir().expect("a temporary folder");
-    let options = RunOptions { folder: place.path().to_owned(), ..RunOptions::default() };
+    let options = RunOptions { folder: place.path().to_owned(), goal, ..RunOptions::default() };
     let evaluator = LocalThreads::<f32, Own, _>::new(environment, EngineOptions::default(), 1).expect("a thread");
     run(config, 1, environment, &evaluator, &options, |_| ControlFlow::Continue(())).expect("it runs");
     let json = |_: &str, content: &[u8]| Ok(serde_json::from_slice(content).expect("JSON"));
@@ -209,7 +215,41 @@ fn damaged_milestones_of_a_start_that_is_limited_by_steps_are_refused() {
         ("/state/milestones/ended", json!(1), "state.milestones.ended"),
         ("/state/milestones/peak/generations", json!(5), "state.milestones.peak.generations"),
         ("/state/milestones/peak/steps", json!(1u64 << 52), "state.milestones.peak.steps"),
+        ("/state/milestones/further/generations", json!(5), "state.milestones.further.generations"),
         ("/state/best/error", json!(-1.0), "state.best.error"),
+    ] {
+        let mut content = content.clone();
+        *content.pointer_mut(path).unwrap_or_else(|| panic!("{path}")) = value;
+        let error = read(&content).expect_err(path).to_string();
+        assert!(error.contains(place), "{path}: {error}");
+    }
+}
+
+#[test]
+fn a_damaged_search_that_has_begun_anew_is_refused() {
+    let mut config = config();
+    config.language.literals = true;
+    config.program.max_program_size = 6;
+    config.learning.nb_generations = 40;
+    // Samples are equal, so some generation is the best of the ten after it.
+    let share = [0.5, 1.0];
+    config.start =
+        StartConfig { kind: StartKind::Linear, generations: 2, share, deviation: 1e-6, ..StartConfig::default() };
+    let goal = Goal { max_steps: Some(1 << 40), ..Goal::default() };
+    let content = content_within(&config, &swing(), goal);
+    let read = |content: &Value| -> Result<State<[f64; 2]>, InputError> {
+        from_bytes("x", content.to_string().as_bytes(), &config, 1, &swing())
+    };
+    let state = read(&content).expect("a real one");
+    let begun = state.milestones.begun.expect("it has begun anew");
+    assert!(state.stalled.is_some() && begun.generation > 10 && begun.steps > 0);
+    for (path, value, place) in [
+        ("/state/stalled", Value::Null, "state.stalled"),
+        ("/state/stalled/score", json!(1e300), "state.stalled.score"),
+        ("/state/stalled/cma/path", json!([0.0]), "state.stalled.cma.path"),
+        ("/state/milestones/begun", Value::Null, "state.stalled"),
+        ("/state/milestones/begun/generation", json!(41), "state.milestones.begun.generation"),
+        ("/state/milestones/begun/steps", json!(1u64 << 52), "state.milestones.begun.steps"),
     ] {
         let mut content = content.clone();
         *content.pointer_mut(path).unwrap_or_else(|| panic!("{path}")) = value;
