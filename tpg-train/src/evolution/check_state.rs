@@ -1,6 +1,6 @@
 //! Validity of a state that was read from a checkpoint. Everything behind it relies on these conditions.
 
-use super::config::EvolutionConfig;
+use super::config::{EvolutionConfig, StartKind};
 use super::genome::{Destination, Edge, Genome, Program, TeamId};
 use super::linear::LinearWriter;
 use super::state::{Best, Deme, State};
@@ -108,12 +108,14 @@ impl<Task> State<Task> {
         if self.searches.is_empty() {
             return Ok(());
         }
-        let weights = LinearWriter::new(vocabulary, actions as u16, config.start.kind)?.weights();
         let searches = (self.searches.iter().enumerate()).map(|(place, search)| (format!("searches[{place}]"), search));
         for (key, search) in searches.chain(self.stalled.iter().map(|search| ("stalled".to_owned(), search))) {
-            search
-                .cma
-                .check(weights, config.start.covariance)
+            if search.kind == StartKind::Random || config.check_programs(vocabulary, actions, search.kind).is_err() {
+                let found = format!("{:?}", search.kind).to_lowercase();
+                return Err(Finding::new(format!("{key}.kind"), found, "what programs can be"));
+            }
+            let weights = LinearWriter::new(vocabulary, actions as u16, search.kind)?.weights();
+            (search.cma.check(weights, config.start.covariance))
                 .map_err(|finding| finding.within(&format!("{key}.cma")))?;
             Finding::range(&format!("{key}.score"), search.score, -1e30, 1e30)?;
         }

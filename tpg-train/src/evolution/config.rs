@@ -459,8 +459,8 @@ pub struct StartConfig {
     /// Number of generations of the search for weights; 0 for 3 for each weight, at least 20.
     pub generations: u64,
     /// Two fractions of a run's steps (`--max-steps`): a search whose generations have taken less than the first goes on while it
-    /// gets better, or begins anew once it has stalled, and every search ends at the second. `[0, 0]`, or a run without that limit:
-    /// its generations alone decide.
+    /// gets better; once it has stalled, another one begins, in turns for products and for sums. Every search ends at the second.
+    /// `[0, 0]`, or a run without that limit: its generations alone decide.
     pub share: [f64; 2],
     /// Number of searches, of which the best goes on after half of the generations.
     pub searches: usize,

@@ -2,8 +2,8 @@
 //!
 //! A program is a weighted sum of the inputs, or the product of two: that one can change its sign where another input does, as a
 //! swing-up must. Mutations of single lines hardly ever find six weights that only help together; covariance matrix adaptation does. Several
-//! searches run side by side for the first half of the start, the best of them goes on for the second. Where that stalls early, the search
-//! begins anew, and evolution goes on from both.
+//! searches run side by side for the first half of the start, the best of them goes on for the second. Where that stalls early, another
+//! search begins, for products where it was for sums and for sums where it was for products, and evolution goes on from the best of both.
 
 use super::cma::Cma;
 use super::config::StartKind;
@@ -29,6 +29,8 @@ pub(super) const MOST_WEIGHTS: usize = 400;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Search {
+    /// What the programs are that it looks for.
+    pub kind: StartKind,
     /// Its distribution.
     pub cma: Cma,
     /// Mean score of its samples, smoothed over generations.
@@ -261,10 +263,11 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
 
     /// Runs one generation of the linear start.
     pub(super) fn advance_linear(&self, state: &mut State<E::Task>) -> Result<(), EvaluationError> {
-        let writer =
-            LinearWriter::new(&self.vocabulary, self.actions, self.config.start.kind).map_err(EvaluationError::new)?;
         let config = &self.config.start;
-        self.begin_searches(state, &writer);
+        let before = state.milestones.begun.map_or(0, |begun| begun.searches);
+        let kind = self.config.search_kind(&self.vocabulary, self.actions, before);
+        let writer = self.writer(kind)?;
+        self.begin_searches(state, kind, &writer);
         let count = match config.samples {
             0 => config.breadth * Cma::usual_samples(writer.weights()),
             samples => samples,
@@ -289,8 +292,8 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
             search.update(&samples[its.clone()], &results[its], tolerance);
         }
         let mut row = row(state.generation, &results);
-        if self.ends_linear(state) || self.is_last(state) {
-            self.populate_from_linear(state, &writer);
+        if self.ends_linear(state, &writer) || self.is_last(state) {
+            self.populate_from_linear(state)?;
             row.validation = self.validate(state)?;
         } else {
             // The mean of a search is better than its samples.
@@ -305,7 +308,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
     }
 
     /// Records how far the linear start has come; returns true if the current generation is its last one.
-    fn ends_linear(&self, state: &mut State<E::Task>) -> bool {
+    fn ends_linear(&self, state: &mut State<E::Task>, writer: &LinearWriter<'_>) -> bool {
         let start = &self.config.start;
         if start.is_by_steps() {
             let score = state.searches.iter().map(|search| search.score).fold(f64::NEG_INFINITY, f64::max);
@@ -314,7 +317,8 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
                 StepBounds { least: part(start.share[0]), most: part(start.share[1]) }
             });
             let point = Point { generations: state.generation + 1, steps: state.steps, score };
-            state.milestones.reach(point, Bounds { generations: self.linear, steps });
+            let generations = self.config.linear_generations(writer.weights());
+            state.milestones.reach(point, Bounds { generations, steps });
         }
         self.config.linear_end(self.linear, &state.milestones) == Some(state.generation + 1)
     }
@@ -327,14 +331,14 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
     }
 
     /// Starts the searches in their first generation, and keeps the best of them after half of the generations.
-    fn begin_searches(&self, state: &mut State<E::Task>, writer: &LinearWriter<'_>) {
+    fn begin_searches(&self, state: &mut State<E::Task>, kind: StartKind, writer: &LinearWriter<'_>) {
         let config = &self.config.start;
         if state.milestones.begun.is_some_and(|begun| begun.generation == state.generation) {
             state.stalled = best_of(state.stalled.take().into_iter().chain(state.searches.drain(..)));
         }
         if state.searches.is_empty() {
             let cma = Cma::new(writer.weights(), config.deviation, config.covariance);
-            let search = Search { cma, score: f64::NEG_INFINITY };
+            let search = Search { kind, cma, score: f64::NEG_INFINITY };
             state.searches = vec![search; config.searches];
         }
         if self.config.linear_choice(self.linear, &state.milestones) == Some(state.generation) {
@@ -343,16 +347,22 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
     }
 
     /// Puts what was found into the demes that begin with it: a root for each search, the best first.
-    fn populate_from_linear(&self, state: &mut State<E::Task>, writer: &LinearWriter<'_>) {
+    fn populate_from_linear(&self, state: &mut State<E::Task>) -> Result<(), EvaluationError> {
         let mut searches: Vec<&Search> = state.searches.iter().chain(&state.stalled).collect();
         searches.sort_by(|a, b| b.score.total_cmp(&a.score));
         for deme in state.demes.iter_mut().take(self.config.start.demes) {
             *deme = Deme::default();
             for search in &searches {
-                let root = writer.add_root(&mut deme.genome, search.cma.mean());
+                let root = self.writer(search.kind)?.add_root(&mut deme.genome, search.cma.mean());
                 deme.records.insert(root, Record { mean: search.score, evaluations: 0 });
             }
         }
+        Ok(())
+    }
+
+    /// Returns the writer of sums or products.
+    fn writer(&self, kind: StartKind) -> Result<LinearWriter<'_>, EvaluationError> {
+        LinearWriter::new(&self.vocabulary, self.actions, kind).map_err(EvaluationError::new)
     }
 }
 

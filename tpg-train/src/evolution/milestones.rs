@@ -2,8 +2,8 @@
 //!
 //! No number of generations fits every problem. Episodes of a pole that falls at once have ten steps, and the search has hardly begun
 //! when it ends; episodes of a swimmer always have a thousand, and it takes the whole run. So a search that has taken less than one
-//! share of the run's steps goes on while it gets better, and none goes beyond another share. A search that has stalled before the
-//! first share begins anew: where it got stuck was luck.
+//! share of the run's steps goes on while it gets better, and none goes beyond another share. After one that has stalled before the
+//! first share, another one begins: it got stuck by bad luck, or looked for sums where products are needed.
 
 use super::config::EvolutionConfig;
 use serde::{Deserialize, Serialize};
@@ -49,6 +49,8 @@ pub struct Begin {
     pub generation: u64,
     /// Number of actions before.
     pub steps: u64,
+    /// Number of searches before.
+    pub searches: u64,
 }
 
 /// A point that a search for weights has reached.
@@ -111,7 +113,7 @@ impl Milestones {
         } else if is_over(1) || self.is_enough(point, its_generations, bounds) {
             self.ended = Some(point.generations);
         } else if self.is_stuck(point, its_generations, bounds) {
-            let begun = Begin { generation: point.generations, steps: point.steps };
+            let begun = Begin { generation: point.generations, steps: point.steps, searches: begun.searches + 1 };
             *self = Self { begun: Some(begun), ..Self::default() };
         }
     }
@@ -159,6 +161,7 @@ impl Milestones {
         let latest = self.chosen.map_or(generation, |chosen| chosen.min(generation));
         Finding::range("milestones.begun.generation", begun.generation, 0, latest)?;
         Finding::range("milestones.begun.steps", begun.steps, 0, steps)?;
+        Finding::range("milestones.begun.searches", begun.searches, 0, begun.generation)?;
         if self.ended.is_some_and(|ended| self.chosen.is_none_or(|chosen| chosen >= ended)) {
             return Err(Finding::new("milestones.ended", "an end", "one after milestones.chosen"));
         }
@@ -217,7 +220,7 @@ mod tests {
         let second = |now: u64| if now > 31 { now as f64 } else { 0.0 };
         let (milestones, beginnings) = run(20, Some((8_000, 10_000)), second);
         assert_eq!(beginnings, [31]);
-        assert_eq!(milestones.begun, Some(Begin { generation: 31, steps: 3_100 }));
+        assert_eq!(milestones.begun, Some(Begin { generation: 31, steps: 3_100, searches: 1 }));
         assert_eq!((milestones.chosen, milestones.ended), (Some(41), Some(100)));
         // It began with 1,900 of its 5,000 steps left, and chooses after half of them.
         let (milestones, _) = run(20, Some((4_900, 5_000)), second);

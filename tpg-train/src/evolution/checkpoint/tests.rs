@@ -229,7 +229,7 @@ fn damaged_milestones_of_a_start_that_is_limited_by_steps_are_refused() {
 fn a_damaged_search_that_has_begun_anew_is_refused() {
     let mut config = config();
     config.language.literals = true;
-    config.program.max_program_size = 6;
+    config.program.max_program_size = 20;
     config.learning.nb_generations = 40;
     // Samples are equal, so some generation is the best of the ten after it.
     let share = [0.5, 1.0];
@@ -243,13 +243,18 @@ fn a_damaged_search_that_has_begun_anew_is_refused() {
     let state = read(&content).expect("a real one");
     let begun = state.milestones.begun.expect("it has begun anew");
     assert!(state.stalled.is_some() && begun.generation > 10 && begun.steps > 0);
+    let turns = [StartKind::Linear, StartKind::Product];
+    assert_eq!(state.searches[0].kind, turns[begun.searches as usize % 2], "sums and products in turns");
     for (path, value, place) in [
         ("/state/stalled", Value::Null, "state.stalled"),
         ("/state/stalled/score", json!(1e300), "state.stalled.score"),
         ("/state/stalled/cma/path", json!([0.0]), "state.stalled.cma.path"),
+        ("/state/stalled/kind", json!("random"), "state.stalled.kind"),
+        ("/state/searches/0/kind", json!("random"), "state.searches[0].kind"),
         ("/state/milestones/begun", Value::Null, "state.stalled"),
         ("/state/milestones/begun/generation", json!(41), "state.milestones.begun.generation"),
         ("/state/milestones/begun/steps", json!(1u64 << 52), "state.milestones.begun.steps"),
+        ("/state/milestones/begun/searches", json!(41), "state.milestones.begun.searches"),
     ] {
         let mut content = content.clone();
         *content.pointer_mut(path).unwrap_or_else(|| panic!("{path}")) = value;

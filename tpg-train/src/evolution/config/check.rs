@@ -2,6 +2,7 @@
 
 use super::{EvolutionConfig, StartKind};
 use crate::evolution::linear::{LinearWriter, MOST_WEIGHTS};
+use crate::evolution::vocabulary::Vocabulary;
 use crate::hybrid::trial::NETWORK;
 use tpg_engine::{ActionSpace, Environment};
 use tpg_graph::Word;
@@ -208,8 +209,17 @@ impl EvolutionConfig {
         }
         let values: usize = environment.sources().iter().map(|source| source.length as usize).sum();
         let vocabulary = self.vocabulary(environment, vec![1.0; values]);
-        let actions = environment.actions().count().unwrap_or(0);
-        let writer = LinearWriter::new(&vocabulary, actions as u16, self.start.kind)?;
+        self.check_programs(&vocabulary, environment.actions().count().unwrap_or(0), self.start.kind)
+    }
+
+    /// Checks that programs can be the sums or products that a search finds for `actions` actions; 0 with outputs.
+    pub(in crate::evolution) fn check_programs(
+        &self,
+        vocabulary: &Vocabulary,
+        actions: usize,
+        kind: StartKind,
+    ) -> Result<(), Finding> {
+        let writer = LinearWriter::new(vocabulary, actions as u16, kind)?;
         let weights = writer.weights();
         if weights > MOST_WEIGHTS {
             let found = format!("a start with {weights} weights");
@@ -221,6 +231,12 @@ impl EvolutionConfig {
         }
         Finding::range("program.max_program_size", self.program.max_program_size, lines, 1000)?;
         Finding::range("tpg.max_outgoing_edges", self.tpg.max_outgoing_edges, actions, 1000)
+    }
+
+    /// Returns what a search looks for that begins after so many others: in turns sums and, where programs can be that, products.
+    pub(in crate::evolution) fn search_kind(&self, vocabulary: &Vocabulary, actions: u16, before: u64) -> StartKind {
+        let is_product = before % 2 == 1 && self.check_programs(vocabulary, actions.into(), StartKind::Product).is_ok();
+        if is_product { StartKind::Product } else { self.start.kind }
     }
 
     /// Checks the environment-dependent conditions: there are outputs, or actions are named and there are enough roots and
