@@ -133,9 +133,9 @@ impl Milestones {
         }
     }
 
-    /// True if a search that has steps left has come no further for as many generations as it usually has.
+    /// True if a search that has steps left has come no further for half as many generations as it usually has.
     fn is_stuck(&self, point: Point, its_generations: u64, bounds: Bounds) -> bool {
-        let patience = bounds.generations.max(LEAST_PATIENCE);
+        let patience = (bounds.generations / 2).max(LEAST_PATIENCE);
         bounds.steps.is_some_and(|steps| point.steps < steps.least)
             && its_generations >= bounds.generations
             && self.further.is_some_and(|last| point.generations - last.generations >= patience)
