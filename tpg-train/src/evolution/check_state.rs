@@ -3,6 +3,7 @@
 use super::config::{EvolutionConfig, StartKind};
 use super::genome::{Destination, Edge, Genome, Program, TeamId};
 use super::linear::LinearWriter;
+use super::milestones::Begin;
 use super::state::{Best, Deme, State};
 use super::vocabulary::Vocabulary;
 use tpg_engine::{ActionSpace, Environment};
@@ -100,8 +101,8 @@ impl<Task> State<Task> {
             },
         };
         Finding::range("searches", self.searches.len(), accepted[0], accepted[1])?;
-        let begun = self.milestones.begun.map(|begun| begun.generation);
-        if self.stalled.is_some() != begun.is_some_and(|begun| begun < self.generation) {
+        let has_stalled = |begun: Begin| begun.searches > 1 || begun.generation < self.generation;
+        if self.stalled.is_some() != self.milestones.begun.is_some_and(has_stalled) {
             let found = if self.stalled.is_some() { "a search" } else { "none" };
             return Err(Finding::new("stalled", found, "a search if, and only if, another one has begun since"));
         }

@@ -201,34 +201,38 @@ mod tests {
     #[test]
     fn a_search_goes_on_while_it_gets_better_and_its_steps_last() {
         let (rising, flat) = (|now| now as f64, |_| 0.0);
-        assert_eq!(
-            end(20, Some((4_000, 100_000)), flat),
-            (10, 31),
-            "stalled 20 generations after the first that counts"
-        );
         assert_eq!(end(20, Some((2_000, 100_000)), rising), (10, 20), "its generations have taken enough");
         assert_eq!(end(20, Some((2_001, 100_000)), flat), (10, 21), "never before ten generations");
         assert_eq!(end(20, Some((4_000, 100_000)), rising), (10, 1_000), "the second share");
         assert_eq!(end(20, Some((400, 1_600)), rising), (8, 16), "the second share, before its generations");
         assert_eq!(end(20, Some((400, 800)), rising), (4, 8), "it also ends what has hardly begun");
-        assert_eq!(end(20, Some((4_000, 100_000)), |now| now.min(30) as f64), (10, 50));
+        assert_eq!(
+            end(20, Some((3_000, 100_000)), |now| now.min(30) as f64),
+            (10, 45),
+            "stalled for half of its steps"
+        );
     }
 
     #[test]
     fn a_search_that_stalls_with_steps_left_begins_anew() {
-        // The first stalls 20 generations after generation 11, the first that counts; the second gets better to its end.
-        let second = |now: u64| if now > 31 { now as f64 } else { 0.0 };
+        // The first stalls ten generations after generation 11, the first that counts; the second gets better to its end.
+        let second = |now: u64| if now > 21 { now as f64 } else { 0.0 };
         let (milestones, beginnings) = run(20, Some((8_000, 10_000)), second);
-        assert_eq!(beginnings, [31]);
-        assert_eq!(milestones.begun, Some(Begin { generation: 31, steps: 3_100, searches: 1 }));
-        assert_eq!((milestones.chosen, milestones.ended), (Some(41), Some(100)));
-        // It began with 1,900 of its 5,000 steps left, and chooses after half of them.
-        let (milestones, _) = run(20, Some((4_900, 5_000)), second);
-        assert_eq!((milestones.chosen, milestones.ended), (Some(41), Some(50)));
+        assert_eq!(beginnings, [21]);
+        assert_eq!(milestones.begun, Some(Begin { generation: 21, steps: 2_100, searches: 1 }));
+        assert_eq!((milestones.chosen, milestones.ended), (Some(31), Some(100)));
+        // It began with 900 of its 3,000 steps left, and chooses after half of them.
+        let (milestones, _) = run(20, Some((2_900, 3_000)), second);
+        assert_eq!((milestones.chosen, milestones.ended), (Some(26), Some(30)));
+        // Creeping does not count as getting better, steps of a fifth do.
+        let creeping = |now: u64| if now == 1 { 0.0 } else { 100.0 + now as f64 };
+        assert_eq!(run(20, Some((8_000, 10_000)), creeping).1.first(), Some(&21));
+        let leaping = |now: u64| libm::pow(1.2, (now / 9) as f64 * 1.5);
+        assert!(run(20, Some((8_000, 10_000)), leaping).1.is_empty());
         // However many steps there are, no search begins after 30 times the usual number of generations.
         let (milestones, beginnings) = run(20, Some((1 << 50, 1 << 60)), |_| 0.0);
-        assert_eq!(beginnings, (1..=19).map(|time| 31 * time).collect::<Vec<_>>());
-        assert_eq!((milestones.chosen, milestones.ended), (Some(599), Some(610)));
+        assert_eq!(beginnings, (1..=28).map(|time| 21 * time).collect::<Vec<_>>());
+        assert_eq!((milestones.chosen, milestones.ended), (Some(598), Some(609)));
     }
 
     #[test]

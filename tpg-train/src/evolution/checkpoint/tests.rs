@@ -230,19 +230,26 @@ fn a_damaged_search_that_has_begun_anew_is_refused() {
     let mut config = config();
     config.language.literals = true;
     config.program.max_program_size = 20;
-    config.learning.nb_generations = 40;
+    config.learning.nb_generations = 120;
     // Samples are equal, so some generation is the best of the ten after it.
     let share = [0.5, 1.0];
     config.start =
         StartConfig { kind: StartKind::Linear, generations: 2, share, deviation: 1e-6, ..StartConfig::default() };
-    let goal = Goal { max_steps: Some(1 << 40), ..Goal::default() };
-    let content = content_within(&config, &swing(), goal);
-    let read = |content: &Value| -> Result<State<[f64; 2]>, InputError> {
-        from_bytes("x", content.to_string().as_bytes(), &config, 1, &swing())
+    let written = |config: &EvolutionConfig| {
+        content_within(config, &swing(), Goal { max_steps: Some(1 << 40), ..Goal::default() })
     };
+    let content = written(&config);
+    let read_with = |config: &EvolutionConfig, content: &Value| -> Result<State<[f64; 2]>, InputError> {
+        from_bytes("x", content.to_string().as_bytes(), config, 1, &swing())
+    };
+    let read = |content: &Value| read_with(&config, content);
     let state = read(&content).expect("a real one");
     let begun = state.milestones.begun.expect("it has begun anew");
-    assert!(state.stalled.is_some() && begun.generation > 10 && begun.steps > 0);
+    assert!(state.stalled.is_some() && begun.searches > 1 && begun.steps > 0);
+    let mut shorter = config.clone();
+    shorter.learning.nb_generations = begun.generation;
+    let state_then = read_with(&shorter, &written(&shorter)).expect("one between two searches");
+    assert_eq!(state_then.milestones.begun, Some(begun));
     let turns = [StartKind::Linear, StartKind::Product];
     assert_eq!(state.searches[0].kind, turns[begun.searches as usize % 2], "sums and products in turns");
     for (path, value, place) in [
@@ -252,9 +259,9 @@ fn a_damaged_search_that_has_begun_anew_is_refused() {
         ("/state/stalled/kind", json!("random"), "state.stalled.kind"),
         ("/state/searches/0/kind", json!("random"), "state.searches[0].kind"),
         ("/state/milestones/begun", Value::Null, "state.stalled"),
-        ("/state/milestones/begun/generation", json!(41), "state.milestones.begun.generation"),
+        ("/state/milestones/begun/generation", json!(121), "state.milestones.begun.generation"),
         ("/state/milestones/begun/steps", json!(1u64 << 52), "state.milestones.begun.steps"),
-        ("/state/milestones/begun/searches", json!(41), "state.milestones.begun.searches"),
+        ("/state/milestones/begun/searches", json!(121), "state.milestones.begun.searches"),
     ] {
         let mut content = content.clone();
         *content.pointer_mut(path).unwrap_or_else(|| panic!("{path}")) = value;
