@@ -27,6 +27,8 @@ pub mod acrobot;
 pub mod cartpole;
 #[path = "dodge/dodge.rs"]
 pub mod dodge;
+#[path = "hopper/hopper.rs"]
+pub mod hopper;
 #[path = "inverted-double-pendulum/inverted_double_pendulum.rs"]
 pub mod inverted_double_pendulum;
 #[path = "lunar-lander/lunar_lander.rs"]

@@ -48,7 +48,7 @@ class Problem:
     source: str = "the zoo"
 
 
-# benchmark.md of DLR-RM/rl-baselines3-zoo at 0088472 (LunarLander: version 2 of the environments; Swimmer: version 3). The zoo
+# benchmark.md of DLR-RM/rl-baselines3-zoo at 0088472 (LunarLander: version 2 of the environments; Swimmer, Hopper: version 3). The zoo
 # has no InvertedDoublePendulum of MuJoCo's: means of ten runs from deep_rl_data/sumup_rl_results.csv of gegelati/GECCO-2025 (version 4).
 PROBLEMS = [
     Problem("cartpole", "CartPole-v1", 200_000, {"PPO": 500.0, "DQN": 500.0, "ARS": 500.0}),
@@ -71,6 +71,7 @@ PROBLEMS = [
         "gegelati/GECCO-2025",
     ),
     Problem("swimmer", "Swimmer-v5", 1_500_000, {"TD3": 359.1, "ARS": 355.3, "SAC": 345.6, "PPO": 281.6}),
+    Problem("hopper", "Hopper-v5", 3_000_000, {"TQC": 3754.0, "TD3": 3606.0, "ARS": 3344.0, "PPO": 2410.0, "SAC": 2326.0}),
 ]
 
 

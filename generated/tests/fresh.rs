@@ -6,6 +6,7 @@ use tpg_codegen::emit::{self, Language, Options, Prefix, Profile};
 use tpg_generated::acrobot::Acrobot;
 use tpg_generated::cartpole::Cartpole;
 use tpg_generated::dodge::Dodge;
+use tpg_generated::hopper::Hopper;
 use tpg_generated::inverted_double_pendulum::InvertedDoublePendulum;
 use tpg_generated::lunar_lander::LunarLander;
 use tpg_generated::lunar_lander_continuous::LunarLanderContinuous;
@@ -132,6 +133,7 @@ fn compiled_policies_act_like_their_graphs() {
     acts_like(Cartpole, "cartpole");
     acts_like(Dodge, "dodge");
     acts_like(Acrobot, "acrobot");
+    acts_like(Hopper, "hopper");
     acts_like(InvertedDoublePendulum, "inverted-double-pendulum");
     acts_like(LunarLander, "lunar-lander");
     acts_like(LunarLanderContinuous, "lunar-lander-continuous");

@@ -8,6 +8,7 @@ pub mod layers;
 use tpg_generated::acrobot::Acrobot;
 use tpg_generated::cartpole::Cartpole;
 use tpg_generated::dodge::Dodge;
+use tpg_generated::hopper::Hopper;
 use tpg_generated::inverted_double_pendulum::InvertedDoublePendulum;
 use tpg_generated::lunar_lander::LunarLander;
 use tpg_generated::lunar_lander_continuous::LunarLanderContinuous;
@@ -52,6 +53,7 @@ exported! {
     rust_acrobot Acrobot 6 1
     rust_cartpole Cartpole 4 1
     rust_dodge Dodge 17 1
+    rust_hopper Hopper 11 3
     rust_inverted_double_pendulum InvertedDoublePendulum 9 1
     rust_lunar_lander LunarLander 8 1
     rust_lunar_lander_continuous LunarLanderContinuous 8 2
