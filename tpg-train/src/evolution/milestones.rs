@@ -10,9 +10,9 @@ use serde::{Deserialize, Serialize};
 use std::cmp::Ordering;
 use tpg_graph::error::Finding;
 
-/// A search has stalled when this part of its least steps has brought nothing better.
+/// A search ends when this part of its least steps has brought nothing better.
 const PATIENCE: u64 = 2;
-/// Least number of generations that bring nothing better before a search has stalled.
+/// Least number of generations without progress before a search ends or is followed by another one.
 const LEAST_PATIENCE: u64 = 10;
 /// A search has come further when it has gained this part of all that it had gained before: creeping is no reason to go on.
 const FURTHER: f64 = 0.2;
