@@ -111,11 +111,14 @@ impl<Task> State<Task> {
         }
         let searches = (self.searches.iter().enumerate()).map(|(place, search)| (format!("searches[{place}]"), search));
         for (key, search) in searches.chain(self.stalled.iter().map(|search| ("stalled".to_owned(), search))) {
-            if search.kind == StartKind::Random || config.check_programs(vocabulary, actions, search.kind).is_err() {
+            let weights = match search.kind {
+                StartKind::Random => None,
+                kind => config.check_programs(vocabulary, actions, kind).ok(),
+            };
+            let Some(weights) = weights else {
                 let found = format!("{:?}", search.kind).to_lowercase();
                 return Err(Finding::new(format!("{key}.kind"), found, "what programs can be"));
-            }
-            let weights = LinearWriter::new(vocabulary, actions as u16, search.kind)?.weights();
+            };
             (search.cma.check(weights, config.start.covariance))
                 .map_err(|finding| finding.within(&format!("{key}.cma")))?;
             Finding::range(&format!("{key}.score"), search.score, -1e30, 1e30)?;

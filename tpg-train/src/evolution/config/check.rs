@@ -209,16 +209,17 @@ impl EvolutionConfig {
         }
         let values: usize = environment.sources().iter().map(|source| source.length as usize).sum();
         let vocabulary = self.vocabulary(environment, vec![1.0; values]);
-        self.check_programs(&vocabulary, environment.actions().count().unwrap_or(0), self.start.kind)
+        self.check_programs(&vocabulary, environment.actions().count().unwrap_or(0), self.start.kind).map(|_| ())
     }
 
-    /// Checks that programs can be the sums or products that a search finds for `actions` actions; 0 with outputs.
+    /// Checks that programs can be the sums or products that a search finds for `actions` actions, 0 with outputs; returns the
+    /// number of its weights.
     pub(in crate::evolution) fn check_programs(
         &self,
         vocabulary: &Vocabulary,
         actions: usize,
         kind: StartKind,
-    ) -> Result<(), Finding> {
+    ) -> Result<usize, Finding> {
         let writer = LinearWriter::new(vocabulary, actions as u16, kind)?;
         let weights = writer.weights();
         if weights > MOST_WEIGHTS {
@@ -227,10 +228,12 @@ impl EvolutionConfig {
         }
         let lines = writer.lines();
         if actions == 0 {
-            return Finding::range("leaves.max_program_size", self.leaves.max_program_size, lines, 1000);
+            Finding::range("leaves.max_program_size", self.leaves.max_program_size, lines, 1000)?;
+            return Ok(weights);
         }
         Finding::range("program.max_program_size", self.program.max_program_size, lines, 1000)?;
-        Finding::range("tpg.max_outgoing_edges", self.tpg.max_outgoing_edges, actions, 1000)
+        Finding::range("tpg.max_outgoing_edges", self.tpg.max_outgoing_edges, actions, 1000)?;
+        Ok(weights)
     }
 
     /// Returns what a search looks for that begins after so many others: in turns sums and, where programs can be that, products.
