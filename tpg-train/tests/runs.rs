@@ -240,6 +240,10 @@ fn a_bad_configuration_is_refused_with_its_line_and_what_is_accepted() {
         assert!(error.starts_with(&format!("c.toml: line {}: ", line_of(from))), "{error}");
         assert!(error.contains(found) && error.contains(accepted), "{error}");
     }
+    let frugal =
+        Preset::find("frugal").expect("it comes with the trainer").text().replace("\nrandom = 0.0", "\nrandom = 0.5");
+    let error = EvolutionConfig::from_toml("c.toml", &frugal).expect_err("above the share of all searches").to_string();
+    assert!(error.contains("start.random = 0.5; accepted: 0 to 0.4"), "{error}");
 }
 
 /// Waits until a file exists.
@@ -383,6 +387,8 @@ fn a_linear_start_has_the_same_bytes_on_other_threads_and_after_kills() {
         ("actions", ProblemName::Acrobot, StartKind::Linear, 0.0, 0.5),
         ("steps", ProblemName::Pendulum, StartKind::Linear, 0.5, 0.5),
         ("new searches", ProblemName::Pendulum, StartKind::Linear, 1.0, 1e-6),
+        ("random search", ProblemName::Pendulum, StartKind::Linear, 0.5, 0.5),
+        ("random search of actions", ProblemName::Acrobot, StartKind::Linear, 0.5, 0.5),
     ] {
         let place = tempfile::tempdir().expect("a temporary folder");
         let path = place.path().join("config.toml");
@@ -395,9 +401,15 @@ fn a_linear_start_has_the_same_bytes_on_other_threads_and_after_kills() {
         config.start.share = [0.5 * share, share];
         config.start.deviation = deviation;
         config.selection.choice_errors = 2.0 * share;
-        let steps = if share == 0.5 { "200000" } else { "1000000000000" };
-        let begins_anew = share == 1.0;
-        if begins_anew {
+        let is_random = name.starts_with("random");
+        config.start.random = if is_random { 0.25 } else { 0.0 };
+        let steps = match (share == 0.5, is_random) {
+            (true, true) => "100000",
+            (true, false) => "200000",
+            (false, _) => "1000000000000",
+        };
+        let begins_anew = share == 1.0 || is_random;
+        if share == 1.0 {
             // Equal samples: some generation is the best of the ten after it.
             (config.start.generations, config.learning.nb_generations) = (2, 40);
         }
@@ -409,7 +421,8 @@ fn a_linear_start_has_the_same_bytes_on_other_threads_and_after_kills() {
         assert!(train(&other, &["--threads", "3", "--lanes", "5"]).status().expect("it runs").success());
         assert!(results(&one) == results(&other), "{name}: threads and lanes change nothing");
         let checkpoint = fs::read(one.join("checkpoint")).expect("it is there");
-        assert_eq!(String::from_utf8_lossy(&checkpoint).contains("\"stalled\""), begins_anew, "{name}");
+        let has = |key: &str| String::from_utf8_lossy(&checkpoint).contains(key);
+        assert_eq!((has("\"stalled\""), has("\"random\"")), (begins_anew, is_random), "{name}");
         // Stopped in the first half of the start, in the second half, at its end, and after it.
         let stopped = place.path().join("stopped");
         for generations in ["3", "9", "12", "15"] {

@@ -2,7 +2,7 @@
 
 use super::config::{EvolutionConfig, StartKind};
 use super::genome::{Destination, Edge, Genome, Program, TeamId};
-use super::linear::LinearWriter;
+use super::linear::{LinearWriter, Method};
 use super::milestones::Begin;
 use super::state::{Best, Deme, State};
 use super::vocabulary::Vocabulary;
@@ -97,6 +97,8 @@ impl<Task> State<Task> {
                 Some(chosen) if generation > chosen => [1, 1],
                 // The old ones stay until the next generation.
                 _ if self.milestones.begun.is_some_and(|begun| begun.generation == generation) => [1, 1],
+                // A random search is alone.
+                _ if config.start.random > 0.0 => [1, config.start.searches],
                 _ => [config.start.searches; 2],
             },
         };
@@ -119,8 +121,15 @@ impl<Task> State<Task> {
                 let found = format!("{:?}", search.kind).to_lowercase();
                 return Err(Finding::new(format!("{key}.kind"), found, "what programs can be"));
             };
-            (search.cma.check(weights, config.start.covariance))
-                .map_err(|finding| finding.within(&format!("{key}.cma")))?;
+            match &search.method {
+                Method::Cma(cma) => (cma.check(weights, config.start.covariance))
+                    .map_err(|finding| finding.within(&format!("{key}.method.cma")))?,
+                Method::Random(random) => {
+                    let writer = LinearWriter::new(vocabulary, actions as u16, search.kind)?;
+                    (random.check(writer.rows(), writer.inputs()))
+                        .map_err(|finding| finding.within(&format!("{key}.method.random")))?;
+                }
+            }
             Finding::range(&format!("{key}.score"), search.score, -1e30, 1e30)?;
         }
         Ok(())

@@ -462,6 +462,10 @@ pub struct StartConfig {
     /// gets better; once it has stalled, another one begins, in turns for products and for sums. Every search ends at the second.
     /// `[0, 0]`, or a run without that limit: its generations alone decide.
     pub share: [f64; 2],
+    /// Fraction of a run's steps that a random search takes at most, one episode a sample, before those by covariance matrix adaptation;
+    /// 0, or a run without that limit: none. Not above the first of `share`.
+    #[serde(skip_serializing_if = "is_nothing")]
+    pub random: f64,
     /// Number of searches, of which the best goes on after half of the generations.
     pub searches: usize,
     /// Number of samples of a search in a generation; 0 for `breadth` times 4 + 3 ln n with n weights.
@@ -498,6 +502,7 @@ impl Default for StartConfig {
             kind,
             generations: 60,
             share: [0.0, 0.0],
+            random: 0.0,
             searches: 3,
             samples: 0,
             breadth: 1,

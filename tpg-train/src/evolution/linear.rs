@@ -1,20 +1,23 @@
 //! The linear start: one dense linear program for each output or action, found by [`Cma`], from which evolution goes on.
 //!
 //! A program is a weighted sum of the inputs, or the product of two: that one can change its sign where another input does, as a
-//! swing-up must. Mutations of single lines hardly ever find six weights that only help together; covariance matrix adaptation does. Several
-//! searches run side by side for the first half of the start, the best of them goes on for the second. Where that stalls early, another
-//! search begins, for products where it was for sums and for sums where it was for products, and evolution goes on from the best of both.
+//! swing-up must. Mutations of single lines hardly ever find six weights that only help together; two searches do: [`RandomSearch`] in
+//! small steps from nothing, where the configuration gives it steps, and after it covariance matrix adaptation. Several of the latter run
+//! side by side for the first half, the best of them goes on for the second. Where that stalls early, another one begins, for products
+//! where it was for sums and for sums where it was for products. Evolution goes on from the last search and the best before it.
 
 use super::cma::Cma;
 use super::config::StartKind;
 use super::generation::Evolution;
 use super::genome::{Destination, Edge, Genome, GenomeLine, Leaf, Program, Team, TeamId};
 use super::milestones::{Bounds, Point, StepBounds};
+use super::random_search::RandomSearch;
 use super::state::{Deme, Record, Row, State};
+use super::validate::along;
 use super::vocabulary::{Gene, InstructionIndex, Kind, OPERANDS, Vocabulary};
 use serde::{Deserialize, Serialize};
 use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{Environment, EvaluationError, Evaluator, PolicyGraph, Summary, UnitKey, Work, WorkUnit};
+use tpg_engine::{Ending, Environment, EvaluationError, Evaluator, PolicyGraph, Summary, UnitKey, Work, WorkUnit};
 use tpg_graph::Word;
 use tpg_graph::error::Finding;
 use tpg_runtime::ops::Instruction;
@@ -22,6 +25,8 @@ use tpg_runtime::scalar::Scalar;
 
 /// Weight of the newest generation in a search's score.
 const NEWEST: f64 = 0.2;
+/// Number of states of an episode that a random search sees.
+const STATES_OF_EPISODE: u32 = 64;
 /// Most weights of a linear start: beyond, a full covariance costs more than it finds.
 pub(super) const MOST_WEIGHTS: usize = 400;
 
@@ -31,21 +36,55 @@ pub(super) const MOST_WEIGHTS: usize = 400;
 pub struct Search {
     /// What the programs are that it looks for.
     pub kind: StartKind,
-    /// Its distribution.
-    pub cma: Cma,
+    /// How it looks.
+    pub method: Method,
     /// Mean score of its samples, smoothed over generations.
     pub score: f64,
 }
 
+/// How a search looks for weights.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Method {
+    /// Covariance matrix adaptation of the weights that are written.
+    Cma(Cma),
+    /// Random search of the weights of normalised inputs.
+    Random(RandomSearch),
+}
+
 impl Search {
+    /// Draws at least `count` samples.
+    fn samples(&self, count: usize, stream: &mut Stream) -> Vec<Vec<f64>> {
+        match &self.method {
+            Method::Cma(cma) => cma.samples(count, stream),
+            Method::Random(search) => search.samples(count, stream),
+        }
+    }
+
+    /// Returns the centre of its samples.
+    fn mean(&self) -> &[f64] {
+        match &self.method {
+            Method::Cma(cma) => cma.mean(),
+            Method::Random(search) => search.mean(),
+        }
+    }
+
     /// Learns from the results of a generation's samples, which are equal if their scores differ by less than `tolerance`.
     fn update(&mut self, samples: &[Vec<f64>], results: &[Summary], tolerance: f64) {
         let mean = results.iter().map(|result| result.score).sum::<f64>() / results.len() as f64;
         self.score = if self.score.is_finite() { self.score + NEWEST * (mean - self.score) } else { mean };
-        let order = ranked(results);
-        let scores: Vec<f64> = order.iter().map(|&place| results[place].score).collect();
-        let ranked: Vec<Vec<f64>> = order.into_iter().map(|place| samples[place].clone()).collect();
-        self.cma.update(&ranked, &groups(&scores, tolerance));
+        match &mut self.method {
+            Method::Cma(cma) => {
+                let order = ranked(results);
+                let scores: Vec<f64> = order.iter().map(|&place| results[place].score).collect();
+                let ranked: Vec<Vec<f64>> = order.into_iter().map(|place| samples[place].clone()).collect();
+                cma.update(&ranked, &groups(&scores, tolerance));
+            }
+            Method::Random(search) => {
+                let scores: Vec<f64> = results.iter().map(|result| result.score).collect();
+                search.update(samples, &scores);
+            }
+        }
     }
 }
 
@@ -89,14 +128,24 @@ fn row(generation: u64, results: &[Summary]) -> Row {
 #[derive(Clone, Debug)]
 pub(super) struct LinearWriter<'a> {
     vocabulary: &'a Vocabulary,
-    /// Source, location and unit of each value that programs can read.
-    inputs: Vec<(u8, u16, f64)>,
+    /// The values that programs can read.
+    inputs: Vec<Input>,
     add: InstructionIndex,
     multiply: Multiply,
     /// The word that multiplies two sums; none if a program is a single sum.
     product: Option<InstructionIndex>,
     /// Number of actions; 0 with outputs.
     actions: u16,
+}
+
+/// A value that programs can read.
+#[derive(Clone, Copy, Debug)]
+struct Input {
+    source: u8,
+    location: u16,
+    /// Its place in the flat state.
+    place: u16,
+    unit: f64,
 }
 
 /// Words for a term of a sum.
@@ -144,8 +193,9 @@ impl<'a> LinearWriter<'a> {
             Kind::Data(place, length) => Some((0..length).map(move |at| (source as u8, at, place + at))),
             Kind::Registers | Kind::Constants | Kind::Literal => None,
         });
-        let scales = vocabulary.scales();
-        let inputs = places.flatten().map(|(source, at, place)| (source, at, scales[usize::from(place)])).collect();
+        let unit = |place: u16| vocabulary.scales()[usize::from(place)];
+        let input = |(source, location, place)| Input { source, location, place, unit: unit(place) };
+        let inputs = places.flatten().map(input).collect();
         Ok(Self { vocabulary, inputs, add, multiply, product, actions })
     }
 
@@ -174,6 +224,39 @@ impl<'a> LinearWriter<'a> {
             Multiply::Alone(_) => 2 * self.inputs.len(),
         };
         self.sums() * (sum + 1) - 1
+    }
+
+    /// Returns the number of rows of a random search: an output's, or an action's.
+    pub(super) fn rows(&self) -> usize {
+        match self.actions {
+            0 => self.programs(),
+            actions => actions.into(),
+        }
+    }
+
+    /// Returns the number of inputs of a sum.
+    pub(super) fn inputs(&self) -> usize {
+        self.inputs.len()
+    }
+
+    /// Returns the inputs in a flat state.
+    fn inputs_in(&self, state: &[f64]) -> Vec<f64> {
+        self.inputs.iter().map(|input| state[usize::from(input.place)]).collect()
+    }
+
+    /// Returns the weights that a sample of a search stands for.
+    fn weights_of(&self, search: &Search, sample: &[f64]) -> Vec<f64> {
+        let Method::Random(random) = &search.method else { return sample.to_vec() };
+        let units: Vec<f64> = self.inputs.iter().map(|input| input.unit).collect();
+        let rows = random.unfolded(sample, &units);
+        match self.actions {
+            0 => rows.concat(),
+            // The greatest bid wins, so what counts is the distance from the first action's, which stays 0.
+            _ => rows[1..]
+                .iter()
+                .flat_map(|row| row.iter().zip(&rows[0]).map(|(weight, first)| weight - first))
+                .collect(),
+        }
     }
 
     /// Adds the policy with the given weights to a genome. A weight of 1 is a whole output's half range for an input's.
@@ -220,8 +303,9 @@ impl<'a> LinearWriter<'a> {
         };
         let spare = self.sums() as u16;
         let sum = self.register(to);
-        for (place, (&(source, location, scale), weight)) in self.inputs.iter().zip(weights).enumerate() {
-            let operands = [Gene { source, location, literal: 0.0 }, literal(unit * weight / scale)];
+        for (place, (input, weight)) in self.inputs.iter().zip(weights).enumerate() {
+            let &Input { source, location, unit: of_input, .. } = input;
+            let operands = [Gene { source, location, literal: 0.0 }, literal(unit * weight / of_input)];
             match self.multiply {
                 Multiply::Add(instruction) => lines.push(GenomeLine { instruction, to, operands }),
                 Multiply::Alone(instruction) if place == 0 => lines.push(GenomeLine { instruction, to, operands }),
@@ -264,8 +348,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
     /// Runs one generation of the linear start.
     pub(super) fn advance_linear(&self, state: &mut State<E::Task>) -> Result<(), EvaluationError> {
         let config = &self.config.start;
-        let before = state.milestones.begun.map_or(0, |begun| begun.searches);
-        let kind = self.config.search_kind(&self.vocabulary, self.actions, before);
+        let kind = self.config.search_kind(&self.vocabulary, self.actions, self.others_before(state));
         let writer = self.writer(kind)?;
         self.begin_searches(state, kind, &writer);
         let count = match config.samples {
@@ -273,31 +356,44 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
             samples => samples,
         };
         let draw = |(place, search): (u64, &Search)| {
-            search.cma.samples(count, &mut Stream::new(state.seed, state.generation, Purpose::Linear, place))
+            search.samples(count, &mut Stream::new(state.seed, state.generation, Purpose::Linear, place))
         };
-        let samples: Vec<Vec<f64>> = (0..).zip(&state.searches).flat_map(draw).collect();
-        let unit = |(root, weights): (u64, &Vec<f64>)| {
-            let key = UnitKey { seed: state.seed, generation: state.generation, root };
-            WorkUnit { key, policy: self.linear_policy(&writer, weights) }
-        };
-        let units = (0..).zip(&samples).map(unit).collect();
-        let answers = self.evaluator.evaluate(&Work { tasks: self.tasks(state, config.episodes), units })?;
+        let samples: Vec<Vec<Vec<f64>>> = (0..).zip(&state.searches).map(draw).collect();
+        let policies = state.searches.iter().zip(&samples).flat_map(|(search, samples)| {
+            samples.iter().map(|sample| self.linear_policy(&writer, &writer.weights_of(search, sample)))
+        });
+        let unit =
+            |(root, policy)| WorkUnit { key: UnitKey { seed: state.seed, generation: state.generation, root }, policy };
+        let units = (0..).zip(policies).map(unit).collect();
+        // A random search makes more of more steps than of surer ones.
+        let episodes = if self.others_before(state).is_none() { 1 } else { config.episodes };
+        let work = Work { tasks: self.tasks(state, episodes), units };
+        let answers = self.evaluator.evaluate(&work)?;
         state.count_training(answers.iter().flat_map(|answer| &answer.endings));
 
         let results: Vec<Summary> = answers.iter().map(|answer| Summary::of(&answer.endings)).collect();
-        let best = results[ranked(&results)[0]].score;
-        let tolerance = state.rows.first().map_or(0.0, |first| config.tie * (best - first.median_score).max(0.0));
-        for (place, search) in state.searches.iter_mut().enumerate() {
-            let its = place * count..(place + 1) * count;
-            search.update(&samples[its.clone()], &results[its], tolerance);
+        let best = ranked(&results)[0];
+        let tolerance =
+            state.rows.first().map_or(0.0, |first| config.tie * (results[best].score - first.median_score).max(0.0));
+        let (mut place, mut of_best) = (0, 0);
+        for (number, (search, samples)) in state.searches.iter_mut().zip(&samples).enumerate() {
+            let its = place..place + samples.len();
+            if its.contains(&best) {
+                of_best = number;
+            }
+            place = its.end;
+            search.update(samples, &results[its], tolerance);
         }
+        let shown = (state.generation % work.units.len() as u64) as usize;
+        self.observe(state, &writer, &work.units[shown].policy, &work.tasks[0], &answers[shown].endings[0])?;
         let mut row = row(state.generation, &results);
         if self.ends_linear(state, &writer) || self.is_last(state) {
             self.populate_from_linear(state)?;
             row.validation = self.validate(state)?;
         } else {
             // The mean of a search is better than its samples.
-            let weights = state.searches[ranked(&results)[0] / count].cma.mean().to_vec();
+            let search = &state.searches[of_best];
+            let weights = writer.weights_of(search, search.mean());
             row.validation = self.try_for_target(state, row.best_score, || self.linear_policy(&writer, &weights))?;
         }
         row.teams = state.demes.iter().map(|deme| deme.genome.teams().len()).sum();
@@ -307,18 +403,47 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         Ok(())
     }
 
+    /// True if the first search is a random one.
+    fn is_random_first(&self) -> bool {
+        self.config.start.random > 0.0 && self.goal.max_steps.is_some()
+    }
+
+    /// Returns the number of searches by covariance matrix adaptation that have ended; `None` while a random one runs.
+    fn others_before(&self, state: &State<E::Task>) -> Option<u64> {
+        let before = state.milestones.begun.map_or(0, |begun| begun.searches);
+        before.checked_sub(u64::from(self.is_random_first()))
+    }
+
+    /// Shows a random search where an episode of a sample went, which is run once more for that.
+    fn observe(
+        &self,
+        state: &mut State<E::Task>,
+        writer: &LinearWriter<'_>,
+        policy: &PolicyGraph,
+        task: &E::Task,
+        ending: &Ending,
+    ) -> Result<(), EvaluationError> {
+        let [Search { method: Method::Random(search), .. }] = &mut state.searches[..] else { return Ok(()) };
+        let visits = self.evaluator.visit(&[along(policy, task, ending, STATES_OF_EPISODE)])?;
+        search.observe(visits.into_iter().flatten().map(|seen| writer.inputs_in(&seen)));
+        state.count_again(ending);
+        Ok(())
+    }
+
     /// Records how far the linear start has come; returns true if the current generation is its last one.
     fn ends_linear(&self, state: &mut State<E::Task>, writer: &LinearWriter<'_>) -> bool {
         let start = &self.config.start;
         if start.is_by_steps() {
             let score = state.searches.iter().map(|search| search.score).fold(f64::NEG_INFINITY, f64::max);
+            let is_random = self.others_before(state).is_none();
             let steps = self.goal.max_steps.map(|most| {
                 let part = |share: f64| (share * most as f64) as u64;
-                StepBounds { least: part(start.share[0]), most: part(start.share[1]) }
+                let [least, most] = if is_random { [start.random; 2] } else { start.share };
+                StepBounds { least: part(least), most: part(most) }
             });
             let point = Point { generations: state.generation + 1, steps: state.steps, score };
             let generations = self.config.linear_generations(writer.weights());
-            state.milestones.reach(point, Bounds { generations, steps });
+            state.milestones.reach(point, Bounds { generations, steps, is_last: !is_random });
         }
         self.config.linear_end(self.linear, &state.milestones) == Some(state.generation + 1)
     }
@@ -337,9 +462,14 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
             state.stalled = best_of(state.stalled.take().into_iter().chain(state.searches.drain(..)));
         }
         if state.searches.is_empty() {
-            let cma = Cma::new(writer.weights(), config.deviation, config.covariance);
-            let search = Search { kind, cma, score: f64::NEG_INFINITY };
-            state.searches = vec![search; config.searches];
+            let score = f64::NEG_INFINITY;
+            state.searches = if self.others_before(state).is_none() {
+                let method = Method::Random(RandomSearch::new(writer.rows(), writer.inputs()));
+                vec![Search { kind, method, score }]
+            } else {
+                let method = Method::Cma(Cma::new(writer.weights(), config.deviation, config.covariance));
+                vec![Search { kind, method, score }; config.searches]
+            };
         }
         if self.config.linear_choice(self.linear, &state.milestones) == Some(state.generation) {
             state.searches = best_of(state.searches.drain(..)).into_iter().collect();
@@ -353,7 +483,8 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         for deme in state.demes.iter_mut().take(self.config.start.demes) {
             *deme = Deme::default();
             for search in &searches {
-                let root = self.writer(search.kind)?.add_root(&mut deme.genome, search.cma.mean());
+                let writer = self.writer(search.kind)?;
+                let root = writer.add_root(&mut deme.genome, &writer.weights_of(search, search.mean()));
                 deme.records.insert(root, Record { mean: search.score, evaluations: 0 });
             }
         }

@@ -72,6 +72,8 @@ pub(super) struct Bounds {
     pub generations: u64,
     /// Bounds in steps; none in a run without a limit of steps.
     pub steps: Option<StepBounds>,
+    /// True if no other search follows one that has had its steps.
+    pub is_last: bool,
 }
 
 /// The bounds of a search for weights in steps.
@@ -110,9 +112,12 @@ impl Milestones {
                 // What goes on is compared with itself: of several searches some score was the best by luck.
                 (self.chosen, self.peak, self.further) = (Some(point.generations), None, None);
             }
-        } else if is_over(1) || self.is_enough(point, its_generations, bounds) {
+            return;
+        }
+        let is_over = is_over(1) || self.is_enough(point, its_generations, bounds);
+        if is_over && bounds.is_last {
             self.ended = Some(point.generations);
-        } else if self.is_stuck(point, its_generations, bounds) {
+        } else if is_over || self.is_stuck(point, its_generations, bounds) {
             let begun = Begin { generation: point.generations, steps: point.steps, searches: begun.searches + 1 };
             *self = Self { begun: Some(begun), ..Self::default() };
         }
@@ -181,7 +186,7 @@ mod tests {
         let mut beginnings = Vec::new();
         for now in 1..10_000 {
             let point = Point { generations: now, steps: 100 * now, score: score(now) };
-            milestones.reach(point, Bounds { generations, steps });
+            milestones.reach(point, Bounds { generations, steps, is_last: true });
             beginnings.extend(milestones.begun.map(|begun| begun.generation));
             if milestones.ended.is_some() {
                 beginnings.dedup();
@@ -233,6 +238,22 @@ mod tests {
         let (milestones, beginnings) = run(20, Some((1 << 50, 1 << 60)), |_| 0.0);
         assert_eq!(beginnings, (1..=28).map(|time| 21 * time).collect::<Vec<_>>());
         assert_eq!((milestones.chosen, milestones.ended), (Some(598), Some(609)));
+    }
+
+    #[test]
+    fn another_search_follows_one_that_is_not_the_last_and_has_had_its_steps() {
+        let mut milestones = Milestones::default();
+        let steps = Some(StepBounds { least: 3_000, most: 3_000 });
+        let bounds = |is_last| Bounds { generations: 20, steps, is_last };
+        let point = |now: u64| Point { generations: now, steps: 100 * now, score: now as f64 };
+        (1..30).for_each(|now| milestones.reach(point(now), bounds(false)));
+        assert_eq!((milestones.begun, milestones.chosen), (None, Some(10)));
+        let mut last = milestones;
+        last.reach(point(30), bounds(true));
+        assert_eq!((last.begun, last.ended), (None, Some(30)));
+        milestones.reach(point(30), bounds(false));
+        let begun = Some(Begin { generation: 30, steps: 3_000, searches: 1 });
+        assert_eq!(milestones, Milestones { begun, ..Milestones::default() });
     }
 
     #[test]

@@ -18,6 +18,7 @@ pub mod mutate_program;
 pub mod mutate_team;
 pub mod presets;
 mod products;
+pub mod random_search;
 pub mod refine;
 pub mod run;
 pub mod scales;

@@ -176,7 +176,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
             return Ok(None);
         }
         let played = self.selection_tasks.iter().zip(endings).take(EPISODES_FOR_RANGES);
-        let visits: Vec<_> = played.map(|(task, ending)| along(policy, task, ending)).collect();
+        let visits: Vec<_> = played.map(|(task, ending)| along(policy, task, ending, STATES_FOR_RANGES)).collect();
         let states: Vec<Vec<f64>> = self.evaluator.visit(&visits)?.into_iter().flatten().collect();
         Ok(Some((declared.into_iter().enumerate()).map(|(input, range)| widened(range, &states, input)).collect()))
     }
@@ -191,7 +191,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         let answers = self.evaluator.evaluate(&Work { tasks: tasks.to_vec(), units: units.collect() })?;
         let along = |(policy, answer): (&PolicyGraph, UnitResult)| {
             let played = tasks.iter().zip(answer.endings);
-            played.map(|(task, ending)| along(policy, task, &ending)).collect::<Vec<_>>()
+            played.map(|(task, ending)| along(policy, task, &ending, STATES_FOR_RANGES)).collect::<Vec<_>>()
         };
         let visits: Vec<_> = policies.iter().zip(answers).flat_map(along).collect();
         Ok(self.evaluator.visit(&visits)?.into_iter().flatten().collect())
@@ -207,10 +207,10 @@ fn standard_error(result: &Summary, endings: &[Ending], preference: Preference) 
     finite(deviation / (endings.len().max(1) as f64).sqrt()).max(0.0)
 }
 
-/// Returns a visit of states all along an episode that ended so.
-fn along<Task: Clone>(policy: &PolicyGraph, task: &Task, ending: &Ending) -> Visit<Task> {
+/// Returns a visit of so many states all along an episode that ended so.
+pub(super) fn along<Task: Clone>(policy: &PolicyGraph, task: &Task, ending: &Ending, states: u32) -> Visit<Task> {
     let actions = u64::from(ending.actions);
-    let after = (0..STATES_FOR_RANGES).map(|state| (u64::from(state) * actions / u64::from(STATES_FOR_RANGES)) as u32);
+    let after = (0..states).map(|state| (u64::from(state) * actions / u64::from(states)) as u32);
     Visit { policy: policy.clone(), task: task.clone(), after: after.collect() }
 }
 

@@ -180,9 +180,9 @@ fn a_damaged_search_for_a_linear_start_is_refused_at_its_place() {
         assert_eq!(read(&content).expect("a real one").searches.len(), searches);
         for (path, value, place) in [
             ("/state/searches", json!([]), "state.searches"),
-            ("/state/searches/0/cma/mean", json!([0.0]), "state.searches[0].cma.mean"),
-            ("/state/searches/0/cma/covariance", json!([1.0, 0.0]), "state.searches[0].cma.covariance"),
-            ("/state/searches/0/cma/deviation", json!(-1.0), "state.searches[0].cma.deviation"),
+            ("/state/searches/0/method/cma/mean", json!([0.0]), "state.searches[0].method.cma.mean"),
+            ("/state/searches/0/method/cma/covariance", json!([1.0, 0.0]), "state.searches[0].method.cma.covariance"),
+            ("/state/searches/0/method/cma/deviation", json!(-1.0), "state.searches[0].method.cma.deviation"),
             ("/state/searches/0/score", json!(1e300), "state.searches[0].score"),
         ] {
             let mut content = content.clone();
@@ -255,7 +255,7 @@ fn a_damaged_search_that_has_begun_anew_is_refused() {
     for (path, value, place) in [
         ("/state/stalled", Value::Null, "state.stalled"),
         ("/state/stalled/score", json!(1e300), "state.stalled.score"),
-        ("/state/stalled/cma/path", json!([0.0]), "state.stalled.cma.path"),
+        ("/state/stalled/method/cma/path", json!([0.0]), "state.stalled.method.cma.path"),
         ("/state/stalled/kind", json!("random"), "state.stalled.kind"),
         ("/state/searches/0/kind", json!("random"), "state.searches[0].kind"),
         ("/state/milestones/begun", Value::Null, "state.stalled"),
@@ -267,6 +267,35 @@ fn a_damaged_search_that_has_begun_anew_is_refused() {
         *content.pointer_mut(path).unwrap_or_else(|| panic!("{path}")) = value;
         let error = read(&content).expect_err(path).to_string();
         assert!(error.contains(place), "{path}: {error}");
+    }
+}
+
+#[test]
+fn a_damaged_random_search_is_refused() {
+    let mut config = config();
+    config.language.literals = true;
+    config.program.max_program_size = 20;
+    config.learning.nb_generations = 2;
+    config.start = StartConfig {
+        kind: StartKind::Linear,
+        generations: 20,
+        share: [0.5, 1.0],
+        random: 0.5,
+        ..StartConfig::default()
+    };
+    let content = content_within(&config, &swing(), Goal { max_steps: Some(1 << 40), ..Goal::default() });
+    let read = |content: &Value| -> Result<State<[f64; 2]>, InputError> {
+        from_bytes("x", content.to_string().as_bytes(), &config, 1, &swing())
+    };
+    assert_eq!(read(&content).expect("a real one").searches.len(), 1, "a random search is alone");
+    for (path, value) in
+        [("weights", json!([])), ("means", json!([0.0])), ("squares/0", json!(-1.0)), ("states", json!(-1.0))]
+    {
+        let mut content = content.clone();
+        let path = format!("/state/searches/0/method/random/{path}");
+        *content.pointer_mut(&path).unwrap_or_else(|| panic!("{path}")) = value;
+        let error = read(&content).expect_err(&path).to_string();
+        assert!(error.contains("state.searches[0].method.random."), "{path}: {error}");
     }
 }
 

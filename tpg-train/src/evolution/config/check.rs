@@ -155,6 +155,7 @@ impl EvolutionConfig {
         if !(0.0 <= first && first <= second && second <= 1.0) {
             return Err(Finding::new("start.share", format!("{:?}", start.share), "two numbers of 0 to 1, ascending"));
         }
+        Finding::range("start.random", start.random, 0.0, first)?;
         count("start.searches", start.searches, 1, 100)?;
         if start.samples != 0 {
             count("start.samples", start.samples, 4, 10_000)?;
@@ -236,10 +237,20 @@ impl EvolutionConfig {
         Ok(weights)
     }
 
-    /// Returns what a search looks for that begins after so many others: in turns sums and, where programs can be that, products.
-    pub(in crate::evolution) fn search_kind(&self, vocabulary: &Vocabulary, actions: u16, before: u64) -> StartKind {
-        let is_product = before % 2 == 1 && self.check_programs(vocabulary, actions.into(), StartKind::Product).is_ok();
-        if is_product { StartKind::Product } else { self.start.kind }
+    /// Returns what a search looks for that begins after so many others by covariance matrix adaptation: in turns sums and, where
+    /// programs can be that, products; `None` is a random search, for sums.
+    pub(in crate::evolution) fn search_kind(
+        &self,
+        vocabulary: &Vocabulary,
+        actions: u16,
+        before: Option<u64>,
+    ) -> StartKind {
+        let can_be = |kind| self.check_programs(vocabulary, actions.into(), kind).is_ok();
+        match before {
+            None => StartKind::Linear,
+            Some(before) if before % 2 == 1 && can_be(StartKind::Product) => StartKind::Product,
+            Some(_) => self.start.kind,
+        }
     }
 
     /// Checks the environment-dependent conditions: there are outputs, or actions are named and there are enough roots and

@@ -1,0 +1,206 @@
+//! Augmented random search: small steps along random directions that turned out better than their opposites.
+//!
+//! The algorithm is V2-t of Mania, Guy and Recht (“Simple random search provides a competitive approach to reinforcement learning”,
+//! 2018): one row of weights for each output or action, of inputs from which their mean is taken and which are divided by their
+//! standard deviation, both over the states that its samples visit. It finds what a wide search for weights misses: one that hovers,
+//! balances or walks from the beginning and gets better step by step.
+
+use serde::{Deserialize, Serialize};
+use tpg_engine::random::Stream;
+use tpg_graph::error::Finding;
+
+/// Length of a step, in units of a weight, and distance of the samples from the weights.
+const STEP: f64 = 0.03;
+const NOISE: f64 = 0.05;
+
+/// Part of the directions that a step follows: the better half.
+const FOLLOWED: usize = 2;
+
+/// Least standard deviation of an input, in its unit: one that has hardly ever changed must not get a huge weight.
+const LEAST_DEVIATION: f64 = 1e-3;
+
+/// Where the search is, and what its samples have seen.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RandomSearch {
+    /// Weights of the normalised inputs, row after row.
+    weights: Vec<f64>,
+    /// Number of states seen.
+    states: f64,
+    /// Mean of each input over them.
+    means: Vec<f64>,
+    /// Sum of the squared distances from that mean.
+    squares: Vec<f64>,
+}
+
+impl RandomSearch {
+    /// Starts at 0.
+    pub fn new(rows: usize, inputs: usize) -> Self {
+        Self { weights: vec![0.0; rows * inputs], states: 0.0, means: vec![0.0; inputs], squares: vec![0.0; inputs] }
+    }
+
+    /// Returns the weights of the normalised inputs, row after row.
+    pub fn mean(&self) -> &[f64] {
+        &self.weights
+    }
+
+    /// Draws pairs of opposite samples around the weights: `count` of them, or one more.
+    pub fn samples(&self, count: usize, stream: &mut Stream) -> Vec<Vec<f64>> {
+        let pair = |_| {
+            let steps: Vec<f64> = self.weights.iter().map(|_| NOISE * stream.normal()).collect();
+            [1.0, -1.0].map(|side| self.weights.iter().zip(&steps).map(|(weight, step)| weight + side * step).collect())
+        };
+        (0..count.div_ceil(2)).flat_map(pair).collect()
+    }
+
+    /// Moves the weights towards the better sample of each of the best pairs; scores without spread move nothing.
+    pub fn update(&mut self, samples: &[Vec<f64>], scores: &[f64]) {
+        let mut pairs: Vec<_> = samples.chunks_exact(2).zip(scores.chunks_exact(2)).collect();
+        pairs.sort_by(|(_, a), (_, b)| b[0].max(b[1]).total_cmp(&a[0].max(a[1])));
+        pairs.truncate(pairs.len().div_ceil(FOLLOWED));
+        let count = pairs.len() as f64;
+        let of_scores = |value: fn(f64, f64) -> f64, from: f64| {
+            pairs.iter().flat_map(|(_, scores)| *scores).map(|&score| value(score, from)).sum::<f64>() / (2.0 * count)
+        };
+        let mean = of_scores(|score, _| score, 0.0);
+        let deviation = of_scores(|score, mean| (score - mean) * (score - mean), mean).sqrt();
+        if !(deviation.is_normal() && deviation.is_finite()) {
+            return;
+        }
+        for (sides, scores) in pairs {
+            let length = STEP / (count * deviation) * (scores[0] - scores[1]);
+            for (weight, (plus, minus)) in self.weights.iter_mut().zip(sides[0].iter().zip(&sides[1])) {
+                *weight += length * 0.5 * (plus - minus) / NOISE;
+            }
+        }
+    }
+
+    /// Takes states into the normalisation: each has one number for each input.
+    pub fn observe(&mut self, states: impl Iterator<Item = Vec<f64>>) {
+        for state in states.filter(|state| state.iter().all(|value| value.is_finite())) {
+            self.states += 1.0;
+            for ((value, mean), squares) in state.into_iter().zip(&mut self.means).zip(&mut self.squares) {
+                let distance = value - *mean;
+                *mean += distance / self.states;
+                *squares += distance * (value - *mean);
+            }
+        }
+    }
+
+    /// Returns a sample's weights of inputs in the given units, and a constant, for each row: without normalisation.
+    pub fn unfolded(&self, sample: &[f64], units: &[f64]) -> Vec<Vec<f64>> {
+        let factors: Vec<f64> = (units.iter().zip(&self.squares))
+            .map(|(unit, squares)| {
+                let deviation = if self.states > 0.0 { (squares / self.states).sqrt() } else { *unit };
+                unit / deviation.max(LEAST_DEVIATION * unit)
+            })
+            .collect();
+        let row = |weights: &[f64]| {
+            let mut row: Vec<f64> = weights.iter().zip(&factors).map(|(weight, factor)| weight * factor).collect();
+            let places = row.iter().zip(self.means.iter().zip(units));
+            row.push(-places.map(|(weight, (mean, unit))| weight * mean / unit).sum::<f64>());
+            row
+        };
+        sample.chunks_exact(units.len()).map(row).collect()
+    }
+
+    /// Checks a search that was read from a file.
+    ///
+    /// # Errors
+    /// Other numbers of rows or inputs, or a number that is not finite or too small.
+    pub(super) fn check(&self, rows: usize, inputs: usize) -> Result<(), Finding> {
+        let lengths = [
+            ("weights", &self.weights, rows * inputs),
+            ("means", &self.means, inputs),
+            ("squares", &self.squares, inputs),
+        ];
+        for (key, values, length) in lengths {
+            let is_wrong = |value: &f64| !value.is_finite() || (key == "squares" && *value < 0.0);
+            if values.len() != length || values.iter().any(is_wrong) {
+                let accepted = format!("{length} finite numbers, squares of 0 or more");
+                return Err(Finding::new(key, format!("{} numbers", values.len()), accepted));
+            }
+        }
+        Finding::range("states", self.states, 0.0, 1e15)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{NOISE, RandomSearch, STEP};
+    use tpg_engine::random::{Purpose, Stream};
+
+    fn stream(number: u64) -> Stream {
+        Stream::new(1, number, Purpose::Test, 0)
+    }
+
+    #[test]
+    fn samples_are_opposite_pairs() {
+        let mut search = RandomSearch::new(2, 3);
+        search.weights = vec![1.0; 6];
+        let samples = search.samples(5, &mut stream(0));
+        assert_eq!(samples.len(), 6, "whole pairs");
+        for pair in samples.chunks_exact(2) {
+            for (plus, minus) in pair[0].iter().zip(&pair[1]) {
+                assert!((plus + minus - 2.0).abs() < 1e-12 && plus != minus);
+            }
+        }
+    }
+
+    #[test]
+    fn a_step_follows_the_better_half_of_the_pairs() {
+        let mut search = RandomSearch::new(1, 2);
+        let samples = [[NOISE, 0.0], [-NOISE, 0.0], [0.0, NOISE], [0.0, -NOISE]].map(Vec::from);
+        // The first pair has the best score, of mean 2 and deviation 1; the second does not count.
+        search.update(&samples, &[3.0, 1.0, 2.0, -9.0]);
+        assert_eq!(search.mean(), [2.0 * STEP, 0.0]);
+        let before = search.clone();
+        search.update(&samples, &[1.0; 4]);
+        search.update(&samples, &[f64::NEG_INFINITY, 1.0, 1.0, 1.0]);
+        assert_eq!(search, before, "scores without a finite spread move nothing");
+    }
+
+    #[test]
+    fn it_climbs_to_the_best_weights() {
+        let best = [0.5, -0.3, 0.2];
+        let score = |sample: &Vec<f64>| -sample.iter().zip(best).map(|(a, b)| (a - b) * (a - b)).sum::<f64>();
+        let mut search = RandomSearch::new(1, 3);
+        for generation in 0..100 {
+            let samples = search.samples(16, &mut stream(generation));
+            let scores: Vec<f64> = samples.iter().map(score).collect();
+            search.update(&samples, &scores);
+        }
+        assert!(score(&search.weights) > -0.01, "{:?}", search.weights);
+    }
+
+    #[test]
+    fn unfolded_weights_give_the_normalised_sum() {
+        let mut search = RandomSearch::new(2, 2);
+        let sample = [0.5, 2.0, -1.0, 1.0];
+        let units = [4.0, 0.5];
+        assert_eq!(search.unfolded(&sample, &units), [[0.5, 2.0, 0.0], [-1.0, 1.0, 0.0]], "nothing seen: in units");
+        search.observe([[1.0, 7.0], [f64::NAN, 0.0], [5.0, 7.0]].map(Vec::from).into_iter());
+        // Mean 3 and deviation 2; the second input, always 7, has the least deviation.
+        let state = [4.0, 7.001];
+        for (row, weights) in search.unfolded(&sample, &units).iter().zip(sample.chunks_exact(2)) {
+            let sum = row[0] * state[0] / units[0] + row[1] * state[1] / units[1] + row[2];
+            let expected = weights[0] * (state[0] - 3.0) / 2.0 + weights[1] * (state[1] - 7.0) / 0.0005;
+            assert!((sum - expected).abs() < 1e-9, "{sum} {expected}");
+        }
+    }
+
+    #[test]
+    fn a_damaged_search_is_refused() {
+        let search = RandomSearch::new(2, 3);
+        assert_eq!(search.check(2, 3), Ok(()));
+        let refused = |change: fn(&mut RandomSearch), key: &str| {
+            let mut damaged = search.clone();
+            change(&mut damaged);
+            assert_eq!(damaged.check(2, 3).expect_err(key).key, key);
+        };
+        refused(|it| it.weights.truncate(5), "weights");
+        refused(|it| it.means[0] = f64::NAN, "means");
+        refused(|it| it.squares[1] = -1.0, "squares");
+        refused(|it| it.states = -1.0, "states");
+    }
+}
