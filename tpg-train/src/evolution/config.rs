@@ -462,7 +462,7 @@ pub struct StartConfig {
     /// gets better; once it has stalled, another one begins, in turns for products and for sums. Every search ends at the second.
     /// `[0, 0]`, or a run without that limit: its generations alone decide.
     pub share: [f64; 2],
-    /// Fraction of a run's steps that a random search takes at most, one episode a sample, before those by covariance matrix adaptation;
+    /// Fraction of a run's steps that a random search takes, one episode a sample, before those by covariance matrix adaptation;
     /// 0, or a run without that limit: none. Not above the first of `share`.
     #[serde(skip_serializing_if = "is_nothing")]
     pub random: f64,

@@ -435,6 +435,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         let start = &self.config.start;
         if start.is_by_steps() {
             let score = state.searches.iter().map(|search| search.score).fold(f64::NEG_INFINITY, f64::max);
+            // A random search takes its share, however slowly it gets better: at first it hardly does.
             let is_random = self.others_before(state).is_none();
             let steps = self.goal.max_steps.map(|most| {
                 let part = |share: f64| (share * most as f64) as u64;
@@ -442,7 +443,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
                 StepBounds { least: part(least), most: part(most) }
             });
             let point = Point { generations: state.generation + 1, steps: state.steps, score };
-            let generations = self.config.linear_generations(writer.weights());
+            let generations = if is_random { u64::MAX } else { self.config.linear_generations(writer.weights()) };
             state.milestones.reach(point, Bounds { generations, steps, is_last: !is_random });
         }
         self.config.linear_end(self.linear, &state.milestones) == Some(state.generation + 1)
