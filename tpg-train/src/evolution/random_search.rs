@@ -1,20 +1,22 @@
 //! Augmented random search: small steps along random directions that turned out better than their opposites.
 //!
 //! The algorithm is V2-t of Mania, Guy and Recht (“Simple random search provides a competitive approach to reinforcement learning”,
-//! 2018): one row of weights for each output or action, of inputs from which their mean is taken and which are divided by their
-//! standard deviation, both over the states that its samples visit. It finds what a wide search for weights misses: one that hovers,
-//! balances or walks from the beginning and gets better step by step.
+//! 2018): one row of weights for each output or action, of inputs less their mean, divided by their standard deviation, both over
+//! visited states. Two things differ: all samples of a generation play the same episodes, and one of them shows where it went. Small
+//! steps find what a wide search for weights misses: a policy that hovers, balances or walks a little, and gets better.
 
 use serde::{Deserialize, Serialize};
 use tpg_engine::random::Stream;
 use tpg_graph::error::Finding;
 
-/// Length of a step, in units of a weight, and distance of the samples from the weights.
+/// Length of a step along a direction whose samples differ by the scores' standard deviation.
 const STEP: f64 = 0.03;
+
+/// Standard deviation of the samples' distance from the weights.
 const NOISE: f64 = 0.05;
 
-/// Part of the directions that a step follows: the better half.
-const FOLLOWED: usize = 2;
+/// Number of directions for each one that a step follows: the better half.
+const DIRECTIONS_FOR_ONE: usize = 2;
 
 /// Least standard deviation of an input, in its unit: one that has hardly ever changed must not get a huge weight.
 const LEAST_DEVIATION: f64 = 1e-3;
@@ -57,7 +59,7 @@ impl RandomSearch {
     pub fn update(&mut self, samples: &[Vec<f64>], scores: &[f64]) {
         let mut pairs: Vec<_> = samples.chunks_exact(2).zip(scores.chunks_exact(2)).collect();
         pairs.sort_by(|(_, a), (_, b)| b[0].max(b[1]).total_cmp(&a[0].max(a[1])));
-        pairs.truncate(pairs.len().div_ceil(FOLLOWED));
+        pairs.truncate(pairs.len().div_ceil(DIRECTIONS_FOR_ONE));
         let count = pairs.len() as f64;
         let of_scores = |value: fn(f64, f64) -> f64, from: f64| {
             pairs.iter().flat_map(|(_, scores)| *scores).map(|&score| value(score, from)).sum::<f64>() / (2.0 * count)
