@@ -113,9 +113,10 @@ impl<Task> State<Task> {
         }
         let searches = (self.searches.iter().enumerate()).map(|(place, search)| (format!("searches[{place}]"), search));
         for (key, search) in searches.chain(self.stalled.iter().map(|search| ("stalled".to_owned(), search))) {
-            let weights = match search.kind {
-                StartKind::Random => None,
-                kind => config.check_programs(vocabulary, actions, kind).ok(),
+            let weights = match (search.kind, &search.method) {
+                // A random search looks for sums.
+                (StartKind::Random, _) | (StartKind::Product, Method::Random(_)) => None,
+                (kind, _) => config.check_programs(vocabulary, actions, kind).ok(),
             };
             let Some(weights) = weights else {
                 let found = format!("{:?}", search.kind).to_lowercase();

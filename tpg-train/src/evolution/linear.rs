@@ -348,9 +348,8 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
     /// Runs one generation of the linear start.
     pub(super) fn advance_linear(&self, state: &mut State<E::Task>) -> Result<(), EvaluationError> {
         let config = &self.config.start;
-        let kind = self.config.search_kind(&self.vocabulary, self.actions, self.others_before(state));
-        let writer = self.writer(kind)?;
-        self.begin_searches(state, kind, &writer);
+        self.begin_searches(state)?;
+        let writer = self.writer(state.searches[0].kind)?;
         let count = match config.samples {
             0 => config.breadth * Cma::usual_samples(writer.weights()),
             samples => samples,
@@ -366,7 +365,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
             |(root, policy)| WorkUnit { key: UnitKey { seed: state.seed, generation: state.generation, root }, policy };
         let units = (0..).zip(policies).map(unit).collect();
         // A random search makes more of more steps than of surer ones.
-        let episodes = if self.others_before(state).is_none() { 1 } else { config.episodes };
+        let episodes = if is_random(state) { 1 } else { config.episodes };
         let work = Work { tasks: self.tasks(state, episodes), units };
         let answers = self.evaluator.evaluate(&work)?;
         state.count_training(answers.iter().flat_map(|answer| &answer.endings));
@@ -403,15 +402,11 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         Ok(())
     }
 
-    /// True if the first search is a random one.
-    fn is_random_first(&self) -> bool {
-        self.config.start.random > 0.0 && self.goal.max_steps.is_some()
-    }
-
-    /// Returns the number of searches by covariance matrix adaptation that have ended; `None` while a random one runs.
+    /// Returns the number of searches by covariance matrix adaptation before the one that begins; `None` if that is a random one.
     fn others_before(&self, state: &State<E::Task>) -> Option<u64> {
         let before = state.milestones.begun.map_or(0, |begun| begun.searches);
-        before.checked_sub(u64::from(self.is_random_first()))
+        let random = self.config.start.random > 0.0 && self.goal.max_steps.is_some();
+        before.checked_sub(random.into())
     }
 
     /// Shows a random search where an episode of a sample went, which is run once more for that.
@@ -436,14 +431,17 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         if start.is_by_steps() {
             let score = state.searches.iter().map(|search| search.score).fold(f64::NEG_INFINITY, f64::max);
             // A random search takes its share, however slowly it gets better: at first it hardly does.
-            let is_random = self.others_before(state).is_none();
+            let is_random = is_random(state);
             let steps = self.goal.max_steps.map(|most| {
                 let part = |share: f64| (share * most as f64) as u64;
                 let [least, most] = if is_random { [start.random; 2] } else { start.share };
                 StepBounds { least: part(least), most: part(most) }
             });
             let point = Point { generations: state.generation + 1, steps: state.steps, score };
-            let generations = if is_random { u64::MAX } else { self.config.linear_generations(writer.weights()) };
+            let generations = match steps {
+                Some(_) if is_random => u64::MAX,
+                _ => self.config.linear_generations(writer.weights()),
+            };
             state.milestones.reach(point, Bounds { generations, steps, is_last: !is_random });
         }
         self.config.linear_end(self.linear, &state.milestones) == Some(state.generation + 1)
@@ -457,14 +455,16 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
     }
 
     /// Starts the searches in their first generation, and keeps the best of them after half of the generations.
-    fn begin_searches(&self, state: &mut State<E::Task>, kind: StartKind, writer: &LinearWriter<'_>) {
+    fn begin_searches(&self, state: &mut State<E::Task>) -> Result<(), EvaluationError> {
         let config = &self.config.start;
         if state.milestones.begun.is_some_and(|begun| begun.generation == state.generation) {
             state.stalled = best_of(state.stalled.take().into_iter().chain(state.searches.drain(..)));
         }
         if state.searches.is_empty() {
-            let score = f64::NEG_INFINITY;
-            state.searches = if self.others_before(state).is_none() {
+            let before = self.others_before(state);
+            let kind = self.config.search_kind(&self.vocabulary, self.actions, before);
+            let (writer, score) = (self.writer(kind)?, f64::NEG_INFINITY);
+            state.searches = if before.is_none() {
                 let method = Method::Random(RandomSearch::new(writer.rows(), writer.inputs()));
                 vec![Search { kind, method, score }]
             } else {
@@ -475,6 +475,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         if self.config.linear_choice(self.linear, &state.milestones) == Some(state.generation) {
             state.searches = best_of(state.searches.drain(..)).into_iter().collect();
         }
+        Ok(())
     }
 
     /// Puts what was found into the demes that begin with it: a root for each search, the best first.
@@ -496,6 +497,11 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
     fn writer(&self, kind: StartKind) -> Result<LinearWriter<'_>, EvaluationError> {
         LinearWriter::new(&self.vocabulary, self.actions, kind).map_err(EvaluationError::new)
     }
+}
+
+/// True if a random search runs.
+fn is_random<Task>(state: &State<Task>) -> bool {
+    matches!(state.searches[..], [Search { method: Method::Random(_), .. }])
 }
 
 /// Returns the search with the best score; the first of equals.

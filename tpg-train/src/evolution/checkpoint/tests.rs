@@ -288,6 +288,9 @@ fn a_damaged_random_search_is_refused() {
         from_bytes("x", content.to_string().as_bytes(), &config, 1, &swing())
     };
     assert_eq!(read(&content).expect("a real one").searches.len(), 1, "a random search is alone");
+    let mut product = content.clone();
+    *product.pointer_mut("/state/searches/0/kind").expect("a kind") = json!("product");
+    assert!(read(&product).expect_err("it looks for sums").to_string().contains("state.searches[0].kind"));
     for (path, value) in
         [("weights", json!([])), ("means", json!([0.0])), ("squares/0", json!(-1.0)), ("states", json!(-1.0))]
     {
