@@ -69,8 +69,9 @@ impl Search {
         }
     }
 
-    /// Learns from the results of a generation's samples, which are equal if their scores differ by less than `tolerance`.
-    fn update(&mut self, samples: &[Vec<f64>], results: &[Summary], tolerance: f64) {
+    /// Learns from the results of a generation's samples, which are equal if their scores differ by less than `tolerance`; `left` is
+    /// the part of a random search that is still to come.
+    fn update(&mut self, samples: &[Vec<f64>], results: &[Summary], tolerance: f64, left: f64) {
         let mean = results.iter().map(|result| result.score).sum::<f64>() / results.len() as f64;
         self.score = if self.score.is_finite() { self.score + NEWEST * (mean - self.score) } else { mean };
         match &mut self.method {
@@ -82,7 +83,7 @@ impl Search {
             }
             Method::Random(search) => {
                 let scores: Vec<f64> = results.iter().map(|result| result.score).collect();
-                search.update(samples, &scores);
+                search.update(samples, &scores, left);
             }
         }
     }
@@ -374,6 +375,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         let best = ranked(&results)[0];
         let tolerance =
             state.rows.first().map_or(0.0, |first| config.tie * (results[best].score - first.median_score).max(0.0));
+        let left = self.random_left(state);
         let (mut place, mut of_best) = (0, 0);
         for (number, (search, samples)) in state.searches.iter_mut().zip(&samples).enumerate() {
             let its = place..place + samples.len();
@@ -381,7 +383,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
                 of_best = number;
             }
             place = its.end;
-            search.update(samples, &results[its], tolerance);
+            search.update(samples, &results[its], tolerance, left);
         }
         let shown = (state.generation % work.units.len() as u64) as usize;
         self.observe(state, &writer, &work.units[shown].policy, &work.tasks[0], &answers[shown].endings[0])?;
@@ -407,6 +409,12 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         let before = state.milestones.begun.map_or(0, |begun| begun.searches);
         let random = self.config.start.random > 0.0 && self.goal.max_steps.is_some();
         before.checked_sub(random.into())
+    }
+
+    /// Returns the part of a random search's steps that is left; all of it in a run without a limit of steps.
+    fn random_left(&self, state: &State<E::Task>) -> f64 {
+        let part = |most: u64| state.steps as f64 / (self.config.start.random * most as f64);
+        self.goal.max_steps.map_or(1.0, |most| (1.0 - part(most)).max(0.0))
     }
 
     /// Shows a random search where an episode of a sample went, which is run once more for that.
