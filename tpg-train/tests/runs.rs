@@ -442,6 +442,30 @@ fn a_linear_start_has_the_same_bytes_on_other_threads_and_after_kills() {
 }
 
 #[test]
+fn a_random_search_that_is_resumed_without_a_number_of_steps_ends_after_its_generations() {
+    let place = tempfile::tempdir().expect("a temporary folder");
+    let (path, folder) = (place.path().join("config.toml"), place.path().join("run"));
+    let mut config = small("frugal");
+    config.problem = Problem::usual(ProblemName::Pendulum).to_table();
+    (config.start.random, config.start.share, config.learning.nb_generations) = (0.5, [0.5, 0.5], 30);
+    fs::write(&path, config.to_toml()).expect("it can be written");
+    let mut run = train(&folder, &path, &["--max-steps", "1000000000000", "--checkpoint-seconds", "0"])
+        .spawn()
+        .expect("it starts");
+    let rows = || fs::read_to_string(folder.join("generations.csv")).map_or(0, |text| text.lines().count());
+    while rows() < 4 && run.try_wait().expect("a child").is_none() {
+        sleep(Duration::from_millis(1));
+    }
+    run.kill().expect("it can be killed");
+    run.wait().expect("it ends");
+    assert!(train(&folder, &path, &["--resume"]).status().expect("it runs").success());
+    let text = fs::read_to_string(folder.join("checkpoint")).expect("it is there");
+    assert!(text.contains("\"stalled\"") && text.contains("\"random\""), "what it has found is kept");
+    let text = fs::read_to_string(folder.join("graph.json")).expect("a graph");
+    tpg_graph::Graph::from_json("graph.json", &text).expect("a valid graph");
+}
+
+#[test]
 fn a_run_without_progress_ends_and_lines_have_their_price() {
     let place = tempfile::tempdir().expect("a temporary folder");
     let mut config = small("continuous");

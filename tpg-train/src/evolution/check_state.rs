@@ -2,7 +2,7 @@
 
 use super::config::{EvolutionConfig, StartKind};
 use super::genome::{Destination, Edge, Genome, Program, TeamId};
-use super::linear::{LinearWriter, Method};
+use super::linear::{LinearWriter, Method, Search};
 use super::milestones::Begin;
 use super::state::{Best, Deme, State};
 use super::vocabulary::Vocabulary;
@@ -98,7 +98,7 @@ impl<Task> State<Task> {
                 // The old ones stay until the next generation.
                 _ if self.milestones.begun.is_some_and(|begun| begun.generation == generation) => [1, 1],
                 // A random search is alone.
-                _ if config.start.random > 0.0 => [1, config.start.searches],
+                _ if matches!(self.searches[..], [Search { method: Method::Random(_), .. }, ..]) => [1, 1],
                 _ => [config.start.searches; 2],
             },
         };

@@ -288,6 +288,10 @@ fn a_damaged_random_search_is_refused() {
         from_bytes("x", content.to_string().as_bytes(), &config, 1, &swing())
     };
     assert_eq!(read(&content).expect("a real one").searches.len(), 1, "a random search is alone");
+    let mut twice = content.clone();
+    let searches = twice.pointer_mut("/state/searches").and_then(Value::as_array_mut).expect("searches");
+    searches.push(searches[0].clone());
+    assert!(read(&twice).expect_err("one of two").to_string().contains("state.searches: 2"));
     let mut product = content.clone();
     *product.pointer_mut("/state/searches/0/kind").expect("a kind") = json!("product");
     assert!(read(&product).expect_err("it looks for sums").to_string().contains("state.searches[0].kind"));
