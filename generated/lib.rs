@@ -23,6 +23,8 @@
 
 #[path = "acrobot/acrobot.rs"]
 pub mod acrobot;
+#[path = "bipedal-walker/bipedal_walker.rs"]
+pub mod bipedal_walker;
 #[path = "cartpole/cartpole.rs"]
 pub mod cartpole;
 #[path = "dodge/dodge.rs"]

@@ -71,6 +71,12 @@ PROBLEMS = [
         "gegelati/GECCO-2025",
     ),
     Problem("swimmer", "Swimmer-v5", 1_500_000, {"TD3": 359.1, "ARS": 355.3, "SAC": 345.6, "PPO": 281.6}),
+    Problem(
+        "bipedal-walker",
+        "BipedalWalker-v3",
+        5_000_000,
+        {"TQC": 329.8, "TD3": 306.0, "A2C": 299.8, "SAC": 297.7, "PPO": 213.3, "DDPG": 197.5},
+    ),
     Problem("hopper", "Hopper-v5", 3_000_000, {"TQC": 3754.0, "TD3": 3606.0, "ARS": 3344.0, "PPO": 2410.0, "SAC": 2326.0}),
 ]
 

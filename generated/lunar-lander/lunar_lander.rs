@@ -1,7 +1,7 @@
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix lunar_lander --profile constant-time
-//! Graph SHA-256: c5d781b19e6db96e9189b52ea5da29d69ffb299c5a96bc384c1ffb985bc2b9ff
-//! 1 teams (1 on the longest walk), 4 edges, 4 programs, 27 distinct operations.
+//! Graph SHA-256: 910b1d6fc757cf446e6fc2403fd0fc3400df4cc0d53c186d4d3bbd9331445690
+//! 1 teams (1 on the longest walk), 4 edges, 4 programs, 32 distinct operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
 #![allow(
@@ -37,7 +37,7 @@ impl LunarLander {
     /// Bids that one decision looks at, at most.
     pub const WORST_BIDS: usize = 4;
     /// Operations of one decision, at most.
-    pub const WORST_OPERATIONS: usize = 27;
+    pub const WORST_OPERATIONS: usize = 32;
     /// Sines, cosines, logarithms and exponentials among them, at most.
     pub const WORST_MATHS_CALLS: usize = 0;
 }
@@ -48,46 +48,51 @@ impl Policy for LunarLander {
 
     fn decide(&self, s: &[f32; 8]) -> ActionId {
         let ct = ConstantTime::<f32>::default();
-        let v3 = s[0] * 40.444534_f32;
+        let v3 = s[0] * -0.47196642_f32;
         let v4 = 0.0_f32 + v3;
-        let v7 = s[1] * 11.248273_f32;
+        let v7 = s[2] * 0.6433384_f32;
         let v8 = v4 + v7;
-        let v11 = s[3] * 11.407757_f32;
+        let v11 = s[3] * 0.2611211_f32;
         let v12 = v8 + v11;
-        let v15 = s[4] * -38.641365_f32;
+        let v15 = s[4] * -0.4740189_f32;
         let v16 = v12 + v15;
-        let v18 = s[1] * -7.14187_f32;
-        let v19 = 0.0_f32 + v18;
-        let v21 = s[3] * -25.41661_f32;
-        let v22 = v19 + v21;
-        let v24 = v22 * s[6];
-        let v25 = v22 + v24;
-        let v27 = v25 + -4.097343_f32;
-        let v30 = s[2] * -10.781047_f32;
-        let v31 = 0.0_f32 + v30;
-        let v34 = s[5] * 16.250267_f32;
-        let v35 = v31 + v34;
-        let v37 = s[4] * 7.2615485_f32;
-        let v38 = v35 + v37;
-        let v40 = s[3] * -5.052873_f32;
-        let v41 = v38 + v40;
-        let v43 = s[6] * -7.9200935_f32;
-        let v44 = v41 + v43;
-        let v47 = s[7] * -4.2033114_f32;
-        let v48 = v44 + v47;
+        let v19 = s[5] * -0.91989505_f32;
+        let v20 = v16 + v19;
+        let v23 = s[7] * -1.9277327_f32;
+        let v24 = v20 + v23;
+        let v26 = v24 + 0.34787703_f32;
+        let v29 = s[1] * -0.64560854_f32;
+        let v30 = 0.0_f32 + v29;
+        let v32 = s[3] * -1.561657_f32;
+        let v33 = v30 + v32;
+        let v36 = s[6] * -0.0707698_f32;
+        let v37 = v33 + v36;
+        let v39 = s[0] * -1.0220673_f32;
+        let v40 = 0.0_f32 + v39;
+        let v42 = s[2] * -1.00794_f32;
+        let v43 = v40 + v42;
+        let v45 = s[3] * -0.056810778_f32;
+        let v46 = v43 + v45;
+        let v48 = s[4] * 0.87537944_f32;
+        let v49 = v46 + v48;
+        let v51 = s[5] * 2.077986_f32;
+        let v52 = v49 + v51;
+        let v54 = s[7] * -0.5768568_f32;
+        let v55 = v52 + v54;
+        let v57 = v55 + 0.22382003_f32;
 
         // What is bid, as integers in the same order.
         let k0 = -8388607_i32; // 0.0_f32
-        let k16 = ct.order(v16);
-        let k27 = ct.order(v27);
-        let k48 = ct.order(v48);
+        let k26 = ct.order(v26);
+        let k37 = ct.order(v37);
+        let k57 = ct.order(v57);
 
         // Where the team leads: the number behind the best bid.
         // Team 0
         let best = (k0, 0);
-        let best = ct.challenge(best, (k16, 1));
-        let best = ct.challenge(best, (k27, 2));
-        let best = ct.challenge(best, (k48, 3));
+        let best = ct.challenge(best, (k26, 1));
+        let best = ct.challenge(best, (k37, 2));
+        let best = ct.challenge(best, (k57, 3));
 
         ActionId(best.1 as u16)
     }

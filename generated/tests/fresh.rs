@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use tpg_codegen::emit::{self, Language, Options, Prefix, Profile};
 use tpg_generated::acrobot::Acrobot;
+use tpg_generated::bipedal_walker::BipedalWalker;
 use tpg_generated::cartpole::Cartpole;
 use tpg_generated::dodge::Dodge;
 use tpg_generated::hopper::Hopper;
@@ -133,6 +134,7 @@ fn compiled_policies_act_like_their_graphs() {
     acts_like(Cartpole, "cartpole");
     acts_like(Dodge, "dodge");
     acts_like(Acrobot, "acrobot");
+    acts_like(BipedalWalker, "bipedal-walker");
     acts_like(Hopper, "hopper");
     acts_like(InvertedDoublePendulum, "inverted-double-pendulum");
     acts_like(LunarLander, "lunar-lander");

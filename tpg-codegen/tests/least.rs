@@ -65,7 +65,7 @@ fn assert_least(language: Language, known: &[&str], random: u64, compiled: impl 
 }
 
 /// Graphs of every size: a team of two bids, one formula, some teams with leaves, memory, this project's own, dozens of teams.
-const KNOWN: [&str; 15] = [
+const KNOWN: [&str; 16] = [
     "tests/fixtures/cartpole.json",
     "tests/fixtures/formula.json",
     "tests/fixtures/swing_up.json",
@@ -79,6 +79,7 @@ const KNOWN: [&str; 15] = [
     "../generated/inverted-double-pendulum/graph.json",
     "../generated/swimmer/graph.json",
     "../generated/hopper/graph.json",
+    "../generated/bipedal-walker/graph.json",
     "../generated/widowx-fs/graph.json",
     "../generated/widowx-rs/graph.json",
 ];

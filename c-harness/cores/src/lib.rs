@@ -6,6 +6,7 @@
 pub mod layers;
 
 use tpg_generated::acrobot::Acrobot;
+use tpg_generated::bipedal_walker::BipedalWalker;
 use tpg_generated::cartpole::Cartpole;
 use tpg_generated::dodge::Dodge;
 use tpg_generated::hopper::Hopper;
@@ -51,6 +52,7 @@ macro_rules! exported {
 
 exported! {
     rust_acrobot Acrobot 6 1
+    rust_bipedal_walker BipedalWalker 24 4
     rust_cartpole Cartpole 4 1
     rust_dodge Dodge 17 1
     rust_hopper Hopper 11 3

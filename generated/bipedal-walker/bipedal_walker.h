@@ -1,0 +1,52 @@
+/*
+ * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
+ * Options: --lang c --prefix bipedal_walker --profile fast
+ * Graph SHA-256: 9d8c42d624c3770a63b707f660b7746c1bc1c049e8b73961774134beff3c0e09
+ * 1 teams (1 on the longest walk), 1 edges, 1 programs, 194 distinct operations.
+ * Computes in f32 with own maths.
+ */
+#ifndef BIPEDAL_WALKER_H
+#define BIPEDAL_WALKER_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define BIPEDAL_WALKER_OUTPUTS 4U
+/* Teams, and how many of them decide at most in one inference. */
+#define BIPEDAL_WALKER_TEAMS 1U
+#define BIPEDAL_WALKER_DEPTH 1U
+/* At most, in one inference: bids looked at, operations, and sines, cosines, logarithms and exponentials among those. */
+#define BIPEDAL_WALKER_WORST_BIDS 0U
+#define BIPEDAL_WALKER_WORST_OPERATIONS 194U
+#define BIPEDAL_WALKER_WORST_MATHS_CALLS 0U
+
+/* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
+typedef struct bipedal_walker_state {
+    float obs[24]; /* , -3.1415927410125732 to 3.1415927410125732; -5 to 5; -5 to 5; -5 to 5; -3.1415927410125732 to 3.1415927410125732; -5 to 5; -3.1415927410125732 to 3.1415927410125732; -5 to 5; -0 to 5; -3.1415927410125732 to 3.1415927410125732; -5 to 5; -3.1415927410125732 to 3.1415927410125732; -5 to 5; -0 to 5; -1 to 1; -1 to 1; -1 to 1; -1 to 1; -1 to 1; -1 to 1; -1 to 1; -1 to 1; -1 to 1; -1 to 1 */
+} bipedal_walker_state_t;
+
+/* The values that the policy answers, each in its range and never NaN. */
+typedef struct bipedal_walker_action {
+    float action_0; /* , -1 to 1 */
+    float action_1; /* , -1 to 1 */
+    float action_2; /* , -1 to 1 */
+    float action_3; /* , -1 to 1 */
+} bipedal_walker_action_t;
+
+/* The answer to a state. Pure and reentrant: no globals, no memory, no side effect but *action. */
+void bipedal_walker_infer(const bipedal_walker_state_t *state, bipedal_walker_action_t *action);
+
+#ifndef BIPEDAL_WALKER_NO_SELFTEST
+/* Runs embedded states and returns how many gave another action than the graph's interpreter did: 0 is good.
+ */
+uint32_t bipedal_walker_selftest(void);
+#endif
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
