@@ -5,7 +5,7 @@ use crate::policy::Policy;
 use numpy::{PyArray1, PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
-use tpg_engine::Single;
+use tpg_engine::{Moments, Single};
 use tpg_graph::ScalarType;
 use tpg_graph::interpret::Answer;
 use tpg_runtime::ops::{Maths, Own};
@@ -13,6 +13,9 @@ use tpg_runtime::scalar::Scalar;
 
 /// The result of an episode: return, number of actions, and success where the environment's info says `is_success`.
 type Played = (f64, u32, Option<bool>);
+
+/// The moments of states: their number, the means of their values, and the sums of the squared distances from these.
+pub(crate) type Parts = (u64, Vec<f64>, Vec<f64>);
 
 /// The outcome of a step, as an environment tells it.
 pub(crate) struct Told {
@@ -102,6 +105,14 @@ impl Driver {
             ScalarType::F64 => self.visit_in(py, &policy.single::<f64>(), seed, &after),
         }
     }
+
+    /// Runs one episode and returns its result with the moments of the observations.
+    fn play(&self, py: Python<'_>, policy: &Policy, seed: u64) -> PyResult<(Played, Parts)> {
+        match policy.scalar() {
+            ScalarType::F32 => self.play_in(py, &policy.single::<f32>(), seed),
+            ScalarType::F64 => self.play_in(py, &policy.single::<f64>(), seed),
+        }
+    }
 }
 
 impl Driver {
@@ -136,6 +147,20 @@ impl Driver {
                  tpg_train.wrappers.Fresh makes a new environment for each episode"
             ))),
         }
+    }
+
+    fn play_in<S: Scalar>(&self, py: Python<'_>, single: &Single<S, Own>, seed: u64) -> PyResult<(Played, Parts)>
+    where
+        Own: Maths<S>,
+    {
+        let (mut seen, mut values) = (Moments::new(self.inputs), Vec::with_capacity(self.inputs));
+        let played = self.episode(py, single, seed, |_, state| {
+            values.clear();
+            values.extend(state.iter().map(|value| value.to_f64()));
+            seen.push(&values);
+            true
+        })?;
+        Ok((played, seen.into_parts()))
     }
 
     /// Runs one episode; `watch` sees each observation before the action, and ends the episode with false.

@@ -1,5 +1,6 @@
 //! A run on a thread of its own. Python asks for its next event, does what it says, and replies.
 
+use crate::driver::Parts;
 use crate::error;
 use crate::graph::Graph;
 use crate::mailbox::{Event, Mailbox, Reply};
@@ -14,7 +15,7 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::sync::{Mutex, MutexGuard};
 use std::thread::JoinHandle;
 use std::time::Duration;
-use tpg_engine::{Choices, Ending, EngineOptions, Environment, Evaluator, LocalThreads, PolicyGraph};
+use tpg_engine::{Choices, Ending, EngineOptions, Environment, Evaluator, LocalThreads, Moments, Played, PolicyGraph};
 use tpg_graph::ScalarType;
 use tpg_problems::{Number, Problem};
 use tpg_runtime::ops::{Maths, Own};
@@ -158,7 +159,7 @@ impl Evolution {
     }
 
     /// Waits for the next event and returns its kind and what it says: `evaluate` (policies, seeds), `visit` (policy, seed,
-    /// numbers of actions), `progress` (figures) or `end` (true if the run is complete).
+    /// numbers of actions), `play` (policy, seed), `progress` (figures) or `end` (true if the run is complete).
     fn next<'py>(&self, py: Python<'py>) -> PyResult<(&'static str, Bound<'py, PyAny>)> {
         loop {
             let received = py.detach(|| {
@@ -174,20 +175,28 @@ impl Evolution {
     }
 
     /// Replies to `evaluate`: for each policy the return, the number of actions and the success of each seed's episode.
-    fn endings(&self, py: Python<'_>, endings: Vec<Vec<(f64, u32, Option<bool>)>>) -> PyResult<()> {
-        let ending = |(score, actions, success): (f64, u32, Option<bool>)| Ending {
-            outcome: 0,
-            success,
-            score,
-            measure: 0.0,
-            actions,
-        };
+    fn endings(&self, py: Python<'_>, endings: Vec<Vec<Told>>) -> PyResult<()> {
         let lengths = (endings.len(), endings.first().map_or(0, Vec::len));
         if endings.iter().any(|of| of.len() != lengths.1) {
             return Err(error::input("another number of endings for each policy; accepted: one for each seed"));
         }
         let endings = endings.into_iter().map(|of| of.into_iter().map(ending).collect()).collect();
         self.reply(py, lengths, Reply::Endings(endings))
+    }
+
+    /// Replies to `play`: for each episode its return, number of actions and success, and the moments of what was seen.
+    fn played(&self, py: Python<'_>, played: Vec<(Told, Parts)>) -> PyResult<()> {
+        let inputs = self.inputs;
+        let one = |(told, (count, means, squares)): (Told, Parts)| {
+            let seen = Moments::from_parts(count, means, squares).filter(|seen| seen.length() == inputs);
+            let accepted = format!("moments of {inputs} values");
+            Ok(Played {
+                ending: ending(told),
+                seen: seen.ok_or_else(|| error::input(format!("{told:?}; accepted: {accepted}")))?,
+            })
+        };
+        let played = played.into_iter().map(one).collect::<PyResult<Vec<_>>>()?;
+        self.reply(py, (played.len(), 0), Reply::Played(played))
     }
 
     /// Replies to `visit`: for each visit the state after each number of actions.
@@ -212,6 +221,13 @@ impl Evolution {
             line.thread.take().map(JoinHandle::join);
         });
     }
+}
+
+/// An episode's return, number of actions and success.
+type Told = (f64, u32, Option<bool>);
+
+fn ending((score, actions, success): Told) -> Ending {
+    Ending { outcome: 0, success, score, measure: 0.0, actions }
 }
 
 impl Evolution {
@@ -247,6 +263,12 @@ impl Evolution {
                 let visits: Vec<(Policy, u64, Vec<u32>)> =
                     (visits.into_iter()).map(|visit| (self.policy(visit.policy), visit.task, visit.after)).collect();
                 ("visit", visits.into_pyobject(py)?.into_any(), asked)
+            }
+            Event::Play(plays) => {
+                let asked = (plays.len(), 0);
+                let plays: Vec<(Policy, u64)> =
+                    plays.into_iter().map(|play| (self.policy(play.policy), play.task)).collect();
+                ("play", plays.into_pyobject(py)?.into_any(), asked)
             }
             Event::Progress(report) => ("progress", report.into_dict(py)?.into_any(), (0, 0)),
         };

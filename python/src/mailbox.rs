@@ -3,7 +3,7 @@
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, SyncSender};
-use tpg_engine::{Ending, EvaluationError, Evaluator, UnitResult, Visit, Work};
+use tpg_engine::{Ending, EvaluationError, Evaluator, Play, Played, UnitResult, Visit, Work};
 
 /// A message of the run.
 pub(crate) enum Event<Report> {
@@ -11,6 +11,8 @@ pub(crate) enum Event<Report> {
     Evaluate(Work<u64>),
     /// It wants states recorded.
     Visit(Vec<Visit<u64>>),
+    /// It wants episodes run, and what was seen.
+    Play(Vec<Play<u64>>),
     /// A generation is over.
     Progress(Report),
 }
@@ -21,6 +23,8 @@ pub(crate) enum Reply {
     Endings(Vec<Vec<Ending>>),
     /// States of each visit.
     States(Vec<Vec<Vec<f64>>>),
+    /// Results of each episode.
+    Played(Vec<Played>),
     /// True if the run shall go on.
     GoOn(bool),
 }
@@ -78,6 +82,16 @@ impl<Report> Evaluator<u64> for Mailbox<Report> {
             Some(Reply::States(states)) => Ok(states),
             _ => Err(stopped()),
         }
+    }
+
+    fn play(&self, plays: &[Play<u64>]) -> Result<Vec<Played>, EvaluationError> {
+        if plays.is_empty() {
+            return Ok(Vec::new());
+        }
+        let Some(Reply::Played(played)) = self.ask(Event::Play(plays.to_vec())) else { return Err(stopped()) };
+        let actions = played.iter().map(|played| u64::from(played.ending.actions)).sum();
+        self.steps.fetch_add(actions, Ordering::Relaxed);
+        Ok(played)
     }
 
     fn steps(&self) -> u64 {

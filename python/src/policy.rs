@@ -1,11 +1,12 @@
 //! A policy under evaluation: what a worker is sent.
 
+use crate::driver::Parts;
 use crate::error;
 use crate::graph::Graph;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use std::sync::Mutex;
-use tpg_engine::{EngineOptions, Plan, Single};
+use tpg_engine::{EngineOptions, Moments, Plan, Single};
 use tpg_graph::interpret::Answer;
 use tpg_graph::{MathsProvider, ScalarType, SourceDocument};
 use tpg_runtime::ops::{Maths, Own};
@@ -91,6 +92,16 @@ impl Policy {
     fn to_bytes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
         let bytes = serde_json::to_vec(&(self.inputs, self.scalar, &self.policy)).map_err(error::input)?;
         Ok(PyBytes::new(py, &bytes))
+    }
+
+    /// Returns the moments of flat states, as the policy reads these.
+    fn moments(&self, states: Vec<Vec<f64>>) -> Parts {
+        let mut seen = Moments::new(self.inputs);
+        for mut state in states {
+            state.iter_mut().for_each(|value| *value = self.scalar.round(*value));
+            seen.push(&state);
+        }
+        seen.into_parts()
     }
 
     /// Returns the number of the action for a flat state; the values of the outputs for a policy that has some.

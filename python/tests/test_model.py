@@ -445,6 +445,35 @@ def test_hardware_in_the_loop() -> None:
         TPG("CartPole-v1").ask()
 
 
+def test_hardware_in_the_loop_goes_on_with_a_random_search(tmp_path: Path) -> None:
+    class Stop(tpg_train.callbacks.BaseCallback):
+        def _on_step(self) -> bool:
+            return False
+
+    settings = {"start.random": 0.5, "start.share": [0.5, 0.5]}
+    model = TPG(environments.Cart, settings=settings, folder=tmp_path / "run").learn(1_000_000, callback=Stop())
+    before = model.num_timesteps
+    env, driver = environments.Cart(), model._interface.driver(environments.Cart())
+    for _ in range(2):
+        candidates = model.ask()
+        assert len({candidate.seed for candidate in candidates}) == len(candidates), "an episode of its own"
+        returns = []
+        for candidate in candidates:
+            observation, _ = env.reset(seed=candidate.seed)
+            total, done = 0.0, False
+            while not done:
+                observation, reward, terminated, truncated, _ = env.step(candidate.predict(observation))
+                total, done = total + float(reward), terminated or truncated
+            returns.append(total)
+            played, seen = driver.play(candidate._policy, candidate.seed)
+            assert played[:2] == (total, candidate.steps)
+            assert seen == candidate._policy.moments(candidate._seen)
+            assert seen[0] == candidate.steps
+        model.tell(candidates, returns)
+    model.ask()
+    assert model.num_timesteps > before
+
+
 def test_a_model_is_not_pickled_but_its_graph_is_text(pole: TPG) -> None:
     text = pole.graph.to_json()
     assert tpg_train.Graph.from_json(text).sha256 == pole.graph.sha256

@@ -34,6 +34,13 @@ def test_the_number_of_processes_does_not_matter(alone: str, n_workers: int) -> 
     assert learned(n_workers=n_workers) == alone
 
 
+def test_a_random_search_is_the_same_in_processes() -> None:
+    settings = {"start.random": 0.5, "start.share": [0.5, 0.5], "selection.validation_episodes": 8}
+    runs = [TPG(environments.Cart, settings=settings).learn(30_000, n_workers=workers) for workers in (0, 1, 3)]
+    assert len({run.graph.sha256 for run in runs}) == 1
+    assert len({run.num_timesteps for run in runs}) == 1
+
+
 def test_an_executor_of_ones_own_does_the_work(alone: str) -> None:
     used = 0
 

@@ -17,6 +17,7 @@ from ._tpg import Driver, InputError, Policy, TrainingError
 from .spaces import Interface
 
 Played = tuple[float, int, Union[bool, None]]
+Moments = tuple[int, list[float], list[float]]
 Environment = gymnasium.Env[Any, Any]
 
 ATTEMPTS = 3
@@ -33,6 +34,10 @@ class Episodes(Protocol):
 
     def visit(self, visits: Sequence[tuple[Policy, int, list[int]]]) -> list[list[list[float]]]:
         """Returns the states of each visit."""
+        ...
+
+    def play(self, plays: Sequence[tuple[Policy, int]]) -> list[tuple[Played, Moments]]:
+        """Returns the result of one episode for each policy and seed, and the moments of what was seen."""
         ...
 
     def close(self) -> None:
@@ -52,6 +57,9 @@ class Here:
     def visit(self, visits: Sequence[tuple[Policy, int, list[int]]]) -> list[list[list[float]]]:
         return [self._driver.visit(policy, seed, after) for policy, seed, after in visits]
 
+    def play(self, plays: Sequence[tuple[Policy, int]]) -> list[tuple[Played, Moments]]:
+        return [self._driver.play(policy, seed) for policy, seed in plays]
+
     def close(self) -> None:
         pass
 
@@ -66,18 +74,18 @@ class _Kept(threading.local):
 _kept = _Kept()
 
 
-def _work(token: str, made_by: bytes, pieces: list[tuple[bytes, list[int], list[int] | None]]) -> list[Any]:
+# A method of the driver, a policy's bytes, and what else the method takes.
+_Piece = tuple[str, bytes, tuple[Any, ...]]
+
+
+def _work(token: str, made_by: bytes, pieces: list[_Piece]) -> list[Any]:
     """Runs pieces of work in a worker, which keeps its environment for the next ones."""
     driver = _kept.drivers.get(token)
     if driver is None:
         factory, settings = cloudpickle.loads(made_by)
         env = factory()
         driver = _kept.drivers[token] = Interface.of(env, **settings).driver(env)
-    results: list[Any] = []
-    for policy_bytes, seeds, after in pieces:
-        policy = Policy.from_bytes(policy_bytes)
-        results.append(driver.run(policy, seeds) if after is None else driver.visit(policy, seeds[0], after))
-    return results
+    return [getattr(driver, method)(Policy.from_bytes(policy), *more) for method, policy, more in pieces]
 
 
 class Workers:
@@ -109,11 +117,12 @@ class Workers:
     def run(self, policies: Sequence[Policy], seeds: Sequence[int]) -> list[list[Played]]:
         total = len(policies) * len(seeds)
         length = max(1, total // (PIECES_FOR_EACH_WORKER * self._n_workers))
-        pieces, places = [], []
+        pieces: list[_Piece] = []
+        places = []
         for place, policy in enumerate(policies):
             sent = policy.to_bytes()
             for start in range(0, len(seeds), length):
-                pieces.append((sent, list(seeds[start : start + length]), None))
+                pieces.append(("run", sent, (list(seeds[start : start + length]),)))
                 places.append(place)
         results: list[list[Played]] = [[] for _ in policies]
         together = max(1, length // max(1, min(length, len(seeds))))
@@ -122,10 +131,13 @@ class Workers:
         return results
 
     def visit(self, visits: Sequence[tuple[Policy, int, list[int]]]) -> list[list[list[float]]]:
-        pieces = [(policy.to_bytes(), [seed], after) for policy, seed, after in visits]
-        return self._all(pieces, 1)
+        return self._all([("visit", policy.to_bytes(), (seed, after)) for policy, seed, after in visits], 1)
 
-    def _all(self, pieces: Sequence[tuple[bytes, list[int], list[int] | None]], together: int) -> list[Any]:
+    def play(self, plays: Sequence[tuple[Policy, int]]) -> list[tuple[Played, Moments]]:
+        together = max(1, len(plays) // (PIECES_FOR_EACH_WORKER * self._n_workers))
+        return self._all([("play", policy.to_bytes(), (seed,)) for policy, seed in plays], together)
+
+    def _all(self, pieces: Sequence[_Piece], together: int) -> list[Any]:
         """Returns the results of pieces of work, in order. What a killed worker had is given to another."""
         chunks = [list(pieces[start : start + together]) for start in range(0, len(pieces), together)]
         results: dict[int, list[Any]] = {}

@@ -63,10 +63,13 @@ class Candidate:
     Attributes: `seed`, for `reset(seed=...)`; `steps`, the number of observations that it has answered.
     """
 
-    def __init__(self, policy: Policy, seed: int, interface: Interface, place: int, after: list[int] | None) -> None:
+    def __init__(
+        self, policy: Policy, seed: int, interface: Interface, place: int, after: list[int] | None, keeps_all: bool
+    ) -> None:
         self.seed = seed
         self.steps = 0
-        self._policy, self._interface, self._place, self._after = policy, interface, place, after
+        self._policy, self._interface, self._place = policy, interface, place
+        self._after, self._keeps_all = after, keeps_all
         self._seen: list[list[float]] = []
 
     def predict(self, observation: Any) -> Any:
@@ -78,6 +81,8 @@ class Candidate:
         if self._after is not None:
             while len(self._seen) < len(self._after) and self._after[len(self._seen)] == self.steps:
                 self._seen.append(state)
+        elif self._keeps_all:
+            self._seen.append(state)
         self.steps += 1
         action, values = self._policy.answer(state)
         answer = np.asarray([values], dtype=np.float64) if action is None else np.asarray([action])
@@ -322,6 +327,9 @@ class TPG:
                 elif kind == "visit":
                     assert episodes is not None
                     evolution.states(episodes.visit(says))
+                elif kind == "play":
+                    assert episodes is not None
+                    evolution.played(episodes.play(says))
                 else:
                     self._note(says)
                     figures["progress"] = says
@@ -393,11 +401,14 @@ class TPG:
                 given = [(policy, seed, None) for policy in policies for seed in seeds]
             elif kind == "visit":
                 policies, given = says, says
+            elif kind == "play":
+                policies, given = says, [(policy, seed, None) for policy, seed in says]
             else:
                 self._asked = None
                 return []
             candidates = [
-                Candidate(policy, seed, self._interface, place, after) for place, (policy, seed, after) in enumerate(given)
+                Candidate(policy, seed, self._interface, place, after, kind == "play")
+                for place, (policy, seed, after) in enumerate(given)
             ]
             self._asked = _Asked(evolution, kind, candidates, len(policies))
             return candidates
@@ -415,14 +426,17 @@ class TPG:
         bad = [candidate.seed for candidate, score in zip(candidates, returns, strict=True) if np.isnan(score)]
         if bad:
             raise InputError(f"seed {bad[0]}: a return of NaN; accepted: a number")
+        played = [(scores[place], one.steps, None) for place, one in enumerate(asked.candidates)]
         if asked.kind == "visit":
             short = next((one for one in asked.candidates if one._after is not None and len(one._seen) < len(one._after)), None)
             if short is not None:
                 raise InputError(f"seed {short.seed}: an episode shorter than before; accepted: the same episode again")
             asked.evolution.states([one._seen for one in asked.candidates])
+        elif asked.kind == "play":
+            seen = [one._policy.moments(one._seen) for one in asked.candidates]
+            asked.evolution.played(list(zip(played, seen, strict=True)))
         else:
             seeds = len(asked.candidates) // asked.policies
-            played = [(scores[place], one.steps, None) for place, one in enumerate(asked.candidates)]
             asked.evolution.endings([played[start : start + seeds] for start in range(0, len(played), seeds)])
         self._asked = _Asked(asked.evolution, "", [], 0)
 

@@ -6,12 +6,14 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::ops::ControlFlow;
 use std::path::Path;
+use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{
-    EngineOptions, Environment, EvaluationError, Evaluator, LocalThreads, UnitKey, UnitResult, Visit, Work, WorkUnit,
+    Destination, Edge, EngineOptions, Environment, EvaluationError, Evaluator, Line, LocalThreads, Operand, Play,
+    Played, PolicyGraph, UnitKey, UnitResult, Visit, Work, WorkUnit,
 };
 use tpg_problems::arm::targets::Start;
 use tpg_problems::arm::{self, ArmEnvironment, ArmTask};
-use tpg_runtime::ops::Own;
+use tpg_runtime::ops::{Instruction, Own};
 use tpg_train::evolution::config::EvolutionConfig;
 use tpg_train::evolution::presets::Preset;
 use tpg_train::evolution::run::{RunEnd, RunError, RunOptions, run};
@@ -174,4 +176,31 @@ fn a_run_that_loses_its_evaluator_is_saved_and_ends_as_an_undisturbed_one() {
         let read = |name| fs::read(options.folder.join(name)).expect("a run leaves it");
         assert_eq!(["graph.json", "generations.csv", "generations.jsonl", "checkpoint"].map(read).to_vec(), whole);
     }
+}
+
+#[test]
+fn an_episode_with_what_was_seen_is_the_same_as_one_that_is_run_again() {
+    let environment = arm::Config::default().environment::<f32>(Start::Rs);
+    let threads = LocalThreads::<f32, Own, _>::new(&environment, EngineOptions::default(), 2).expect("threads start");
+    // Policies that read little: what they do not read is seen, too.
+    let policy = |action| {
+        let line =
+            Line { instruction: Instruction::Mul.into(), to: 0, operands: [Operand::Input(0), Operand::Input(2)] };
+        let edges = [action, 8 - action].map(|action| (action, Destination::Action(action)));
+        let team = edges.into_iter().enumerate().map(|(program, (_, to))| Edge { program: program as u32, to });
+        PolicyGraph::new(2, 0, vec![team.collect()], vec![vec![line], vec![]])
+    };
+    let task = |number| environment.draw(&mut Stream::new(1, number, Purpose::Test, 0));
+    let plays: Vec<_> = (0..9).map(|number| Play { policy: policy(number as u16), task: task(number) }).collect();
+    let again = Wire { worker: Worker { environment: &environment }, keys: RefCell::default() };
+    let expected = again.play(&plays).expect("no machine is lost");
+    let before = threads.steps();
+    let played = threads.play(&plays).expect("no machine is lost");
+    assert_eq!(played, expected);
+    let actions: u64 = played.iter().map(|played| u64::from(played.ending.actions)).sum();
+    assert_eq!(threads.steps() - before, actions);
+    for Played { ending, seen } in &played {
+        assert_eq!((seen.count(), seen.length()), (u64::from(ending.actions), 5));
+    }
+    assert!(actions > 1000, "{actions}");
 }

@@ -8,6 +8,7 @@ use tempfile::TempDir;
 use tpg_engine::EvaluationError;
 use tpg_graph::command::{CommandError, Verdict};
 use tpg_train::evolution::command::{TpgArgs, execute};
+use tpg_train::evolution::presets::Preset;
 use tpg_train::hybrid::command::{HybridArgs, execute as study};
 use tpg_train::ranks::link::Link;
 use tpg_train::ranks::workplace::{Ranks, ThisProcess, Workplace};
@@ -101,15 +102,32 @@ const RESULTS: [&str; 3] = ["graph.json", "checkpoint", "generations.csv"];
 #[test]
 fn any_number_of_ranks_gives_the_bytes_of_threads() {
     let folder = TempDir::new().expect("a folder");
-    // Literals, an archive of visited states, leaves, and a linear start: everything that an evaluator is asked.
-    for problem in ["cartpole", "pendulum"] {
-        let more = ["--problem", problem, "--generations", "4"];
+    let config = folder.path().join("random.toml");
+    let text = Preset::find("frugal").expect("it comes with the trainer").text();
+    let text = text.replace("\nrandom = 0.0", "\nrandom = 0.4");
+    fs::write(&config, text).expect("it can be written");
+    let random = [
+        "--problem",
+        "pendulum",
+        "--config",
+        &config.display().to_string(),
+        "--max-steps",
+        "200000",
+        "--generations",
+        "4",
+    ];
+    // Literals, an archive of visited states, leaves, a linear start and random search: everything that an evaluator is asked.
+    for (problem, more) in [
+        ("cartpole", &["--problem", "cartpole", "--generations", "4"][..]),
+        ("pendulum", &["--problem", "pendulum", "--generations", "4"]),
+        ("random", &random),
+    ] {
         let alone = folder.path().join(format!("{problem}-alone"));
-        assert_eq!(tpg(&alone, &more, &ThisProcess).expect("it runs"), Verdict::Good);
+        assert_eq!(tpg(&alone, more, &ThisProcess).expect("it runs"), Verdict::Good);
         let expected = files(&alone, &RESULTS);
         for ranks in [1, 2, 3, 5] {
             let out = folder.path().join(format!("{problem}-{ranks}"));
-            good(on_ranks(ranks, |_, place| tpg(&out, &more, place)));
+            good(on_ranks(ranks, |_, place| tpg(&out, more, place)));
             assert!(files(&out, &RESULTS) == expected, "{problem} on {ranks} ranks: other bytes");
         }
     }

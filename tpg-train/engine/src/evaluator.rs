@@ -5,6 +5,7 @@ use crate::ending::Ending;
 use crate::environment::Environment;
 use crate::error::EvaluationError;
 use crate::lanes::Lanes;
+use crate::moments::Moments;
 use crate::options::EngineOptions;
 use crate::plan::Plan;
 use crate::policy::PolicyGraph;
@@ -97,6 +98,24 @@ pub struct Visit<Task> {
     pub after: Vec<u32>,
 }
 
+/// An episode of a policy.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Play<Task> {
+    /// The policy that acts.
+    pub policy: PolicyGraph,
+    /// The task.
+    pub task: Task,
+}
+
+/// Result of an episode, with what the policy saw.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Played {
+    /// The end.
+    pub ending: Ending,
+    /// Mean and spread of the flat states in which the policy decided.
+    pub seen: Moments,
+}
+
 /// A place where roots are evaluated.
 ///
 /// An answer depends only on its unit and the tasks. Evolution calls once per generation and waits for the result.
@@ -129,6 +148,28 @@ pub trait Evaluator<Task> {
     /// If a state cannot be obtained.
     fn visit(&self, visits: &[Visit<Task>]) -> Result<Vec<Vec<Vec<f64>>>, EvaluationError>;
 
+    /// Returns the result of each episode, with what the policy saw. By default each episode is run, and run again for its states.
+    ///
+    /// # Errors
+    /// If an answer cannot be obtained.
+    fn play(&self, plays: &[Play<Task>]) -> Result<Vec<Played>, EvaluationError>
+    where
+        Task: Clone,
+    {
+        let one = |(root, Play { policy, task }): (u64, &Play<Task>)| {
+            let unit = WorkUnit { key: UnitKey { seed: 0, generation: 0, root }, policy: policy.clone() };
+            let results = self.evaluate(&Work { tasks: vec![task.clone()], units: vec![unit] })?;
+            let no_answer = || EvaluationError::new("no answer to a unit");
+            let ending = *results.first().and_then(|result| result.endings.first()).ok_or_else(no_answer)?;
+            let after = (0..ending.actions).collect();
+            let states = self.visit(&[Visit { policy: policy.clone(), task: task.clone(), after }])?.concat();
+            let mut seen = Moments::new(states.first().map_or(0, Vec::len));
+            states.iter().for_each(|state| seen.push(state));
+            Ok(Played { ending, seen })
+        };
+        (0..).zip(plays).map(one).collect()
+    }
+
     /// Returns the number of environment steps so far, for the log's steps per second; 0 if they are not counted.
     fn steps(&self) -> u64 {
         0
@@ -149,6 +190,13 @@ impl<Task, V: Evaluator<Task> + ?Sized> Evaluator<Task> for &V {
 
     fn visit(&self, visits: &[Visit<Task>]) -> Result<Vec<Vec<Vec<f64>>>, EvaluationError> {
         (**self).visit(visits)
+    }
+
+    fn play(&self, plays: &[Play<Task>]) -> Result<Vec<Played>, EvaluationError>
+    where
+        Task: Clone,
+    {
+        (**self).play(plays)
     }
 
     fn steps(&self) -> u64 {
@@ -286,6 +334,18 @@ impl<S: Scalar, M: Maths<S>, E: Environment<S>> Evaluator<E::Task> for LocalThre
 
     fn visit(&self, visits: &[Visit<E::Task>]) -> Result<Vec<Vec<Vec<f64>>>, EvaluationError> {
         self.pool.install(|| visits.par_iter().map(|visit| self.states(visit)).collect())
+    }
+
+    fn play(&self, plays: &[Play<E::Task>]) -> Result<Vec<Played>, EvaluationError> {
+        let options = EngineOptions { lanes: 1, ..self.options };
+        let play = |lanes: &mut Lanes<'_, S, M, E>, play: &Play<E::Task>| {
+            let before = lanes.steps();
+            let plan = Plan::observing_all::<M>(&play.policy, &self.sources, options);
+            let played = lanes.play(&plan, &play.task)?;
+            self.steps.fetch_add(lanes.steps() - before, Ordering::Relaxed);
+            Ok(played)
+        };
+        self.pool.install(|| plays.par_iter().map_init(|| Lanes::new(self.environment, options), play).collect())
     }
 
     fn steps(&self) -> u64 {

@@ -9,7 +9,10 @@ use crate::ending::Ending;
 use crate::environment::Environment;
 use crate::episodes::Episodes;
 use crate::error::EvaluationError;
+use crate::evaluator::Played;
 use crate::history::History;
+use crate::moments::Moments;
+use crate::nodes::NodeId;
 use crate::options::EngineOptions;
 use crate::plan::Plan;
 use tpg_runtime::ops::Maths;
@@ -111,11 +114,25 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
         tasks: &[E::Task],
         mut watch: impl FnMut(usize, ActionId),
     ) -> Result<Vec<Ending>, EvaluationError> {
-        let endings = self.run_while(plan, tasks, |task, action| {
+        let endings = self.run_while(plan, tasks, |_, _, task, action| {
             watch(task, action);
             true
         })?;
-        Ok(endings.into_iter().map(|ending| ending.expect("every task was begun and every lane ended")).collect())
+        Ok(endings.into_iter().map(ended).collect())
+    }
+
+    /// Runs the root on a task and keeps the moments of the states that it decides in. The plan must observe all of the state.
+    pub(super) fn play(&mut self, plan: &Plan<S>, task: &E::Task) -> Result<Played, EvaluationError> {
+        let mut state = vec![0.0; plan.state_length()];
+        let mut seen = Moments::new(state.len());
+        let endings = self.run_while(plan, std::slice::from_ref(task), |columns, lane, _, _| {
+            for (value, &place) in state.iter_mut().zip(&plan.places) {
+                *value = columns.get(NodeId(place), lane).to_f64();
+            }
+            seen.push(&state);
+            true
+        })?;
+        Ok(Played { ending: ended(endings[0]), seen })
     }
 
     /// Returns the first actions of a root on a task: at most so many.
@@ -127,7 +144,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
     ) -> Result<Vec<ActionId>, EvaluationError> {
         let mut actions = Vec::new();
         if most > 0 {
-            self.run_while(plan, std::slice::from_ref(task), |_, action| {
+            self.run_while(plan, std::slice::from_ref(task), |_, _, _, action| {
                 actions.push(action);
                 actions.len() < most
             })?;
@@ -135,12 +152,13 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
         Ok(actions)
     }
 
-    /// Runs until every task has an ending, or `watch` returns false.
+    /// Runs until every task has an ending, or `watch` returns false: it gets each lane's observed state, the index of its task,
+    /// and its action.
     fn run_while(
         &mut self,
         plan: &Plan<S>,
         tasks: &[E::Task],
-        watch: impl FnMut(usize, ActionId) -> bool,
+        watch: impl FnMut(&Columns<S, M>, usize, usize, ActionId) -> bool,
     ) -> Result<Vec<Option<Ending>>, EvaluationError> {
         let result = self.run_all(plan, tasks, watch);
         if !self.running.is_empty() {
@@ -155,7 +173,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
         &mut self,
         plan: &Plan<S>,
         tasks: &[E::Task],
-        mut watch: impl FnMut(usize, ActionId) -> bool,
+        mut watch: impl FnMut(&Columns<S, M>, usize, usize, ActionId) -> bool,
     ) -> Result<Vec<Option<Ending>>, EvaluationError> {
         self.columns.prepare(plan, &self.constants);
         self.decider.prepare(plan);
@@ -170,8 +188,9 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
             self.episodes.observe(plan.wanted, &mut self.columns.view(&plan.places))?;
             let actions = self.decider.decide(plan, &mut self.columns, self.running.len());
             self.steps += actions.len() as u64;
-            let watched = self.running.iter().zip(actions);
-            if !watched.fold(true, |goes_on, (&(task, _), &action)| goes_on & watch(task, action)) {
+            let watched = self.running.iter().zip(actions).enumerate();
+            let mut watch = |(lane, (&(task, _), &action))| watch(&self.columns, lane, task, action);
+            if !watched.fold(true, |goes_on, watched| goes_on & watch(watched)) {
                 break;
             }
             self.ended.clear();
@@ -234,4 +253,9 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
             ended.extend(cycle.or(ending).map(|ending| (lane, ending)));
         }
     }
+}
+
+/// Returns the ending of a task on which nobody stopped the lanes.
+fn ended(ending: Option<Ending>) -> Ending {
+    ending.expect("every task was begun and every lane ended")
 }

@@ -18,7 +18,7 @@
 //! | [`Ending`], [`Summary`], [`Preference`] | results |
 //! | [`PolicyGraph`], [`Plan`], [`Node`], [`Arena`] | a graph in the engine's own form |
 //! | [`Lanes`], [`Single`], [`EngineOptions`], [`History`] | execution |
-//! | [`Evaluator`], [`LocalThreads`], [`Work`], [`Piece`], [`Visit`] | evaluation of many roots, on threads or elsewhere |
+//! | [`Evaluator`], [`LocalThreads`], [`Work`], [`Piece`], [`Visit`], [`Play`], [`Moments`] | evaluation of many roots, on threads or elsewhere |
 //! | [`forward`](crate::forward!) | environments that wrap another one |
 //! | [`random`] | independent streams of random numbers, one for each purpose |
 
@@ -39,6 +39,7 @@ mod history;
 mod instances;
 mod lanes;
 mod mapped;
+mod moments;
 mod nodes;
 mod one_by_one;
 mod options;
@@ -59,10 +60,11 @@ pub use environment::Environment;
 pub use episodes::Episodes;
 pub use erased::{AnyEnvironment, AnyEpisode, AnyTask, erase};
 pub use error::EvaluationError;
-pub use evaluator::{Evaluator, LocalThreads, Piece, UnitKey, UnitResult, Visit, Work, WorkUnit};
+pub use evaluator::{Evaluator, LocalThreads, Piece, Play, Played, UnitKey, UnitResult, Visit, Work, WorkUnit};
 pub use history::{History, Repeat};
 pub use lanes::Lanes;
 pub use mapped::Mapped;
+pub use moments::Moments;
 pub use nodes::{Arena, Node, NodeId};
 pub use one_by_one::OneByOne;
 pub use options::EngineOptions;

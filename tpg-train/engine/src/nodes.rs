@@ -83,6 +83,11 @@ impl<S: Scalar, M: Maths<S>> Arena<S, M> {
         at[0]
     }
 
+    /// Adds a value of the state, whether or not a program reads it.
+    pub(super) fn input(&mut self, input: u16) {
+        self.node(Node::Input(input));
+    }
+
     fn operation(&mut self, instruction: Instruction, [a, b]: [NodeId; 2]) -> NodeId {
         let b = if instruction.arity() == 1 { a } else { b };
         if let (Node::Constant(a), Node::Constant(b)) = (self.nodes()[a.index()], self.nodes()[b.index()]) {

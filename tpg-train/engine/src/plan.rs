@@ -95,7 +95,27 @@ pub struct Plan<S> {
 impl<S: Scalar> Plan<S> {
     /// Plans a policy over the state made of the given sources.
     pub fn new<M: Maths<S>>(policy: &PolicyGraph, sources: &[SourceDocument], options: EngineOptions) -> Self {
+        Self::in_arena(Arena::<S, M>::new(options.share), policy, sources, options)
+    }
+
+    /// As [`new`](Self::new), but the whole state is observed, also what no program reads.
+    pub(super) fn observing_all<M: Maths<S>>(
+        policy: &PolicyGraph,
+        sources: &[SourceDocument],
+        options: EngineOptions,
+    ) -> Self {
         let mut arena = Arena::<S, M>::new(options.share);
+        let length: u32 = sources.iter().map(|source| source.length).sum();
+        (0..length).for_each(|input| arena.input(input as u16));
+        Self::in_arena(arena, policy, sources, options)
+    }
+
+    fn in_arena<M: Maths<S>>(
+        mut arena: Arena<S, M>,
+        policy: &PolicyGraph,
+        sources: &[SourceDocument],
+        options: EngineOptions,
+    ) -> Self {
         let bids: Vec<NodeId> =
             policy.programs.iter().map(|program| arena.program(policy.registers, program)).collect();
         let facts = facts(arena.nodes(), options.lazy);

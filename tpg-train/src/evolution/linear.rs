@@ -13,11 +13,12 @@ use super::genome::{Destination, Edge, Genome, GenomeLine, Leaf, Program, Team, 
 use super::milestones::{Bounds, Point, StepBounds};
 use super::random_search::RandomSearch;
 use super::state::{Deme, Record, Row, State};
-use super::validate::along;
 use super::vocabulary::{Gene, InstructionIndex, Kind, OPERANDS, Vocabulary};
 use serde::{Deserialize, Serialize};
 use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{Ending, Environment, EvaluationError, Evaluator, PolicyGraph, Summary, UnitKey, Work, WorkUnit};
+use tpg_engine::{
+    Ending, Environment, EvaluationError, Evaluator, Moments, Play, PolicyGraph, Summary, UnitKey, Work, WorkUnit,
+};
 use tpg_graph::Word;
 use tpg_graph::error::Finding;
 use tpg_runtime::ops::Instruction;
@@ -25,8 +26,6 @@ use tpg_runtime::scalar::Scalar;
 
 /// Weight of the newest generation in a search's score.
 const NEWEST: f64 = 0.2;
-/// Number of states of an episode that a random search sees.
-const STATES_OF_EPISODE: u32 = 64;
 /// Most weights of a linear start: beyond, a full covariance costs more than it finds.
 pub(super) const MOST_WEIGHTS: usize = 400;
 
@@ -240,9 +239,9 @@ impl<'a> LinearWriter<'a> {
         self.inputs.len()
     }
 
-    /// Returns the inputs in a flat state.
-    fn inputs_in(&self, state: &[f64]) -> Vec<f64> {
-        self.inputs.iter().map(|input| state[usize::from(input.place)]).collect()
+    /// Returns the moments of the inputs from those of flat states.
+    fn inputs_of(&self, states: &Moments) -> Moments {
+        states.select(self.inputs.iter().map(|input| input.place.into()))
     }
 
     /// Returns the weights that a sample of a search stands for.
@@ -359,19 +358,18 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
             search.samples(count, &mut Stream::new(state.seed, state.generation, Purpose::Linear, place))
         };
         let samples: Vec<Vec<Vec<f64>>> = (0..).zip(&state.searches).map(draw).collect();
-        let policies = state.searches.iter().zip(&samples).flat_map(|(search, samples)| {
-            samples.iter().map(|sample| self.linear_policy(&writer, &writer.weights_of(search, sample)))
-        });
-        let unit =
-            |(root, policy)| WorkUnit { key: UnitKey { seed: state.seed, generation: state.generation, root }, policy };
-        let units = (0..).zip(policies).map(unit).collect();
-        // A random search makes more of more steps than of surer ones.
-        let episodes = if is_random(state) { 1 } else { config.episodes };
-        let work = Work { tasks: self.tasks(state, episodes), units };
-        let answers = self.evaluator.evaluate(&work)?;
-        state.count_training(answers.iter().flat_map(|answer| &answer.endings));
+        let of_search = |(search, samples): (&Search, &Vec<Vec<f64>>)| -> Vec<PolicyGraph> {
+            samples.iter().map(|sample| self.linear_policy(&writer, &writer.weights_of(search, sample))).collect()
+        };
+        let policies = state.searches.iter().zip(&samples).flat_map(of_search).collect();
+        let (endings, seen) = if is_random(state) {
+            self.own_episodes(state, &writer, policies)?
+        } else {
+            (self.same_episodes(state, policies)?, Moments::default())
+        };
+        state.count_training(endings.iter().flatten());
 
-        let results: Vec<Summary> = answers.iter().map(|answer| Summary::of(&answer.endings)).collect();
+        let results: Vec<Summary> = endings.iter().map(|endings| Summary::of(endings)).collect();
         let best = ranked(&results)[0];
         let tolerance =
             state.rows.first().map_or(0.0, |first| config.tie * (results[best].score - first.median_score).max(0.0));
@@ -384,9 +382,10 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
             }
             place = its.end;
             search.update(samples, &results[its], tolerance, left);
+            if let Method::Random(search) = &mut search.method {
+                search.observe(&seen);
+            }
         }
-        let shown = (state.generation % work.units.len() as u64) as usize;
-        self.observe(state, &writer, &work.units[shown].policy, &work.tasks[0], &answers[shown].endings[0])?;
         let mut row = row(state.generation, &results);
         if self.ends_linear(state, &writer) || self.is_last(state) {
             self.populate_from_linear(state)?;
@@ -417,20 +416,36 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         self.goal.max_steps.map_or(1.0, |most| (1.0 - part(most)).max(0.0))
     }
 
-    /// Shows a random search where an episode of a sample went, which is run once more for that.
-    fn observe(
+    /// Returns the endings of policies on the same few episodes.
+    fn same_episodes(
         &self,
-        state: &mut State<E::Task>,
+        state: &State<E::Task>,
+        policies: Vec<PolicyGraph>,
+    ) -> Result<Vec<Vec<Ending>>, EvaluationError> {
+        let unit =
+            |(root, policy)| WorkUnit { key: UnitKey { seed: state.seed, generation: state.generation, root }, policy };
+        let units = (0..).zip(policies).map(unit).collect();
+        let answers = self.evaluator.evaluate(&Work { tasks: self.tasks(state, self.config.start.episodes), units })?;
+        Ok(answers.into_iter().map(|answer| answer.endings).collect())
+    }
+
+    /// Returns the ending of an episode of its own for each policy, and what they saw: a random search makes more of more steps
+    /// than of surer ones.
+    fn own_episodes(
+        &self,
+        state: &State<E::Task>,
         writer: &LinearWriter<'_>,
-        policy: &PolicyGraph,
-        task: &E::Task,
-        ending: &Ending,
-    ) -> Result<(), EvaluationError> {
-        let [Search { method: Method::Random(search), .. }] = &mut state.searches[..] else { return Ok(()) };
-        let visits = self.evaluator.visit(&[along(policy, task, ending, STATES_OF_EPISODE)])?;
-        search.observe(visits.into_iter().flatten().map(|seen| writer.inputs_in(&seen)));
-        state.count_again(ending);
-        Ok(())
+        policies: Vec<PolicyGraph>,
+    ) -> Result<(Vec<Vec<Ending>>, Moments), EvaluationError> {
+        let tasks = self.tasks(state, policies.len());
+        let plays: Vec<_> = policies.into_iter().zip(tasks).map(|(policy, task)| Play { policy, task }).collect();
+        let mut seen = Moments::new(writer.inputs());
+        let endings = self.evaluator.play(&plays)?.into_iter().map(|played| {
+            seen.merge(&writer.inputs_of(&played.seen));
+            vec![played.ending]
+        });
+        let endings = endings.collect();
+        Ok((endings, seen))
     }
 
     /// Records how far the linear start has come; returns true if the current generation is its last one.

@@ -2,11 +2,11 @@
 //!
 //! The algorithm is V2-t of Mania, Guy and Recht (“Simple random search provides a competitive approach to reinforcement learning”,
 //! 2018): one row of weights for each output or action, of inputs less their mean, divided by their standard deviation, both over
-//! visited states. Three things differ: all samples of a generation play the same episodes, one of them shows where it went, and steps
-//! shrink as the search goes on. Small steps find what a wide search for weights misses: a policy that hovers, balances or walks a
-//! little, and gets better.
+//! visited states. Steps shrink as the search goes on. Small steps find what a wide search for weights misses: a policy that hovers,
+//! balances or walks a little, and gets better.
 
 use serde::{Deserialize, Serialize};
+use tpg_engine::Moments;
 use tpg_engine::random::Stream;
 use tpg_graph::error::Finding;
 
@@ -34,18 +34,14 @@ const LEAST_DEVIATION: f64 = 1e-3;
 pub struct RandomSearch {
     /// Weights of the normalised inputs, row after row.
     weights: Vec<f64>,
-    /// Number of states seen.
-    states: f64,
-    /// Mean of each input over them.
-    means: Vec<f64>,
-    /// Sum of the squared distances from that mean.
-    squares: Vec<f64>,
+    /// Mean and spread of the inputs that its samples have seen.
+    seen: Moments,
 }
 
 impl RandomSearch {
     /// Starts at 0.
     pub fn new(rows: usize, inputs: usize) -> Self {
-        Self { weights: vec![0.0; rows * inputs], states: 0.0, means: vec![0.0; inputs], squares: vec![0.0; inputs] }
+        Self { weights: vec![0.0; rows * inputs], seen: Moments::new(inputs) }
     }
 
     /// Returns the weights of the normalised inputs, row after row.
@@ -55,7 +51,7 @@ impl RandomSearch {
 
     /// Returns the standard deviation of a sample's distance from a weight.
     fn noise(&self) -> f64 {
-        NOISE * (INPUTS / self.means.len() as f64).sqrt()
+        NOISE * (INPUTS / self.seen.length() as f64).sqrt()
     }
 
     /// Draws pairs of opposite samples around the weights: `count` of them, or one more.
@@ -93,29 +89,21 @@ impl RandomSearch {
     }
 
     /// Takes states into the normalisation: each has one number for each input.
-    pub fn observe(&mut self, states: impl Iterator<Item = Vec<f64>>) {
-        for state in states.filter(|state| state.iter().all(|value| value.is_finite())) {
-            self.states += 1.0;
-            for ((value, mean), squares) in state.into_iter().zip(&mut self.means).zip(&mut self.squares) {
-                let distance = value - *mean;
-                *mean += distance / self.states;
-                *squares += distance * (value - *mean);
-            }
-        }
+    pub fn observe(&mut self, states: &Moments) {
+        self.seen.merge(states);
     }
 
     /// Returns a sample's weights of inputs in the given units, and a constant, for each row: without normalisation.
     pub fn unfolded(&self, sample: &[f64], units: &[f64]) -> Vec<Vec<f64>> {
-        let factors: Vec<f64> = (units.iter().zip(&self.squares))
-            .map(|(unit, squares)| {
-                let deviation = if self.states > 0.0 { (squares / self.states).sqrt() } else { *unit };
-                unit / deviation.max(LEAST_DEVIATION * unit)
-            })
-            .collect();
+        let factor = |(place, unit): (usize, &f64)| {
+            let deviation = self.seen.deviation(place).unwrap_or(*unit);
+            unit / deviation.max(LEAST_DEVIATION * unit)
+        };
+        let factors: Vec<f64> = units.iter().enumerate().map(factor).collect();
         let row = |weights: &[f64]| {
             let mut row: Vec<f64> = weights.iter().zip(&factors).map(|(weight, factor)| weight * factor).collect();
-            let places = row.iter().zip(self.means.iter().zip(units));
-            row.push(-places.map(|(weight, (mean, unit))| weight * mean / unit).sum::<f64>());
+            let places = row.iter().zip(units).enumerate();
+            row.push(-places.map(|(place, (weight, unit))| weight * self.seen.mean(place) / unit).sum::<f64>());
             row
         };
         sample.chunks_exact(units.len()).map(row).collect()
@@ -126,25 +114,27 @@ impl RandomSearch {
     /// # Errors
     /// Other numbers of rows or inputs, or a number that is not finite or too small.
     pub(super) fn check(&self, rows: usize, inputs: usize) -> Result<(), Finding> {
-        let lengths = [
-            ("weights", &self.weights, rows * inputs),
-            ("means", &self.means, inputs),
-            ("squares", &self.squares, inputs),
-        ];
-        for (key, values, length) in lengths {
-            let is_wrong = |value: &f64| !value.is_finite() || (key == "squares" && *value < 0.0);
-            if values.len() != length || values.iter().any(is_wrong) {
-                let accepted = format!("{length} finite numbers, squares of 0 or more");
-                return Err(Finding::new(key, format!("{} numbers", values.len()), accepted));
-            }
+        let Self { weights, seen } = self;
+        if weights.len() != rows * inputs || !weights.iter().all(|weight| weight.is_finite()) {
+            let (found, accepted) = (weights.len(), rows * inputs);
+            return Err(Finding::new("weights", format!("{found} numbers"), format!("{accepted} finite numbers")));
         }
-        Finding::range("states", self.states, 0.0, 1e15)
+        if seen.length() != inputs || !seen.is_possible() {
+            let found = format!("moments of {} inputs", seen.length());
+            return Err(Finding::new(
+                "seen",
+                found,
+                format!("moments of {inputs} inputs, finite, squares of 0 or more"),
+            ));
+        }
+        Ok(())
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::{INPUTS, LEAST_STEP, NOISE, RandomSearch, STEP};
+    use tpg_engine::Moments;
     use tpg_engine::random::{Purpose, Stream};
 
     fn stream(number: u64) -> Stream {
@@ -221,7 +211,9 @@ mod tests {
         let sample = [0.5, 2.0, -1.0, 1.0];
         let units = [4.0, 0.5];
         assert_eq!(search.unfolded(&sample, &units), [[0.5, 2.0, 0.0], [-1.0, 1.0, 0.0]], "nothing seen: in units");
-        search.observe([[1.0, 7.0], [f64::NAN, 0.0], [5.0, 7.0]].map(Vec::from).into_iter());
+        let mut seen = Moments::new(2);
+        [[1.0, 7.0], [5.0, 7.0]].iter().for_each(|state| seen.push(state));
+        search.observe(&seen);
         // Mean 3 and deviation 2; the second input, always 7, has the least deviation.
         let state = [4.0, 7.001];
         for (row, weights) in search.unfolded(&sample, &units).iter().zip(sample.chunks_exact(2)) {
@@ -241,8 +233,12 @@ mod tests {
             assert_eq!(damaged.check(2, 3).expect_err(key).key, key);
         };
         refused(|it| it.weights.truncate(5), "weights");
-        refused(|it| it.means[0] = f64::NAN, "means");
-        refused(|it| it.squares[1] = -1.0, "squares");
-        refused(|it| it.states = -1.0, "states");
+        refused(|it| it.weights[0] = f64::NAN, "weights");
+        refused(|it| it.seen = Moments::new(2), "seen");
+        let damaged = r#"{"count":1,"means":[0.0,0.0,0.0],"squares":[0.0,-1.0,0.0]}"#;
+        let damaged: Moments = serde_json::from_str(damaged).expect("three numbers twice");
+        let mut search = search;
+        search.seen = damaged;
+        assert_eq!(search.check(2, 3).expect_err("a square below 0").key, "seen");
     }
 }

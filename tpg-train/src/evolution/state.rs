@@ -187,12 +187,6 @@ impl<Task> State<Task> {
         self.episode_steps = steps.div_ceil(episodes.max(1));
     }
 
-    /// Counts a training episode that was run once more.
-    pub(super) fn count_again(&mut self, ending: &Ending) {
-        self.training_episodes += 1;
-        self.steps += u64::from(ending.actions);
-    }
-
     /// Counts episodes of validation, which ended so.
     pub(super) fn count_selection(&mut self, endings: &[Ending]) {
         let steps = actions(endings);

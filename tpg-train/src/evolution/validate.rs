@@ -208,7 +208,7 @@ fn standard_error(result: &Summary, endings: &[Ending], preference: Preference) 
 }
 
 /// Returns a visit of so many states all along an episode that ended so.
-pub(super) fn along<Task: Clone>(policy: &PolicyGraph, task: &Task, ending: &Ending, states: u32) -> Visit<Task> {
+fn along<Task: Clone>(policy: &PolicyGraph, task: &Task, ending: &Ending, states: u32) -> Visit<Task> {
     let actions = u64::from(ending.actions);
     let after = (0..states).map(|state| (u64::from(state) * actions / u64::from(states)) as u32);
     Visit { policy: policy.clone(), task: task.clone(), after: after.collect() }

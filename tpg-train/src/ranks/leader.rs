@@ -2,13 +2,13 @@
 
 use super::dealer::{Dealer, needed, parts};
 use super::link::{Link, Patience};
-use super::message::{Order, PackedVisit, Reply, decode, encode, pack_tasks};
+use super::message::{Order, PackedPlay, PackedVisit, Reply, decode, encode, pack_tasks};
 use serde::Serialize;
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError, mpsc};
 use std::time::Instant;
-use tpg_engine::{EvaluationError, Evaluator, Piece, UnitResult, Visit, Work, WorkUnit};
+use tpg_engine::{EvaluationError, Evaluator, Piece, Play, Played, UnitResult, Visit, Work, WorkUnit};
 
 /// Bytes and questions of a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -377,6 +377,28 @@ where
         let local = self.local;
         let visit = |jobs: &[usize]| local.visit(&part(jobs));
         self.all(&vec![1; visits.len()], &order, &read, &visit)
+    }
+
+    fn play(&self, plays: &[Play<Task>]) -> Result<Vec<Played>, EvaluationError> {
+        if self.crew.threads.len() == 1 {
+            return self.local.play(plays);
+        }
+        let part = |jobs: &[usize]| jobs.iter().map(|&job| plays[job].clone()).collect::<Vec<_>>();
+        let order = |_: usize, jobs: &[usize]| {
+            let packed: Result<Vec<_>, _> = jobs.iter().map(|&job| PackedPlay::of(&plays[job])).collect();
+            encode(&Order::Play(packed?))
+        };
+        let read = |rank: usize, reply: Reply| match reply {
+            Reply::Played { played, steps } => {
+                self.steps.borrow_mut()[rank] = steps;
+                Ok(played)
+            }
+            _ => Err(EvaluationError::new(format!("rank {rank}: another answer than results of episodes"))),
+        };
+        let local = self.local;
+        let play = |jobs: &[usize]| local.play(&part(jobs));
+        let costs: Vec<u64> = plays.iter().map(|play| play.policy.size() as u64).collect();
+        self.all(&costs, &order, &read, &play)
     }
 
     fn steps(&self) -> u64 {

@@ -3,7 +3,7 @@
 
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
-use tpg_engine::{Ending, EvaluationError, Piece, PolicyGraph, Visit, WorkUnit};
+use tpg_engine::{Ending, EvaluationError, Piece, Play, Played, PolicyGraph, Visit, WorkUnit};
 
 /// From rank 0 to a worker.
 #[derive(Serialize, Deserialize)]
@@ -12,6 +12,8 @@ pub(super) enum Order {
     Evaluate { tasks: Option<Vec<u8>>, units: Vec<WorkUnit>, pieces: Vec<Piece> },
     /// Record states.
     Visit(Vec<PackedVisit>),
+    /// Run episodes and record what is seen.
+    Play(Vec<PackedPlay>),
     /// Compute the cells with these numbers.
     Cells(Vec<u64>),
     /// Nothing more comes.
@@ -38,6 +40,25 @@ impl PackedVisit {
     }
 }
 
+/// A [`Play`] whose task is JSON.
+#[derive(Serialize, Deserialize)]
+pub(super) struct PackedPlay {
+    policy: PolicyGraph,
+    task: Vec<u8>,
+}
+
+impl PackedPlay {
+    pub(super) fn of<Task: Serialize>(play: &Play<Task>) -> Result<Self, EvaluationError> {
+        let Play { policy, task } = play;
+        Ok(Self { policy: policy.clone(), task: pack_tasks(task)? })
+    }
+
+    pub(super) fn unpack<Task: DeserializeOwned>(self) -> Result<Play<Task>, EvaluationError> {
+        let Self { policy, task } = self;
+        Ok(Play { policy, task: unpack_tasks(&task)? })
+    }
+}
+
 /// From a worker to rank 0: the first one says that it is ready, then there is one for each order.
 #[derive(Serialize, Deserialize)]
 pub(super) enum Reply {
@@ -47,6 +68,8 @@ pub(super) enum Reply {
     Evaluated { endings: Vec<Vec<Ending>>, steps: u64 },
     /// States of each visit in order.
     Visited(Vec<Vec<Vec<f64>>>),
+    /// Results of each episode in order; the number of steps since the worker began.
+    Played { played: Vec<Played>, steps: u64 },
     /// Bytes of each cell in order.
     Cells(Vec<Vec<u8>>),
     /// The order, or the start, has failed.

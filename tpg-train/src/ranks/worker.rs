@@ -1,7 +1,7 @@
 //! The side of a rank that evaluates for rank 0.
 
 use super::link::Link;
-use super::message::{Order, PackedVisit, Reply, decode, encode, unpack_tasks};
+use super::message::{Order, PackedPlay, PackedVisit, Reply, decode, encode, unpack_tasks};
 use serde::de::DeserializeOwned;
 use tpg_engine::{EvaluationError, Evaluator, Work};
 
@@ -48,6 +48,11 @@ impl<'a, Task: Clone + DeserializeOwned, V: Evaluator<Task>> Roots<'a, Task, V> 
             Order::Visit(visits) => {
                 let visits: Result<Vec<_>, _> = visits.into_iter().map(PackedVisit::unpack).collect();
                 Ok(Reply::Visited(self.local.visit(&visits?)?))
+            }
+            Order::Play(plays) => {
+                let plays: Result<Vec<_>, _> = plays.into_iter().map(PackedPlay::unpack).collect();
+                let played = self.local.play(&plays?)?;
+                Ok(Reply::Played { played, steps: self.local.steps() })
             }
             Order::Cells(_) | Order::End => Err(EvaluationError::new("an order of a study")),
         }

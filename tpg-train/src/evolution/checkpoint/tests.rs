@@ -295,9 +295,7 @@ fn a_damaged_random_search_is_refused() {
     let mut product = content.clone();
     *product.pointer_mut("/state/searches/0/kind").expect("a kind") = json!("product");
     assert!(read(&product).expect_err("it looks for sums").to_string().contains("state.searches[0].kind"));
-    for (path, value) in
-        [("weights", json!([])), ("means", json!([0.0])), ("squares/0", json!(-1.0)), ("states", json!(-1.0))]
-    {
+    for (path, value) in [("weights", json!([])), ("seen/means", json!([0.0])), ("seen/squares/0", json!(-1.0))] {
         let mut content = content.clone();
         let path = format!("/state/searches/0/method/random/{path}");
         *content.pointer_mut(&path).unwrap_or_else(|| panic!("{path}")) = value;

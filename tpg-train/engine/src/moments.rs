@@ -1,0 +1,155 @@
+//! Mean and spread of states.
+
+use serde::{Deserialize, Serialize};
+
+/// Mean and spread of each value of some states, without these (Welford 1962; merged as by Chan, Golub and LeVeque 1979).
+///
+/// ```
+/// use tpg_engine::Moments;
+///
+/// let mut seen = Moments::new(2);
+/// seen.push(&[1.0, 7.0]);
+/// seen.push(&[5.0, 7.0]);
+/// assert_eq!((seen.count(), seen.mean(0), seen.deviation(0)), (2, 3.0, Some(2.0)));
+/// assert_eq!(seen.deviation(1), Some(0.0));
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Moments {
+    count: u64,
+    means: Vec<f64>,
+    /// Sums of the squared distances from the means.
+    squares: Vec<f64>,
+}
+
+impl Moments {
+    /// Creates the moments of no state of `length` values.
+    pub fn new(length: usize) -> Self {
+        Self { count: 0, means: vec![0.0; length], squares: vec![0.0; length] }
+    }
+
+    /// Creates moments from the number of states and, for each of their values, its mean and the sum of the squared distances from
+    /// it; `None` if no states can have these.
+    pub fn from_parts(count: u64, means: Vec<f64>, squares: Vec<f64>) -> Option<Self> {
+        let moments = Self { count, means, squares };
+        moments.is_possible().then_some(moments)
+    }
+
+    /// True if states can have these moments: something read from a file may not.
+    pub fn is_possible(&self) -> bool {
+        let Self { means, squares, .. } = self;
+        let is_finite = means.iter().chain(squares).all(|value| value.is_finite());
+        means.len() == squares.len() && is_finite && squares.iter().all(|&squares| squares >= 0.0)
+    }
+
+    /// Returns the number of states, and for each of their values the mean and the sum of the squared distances from it.
+    pub fn into_parts(self) -> (u64, Vec<f64>, Vec<f64>) {
+        (self.count, self.means, self.squares)
+    }
+
+    /// Returns the number of values of a state.
+    pub fn length(&self) -> usize {
+        self.means.len()
+    }
+
+    /// Returns the number of states.
+    pub fn count(&self) -> u64 {
+        self.count
+    }
+
+    /// Returns the mean of a value; 0 without states.
+    pub fn mean(&self, place: usize) -> f64 {
+        self.means[place]
+    }
+
+    /// Returns the standard deviation of a value, 0 or more; `None` without states.
+    pub fn deviation(&self, place: usize) -> Option<f64> {
+        (self.count > 0).then(|| (self.squares[place] / self.count as f64).sqrt())
+    }
+
+    /// Adds a state, unless one of its values is not finite.
+    pub fn push(&mut self, state: &[f64]) {
+        if !state.iter().all(|value| value.is_finite()) {
+            return;
+        }
+        self.count += 1;
+        for ((value, mean), squares) in state.iter().zip(&mut self.means).zip(&mut self.squares) {
+            let distance = value - *mean;
+            *mean += distance / self.count as f64;
+            *squares += distance * (value - *mean);
+        }
+    }
+
+    /// Adds the states of other moments of the same length.
+    pub fn merge(&mut self, other: &Self) {
+        if other.count == 0 {
+            return;
+        }
+        let (own, others) = (self.count as f64, other.count as f64);
+        self.count += other.count;
+        let all = self.count as f64;
+        let places = self.means.iter_mut().zip(&mut self.squares);
+        for ((mean, squares), (of_other, more)) in places.zip(other.means.iter().zip(&other.squares)) {
+            let distance = of_other - *mean;
+            *mean += distance * (others / all);
+            *squares += more + distance * distance * (own * (others / all));
+        }
+    }
+
+    /// Returns the moments of some of the values, in the order of `places`.
+    #[must_use]
+    pub fn select(&self, places: impl Iterator<Item = usize> + Clone) -> Self {
+        let of = |values: &[f64]| places.clone().map(|place| values[place]).collect();
+        Self { count: self.count, means: of(&self.means), squares: of(&self.squares) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Moments;
+
+    fn of(states: &[[f64; 2]]) -> Moments {
+        let mut moments = Moments::new(2);
+        states.iter().for_each(|state| moments.push(state));
+        moments
+    }
+
+    #[test]
+    fn merged_moments_are_those_of_all_states() {
+        let states = [[1.0, -3.0], [2.0, 1e3], [4.0, 0.5], [-9.0, 0.25], [0.0, 6.0]];
+        let all = of(&states);
+        for cut in 0..=states.len() {
+            let mut merged = of(&states[..cut]);
+            merged.merge(&of(&states[cut..]));
+            assert_eq!(merged.count(), 5);
+            for place in 0..2 {
+                assert!((merged.mean(place) - all.mean(place)).abs() < 1e-9, "cut {cut}");
+                let [merged, all] = [&merged, &all].map(|moments| moments.deviation(place).expect("there are states"));
+                assert!((merged - all).abs() < 1e-9, "cut {cut}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_state_that_is_not_finite_does_not_count() {
+        assert_eq!(of(&[[1.0, 2.0], [f64::NAN, 0.0], [0.0, f64::INFINITY]]), of(&[[1.0, 2.0]]));
+        assert_eq!(Moments::new(2).deviation(0), None);
+    }
+
+    #[test]
+    fn values_are_selected() {
+        let moments = of(&[[1.0, 2.0], [3.0, 5.0]]);
+        let (other, first) = (moments.select([1].into_iter()), moments.select([1, 0].into_iter()));
+        assert_eq!((other.length(), other.mean(0), first.mean(1)), (1, 3.5, 2.0));
+    }
+
+    #[test]
+    fn impossible_moments_are_refused() {
+        let moments = of(&[[1.0, 2.0], [3.0, 5.0]]);
+        let (count, means, squares) = moments.clone().into_parts();
+        assert_eq!(Moments::from_parts(count, means.clone(), squares), Some(moments));
+        for squares in [vec![1.0], vec![1.0, -1.0], vec![f64::NAN, 1.0]] {
+            assert_eq!(Moments::from_parts(count, means.clone(), squares), None);
+        }
+    }
+}
