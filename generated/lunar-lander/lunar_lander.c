@@ -1,8 +1,8 @@
 /*
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix lunar_lander --profile fast
- * Graph SHA-256: 910b1d6fc757cf446e6fc2403fd0fc3400df4cc0d53c186d4d3bbd9331445690
- * 1 teams (1 on the longest walk), 4 edges, 4 programs, 32 distinct operations.
+ * Graph SHA-256: 4860121d1ea3ffdf89e9ada410cfbcba3eec3d600e5fe2f31f6c9ab863872977
+ * 1 teams (1 on the longest walk), 4 edges, 4 programs, 26 distinct operations.
  * Computes in f32 with own maths.
  */
 #include "lunar_lander.h"
@@ -37,50 +37,44 @@ uint16_t lunar_lander_infer(const lunar_lander_state_t *state)
         const float zero = constant;
         float best = zero;
         uint32_t way = 1U;
-        const float v3 = state->obs[0] * (-0.47196642F);
+        const float v3 = state->obs[0] * 0.54824466F;
         const float v4 = 0.0F + v3;
-        const float v7 = state->obs[2] * 0.6433384F;
+        const float v7 = state->obs[1] * 0.41400775F;
         const float v8 = v4 + v7;
-        const float v11 = state->obs[3] * 0.2611211F;
+        const float v11 = state->obs[4] * (-1.3129216F);
         const float v12 = v8 + v11;
-        const float v15 = state->obs[4] * (-0.4740189F);
+        const float v15 = state->obs[5] * (-1.5008805F);
         const float v16 = v12 + v15;
-        const float v19 = state->obs[5] * (-0.91989505F);
-        const float v20 = v16 + v19;
-        const float v23 = state->obs[7] * (-1.9277327F);
-        const float v24 = v20 + v23;
-        const float v26 = v24 + 0.34787703F;
 
-        if (v26 >= best) {
-            best = v26;
+        if (v16 >= best) {
+            best = v16;
             way = 2U;
         }
-        const float v29 = state->obs[1] * (-0.64560854F);
-        const float v30 = 0.0F + v29;
-        const float v32 = state->obs[3] * (-1.561657F);
-        const float v33 = v30 + v32;
-        const float v36 = state->obs[6] * (-0.0707698F);
-        const float v37 = v33 + v36;
+        const float v18 = state->obs[1] * (-0.7259825F);
+        const float v19 = 0.0F + v18;
+        const float v22 = state->obs[3] * (-2.4281847F);
+        const float v23 = v19 + v22;
+        const float v25 = v23 + (-0.2920304F);
 
-        if (v37 >= best) {
-            best = v37;
+        if (v25 >= best) {
+            best = v25;
             way = 3U;
         }
-        const float v39 = state->obs[0] * (-1.0220673F);
-        const float v40 = 0.0F + v39;
-        const float v42 = state->obs[2] * (-1.00794F);
-        const float v43 = v40 + v42;
-        const float v45 = state->obs[3] * (-0.056810778F);
-        const float v46 = v43 + v45;
-        const float v48 = state->obs[4] * 0.87537944F;
-        const float v49 = v46 + v48;
-        const float v51 = state->obs[5] * 2.077986F;
-        const float v52 = v49 + v51;
-        const float v54 = state->obs[7] * (-0.5768568F);
-        const float v55 = v52 + v54;
-        const float v57 = v55 + 0.22382003F;
+        const float v27 = state->obs[0] * (-0.50036424F);
+        const float v28 = 0.0F + v27;
+        const float v30 = state->obs[1] * 0.32095438F;
+        const float v31 = v28 + v30;
+        const float v34 = state->obs[2] * (-1.462079F);
+        const float v35 = v31 + v34;
+        const float v37 = state->obs[3] * 1.0567017F;
+        const float v38 = v35 + v37;
+        const float v40 = state->obs[4] * 1.1205845F;
+        const float v41 = v38 + v40;
+        const float v44 = state->obs[7] * (-0.700306F);
+        const float v45 = v41 + v44;
+        const float v47 = v45 + 0.4441619F;
 
-        if (v57 >= best) {
+        if (v47 >= best) {
             way = 4U;
         }
 
@@ -126,7 +120,7 @@ uint32_t lunar_lander_selftest(void)
         { { -2.2226267F, 0.26387098F, -2.5254076F, 9.791858F, -1.6799787F, -7.2984695F, 0.0387948F, 0.32251278F } },
     };
     static const uint16_t actions[16] = {
-        2U, 1U, 2U, 1U, 3U, 3U, 3U, 1U, 2U, 1U, 3U, 1U, 2U, 1U, 3U, 1U
+        2U, 1U, 2U, 1U, 0U, 2U, 3U, 0U, 1U, 1U, 2U, 1U, 2U, 1U, 0U, 3U
     };
     uint32_t failures = 0U;
     uint32_t vector;

@@ -1,7 +1,7 @@
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix lunar_lander --profile constant-time
-//! Graph SHA-256: 910b1d6fc757cf446e6fc2403fd0fc3400df4cc0d53c186d4d3bbd9331445690
-//! 1 teams (1 on the longest walk), 4 edges, 4 programs, 32 distinct operations.
+//! Graph SHA-256: 4860121d1ea3ffdf89e9ada410cfbcba3eec3d600e5fe2f31f6c9ab863872977
+//! 1 teams (1 on the longest walk), 4 edges, 4 programs, 26 distinct operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
 #![allow(
@@ -37,7 +37,7 @@ impl LunarLander {
     /// Bids that one decision looks at, at most.
     pub const WORST_BIDS: usize = 4;
     /// Operations of one decision, at most.
-    pub const WORST_OPERATIONS: usize = 32;
+    pub const WORST_OPERATIONS: usize = 26;
     /// Sines, cosines, logarithms and exponentials among them, at most.
     pub const WORST_MATHS_CALLS: usize = 0;
 }
@@ -48,51 +48,45 @@ impl Policy for LunarLander {
 
     fn decide(&self, s: &[f32; 8]) -> ActionId {
         let ct = ConstantTime::<f32>::default();
-        let v3 = s[0] * -0.47196642_f32;
+        let v3 = s[0] * 0.54824466_f32;
         let v4 = 0.0_f32 + v3;
-        let v7 = s[2] * 0.6433384_f32;
+        let v7 = s[1] * 0.41400775_f32;
         let v8 = v4 + v7;
-        let v11 = s[3] * 0.2611211_f32;
+        let v11 = s[4] * -1.3129216_f32;
         let v12 = v8 + v11;
-        let v15 = s[4] * -0.4740189_f32;
+        let v15 = s[5] * -1.5008805_f32;
         let v16 = v12 + v15;
-        let v19 = s[5] * -0.91989505_f32;
-        let v20 = v16 + v19;
-        let v23 = s[7] * -1.9277327_f32;
-        let v24 = v20 + v23;
-        let v26 = v24 + 0.34787703_f32;
-        let v29 = s[1] * -0.64560854_f32;
-        let v30 = 0.0_f32 + v29;
-        let v32 = s[3] * -1.561657_f32;
-        let v33 = v30 + v32;
-        let v36 = s[6] * -0.0707698_f32;
-        let v37 = v33 + v36;
-        let v39 = s[0] * -1.0220673_f32;
-        let v40 = 0.0_f32 + v39;
-        let v42 = s[2] * -1.00794_f32;
-        let v43 = v40 + v42;
-        let v45 = s[3] * -0.056810778_f32;
-        let v46 = v43 + v45;
-        let v48 = s[4] * 0.87537944_f32;
-        let v49 = v46 + v48;
-        let v51 = s[5] * 2.077986_f32;
-        let v52 = v49 + v51;
-        let v54 = s[7] * -0.5768568_f32;
-        let v55 = v52 + v54;
-        let v57 = v55 + 0.22382003_f32;
+        let v18 = s[1] * -0.7259825_f32;
+        let v19 = 0.0_f32 + v18;
+        let v22 = s[3] * -2.4281847_f32;
+        let v23 = v19 + v22;
+        let v25 = v23 + -0.2920304_f32;
+        let v27 = s[0] * -0.50036424_f32;
+        let v28 = 0.0_f32 + v27;
+        let v30 = s[1] * 0.32095438_f32;
+        let v31 = v28 + v30;
+        let v34 = s[2] * -1.462079_f32;
+        let v35 = v31 + v34;
+        let v37 = s[3] * 1.0567017_f32;
+        let v38 = v35 + v37;
+        let v40 = s[4] * 1.1205845_f32;
+        let v41 = v38 + v40;
+        let v44 = s[7] * -0.700306_f32;
+        let v45 = v41 + v44;
+        let v47 = v45 + 0.4441619_f32;
 
         // What is bid, as integers in the same order.
         let k0 = -8388607_i32; // 0.0_f32
-        let k26 = ct.order(v26);
-        let k37 = ct.order(v37);
-        let k57 = ct.order(v57);
+        let k16 = ct.order(v16);
+        let k25 = ct.order(v25);
+        let k47 = ct.order(v47);
 
         // Where the team leads: the number behind the best bid.
         // Team 0
         let best = (k0, 0);
-        let best = ct.challenge(best, (k26, 1));
-        let best = ct.challenge(best, (k37, 2));
-        let best = ct.challenge(best, (k57, 3));
+        let best = ct.challenge(best, (k16, 1));
+        let best = ct.challenge(best, (k25, 2));
+        let best = ct.challenge(best, (k47, 3));
 
         ActionId(best.1 as u16)
     }

@@ -1,8 +1,8 @@
 /*
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix swimmer --profile fast
- * Graph SHA-256: f1fcd16d87e2426656b1d181341ac3b7f4221d042e81bf124407e8cab858f394
- * 1 teams (1 on the longest walk), 1 edges, 1 programs, 26 distinct operations.
+ * Graph SHA-256: 35a11094e952120a0c89ca943b4ff1134c6ba90081ecb5709019d335cc6126a5
+ * 1 teams (1 on the longest walk), 1 edges, 1 programs, 30 distinct operations.
  * Computes in f32 with own maths.
  */
 #ifndef SWIMMER_H
@@ -20,12 +20,12 @@ extern "C" {
 #define SWIMMER_DEPTH 1U
 /* At most, in one inference: bids looked at, operations, and sines, cosines, logarithms and exponentials among those. */
 #define SWIMMER_WORST_BIDS 0U
-#define SWIMMER_WORST_OPERATIONS 26U
+#define SWIMMER_WORST_OPERATIONS 30U
 #define SWIMMER_WORST_MATHS_CALLS 0U
 
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
 typedef struct swimmer_state {
-    float obs[8]; /* , -1.3432261943817139 to 1.0754176378250122; -1.6053855419158936 to 1.6728030443191528; -1.6147688627243042 to 1.5566096305847168; -1.4070086479187012 to 2.155215263366699; -3.5542614459991455 to 3.5728280544281006; -3.827202796936035 to 3.846395492553711; -6.324155807495117 to 6.35818338394165; -9.29275894165039 to 9.288382530212402 */
+    float obs[8]; /* , -1.128920078277588 to 1.205222249031067; -1.5363115072250366 to 1.4535622596740723; -1.4418669939041138 to 1.4989898204803467; -0.955388069152832 to 1.7334280014038086; -3.4727089405059814 to 3.456476926803589; -3.7571308612823486 to 3.777353048324585; -5.308562278747559 to 5.238750457763672; -8.187785148620605 to 7.8623270988464355 */
 } swimmer_state_t;
 
 /* The values that the policy answers, each in its range and never NaN. */

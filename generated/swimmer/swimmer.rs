@@ -1,7 +1,7 @@
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix swimmer --profile constant-time
-//! Graph SHA-256: f1fcd16d87e2426656b1d181341ac3b7f4221d042e81bf124407e8cab858f394
-//! 1 teams (1 on the longest walk), 1 edges, 1 programs, 26 distinct operations.
+//! Graph SHA-256: 35a11094e952120a0c89ca943b4ff1134c6ba90081ecb5709019d335cc6126a5
+//! 1 teams (1 on the longest walk), 1 edges, 1 programs, 30 distinct operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
 #![allow(
@@ -17,7 +17,7 @@ use tpg_runtime::policy::Policy;
 /// A tangled program graph: a formula.
 ///
 /// It sees, one after another:
-/// - `s[0..8]`: obs, , -1.3432261943817139 to 1.0754176378250122; -1.6053855419158936 to 1.6728030443191528; -1.6147688627243042 to 1.5566096305847168; -1.4070086479187012 to 2.155215263366699; -3.5542614459991455 to 3.5728280544281006; -3.827202796936035 to 3.846395492553711; -6.324155807495117 to 6.35818338394165; -9.29275894165039 to 9.288382530212402
+/// - `s[0..8]`: obs, , -1.128920078277588 to 1.205222249031067; -1.5363115072250366 to 1.4535622596740723; -1.4418669939041138 to 1.4989898204803467; -0.955388069152832 to 1.7334280014038086; -3.4727089405059814 to 3.456476926803589; -3.7571308612823486 to 3.777353048324585; -5.308562278747559 to 5.238750457763672; -8.187785148620605 to 7.8623270988464355
 ///
 /// Values outside the ranges are legal, NaN and infinities too. It answers:
 /// - `[0]`: action_0, , -1 to 1; 0 in place of NaN
@@ -35,7 +35,7 @@ impl Swimmer {
     /// Bids that one decision looks at, at most.
     pub const WORST_BIDS: usize = 0;
     /// Operations of one decision, at most.
-    pub const WORST_OPERATIONS: usize = 26;
+    pub const WORST_OPERATIONS: usize = 30;
     /// Sines, cosines, logarithms and exponentials among them, at most.
     pub const WORST_MATHS_CALLS: usize = 0;
 }
@@ -46,35 +46,39 @@ impl Policy for Swimmer {
 
     fn decide(&self, s: &[f32; 8]) -> [f32; 2] {
         let ct = ConstantTime::<f32>::default();
-        let v3 = s[1] * 0.52979016_f32;
+        let v3 = s[0] * 1.0105755_f32;
         let v4 = 0.0_f32 + v3;
-        let v7 = s[2] * -5.974702_f32;
+        let v7 = s[1] * -0.16823284_f32;
         let v8 = v4 + v7;
-        let v10 = v8 * s[3];
-        let v11 = v8 + v10;
-        let v14 = s[4] * 10.418471_f32;
-        let v15 = v11 + v14;
-        let v18 = s[5] * 1.5990511_f32;
-        let v19 = v15 + v18;
-        let v22 = s[6] * 4.344058_f32;
-        let v23 = v19 + v22;
-        let v26 = s[7] * -6.256689_f32;
-        let v27 = v23 + v26;
-        let v29 = v27 + 1.4570708_f32;
-        let v31 = s[1] * 3.828739_f32;
-        let v32 = 0.0_f32 + v31;
-        let v34 = s[4] * 3.323152_f32;
-        let v35 = v32 + v34;
-        let v37 = s[5] * -3.6907132_f32;
-        let v38 = v35 + v37;
-        let v40 = s[6] * 2.7172828_f32;
-        let v41 = v38 + v40;
-        let v43 = s[7] * 1.6195582_f32;
-        let v44 = v41 + v43;
-        let v46 = v44 + -0.8324088_f32;
+        let v11 = s[2] * -0.66660637_f32;
+        let v12 = v8 + v11;
+        let v15 = s[3] * -0.016324192_f32;
+        let v16 = v12 + v15;
+        let v19 = s[4] * 0.29036057_f32;
+        let v20 = v16 + v19;
+        let v23 = s[5] * -0.20999737_f32;
+        let v24 = v20 + v23;
+        let v27 = s[6] * 0.25208098_f32;
+        let v28 = v24 + v27;
+        let v31 = s[7] * -0.055112995_f32;
+        let v32 = v28 + v31;
+        let v34 = v32 + 0.0054187076_f32;
+        let v36 = s[1] * 0.5448633_f32;
+        let v37 = 0.0_f32 + v36;
+        let v39 = s[2] * -0.86861455_f32;
+        let v40 = v37 + v39;
+        let v42 = s[3] * -0.15368144_f32;
+        let v43 = v40 + v42;
+        let v45 = s[4] * 0.3506624_f32;
+        let v46 = v43 + v45;
+        let v48 = s[5] * -0.31806582_f32;
+        let v49 = v46 + v48;
+        let v51 = s[7] * 0.007038943_f32;
+        let v52 = v49 + v51;
+        let v54 = v52 + 0.056389466_f32;
         [
-            ct.clamp(v29, -1.0_f32, 1.0_f32, 0.0_f32),
-            ct.clamp(v46, -1.0_f32, 1.0_f32, 0.0_f32),
+            ct.clamp(v34, -1.0_f32, 1.0_f32, 0.0_f32),
+            ct.clamp(v54, -1.0_f32, 1.0_f32, 0.0_f32),
         ]
     }
 }
