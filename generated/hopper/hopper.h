@@ -1,8 +1,8 @@
 /*
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix hopper --profile fast
- * Graph SHA-256: fb10bab75b353452c0f7ee6bdd8a9c4e3c9c4e8b9c699923ea61c53a75923706
- * 1 teams (1 on the longest walk), 1 edges, 1 programs, 67 distinct operations.
+ * Graph SHA-256: d294bc47b0222a94abc7c3659d8c794cb0ec1da057122320417bd26ad0a90e67
+ * 1 teams (1 on the longest walk), 1 edges, 1 programs, 61 distinct operations.
  * Computes in f32 with own maths.
  */
 #ifndef HOPPER_H
@@ -20,12 +20,12 @@ extern "C" {
 #define HOPPER_DEPTH 1U
 /* At most, in one inference: bids looked at, operations, and sines, cosines, logarithms and exponentials among those. */
 #define HOPPER_WORST_BIDS 0U
-#define HOPPER_WORST_OPERATIONS 67U
+#define HOPPER_WORST_OPERATIONS 61U
 #define HOPPER_WORST_MATHS_CALLS 0U
 
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
 typedef struct hopper_state {
-    float obs[11]; /* , 0.9885297417640686 to 1.7001316547393799; -0.22649134695529938 to 0.20725364983081818; -0.6324189901351929 to 0.1609724909067154; -1.0293190479278564 to 0.2524624168872833; -1.3216780424118042 to 1.2777830362319946; -0.7767627835273743 to 3.8771281242370605; -3.8018062114715576 to 3.816553831100464; -5.869260787963867 to 5.131644248962402; -7.1290507316589355 to 7.402948379516602; -10.13048267364502 to 8.481813430786133; -15 to 15 */
+    float obs[11]; /* , 0.8571456074714661 to 1.8482515811920166; -0.1802159696817398 to 0.056546762585639954; -0.8256809711456299 to 0.17060135304927826; -0.0061248913407325745 to 0.0070526134222745895; -1.3546653985977173 to 1.4163367748260498; -0.7724487781524658 to 3.855558156967163; -4.0611138343811035 to 4.108202934265137; -1.3541887998580933 to 1.7314413785934448; -3.2942798137664795 to 3.2574009895324707; -0.07190670818090439 to 0.0784301832318306; -15 to 15 */
 } hopper_state_t;
 
 /* The values that the policy answers, each in its range and never NaN. */
