@@ -1,8 +1,8 @@
 /*
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix hopper --profile fast
- * Graph SHA-256: d294bc47b0222a94abc7c3659d8c794cb0ec1da057122320417bd26ad0a90e67
- * 1 teams (1 on the longest walk), 1 edges, 1 programs, 61 distinct operations.
+ * Graph SHA-256: 45db48cea868239f6c7da6d4b7ab29f24a36ef767f572bf3ef94bc12a4be3468
+ * 1 teams (1 on the longest walk), 1 edges, 1 programs, 63 distinct operations.
  * Computes in f32 with own maths.
  */
 #ifndef HOPPER_H
@@ -20,12 +20,12 @@ extern "C" {
 #define HOPPER_DEPTH 1U
 /* At most, in one inference: bids looked at, operations, and sines, cosines, logarithms and exponentials among those. */
 #define HOPPER_WORST_BIDS 0U
-#define HOPPER_WORST_OPERATIONS 61U
+#define HOPPER_WORST_OPERATIONS 63U
 #define HOPPER_WORST_MATHS_CALLS 0U
 
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */
 typedef struct hopper_state {
-    float obs[11]; /* , 0.8571456074714661 to 1.8482515811920166; -0.1802159696817398 to 0.056546762585639954; -0.8256809711456299 to 0.17060135304927826; -0.0061248913407325745 to 0.0070526134222745895; -1.3546653985977173 to 1.4163367748260498; -0.7724487781524658 to 3.855558156967163; -4.0611138343811035 to 4.108202934265137; -1.3541887998580933 to 1.7314413785934448; -3.2942798137664795 to 3.2574009895324707; -0.07190670818090439 to 0.0784301832318306; -15 to 15 */
+    float obs[11]; /* , 0.8311252593994141 to 1.6484929323196411; -0.15008684992790222 to 0.03464629128575325; -0.8582800626754761 to 0.17889954149723053; -1.170978307723999 to 0.24002330005168915; -1.3404569625854492 to 1.407247543334961; -0.8826094269752502 to 4.4063615798950195; -3.494553804397583 to 3.5332000255584717; -0.6984527111053467 to 0.9729921221733093; -9.856317520141602 to 8.929598808288574; -12.639674186706543 to 11.657586097717285; -15 to 15 */
 } hopper_state_t;
 
 /* The values that the policy answers, each in its range and never NaN. */

@@ -1,7 +1,7 @@
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix hopper --profile constant-time
-//! Graph SHA-256: d294bc47b0222a94abc7c3659d8c794cb0ec1da057122320417bd26ad0a90e67
-//! 1 teams (1 on the longest walk), 1 edges, 1 programs, 61 distinct operations.
+//! Graph SHA-256: 45db48cea868239f6c7da6d4b7ab29f24a36ef767f572bf3ef94bc12a4be3468
+//! 1 teams (1 on the longest walk), 1 edges, 1 programs, 63 distinct operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
 #![allow(
@@ -17,7 +17,7 @@ use tpg_runtime::policy::Policy;
 /// A tangled program graph: a formula.
 ///
 /// It sees, one after another:
-/// - `s[0..11]`: obs, , 0.8571456074714661 to 1.8482515811920166; -0.1802159696817398 to 0.056546762585639954; -0.8256809711456299 to 0.17060135304927826; -0.0061248913407325745 to 0.0070526134222745895; -1.3546653985977173 to 1.4163367748260498; -0.7724487781524658 to 3.855558156967163; -4.0611138343811035 to 4.108202934265137; -1.3541887998580933 to 1.7314413785934448; -3.2942798137664795 to 3.2574009895324707; -0.07190670818090439 to 0.0784301832318306; -15 to 15
+/// - `s[0..11]`: obs, , 0.8311252593994141 to 1.6484929323196411; -0.15008684992790222 to 0.03464629128575325; -0.8582800626754761 to 0.17889954149723053; -1.170978307723999 to 0.24002330005168915; -1.3404569625854492 to 1.407247543334961; -0.8826094269752502 to 4.4063615798950195; -3.494553804397583 to 3.5332000255584717; -0.6984527111053467 to 0.9729921221733093; -9.856317520141602 to 8.929598808288574; -12.639674186706543 to 11.657586097717285; -15 to 15
 ///
 /// Values outside the ranges are legal, NaN and infinities too. It answers:
 /// - `[0]`: action_0, , -1 to 1; 0 in place of NaN
@@ -36,7 +36,7 @@ impl Hopper {
     /// Bids that one decision looks at, at most.
     pub const WORST_BIDS: usize = 0;
     /// Operations of one decision, at most.
-    pub const WORST_OPERATIONS: usize = 61;
+    pub const WORST_OPERATIONS: usize = 63;
     /// Sines, cosines, logarithms and exponentials among them, at most.
     pub const WORST_MATHS_CALLS: usize = 0;
 }
@@ -47,71 +47,73 @@ impl Policy for Hopper {
 
     fn decide(&self, s: &[f32; 11]) -> [f32; 3] {
         let ct = ConstantTime::<f32>::default();
-        let v3 = s[0] * 0.91893643_f32;
+        let v3 = s[0] * 2.4094844_f32;
         let v4 = 0.0_f32 + v3;
-        let v7 = s[1] * -6.9197044_f32;
+        let v7 = s[1] * -16.831106_f32;
         let v8 = v4 + v7;
-        let v11 = s[2] * -1.281848_f32;
+        let v11 = s[2] * -0.9726171_f32;
         let v12 = v8 + v11;
-        let v15 = s[3] * 1.7175211_f32;
+        let v15 = s[3] * 1.2704073_f32;
         let v16 = v12 + v15;
-        let v19 = s[4] * -0.54383606_f32;
+        let v19 = s[4] * -0.30623376_f32;
         let v20 = v16 + v19;
-        let v23 = s[5] * -0.33684945_f32;
+        let v23 = s[5] * 0.32980627_f32;
         let v24 = v20 + v23;
-        let v27 = s[6] * 0.27482417_f32;
+        let v27 = s[6] * -0.14272827_f32;
         let v28 = v24 + v27;
-        let v31 = s[7] * -1.0601645_f32;
+        let v31 = s[7] * -0.67063546_f32;
         let v32 = v28 + v31;
-        let v35 = s[8] * -0.4680834_f32;
+        let v35 = s[8] * 0.084569946_f32;
         let v36 = v32 + v35;
-        let v39 = s[9] * -0.8199166_f32;
+        let v39 = s[9] * 0.10996343_f32;
         let v40 = v36 + v39;
-        let v42 = v40 + -1.4247644_f32;
-        let v44 = s[0] * 2.0718632_f32;
-        let v45 = 0.0_f32 + v44;
-        let v47 = s[1] * -15.372457_f32;
-        let v48 = v45 + v47;
-        let v50 = s[2] * -2.2944324_f32;
-        let v51 = v48 + v50;
-        let v53 = s[3] * 8.713481_f32;
-        let v54 = v51 + v53;
-        let v56 = s[4] * 1.3414459_f32;
-        let v57 = v54 + v56;
-        let v59 = s[5] * -0.6442023_f32;
-        let v60 = v57 + v59;
-        let v62 = s[6] * 0.116932996_f32;
-        let v63 = v60 + v62;
-        let v65 = s[7] * 0.8644801_f32;
-        let v66 = v63 + v65;
-        let v68 = s[8] * 0.35530937_f32;
-        let v69 = v66 + v68;
-        let v71 = s[9] * -0.674285_f32;
-        let v72 = v69 + v71;
-        let v75 = s[10] * 0.07043329_f32;
-        let v76 = v72 + v75;
-        let v78 = v76 + -1.887191_f32;
-        let v80 = s[0] * 6.816188_f32;
-        let v81 = 0.0_f32 + v80;
-        let v83 = s[1] * 7.027345_f32;
+        let v43 = s[10] * -0.0139268385_f32;
+        let v44 = v40 + v43;
+        let v46 = v44 + -4.385427_f32;
+        let v48 = s[0] * -0.48055917_f32;
+        let v49 = 0.0_f32 + v48;
+        let v51 = s[1] * -15.44946_f32;
+        let v52 = v49 + v51;
+        let v54 = s[2] * 1.6838492_f32;
+        let v55 = v52 + v54;
+        let v57 = s[3] * -1.7118963_f32;
+        let v58 = v55 + v57;
+        let v60 = s[4] * -0.05598478_f32;
+        let v61 = v58 + v60;
+        let v63 = s[6] * 0.3226204_f32;
+        let v64 = v61 + v63;
+        let v66 = s[7] * -0.8628424_f32;
+        let v67 = v64 + v66;
+        let v69 = s[8] * -0.12721324_f32;
+        let v70 = v67 + v69;
+        let v72 = s[9] * -0.0822124_f32;
+        let v73 = v70 + v72;
+        let v75 = v73 + -1.109722_f32;
+        let v77 = s[0] * 3.3940566_f32;
+        let v78 = 0.0_f32 + v77;
+        let v80 = s[1] * 0.5165295_f32;
+        let v81 = v78 + v80;
+        let v83 = s[2] * 2.143888_f32;
         let v84 = v81 + v83;
-        let v86 = s[2] * 1.1816889_f32;
+        let v86 = s[3] * -0.25035787_f32;
         let v87 = v84 + v86;
-        let v89 = s[3] * 9.409367_f32;
+        let v89 = s[5] * -0.83269984_f32;
         let v90 = v87 + v89;
-        let v92 = s[5] * -0.81106883_f32;
+        let v92 = s[6] * 0.02263618_f32;
         let v93 = v90 + v92;
-        let v95 = s[6] * -0.30011207_f32;
+        let v95 = s[7] * 0.46339342_f32;
         let v96 = v93 + v95;
-        let v98 = s[8] * 0.12846981_f32;
+        let v98 = s[8] * 0.13614666_f32;
         let v99 = v96 + v98;
-        let v101 = s[10] * -0.043976225_f32;
+        let v101 = s[9] * -0.039877187_f32;
         let v102 = v99 + v101;
-        let v104 = v102 + -6.7089043_f32;
+        let v104 = s[10] * -0.0018393787_f32;
+        let v105 = v102 + v104;
+        let v107 = v105 + -2.0928748_f32;
         [
-            ct.clamp(v42, -1.0_f32, 1.0_f32, 0.0_f32),
-            ct.clamp(v78, -1.0_f32, 1.0_f32, 0.0_f32),
-            ct.clamp(v104, -1.0_f32, 1.0_f32, 0.0_f32),
+            ct.clamp(v46, -1.0_f32, 1.0_f32, 0.0_f32),
+            ct.clamp(v75, -1.0_f32, 1.0_f32, 0.0_f32),
+            ct.clamp(v107, -1.0_f32, 1.0_f32, 0.0_f32),
         ]
     }
 }
