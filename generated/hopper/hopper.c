@@ -2,7 +2,7 @@
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix hopper --profile fast
  * Graph SHA-256: 45db48cea868239f6c7da6d4b7ab29f24a36ef767f572bf3ef94bc12a4be3468
- * 1 teams (1 on the longest walk), 1 edges, 1 programs, 63 distinct operations.
+ * 1 teams (1 on the longest walk), 1 edges, 1 programs, 60 distinct operations.
  * Computes in f32 with own maths.
  */
 #include "hopper.h"
@@ -26,83 +26,78 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
-/* An output in its range. */
+/* An output in its range. What is neither in it nor below is NaN. */
 static float hopper_clamp(float value, float low, float high, float nan)
 {
-    const float raised = (value < low) ? low : value;
-    const float limited = (raised > high) ? high : raised;
-    return (isnan(value) != 0) ? nan : limited;
+    return (value >= low) ? ((value > high) ? high : value) : ((value < low) ? low : nan);
 }
 
 void hopper_infer(const hopper_state_t *state, hopper_action_t *action)
 {
-    const float v3 = state->obs[0] * 2.4094844F;
-    const float v4 = 0.0F + v3;
-    const float v7 = state->obs[1] * (-16.831106F);
-    const float v8 = v4 + v7;
-    const float v11 = state->obs[2] * (-0.9726171F);
-    const float v12 = v8 + v11;
-    const float v15 = state->obs[3] * 1.2704073F;
-    const float v16 = v12 + v15;
-    const float v19 = state->obs[4] * (-0.30623376F);
-    const float v20 = v16 + v19;
-    const float v23 = state->obs[5] * 0.32980627F;
-    const float v24 = v20 + v23;
-    const float v27 = state->obs[6] * (-0.14272827F);
-    const float v28 = v24 + v27;
-    const float v31 = state->obs[7] * (-0.67063546F);
-    const float v32 = v28 + v31;
-    const float v35 = state->obs[8] * 0.084569946F;
-    const float v36 = v32 + v35;
-    const float v39 = state->obs[9] * 0.10996343F;
-    const float v40 = v36 + v39;
-    const float v43 = state->obs[10] * (-0.0139268385F);
-    const float v44 = v40 + v43;
-    const float v46 = v44 + (-4.385427F);
-    const float v48 = state->obs[0] * (-0.48055917F);
-    const float v49 = 0.0F + v48;
-    const float v51 = state->obs[1] * (-15.44946F);
+    const float v2 = state->obs[0] * 2.4094844F;
+    const float v5 = state->obs[1] * (-16.831106F);
+    const float v6 = v2 + v5;
+    const float v9 = state->obs[2] * (-0.9726171F);
+    const float v10 = v6 + v9;
+    const float v13 = state->obs[3] * 1.2704073F;
+    const float v14 = v10 + v13;
+    const float v17 = state->obs[4] * (-0.30623376F);
+    const float v18 = v14 + v17;
+    const float v21 = state->obs[5] * 0.32980627F;
+    const float v22 = v18 + v21;
+    const float v25 = state->obs[6] * (-0.14272827F);
+    const float v26 = v22 + v25;
+    const float v29 = state->obs[7] * (-0.67063546F);
+    const float v30 = v26 + v29;
+    const float v33 = state->obs[8] * 0.084569946F;
+    const float v34 = v30 + v33;
+    const float v37 = state->obs[9] * 0.10996343F;
+    const float v38 = v34 + v37;
+    const float v41 = state->obs[10] * (-0.0139268385F);
+    const float v42 = v38 + v41;
+    const float v44 = v42 + (-4.385427F);
+    const float v46 = state->obs[0] * (-0.48055917F);
+    const float v48 = state->obs[1] * (-15.44946F);
+    const float v49 = v46 + v48;
+    const float v51 = state->obs[2] * 1.6838492F;
     const float v52 = v49 + v51;
-    const float v54 = state->obs[2] * 1.6838492F;
+    const float v54 = state->obs[3] * (-1.7118963F);
     const float v55 = v52 + v54;
-    const float v57 = state->obs[3] * (-1.7118963F);
+    const float v57 = state->obs[4] * (-0.05598478F);
     const float v58 = v55 + v57;
-    const float v60 = state->obs[4] * (-0.05598478F);
+    const float v60 = state->obs[6] * 0.3226204F;
     const float v61 = v58 + v60;
-    const float v63 = state->obs[6] * 0.3226204F;
+    const float v63 = state->obs[7] * (-0.8628424F);
     const float v64 = v61 + v63;
-    const float v66 = state->obs[7] * (-0.8628424F);
+    const float v66 = state->obs[8] * (-0.12721324F);
     const float v67 = v64 + v66;
-    const float v69 = state->obs[8] * (-0.12721324F);
+    const float v69 = state->obs[9] * (-0.0822124F);
     const float v70 = v67 + v69;
-    const float v72 = state->obs[9] * (-0.0822124F);
-    const float v73 = v70 + v72;
-    const float v75 = v73 + (-1.109722F);
-    const float v77 = state->obs[0] * 3.3940566F;
-    const float v78 = 0.0F + v77;
-    const float v80 = state->obs[1] * 0.5165295F;
-    const float v81 = v78 + v80;
-    const float v83 = state->obs[2] * 2.143888F;
-    const float v84 = v81 + v83;
-    const float v86 = state->obs[3] * (-0.25035787F);
-    const float v87 = v84 + v86;
-    const float v89 = state->obs[5] * (-0.83269984F);
-    const float v90 = v87 + v89;
-    const float v92 = state->obs[6] * 0.02263618F;
-    const float v93 = v90 + v92;
-    const float v95 = state->obs[7] * 0.46339342F;
-    const float v96 = v93 + v95;
-    const float v98 = state->obs[8] * 0.13614666F;
-    const float v99 = v96 + v98;
-    const float v101 = state->obs[9] * (-0.039877187F);
-    const float v102 = v99 + v101;
-    const float v104 = state->obs[10] * (-0.0018393787F);
-    const float v105 = v102 + v104;
-    const float v107 = v105 + (-2.0928748F);
+    const float v72 = v70 + (-1.109722F);
+    const float v74 = state->obs[0] * 3.3940566F;
+    const float v76 = state->obs[1] * 0.5165295F;
+    const float v77 = v74 + v76;
+    const float v79 = state->obs[2] * 2.143888F;
+    const float v80 = v77 + v79;
+    const float v82 = state->obs[3] * (-0.25035787F);
+    const float v83 = v80 + v82;
+    const float v85 = state->obs[5] * (-0.83269984F);
+    const float v86 = v83 + v85;
+    const float v88 = state->obs[6] * 0.02263618F;
+    const float v89 = v86 + v88;
+    const float v91 = state->obs[7] * 0.46339342F;
+    const float v92 = v89 + v91;
+    const float v94 = state->obs[8] * 0.13614666F;
+    const float v95 = v92 + v94;
+    const float v97 = state->obs[9] * (-0.039877187F);
+    const float v98 = v95 + v97;
+    const float v100 = state->obs[10] * (-0.0018393787F);
+    const float v101 = v98 + v100;
+    const float v103 = v101 + (-2.0928748F);
 
-    action->action_0 = hopper_clamp(v46, -1.0F, 1.0F, 0.0F);
-    action->action_1 = hopper_clamp(v75, -1.0F, 1.0F, 0.0F);
-    action->action_2 = hopper_clamp(v107, -1.0F, 1.0F, 0.0F);
+    action->action_0 = hopper_clamp(v44, -1.0F, 1.0F, 0.0F);
+    action->action_1 = hopper_clamp(v72, -1.0F, 1.0F, 0.0F);
+    action->action_2 = hopper_clamp(v103, -1.0F, 1.0F, 0.0F);
 }
 #ifndef HOPPER_NO_SELFTEST
 

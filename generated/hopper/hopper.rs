@@ -1,7 +1,7 @@
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix hopper --profile constant-time
 //! Graph SHA-256: 45db48cea868239f6c7da6d4b7ab29f24a36ef767f572bf3ef94bc12a4be3468
-//! 1 teams (1 on the longest walk), 1 edges, 1 programs, 63 distinct operations.
+//! 1 teams (1 on the longest walk), 1 edges, 1 programs, 60 distinct operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
 #![allow(
@@ -36,7 +36,7 @@ impl Hopper {
     /// Bids that one decision looks at, at most.
     pub const WORST_BIDS: usize = 0;
     /// Operations of one decision, at most.
-    pub const WORST_OPERATIONS: usize = 63;
+    pub const WORST_OPERATIONS: usize = 60;
     /// Sines, cosines, logarithms and exponentials among them, at most.
     pub const WORST_MATHS_CALLS: usize = 0;
 }
@@ -47,73 +47,70 @@ impl Policy for Hopper {
 
     fn decide(&self, s: &[f32; 11]) -> [f32; 3] {
         let ct = ConstantTime::<f32>::default();
-        let v3 = s[0] * 2.4094844_f32;
-        let v4 = 0.0_f32 + v3;
-        let v7 = s[1] * -16.831106_f32;
-        let v8 = v4 + v7;
-        let v11 = s[2] * -0.9726171_f32;
-        let v12 = v8 + v11;
-        let v15 = s[3] * 1.2704073_f32;
-        let v16 = v12 + v15;
-        let v19 = s[4] * -0.30623376_f32;
-        let v20 = v16 + v19;
-        let v23 = s[5] * 0.32980627_f32;
-        let v24 = v20 + v23;
-        let v27 = s[6] * -0.14272827_f32;
-        let v28 = v24 + v27;
-        let v31 = s[7] * -0.67063546_f32;
-        let v32 = v28 + v31;
-        let v35 = s[8] * 0.084569946_f32;
-        let v36 = v32 + v35;
-        let v39 = s[9] * 0.10996343_f32;
-        let v40 = v36 + v39;
-        let v43 = s[10] * -0.0139268385_f32;
-        let v44 = v40 + v43;
-        let v46 = v44 + -4.385427_f32;
-        let v48 = s[0] * -0.48055917_f32;
-        let v49 = 0.0_f32 + v48;
-        let v51 = s[1] * -15.44946_f32;
+        let v2 = s[0] * 2.4094844_f32;
+        let v5 = s[1] * -16.831106_f32;
+        let v6 = v2 + v5;
+        let v9 = s[2] * -0.9726171_f32;
+        let v10 = v6 + v9;
+        let v13 = s[3] * 1.2704073_f32;
+        let v14 = v10 + v13;
+        let v17 = s[4] * -0.30623376_f32;
+        let v18 = v14 + v17;
+        let v21 = s[5] * 0.32980627_f32;
+        let v22 = v18 + v21;
+        let v25 = s[6] * -0.14272827_f32;
+        let v26 = v22 + v25;
+        let v29 = s[7] * -0.67063546_f32;
+        let v30 = v26 + v29;
+        let v33 = s[8] * 0.084569946_f32;
+        let v34 = v30 + v33;
+        let v37 = s[9] * 0.10996343_f32;
+        let v38 = v34 + v37;
+        let v41 = s[10] * -0.0139268385_f32;
+        let v42 = v38 + v41;
+        let v44 = v42 + -4.385427_f32;
+        let v46 = s[0] * -0.48055917_f32;
+        let v48 = s[1] * -15.44946_f32;
+        let v49 = v46 + v48;
+        let v51 = s[2] * 1.6838492_f32;
         let v52 = v49 + v51;
-        let v54 = s[2] * 1.6838492_f32;
+        let v54 = s[3] * -1.7118963_f32;
         let v55 = v52 + v54;
-        let v57 = s[3] * -1.7118963_f32;
+        let v57 = s[4] * -0.05598478_f32;
         let v58 = v55 + v57;
-        let v60 = s[4] * -0.05598478_f32;
+        let v60 = s[6] * 0.3226204_f32;
         let v61 = v58 + v60;
-        let v63 = s[6] * 0.3226204_f32;
+        let v63 = s[7] * -0.8628424_f32;
         let v64 = v61 + v63;
-        let v66 = s[7] * -0.8628424_f32;
+        let v66 = s[8] * -0.12721324_f32;
         let v67 = v64 + v66;
-        let v69 = s[8] * -0.12721324_f32;
+        let v69 = s[9] * -0.0822124_f32;
         let v70 = v67 + v69;
-        let v72 = s[9] * -0.0822124_f32;
-        let v73 = v70 + v72;
-        let v75 = v73 + -1.109722_f32;
-        let v77 = s[0] * 3.3940566_f32;
-        let v78 = 0.0_f32 + v77;
-        let v80 = s[1] * 0.5165295_f32;
-        let v81 = v78 + v80;
-        let v83 = s[2] * 2.143888_f32;
-        let v84 = v81 + v83;
-        let v86 = s[3] * -0.25035787_f32;
-        let v87 = v84 + v86;
-        let v89 = s[5] * -0.83269984_f32;
-        let v90 = v87 + v89;
-        let v92 = s[6] * 0.02263618_f32;
-        let v93 = v90 + v92;
-        let v95 = s[7] * 0.46339342_f32;
-        let v96 = v93 + v95;
-        let v98 = s[8] * 0.13614666_f32;
-        let v99 = v96 + v98;
-        let v101 = s[9] * -0.039877187_f32;
-        let v102 = v99 + v101;
-        let v104 = s[10] * -0.0018393787_f32;
-        let v105 = v102 + v104;
-        let v107 = v105 + -2.0928748_f32;
+        let v72 = v70 + -1.109722_f32;
+        let v74 = s[0] * 3.3940566_f32;
+        let v76 = s[1] * 0.5165295_f32;
+        let v77 = v74 + v76;
+        let v79 = s[2] * 2.143888_f32;
+        let v80 = v77 + v79;
+        let v82 = s[3] * -0.25035787_f32;
+        let v83 = v80 + v82;
+        let v85 = s[5] * -0.83269984_f32;
+        let v86 = v83 + v85;
+        let v88 = s[6] * 0.02263618_f32;
+        let v89 = v86 + v88;
+        let v91 = s[7] * 0.46339342_f32;
+        let v92 = v89 + v91;
+        let v94 = s[8] * 0.13614666_f32;
+        let v95 = v92 + v94;
+        let v97 = s[9] * -0.039877187_f32;
+        let v98 = v95 + v97;
+        let v100 = s[10] * -0.0018393787_f32;
+        let v101 = v98 + v100;
+        let v103 = v101 + -2.0928748_f32;
         [
-            ct.clamp(v46, -1.0_f32, 1.0_f32, 0.0_f32),
-            ct.clamp(v75, -1.0_f32, 1.0_f32, 0.0_f32),
-            ct.clamp(v107, -1.0_f32, 1.0_f32, 0.0_f32),
+            ct.clamp(v44, -1.0_f32, 1.0_f32, 0.0_f32),
+            ct.clamp(v72, -1.0_f32, 1.0_f32, 0.0_f32),
+            ct.clamp(v103, -1.0_f32, 1.0_f32, 0.0_f32),
         ]
     }
 }

@@ -2,7 +2,7 @@
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix inverted_double_pendulum --profile fast
  * Graph SHA-256: ba2902e94cacfb3696fb57d03d491546eecd9a47a46ad8cebac61158551ceab9
- * 1 teams (1 on the longest walk), 1 edges, 1 programs, 15 distinct operations.
+ * 1 teams (1 on the longest walk), 1 edges, 1 programs, 14 distinct operations.
  * Computes in f32 with own maths.
  */
 #include "inverted_double_pendulum.h"
@@ -26,33 +26,30 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
-/* An output in its range. */
+/* An output in its range. What is neither in it nor below is NaN. */
 static float inverted_double_pendulum_clamp(float value, float low, float high, float nan)
 {
-    const float raised = (value < low) ? low : value;
-    const float limited = (raised > high) ? high : raised;
-    return (isnan(value) != 0) ? nan : limited;
+    return (value >= low) ? ((value > high) ? high : value) : ((value < low) ? low : nan);
 }
 
 void inverted_double_pendulum_infer(const inverted_double_pendulum_state_t *state, inverted_double_pendulum_action_t *action)
 {
-    const float v3 = state->obs[1] * (-2.279319F);
-    const float v4 = 0.0F + v3;
-    const float v7 = state->obs[2] * (-6.601197F);
-    const float v8 = v4 + v7;
-    const float v11 = state->obs[3] * 0.97524905F;
-    const float v12 = v8 + v11;
-    const float v15 = state->obs[4] * (-3.6436548F);
-    const float v16 = v12 + v15;
-    const float v19 = state->obs[5] * (-0.44152543F);
-    const float v20 = v16 + v19;
-    const float v23 = state->obs[6] * (-1.120801F);
-    const float v24 = v20 + v23;
-    const float v27 = state->obs[7] * (-1.0105162F);
-    const float v28 = v24 + v27;
-    const float v30 = v28 + 2.670596F;
+    const float v2 = state->obs[1] * (-2.279319F);
+    const float v5 = state->obs[2] * (-6.601197F);
+    const float v6 = v2 + v5;
+    const float v9 = state->obs[3] * 0.97524905F;
+    const float v10 = v6 + v9;
+    const float v13 = state->obs[4] * (-3.6436548F);
+    const float v14 = v10 + v13;
+    const float v17 = state->obs[5] * (-0.44152543F);
+    const float v18 = v14 + v17;
+    const float v21 = state->obs[6] * (-1.120801F);
+    const float v22 = v18 + v21;
+    const float v25 = state->obs[7] * (-1.0105162F);
+    const float v26 = v22 + v25;
+    const float v28 = v26 + 2.670596F;
 
-    action->action = inverted_double_pendulum_clamp(v30, -1.0F, 1.0F, 0.0F);
+    action->action = inverted_double_pendulum_clamp(v28, -1.0F, 1.0F, 0.0F);
 }
 #ifndef INVERTED_DOUBLE_PENDULUM_NO_SELFTEST
 

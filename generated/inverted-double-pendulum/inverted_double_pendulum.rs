@@ -1,7 +1,7 @@
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix inverted_double_pendulum --profile constant-time
 //! Graph SHA-256: ba2902e94cacfb3696fb57d03d491546eecd9a47a46ad8cebac61158551ceab9
-//! 1 teams (1 on the longest walk), 1 edges, 1 programs, 15 distinct operations.
+//! 1 teams (1 on the longest walk), 1 edges, 1 programs, 14 distinct operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
 #![allow(
@@ -34,7 +34,7 @@ impl InvertedDoublePendulum {
     /// Bids that one decision looks at, at most.
     pub const WORST_BIDS: usize = 0;
     /// Operations of one decision, at most.
-    pub const WORST_OPERATIONS: usize = 15;
+    pub const WORST_OPERATIONS: usize = 14;
     /// Sines, cosines, logarithms and exponentials among them, at most.
     pub const WORST_MATHS_CALLS: usize = 0;
 }
@@ -45,21 +45,20 @@ impl Policy for InvertedDoublePendulum {
 
     fn decide(&self, s: &[f32; 9]) -> [f32; 1] {
         let ct = ConstantTime::<f32>::default();
-        let v3 = s[1] * -2.279319_f32;
-        let v4 = 0.0_f32 + v3;
-        let v7 = s[2] * -6.601197_f32;
-        let v8 = v4 + v7;
-        let v11 = s[3] * 0.97524905_f32;
-        let v12 = v8 + v11;
-        let v15 = s[4] * -3.6436548_f32;
-        let v16 = v12 + v15;
-        let v19 = s[5] * -0.44152543_f32;
-        let v20 = v16 + v19;
-        let v23 = s[6] * -1.120801_f32;
-        let v24 = v20 + v23;
-        let v27 = s[7] * -1.0105162_f32;
-        let v28 = v24 + v27;
-        let v30 = v28 + 2.670596_f32;
-        [ct.clamp(v30, -1.0_f32, 1.0_f32, 0.0_f32)]
+        let v2 = s[1] * -2.279319_f32;
+        let v5 = s[2] * -6.601197_f32;
+        let v6 = v2 + v5;
+        let v9 = s[3] * 0.97524905_f32;
+        let v10 = v6 + v9;
+        let v13 = s[4] * -3.6436548_f32;
+        let v14 = v10 + v13;
+        let v17 = s[5] * -0.44152543_f32;
+        let v18 = v14 + v17;
+        let v21 = s[6] * -1.120801_f32;
+        let v22 = v18 + v21;
+        let v25 = s[7] * -1.0105162_f32;
+        let v26 = v22 + v25;
+        let v28 = v26 + 2.670596_f32;
+        [ct.clamp(v28, -1.0_f32, 1.0_f32, 0.0_f32)]
     }
 }

@@ -2,7 +2,7 @@
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix lunar_lander_continuous --profile fast
  * Graph SHA-256: 8d92aee034785833c57310fdf420c919dfb2aea7db8877dd08cef053e74095de
- * 1 teams (1 on the longest walk), 1 edges, 1 programs, 11 distinct operations.
+ * 1 teams (1 on the longest walk), 1 edges, 1 programs, 10 distinct operations.
  * Computes in f32 with own maths.
  */
 #include "lunar_lander_continuous.h"
@@ -26,30 +26,27 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
-/* An output in its range. */
+/* An output in its range. What is neither in it nor below is NaN. */
 static float lunar_lander_continuous_clamp(float value, float low, float high, float nan)
 {
-    const float raised = (value < low) ? low : value;
-    const float limited = (raised > high) ? high : raised;
-    return (isnan(value) != 0) ? nan : limited;
+    return (value >= low) ? ((value > high) ? high : value) : ((value < low) ? low : nan);
 }
 
 void lunar_lander_continuous_infer(const lunar_lander_continuous_state_t *state, lunar_lander_continuous_action_t *action)
 {
     const float v3 = state->obs[1] * (-2.9189487F);
-    const float v4 = 0.0F + v3;
-    const float v7 = state->obs[3] * (-3.7557209F);
-    const float v8 = v4 + v7;
-    const float v10 = v8 + (-0.50095105F);
-    const float v13 = state->obs[2] * (-3.9983425F);
-    const float v14 = 0.0F + v13;
-    const float v17 = state->obs[4] * 2.3448007F;
-    const float v18 = v14 + v17;
-    const float v21 = state->obs[5] * 5.9345937F;
-    const float v22 = v18 + v21;
+    const float v6 = state->obs[3] * (-3.7557209F);
+    const float v7 = v3 + v6;
+    const float v9 = v7 + (-0.50095105F);
+    const float v12 = state->obs[2] * (-3.9983425F);
+    const float v13 = 0.0F + v12;
+    const float v16 = state->obs[4] * 2.3448007F;
+    const float v17 = v13 + v16;
+    const float v20 = state->obs[5] * 5.9345937F;
+    const float v21 = v17 + v20;
 
-    action->action_0 = lunar_lander_continuous_clamp(v10, -1.0F, 1.0F, 0.0F);
-    action->action_1 = lunar_lander_continuous_clamp(v22, -1.0F, 1.0F, 0.0F);
+    action->action_0 = lunar_lander_continuous_clamp(v9, -1.0F, 1.0F, 0.0F);
+    action->action_1 = lunar_lander_continuous_clamp(v21, -1.0F, 1.0F, 0.0F);
 }
 #ifndef LUNAR_LANDER_CONTINUOUS_NO_SELFTEST
 

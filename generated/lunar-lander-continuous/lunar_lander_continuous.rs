@@ -1,7 +1,7 @@
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix lunar_lander_continuous --profile constant-time
 //! Graph SHA-256: 8d92aee034785833c57310fdf420c919dfb2aea7db8877dd08cef053e74095de
-//! 1 teams (1 on the longest walk), 1 edges, 1 programs, 11 distinct operations.
+//! 1 teams (1 on the longest walk), 1 edges, 1 programs, 10 distinct operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
 #![allow(
@@ -35,7 +35,7 @@ impl LunarLanderContinuous {
     /// Bids that one decision looks at, at most.
     pub const WORST_BIDS: usize = 0;
     /// Operations of one decision, at most.
-    pub const WORST_OPERATIONS: usize = 11;
+    pub const WORST_OPERATIONS: usize = 10;
     /// Sines, cosines, logarithms and exponentials among them, at most.
     pub const WORST_MATHS_CALLS: usize = 0;
 }
@@ -47,19 +47,18 @@ impl Policy for LunarLanderContinuous {
     fn decide(&self, s: &[f32; 8]) -> [f32; 2] {
         let ct = ConstantTime::<f32>::default();
         let v3 = s[1] * -2.9189487_f32;
-        let v4 = 0.0_f32 + v3;
-        let v7 = s[3] * -3.7557209_f32;
-        let v8 = v4 + v7;
-        let v10 = v8 + -0.50095105_f32;
-        let v13 = s[2] * -3.9983425_f32;
-        let v14 = 0.0_f32 + v13;
-        let v17 = s[4] * 2.3448007_f32;
-        let v18 = v14 + v17;
-        let v21 = s[5] * 5.9345937_f32;
-        let v22 = v18 + v21;
+        let v6 = s[3] * -3.7557209_f32;
+        let v7 = v3 + v6;
+        let v9 = v7 + -0.50095105_f32;
+        let v12 = s[2] * -3.9983425_f32;
+        let v13 = 0.0_f32 + v12;
+        let v16 = s[4] * 2.3448007_f32;
+        let v17 = v13 + v16;
+        let v20 = s[5] * 5.9345937_f32;
+        let v21 = v17 + v20;
         [
-            ct.clamp(v10, -1.0_f32, 1.0_f32, 0.0_f32),
-            ct.clamp(v22, -1.0_f32, 1.0_f32, 0.0_f32),
+            ct.clamp(v9, -1.0_f32, 1.0_f32, 0.0_f32),
+            ct.clamp(v21, -1.0_f32, 1.0_f32, 0.0_f32),
         ]
     }
 }

@@ -2,7 +2,7 @@
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix lunar_lander --profile fast
  * Graph SHA-256: 4860121d1ea3ffdf89e9ada410cfbcba3eec3d600e5fe2f31f6c9ab863872977
- * 1 teams (1 on the longest walk), 4 edges, 4 programs, 26 distinct operations.
+ * 1 teams (1 on the longest walk), 4 edges, 4 programs, 23 distinct operations.
  * Computes in f32 with own maths.
  */
 #include "lunar_lander.h"
@@ -38,43 +38,40 @@ uint16_t lunar_lander_infer(const lunar_lander_state_t *state)
         float best = zero;
         uint32_t way = 1U;
         const float v3 = state->obs[0] * 0.54824466F;
-        const float v4 = 0.0F + v3;
-        const float v7 = state->obs[1] * 0.41400775F;
-        const float v8 = v4 + v7;
-        const float v11 = state->obs[4] * (-1.3129216F);
-        const float v12 = v8 + v11;
-        const float v15 = state->obs[5] * (-1.5008805F);
-        const float v16 = v12 + v15;
+        const float v6 = state->obs[1] * 0.41400775F;
+        const float v7 = v3 + v6;
+        const float v10 = state->obs[4] * (-1.3129216F);
+        const float v11 = v7 + v10;
+        const float v14 = state->obs[5] * (-1.5008805F);
+        const float v15 = v11 + v14;
 
-        if (v16 >= best) {
-            best = v16;
+        if (v15 >= best) {
+            best = v15;
             way = 2U;
         }
-        const float v18 = state->obs[1] * (-0.7259825F);
-        const float v19 = 0.0F + v18;
-        const float v22 = state->obs[3] * (-2.4281847F);
-        const float v23 = v19 + v22;
-        const float v25 = v23 + (-0.2920304F);
+        const float v17 = state->obs[1] * (-0.7259825F);
+        const float v20 = state->obs[3] * (-2.4281847F);
+        const float v21 = v17 + v20;
+        const float v23 = v21 + (-0.2920304F);
 
-        if (v25 >= best) {
-            best = v25;
+        if (v23 >= best) {
+            best = v23;
             way = 3U;
         }
-        const float v27 = state->obs[0] * (-0.50036424F);
-        const float v28 = 0.0F + v27;
-        const float v30 = state->obs[1] * 0.32095438F;
-        const float v31 = v28 + v30;
-        const float v34 = state->obs[2] * (-1.462079F);
-        const float v35 = v31 + v34;
-        const float v37 = state->obs[3] * 1.0567017F;
+        const float v25 = state->obs[0] * (-0.50036424F);
+        const float v27 = state->obs[1] * 0.32095438F;
+        const float v28 = v25 + v27;
+        const float v31 = state->obs[2] * (-1.462079F);
+        const float v32 = v28 + v31;
+        const float v34 = state->obs[3] * 1.0567017F;
+        const float v35 = v32 + v34;
+        const float v37 = state->obs[4] * 1.1205845F;
         const float v38 = v35 + v37;
-        const float v40 = state->obs[4] * 1.1205845F;
-        const float v41 = v38 + v40;
-        const float v44 = state->obs[7] * (-0.700306F);
-        const float v45 = v41 + v44;
-        const float v47 = v45 + 0.4441619F;
+        const float v41 = state->obs[7] * (-0.700306F);
+        const float v42 = v38 + v41;
+        const float v44 = v42 + 0.4441619F;
 
-        if (v47 >= best) {
+        if (v44 >= best) {
             way = 4U;
         }
 

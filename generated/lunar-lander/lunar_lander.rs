@@ -1,7 +1,7 @@
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix lunar_lander --profile constant-time
 //! Graph SHA-256: 4860121d1ea3ffdf89e9ada410cfbcba3eec3d600e5fe2f31f6c9ab863872977
-//! 1 teams (1 on the longest walk), 4 edges, 4 programs, 26 distinct operations.
+//! 1 teams (1 on the longest walk), 4 edges, 4 programs, 23 distinct operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
 #![allow(
@@ -37,7 +37,7 @@ impl LunarLander {
     /// Bids that one decision looks at, at most.
     pub const WORST_BIDS: usize = 4;
     /// Operations of one decision, at most.
-    pub const WORST_OPERATIONS: usize = 26;
+    pub const WORST_OPERATIONS: usize = 23;
     /// Sines, cosines, logarithms and exponentials among them, at most.
     pub const WORST_MATHS_CALLS: usize = 0;
 }
@@ -49,44 +49,41 @@ impl Policy for LunarLander {
     fn decide(&self, s: &[f32; 8]) -> ActionId {
         let ct = ConstantTime::<f32>::default();
         let v3 = s[0] * 0.54824466_f32;
-        let v4 = 0.0_f32 + v3;
-        let v7 = s[1] * 0.41400775_f32;
-        let v8 = v4 + v7;
-        let v11 = s[4] * -1.3129216_f32;
-        let v12 = v8 + v11;
-        let v15 = s[5] * -1.5008805_f32;
-        let v16 = v12 + v15;
-        let v18 = s[1] * -0.7259825_f32;
-        let v19 = 0.0_f32 + v18;
-        let v22 = s[3] * -2.4281847_f32;
-        let v23 = v19 + v22;
-        let v25 = v23 + -0.2920304_f32;
-        let v27 = s[0] * -0.50036424_f32;
-        let v28 = 0.0_f32 + v27;
-        let v30 = s[1] * 0.32095438_f32;
-        let v31 = v28 + v30;
-        let v34 = s[2] * -1.462079_f32;
-        let v35 = v31 + v34;
-        let v37 = s[3] * 1.0567017_f32;
+        let v6 = s[1] * 0.41400775_f32;
+        let v7 = v3 + v6;
+        let v10 = s[4] * -1.3129216_f32;
+        let v11 = v7 + v10;
+        let v14 = s[5] * -1.5008805_f32;
+        let v15 = v11 + v14;
+        let v17 = s[1] * -0.7259825_f32;
+        let v20 = s[3] * -2.4281847_f32;
+        let v21 = v17 + v20;
+        let v23 = v21 + -0.2920304_f32;
+        let v25 = s[0] * -0.50036424_f32;
+        let v27 = s[1] * 0.32095438_f32;
+        let v28 = v25 + v27;
+        let v31 = s[2] * -1.462079_f32;
+        let v32 = v28 + v31;
+        let v34 = s[3] * 1.0567017_f32;
+        let v35 = v32 + v34;
+        let v37 = s[4] * 1.1205845_f32;
         let v38 = v35 + v37;
-        let v40 = s[4] * 1.1205845_f32;
-        let v41 = v38 + v40;
-        let v44 = s[7] * -0.700306_f32;
-        let v45 = v41 + v44;
-        let v47 = v45 + 0.4441619_f32;
+        let v41 = s[7] * -0.700306_f32;
+        let v42 = v38 + v41;
+        let v44 = v42 + 0.4441619_f32;
 
         // What is bid, as integers in the same order.
         let k0 = -8388607_i32; // 0.0_f32
-        let k16 = ct.order(v16);
-        let k25 = ct.order(v25);
-        let k47 = ct.order(v47);
+        let k15 = ct.order(v15);
+        let k23 = ct.order(v23);
+        let k44 = ct.order(v44);
 
         // Where the team leads: the number behind the best bid.
         // Team 0
         let best = (k0, 0);
-        let best = ct.challenge(best, (k16, 1));
-        let best = ct.challenge(best, (k25, 2));
-        let best = ct.challenge(best, (k47, 3));
+        let best = ct.challenge(best, (k15, 1));
+        let best = ct.challenge(best, (k23, 2));
+        let best = ct.challenge(best, (k44, 3));
 
         ActionId(best.1 as u16)
     }

@@ -2,7 +2,7 @@
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix mountain_car --profile fast
  * Graph SHA-256: 619c5b1aa69f78a0619c4a681268039cf054605380d24d4a3f9d9b1441495474
- * 2 teams (2 on the longest walk), 7 edges, 6 programs, 14 distinct operations.
+ * 2 teams (2 on the longest walk), 7 edges, 6 programs, 11 distinct operations.
  * Computes in f32 with own maths.
  */
 #include "mountain_car.h"
@@ -36,27 +36,25 @@ uint16_t mountain_car_infer(const mountain_car_state_t *state)
         float best = -FLT_MAX;
         uint32_t way = 3U;
         const float v3 = state->position[0] * (-2.5000443F);
-        const float v4 = 0.0F + v3;
-        const float v6 = v4 + (-1.089072F);
+        const float v5 = v3 + (-1.089072F);
 
-        if (v6 >= best) {
-            best = v6;
+        if (v5 >= best) {
+            best = v5;
             way = 2U;
         }
-        const float v8 = state->position[0] * 2.3253112F;
-        const float v9 = 0.0F + v8;
-        const float v12 = state->velocity[0] * 96.694336F;
-        const float v13 = v9 + v12;
-        const float v15 = v13 + (-1.0729886F);
+        const float v7 = state->position[0] * 2.3253112F;
+        const float v10 = state->velocity[0] * 96.694336F;
+        const float v11 = v7 + v10;
+        const float v13 = v11 + (-1.0729886F);
+
+        if (v13 >= best) {
+            best = v13;
+            way = 1U;
+        }
+        const float v15 = state->velocity[0] + (-1.0512869F);
 
         if (v15 >= best) {
             best = v15;
-            way = 1U;
-        }
-        const float v17 = state->velocity[0] + (-1.0512869F);
-
-        if (v17 >= best) {
-            best = v17;
             way = 2U;
         }
         const volatile float constant = 0.0F;
@@ -81,24 +79,22 @@ team_1:
     {
         float best = -FLT_MAX;
         uint32_t way = 2U;
-        const float v8 = state->position[0] * 2.3253112F;
-        const float v9 = 0.0F + v8;
-        const float v12 = state->velocity[0] * 96.694336F;
-        const float v13 = v9 + v12;
-        const float v15 = v13 + (-1.0729886F);
+        const float v7 = state->position[0] * 2.3253112F;
+        const float v10 = state->velocity[0] * 96.694336F;
+        const float v11 = v7 + v10;
+        const float v13 = v11 + (-1.0729886F);
 
-        if (v15 >= best) {
-            best = v15;
+        if (v13 >= best) {
+            best = v13;
             way = 1U;
         }
-        const float v19 = state->position[0] * (-2.1966188F);
-        const float v20 = 0.0F + v19;
-        const float v22 = state->velocity[0] * 99.67122F;
-        const float v23 = v20 + v22;
-        const float v25 = v23 + (-1.033289F);
+        const float v17 = state->position[0] * (-2.1966188F);
+        const float v19 = state->velocity[0] * 99.67122F;
+        const float v20 = v17 + v19;
+        const float v22 = v20 + (-1.033289F);
 
-        if (v25 >= best) {
-            best = v25;
+        if (v22 >= best) {
+            best = v22;
             way = 1U;
         }
         const volatile float constant = 0.0F;

@@ -1,7 +1,7 @@
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix mountain_car --profile constant-time
 //! Graph SHA-256: 619c5b1aa69f78a0619c4a681268039cf054605380d24d4a3f9d9b1441495474
-//! 2 teams (2 on the longest walk), 7 edges, 6 programs, 14 distinct operations.
+//! 2 teams (2 on the longest walk), 7 edges, 6 programs, 11 distinct operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
 #![allow(
@@ -37,7 +37,7 @@ impl MountainCar {
     /// Bids that one decision looks at, at most.
     pub const WORST_BIDS: usize = 7;
     /// Operations of one decision, at most.
-    pub const WORST_OPERATIONS: usize = 14;
+    pub const WORST_OPERATIONS: usize = 11;
     /// Sines, cosines, logarithms and exponentials among them, at most.
     pub const WORST_MATHS_CALLS: usize = 0;
 }
@@ -49,37 +49,34 @@ impl Policy for MountainCar {
     fn decide(&self, s: &[f32; 2]) -> ActionId {
         let ct = ConstantTime::<f32>::default();
         let v3 = s[0] * -2.5000443_f32;
-        let v4 = 0.0_f32 + v3;
-        let v6 = v4 + -1.089072_f32;
-        let v8 = s[0] * 2.3253112_f32;
-        let v9 = 0.0_f32 + v8;
-        let v12 = s[1] * 96.694336_f32;
-        let v13 = v9 + v12;
-        let v15 = v13 + -1.0729886_f32;
-        let v17 = s[1] + -1.0512869_f32;
-        let v19 = s[0] * -2.1966188_f32;
-        let v20 = 0.0_f32 + v19;
-        let v22 = s[1] * 99.67122_f32;
-        let v23 = v20 + v22;
-        let v25 = v23 + -1.033289_f32;
+        let v5 = v3 + -1.089072_f32;
+        let v7 = s[0] * 2.3253112_f32;
+        let v10 = s[1] * 96.694336_f32;
+        let v11 = v7 + v10;
+        let v13 = v11 + -1.0729886_f32;
+        let v15 = s[1] + -1.0512869_f32;
+        let v17 = s[0] * -2.1966188_f32;
+        let v19 = s[1] * 99.67122_f32;
+        let v20 = v17 + v19;
+        let v22 = v20 + -1.033289_f32;
 
         // What is bid, as integers in the same order.
         let k0 = -8388607_i32; // 0.0_f32
-        let k6 = ct.order(v6);
+        let k5 = ct.order(v5);
+        let k13 = ct.order(v13);
         let k15 = ct.order(v15);
-        let k17 = ct.order(v17);
-        let k25 = ct.order(v25);
+        let k22 = ct.order(v22);
 
         // Where each team leads: teams are numbered from 0, the root, and the actions follow them.
         // Team 0
-        let best = (k6, 1);
-        let best = ct.challenge(best, (k15, 4));
-        let best = ct.challenge(best, (k17, 1));
+        let best = (k5, 1);
+        let best = ct.challenge(best, (k13, 4));
+        let best = ct.challenge(best, (k15, 1));
         let best = ct.challenge(best, (k0, 2));
         let t0 = best.1 as u8;
         // Team 1
-        let best = (k15, 4);
-        let best = ct.challenge(best, (k25, 4));
+        let best = (k13, 4);
+        let best = ct.challenge(best, (k22, 4));
         let best = ct.challenge(best, (k0, 2));
         let t1 = best.1 as u8;
 

@@ -31,12 +31,10 @@ static float pendulum_negate_if_less(float a, float b)
     return (a < b) ? -a : a;
 }
 
-/* An output in its range. */
+/* An output in its range. What is neither in it nor below is NaN. */
 static float pendulum_clamp(float value, float low, float high, float nan)
 {
-    const float raised = (value < low) ? low : value;
-    const float limited = (raised > high) ? high : raised;
-    return (isnan(value) != 0) ? nan : limited;
+    return (value >= low) ? ((value > high) ? high : value) : ((value < low) ? low : nan);
 }
 
 /* Teams in an order in which every one comes after all that lead to it: control only goes forward. */

@@ -2,7 +2,7 @@
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix swimmer --profile fast
  * Graph SHA-256: 35a11094e952120a0c89ca943b4ff1134c6ba90081ecb5709019d335cc6126a5
- * 1 teams (1 on the longest walk), 1 edges, 1 programs, 30 distinct operations.
+ * 1 teams (1 on the longest walk), 1 edges, 1 programs, 28 distinct operations.
  * Computes in f32 with own maths.
  */
 #include "swimmer.h"
@@ -26,49 +26,45 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
-/* An output in its range. */
+/* An output in its range. What is neither in it nor below is NaN. */
 static float swimmer_clamp(float value, float low, float high, float nan)
 {
-    const float raised = (value < low) ? low : value;
-    const float limited = (raised > high) ? high : raised;
-    return (isnan(value) != 0) ? nan : limited;
+    return (value >= low) ? ((value > high) ? high : value) : ((value < low) ? low : nan);
 }
 
 void swimmer_infer(const swimmer_state_t *state, swimmer_action_t *action)
 {
-    const float v3 = state->obs[0] * 1.0105755F;
-    const float v4 = 0.0F + v3;
-    const float v7 = state->obs[1] * (-0.16823284F);
-    const float v8 = v4 + v7;
-    const float v11 = state->obs[2] * (-0.66660637F);
-    const float v12 = v8 + v11;
-    const float v15 = state->obs[3] * (-0.016324192F);
-    const float v16 = v12 + v15;
-    const float v19 = state->obs[4] * 0.29036057F;
-    const float v20 = v16 + v19;
-    const float v23 = state->obs[5] * (-0.20999737F);
-    const float v24 = v20 + v23;
-    const float v27 = state->obs[6] * 0.25208098F;
-    const float v28 = v24 + v27;
-    const float v31 = state->obs[7] * (-0.055112995F);
-    const float v32 = v28 + v31;
-    const float v34 = v32 + 0.0054187076F;
-    const float v36 = state->obs[1] * 0.5448633F;
-    const float v37 = 0.0F + v36;
-    const float v39 = state->obs[2] * (-0.86861455F);
+    const float v2 = state->obs[0] * 1.0105755F;
+    const float v5 = state->obs[1] * (-0.16823284F);
+    const float v6 = v2 + v5;
+    const float v9 = state->obs[2] * (-0.66660637F);
+    const float v10 = v6 + v9;
+    const float v13 = state->obs[3] * (-0.016324192F);
+    const float v14 = v10 + v13;
+    const float v17 = state->obs[4] * 0.29036057F;
+    const float v18 = v14 + v17;
+    const float v21 = state->obs[5] * (-0.20999737F);
+    const float v22 = v18 + v21;
+    const float v25 = state->obs[6] * 0.25208098F;
+    const float v26 = v22 + v25;
+    const float v29 = state->obs[7] * (-0.055112995F);
+    const float v30 = v26 + v29;
+    const float v32 = v30 + 0.0054187076F;
+    const float v34 = state->obs[1] * 0.5448633F;
+    const float v36 = state->obs[2] * (-0.86861455F);
+    const float v37 = v34 + v36;
+    const float v39 = state->obs[3] * (-0.15368144F);
     const float v40 = v37 + v39;
-    const float v42 = state->obs[3] * (-0.15368144F);
+    const float v42 = state->obs[4] * 0.3506624F;
     const float v43 = v40 + v42;
-    const float v45 = state->obs[4] * 0.3506624F;
+    const float v45 = state->obs[5] * (-0.31806582F);
     const float v46 = v43 + v45;
-    const float v48 = state->obs[5] * (-0.31806582F);
+    const float v48 = state->obs[7] * 0.007038943F;
     const float v49 = v46 + v48;
-    const float v51 = state->obs[7] * 0.007038943F;
-    const float v52 = v49 + v51;
-    const float v54 = v52 + 0.056389466F;
+    const float v51 = v49 + 0.056389466F;
 
-    action->action_0 = swimmer_clamp(v34, -1.0F, 1.0F, 0.0F);
-    action->action_1 = swimmer_clamp(v54, -1.0F, 1.0F, 0.0F);
+    action->action_0 = swimmer_clamp(v32, -1.0F, 1.0F, 0.0F);
+    action->action_1 = swimmer_clamp(v51, -1.0F, 1.0F, 0.0F);
 }
 #ifndef SWIMMER_NO_SELFTEST
 

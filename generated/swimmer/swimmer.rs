@@ -1,7 +1,7 @@
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix swimmer --profile constant-time
 //! Graph SHA-256: 35a11094e952120a0c89ca943b4ff1134c6ba90081ecb5709019d335cc6126a5
-//! 1 teams (1 on the longest walk), 1 edges, 1 programs, 30 distinct operations.
+//! 1 teams (1 on the longest walk), 1 edges, 1 programs, 28 distinct operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
 #![allow(
@@ -35,7 +35,7 @@ impl Swimmer {
     /// Bids that one decision looks at, at most.
     pub const WORST_BIDS: usize = 0;
     /// Operations of one decision, at most.
-    pub const WORST_OPERATIONS: usize = 30;
+    pub const WORST_OPERATIONS: usize = 28;
     /// Sines, cosines, logarithms and exponentials among them, at most.
     pub const WORST_MATHS_CALLS: usize = 0;
 }
@@ -46,39 +46,37 @@ impl Policy for Swimmer {
 
     fn decide(&self, s: &[f32; 8]) -> [f32; 2] {
         let ct = ConstantTime::<f32>::default();
-        let v3 = s[0] * 1.0105755_f32;
-        let v4 = 0.0_f32 + v3;
-        let v7 = s[1] * -0.16823284_f32;
-        let v8 = v4 + v7;
-        let v11 = s[2] * -0.66660637_f32;
-        let v12 = v8 + v11;
-        let v15 = s[3] * -0.016324192_f32;
-        let v16 = v12 + v15;
-        let v19 = s[4] * 0.29036057_f32;
-        let v20 = v16 + v19;
-        let v23 = s[5] * -0.20999737_f32;
-        let v24 = v20 + v23;
-        let v27 = s[6] * 0.25208098_f32;
-        let v28 = v24 + v27;
-        let v31 = s[7] * -0.055112995_f32;
-        let v32 = v28 + v31;
-        let v34 = v32 + 0.0054187076_f32;
-        let v36 = s[1] * 0.5448633_f32;
-        let v37 = 0.0_f32 + v36;
-        let v39 = s[2] * -0.86861455_f32;
+        let v2 = s[0] * 1.0105755_f32;
+        let v5 = s[1] * -0.16823284_f32;
+        let v6 = v2 + v5;
+        let v9 = s[2] * -0.66660637_f32;
+        let v10 = v6 + v9;
+        let v13 = s[3] * -0.016324192_f32;
+        let v14 = v10 + v13;
+        let v17 = s[4] * 0.29036057_f32;
+        let v18 = v14 + v17;
+        let v21 = s[5] * -0.20999737_f32;
+        let v22 = v18 + v21;
+        let v25 = s[6] * 0.25208098_f32;
+        let v26 = v22 + v25;
+        let v29 = s[7] * -0.055112995_f32;
+        let v30 = v26 + v29;
+        let v32 = v30 + 0.0054187076_f32;
+        let v34 = s[1] * 0.5448633_f32;
+        let v36 = s[2] * -0.86861455_f32;
+        let v37 = v34 + v36;
+        let v39 = s[3] * -0.15368144_f32;
         let v40 = v37 + v39;
-        let v42 = s[3] * -0.15368144_f32;
+        let v42 = s[4] * 0.3506624_f32;
         let v43 = v40 + v42;
-        let v45 = s[4] * 0.3506624_f32;
+        let v45 = s[5] * -0.31806582_f32;
         let v46 = v43 + v45;
-        let v48 = s[5] * -0.31806582_f32;
+        let v48 = s[7] * 0.007038943_f32;
         let v49 = v46 + v48;
-        let v51 = s[7] * 0.007038943_f32;
-        let v52 = v49 + v51;
-        let v54 = v52 + 0.056389466_f32;
+        let v51 = v49 + 0.056389466_f32;
         [
-            ct.clamp(v34, -1.0_f32, 1.0_f32, 0.0_f32),
-            ct.clamp(v54, -1.0_f32, 1.0_f32, 0.0_f32),
+            ct.clamp(v32, -1.0_f32, 1.0_f32, 0.0_f32),
+            ct.clamp(v51, -1.0_f32, 1.0_f32, 0.0_f32),
         ]
     }
 }

@@ -2,7 +2,7 @@
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix widowx_rs --profile fast
  * Graph SHA-256: 4c66c6b65c6c713d5ad1fe31be297b7d3fcebbf6d3d7971a9a27b9132c25b11f
- * 30 teams (16 on the longest walk), 210 edges, 156 programs, 57 distinct operations.
+ * 30 teams (16 on the longest walk), 210 edges, 156 programs, 56 distinct operations.
  * Computes in f32 with own maths.
  */
 #include "widowx_rs.h"
@@ -109,16 +109,16 @@ team_5:
     {
         float best = -FLT_MAX;
         uint32_t way = 5U;
-        const float v28 = state->stance[3] * (-6.3484564F);
+        const float v27 = state->stance[3] * (-6.3484564F);
 
-        if (v28 >= best) {
-            best = v28;
+        if (v27 >= best) {
+            best = v27;
             way = 3U;
         }
-        const float v34 = widowx_rs_max(state->stance[2], (-3.385455F));
+        const float v33 = widowx_rs_max(state->stance[2], (-3.385455F));
 
-        if (v34 >= best) {
-            best = v34;
+        if (v33 >= best) {
+            best = v33;
             way = 5U;
         }
         const float v2 = state->stance[0] / 0.0F;
@@ -128,16 +128,16 @@ team_5:
             way = 1U;
         }
         const float v17 = (-3.3748567F) - state->stance[0];
-        const float v30 = v17 * state->floor[0];
+        const float v29 = v17 * state->floor[0];
 
-        if (v30 >= best) {
-            best = v30;
+        if (v29 >= best) {
+            best = v29;
             way = 2U;
         }
-        const float v35 = (-6.3484564F) - state->stance[3];
+        const float v34 = (-6.3484564F) - state->stance[3];
 
-        if (v35 >= best) {
-            best = v35;
+        if (v34 >= best) {
+            best = v34;
             way = 3U;
         }
         const volatile float constant = 0.0F;
@@ -147,10 +147,10 @@ team_5:
             best = zero;
             way = 4U;
         }
-        const float v24 = (-3.3748567F) - state->floor[0];
+        const float v23 = (-3.3748567F) - state->floor[0];
 
-        if (v24 >= best) {
-            best = v24;
+        if (v23 >= best) {
+            best = v23;
             way = 5U;
         }
         const float v11 = 164.8815F * state->stance[3];
@@ -184,10 +184,10 @@ team_7:
     {
         float best = -FLT_MAX;
         uint32_t way = 8U;
-        const float v24 = (-3.3748567F) - state->floor[0];
+        const float v23 = (-3.3748567F) - state->floor[0];
 
-        if (v24 >= best) {
-            best = v24;
+        if (v23 >= best) {
+            best = v23;
             way = 1U;
         }
         const float v6 = state->stance[1] - 9.539528F;
@@ -196,22 +196,22 @@ team_7:
             best = v6;
             way = 2U;
         }
-        const float v26 = (-10.533181F) - state->floor[0];
+        const float v25 = (-10.533181F) - state->floor[0];
 
-        if (v26 >= best) {
-            best = v26;
+        if (v25 >= best) {
+            best = v25;
             way = 3U;
         }
-        const float v29 = 0.0F - state->floor[0];
+        const float v28 = 0.0F - state->floor[0];
 
-        if (v29 >= best) {
-            best = v29;
+        if (v28 >= best) {
+            best = v28;
             way = 6U;
         }
-        const float v22 = widowx_rs_max((-161.71835F), state->stance[2]);
+        const float v21 = widowx_rs_max((-161.71835F), state->stance[2]);
 
-        if (v22 >= best) {
-            best = v22;
+        if (v21 >= best) {
+            best = v21;
             way = 4U;
         }
         const volatile float constant = 0.0F;
@@ -222,21 +222,21 @@ team_7:
             way = 5U;
         }
         const float v17 = (-3.3748567F) - state->stance[0];
-        const float v30 = v17 * state->floor[0];
+        const float v29 = v17 * state->floor[0];
 
-        if (v30 >= best) {
-            best = v30;
+        if (v29 >= best) {
+            best = v29;
             way = 6U;
         }
-        const float v28 = state->stance[3] * (-6.3484564F);
+        const float v27 = state->stance[3] * (-6.3484564F);
 
-        if (v28 >= best) {
-            best = v28;
+        if (v27 >= best) {
+            best = v27;
             way = 7U;
         }
-        const float v31 = state->stance[3] / state->floor[0];
+        const float v30 = state->stance[3] / state->floor[0];
 
-        if (v31 >= best) {
+        if (v30 >= best) {
             way = 8U;
         }
 
@@ -273,10 +273,10 @@ team_10:
             best = v13;
             way = 1U;
         }
-        const float v62 = state->stance[1] - 9.689877F;
+        const float v61 = state->stance[1] - 9.689877F;
 
-        if (v62 >= best) {
-            best = v62;
+        if (v61 >= best) {
+            best = v61;
             way = 2U;
         }
 
@@ -284,11 +284,11 @@ team_10:
             best = 24.873356F;
             way = 3U;
         }
-        const float v43 = fabsf(state->floor[0]);
-        const float v44 = state->stance[0] / v43;
+        const float v42 = fabsf(state->floor[0]);
+        const float v43 = state->stance[0] / v42;
 
-        if (v44 >= best) {
-            best = v44;
+        if (v43 >= best) {
+            best = v43;
             way = 4U;
         }
         const float v17 = (-3.3748567F) - state->stance[0];
@@ -297,10 +297,10 @@ team_10:
             best = v17;
             way = 5U;
         }
-        const float v29 = 0.0F - state->floor[0];
+        const float v28 = 0.0F - state->floor[0];
 
-        if (v29 >= best) {
-            best = v29;
+        if (v28 >= best) {
+            best = v28;
             way = 6U;
         }
         const float v15 = state->stance[1] / 0.0F;
@@ -362,9 +362,8 @@ team_11:
             best = v17;
             way = 5U;
         }
-        const float v20 = 0.0F + state->stance[3];
 
-        if (v20 >= best) {
+        if (state->stance[3] >= best) {
             way = 6U;
         }
 
@@ -403,11 +402,11 @@ team_12:
             best = v15;
             way = 2U;
         }
-        const float v43 = fabsf(state->floor[0]);
-        const float v57 = state->stance[1] / v43;
+        const float v42 = fabsf(state->floor[0]);
+        const float v56 = state->stance[1] / v42;
 
-        if (v57 >= best) {
-            best = v57;
+        if (v56 >= best) {
+            best = v56;
             way = 3U;
         }
         const float v17 = (-3.3748567F) - state->stance[0];
@@ -416,10 +415,10 @@ team_12:
             best = v17;
             way = 4U;
         }
-        const float v52 = widowx_rs_negate_if_less(state->stance[1], (-26.200392F));
+        const float v51 = widowx_rs_negate_if_less(state->stance[1], (-26.200392F));
 
-        if (v52 >= best) {
-            best = v52;
+        if (v51 >= best) {
+            best = v51;
             way = 5U;
         }
         const float v5 = state->stance[1] / 9.539528F;
@@ -433,9 +432,9 @@ team_12:
             best = 11.302588F;
             way = 7U;
         }
-        const float v29 = 0.0F - state->floor[0];
+        const float v28 = 0.0F - state->floor[0];
 
-        if (v29 >= best) {
+        if (v28 >= best) {
             way = 8U;
         }
 
@@ -466,10 +465,10 @@ team_13:
     {
         float best = 22.918602F;
         uint32_t way = 1U;
-        const float v48 = fabsf(state->stance[3]);
+        const float v47 = fabsf(state->stance[3]);
 
-        if (v48 >= best) {
-            best = v48;
+        if (v47 >= best) {
+            best = v47;
             way = 2U;
         }
         const float v11 = 164.8815F * state->stance[3];
@@ -478,16 +477,16 @@ team_13:
             best = v11;
             way = 3U;
         }
-        const float v36 = state->stance[1] + 9.539528F;
+        const float v35 = state->stance[1] + 9.539528F;
 
-        if (v36 >= best) {
-            best = v36;
+        if (v35 >= best) {
+            best = v35;
             way = 4U;
         }
-        const float v50 = state->stance[0] / 11.077008F;
+        const float v49 = state->stance[0] / 11.077008F;
 
-        if (v50 >= best) {
-            best = v50;
+        if (v49 >= best) {
+            best = v49;
             way = 5U;
         }
         const float v2 = state->stance[0] / 0.0F;
@@ -496,11 +495,11 @@ team_13:
             best = v2;
             way = 6U;
         }
-        const float v43 = fabsf(state->floor[0]);
-        const float v44 = state->stance[0] / v43;
+        const float v42 = fabsf(state->floor[0]);
+        const float v43 = state->stance[0] / v42;
 
-        if (v44 >= best) {
-            best = v44;
+        if (v43 >= best) {
+            best = v43;
             way = 7U;
         }
         const float v17 = (-3.3748567F) - state->stance[0];
@@ -509,9 +508,9 @@ team_13:
             best = v17;
             way = 8U;
         }
-        const float v37 = widowx_rs_min(v17, state->floor[0]);
+        const float v36 = widowx_rs_min(v17, state->floor[0]);
 
-        if (v37 >= best) {
+        if (v36 >= best) {
             way = 9U;
         }
 
@@ -543,10 +542,10 @@ team_22:
         float best = -FLT_MAX;
         uint32_t way = 8U;
         const float v17 = (-3.3748567F) - state->stance[0];
-        const float v37 = widowx_rs_min(v17, state->floor[0]);
+        const float v36 = widowx_rs_min(v17, state->floor[0]);
 
-        if (v37 >= best) {
-            best = v37;
+        if (v36 >= best) {
+            best = v36;
             way = 3U;
         }
         const float v8 = fabsf(state->stance[2]);
@@ -555,10 +554,10 @@ team_22:
             best = v8;
             way = 1U;
         }
-        const float v75 = state->floor[0] * state->floor[0];
+        const float v74 = state->floor[0] * state->floor[0];
 
-        if (v75 >= best) {
-            best = v75;
+        if (v74 >= best) {
+            best = v74;
             way = 2U;
         }
 
@@ -566,11 +565,11 @@ team_22:
             best = v17;
             way = 3U;
         }
-        const float v40 = state->floor[0] / 0.0F;
-        const float v42 = v40 * (-72.49379F);
+        const float v39 = state->floor[0] / 0.0F;
+        const float v41 = v39 * (-72.49379F);
 
-        if (v42 >= best) {
-            best = v42;
+        if (v41 >= best) {
+            best = v41;
             way = 4U;
         }
 
@@ -590,16 +589,16 @@ team_22:
             best = v11;
             way = 6U;
         }
-        const float v78 = state->stance[0] + state->floor[0];
-        const float v79 = v78 / 9.539528F;
+        const float v77 = state->stance[0] + state->floor[0];
+        const float v78 = v77 / 9.539528F;
 
-        if (v79 >= best) {
-            best = v79;
+        if (v78 >= best) {
+            best = v78;
             way = 7U;
         }
-        const float v70 = state->stance[1] - state->floor[0];
+        const float v69 = state->stance[1] - state->floor[0];
 
-        if (v70 >= best) {
+        if (v69 >= best) {
             way = 8U;
         }
 
@@ -642,22 +641,22 @@ team_14:
             best = 11.302588F;
             way = 2U;
         }
-        const float v29 = 0.0F - state->floor[0];
+        const float v28 = 0.0F - state->floor[0];
 
-        if (v29 >= best) {
-            best = v29;
+        if (v28 >= best) {
+            best = v28;
             way = 3U;
         }
-        const float v74 = (-3.5602038F) - state->stance[0];
+        const float v73 = (-3.5602038F) - state->stance[0];
 
-        if (v74 >= best) {
-            best = v74;
+        if (v73 >= best) {
+            best = v73;
             way = 3U;
         }
-        const float v46 = state->stance[1] * state->floor[0];
+        const float v45 = state->stance[1] * state->floor[0];
 
-        if (v46 >= best) {
-            best = v46;
+        if (v45 >= best) {
+            best = v45;
             way = 3U;
         }
         const float v17 = (-3.3748567F) - state->stance[0];
@@ -698,23 +697,23 @@ team_16:
     {
         float best = -FLT_MAX;
         uint32_t way = 8U;
-        const float v43 = fabsf(state->floor[0]);
-
-        if (v43 >= best) {
-            best = v43;
-            way = 1U;
-        }
-        const float v40 = state->floor[0] / 0.0F;
-        const float v42 = v40 * (-72.49379F);
+        const float v42 = fabsf(state->floor[0]);
 
         if (v42 >= best) {
             best = v42;
+            way = 1U;
+        }
+        const float v39 = state->floor[0] / 0.0F;
+        const float v41 = v39 * (-72.49379F);
+
+        if (v41 >= best) {
+            best = v41;
             way = 2U;
         }
-        const float v70 = state->stance[1] - state->floor[0];
+        const float v69 = state->stance[1] - state->floor[0];
 
-        if (v70 >= best) {
-            best = v70;
+        if (v69 >= best) {
+            best = v69;
             way = 3U;
         }
 
@@ -722,10 +721,10 @@ team_16:
             best = 22.918602F;
             way = 4U;
         }
-        const float v46 = state->stance[1] * state->floor[0];
+        const float v45 = state->stance[1] * state->floor[0];
 
-        if (v46 >= best) {
-            best = v46;
+        if (v45 >= best) {
+            best = v45;
             way = 5U;
         }
         const float v8 = fabsf(state->stance[2]);
@@ -785,10 +784,10 @@ team_17:
             way = 2U;
         }
         const float v17 = (-3.3748567F) - state->stance[0];
-        const float v37 = widowx_rs_min(v17, state->floor[0]);
+        const float v36 = widowx_rs_min(v17, state->floor[0]);
 
-        if (v37 >= best) {
-            best = v37;
+        if (v36 >= best) {
+            best = v36;
             way = 6U;
         }
 
@@ -802,21 +801,21 @@ team_17:
             best = v2;
             way = 4U;
         }
-        const float v75 = state->floor[0] * state->floor[0];
+        const float v74 = state->floor[0] * state->floor[0];
 
-        if (v75 >= best) {
-            best = v75;
+        if (v74 >= best) {
+            best = v74;
             way = 5U;
         }
-        const float v54 = widowx_rs_min(state->stance[2], state->stance[3]);
+        const float v53 = widowx_rs_min(state->stance[2], state->stance[3]);
 
-        if (v54 >= best) {
-            best = v54;
+        if (v53 >= best) {
+            best = v53;
             way = 6U;
         }
-        const float v77 = state->stance[1] / (-9.539528F);
+        const float v76 = state->stance[1] / (-9.539528F);
 
-        if (v77 >= best) {
+        if (v76 >= best) {
             way = 7U;
         }
 
@@ -851,10 +850,10 @@ team_18:
             way = 2U;
         }
         const float v17 = (-3.3748567F) - state->stance[0];
-        const float v37 = widowx_rs_min(v17, state->floor[0]);
+        const float v36 = widowx_rs_min(v17, state->floor[0]);
 
-        if (v37 >= best) {
-            best = v37;
+        if (v36 >= best) {
+            best = v36;
             way = 8U;
         }
         const float v2 = state->stance[0] / 0.0F;
@@ -863,29 +862,29 @@ team_18:
             best = v2;
             way = 3U;
         }
-        const float v75 = state->floor[0] * state->floor[0];
+        const float v74 = state->floor[0] * state->floor[0];
 
-        if (v75 >= best) {
-            best = v75;
+        if (v74 >= best) {
+            best = v74;
             way = 4U;
         }
-        const float v54 = widowx_rs_min(state->stance[2], state->stance[3]);
+        const float v53 = widowx_rs_min(state->stance[2], state->stance[3]);
 
-        if (v54 >= best) {
-            best = v54;
+        if (v53 >= best) {
+            best = v53;
             way = 8U;
         }
-        const float v77 = state->stance[1] / (-9.539528F);
+        const float v76 = state->stance[1] / (-9.539528F);
 
-        if (v77 >= best) {
-            best = v77;
+        if (v76 >= best) {
+            best = v76;
             way = 5U;
         }
-        const float v43 = fabsf(state->floor[0]);
-        const float v44 = state->stance[0] / v43;
+        const float v42 = fabsf(state->floor[0]);
+        const float v43 = state->stance[0] / v42;
 
-        if (v44 >= best) {
-            best = v44;
+        if (v43 >= best) {
+            best = v43;
             way = 6U;
         }
         const float v8 = fabsf(state->stance[2]);
@@ -925,30 +924,30 @@ team_30:
     {
         float best = -FLT_MAX;
         uint32_t way = 9U;
-        const float v43 = fabsf(state->floor[0]);
-        const float v44 = state->stance[0] / v43;
+        const float v42 = fabsf(state->floor[0]);
+        const float v43 = state->stance[0] / v42;
 
-        if (v44 >= best) {
-            best = v44;
+        if (v43 >= best) {
+            best = v43;
             way = 4U;
         }
-        const float v78 = state->stance[0] + state->floor[0];
-        const float v79 = v78 / 9.539528F;
+        const float v77 = state->stance[0] + state->floor[0];
+        const float v78 = v77 / 9.539528F;
 
-        if (v79 >= best) {
-            best = v79;
+        if (v78 >= best) {
+            best = v78;
             way = 1U;
         }
-        const float v90 = state->stance[1] / state->floor[0];
+        const float v89 = state->stance[1] / state->floor[0];
 
-        if (v90 >= best) {
-            best = v90;
+        if (v89 >= best) {
+            best = v89;
             way = 2U;
         }
-        const float v65 = state->stance[2] - 99.64715F;
+        const float v64 = state->stance[2] - 99.64715F;
 
-        if (v65 >= best) {
-            best = v65;
+        if (v64 >= best) {
+            best = v64;
             way = 3U;
         }
         const float v2 = state->stance[0] / 0.0F;
@@ -976,11 +975,11 @@ team_30:
             best = v17;
             way = 7U;
         }
-        const float v40 = state->floor[0] / 0.0F;
-        const float v42 = v40 * (-72.49379F);
+        const float v39 = state->floor[0] / 0.0F;
+        const float v41 = v39 * (-72.49379F);
 
-        if (v42 >= best) {
-            best = v42;
+        if (v41 >= best) {
+            best = v41;
             way = 8U;
         }
         const float v5 = state->stance[1] / 9.539528F;
@@ -1029,9 +1028,9 @@ team_31:
             best = v2;
             way = 3U;
         }
-        const float v36 = state->stance[1] + 9.539528F;
+        const float v35 = state->stance[1] + 9.539528F;
 
-        if (v36 >= best) {
+        if (v35 >= best) {
             way = 4U;
         }
 
@@ -1075,16 +1074,16 @@ team_32:
             best = v8;
             way = 4U;
         }
-        const float v36 = state->stance[1] + 9.539528F;
+        const float v35 = state->stance[1] + 9.539528F;
 
-        if (v36 >= best) {
-            best = v36;
+        if (v35 >= best) {
+            best = v35;
             way = 6U;
         }
-        const float v56 = state->stance[3] / 15.430052F;
+        const float v55 = state->stance[3] / 15.430052F;
 
-        if (v56 >= best) {
-            best = v56;
+        if (v55 >= best) {
+            best = v55;
             way = 5U;
         }
         const float v5 = state->stance[1] / 9.539528F;
@@ -1115,23 +1114,23 @@ team_23:
     {
         float best = -FLT_MAX;
         uint32_t way = 7U;
-        const float v72 = state->stance[1] / 6.928064F;
+        const float v71 = state->stance[1] / 6.928064F;
 
-        if (v72 >= best) {
-            best = v72;
+        if (v71 >= best) {
+            best = v71;
             way = 1U;
         }
-        const float v56 = state->stance[3] / 15.430052F;
+        const float v55 = state->stance[3] / 15.430052F;
 
-        if (v56 >= best) {
-            best = v56;
+        if (v55 >= best) {
+            best = v55;
             way = 2U;
         }
-        const float v43 = fabsf(state->floor[0]);
-        const float v44 = state->stance[0] / v43;
+        const float v42 = fabsf(state->floor[0]);
+        const float v43 = state->stance[0] / v42;
 
-        if (v44 >= best) {
-            best = v44;
+        if (v43 >= best) {
+            best = v43;
             way = 3U;
         }
         const float v8 = fabsf(state->stance[2]);
@@ -1151,9 +1150,9 @@ team_23:
             best = v5;
             way = 6U;
         }
-        const float v22 = widowx_rs_max((-161.71835F), state->stance[2]);
+        const float v21 = widowx_rs_max((-161.71835F), state->stance[2]);
 
-        if (v22 >= best) {
+        if (v21 >= best) {
             way = 7U;
         }
 
@@ -1199,16 +1198,16 @@ team_24:
             best = v8;
             way = 3U;
         }
-        const float v56 = state->stance[3] / 15.430052F;
+        const float v55 = state->stance[3] / 15.430052F;
 
-        if (v56 >= best) {
-            best = v56;
+        if (v55 >= best) {
+            best = v55;
             way = 4U;
         }
-        const float v36 = state->stance[1] + 9.539528F;
+        const float v35 = state->stance[1] + 9.539528F;
 
-        if (v36 >= best) {
-            best = v36;
+        if (v35 >= best) {
+            best = v35;
             way = 5U;
         }
         const float v2 = state->stance[0] / 0.0F;
@@ -1239,24 +1238,24 @@ team_33:
     {
         float best = -FLT_MAX;
         uint32_t way = 5U;
-        const float v43 = fabsf(state->floor[0]);
-        const float v81 = state->stance[2] / v43;
+        const float v42 = fabsf(state->floor[0]);
+        const float v80 = state->stance[2] / v42;
 
-        if (v81 >= best) {
-            best = v81;
+        if (v80 >= best) {
+            best = v80;
             way = 1U;
         }
-        const float v82 = state->floor[0] - (-22.172918F);
-        const float v83 = 9.539528F + v82;
+        const float v81 = state->floor[0] - (-22.172918F);
+        const float v82 = 9.539528F + v81;
+
+        if (v82 >= best) {
+            best = v82;
+            way = 2U;
+        }
+        const float v83 = widowx_rs_max(state->stance[2], 99.64715F);
 
         if (v83 >= best) {
             best = v83;
-            way = 2U;
-        }
-        const float v84 = widowx_rs_max(state->stance[2], 99.64715F);
-
-        if (v84 >= best) {
-            best = v84;
             way = 3U;
         }
         const float v17 = (-3.3748567F) - state->stance[0];
@@ -1265,9 +1264,9 @@ team_33:
             best = v17;
             way = 4U;
         }
-        const float v86 = (-72.89382F) / state->floor[0];
+        const float v85 = (-72.89382F) / state->floor[0];
 
-        if (v86 >= best) {
+        if (v85 >= best) {
             way = 5U;
         }
 
@@ -1290,16 +1289,16 @@ team_45:
     {
         float best = -FLT_MAX;
         uint32_t way = 4U;
-        const float v52 = widowx_rs_negate_if_less(state->stance[1], (-26.200392F));
+        const float v51 = widowx_rs_negate_if_less(state->stance[1], (-26.200392F));
+
+        if (v51 >= best) {
+            best = v51;
+            way = 1U;
+        }
+        const float v52 = widowx_rs_max(state->stance[1], state->floor[0]);
 
         if (v52 >= best) {
             best = v52;
-            way = 1U;
-        }
-        const float v53 = widowx_rs_max(state->stance[1], state->floor[0]);
-
-        if (v53 >= best) {
-            best = v53;
             way = 4U;
         }
         const float v2 = state->stance[0] / 0.0F;
@@ -1308,10 +1307,10 @@ team_45:
             best = v2;
             way = 2U;
         }
-        const float v29 = 0.0F - state->floor[0];
+        const float v28 = 0.0F - state->floor[0];
 
-        if (v29 >= best) {
-            best = v29;
+        if (v28 >= best) {
+            best = v28;
             way = 4U;
         }
         const float v5 = state->stance[1] / 9.539528F;
@@ -1325,9 +1324,9 @@ team_45:
             best = 4.372006F;
             way = 4U;
         }
-        const float v54 = widowx_rs_min(state->stance[2], state->stance[3]);
+        const float v53 = widowx_rs_min(state->stance[2], state->stance[3]);
 
-        if (v54 >= best) {
+        if (v53 >= best) {
             way = 4U;
         }
 
@@ -1350,23 +1349,23 @@ team_41:
     {
         float best = -FLT_MAX;
         uint32_t way = 5U;
-        const float v38 = widowx_rs_max(state->stance[2], state->floor[0]);
+        const float v37 = widowx_rs_max(state->stance[2], state->floor[0]);
+
+        if (v37 >= best) {
+            best = v37;
+            way = 2U;
+        }
+        const float v38 = widowx_rs_max(state->floor[0], 0.0F);
 
         if (v38 >= best) {
             best = v38;
-            way = 2U;
-        }
-        const float v39 = widowx_rs_max(state->floor[0], 0.0F);
-
-        if (v39 >= best) {
-            best = v39;
             way = 1U;
         }
-        const float v40 = state->floor[0] / 0.0F;
-        const float v42 = v40 * (-72.49379F);
+        const float v39 = state->floor[0] / 0.0F;
+        const float v41 = v39 * (-72.49379F);
 
-        if (v42 >= best) {
-            best = v42;
+        if (v41 >= best) {
+            best = v41;
             way = 2U;
         }
         const float v5 = state->stance[1] / 9.539528F;
@@ -1375,11 +1374,11 @@ team_41:
             best = v5;
             way = 3U;
         }
-        const float v43 = fabsf(state->floor[0]);
-        const float v44 = state->stance[0] / v43;
+        const float v42 = fabsf(state->floor[0]);
+        const float v43 = state->stance[0] / v42;
 
-        if (v44 >= best) {
-            best = v44;
+        if (v43 >= best) {
+            best = v43;
             way = 5U;
         }
 
@@ -1418,10 +1417,10 @@ team_42:
             best = v2;
             way = 1U;
         }
-        const float v54 = widowx_rs_min(state->stance[2], state->stance[3]);
+        const float v53 = widowx_rs_min(state->stance[2], state->stance[3]);
 
-        if (v54 >= best) {
-            best = v54;
+        if (v53 >= best) {
+            best = v53;
             way = 2U;
         }
         const float v17 = (-3.3748567F) - state->stance[0];
@@ -1469,10 +1468,10 @@ team_34:
     {
         float best = -FLT_MAX;
         uint32_t way = 5U;
-        const float v88 = state->floor[0] * (-4.136917F);
+        const float v87 = state->floor[0] * (-4.136917F);
 
-        if (v88 >= best) {
-            best = v88;
+        if (v87 >= best) {
+            best = v87;
             way = 3U;
         }
         const float v5 = state->stance[1] / 9.539528F;
@@ -1488,17 +1487,17 @@ team_34:
             best = zero;
             way = 1U;
         }
-        const float v40 = state->floor[0] / 0.0F;
-        const float v42 = v40 * (-72.49379F);
+        const float v39 = state->floor[0] / 0.0F;
+        const float v41 = v39 * (-72.49379F);
+
+        if (v41 >= best) {
+            best = v41;
+            way = 1U;
+        }
+        const float v42 = fabsf(state->floor[0]);
 
         if (v42 >= best) {
             best = v42;
-            way = 1U;
-        }
-        const float v43 = fabsf(state->floor[0]);
-
-        if (v43 >= best) {
-            best = v43;
             way = 2U;
         }
         const float v2 = state->stance[0] / 0.0F;
@@ -1507,15 +1506,15 @@ team_34:
             best = v2;
             way = 3U;
         }
-        const float v36 = state->stance[1] + 9.539528F;
+        const float v35 = state->stance[1] + 9.539528F;
 
-        if (v36 >= best) {
-            best = v36;
+        if (v35 >= best) {
+            best = v35;
             way = 4U;
         }
-        const float v44 = state->stance[0] / v43;
+        const float v43 = state->stance[0] / v42;
 
-        if (v44 >= best) {
+        if (v43 >= best) {
             way = 5U;
         }
 
@@ -1539,22 +1538,22 @@ team_35:
         float best = -FLT_MAX;
         uint32_t way = 6U;
         const float v17 = (-3.3748567F) - state->stance[0];
-        const float v37 = widowx_rs_min(v17, state->floor[0]);
+        const float v36 = widowx_rs_min(v17, state->floor[0]);
 
-        if (v37 >= best) {
-            best = v37;
+        if (v36 >= best) {
+            best = v36;
             way = 1U;
         }
-        const float v80 = widowx_rs_negate_if_less((-3.3748567F), state->stance[0]);
+        const float v79 = widowx_rs_negate_if_less((-3.3748567F), state->stance[0]);
 
-        if (v80 >= best) {
-            best = v80;
+        if (v79 >= best) {
+            best = v79;
             way = 1U;
         }
-        const float v66 = state->stance[2] + state->stance[2];
+        const float v65 = state->stance[2] + state->stance[2];
 
-        if (v66 >= best) {
-            best = v66;
+        if (v65 >= best) {
+            best = v65;
             way = 2U;
         }
         const float v8 = fabsf(state->stance[2]);
@@ -1623,9 +1622,9 @@ team_36:
             best = v2;
             way = 3U;
         }
-        const float v54 = widowx_rs_min(state->stance[2], state->stance[3]);
+        const float v53 = widowx_rs_min(state->stance[2], state->stance[3]);
 
-        if (v54 >= best) {
+        if (v53 >= best) {
             way = 4U;
         }
 
@@ -1648,10 +1647,10 @@ team_38:
     {
         float best = -FLT_MAX;
         uint32_t way = 7U;
-        const float v66 = state->stance[2] + state->stance[2];
+        const float v65 = state->stance[2] + state->stance[2];
 
-        if (v66 >= best) {
-            best = v66;
+        if (v65 >= best) {
+            best = v65;
             way = 1U;
         }
         const float v5 = state->stance[1] / 9.539528F;
@@ -1660,23 +1659,23 @@ team_38:
             best = v5;
             way = 7U;
         }
-        const float v48 = fabsf(state->stance[3]);
+        const float v47 = fabsf(state->stance[3]);
 
-        if (v48 >= best) {
-            best = v48;
+        if (v47 >= best) {
+            best = v47;
             way = 2U;
         }
-        const float v68 = widowx_rs_min(state->stance[2], 213.59233F);
+        const float v67 = widowx_rs_min(state->stance[2], 213.59233F);
 
-        if (v68 >= best) {
-            best = v68;
+        if (v67 >= best) {
+            best = v67;
             way = 3U;
         }
-        const float v43 = fabsf(state->floor[0]);
-        const float v57 = state->stance[1] / v43;
+        const float v42 = fabsf(state->floor[0]);
+        const float v56 = state->stance[1] / v42;
 
-        if (v57 >= best) {
-            best = v57;
+        if (v56 >= best) {
+            best = v56;
             way = 4U;
         }
 
@@ -1696,9 +1695,9 @@ team_38:
             best = v8;
             way = 6U;
         }
-        const float v36 = state->stance[1] + 9.539528F;
+        const float v35 = state->stance[1] + 9.539528F;
 
-        if (v36 >= best) {
+        if (v35 >= best) {
             way = 7U;
         }
 
@@ -1738,22 +1737,22 @@ team_39:
             best = v17;
             way = 2U;
         }
-        const float v59 = state->stance[0] / 17.709658F;
+        const float v58 = state->stance[0] / 17.709658F;
+
+        if (v58 >= best) {
+            best = v58;
+            way = 5U;
+        }
+        const float v53 = widowx_rs_min(state->stance[2], state->stance[3]);
+
+        if (v53 >= best) {
+            best = v53;
+            way = 2U;
+        }
+        const float v59 = 0.0F * state->stance[2];
 
         if (v59 >= best) {
             best = v59;
-            way = 5U;
-        }
-        const float v54 = widowx_rs_min(state->stance[2], state->stance[3]);
-
-        if (v54 >= best) {
-            best = v54;
-            way = 2U;
-        }
-        const float v60 = 0.0F * state->stance[2];
-
-        if (v60 >= best) {
-            best = v60;
             way = 3U;
         }
         const float v8 = fabsf(state->stance[2]);
@@ -1762,10 +1761,10 @@ team_39:
             best = v8;
             way = 4U;
         }
-        const float v43 = fabsf(state->floor[0]);
-        const float v44 = state->stance[0] / v43;
+        const float v42 = fabsf(state->floor[0]);
+        const float v43 = state->stance[0] / v42;
 
-        if (v44 >= best) {
+        if (v43 >= best) {
             way = 5U;
         }
 
@@ -1802,15 +1801,15 @@ team_43:
             best = v2;
             way = 2U;
         }
-        const float v54 = widowx_rs_min(state->stance[2], state->stance[3]);
+        const float v53 = widowx_rs_min(state->stance[2], state->stance[3]);
 
-        if (v54 >= best) {
-            best = v54;
+        if (v53 >= best) {
+            best = v53;
             way = 3U;
         }
-        const float v69 = widowx_rs_max(state->stance[0], 0.0F);
+        const float v68 = widowx_rs_max(state->stance[0], 0.0F);
 
-        if (v69 >= best) {
+        if (v68 >= best) {
             way = 4U;
         }
 
@@ -1851,16 +1850,16 @@ team_40:
             best = v17;
             way = 3U;
         }
-        const float v89 = fabsf(state->stance[0]);
+        const float v88 = fabsf(state->stance[0]);
 
-        if (v89 >= best) {
-            best = v89;
+        if (v88 >= best) {
+            best = v88;
             way = 3U;
         }
-        const float v54 = widowx_rs_min(state->stance[2], state->stance[3]);
+        const float v53 = widowx_rs_min(state->stance[2], state->stance[3]);
 
-        if (v54 >= best) {
-            best = v54;
+        if (v53 >= best) {
+            best = v53;
             way = 3U;
         }
         const volatile float constant = 0.0F;

@@ -2,7 +2,7 @@
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix widowx_rs --profile fast
  * Graph SHA-256: 4c66c6b65c6c713d5ad1fe31be297b7d3fcebbf6d3d7971a9a27b9132c25b11f
- * 30 teams (16 on the longest walk), 210 edges, 156 programs, 57 distinct operations.
+ * 30 teams (16 on the longest walk), 210 edges, 156 programs, 56 distinct operations.
  * Computes in f32 with own maths.
  */
 #ifndef WIDOWX_RS_H

@@ -1,7 +1,7 @@
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix widowx_rs_fast --profile fast
 //! Graph SHA-256: 4c66c6b65c6c713d5ad1fe31be297b7d3fcebbf6d3d7971a9a27b9132c25b11f
-//! 30 teams (16 on the longest walk), 210 edges, 156 programs, 57 distinct operations.
+//! 30 teams (16 on the longest walk), 210 edges, 156 programs, 56 distinct operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
 #![allow(
@@ -117,9 +117,9 @@ fn team_0(s: &[f32; 5]) -> u16 {
 fn team_7(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
     let mut way = 8;
-    let v24 = -3.3748567_f32 - s[4];
-    if v24 >= best {
-        best = v24;
+    let v23 = -3.3748567_f32 - s[4];
+    if v23 >= best {
+        best = v23;
         way = 1;
     }
     let v6 = s[1] - 9.539528_f32;
@@ -127,19 +127,19 @@ fn team_7(s: &[f32; 5]) -> u16 {
         best = v6;
         way = 2;
     }
-    let v26 = -10.533181_f32 - s[4];
-    if v26 >= best {
-        best = v26;
+    let v25 = -10.533181_f32 - s[4];
+    if v25 >= best {
+        best = v25;
         way = 3;
     }
-    let v29 = 0.0_f32 - s[4];
-    if v29 >= best {
-        best = v29;
+    let v28 = 0.0_f32 - s[4];
+    if v28 >= best {
+        best = v28;
         way = 6;
     }
-    let v22 = ops::max(-161.71835_f32, s[2]);
-    if v22 >= best {
-        best = v22;
+    let v21 = ops::max(-161.71835_f32, s[2]);
+    if v21 >= best {
+        best = v21;
         way = 4;
     }
     let zero = core::hint::black_box(0.0_f32);
@@ -148,19 +148,19 @@ fn team_7(s: &[f32; 5]) -> u16 {
         way = 5;
     }
     let v17 = -3.3748567_f32 - s[0];
-    let v30 = v17 * s[4];
-    if v30 >= best {
-        best = v30;
+    let v29 = v17 * s[4];
+    if v29 >= best {
+        best = v29;
         way = 6;
     }
-    let v28 = s[3] * -6.3484564_f32;
-    if v28 >= best {
-        best = v28;
+    let v27 = s[3] * -6.3484564_f32;
+    if v27 >= best {
+        best = v27;
         way = 7;
     }
-    let v31 = s[3] / s[4];
-    if v31 >= best {
-        best = v31;
+    let v30 = s[3] / s[4];
+    if v30 >= best {
+        best = v30;
         way = 8;
     }
     match way {
@@ -208,14 +208,14 @@ fn team_44(s: &[f32; 5]) -> u16 {
 fn team_5(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
     let mut way = 5;
-    let v28 = s[3] * -6.3484564_f32;
-    if v28 >= best {
-        best = v28;
+    let v27 = s[3] * -6.3484564_f32;
+    if v27 >= best {
+        best = v27;
         way = 3;
     }
-    let v34 = ops::max(s[2], -3.385455_f32);
-    if v34 >= best {
-        best = v34;
+    let v33 = ops::max(s[2], -3.385455_f32);
+    if v33 >= best {
+        best = v33;
         way = 5;
     }
     let v2 = s[0] / 0.0_f32;
@@ -224,14 +224,14 @@ fn team_5(s: &[f32; 5]) -> u16 {
         way = 1;
     }
     let v17 = -3.3748567_f32 - s[0];
-    let v30 = v17 * s[4];
-    if v30 >= best {
-        best = v30;
+    let v29 = v17 * s[4];
+    if v29 >= best {
+        best = v29;
         way = 2;
     }
-    let v35 = -6.3484564_f32 - s[3];
-    if v35 >= best {
-        best = v35;
+    let v34 = -6.3484564_f32 - s[3];
+    if v34 >= best {
+        best = v34;
         way = 3;
     }
     let zero = core::hint::black_box(0.0_f32);
@@ -239,9 +239,9 @@ fn team_5(s: &[f32; 5]) -> u16 {
         best = zero;
         way = 4;
     }
-    let v24 = -3.3748567_f32 - s[4];
-    if v24 >= best {
-        best = v24;
+    let v23 = -3.3748567_f32 - s[4];
+    if v23 >= best {
+        best = v23;
         way = 5;
     }
     let v11 = 164.8815_f32 * s[3];
@@ -291,9 +291,8 @@ fn team_11(s: &[f32; 5]) -> u16 {
         best = v17;
         way = 5;
     }
-    let v20 = 0.0_f32 + s[3];
-    if v20 >= best {
-        best = v20;
+    if s[3] >= best {
+        best = s[3];
         way = 6;
     }
     match way {
@@ -315,19 +314,19 @@ fn team_10(s: &[f32; 5]) -> u16 {
         best = v13;
         way = 1;
     }
-    let v62 = s[1] - 9.689877_f32;
-    if v62 >= best {
-        best = v62;
+    let v61 = s[1] - 9.689877_f32;
+    if v61 >= best {
+        best = v61;
         way = 2;
     }
     if 24.873356_f32 >= best {
         best = 24.873356_f32;
         way = 3;
     }
-    let v43 = f32::abs(s[4]);
-    let v44 = s[0] / v43;
-    if v44 >= best {
-        best = v44;
+    let v42 = f32::abs(s[4]);
+    let v43 = s[0] / v42;
+    if v43 >= best {
+        best = v43;
         way = 4;
     }
     let v17 = -3.3748567_f32 - s[0];
@@ -335,9 +334,9 @@ fn team_10(s: &[f32; 5]) -> u16 {
         best = v17;
         way = 5;
     }
-    let v29 = 0.0_f32 - s[4];
-    if v29 >= best {
-        best = v29;
+    let v28 = 0.0_f32 - s[4];
+    if v28 >= best {
+        best = v28;
         way = 6;
     }
     let v15 = s[1] / 0.0_f32;
@@ -360,9 +359,9 @@ fn team_10(s: &[f32; 5]) -> u16 {
 fn team_13(s: &[f32; 5]) -> u16 {
     let mut best = 22.918602_f32;
     let mut way = 1;
-    let v48 = f32::abs(s[3]);
-    if v48 >= best {
-        best = v48;
+    let v47 = f32::abs(s[3]);
+    if v47 >= best {
+        best = v47;
         way = 2;
     }
     let v11 = 164.8815_f32 * s[3];
@@ -370,14 +369,14 @@ fn team_13(s: &[f32; 5]) -> u16 {
         best = v11;
         way = 3;
     }
-    let v36 = s[1] + 9.539528_f32;
-    if v36 >= best {
-        best = v36;
+    let v35 = s[1] + 9.539528_f32;
+    if v35 >= best {
+        best = v35;
         way = 4;
     }
-    let v50 = s[0] / 11.077008_f32;
-    if v50 >= best {
-        best = v50;
+    let v49 = s[0] / 11.077008_f32;
+    if v49 >= best {
+        best = v49;
         way = 5;
     }
     let v2 = s[0] / 0.0_f32;
@@ -385,10 +384,10 @@ fn team_13(s: &[f32; 5]) -> u16 {
         best = v2;
         way = 6;
     }
-    let v43 = f32::abs(s[4]);
-    let v44 = s[0] / v43;
-    if v44 >= best {
-        best = v44;
+    let v42 = f32::abs(s[4]);
+    let v43 = s[0] / v42;
+    if v43 >= best {
+        best = v43;
         way = 7;
     }
     let v17 = -3.3748567_f32 - s[0];
@@ -396,9 +395,9 @@ fn team_13(s: &[f32; 5]) -> u16 {
         best = v17;
         way = 8;
     }
-    let v37 = ops::min(v17, s[4]);
-    if v37 >= best {
-        best = v37;
+    let v36 = ops::min(v17, s[4]);
+    if v36 >= best {
+        best = v36;
         way = 9;
     }
     match way {
@@ -428,10 +427,10 @@ fn team_12(s: &[f32; 5]) -> u16 {
         best = v15;
         way = 2;
     }
-    let v43 = f32::abs(s[4]);
-    let v57 = s[1] / v43;
-    if v57 >= best {
-        best = v57;
+    let v42 = f32::abs(s[4]);
+    let v56 = s[1] / v42;
+    if v56 >= best {
+        best = v56;
         way = 3;
     }
     let v17 = -3.3748567_f32 - s[0];
@@ -439,9 +438,9 @@ fn team_12(s: &[f32; 5]) -> u16 {
         best = v17;
         way = 4;
     }
-    let v52 = ops::negate_if_less(s[1], -26.200392_f32);
-    if v52 >= best {
-        best = v52;
+    let v51 = ops::negate_if_less(s[1], -26.200392_f32);
+    if v51 >= best {
+        best = v51;
         way = 5;
     }
     let v5 = s[1] / 9.539528_f32;
@@ -453,9 +452,9 @@ fn team_12(s: &[f32; 5]) -> u16 {
         best = 11.302588_f32;
         way = 7;
     }
-    let v29 = 0.0_f32 - s[4];
-    if v29 >= best {
-        best = v29;
+    let v28 = 0.0_f32 - s[4];
+    if v28 >= best {
+        best = v28;
         way = 8;
     }
     match way {
@@ -493,14 +492,14 @@ fn team_32(s: &[f32; 5]) -> u16 {
         best = v8;
         way = 4;
     }
-    let v36 = s[1] + 9.539528_f32;
-    if v36 >= best {
-        best = v36;
+    let v35 = s[1] + 9.539528_f32;
+    if v35 >= best {
+        best = v35;
         way = 6;
     }
-    let v56 = s[3] / 15.430052_f32;
-    if v56 >= best {
-        best = v56;
+    let v55 = s[3] / 15.430052_f32;
+    if v55 >= best {
+        best = v55;
         way = 5;
     }
     let v5 = s[1] / 9.539528_f32;
@@ -522,14 +521,14 @@ fn team_32(s: &[f32; 5]) -> u16 {
 fn team_45(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
     let mut way = 4;
-    let v52 = ops::negate_if_less(s[1], -26.200392_f32);
-    if v52 >= best {
-        best = v52;
+    let v51 = ops::negate_if_less(s[1], -26.200392_f32);
+    if v51 >= best {
+        best = v51;
         way = 1;
     }
-    let v53 = ops::max(s[1], s[4]);
-    if v53 >= best {
-        best = v53;
+    let v52 = ops::max(s[1], s[4]);
+    if v52 >= best {
+        best = v52;
         way = 4;
     }
     let v2 = s[0] / 0.0_f32;
@@ -537,9 +536,9 @@ fn team_45(s: &[f32; 5]) -> u16 {
         best = v2;
         way = 2;
     }
-    let v29 = 0.0_f32 - s[4];
-    if v29 >= best {
-        best = v29;
+    let v28 = 0.0_f32 - s[4];
+    if v28 >= best {
+        best = v28;
         way = 4;
     }
     let v5 = s[1] / 9.539528_f32;
@@ -551,9 +550,9 @@ fn team_45(s: &[f32; 5]) -> u16 {
         best = 4.372006_f32;
         way = 4;
     }
-    let v54 = ops::min(s[2], s[3]);
-    if v54 >= best {
-        best = v54;
+    let v53 = ops::min(s[2], s[3]);
+    if v53 >= best {
+        best = v53;
         way = 4;
     }
     match way {
@@ -568,20 +567,20 @@ fn team_45(s: &[f32; 5]) -> u16 {
 fn team_41(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
     let mut way = 5;
-    let v38 = ops::max(s[2], s[4]);
-    if v38 >= best {
-        best = v38;
+    let v37 = ops::max(s[2], s[4]);
+    if v37 >= best {
+        best = v37;
         way = 2;
     }
-    let v39 = ops::max(s[4], 0.0_f32);
-    if v39 >= best {
-        best = v39;
+    let v38 = ops::max(s[4], 0.0_f32);
+    if v38 >= best {
+        best = v38;
         way = 1;
     }
-    let v40 = s[4] / 0.0_f32;
-    let v42 = v40 * -72.49379_f32;
-    if v42 >= best {
-        best = v42;
+    let v39 = s[4] / 0.0_f32;
+    let v41 = v39 * -72.49379_f32;
+    if v41 >= best {
+        best = v41;
         way = 2;
     }
     let v5 = s[1] / 9.539528_f32;
@@ -589,10 +588,10 @@ fn team_41(s: &[f32; 5]) -> u16 {
         best = v5;
         way = 3;
     }
-    let v43 = f32::abs(s[4]);
-    let v44 = s[0] / v43;
-    if v44 >= best {
-        best = v44;
+    let v42 = f32::abs(s[4]);
+    let v43 = s[0] / v42;
+    if v43 >= best {
+        best = v43;
         way = 5;
     }
     if 10.948133_f32 >= best {
@@ -626,19 +625,19 @@ fn team_14(s: &[f32; 5]) -> u16 {
         best = 11.302588_f32;
         way = 2;
     }
-    let v29 = 0.0_f32 - s[4];
-    if v29 >= best {
-        best = v29;
+    let v28 = 0.0_f32 - s[4];
+    if v28 >= best {
+        best = v28;
         way = 3;
     }
-    let v74 = -3.5602038_f32 - s[0];
-    if v74 >= best {
-        best = v74;
+    let v73 = -3.5602038_f32 - s[0];
+    if v73 >= best {
+        best = v73;
         way = 3;
     }
-    let v46 = s[1] * s[4];
-    if v46 >= best {
-        best = v46;
+    let v45 = s[1] * s[4];
+    if v45 >= best {
+        best = v45;
         way = 3;
     }
     let v17 = -3.3748567_f32 - s[0];
@@ -670,9 +669,9 @@ fn team_22(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
     let mut way = 8;
     let v17 = -3.3748567_f32 - s[0];
-    let v37 = ops::min(v17, s[4]);
-    if v37 >= best {
-        best = v37;
+    let v36 = ops::min(v17, s[4]);
+    if v36 >= best {
+        best = v36;
         way = 3;
     }
     let v8 = f32::abs(s[2]);
@@ -680,19 +679,19 @@ fn team_22(s: &[f32; 5]) -> u16 {
         best = v8;
         way = 1;
     }
-    let v75 = s[4] * s[4];
-    if v75 >= best {
-        best = v75;
+    let v74 = s[4] * s[4];
+    if v74 >= best {
+        best = v74;
         way = 2;
     }
     if v17 >= best {
         best = v17;
         way = 3;
     }
-    let v40 = s[4] / 0.0_f32;
-    let v42 = v40 * -72.49379_f32;
-    if v42 >= best {
-        best = v42;
+    let v39 = s[4] / 0.0_f32;
+    let v41 = v39 * -72.49379_f32;
+    if v41 >= best {
+        best = v41;
         way = 4;
     }
     if 22.918602_f32 >= best {
@@ -709,15 +708,15 @@ fn team_22(s: &[f32; 5]) -> u16 {
         best = v11;
         way = 6;
     }
-    let v78 = s[0] + s[4];
-    let v79 = v78 / 9.539528_f32;
-    if v79 >= best {
-        best = v79;
+    let v77 = s[0] + s[4];
+    let v78 = v77 / 9.539528_f32;
+    if v78 >= best {
+        best = v78;
         way = 7;
     }
-    let v70 = s[1] - s[4];
-    if v70 >= best {
-        best = v70;
+    let v69 = s[1] - s[4];
+    if v69 >= best {
+        best = v69;
         way = 8;
     }
     match way {
@@ -736,20 +735,20 @@ fn team_22(s: &[f32; 5]) -> u16 {
 fn team_23(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
     let mut way = 7;
-    let v72 = s[1] / 6.928064_f32;
-    if v72 >= best {
-        best = v72;
+    let v71 = s[1] / 6.928064_f32;
+    if v71 >= best {
+        best = v71;
         way = 1;
     }
-    let v56 = s[3] / 15.430052_f32;
-    if v56 >= best {
-        best = v56;
+    let v55 = s[3] / 15.430052_f32;
+    if v55 >= best {
+        best = v55;
         way = 2;
     }
-    let v43 = f32::abs(s[4]);
-    let v44 = s[0] / v43;
-    if v44 >= best {
-        best = v44;
+    let v42 = f32::abs(s[4]);
+    let v43 = s[0] / v42;
+    if v43 >= best {
+        best = v43;
         way = 3;
     }
     let v8 = f32::abs(s[2]);
@@ -766,9 +765,9 @@ fn team_23(s: &[f32; 5]) -> u16 {
         best = v5;
         way = 6;
     }
-    let v22 = ops::max(-161.71835_f32, s[2]);
-    if v22 >= best {
-        best = v22;
+    let v21 = ops::max(-161.71835_f32, s[2]);
+    if v21 >= best {
+        best = v21;
         way = 7;
     }
     match way {
@@ -787,19 +786,19 @@ fn team_35(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
     let mut way = 6;
     let v17 = -3.3748567_f32 - s[0];
-    let v37 = ops::min(v17, s[4]);
-    if v37 >= best {
-        best = v37;
+    let v36 = ops::min(v17, s[4]);
+    if v36 >= best {
+        best = v36;
         way = 1;
     }
-    let v80 = ops::negate_if_less(-3.3748567_f32, s[0]);
-    if v80 >= best {
-        best = v80;
+    let v79 = ops::negate_if_less(-3.3748567_f32, s[0]);
+    if v79 >= best {
+        best = v79;
         way = 1;
     }
-    let v66 = s[2] + s[2];
-    if v66 >= best {
-        best = v66;
+    let v65 = s[2] + s[2];
+    if v65 >= best {
+        best = v65;
         way = 2;
     }
     let v8 = f32::abs(s[2]);
@@ -836,29 +835,29 @@ fn team_35(s: &[f32; 5]) -> u16 {
 fn team_16(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
     let mut way = 8;
-    let v43 = f32::abs(s[4]);
-    if v43 >= best {
-        best = v43;
-        way = 1;
-    }
-    let v40 = s[4] / 0.0_f32;
-    let v42 = v40 * -72.49379_f32;
+    let v42 = f32::abs(s[4]);
     if v42 >= best {
         best = v42;
+        way = 1;
+    }
+    let v39 = s[4] / 0.0_f32;
+    let v41 = v39 * -72.49379_f32;
+    if v41 >= best {
+        best = v41;
         way = 2;
     }
-    let v70 = s[1] - s[4];
-    if v70 >= best {
-        best = v70;
+    let v69 = s[1] - s[4];
+    if v69 >= best {
+        best = v69;
         way = 3;
     }
     if 22.918602_f32 >= best {
         best = 22.918602_f32;
         way = 4;
     }
-    let v46 = s[1] * s[4];
-    if v46 >= best {
-        best = v46;
+    let v45 = s[1] * s[4];
+    if v45 >= best {
+        best = v45;
         way = 5;
     }
     let v8 = f32::abs(s[2]);
@@ -902,14 +901,14 @@ fn team_43(s: &[f32; 5]) -> u16 {
         best = v2;
         way = 2;
     }
-    let v54 = ops::min(s[2], s[3]);
-    if v54 >= best {
-        best = v54;
+    let v53 = ops::min(s[2], s[3]);
+    if v53 >= best {
+        best = v53;
         way = 3;
     }
-    let v69 = ops::max(s[0], 0.0_f32);
-    if v69 >= best {
-        best = v69;
+    let v68 = ops::max(s[0], 0.0_f32);
+    if v68 >= best {
+        best = v68;
         way = 4;
     }
     match way {
@@ -924,9 +923,9 @@ fn team_43(s: &[f32; 5]) -> u16 {
 fn team_38(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
     let mut way = 7;
-    let v66 = s[2] + s[2];
-    if v66 >= best {
-        best = v66;
+    let v65 = s[2] + s[2];
+    if v65 >= best {
+        best = v65;
         way = 1;
     }
     let v5 = s[1] / 9.539528_f32;
@@ -934,20 +933,20 @@ fn team_38(s: &[f32; 5]) -> u16 {
         best = v5;
         way = 7;
     }
-    let v48 = f32::abs(s[3]);
-    if v48 >= best {
-        best = v48;
+    let v47 = f32::abs(s[3]);
+    if v47 >= best {
+        best = v47;
         way = 2;
     }
-    let v68 = ops::min(s[2], 213.59233_f32);
-    if v68 >= best {
-        best = v68;
+    let v67 = ops::min(s[2], 213.59233_f32);
+    if v67 >= best {
+        best = v67;
         way = 3;
     }
-    let v43 = f32::abs(s[4]);
-    let v57 = s[1] / v43;
-    if v57 >= best {
-        best = v57;
+    let v42 = f32::abs(s[4]);
+    let v56 = s[1] / v42;
+    if v56 >= best {
+        best = v56;
         way = 4;
     }
     if 4.372006_f32 >= best {
@@ -964,9 +963,9 @@ fn team_38(s: &[f32; 5]) -> u16 {
         best = v8;
         way = 6;
     }
-    let v36 = s[1] + 9.539528_f32;
-    if v36 >= best {
-        best = v36;
+    let v35 = s[1] + 9.539528_f32;
+    if v35 >= best {
+        best = v35;
         way = 7;
     }
     match way {
@@ -984,21 +983,21 @@ fn team_38(s: &[f32; 5]) -> u16 {
 fn team_33(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
     let mut way = 5;
-    let v43 = f32::abs(s[4]);
-    let v81 = s[2] / v43;
-    if v81 >= best {
-        best = v81;
+    let v42 = f32::abs(s[4]);
+    let v80 = s[2] / v42;
+    if v80 >= best {
+        best = v80;
         way = 1;
     }
-    let v82 = s[4] - -22.172918_f32;
-    let v83 = 9.539528_f32 + v82;
-    if v83 >= best {
-        best = v83;
+    let v81 = s[4] - -22.172918_f32;
+    let v82 = 9.539528_f32 + v81;
+    if v82 >= best {
+        best = v82;
         way = 2;
     }
-    let v84 = ops::max(s[2], 99.64715_f32);
-    if v84 >= best {
-        best = v84;
+    let v83 = ops::max(s[2], 99.64715_f32);
+    if v83 >= best {
+        best = v83;
         way = 3;
     }
     let v17 = -3.3748567_f32 - s[0];
@@ -1006,9 +1005,9 @@ fn team_33(s: &[f32; 5]) -> u16 {
         best = v17;
         way = 4;
     }
-    let v86 = -72.89382_f32 / s[4];
-    if v86 >= best {
-        best = v86;
+    let v85 = -72.89382_f32 / s[4];
+    if v85 >= best {
+        best = v85;
         way = 5;
     }
     match way {
@@ -1029,9 +1028,9 @@ fn team_42(s: &[f32; 5]) -> u16 {
         best = v2;
         way = 1;
     }
-    let v54 = ops::min(s[2], s[3]);
-    if v54 >= best {
-        best = v54;
+    let v53 = ops::min(s[2], s[3]);
+    if v53 >= best {
+        best = v53;
         way = 2;
     }
     let v17 = -3.3748567_f32 - s[0];
@@ -1067,26 +1066,26 @@ fn team_42(s: &[f32; 5]) -> u16 {
 fn team_30(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
     let mut way = 9;
-    let v43 = f32::abs(s[4]);
-    let v44 = s[0] / v43;
-    if v44 >= best {
-        best = v44;
+    let v42 = f32::abs(s[4]);
+    let v43 = s[0] / v42;
+    if v43 >= best {
+        best = v43;
         way = 4;
     }
-    let v78 = s[0] + s[4];
-    let v79 = v78 / 9.539528_f32;
-    if v79 >= best {
-        best = v79;
+    let v77 = s[0] + s[4];
+    let v78 = v77 / 9.539528_f32;
+    if v78 >= best {
+        best = v78;
         way = 1;
     }
-    let v90 = s[1] / s[4];
-    if v90 >= best {
-        best = v90;
+    let v89 = s[1] / s[4];
+    if v89 >= best {
+        best = v89;
         way = 2;
     }
-    let v65 = s[2] - 99.64715_f32;
-    if v65 >= best {
-        best = v65;
+    let v64 = s[2] - 99.64715_f32;
+    if v64 >= best {
+        best = v64;
         way = 3;
     }
     let v2 = s[0] / 0.0_f32;
@@ -1109,10 +1108,10 @@ fn team_30(s: &[f32; 5]) -> u16 {
         best = v17;
         way = 7;
     }
-    let v40 = s[4] / 0.0_f32;
-    let v42 = v40 * -72.49379_f32;
-    if v42 >= best {
-        best = v42;
+    let v39 = s[4] / 0.0_f32;
+    let v41 = v39 * -72.49379_f32;
+    if v41 >= best {
+        best = v41;
         way = 8;
     }
     let v5 = s[1] / 9.539528_f32;
@@ -1181,14 +1180,14 @@ fn team_24(s: &[f32; 5]) -> u16 {
         best = v8;
         way = 3;
     }
-    let v56 = s[3] / 15.430052_f32;
-    if v56 >= best {
-        best = v56;
+    let v55 = s[3] / 15.430052_f32;
+    if v55 >= best {
+        best = v55;
         way = 4;
     }
-    let v36 = s[1] + 9.539528_f32;
-    if v36 >= best {
-        best = v36;
+    let v35 = s[1] + 9.539528_f32;
+    if v35 >= best {
+        best = v35;
         way = 5;
     }
     let v2 = s[0] / 0.0_f32;
@@ -1225,14 +1224,14 @@ fn team_40(s: &[f32; 5]) -> u16 {
         best = v17;
         way = 3;
     }
-    let v89 = f32::abs(s[0]);
-    if v89 >= best {
-        best = v89;
+    let v88 = f32::abs(s[0]);
+    if v88 >= best {
+        best = v88;
         way = 3;
     }
-    let v54 = ops::min(s[2], s[3]);
-    if v54 >= best {
-        best = v54;
+    let v53 = ops::min(s[2], s[3]);
+    if v53 >= best {
+        best = v53;
         way = 3;
     }
     let zero = core::hint::black_box(0.0_f32);
@@ -1262,19 +1261,19 @@ fn team_39(s: &[f32; 5]) -> u16 {
         best = v17;
         way = 2;
     }
-    let v59 = s[0] / 17.709658_f32;
-    if v59 >= best {
-        best = v59;
+    let v58 = s[0] / 17.709658_f32;
+    if v58 >= best {
+        best = v58;
         way = 5;
     }
-    let v54 = ops::min(s[2], s[3]);
-    if v54 >= best {
-        best = v54;
+    let v53 = ops::min(s[2], s[3]);
+    if v53 >= best {
+        best = v53;
         way = 2;
     }
-    let v60 = 0.0_f32 * s[2];
-    if v60 >= best {
-        best = v60;
+    let v59 = 0.0_f32 * s[2];
+    if v59 >= best {
+        best = v59;
         way = 3;
     }
     let v8 = f32::abs(s[2]);
@@ -1282,10 +1281,10 @@ fn team_39(s: &[f32; 5]) -> u16 {
         best = v8;
         way = 4;
     }
-    let v43 = f32::abs(s[4]);
-    let v44 = s[0] / v43;
-    if v44 >= best {
-        best = v44;
+    let v42 = f32::abs(s[4]);
+    let v43 = s[0] / v42;
+    if v43 >= best {
+        best = v43;
         way = 5;
     }
     match way {
@@ -1312,9 +1311,9 @@ fn team_17(s: &[f32; 5]) -> u16 {
         way = 2;
     }
     let v17 = -3.3748567_f32 - s[0];
-    let v37 = ops::min(v17, s[4]);
-    if v37 >= best {
-        best = v37;
+    let v36 = ops::min(v17, s[4]);
+    if v36 >= best {
+        best = v36;
         way = 6;
     }
     if 22.918602_f32 >= best {
@@ -1326,19 +1325,19 @@ fn team_17(s: &[f32; 5]) -> u16 {
         best = v2;
         way = 4;
     }
-    let v75 = s[4] * s[4];
-    if v75 >= best {
-        best = v75;
+    let v74 = s[4] * s[4];
+    if v74 >= best {
+        best = v74;
         way = 5;
     }
-    let v54 = ops::min(s[2], s[3]);
-    if v54 >= best {
-        best = v54;
+    let v53 = ops::min(s[2], s[3]);
+    if v53 >= best {
+        best = v53;
         way = 6;
     }
-    let v77 = s[1] / -9.539528_f32;
-    if v77 >= best {
-        best = v77;
+    let v76 = s[1] / -9.539528_f32;
+    if v76 >= best {
+        best = v76;
         way = 7;
     }
     match way {
@@ -1356,9 +1355,9 @@ fn team_17(s: &[f32; 5]) -> u16 {
 fn team_34(s: &[f32; 5]) -> u16 {
     let mut best = f32::MIN;
     let mut way = 5;
-    let v88 = s[4] * -4.136917_f32;
-    if v88 >= best {
-        best = v88;
+    let v87 = s[4] * -4.136917_f32;
+    if v87 >= best {
+        best = v87;
         way = 3;
     }
     let v5 = s[1] / 9.539528_f32;
@@ -1371,15 +1370,15 @@ fn team_34(s: &[f32; 5]) -> u16 {
         best = zero;
         way = 1;
     }
-    let v40 = s[4] / 0.0_f32;
-    let v42 = v40 * -72.49379_f32;
-    if v42 >= best {
-        best = v42;
+    let v39 = s[4] / 0.0_f32;
+    let v41 = v39 * -72.49379_f32;
+    if v41 >= best {
+        best = v41;
         way = 1;
     }
-    let v43 = f32::abs(s[4]);
-    if v43 >= best {
-        best = v43;
+    let v42 = f32::abs(s[4]);
+    if v42 >= best {
+        best = v42;
         way = 2;
     }
     let v2 = s[0] / 0.0_f32;
@@ -1387,14 +1386,14 @@ fn team_34(s: &[f32; 5]) -> u16 {
         best = v2;
         way = 3;
     }
-    let v36 = s[1] + 9.539528_f32;
-    if v36 >= best {
-        best = v36;
+    let v35 = s[1] + 9.539528_f32;
+    if v35 >= best {
+        best = v35;
         way = 4;
     }
-    let v44 = s[0] / v43;
-    if v44 >= best {
-        best = v44;
+    let v43 = s[0] / v42;
+    if v43 >= best {
+        best = v43;
         way = 5;
     }
     match way {
@@ -1420,9 +1419,9 @@ fn team_31(s: &[f32; 5]) -> u16 {
         best = v2;
         way = 3;
     }
-    let v36 = s[1] + 9.539528_f32;
-    if v36 >= best {
-        best = v36;
+    let v35 = s[1] + 9.539528_f32;
+    if v35 >= best {
+        best = v35;
         way = 4;
     }
     match way {
@@ -1443,9 +1442,9 @@ fn team_18(s: &[f32; 5]) -> u16 {
         way = 2;
     }
     let v17 = -3.3748567_f32 - s[0];
-    let v37 = ops::min(v17, s[4]);
-    if v37 >= best {
-        best = v37;
+    let v36 = ops::min(v17, s[4]);
+    if v36 >= best {
+        best = v36;
         way = 8;
     }
     let v2 = s[0] / 0.0_f32;
@@ -1453,25 +1452,25 @@ fn team_18(s: &[f32; 5]) -> u16 {
         best = v2;
         way = 3;
     }
-    let v75 = s[4] * s[4];
-    if v75 >= best {
-        best = v75;
+    let v74 = s[4] * s[4];
+    if v74 >= best {
+        best = v74;
         way = 4;
     }
-    let v54 = ops::min(s[2], s[3]);
-    if v54 >= best {
-        best = v54;
+    let v53 = ops::min(s[2], s[3]);
+    if v53 >= best {
+        best = v53;
         way = 8;
     }
-    let v77 = s[1] / -9.539528_f32;
-    if v77 >= best {
-        best = v77;
+    let v76 = s[1] / -9.539528_f32;
+    if v76 >= best {
+        best = v76;
         way = 5;
     }
-    let v43 = f32::abs(s[4]);
-    let v44 = s[0] / v43;
-    if v44 >= best {
-        best = v44;
+    let v42 = f32::abs(s[4]);
+    let v43 = s[0] / v42;
+    if v43 >= best {
+        best = v43;
         way = 6;
     }
     let v8 = f32::abs(s[2]);
@@ -1514,9 +1513,9 @@ fn team_36(s: &[f32; 5]) -> u16 {
         best = v2;
         way = 3;
     }
-    let v54 = ops::min(s[2], s[3]);
-    if v54 >= best {
-        best = v54;
+    let v53 = ops::min(s[2], s[3]);
+    if v53 >= best {
+        best = v53;
         way = 4;
     }
     match way {

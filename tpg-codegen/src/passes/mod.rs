@@ -24,6 +24,7 @@ pub mod interval;
 pub mod schedule;
 mod teams;
 pub mod wins;
+mod zeros;
 
 use crate::ir::{Module, Node, Team};
 use arithmetic::Arithmetic;
@@ -122,6 +123,7 @@ pub fn optimise_logged(graph: &Graph, assumption: Assumption) -> (Module<'_>, Lo
     let mut log = Log::default();
     let before = operations(&module);
     fold::run(&mut module, arithmetic);
+    zeros::run(&mut module, arithmetic);
     // Each round can make the next one find more; a round that finds nothing is the last.
     loop {
         let duplicates = duplicates::run(&mut module);

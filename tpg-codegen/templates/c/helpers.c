@@ -38,12 +38,10 @@ static {{ scalar }} {{ prefix }}_gate({{ scalar }} a, {{ scalar }} b)
 }
 {% endif %}
 {% if clamps %}
-/* An output in its range. */
+/* An output in its range. What is neither in it nor below is NaN. */
 static {{ scalar }} {{ prefix }}_clamp({{ scalar }} value, {{ scalar }} low, {{ scalar }} high, {{ scalar }} nan)
 {
-    const {{ scalar }} raised = (value < low) ? low : value;
-    const {{ scalar }} limited = (raised > high) ? high : raised;
-    return (isnan(value) != 0) ? nan : limited;
+    return (value >= low) ? ((value > high) ? high : value) : ((value < low) ? low : nan);
 }
 {% endif %}
 {% endif %}

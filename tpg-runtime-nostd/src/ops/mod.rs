@@ -35,13 +35,12 @@ pub fn challenge<S: crate::scalar::Scalar, To>(best: (S, To), challenger: (S, To
 /// ```
 #[inline(always)]
 pub fn clamp<S: crate::scalar::Scalar>(value: S, low: S, high: S, nan: S) -> S {
-    if value.is_nan() {
-        nan
+    // What is neither in the range nor below it is NaN: no test of its own.
+    if value >= low {
+        if value > high { high } else { value }
     } else if value < low {
         low
-    } else if value > high {
-        high
     } else {
-        value
+        nan
     }
 }
