@@ -1,8 +1,8 @@
 /*
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix acrobot --profile fast
- * Graph SHA-256: 76fc771d5267ee311a634b8cfb4c597fa640545ee5137236151c992fc9fabdc5
- * 1 teams (1 on the longest walk), 7 edges, 7 programs, 6 distinct operations.
+ * Graph SHA-256: 486d480a7f0df81ee65b7b7d4fe67c9bc9f77bdc5afe7da89a4412e919009bf9
+ * 1 teams (1 on the longest walk), 6 edges, 6 programs, 6 distinct operations.
  * Computes in f32 with own maths.
  */
 #include "acrobot.h"
@@ -26,6 +26,11 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
+static float acrobot_negate_if_less(float a, float b)
+{
+    return (a < b) ? -a : a;
+}
+
 static float acrobot_min(float a, float b)
 {
     return (a < b) ? a : b;
@@ -40,46 +45,39 @@ uint16_t acrobot_infer(const acrobot_state_t *state)
     {
         float best = -FLT_MAX;
         uint32_t way = 2U;
-        const float v2 = acrobot_min(state->sin_theta_1[0], 0.0F);
+        const float v2 = acrobot_negate_if_less(state->omega_2[0], 100.03832F);
 
         if (v2 >= best) {
             best = v2;
             way = 2U;
         }
-        const float v6 = (-0.60431343F) - state->omega_1[0];
+        const float v5 = 0.11001676F / state->cos_theta_1[0];
 
-        if (v6 >= best) {
-            best = v6;
+        if (v5 >= best) {
+            best = v5;
             way = 1U;
         }
-        const float v8 = acrobot_min(2.254559F, state->omega_2[0]);
+        const float v8 = state->omega_1[0] - state->cos_theta_2[0];
 
         if (v8 >= best) {
             best = v8;
-            way = 1U;
+            way = 2U;
         }
-        const float v10 = state->omega_2[0] - state->cos_theta_1[0];
+        const float v10 = (-0.7933136F) / state->cos_theta_1[0];
 
         if (v10 >= best) {
             best = v10;
             way = 1U;
         }
-        const float v12 = (-0.38341922F) - state->omega_1[0];
+        const float v11 = state->omega_2[0] * state->cos_theta_1[0];
 
-        if (v12 >= best) {
-            best = v12;
+        if (v11 >= best) {
+            best = v11;
             way = 1U;
         }
-        const volatile float constant = 0.0F;
-        const float zero = constant;
+        const float v12 = acrobot_min(state->omega_1[0], state->cos_theta_2[0]);
 
-        if (zero >= best) {
-            best = zero;
-            way = 2U;
-        }
-        const float v14 = state->omega_1[0] - state->cos_theta_2[0];
-
-        if (v14 >= best) {
+        if (v12 >= best) {
             way = 2U;
         }
 
@@ -119,7 +117,7 @@ uint32_t acrobot_selftest(void)
         { { 0.8547621F }, { -0.74921864F }, { -0.9235042F }, { -0.9441242F }, { 2.116904F }, { 12.373514F } },
     };
     static const uint16_t actions[16] = {
-        2U, 2U, 2U, 2U, 2U, 2U, 0U, 2U, 2U, 0U, 2U, 0U, 2U, 2U, 2U, 2U
+        2U, 2U, 0U, 0U, 0U, 2U, 0U, 2U, 2U, 2U, 0U, 0U, 0U, 0U, 0U, 2U
     };
     uint32_t failures = 0U;
     uint32_t vector;

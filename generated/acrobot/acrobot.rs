@@ -1,7 +1,7 @@
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix acrobot --profile constant-time
-//! Graph SHA-256: 76fc771d5267ee311a634b8cfb4c597fa640545ee5137236151c992fc9fabdc5
-//! 1 teams (1 on the longest walk), 7 edges, 7 programs, 6 distinct operations.
+//! Graph SHA-256: 486d480a7f0df81ee65b7b7d4fe67c9bc9f77bdc5afe7da89a4412e919009bf9
+//! 1 teams (1 on the longest walk), 6 edges, 6 programs, 6 distinct operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
 #![allow(
@@ -39,7 +39,7 @@ impl Acrobot {
     /// Teams on the longest walk.
     pub const DEPTH: usize = 1;
     /// Bids that one decision looks at, at most.
-    pub const WORST_BIDS: usize = 7;
+    pub const WORST_BIDS: usize = 6;
     /// Operations of one decision, at most.
     pub const WORST_OPERATIONS: usize = 6;
     /// Sines, cosines, logarithms and exponentials among them, at most.
@@ -52,31 +52,29 @@ impl Policy for Acrobot {
 
     fn decide(&self, s: &[f32; 6]) -> ActionId {
         let ct = ConstantTime::<f32>::default();
-        let v2 = ct.min(s[1], 0.0_f32);
-        let v6 = -0.60431343_f32 - s[4];
-        let v8 = ct.min(2.254559_f32, s[5]);
-        let v10 = s[5] - s[0];
-        let v12 = -0.38341922_f32 - s[4];
-        let v14 = s[4] - s[2];
+        let v2 = ct.negate_if_less(s[5], 100.03832_f32);
+        let v5 = 0.11001676_f32 / s[0];
+        let v8 = s[4] - s[2];
+        let v10 = -0.7933136_f32 / s[0];
+        let v11 = s[5] * s[0];
+        let v12 = ct.min(s[4], s[2]);
 
         // What is bid, as integers in the same order.
-        let k1 = -8388607_i32; // 0.0_f32
         let k2 = ct.order(v2);
-        let k6 = ct.order(v6);
+        let k5 = ct.order(v5);
         let k8 = ct.order(v8);
         let k10 = ct.order(v10);
+        let k11 = ct.order(v11);
         let k12 = ct.order(v12);
-        let k14 = ct.order(v14);
 
         // Where the team leads: the number behind the best bid.
         // Team 0
         let best = (k2, 0);
-        let best = ct.challenge(best, (k6, 2));
-        let best = ct.challenge(best, (k8, 2));
+        let best = ct.challenge(best, (k5, 2));
+        let best = ct.challenge(best, (k8, 0));
         let best = ct.challenge(best, (k10, 2));
-        let best = ct.challenge(best, (k12, 2));
-        let best = ct.challenge(best, (k1, 0));
-        let best = ct.challenge(best, (k14, 0));
+        let best = ct.challenge(best, (k11, 2));
+        let best = ct.challenge(best, (k12, 0));
 
         ActionId(best.1 as u16)
     }

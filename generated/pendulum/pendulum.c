@@ -1,8 +1,8 @@
 /*
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix pendulum --profile fast
- * Graph SHA-256: c034b28dcf32060bad568b03a753a01658350865786d56eddbd7ad5488a83f29
- * 1 teams (1 on the longest walk), 2 edges, 2 programs, 11 distinct operations.
+ * Graph SHA-256: e371857f5f2d98485533a900f5b0c18626fc44af90b3ad69194605f6c7bd3e14
+ * 1 teams (1 on the longest walk), 2 edges, 2 programs, 14 distinct operations.
  * Computes in f32 with own maths.
  */
 #include "pendulum.h"
@@ -26,9 +26,9 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
-static float pendulum_negate_if_less(float a, float b)
+static float pendulum_min(float a, float b)
 {
-    return (a < b) ? -a : a;
+    return (a < b) ? a : b;
 }
 
 /* An output in its range. What is neither in it nor below is NaN. */
@@ -44,44 +44,50 @@ void pendulum_infer(const pendulum_state_t *state, pendulum_action_t *action)
     float out0;
 
     {
-        const volatile float constant = 0.0F;
-        const float zero = constant;
-        float best = zero;
-        uint32_t way = 1U;
-        const float v3 = pendulum_negate_if_less((-0.28330687F), state->cos_theta[0]);
+        float best = -FLT_MAX;
+        uint32_t way = 2U;
+        const float v2 = pendulum_min(state->cos_theta[0], state->sin_theta[0]);
 
-        if (v3 >= best) {
+        if (v2 >= best) {
+            best = v2;
+            way = 1U;
+        }
+        const float v5 = state->cos_theta[0] * 4.407756F;
+
+        if (v5 >= best) {
             way = 2U;
         }
 
         if (way == 1U) {
-            goto leaf_1;
-        } else {
             goto leaf_0;
+        } else {
+            goto leaf_1;
         }
     }
 
 leaf_0:
     {
-        const float v6 = state->sin_theta[0] / (-0.11899939F);
-        const float v9 = (-0.03674821F) - state->omega[0];
-        const float v10 = v6 + v9;
-        const float v11 = v10 - state->omega[0];
-        const float v12 = v11 / state->cos_theta[0];
+        const float v7 = state->sin_theta[0] * 6.6331344F;
+        const float v8 = 0.0F + v7;
+        const float v11 = state->cos_theta[0] * (-22.268024F);
+        const float v12 = (-0.38278264F) + v11;
+        const float v15 = state->omega[0] * 2.6018698F;
+        const float v16 = v8 + v15;
+        const float v17 = v12 * v16;
 
-        out0 = v12;
+        out0 = v17;
     }
     goto answered;
 
 leaf_1:
     {
-        const float v13 = state->sin_theta[0] / state->cos_theta[0];
-        const float v15 = (-0.023996977F) - state->omega[0];
-        const float v16 = v13 + v15;
-        const float v17 = v16 - state->omega[0];
-        const float v18 = v17 / state->cos_theta[0];
+        const float v19 = state->sin_theta[0] * 9.448936F;
+        const float v20 = 0.0F + v19;
+        const float v23 = state->omega[0] * 1.7750591F;
+        const float v24 = v20 + v23;
+        const float v25 = (-1.6007409F) * v24;
 
-        out0 = v18;
+        out0 = v25;
     }
 
 answered:
@@ -113,20 +119,20 @@ uint32_t pendulum_selftest(void)
     static const pendulum_action_t actions[16] = {
         { -2.0F },
         { 2.0F },
-        { 2.0F },
-        { -2.0F },
-        { -2.0F },
-        { 2.0F },
-        { 2.0F },
-        { -2.0F },
-        { 0.158242F },
-        { -2.0F },
-        { 2.0F },
         { -2.0F },
         { -2.0F },
         { -2.0F },
         { 2.0F },
-        { -1.5980666F },
+        { 2.0F },
+        { 2.0F },
+        { -2.0F },
+        { -2.0F },
+        { 2.0F },
+        { -2.0F },
+        { -2.0F },
+        { -2.0F },
+        { 2.0F },
+        { -0.8358754F },
     };
     uint32_t failures = 0U;
     uint32_t vector;

@@ -1,7 +1,7 @@
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix pendulum --profile constant-time
-//! Graph SHA-256: c034b28dcf32060bad568b03a753a01658350865786d56eddbd7ad5488a83f29
-//! 1 teams (1 on the longest walk), 2 edges, 2 programs, 11 distinct operations.
+//! Graph SHA-256: e371857f5f2d98485533a900f5b0c18626fc44af90b3ad69194605f6c7bd3e14
+//! 1 teams (1 on the longest walk), 2 edges, 2 programs, 14 distinct operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
 #![allow(
@@ -36,7 +36,7 @@ impl Pendulum {
     /// Bids that one decision looks at, at most.
     pub const WORST_BIDS: usize = 2;
     /// Operations of one decision, at most.
-    pub const WORST_OPERATIONS: usize = 11;
+    pub const WORST_OPERATIONS: usize = 14;
     /// Sines, cosines, logarithms and exponentials among them, at most.
     pub const WORST_MATHS_CALLS: usize = 0;
 }
@@ -47,31 +47,34 @@ impl Policy for Pendulum {
 
     fn decide(&self, s: &[f32; 3]) -> [f32; 1] {
         let ct = ConstantTime::<f32>::default();
-        let v3 = ct.negate_if_less(-0.28330687_f32, s[0]);
+        let v2 = ct.min(s[0], s[1]);
+        let v5 = s[0] * 4.407756_f32;
 
         // What is bid, as integers in the same order.
-        let k0 = -8388607_i32; // 0.0_f32
-        let k3 = ct.order(v3);
+        let k2 = ct.order(v2);
+        let k5 = ct.order(v5);
 
         // Where the team leads: the number behind the best bid.
         // Team 0
-        let best = (k0, 1);
-        let best = ct.challenge(best, (k3, 0));
+        let best = (k2, 0);
+        let best = ct.challenge(best, (k5, 1));
 
         let leaf = best.1;
         // Every leaf's values, and the choice among them.
-        let v6 = s[1] / -0.11899939_f32;
-        let v9 = -0.03674821_f32 - s[2];
-        let v10 = v6 + v9;
-        let v11 = v10 - s[2];
-        let v12 = v11 / s[0];
-        let v13 = s[1] / s[0];
-        let v15 = -0.023996977_f32 - s[2];
-        let v16 = v13 + v15;
-        let v17 = v16 - s[2];
-        let v18 = v17 / s[0];
-        let out0 = v12;
-        let out0 = ct.if_equal(leaf, 1, v18, out0);
+        let v7 = s[1] * 6.6331344_f32;
+        let v8 = 0.0_f32 + v7;
+        let v11 = s[0] * -22.268024_f32;
+        let v12 = -0.38278264_f32 + v11;
+        let v15 = s[2] * 2.6018698_f32;
+        let v16 = v8 + v15;
+        let v17 = v12 * v16;
+        let v19 = s[1] * 9.448936_f32;
+        let v20 = 0.0_f32 + v19;
+        let v23 = s[2] * 1.7750591_f32;
+        let v24 = v20 + v23;
+        let v25 = -1.6007409_f32 * v24;
+        let out0 = v17;
+        let out0 = ct.if_equal(leaf, 1, v25, out0);
         [ct.clamp(out0, -2.0_f32, 2.0_f32, 0.0_f32)]
     }
 }

