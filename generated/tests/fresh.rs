@@ -2,7 +2,10 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use tpg_codegen::compile;
 use tpg_codegen::emit::{self, Language, Options, Prefix, Profile};
+use tpg_codegen::explain;
+use tpg_codegen::size::{Target, build_c, measure};
 use tpg_generated::acrobot::Acrobot;
 use tpg_generated::bipedal_walker::BipedalWalker;
 use tpg_generated::cartpole::Cartpole;
@@ -85,6 +88,66 @@ fn generated_code_is_fresh() {
                 );
             }
         }
+    }
+}
+
+/// Returns the folders of the policies whose PROVENANCE.md explains them, with its text.
+fn explained() -> Vec<(PathBuf, String)> {
+    let text =
+        |folder: &PathBuf| fs::read_to_string(folder.join("PROVENANCE.md")).expect("readable");
+    let all = policies()
+        .into_iter()
+        .map(|folder| (folder.clone(), text(&folder)));
+    let explained: Vec<_> = all
+        .filter(|(_, text)| text.contains("```text\nWhat the "))
+        .collect();
+    assert!(explained.len() >= 11);
+    explained
+}
+
+#[test]
+fn provenance_has_the_formulas_of_todays_code() {
+    for (folder, text) in explained() {
+        let options = Options::new(Prefix::of_file(&folder.join("graph.json")));
+        let formulas = explain::formulas(&graph(&folder), &options);
+        assert!(
+            text.contains(&format!("```text\n{}\n```", formulas.trim())),
+            "{}/PROVENANCE.md: `tpg-codegen generate graph.json --explain` says\n{formulas}",
+            folder.display()
+        );
+    }
+}
+
+#[test]
+fn provenance_has_the_flash_of_todays_code() {
+    if !tpg_testing::tool(
+        "arm-none-eabi-gcc",
+        "gcc-arm-none-eabi",
+        "flash that PROVENANCE.md says",
+    ) {
+        return;
+    }
+    for (folder, text) in explained() {
+        let options = Options {
+            profile: Some(Profile::Fast),
+            ..Options::new(Prefix::of_file(&folder.join("graph.json")))
+        };
+        let graph = graph(&folder);
+        let code = emit::Code::of(compile(&graph, &options, Language::C));
+        let built = build_c(&code, Target::CortexM4).expect("it compiles");
+        let flash = measure(&built.object).expect("an object file").flash();
+        let (_, said) = text
+            .split_once("| C, profile `fast` | ")
+            .expect("a row of the code");
+        let (said, _) = said
+            .split_once(" bytes on a Cortex-M4F (`-Os`)")
+            .expect("its flash");
+        assert_eq!(
+            said.replace(',', ""),
+            flash.to_string(),
+            "{}/PROVENANCE.md",
+            folder.display()
+        );
     }
 }
 
