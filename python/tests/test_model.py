@@ -445,6 +445,17 @@ def test_hardware_in_the_loop() -> None:
         TPG("CartPole-v1").ask()
 
 
+def test_a_smaller_share_for_the_search_for_weights_limits_its_random_part(tmp_path: Path) -> None:
+    for share, random in (([0.25, 0.5], 0.25), ([0.7, 0.7], 0.5)):
+        model = TPG(environments.Cart, settings={"start.share": share}, folder=tmp_path / str(random)).learn(2_000)
+        start = json.loads(model.graph.to_json())["provenance"]["config"]["start"]
+        assert (start["share"], start["random"]) == (share, random)
+    with pytest.raises(InputError, match="expected f64"):
+        TPG(environments.Cart, settings={"start.share": ["a", 0.5]})
+    with pytest.raises(InputError, match="start.random"):
+        TPG(environments.Cart, settings={"start.share": [0.25, 0.5], "start.random": 0.5})
+
+
 def test_hardware_in_the_loop_goes_on_with_a_random_search(tmp_path: Path) -> None:
     class Stop(tpg_train.callbacks.BaseCallback):
         def _on_step(self) -> bool:

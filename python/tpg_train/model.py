@@ -224,6 +224,10 @@ class TPG:
                 chosen["selection.racing_episodes"] = 0
         if scalar is not None:
             chosen["language.scalar"] = scalar
+        match settings.get("start.share"):
+            case [int() | float() as least, _] if "start.random" in chosen:
+                # Steps that are given to the search for weights limit those of its random part.
+                chosen["start.random"] = min(chosen["start.random"], least)
         chosen.update(settings)
         return _tpg.configuration(name, json.dumps(chosen))
 
