@@ -48,8 +48,8 @@ fn the_leaf_that_is_lit_computes_the_torque_of_the_generated_code() {
         let seen = state::<3>(&mut numbers);
         let [cosine, sine, omega] = seen;
         let torque = match decide(&bids::PENDULUM, &seen).end {
-            0 => (sine / -0.118_999_39 + (-0.036_748_21 - omega) - omega) / cosine,
-            _ => (sine / cosine + (-0.023_996_977 - omega) - omega) / cosine,
+            0 => (-0.382_782_64 + cosine * -22.268_024) * (0.0 + sine * 6.633_134_4 + omega * 2.601_869_8),
+            _ => -1.600_740_9 * (0.0 + sine * 9.448_936 + omega * 1.775_059_1),
         };
         ends[usize::from(decide(&bids::PENDULUM, &seen).end)] += 1;
         let limited = if torque.is_nan() { 0.0 } else { torque.clamp(-2.0, 2.0) };
