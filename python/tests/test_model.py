@@ -446,8 +446,9 @@ def test_hardware_in_the_loop() -> None:
 
 
 def test_a_smaller_share_for_the_search_for_weights_limits_its_random_part(tmp_path: Path) -> None:
-    for share, random in (([0.25, 0.5], 0.25), ([0.7, 0.7], 0.5)):
-        model = TPG(environments.Cart, settings={"start.share": share}, folder=tmp_path / str(random)).learn(2_000)
+    named, outputs = environments.Cart, environments.BoxCart
+    for env, share, random in ((named, [0.25, 0.5], 0.25), (named, [0.7, 0.7], 0.5), (outputs, [0.7, 0.7], 0.4)):
+        model = TPG(env, settings={"start.share": share}, folder=tmp_path / str(random)).learn(2_000)
         start = json.loads(model.graph.to_json())["provenance"]["config"]["start"]
         assert (start["share"], start["random"]) == (share, random)
     with pytest.raises(InputError, match="expected f64"):

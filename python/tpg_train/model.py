@@ -238,9 +238,10 @@ class TPG:
         programs = outputs or actions - 1
         if programs * (inputs + 1) > MOST_WEIGHTS:
             return {"start.kind": "random", "tpg.init_nb_roots": max(60, actions)}
-        # Small steps find bids more surely; where there are outputs, products are found sooner without them.
-        search = {} if outputs else {"start.random": 0.5, "start.share": [0.6, 0.65]}
-        return search | {
+        # Small steps find sums more surely; outputs may need products, which only the searches after them find.
+        return {
+            "start.random": 0.4 if outputs else 0.5,
+            "start.share": [0.6, 0.65],
             "tpg.init_nb_roots": max(60, actions),
             "tpg.max_outgoing_edges": max(8, actions),
             "program.max_program_size": max(24, inputs + 1),

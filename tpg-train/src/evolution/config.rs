@@ -463,6 +463,7 @@ pub struct StartConfig {
     /// `[0, 0]`, or a run without that limit: its generations alone decide.
     pub share: [f64; 2],
     /// Fraction of a run's steps that a random search takes, one episode a sample, before those by covariance matrix adaptation;
+    /// from a quarter of them on it ends where it is no better than luck, that is, than the best of its first generation.
     /// 0, or a run without that limit: none. Not above the first of `share`.
     #[serde(skip_serializing_if = "is_nothing")]
     pub random: f64,

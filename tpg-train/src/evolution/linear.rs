@@ -2,9 +2,10 @@
 //!
 //! A program is a weighted sum of the inputs, or the product of two: that one can change its sign where another input does, as a
 //! swing-up must. Mutations of single lines hardly ever find six weights that only help together; two searches do: [`RandomSearch`] in
-//! small steps from nothing, where the configuration gives it steps, and after it covariance matrix adaptation. Several of the latter run
-//! side by side for the first half, the best of them goes on for the second. Where that stalls early, another one begins, for products
-//! where it was for sums and for sums where it was for products. Evolution goes on from the last search and the best before it.
+//! small steps from nothing, where the configuration gives it steps and as long as it gets anywhere, and after it covariance matrix
+//! adaptation. Several of the latter run side by side for the first half, the best of them goes on for the second. Where that stalls
+//! early, another one begins, for products where it was for sums and for sums where it was for products. Evolution goes on from the last
+//! search and the best before it.
 
 use super::cma::Cma;
 use super::config::StartKind;
@@ -26,6 +27,10 @@ use tpg_runtime::scalar::Scalar;
 
 /// Weight of the newest generation in a search's score.
 const NEWEST: f64 = 0.2;
+/// A random search ends after this part of its steps if it is no better than luck.
+const TRIAL: f64 = 0.25;
+/// The mean of samples that are better than luck, as a part of the way from the first generation's median score to its best.
+const LUCK: f64 = 0.9;
 /// Most weights of a linear start: beyond, a full covariance costs more than it finds.
 pub(super) const MOST_WEIGHTS: usize = 400;
 
@@ -453,11 +458,11 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         let start = &self.config.start;
         if start.is_by_steps() {
             let score = state.searches.iter().map(|search| search.score).fold(f64::NEG_INFINITY, f64::max);
-            // A random search takes its share, however slowly it gets better: at first it hardly does.
             let is_random = is_random(state);
             let steps = self.goal.max_steps.map(|most| {
                 let part = |share: f64| (share * most as f64) as u64;
-                let [least, most] = if is_random { [start.random; 2] } else { start.share };
+                let [least, most] =
+                    if is_random { [start.random * random_part(score, state.rows.first()); 2] } else { start.share };
                 StepBounds { least: part(least), most: part(most) }
             });
             let point = Point { generations: state.generation + 1, steps: state.steps, score };
@@ -525,6 +530,13 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
 /// True if a random search runs.
 fn is_random<Task>(state: &State<Task>) -> bool {
     matches!(state.searches[..], [Search { method: Method::Random(_), .. }])
+}
+
+/// Returns the part of its steps that a random search has with such a score, beside its first generation: all of them, however
+/// slowly it gets better, for at first it hardly does; [`TRIAL`] while it is no better than luck.
+fn random_part(score: f64, first: Option<&Row>) -> f64 {
+    let luck = first.map(|first| first.median_score + LUCK * (first.best_score - first.median_score));
+    if luck.is_none_or(|luck| score > luck) { 1.0 } else { TRIAL }
 }
 
 /// Returns the search with the best score; the first of equals.
