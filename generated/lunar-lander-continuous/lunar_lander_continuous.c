@@ -1,8 +1,8 @@
 /*
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix lunar_lander_continuous --profile fast
- * Graph SHA-256: 8d92aee034785833c57310fdf420c919dfb2aea7db8877dd08cef053e74095de
- * 1 teams (1 on the longest walk), 1 edges, 1 programs, 10 distinct operations.
+ * Graph SHA-256: 21140b6a4c0651fa6f8a83087689cd7d36775e4af62ea92655ec41dd4fa1ed3d
+ * 1 teams (1 on the longest walk), 1 edges, 1 programs, 12 distinct operations.
  * Computes in f32 with own maths.
  */
 #include "lunar_lander_continuous.h"
@@ -34,19 +34,21 @@ static float lunar_lander_continuous_clamp(float value, float low, float high, f
 
 void lunar_lander_continuous_infer(const lunar_lander_continuous_state_t *state, lunar_lander_continuous_action_t *action)
 {
-    const float v3 = state->obs[1] * (-2.9189487F);
-    const float v6 = state->obs[3] * (-3.7557209F);
-    const float v7 = v3 + v6;
-    const float v9 = v7 + (-0.50095105F);
-    const float v12 = state->obs[2] * (-3.9983425F);
-    const float v13 = 0.0F + v12;
-    const float v16 = state->obs[4] * 2.3448007F;
-    const float v17 = v13 + v16;
-    const float v20 = state->obs[5] * 5.9345937F;
-    const float v21 = v17 + v20;
+    const float v2 = state->obs[1] * (-8.037243F);
+    const float v5 = state->obs[3] * (-11.026979F);
+    const float v6 = v2 + v5;
+    const float v8 = v6 + (-1.8125842F);
+    const float v11 = state->obs[0] * (-18.706825F);
+    const float v14 = state->obs[5] * 2.1564276F;
+    const float v15 = v11 + v14;
+    const float v18 = state->obs[4] * 14.484438F;
+    const float v19 = v15 + v18;
+    const float v22 = state->obs[2] * (-6.0377746F);
+    const float v23 = v19 + v22;
+    const float v25 = v23 + 0.24678662F;
 
-    action->action_0 = lunar_lander_continuous_clamp(v9, -1.0F, 1.0F, 0.0F);
-    action->action_1 = lunar_lander_continuous_clamp(v21, -1.0F, 1.0F, 0.0F);
+    action->action_0 = lunar_lander_continuous_clamp(v8, -1.0F, 1.0F, 0.0F);
+    action->action_1 = lunar_lander_continuous_clamp(v25, -1.0F, 1.0F, 0.0F);
 }
 #ifndef LUNAR_LANDER_CONTINUOUS_NO_SELFTEST
 
@@ -71,22 +73,22 @@ uint32_t lunar_lander_continuous_selftest(void)
         { { -2.2226267F, 0.26387098F, -2.5254076F, 9.791858F, -1.6799787F, -7.2984695F, 0.0387948F, 0.32251278F } },
     };
     static const lunar_lander_continuous_action_t actions[16] = {
+        { 1.0F, -1.0F },
+        { -1.0F, -1.0F },
+        { 1.0F, -1.0F },
+        { 1.0F, -1.0F },
+        { -1.0F, -1.0F },
+        { 1.0F, -1.0F },
+        { -1.0F, 1.0F },
+        { -1.0F, -1.0F },
         { 1.0F, 1.0F },
         { -1.0F, -1.0F },
         { 1.0F, -1.0F },
         { 1.0F, -1.0F },
-        { -1.0F, 1.0F },
-        { 1.0F, 1.0F },
-        { -1.0F, 1.0F },
-        { -1.0F, -1.0F },
+        { 1.0F, -1.0F },
         { 1.0F, -1.0F },
         { -1.0F, -1.0F },
-        { 1.0F, 1.0F },
-        { 1.0F, -1.0F },
-        { 1.0F, -1.0F },
-        { 1.0F, -1.0F },
         { -1.0F, 1.0F },
-        { -1.0F, -1.0F },
     };
     uint32_t failures = 0U;
     uint32_t vector;

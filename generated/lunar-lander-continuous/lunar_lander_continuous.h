@@ -1,8 +1,8 @@
 /*
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix lunar_lander_continuous --profile fast
- * Graph SHA-256: 8d92aee034785833c57310fdf420c919dfb2aea7db8877dd08cef053e74095de
- * 1 teams (1 on the longest walk), 1 edges, 1 programs, 10 distinct operations.
+ * Graph SHA-256: 21140b6a4c0651fa6f8a83087689cd7d36775e4af62ea92655ec41dd4fa1ed3d
+ * 1 teams (1 on the longest walk), 1 edges, 1 programs, 12 distinct operations.
  * Computes in f32 with own maths.
  */
 #ifndef LUNAR_LANDER_CONTINUOUS_H
@@ -20,7 +20,7 @@ extern "C" {
 #define LUNAR_LANDER_CONTINUOUS_DEPTH 1U
 /* At most, in one inference: bids looked at, operations, and sines, cosines, logarithms and exponentials among those. */
 #define LUNAR_LANDER_CONTINUOUS_WORST_BIDS 0U
-#define LUNAR_LANDER_CONTINUOUS_WORST_OPERATIONS 10U
+#define LUNAR_LANDER_CONTINUOUS_WORST_OPERATIONS 12U
 #define LUNAR_LANDER_CONTINUOUS_WORST_MATHS_CALLS 0U
 
 /* What the policy sees. Values outside the ranges are legal, NaN and infinities too. */

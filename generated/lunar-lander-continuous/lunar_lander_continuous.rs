@@ -1,7 +1,7 @@
 //! Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
 //! Options: --lang rust --prefix lunar_lander_continuous --profile constant-time
-//! Graph SHA-256: 8d92aee034785833c57310fdf420c919dfb2aea7db8877dd08cef053e74095de
-//! 1 teams (1 on the longest walk), 1 edges, 1 programs, 10 distinct operations.
+//! Graph SHA-256: 21140b6a4c0651fa6f8a83087689cd7d36775e4af62ea92655ec41dd4fa1ed3d
+//! 1 teams (1 on the longest walk), 1 edges, 1 programs, 12 distinct operations.
 //! Computes in f32 with own maths.
 #![forbid(unsafe_code)]
 #![allow(
@@ -35,7 +35,7 @@ impl LunarLanderContinuous {
     /// Bids that one decision looks at, at most.
     pub const WORST_BIDS: usize = 0;
     /// Operations of one decision, at most.
-    pub const WORST_OPERATIONS: usize = 10;
+    pub const WORST_OPERATIONS: usize = 12;
     /// Sines, cosines, logarithms and exponentials among them, at most.
     pub const WORST_MATHS_CALLS: usize = 0;
 }
@@ -46,19 +46,21 @@ impl Policy for LunarLanderContinuous {
 
     fn decide(&self, s: &[f32; 8]) -> [f32; 2] {
         let ct = ConstantTime::<f32>::default();
-        let v3 = s[1] * -2.9189487_f32;
-        let v6 = s[3] * -3.7557209_f32;
-        let v7 = v3 + v6;
-        let v9 = v7 + -0.50095105_f32;
-        let v12 = s[2] * -3.9983425_f32;
-        let v13 = 0.0_f32 + v12;
-        let v16 = s[4] * 2.3448007_f32;
-        let v17 = v13 + v16;
-        let v20 = s[5] * 5.9345937_f32;
-        let v21 = v17 + v20;
+        let v2 = s[1] * -8.037243_f32;
+        let v5 = s[3] * -11.026979_f32;
+        let v6 = v2 + v5;
+        let v8 = v6 + -1.8125842_f32;
+        let v11 = s[0] * -18.706825_f32;
+        let v14 = s[5] * 2.1564276_f32;
+        let v15 = v11 + v14;
+        let v18 = s[4] * 14.484438_f32;
+        let v19 = v15 + v18;
+        let v22 = s[2] * -6.0377746_f32;
+        let v23 = v19 + v22;
+        let v25 = v23 + 0.24678662_f32;
         [
-            ct.clamp(v9, -1.0_f32, 1.0_f32, 0.0_f32),
-            ct.clamp(v21, -1.0_f32, 1.0_f32, 0.0_f32),
+            ct.clamp(v8, -1.0_f32, 1.0_f32, 0.0_f32),
+            ct.clamp(v25, -1.0_f32, 1.0_f32, 0.0_f32),
         ]
     }
 }
