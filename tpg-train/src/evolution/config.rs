@@ -463,8 +463,8 @@ pub struct StartConfig {
     /// `[0, 0]`, or a run without that limit: its generations alone decide.
     pub share: [f64; 2],
     /// Fraction of a run's steps that a random search takes, one episode a sample, before those by covariance matrix adaptation;
-    /// from a quarter of them on it ends where it is no better than luck, that is, than the best of its first generation.
-    /// 0, or a run without that limit: none. Not above the first of `share`.
+    /// after a quarter of them it ends as soon as its samples are no better than luck on average, that is, than nine tenths of the
+    /// way from the first generation's median to its best. 0, or a run without that limit: none. Not above the first of `share`.
     #[serde(skip_serializing_if = "is_nothing")]
     pub random: f64,
     /// Number of searches, of which the best goes on after half of the generations.
