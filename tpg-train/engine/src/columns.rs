@@ -7,7 +7,7 @@
 
 use crate::nodes::{Node, NodeId, NodeSet};
 use crate::plan::Plan;
-use crate::view::{BLOCK, Block, View};
+use crate::view::{BLOCK, Block, HALF, View};
 use std::marker::PhantomData;
 use tpg_runtime::ops::{Instruction, Maths};
 use tpg_runtime::scalar::Scalar;
@@ -103,9 +103,15 @@ impl<S: Scalar, M: Maths<S>> Columns<S, M> {
                 let a = &before[a.index() * *blocks..][..used];
                 let b = &before[b.index() * *blocks..][..used];
                 match (lanes, a, b, &mut from[..used]) {
-                    // A single lane is cheaper to compute as a scalar than as a block.
+                    // A single lane is cheaper to compute as a scalar than as a block, few are cheaper as half of one.
                     (1, [a], [b], [to]) => to[0] = instruction.apply::<S, M>(a[0], b[0]),
-                    (_, a, b, to) => compute_column::<S, M>(instruction, [a, b], to, lanes),
+                    (..=HALF, [a], [b], [to]) => {
+                        compute_column::<S, M, HALF>(instruction, [&a[..HALF], &b[..HALF]], &mut to[..HALF], lanes);
+                    }
+                    (_, a, b, to) => {
+                        let (a, b) = (a.as_flattened(), b.as_flattened());
+                        compute_column::<S, M, BLOCK>(instruction, [a, b], to.as_flattened_mut(), lanes);
+                    }
                 }
             },
         );
@@ -124,16 +130,16 @@ impl<S: Scalar, M: Maths<S>> Columns<S, M> {
     }
 }
 
-/// Dispatches once per instruction, so that the loops do not test it again.
+/// Dispatches once per instruction, so that the loops do not test it again. Columns are whole numbers of parts of `PART` lanes.
 ///
 /// The shape of the loops suits the compiler. Short bodies loop over single values (it would unroll the inner of two
 /// nested loops and turn the outer one into gathers); long bodies loop over blocks (which leaves no scalar remainder). Long
 /// bodies in doubles go by eight lanes, because a block of them is two vectors; so do those that compute in 64 bits.
 #[inline(always)]
-fn compute_column<S: Scalar, M: Maths<S>>(
+fn compute_column<S: Scalar, M: Maths<S>, const PART: usize>(
     instruction: Instruction,
-    [a, b]: [&[Block<S>]; 2],
-    to: &mut [Block<S>],
+    [a, b]: [&[S]; 2],
+    to: &mut [S],
     lanes: usize,
 ) {
     let by_eight = size_of::<S>() == size_of::<f64>() || matches!(instruction, Instruction::Cos | Instruction::Sin);
@@ -141,20 +147,19 @@ fn compute_column<S: Scalar, M: Maths<S>>(
         (short: $($short:ident)*; long: $($long:ident $many:ident)*) => {
             match instruction {
                 $(Instruction::$short => {
-                    let (a, b) = (a.as_flattened(), b.as_flattened());
-                    for ((to, &a), &b) in to.as_flattened_mut().iter_mut().zip(a).zip(b) {
+                    for ((to, &a), &b) in to.iter_mut().zip(a).zip(b) {
                         *to = Instruction::$short.apply::<S, M>(a, b);
                     }
                 })*
                 $(Instruction::$long if by_eight => {
-                    let (to, a) = (to.as_flattened_mut().as_chunks_mut().0, a.as_flattened().as_chunks().0);
+                    let (to, a) = (to.as_chunks_mut().0, a.as_chunks().0);
                     for (place, (to, a)) in (0..lanes).step_by(8).zip(to.iter_mut().zip(a)) {
                         *to = *a;
                         M::$many(to, (lanes - place).min(8));
                     }
                 })*
                 $(Instruction::$long => {
-                    for (to, a) in to.iter_mut().zip(a) {
+                    for (to, a) in to.as_chunks_mut::<PART>().0.iter_mut().zip(a.as_chunks::<PART>().0) {
                         let mut values = *a;
                         for value in &mut values {
                             *value = Instruction::$long.apply::<S, M>(*value, *value);

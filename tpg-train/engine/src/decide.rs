@@ -12,7 +12,7 @@
 use crate::action::Acts;
 use crate::columns::Columns;
 use crate::plan::{Code, LazyEdge, Plan, PlannedTeam};
-use crate::view::{BLOCK, Block};
+use crate::view::{BLOCK, Block, HALF};
 use fearless_simd::{Level, dispatch};
 use tpg_runtime::ops::{self, Maths};
 use tpg_runtime::policy::ActionId;
@@ -102,7 +102,7 @@ impl<S: Scalar> Decider<S> {
             }
             columns.compute(plan, &team.needs, all);
             if here as usize * SPARSE > all && all > 1 {
-                self.ask_all(team, columns, used);
+                self.ask_all(team, columns, all);
                 for lazy in &team.lazy {
                     self.ask_lazy(plan, place, lazy, columns, all);
                 }
@@ -153,24 +153,39 @@ impl<S: Scalar> Decider<S> {
 
     /// Finds the winner among the eager edges in every lane, whether the lane is at the team or not.
     #[inline(always)]
-    fn ask_all<M: Maths<S>>(&mut self, team: &PlannedTeam<S>, columns: &Columns<S, M>, used: usize) {
-        for (block, (to_best, to_winner)) in self.best[..used].iter_mut().zip(&mut self.winner[..used]).enumerate() {
-            let mut best = [S::NEG_INFINITY; BLOCK];
-            let mut winner = [team.first.0; BLOCK];
-            for edge in &team.eager {
-                let mut wins = [0; BLOCK];
-                for ((best, wins), &bid) in best.iter_mut().zip(&mut wins).zip(&columns.column(edge.bid)[block]) {
-                    // As `ops::bid`: NaN is not above −∞.
-                    let bid = ops::max(bid, S::NEG_INFINITY);
-                    *wins = all_ones(bid >= *best);
-                    *best = ops::max(bid, *best);
-                }
-                for (winner, wins) in winner.iter_mut().zip(wins) {
-                    *winner ^= (*winner ^ edge.code.0) & wins;
-                }
-            }
-            (*to_best, *to_winner) = (best, winner);
+    fn ask_all<M: Maths<S>>(&mut self, team: &PlannedTeam<S>, columns: &Columns<S, M>, all: usize) {
+        if all <= HALF {
+            return self.ask_part::<M, HALF>(team, columns, 0);
         }
+        for block in 0..all.div_ceil(BLOCK) {
+            self.ask_part::<M, BLOCK>(team, columns, block);
+        }
+    }
+
+    /// Does so in the first lanes of a block.
+    #[inline(always)]
+    fn ask_part<M: Maths<S>, const PART: usize>(
+        &mut self,
+        team: &PlannedTeam<S>,
+        columns: &Columns<S, M>,
+        block: usize,
+    ) {
+        let mut best = [S::NEG_INFINITY; PART];
+        let mut winner = [team.first.0; PART];
+        for edge in &team.eager {
+            let mut wins = [0; PART];
+            for ((best, wins), &bid) in best.iter_mut().zip(&mut wins).zip(&columns.column(edge.bid)[block]) {
+                // As `ops::bid`: NaN is not above −∞.
+                let bid = ops::max(bid, S::NEG_INFINITY);
+                *wins = all_ones(bid >= *best);
+                *best = ops::max(bid, *best);
+            }
+            for (winner, wins) in winner.iter_mut().zip(wins) {
+                *winner ^= (*winner ^ edge.code.0) & wins;
+            }
+        }
+        self.best[block][..PART].copy_from_slice(&best);
+        self.winner[block][..PART].copy_from_slice(&winner);
     }
 
     /// Evaluates a lazy edge in those lanes of the team where it can win.

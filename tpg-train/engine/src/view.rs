@@ -3,6 +3,9 @@
 /// Lanes per block: one vector of the widest supported kind.
 pub const BLOCK: usize = 16;
 
+/// Half of a block.
+pub(super) const HALF: usize = BLOCK / 2;
+
 /// The values of neighbouring lanes.
 pub type Block<T> = [T; BLOCK];
 

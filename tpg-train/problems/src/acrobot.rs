@@ -1,11 +1,14 @@
 //! Gymnasium's Acrobot-v1: swing two links up by a motor at the joint between them.
 
+mod lanes;
+
+use crate::eights::Eights;
 use crate::physics::physics;
 use crate::source;
 use crate::varied::{Adjustable, Settings};
 use core::f64::consts::PI;
 use tpg_engine::random::Stream;
-use tpg_engine::{Act, ActionSpace, End, Environment, SourceSet, Step};
+use tpg_engine::{Act, ActionSpace, End, Environment, Episodes, SourceSet, Step};
 use tpg_graph::SourceDocument;
 use tpg_runtime::scalar::Scalar;
 
@@ -13,8 +16,6 @@ use tpg_runtime::scalar::Scalar;
 const STEP: f64 = 0.2;
 /// Maximum angular velocity of each joint, rad/s.
 const FASTEST: [f64; 2] = [4.0 * PI, 9.0 * PI];
-/// The torque of an action, N·m.
-const TORQUES: [f64; 3] = [-1.0, 0.0, 1.0];
 /// Actions of an episode.
 const ACTIONS: u32 = 500;
 
@@ -59,18 +60,20 @@ pub struct Acrobot;
 /// Two angles, rad, and two angular velocities, rad/s.
 type State = [f64; 4];
 
-/// A running episode.
+/// A running episode: its [`State`], and the sines and then the cosines of both angles, which an observation and a step read.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Links {
-    pub(crate) state: State,
-    /// Sine and cosine of both angles: an observation and a step read them.
-    sincos: [(f64, f64); 2],
-}
+pub struct Links([f64; 8]);
 
 impl Links {
-    pub(crate) fn new(state: State) -> Self {
+    pub(crate) fn new([angle_1, angle_2, omega_1, omega_2]: State) -> Self {
         // The crate libm instead of the platform's: the same results on every machine.
-        Self { state, sincos: [libm::sincos(state[0]), libm::sincos(state[1])] }
+        let [(sin_1, cos_1), (sin_2, cos_2)] = [angle_1, angle_2].map(libm::sincos);
+        Self([angle_1, angle_2, omega_1, omega_2, sin_1, sin_2, cos_1, cos_2])
+    }
+
+    pub(crate) fn state(&self) -> State {
+        let [angle_1, angle_2, omega_1, omega_2, ..] = self.0;
+        [angle_1, angle_2, omega_1, omega_2]
     }
 }
 
@@ -110,17 +113,21 @@ impl<S: Scalar> Environment<S> for Acrobot {
     }
 
     fn task_from(&self, links: &Links) -> Option<State> {
-        Some(links.state)
+        Some(links.state())
     }
 
     fn observe(&self, links: &mut Links, _wanted: SourceSet, values: &mut [S]) {
-        let [(sin_1, cos_1), (sin_2, cos_2)] = links.sincos;
-        let state = [cos_1, sin_1, cos_2, sin_2, links.state[2], links.state[3]];
+        let [_, _, omega_1, omega_2, sin_1, sin_2, cos_1, cos_2] = links.0;
+        let state = [cos_1, sin_1, cos_2, sin_2, omega_1, omega_2];
         values.iter_mut().zip(state).for_each(|(slot, value)| *slot = S::from_f64(f64::from(value as f32)));
     }
 
     fn step(&self, links: &mut Links, act: Act<'_, S>) -> Step {
         self.step_under(&Physics::STANDARD, links, act)
+    }
+
+    fn lanes(&self) -> Box<dyn Episodes<S, State> + '_> {
+        Box::new(Eights::new::<S>(self))
     }
 }
 
@@ -131,58 +138,139 @@ impl<S: Scalar> Adjustable<S> for Acrobot {
 
     #[inline]
     fn step_under(&self, physics: &Physics, links: &mut Links, act: Act<'_, S>) -> Step {
-        let torque = TORQUES[act.choice().min(2)];
-        let [angle_1, angle_2, omega_1, omega_2] = runge_kutta(physics, links, torque);
-        *links = Links::new([
-            wrapped(angle_1),
-            wrapped(angle_2),
-            omega_1.clamp(-FASTEST[0], FASTEST[0]),
-            omega_2.clamp(-FASTEST[1], FASTEST[1]),
-        ]);
-        let [angle_1, angle_2, ..] = links.state;
-        let cos_1 = links.sincos[0].1;
-        if -cos_1 - libm::cos(angle_2 + angle_1) > 1.0 {
-            Step::reward(0.0).ending(End::new(0))
-        } else {
-            Step::reward(-1.0)
-        }
+        let torque = act.choice().min(2) as f64 - 1.0;
+        let mut numbers = links.0.map(|number| [number]);
+        let [is_up] = moved::<1, One>(physics, &mut numbers, &[torque]);
+        *links = Links(numbers.map(|[number]| number));
+        if is_up { Step::reward(0.0).ending(End::new(0)) } else { Step::reward(-1.0) }
     }
 }
 
-/// Returns the state after one action: a step of the classical Runge–Kutta method.
-#[inline]
-fn runge_kutta(physics: &Physics, links: &Links, torque: f64) -> State {
-    let start = links.state;
-    let after = |part: f64, slope: State| -> State { std::array::from_fn(|place| start[place] + part * slope[place]) };
-    let slope = |state: State| derivative(physics, state, libm::sincos(state[1]), torque);
-    let first = derivative(physics, start, links.sincos[1], torque);
-    let second = slope(after(STEP / 2.0, first));
-    let third = slope(after(STEP / 2.0, second));
-    let fourth = slope(after(STEP, third));
-    let sum = |place: usize| first[place] + 2.0 * second[place] + 2.0 * third[place] + fourth[place];
-    std::array::from_fn(|place| start[place] + STEP / 6.0 * sum(place))
+/// What moving `L` pairs of links at once needs of angles: with the same bits whatever `L` is. Functions must be `#[inline(always)]`.
+trait Angles<const L: usize> {
+    /// Wraps angles to −π..π; one within it stays as it is.
+    fn wrap(angles: &mut [f64; L]);
+
+    /// Returns their sines and cosines.
+    fn sincos(angles: &[f64; L]) -> [[f64; L]; 2];
 }
 
-/// Returns the derivative of the state: the equations of Sutton and Barto's book. Gymnasium's order of operations.
-#[inline]
-fn derivative(physics: &Physics, state: State, (sin_2, cos_2): (f64, f64), torque: f64) -> State {
+/// The angle of one pair of links.
+struct One;
+
+impl Angles<1> for One {
+    #[inline(always)]
+    fn wrap([angle]: &mut [f64; 1]) {
+        *angle = wrapped(*angle);
+    }
+
+    #[inline(always)]
+    fn sincos(&[angle]: &[f64; 1]) -> [[f64; 1]; 2] {
+        // The crate libm instead of the platform's: the same results on every machine.
+        let (sine, cosine) = libm::sincos(angle);
+        [[sine], [cosine]]
+    }
+}
+
+/// Moves `L` pairs of links for one action, a step of the classical Runge–Kutta method; returns which have come up.
+#[inline(always)]
+fn moved<const L: usize, A: Angles<L>>(physics: &Physics, links: &mut [[f64; L]; 8], torques: &[f64; L]) -> [bool; L] {
+    let [angle_1, angle_2, omega_1, omega_2, _, sin_2, _, cos_2] = *links;
+    let start = [angle_1, angle_2, omega_1, omega_2];
+    let first = slopes::<L, A>(physics, &start, &[sin_2, cos_2], torques);
+    let second = slopes_after::<L, A>(physics, &start, STEP / 2.0, &first, torques);
+    let third = slopes_after::<L, A>(physics, &start, STEP / 2.0, &second, torques);
+    let fourth = slopes_after::<L, A>(physics, &start, STEP, &third, torques);
+    let mut end = start;
+    for (place, values) in end.iter_mut().enumerate() {
+        for (lane, value) in values.iter_mut().enumerate() {
+            let sum = first[place][lane] + 2.0 * second[place][lane] + 2.0 * third[place][lane] + fourth[place][lane];
+            *value += STEP / 6.0 * sum;
+        }
+    }
+    let [mut angle_1, mut angle_2, mut omega_1, mut omega_2] = end;
+    A::wrap(&mut angle_1);
+    A::wrap(&mut angle_2);
+    for (omegas, fastest) in [&mut omega_1, &mut omega_2].into_iter().zip(FASTEST) {
+        omegas.iter_mut().for_each(|omega| *omega = omega.clamp(-fastest, fastest));
+    }
+    let ([sin_1, cos_1], [sin_2, cos_2]) = (A::sincos(&angle_1), A::sincos(&angle_2));
+    *links = [angle_1, angle_2, omega_1, omega_2, sin_1, sin_2, cos_1, cos_2];
+    let mut angle_12 = angle_2;
+    angle_12.iter_mut().zip(&angle_1).for_each(|(angle, angle_1)| *angle += angle_1);
+    let [_, cos_12] = A::sincos(&angle_12);
+    let mut are_up = [false; L];
+    for (lane, is_up) in are_up.iter_mut().enumerate() {
+        *is_up = -cos_1[lane] - cos_12[lane] > 1.0;
+    }
+    are_up
+}
+
+/// Returns the derivatives of states that have followed the given derivatives for some seconds.
+#[inline(always)]
+fn slopes_after<const L: usize, A: Angles<L>>(
+    physics: &Physics,
+    start: &[[f64; L]; 4],
+    seconds: f64,
+    slopes_before: &[[f64; L]; 4],
+    torques: &[f64; L],
+) -> [[f64; L]; 4] {
+    let mut states = *start;
+    for (values, slopes) in states.iter_mut().zip(slopes_before) {
+        values.iter_mut().zip(slopes).for_each(|(value, slope)| *value += seconds * slope);
+    }
+    slopes::<L, A>(physics, &states, &A::sincos(&states[1]), torques)
+}
+
+/// Returns the derivatives of states, with sines and cosines of the second angles.
+#[inline(always)]
+fn slopes<const L: usize, A: Angles<L>>(
+    physics: &Physics,
+    [angle_1, angle_2, omega_1, omega_2]: &[[f64; L]; 4],
+    [sin_2, cos_2]: &[[f64; L]; 2],
+    torques: &[f64; L],
+) -> [[f64; L]; 4] {
+    let (mut behind_1, mut behind_12) = (*angle_1, *angle_1);
+    for (lane, (behind_1, behind_12)) in behind_1.iter_mut().zip(&mut behind_12).enumerate() {
+        *behind_1 -= PI / 2.0;
+        *behind_12 = angle_1[lane] + angle_2[lane] - PI / 2.0;
+    }
+    let ([_, cos_1], [_, cos_12]) = (A::sincos(&behind_1), A::sincos(&behind_12));
+    let mut faster = [[0.0; L]; 2];
+    for lane in 0..L {
+        let (omegas, circle_2) = ([omega_1[lane], omega_2[lane]], [sin_2[lane], cos_2[lane]]);
+        let [faster_1, faster_2] = accelerations(physics, omegas, circle_2, [cos_1[lane], cos_12[lane]], torques[lane]);
+        (faster[0][lane], faster[1][lane]) = (faster_1, faster_2);
+    }
+    [*omega_1, *omega_2, faster[0], faster[1]]
+}
+
+/// Returns the accelerations of both joints, rad/s²: the equations of Sutton and Barto's book, in Gymnasium's order of operations.
+/// `cos_1` and `cos_12` are of angles a quarter of a turn behind the upper link and the lower one.
+#[inline(always)]
+fn accelerations(
+    physics: &Physics,
+    [omega_1, omega_2]: [f64; 2],
+    [sin_2, cos_2]: [f64; 2],
+    [cos_1, cos_12]: [f64; 2],
+    torque: f64,
+) -> [f64; 2] {
     let Physics { gravity, mass_1, mass_2, length_1, length_2, inertia, friction } = *physics;
     let (centre_1, centre_2) = (0.5 * length_1, 0.5 * length_2);
-    let [angle_1, angle_2, omega_1, omega_2] = state;
     let around = length_1 * length_1 + centre_2 * centre_2 + 2.0 * length_1 * centre_2 * cos_2;
     let d1 = mass_1 * (centre_1 * centre_1) + mass_2 * around + inertia + inertia;
     let d2 = mass_2 * (centre_2 * centre_2 + length_1 * centre_2 * cos_2) + inertia;
-    let phi2 = mass_2 * centre_2 * gravity * libm::cos(angle_1 + angle_2 - PI / 2.0);
+    let phi2 = mass_2 * centre_2 * gravity * cos_12;
     let phi1 = -mass_2 * length_1 * centre_2 * (omega_2 * omega_2) * sin_2
         - 2.0 * mass_2 * length_1 * centre_2 * omega_2 * omega_1 * sin_2
-        + (mass_1 * centre_1 + mass_2 * length_1) * gravity * libm::cos(angle_1 - PI / 2.0)
+        + (mass_1 * centre_1 + mass_2 * length_1) * gravity * cos_1
         + phi2
         + friction * omega_1;
     let driven = torque - friction * omega_2;
     let faster_2 = (driven + d2 / d1 * phi1 - mass_2 * length_1 * centre_2 * (omega_1 * omega_1) * sin_2 - phi2)
         / (mass_2 * (centre_2 * centre_2) + inertia - d2 * d2 / d1);
     let faster_1 = -(d2 * faster_2 + phi1) / d1;
-    [omega_1, omega_2, faster_1, faster_2]
+    [faster_1, faster_2]
 }
 
 /// Wraps an angle to −π..π; an angle within it stays as it is.
@@ -198,27 +286,31 @@ fn wrapped(mut angle: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Acrobot, Links, Physics, derivative, wrapped};
+    use super::{Acrobot, Links, Physics, accelerations, wrapped};
     use core::f64::consts::PI;
     use tpg_engine::{Act, Environment};
     use tpg_runtime::policy::ActionId;
 
+    /// Hanging: the lower link straight below the upper one, both cosines of a quarter of a turn.
+    fn hanging(physics: &Physics, omegas: [f64; 2], torque: f64) -> [f64; 2] {
+        accelerations(physics, omegas, [0.0, 1.0], [0.0; 2], torque)
+    }
+
     #[test]
     fn hanging_at_rest_only_a_torque_moves() {
         let physics = Physics::STANDARD;
-        let still = derivative(&physics, [0.0; 4], (0.0, 1.0), 0.0);
-        assert!(still.iter().all(|value| value.abs() < 1e-14), "{still:?}");
+        assert_eq!(hanging(&physics, [0.0; 2], 0.0), [0.0; 2]);
         // d1 = 1/4 + (1 + 1/4 + 1) + 2 = 4.5 and d2 = 1/4 + 1/2 + 1 = 1.75, so link 2 turns by 1/(1.25 − d2²/d1).
-        let pushed = derivative(&physics, [0.0; 4], (0.0, 1.0), 1.0);
+        let [upper, lower] = hanging(&physics, [0.0; 2], 1.0);
         let turned = 1.0 / (1.25 - 1.75 * 1.75 / 4.5);
-        assert!((pushed[3] - turned).abs() < 1e-12 && (pushed[2] + 1.75 / 4.5 * turned).abs() < 1e-12, "{pushed:?}");
+        assert!((lower - turned).abs() < 1e-12 && (upper + 1.75 / 4.5 * turned).abs() < 1e-12, "{upper} {lower}");
     }
 
     #[test]
     fn friction_takes_energy_and_angles_are_wrapped() {
-        let slowed = derivative(&Physics { friction: 1.0, ..Physics::STANDARD }, [0.0, 0.0, 1.0, 0.0], (0.0, 1.0), 0.0);
-        let free = derivative(&Physics::STANDARD, [0.0, 0.0, 1.0, 0.0], (0.0, 1.0), 0.0);
-        assert!(slowed[2] < free[2]);
+        let slowed = hanging(&Physics { friction: 1.0, ..Physics::STANDARD }, [1.0, 0.0], 0.0);
+        let free = hanging(&Physics::STANDARD, [1.0, 0.0], 0.0);
+        assert!(slowed[0] < free[0]);
         assert!((wrapped(3.0 * PI + 0.1) - (0.1 - PI)).abs() < 1e-12);
         assert_eq!(wrapped(1.0), 1.0);
     }

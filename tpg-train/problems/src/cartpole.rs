@@ -1,11 +1,13 @@
 //! Gymnasium's CartPole-v1: balance a pole on a cart that is pushed to the left or to the right.
 
+use crate::circle::sincos;
+use crate::eights::{ByEight, Eights};
 use crate::physics::physics;
 use crate::source;
 use crate::varied::{Adjustable, Settings};
 use core::f64::consts::PI;
 use tpg_engine::random::Stream;
-use tpg_engine::{Act, ActionSpace, End, Environment, SourceSet, Step};
+use tpg_engine::{Act, ActionSpace, End, Environment, Episodes, SourceSet, Step};
 use tpg_graph::SourceDocument;
 use tpg_runtime::scalar::Scalar;
 
@@ -106,6 +108,10 @@ impl<S: Scalar> Environment<S> for CartPole {
     fn step(&self, state: &mut State, act: Act<'_, S>) -> Step {
         self.step_under(&Physics::STANDARD, state, act)
     }
+
+    fn lanes(&self) -> Box<dyn Episodes<S, State> + '_> {
+        Box::new(Eights::new::<S>(self))
+    }
 }
 
 impl<S: Scalar> Adjustable<S> for CartPole {
@@ -115,28 +121,68 @@ impl<S: Scalar> Adjustable<S> for CartPole {
 
     #[inline]
     fn step_under(&self, physics: &Physics, state: &mut State, act: Act<'_, S>) -> Step {
-        let Physics { gravity, pole_mass, length, .. } = *physics;
-        let total_mass = pole_mass + physics.cart_mass;
-        let pole_mass_length = pole_mass * length;
-        let [x, v, theta, omega] = *state;
-        let force = if act.choice() == 1 { physics.force } else { -physics.force } - physics.cart_friction * v;
         // The crate libm instead of the platform's: the same results on every machine.
-        let (sin, cos) = libm::sincos(theta);
-        let moved = (force + pole_mass_length * (omega * omega) * sin) / total_mass;
-        let held = physics.pole_friction * omega / pole_mass_length;
-        let turned =
-            (gravity * sin - cos * moved - held) / (length * (4.0 / 3.0 - pole_mass * (cos * cos) / total_mass));
-        let pushed = moved - pole_mass_length * turned * cos / total_mass;
-        *state = [x + STEP * v, v + STEP * pushed, theta + STEP * omega, omega + STEP * turned];
+        let circle = libm::sincos(state[2]);
+        *state = moved(physics, *state, circle, act.choice() == 1);
         let step = Step::reward(1.0);
-        if state[0].abs() > FAR || state[2].abs() > LEANING { step.ending(End::new(0)) } else { step }
+        if is_over(state) { step.ending(End::new(0)) } else { step }
     }
+}
+
+impl<S: Scalar> ByEight<S, 4> for CartPole {
+    const OBSERVED: &[usize] = &[0, 1, 2, 3];
+    const ROUNDS: bool = false;
+
+    fn numbers(state: &State) -> [f64; 4] {
+        *state
+    }
+
+    fn episode(numbers: [f64; 4]) -> State {
+        numbers
+    }
+
+    #[inline(always)]
+    fn step_eight(states: &mut [[f64; 8]; 4], acts: &[f64; 8], rewards: &mut [f64; 8], ended: &mut [bool; 8]) {
+        let (mut sines, mut cosines) = ([0.0; 8], [0.0; 8]);
+        sincos(&states[2], &mut sines, &mut cosines);
+        *rewards = [1.0; 8];
+        let [xs, vs, thetas, omegas] = states;
+        for lane in 0..8 {
+            let (state, circle) = ([xs[lane], vs[lane], thetas[lane], omegas[lane]], (sines[lane], cosines[lane]));
+            let state = moved(&Physics::STANDARD, state, circle, acts[lane] == 1.0);
+            [xs[lane], vs[lane], thetas[lane], omegas[lane]] = state;
+            ended[lane] = is_over(&state);
+        }
+    }
+}
+
+/// Returns the state after one action, with sine and cosine of the pole's angle.
+#[inline(always)]
+fn moved(physics: &Physics, state: State, (sin, cos): (f64, f64), is_right: bool) -> State {
+    let Physics { gravity, pole_mass, length, .. } = *physics;
+    let total_mass = pole_mass + physics.cart_mass;
+    let pole_mass_length = pole_mass * length;
+    let [x, v, theta, omega] = state;
+    let force = if is_right { physics.force } else { -physics.force } - physics.cart_friction * v;
+    let moved = (force + pole_mass_length * (omega * omega) * sin) / total_mass;
+    let held = physics.pole_friction * omega / pole_mass_length;
+    let turned = (gravity * sin - cos * moved - held) / (length * (4.0 / 3.0 - pole_mass * (cos * cos) / total_mass));
+    let pushed = moved - pole_mass_length * turned * cos / total_mass;
+    [x + STEP * v, v + STEP * pushed, theta + STEP * omega, omega + STEP * turned]
+}
+
+/// True if the cart is too far from the middle or the pole leans too far.
+#[inline(always)]
+fn is_over(state: &State) -> bool {
+    (state[0].abs() > FAR) | (state[2].abs() > LEANING)
 }
 
 #[cfg(test)]
 mod tests {
     use super::{CartPole, LEANING};
-    use tpg_engine::{Act, Environment};
+    use crate::eights::tests::{policy, same_as_one_by_one};
+    use tpg_engine::{Act, Environment, Operand};
+    use tpg_runtime::ops::Instruction;
     use tpg_runtime::policy::ActionId;
 
     /// Checks one step of CartPole-v1, computed by hand from its published rules.
@@ -161,5 +207,13 @@ mod tests {
         let step = Environment::<f64>::step(&CartPole, &mut state, Act::Choice(ActionId(0)));
         assert_eq!(step.reward, 1.0);
         assert!(step.end.is_some_and(|end| end.outcome == 0 && !end.truncated));
+    }
+
+    #[test]
+    fn eight_carts_move_as_one() {
+        let [v, theta, omega] = [1, 2, 3].map(Operand::Input);
+        let balanced = same_as_one_by_one(CartPole, &policy(Instruction::Add, [theta, omega], 2));
+        let fallen = same_as_one_by_one(CartPole, &policy(Instruction::Sub, [v, theta], 2));
+        assert!(balanced.iter().any(|ending| ending.outcome == 1) && fallen.iter().all(|ending| ending.outcome == 0));
     }
 }

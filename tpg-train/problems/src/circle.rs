@@ -5,6 +5,8 @@ const TURNS: f64 = core::f64::consts::FRAC_2_PI;
 const HALF_PI: [f64; 2] = [1.5707963267341256, 6.077100506506192e-11];
 /// Adding it rounds to a whole number, which is then in the lowest bits.
 const ROUND: f64 = 6755399441055744.0;
+/// Where libm begins to reduce angles in another way: about 2²⁰ quarters of a turn.
+const HUGE: f64 = 1647099.0;
 /// The polynomials of `k_sin.c` and `k_cos.c`.
 const SINE: [f64; 6] = [
     -0.16666666666666632,
@@ -39,12 +41,12 @@ pub(crate) fn sincos(angles: &[f64; 8], sines: &mut [f64; 8], cosines: &mut [f64
     }
 }
 
-/// Sine, cosine, and whether libm takes another way for this angle: one that is −0, huge or no number, or close to where the
+/// Sine, cosine, and whether libm may take another way for this angle: one that is −0, huge or no number, or close to where the
 /// quadrant or the way changes. (Of a tiny angle libm returns itself and 1, which is what comes out here, too.)
 #[inline(always)]
 fn usual(angle: f64) -> (f64, f64, bool) {
-    let high = (angle.to_bits() >> 32) & 0x7fff_ffff;
-    let turns = angle * TURNS + ROUND;
+    let quarters = angle * TURNS;
+    let turns = quarters + ROUND;
     let quadrant = turns.to_bits();
     let whole = turns - ROUND;
     let rough = angle - whole * HALF_PI[0];
@@ -52,12 +54,12 @@ fn usual(angle: f64) -> (f64, f64, bool) {
     let x = rough - rest;
     let y = (rough - x) - rest;
 
-    let exponent = |bits: u64| (bits >> 52) & 0x7ff;
-    let cancelled = exponent(angle.to_bits()) > exponent(x.to_bits()) + 16;
-    // Upper halves of the odd eighths of a turn up to which libm takes off 0, 1, 2, 3 or 4 quarters: they are rounded up.
-    let changes = [0x3fe9_21fb, 0x4002_d97c, 0x400f_6a7a, 0x4015_fdbc, 0x401c_463b_u64];
-    let close = changes.iter().fold(false, |any, change| any | (change.wrapping_sub(high) < 2));
-    let other = cancelled | close | (angle.to_bits() == 1 << 63) | (high >= 0x4139_21fb);
+    // libm reduces further where 16 bits are cancelled, and counts up to four quarters by the upper half of the angle's bits: to
+    // within 5e-6 of a quarter.
+    let is_cancelled = angle.abs() > 65536.0 * x.abs();
+    let is_close = (quarters - whole).abs() > 0.49999;
+    let is_usual = angle.abs() < HUGE;
+    let other = is_cancelled | is_close | !is_usual | (angle.to_bits() == 1 << 63);
 
     let z = x * x;
     let w = z * z;

@@ -30,6 +30,7 @@ pub mod cartpole;
 mod circle;
 pub mod continuous;
 pub mod dodge;
+mod eights;
 #[cfg(test)]
 mod gymnasium;
 pub mod mountain_car;

@@ -1,10 +1,12 @@
 //! Gymnasium's MountainCar-v0: drive a weak car out of a valley by pushes to either side, as fast as possible.
 
+use crate::circle::sincos;
+use crate::eights::{ByEight, Eights};
 use crate::physics::physics;
 use crate::source;
 use crate::varied::{Adjustable, Settings};
 use tpg_engine::random::Stream;
-use tpg_engine::{Act, ActionSpace, End, Environment, SourceSet, Step};
+use tpg_engine::{Act, ActionSpace, End, Environment, Episodes, SourceSet, Step};
 use tpg_graph::SourceDocument;
 use tpg_runtime::scalar::Scalar;
 
@@ -89,6 +91,10 @@ impl<S: Scalar> Environment<S> for MountainCar {
     fn step(&self, state: &mut State, act: Act<'_, S>) -> Step {
         self.step_under(&Physics::STANDARD, state, act)
     }
+
+    fn lanes(&self) -> Box<dyn Episodes<S, State> + '_> {
+        Box::new(Eights::new::<S>(self))
+    }
 }
 
 impl<S: Scalar> Adjustable<S> for MountainCar {
@@ -98,26 +104,65 @@ impl<S: Scalar> Adjustable<S> for MountainCar {
 
     #[inline]
     fn step_under(&self, physics: &Physics, state: &mut State, act: Act<'_, S>) -> Step {
-        let Physics { force, slope, friction } = *physics;
-        let [position, velocity] = *state;
-        let push = (act.choice() as f64 - 1.0) * force;
         // The crate libm instead of the platform's: the same results on every machine.
-        let faster = velocity + (push + libm::cos(3.0 * position) * -slope) - friction * velocity;
-        let mut velocity = faster.clamp(-FASTEST, FASTEST);
-        let position = (position + velocity).clamp(TRACK[0], TRACK[1]);
-        if position <= TRACK[0] && velocity < 0.0 {
-            velocity = 0.0;
-        }
-        *state = [position, velocity];
+        *state = moved(physics, *state, libm::cos(3.0 * state[0]), act.choice() as f64);
         let step = Step::reward(-1.0);
-        if position >= GOAL && velocity >= 0.0 { step.ending(End::new(0)) } else { step }
+        if is_there(*state) { step.ending(End::new(0)) } else { step }
     }
+}
+
+impl<S: Scalar> ByEight<S, 2> for MountainCar {
+    const OBSERVED: &[usize] = &[0, 1];
+    const ROUNDS: bool = true;
+
+    fn numbers(state: &State) -> [f64; 2] {
+        *state
+    }
+
+    fn episode(numbers: [f64; 2]) -> State {
+        numbers
+    }
+
+    #[inline(always)]
+    fn step_eight(states: &mut [[f64; 8]; 2], acts: &[f64; 8], rewards: &mut [f64; 8], ended: &mut [bool; 8]) {
+        let [positions, velocities] = states;
+        let (mut sines, mut cosines) = ([0.0; 8], [0.0; 8]);
+        let mut angles = *positions;
+        angles.iter_mut().for_each(|angle| *angle *= 3.0);
+        sincos(&angles, &mut sines, &mut cosines);
+        *rewards = [-1.0; 8];
+        for lane in 0..8 {
+            let state = moved(&Physics::STANDARD, [positions[lane], velocities[lane]], cosines[lane], acts[lane]);
+            [positions[lane], velocities[lane]] = state;
+            ended[lane] = is_there(state);
+        }
+    }
+}
+
+/// Returns the state after an action, given by its number, on a slope that the cosine describes.
+#[inline(always)]
+fn moved(physics: &Physics, [position, velocity]: State, cosine: f64, action: f64) -> State {
+    let Physics { force, slope, friction } = *physics;
+    let push = (action - 1.0) * force;
+    let faster = velocity + (push + cosine * -slope) - friction * velocity;
+    let velocity = faster.clamp(-FASTEST, FASTEST);
+    let position = (position + velocity).clamp(TRACK[0], TRACK[1]);
+    let is_stopped = (position <= TRACK[0]) & (velocity < 0.0);
+    [position, if is_stopped { 0.0 } else { velocity }]
+}
+
+/// True if the car is at the goal and does not roll back.
+#[inline(always)]
+fn is_there([position, velocity]: State) -> bool {
+    (position >= GOAL) & (velocity >= 0.0)
 }
 
 #[cfg(test)]
 mod tests {
     use super::MountainCar;
-    use tpg_engine::{Act, Environment, Step};
+    use crate::eights::tests::{policy, same_as_one_by_one};
+    use tpg_engine::{Act, Environment, Operand, Step};
+    use tpg_runtime::ops::Instruction;
     use tpg_runtime::policy::ActionId;
 
     fn step(state: &mut [f64; 2], action: u16) -> Step {
@@ -138,5 +183,13 @@ mod tests {
         assert_eq!(left, [-1.2, 0.0]);
         let mut right = [0.49, 0.02];
         assert!(step(&mut right, 1).end.is_some_and(|end| end.outcome == 0 && !end.truncated));
+    }
+
+    #[test]
+    fn eight_cars_drive_as_one() {
+        let [position, velocity] = [0, 1].map(Operand::Input);
+        let arrived = same_as_one_by_one(MountainCar, &policy(Instruction::Add, [velocity, Operand::Constant(0.0)], 3));
+        let late = same_as_one_by_one(MountainCar, &policy(Instruction::Mul, [position, velocity], 3));
+        assert!(arrived.iter().any(|ending| ending.outcome == 0) && late.iter().any(|ending| ending.outcome == 1));
     }
 }

@@ -2,6 +2,7 @@
 
 mod lanes;
 
+use crate::eights::Eights;
 use crate::physics::physics;
 use crate::source;
 use crate::varied::{Adjustable, Disturbance};
@@ -143,7 +144,7 @@ impl<S: Scalar> Environment<S> for Pendulum {
     }
 
     fn lanes(&self) -> Box<dyn Episodes<S, [f64; 2]> + '_> {
-        Box::new(lanes::Swings::new())
+        Box::new(Eights::new::<S>(self))
     }
 }
 

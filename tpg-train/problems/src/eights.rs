@@ -1,0 +1,238 @@
+//! Episodes that are stepped eight at a time, in a form that compilers turn into vectors.
+
+use fearless_simd::{Level, dispatch};
+use tpg_engine::{Acts, End, Ending, Environment, Episodes, EvaluationError, SourceSet, View};
+use tpg_runtime::scalar::Scalar;
+
+/// Fewer episodes than this among eight are faster one by one.
+const FEW: usize = 4;
+
+/// A problem whose episodes are `N` numbers each, and whose steps are the same operations for all of them.
+pub(crate) trait ByEight<S: Scalar, const N: usize>: Environment<S> {
+    /// Places of the observed values among the numbers.
+    const OBSERVED: &[usize];
+    /// True if observations are rounded to `f32`, as Gymnasium's are.
+    const ROUNDS: bool;
+
+    /// Returns the numbers of an episode.
+    fn numbers(episode: &Self::Episode) -> [f64; N];
+
+    /// Returns the episode with the given numbers.
+    fn episode(numbers: [f64; N]) -> Self::Episode;
+
+    /// Takes one action in each of eight episodes: the number of an action, or the value of the output. Writes the rewards, and
+    /// which episodes have come to their outcome 0. Must be `#[inline(always)]`.
+    fn step_eight(numbers: &mut [[f64; 8]; N], acts: &[f64; 8], rewards: &mut [f64; 8], ended: &mut [bool; 8]);
+}
+
+/// The lanes of a problem: with the results of [`OneByOne`](tpg_engine::OneByOne), bit for bit.
+pub(crate) struct Eights<'e, E, const N: usize> {
+    environment: &'e E,
+    limit: u32,
+    eights: Vec<Eight<N>>,
+    lanes: usize,
+    level: Level,
+}
+
+/// Eight episodes.
+#[derive(Clone)]
+struct Eight<const N: usize> {
+    numbers: [[f64; 8]; N],
+    scores: [f64; 8],
+    actions: [u32; 8],
+    ended: [bool; 8],
+}
+
+/// One of them: its numbers, its score and the number of its actions.
+type One<const N: usize> = ([f64; N], f64, u32);
+
+impl<const N: usize> Eight<N> {
+    fn new() -> Self {
+        Self { numbers: [[0.0; 8]; N], scores: [0.0; 8], actions: [0; 8], ended: [false; 8] }
+    }
+
+    fn get(&self, lane: usize) -> One<N> {
+        (self.numbers.map(|eight| eight[lane]), self.scores[lane], self.actions[lane])
+    }
+
+    fn set(&mut self, lane: usize, (numbers, score, actions): One<N>) {
+        self.numbers.iter_mut().zip(numbers).for_each(|(eight, number)| eight[lane] = number);
+        (self.scores[lane], self.actions[lane]) = (score, actions);
+    }
+}
+
+impl<'e, E, const N: usize> Eights<'e, E, N> {
+    /// Creates an empty set of episodes.
+    pub(crate) fn new<S: Scalar>(environment: &'e E) -> Self
+    where
+        E: Environment<S>,
+    {
+        Self { environment, limit: environment.time_limit(), eights: Vec::new(), lanes: 0, level: Level::new() }
+    }
+
+    /// Returns the number of lanes that are stepped by eight: those behind them are few.
+    fn in_vectors(&self) -> usize {
+        let rest = self.lanes % 8;
+        if rest < FEW { self.lanes - rest } else { self.lanes }
+    }
+
+    #[inline(always)]
+    fn step_in_vectors<S: Scalar>(&mut self, acts: Acts<'_, S>)
+    where
+        E: ByEight<S, N>,
+    {
+        for (place, eight) in (0..self.in_vectors()).step_by(8).zip(&mut self.eights) {
+            let mut numbers = [0.0; 8];
+            match acts {
+                Acts::Choices(actions) => {
+                    numbers.iter_mut().zip(&actions[place..]).for_each(|(to, action)| *to = f64::from(action.0));
+                }
+                Acts::Values { values, .. } => {
+                    numbers.iter_mut().zip(&values[place..]).for_each(|(to, value)| *to = value.to_f64());
+                }
+            }
+            let mut rewards = [0.0; 8];
+            E::step_eight(&mut eight.numbers, &numbers, &mut rewards, &mut eight.ended);
+            eight.scores.iter_mut().zip(rewards).for_each(|(score, reward)| *score += reward);
+            eight.actions.iter_mut().for_each(|actions| *actions += 1);
+        }
+    }
+
+    fn step_one_by_one<S: Scalar>(&mut self, acts: Acts<'_, S>)
+    where
+        E: ByEight<S, N>,
+    {
+        let few = self.in_vectors();
+        for (lane, act) in acts.iter().enumerate().skip(few) {
+            let eight = &mut self.eights[lane / 8];
+            let (numbers, score, actions) = eight.get(lane % 8);
+            let mut episode = E::episode(numbers);
+            let step = self.environment.step(&mut episode, act);
+            eight.set(lane % 8, (E::numbers(&episode), score + step.reward, actions + 1));
+            eight.ended[lane % 8] = step.end.is_some();
+        }
+    }
+
+    /// Returns how a lane's episode has ended, if it has.
+    fn ending<S: Scalar>(&self, lane: usize) -> Option<Ending>
+    where
+        E: ByEight<S, N>,
+    {
+        let Eight { ended, actions, .. } = &self.eights[lane / 8];
+        if !ended[lane % 8] && actions[lane % 8] < self.limit {
+            return None;
+        }
+        let (numbers, score, actions) = self.eights[lane / 8].get(lane % 8);
+        let End { outcome, success, measure, .. } =
+            if ended[lane % 8] { End::new(0) } else { self.environment.timeout(&E::episode(numbers)) };
+        Some(Ending { outcome, success, score, measure, actions })
+    }
+}
+
+impl<S: Scalar, E: ByEight<S, N>, const N: usize> Episodes<S, E::Task> for Eights<'_, E, N> {
+    fn begin(&mut self, lane: usize, task: &E::Task) -> Result<(), EvaluationError> {
+        self.lanes = self.lanes.max(lane + 1);
+        self.eights.resize_with(self.lanes.div_ceil(8), Eight::new);
+        self.eights[lane / 8].set(lane % 8, (E::numbers(&self.environment.start(task)), 0.0, 0));
+        Ok(())
+    }
+
+    fn step(&mut self, acts: Acts<'_, S>, ended: &mut Vec<(usize, Ending)>) -> Result<(), EvaluationError> {
+        dispatch!(self.level, _ => self.step_in_vectors(acts));
+        self.step_one_by_one(acts);
+        ended.extend((0..self.lanes).filter_map(|lane| Some((lane, self.ending::<S>(lane)?))));
+        Ok(())
+    }
+
+    fn keys(&self) -> &[u64] {
+        &[]
+    }
+
+    fn cycle(&self, _lane: usize, _key: u64, _actions: u32) -> Option<Ending> {
+        None
+    }
+
+    fn observe(&mut self, _wanted: SourceSet, view: &mut View<'_, S>) -> Result<(), EvaluationError> {
+        for (input, &place) in E::OBSERVED.iter().enumerate() {
+            let Some(column) = view.column(input) else { continue };
+            for (slots, eight) in column.as_flattened_mut().chunks_exact_mut(8).zip(&self.eights) {
+                for (slot, &value) in slots.iter_mut().zip(&eight.numbers[place]) {
+                    *slot = S::from_f64(if E::ROUNDS { f64::from(value as f32) } else { value });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn close_up(&mut self, lane: usize) {
+        self.lanes -= 1;
+        let last = self.eights[self.lanes / 8].get(self.lanes % 8);
+        self.eights[lane / 8].set(lane % 8, last);
+        self.eights.truncate(self.lanes.div_ceil(8));
+    }
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use tpg_engine::random::{Purpose, Stream};
+    use tpg_engine::{
+        Destination, Edge, Ending, EngineOptions, Environment, Lanes, Limits, Line, Operand, Plan, PolicyGraph,
+    };
+    use tpg_runtime::ops::{Instruction, Maths, Own};
+    use tpg_runtime::scalar::Scalar;
+
+    /// An environment with the lanes that every problem has.
+    struct Usual<E>(E);
+
+    impl<S: Scalar, E: Environment<S>> Environment<S> for Usual<E> {
+        type Task = E::Task;
+        type Episode = E::Episode;
+
+        tpg_engine::forward!(this => this.0; sources actions outcomes time_limit timeout draw start observe step);
+    }
+
+    /// Returns a policy whose output, or whose bid for the last of so many actions, is one operation on two operands; the bid for
+    /// the first is 0.
+    pub(crate) fn policy(instruction: Instruction, operands: [Operand; 2], actions: u16) -> PolicyGraph {
+        let line = Line { to: 0, instruction: instruction.into(), operands };
+        if actions > 0 {
+            let edge = |action, program| Edge { program, to: Destination::Action(action) };
+            return PolicyGraph::new(1, 0, vec![vec![edge(0, 0), edge(actions - 1, 1)]], vec![vec![], vec![line]]);
+        }
+        let team = vec![Edge { program: 0, to: Destination::Action(0) }];
+        let limits = Limits { min: -2.0, max: 2.0, nan: 0.0 };
+        PolicyGraph::new(1, 0, vec![team], vec![vec![line]]).with_outputs(vec![limits], vec![vec![0]])
+    }
+
+    /// Checks that episodes end as they do one by one, in any number of lanes; returns their endings.
+    pub(crate) fn same_as_one_by_one<E: Environment<f32> + Environment<f64>>(
+        environment: E,
+        policy: &PolicyGraph,
+    ) -> Vec<Ending>
+    where
+        E: Copy,
+    {
+        for lanes in [1, 7, 8, 19, 112] {
+            assert_eq!(
+                endings::<f32, _>(&environment, policy, lanes),
+                endings::<f32, _>(&Usual(environment), policy, lanes)
+            );
+            assert_eq!(
+                endings::<f64, _>(&environment, policy, lanes),
+                endings::<f64, _>(&Usual(environment), policy, lanes)
+            );
+        }
+        endings::<f32, _>(&environment, policy, 8)
+    }
+
+    fn endings<S: Scalar, E: Environment<S>>(environment: &E, policy: &PolicyGraph, lanes: usize) -> Vec<Ending>
+    where
+        Own: Maths<S>,
+    {
+        let options = EngineOptions { lanes, ..EngineOptions::default() };
+        let plan = Plan::new::<Own>(policy, &environment.sources(), options);
+        let draw = |index| environment.draw(&mut Stream::new(1, 0, Purpose::Test, index));
+        let tasks: Vec<E::Task> = (0..30).map(draw).collect();
+        Lanes::<S, Own, _>::new(environment, options).run(&plan, &tasks).expect("nothing fails")
+    }
+}
