@@ -1,8 +1,8 @@
 /*
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix acrobot --profile fast
- * Graph SHA-256: 486d480a7f0df81ee65b7b7d4fe67c9bc9f77bdc5afe7da89a4412e919009bf9
- * 1 teams (1 on the longest walk), 6 edges, 6 programs, 6 distinct operations.
+ * Graph SHA-256: c746bc981049f428c5e9cd92b39b159c476562abde6afb37fa55ace167b590d0
+ * 1 teams (1 on the longest walk), 4 edges, 4 programs, 26 distinct operations.
  * Computes in f32 with own maths.
  */
 #include "acrobot.h"
@@ -26,16 +26,6 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
-static float acrobot_negate_if_less(float a, float b)
-{
-    return (a < b) ? -a : a;
-}
-
-static float acrobot_min(float a, float b)
-{
-    return (a < b) ? a : b;
-}
-
 /* Teams in an order in which every one comes after all that lead to it: control only goes forward. */
 
 uint16_t acrobot_infer(const acrobot_state_t *state)
@@ -45,39 +35,51 @@ uint16_t acrobot_infer(const acrobot_state_t *state)
     {
         float best = -FLT_MAX;
         uint32_t way = 2U;
-        const float v2 = acrobot_negate_if_less(state->omega_2[0], 100.03832F);
+        const float v3 = state->cos_theta_1[0] * (-2.7205236F);
+        const float v6 = state->sin_theta_2[0] * (-1.2175102F);
+        const float v7 = v3 + v6;
+        const float v10 = state->omega_1[0] * (-0.49445456F);
+        const float v11 = v7 + v10;
+        const float v14 = state->omega_2[0] * 0.22029561F;
+        const float v15 = v11 + v14;
+        const float v17 = v15 + 2.3143518F;
 
-        if (v2 >= best) {
-            best = v2;
+        if (v17 >= best) {
+            best = v17;
+            way = 1U;
+        }
+        const float v19 = state->cos_theta_1[0] * (-3.3904653F);
+        const float v22 = state->sin_theta_1[0] * (-0.12505245F);
+        const float v23 = v19 + v22;
+        const float v26 = state->cos_theta_2[0] * 0.27461419F;
+        const float v27 = v23 + v26;
+        const float v29 = state->omega_1[0] * (-0.4058117F);
+        const float v30 = v27 + v29;
+        const float v32 = v30 / 2.6443782F;
+
+        if (v32 >= best) {
+            best = v32;
+            way = 1U;
+        }
+        const volatile float constant = 0.0F;
+        const float zero = constant;
+
+        if (zero >= best) {
+            best = zero;
             way = 2U;
         }
-        const float v5 = 0.11001676F / state->cos_theta_1[0];
+        const float v34 = state->cos_theta_1[0] * (-2.6076918F);
+        const float v36 = state->omega_2[0] * (-0.080515005F);
+        const float v37 = v34 + v36;
+        const float v39 = state->sin_theta_2[0] * (-1.831776F);
+        const float v40 = v37 + v39;
+        const float v42 = state->cos_theta_2[0] * 0.10326636F;
+        const float v43 = v40 + v42;
+        const float v45 = state->sin_theta_1[0] * 2.957902F;
+        const float v46 = v43 + v45;
+        const float v48 = v46 + (-0.69571906F);
 
-        if (v5 >= best) {
-            best = v5;
-            way = 1U;
-        }
-        const float v8 = state->omega_1[0] - state->cos_theta_2[0];
-
-        if (v8 >= best) {
-            best = v8;
-            way = 2U;
-        }
-        const float v10 = (-0.7933136F) / state->cos_theta_1[0];
-
-        if (v10 >= best) {
-            best = v10;
-            way = 1U;
-        }
-        const float v11 = state->omega_2[0] * state->cos_theta_1[0];
-
-        if (v11 >= best) {
-            best = v11;
-            way = 1U;
-        }
-        const float v12 = acrobot_min(state->omega_1[0], state->cos_theta_2[0]);
-
-        if (v12 >= best) {
+        if (v48 >= best) {
             way = 2U;
         }
 
@@ -117,7 +119,7 @@ uint32_t acrobot_selftest(void)
         { { 0.8547621F }, { -0.74921864F }, { -0.9235042F }, { -0.9441242F }, { 2.116904F }, { 12.373514F } },
     };
     static const uint16_t actions[16] = {
-        2U, 2U, 0U, 0U, 0U, 2U, 0U, 2U, 2U, 2U, 0U, 0U, 0U, 0U, 0U, 2U
+        2U, 2U, 2U, 0U, 2U, 0U, 0U, 2U, 2U, 0U, 2U, 0U, 0U, 0U, 2U, 2U
     };
     uint32_t failures = 0U;
     uint32_t vector;

@@ -142,12 +142,17 @@ impl<S: Scalar> ByEight<S, 4> for CartPole {
     }
 
     #[inline(always)]
-    fn step_eight(states: &mut [[f64; 8]; 4], acts: &[f64; 8], rewards: &mut [f64; 8], ended: &mut [bool; 8]) {
-        let (mut sines, mut cosines) = ([0.0; 8], [0.0; 8]);
+    fn step_many<const L: usize>(
+        states: &mut [[f64; L]; 4],
+        acts: &[f64; L],
+        rewards: &mut [f64; L],
+        ended: &mut [bool; L],
+    ) {
+        let (mut sines, mut cosines) = ([0.0; L], [0.0; L]);
         sincos(&states[2], &mut sines, &mut cosines);
-        *rewards = [1.0; 8];
+        *rewards = [1.0; L];
         let [xs, vs, thetas, omegas] = states;
-        for lane in 0..8 {
+        for lane in 0..L {
             let (state, circle) = ([xs[lane], vs[lane], thetas[lane], omegas[lane]], (sines[lane], cosines[lane]));
             let state = moved(&Physics::STANDARD, state, circle, acts[lane] == 1.0);
             [xs[lane], vs[lane], thetas[lane], omegas[lane]] = state;

@@ -1,4 +1,4 @@
-//! Sine and cosine of eight angles at once, with the bits of [`libm::sincos`], in a form that compilers turn into vectors.
+//! Sine and cosine of several angles at once, with the bits of [`libm::sincos`], in a form that compilers turn into vectors.
 
 /// 2/π, and π/2 in two parts: the first has 33 bits, so that its product with a small whole number is exact (`rem_pio2.c`).
 const TURNS: f64 = core::f64::consts::FRAC_2_PI;
@@ -27,7 +27,7 @@ const COSINE: [f64; 6] = [
 
 /// Writes the sine and the cosine of each angle.
 #[inline(always)]
-pub(crate) fn sincos(angles: &[f64; 8], sines: &mut [f64; 8], cosines: &mut [f64; 8]) {
+pub(crate) fn sincos<const L: usize>(angles: &[f64; L], sines: &mut [f64; L], cosines: &mut [f64; L]) {
     let mut any_is_other = false;
     for ((&angle, sine), cosine) in angles.iter().zip(&mut *sines).zip(&mut *cosines) {
         let other;

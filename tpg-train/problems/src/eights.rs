@@ -4,9 +4,6 @@ use fearless_simd::{Level, dispatch};
 use tpg_engine::{Acts, End, Ending, Environment, Episodes, EvaluationError, SourceSet, View};
 use tpg_runtime::scalar::Scalar;
 
-/// Fewer episodes than this among eight are faster one by one.
-const FEW: usize = 4;
-
 /// A problem whose episodes are `N` numbers each, and whose steps are the same operations for all of them.
 pub(crate) trait ByEight<S: Scalar, const N: usize>: Environment<S> {
     /// Places of the observed values among the numbers.
@@ -20,9 +17,14 @@ pub(crate) trait ByEight<S: Scalar, const N: usize>: Environment<S> {
     /// Returns the episode with the given numbers.
     fn episode(numbers: [f64; N]) -> Self::Episode;
 
-    /// Takes one action in each of eight episodes: the number of an action, or the value of the output. Writes the rewards, and
+    /// Takes one action in each of `L` episodes: the number of an action, or the value of the output. Writes the rewards, and
     /// which episodes have come to their outcome 0. Must be `#[inline(always)]`.
-    fn step_eight(numbers: &mut [[f64; 8]; N], acts: &[f64; 8], rewards: &mut [f64; 8], ended: &mut [bool; 8]);
+    fn step_many<const L: usize>(
+        numbers: &mut [[f64; L]; N],
+        acts: &[f64; L],
+        rewards: &mut [f64; L],
+        ended: &mut [bool; L],
+    );
 }
 
 /// The lanes of a problem: with the results of [`OneByOne`](tpg_engine::OneByOne), bit for bit.
@@ -59,6 +61,24 @@ impl<const N: usize> Eight<N> {
         self.numbers.iter_mut().zip(numbers).for_each(|(eight, number)| eight[lane] = number);
         (self.scores[lane], self.actions[lane]) = (score, actions);
     }
+
+    /// Takes one action in each of the first `L` episodes: few take less time than all.
+    #[inline(always)]
+    fn step_first<S: Scalar, E: ByEight<S, N>, const L: usize>(&mut self, acts: &[f64; 8]) {
+        let (mut numbers, mut first) = ([[0.0; L]; N], [0.0; L]);
+        first.copy_from_slice(&acts[..L]);
+        for (to, from) in numbers.iter_mut().zip(&self.numbers) {
+            to.copy_from_slice(&from[..L]);
+        }
+        let (mut rewards, mut ended) = ([0.0; L], [false; L]);
+        E::step_many(&mut numbers, &first, &mut rewards, &mut ended);
+        for (to, from) in self.numbers.iter_mut().zip(&numbers) {
+            to[..L].copy_from_slice(from);
+        }
+        self.ended[..L].copy_from_slice(&ended);
+        self.scores.iter_mut().zip(rewards).for_each(|(score, reward)| *score += reward);
+        self.actions[..L].iter_mut().for_each(|actions| *actions += 1);
+    }
 }
 
 impl<'e, E, const N: usize> Eights<'e, E, N> {
@@ -70,18 +90,12 @@ impl<'e, E, const N: usize> Eights<'e, E, N> {
         Self { environment, limit: environment.time_limit(), eights: Vec::new(), lanes: 0, level: Level::new() }
     }
 
-    /// Returns the number of lanes that are stepped by eight: those behind them are few.
-    fn in_vectors(&self) -> usize {
-        let rest = self.lanes % 8;
-        if rest < FEW { self.lanes - rest } else { self.lanes }
-    }
-
     #[inline(always)]
     fn step_in_vectors<S: Scalar>(&mut self, acts: Acts<'_, S>)
     where
         E: ByEight<S, N>,
     {
-        for (place, eight) in (0..self.in_vectors()).step_by(8).zip(&mut self.eights) {
+        for (place, eight) in (0..self.lanes).step_by(8).zip(&mut self.eights) {
             let mut numbers = [0.0; 8];
             match acts {
                 Acts::Choices(actions) => {
@@ -91,25 +105,12 @@ impl<'e, E, const N: usize> Eights<'e, E, N> {
                     numbers.iter_mut().zip(&values[place..]).for_each(|(to, value)| *to = value.to_f64());
                 }
             }
-            let mut rewards = [0.0; 8];
-            E::step_eight(&mut eight.numbers, &numbers, &mut rewards, &mut eight.ended);
-            eight.scores.iter_mut().zip(rewards).for_each(|(score, reward)| *score += reward);
-            eight.actions.iter_mut().for_each(|actions| *actions += 1);
-        }
-    }
-
-    fn step_one_by_one<S: Scalar>(&mut self, acts: Acts<'_, S>)
-    where
-        E: ByEight<S, N>,
-    {
-        let few = self.in_vectors();
-        for (lane, act) in acts.iter().enumerate().skip(few) {
-            let eight = &mut self.eights[lane / 8];
-            let (numbers, score, actions) = eight.get(lane % 8);
-            let mut episode = E::episode(numbers);
-            let step = self.environment.step(&mut episode, act);
-            eight.set(lane % 8, (E::numbers(&episode), score + step.reward, actions + 1));
-            eight.ended[lane % 8] = step.end.is_some();
+            match self.lanes - place {
+                ..=1 => eight.step_first::<S, E, 1>(&numbers),
+                2 => eight.step_first::<S, E, 2>(&numbers),
+                3 | 4 => eight.step_first::<S, E, 4>(&numbers),
+                _ => eight.step_first::<S, E, 8>(&numbers),
+            }
         }
     }
 
@@ -139,7 +140,6 @@ impl<S: Scalar, E: ByEight<S, N>, const N: usize> Episodes<S, E::Task> for Eight
 
     fn step(&mut self, acts: Acts<'_, S>, ended: &mut Vec<(usize, Ending)>) -> Result<(), EvaluationError> {
         dispatch!(self.level, _ => self.step_in_vectors(acts));
-        self.step_one_by_one(acts);
         ended.extend((0..self.lanes).filter_map(|lane| Some((lane, self.ending::<S>(lane)?))));
         Ok(())
     }

@@ -124,14 +124,19 @@ impl<S: Scalar> ByEight<S, 2> for MountainCar {
     }
 
     #[inline(always)]
-    fn step_eight(states: &mut [[f64; 8]; 2], acts: &[f64; 8], rewards: &mut [f64; 8], ended: &mut [bool; 8]) {
+    fn step_many<const L: usize>(
+        states: &mut [[f64; L]; 2],
+        acts: &[f64; L],
+        rewards: &mut [f64; L],
+        ended: &mut [bool; L],
+    ) {
         let [positions, velocities] = states;
-        let (mut sines, mut cosines) = ([0.0; 8], [0.0; 8]);
+        let (mut sines, mut cosines) = ([0.0; L], [0.0; L]);
         let mut angles = *positions;
         angles.iter_mut().for_each(|angle| *angle *= 3.0);
         sincos(&angles, &mut sines, &mut cosines);
-        *rewards = [-1.0; 8];
-        for lane in 0..8 {
+        *rewards = [-1.0; L];
+        for lane in 0..L {
             let state = moved(&Physics::STANDARD, [positions[lane], velocities[lane]], cosines[lane], acts[lane]);
             [positions[lane], velocities[lane]] = state;
             ended[lane] = is_there(state);

@@ -19,20 +19,25 @@ impl<S: Scalar> ByEight<S, 8> for Acrobot {
     }
 
     #[inline(always)]
-    fn step_eight(numbers: &mut [[f64; 8]; 8], acts: &[f64; 8], rewards: &mut [f64; 8], ended: &mut [bool; 8]) {
+    fn step_many<const L: usize>(
+        numbers: &mut [[f64; L]; 8],
+        acts: &[f64; L],
+        rewards: &mut [f64; L],
+        ended: &mut [bool; L],
+    ) {
         let mut torques = *acts;
         torques.iter_mut().for_each(|torque| *torque -= 1.0);
-        *ended = moved::<8, Eight>(&Physics::STANDARD, numbers, &torques);
+        *ended = moved::<L, Several>(&Physics::STANDARD, numbers, &torques);
         rewards.iter_mut().zip(ended).for_each(|(reward, ended)| *reward = if *ended { 0.0 } else { -1.0 });
     }
 }
 
-/// The angles of eight pairs of links.
-struct Eight;
+/// The angles of several pairs of links.
+struct Several;
 
-impl Angles<8> for Eight {
+impl<const L: usize> Angles<L> for Several {
     #[inline(always)]
-    fn wrap(angles: &mut [f64; 8]) {
+    fn wrap(angles: &mut [f64; L]) {
         let (far, mut any_is_far) = (*angles, false);
         for angle in &mut *angles {
             let (less, more) = (*angle - 2.0 * PI, *angle + 2.0 * PI);
@@ -47,8 +52,8 @@ impl Angles<8> for Eight {
     }
 
     #[inline(always)]
-    fn sincos(angles: &[f64; 8]) -> [[f64; 8]; 2] {
-        let (mut sines, mut cosines) = ([0.0; 8], [0.0; 8]);
+    fn sincos(angles: &[f64; L]) -> [[f64; L]; 2] {
+        let (mut sines, mut cosines) = ([0.0; L], [0.0; L]);
         sincos(angles, &mut sines, &mut cosines);
         [sines, cosines]
     }
@@ -56,7 +61,7 @@ impl Angles<8> for Eight {
 
 #[cfg(test)]
 mod tests {
-    use super::{Angles, Eight, wrapped};
+    use super::{Angles, Several, wrapped};
     use crate::Acrobot;
     use crate::eights::tests::{policy, same_as_one_by_one};
     use core::f64::consts::PI;
@@ -71,7 +76,7 @@ mod tests {
         for eight in angles.as_chunks::<8>().0.iter().chain(&[[f64::NAN, 0.0, -0.0, 1.0, -1.0, 4.0, -4.0, 0.5]]) {
             let bits = |angles: [f64; 8]| angles.map(|angle| if angle.is_nan() { 0 } else { angle.to_bits() });
             let mut near = *eight;
-            Eight::wrap(&mut near);
+            Several::wrap(&mut near);
             assert_eq!(bits(near), bits(eight.map(wrapped)), "{eight:?}");
         }
     }

@@ -20,9 +20,14 @@ impl<S: Scalar> ByEight<S, 4> for Pendulum {
     }
 
     #[inline(always)]
-    fn step_eight(numbers: &mut [[f64; 8]; 4], torques: &[f64; 8], rewards: &mut [f64; 8], _ended: &mut [bool; 8]) {
+    fn step_many<const L: usize>(
+        numbers: &mut [[f64; L]; 4],
+        torques: &[f64; L],
+        rewards: &mut [f64; L],
+        _ended: &mut [bool; L],
+    ) {
         let [angle, velocity, sine, cosine] = numbers;
-        let mut off = [0.0; 8];
+        let mut off = [0.0; L];
         wrap(angle, &mut off);
         let moments = angle.iter_mut().zip(velocity).zip(&*sine).zip(off).zip(torques).zip(rewards);
         for (((((angle, velocity), &sine), off), &torque), reward) in moments {
@@ -43,7 +48,7 @@ const TAU_LOW: f64 = TAU - TAU_HIGH;
 /// Below 2048 the remainder is exact: whole turns are taken off in two parts, both differences are multiples of 2⁻⁵⁰ below 8,
 /// and where the quotient was rounded up to a whole number, the turn too many is put back.
 #[inline(always)]
-fn wrap(angles: &[f64; 8], off: &mut [f64; 8]) {
+fn wrap<const L: usize>(angles: &[f64; L], off: &mut [f64; L]) {
     let mut any_is_far = false;
     for (off, &angle) in off.iter_mut().zip(angles) {
         let turned = angle + PI;
