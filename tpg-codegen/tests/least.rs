@@ -65,12 +65,13 @@ fn assert_least(language: Language, known: &[&str], random: u64, compiled: impl 
 }
 
 /// Graphs of every size: a team of two bids, one formula, some teams with leaves, memory, this project's own, dozens of teams.
-const KNOWN: [&str; 15] = [
+const KNOWN: [&str; 16] = [
     "tests/fixtures/cartpole.json",
     "tests/fixtures/formula.json",
     "tests/fixtures/swing_up.json",
     "tests/fixtures/memory.json",
     "../generated/cartpole/graph.json",
+    "../generated/acrobot/graph.json",
     "../generated/mountain-car/graph.json",
     "../generated/mountain-car-continuous/graph.json",
     "../generated/pendulum/graph.json",
@@ -83,10 +84,8 @@ const KNOWN: [&str; 15] = [
     "../generated/widowx-rs/graph.json",
 ];
 
-/// Graphs that the model misjudges, held to the margin: in Rust it takes shapes of 447, 378 and 274 bytes where 386, 314 and 254 would do, in
-/// C of the last one a shape of 232 where 196 would.
-const MISJUDGED: [&str; 3] =
-    ["../generated/dodge/graph.json", "../generated/lunar-lander/graph.json", "../generated/acrobot/graph.json"];
+/// Graphs that the model misjudges, held to the margin: in Rust it takes shapes of 447 and 378 bytes where 386 and 314 would do.
+const MISJUDGED: [&str; 2] = ["../generated/dodge/graph.json", "../generated/lunar-lander/graph.json"];
 
 /// Over the others together, `small` takes at most this times the least.
 const MARGIN: f64 = 1.1;

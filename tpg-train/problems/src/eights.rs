@@ -205,24 +205,17 @@ pub(crate) mod tests {
     }
 
     /// Checks that episodes end as they do one by one, in any number of lanes; returns their endings.
-    pub(crate) fn same_as_one_by_one<E: Environment<f32> + Environment<f64>>(
+    pub(crate) fn same_as_one_by_one<E: Environment<f32> + Environment<f64> + Copy>(
         environment: E,
         policy: &PolicyGraph,
-    ) -> Vec<Ending>
-    where
-        E: Copy,
-    {
+    ) -> Vec<Ending> {
+        let single = endings::<f32, _>(&Usual(environment), policy, 1);
+        let in_doubles = endings::<f64, _>(&Usual(environment), policy, 1);
         for lanes in [1, 7, 8, 19, 112] {
-            assert_eq!(
-                endings::<f32, _>(&environment, policy, lanes),
-                endings::<f32, _>(&Usual(environment), policy, lanes)
-            );
-            assert_eq!(
-                endings::<f64, _>(&environment, policy, lanes),
-                endings::<f64, _>(&Usual(environment), policy, lanes)
-            );
+            assert_eq!(endings::<f32, _>(&environment, policy, lanes), single, "{lanes} lanes");
+            assert_eq!(endings::<f64, _>(&environment, policy, lanes), in_doubles, "{lanes} lanes");
         }
-        endings::<f32, _>(&environment, policy, 8)
+        single
     }
 
     fn endings<S: Scalar, E: Environment<S>>(environment: &E, policy: &PolicyGraph, lanes: usize) -> Vec<Ending>
