@@ -60,7 +60,8 @@ pub struct Acrobot;
 /// Two angles, rad, and two angular velocities, rad/s.
 type State = [f64; 4];
 
-/// A running episode: its [`State`], and the sines and then the cosines of both angles, which an observation and a step read.
+/// A running episode: both angles, rad, and angular velocities, rad/s; the sines and then the cosines of both angles, which an
+/// observation and a step read.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Links([f64; 8]);
 
