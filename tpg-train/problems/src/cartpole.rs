@@ -148,8 +148,7 @@ impl<S: Scalar> ByEight<S, 4> for CartPole {
         rewards: &mut [f64; L],
         ended: &mut [bool; L],
     ) {
-        let (mut sines, mut cosines) = ([0.0; L], [0.0; L]);
-        sincos(&states[2], &mut sines, &mut cosines);
+        let [sines, cosines] = sincos(&states[2]);
         *rewards = [1.0; L];
         let [xs, vs, thetas, omegas] = states;
         for lane in 0..L {

@@ -25,20 +25,22 @@ const COSINE: [f64; 6] = [
     -1.1359647557788195e-11,
 ];
 
-/// Writes the sine and the cosine of each angle.
+/// Returns the sines and the cosines of angles.
 #[inline(always)]
-pub(crate) fn sincos<const L: usize>(angles: &[f64; L], sines: &mut [f64; L], cosines: &mut [f64; L]) {
+pub(crate) fn sincos<const L: usize>(angles: &[f64; L]) -> [[f64; L]; 2] {
+    let (mut sines, mut cosines) = ([0.0; L], [0.0; L]);
     let mut any_is_other = false;
-    for ((&angle, sine), cosine) in angles.iter().zip(&mut *sines).zip(&mut *cosines) {
+    for ((&angle, sine), cosine) in angles.iter().zip(&mut sines).zip(&mut cosines) {
         let other;
         (*sine, *cosine, other) = usual(angle);
         any_is_other |= other;
     }
     if any_is_other {
-        for ((&angle, sine), cosine) in angles.iter().zip(sines).zip(cosines) {
+        for ((&angle, sine), cosine) in angles.iter().zip(&mut sines).zip(&mut cosines) {
             (*sine, *cosine) = libm::sincos(angle);
         }
     }
+    [sines, cosines]
 }
 
 /// Sine, cosine, and whether libm may take another way for this angle: one that is −0, huge or no number, or close to where the
@@ -98,8 +100,7 @@ mod tests {
         }
         angles.extend(angles.clone().iter().map(|angle| -angle));
         for eight in angles.as_chunks::<8>().0 {
-            let (mut sines, mut cosines) = ([0.0; 8], [0.0; 8]);
-            sincos(eight, &mut sines, &mut cosines);
+            let [sines, cosines] = sincos(eight);
             for (lane, &angle) in eight.iter().enumerate() {
                 let (sine, cosine) = libm::sincos(angle);
                 let bits = |[a, b]: [f64; 2]| [a, b].map(|x| if x.is_nan() { 0 } else { x.to_bits() });

@@ -131,10 +131,9 @@ impl<S: Scalar> ByEight<S, 2> for MountainCar {
         ended: &mut [bool; L],
     ) {
         let [positions, velocities] = states;
-        let (mut sines, mut cosines) = ([0.0; L], [0.0; L]);
         let mut angles = *positions;
         angles.iter_mut().for_each(|angle| *angle *= 3.0);
-        sincos(&angles, &mut sines, &mut cosines);
+        let [_, cosines] = sincos(&angles);
         *rewards = [-1.0; L];
         for lane in 0..L {
             let state = moved(&Physics::STANDARD, [positions[lane], velocities[lane]], cosines[lane], acts[lane]);

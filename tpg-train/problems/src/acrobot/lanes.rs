@@ -53,9 +53,7 @@ impl<const L: usize> Angles<L> for Several {
 
     #[inline(always)]
     fn sincos(angles: &[f64; L]) -> [[f64; L]; 2] {
-        let (mut sines, mut cosines) = ([0.0; L], [0.0; L]);
-        sincos(angles, &mut sines, &mut cosines);
-        [sines, cosines]
+        sincos(angles)
     }
 }
 

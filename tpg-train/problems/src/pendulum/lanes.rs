@@ -35,7 +35,7 @@ impl<S: Scalar> ByEight<S, 4> for Pendulum {
             (cost, *angle, *velocity) = moved(&Physics::STANDARD, (*angle, *velocity, sine), off, torque as f32);
             *reward = -cost;
         }
-        sincos(angle, sine, cosine);
+        [*sine, *cosine] = sincos(angle);
     }
 }
 
