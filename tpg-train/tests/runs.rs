@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_problems::arm::arms::ARMS;
 use tpg_problems::{Problem, ProblemName};
-use tpg_train::evolution::config::{EvolutionConfig, StartKind, Units};
+use tpg_train::evolution::config::{EpisodeFor, EvolutionConfig, StartKind, Units};
 use tpg_train::evolution::presets::Preset;
 
 /// A run of seconds that uses every feature: two demes with migration, pool, archive, lexicase, racing.
@@ -403,6 +403,7 @@ fn a_linear_start_has_the_same_bytes_on_other_threads_and_after_kills() {
         config.selection.choice_errors = 2.0 * share;
         let is_random = name.starts_with("random");
         config.start.random = if is_random { 0.25 } else { 0.0 };
+        config.start.episode_for = if name == "random search" { EpisodeFor::Pair } else { EpisodeFor::Sample };
         let steps = match (share == 0.5, is_random) {
             (true, true) => "100000",
             (true, false) => "200000",
@@ -468,6 +469,25 @@ fn a_random_search_that_is_resumed_without_a_number_of_steps_ends_after_its_gene
     assert!(text.contains("\"stalled\"") && text.contains("\"random\""), "what it has found is kept");
     let text = fs::read_to_string(folder.join("graph.json")).expect("a graph");
     tpg_graph::Graph::from_json("graph.json", &text).expect("a valid graph");
+}
+
+#[test]
+fn samples_of_a_random_search_share_episodes_as_the_configuration_says() {
+    let place = tempfile::tempdir().expect("a temporary folder");
+    let path = place.path().join("config.toml");
+    write_random_search(&path, ProblemName::Pendulum, 3);
+    let text = fs::read_to_string(&path).expect("it was written");
+    let rows = |who: &str| {
+        let folder = place.path().join(who);
+        fs::write(&path, text.replace("[start]\n", &format!("[start]\nepisode_for = \"{who}\"\n"))).expect("written");
+        assert!(train(&folder, &path, &["--max-steps", "1000000"]).status().expect("it runs").success());
+        fs::read_to_string(folder.join("generations.csv")).expect("the log")
+    };
+    let [sample, pair, generation] = ["sample", "pair", "generation"].map(rows);
+    assert!(sample != pair && pair != generation && sample != generation, "{sample}{pair}{generation}");
+    fs::write(&path, text.replace("[start]\n", "[start]\nepisode_for = \"deme\"\n")).expect("written");
+    let said = refusal(train(&place.path().join("deme"), &path, &[]));
+    assert!(said.contains("deme") && said.contains("`pair`"), "{said}");
 }
 
 /// Sums of the inputs balance a pole on a cart, and cannot swing a pendulum up.

@@ -450,6 +450,35 @@ impl Covariance {
     }
 }
 
+/// The samples of a random search that play the same episode.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum EpisodeFor {
+    /// Each sample plays its own: most is seen.
+    #[default]
+    Sample,
+    /// Two opposite samples play the same, so that their scores differ by the weights alone.
+    Pair,
+    /// All samples of a generation play the same.
+    Generation,
+}
+
+impl EpisodeFor {
+    /// True for the default.
+    fn is_sample(&self) -> bool {
+        *self == Self::Sample
+    }
+
+    /// Returns how many of a generation's samples, opposite ones side by side, play the same episode.
+    pub(super) fn sharing(self, samples: usize) -> usize {
+        match self {
+            Self::Sample => 1,
+            Self::Pair => 2,
+            Self::Generation => samples,
+        }
+    }
+}
+
 /// The first population, and the search for it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
@@ -467,6 +496,9 @@ pub struct StartConfig {
     /// way from the first generation's median to its best. 0, or a run without that limit: none. Not above the first of `share`.
     #[serde(skip_serializing_if = "is_nothing")]
     pub random: f64,
+    /// The samples of a random search that play the same episode.
+    #[serde(skip_serializing_if = "EpisodeFor::is_sample")]
+    pub episode_for: EpisodeFor,
     /// Number of searches, of which the best goes on after half of the generations.
     pub searches: usize,
     /// Number of samples of a search in a generation; 0 for `breadth` times 4 + 3 ln n with n weights.
@@ -504,6 +536,7 @@ impl Default for StartConfig {
             generations: 60,
             share: [0.0, 0.0],
             random: 0.0,
+            episode_for: EpisodeFor::Sample,
             searches: 3,
             samples: 0,
             breadth: 1,

@@ -368,7 +368,7 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         };
         let policies = state.searches.iter().zip(&samples).flat_map(of_search).collect();
         let (endings, seen) = if is_random(state) {
-            self.own_episodes(state, &writer, policies)?
+            self.single_episodes(state, &writer, policies)?
         } else {
             (self.same_episodes(state, policies)?, Moments::default())
         };
@@ -434,16 +434,18 @@ impl<S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'_, S, E, V>
         Ok(answers.into_iter().map(|answer| answer.endings).collect())
     }
 
-    /// Returns the ending of an episode of its own for each policy, and what they saw: a random search makes more of more steps
-    /// than of surer ones.
-    fn own_episodes(
+    /// Returns the ending of one episode for each policy, which it shares with as many as the configuration says, and what they saw:
+    /// a random search makes more of more steps than of surer ones.
+    fn single_episodes(
         &self,
         state: &State<E::Task>,
         writer: &LinearWriter<'_>,
         policies: Vec<PolicyGraph>,
     ) -> Result<(Vec<Vec<Ending>>, Moments), EvaluationError> {
-        let tasks = self.tasks(state, policies.len());
-        let plays: Vec<_> = policies.into_iter().zip(tasks).map(|(policy, task)| Play { policy, task }).collect();
+        let sharing = self.config.start.episode_for.sharing(policies.len());
+        let tasks = self.tasks(state, policies.len().div_ceil(sharing));
+        let play = |(place, policy): (usize, _)| Play { policy, task: tasks[place / sharing].clone() };
+        let plays: Vec<_> = policies.into_iter().enumerate().map(play).collect();
         let mut seen = Moments::new(writer.inputs());
         let endings = self.evaluator.play(&plays)?.into_iter().map(|played| {
             seen.merge(&writer.inputs_of(&played.seen));
