@@ -475,7 +475,7 @@ fn a_random_search_that_is_resumed_without_a_number_of_steps_ends_after_its_gene
 fn samples_of_a_random_search_share_episodes_as_the_configuration_says() {
     let place = tempfile::tempdir().expect("a temporary folder");
     let path = place.path().join("config.toml");
-    write_random_search(&path, ProblemName::Pendulum, 3);
+    write_random_search(&path, ProblemName::Pendulum, 6);
     let text = fs::read_to_string(&path).expect("it was written");
     let rows = |who: &str| {
         let folder = place.path().join(who);
