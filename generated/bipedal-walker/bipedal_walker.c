@@ -1,8 +1,8 @@
 /*
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix bipedal_walker --profile fast
- * Graph SHA-256: 9d8c42d624c3770a63b707f660b7746c1bc1c049e8b73961774134beff3c0e09
- * 1 teams (1 on the longest walk), 1 edges, 1 programs, 190 distinct operations.
+ * Graph SHA-256: 073ef0a378cc8a602612e78e03be167dbc630525ff9afcc4c26a06f839168795
+ * 1 teams (1 on the longest walk), 1 edges, 1 programs, 192 distinct operations.
  * Computes in f32 with own maths.
  */
 #include "bipedal_walker.h"
@@ -34,201 +34,203 @@ static float bipedal_walker_clamp(float value, float low, float high, float nan)
 
 void bipedal_walker_infer(const bipedal_walker_state_t *state, bipedal_walker_action_t *action)
 {
-    const float v2 = state->obs[0] * 0.5046787F;
-    const float v5 = state->obs[1] * 8.018429F;
+    const float v2 = state->obs[0] * 0.43313652F;
+    const float v5 = state->obs[1] * 0.006045125F;
     const float v6 = v2 + v5;
-    const float v9 = state->obs[2] * 1.1309677F;
+    const float v9 = state->obs[2] * (-0.9406402F);
     const float v10 = v6 + v9;
-    const float v13 = state->obs[3] * 1.3572947F;
+    const float v13 = state->obs[3] * 1.1379249F;
     const float v14 = v10 + v13;
-    const float v17 = state->obs[4] * (-1.4042757F);
+    const float v17 = state->obs[4] * (-0.27293232F);
     const float v18 = v14 + v17;
-    const float v21 = state->obs[5] * (-0.20148475F);
+    const float v21 = state->obs[5] * (-1.2722539F);
     const float v22 = v18 + v21;
-    const float v25 = state->obs[7] * (-0.15425919F);
+    const float v25 = state->obs[6] * 0.99190795F;
     const float v26 = v22 + v25;
-    const float v29 = state->obs[8] * 0.22009312F;
+    const float v29 = state->obs[7] * (-0.46254736F);
     const float v30 = v26 + v29;
-    const float v33 = state->obs[9] * 0.7223859F;
+    const float v33 = state->obs[8] * (-0.36908358F);
     const float v34 = v30 + v33;
-    const float v37 = state->obs[10] * 0.05046511F;
+    const float v37 = state->obs[9] * 0.42084303F;
     const float v38 = v34 + v37;
-    const float v41 = state->obs[11] * (-0.47640488F);
+    const float v41 = state->obs[10] * 0.23321724F;
     const float v42 = v38 + v41;
-    const float v45 = state->obs[12] * 0.33258402F;
+    const float v45 = state->obs[11] * (-0.11389011F);
     const float v46 = v42 + v45;
-    const float v49 = state->obs[13] * (-0.14858565F);
+    const float v49 = state->obs[12] * 0.43208057F;
     const float v50 = v46 + v49;
-    const float v53 = state->obs[14] * 0.7674586F;
+    const float v53 = state->obs[13] * (-0.010095447F);
     const float v54 = v50 + v53;
-    const float v57 = state->obs[15] * (-0.17519812F);
+    const float v57 = state->obs[14] * 4.4875813F;
     const float v58 = v54 + v57;
-    const float v61 = state->obs[16] * 1.8191909F;
+    const float v61 = state->obs[15] * (-9.051807F);
     const float v62 = v58 + v61;
-    const float v65 = state->obs[17] * 1.8449576F;
+    const float v65 = state->obs[16] * (-1.3506355F);
     const float v66 = v62 + v65;
-    const float v69 = state->obs[18] * (-2.8432984F);
+    const float v69 = state->obs[17] * 8.500628F;
     const float v70 = v66 + v69;
-    const float v73 = state->obs[19] * (-0.18586843F);
+    const float v73 = state->obs[18] * (-6.9748583F);
     const float v74 = v70 + v73;
-    const float v77 = state->obs[20] * (-0.771481F);
+    const float v77 = state->obs[19] * (-0.7869225F);
     const float v78 = v74 + v77;
-    const float v81 = state->obs[21] * 1.6962188F;
+    const float v81 = state->obs[20] * 7.8863435F;
     const float v82 = v78 + v81;
-    const float v85 = state->obs[22] * 1.1837615F;
+    const float v85 = state->obs[21] * (-3.1613417F);
     const float v86 = v82 + v85;
-    const float v89 = state->obs[23] * (-6.4229074F);
+    const float v89 = state->obs[22] * 0.09573793F;
     const float v90 = v86 + v89;
-    const float v92 = v90 + 2.5260677F;
-    const float v94 = state->obs[0] * 1.8828421F;
-    const float v96 = state->obs[1] * 8.03671F;
-    const float v97 = v94 + v96;
-    const float v99 = state->obs[2] * (-0.094880946F);
-    const float v100 = v97 + v99;
-    const float v102 = state->obs[3] * (-2.3845007F);
-    const float v103 = v100 + v102;
-    const float v105 = state->obs[4] * 0.6801684F;
-    const float v106 = v103 + v105;
-    const float v108 = state->obs[5] * (-0.04494099F);
-    const float v109 = v106 + v108;
-    const float v112 = state->obs[6] * (-0.5763401F);
-    const float v113 = v109 + v112;
-    const float v115 = state->obs[7] * (-0.1844264F);
+    const float v93 = state->obs[23] * (-6.447783F);
+    const float v94 = v90 + v93;
+    const float v96 = v94 + 5.9709144F;
+    const float v98 = state->obs[0] * (-0.6784458F);
+    const float v100 = state->obs[1] * 2.167693F;
+    const float v101 = v98 + v100;
+    const float v103 = state->obs[2] * 3.1354392F;
+    const float v104 = v101 + v103;
+    const float v106 = state->obs[3] * (-5.378494F);
+    const float v107 = v104 + v106;
+    const float v109 = state->obs[4] * (-0.7907029F);
+    const float v110 = v107 + v109;
+    const float v112 = state->obs[5] * 0.15056907F;
+    const float v113 = v110 + v112;
+    const float v115 = state->obs[6] * (-2.3365674F);
     const float v116 = v113 + v115;
-    const float v118 = state->obs[8] * (-0.035329953F);
+    const float v118 = state->obs[7] * (-0.04153449F);
     const float v119 = v116 + v118;
-    const float v121 = state->obs[9] * 0.8470248F;
+    const float v121 = state->obs[8] * 0.29449865F;
     const float v122 = v119 + v121;
-    const float v124 = state->obs[10] * 0.13221936F;
+    const float v124 = state->obs[9] * 0.37659582F;
     const float v125 = v122 + v124;
-    const float v127 = state->obs[11] * 0.72477835F;
+    const float v127 = state->obs[10] * 0.058632873F;
     const float v128 = v125 + v127;
-    const float v130 = state->obs[12] * 0.15656033F;
+    const float v130 = state->obs[11] * 2.3247058F;
     const float v131 = v128 + v130;
-    const float v133 = state->obs[13] * 0.18303227F;
+    const float v133 = state->obs[12] * 0.3777262F;
     const float v134 = v131 + v133;
-    const float v136 = state->obs[14] * (-0.9859452F);
+    const float v136 = state->obs[13] * (-0.011592703F);
     const float v137 = v134 + v136;
-    const float v139 = state->obs[15] * (-1.3015733F);
+    const float v139 = state->obs[14] * 10.344545F;
     const float v140 = v137 + v139;
-    const float v142 = state->obs[16] * (-1.0328742F);
+    const float v142 = state->obs[15] * (-7.4077225F);
     const float v143 = v140 + v142;
-    const float v145 = state->obs[17] * (-2.4927297F);
+    const float v145 = state->obs[16] * 2.2106109F;
     const float v146 = v143 + v145;
-    const float v148 = state->obs[18] * 1.37519F;
+    const float v148 = state->obs[17] * (-9.954698F);
     const float v149 = v146 + v148;
-    const float v151 = state->obs[19] * (-2.2172704F);
+    const float v151 = state->obs[18] * (-1.1742669F);
     const float v152 = v149 + v151;
-    const float v154 = state->obs[20] * 1.180808F;
+    const float v154 = state->obs[19] * (-8.619116F);
     const float v155 = v152 + v154;
-    const float v157 = state->obs[21] * (-1.329915F);
+    const float v157 = state->obs[20] * 1.6254114F;
     const float v158 = v155 + v157;
-    const float v160 = state->obs[22] * (-0.25188348F);
+    const float v160 = state->obs[21] * 1.084647F;
     const float v161 = v158 + v160;
-    const float v163 = state->obs[23] * 6.103324F;
+    const float v163 = state->obs[22] * (-0.3101107F);
     const float v164 = v161 + v163;
-    const float v166 = v164 + (-2.4470737F);
-    const float v168 = state->obs[0] * 1.0497155F;
-    const float v170 = state->obs[1] * 4.5926456F;
-    const float v171 = v168 + v170;
-    const float v173 = state->obs[2] * 1.7125864F;
+    const float v166 = state->obs[23] * 18.147518F;
+    const float v167 = v164 + v166;
+    const float v169 = v167 + (-13.862106F);
+    const float v171 = state->obs[0] * 2.1542137F;
+    const float v173 = state->obs[1] * (-2.1436977F);
     const float v174 = v171 + v173;
-    const float v176 = state->obs[3] * (-1.2706293F);
+    const float v176 = state->obs[2] * 1.353505F;
     const float v177 = v174 + v176;
-    const float v179 = state->obs[4] * 0.04261334F;
+    const float v179 = state->obs[3] * (-1.4395895F);
     const float v180 = v177 + v179;
-    const float v182 = state->obs[5] * (-0.1246854F);
+    const float v182 = state->obs[4] * 1.4794261F;
     const float v183 = v180 + v182;
-    const float v185 = state->obs[6] * 0.022234725F;
+    const float v185 = state->obs[5] * 0.19376321F;
     const float v186 = v183 + v185;
-    const float v188 = state->obs[7] * 0.29823032F;
+    const float v188 = state->obs[6] * 0.22323757F;
     const float v189 = v186 + v188;
-    const float v191 = state->obs[8] * (-0.003917866F);
+    const float v191 = state->obs[7] * 0.19982354F;
     const float v192 = v189 + v191;
-    const float v194 = state->obs[9] * (-0.1538466F);
+    const float v194 = state->obs[8] * 0.14311513F;
     const float v195 = v192 + v194;
-    const float v197 = state->obs[10] * (-0.49762392F);
+    const float v197 = state->obs[9] * (-0.81286705F);
     const float v198 = v195 + v197;
-    const float v200 = state->obs[11] * 0.19477585F;
+    const float v200 = state->obs[10] * (-0.44202605F);
     const float v201 = v198 + v200;
-    const float v203 = state->obs[12] * (-0.017092187F);
+    const float v203 = state->obs[11] * 0.28939056F;
     const float v204 = v201 + v203;
-    const float v206 = state->obs[13] * (-0.31458244F);
+    const float v206 = state->obs[12] * 0.08988224F;
     const float v207 = v204 + v206;
-    const float v209 = state->obs[14] * 6.3393784F;
+    const float v209 = state->obs[13] * (-0.035194054F);
     const float v210 = v207 + v209;
-    const float v212 = state->obs[15] * 2.131467F;
+    const float v212 = state->obs[14] * (-1.4962751F);
     const float v213 = v210 + v212;
-    const float v215 = state->obs[16] * 1.6827623F;
+    const float v215 = state->obs[15] * (-2.571821F);
     const float v216 = v213 + v215;
-    const float v218 = state->obs[17] * (-2.958541F);
+    const float v218 = state->obs[16] * 7.4698043F;
     const float v219 = v216 + v218;
-    const float v221 = state->obs[18] * 2.4626467F;
+    const float v221 = state->obs[17] * (-4.813802F);
     const float v222 = v219 + v221;
-    const float v224 = state->obs[19] * 1.1390029F;
+    const float v224 = state->obs[18] * 0.45718148F;
     const float v225 = v222 + v224;
-    const float v227 = state->obs[20] * (-1.7571104F);
+    const float v227 = state->obs[19] * 8.570346F;
     const float v228 = v225 + v227;
-    const float v230 = state->obs[21] * 1.0455837F;
+    const float v230 = state->obs[20] * 0.043355696F;
     const float v231 = v228 + v230;
-    const float v233 = state->obs[22] * 0.4267561F;
+    const float v233 = state->obs[21] * (-1.7338103F);
     const float v234 = v231 + v233;
-    const float v236 = state->obs[23] * (-11.318814F);
+    const float v236 = state->obs[22] * (-0.52388465F);
     const float v237 = v234 + v236;
-    const float v239 = v237 + 6.3224926F;
-    const float v241 = state->obs[0] * 0.4515603F;
-    const float v243 = state->obs[1] * 14.720121F;
-    const float v244 = v241 + v243;
-    const float v246 = state->obs[2] * 0.44103858F;
+    const float v239 = state->obs[23] * 1.151409F;
+    const float v240 = v237 + v239;
+    const float v242 = v240 + (-2.5815685F);
+    const float v244 = state->obs[0] * (-1.0676469F);
+    const float v246 = state->obs[1] * (-1.2909809F);
     const float v247 = v244 + v246;
-    const float v249 = state->obs[3] * (-1.2183368F);
+    const float v249 = state->obs[2] * (-0.8371953F);
     const float v250 = v247 + v249;
-    const float v252 = state->obs[4] * (-0.250826F);
+    const float v252 = state->obs[3] * (-2.8452365F);
     const float v253 = v250 + v252;
-    const float v255 = state->obs[5] * 0.49178404F;
+    const float v255 = state->obs[4] * 0.021685855F;
     const float v256 = v253 + v255;
-    const float v258 = state->obs[6] * (-0.3779984F);
+    const float v258 = state->obs[5] * (-0.06468743F);
     const float v259 = v256 + v258;
-    const float v261 = state->obs[7] * (-0.0028148007F);
+    const float v261 = state->obs[6] * (-0.13105504F);
     const float v262 = v259 + v261;
-    const float v264 = state->obs[8] * 0.06386011F;
+    const float v264 = state->obs[7] * 0.0043608746F;
     const float v265 = v262 + v264;
-    const float v267 = state->obs[9] * (-0.041378263F);
+    const float v267 = state->obs[8] * (-0.018771987F);
     const float v268 = v265 + v267;
-    const float v270 = state->obs[10] * (-0.19922008F);
+    const float v270 = state->obs[9] * 0.17987023F;
     const float v271 = v268 + v270;
-    const float v273 = state->obs[11] * (-1.1892239F);
+    const float v273 = state->obs[10] * (-0.24441965F);
     const float v274 = v271 + v273;
-    const float v276 = state->obs[12] * (-0.49735847F);
+    const float v276 = state->obs[11] * (-1.5290816F);
     const float v277 = v274 + v276;
-    const float v279 = state->obs[13] * 0.43485624F;
+    const float v279 = state->obs[12] * (-0.3734259F);
     const float v280 = v277 + v279;
-    const float v282 = state->obs[14] * (-5.629588F);
+    const float v282 = state->obs[13] * (-0.023268756F);
     const float v283 = v280 + v282;
-    const float v285 = state->obs[15] * 1.6327361F;
+    const float v285 = state->obs[14] * 0.32405788F;
     const float v286 = v283 + v285;
-    const float v288 = state->obs[16] * 3.8373559F;
+    const float v288 = state->obs[15] * 5.7792134F;
     const float v289 = v286 + v288;
-    const float v291 = state->obs[17] * (-0.42398152F);
+    const float v291 = state->obs[16] * (-7.545338F);
     const float v292 = v289 + v291;
-    const float v294 = state->obs[18] * (-2.8770363F);
+    const float v294 = state->obs[17] * 1.5639713F;
     const float v295 = v292 + v294;
-    const float v297 = state->obs[19] * (-0.4884606F);
+    const float v297 = state->obs[18] * (-4.1553626F);
     const float v298 = v295 + v297;
-    const float v300 = state->obs[20] * (-2.4138744F);
+    const float v300 = state->obs[19] * 4.670011F;
     const float v301 = v298 + v300;
-    const float v303 = state->obs[21] * (-0.7583262F);
+    const float v303 = state->obs[20] * (-5.031331F);
     const float v304 = v301 + v303;
-    const float v306 = state->obs[22] * 0.5175674F;
+    const float v306 = state->obs[21] * 2.1768126F;
     const float v307 = v304 + v306;
-    const float v309 = state->obs[23] * (-4.1500196F);
+    const float v309 = state->obs[22] * (-0.6732741F);
     const float v310 = v307 + v309;
-    const float v312 = v310 + 6.9373F;
+    const float v312 = state->obs[23] * (-8.497251F);
+    const float v313 = v310 + v312;
+    const float v315 = v313 + 9.79428F;
 
-    action->action_0 = bipedal_walker_clamp(v92, -1.0F, 1.0F, 0.0F);
-    action->action_1 = bipedal_walker_clamp(v166, -1.0F, 1.0F, 0.0F);
-    action->action_2 = bipedal_walker_clamp(v239, -1.0F, 1.0F, 0.0F);
-    action->action_3 = bipedal_walker_clamp(v312, -1.0F, 1.0F, 0.0F);
+    action->action_0 = bipedal_walker_clamp(v96, -1.0F, 1.0F, 0.0F);
+    action->action_1 = bipedal_walker_clamp(v169, -1.0F, 1.0F, 0.0F);
+    action->action_2 = bipedal_walker_clamp(v242, -1.0F, 1.0F, 0.0F);
+    action->action_3 = bipedal_walker_clamp(v315, -1.0F, 1.0F, 0.0F);
 }
 #ifndef BIPEDAL_WALKER_NO_SELFTEST
 
@@ -253,22 +255,22 @@ uint32_t bipedal_walker_selftest(void)
         { { 1.7585518F, 1.1644782F, 1.4970539F, -2.9773874F, -0.67364F, -3.9374356F, 2.5674317F, 2.5247462F, 1.8996538F, 1.3151066F, 3.4999285F, -1.0690467F, 3.8178186F, 4.25727F, -0.89372796F, 0.9976013F, -0.6984599F, 0.38942474F, 0.79192054F, -0.5725889F, -0.31676745F, -0.84059F, -0.4114101F, 0.8242695F } },
     };
     static const bipedal_walker_action_t actions[16] = {
-        { -1.0F, -1.0F, 0.3619566F, -1.0F },
-        { -1.0F, -1.0F, -1.0F, -1.0F },
-        { -1.0F, -1.0F, -1.0F, -1.0F },
-        { 1.0F, 1.0F, 1.0F, 1.0F },
-        { 1.0F, 1.0F, 1.0F, 1.0F },
+        { 1.0F, -1.0F, 1.0F, 1.0F },
+        { -1.0F, -1.0F, -1.0F, 1.0F },
         { 1.0F, -1.0F, -1.0F, 1.0F },
-        { 1.0F, -1.0F, 1.0F, 1.0F },
+        { 1.0F, -1.0F, -1.0F, -1.0F },
+        { -1.0F, 1.0F, 1.0F, 1.0F },
+        { 1.0F, -1.0F, -1.0F, -1.0F },
         { -1.0F, -1.0F, 1.0F, 1.0F },
-        { 0.47815847F, 1.0F, 1.0F, 1.0F },
-        { -1.0F, -1.0F, -1.0F, -1.0F },
-        { -1.0F, -1.0F, -1.0F, -1.0F },
+        { -1.0F, 1.0F, -1.0F, 1.0F },
+        { -1.0F, -1.0F, 0.22930717F, 1.0F },
+        { -1.0F, -1.0F, 1.0F, 1.0F },
         { 1.0F, -1.0F, 1.0F, 1.0F },
-        { 1.0F, 1.0F, 1.0F, 1.0F },
-        { -1.0F, -1.0F, -1.0F, -1.0F },
-        { 1.0F, -0.30444503F, 1.0F, 1.0F },
-        { 1.0F, 1.0F, 1.0F, 1.0F },
+        { 1.0F, -1.0F, -1.0F, 1.0F },
+        { 1.0F, 1.0F, 1.0F, -1.0F },
+        { 1.0F, -1.0F, -1.0F, 1.0F },
+        { 1.0F, 0.34114838F, 1.0F, 1.0F },
+        { -1.0F, -1.0F, -1.0F, 1.0F },
     };
     uint32_t failures = 0U;
     uint32_t vector;
