@@ -129,7 +129,9 @@ impl<S: Scalar> Adjustable<S> for CartPole {
     }
 }
 
-impl<S: Scalar> ByEight<S, 4> for CartPole {
+impl ByEight<4> for CartPole {
+    type State = State;
+
     const OBSERVED: &[usize] = &[0, 1, 2, 3];
     const ROUNDS: bool = false;
 

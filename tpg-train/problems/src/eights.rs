@@ -4,18 +4,21 @@ use fearless_simd::{Level, dispatch};
 use tpg_engine::{Acts, End, Ending, Environment, Episodes, EvaluationError, SourceSet, View};
 use tpg_runtime::scalar::Scalar;
 
-/// A problem whose episodes are `N` numbers each, and whose steps are the same operations for all of them.
-pub(crate) trait ByEight<S: Scalar, const N: usize>: Environment<S> {
+/// A problem whose episodes are `N` numbers each, and whose steps are the same operations for all of them and for policies in any
+/// numbers.
+pub(crate) trait ByEight<const N: usize> {
+    /// An episode, as the environment has it.
+    type State;
     /// Places of the observed values among the numbers.
     const OBSERVED: &[usize];
     /// True if observations are rounded to `f32`, as Gymnasium's are.
     const ROUNDS: bool;
 
     /// Returns the numbers of an episode.
-    fn numbers(episode: &Self::Episode) -> [f64; N];
+    fn numbers(episode: &Self::State) -> [f64; N];
 
     /// Returns the episode with the given numbers.
-    fn episode(numbers: [f64; N]) -> Self::Episode;
+    fn episode(numbers: [f64; N]) -> Self::State;
 
     /// Takes one action in each of `L` episodes: the number of an action, or the value of the output. Writes the rewards, and
     /// which episodes have come to their outcome 0. Must be `#[inline(always)]`.
@@ -32,6 +35,8 @@ pub(crate) struct Eights<'e, E, const N: usize> {
     environment: &'e E,
     limit: u32,
     eights: Vec<Eight<N>>,
+    /// The action of each lane, as [`ByEight::step_many`] gets it.
+    acts: Vec<f64>,
     lanes: usize,
     level: Level,
 }
@@ -63,7 +68,7 @@ impl<const N: usize> Eight<N> {
 
     /// Takes one action in each of the first `L` episodes: few take less time than all.
     #[inline(always)]
-    fn step_first<S: Scalar, E: ByEight<S, N>, const L: usize>(&mut self, acts: &[f64; 8]) {
+    fn step_first<E: ByEight<N>, const L: usize>(&mut self, acts: &[f64; 8]) {
         let (mut numbers, mut first) = ([[0.0; L]; N], [0.0; L]);
         first.copy_from_slice(&acts[..L]);
         for (to, from) in numbers.iter_mut().zip(&self.numbers) {
@@ -86,37 +91,20 @@ impl<'e, E, const N: usize> Eights<'e, E, N> {
     where
         E: Environment<S>,
     {
-        Self { environment, limit: environment.time_limit(), eights: Vec::new(), lanes: 0, level: Level::new() }
-    }
-
-    #[inline(always)]
-    fn step_in_vectors<S: Scalar>(&mut self, acts: Acts<'_, S>)
-    where
-        E: ByEight<S, N>,
-    {
-        for (place, eight) in (0..self.lanes).step_by(8).zip(&mut self.eights) {
-            let mut numbers = [0.0; 8];
-            match acts {
-                Acts::Choices(actions) => {
-                    numbers.iter_mut().zip(&actions[place..]).for_each(|(to, action)| *to = f64::from(action.0));
-                }
-                Acts::Values { values, .. } => {
-                    numbers.iter_mut().zip(&values[place..]).for_each(|(to, value)| *to = value.to_f64());
-                }
-            }
-            match self.lanes - place {
-                ..=1 => eight.step_first::<S, E, 1>(&numbers),
-                2 => eight.step_first::<S, E, 2>(&numbers),
-                3 | 4 => eight.step_first::<S, E, 4>(&numbers),
-                _ => eight.step_first::<S, E, 8>(&numbers),
-            }
+        Self {
+            environment,
+            limit: environment.time_limit(),
+            eights: Vec::new(),
+            acts: Vec::new(),
+            lanes: 0,
+            level: Level::new(),
         }
     }
 
     /// Returns how a lane's episode has ended, if it has.
     fn ending<S: Scalar>(&self, lane: usize) -> Option<Ending>
     where
-        E: ByEight<S, N>,
+        E: ByEight<N> + Environment<S, Episode = <E as ByEight<N>>::State>,
     {
         let Eight { ended, actions, .. } = &self.eights[lane / 8];
         if !ended[lane % 8] && actions[lane % 8] < self.limit {
@@ -129,7 +117,25 @@ impl<'e, E, const N: usize> Eights<'e, E, N> {
     }
 }
 
-impl<S: Scalar, E: ByEight<S, N>, const N: usize> Episodes<S, E::Task> for Eights<'_, E, N> {
+/// Takes an action in each lane.
+#[inline(always)]
+fn step_all<E: ByEight<N>, const N: usize>(eights: &mut [Eight<N>], acts: &[f64]) {
+    for (acts, eight) in acts.chunks(8).zip(eights) {
+        let mut numbers = [0.0; 8];
+        numbers.iter_mut().zip(acts).for_each(|(to, act)| *to = *act);
+        match acts.len() {
+            1 => eight.step_first::<E, 1>(&numbers),
+            2 => eight.step_first::<E, 2>(&numbers),
+            3 | 4 => eight.step_first::<E, 4>(&numbers),
+            _ => eight.step_first::<E, 8>(&numbers),
+        }
+    }
+}
+
+impl<S: Scalar, E, const N: usize> Episodes<S, E::Task> for Eights<'_, E, N>
+where
+    E: ByEight<N> + Environment<S, Episode = <E as ByEight<N>>::State>,
+{
     fn begin(&mut self, lane: usize, task: &E::Task) -> Result<(), EvaluationError> {
         self.lanes = self.lanes.max(lane + 1);
         self.eights.resize_with(self.lanes.div_ceil(8), Eight::new);
@@ -138,7 +144,12 @@ impl<S: Scalar, E: ByEight<S, N>, const N: usize> Episodes<S, E::Task> for Eight
     }
 
     fn step(&mut self, acts: Acts<'_, S>, ended: &mut Vec<(usize, Ending)>) -> Result<(), EvaluationError> {
-        dispatch!(self.level, _ => self.step_in_vectors(acts));
+        self.acts.clear();
+        match acts {
+            Acts::Choices(actions) => self.acts.extend(actions[..self.lanes].iter().map(|action| f64::from(action.0))),
+            Acts::Values { values, .. } => self.acts.extend(values[..self.lanes].iter().map(|value| value.to_f64())),
+        }
+        dispatch!(self.level, _ => step_all::<E, N>(&mut self.eights, &self.acts));
         ended.extend((0..self.lanes).filter_map(|lane| Some((lane, self.ending::<S>(lane)?))));
         Ok(())
     }

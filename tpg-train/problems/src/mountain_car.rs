@@ -111,7 +111,9 @@ impl<S: Scalar> Adjustable<S> for MountainCar {
     }
 }
 
-impl<S: Scalar> ByEight<S, 2> for MountainCar {
+impl ByEight<2> for MountainCar {
+    type State = State;
+
     const OBSERVED: &[usize] = &[0, 1];
     const ROUNDS: bool = true;
 

@@ -4,9 +4,10 @@ use super::{Acrobot, Angles, Links, Physics, moved, wrapped};
 use crate::circle::sincos;
 use crate::eights::ByEight;
 use core::f64::consts::PI;
-use tpg_runtime::scalar::Scalar;
 
-impl<S: Scalar> ByEight<S, 8> for Acrobot {
+impl ByEight<8> for Acrobot {
+    type State = Links;
+
     const OBSERVED: &[usize] = &[6, 4, 7, 5, 2, 3];
     const ROUNDS: bool = true;
 

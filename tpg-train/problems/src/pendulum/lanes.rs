@@ -4,10 +4,11 @@ use super::{Pendulum, Physics, Swing, moved, wrapped};
 use crate::circle::sincos;
 use crate::eights::ByEight;
 use core::f64::consts::{PI, TAU};
-use tpg_runtime::scalar::Scalar;
 
 /// Angle, velocity, sine and cosine.
-impl<S: Scalar> ByEight<S, 4> for Pendulum {
+impl ByEight<4> for Pendulum {
+    type State = Swing;
+
     const OBSERVED: &[usize] = &[3, 2, 1];
     const ROUNDS: bool = false;
 
