@@ -83,6 +83,14 @@ impl Maths<f32> for Own {
     fn cosines(numbers: &mut [f32; 8], _used: usize) {
         eight::f32::cosines(numbers);
     }
+    #[inline(always)]
+    fn logarithms(numbers: &mut [f32; 8], _used: usize) {
+        numbers.iter_mut().for_each(|x| *x = own::f32::ln(*x));
+    }
+    #[inline(always)]
+    fn exponentials(numbers: &mut [f32; 8], _used: usize) {
+        numbers.iter_mut().for_each(|x| *x = own::f32::exp(*x));
+    }
 }
 
 impl Maths<f64> for Own {

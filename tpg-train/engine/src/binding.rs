@@ -135,6 +135,6 @@ fn renumbered(policy: PolicyGraph, places: &[u16], actions: &[u16]) -> PolicyGra
         leaves,
         registers,
         teams: teams.into_iter().map(|team| team.into_iter().map(edge).collect()).collect(),
-        programs: programs.into_iter().map(|lines| lines.into_iter().map(line).collect()).collect(),
+        programs: programs.iter().map(|lines| lines.iter().copied().map(line).collect()).collect(),
     }
 }

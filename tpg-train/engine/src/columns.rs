@@ -1,13 +1,15 @@
 //! The values of a plan's nodes: one column per node, with one value per lane.
 //!
 //! A column is a whole number of blocks, and every loop runs over whole blocks: lanes beyond the last are computed as
-//! well and never read. Nothing is fused or reordered, so the bits are the same as for one lane at a time. Functions
-//! marked `inline(always)` are inlined into [`Decider::decide`](super::decide::Decider::decide), which is compiled for
-//! the widest vectors of the processor.
+//! well and never read. An operation is computed only in the parts of a column whose lanes need it. Nothing is fused or reordered, so
+//! the bits are the same as for one lane at a time. Functions marked `inline(always)` are inlined into [`Columns::compute`], which
+//! is compiled for the widest vectors of the processor.
 
-use crate::nodes::{Node, NodeId, NodeSet};
+use crate::nodes::{Node, NodeId};
+use crate::parts::Parts;
 use crate::plan::Plan;
-use crate::view::{BLOCK, Block, HALF, View};
+use crate::view::{BLOCK, Block, PART, View, part, part_mut};
+use fearless_simd::{Level, dispatch};
 use std::marker::PhantomData;
 use tpg_runtime::ops::{Instruction, Maths};
 use tpg_runtime::scalar::Scalar;
@@ -18,10 +20,11 @@ pub(super) struct Columns<S, M> {
     /// Number of blocks in a column.
     blocks: usize,
     values: Vec<Block<S>>,
-    /// Operations whose columns are up to date for the current state.
-    fresh: NodeSet,
-    /// Operations that change only with the episode.
-    lasting: NodeSet,
+    /// Parts of each operation's column that are up to date for the current state.
+    fresh: Vec<Parts>,
+    /// Of these, what stays up to date: all parts of operations that change only with the episode.
+    lasting: Vec<Parts>,
+    level: Level,
     maths: PhantomData<M>,
 }
 
@@ -30,8 +33,9 @@ impl<S: Scalar, M: Maths<S>> Columns<S, M> {
         Self {
             blocks: lanes.div_ceil(BLOCK),
             values: Vec::new(),
-            fresh: NodeSet::default(),
-            lasting: NodeSet::default(),
+            fresh: Vec::new(),
+            lasting: Vec::new(),
+            level: Level::new(),
             maths: PhantomData,
         }
     }
@@ -46,30 +50,27 @@ impl<S: Scalar, M: Maths<S>> Columns<S, M> {
                 column.fill([*value; BLOCK]);
             }
         }
-        self.fresh = NodeSet::empty(plan.nodes.len());
-        self.lasting = NodeSet::empty(plan.nodes.len());
-        let mut lasts = vec![false; plan.nodes.len()];
-        for (place, node) in (0u32..).zip(&plan.nodes) {
-            lasts[place as usize] = match node {
+        self.fresh.clear();
+        self.fresh.resize(plan.nodes.len(), Parts::NONE);
+        self.lasting.clear();
+        for node in &plan.nodes {
+            let lasts = match node {
                 Node::Constant(_) => true,
                 Node::Input(input) => constant.contains(input),
-                Node::Operation(_, a, b) => lasts[a.index()] && lasts[b.index()],
+                Node::Operation(_, a, b) => [a, b].into_iter().all(|of| self.lasting[of.index()] == Parts::ALL),
             };
-            if lasts[place as usize] {
-                self.lasting.insert(NodeId(place));
-            }
+            self.lasting.push(if lasts { Parts::ALL } else { Parts::NONE });
         }
     }
 
     /// Marks all columns as stale for the next state, except those that depend on the episode alone.
-    #[inline(always)]
     pub(super) fn next_step(&mut self) {
-        self.fresh.keep(&self.lasting);
+        self.fresh.iter_mut().zip(&self.lasting).for_each(|(fresh, lasting)| fresh.keep(*lasting));
     }
 
     /// Marks all columns as stale because some lane starts another episode.
     pub(super) fn forget(&mut self) {
-        self.fresh.clear();
+        self.fresh.fill(Parts::NONE);
     }
 
     /// Returns the columns for the flat state; `places` maps its values to their nodes.
@@ -82,45 +83,50 @@ impl<S: Scalar, M: Maths<S>> Columns<S, M> {
         self.values[node.index() * self.blocks + lane / BLOCK][lane % BLOCK]
     }
 
-    /// Returns a node's values, block by block.
+    /// Returns the values of a node in a block of lanes.
     #[inline(always)]
-    pub(super) fn column(&self, node: NodeId) -> &[Block<S>] {
-        &self.values[node.index() * self.blocks..][..self.blocks]
+    pub(super) fn block(&self, node: NodeId, block: usize) -> &Block<S> {
+        &self.values[node.index() * self.blocks..][..self.blocks][block]
     }
 
-    /// Computes the needed nodes that are stale in the first `lanes` lanes. The operands of a needed node are also in
-    /// `needs`.
+    /// Returns the values of a node in a part.
     #[inline(always)]
-    pub(super) fn compute(&mut self, plan: &Plan<S>, needs: &NodeSet, lanes: usize) {
+    pub(super) fn part(&self, node: NodeId, index: usize) -> &[S; PART] {
+        part(&self.values[node.index() * self.blocks..][..self.blocks], index)
+    }
+
+    /// Computes operations where they are stale: each in some parts of the first `lanes` lanes. Operands come before what
+    /// they enter.
+    pub(super) fn compute(&mut self, plan: &Plan<S>, needs: impl Iterator<Item = (NodeId, Parts)>, lanes: usize) {
+        dispatch!(self.level, _ => self.compute_in_vectors(plan, needs, lanes));
+    }
+
+    #[inline(always)]
+    fn compute_in_vectors(&mut self, plan: &Plan<S>, needs: impl Iterator<Item = (NodeId, Parts)>, lanes: usize) {
         let Self { blocks, values, fresh, .. } = self;
-        let used = lanes.div_ceil(BLOCK);
-        fresh.add(
-            needs,
-            #[inline(always)]
-            |node| {
-                let Node::Operation(instruction, a, b) = plan.nodes[node.index()] else { return };
-                let (before, from) = values.split_at_mut(node.index() * *blocks);
-                let a = &before[a.index() * *blocks..][..used];
-                let b = &before[b.index() * *blocks..][..used];
-                match (lanes, a, b, &mut from[..used]) {
-                    // A single lane is cheaper to compute as a scalar than as a block, few are cheaper as half of one.
-                    (1, [a], [b], [to]) => to[0] = instruction.apply::<S, M>(a[0], b[0]),
-                    (..=HALF, [a], [b], [to]) => {
-                        compute_column::<S, M, HALF>(instruction, [&a[..HALF], &b[..HALF]], &mut to[..HALF], lanes);
-                    }
-                    (_, a, b, to) => {
-                        let (a, b) = (a.as_flattened(), b.as_flattened());
-                        compute_column::<S, M, BLOCK>(instruction, [a, b], to.as_flattened_mut(), lanes);
-                    }
-                }
-            },
-        );
+        for (node, within) in needs {
+            let stale = within.without(fresh[node.index()]);
+            if stale.is_empty() {
+                continue;
+            }
+            fresh[node.index()].add(stale);
+            let Node::Operation(instruction, a, b) = plan.nodes[node.index()] else { continue };
+            let (before, from) = values.split_at_mut(node.index() * *blocks);
+            let a = &before[a.index() * *blocks..][..*blocks];
+            let b = &before[b.index() * *blocks..][..*blocks];
+            let to = &mut from[..*blocks];
+            // A single lane is cheaper to compute as a scalar than as a block.
+            match lanes {
+                1 => to[0][0] = instruction.apply::<S, M>(a[0][0], b[0][0]),
+                _ => compute_column::<S, M>(instruction, [a, b], to, stale, lanes),
+            }
+        }
     }
 
     /// Returns a node's value in one lane, computing it for that lane alone if its column is stale.
     pub(super) fn value(&self, plan: &Plan<S>, node: NodeId, lane: usize) -> S {
         match plan.nodes[node.index()] {
-            Node::Operation(instruction, a, b) if !self.fresh.contains(node) => {
+            Node::Operation(instruction, a, b) if !self.fresh[node.index()].contains(lane / PART) => {
                 let a_value = self.value(plan, a, lane);
                 let b_value = if a == b { a_value } else { self.value(plan, b, lane) };
                 instruction.apply::<S, M>(a_value, b_value)
@@ -130,41 +136,33 @@ impl<S: Scalar, M: Maths<S>> Columns<S, M> {
     }
 }
 
-/// Dispatches once per instruction, so that the loops do not test it again. Columns are whole numbers of parts of `PART` lanes.
+/// Computes an instruction in some parts of the first `lanes` lanes. Dispatches once per instruction, so that the loops do not
+/// test it again.
 ///
-/// The shape of the loops suits the compiler. Short bodies loop over single values (it would unroll the inner of two
-/// nested loops and turn the outer one into gathers); long bodies loop over blocks (which leaves no scalar remainder). Long
-/// bodies in doubles go by eight lanes, because a block of them is two vectors; so do those that compute in 64 bits.
+/// Short bodies are computed in whole blocks, of which some parts may not be asked for: that costs less than a second loop.
 #[inline(always)]
-fn compute_column<S: Scalar, M: Maths<S>, const PART: usize>(
+fn compute_column<S: Scalar, M: Maths<S>>(
     instruction: Instruction,
-    [a, b]: [&[S]; 2],
-    to: &mut [S],
+    [a, b]: [&[Block<S>]; 2],
+    to: &mut [Block<S>],
+    parts: Parts,
     lanes: usize,
 ) {
-    let by_eight = size_of::<S>() == size_of::<f64>() || matches!(instruction, Instruction::Cos | Instruction::Sin);
     macro_rules! loops {
         (short: $($short:ident)*; long: $($long:ident $many:ident)*) => {
             match instruction {
                 $(Instruction::$short => {
-                    for ((to, &a), &b) in to.iter_mut().zip(a).zip(b) {
-                        *to = Instruction::$short.apply::<S, M>(a, b);
-                    }
-                })*
-                $(Instruction::$long if by_eight => {
-                    let (to, a) = (to.as_chunks_mut().0, a.as_chunks().0);
-                    for (place, (to, a)) in (0..lanes).step_by(8).zip(to.iter_mut().zip(a)) {
-                        *to = *a;
-                        M::$many(to, (lanes - place).min(8));
+                    for block in parts.blocks() {
+                        for ((to, &a), &b) in to[block].iter_mut().zip(&a[block]).zip(&b[block]) {
+                            *to = Instruction::$short.apply::<S, M>(a, b);
+                        }
                     }
                 })*
                 $(Instruction::$long => {
-                    for (to, a) in to.as_chunks_mut::<PART>().0.iter_mut().zip(a.as_chunks::<PART>().0) {
-                        let mut values = *a;
-                        for value in &mut values {
-                            *value = Instruction::$long.apply::<S, M>(*value, *value);
-                        }
-                        *to = values;
+                    for place in parts {
+                        let to = part_mut(to, place);
+                        *to = *part(a, place);
+                        M::$many(to, (lanes - place * PART).min(PART));
                     }
                 })*
             }

@@ -1,7 +1,10 @@
-//! The walk from the root to an action, in all lanes at once.
+//! The walk from the roots to actions, in all lanes at once.
 //!
-//! Each lane is at a place: first at a team, finally at an action. Teams are visited in topological order and move the
-//! lanes that are at them. A team first evaluates its eager edges. A bid that is bounded (a sine is at most 1) and
+//! Each lane is at a place: first at the team of its root, finally at an action. Teams are visited in topological order and
+//! move the lanes that are at them; only the parts of blocks with such a lane are looked at. What the roots need is computed before
+//! the first of them is asked, one operation in all its parts after the other.
+//!
+//! A team first evaluates its eager edges. A bid that is bounded (a sine is at most 1) and
 //! needs a transcendental function is *lazy*: it is computed only in the lanes where it could still win. These are few
 //! because most best bids are millimetres or ticks. The winner is the same: the highest bid, and among equal bids the
 //! last edge.
@@ -11,8 +14,10 @@
 
 use crate::action::Acts;
 use crate::columns::Columns;
+use crate::nodes::NodeId;
+use crate::parts::Parts;
 use crate::plan::{Code, LazyEdge, Plan, PlannedTeam};
-use crate::view::{BLOCK, Block, HALF};
+use crate::view::{BLOCK, Block, PART, part, part_mut};
 use fearless_simd::{Level, dispatch};
 use tpg_runtime::ops::{self, Maths};
 use tpg_runtime::policy::ActionId;
@@ -28,10 +33,17 @@ const NOWHERE: u32 = u32::MAX;
 /// Buffers for decisions.
 #[derive(Debug)]
 pub(super) struct Decider<S> {
+    /// Place of each lane's root.
+    homes: Vec<Block<u32>>,
+    /// The roots that lanes have, with the parts of these lanes, and what they need there: see [`Self::look_up_roots`].
+    roots: Vec<(u32, Parts)>,
+    needs: Vec<(NodeId, Parts)>,
+    /// True if lanes have got or lost a root since that was looked up.
+    moved: bool,
     /// Place of each lane, numbered as in [`Code::to`].
     at: Vec<Block<u32>>,
-    /// Teams that lanes may have reached.
-    reached: Vec<bool>,
+    /// Parts in which a lane may have reached a place.
+    reached: Vec<Parts>,
     /// Best bid so far in each lane, and the code of its edge.
     best: Vec<Block<S>>,
     winner: Vec<Block<u32>>,
@@ -47,6 +59,10 @@ impl<S: Scalar> Decider<S> {
     pub(super) fn new(lanes: usize) -> Self {
         let blocks = lanes.div_ceil(BLOCK);
         Self {
+            homes: vec![[NOWHERE; BLOCK]; blocks],
+            roots: Vec::new(),
+            needs: Vec::new(),
+            moved: false,
             at: vec![[NOWHERE; BLOCK]; blocks],
             reached: Vec::new(),
             best: vec![[S::ZERO; BLOCK]; blocks],
@@ -58,9 +74,55 @@ impl<S: Scalar> Decider<S> {
         }
     }
 
+    /// Allocates the buffers for a plan; no lane has a root.
     pub(super) fn prepare(&mut self, plan: &Plan<S>) {
+        self.homes.fill([NOWHERE; BLOCK]);
+        self.roots.clear();
+        self.needs.clear();
+        self.moved = true;
         self.reached.clear();
-        self.reached.resize(plan.teams.len(), false);
+        self.reached.resize(plan.teams.len() + plan.actions.len(), Parts::NONE);
+        self.values.resize(self.actions.len() * plan.limits.len(), S::ZERO);
+    }
+
+    /// Gives a lane the root at a place.
+    pub(super) fn begin(&mut self, lane: usize, root: u32) {
+        self.moved |= std::mem::replace(&mut self.homes.as_flattened_mut()[lane], root) != root;
+    }
+
+    /// Moves the last lane's root to `lane`.
+    pub(super) fn close_up(&mut self, lane: usize, last: usize) {
+        let homes = self.homes.as_flattened_mut();
+        homes[lane] = homes[last];
+        homes[last] = NOWHERE;
+        self.moved = true;
+    }
+
+    /// Looks up which roots the lanes have, in which parts, and what these need.
+    fn look_up_roots(&mut self, plan: &Plan<S>, all: usize) {
+        for (lane, &home) in self.homes.as_flattened()[..all].iter().enumerate() {
+            self.reached[home as usize].insert(lane / PART);
+        }
+        let mut roots = Vec::with_capacity(self.roots.len());
+        for &root in &plan.roots {
+            // Two roots can be the same team.
+            let parts = std::mem::take(&mut self.reached[root as usize]);
+            if !parts.is_empty() {
+                roots.push((root, parts));
+            }
+        }
+        self.moved = false;
+        if roots == self.roots {
+            return;
+        }
+        self.roots = roots;
+        let mut needs = vec![Parts::NONE; plan.nodes.len()];
+        for &(root, parts) in &self.roots {
+            plan.teams[root as usize].needs.iter().for_each(|node| needs[node.index()].add(parts));
+        }
+        self.needs.clear();
+        let needed = (0u32..).map(NodeId).zip(needs).filter(|(_, parts)| !parts.is_empty());
+        self.needs.extend(needed);
     }
 
     /// Returns the actions of the first `all` lanes.
@@ -70,6 +132,11 @@ impl<S: Scalar> Decider<S> {
         columns: &mut Columns<S, M>,
         all: usize,
     ) -> &[ActionId] {
+        if self.moved {
+            self.look_up_roots(plan, all);
+        }
+        columns.next_step();
+        columns.compute(plan, self.needs.iter().copied(), all);
         dispatch!(self.level, _ => self.decide_in_vectors(plan, columns, all));
         &self.actions[..all]
     }
@@ -84,65 +151,85 @@ impl<S: Scalar> Decider<S> {
 
     #[inline(always)]
     fn decide_in_vectors<M: Maths<S>>(&mut self, plan: &Plan<S>, columns: &mut Columns<S, M>, all: usize) {
-        columns.next_step();
         let used = all.div_ceil(BLOCK);
-        let at = self.at[..used].as_flattened_mut();
-        at[..all].fill(0);
-        at[all..].fill(NOWHERE);
-        self.reached[0] = true;
+        self.at[..used].copy_from_slice(&self.homes[..used]);
+        for &(root, parts) in &self.roots {
+            self.reached[root as usize].add(parts);
+        }
         for (place, team) in (0u32..).zip(&plan.teams) {
-            if !std::mem::take(&mut self.reached[place as usize]) {
+            let reached = std::mem::take(&mut self.reached[place as usize]);
+            let (here, count) = self.lanes_at(place, reached);
+            if here.is_empty() {
                 continue;
             }
-            let at = self.at[..used].as_flattened();
-            // Every lane begins at the root.
-            let here = if place == 0 { all as u32 } else { at.iter().map(|&at| u32::from(at == place)).sum() };
-            if here == 0 {
-                continue;
-            }
-            columns.compute(plan, &team.needs, all);
-            if here as usize * SPARSE > all && all > 1 {
-                self.ask_all(team, columns, all);
-                for lazy in &team.lazy {
-                    self.ask_lazy(plan, place, lazy, columns, all);
+            columns.compute(plan, team.needs.iter().map(|&node| (node, here)), all);
+            if count * SPARSE > all.min(here.lanes()) && all > 1 {
+                for block in here.blocks() {
+                    let (best, winner) = ask_eager(team, columns, block);
+                    if team.lazy.is_empty() {
+                        advance(&mut self.at[block], place, &winner);
+                    } else {
+                        (self.best[block], self.winner[block]) = (best, winner);
+                    }
                 }
-                let winners = self.winner[..used].as_flattened();
-                for (at, &winner) in self.at[..used].as_flattened_mut().iter_mut().zip(winners) {
-                    let here = all_ones(*at == place);
-                    *at ^= (*at ^ Code(winner).to()) & here;
+                for lazy in &team.lazy {
+                    self.ask_lazy(plan, place, lazy, columns, here, all);
+                }
+                if !team.lazy.is_empty() {
+                    here.blocks().for_each(|block| advance(&mut self.at[block], place, &self.winner[block]));
                 }
             } else {
-                for (lane, at) in self.at.as_flattened_mut()[..all].iter_mut().enumerate() {
-                    if *at == place {
-                        *at = ask_one(plan, team, columns, lane).to();
+                for index in here {
+                    for (lane, at) in (index * PART..).zip(part_mut(&mut self.at, index)) {
+                        if *at == place {
+                            *at = ask_one(plan, team, columns, lane).to();
+                        }
                     }
                 }
             }
             for &next in &team.next {
-                self.reached[next as usize] = true;
+                self.reached[next as usize].add(here);
             }
         }
         for (action, &at) in self.actions[..all].iter_mut().zip(self.at.as_flattened()) {
             *action = plan.actions[at as usize - plan.teams.len()];
         }
-        if !plan.leaves.is_empty() {
-            self.compute_outputs(plan, columns, all);
+        self.compute_outputs(plan, columns, all);
+        self.reached[plan.teams.len()..].fill(Parts::NONE);
+    }
+
+    /// Returns the parts with a lane at a place, of those in which one may be, and the number of these lanes.
+    #[inline(always)]
+    fn lanes_at(&self, place: u32, reached: Parts) -> (Parts, usize) {
+        let (mut here, mut counts) = (Parts::NONE, [0; PART]);
+        for index in reached {
+            let mut any = 0;
+            for (count, &at) in counts.iter_mut().zip(part(&self.at, index)) {
+                let is_here = all_ones(at == place);
+                *count -= is_here.cast_signed();
+                any |= is_here;
+            }
+            if any != 0 {
+                here.insert(index);
+            }
         }
+        (here, counts.into_iter().sum::<i32>() as usize)
     }
 
     /// Computes the outputs of every lane at its leaf, and limits them.
     #[inline(always)]
     fn compute_outputs<M: Maths<S>>(&mut self, plan: &Plan<S>, columns: &mut Columns<S, M>, all: usize) {
         let outputs = plan.limits.len();
-        self.values.resize(self.actions.len() * outputs, S::ZERO);
-        let at = &self.at.as_flattened()[..all];
         for (place, leaf) in (plan.teams.len() as u32..).zip(&plan.leaves) {
-            if !at.contains(&place) {
+            let (here, _) = self.lanes_at(place, self.reached[place as usize]);
+            if here.is_empty() {
                 continue;
             }
-            columns.compute(plan, &leaf.needs, all);
-            for (lane, values) in self.values.chunks_exact_mut(outputs).take(all).enumerate() {
-                if at[lane] == place {
+            columns.compute(plan, leaf.needs.iter().map(|&node| (node, here)), all);
+            for index in here {
+                let lanes = (index * PART..).zip(part(&self.at, index)).filter(|&(_, &at)| at == place);
+                for (lane, _) in lanes {
+                    let values = &mut self.values[lane * outputs..][..outputs];
                     for ((value, &node), &[low, high, nan]) in values.iter_mut().zip(&leaf.values).zip(&plan.limits) {
                         *value = ops::clamp(columns.get(node, lane), low, high, nan);
                     }
@@ -151,44 +238,7 @@ impl<S: Scalar> Decider<S> {
         }
     }
 
-    /// Finds the winner among the eager edges in every lane, whether the lane is at the team or not.
-    #[inline(always)]
-    fn ask_all<M: Maths<S>>(&mut self, team: &PlannedTeam<S>, columns: &Columns<S, M>, all: usize) {
-        if all <= HALF {
-            return self.ask_part::<M, HALF>(team, columns, 0);
-        }
-        for block in 0..all.div_ceil(BLOCK) {
-            self.ask_part::<M, BLOCK>(team, columns, block);
-        }
-    }
-
-    /// Does so in the first lanes of a block.
-    #[inline(always)]
-    fn ask_part<M: Maths<S>, const PART: usize>(
-        &mut self,
-        team: &PlannedTeam<S>,
-        columns: &Columns<S, M>,
-        block: usize,
-    ) {
-        let mut best = [S::NEG_INFINITY; PART];
-        let mut winner = [team.first.0; PART];
-        for edge in &team.eager {
-            let mut wins = [0; PART];
-            for ((best, wins), &bid) in best.iter_mut().zip(&mut wins).zip(&columns.column(edge.bid)[block]) {
-                // As `ops::bid`: NaN is not above −∞.
-                let bid = ops::max(bid, S::NEG_INFINITY);
-                *wins = all_ones(bid >= *best);
-                *best = ops::max(bid, *best);
-            }
-            for (winner, wins) in winner.iter_mut().zip(wins) {
-                *winner ^= (*winner ^ edge.code.0) & wins;
-            }
-        }
-        self.best[block][..PART].copy_from_slice(&best);
-        self.winner[block][..PART].copy_from_slice(&winner);
-    }
-
-    /// Evaluates a lazy edge in those lanes of the team where it can win.
+    /// Evaluates a lazy edge in those lanes of the team where it can win, which are in the parts `here`.
     #[inline(always)]
     fn ask_lazy<M: Maths<S>>(
         &mut self,
@@ -196,37 +246,85 @@ impl<S: Scalar> Decider<S> {
         place: u32,
         lazy: &LazyEdge<S>,
         columns: &mut Columns<S, M>,
+        here: Parts,
         all: usize,
     ) {
-        let used = all.div_ceil(BLOCK);
-        let (at, open) = (self.at[..used].as_flattened(), self.open[..used].as_flattened_mut());
-        let (best, winner) = (self.best[..used].as_flattened_mut(), self.winner[..used].as_flattened_mut());
-        let mut count = 0;
-        for (((open, &at), &best), &winner) in open.iter_mut().zip(at).zip(&*best).zip(&*winner) {
-            let could = (at == place) & could_win(lazy.most, lazy.code, best, Code(winner));
-            *open = all_ones(could);
-            count += u32::from(could);
+        let (mut within, mut counts) = (Parts::NONE, [0; PART]);
+        for index in here {
+            let lanes = part_mut(&mut self.open, index).iter_mut().zip(part(&self.at, index));
+            let lanes = lanes.zip(part(&self.best, index)).zip(part(&self.winner, index)).zip(&mut counts);
+            let mut any = 0;
+            for ((((open, &at), &best), &winner), count) in lanes {
+                *open = all_ones((at == place) & could_win(lazy.most, lazy.code, best, Code(winner)));
+                *count -= open.cast_signed();
+                any |= *open;
+            }
+            if any != 0 {
+                within.insert(index);
+            }
         }
-        if count == 0 {
+        if within.is_empty() {
             return;
         }
-        if count as usize * SPARSE_NODES > all {
-            columns.compute(plan, &lazy.needs, all);
-            let bids = columns.column(lazy.bid)[..used].as_flattened();
-            for (((&bid, &open), best), winner) in bids.iter().zip(&*open).zip(best).zip(winner) {
-                let bid = ops::max(bid, S::NEG_INFINITY);
-                let wins = (open != 0) & could_win(bid, lazy.code, *best, Code(*winner));
-                *best = if wins { bid } else { *best };
-                *winner ^= (*winner ^ lazy.code.0) & all_ones(wins);
+        let count = counts.into_iter().sum::<i32>() as usize;
+        if count * SPARSE_NODES > all.min(within.lanes()) {
+            columns.compute(plan, lazy.needs.iter().map(|&node| (node, within)), all);
+            for index in within {
+                let lanes = columns.part(lazy.bid, index).iter().zip(part(&self.open, index));
+                let lanes = lanes.zip(part_mut(&mut self.best, index)).zip(part_mut(&mut self.winner, index));
+                for (((&bid, &open), best), winner) in lanes {
+                    let bid = ops::max(bid, S::NEG_INFINITY);
+                    let wins = (open != 0) & could_win(bid, lazy.code, *best, Code(*winner));
+                    *best = if wins { bid } else { *best };
+                    *winner ^= (*winner ^ lazy.code.0) & all_ones(wins);
+                }
             }
             return;
         }
-        for (lane, _) in open.iter().enumerate().filter(|&(_, &open)| open != 0) {
-            let bid = ops::bid(columns.value(plan, lazy.bid, lane));
-            if could_win(bid, lazy.code, best[lane], Code(winner[lane])) {
-                (best[lane], winner[lane]) = (bid, lazy.code.0);
+        for index in within {
+            let lanes = (index * PART..).zip(part(&self.open, index));
+            let lanes = lanes.zip(part_mut(&mut self.best, index)).zip(part_mut(&mut self.winner, index));
+            for (((lane, _), best), winner) in lanes.filter(|(((_, open), _), _)| **open != 0) {
+                let bid = ops::bid(columns.value(plan, lazy.bid, lane));
+                if could_win(bid, lazy.code, *best, Code(*winner)) {
+                    (*best, *winner) = (bid, lazy.code.0);
+                }
             }
         }
+    }
+}
+
+/// Returns the best bid of the eager edges and the code of the winner in every lane of a block, whether the lane is at the team
+/// or not.
+#[inline(always)]
+fn ask_eager<S: Scalar, M: Maths<S>>(
+    team: &PlannedTeam<S>,
+    columns: &Columns<S, M>,
+    block: usize,
+) -> (Block<S>, Block<u32>) {
+    let mut best = [S::NEG_INFINITY; BLOCK];
+    let mut winner = [team.first.0; BLOCK];
+    for edge in &team.eager {
+        let mut wins = [0; BLOCK];
+        for ((best, wins), &bid) in best.iter_mut().zip(&mut wins).zip(columns.block(edge.bid, block)) {
+            // As `ops::bid`: NaN is not above −∞.
+            let bid = ops::max(bid, S::NEG_INFINITY);
+            *wins = all_ones(bid >= *best);
+            *best = ops::max(bid, *best);
+        }
+        for (winner, wins) in winner.iter_mut().zip(wins) {
+            *winner ^= (*winner ^ edge.code.0) & wins;
+        }
+    }
+    (best, winner)
+}
+
+/// Moves the lanes that are at a place to the destination of their winner.
+#[inline(always)]
+fn advance(at: &mut Block<u32>, place: u32, winner: &Block<u32>) {
+    for (at, &winner) in at.iter_mut().zip(winner) {
+        let here = all_ones(*at == place);
+        *at ^= (*at ^ Code(winner).to()) & here;
     }
 }
 

@@ -1,4 +1,4 @@
-//! Parallel episodes of one root.
+//! Parallel episodes of one root or several.
 //!
 //! Each node has a column with one value per lane, so that an instruction is one loop over lanes, which the compiler
 //! vectorises. A lane whose episode ended takes the next task; when no tasks remain, lanes are compacted.
@@ -11,6 +11,7 @@ use crate::episodes::Episodes;
 use crate::error::EvaluationError;
 use crate::evaluator::Played;
 use crate::history::History;
+use crate::kinship::kindred;
 use crate::moments::Moments;
 use crate::nodes::NodeId;
 use crate::options::EngineOptions;
@@ -19,7 +20,7 @@ use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
 
-/// Runs roots over tasks, one root after another, and reuses its buffers between them.
+/// Runs roots over tasks, one plan after another, and reuses its buffers between them.
 ///
 /// ```
 /// use tpg_engine::{Destination, Edge, Environment, EngineOptions, Lanes, Plan, PolicyGraph};
@@ -63,20 +64,33 @@ pub struct Lanes<'e, S: Scalar, M, E: Environment<S>> {
     columns: Columns<S, M>,
     decider: Decider<S>,
     episodes: Box<dyn Episodes<S, E::Task> + 'e>,
-    /// Index of each lane's task, and of its history: histories stay in place while lanes move.
+    /// Index of each lane's start, and of its history: histories stay in place while lanes move.
     running: Vec<(usize, usize)>,
     histories: Vec<History>,
     ended: Vec<(usize, Ending)>,
     steps: u64,
 }
 
+/// The start of an episode: a task, and the place of the root that acts.
+struct Start<'t, Task> {
+    root: u32,
+    task: &'t Task,
+}
+
+/// Returns the starts of a plan's only root.
+fn starts<'t, S, Task>(plan: &Plan<S>, tasks: &'t [Task]) -> Vec<Start<'t, Task>> {
+    let &[root] = &plan.roots[..] else { panic!("a plan of one root; this one has {}", plan.roots.len()) };
+    tasks.iter().map(|task| Start { root, task }).collect()
+}
+
 impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
     /// Creates the lanes for an environment.
     ///
     /// # Panics
-    /// If the number of lanes is 0.
+    /// If the number of lanes is 0 or above [`EngineOptions::MOST_LANES`].
     pub fn new(environment: &'e E, options: EngineOptions) -> Self {
-        assert!(options.lanes > 0, "at least one lane");
+        let most = EngineOptions::MOST_LANES;
+        assert!((1..=most).contains(&options.lanes), "{} lanes; accepted: 1 to {most}", options.lanes);
         Self {
             environment,
             options,
@@ -104,6 +118,26 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
         self.run_watched(plan, tasks, |_, _| ())
     }
 
+    /// Returns the endings of each root of a plan on its tasks.
+    ///
+    /// # Errors
+    /// As [`run`](Self::run).
+    ///
+    /// # Panics
+    /// If there are not as many lists of tasks as roots.
+    pub fn run_roots(&mut self, plan: &Plan<S>, tasks: &[&[E::Task]]) -> Result<Vec<Vec<Ending>>, EvaluationError> {
+        assert_eq!(tasks.len(), plan.roots.len(), "tasks for each root");
+        let order = kindred(plan);
+        let of = |&place: &usize| tasks[place].iter().map(move |task| Start { root: plan.roots[place], task });
+        let episodes: Vec<_> = order.iter().flat_map(of).collect();
+        let mut ended = self.run_while(plan, &episodes, |_, _, _, _| true)?.into_iter().map(ended);
+        let mut endings = vec![Vec::new(); tasks.len()];
+        for place in order {
+            endings[place] = ended.by_ref().take(tasks[place].len()).collect();
+        }
+        Ok(endings)
+    }
+
     /// As [`run`](Self::run); `watch` is called for every action, with the index of its task.
     ///
     /// # Errors
@@ -114,7 +148,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
         tasks: &[E::Task],
         mut watch: impl FnMut(usize, ActionId),
     ) -> Result<Vec<Ending>, EvaluationError> {
-        let endings = self.run_while(plan, tasks, |_, _, task, action| {
+        let endings = self.run_while(plan, &starts(plan, tasks), |_, _, task, action| {
             watch(task, action);
             true
         })?;
@@ -125,7 +159,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
     pub(super) fn play(&mut self, plan: &Plan<S>, task: &E::Task) -> Result<Played, EvaluationError> {
         let mut state = vec![0.0; plan.state_length()];
         let mut seen = Moments::new(state.len());
-        let endings = self.run_while(plan, std::slice::from_ref(task), |columns, lane, _, _| {
+        let endings = self.run_while(plan, &starts(plan, std::slice::from_ref(task)), |columns, lane, _, _| {
             for (value, &place) in state.iter_mut().zip(&plan.places) {
                 *value = columns.get(NodeId(place), lane).to_f64();
             }
@@ -144,7 +178,7 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
     ) -> Result<Vec<ActionId>, EvaluationError> {
         let mut actions = Vec::new();
         if most > 0 {
-            self.run_while(plan, std::slice::from_ref(task), |_, _, _, action| {
+            self.run_while(plan, &starts(plan, std::slice::from_ref(task)), |_, _, _, action| {
                 actions.push(action);
                 actions.len() < most
             })?;
@@ -152,15 +186,15 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
         Ok(actions)
     }
 
-    /// Runs until every task has an ending, or `watch` returns false: it gets each lane's observed state, the index of its task,
+    /// Runs until every episode has an ending, or `watch` returns false: it gets each lane's observed state, the index of its start,
     /// and its action.
     fn run_while(
         &mut self,
         plan: &Plan<S>,
-        tasks: &[E::Task],
+        starts: &[Start<'_, E::Task>],
         watch: impl FnMut(&Columns<S, M>, usize, usize, ActionId) -> bool,
     ) -> Result<Vec<Option<Ending>>, EvaluationError> {
-        let result = self.run_all(plan, tasks, watch);
+        let result = self.run_all(plan, starts, watch);
         if !self.running.is_empty() {
             // Unfinished episodes of an earlier call must not be continued.
             self.running.clear();
@@ -172,16 +206,16 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
     fn run_all(
         &mut self,
         plan: &Plan<S>,
-        tasks: &[E::Task],
+        starts: &[Start<'_, E::Task>],
         mut watch: impl FnMut(&Columns<S, M>, usize, usize, ActionId) -> bool,
     ) -> Result<Vec<Option<Ending>>, EvaluationError> {
         self.columns.prepare(plan, &self.constants);
         self.decider.prepare(plan);
-        let mut endings = vec![None; tasks.len()];
+        let mut endings = vec![None; starts.len()];
         let mut next = 0;
-        while next < tasks.len().min(self.options.lanes) {
+        while next < starts.len().min(self.options.lanes) {
             self.running.push((next, next));
-            self.begin(tasks, next)?;
+            self.begin(starts, next)?;
             next += 1;
         }
         while !self.running.is_empty() {
@@ -199,13 +233,14 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
             // From the last lane down, so that compaction only moves running lanes.
             while let Some((lane, ending)) = self.ended.pop() {
                 endings[self.running[lane].0] = Some(ending);
-                if next < tasks.len() {
+                if next < starts.len() {
                     self.running[lane].0 = next;
-                    self.begin(tasks, lane)?;
+                    self.begin(starts, lane)?;
                     next += 1;
                 } else {
                     self.running.swap_remove(lane);
                     self.episodes.close_up(lane);
+                    self.decider.close_up(lane, self.running.len());
                     self.columns.forget();
                 }
             }
@@ -214,9 +249,11 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
     }
 
     /// Starts a lane's episode.
-    fn begin(&mut self, tasks: &[E::Task], lane: usize) -> Result<(), EvaluationError> {
-        let (task, history) = self.running[lane];
-        self.episodes.begin(lane, &tasks[task])?;
+    fn begin(&mut self, starts: &[Start<'_, E::Task>], lane: usize) -> Result<(), EvaluationError> {
+        let (start, history) = self.running[lane];
+        let Start { root, task } = starts[start];
+        self.episodes.begin(lane, task)?;
+        self.decider.begin(lane, root);
         self.columns.forget();
         if let Some(&key) = self.episodes.keys().get(lane) {
             self.histories[history].reset(key);

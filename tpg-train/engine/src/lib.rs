@@ -1,6 +1,6 @@
 //! The engine: parallel episodes of many roots, millions of steps per second, with the same results as the interpreter.
 //!
-//! [`PolicyGraph`] → [`Plan`] (distinct nodes, teams in topological order) → [`Lanes`] (parallel episodes) → [`Ending`]s;
+//! [`PolicyGraph`]s → [`Plan`] (distinct nodes, teams in topological order) → [`Lanes`] (parallel episodes) → [`Ending`]s;
 //! [`LocalThreads`] distributes roots over threads behind the [`Evaluator`] trait. [`Single`] decides for one state at
 //! a time. Problems implement [`Environment`].
 //!
@@ -37,12 +37,14 @@ mod forward;
 mod history;
 #[cfg(all(debug_assertions, not(test)))]
 mod instances;
+mod kinship;
 mod lanes;
 mod mapped;
 mod moments;
 mod nodes;
 mod one_by_one;
 mod options;
+mod parts;
 mod plan;
 mod policy;
 mod preferring;

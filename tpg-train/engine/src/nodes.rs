@@ -66,6 +66,11 @@ impl<S: Scalar, M: Maths<S>> Arena<S, M> {
         self.nodes.nodes()
     }
 
+    /// Returns the nodes; operands come before their users.
+    pub(super) fn into_nodes(self) -> Vec<Node<S>> {
+        self.nodes.into_nodes()
+    }
+
     /// Adds a program and returns the node whose value is its bid.
     pub fn program(&mut self, registers: u16, lines: &[Line]) -> NodeId {
         let zero = self.constant(S::ZERO);
@@ -115,7 +120,7 @@ impl<S: Scalar, M: Maths<S>> Arena<S, M> {
 }
 
 /// A set of a plan's nodes, as a bit set.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct NodeSet(Vec<u64>);
 
 impl NodeSet {
@@ -124,47 +129,28 @@ impl NodeSet {
         Self(vec![0; nodes.div_ceil(64)])
     }
 
-    pub(super) fn insert(&mut self, node: NodeId) {
+    /// Adds a node; returns false if it was there.
+    pub(super) fn insert(&mut self, node: NodeId) -> bool {
+        let is_new = !self.contains(node);
         self.0[node.index() / 64] |= 1 << (node.0 % 64);
+        is_new
     }
 
-    #[inline]
     pub(super) fn contains(&self, node: NodeId) -> bool {
         self.0[node.index() / 64] & (1 << (node.0 % 64)) != 0
     }
 
-    pub(super) fn len(&self) -> usize {
-        self.0.iter().map(|word| word.count_ones() as usize).sum()
-    }
-
-    pub(super) fn clear(&mut self) {
-        self.0.fill(0);
-    }
-
-    /// Intersects the set with `other`.
-    #[inline(always)]
-    pub(super) fn keep(&mut self, other: &Self) {
-        for (word, other) in self.0.iter_mut().zip(&other.0) {
-            *word &= other;
-        }
-    }
-
-    /// Adds the nodes of `other`; calls `each` for every new one, in ascending order.
-    #[inline(always)]
-    pub(super) fn add(&mut self, other: &Self, mut each: impl FnMut(NodeId)) {
-        for (place, (word, other)) in (0u32..).zip(self.0.iter_mut().zip(&other.0)) {
-            let mut new = other & !*word;
-            *word |= other;
-            while new != 0 {
-                each(NodeId(place * 64 + new.trailing_zeros()));
-                new &= new - 1;
+    /// Returns the nodes, in ascending order.
+    pub(super) fn nodes(&self) -> Vec<NodeId> {
+        let mut nodes = Vec::new();
+        for (place, &word) in (0u32..).zip(&self.0) {
+            let mut left = word;
+            while left != 0 {
+                nodes.push(NodeId(place * 64 + left.trailing_zeros()));
+                left &= left - 1;
             }
         }
-    }
-
-    /// Returns the set without the nodes of `other`.
-    pub(super) fn without(&self, other: &Self) -> Self {
-        Self(self.0.iter().zip(&other.0).map(|(word, other)| word & !other).collect())
+        nodes
     }
 }
 

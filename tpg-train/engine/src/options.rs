@@ -1,9 +1,11 @@
 //! Settings of the engine.
 
+use crate::parts::MOST_LANES;
+
 /// Settings of the engine; none of them changes a result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct EngineOptions {
-    /// Number of parallel episodes.
+    /// Number of parallel episodes, 1 to [`MOST_LANES`](Self::MOST_LANES).
     pub lanes: usize,
     /// Compute equal values once, and drop bids that cannot win.
     pub share: bool,
@@ -11,6 +13,11 @@ pub struct EngineOptions {
     pub lazy: bool,
     /// Look for cycles at every step, not only at the end of an episode.
     pub look_for_cycles: bool,
+}
+
+impl EngineOptions {
+    /// Greatest number of parallel episodes.
+    pub const MOST_LANES: usize = MOST_LANES;
 }
 
 impl Default for EngineOptions {

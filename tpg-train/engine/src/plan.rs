@@ -1,21 +1,30 @@
-//! A root prepared for evaluation: its distinct nodes, and for each team the nodes to compute and the edges to
+//! Roots prepared for evaluation: their distinct nodes, and for each distinct team the nodes to compute and the edges to
 //! evaluate.
 
 use crate::nodes::{Arena, Node, NodeId, NodeSet};
 use crate::options::EngineOptions;
-use crate::policy::{Destination, Edge, PolicyGraph};
+use crate::policy::{Destination, Line, PolicyGraph};
 use crate::source_set::SourceSet;
-use std::collections::BTreeSet;
+use std::collections::HashMap;
+use std::sync::Arc;
 use tpg_graph::SourceDocument;
+use tpg_graph::hash_cons::HashCons;
 use tpg_runtime::ops::{Instruction, Maths};
 use tpg_runtime::policy::ActionId;
 use tpg_runtime::scalar::Scalar;
 
 /// A bidder and its destination.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 struct PlannedEdge {
     bid: NodeId,
-    to: Destination,
+    to: End,
+}
+
+/// The destination of an edge, numbered among the distinct ones of all roots, in the order in which they were found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum End {
+    Team(u32),
+    Action(u32),
 }
 
 /// An edge of a team: its index in the upper half, its destination in the lower.
@@ -54,7 +63,7 @@ pub(super) struct LazyEdge<S> {
     pub(super) bid: NodeId,
     /// Upper bound of its bid.
     pub(super) most: S,
-    pub(super) needs: NodeSet,
+    pub(super) needs: Vec<NodeId>,
 }
 
 /// A team: its edges, and the operations that its eager bids depend on.
@@ -63,9 +72,9 @@ pub(super) struct PlannedTeam<S> {
     pub(super) first: Code,
     /// Eager edges, in the order of the team's edges.
     pub(super) eager: Vec<EagerEdge>,
-    pub(super) needs: NodeSet,
+    pub(super) needs: Vec<NodeId>,
     pub(super) lazy: Vec<LazyEdge<S>>,
-    /// The successor teams.
+    /// The places that edges lead to, numbered as in [`Code::to`].
     pub(super) next: Vec<u32>,
 }
 
@@ -73,14 +82,20 @@ pub(super) struct PlannedTeam<S> {
 #[derive(Clone, Debug)]
 pub(super) struct PlannedLeaf {
     pub(super) values: Vec<NodeId>,
-    pub(super) needs: NodeSet,
+    pub(super) needs: Vec<NodeId>,
 }
 
-/// A root, ready for evaluation.
+/// One root or several, ready for evaluation.
+///
+/// Roots of a population have most of their programs and teams in common. In a plan of several each exists once, so that
+/// their episodes can be decided side by side: see [`Lanes::run_roots`](crate::Lanes::run_roots).
 #[derive(Clone, Debug)]
 pub struct Plan<S> {
     pub(super) nodes: Vec<Node<S>>,
+    /// The distinct teams; edges lead to later ones.
     pub(super) teams: Vec<PlannedTeam<S>>,
+    /// The place of each root among the teams.
+    pub(super) roots: Vec<u32>,
     /// The actions or leaves that edges lead to.
     pub(super) actions: Vec<ActionId>,
     /// The leaves among these, in the same order; empty for a policy without outputs.
@@ -95,7 +110,19 @@ pub struct Plan<S> {
 impl<S: Scalar> Plan<S> {
     /// Plans a policy over the state made of the given sources.
     pub fn new<M: Maths<S>>(policy: &PolicyGraph, sources: &[SourceDocument], options: EngineOptions) -> Self {
-        Self::in_arena(Arena::<S, M>::new(options.share), policy, sources, options)
+        Self::of_roots::<M>(&[policy], sources, options)
+    }
+
+    /// Plans several policies over the same state.
+    ///
+    /// # Panics
+    /// If they do not have the same outputs and the same number of registers, or there are none.
+    pub fn of_roots<M: Maths<S>>(
+        policies: &[&PolicyGraph],
+        sources: &[SourceDocument],
+        options: EngineOptions,
+    ) -> Self {
+        Self::in_arena(Arena::<S, M>::new(options.share), policies, sources, options)
     }
 
     /// As [`new`](Self::new), but the whole state is observed, also what no program reads.
@@ -107,36 +134,36 @@ impl<S: Scalar> Plan<S> {
         let mut arena = Arena::<S, M>::new(options.share);
         let length: u32 = sources.iter().map(|source| source.length).sum();
         (0..length).for_each(|input| arena.input(input as u16));
-        Self::in_arena(arena, policy, sources, options)
+        Self::in_arena(arena, &[policy], sources, options)
     }
 
     fn in_arena<M: Maths<S>>(
         mut arena: Arena<S, M>,
-        policy: &PolicyGraph,
+        policies: &[&PolicyGraph],
         sources: &[SourceDocument],
         options: EngineOptions,
     ) -> Self {
-        let bids: Vec<NodeId> =
-            policy.programs.iter().map(|program| arena.program(policy.registers, program)).collect();
+        let PolicyGraph { registers, outputs, .. } = policies[0];
+        let fits = |policy: &&PolicyGraph| policy.registers == *registers && policy.outputs == *outputs;
+        assert!(policies.iter().all(fits), "roots with the same registers and outputs");
+        let mut known = Known::new(options.share);
+        let roots: Vec<u32> = policies.iter().map(|policy| known.add(&mut arena, policy)).collect();
+        let Known { teams, actions, .. } = known;
         let facts = facts(arena.nodes(), options.lazy);
-        let actions = actions(policy);
-        let teams = (policy.teams.iter())
-            .map(|team| {
-                let mut edges: Vec<PlannedEdge> =
-                    (team.iter()).map(|edge| PlannedEdge { bid: bids[edge.program as usize], to: edge.to }).collect();
-                if options.share {
-                    drop_hopeless(&mut edges);
-                }
-                planned_team(arena.nodes(), &facts, &edges, |to| place(policy, &actions, to))
-            })
-            .collect();
-        let leaf = |&ActionId(leaf): &ActionId| {
-            let programs = policy.leaves[usize::from(leaf)].iter();
-            let values: Vec<NodeId> = programs.map(|&program| bids[program as usize]).collect();
-            PlannedLeaf { needs: needs(arena.nodes(), values.iter().copied()), values }
+        let count = teams.nodes().len() as u32;
+        // Edges lead to teams that were known before.
+        let team_place = |team: u32| count - 1 - team;
+        let place = |end: End| match end {
+            End::Team(team) => team_place(team),
+            End::Action(action) => count + action,
         };
-        let leaves = if policy.outputs.is_empty() { Vec::new() } else { actions.iter().map(leaf).collect() };
-        let limits = policy.outputs.iter().map(|it| [it.min, it.max, it.nan].map(S::from_f64)).collect();
+        let teams = teams.nodes().iter().rev().map(|edges| planned_team(arena.nodes(), &facts, edges, place)).collect();
+        let leaf = |(_, values): &(ActionId, Vec<NodeId>)| PlannedLeaf {
+            needs: needs(arena.nodes(), values.iter().copied()).nodes(),
+            values: values.clone(),
+        };
+        let leaves = if outputs.is_empty() { Vec::new() } else { actions.nodes().iter().map(leaf).collect() };
+        let limits = outputs.iter().map(|it| [it.min, it.max, it.nan].map(S::from_f64)).collect();
         let mut places = vec![u32::MAX; sources.iter().map(|source| source.length as usize).sum()];
         for (place, node) in (0u32..).zip(arena.nodes()) {
             if let Node::Input(input) = node {
@@ -145,7 +172,9 @@ impl<S: Scalar> Plan<S> {
         }
         let read = (0u16..).zip(&places).filter(|(_, place)| **place != u32::MAX).map(|(input, _)| input);
         let wanted = SourceSet::of_inputs(sources, read);
-        Self { nodes: arena.nodes().to_vec(), teams, actions, leaves, limits, places, wanted }
+        let actions = actions.nodes().iter().map(|(action, _)| *action).collect();
+        let roots = roots.into_iter().map(team_place).collect();
+        Self { nodes: arena.into_nodes(), teams, roots, actions, leaves, limits, places, wanted }
     }
 
     /// Returns the number of values in the flat state.
@@ -161,6 +190,55 @@ impl<S: Scalar> Plan<S> {
     /// Returns the number of distinct operations of the whole root.
     pub fn operations(&self) -> usize {
         self.nodes.iter().filter(|node| matches!(node, Node::Operation(..))).count()
+    }
+}
+
+/// The distinct teams and actions of some roots.
+struct Known {
+    teams: HashCons<Vec<PlannedEdge>>,
+    /// An action, or a leaf with its values.
+    actions: HashCons<(ActionId, Vec<NodeId>)>,
+    /// The bids of programs, by the place of their lines in memory: policies share programs.
+    bids: HashMap<*const Line, NodeId>,
+    share: bool,
+}
+
+impl Known {
+    fn new(share: bool) -> Self {
+        Self { teams: HashCons::default(), actions: HashCons::default(), bids: HashMap::new(), share }
+    }
+
+    /// Adds a root and returns its number among the teams.
+    fn add<S: Scalar, M: Maths<S>>(&mut self, arena: &mut Arena<S, M>, policy: &PolicyGraph) -> u32 {
+        let bid = |program: &Arc<[Line]>| {
+            let mut add = || arena.program(policy.registers, program);
+            if self.share { *self.bids.entry(program.as_ptr()).or_insert_with(add) } else { add() }
+        };
+        let bids: Vec<NodeId> = policy.programs.iter().map(bid).collect();
+        let mut numbers = vec![0; policy.teams.len()];
+        // From the last team to the root: edges lead to later teams.
+        for (team, edges) in policy.teams.iter().enumerate().rev() {
+            let edges = edges.iter().map(|edge| PlannedEdge {
+                bid: bids[edge.program as usize],
+                to: match edge.to {
+                    Destination::Team(team) => End::Team(numbers[team as usize]),
+                    Destination::Action(action) => End::Action(self.action(policy, action, &bids)),
+                },
+            });
+            let mut edges: Vec<PlannedEdge> = edges.collect();
+            if self.share {
+                drop_hopeless(&mut edges);
+            }
+            numbers[team] = if self.share { self.teams.intern(edges) } else { self.teams.push(edges) };
+        }
+        numbers[0]
+    }
+
+    /// Returns the number of an action, or of a leaf of a policy with outputs.
+    fn action(&mut self, policy: &PolicyGraph, action: u16, bids: &[NodeId]) -> u32 {
+        let values = policy.leaves.get(usize::from(action)).filter(|_| !policy.outputs.is_empty());
+        let values = values.into_iter().flatten().map(|&program| bids[program as usize]).collect();
+        self.actions.intern((ActionId(action), values))
     }
 }
 
@@ -183,51 +261,32 @@ fn planned_team<S: Scalar>(
     nodes: &[Node<S>],
     facts: &[Fact<S>],
     edges: &[PlannedEdge],
-    place: impl Fn(Destination) -> u32,
+    place: impl Fn(End) -> u32,
 ) -> PlannedTeam<S> {
-    if let [PlannedEdge { to, .. }] = *edges {
-        // Nothing to decide.
-        let next = if matches!(to, Destination::Team(_)) { vec![place(to)] } else { Vec::new() };
-        let first = Code::new(0, place(to));
-        return PlannedTeam { first, eager: Vec::new(), needs: needs(nodes, []), lazy: Vec::new(), next };
-    }
-    let bounded = |bid: NodeId| facts[bid.index()].most.filter(|_| facts[bid.index()].expensive);
-    let (mut eager, mut lazy) = (Vec::new(), Vec::new());
-    let always = needs(nodes, edges.iter().map(|edge| edge.bid).filter(|&bid| bounded(bid).is_none()));
     let codes: Vec<Code> = (0u32..).zip(edges).map(|(edge, planned)| Code::new(edge, place(planned.to))).collect();
-    for (&code, &PlannedEdge { bid, .. }) in codes.iter().zip(edges) {
-        let needs = needs(nodes, [bid]);
-        let more = needs.without(&always).len();
-        match bounded(bid) {
+    let (mut eager, mut lazy) = (Vec::new(), Vec::new());
+    let bounded = |bid: NodeId| facts[bid.index()].most.filter(|_| facts[bid.index()].expensive);
+    // A single edge leaves nothing to decide.
+    let asked = if edges.len() == 1 { &[] } else { edges };
+    let always = needs(nodes, asked.iter().map(|edge| edge.bid).filter(|&bid| bounded(bid).is_none()));
+    for (&code, &PlannedEdge { bid, .. }) in codes.iter().zip(asked) {
+        let lazily = bounded(bid).and_then(|most| {
+            let needs = needs(nodes, [bid]).nodes();
+            let more = needs.iter().filter(|&&node| !always.contains(node)).count();
             // Nodes that the eager edges compute anyway add no cost.
-            Some(most) if more > 0 && more <= FEW => lazy.push(LazyEdge { code, bid, most, needs }),
-            _ => eager.push(EagerEdge { code, bid }),
+            (more > 0 && more <= FEW).then_some(LazyEdge { code, bid, most, needs })
+        });
+        match lazily {
+            Some(edge) => lazy.push(edge),
+            None => eager.push(EagerEdge { code, bid }),
         }
     }
-    let needs = needs(nodes, eager.iter().map(|edge| edge.bid));
-    let next = edges.iter().filter(|edge| matches!(edge.to, Destination::Team(_))).map(|edge| place(edge.to)).collect();
-    PlannedTeam { first: codes.first().copied().unwrap_or(Code(0)), eager, needs, lazy, next }
-}
-
-/// Returns the actions that edges lead to, in ascending order.
-fn actions(policy: &PolicyGraph) -> Vec<ActionId> {
-    let action = |edge: &Edge| match edge.to {
-        Destination::Team(_) => None,
-        Destination::Action(action) => Some(action),
-    };
-    let actions: BTreeSet<u16> = policy.teams.iter().flatten().filter_map(action).collect();
-    actions.into_iter().map(ActionId).collect()
-}
-
-/// Returns the place of a destination, numbered as in [`Code::to`].
-fn place(policy: &PolicyGraph, actions: &[ActionId], to: Destination) -> u32 {
-    match to {
-        Destination::Team(team) => team,
-        Destination::Action(action) => {
-            let place = actions.iter().position(|&known| known == ActionId(action)).expect("the policy's own action");
-            (policy.teams.len() + place) as u32
-        }
-    }
+    let needs = needs(nodes, eager.iter().map(|edge| edge.bid)).nodes();
+    let first = codes.first().copied().unwrap_or(Code(0));
+    let mut next: Vec<u32> = codes.iter().map(|code| code.to()).collect();
+    next.sort_unstable();
+    next.dedup();
+    PlannedTeam { first, eager, needs, lazy, next }
 }
 
 /// Static knowledge about a node's value, valid for all inputs.
@@ -248,16 +307,17 @@ fn facts<S: Scalar>(nodes: &[Node<S>], lazy: bool) -> Vec<Fact<S>> {
             Node::Constant(value) => Fact { most: (!value.is_nan()).then(|| value.abs()), expensive: false },
             Node::Operation(instruction, a, b) => {
                 let (a, b) = (facts[a.index()], facts[b.index()]);
-                let transcendental = matches!(
-                    instruction,
-                    Instruction::Cos | Instruction::Sin | Instruction::Tan | Instruction::Ln | Instruction::Exp
-                );
-                let expensive = lazy && (transcendental || a.expensive || b.expensive);
+                let expensive = lazy && (is_transcendental(instruction) || a.expensive || b.expensive);
                 Fact { most: most(instruction, a.most, b.most), expensive }
             }
         });
     }
     facts
+}
+
+/// True of the instructions that take much longer than the others.
+pub(super) fn is_transcendental(instruction: Instruction) -> bool {
+    matches!(instruction, Instruction::Cos | Instruction::Sin | Instruction::Tan | Instruction::Ln | Instruction::Exp)
 }
 
 /// Derives the bound of a result from those of its operands. Rounding is monotone: the rounded sum of bounds bounds
@@ -278,9 +338,8 @@ fn needs<S>(nodes: &[Node<S>], bids: impl IntoIterator<Item = NodeId>) -> NodeSe
     let mut open: Vec<NodeId> = bids.into_iter().collect();
     while let Some(id) = open.pop() {
         if let Node::Operation(_, a, b) = &nodes[id.index()]
-            && !needed.contains(id)
+            && needed.insert(id)
         {
-            needed.insert(id);
             open.extend([*a, *b]);
         }
     }

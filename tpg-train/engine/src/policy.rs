@@ -4,6 +4,7 @@ mod check;
 
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 use tpg_graph::Graph;
 use tpg_graph::Word;
 use tpg_graph::dataflow::{depth_first, effective};
@@ -61,8 +62,8 @@ pub struct PolicyGraph {
     pub registers: u16,
     /// The teams; among equal bids the last edge wins.
     pub teams: Vec<Vec<Edge>>,
-    /// The programs.
-    pub programs: Vec<Vec<Line>>,
+    /// The programs; roots of a population share most of theirs.
+    pub programs: Vec<Arc<[Line]>>,
     /// The outputs; empty for a policy that chooses among actions.
     #[serde(default)]
     pub outputs: Vec<Limits>,
@@ -88,6 +89,14 @@ impl PolicyGraph {
     /// # Panics
     /// If the teams have a cycle, which neither GEGELATI's mutations nor a validated graph can contain.
     pub fn new(registers: u16, root: u32, teams: Vec<Vec<Edge>>, programs: Vec<Vec<Line>>) -> Self {
+        Self::with_programs(registers, root, teams, programs.into_iter().map(Arc::from).collect())
+    }
+
+    /// As [`new`](Self::new), of programs that other policies may share.
+    ///
+    /// # Panics
+    /// As [`new`](Self::new).
+    pub fn with_programs(registers: u16, root: u32, teams: Vec<Vec<Edge>>, programs: Vec<Arc<[Line]>>) -> Self {
         let order = topological(root, &teams);
         let mut place = vec![u32::MAX; teams.len()];
         for (new, &old) in (0u32..).zip(&order) {
@@ -143,7 +152,7 @@ impl PolicyGraph {
     /// duplicated.
     #[must_use]
     pub fn shielded(&self, bound: impl Fn(u16) -> Option<u16>) -> Self {
-        let mut programs: Vec<Vec<Line>> = Vec::new();
+        let mut programs: Vec<Arc<[Line]>> = Vec::new();
         let mut known = BTreeMap::new();
         let edge = |edge: &Edge| {
             let input = match edge.to {

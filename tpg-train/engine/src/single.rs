@@ -29,6 +29,7 @@ impl<S: Scalar, M: Maths<S>> Single<S, M> {
         let (mut columns, mut decider) = (Columns::new(1), Decider::new(1));
         columns.prepare(&plan, &[]);
         decider.prepare(&plan);
+        decider.begin(0, plan.roots[0]);
         Self { plan, lane: RefCell::new((columns, decider)) }
     }
 

@@ -3,11 +3,23 @@
 /// Lanes per block: one vector of the widest supported kind.
 pub const BLOCK: usize = 16;
 
-/// Half of a block.
-pub(super) const HALF: usize = BLOCK / 2;
-
 /// The values of neighbouring lanes.
 pub type Block<T> = [T; BLOCK];
+
+/// Lanes of a part of a block: functions that take long are computed by so many.
+pub(super) const PART: usize = 8;
+
+/// Returns the values of a part, counted from the first block on.
+#[inline(always)]
+pub(super) fn part<T>(blocks: &[Block<T>], part: usize) -> &[T; PART] {
+    &blocks.as_flattened().as_chunks().0[part]
+}
+
+/// As [`part`], to be changed.
+#[inline(always)]
+pub(super) fn part_mut<T>(blocks: &mut [Block<T>], part: usize) -> &mut [T; PART] {
+    &mut blocks.as_flattened_mut().as_chunks_mut().0[part]
+}
 
 /// Destination of observed values: a column for each value of the flat state that some program reads.
 #[derive(Debug)]

@@ -53,7 +53,7 @@ pub struct TpgArgs {
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub threads: usize,
     /// Parallel episodes. Results do not depend on it
-    #[arg(long, value_name = "N", default_value_t = 112, value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, value_name = "N", default_value_t = 112, value_parser = clap::value_parser!(u16).range(1..=EngineOptions::MOST_LANES as i64))]
     pub lanes: u16,
     /// Generations, instead of the configuration's; with --resume, a run can go further than before
     #[arg(long, value_name = "G", value_parser = clap::value_parser!(u64).range(1..))]

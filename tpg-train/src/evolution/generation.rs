@@ -57,6 +57,7 @@ struct Evaluated {
     deme: usize,
     team: TeamId,
     policy: PolicyGraph,
+    /// Its lines; 0 where they have no price.
     lines: usize,
     endings: Vec<Ending>,
     dropped: bool,
@@ -261,7 +262,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
             let teams = population.genome.roots();
             let policies = population.genome.policies(&teams, &self.vocabulary);
             for (team, policy) in teams.into_iter().zip(policies) {
-                let lines = policy.lines();
+                let lines = if self.config.selection.line_price > 0.0 { policy.lines() } else { 0 };
                 roots.push(Evaluated { deme, team, policy, lines, endings: Vec::new(), dropped: false });
             }
         }

@@ -3,6 +3,7 @@
 use super::vocabulary::{Gene, InstructionIndex, OPERANDS, Vocabulary};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 use tpg_engine::{self, Line, PolicyGraph};
 use tpg_graph::dataflow::{Assignment, effective};
 
@@ -283,15 +284,15 @@ impl Genome {
 
     /// Converts a root to an engine policy.
     pub fn policy(&self, root: TeamId, vocabulary: &Vocabulary) -> PolicyGraph {
-        self.policy_of(root, vocabulary, |id| self.program(id).lines(vocabulary))
+        self.policy_of(root, vocabulary, |id| self.program(id).lines(vocabulary).into())
     }
 
     /// Converts roots to engine policies, each program once.
     pub fn policies(&self, roots: &[TeamId], vocabulary: &Vocabulary) -> Vec<PolicyGraph> {
         let mut known = BTreeMap::new();
         let mut lines = |id| {
-            let lines: &Vec<Line> = known.entry(id).or_insert_with(|| self.program(id).lines(vocabulary));
-            lines.clone()
+            let lines = || Arc::from(self.program(id).lines(vocabulary));
+            Arc::clone(known.entry(id).or_insert_with(lines))
         };
         roots.iter().map(|&root| self.policy_of(root, vocabulary, &mut lines)).collect()
     }
@@ -300,7 +301,7 @@ impl Genome {
         &self,
         root: TeamId,
         vocabulary: &Vocabulary,
-        mut lines: impl FnMut(ProgramId) -> Vec<Line>,
+        mut lines: impl FnMut(ProgramId) -> Arc<[Line]>,
     ) -> PolicyGraph {
         let reached: Vec<TeamId> = self.reachable(root).into_iter().collect();
         let place = |id: TeamId| reached.binary_search(&id).expect("the team is reached") as u32;
@@ -331,7 +332,7 @@ impl Genome {
             });
             teams.push(edges.collect());
         }
-        let policy = PolicyGraph::new(vocabulary.registers(), place(root), teams, programs)
+        let policy = PolicyGraph::with_programs(vocabulary.registers(), place(root), teams, programs)
             .with_outputs(vocabulary.outputs().to_vec(), leaves);
         if vocabulary.bound(0).is_some() { policy.shielded(|action| vocabulary.bound(action)) } else { policy }
     }
