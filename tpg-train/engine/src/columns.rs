@@ -95,6 +95,20 @@ impl<S: Scalar, M: Maths<S>> Columns<S, M> {
         part(&self.values[node.index() * self.blocks..][..self.blocks], index)
     }
 
+    /// Computes those operations that are stale for the first lane alone, as scalars.
+    pub(super) fn compute_one(&mut self, plan: &Plan<S>, needs: &[NodeId]) {
+        for &node in needs {
+            if self.fresh[node.index()].contains(0) {
+                continue;
+            }
+            self.fresh[node.index()].insert(0);
+            if let Node::Operation(instruction, a, b) = plan.nodes[node.index()] {
+                let value = instruction.apply::<S, M>(self.get(a, 0), self.get(b, 0));
+                self.values[node.index() * self.blocks][0] = value;
+            }
+        }
+    }
+
     /// Computes operations where they are stale: each in some parts of the first `lanes` lanes. Operands come before what
     /// they enter.
     pub(super) fn compute(&mut self, plan: &Plan<S>, needs: impl Iterator<Item = (NodeId, Parts)>, lanes: usize) {
@@ -115,11 +129,7 @@ impl<S: Scalar, M: Maths<S>> Columns<S, M> {
             let a = &before[a.index() * *blocks..][..*blocks];
             let b = &before[b.index() * *blocks..][..*blocks];
             let to = &mut from[..*blocks];
-            // A single lane is cheaper to compute as a scalar than as a block.
-            match lanes {
-                1 => to[0][0] = instruction.apply::<S, M>(a[0][0], b[0][0]),
-                _ => compute_column::<S, M>(instruction, [a, b], to, stale, lanes),
-            }
+            compute_column::<S, M>(instruction, [a, b], to, stale, lanes);
         }
     }
 

@@ -9,14 +9,14 @@
 //! because most best bids are millimetres or ticks. The winner is the same: the highest bid, and among equal bids the
 //! last edge.
 //!
-//! Everything from [`Decider::decide`] on is one function, compiled for each vector width; its loops use masks instead
+//! Everything from [`Decider::decide_in_vectors`] on is one function, compiled for each vector width; its loops use masks instead
 //! of conditions, which the compiler would turn into branches.
 
 use crate::action::Acts;
 use crate::columns::Columns;
 use crate::nodes::NodeId;
 use crate::parts::Parts;
-use crate::plan::{Code, LazyEdge, Plan, PlannedTeam};
+use crate::plan::{Code, LazyEdge, Plan, PlannedLeaf, PlannedTeam};
 use crate::view::{BLOCK, Block, PART, part, part_mut};
 use fearless_simd::{Level, dispatch};
 use tpg_runtime::ops::{self, Maths};
@@ -132,13 +132,32 @@ impl<S: Scalar> Decider<S> {
         columns: &mut Columns<S, M>,
         all: usize,
     ) -> &[ActionId] {
-        if self.moved {
-            self.look_up_roots(plan, all);
-        }
         columns.next_step();
-        columns.compute(plan, self.needs.iter().copied(), all);
-        dispatch!(self.level, _ => self.decide_in_vectors(plan, columns, all));
+        if all == 1 {
+            self.decide_one(plan, columns);
+        } else {
+            if self.moved {
+                self.look_up_roots(plan, all);
+            }
+            columns.compute(plan, self.needs.iter().copied(), all);
+            dispatch!(self.level, _ => self.decide_in_vectors(plan, columns, all));
+        }
         &self.actions[..all]
+    }
+
+    /// Decides for a single lane, which is cheaper to walk through alone.
+    fn decide_one<M: Maths<S>>(&mut self, plan: &Plan<S>, columns: &mut Columns<S, M>) {
+        let mut at = self.homes[0][0];
+        while let Some(team) = plan.teams.get(at as usize) {
+            columns.compute_one(plan, &team.needs);
+            at = ask_one(plan, team, columns, 0).to();
+        }
+        let end = at as usize - plan.teams.len();
+        self.actions[0] = plan.actions[end];
+        if let Some(leaf) = plan.leaves.get(end) {
+            columns.compute_one(plan, &leaf.needs);
+            limit_outputs(&mut self.values, plan, leaf, columns, 0);
+        }
     }
 
     /// Returns the actions or values that were decided for the first lanes.
@@ -163,7 +182,7 @@ impl<S: Scalar> Decider<S> {
                 continue;
             }
             columns.compute(plan, team.needs.iter().map(|&node| (node, here)), all);
-            if count * SPARSE > all.min(here.lanes()) && all > 1 {
+            if count * SPARSE > all.min(here.lanes()) {
                 for block in here.blocks() {
                     let (best, winner) = ask_eager(team, columns, block);
                     if team.lazy.is_empty() {
@@ -219,7 +238,6 @@ impl<S: Scalar> Decider<S> {
     /// Computes the outputs of every lane at its leaf, and limits them.
     #[inline(always)]
     fn compute_outputs<M: Maths<S>>(&mut self, plan: &Plan<S>, columns: &mut Columns<S, M>, all: usize) {
-        let outputs = plan.limits.len();
         for (place, leaf) in (plan.teams.len() as u32..).zip(&plan.leaves) {
             let (here, _) = self.lanes_at(place, self.reached[place as usize]);
             if here.is_empty() {
@@ -229,10 +247,7 @@ impl<S: Scalar> Decider<S> {
             for index in here {
                 let lanes = (index * PART..).zip(part(&self.at, index)).filter(|&(_, &at)| at == place);
                 for (lane, _) in lanes {
-                    let values = &mut self.values[lane * outputs..][..outputs];
-                    for ((value, &node), &[low, high, nan]) in values.iter_mut().zip(&leaf.values).zip(&plan.limits) {
-                        *value = ops::clamp(columns.get(node, lane), low, high, nan);
-                    }
+                    limit_outputs(&mut self.values, plan, leaf, columns, lane);
                 }
             }
         }
@@ -291,6 +306,21 @@ impl<S: Scalar> Decider<S> {
                 }
             }
         }
+    }
+}
+
+/// Limits the outputs that a leaf has computed in one lane.
+#[inline(always)]
+fn limit_outputs<S: Scalar, M: Maths<S>>(
+    outputs: &mut [S],
+    plan: &Plan<S>,
+    leaf: &PlannedLeaf,
+    columns: &Columns<S, M>,
+    lane: usize,
+) {
+    let of_lane = outputs.chunks_exact_mut(plan.limits.len()).skip(lane).take(1).flatten();
+    for ((output, &node), &[low, high, nan]) in of_lane.zip(&leaf.values).zip(&plan.limits) {
+        *output = ops::clamp(columns.get(node, lane), low, high, nan);
     }
 }
 
