@@ -4,6 +4,7 @@ use crate::action::Act;
 use crate::ending::Ending;
 use crate::environment::Environment;
 use crate::error::EvaluationError;
+use crate::groups::side_by_side;
 use crate::lanes::Lanes;
 use crate::moments::Moments;
 use crate::options::EngineOptions;
@@ -11,7 +12,7 @@ use crate::plan::Plan;
 use crate::policy::PolicyGraph;
 use crate::single::Single;
 use crate::source_set::SourceSet;
-use crate::view::{BLOCK, PART};
+use crate::view::PART;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::marker::PhantomData;
@@ -359,64 +360,5 @@ impl<S: Scalar, M: Maths<S>, E: Environment<S>> Evaluator<E::Task> for LocalThre
 
     fn steps(&self) -> u64 {
         self.steps.load(Ordering::Relaxed)
-    }
-}
-
-/// Least number of groups of pieces for each thread: a thread whose groups were short takes over others'.
-const GROUPS: usize = 4;
-/// Most teams and leaves of the roots of a group, so that a plan can number them.
-const TEAMS: usize = 1 << 12;
-
-/// Most episodes of a root that others join: more fill the lanes well enough.
-const FEW: usize = BLOCK;
-
-/// Cuts pieces into groups of neighbours whose episodes fit side by side into so many lanes.
-fn side_by_side<'p, Task>(work: &Work<Task>, pieces: &'p [Piece], lanes: usize, threads: usize) -> Vec<&'p [Piece]> {
-    let most = pieces.len().div_ceil(GROUPS * threads);
-    let policy = |piece: &Piece| &work.units[piece.unit].policy;
-    let mut groups = Vec::new();
-    let mut rest = pieces;
-    while let Some(first) = rest.first() {
-        let (mut episodes, mut teams) = (0, 0);
-        let PolicyGraph { registers, outputs, .. } = policy(first);
-        let fits = |piece: &&Piece| {
-            let policy = policy(piece);
-            let is_alike = policy.registers == *registers && policy.outputs == *outputs;
-            episodes += piece.tasks.len();
-            teams += policy.teams.len() + policy.leaves.len();
-            is_alike && piece.tasks.len() <= FEW && episodes <= lanes && teams <= TEAMS
-        };
-        let count = rest.iter().take(most).take_while(fits).count().max(1);
-        let (group, others) = rest.split_at(count);
-        groups.push(group);
-        rest = others;
-    }
-    groups
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Piece, UnitKey, Work, WorkUnit, side_by_side};
-    use crate::{Destination, Edge, PolicyGraph};
-
-    fn sizes(units: usize, tasks: usize, lanes: usize, threads: usize) -> Vec<usize> {
-        let edge = Edge { program: 0, to: Destination::Action(0) };
-        let policy = PolicyGraph::new(1, 0, vec![vec![edge]], vec![vec![]]);
-        let key = UnitKey { seed: 0, generation: 0, root: 0 };
-        let work = Work { tasks: vec![(); tasks], units: vec![WorkUnit { key, policy }; units] };
-        let pieces = Piece::cut(units, tasks, 1);
-        let groups = side_by_side(&work, &pieces, lanes, threads);
-        assert_eq!(groups.concat(), pieces, "every piece is in a group, in order");
-        groups.iter().map(|group| group.len()).collect()
-    }
-
-    #[test]
-    fn groups_fill_the_lanes_and_leave_every_thread_some() {
-        assert_eq!(sizes(100, 5, 112, 1), [22, 22, 22, 22, 12]);
-        assert_eq!(sizes(100, 5, 112, 5), [5; 20]);
-        assert_eq!(sizes(9, 5, 4, 1), [1; 9], "no root fits");
-        assert_eq!(sizes(3, 17, 112, 1), [1; 3], "many episodes fill the lanes well enough");
-        assert_eq!(sizes(8, 0, 112, 1), [2; 4]);
-        assert_eq!(sizes(0, 5, 112, 1), [0; 0]);
     }
 }

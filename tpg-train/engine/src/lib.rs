@@ -34,6 +34,7 @@ mod erased;
 mod error;
 mod evaluator;
 mod forward;
+mod groups;
 mod history;
 #[cfg(all(debug_assertions, not(test)))]
 mod instances;
