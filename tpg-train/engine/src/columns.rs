@@ -89,12 +89,6 @@ impl<S: Scalar, M: Maths<S>> Columns<S, M> {
         &self.values[node.index() * self.blocks..][..self.blocks][block]
     }
 
-    /// Returns the values of a node in a part.
-    #[inline(always)]
-    pub(super) fn part(&self, node: NodeId, index: usize) -> &[S; PART] {
-        part(&self.values[node.index() * self.blocks..][..self.blocks], index)
-    }
-
     /// Computes those operations that are stale for the first lane alone, as scalars.
     pub(super) fn compute_one(&mut self, plan: &Plan<S>, needs: &[NodeId]) {
         for &node in needs {

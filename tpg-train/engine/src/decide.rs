@@ -264,42 +264,43 @@ impl<S: Scalar> Decider<S> {
         here: Parts,
         all: usize,
     ) {
-        let (mut within, mut counts) = (Parts::NONE, [0; PART]);
-        for index in here {
-            let lanes = part_mut(&mut self.open, index).iter_mut().zip(part(&self.at, index));
-            let lanes = lanes.zip(part(&self.best, index)).zip(part(&self.winner, index)).zip(&mut counts);
-            let mut any = 0;
-            for ((((open, &at), &best), &winner), count) in lanes {
+        let (mut within, mut counts) = (Parts::NONE, [0; BLOCK]);
+        for block in here.blocks() {
+            // Arrays of its own, which the compiler keeps in vectors.
+            let (at, best, winner) = (self.at[block], self.best[block], self.winner[block]);
+            let mut open = [0; BLOCK];
+            for (((open, at), best), winner) in open.iter_mut().zip(at).zip(best).zip(winner) {
                 *open = all_ones((at == place) & could_win(lazy.most, lazy.code, best, Code(winner)));
-                *count -= open.cast_signed();
-                any |= *open;
             }
-            if any != 0 {
-                within.insert(index);
+            counts.iter_mut().zip(open).for_each(|(count, open)| *count -= open.cast_signed());
+            if open.iter().fold(0, |any, open| any | open) != 0 {
+                within.insert_block(block);
             }
+            self.open[block] = open;
         }
+        within.keep(here);
         if within.is_empty() {
             return;
         }
         let count = counts.into_iter().sum::<i32>() as usize;
         if count * SPARSE_NODES > all.min(within.lanes()) {
             columns.compute(plan, lazy.needs.iter().map(|&node| (node, within)), all);
-            for index in within {
-                let lanes = columns.part(lazy.bid, index).iter().zip(part(&self.open, index));
-                let lanes = lanes.zip(part_mut(&mut self.best, index)).zip(part_mut(&mut self.winner, index));
-                for (((&bid, &open), best), winner) in lanes {
+            for block in within.blocks() {
+                let (mut best, mut winner) = (self.best[block], self.winner[block]);
+                let lanes = columns.block(lazy.bid, block).iter().zip(self.open[block]);
+                for (((&bid, open), best), winner) in lanes.zip(&mut best).zip(&mut winner) {
                     let bid = ops::max(bid, S::NEG_INFINITY);
                     let wins = (open != 0) & could_win(bid, lazy.code, *best, Code(*winner));
                     *best = if wins { bid } else { *best };
                     *winner ^= (*winner ^ lazy.code.0) & all_ones(wins);
                 }
+                (self.best[block], self.winner[block]) = (best, winner);
             }
             return;
         }
-        for index in within {
-            let lanes = (index * PART..).zip(part(&self.open, index));
-            let lanes = lanes.zip(part_mut(&mut self.best, index)).zip(part_mut(&mut self.winner, index));
-            for (((lane, _), best), winner) in lanes.filter(|(((_, open), _), _)| **open != 0) {
+        for block in within.blocks() {
+            let lanes = (block * BLOCK..).zip(&mut self.best[block]).zip(&mut self.winner[block]);
+            for (((lane, best), winner), _) in lanes.zip(self.open[block]).filter(|(_, open)| *open != 0) {
                 let bid = ops::bid(columns.value(plan, lazy.bid, lane));
                 if could_win(bid, lazy.code, *best, Code(*winner)) {
                     (*best, *winner) = (bid, lazy.code.0);
