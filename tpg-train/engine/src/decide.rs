@@ -266,17 +266,17 @@ impl<S: Scalar> Decider<S> {
     ) {
         let (mut within, mut counts) = (Parts::NONE, [0; BLOCK]);
         for block in here.blocks() {
-            // Arrays of its own, which the compiler keeps in vectors.
-            let (at, best, winner) = (self.at[block], self.best[block], self.winner[block]);
-            let mut open = [0; BLOCK];
-            for (((open, at), best), winner) in open.iter_mut().zip(at).zip(best).zip(winner) {
+            let lanes =
+                self.open[block].iter_mut().zip(&self.at[block]).zip(&self.best[block]).zip(&self.winner[block]);
+            let mut any = 0;
+            for ((((open, &at), &best), &winner), count) in lanes.zip(&mut counts) {
                 *open = all_ones((at == place) & could_win(lazy.most, lazy.code, best, Code(winner)));
+                *count -= open.cast_signed();
+                any |= *open;
             }
-            counts.iter_mut().zip(open).for_each(|(count, open)| *count -= open.cast_signed());
-            if open.iter().fold(0, |any, open| any | open) != 0 {
+            if any != 0 {
                 within.insert_block(block);
             }
-            self.open[block] = open;
         }
         within.keep(here);
         if within.is_empty() {
@@ -286,15 +286,14 @@ impl<S: Scalar> Decider<S> {
         if count * SPARSE_NODES > all.min(within.lanes()) {
             columns.compute(plan, lazy.needs.iter().map(|&node| (node, within)), all);
             for block in within.blocks() {
-                let (mut best, mut winner) = (self.best[block], self.winner[block]);
-                let lanes = columns.block(lazy.bid, block).iter().zip(self.open[block]);
-                for (((&bid, open), best), winner) in lanes.zip(&mut best).zip(&mut winner) {
+                let lanes = columns.block(lazy.bid, block).iter().zip(&self.open[block]);
+                let lanes = lanes.zip(&mut self.best[block]).zip(&mut self.winner[block]);
+                for (((&bid, &open), best), winner) in lanes {
                     let bid = ops::max(bid, S::NEG_INFINITY);
                     let wins = (open != 0) & could_win(bid, lazy.code, *best, Code(*winner));
                     *best = if wins { bid } else { *best };
                     *winner ^= (*winner ^ lazy.code.0) & all_ones(wins);
                 }
-                (self.best[block], self.winner[block]) = (best, winner);
             }
             return;
         }
