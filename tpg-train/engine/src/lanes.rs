@@ -114,6 +114,9 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
     ///
     /// # Errors
     /// If an episode fails: see [`Episodes`].
+    ///
+    /// # Panics
+    /// If the plan has several roots: see [`run_roots`](Self::run_roots).
     pub fn run(&mut self, plan: &Plan<S>, tasks: &[E::Task]) -> Result<Vec<Ending>, EvaluationError> {
         self.run_watched(plan, tasks, |_, _| ())
     }
@@ -141,6 +144,9 @@ impl<'e, S: Scalar, M: Maths<S>, E: Environment<S>> Lanes<'e, S, M, E> {
     /// As [`run`](Self::run); `watch` is called for every action, with the index of its task.
     ///
     /// # Errors
+    /// As [`run`](Self::run).
+    ///
+    /// # Panics
     /// As [`run`](Self::run).
     pub fn run_watched(
         &mut self,

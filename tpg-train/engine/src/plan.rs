@@ -115,6 +115,20 @@ impl<S: Scalar> Plan<S> {
 
     /// Plans several policies over the same state.
     ///
+    /// ```
+    /// use tpg_engine::{Destination, Edge, EngineOptions, Line, Operand, Plan, PolicyGraph, SourceDocument};
+    /// use tpg_runtime::ops::{Instruction, Own};
+    ///
+    /// let sine = Line { to: 0, instruction: Instruction::Sin.into(), operands: [Operand::Input(0); 2] };
+    /// let edge = |program, action| Edge { program, to: Destination::Action(action) };
+    /// let root = |first, second| {
+    ///     PolicyGraph::new(1, 0, vec![vec![edge(0, first), edge(1, second)]], vec![vec![sine], vec![]])
+    /// };
+    /// let source = SourceDocument { name: "angle".into(), length: 1, unit: "rad".into(), ranges: vec![[-3.0, 3.0]] };
+    /// let plan = Plan::<f32>::of_roots::<Own>(&[&root(0, 1), &root(1, 0)], &[source], EngineOptions::default());
+    /// assert_eq!(plan.operations(), 1, "both bid the same sine");
+    /// ```
+    ///
     /// # Panics
     /// If they do not have the same outputs and the same number of registers, or there are none.
     pub fn of_roots<M: Maths<S>>(
@@ -187,7 +201,7 @@ impl<S: Scalar> Plan<S> {
         self.limits.len()
     }
 
-    /// Returns the number of distinct operations of the whole root.
+    /// Returns the number of distinct operations of all roots.
     pub fn operations(&self) -> usize {
         self.nodes.iter().filter(|node| matches!(node, Node::Operation(..))).count()
     }

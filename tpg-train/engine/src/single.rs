@@ -24,7 +24,7 @@ pub struct Single<S, M> {
 }
 
 impl<S: Scalar, M: Maths<S>> Single<S, M> {
-    /// Creates the evaluator of a plan.
+    /// Creates the evaluator of a plan's first root.
     pub fn new(plan: Plan<S>) -> Self {
         let (mut columns, mut decider) = (Columns::new(1), Decider::new(1));
         columns.prepare(&plan, &[]);
