@@ -1,7 +1,7 @@
 //! The values of a plan's nodes: one column per node, with one value per lane.
 //!
-//! A column is a whole number of blocks, and every loop runs over whole blocks: lanes beyond the last are computed as
-//! well and never read. An operation is computed only in the parts of a column whose lanes need it. Nothing is fused or reordered, so
+//! A column is a whole number of blocks, and every loop runs over whole blocks or parts of them: lanes beyond the last are
+//! computed as well and never read. An operation is computed only in the parts of a column whose lanes need it. Nothing is fused or reordered, so
 //! the bits are the same as for one lane at a time. Functions marked `inline(always)` are inlined into [`Columns::compute`], which
 //! is compiled for the widest vectors of the processor.
 
@@ -143,7 +143,8 @@ impl<S: Scalar, M: Maths<S>> Columns<S, M> {
 /// Computes an instruction in some parts of the first `lanes` lanes. Dispatches once per instruction, so that the loops do not
 /// test it again.
 ///
-/// Short bodies are computed in whole blocks, of which some parts may not be asked for: that costs less than a second loop.
+/// Short bodies are computed in whole blocks, also where one part is asked for: the other is either up to date, and stays as it
+/// is, or is computed again before it is read.
 #[inline(always)]
 fn compute_column<S: Scalar, M: Maths<S>>(
     instruction: Instruction,

@@ -1,7 +1,6 @@
 //! Groups of roots whose episodes run side by side.
 
 use crate::evaluator::{Piece, Work};
-use crate::policy::PolicyGraph;
 use crate::view::BLOCK;
 
 /// Least number of groups for each thread: a thread whose groups were short takes over others'.
@@ -24,14 +23,13 @@ pub(super) fn side_by_side<'p, Task>(
     let mut rest = pieces;
     while let Some(first) = rest.first() {
         let (mut episodes, mut places) = (0, 0);
-        let PolicyGraph { registers, outputs, .. } = policy(first);
+        let outputs = &policy(first).outputs;
         let fits = |piece: &&Piece| {
             let policy = policy(piece);
-            let is_alike = policy.registers == *registers && policy.outputs == *outputs;
             episodes += piece.tasks.len();
             // Each edge leads to one action at most.
             places += policy.teams.iter().map(|edges| 1 + edges.len()).sum::<usize>();
-            is_alike && piece.tasks.len() <= FEW && episodes <= lanes && places <= PLACES
+            policy.outputs == *outputs && piece.tasks.len() <= FEW && episodes <= lanes && places <= PLACES
         };
         let count = rest.iter().take(most).take_while(fits).count().max(1);
         let (group, others) = rest.split_at(count);

@@ -17,12 +17,12 @@ use tpg_runtime::scalar::Scalar;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 struct PlannedEdge {
     bid: NodeId,
-    to: End,
+    to: Target,
 }
 
 /// The destination of an edge, numbered among the distinct ones of all roots, in the order in which they were found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-enum End {
+enum Target {
     Team(u32),
     Action(u32),
 }
@@ -130,7 +130,7 @@ impl<S: Scalar> Plan<S> {
     /// ```
     ///
     /// # Panics
-    /// If they do not have the same outputs and the same number of registers, or there are none.
+    /// If they do not have the same outputs, or there are none.
     pub fn of_roots<M: Maths<S>>(
         policies: &[&PolicyGraph],
         sources: &[SourceDocument],
@@ -157,9 +157,8 @@ impl<S: Scalar> Plan<S> {
         sources: &[SourceDocument],
         options: EngineOptions,
     ) -> Self {
-        let PolicyGraph { registers, outputs, .. } = policies[0];
-        let fits = |policy: &&PolicyGraph| policy.registers == *registers && policy.outputs == *outputs;
-        assert!(policies.iter().all(fits), "roots with the same registers and outputs");
+        let outputs = &policies[0].outputs;
+        assert!(policies.iter().all(|policy| policy.outputs == *outputs), "roots with the same outputs");
         let mut known = Known::new(options.share);
         let roots: Vec<u32> = policies.iter().map(|policy| known.add(&mut arena, policy)).collect();
         let Known { teams, actions, .. } = known;
@@ -167,9 +166,9 @@ impl<S: Scalar> Plan<S> {
         let count = teams.nodes().len() as u32;
         // Edges lead to teams that were known before.
         let team_place = |team: u32| count - 1 - team;
-        let place = |end: End| match end {
-            End::Team(team) => team_place(team),
-            End::Action(action) => count + action,
+        let place = |target: Target| match target {
+            Target::Team(team) => team_place(team),
+            Target::Action(action) => count + action,
         };
         let teams = teams.nodes().iter().rev().map(|edges| planned_team(arena.nodes(), &facts, edges, place)).collect();
         let leaf = |(_, values): &(ActionId, Vec<NodeId>)| PlannedLeaf {
@@ -212,7 +211,8 @@ struct Known {
     teams: HashCons<Vec<PlannedEdge>>,
     /// An action, or a leaf with its values.
     actions: HashCons<(ActionId, Vec<NodeId>)>,
-    /// The bids of programs, by the place of their lines in memory: policies share programs.
+    /// The bids of programs, by the place of their lines in memory: policies share programs. The number of a policy's registers
+    /// changes no bid.
     bids: HashMap<*const Line, NodeId>,
     share: bool,
 }
@@ -235,8 +235,8 @@ impl Known {
             let edges = edges.iter().map(|edge| PlannedEdge {
                 bid: bids[edge.program as usize],
                 to: match edge.to {
-                    Destination::Team(team) => End::Team(numbers[team as usize]),
-                    Destination::Action(action) => End::Action(self.action(policy, action, &bids)),
+                    Destination::Team(team) => Target::Team(numbers[team as usize]),
+                    Destination::Action(action) => Target::Action(self.action(policy, action, &bids)),
                 },
             });
             let mut edges: Vec<PlannedEdge> = edges.collect();
@@ -275,7 +275,7 @@ fn planned_team<S: Scalar>(
     nodes: &[Node<S>],
     facts: &[Fact<S>],
     edges: &[PlannedEdge],
-    place: impl Fn(End) -> u32,
+    place: impl Fn(Target) -> u32,
 ) -> PlannedTeam<S> {
     let codes: Vec<Code> = (0u32..).zip(edges).map(|(edge, planned)| Code::new(edge, place(planned.to))).collect();
     let (mut eager, mut lazy) = (Vec::new(), Vec::new());
