@@ -1,7 +1,6 @@
 //! Properties that the fast profile relies on: its plans look at every bid once, and the bids they leave out cannot win.
 
 use tpg_codegen::ir::{Module, Node, NodeId, needed};
-use tpg_codegen::passes::arithmetic::is_transcendental;
 use tpg_codegen::passes::interval::Assumption;
 use tpg_codegen::passes::schedule::{Bid, Infinite, Schedule, Sparing, TeamSchedule, schedule};
 use tpg_codegen::passes::{estimate, optimise};
@@ -56,7 +55,7 @@ fn bids(plan: &TeamSchedule) -> Vec<Bid> {
 }
 
 fn transcendental(nodes: &[Node], value: NodeId) -> bool {
-    let is = |id: &NodeId| matches!(nodes[id.index()], Node::Operation(i, _) if is_transcendental(i));
+    let is = |id: &NodeId| matches!(nodes[id.index()], Node::Operation(i, _) if i.is_transcendental());
     needed(nodes, value, |_| true).iter().any(is)
 }
 

@@ -5,7 +5,6 @@ mod mean;
 
 use crate::ir::{Module, Node, NodeId, heaviest_walk, needed};
 use crate::options::Language;
-use crate::passes::arithmetic::is_transcendental;
 use crate::passes::cases::{Case, Cases, Function, Kind};
 use crate::passes::functions;
 use crate::passes::schedule::{Bid, Infinite, LazyBid, Sparing, TeamSchedule};
@@ -303,7 +302,7 @@ fn work<'a>(nodes: &[Node], ids: impl IntoIterator<Item = &'a NodeId, IntoIter: 
     Work {
         operations: nodes().filter(Node::is_computed).count() as u64,
         maths_calls: nodes()
-            .filter(|node| matches!(*node, Node::Operation(instruction, _) if is_transcendental(instruction)))
+            .filter(|node| matches!(*node, Node::Operation(instruction, _) if instruction.is_transcendental()))
             .count() as u64,
     }
 }

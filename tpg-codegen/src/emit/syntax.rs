@@ -1,7 +1,6 @@
 //! Values and operations as expressions: what is the same in every language, and what each spells its own way.
 
 use crate::ir::{Node, NodeId};
-use crate::passes::arithmetic::is_transcendental;
 use crate::passes::bytecode::Width;
 use tpg_graph::{Graph, Input, MathsProvider};
 use tpg_runtime::ops::Instruction;
@@ -45,7 +44,7 @@ pub(super) trait Syntax {
     /// The expression that computes a node.
     fn operation(&self, id: NodeId) -> String {
         let node = self.nodes()[id.index()];
-        let platforms = matches!(node, Node::Operation(instruction, _) if is_transcendental(instruction))
+        let platforms = matches!(node, Node::Operation(instruction, _) if instruction.is_transcendental())
             && self.graph().maths() == MathsProvider::System;
         let operand = |&id: &NodeId| match self.nodes()[id.index()].as_constant() {
             // A compiler that knew it would compute the function itself, and round another way than the platform does.

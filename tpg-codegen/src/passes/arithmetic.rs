@@ -25,7 +25,7 @@ impl Arithmetic {
     /// The platform's libm is another one on another platform, so its calls stay, but for what the C standard (F.10)
     /// fixes: NaN, infinities, zeros, and the logarithm of one and of what is negative.
     pub fn evaluate(self, instruction: Instruction, a: f64, b: f64) -> Option<f64> {
-        let transcendental = is_transcendental(instruction);
+        let transcendental = instruction.is_transcendental();
         if transcendental && self.maths == MathsProvider::System && !is_fixed_by_the_standard(instruction, a) {
             return None;
         }
@@ -37,7 +37,7 @@ impl Arithmetic {
 
     /// The result of an instruction other than sin, cos, tan, ln and exp.
     pub fn exact(self, instruction: Instruction, a: f64, b: f64) -> f64 {
-        debug_assert!(!is_transcendental(instruction));
+        debug_assert!(!instruction.is_transcendental());
         match self.scalar {
             ScalarType::F32 => apply::<f32>(instruction, a, b),
             ScalarType::F64 => apply::<f64>(instruction, a, b),
@@ -70,11 +70,6 @@ impl Arithmetic {
         };
         power_of_two.then_some(reciprocal)
     }
-}
-
-/// Sine, cosine, tangent, logarithm or exponential: the provider's business, and expensive.
-pub const fn is_transcendental(instruction: Instruction) -> bool {
-    matches!(instruction, Instruction::Cos | Instruction::Sin | Instruction::Tan | Instruction::Ln | Instruction::Exp)
 }
 
 fn is_fixed_by_the_standard(instruction: Instruction, a: f64) -> bool {

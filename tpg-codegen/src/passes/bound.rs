@@ -5,7 +5,7 @@
 //! not below; and bounds are written so that a NaN in them comes out of them. A bound that is NaN says nothing, and a
 //! value that is NaN needs no bound, for it bids −∞.
 
-use super::arithmetic::{Arithmetic, is_transcendental};
+use super::arithmetic::Arithmetic;
 use super::estimate;
 use super::fold;
 use super::interval::Interval;
@@ -276,5 +276,5 @@ pub fn beyond_exponentials(scalar: ScalarType) -> (f64, f64) {
 
 /// Tests whether `instruction` is so expensive that a guard pays off.
 pub(super) fn is_worth_sparing(instruction: Instruction) -> bool {
-    is_transcendental(instruction)
+    instruction.is_transcendental()
 }

@@ -4,7 +4,6 @@
 //! and the function stands once behind the switch: it is not called where the result is certain to be lower than the best bid so
 //! far. A team's cheap bids come first. As bids are taken out of order, a tie needs their places.
 
-use super::arithmetic::is_transcendental;
 use super::collect;
 use super::schedule::{LazyBid, Schedule, Sparing};
 use crate::ir::{Leaf, Module, Node, NodeId, needed};
@@ -156,7 +155,7 @@ pub fn tabulate(module: &Module<'_>, schedule: Schedule) -> Cases {
 fn kind(nodes: &[Node], lazy: &LazyBid) -> Kind {
     let is_estimate = |id: &NodeId| matches!(nodes[id.index()], Node::Upper(..));
     let is_cheap = |id: NodeId| {
-        let is_call = |id: &NodeId| matches!(nodes[id.index()], Node::Operation(it, _) if is_transcendental(it));
+        let is_call = |id: &NodeId| matches!(nodes[id.index()], Node::Operation(it, _) if it.is_transcendental());
         !needed(nodes, id, |_| true).iter().any(is_call)
     };
     match nodes[lazy.bid.value.index()] {

@@ -97,6 +97,11 @@ impl Instruction {
         }
     }
 
+    /// Returns true of sine, cosine, tangent, logarithm and exponential: the business of [`Maths`], and expensive.
+    pub const fn is_transcendental(self) -> bool {
+        matches!(self, Self::Cos | Self::Sin | Self::Tan | Self::Ln | Self::Exp)
+    }
+
     /// Computes the instruction with the transcendental functions of `M`.
     #[inline]
     pub fn apply<S: Scalar, M: Maths<S>>(self, a: S, b: S) -> S {

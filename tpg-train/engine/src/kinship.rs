@@ -1,7 +1,7 @@
 //! The order in which roots stand side by side.
 
 use crate::nodes::{Node, NodeId, NodeSet};
-use crate::plan::{Plan, is_transcendental};
+use crate::plan::Plan;
 
 /// How much longer a transcendental function takes than any other operation.
 const TRANSCENDENTAL: usize = 8;
@@ -11,7 +11,7 @@ const TRANSCENDENTAL: usize = 8;
 pub(super) fn kindred<S: Copy>(plan: &Plan<S>) -> Vec<usize> {
     let needs: Vec<&[NodeId]> = plan.roots.iter().map(|&root| &plan.teams[root as usize].needs[..]).collect();
     let time = |node: &NodeId| match plan.nodes[node.index()] {
-        Node::Operation(instruction, ..) if is_transcendental(instruction) => TRANSCENDENTAL,
+        Node::Operation(instruction, ..) if instruction.is_transcendental() => TRANSCENDENTAL,
         _ => 1,
     };
     let mut left: Vec<usize> = (1..plan.roots.len()).collect();

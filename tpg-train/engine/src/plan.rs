@@ -321,17 +321,12 @@ fn facts<S: Scalar>(nodes: &[Node<S>], lazy: bool) -> Vec<Fact<S>> {
             Node::Constant(value) => Fact { most: (!value.is_nan()).then(|| value.abs()), expensive: false },
             Node::Operation(instruction, a, b) => {
                 let (a, b) = (facts[a.index()], facts[b.index()]);
-                let expensive = lazy && (is_transcendental(instruction) || a.expensive || b.expensive);
+                let expensive = lazy && (instruction.is_transcendental() || a.expensive || b.expensive);
                 Fact { most: most(instruction, a.most, b.most), expensive }
             }
         });
     }
     facts
-}
-
-/// True of the instructions that take much longer than the others.
-pub(super) fn is_transcendental(instruction: Instruction) -> bool {
-    matches!(instruction, Instruction::Cos | Instruction::Sin | Instruction::Tan | Instruction::Ln | Instruction::Exp)
 }
 
 /// Derives the bound of a result from those of its operands. Rounding is monotone: the rounded sum of bounds bounds

@@ -3,7 +3,6 @@
 use crate::emit::layout;
 use crate::emit::syntax::Syntax;
 use crate::ir::{Node, NodeId};
-use crate::passes::arithmetic::is_transcendental;
 use crate::passes::bytecode::Width;
 use tpg_graph::{Graph, Input, MathsProvider, ScalarType};
 use tpg_runtime::ops::Instruction;
@@ -63,7 +62,7 @@ impl Syntax for Printer<'_> {
     fn call(&self, instruction: Instruction, arguments: &str) -> String {
         let place = match instruction {
             Instruction::Abs => format!("{}::", self.scalar()),
-            _ if is_transcendental(instruction) => {
+            _ if instruction.is_transcendental() => {
                 if self.masked_maths() {
                     "ct.".to_owned()
                 } else if self.short_cuts {
