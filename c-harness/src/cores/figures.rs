@@ -194,16 +194,12 @@ impl std::fmt::Display for Figures {
         writeln!(
             f,
             "# Cores\n\n\
-             `cargo xtask cores` runs what is generated on every core that QEMU has, and compares it with the interpreter on the\n\
-             host, bit for bit. This page is made by `cargo xtask cores --update`; `cargo xtask check` compares it.\n\n\
+             Generated code on every core that QEMU has, compared with the interpreter bit for bit by `cargo xtask cores`\n\
+             (`--update` writes this page).\n\n\
              ## What acts the same\n\n\
-             - C: each shipped policy, profile `fast`, and one with memory, on {STATES} states. A third of them are any bits (NaN,\n  \
-             infinities, denormals), the others lie in the declared ranges. As in a user's project: GNU C, `-Os`, no word about\n  \
-             contraction.\n\
-             - Rust: profile `constant-time`, on the same states.\n\
-             - Networks in integers, of every kind, on {INPUTS} inputs, in the same column as the Rust.\n\
-             - Library: every motor position of {} episodes of the shipped hybrids, and of four of their parts alone, with\n  \
-             `libtpg_runtime.a`.\n\n\
+             - C: each shipped policy and one with memory, profile `fast`, GNU C, `-Os`, {STATES} states, a third of them any bits.\n\
+             - Rust: profile `constant-time`, the same states; networks in integers of every kind, {INPUTS} inputs.\n\
+             - Library: {} episodes of the shipped hybrids and of four parts, every motor position, with `libtpg_runtime.a`.\n\n\
              | core | runs on | C | Rust | library |\n| --- | --- | --- | --- | --- |",
             2 * EPISODES,
         )?;
@@ -216,25 +212,20 @@ impl std::fmt::Display for Figures {
         }
         writeln!(
             f,
-            "\nOn an AVR the any bits are those of zeros, infinities, NaN and magnitudes from 2⁻³¹ to 2³²: avr-libc, with gcc 5.4, rounds a\n\
-             quotient that is denormal to a neighbour, so that a policy can differ there in the last bit of such a number.\n"
+            "\nOn an AVR states are zeros, infinities, NaN and magnitudes from 2⁻³¹ to 2³²: avr-libc rounds denormal quotients differently, in\n\
+             the last bit.\n"
         )?;
         writeln!(
             f,
-            "## Flash of the C\n\nBytes of code and constants, `-Os`, without the compiler's own functions: those for floats, \
-             where a core has none in\nhardware, come once for a whole image.\n\n{}",
+            "## Flash of the C\n\nBytes of code and constants, `-Os`. Functions for floats, where a core has no FPU, come once for a \
+             whole image.\n\n{}",
             self.table(|of| of.flash.iter().map(|(name, bytes)| (name.clone(), bytes.to_string())).collect())
         )?;
         writeln!(
             f,
-            "## Instructions of the C\n\nMean · worst of {STATES} states, counted by QEMU with `-icount`: exact. Its AVR boards and users' programs have no \
-             such counter.\nAn instruction is not a cycle.\n\n{}",
+            "## Instructions of the C\n\nMean · worst of {STATES} states, counted by QEMU with `-icount`; it has no such counter for AVR. \
+             An instruction is not a cycle.\n\n{}",
             self.table(|of| cost(&of.c))
-        )?;
-        writeln!(
-            f,
-            "## Instructions of the Rust\n\nThe same, profile `constant-time`.\n\n{}",
-            self.table(|of| cost(&of.rust))
         )?;
         writeln!(
             f,
@@ -243,9 +234,8 @@ impl std::fmt::Display for Figures {
         )?;
         write!(
             f,
-            "## Instructions of a network\n\nMean · worst of {INPUTS} inputs of a network 38-64-64-4 in integers (6,912 multiplications, \
-             padding included), by the bits of a\nweight and of an activation. The loops are assembly on every Cortex-M and plain Rust on \
-             RISC-V; what a core could do at best\nstands in [performance](performance.md#networks-on-small-cores).\n\n{}",
+            "## Instructions of a network\n\nMean · worst of {INPUTS} inputs of a network 38-64-64-4 in integers (6,912 multiplications), by bits of \
+             weights and activations\n([what a core could do](performance.md#networks-on-small-cores)).\n\n{}",
             self.table(|of| cost(&of.layers))
         )
     }
