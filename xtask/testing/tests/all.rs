@@ -1,5 +1,6 @@
 //! The tests of this crate from outside, as one program: each file is a subject.
 
+mod figures;
 mod links;
 mod listed;
 mod nevers;
