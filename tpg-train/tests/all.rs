@@ -2,8 +2,6 @@
 
 mod arms;
 mod asking;
-mod asking_in_c;
-mod asking_prices;
 mod damaged_checkpoints;
 mod engine;
 mod evaluator;

@@ -12,13 +12,13 @@ use tpg_graph::Graph;
 use tpg_problems::{Pendulum, Problem, ProblemName};
 use tpg_runtime::ops::Own;
 use tpg_train::evaluate::graph::endings;
-use tpg_train::evolution::config::{AskConfig, EvolutionConfig, Price};
+use tpg_train::evolution::config::{AskConfig, EvolutionConfig};
 use tpg_train::evolution::presets::Preset;
 use tpg_train::hybrid::asking::Asking;
 use tpg_train::sac::network::decided;
 
 /// Asks where the angular velocity is negative, else pushes with the highest torque.
-pub(crate) const ASKS: &str = r#"{
+const ASKS: &str = r#"{
     "format": "tpg-graph", "version": 1, "scalar": "f32", "maths": "own", "registers": 1,
     "sources": [{ "name": "omega", "length": 1, "unit": "rad/s", "ranges": [[-8, 8]] }],
     "instructions": ["sub"],
@@ -31,42 +31,42 @@ pub(crate) const ASKS: &str = r#"{
     ]
 }"#;
 
-pub(crate) fn config(problem: ProblemName, policy: &str) -> EvolutionConfig {
+fn config(problem: ProblemName, policy: &str) -> EvolutionConfig {
     let mut config = Preset::find("general").expect("it comes with the trainer").config().expect("it is accepted");
     config.problem = Problem::usual(problem).to_table();
-    config.ask = Some(AskConfig { policy: policy.to_owned(), price: Price::One(2.0), memory: false, sha256: None });
+    config.ask = Some(AskConfig { policy: policy.to_owned(), price: 2.0, sha256: None });
     (config.tpg.nb_roots, config.tpg.init_nb_roots) = (40, 60);
     (config.learning.nb_iterations_per_policy_evaluation, config.learning.nb_generations) = (4, 8);
     (config.selection.lexicase_survivors, config.selection.validation_episodes) = (0, 20);
     config
 }
 
-pub(crate) fn written(folder: &TempDir, config: &EvolutionConfig) -> PathBuf {
+fn written(folder: &TempDir, config: &EvolutionConfig) -> PathBuf {
     let path = folder.path().join("ask.toml");
     fs::write(&path, config.to_toml()).expect("a file");
     path
 }
 
-pub(crate) fn tpg_train(arguments: &[&str]) -> Command {
+fn tpg_train(arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_tpg-train"));
     command.args(arguments);
     command
 }
 
-pub(crate) fn train(config: &Path, out: &Path, more: &[&str]) -> Command {
+fn train(config: &Path, out: &Path, more: &[&str]) -> Command {
     let mut command = tpg_train(&["tpg"]);
     command.arg("--config").arg(config).arg("--out").arg(out).args(more);
     command
 }
 
-pub(crate) fn refused(mut command: Command, says: &[&str]) {
+fn refused(mut command: Command, says: &[&str]) {
     let stderr = String::from_utf8(command.assert().code(2).get_output().stderr.clone()).expect("text");
     for part in says {
         assert!(stderr.contains(part), "{part} in {stderr}");
     }
 }
 
-pub(crate) fn eval(graph: &Path, more: &[&str]) -> Command {
+fn eval(graph: &Path, more: &[&str]) -> Command {
     let mut command = tpg_train(&["eval", "--problem", "pendulum", "--episodes", "50"]);
     command.arg("--tpg").arg(graph).args(more);
     command
@@ -160,7 +160,7 @@ fn what_cannot_be_asked_is_refused() {
         assert!(!out.exists(), "{says:?} left a folder");
     };
     let mut costly = config(ProblemName::Pendulum, NETWORK);
-    costly.ask.as_mut().expect("a section").price = Price::One(-1.0);
+    costly.ask.as_mut().expect("a section").price = -1.0;
     refuses(&costly, &["ask.toml:", "ask.price = -1", "accepted: 0 to 1000000000"]);
     refuses(&config(ProblemName::Cartpole, NETWORK), &["policy.q.json", "cos_theta", "accepted: x v theta omega"]);
     refuses(&config(ProblemName::Fs, NETWORK), &["ask = a section [ask] for fs", "a problem but the arm's"]);
@@ -171,4 +171,48 @@ fn what_cannot_be_asked_is_refused() {
     let float = network.join("policy.safetensors");
     let float = config(ProblemName::Pendulum, float.to_str().expect("a path"));
     refuses(&float, &["policy.safetensors", "a network in floating point", "tpg-train quantise"]);
+}
+
+fn read(path: &Path) -> String {
+    fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+#[test]
+fn a_study_of_a_graph_that_asks_has_a_hybrid_without_rules() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let (graph, study) = (folder.path().join("asks.json"), folder.path().join("study"));
+    fs::write(&graph, ASKS).expect("a file");
+    let mut hybrid = tpg_train(&["hybrid", "--problem", "pendulum", "--episodes", "20", "--policy", NETWORK]);
+    hybrid.args(["--hand-back-after", "5", "--separation", "3", "--patience", "never", "--tpg"]).arg(&graph);
+    hybrid.arg("--out").arg(&study).assert().success();
+    let cells = read(&study.join("cells.csv"));
+    assert_eq!(cells.lines().count(), 3, "rules, and none: {cells}");
+    let only_asks = cells.lines().find(|line| line.contains(",never,inf,never,")).expect("a row without rules");
+    let alone = read(&study.join("alone.csv"));
+    assert!(alone.contains("sac,") && !alone.contains("tpg,"), "a graph that asks does not act alone: {alone}");
+
+    // Written by hand: what is left out is off.
+    let file = study.join("asks.toml");
+    fs::write(&file, format!("problem = \"pendulum\"\ngraph = \"../asks.json\"\nactor = \"{NETWORK}\"\n"))
+        .expect("a file");
+    let run = |more: &[&str]| {
+        let mut eval = tpg_train(&["eval", "--problem", "pendulum", "--episodes", "50", "--json"]);
+        let output = eval.args(more).assert().success();
+        serde_json::from_slice::<Value>(&output.get_output().stdout).expect("JSON")
+    };
+    let by_file = run(&["--hybrid", file.to_str().expect("a path")]);
+    let by_arguments = run(&["--policy", NETWORK, "--tpg", graph.to_str().expect("a path")]);
+    for key in ["mean_score", "asks", "network_actions"] {
+        assert!(by_file[key].is_number() && by_file[key] == by_arguments[key], "{key} {by_file} {by_arguments}");
+    }
+    assert!(by_file["asks"].as_f64() > Some(10.0) && only_asks.contains(",20,"), "{by_file} {only_asks}");
+
+    // A graph that asks nobody needs a rule.
+    let quiet = folder.path().join("quiet.json");
+    fs::write(&quiet, ASKS.replace("\"name\": \"help\", \"ask\": \"network\"", "\"name\": \"torque -2\""))
+        .expect("a file");
+    fs::write(&file, read(&file).replace("asks.json", "quiet.json")).expect("a file");
+    let mut eval = tpg_train(&["eval", "--problem", "pendulum", "--hybrid"]);
+    eval.arg(&file);
+    refused(eval, &["asks.toml", "separation = inf", "or a graph that asks"]);
 }

@@ -1,11 +1,10 @@
 //! `tpg-train tpg`: evolves a tangled program graph.
 
-use super::config::{EvolutionConfig, Price};
+use super::config::EvolutionConfig;
 use super::generation::Goal;
 use super::presets::{PRESETS, Preset};
 use super::run::{RunEnd, RunError, RunOptions, run};
 use super::state::Best;
-use super::sweep;
 use crate::configuration::{Chosen, Configuration};
 use crate::csv_text::{optional, table};
 use crate::files::{read_text, write_atomically};
@@ -75,13 +74,13 @@ pub struct Seeds {
 
 impl Seeds {
     /// Returns the seeds.
-    pub(super) fn all(self) -> impl Iterator<Item = u64> {
+    fn all(self) -> impl Iterator<Item = u64> {
         self.first..self.end
     }
 }
 
 /// Returns the name of the folder of one of several seeds.
-pub(super) fn of_seed(seed: u64) -> String {
+fn of_seed(seed: u64) -> String {
     format!("seed-{seed}")
 }
 
@@ -111,10 +110,7 @@ pub fn execute(args: &TpgArgs, place: &impl Workplace) -> Result<Verdict, RunErr
     let training =
         Training { args, config: &config, problem: &problem, levels, network: network.as_ref(), stop: &stop, place };
     let out = args.run.folder(problem.name(), args.seeds.map_or(args.seed, |seeds| seeds.first));
-    match config.ask.as_ref().map(|ask| &ask.price) {
-        Some(Price::Several(prices)) => sweep::run(&training, prices, &out),
-        Some(Price::One(_)) | None => training.run(&out),
-    }
+    training.run(&out)
 }
 
 impl Configuration for EvolutionConfig {
@@ -134,21 +130,21 @@ impl Configuration for EvolutionConfig {
 }
 
 /// Training on a built-in problem.
-pub(super) struct Training<'a, W> {
-    pub(super) args: &'a TpgArgs,
-    pub(super) config: &'a EvolutionConfig,
-    pub(super) problem: &'a Problem,
+struct Training<'a, W> {
+    args: &'a TpgArgs,
+    config: &'a EvolutionConfig,
+    problem: &'a Problem,
     /// The levels of outputs, where they are actions.
-    pub(super) levels: Option<u16>,
+    levels: Option<u16>,
     /// The network that policies can ask.
-    pub(super) network: Option<&'a QuantisedPolicy>,
-    pub(super) stop: &'a AtomicBool,
-    pub(super) place: &'a W,
+    network: Option<&'a QuantisedPolicy>,
+    stop: &'a AtomicBool,
+    place: &'a W,
 }
 
 impl<W: Workplace> Training<'_, W> {
     /// Trains in a folder, with one seed or with several.
-    pub(super) fn run(&self, out: &Path) -> Result<Verdict, RunError> {
+    fn run(&self, out: &Path) -> Result<Verdict, RunError> {
         match self.config.language.scalar {
             ScalarType::F32 => self.run_in::<f32>(out),
             ScalarType::F64 => self.run_in::<f64>(out),
@@ -163,10 +159,8 @@ impl<W: Workplace> Training<'_, W> {
         let choices = Choices::new(&*environment, self.levels)
             .map_err(|error| command_line(error.to_string(), "fewer problem.levels"))?;
         let asking = self.config.ask.as_ref().zip(self.network).map(|(ask, network)| {
-            // Of several prices each has a run of its own.
-            let price = ask.price.all()[0];
             let decide = |state: &[f32]| decided(network, state);
-            erase(Asking::new::<S>(&choices, decide, price).with_memory(ask.memory))
+            erase(Asking::new::<S>(&choices, decide, ask.price))
         });
         let acting: &dyn Environment<S, Task = AnyTask, Episode = AnyEpisode> = match &asking {
             Some(asking) => &**asking,

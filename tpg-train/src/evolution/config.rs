@@ -84,35 +84,11 @@ pub struct EvolutionConfig {
 pub struct AskConfig {
     /// The network's policy.q.json, from the folder where the command runs.
     pub policy: String,
-    /// The price of one ask, in the unit of the problem's score; 0 or more. A list of prices is a run for each, and one front.
-    pub price: Price,
-    /// True if policies see the memory that rules have: `drift`, the distance to the goal beyond its least so far,
-    /// `since_progress` and `since_asked`, actions since that least distance and since the network decided.
-    #[serde(default, skip_serializing_if = "is_false")]
-    pub memory: bool,
+    /// The price of one ask, in the unit of the problem's score; 0 or more.
+    pub price: f64,
     /// Checksum of the network's file, in hexadecimal digits; a run writes it, and another file is refused.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sha256: Option<String>,
-}
-
-/// The price of one ask.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(untagged, expecting = "a price, or a list of prices")]
-pub enum Price {
-    /// One price: one run.
-    One(f64),
-    /// A run for each.
-    Several(Vec<f64>),
-}
-
-impl Price {
-    /// Returns the prices.
-    pub fn all(&self) -> &[f64] {
-        match self {
-            Self::One(price) => std::slice::from_ref(price),
-            Self::Several(prices) => prices,
-        }
-    }
 }
 
 /// The language of programs.
@@ -140,10 +116,6 @@ fn is_nothing(probability: &f64) -> bool {
 
 fn is_one(factor: &usize) -> bool {
     *factor == 1
-}
-
-fn is_false(value: &bool) -> bool {
-    !value
 }
 
 /// GEGELATI's `MutationParameters::tpg` (`mutator/mutationParameters.h`).

@@ -24,7 +24,6 @@ pub mod run;
 pub mod scales;
 pub mod select;
 pub mod state;
-pub(crate) mod sweep;
 mod target;
 mod validate;
 pub mod vocabulary;

@@ -25,8 +25,6 @@ pub enum Trainer {
     Tpg,
     /// `tpg-train tpg --seeds`: the folder that holds a folder for each seed.
     Restarts,
-    /// `tpg-train tpg` with several prices of an ask: the folder that holds a folder for each price.
-    Sweep,
     /// `tpg-train sac`.
     Sac,
     /// `tpg-train hybrid`.
@@ -34,14 +32,13 @@ pub enum Trainer {
 }
 
 impl Trainer {
-    const ALL: [Self; 5] = [Self::Tpg, Self::Restarts, Self::Sweep, Self::Sac, Self::Hybrid];
+    const ALL: [Self; 4] = [Self::Tpg, Self::Restarts, Self::Sac, Self::Hybrid];
 
     /// Returns the name in a run's files.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Tpg => "tpg",
             Self::Restarts => "tpg --seeds",
-            Self::Sweep => "tpg, several prices",
             Self::Sac => "sac",
             Self::Hybrid => "hybrid",
         }
@@ -60,8 +57,7 @@ impl fmt::Display for Trainer {
 }
 
 /// Files that show that a folder holds a run.
-const MARKS: [&str; 6] =
-    ["config.toml", "restarts.csv", "sweep.toml", "study.toml", checkpoint::NEWEST, checkpoint::PREVIOUS];
+const MARKS: [&str; 5] = ["config.toml", "restarts.csv", "study.toml", checkpoint::NEWEST, checkpoint::PREVIOUS];
 
 /// Checkpoints of earlier versions, which had no checksum.
 const EARLIER: [&str; 2] = ["checkpoint.json", "checkpoint.safetensors"];
@@ -151,7 +147,7 @@ mod tests {
         assert!(refused.contains(&process) && refused.contains("one process"), "{refused}");
         assert!(open(Trainer::Sac, false).expect_err("in use").contains(&process));
         drop(folder);
-        for trainer in [Trainer::Tpg, Trainer::Restarts, Trainer::Sweep, Trainer::Hybrid] {
+        for trainer in [Trainer::Tpg, Trainer::Restarts, Trainer::Hybrid] {
             let refused = open(trainer, true).expect_err("of another trainer");
             assert!(refused.contains("tpg-train sac") && refused.contains(trainer.name()), "{refused}");
         }

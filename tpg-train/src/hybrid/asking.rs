@@ -5,22 +5,21 @@
 
 use super::study::Input;
 use super::trial::NETWORK;
-use crate::course::{Decision, distance};
+use crate::course::Decision;
 use crate::evolution::config::AskConfig;
 use crate::evolution::run::RunError;
 use crate::sac::network::Network;
 use std::path::Path;
 use tpg_codegen::policy::QuantisedPolicy;
-use tpg_engine::{Act, ActionSpace, End, Environment, Preference, SourceDocument, SourceSet, Step};
+use tpg_engine::{Act, ActionSpace, Environment, Preference, SourceSet, Step};
 use tpg_graph::error::{Finding, InputError, Place};
 use tpg_problems::Problem;
-use tpg_runtime::recall::{NAMES, Recall};
 use tpg_runtime::scalar::Scalar;
 
 /// Reads the network that a configuration asks on a problem, and writes its checksum into the configuration.
 ///
 /// # Errors
-/// If the problem is the arm's, or has a source of the memory's name; if the file cannot be read, is no network in
+/// If the problem is the arm's; if the file cannot be read, is no network in
 /// integers, is none for the problem, or is not the one that the configuration's checksum names.
 pub fn read(ask: &mut AskConfig, problem: &Problem) -> Result<QuantisedPolicy, RunError> {
     let name = problem.name();
@@ -33,7 +32,6 @@ pub fn read(ask: &mut AskConfig, problem: &Problem) -> Result<QuantisedPolicy, R
     let network = Network::read(path)?;
     let environment = problem.environment::<f32>();
     network.fit(&ask.policy, &environment.sources(), &environment.actions())?;
-    ask.check_memory(&environment.sources())?;
     let Network::Fixed(policy) = network else {
         let accepted = "a policy.q.json, as `tpg-train quantise` writes it: the network that ships";
         return Err(refuse("a network in floating point".to_owned(), accepted).into());
@@ -44,34 +42,6 @@ pub fn read(ask: &mut AskConfig, problem: &Problem) -> Result<QuantisedPolicy, R
     }
     ask.sha256 = Some(sha256);
     Ok(*policy)
-}
-
-impl AskConfig {
-    /// Checks that the memory's sources are none of a problem's own.
-    ///
-    /// # Errors
-    /// If there is a memory, and a source of that name.
-    pub fn check_memory(&self, sources: &[SourceDocument]) -> Result<(), Finding> {
-        match sources.iter().find(|source| NAMES.contains(&source.name.as_str())) {
-            Some(source) if self.memory => {
-                let found = format!("true, for a problem with a source {:?}", source.name);
-                Err(Finding::new("ask.memory", found, "false"))
-            }
-            _ => Ok(()),
-        }
-    }
-}
-
-/// The sources with the rules' memory, for episodes of so many actions: see [`Recall`].
-pub fn recalled(time_limit: u32) -> [SourceDocument; NAMES.len()] {
-    let source = |(name, unit, most): (&str, &str, f64)| SourceDocument {
-        name: name.to_owned(),
-        length: 1,
-        unit: unit.to_owned(),
-        ranges: vec![[0.0, most]],
-    };
-    let ([drift, progress, asked], limit) = (NAMES, f64::from(time_limit));
-    [(drift, "distance", f64::INFINITY), (progress, "actions", limit), (asked, "actions", limit)].map(source)
 }
 
 /// An environment with named actions, and one more that asks a network.
@@ -100,19 +70,10 @@ pub struct Asking<E, P> {
     environment: E,
     network: P,
     price: f64,
-    /// True if policies see the rules' memory.
-    memory: bool,
     /// The number of the action that asks, behind the environment's own.
     ask: usize,
     /// The number of values of the environment's flat state: what the network sees.
     length: usize,
-}
-
-/// An episode, and what the policy knows of its past.
-#[derive(Clone, Debug)]
-pub struct Asked<Episode, S> {
-    episode: Episode,
-    recall: Option<Recall<S>>,
 }
 
 impl<E, P: Fn(&[f32]) -> Decision<f32> + Sync> Asking<E, P> {
@@ -127,80 +88,35 @@ impl<E, P: Fn(&[f32]) -> Decision<f32> + Sync> Asking<E, P> {
     {
         let ask = environment.actions().count().expect("actions are named: tpg_engine::Choices names them");
         let length = environment.sources().iter().map(|source| source.length as usize).sum();
-        Self { environment, network, price, memory: false, ask, length }
-    }
-
-    /// Adds the rules' memory to what policies see: the sources of [`recalled`], behind the environment's own.
-    #[must_use]
-    pub fn with_memory(self, memory: bool) -> Self {
-        Self { memory, ..self }
+        Self { environment, network, price, ask, length }
     }
 }
 
 impl<S: Scalar, E: Environment<S>, P: Fn(&[f32]) -> Decision<f32> + Sync> Environment<S> for Asking<E, P> {
     type Task = E::Task;
-    type Episode = Asked<E::Episode, S>;
+    type Episode = E::Episode;
 
     tpg_engine::forward!(this => this.environment;
-        time_limit draw outcomes measure rougher validation_tasks trial_tasks constants accepts);
-
-    fn sources(&self) -> Vec<SourceDocument> {
-        let mut sources = self.environment.sources();
-        if self.memory {
-            sources.extend(recalled(self.environment.time_limit()));
-        }
-        sources
-    }
+        time_limit draw outcomes measure rougher validation_tasks trial_tasks constants accepts
+        sources start observe timeout task_from bid_bounds distance);
 
     /// The environment's actions, then the one that asks.
     fn actions(&self) -> ActionSpace {
         self.environment.actions().with_ask(NETWORK)
     }
 
-    fn start(&self, task: &E::Task) -> Self::Episode {
-        let episode = self.environment.start(task);
-        let recall = self.memory.then(|| Recall::new(distance(&self.environment, &episode, None)));
-        Asked { episode, recall }
-    }
-
-    fn observe(&self, asked: &mut Self::Episode, wanted: SourceSet, state: &mut [S]) {
-        let (observed, recalled) = state.split_at_mut(self.length);
-        self.environment.observe(&mut asked.episode, wanted, observed);
-        if let Some(recall) = &asked.recall {
-            recalled.copy_from_slice(&recall.values());
+    fn step(&self, episode: &mut E::Episode, act: Act<'_, S>) -> Step {
+        if act.choice() != self.ask {
+            return self.environment.step(episode, act);
         }
-    }
-
-    fn step(&self, asked: &mut Self::Episode, act: Act<'_, S>) -> Step {
-        let asks = act.choice() == self.ask;
-        let Asked { episode, recall } = asked;
-        let step = if asks {
-            let mut state = vec![S::ZERO; self.length];
-            self.environment.observe(episode, SourceSet::ALL, &mut state);
-            let state: Vec<f32> = state.iter().map(|value| value.to_f64() as f32).collect();
-            self.environment.step(episode, (self.network)(&state).widened().act())
-        } else {
-            self.environment.step(episode, act)
-        };
-        if let Some(recall) = recall {
-            recall.acted(asks, distance(&self.environment, episode, Some(step.reward)));
-        }
-        if asks { Step { reward: step.reward - self.price, ..step } } else { step }
+        let mut state = vec![S::ZERO; self.length];
+        self.environment.observe(episode, SourceSet::ALL, &mut state);
+        let state: Vec<f32> = state.iter().map(|value| value.to_f64() as f32).collect();
+        let step = self.environment.step(episode, (self.network)(&state).widened().act());
+        Step { reward: step.reward - self.price, ..step }
     }
 
     fn preference(&self) -> Preference {
         Preference::Score
-    }
-    fn timeout(&self, asked: &Self::Episode) -> End {
-        self.environment.timeout(&asked.episode)
-    }
-    fn task_from(&self, asked: &Self::Episode) -> Option<E::Task> {
-        self.environment.task_from(&asked.episode)
-    }
-    fn bid_bounds(&self) -> Option<usize> {
-        self.environment.bid_bounds().filter(|_| !self.memory)
-    }
-    fn distance(&self, asked: &Self::Episode) -> Option<f64> {
-        self.environment.distance(&asked.episode)
     }
 }

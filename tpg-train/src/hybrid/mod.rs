@@ -9,7 +9,6 @@
 //! | [`shared`] | the problems that a graph and a network can share |
 //! | [`trial`] | a hybrid, or one of its parts, on many tasks |
 //! | [`asking`] | one more action for a graph: ask the network, at a price |
-//! | [`front`] | graphs of several prices beside rules, mixtures and the network alone |
 //! | [`study`] | every pair under every setting, in a folder |
 //! | [`cells`] | the rows of a study |
 //! | [`choice`], [`spread`] | means over pairs, Pareto front, the setting to use |
@@ -24,7 +23,6 @@ pub mod cells;
 pub mod choice;
 pub mod command;
 pub mod constants;
-pub mod front;
 pub mod report;
 pub mod setting;
 pub mod shared;

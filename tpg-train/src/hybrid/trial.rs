@@ -1,6 +1,5 @@
 //! Trials of a graph, a network, or both together, on any environment.
 
-use super::asking::recalled;
 use super::setting::{Detector, Setting};
 use crate::course::{Course, Decision};
 use crate::evaluate::graph::endings_on;
@@ -15,9 +14,8 @@ use tpg_graph::interpret;
 use tpg_runtime::cycle::{Brent, CycleDetector, Visited};
 use tpg_runtime::ops::Maths;
 use tpg_runtime::policy::{ActionId, Policy};
-use tpg_runtime::recall::Recall;
 use tpg_runtime::scalar::Scalar;
-use tpg_runtime::switch::{Answer, AskSwitch, CAUSES, Cause, Counts, Driver, Hybrid, Patience, Switch, Unguarded};
+use tpg_runtime::switch::{Answer, AskSwitch, CAUSES, Cause, Counts, Hybrid, Patience, Switch, Unguarded};
 
 /// The name by which a graph asks the network beside it.
 pub const NETWORK: &str = "network";
@@ -203,13 +201,11 @@ where
     let rules = Switch::new(setting.settings::<S>(), detector, key(&course), course.distance());
     let mut switch = AskSwitch::new(rules);
     let mut patience = Patience::new(setting.patience.0, course.distance());
-    let mut recall = Recall::new(course.distance());
     seen(course.distance().to_f64());
     let mut state = Vec::new();
     loop {
         state.clear();
         state.extend_from_slice(course.observe());
-        state.extend(recall.values());
         let turn = hybrid.decide_or_ask(&mut switch, &state, &Unguarded);
         if let Some(ending) = course.act(turn.chosen.wanted.act()) {
             switch.ended(&turn);
@@ -217,7 +213,6 @@ where
         }
         let distance = course.distance();
         seen(distance.to_f64());
-        recall.acted(turn.chosen.driver == Driver::Sac, distance);
         let stalls = patience.ends(turn.driver(), distance);
         switch.acted(&turn, stalls, key(&course), distance);
     }
@@ -237,7 +232,7 @@ impl CycleDetector<u64> for Blind {
     }
 }
 
-/// A graph as a policy of an environment, of its flat state or of that and the rules' memory behind it.
+/// A graph as a policy of an environment, of its flat state.
 struct GraphPolicy<S, M> {
     graph: Single<S, M>,
     /// The action that asks the network.
@@ -250,12 +245,9 @@ impl<S: Scalar, M: Maths<S>> GraphPolicy<S, M> {
         Self::new(graph, &environment.sources(), &environment.actions())
     }
 
-    /// A graph with a network beside it, which it may ask, and with the rules' memory.
+    /// A graph with a network beside it, which it may ask.
     fn asking(graph: &(String, Graph), environment: &impl Environment<S>) -> Result<Self, InputError> {
-        let mut sources = environment.sources();
-        // A problem's own source of that name comes first, and is the one that is bound.
-        sources.extend(recalled(environment.time_limit()));
-        Self::new(graph, &sources, &environment.actions().with_ask(NETWORK))
+        Self::new(graph, &environment.sources(), &environment.actions().with_ask(NETWORK))
     }
 
     fn new(

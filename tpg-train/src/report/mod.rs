@@ -7,7 +7,6 @@
 mod curves;
 mod distances;
 mod episode;
-mod front;
 mod headline;
 mod policy;
 mod runs;
@@ -30,8 +29,7 @@ use tpg_graph::error::{InputError, counted};
 /// Runs with equal configurations are one group: curves are their mean, with a band of one standard deviation.
 #[derive(Clone, Debug, Args)]
 pub struct ReportArgs {
-    /// Folders of `tpg`, `sac` or `hybrid` runs; a folder of `--seeds` stands for all of its seeds, one of several prices for all of
-    /// them
+    /// Folders of `tpg`, `sac` or `hybrid` runs; a folder of `--seeds` stands for all of its seeds
     #[arg(value_name = "RUN", required = true)]
     pub runs: Vec<PathBuf>,
     /// The file to write; - for stdout
@@ -59,9 +57,7 @@ pub fn report(args: &ReportArgs) -> Result<(), InputError> {
 /// As [`report`].
 pub fn report_with(args: &ReportArgs, own: Option<&dyn Shared>) -> Result<(), InputError> {
     let groups = runs::read(&args.runs)?;
-    let mut page = page(&groups, args.episodes as usize, args.seed, own)?;
-    // Behind the tables of results.
-    page.sections.splice(1..1, front::sections(&args.runs)?);
+    let page = page(&groups, args.episodes as usize, args.seed, own)?;
     let html = page.html();
     if args.out == Path::new("-") {
         let written = tpg_graph::command::print(&html);

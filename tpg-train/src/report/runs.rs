@@ -1,6 +1,5 @@
 //! Reading and grouping of run folders.
 
-use super::front;
 use crate::actor::version1::upgraded;
 use crate::evolution::config::{AskConfig, EvolutionConfig};
 use crate::evolution::state::Row;
@@ -145,7 +144,7 @@ impl Kind {
 /// Reads all runs and groups those with equal configurations, in the given order.
 pub(super) fn read(folders: &[PathBuf]) -> Result<Vec<Group>, InputError> {
     let mut groups: Vec<(String, Group)> = Vec::new();
-    for (folder, name) in folders.iter().map(|folder| with_prices(folder)).collect::<Result<Vec<_>, _>>()?.concat() {
+    for (folder, name) in folders.iter().map(|folder| with_restarts(folder)).collect::<Result<Vec<_>, _>>()?.concat() {
         if folder.join("study.toml").exists() {
             let text = read_text(&folder.join("study.toml"), "the study.toml of a study")?;
             let group = Group { name: String::new(), runs: vec![study(&folder, name, &text)?] };
@@ -168,16 +167,6 @@ pub(super) fn read(folders: &[PathBuf]) -> Result<Vec<Group>, InputError> {
         }
     }
     Ok(groups.into_iter().map(|(_, group)| named(group)).collect())
-}
-
-/// Returns the runs of each price where the folder is that of several prices; else those of [`with_restarts`].
-fn with_prices(folder: &Path) -> Result<Vec<(PathBuf, String)>, InputError> {
-    if !folder.join("sweep.toml").exists() {
-        return with_restarts(folder);
-    }
-    let runs = front::folders(folder)?.iter().map(|folder| with_restarts(folder)).collect::<Result<Vec<_>, _>>()?;
-    let name = last(&whole(folder)?);
-    Ok(runs.concat().into_iter().map(|(path, run)| (path, format!("{name}/{run}"))).collect())
 }
 
 /// Returns the last part of a path.
