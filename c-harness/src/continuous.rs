@@ -117,7 +117,7 @@ mod tests {
     use super::{POLICIES, STEPS, compare, graph, run, starts, step};
     use crate::closed_loop::PROFILES;
     use crate::line::Line;
-    use tpg_engine::{Act, Environment, SourceSet};
+    use tpg_engine::{Act, Environment, SourceSet, Training as _};
     use tpg_problems::Pendulum;
 
     #[test]
@@ -127,7 +127,7 @@ mod tests {
             let mut swing = Environment::<f32>::start(&Pendulum, &start.map(f64::from));
             for number in 0..STEPS {
                 let torque = (number as f32 * 0.7).sin() * 2.0;
-                let before = Environment::<f32>::task_from(&Pendulum, &swing).expect("an angle and a velocity");
+                let before = Pendulum.task_from(&swing).expect("an angle and a velocity");
                 let found = step(&plant, &[torque], &mut before.map(|value| value as f32));
                 Environment::<f32>::step(&Pendulum, &mut swing, Act::Values(&[torque]));
                 let mut expected = [0.0_f32; 3];

@@ -7,7 +7,6 @@ use crate::network::{Network, kind_of};
 use crate::space::Space;
 use pyo3::prelude::*;
 use sha2::{Digest, Sha256};
-use tpg_engine::Environment;
 use tpg_train::sac::config::SacConfig;
 use tpg_train::sac::contract::{Contract, Provenance};
 use tpg_train::sac::integers::quantise;
@@ -35,7 +34,8 @@ pub(crate) fn train_network(
     let (gym, kind) = (Gym::new(space.clone(), make), kind_of(kind)?);
     py.detach(|| {
         let mut training = Training::new(&gym, config, seed).map_err(error::input)?;
-        let validation = gym.validation_tasks(training.config().validation.episodes);
+        let validation =
+            tpg_engine::tasks(&gym, tpg_engine::TaskSet::Validation, 0, training.config().validation.episodes);
         let every = training.config().validation.every;
         let stopped = || match gym.failed() {
             Some(failed) => Err(failed),

@@ -8,7 +8,7 @@ use std::path::Path;
 use std::process::Stdio;
 use std::thread::sleep;
 use std::time::{Duration, Instant};
-use tpg_engine::{Environment, Summary};
+use tpg_engine::Summary;
 use tpg_problems::Pendulum;
 use tpg_train::sac::presets;
 use tpg_train::sac::training::Training;
@@ -26,7 +26,7 @@ fn error_of(arguments: &[&str]) -> String {
 fn a_few_thousand_decisions_swing_the_pendulum_up() {
     let config = presets::config(presets::find("general").expect("a preset")).expect("it is accepted");
     let mut training = Training::new(&Pendulum, config, 1).expect("a torque");
-    let tasks = Environment::<f32>::validation_tasks(&Pendulum, 50);
+    let tasks = tpg_engine::tasks::<f32, _>(&Pendulum, tpg_engine::TaskSet::Validation, 0, 50);
     let decisions = tpg_testing::amount(5000, 8000);
     let mut score = || -> [f64; 2] {
         let before: Summary = training.validate(&tasks);

@@ -121,7 +121,7 @@ where
     }
 
     fn show(&mut self) {
-        if let Some(task) = self.environment.task_from(&self.episode) {
+        if let Some(task) = self.environment.training().and_then(|training| training.task_from(&self.episode)) {
             self.view.state.iter_mut().zip(task.as_ref()).for_each(|(slot, &value)| *slot = value);
         }
     }
@@ -163,7 +163,9 @@ where
     }
 
     fn push(&mut self, value: usize, by: f64) {
-        let Some(mut task) = self.environment.task_from(&self.episode) else { return };
+        let Some(mut task) = self.environment.training().and_then(|training| training.task_from(&self.episode)) else {
+            return;
+        };
         if let Some(value) = task.as_mut().get_mut(value).filter(|_| by.is_finite()) {
             *value += by;
             self.episode = self.environment.start(&task);

@@ -3,8 +3,9 @@
 use crate::action::{Act, ActionSpace};
 use crate::ending::{End, Ending, Measure, Preference, Step};
 use crate::episodes::Episodes;
+use crate::extensions::{Drawn, Guarded, Training};
 use crate::one_by_one::OneByOne;
-use crate::random::{Purpose, Stream};
+use crate::random::Stream;
 use crate::source_set::SourceSet;
 use serde::{Serialize, de::DeserializeOwned};
 use std::fmt::Debug;
@@ -112,48 +113,11 @@ pub trait Environment<S: Scalar>: Sync {
         Preference::Score
     }
 
-    /// Returns the same task in coarser steps, `factor` times as large; by default the task itself.
-    ///
-    /// A curriculum begins with coarse steps, which shorten episodes by about that factor.
-    fn rougher(&self, task: Self::Task, _factor: u8) -> Self::Task {
-        task
-    }
-
-    /// Returns the tasks used to choose between trained policies: the same for every run, and never used in training.
-    fn validation_tasks(&self, count: usize) -> Vec<Self::Task> {
-        (0..count as u64).map(|index| self.draw(&mut Stream::new(0, 0, Purpose::Selection, index))).collect()
-    }
-
-    /// Fresh tasks that show where a policy under training fails, under the rules that it is judged by: by default drawn as
-    /// those that train.
-    fn trial_tasks(&self, stream: &mut Stream, count: usize) -> Vec<Self::Task> {
-        (0..count).map(|_| self.draw(stream)).collect()
-    }
-
-    /// A task that begins where an episode is now; `None`, the default, where the problem has no such task.
-    ///
-    /// With it, training can restart where a policy failed.
-    fn task_from(&self, _episode: &Self::Episode) -> Option<Self::Task> {
-        None
-    }
-
     /// Returns the values of the flat state that are constant throughout an episode; none by default.
     ///
     /// Values that programs compute from these alone are computed once per episode.
     fn constants(&self) -> Vec<u16> {
         Vec::new()
-    }
-
-    /// Returns the number of values that a policy remembers: each of the last so many outputs is what the last so many
-    /// sources show at the next decision. None by default; see [`Remembering`](crate::Remembering).
-    fn memory(&self) -> usize {
-        0
-    }
-
-    /// Returns the index of a source, which must be the last one, that holds upper bounds for the bids of the first
-    /// actions, in order; programs cannot read it. `None`, the default, if bids are unbounded.
-    fn bid_bounds(&self) -> Option<usize> {
-        None
     }
 
     /// Returns true if an episode can start from a task. Tasks read from a checkpoint are checked with it; those that
@@ -181,6 +145,21 @@ pub trait Environment<S: Scalar>: Sync {
         None
     }
 
+    /// Returns the tasks that this environment has beside the drawn ones; `None` by default.
+    fn training(&self) -> Option<&dyn Training<Self::Task, Self::Episode>> {
+        None
+    }
+
+    /// Returns the guard of this environment; `None` by default.
+    fn guarded(&self) -> Option<&dyn Guarded<S, Self::Episode>> {
+        None
+    }
+
+    /// Returns the pictures of this environment's episodes; `None` by default.
+    fn drawn(&self) -> Option<&dyn Drawn<Self::Episode>> {
+        None
+    }
+
     /// Returns the distance to the goal, in a unit of the problem's own; less is better. A hybrid hands over to its
     /// network when the distance grows, or no longer falls. `None`, the default: the reward of the last action, with its
     /// sign changed, takes its place.
@@ -194,6 +173,6 @@ impl<S: Scalar, E: Environment<S> + ?Sized> Environment<S> for &E {
     type Episode = E::Episode;
 
     crate::forward!(this => (**this);
-        sources actions chooses time_limit draw start observe step outcomes timeout measure preference rougher validation_tasks
-        trial_tasks task_from constants memory bid_bounds accepts lanes key cycle distance);
+        sources actions chooses time_limit draw start observe step outcomes timeout measure preference constants accepts
+        lanes key cycle training guarded drawn distance);
 }

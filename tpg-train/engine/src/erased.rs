@@ -1,17 +1,20 @@
 //! Environments whose type is only known at run time: what works with them is compiled once for all problems.
 
-use crate::action::{Act, ActionSpace};
+use crate::action::{Act, ActionSpace, Output};
 use crate::ending::{End, Ending, Measure, Preference, Step};
 use crate::environment::Environment;
 use crate::episodes::Episodes;
+use crate::extensions::{Drawn, Guarded, TaskSet, Training, coarser};
 use crate::mapped::Mapped;
 use crate::random::Stream;
 use crate::source_set::SourceSet;
 use serde::de::{DeserializeOwned, Error as _};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::value::RawValue;
+use serde_json::{Map, Value};
 use std::any::Any;
 use std::fmt;
+use std::marker::PhantomData;
 use std::sync::{Arc, OnceLock};
 use tpg_graph::SourceDocument;
 use tpg_runtime::scalar::Scalar;
@@ -51,7 +54,7 @@ where
     E::Task: 'static,
     E::Episode: 'static,
 {
-    Box::new(Typed(environment))
+    Box::new(Typed(environment, PhantomData))
 }
 
 /// A task of an environment of any type. In JSON it looks as the problem's own.
@@ -77,7 +80,8 @@ impl<T: Serialize + Send + Sync + 'static> Object for T {
 }
 
 impl AnyTask {
-    fn new<T: Serialize + Send + Sync + 'static>(task: T) -> Self {
+    /// Hides the type of a task.
+    pub fn new<T: Serialize + Send + Sync + 'static>(task: T) -> Self {
         Self(Arc::new(Forms { typed: OnceLock::from(Box::new(task) as Box<dyn Object>), json: OnceLock::new() }))
     }
 
@@ -87,7 +91,7 @@ impl AnyTask {
     }
 
     /// Returns the task in the problem's own type; `None` if it was read from a file and is none.
-    fn typed<T: Serialize + DeserializeOwned + Send + Sync + 'static>(&self) -> Option<&T> {
+    pub fn typed<T: Serialize + DeserializeOwned + Send + Sync + 'static>(&self) -> Option<&T> {
         let Forms { typed, json } = &*self.0;
         if typed.get().is_none() {
             let task: T = serde_json::from_str(json.get()?.get()).ok()?;
@@ -143,9 +147,9 @@ impl AnyEpisode {
 }
 
 /// An environment with its type, which nobody sees.
-struct Typed<E>(E);
+struct Typed<S, E>(E, PhantomData<fn() -> S>);
 
-impl<S: Scalar, E: Environment<S>> Environment<S> for Typed<E>
+impl<S: Scalar, E: Environment<S>> Environment<S> for Typed<S, E>
 where
     E::Task: 'static,
     E::Episode: 'static,
@@ -186,26 +190,8 @@ where
     fn preference(&self) -> Preference {
         self.0.preference()
     }
-    fn rougher(&self, task: AnyTask, factor: u8) -> AnyTask {
-        AnyTask::new(self.0.rougher(task.typed::<E::Task>().expect(ACCEPTED).clone(), factor))
-    }
-    fn validation_tasks(&self, count: usize) -> Vec<AnyTask> {
-        self.0.validation_tasks(count).into_iter().map(AnyTask::new).collect()
-    }
-    fn trial_tasks(&self, stream: &mut Stream, count: usize) -> Vec<AnyTask> {
-        self.0.trial_tasks(stream, count).into_iter().map(AnyTask::new).collect()
-    }
-    fn task_from(&self, episode: &AnyEpisode) -> Option<AnyTask> {
-        self.0.task_from(episode.typed()).map(AnyTask::new)
-    }
     fn constants(&self) -> Vec<u16> {
         self.0.constants()
-    }
-    fn memory(&self) -> usize {
-        self.0.memory()
-    }
-    fn bid_bounds(&self) -> Option<usize> {
-        self.0.bid_bounds()
     }
     fn accepts(&self, task: &AnyTask) -> bool {
         task.typed().is_some_and(|task| self.0.accepts(task))
@@ -221,6 +207,78 @@ where
     }
     fn distance(&self, episode: &AnyEpisode) -> Option<f64> {
         self.0.distance(episode.typed())
+    }
+    fn training(&self) -> Option<&dyn Training<AnyTask, AnyEpisode>> {
+        self.0.training().map(|_| self as _)
+    }
+    fn guarded(&self) -> Option<&dyn Guarded<S, AnyEpisode>> {
+        self.0.guarded().map(|_| self as _)
+    }
+    fn drawn(&self) -> Option<&dyn Drawn<AnyEpisode>> {
+        self.0.drawn().map(|_| self as _)
+    }
+}
+
+/// What an extension's answer says: it is there because the environment inside has one.
+const EXTENDED: &str = "an environment with this extension";
+
+impl<S: Scalar, E: Environment<S>> Training<AnyTask, AnyEpisode> for Typed<S, E>
+where
+    E::Task: 'static,
+    E::Episode: 'static,
+{
+    fn coarser(&self, task: AnyTask, factor: u8) -> AnyTask {
+        AnyTask::new(coarser(&self.0, task.typed::<E::Task>().expect(ACCEPTED).clone(), factor))
+    }
+    fn tasks(&self, set: TaskSet, seed: u64, count: usize) -> Option<Vec<AnyTask>> {
+        Some(self.0.training()?.tasks(set, seed, count)?.into_iter().map(AnyTask::new).collect())
+    }
+    fn trial_tasks(&self, stream: &mut Stream, count: usize) -> Option<Vec<AnyTask>> {
+        Some(self.0.training()?.trial_tasks(stream, count)?.into_iter().map(AnyTask::new).collect())
+    }
+    fn task_from(&self, episode: &AnyEpisode) -> Option<AnyTask> {
+        self.0.training()?.task_from(episode.typed()).map(AnyTask::new)
+    }
+}
+
+impl<S: Scalar, E: Environment<S>> Guarded<S, AnyEpisode> for Typed<S, E>
+where
+    E::Task: 'static,
+    E::Episode: 'static,
+{
+    fn network_sources(&self) -> Vec<SourceDocument> {
+        self.0.guarded().expect(EXTENDED).network_sources()
+    }
+    fn network_outputs(&self) -> Vec<Output> {
+        self.0.guarded().expect(EXTENDED).network_outputs()
+    }
+    fn network_observe(&self, episode: &mut AnyEpisode, state: &mut [f32]) {
+        self.0.guarded().expect(EXTENDED).network_observe(episode.typed_mut(), state);
+    }
+    fn guards(&self) -> &'static [&'static str] {
+        self.0.guarded().expect(EXTENDED).guards()
+    }
+    fn refuses(&self, guard: &str, episode: &AnyEpisode, act: Act<'_, S>) -> bool {
+        self.0.guarded().expect(EXTENDED).refuses(guard, episode.typed(), act)
+    }
+    fn mend(&self, guard: &str, episode: &AnyEpisode, values: &mut [S]) -> bool {
+        self.0.guarded().expect(EXTENDED).mend(guard, episode.typed(), values)
+    }
+}
+
+impl<S: Scalar, E: Environment<S>> Drawn<AnyEpisode> for Typed<S, E>
+where
+    E::Task: 'static,
+    E::Episode: 'static,
+{
+    fn figures(&self, endings: &[Ending]) -> Map<String, Value> {
+        self.0.drawn().expect(EXTENDED).figures(endings)
+    }
+    fn moment(&self, episode: &AnyEpisode) -> Vec<f64> {
+        self.0.drawn().expect(EXTENDED).moment(episode.typed())
+    }
+    fn picture(&self, moments: &[Vec<f64>]) -> String {
+        self.0.drawn().expect(EXTENDED).picture(moments)
     }
 }
 

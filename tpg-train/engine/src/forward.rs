@@ -78,46 +78,28 @@ macro_rules! forward {
             $inner.preference()
         }
     };
-    (@rougher $this:ident $inner:expr) => {
-        fn rougher(&self, task: Self::Task, factor: u8) -> Self::Task {
-            let $this = self;
-            $inner.rougher(task, factor)
-        }
-    };
-    (@validation_tasks $this:ident $inner:expr) => {
-        fn validation_tasks(&self, count: usize) -> Vec<Self::Task> {
-            let $this = self;
-            $inner.validation_tasks(count)
-        }
-    };
-    (@trial_tasks $this:ident $inner:expr) => {
-        fn trial_tasks(&self, stream: &mut $crate::random::Stream, count: usize) -> Vec<Self::Task> {
-            let $this = self;
-            $inner.trial_tasks(stream, count)
-        }
-    };
-    (@task_from $this:ident $inner:expr) => {
-        fn task_from(&self, episode: &Self::Episode) -> Option<Self::Task> {
-            let $this = self;
-            $inner.task_from(episode)
-        }
-    };
     (@constants $this:ident $inner:expr) => {
         fn constants(&self) -> Vec<u16> {
             let $this = self;
             $inner.constants()
         }
     };
-    (@memory $this:ident $inner:expr) => {
-        fn memory(&self) -> usize {
+    (@training $this:ident $inner:expr) => {
+        fn training(&self) -> Option<&dyn $crate::Training<Self::Task, Self::Episode>> {
             let $this = self;
-            $inner.memory()
+            $inner.training()
         }
     };
-    (@bid_bounds $this:ident $inner:expr) => {
-        fn bid_bounds(&self) -> Option<usize> {
+    (@guarded $this:ident $inner:expr) => {
+        fn guarded(&self) -> Option<&dyn $crate::Guarded<S, Self::Episode>> {
             let $this = self;
-            $inner.bid_bounds()
+            $inner.guarded()
+        }
+    };
+    (@drawn $this:ident $inner:expr) => {
+        fn drawn(&self) -> Option<&dyn $crate::Drawn<Self::Episode>> {
+            let $this = self;
+            $inner.drawn()
         }
     };
     (@accepts $this:ident $inner:expr) => {

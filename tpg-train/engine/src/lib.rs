@@ -10,6 +10,8 @@
 //! | --- | --- |
 //! | [`Environment`], [`ActionSpace`], [`Act`], [`Step`], [`End`] | a problem |
 //! | [`erase`], [`AnyEnvironment`] | environments whose type is only known at run time |
+//! | [`Training`], [`Guarded`], [`Drawn`], [`tasks`] | what only some environments have |
+//! | [`Rollout`], [`Decision`] | one episode, action by action |
 //! | [`bind`] | binding of a graph to an environment |
 //! | [`Choices`] | any action space as a list of named actions |
 //! | [`Preferring`] | named actions as outputs: the greatest acts |
@@ -33,6 +35,7 @@ mod episodes;
 mod erased;
 mod error;
 mod evaluator;
+mod extensions;
 mod forward;
 mod groups;
 mod history;
@@ -51,6 +54,7 @@ mod policy;
 mod preferring;
 pub mod random;
 mod remembering;
+mod rollout;
 mod single;
 mod source_set;
 mod view;
@@ -64,6 +68,7 @@ pub use episodes::Episodes;
 pub use erased::{AnyEnvironment, AnyEpisode, AnyTask, erase};
 pub use error::EvaluationError;
 pub use evaluator::{Evaluator, LocalThreads, Piece, Play, Played, UnitKey, UnitResult, Visit, Work, WorkUnit};
+pub use extensions::{BID_BOUND, Drawn, Guarded, TaskSet, Training, bid_bounds, coarser, tasks};
 pub use history::{History, Repeat};
 pub use lanes::Lanes;
 pub use mapped::Mapped;
@@ -74,7 +79,8 @@ pub use options::EngineOptions;
 pub use plan::Plan;
 pub use policy::{Destination, Edge, Limits, Line, Operand, PolicyGraph, bounded};
 pub use preferring::{Preferring, preferred};
-pub use remembering::{Remembered, Remembering, WithMemory};
+pub use remembering::{Remembered, Remembering, WithMemory, remembered};
+pub use rollout::{Decision, Rollout};
 pub use single::{Single, single};
 pub use source_set::SourceSet;
 pub use tpg_graph::SourceDocument;

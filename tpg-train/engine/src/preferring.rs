@@ -78,8 +78,8 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Preferring<E> {
     type Episode = E::Episode;
 
     crate::forward!(this => this.environment;
-        sources time_limit draw start observe outcomes timeout measure preference rougher validation_tasks trial_tasks task_from
-        constants memory bid_bounds accepts key cycle distance);
+        sources time_limit draw start observe outcomes timeout measure preference constants accepts key cycle training
+        guarded drawn distance);
 
     fn actions(&self) -> ActionSpace {
         let output = |action: ActionDocument| Output { name: action.name, unit: String::new(), min: -1.0, max: 1.0 };

@@ -4,6 +4,7 @@ use crate::action::{Act, ActionSpace, Output};
 use crate::ending::{End, Ending, Step};
 use crate::environment::Environment;
 use crate::episodes::Episodes;
+use crate::extensions::{TaskSet, Training, coarser, tasks};
 use crate::one_by_one::OneByOne;
 use crate::source_set::SourceSet;
 use tpg_graph::{Graph, SourceDocument};
@@ -114,7 +115,7 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Remembering<E> {
     type Episode = WithMemory<E::Episode, S>;
 
     crate::forward!(this => this.environment;
-        time_limit draw outcomes measure preference rougher validation_tasks trial_tasks constants accepts);
+        time_limit draw outcomes measure preference constants accepts);
 
     fn sources(&self) -> Vec<SourceDocument> {
         let value = |value: &Remembered| SourceDocument {
@@ -144,10 +145,6 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Remembering<E> {
         }
     }
 
-    fn memory(&self) -> usize {
-        self.memory.len()
-    }
-
     fn start(&self, task: &E::Task) -> Self::Episode {
         let memory = self.memory.iter().map(|value| S::from_f64(value.initial)).collect();
         let outputs = self.environment.actions().outputs().len();
@@ -173,11 +170,8 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Remembering<E> {
     fn timeout(&self, with: &Self::Episode) -> End {
         self.environment.timeout(&with.episode)
     }
-    fn task_from(&self, with: &Self::Episode) -> Option<E::Task> {
-        self.environment.task_from(&with.episode)
-    }
-    fn bid_bounds(&self) -> Option<usize> {
-        self.environment.bid_bounds().filter(|_| self.memory.is_empty())
+    fn training(&self) -> Option<&dyn Training<Self::Task, Self::Episode>> {
+        self.environment.training().map(|_| self as _)
     }
     /// With a memory, the default: a repeated state of the environment alone repeats nothing.
     fn key(&self, with: &Self::Episode) -> Option<u64> {
@@ -192,4 +186,19 @@ impl<S: Scalar, E: Environment<S>> Environment<S> for Remembering<E> {
     fn distance(&self, with: &Self::Episode) -> Option<f64> {
         self.environment.distance(&with.episode)
     }
+}
+
+impl<S: Scalar, E: Environment<S>> Training<E::Task, WithMemory<E::Episode, S>> for Remembering<E> {
+    fn coarser(&self, task: E::Task, factor: u8) -> E::Task {
+        coarser(&self.environment, task, factor)
+    }
+    fn tasks(&self, set: TaskSet, seed: u64, count: usize) -> Option<Vec<E::Task>> {
+        Some(tasks(&self.environment, set, seed, count))
+    }
+}
+
+/// Returns the number of values that a policy remembers: its last outputs that are sources, too.
+pub fn remembered(sources: &[SourceDocument], actions: &ActionSpace) -> usize {
+    let is_read = |output: &&Output| sources.iter().any(|source| source.name == output.name);
+    actions.outputs().iter().rev().take_while(is_read).count()
 }

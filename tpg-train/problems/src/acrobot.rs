@@ -8,7 +8,7 @@ use crate::source;
 use crate::varied::{Adjustable, Settings};
 use core::f64::consts::PI;
 use tpg_engine::random::Stream;
-use tpg_engine::{Act, ActionSpace, End, Environment, Episodes, SourceSet, Step};
+use tpg_engine::{Act, ActionSpace, End, Environment, Episodes, SourceSet, Step, Training};
 use tpg_graph::SourceDocument;
 use tpg_runtime::scalar::Scalar;
 
@@ -113,8 +113,8 @@ impl<S: Scalar> Environment<S> for Acrobot {
         Links::new(*task)
     }
 
-    fn task_from(&self, links: &Links) -> Option<State> {
-        Some(links.state())
+    fn training(&self) -> Option<&dyn Training<State, Links>> {
+        Some(self)
     }
 
     fn observe(&self, links: &mut Links, _wanted: SourceSet, values: &mut [S]) {
@@ -129,6 +129,12 @@ impl<S: Scalar> Environment<S> for Acrobot {
 
     fn lanes(&self) -> Box<dyn Episodes<S, State> + '_> {
         Box::new(Eights::new::<S>(self))
+    }
+}
+
+impl Training<State, Links> for Acrobot {
+    fn task_from(&self, links: &Links) -> Option<State> {
+        Some(links.state())
     }
 }
 

@@ -7,7 +7,7 @@ use crate::source;
 use crate::varied::{Adjustable, Settings};
 use core::f64::consts::PI;
 use tpg_engine::random::Stream;
-use tpg_engine::{Act, ActionSpace, End, Environment, Episodes, SourceSet, Step};
+use tpg_engine::{Act, ActionSpace, End, Environment, Episodes, SourceSet, Step, Training};
 use tpg_graph::SourceDocument;
 use tpg_runtime::scalar::Scalar;
 
@@ -92,8 +92,8 @@ impl<S: Scalar> Environment<S> for CartPole {
         *task
     }
 
-    fn task_from(&self, state: &State) -> Option<State> {
-        Some(*state)
+    fn training(&self) -> Option<&dyn Training<State, State>> {
+        Some(self)
     }
 
     /// The larger of the pole's lean and the cart's way from the middle, as a fraction of what ends the episode.
@@ -111,6 +111,12 @@ impl<S: Scalar> Environment<S> for CartPole {
 
     fn lanes(&self) -> Box<dyn Episodes<S, State> + '_> {
         Box::new(Eights::new::<S>(self))
+    }
+}
+
+impl Training<State, State> for CartPole {
+    fn task_from(&self, state: &State) -> Option<State> {
+        Some(*state)
     }
 }
 

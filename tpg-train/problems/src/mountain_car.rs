@@ -6,7 +6,7 @@ use crate::physics::physics;
 use crate::source;
 use crate::varied::{Adjustable, Settings};
 use tpg_engine::random::Stream;
-use tpg_engine::{Act, ActionSpace, End, Environment, Episodes, SourceSet, Step};
+use tpg_engine::{Act, ActionSpace, End, Environment, Episodes, SourceSet, Step, Training};
 use tpg_graph::SourceDocument;
 use tpg_runtime::scalar::Scalar;
 
@@ -79,8 +79,8 @@ impl<S: Scalar> Environment<S> for MountainCar {
         *task
     }
 
-    fn task_from(&self, state: &State) -> Option<State> {
-        Some(*state)
+    fn training(&self) -> Option<&dyn Training<State, State>> {
+        Some(self)
     }
 
     fn observe(&self, state: &mut State, _wanted: SourceSet, values: &mut [S]) {
@@ -94,6 +94,12 @@ impl<S: Scalar> Environment<S> for MountainCar {
 
     fn lanes(&self) -> Box<dyn Episodes<S, State> + '_> {
         Box::new(Eights::new::<S>(self))
+    }
+}
+
+impl Training<State, State> for MountainCar {
+    fn task_from(&self, state: &State) -> Option<State> {
+        Some(*state)
     }
 }
 

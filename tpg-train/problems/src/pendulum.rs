@@ -10,7 +10,7 @@ use core::f64::consts::{PI, TAU};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tpg_engine::random::Stream;
-use tpg_engine::{Act, ActionSpace, Environment, Episodes, Output, SourceSet, Step};
+use tpg_engine::{Act, ActionSpace, Environment, Episodes, Output, SourceSet, Step, Training};
 use tpg_graph::SourceDocument;
 use tpg_graph::error::Finding;
 use tpg_runtime::scalar::Scalar;
@@ -131,8 +131,8 @@ impl<S: Scalar> Environment<S> for Pendulum {
         Swing::new(angle, velocity)
     }
 
-    fn task_from(&self, swing: &Swing) -> Option<[f64; 2]> {
-        Some([swing.angle, swing.velocity])
+    fn training(&self) -> Option<&dyn Training<[f64; 2], Swing>> {
+        Some(self)
     }
 
     fn observe(&self, swing: &mut Swing, _wanted: SourceSet, state: &mut [S]) {
@@ -145,6 +145,12 @@ impl<S: Scalar> Environment<S> for Pendulum {
 
     fn lanes(&self) -> Box<dyn Episodes<S, [f64; 2]> + '_> {
         Box::new(Eights::new::<S>(self))
+    }
+}
+
+impl Training<[f64; 2], Swing> for Pendulum {
+    fn task_from(&self, swing: &Swing) -> Option<[f64; 2]> {
+        Some([swing.angle, swing.velocity])
     }
 }
 

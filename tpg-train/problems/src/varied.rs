@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{
-    Act, ActionSpace, End, Environment, Episodes, Mapped, Measure, OneByOne, Preference, SourceSet, Step,
+    Act, ActionSpace, End, Environment, Episodes, Mapped, Measure, OneByOne, Preference, SourceSet, Step, Training,
 };
 use tpg_graph::SourceDocument;
 use tpg_graph::error::Finding;
@@ -255,12 +255,8 @@ impl<S: Scalar, E: Adjustable<S>, C: Constants<Physics = E::Physics>> Environmen
         }
     }
 
-    fn task_from(&self, trial: &Self::Episode) -> Option<Self::Task> {
-        let start = self.environment.task_from(&trial.bare)?;
-        Some(match &trial.variation {
-            None => VariedTask::Standard(start),
-            Some(variation) => VariedTask::Varied { start, seed: variation.seed },
-        })
+    fn training(&self) -> Option<&dyn Training<Self::Task, Self::Episode>> {
+        self.environment.training().map(|_| self as _)
     }
 
     fn distance(&self, trial: &Self::Episode) -> Option<f64> {
@@ -272,6 +268,18 @@ impl<S: Scalar, E: Adjustable<S>, C: Constants<Physics = E::Physics>> Environmen
             return Box::new(OneByOne::new(self));
         }
         Box::new(Mapped::new(self.environment.lanes(), VariedTask::start))
+    }
+}
+
+impl<S: Scalar, E: Adjustable<S>, C: Constants<Physics = E::Physics>>
+    Training<VariedTask<E::Task>, Trial<S, E::Physics, E::Episode>> for Varied<E, C>
+{
+    fn task_from(&self, trial: &Trial<S, E::Physics, E::Episode>) -> Option<VariedTask<E::Task>> {
+        let start = self.environment.training()?.task_from(&trial.bare)?;
+        Some(match &trial.variation {
+            None => VariedTask::Standard(start),
+            Some(variation) => VariedTask::Varied { start, seed: variation.seed },
+        })
     }
 }
 

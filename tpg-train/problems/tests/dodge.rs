@@ -184,7 +184,7 @@ fn validation_scenes_are_those_of_their_set() {
         .into_iter()
         .map(|certified| certified.scene)
         .collect();
-    assert_eq!(Environment::<f32>::validation_tasks(&problem, 3), expected);
+    assert_eq!(tpg_engine::tasks::<f32, _>(&problem, tpg_engine::TaskSet::Validation, 0, 3), expected);
     // Training scenes come from another sample of the space.
     let training = Generator::new(&Config::default(), SEED, Set::Training);
     assert!(!expected.contains(&training.draw(&mut Stream::new(1, 2, Purpose::Test, 3), 1500).scene));

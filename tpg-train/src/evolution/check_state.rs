@@ -52,7 +52,7 @@ impl<Task: std::fmt::Debug> State<Task> {
         for (place, row) in (0..).zip(&self.rows) {
             equal(&format!("rows[{place}].generation"), row.generation, place)?;
         }
-        equal("scales", self.scales.len(), lengths(environment.bid_bounds().unwrap_or(sources.len())))?;
+        equal("scales", self.scales.len(), lengths(tpg_engine::bid_bounds(&sources).unwrap_or(sources.len())))?;
         let vocabulary = config.vocabulary(environment, self.scales.clone());
         let writer = LinearWriter::new(&vocabulary, actions as u16, config.start.kind);
         self.milestones.check(config, self.generation, self.steps)?;

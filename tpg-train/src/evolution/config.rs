@@ -597,7 +597,7 @@ impl EvolutionConfig {
     /// the flat state.
     pub fn vocabulary<S: Scalar>(&self, environment: &impl Environment<S>, scales: Vec<f64>) -> Vocabulary {
         let sources = environment.sources();
-        let bounds = environment.bid_bounds();
+        let bounds = tpg_engine::bid_bounds(&sources);
         let vocabulary = Vocabulary::new(
             self.instructions(),
             self.learning.nb_registers,

@@ -16,8 +16,8 @@ use std::collections::BTreeSet;
 use std::marker::PhantomData;
 use tpg_engine::random::{Purpose, Stream};
 use tpg_engine::{
-    Ending, Environment, EvaluationError, Evaluator, PolicyGraph, Preference, Summary, UnitKey, Visit, Work, WorkUnit,
-    bounded, finite,
+    Ending, Environment, EvaluationError, Evaluator, PolicyGraph, Preference, Summary, TaskSet, UnitKey, Visit, Work,
+    WorkUnit, bounded, finite,
 };
 use tpg_runtime::scalar::Scalar;
 
@@ -93,7 +93,8 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
         goal: Goal,
     ) -> Self {
         let vocabulary = config.vocabulary(environment, scales);
-        let selection_tasks = environment.validation_tasks(config.selection.validation_episodes);
+        let selection_tasks =
+            tpg_engine::tasks(environment, TaskSet::Validation, 0, config.selection.validation_episodes);
         let actions = environment.actions().count().unwrap_or(0) as u16;
         let opposites = opposites(&environment.actions());
         let weights = LinearWriter::new(&vocabulary, actions, config.start.kind).map_or(0, |writer| writer.weights());
@@ -249,7 +250,7 @@ impl<'e, S: Scalar, E: Environment<S>, V: Evaluator<E::Task>> Evolution<'e, S, E
                     state.pool[choice.below(state.pool.len())].clone()
                 } else {
                     let mut stream = Stream::new(state.seed, state.generation, Purpose::Episode, index);
-                    self.environment.rougher(self.environment.draw(&mut stream), roughness)
+                    tpg_engine::coarser(self.environment, self.environment.draw(&mut stream), roughness)
                 }
             })
             .collect()

@@ -239,7 +239,8 @@ pub fn graph_of<S: Scalar, E: Environment<S>>(
     }
     // The units of literals matter only where literals are drawn.
     let vocabulary = config.vocabulary(environment, Vec::new());
-    export::graph(&best.policy, &vocabulary, sources, environment.actions(), environment.memory(), provenance)
+    let memory = tpg_engine::remembered(&sources, &environment.actions());
+    export::graph(&best.policy, &vocabulary, sources, environment.actions(), memory, provenance)
 }
 
 /// The times of a run, `timing.csv`: the only log that depends on the clock.

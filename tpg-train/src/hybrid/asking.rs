@@ -59,7 +59,7 @@ pub fn read(ask: &mut AskConfig, problem: &Problem) -> Result<QuantisedPolicy, R
 /// // A network that pushes where the pole is falling; inputs are x, v, theta and omega.
 /// let network = |state: &[f32]| Decision::Choice(ActionId((state[2] + state[3] > 0.0).into()));
 /// let asking = Asking::new::<f32>(CartPole, network, 0.25);
-/// let task = Environment::<f32>::validation_tasks(&asking, 1).remove(0);
+/// let task = tpg_engine::tasks::<f32, _>(&asking, tpg_engine::TaskSet::Validation, 0, 1).remove(0);
 /// let mut episode = Environment::<f32>::start(&asking, &task);
 /// // Actions: left, right, ask. A step that the pole stands earns 1.
 /// let reward = |episode: &mut _, action| Environment::<f32>::step(&asking, episode, Act::Choice(ActionId(action))).reward;
@@ -97,8 +97,7 @@ impl<S: Scalar, E: Environment<S>, P: Fn(&[f32]) -> Decision<f32> + Sync> Enviro
     type Episode = E::Episode;
 
     tpg_engine::forward!(this => this.environment;
-        time_limit draw outcomes measure rougher validation_tasks trial_tasks constants accepts
-        sources start observe timeout task_from bid_bounds distance);
+        time_limit draw outcomes measure constants accepts sources start observe timeout training distance);
 
     /// The environment's actions, then the one that asks.
     fn actions(&self) -> ActionSpace {

@@ -138,7 +138,8 @@ impl<'a, E: Environment<f32>> Run<'a, E> {
         let style = ProgressStyle::with_template("{bar:30} {percent:>3} %  {eta} left  {msg}");
         progress.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
         progress.set_position(training.decisions());
-        let validation = environment.validation_tasks(training.config().validation.episodes);
+        let validation =
+            tpg_engine::tasks(environment, tpg_engine::TaskSet::Validation, 0, training.config().validation.episodes);
         let checkpoint_every = args.run.checkpoint_every(CHECKPOINT_SECONDS);
         let began = Instant::now();
         Ok(Self {

@@ -109,7 +109,7 @@ mod tests {
         let mut random = Stream::new(3, 0, Purpose::Test, 0);
         let shape = Shape { inputs: 3, hidden: vec![8], outputs: 2, norm: false };
         let network = Mlp::random(shape, || random.unit());
-        let tasks = Environment::<f32>::validation_tasks(&Pendulum, 3);
+        let tasks = tpg_engine::tasks::<f32, _>(&Pendulum, tpg_engine::TaskSet::Validation, 0, 3);
         let endings = |actor: &Actor| NetworkPolicy::new(&network, &interface, actor).endings(&Pendulum, &tasks);
         let by_mean = endings(&actor);
         actor.decides = Decides::ByDraw;

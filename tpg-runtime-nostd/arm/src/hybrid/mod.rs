@@ -131,6 +131,11 @@ impl Guard {
             }
         }
     }
+
+    /// Returns the part of a network's move that may be executed, with as few joints held as possible; `None` if there is none.
+    pub fn part<S: Lattice>(self, arm: &Arm<S>, pose: Pose, wanted: Move) -> Option<Move> {
+        if self == Self::Both { valid_part(arm, &Leeway::new(), pose, wanted) } else { Some(wanted) }
+    }
 }
 
 /// Two policies that share an arm.

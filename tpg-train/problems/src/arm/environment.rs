@@ -6,6 +6,7 @@
 mod clearance;
 mod episode;
 mod group;
+mod guard;
 mod lanes;
 mod problem;
 mod usual;
@@ -15,7 +16,11 @@ pub use problem::{ArmProblem, ArmTask, OUTCOMES, outcome_number};
 
 use crate::arm::binding::bind;
 use crate::arm::targets::{self, ReachableSpace, Set};
+use crate::arm::trial::figures;
+use crate::arm::{drawing, motors};
 use clearance::{Clearances, swing};
+use guard::Steering;
+use serde_json::{Map, Value};
 use tpg_arm::binding::MOVE;
 use tpg_arm::episode::Outcome;
 use tpg_arm::kinematics::{self, Angle, Direction, Directions, Lattice, Plane, Vector, link_angles};
@@ -23,7 +28,8 @@ use tpg_arm::observation::{Observation, ReachErrors, Source, derived, shield};
 use tpg_arm::{Arm, JOINTS, Joint, Move, Play, Pose, TICKS_PER_TURN};
 use tpg_engine::random::Stream;
 use tpg_engine::{
-    Act, ActionSpace, End, Ending, Environment, Episodes, Measure, OneByOne, Preference, SourceSet, Step,
+    Act, ActionSpace, Drawn, End, Ending, Environment, Episodes, Guarded, Measure, OneByOne, Preference, SourceSet,
+    Step, TaskSet, Training,
 };
 use tpg_graph::error::InputError;
 use tpg_graph::{ActionDocument, Effect, Graph, SourceDocument};
@@ -74,6 +80,8 @@ pub struct ArmEnvironment<S> {
     vectors: bool,
     /// Source of training tasks.
     space: Option<ReachableSpace>,
+    /// How networks drive the arm.
+    steering: Steering,
 }
 
 /// Sines of all ticks of a turn.
@@ -129,7 +137,13 @@ impl<S: ArmScalar> ArmEnvironment<S> {
             sines: Some(Box::new(std::array::from_fn(|ticks| Angle(ticks as i32).direction().sin))),
             vectors: true,
             space: None,
+            steering: Steering::new(&motors::Config::default(), arm),
         }
+    }
+
+    /// Returns the same environment for networks of these settings.
+    pub fn with_network(self, config: &motors::Config) -> Self {
+        Self { steering: Steering::new(config, &self.description), ..self }
     }
 
     /// Creates an environment for a graph's tests, with the graph's sources and actions.
@@ -221,7 +235,11 @@ impl<S: ArmScalar> ArmEnvironment<S> {
 
     /// Takes one action and returns the ending if the episode ended. The only reward is the score at the end.
     fn advance(&self, episode: &mut ArmEpisode<S>, action: usize) -> Option<Ending> {
-        let wanted = self.moves.get(action).copied().unwrap_or(Move::STOP);
+        self.go(episode, self.moves.get(action).copied().unwrap_or(Move::STOP), true)
+    }
+
+    /// Moves the arm. Rest ends an episode where a graph chose it: it will for ever.
+    fn go(&self, episode: &mut ArmEpisode<S>, wanted: Move, rest_ends: bool) -> Option<Ending> {
         let wanted = Move(wanted.0.map(|ticks| ticks.saturating_mul(episode.roughness as i8)));
         let before = episode.pose;
         let mut moved_plane = None;
@@ -246,7 +264,7 @@ impl<S: ArmScalar> ArmEnvironment<S> {
             Outcome::Invalid(invalid)
         } else if distance < self.tolerance * S::from_i32(i32::from(episode.roughness)) {
             Outcome::Reached
-        } else if wanted == Move::STOP {
+        } else if wanted == Move::STOP && rest_ends {
             Outcome::Stop
         } else if episode.actions >= self.problem.max_actions {
             Outcome::Timeout
@@ -310,13 +328,21 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
         space.task(self.problem.start, stream).into()
     }
 
-    fn validation_tasks(&self, count: usize) -> Vec<ArmTask> {
-        let tasks = targets::tasks(&self.description, 0, Set::Validation, self.problem.start, count);
-        tasks.into_iter().map(ArmTask::from).collect()
+    fn training(&self) -> Option<&dyn Training<ArmTask, ArmEpisode<S>>> {
+        Some(self)
     }
 
-    fn rougher(&self, task: ArmTask, factor: u8) -> ArmTask {
-        ArmTask { roughness: factor, ..task }
+    fn guarded(&self) -> Option<&dyn Guarded<S, ArmEpisode<S>>> {
+        Some(self)
+    }
+
+    fn drawn(&self) -> Option<&dyn Drawn<ArmEpisode<S>>> {
+        Some(self)
+    }
+
+    /// Returns the distance of the hand as a policy sees it: without play.
+    fn distance(&self, episode: &ArmEpisode<S>) -> Option<f64> {
+        Some(kinematics::distance(episode.target, episode.hand).to_f64())
     }
 
     fn accepts(&self, task: &ArmTask) -> bool {
@@ -353,10 +379,6 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
             _ => at..at,
         });
         constant.map(|input| input as u16).collect()
-    }
-
-    fn bid_bounds(&self) -> Option<usize> {
-        self.problem.sources.iter().position(|source| matches!(source, Source::ShieldLimits | Source::ShieldCollision))
     }
 
     fn lanes(&self) -> Box<dyn Episodes<S, ArmTask> + '_> {
@@ -414,7 +436,11 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
     }
 
     fn step(&self, episode: &mut ArmEpisode<S>, act: Act<'_, S>) -> Step {
-        match self.advance(episode, act.choice()) {
+        let ending = match act {
+            Act::Values(values) => self.go(episode, self.steered(episode, values), false),
+            act => self.advance(episode, act.choice()),
+        };
+        match ending {
             None => Step::reward(0.0),
             Some(Ending { outcome, success, score, measure, .. }) => {
                 Step::reward(score).ending(End { outcome, success, measure, truncated: false })
@@ -438,5 +464,35 @@ impl<S: ArmScalar> Environment<S> for ArmEnvironment<S> {
         let pose = Pose::from_packed(key);
         let hand = self.plane(pose).hand_in_world(self.base(pose));
         Some(self.problem.ending(Outcome::Cycle, actions, self.distance(episode, pose, hand).to_f64()))
+    }
+}
+
+impl<S: ArmScalar> Training<ArmTask, ArmEpisode<S>> for ArmEnvironment<S> {
+    fn coarser(&self, task: ArmTask, factor: u8) -> ArmTask {
+        ArmTask { roughness: factor, ..task }
+    }
+
+    fn tasks(&self, set: TaskSet, seed: u64, count: usize) -> Option<Vec<ArmTask>> {
+        let (set, seed) = match set {
+            TaskSet::Validation => (Set::Validation, 0),
+            TaskSet::Study => (Set::Validation, seed),
+            TaskSet::Test => (Set::Test, seed),
+        };
+        let tasks = targets::tasks(&self.description, seed, set, self.problem.start, count);
+        Some(tasks.into_iter().map(ArmTask::from).collect())
+    }
+}
+
+impl<S: ArmScalar> Drawn<ArmEpisode<S>> for ArmEnvironment<S> {
+    fn figures(&self, endings: &[Ending]) -> Map<String, Value> {
+        figures(endings)
+    }
+
+    fn moment(&self, episode: &ArmEpisode<S>) -> Vec<f64> {
+        drawing::moment(episode.pose, episode.target.map(S::to_f64))
+    }
+
+    fn picture(&self, moments: &[Vec<f64>]) -> String {
+        drawing::picture(&self.description, moments)
     }
 }

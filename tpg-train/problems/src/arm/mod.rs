@@ -20,6 +20,7 @@ pub mod binding;
 pub mod chain;
 pub mod config;
 pub mod description;
+mod drawing;
 pub mod environment;
 pub mod ik;
 pub mod motors;

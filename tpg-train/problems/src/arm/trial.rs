@@ -3,6 +3,7 @@
 use crate::arm::environment::{ArmProblem, OUTCOMES};
 use crate::arm::targets::{Start, Task};
 use serde::Serialize;
+use serde_json::{Map, Value, json};
 use tpg_arm::cycle::{Brent, CycleDetector};
 use tpg_arm::episode::{Episode, Outcome, ReachTask, Summary};
 use tpg_arm::kinematics::{self, Lattice};
@@ -184,6 +185,20 @@ impl Trial {
             endings,
         }
     }
+}
+
+/// Returns the arm's figures of episodes, for reports.
+pub(super) fn figures(endings: &[Ending]) -> Map<String, Value> {
+    let trial = Trial::of(Start::Fs, endings.to_vec());
+    let figures = json!({
+        "collision_rate": trial.collision_rate,
+        "mean_distance_mm": trial.mean_distance_mm,
+        "median_distance_mm": trial.median_distance_mm,
+        "mean_actions": trial.mean_actions,
+        "mean_actions_on_success": trial.mean_actions_on_success,
+        "failures": trial.failures,
+    });
+    figures.as_object().cloned().unwrap_or_default()
 }
 
 fn median(sorted: &[f64]) -> f64 {

@@ -8,7 +8,7 @@ use crate::arm::targets::Set;
 use std::sync::OnceLock;
 use tpg_arm::dodge::{Behaviour, Body, Dodger, Source};
 use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{Act, ActionSpace, End, Environment, Measure, Preference, SourceSet, Step};
+use tpg_engine::{Act, ActionSpace, End, Environment, Measure, Preference, SourceSet, Step, TaskSet, Training};
 use tpg_graph::SourceDocument;
 use tpg_runtime::scalar::Scalar;
 
@@ -80,10 +80,8 @@ impl<S: Scalar> Environment<S> for Dodge {
         self.generator(Set::Training).draw(stream, self.config.tries).scene
     }
 
-    fn validation_tasks(&self, count: usize) -> Vec<Scene> {
-        let generator = self.generator(Set::Validation);
-        let stream = |index| Stream::new(SEED, (Set::Validation as u64) << 8 | 77, Purpose::Task, index);
-        (0..count as u64).map(|index| generator.draw(&mut stream(index), self.config.tries).scene).collect()
+    fn training(&self) -> Option<&dyn Training<Scene, Trial>> {
+        Some(self)
     }
 
     fn accepts(&self, scene: &Scene) -> bool {
@@ -116,6 +114,14 @@ impl<S: Scalar> Environment<S> for Dodge {
 
     fn distance(&self, trial: &Trial) -> Option<f64> {
         Some(trial.episode.distance().into())
+    }
+}
+
+impl Training<Scene, Trial> for Dodge {
+    fn tasks(&self, set: TaskSet, _seed: u64, count: usize) -> Option<Vec<Scene>> {
+        let generator = (set == TaskSet::Validation).then(|| self.generator(Set::Validation))?;
+        let stream = |index| Stream::new(SEED, (Set::Validation as u64) << 8 | 77, Purpose::Task, index);
+        Some((0..count as u64).map(|index| generator.draw(&mut stream(index), self.config.tries).scene).collect())
     }
 }
 

@@ -189,10 +189,11 @@ impl EvolutionConfig {
         if found > 0 && environment.actions().outputs().is_empty() {
             return Err(Finding::new("language.memory", found.to_string(), "0, for a problem without outputs"));
         }
-        if usize::from(found) == environment.memory() {
+        let kept = tpg_engine::remembered(&environment.sources(), &environment.actions());
+        if usize::from(found) == kept {
             return Ok(());
         }
-        let accepted = format!("{}, which the environment keeps: see tpg_engine::Remembering", environment.memory());
+        let accepted = format!("{kept}, which the environment keeps: see tpg_engine::Remembering");
         Err(Finding::new("language.memory", found.to_string(), accepted))
     }
 

@@ -20,18 +20,35 @@ pub use decision::Discretiser;
 pub use inputs::Inputs;
 
 use super::environment::{DISTANCE, OUTCOMES, on_the_arm};
-use super::ik;
 use super::targets::{self, ReachableSpace, Set, Start};
+use super::trial::figures;
+use super::{drawing, ik};
 use lesson::Lesson;
 use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
 use tpg_arm::{Arm, JOINTS, Pose};
 use tpg_engine::random::Stream;
-use tpg_engine::{Act, ActionSpace, Environment, Measure, Output, Preference, SourceSet, Step};
+use tpg_engine::{
+    Act, ActionSpace, Drawn, Ending, Environment, Measure, Output, Preference, SourceSet, Step, TaskSet, Training,
+};
 use tpg_graph::SourceDocument;
 use trial::Trial;
 
 /// The names of the motors, in order.
 pub const MOTORS: [&str; JOINTS] = ["base", "shoulder", "elbow", "wrist"];
+
+/// Returns the sources of networks: one for each input.
+pub(super) fn sources(inputs: Inputs) -> Vec<SourceDocument> {
+    // Dimensionless already: nothing to scale.
+    let unknown = [f64::NEG_INFINITY, f64::INFINITY];
+    inputs.names().iter().map(|name| crate::source(name, "", unknown)).collect()
+}
+
+/// Returns the outputs of networks: a preference for each motor.
+pub(super) fn outputs() -> Vec<Output> {
+    let output = |name: &str| Output { name: name.to_owned(), unit: String::new(), min: -1.0, max: 1.0 };
+    MOTORS.map(output).into()
+}
 
 /// The arm, driven by a preference of −1 to 1 for each motor.
 ///
@@ -127,14 +144,11 @@ impl Environment<f32> for Motors {
     type Episode = MotorsEpisode;
 
     fn sources(&self) -> Vec<SourceDocument> {
-        // Dimensionless already: nothing to scale.
-        let unknown = [f64::NEG_INFINITY, f64::INFINITY];
-        self.config.inputs.names().iter().map(|name| crate::source(name, "", unknown)).collect()
+        sources(self.config.inputs)
     }
 
     fn actions(&self) -> ActionSpace {
-        let output = |name: &str| Output { name: name.to_owned(), unit: String::new(), min: -1.0, max: 1.0 };
-        ActionSpace::Box(MOTORS.map(output).into())
+        ActionSpace::Box(outputs())
     }
 
     fn outcomes(&self) -> &'static [&'static str] {
@@ -159,30 +173,12 @@ impl Environment<f32> for Motors {
         self.fresh(start, Rules::Training, stream)
     }
 
-    fn validation_tasks(&self, count: usize) -> Vec<MotorsTask> {
-        let tasks = targets::tasks(&self.description, self.seed, Set::Validation, self.start, count);
-        let rules = Rules::Test(self.start);
-        tasks.into_iter().map(|task| MotorsTask { start: task.start.0, target: task.target, rules }).collect()
+    fn training(&self) -> Option<&dyn Training<MotorsTask, MotorsEpisode>> {
+        Some(self)
     }
 
-    /// Random starts first, then fixed ones.
-    fn trial_tasks(&self, stream: &mut Stream, count: usize) -> Vec<MotorsTask> {
-        let fixed = (count as f64 * self.config.trial_fixed_share).round() as usize;
-        let mut tasks = Vec::with_capacity(count);
-        for (start, count) in [(Start::Rs, count - fixed), (Start::Fs, fixed)] {
-            tasks.extend((0..count).map(|_| self.fresh(start, Rules::Test(start), stream)));
-        }
-        tasks
-    }
-
-    /// Training begins there, unless the hand is at its target already.
-    fn task_from(&self, episode: &MotorsEpisode) -> Option<MotorsTask> {
-        let (pose, target, distance) = match &episode.0 {
-            Course::Lesson(lesson) => (lesson.pose(), lesson.target(), lesson.distance()),
-            Course::Trial(trial) => (trial.pose(), trial.target(), trial.distance(&self.arm)),
-        };
-        let rules = Rules::Training;
-        (f64::from(distance) > self.config.tolerance).then_some(MotorsTask { start: pose.0, target, rules })
+    fn drawn(&self) -> Option<&dyn Drawn<MotorsEpisode>> {
+        Some(self)
     }
 
     fn accepts(&self, task: &MotorsTask) -> bool {
@@ -214,6 +210,57 @@ impl Environment<f32> for Motors {
             Course::Lesson(lesson) => lesson.step(&self.config, &self.arm, decide),
             Course::Trial(trial) => trial.step(&self.arm, decide, self.config.stuck_ends),
         }
+    }
+}
+
+impl Training<MotorsTask, MotorsEpisode> for Motors {
+    fn tasks(&self, set: TaskSet, seed: u64, count: usize) -> Option<Vec<MotorsTask>> {
+        let (set, seed) = match set {
+            TaskSet::Validation => (Set::Validation, self.seed),
+            TaskSet::Study => (Set::Validation, seed),
+            TaskSet::Test => (Set::Test, seed),
+        };
+        let tasks = targets::tasks(&self.description, seed, set, self.start, count);
+        let rules = Rules::Test(self.start);
+        Some(tasks.into_iter().map(|task| MotorsTask { start: task.start.0, target: task.target, rules }).collect())
+    }
+
+    /// Random starts first, then fixed ones.
+    fn trial_tasks(&self, stream: &mut Stream, count: usize) -> Option<Vec<MotorsTask>> {
+        let fixed = (count as f64 * self.config.trial_fixed_share).round() as usize;
+        let mut tasks = Vec::with_capacity(count);
+        for (start, count) in [(Start::Rs, count - fixed), (Start::Fs, fixed)] {
+            tasks.extend((0..count).map(|_| self.fresh(start, Rules::Test(start), stream)));
+        }
+        Some(tasks)
+    }
+
+    /// Training begins there, unless the hand is at its target already.
+    fn task_from(&self, episode: &MotorsEpisode) -> Option<MotorsTask> {
+        let (pose, target, distance) = match &episode.0 {
+            Course::Lesson(lesson) => (lesson.pose(), lesson.target(), lesson.distance()),
+            Course::Trial(trial) => (trial.pose(), trial.target(), trial.distance(&self.arm)),
+        };
+        let rules = Rules::Training;
+        (f64::from(distance) > self.config.tolerance).then_some(MotorsTask { start: pose.0, target, rules })
+    }
+}
+
+impl Drawn<MotorsEpisode> for Motors {
+    fn figures(&self, endings: &[Ending]) -> Map<String, Value> {
+        figures(endings)
+    }
+
+    fn moment(&self, episode: &MotorsEpisode) -> Vec<f64> {
+        let target = match &episode.0 {
+            Course::Lesson(lesson) => lesson.target(),
+            Course::Trial(trial) => trial.target(),
+        };
+        drawing::moment(episode.pose(), target)
+    }
+
+    fn picture(&self, moments: &[Vec<f64>]) -> String {
+        drawing::picture(&self.description, moments)
     }
 }
 

@@ -6,7 +6,11 @@ use crate::arm::targets::{Set, Start, tasks};
 use tpg_arm::sac::{Actions, Mask};
 use tpg_arm::{Pose, WIDOWX};
 use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{Act, Environment, SourceSet};
+use tpg_engine::{Act, Environment, SourceSet, TaskSet, Training as _};
+
+fn tasks_of(motors: &Motors, count: usize) -> Vec<MotorsTask> {
+    tpg_engine::tasks(motors, TaskSet::Validation, 0, count)
+}
 
 fn coarse(step: i8) -> Config {
     Config { actions: Actions::Coarse, mask: Mask::None, may_rest: true, step, repeat_most: 1, ..Config::default() }
@@ -75,7 +79,7 @@ fn azimuth_pays_for_the_way_of_the_base_that_its_range_allows() {
 fn rest_ends_a_test_unless_the_policy_may_leave_it() {
     for stuck_ends in [true, false] {
         let motors = Motors::new(Start::Fs, Config { stuck_ends, ..coarse(3) }, 1);
-        let mut episode = motors.start(&motors.validation_tasks(1)[0]);
+        let mut episode = motors.start(&tasks_of(&motors, 1)[0]);
         let mut actions = 1;
         let end = loop {
             match motors.step(&mut episode, Act::Values(&[0.0; 4])).end {
@@ -91,7 +95,7 @@ fn rest_ends_a_test_unless_the_policy_may_leave_it() {
 #[test]
 fn trial_tasks_have_both_starts_and_training_goes_on_from_where_one_is() {
     let motors = Motors::new(Start::Rs, Config::default(), 7);
-    let tasks = motors.trial_tasks(&mut Stream::new(7, 1, Purpose::Test, 0), 8);
+    let tasks = motors.trial_tasks(&mut Stream::new(7, 1, Purpose::Test, 0), 8).expect("its own");
     let of = |start| tasks.iter().filter(|task| task.rules == Rules::Test(start)).count();
     assert_eq!((of(Start::Rs), of(Start::Fs)), (6, 2));
     let mut episode = motors.start(&tasks[0]);
@@ -113,10 +117,10 @@ fn another_arm_brings_its_own_tasks_limits_and_rules() {
     assert_eq!((config.check(), config.tests(Start::Rs).tolerance), (Ok(()), 10.0));
     let motors = Motors::new(Start::Rs, config, 1);
     let so101 = motors.config().arm();
-    for task in motors.validation_tasks(20) {
+    for task in tasks_of(&motors, 20) {
         assert!(task.start.iter().zip(&so101.ranges).all(|(&ticks, range)| range.contains(ticks)));
     }
-    let task = motors.validation_tasks(1)[0];
+    let task = tasks_of(&motors, 1)[0];
     for rules in [Rules::Training, Rules::Test(Start::Rs)] {
         let edge = MotorsTask { start: [so101.ranges[0].max, 2048, 2048, 2048], rules, ..task };
         let step = motors.step(&mut motors.start(&edge), Act::Values(&[0.9, 0.0, 0.0, 0.0]));

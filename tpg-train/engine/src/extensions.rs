@@ -1,0 +1,114 @@
+//! What only some environments have: tasks for training, a guard, a picture.
+
+use crate::action::{Act, Output};
+use crate::ending::Ending;
+use crate::environment::Environment;
+use crate::random::{Purpose, Stream};
+use serde_json::{Map, Value};
+use tpg_graph::SourceDocument;
+use tpg_runtime::scalar::Scalar;
+
+/// The purpose of a list of tasks. No list for one purpose is read for another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TaskSet {
+    /// To choose between policies within a run: the same for every run.
+    Validation,
+    /// To choose the settings of a hybrid.
+    Study,
+    /// To test.
+    Test,
+}
+
+/// Returns `count` tasks of a set: the environment's own list, or drawn ones. Validation tasks have the seed 0.
+pub fn tasks<S: Scalar, E: Environment<S> + ?Sized>(
+    environment: &E,
+    set: TaskSet,
+    seed: u64,
+    count: usize,
+) -> Vec<E::Task> {
+    if let Some(tasks) = environment.training().and_then(|training| training.tasks(set, seed, count)) {
+        return tasks;
+    }
+    let (purpose, seed) = match set {
+        TaskSet::Validation => (Purpose::Selection, 0),
+        TaskSet::Study => (Purpose::Selection, seed),
+        TaskSet::Test => (Purpose::Evaluation, seed),
+    };
+    (0..count as u64).map(|index| environment.draw(&mut Stream::new(seed, 0, purpose, index))).collect()
+}
+
+/// Returns the same task in coarser steps, `factor` times as large, where the environment has them.
+pub fn coarser<S: Scalar, E: Environment<S> + ?Sized>(environment: &E, task: E::Task, factor: u8) -> E::Task {
+    match environment.training() {
+        Some(training) => training.coarser(task, factor),
+        None => task,
+    }
+}
+
+/// The unit of a source that bounds the bids for the first actions.
+pub const BID_BOUND: &str = "bound of a bid";
+
+/// Returns the place of the last source if it holds upper bounds for the bids of the first actions, in order: programs cannot
+/// read it.
+pub fn bid_bounds(sources: &[SourceDocument]) -> Option<usize> {
+    sources.last().filter(|source| source.unit == BID_BOUND).map(|_| sources.len() - 1)
+}
+
+/// Tasks beyond those that are [drawn](Environment::draw): see [`Environment::training`].
+pub trait Training<Task, Episode>: Sync {
+    /// Returns the same task in coarser steps, `factor` times as large.
+    ///
+    /// A curriculum begins with coarse steps, which shorten episodes by about that factor.
+    fn coarser(&self, task: Task, _factor: u8) -> Task {
+        task
+    }
+
+    /// Returns the tasks of a set; `None` if they are drawn as those of training.
+    fn tasks(&self, _set: TaskSet, _seed: u64, _count: usize) -> Option<Vec<Task>> {
+        None
+    }
+
+    /// Returns fresh tasks that show where a policy under training fails, under the rules of tests; `None` if they are drawn.
+    fn trial_tasks(&self, _stream: &mut Stream, _count: usize) -> Option<Vec<Task>> {
+        None
+    }
+
+    /// Returns a task that begins where an episode is now, so that training can restart where a policy failed.
+    fn task_from(&self, _episode: &Episode) -> Option<Task> {
+        None
+    }
+}
+
+/// An environment whose graphs and networks see and do different things, and which can refuse an action before it is
+/// taken: see [`Environment::guarded`].
+pub trait Guarded<S, Episode>: Sync {
+    /// Returns the sources of networks.
+    fn network_sources(&self) -> Vec<SourceDocument>;
+
+    /// Returns the outputs of networks; [`Environment::step`] takes their values beside the named actions of graphs.
+    fn network_outputs(&self) -> Vec<Output>;
+
+    /// Writes the flat state of networks.
+    fn network_observe(&self, episode: &mut Episode, state: &mut [f32]);
+
+    /// Returns the names of the guards; the first one lets everything pass that can be taken.
+    fn guards(&self) -> &'static [&'static str];
+
+    /// Returns true if a graph's action must not be taken: the network takes over.
+    fn refuses(&self, guard: &str, episode: &Episode, act: Act<'_, S>) -> bool;
+
+    /// Changes a network's values into what may be executed; returns false, and values that do nothing, if nothing of them may.
+    fn mend(&self, guard: &str, episode: &Episode, values: &mut [S]) -> bool;
+}
+
+/// What reports show of a problem's episodes beyond score and success: see [`Environment::drawn`].
+pub trait Drawn<Episode>: Sync {
+    /// Returns the problem's own figures of some episodes.
+    fn figures(&self, endings: &[Ending]) -> Map<String, Value>;
+
+    /// Returns what a picture needs to know of a moment.
+    fn moment(&self, episode: &Episode) -> Vec<f64>;
+
+    /// Returns the moments of an episode as SVG.
+    fn picture(&self, moments: &[Vec<f64>]) -> String;
+}

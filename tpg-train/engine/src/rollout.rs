@@ -1,0 +1,120 @@
+//! One episode of any environment, action by action.
+
+use crate::action::Act;
+use crate::ending::Ending;
+use crate::environment::Environment;
+use crate::source_set::SourceSet;
+use tpg_runtime::policy::ActionId;
+use tpg_runtime::scalar::Scalar;
+
+/// A policy's decision, owned: see [`Act`].
+#[derive(Clone, Debug, PartialEq)]
+pub enum Decision<S> {
+    /// One of the named actions.
+    Choice(ActionId),
+    /// A value for each output.
+    Values(Vec<S>),
+}
+
+impl<S> Decision<S> {
+    /// Borrows the decision as an environment takes it.
+    pub fn act(&self) -> Act<'_, S> {
+        match self {
+            Self::Choice(action) => Act::Choice(*action),
+            Self::Values(values) => Act::Values(values),
+        }
+    }
+}
+
+impl Decision<f32> {
+    /// Returns the same decision in another scalar type.
+    pub fn widened<S: Scalar>(self) -> Decision<S> {
+        match self {
+            Self::Choice(action) => Decision::Choice(action),
+            Self::Values(values) => {
+                Decision::Values(values.into_iter().map(|value| S::from_f64(f64::from(value))).collect())
+            }
+        }
+    }
+}
+
+/// A running episode with its score.
+#[derive(Debug)]
+pub struct Rollout<'e, S: Scalar, E: Environment<S> + ?Sized> {
+    environment: &'e E,
+    episode: E::Episode,
+    state: Vec<S>,
+    score: f64,
+    actions: u32,
+    /// The reward of the last action.
+    reward: Option<f64>,
+}
+
+impl<'e, S: Scalar, E: Environment<S> + ?Sized> Rollout<'e, S, E> {
+    /// Starts an episode.
+    pub fn new(environment: &'e E, task: &E::Task) -> Self {
+        let length = environment.sources().iter().map(|source| source.length as usize).sum();
+        let (episode, state) = (environment.start(task), vec![S::ZERO; length]);
+        Self { environment, episode, state, score: 0.0, actions: 0, reward: None }
+    }
+
+    /// Returns the flat state with the wanted sources observed now.
+    pub fn observe(&mut self, wanted: SourceSet) -> &[S] {
+        self.environment.observe(&mut self.episode, wanted, &mut self.state);
+        &self.state
+    }
+
+    /// Takes an action; returns the ending if the episode ended.
+    pub fn act(&mut self, act: Act<'_, S>) -> Option<Ending> {
+        let step = self.environment.step(&mut self.episode, act);
+        self.score += step.reward;
+        self.actions += 1;
+        self.reward = Some(step.reward);
+        let timeout = || self.environment.timeout(&self.episode);
+        let end = step.end.or_else(|| (self.actions >= self.environment.time_limit()).then(timeout))?;
+        let (score, actions) = (self.score, self.actions);
+        Some(Ending { outcome: end.outcome, success: end.success, score, measure: end.measure, actions })
+    }
+
+    /// Lets a policy act until the end.
+    pub fn run(mut self, mut decide: impl FnMut(&[S]) -> Decision<S>) -> Ending {
+        loop {
+            let decision = decide(self.observe(SourceSet::ALL));
+            if let Some(ending) = self.act(decision.act()) {
+                return ending;
+            }
+        }
+    }
+
+    /// Returns the [distance](Environment::distance) to the goal, or the last reward with its sign changed; infinity
+    /// where that is unknown before the first action.
+    pub fn distance(&self) -> S {
+        let by_reward = || self.reward.map_or(f64::INFINITY, |reward| -reward);
+        S::from_f64(self.environment.distance(&self.episode).unwrap_or_else(by_reward))
+    }
+
+    /// Returns the [key](Environment::key) of this moment, if the environment has keys.
+    pub fn key(&self) -> Option<u64> {
+        self.environment.key(&self.episode)
+    }
+
+    /// Returns the ending of an episode that comes back to a key for ever: see [`Environment::cycle`].
+    pub fn cycle(&self, key: u64) -> Option<Ending> {
+        self.environment.cycle(&self.episode, key, self.actions)
+    }
+
+    /// Returns the environment.
+    pub fn environment(&self) -> &'e E {
+        self.environment
+    }
+
+    /// Returns the episode.
+    pub fn episode(&self) -> &E::Episode {
+        &self.episode
+    }
+
+    /// Returns the episode, mutable for [`Environment::observe`].
+    pub fn episode_mut(&mut self) -> &mut E::Episode {
+        &mut self.episode
+    }
+}
