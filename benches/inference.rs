@@ -1,15 +1,12 @@
 //! Time and instruction count of a decision: every variant of every policy, compared in one run.
 //!
 //! `cargo bench -p tpg-benches --bench inference` prints the tables, in minutes. A word selects the policies whose names
-//! contain it. With `--features criterion` criterion measures, too: it keeps its reports and compares with the previous
-//! run.
+//! contain it.
 //!
 //! The times in the tables are CPU times of single-threaded programs on states of real episodes, in their order. All
 //! variants of a policy run at the same time, taking short turns, and the minimum over all turns and several starts
 //! counts: the other load of a busy machine affects all of them alike, and the minimum mostly excludes it.
 
-#[cfg(feature = "criterion")]
-use criterion::{BenchmarkId, Criterion};
 use std::env;
 use std::time::Duration;
 use tpg_benches::callgrind;
@@ -37,8 +34,6 @@ fn main() {
     } else {
         subjects.extend(subject::conformance(subject::STATES));
     }
-    #[cfg(feature = "criterion")]
-    let mut criterion = Criterion::default().configure_from_args();
     let mut times = Table::new("Nanoseconds per decision");
     let mut counts = Table::new("Instructions per decision");
     let counting = !testing && callgrind::available();
@@ -47,8 +42,6 @@ fn main() {
         let least = least(subject, &programs, if testing { 1 } else { STARTS });
         for ((variant, program), least) in Variant::ALL.into_iter().zip(&programs).zip(least) {
             times.note(subject, variant, least / subject.count() as f64);
-            #[cfg(feature = "criterion")]
-            sample(&mut criterion, subject, variant, &mut start(program, subject));
             if counting {
                 let count = callgrind::per_state(program, subject).unwrap_or_else(|error| panic!("{error}"));
                 counts.note(subject, variant, count);
@@ -56,8 +49,6 @@ fn main() {
         }
         eprintln!("{}", subject.name);
     }
-    #[cfg(feature = "criterion")]
-    criterion.final_summary();
     for table in [Some(times), counting.then_some(counts)].into_iter().flatten() {
         println!("{}", table.render());
         println!("{}{}", table.summary(Variant::Gegelati), table.summary(Variant::Interpreter));
@@ -89,15 +80,4 @@ fn start(program: &Program, subject: &Subject) -> Running {
 
 fn time(running: &mut Running, passes: u64) -> Duration {
     running.time(passes).unwrap_or_else(|error| panic!("{error}"))
-}
-
-#[cfg(feature = "criterion")]
-fn sample(criterion: &mut Criterion, subject: &Subject, variant: Variant, running: &mut Running) {
-    let mut group = criterion.benchmark_group(&subject.name);
-    group.warm_up_time(Duration::from_millis(50)).measurement_time(Duration::from_millis(300)).sample_size(10);
-    group.throughput(criterion::Throughput::Elements(subject.count() as u64));
-    group.bench_function(BenchmarkId::from_parameter(variant.name()), |bencher| {
-        bencher.iter_custom(|passes| time(running, passes));
-    });
-    group.finish();
 }

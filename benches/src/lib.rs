@@ -7,13 +7,10 @@
 //! | [`variant`] | a way to run a graph: interpreter, C, Rust, by profile |
 //! | [`program`] | a variant as a program that times itself |
 //! | [`callgrind`] | instructions of such a program |
-//! | [`trace`], [`ranks`] | what runs ask their evaluator, and a simulation of it on many ranks |
 //! | [`table`] | ratios by graph, and their geometric mean |
 
 pub mod callgrind;
 pub mod program;
-pub mod ranks;
 pub mod subject;
 pub mod table;
-pub mod trace;
 pub mod variant;

@@ -45,8 +45,8 @@ static void run(uint32_t number)
     uint32_t worst = 0U;
     report_t line;
 
-    for (uint32_t episode = 0U; episode < EPISODES; episode++) {
-        const float *start = poles[episode];
+    for (uint32_t episode = 0U; episode < STARTS_COUNT; episode++) {
+        const float *start = starts[episode];
         cart_memory_t seen = { start[0], start[1], start[2], start[3] };
 
         for (uint32_t step = 0U; step < STEPS; step++) {
@@ -72,7 +72,7 @@ static void run(uint32_t number)
         }
     }
     report_begin(&line, policies[number].words);
-    report_unsigned(&line, "actions", EPISODES * STEPS);
+    report_unsigned(&line, "actions", STARTS_COUNT * STEPS);
     report_unsigned(&line, "instructions", instructions);
     report_unsigned(&line, "worst", worst);
     report_hexadecimal(&line, "hash", hash);

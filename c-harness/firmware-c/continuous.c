@@ -101,9 +101,11 @@ static void run(uint32_t number)
     uint32_t worst = 0U;
     report_t line;
 
-    for (uint32_t episode = 0U; episode < EPISODES; episode++) {
-        plant_memory_t swing = { starts[episode].swing[0], starts[episode].swing[1] };
-        seen_t seen = { { starts[episode].seen[0], starts[episode].seen[1], starts[episode].seen[2] } };
+    for (uint32_t episode = 0U; episode < STARTS_COUNT; episode++) {
+        /* The pendulum's angle and velocity, and what is seen of them. */
+        const float *start = starts[episode];
+        plant_memory_t swing = { start[0], start[1] };
+        seen_t seen = { { start[2], start[3], start[4] } };
 
         policies[number].begin();
         for (uint32_t step = 0U; step < STEPS; step++) {
@@ -123,7 +125,7 @@ static void run(uint32_t number)
         }
     }
     report_begin(&line, policies[number].words);
-    report_unsigned(&line, "actions", EPISODES * STEPS);
+    report_unsigned(&line, "actions", STARTS_COUNT * STEPS);
     report_unsigned(&line, "instructions", instructions);
     report_unsigned(&line, "worst", worst);
     report_hexadecimal(&line, "hash", hash);

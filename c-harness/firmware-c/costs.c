@@ -1,15 +1,15 @@
 /* Instructions of each profile's C on the same states: those that the fixed-start graph and the random-start graph see. */
-#include "fs_balanced_c.h"
-#include "fs_constant_c.h"
-#include "fs_fast_c.h"
-#include "fs_small_c.h"
+#include "fs_balanced.h"
+#include "fs_constant.h"
+#include "fs_fast.h"
+#include "fs_small.h"
 #include "platform.h"
 #include "problems.h"
 #include "report.h"
-#include "rs_balanced_c.h"
-#include "rs_constant_c.h"
-#include "rs_fast_c.h"
-#include "rs_small_c.h"
+#include "rs_balanced.h"
+#include "rs_constant.h"
+#include "rs_fast.h"
+#include "rs_small.h"
 #include "tpg_runtime.h"
 
 #include <stdbool.h>
@@ -22,9 +22,9 @@
 typedef uint16_t (*infer_t)(const void *state);
 
 #define INFER(name)                                                                                                    \
-    static uint16_t name(const void *state)                                                                            \
+    static uint16_t name##_answer(const void *state)                                                                   \
     {                                                                                                                  \
-        return name##_c_infer(state);                                                                                  \
+        return name##_infer(state);                                                                                    \
     }
 
 INFER(fs_fast)
@@ -121,21 +121,21 @@ static bool drive(const char *set, variant_t *variants, const uint8_t *sources, 
 int main(void)
 {
     static variant_t fs[PROFILES] = {
-        { "fast", fs_fast, 0U, 0U },
-        { "balanced", fs_balanced, 0U, 0U },
-        { "small", fs_small, 0U, 0U },
-        { "constant-time", fs_constant, 0U, 0U },
+        { "fast", fs_fast_answer, 0U, 0U },
+        { "balanced", fs_balanced_answer, 0U, 0U },
+        { "small", fs_small_answer, 0U, 0U },
+        { "constant-time", fs_constant_answer, 0U, 0U },
     };
     static variant_t rs[PROFILES] = {
-        { "fast", rs_fast, 0U, 0U },
-        { "balanced", rs_balanced, 0U, 0U },
-        { "small", rs_small, 0U, 0U },
-        { "constant-time", rs_constant, 0U, 0U },
+        { "fast", rs_fast_answer, 0U, 0U },
+        { "balanced", rs_balanced_answer, 0U, 0U },
+        { "small", rs_small_answer, 0U, 0U },
+        { "constant-time", rs_constant_answer, 0U, 0U },
     };
-    static const uint8_t fs_sources[] = FS_FAST_C_SOURCES;
-    static const tpg_move_t fs_moves[] = FS_FAST_C_MOVES;
-    static const uint8_t rs_sources[] = RS_FAST_C_SOURCES;
-    static const tpg_move_t rs_moves[] = RS_FAST_C_MOVES;
+    static const uint8_t fs_sources[] = FS_FAST_SOURCES;
+    static const tpg_move_t fs_moves[] = FS_FAST_MOVES;
+    static const uint8_t rs_sources[] = RS_FAST_SOURCES;
+    static const tpg_move_t rs_moves[] = RS_FAST_MOVES;
     uint16_t ignored;
     report_t line;
 
@@ -145,8 +145,8 @@ int main(void)
     if ((tpg_arm_init_widowx(&arm) != TPG_OK) || (tpg_memo_init(&memo) != TPG_OK)) {
         return 2;
     }
-    if (!drive("fs", fs, fs_sources, FS_FAST_C_SOURCE_COUNT, fs_moves, FS_FAST_C_ACTIONS, fs_problems)
-        || !drive("rs", rs, rs_sources, RS_FAST_C_SOURCE_COUNT, rs_moves, RS_FAST_C_ACTIONS, rs_problems)) {
+    if (!drive("fs", fs, fs_sources, FS_FAST_SOURCE_COUNT, fs_moves, FS_FAST_ACTIONS, fs_problems)
+        || !drive("rs", rs, rs_sources, RS_FAST_SOURCE_COUNT, rs_moves, RS_FAST_ACTIONS, rs_problems)) {
         return 3;
     }
     report_begin(&line, "done");

@@ -1,13 +1,13 @@
 /*
  * The control step among balls in C: recorded scenes, in which every motor position is as on the host, and drawn ones with three
- * balls, which are counted. balls.h and balls.c are made from the committed scenes by src/dodge.rs; src/dodge.rs of the firmware in
+ * balls, which are counted. balls.c is made from the committed scenes by src/dodge.rs; src/dodge.rs of the firmware in
  * Rust does the same.
  */
-#include "balls.h"
 #include "dodge.h"
 #include "hash.h"
 #include "platform.h"
 #include "report.h"
+#include "scenes.h"
 #include "tpg_runtime.h"
 
 #include <stdbool.h>
@@ -88,7 +88,7 @@ static void tell(const char *words, const tally_t *tally)
     report_unsigned(&line, "actions", tally->actions);
     report_unsigned(&line, "instructions", tally->instructions);
     report_unsigned(&line, "worst", tally->worst);
-    report_hexadecimal(&line, "poses", tally->poses);
+    report_hexadecimal(&line, "hash", tally->poses);
     report_print(&line);
 }
 

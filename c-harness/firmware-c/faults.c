@@ -76,20 +76,20 @@ static tpg_pose_t reading_of(const world_t *world, const phase_t *phase, bool od
     tpg_pose_t pose = world->motors;
 
     switch (phase->reading) {
-    case READING_LATE: {
+    case READING_Late: {
         const uint32_t late = (uint32_t)phase->amount;
         const uint32_t then = (world->steps > late) ? (world->steps - late) : 0U;
 
         pose = world->past[then % REMEMBERED];
         break;
     }
-    case READING_JUMP:
+    case READING_Jump:
         pose.ticks[phase->joint] = (int16_t)(pose.ticks[phase->joint] + phase->amount);
         break;
-    case READING_FIXED:
+    case READING_Fixed:
         pose.ticks[phase->joint] = phase->amount;
         break;
-    case READING_FLICKER:
+    case READING_Flicker:
         if (!odd) {
             pose.ticks[phase->joint] = phase->amount;
         }
@@ -107,7 +107,7 @@ static bool advance(world_t *world, const phase_t *phase, const tpg_move_t *want
     int32_t validity;
 
     for (size_t joint = 0U; joint < (size_t)TPG_JOINTS; joint++) {
-        if ((phase->reading == READING_STUCK) || ((phase->reading == READING_JOINT_STUCK) && (phase->joint == joint))) {
+        if ((phase->reading == READING_Stuck) || ((phase->reading == READING_JointStuck) && (phase->joint == joint))) {
             done.ticks[joint] = 0;
         }
     }
@@ -125,16 +125,16 @@ static bool garble(const phase_t *phase, tpg_observation_t *seen)
     bool garbled = true;
 
     switch (phase->reading) {
-    case READING_HAND_NAN:
+    case READING_HandNan:
         seen->hand[1] = NAN;
         break;
-    case READING_DIFFERENCE_INFINITE:
+    case READING_DifferenceInfinite:
         seen->difference[2] = -INFINITY;
         break;
-    case READING_HAND_OFF:
+    case READING_HandOff:
         seen->hand[0] += 50.0F;
         break;
-    case READING_HAND_INFINITE:
+    case READING_HandInfinite:
         seen->hand[0] = INFINITY;
         seen->difference[0] = -INFINITY;
         break;
@@ -151,13 +151,13 @@ static void target_of(const phase_t *phase, float target[3])
     static const float far[3] = FAR_TARGET;
 
     for (size_t k = 0U; k < 3U; k++) {
-        target[k] = (phase->target == TARGET_FAR) ? far[k] : good[k];
+        target[k] = (phase->target == TARGET_Far) ? far[k] : good[k];
     }
-    if (phase->target == TARGET_NAN) {
+    if (phase->target == TARGET_Nan) {
         target[1] = NAN;
-    } else if (phase->target == TARGET_INFINITE) {
+    } else if (phase->target == TARGET_Infinite) {
         target[0] = INFINITY;
-    } else if (phase->target == TARGET_HUGE) {
+    } else if (phase->target == TARGET_Huge) {
         target[2] = -1e38F;
     } else {
         /* It is as it is. */
@@ -262,7 +262,7 @@ static bool run(const scenario_t *scenario)
         for (uint32_t index = 0U; index < phase->steps; index++) {
             const bool odd = (index % 2U) == 1U;
             const tpg_pose_t motors = reading_of(&world, phase, odd);
-            const int32_t due = (odd && (phase->reading == READING_FLICKER)) ? TPG_OK : phase->code;
+            const int32_t due = (odd && (phase->reading == READING_Flicker)) ? TPG_OK : phase->code;
             tpg_counts_t after = none;
             tpg_chosen_t chosen;
             int32_t code;

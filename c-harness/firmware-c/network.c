@@ -22,7 +22,7 @@ int main(void)
     if (tpg_network_init(&network, pendulum, PENDULUM_WORDS) != TPG_OK) {
         return 2;
     }
-    for (size_t at = 0U; at < OBSERVATIONS; at++) {
+    for (size_t at = 0U; at < OBSERVATIONS_COUNT; at++) {
         float values[PENDULUM_OUTPUTS] = { 0.0F };
         uint32_t count = 0U;
         int32_t code = 0;
@@ -40,8 +40,8 @@ int main(void)
             hash = hash_value(hash, values[output]);
         }
     }
-    report_begin(&line, "actions pendulum");
-    report_unsigned(&line, "observations", OBSERVATIONS);
+    report_begin(&line, "answers pendulum");
+    report_unsigned(&line, "actions", OBSERVATIONS_COUNT);
     report_unsigned(&line, "instructions", instructions);
     report_unsigned(&line, "worst", worst);
     report_hexadecimal(&line, "hash", hash);

@@ -6,7 +6,6 @@ use std::path::PathBuf;
 fn main() {
     let harness = PathBuf::from(env::var("CARGO_MANIFEST_DIR").unwrap_or_default());
     println!("cargo::rerun-if-env-changed=TPG_BOARD");
-    println!("cargo::rerun-if-env-changed=TPG_PROBLEMS");
     let board = env::var("TPG_BOARD").map_or_else(|_| harness.join("../boards"), PathBuf::from);
     println!("cargo::rustc-link-search={}", board.display());
     println!("cargo::rustc-link-arg-bins=-Tlink.x");

@@ -1,22 +1,19 @@
 //! Compiles the firmwares.
 
 use crate::Failure;
-use crate::{cartpole, closed_loop, continuous, dodge, models, network, problems, size, table};
+use crate::closed_loop::{CARTPOLE, Modules, PENDULUM, load};
+use crate::programs::Program;
+use crate::{dodge, models, network, problems, table};
 use std::env;
-use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use tpg_codegen::emit::{self, File, Language, Options, Prefix};
+use tpg_codegen::emit::{self, File, Language, Options};
 use tpg_codegen::policy::{QuantisedPolicy, to_c};
-use tpg_graph::Graph;
 use tpg_testing::library::{self, Missing};
 
 /// The target of both boards.
 pub(crate) const TARGET: &str = "thumbv7em-none-eabihf";
-
-/// Options that tell gcc which core it is.
-pub(crate) const CORE: [&str; 4] = ["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"];
 
 /// A board, as QEMU names it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,63 +46,57 @@ fn harness() -> PathBuf {
 }
 
 /// A folder with what a board's images need: its memories as the linkers want them.
-pub(crate) fn board_folder(board: Board) -> Result<PathBuf, Failure> {
+fn board_folder(board: Board) -> Result<PathBuf, Failure> {
     let folder = room()?.join(board.name());
     fs::create_dir_all(&folder).map_err(|error| Failure::at(&folder, error))?;
     let memories = harness().join("example/boards").join(format!("{}.ld", board.name()));
+    let memories = fs::read(&memories).map_err(|error| Failure::at(&memories, error))?;
     for name in ["board.ld", "memory.x"] {
-        let to = folder.join(name);
-        // Unchanged, cargo need not link again.
-        let (old, new) = (fs::read(&to).ok(), fs::read(&memories).map_err(|error| Failure::at(&memories, error))?);
-        if old.as_ref() != Some(&new) {
-            fs::write(&to, new).map_err(|error| Failure::at(&to, error))?;
-        }
+        write_changed(&folder.join(name), &memories)?;
     }
     Ok(folder)
 }
 
-/// The policies in C: as committed, the network, and every profile under a name of its own.
+/// Writes what is generated for the firmwares: policies in C and Rust, and what both run.
 pub(crate) fn generated_c() -> Result<PathBuf, Failure> {
     let folder = room()?.join("generated");
     fs::create_dir_all(&folder).map_err(|error| Failure::at(&folder, error))?;
-    let mut files = Vec::from(problems::files()?);
-    files.push(models::file()?);
-    files.push(table::file());
+    let mut files = vec![models::file()?, table::file()];
+    files.extend(problems::files()?);
     files.extend(network::files()?);
-    files.extend(continuous::files(&folder)?);
-    files.extend(cartpole::files(&folder)?);
+    files.extend(PENDULUM.files(&folder)?);
+    files.extend(CARTPOLE.files(&folder)?);
     files.extend(dodge::files()?);
-    let mut modules = String::new();
+    let mut profiles = Modules::default();
     for start in problems::STARTS.map(problems::name) {
-        let path = library::top().join(format!("generated/widowx-{start}/graph.json"));
-        let text = fs::read_to_string(&path).map_err(|error| Failure::at(&path, error))?;
-        let graph = Graph::from_json(&path.display().to_string(), &text).map_err(Failure::new)?;
-        let prefix = |name: String| name.parse::<Prefix>().map_err(Failure::new);
-        files.extend(emit::emit(&graph, Language::C, &Options::new(prefix(format!("widowx_{start}"))?)));
-        for (profile, short) in closed_loop::PROFILES {
-            for (language, tag) in [(Language::C, "c"), (Language::Rust, "rust")] {
-                let name = prefix(format!("{start}_{short}_{tag}"))?;
-                if language == Language::Rust {
-                    let path = folder.join(format!("{name}.rs"));
-                    let _ = writeln!(modules, "#[path = {:?}]\nmod {name};", path.display().to_string());
-                }
-                files.extend(emit::emit(&graph, language, &Options { profile: Some(profile), ..Options::new(name) }));
-            }
-        }
+        let graph = load(&format!("generated/widowx-{start}/graph.json"))?;
+        let prefix = format!("widowx_{start}").parse().map_err(Failure::new::<String>)?;
+        files.extend(emit::emit(&graph, Language::C, &Options::new(prefix)));
+        profiles.add_profiles(&folder, &graph, start)?;
     }
-    let path = library::top().join("generated/widowx-sac/policy.q.json");
-    let text = fs::read_to_string(&path).map_err(|error| Failure::at(&path, error))?;
-    let policy = QuantisedPolicy::from_json(&path.display().to_string(), &text).map_err(Failure::new)?;
-    files.extend(to_c(&policy, &"widowx_sac".parse().map_err(Failure::new::<String>)?, false).map_err(Failure::new)?);
-    files.push(File { name: "profiles.rs".to_owned(), text: modules });
-    for file in files {
-        let path = folder.join(&file.name);
-        // Unchanged, cargo need not compile again.
-        if fs::read_to_string(&path).ok().as_ref() != Some(&file.text) {
-            fs::write(&path, &file.text).map_err(|error| Failure::at(&path, error))?;
-        }
+    files.extend(profiles.files);
+    files.push(File { name: "profiles.rs".to_owned(), text: profiles.text });
+    let network = "widowx_sac".parse().map_err(Failure::new::<String>)?;
+    files.extend(to_c(&load_network("generated/widowx-sac/policy.q.json")?, &network, false).map_err(Failure::new)?);
+    for File { name, text } in files {
+        write_changed(&folder.join(name), text.as_bytes())?;
     }
     Ok(folder)
+}
+
+/// Reads a committed network in integers.
+pub(crate) fn load_network(path: &str) -> Result<QuantisedPolicy, Failure> {
+    let path = library::top().join(path);
+    let text = fs::read_to_string(&path).map_err(|error| Failure::at(&path, error))?;
+    QuantisedPolicy::from_json(&path.display().to_string(), &text).map_err(Failure::new)
+}
+
+/// Writes a file where its content is another one: otherwise cargo need not compile again.
+fn write_changed(path: &Path, content: &[u8]) -> Result<(), Failure> {
+    if fs::read(path).is_ok_and(|old| old == content) {
+        return Ok(());
+    }
+    fs::write(path, content).map_err(|error| Failure::at(path, error))
 }
 
 /// `None` where a tool is missing, which has been said.
@@ -117,97 +108,75 @@ pub(crate) fn there<T>(result: Result<T, Missing>) -> Result<Option<T>, Failure>
     }
 }
 
-/// A firmware's program in C, for this machine; `None` where a tool is missing.
-pub(crate) fn host(program: &str) -> Result<Option<PathBuf>, Failure> {
-    if !tpg_testing::tool("gcc", "gcc", &format!("the {program} program in C on this machine")) {
+/// The programs' sources, the folders of their headers, and the library.
+fn add_sources(gcc: &mut Command, program: &Program, platform: &[&str], archive: &Path) -> Result<(), Failure> {
+    let generated = generated_c()?;
+    for folder in
+        [harness().join("example"), harness().join("firmware-c"), generated.clone(), library::dist().join("include")]
+    {
+        gcc.arg(format!("-I{}", folder.display()));
+    }
+    let main = if program.name == "example" { "example/main.c" } else { &format!("firmware-c/{}.c", program.name) };
+    gcc.arg(harness().join(main)).args(platform.iter().map(|name| harness().join(name)));
+    gcc.args(program.generated().iter().map(|name| generated.join(format!("{name}.c")))).arg(archive);
+    Ok(())
+}
+
+/// A program in C for this machine; `None` where a tool is missing.
+pub(crate) fn host(program: &Program) -> Result<Option<PathBuf>, Failure> {
+    if !tpg_testing::tool("gcc", "gcc", &format!("the {} program in C on this machine", program.name)) {
         return Ok(None);
     }
     let Some(archive) = there(library::make(library::host(), &library::dist()))? else { return Ok(None) };
-    let generated = generated_c()?;
-    let image = room()?.join(format!("{program}-host"));
+    let image = room()?.join(format!("{}-host", program.name));
     let mut gcc = Command::new("gcc");
-    gcc.args(["-std=c99", "-O2", "-ffp-contract=off", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]);
-    gcc.arg(format!("-I{}", harness().join("example").display())).arg(format!("-I{}", generated.display()));
-    gcc.arg(format!("-I{}", library::dist().join("include").display()));
-    gcc.arg(harness().join(format!("firmware-c/{program}.c")));
-    gcc.args(["firmware-c/host.c", "example/report.c"].map(|name| harness().join(name)));
-    gcc.args(["widowx_fs.c", "widowx_rs.c", "widowx_sac.c"].map(|name| generated.join(name)));
-    there(library::output(gcc.arg(archive).arg("-o").arg(&image)))?;
-    Ok(Some(image))
-}
-
-/// The C firmware `program` for a board; `None` where a tool is missing.
-pub(crate) fn c(program: &str, board: Board) -> Result<Option<PathBuf>, Failure> {
-    let names: &[&str] = match program {
-        "costs" => &[
-            "fs_fast_c",
-            "fs_balanced_c",
-            "fs_small_c",
-            "fs_constant_c",
-            "rs_fast_c",
-            "rs_balanced_c",
-            "rs_small_c",
-            "rs_constant_c",
-        ],
-        "network" => &["pendulum"],
-        "continuous" => &continuous::C_FILES,
-        "cartpole" => &cartpole::C_FILES,
-        "dodge" => &["dodge", "balls"],
-        _ => &["widowx_fs", "widowx_rs", "widowx_sac"],
-    };
-    gcc(program, &harness().join(format!("firmware-c/{program}.c")), names, board)
-}
-
-/// The control loop that a user copies, for a board; `None` where a tool is missing.
-pub(crate) fn example(board: Board) -> Result<Option<PathBuf>, Failure> {
-    gcc("example", &harness().join("example/main.c"), &["widowx_fs", "widowx_sac"], board)
-}
-
-/// Compiles `main` with generated C for a board.
-fn gcc(program: &str, main: &Path, names: &[&str], board: Board) -> Result<Option<PathBuf>, Failure> {
-    if !tpg_testing::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", "the firmware in C") {
-        return Ok(None);
-    }
-    let Some(archive) = there(library::make(TARGET, &library::dist()))? else { return Ok(None) };
-    let (generated, board_folder) = (generated_c()?, board_folder(board)?);
-    let source = harness().join("example");
-    let image = board_folder.join(format!("{program}-c.elf"));
-    let mut sources: Vec<PathBuf> = ["startup.c", "qemu.c", "report.c"].map(|name| source.join(name)).into();
-    sources.push(main.to_owned());
-    sources.extend(names.iter().map(|name| generated.join(format!("{name}.c"))));
-    let mut gcc = Command::new("arm-none-eabi-gcc");
-    gcc.args(CORE).args(["-std=gnu11", "-O2", "-ffp-contract=off", "-ffunction-sections"]);
-    // Tables of addresses, unlike the Thumb instruction's own tables, are not read by `cortex_bound`.
-    gcc.arg("-fno-jump-tables");
-    gcc.args(["-fdata-sections", "-fstack-usage", "-Wall", "-Wextra", "-Werror", "-nostdlib", "-nostartfiles"]);
-    gcc.arg(format!("-I{}", source.display())).arg(format!("-I{}", generated.display()));
-    gcc.arg(format!("-I{}", library::dist().join("include").display()));
-    gcc.args(&sources).arg(archive);
-    gcc.arg(format!("-L{}", board_folder.display())).arg("-T").arg(source.join("sections.ld"));
-    gcc.args(size::own_stack(program).map(|bytes| format!("-Wl,--defsym=_stack_size={bytes}")));
-    gcc.args(["-Wl,--gc-sections", "-Wl,--no-warn-rwx-segments", "-Wl,-z,noexecstack", "-lc", "-lgcc", "-o"])
-        .arg(&image);
-    gcc.current_dir(&board_folder);
+    gcc.args(["-std=c99", "-O2", "-ffp-contract=off", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-o"]).arg(&image);
+    add_sources(&mut gcc, program, &["firmware-c/host.c", "example/report.c"], &archive)?;
     there(library::output(&mut gcc))?;
     Ok(Some(image))
 }
 
-/// The Rust firmware `program` for a board; `None` where a target is missing.
-pub(crate) fn rust(program: &str, board: Board) -> Result<Option<PathBuf>, Failure> {
+/// A program in C for a board; `None` where a tool is missing.
+pub(crate) fn c(program: &Program, board: Board) -> Result<Option<PathBuf>, Failure> {
+    if !tpg_testing::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", "the firmware in C") {
+        return Ok(None);
+    }
+    let Some(archive) = there(library::make(TARGET, &library::dist()))? else { return Ok(None) };
+    let board_folder = board_folder(board)?;
+    let image = board_folder.join(format!("{}-c.elf", program.name));
+    let mut gcc = Command::new("arm-none-eabi-gcc");
+    gcc.current_dir(&board_folder).args(["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"]);
+    gcc.args(["-std=gnu11", "-O2", "-ffp-contract=off", "-ffunction-sections", "-fdata-sections", "-fstack-usage"]);
+    // Tables of addresses, unlike the Thumb instruction's own tables, are not read by `cortex_bound`.
+    gcc.args(["-fno-jump-tables", "-Wall", "-Wextra", "-Werror", "-nostdlib", "-nostartfiles"]);
+    add_sources(&mut gcc, program, &["example/startup.c", "example/qemu.c", "example/report.c"], &archive)?;
+    gcc.arg(format!("-L{}", board_folder.display())).arg("-T").arg(harness().join("example/sections.ld"));
+    gcc.arg(format!("-Wl,--defsym=_stack_size={}", program.stack));
+    gcc.args(["-Wl,--gc-sections", "-Wl,--no-warn-rwx-segments", "-Wl,-z,noexecstack", "-lc", "-lgcc", "-o"]);
+    there(library::output(gcc.arg(&image)))?;
+    Ok(Some(image))
+}
+
+/// A program in Rust for a board; `None` where a target is missing.
+pub(crate) fn rust(program: &Program, board: Board) -> Result<Option<PathBuf>, Failure> {
     if !library::rust_target(TARGET, "the firmware in Rust") {
         return Ok(None);
     }
-    let (generated, board_folder) = (generated_c()?, board_folder(board)?);
     let made = library::target_folder().join("firmware-rust").join(board.name());
-    let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    cargo.current_dir(harness().join("firmware-rust")).args(["build", "--quiet", "--release", "--locked"]);
-    cargo.args(["--target", TARGET, "--bin", program]);
-    cargo.env("TPG_BOARD", &board_folder).env("TPG_PROBLEMS", generated.join("problems.rs"));
-    cargo.env("TPG_GENERATED", &generated).env("CARGO_TARGET_DIR", &made).env_remove("CARGO_ENCODED_RUSTFLAGS");
+    let mut cargo = cargo_here(&harness().join("firmware-rust"), &made);
+    cargo.args(["build", "--quiet", "--release", "--locked", "--target", TARGET, "--bin", program.name]);
+    cargo.env("TPG_BOARD", board_folder(board)?).env("TPG_GENERATED", generated_c()?);
     if there(library::output(&mut cargo))?.is_none() {
         return Ok(None);
     }
-    Ok(Some(made.join(TARGET).join("release").join(program)))
+    Ok(Some(made.join(TARGET).join("release").join(program.name)))
+}
+
+/// Cargo in the folder of another workspace, with a target folder of its own.
+pub(crate) fn cargo_here(folder: &Path, made: &Path) -> Command {
+    let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    cargo.current_dir(folder).env("CARGO_TARGET_DIR", made).env_remove("CARGO_ENCODED_RUSTFLAGS");
+    cargo
 }
 
 /// A program's version, its last word of the first line.

@@ -5,6 +5,7 @@ use crate::build;
 use crate::line::Line;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use std::fmt::Debug;
 
 const FILE: &str = "costs.toml";
 
@@ -18,6 +19,63 @@ pub(crate) struct Cost {
     pub(crate) instructions: u64,
     /// Instructions of the most expensive one.
     pub(crate) worst: u64,
+}
+
+impl Cost {
+    /// Adds what a line says.
+    pub(crate) fn add(&mut self, line: &Line) {
+        self.actions += line.number("actions");
+        self.instructions += line.number("instructions");
+        self.worst = self.worst.max(line.number("worst"));
+    }
+
+    /// Instructions of an action in the mean.
+    pub(crate) fn mean(&self) -> f64 {
+        self.instructions as f64 / self.actions.max(1) as f64
+    }
+
+    /// All of it, to compare.
+    pub(crate) fn numbers(&self) -> [u64; 3] {
+        [self.actions, self.instructions, self.worst]
+    }
+}
+
+/// How far figures may lie from the committed ones in a file: 2 % with other compilers.
+pub(crate) struct Tolerance {
+    file: &'static str,
+    exact: bool,
+}
+
+impl Tolerance {
+    /// Compares the compilers, and says so where they differ.
+    pub(crate) fn new(
+        file: &'static str,
+        committed: &BTreeMap<String, String>,
+        used: &BTreeMap<String, String>,
+    ) -> Self {
+        let exact = committed == used;
+        if !exact {
+            println!("{file} was made with other compilers ({committed:?}): 2 % are allowed");
+        }
+        Self { file, exact }
+    }
+
+    /// A line for each figure that is not near the committed one of its name.
+    pub(crate) fn differences<T: Debug, const N: usize>(
+        &self,
+        place: &str,
+        found: &BTreeMap<String, T>,
+        committed: &BTreeMap<String, T>,
+        numbers: impl Fn(&T) -> [u64; N],
+    ) -> Vec<String> {
+        let near = |(found, was): (u64, u64)| found == was || (!self.exact && found.abs_diff(was) * 50 <= was);
+        let differs = |(name, found): (&String, &T)| {
+            let was = committed.get(name);
+            let same = was.is_some_and(|was| numbers(found).into_iter().zip(numbers(was)).all(near));
+            (!same).then(|| format!("{place}{name}: {found:?}, {} has {was:?}", self.file))
+        };
+        found.iter().filter_map(differs).collect()
+    }
 }
 
 /// `costs.toml`.
@@ -42,20 +100,11 @@ impl Costs {
     /// Counts what a firmware printed; names get its language in front.
     pub(crate) fn add(&mut self, language: &str, lines: &[Line]) {
         for line in lines {
-            match line.words.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-                ["episode", set, name] => {
-                    let cost = self.cost.entry(format!("{language} {set} {name}")).or_default();
-                    cost.actions += line.number("actions");
-                    cost.instructions += line.number("instructions");
-                    cost.worst = cost.worst.max(line.number("worst"));
+            match line.words.split_first() {
+                Some((first, names)) if first == "episode" || first == "cost" => {
+                    self.cost.entry(format!("{language} {}", names.join(" "))).or_default().add(line);
                 }
-                ["cost", ref names @ ..] => {
-                    let cost = self.cost.entry(format!("{language} {}", names.join(" "))).or_default();
-                    cost.actions += line.number("actions");
-                    cost.instructions += line.number("instructions");
-                    cost.worst = cost.worst.max(line.number("worst"));
-                }
-                ["around"] => {
+                Some((first, [])) if first == "around" => {
                     for name in ["observe", "switch"] {
                         let count = line.number(name);
                         let cost = Cost { actions: 1, instructions: count, worst: count };
@@ -71,30 +120,15 @@ impl Costs {
     pub(crate) fn print(&self) {
         println!("\n{:<34} {:>9} {:>12} {:>9}", "instructions an action", "actions", "mean", "worst");
         for (name, cost) in &self.cost {
-            let mean = cost.instructions as f64 / cost.actions.max(1) as f64;
-            println!("{name:<34} {:>9} {mean:>12.1} {:>9}", cost.actions, cost.worst);
+            println!("{name:<34} {:>9} {:>12.1} {:>9}", cost.actions, cost.mean(), cost.worst);
         }
     }
 
-    /// Differences from the committed counts. With other compilers 2 % are allowed, and a line says so.
+    /// Differences from the committed counts.
     pub(crate) fn differences(&self) -> Result<Vec<String>, Failure> {
         let committed: Self = toml::from_str(&build::committed(FILE)?).map_err(Failure::new)?;
-        let exact = committed.compilers == self.compilers;
-        if !exact {
-            println!("{FILE} was made with other compilers ({:?}): 2 % are allowed", committed.compilers);
-        }
-        let near = |a: u64, b: u64| if exact { a == b } else { a.abs_diff(b) * 50 <= b };
-        let mut differences = Vec::new();
-        for (name, cost) in &self.cost {
-            match committed.cost.get(name) {
-                Some(was)
-                    if cost.actions == was.actions
-                        && near(cost.instructions, was.instructions)
-                        && near(cost.worst, was.worst) => {}
-                was => differences.push(format!("{name}: {cost:?}, {FILE} has {was:?}")),
-            }
-        }
-        Ok(differences)
+        let tolerance = Tolerance::new(FILE, &committed.compilers, &self.compilers);
+        Ok(tolerance.differences("", &self.cost, &committed.cost, Cost::numbers))
     }
 
     /// Takes these counts as the committed ones.

@@ -15,10 +15,15 @@ const PATIENCE: Duration = Duration::from_secs(600);
 
 /// Runs an image on a board and returns the lines that it prints.
 pub(crate) fn run(board: Board, image: &Path) -> Result<Vec<Line>, Failure> {
+    until_done(arm(board.name()).arg(image).args(["-icount", "shift=10,align=off,sleep=off"]))
+}
+
+/// QEMU of a machine; an image is to follow.
+pub(crate) fn arm(machine: &str) -> Command {
     let mut qemu = Command::new("qemu-system-arm");
-    qemu.args(["-machine", board.name(), "-nographic", "-monitor", "none", "-serial", "none"]);
-    qemu.args(["-semihosting-config", "enable=on,target=native", "-icount", "shift=10,align=off,sleep=off", "-kernel"]);
-    until_done(qemu.arg(image))
+    qemu.args(["-machine", machine, "-nographic", "-monitor", "none", "-serial", "none"]);
+    qemu.args(["-semihosting-config", "enable=on,target=native", "-kernel"]);
+    qemu
 }
 
 /// Runs a program until its line `done`, and returns its lines; the machine need not end by itself.

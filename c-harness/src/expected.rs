@@ -9,44 +9,61 @@ use tpg_arm::binding;
 use tpg_arm::cycle::Brent;
 use tpg_arm::episode::{Episode, ReachTask};
 use tpg_arm::hybrid::{Hybrid, HybridEpisode};
-use tpg_arm::observation::{ArmPolicy, Observation};
+use tpg_arm::observation::{ArmPolicy, Observation, Source};
 use tpg_arm::sac::fixed::FixedPolicy;
 use tpg_arm::{Arm, Move, Pose, WIDOWX};
 use tpg_generated::{widowx_fs::WidowxFs, widowx_rs::WidowxRs, widowx_sac};
 use tpg_problems::arm::targets::Start;
 use tpg_runtime::policy::Policy;
 
-const ARM: Arm<f32> = WIDOWX.to_f32();
+pub(crate) const ARM: Arm<f32> = WIDOWX.to_f32();
 
 pub(crate) const NETWORK: FixedPolicy<'static, 64, 64> =
     FixedPolicy { arm: &ARM, network: &widowx_sac::NETWORK, decision: widowx_sac::DECISION };
 
+/// The shipped graph for a fixed start, on the arm.
+pub(crate) fn fs() -> impl Policy<State = Observation<f32>, Action = Move> + Clone {
+    const SOURCES: [Source; WidowxFs::SOURCES.len()] = binding::sources(WidowxFs::SOURCES);
+    const MOVES: [Move; WidowxFs::MOVES.len()] = binding::moves(WidowxFs::MOVES);
+    ArmPolicy::new(WidowxFs, &ARM, &SOURCES, &MOVES)
+}
+
+/// The shipped graph for a random start.
+fn rs() -> impl Policy<State = Observation<f32>, Action = Move> + Clone {
+    const SOURCES: [Source; WidowxRs::SOURCES.len()] = binding::sources(WidowxRs::SOURCES);
+    const MOVES: [Move; WidowxRs::MOVES.len()] = binding::moves(WidowxRs::MOVES);
+    ArmPolicy::new(WidowxRs, &ARM, &SOURCES, &MOVES)
+}
+
 /// The lines of every scenario of sensor faults.
 pub(crate) fn faults() -> Vec<Line> {
-    let tpg = ArmPolicy::new(
-        WidowxFs,
-        &ARM,
-        &const { binding::sources(WidowxFs::SOURCES) },
-        &const { binding::moves(WidowxFs::MOVES) },
-    );
-    table::lines(&Hybrid { arm: &ARM, tpg, sac: NETWORK, settings: settings(Start::Fs) })
+    table::lines(&Hybrid { arm: &ARM, tpg: fs(), sac: NETWORK, settings: settings(Start::Fs) })
+}
+
+/// Checks that every episode is as on the host: its end, the actions of each policy, and a hash of every motor position.
+pub(crate) fn check(place: &str, lines: &[Line]) -> Result<(), Failure> {
+    same(place, &self::lines()?, lines)
+}
+
+/// Compares the lines of episodes with the expected ones.
+pub(crate) fn same(place: &str, expected: &[Line], lines: &[Line]) -> Result<(), Failure> {
+    let found = lines.iter().filter(|line| line.starts_with("episode"));
+    let found: Vec<Line> = found.map(|line| line.clone().without(&["instructions", "worst"])).collect();
+    if let Some((wanted, found)) = expected.iter().zip(&found).find(|(wanted, found)| wanted != found) {
+        return Err(Failure(format!("{place} is not the host: {found:?}, not {wanted:?}")));
+    }
+    if found.len() != expected.len() {
+        return Err(Failure(format!("{place}: {} episodes, not {}", found.len(), expected.len())));
+    }
+    let actions: u64 = found.iter().map(|line| line.number("actions")).sum();
+    println!("{place}: {} episodes, {actions} actions: every position as on the host", found.len());
+    Ok(())
 }
 
 /// The lines of every episode, in the firmwares' order.
 pub(crate) fn lines() -> Result<Vec<Line>, Failure> {
     let mut lines = Vec::new();
-    let fs = ArmPolicy::new(
-        WidowxFs,
-        &ARM,
-        &const { binding::sources(WidowxFs::SOURCES) },
-        &const { binding::moves(WidowxFs::MOVES) },
-    );
-    let rs = ArmPolicy::new(
-        WidowxRs,
-        &ARM,
-        &const { binding::sources(WidowxRs::SOURCES) },
-        &const { binding::moves(WidowxRs::MOVES) },
-    );
+    let (fs, rs) = (fs(), rs());
     let [fixed, random] = [problems(Start::Fs)?, problems(Start::Rs)?];
     hybrid(&mut lines, Start::Fs, fs.clone(), &fixed);
     hybrid(&mut lines, Start::Rs, rs.clone(), &random);

@@ -38,37 +38,30 @@ struct World {
 }
 
 impl World {
-    fn reading(&self, reading: Reading, odd: bool) -> Pose {
+    /// Where the motors seem to be.
+    fn reading(&self, phase: &Phase, odd: bool) -> Pose {
         let Pose(mut ticks) = self.motors;
-        let mut put = |joint: u8, value: i16| {
-            if let Some(slot) = ticks.get_mut(usize::from(joint)) {
-                *slot = value;
+        let joint = usize::from(phase.joint);
+        let there = ticks.get(joint).copied().unwrap_or_default();
+        let read = match phase.reading {
+            Reading::Late => {
+                let then = self.steps.saturating_sub(phase.amount.unsigned_abs().into());
+                return self.past.get(then % REMEMBERED).copied().unwrap_or_default();
             }
-            Pose(ticks)
+            Reading::Jump => there.saturating_add(phase.amount),
+            Reading::Fixed => phase.amount,
+            Reading::Flicker if !odd => phase.amount,
+            _ => there,
         };
-        match reading {
-            Reading::Late(late) => {
-                let then = self.steps.saturating_sub(usize::from(late));
-                self.past.get(then % REMEMBERED).copied().unwrap_or_default()
-            }
-            Reading::Jump(joint, by) => {
-                put(joint, self.motors.0.get(usize::from(joint)).map_or(0, |ticks| ticks.saturating_add(by)))
-            }
-            Reading::Fixed(joint, value) => put(joint, value),
-            Reading::Flicker(joint, value) if !odd => put(joint, value),
-            _ => self.motors,
-        }
+        ticks.get_mut(joint).into_iter().for_each(|ticks| *ticks = read);
+        Pose(ticks)
     }
 
     /// The motors do what they were told, as far as the phase lets them.
-    fn advance<T, P>(&mut self, hybrid: &Hybrid<'_, f32, T, P>, reading: Reading, Move(mut wanted): Move) {
-        match reading {
+    fn advance<T, P>(&mut self, hybrid: &Hybrid<'_, f32, T, P>, phase: &Phase, Move(mut wanted): Move) {
+        match phase.reading {
             Reading::Stuck => wanted = [0; 4],
-            Reading::JointStuck(joint) => {
-                if let Some(delta) = wanted.get_mut(usize::from(joint)) {
-                    *delta = 0;
-                }
-            }
+            Reading::JointStuck => wanted.get_mut(usize::from(phase.joint)).into_iter().for_each(|delta| *delta = 0),
             _ => {}
         }
         self.motors = hybrid.arm.step(self.motors, Move(wanted)).pose;
@@ -146,7 +139,7 @@ where
     for phase in scenario.phases {
         for index in 0..phase.steps {
             let odd = index % 2 == 1;
-            let (motors, target) = (world.reading(phase.reading, odd), target_of(phase));
+            let (motors, target) = (world.reading(phase, odd), target_of(phase));
             if let (true, 0, Some(control)) = (phase.resume, index, &mut control) {
                 let _ = control.resume(motors);
             }
@@ -164,7 +157,7 @@ where
             let found = code(&result);
             let chosen = result.unwrap_or(Chosen { driver: Driver::Tpg, wanted: Move::STOP });
             step += 1;
-            let due = if odd && matches!(phase.reading, Reading::Flicker(..)) { OK } else { phase.code };
+            let due = if odd && phase.reading == Reading::Flicker { OK } else { phase.code };
             let right = found == due || (index < phase.within && (found == before || found == OK));
             let unharmed = found == OK || counts == control.as_ref().map(|control| *control.switch().counts());
             let small = chosen.wanted.0.iter().all(|delta| (-3..=3).contains(delta));
@@ -180,7 +173,7 @@ where
             log.hash.add(found as u32 as u64);
             chosen.wanted.0.into_iter().for_each(|delta| log.hash.add(u64::from(delta as u8)));
             log.hash.add(u64::from(chosen.driver == Driver::Sac));
-            world.advance(hybrid, phase.reading, chosen.wanted);
+            world.advance(hybrid, phase, chosen.wanted);
         }
         before = phase.code;
     }

@@ -1,20 +1,16 @@
 //! The examples in RTIC and in Embassy: they stop where the same loop stops here.
 
 use crate::Failure;
-use crate::build::there;
+use crate::build::{self, there};
 use crate::emulate;
-use crate::expected::NETWORK;
+use crate::expected::{self, ARM, NETWORK};
 use crate::line::Line;
 use crate::problems::settings;
-use std::env;
-use std::process::Command;
-use tpg_arm::binding;
+use tpg_arm::Pose;
 use tpg_arm::cycle::Brent;
 use tpg_arm::hybrid::{Control, Hybrid};
-use tpg_arm::observation::{ArmPolicy, Observation};
+use tpg_arm::observation::Observation;
 use tpg_arm::sensors::Watch;
-use tpg_arm::{Arm, Pose, WIDOWX};
-use tpg_generated::widowx_fs::WidowxFs;
 use tpg_problems::arm::targets::Start;
 use tpg_testing::library;
 
@@ -34,39 +30,25 @@ pub(crate) fn check() -> Result<(), Failure> {
         return Ok(());
     }
     let expected = expected()?;
-    EXAMPLES.iter().try_for_each(|(framework, name)| one(framework, name, &expected))
-}
-
-fn one(framework: &str, name: &str, expected: &Line) -> Result<(), Failure> {
-    let made = library::target_folder().join(name);
-    let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    cargo.current_dir(library::top().join("c-harness").join(name)).args(["build", "--quiet", "--release", "--locked"]);
-    cargo.env("CARGO_TARGET_DIR", &made).env_remove("CARGO_ENCODED_RUSTFLAGS");
-    if there(library::output(&mut cargo))?.is_none() {
-        return Ok(());
+    for (framework, name) in EXAMPLES {
+        let made = library::target_folder().join(name);
+        let mut cargo = build::cargo_here(&library::top().join("c-harness").join(name), &made);
+        if there(library::output(cargo.args(["build", "--quiet", "--release", "--locked"])))?.is_none() {
+            return Ok(());
+        }
+        let image = made.join(TARGET).join("release").join(format!("tpg-{name}"));
+        let lines = emulate::until_done(emulate::arm(BOARD).arg(image))?;
+        if lines.iter().filter(|line| line.words == ["stopped"]).ne([&expected]) {
+            return Err(Failure(format!("the example in {framework} is not the host: {lines:?}, not {expected:?}")));
+        }
+        println!("{framework} on {BOARD}: {} actions, stopped where the host does", expected.number("actions"));
     }
-    let mut qemu = Command::new("qemu-system-arm");
-    qemu.args(["-machine", BOARD, "-nographic", "-monitor", "none", "-serial", "none"]);
-    qemu.args(["-semihosting-config", "enable=on,target=native", "-kernel"]);
-    let image = made.join(TARGET).join("release").join(format!("tpg-{name}"));
-    let lines = emulate::until_done(qemu.arg(image))?;
-    if lines.iter().filter(|line| line.words == ["stopped"]).ne([expected]) {
-        return Err(Failure::new(format!("the example in {framework} is not the host: {lines:?}, not {expected:?}")));
-    }
-    println!("{framework} on {BOARD}: {} actions, stopped where the host does", expected.number("actions"));
     Ok(())
 }
 
 /// The examples' loop on this machine.
 fn expected() -> Result<Line, Failure> {
-    const ARM: Arm<f32> = WIDOWX.to_f32();
-    let tpg = ArmPolicy::new(
-        WidowxFs,
-        &ARM,
-        &const { binding::sources(WidowxFs::SOURCES) },
-        &const { binding::moves(WidowxFs::MOVES) },
-    );
-    let hybrid = Hybrid { arm: &ARM, tpg, sac: NETWORK, settings: settings(Start::Fs) };
+    let hybrid = Hybrid { arm: &ARM, tpg: expected::fs(), sac: NETWORK, settings: settings(Start::Fs) };
     let (mut motors, mut actions) = (ARM.home, 0);
     let fault = |fault| Failure::new(format!("the examples' loop on this machine: {fault:?}"));
     let seen = Observation::at(&ARM, motors, WHERE);

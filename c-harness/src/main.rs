@@ -2,15 +2,14 @@
 //!
 //! | module | subject |
 //! | --- | --- |
+//! | [`programs`] | the programs, in C and in Rust |
+//! | [`data`] | tables of numbers for both |
 //! | [`problems`] | which episodes, and how graph and network share the arm |
 //! | [`build`] | the firmwares in C and Rust |
 //! | [`models`] | networks of every kind and size, to count |
 //! | [`network`] | a network of another problem than the arm's |
-//! | [`closed_loop`] | policies and plants that are graphs |
-//! | [`continuous`] | policies that answer with values, and a pendulum |
-//! | [`cartpole`] | the shipped policy of CartPole and its plant |
+//! | [`closed_loop`] | policies and plants that are graphs: CartPole, a pendulum |
 //! | [`dodge`] | the control step among balls, on test scenes |
-//! | [`profiles`] | what each profile of any graph takes |
 //! | [`emulate`] | QEMU |
 //! | [`expected`] | the host's trajectories |
 //! | [`record`] | how an episode is written down, here and in the firmware |
@@ -24,11 +23,10 @@
 //! | [`size`] | flash and RAM beside `sizes.toml` |
 
 mod build;
-mod cartpole;
 mod closed_loop;
-mod continuous;
 mod cores;
 mod costs;
+mod data;
 mod dodge;
 mod emulate;
 mod expected;
@@ -40,7 +38,8 @@ mod lint;
 mod models;
 mod network;
 mod problems;
-mod profiles;
+mod programs;
+#[allow(unreachable_pub, reason = "the firmware in Rust has it in its library")]
 mod record;
 mod scenarios;
 mod size;
@@ -51,9 +50,9 @@ mod worst;
 use build::Board;
 use clap::{Parser, Subcommand};
 use costs::Costs;
-use line::Line;
+use programs::{CONTROL, FAULTS, LANGUAGES, Ran};
 use std::fmt::Display;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, ExitCode};
 
 /// A reason that a check failed or could not be done.
@@ -69,6 +68,11 @@ impl Failure {
     /// With the file.
     pub(crate) fn at<E: Display>(path: &Path, error: E) -> Self {
         Self(format!("{}: {error}", path.display()))
+    }
+
+    /// From every line of `messages`; no failure without one.
+    pub(crate) fn unless_none(messages: Vec<String>) -> Result<(), Self> {
+        if messages.is_empty() { Ok(()) } else { Err(Self(messages.join("\n"))) }
     }
 }
 
@@ -103,15 +107,6 @@ enum Check {
     Lint,
     /// Print the parts of a decision's static worst case; runs nothing
     Worst,
-    /// Print flash and instructions of every profile of policies on a Cortex-M4F, beside those of `small`
-    Profiles {
-        /// Policies with actions: graph.json or .dot
-        #[arg(required = true)]
-        graphs: Vec<PathBuf>,
-        /// The artifact that .dot files are of
-        #[arg(long, value_enum)]
-        profile_of: Option<tpg_graph::import::Profile>,
-    },
 }
 
 fn main() -> ExitCode {
@@ -121,7 +116,6 @@ fn main() -> ExitCode {
         Check::Size => size::check(),
         Check::Lint => lint::sees_what_is_bad().and_then(|()| lint::check()),
         Check::Worst => worst(),
-        Check::Profiles { graphs, profile_of } => profiles::table(&graphs, profile_of),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
@@ -132,122 +126,54 @@ fn main() -> ExitCode {
     }
 }
 
-/// Builder of a language's image.
-type Builder = fn(&str, Board) -> Result<Option<PathBuf>, Failure>;
-
-const LANGUAGES: [(&str, Builder); 2] = [("C", build::c), ("Rust", build::rust)];
-
 fn qemu(update: bool) -> Result<(), Failure> {
     if !tpg_testing::tool("qemu-system-arm", "qemu-system-arm", "the firmwares under QEMU") {
         return Ok(());
     }
-    let expected = expected::lines()?;
-    if let Some(lines) = on_this_machine("control")? {
-        compare("C on this machine", &expected, &lines)?;
-    }
-    let faults = expected::faults();
-    table::check("Rust on this machine", &faults, &faults)?;
-    if let Some(lines) = on_this_machine("faults")? {
-        table::check("C on this machine", &faults, &lines)?;
+    table::check("Rust on this machine", &expected::faults())?;
+    for (program, check) in [(&CONTROL, expected::check as fn(&str, &[_]) -> _), (&FAULTS, table::check)] {
+        if let Some(image) = build::host(program)? {
+            check("C on this machine", &emulate::until_done(&mut Command::new(image))?)?;
+        }
     }
     let mut costs = Costs::new();
     let mut all = true;
     for (language, builder) in LANGUAGES {
-        let Some(image) = builder("control", Board::Mps2An386)? else {
-            all = false;
-            continue;
-        };
-        symbols::check(&image)?;
-        let lines = emulate::run(Board::Mps2An386, &image)?;
-        compare(language, &expected, &lines)?;
-        costs.add(language, &lines);
-        size::stack(language, "control", &lines)?;
-        worst::check(language, &image, &lines)?;
-        if let Some(image) = builder("costs", Board::Mps2An386)? {
-            let lines = emulate::run(Board::Mps2An386, &image)?;
-            if language == "Rust" {
-                let count = models::compare(&lines)?;
-                println!("Rust: {count} preferences of networks of every kind: the same bits as on the host");
+        for program in programs::all() {
+            let Some(image) = builder(program, Board::Mps2An386)? else {
+                all = false;
+                break;
+            };
+            // The program that only counts may do what a user's must not.
+            if program.name != "costs" {
+                symbols::check(&image)?;
             }
-            costs.add(language, &lines);
-        }
-        if let Some(image) = builder("faults", Board::Mps2An386)? {
-            symbols::check(&image)?;
             let lines = emulate::run(Board::Mps2An386, &image)?;
-            table::check(language, &faults, &lines)?;
+            program.check(&Ran { language, image: &image, lines: &lines })?;
             costs.add(language, &lines);
         }
-        if let Some(image) = builder("network", Board::Mps2An386)? {
-            symbols::check(&image)?;
-            network::compare(language, &image, &emulate::run(Board::Mps2An386, &image)?)?;
+        // The board with little memory runs the same episodes to the same ends.
+        if let Some(image) = builder(&CONTROL, Board::NetduinoPlus2)? {
+            let lines = emulate::run(Board::NetduinoPlus2, &image)?;
+            expected::check(&format!("{language} on netduinoplus2"), &lines)?;
         }
-        if let Some(image) = builder("continuous", Board::Mps2An386)? {
-            symbols::check(&image)?;
-            let lines = emulate::run(Board::Mps2An386, &image)?;
-            continuous::compare(language, &image, &lines)?;
-            costs.add(language, &lines);
-        }
-        if let Some(image) = builder("cartpole", Board::Mps2An386)? {
-            symbols::check(&image)?;
-            let lines = emulate::run(Board::Mps2An386, &image)?;
-            cartpole::compare(language, &image, &lines)?;
-            costs.add(language, &lines);
-        }
-        if let Some(image) = builder("dodge", Board::Mps2An386)? {
-            symbols::check(&image)?;
-            let lines = emulate::run(Board::Mps2An386, &image)?;
-            dodge::compare(language, &image, &lines)?;
-            size::stack(language, "dodge", &lines)?;
-            costs.add(language, &lines);
-        }
-        fits(language, builder)?;
     }
     frameworks::check()?;
     costs.print();
     if update && all {
         return costs.commit();
     }
-    let differences = costs.differences()?;
-    if differences.is_empty() { Ok(()) } else { Err(Failure::new(differences.join("\n"))) }
+    Failure::unless_none(costs.differences()?)
 }
 
-/// The lines of a firmware's program in C, run here; `None` where a tool is missing.
-fn on_this_machine(program: &str) -> Result<Option<Vec<Line>>, Failure> {
-    let Some(image) = build::host(program)? else { return Ok(None) };
-    let text = tpg_testing::library::output(&mut Command::new(image)).map_err(|error| Failure(format!("{error:?}")))?;
-    Ok(Some(text.lines().map(Line::parse).collect()))
-}
-
-/// The worst cases in parts.
+/// Prints the parts of the worst cases.
 fn worst() -> Result<(), Failure> {
     let mut failures = Vec::new();
     for (language, builder) in LANGUAGES {
-        if let Some(image) = builder("control", Board::Mps2An386)? {
+        if let Some(image) = builder(&CONTROL, Board::Mps2An386)? {
             println!("\n{language}: {}", image.display());
             failures.extend(worst::explain(language, &image).err().map(|Failure(message)| message));
         }
     }
-    if failures.is_empty() { Ok(()) } else { Err(Failure(failures.join("\n"))) }
-}
-
-/// The board with little memory runs the same episodes to the same ends.
-fn fits(language: &str, builder: Builder) -> Result<(), Failure> {
-    let Some(image) = builder("control", Board::NetduinoPlus2)? else { return Ok(()) };
-    let lines = emulate::run(Board::NetduinoPlus2, &image)?;
-    compare(&format!("{language} on netduinoplus2"), &expected::lines()?, &lines)
-}
-
-/// Checks that every episode is as on the host: its end, the actions of each policy, and a hash of every motor position.
-fn compare(language: &str, expected: &[Line], lines: &[Line]) -> Result<(), Failure> {
-    let found = lines.iter().filter(|line| line.words.first().is_some_and(|word| word == "episode"));
-    let found: Vec<Line> = found.map(|line| line.without(&["instructions", "worst"])).collect();
-    if let Some((wanted, found)) = expected.iter().zip(&found).find(|(wanted, found)| wanted != found) {
-        return Err(Failure::new(format!("{language} is not the host: {found:?}, not {wanted:?}")));
-    }
-    if found.len() != expected.len() {
-        return Err(Failure::new(format!("{language}: {} episodes, not {}", found.len(), expected.len())));
-    }
-    let actions: u64 = found.iter().map(|line| line.number("actions")).sum();
-    println!("{language}: {} episodes, {actions} actions: every position as on the host", found.len());
-    Ok(())
+    Failure::unless_none(failures)
 }

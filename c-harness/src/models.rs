@@ -1,15 +1,16 @@
 //! Networks with weights without a pattern, in every kind: what a kind costs does not depend on the numbers.
 
 use crate::Failure;
-use crate::line::Line;
+use crate::line;
+use crate::programs::Ran;
 use crate::record::Hash;
-use std::fmt::Write as _;
 use tpg_arm::sac::fixed::FixedDecision;
 use tpg_arm::sac::packed::Model;
 use tpg_arm::sac::{Actions, FEATURES, Mask};
 use tpg_codegen::emit::File;
+use tpg_cores::layers;
 use tpg_kernels::Kind;
-use tpg_runtime::net::{self, LayerRows, Rescale, Weights};
+use tpg_runtime::net;
 
 /// The shipped size, and the paper's with its 13 inputs.
 const SIZES: [[usize; 4]; 3] = [[FEATURES, 64, 64, 4], [13, 256, 256, 4], [FEATURES, 256, 256, 4]];
@@ -22,13 +23,21 @@ fn kind_name(kind: Kind) -> &'static str {
     }
 }
 
+/// Inputs that each is asked with for its bits, as in the firmware.
+const INPUTS: u64 = 200;
+
 /// Every model, by name.
 fn all() -> Result<Vec<(String, Vec<u32>)>, Failure> {
+    let meaning = FixedDecision::new(Actions::Fine, Mask::None, false).meaning();
     let mut models = Vec::new();
     for size in SIZES {
+        let [a, b, c, d] = size;
         for kind in Kind::ALL {
-            let [a, b, c, d] = size;
-            models.push((format!("layers {a}-{b}-{c}-{d} {}", kind_name(kind)), model(&size, kind)?));
+            let mut words = vec![0; net::words(&[(a, b, kind), (b, c, kind), (c, d, kind)], &meaning)];
+            if !layers::write::<{ 256 * 256 }, 256>(size, kind, &meaning, &mut words) {
+                return Err(Failure::new("no model"));
+            }
+            models.push((format!("layers {a}-{b}-{c}-{d} {}", kind_name(kind)), words));
         }
     }
     Ok(models)
@@ -36,30 +45,22 @@ fn all() -> Result<Vec<(String, Vec<u32>)>, Failure> {
 
 /// `models.rs`: the models by name.
 pub(crate) fn file() -> Result<File, Failure> {
-    let mut text = String::from("static MODELS: &[(&str, &[u32])] = &[\n");
-    for (name, words) in all()? {
-        let _ = write!(text, "    ({name:?}, &[");
-        for word in words {
-            let _ = write!(text, "{word},");
-        }
-        text.push_str("]),\n");
-    }
-    text.push_str("];\n");
+    let models = all()?.iter().map(|(name, words)| format!("    ({name:?}, &{words:?}),\n")).collect::<String>();
+    let text = format!("const INPUTS: u32 = {INPUTS};\nstatic MODELS: &[(&str, &[u32])] = &[\n{models}];\n");
     Ok(File { name: "models.rs".to_owned(), text })
 }
 
-/// Compares the preferences that a firmware computed with this machine's, by their hash; how many there were.
-pub(crate) fn compare(lines: &[Line]) -> Result<u64, Failure> {
-    let mut count = 0;
+/// Compares the preferences that the firmware in Rust computed with this machine's.
+pub(crate) fn check(ran: &Ran<'_>) -> Result<(), Failure> {
+    if ran.language == "C" {
+        return Ok(());
+    }
     for (name, words) in all()? {
-        let is_it =
-            |line: &&Line| line.words.split_first().is_some_and(|(f, rest)| f == "bits" && rest.join(" ") == name);
-        let line = lines.iter().find(is_it).ok_or_else(|| Failure::new(format!("{name}: no bits")))?;
-        let model = Model::parse(&words).map_err(|error| Failure::new(format!("{name}: {error:?}")))?;
+        let model = Model::parse(&words).map_err(|error| Failure(format!("{name}: {error:?}")))?;
         let mut scratch = vec![0; model.scratch()];
         let mut state = 11u32;
         let mut hash = Hash::new();
-        for _ in 0..line.number("inputs") {
+        for _ in 0..INPUTS {
             let inputs: [i16; FEATURES] = std::array::from_fn(|_| {
                 state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
                 (state >> 16) as i16
@@ -67,41 +68,9 @@ pub(crate) fn compare(lines: &[Line]) -> Result<u64, Failure> {
             for preference in model.preferences(&inputs, &mut scratch) {
                 hash.add(u64::from(preference as u32));
             }
-            count += 1;
         }
-        let hash = format!("{:016x}", hash.0);
-        if line.values.get("hash") != Some(&hash) {
-            return Err(Failure::new(format!("{name}: other preferences than on this machine ({hash}): {line:?}")));
-        }
+        line::check(ran.language, ran.lines, &format!("bits {name}"), INPUTS, &hash)?;
     }
-    Ok(count)
-}
-
-fn model(size: &[usize; 4], kind: Kind) -> Result<Vec<u32>, Failure> {
-    let mut state = 1u32;
-    let mut number = |bound: i32| {
-        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        (state >> 8) as i32 % (bound + 1) - bound / 2
-    };
-    let mut layers = Vec::new();
-    for pair in size.windows(2) {
-        let [inputs, outputs] = [pair[0], pair[1]];
-        let count = inputs * outputs;
-        let small: Vec<i8> = (0..count).map(|_| number(250) as i8).collect();
-        let wide: Vec<i16> = (0..count).map(|_| number(400) as i16).collect();
-        let bias: Vec<i32> = (0..outputs).map(|_| number(10_000)).collect();
-        let rescale = vec![Rescale { factor: 20_000, shift: if kind == Kind::W8A8 { 23 } else { 22 } }; outputs];
-        layers.push((inputs, small, wide, bias, rescale));
-    }
-    let rows: Vec<LayerRows<'_>> = layers
-        .iter()
-        .map(|(inputs, small, wide, bias, rescale)| {
-            let weights = if kind == Kind::W16A16 { Weights::I16(wide) } else { Weights::I8(small) };
-            LayerRows { inputs: *inputs, kind, weights, bias, rescale }
-        })
-        .collect();
-    let sizes: Vec<_> = size.windows(2).map(|pair| (pair[0], pair[1], kind)).collect();
-    let meaning = FixedDecision::new(Actions::Fine, Mask::None, false).meaning();
-    let mut words = vec![0; net::words(&sizes, &meaning)];
-    if net::pack(&rows, &meaning, &mut words) { Ok(words) } else { Err(Failure::new("no model")) }
+    println!("Rust: preferences of networks of every kind: the same bits as on the host");
+    Ok(())
 }

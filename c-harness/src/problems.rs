@@ -1,7 +1,7 @@
 //! Tasks of the firmwares: the first test episodes of each start, and the settings of the hybrid.
 
 use crate::Failure;
-use std::fmt::Write as _;
+use crate::data::{self, Data};
 use tpg_arm::episode::ReachTask;
 use tpg_arm::hybrid::{Guard, Settings};
 use tpg_arm::{Pose, WIDOWX};
@@ -42,40 +42,27 @@ pub(crate) fn problems(start: Start) -> Result<Vec<ReachTask<f32>>, Failure> {
 
 /// `problems.h` and `problems.rs`.
 pub(crate) fn files() -> Result<[File; 2], Failure> {
-    let mut c =
-        String::from("#ifndef PROBLEMS_H\n#define PROBLEMS_H\n\n#include \"tpg_runtime.h\"\n\n#include <math.h>\n\n");
-    let mut rust = String::new();
+    let mut data = Data::new("problems", "#include \"tpg_runtime.h\"\n\n#include <math.h>\n\n");
     // Fewer of them are run on slow cores.
-    for (name, count) in [("PROBLEMS", PROBLEMS), ("PARTS", PARTS)] {
-        let _ = writeln!(c, "#ifndef {name}\n#define {name} {count}U\n#endif");
-    }
-    c.push('\n');
-    let _ = writeln!(rust, "const PARTS: usize = {PARTS};");
+    data.number("PROBLEMS", PROBLEMS);
+    data.number("PARTS", PARTS);
     for start in STARTS {
         let (name, upper) = (name(start), name(start).to_ascii_uppercase());
         let Settings { hand_back_after, separation, guard } = settings(start);
-        let guard_code = Guard::ALL.iter().position(|&other| other == guard).unwrap_or(0);
+        let guard = Guard::ALL.iter().position(|&other| other == guard).unwrap_or(0);
         let separation = if separation.is_finite() { format!("{separation:?}F") } else { "INFINITY".to_owned() };
-        let _ = writeln!(
-            c,
-            "static const tpg_settings_t {name}_settings = {{ {hand_back_after}U, {separation}, {guard_code} }};\n\
-             static const tpg_problem_t {name}_problems[] = {{"
-        );
-        let _ = writeln!(rust, "static {upper}_PROBLEMS: [ReachTask<f32>; {PROBLEMS}] = [");
-        for ReachTask { start: Pose([p, q, r, s]), target: [x, y, z], tolerance, max_actions } in problems(start)? {
-            let _ = writeln!(
-                c,
-                "    {{ {{ {{ {p}, {q}, {r}, {s} }} }}, {{ {x:?}F, {y:?}F, {z:?}F }}, {tolerance:?}F, {max_actions}U }},"
-            );
-            let _ = writeln!(
-                rust,
-                "    ReachTask {{ start: Pose([{p}, {q}, {r}, {s}]), target: [{x:?}, {y:?}, {z:?}], \
-                 tolerance: {tolerance:?}, max_actions: {max_actions} }},"
-            );
-        }
-        c.push_str("};\n\n");
-        rust.push_str("];\n");
+        data.c(&format!(
+            "static const tpg_settings_t {name}_settings = {{ {hand_back_after}U, {separation}, {guard} }};\n"
+        ));
+        let c = format!("static const tpg_problem_t {name}_problems[]");
+        let rust = format!("static {upper}_PROBLEMS: [ReachTask<f32>; {PROBLEMS}]");
+        let row = |task: ReachTask<f32>| {
+            let ReachTask { start: Pose([p, q, r, s]), target, tolerance, max_actions } = task;
+            let target = data::list(&target);
+            let c = format!("{{ {{ {{ {p}, {q}, {r}, {s} }} }}, {target}, {tolerance:?}F, {max_actions}U }}");
+            (c, format!("{task:?}"))
+        };
+        data.table([&c, &rust], problems(start)?.into_iter().map(row));
     }
-    c.push_str("#endif\n");
-    Ok([("problems.h", c), ("problems.rs", rust)].map(|(name, text)| File { name: name.to_owned(), text }))
+    Ok(data.files())
 }

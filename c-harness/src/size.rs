@@ -2,32 +2,24 @@
 
 use crate::Failure;
 use crate::build::{self, Board};
-use crate::line::Line;
+use crate::programs::{EXAMPLE, Program, Ran, STACK};
 use object::{Object as _, ObjectSection as _, SectionKind};
 use serde::Deserialize;
 use std::fs;
 use std::path::Path;
 
-/// Bytes for the stack of the control loop in C: the linker script keeps them free.
-const STACK: u64 = 2304;
-/// Bytes for the stack of the control step among balls in C.
-const STACK_AMONG_BALLS: u64 = 4096;
 /// Most bytes of stack of a Rust program, which has its hybrids and episodes there, too.
 const STACK_OF_RUST: u64 = 3072;
 
-/// Returns the bytes for the stack of a C program; `None`, where they are those of the linker script.
-pub(crate) fn own_stack(program: &str) -> Option<u64> {
-    (program == "dodge").then_some(STACK_AMONG_BALLS)
-}
-
 /// Compares the stack that a program has written to with what there is for it.
-pub(crate) fn stack(language: &str, program: &str, lines: &[Line]) -> Result<(), Failure> {
+pub(crate) fn stack(ran: &Ran<'_>, Program { name, stack, .. }: &Program) -> Result<(), Failure> {
+    let Ran { language, lines, .. } = ran;
     let used = lines.iter().find(|line| line.words == ["done"]).map_or(0, |line| line.number("stack"));
-    println!("{language}, {program}: {used} bytes of stack were written to");
-    let most = if language == "C" { own_stack(program).unwrap_or(STACK) } else { STACK_OF_RUST };
+    println!("{language}, {name}: {used} bytes of stack were written to");
+    let most = if *language == "C" { *stack } else { STACK_OF_RUST };
     // Only as much as there is was painted: a program that has written to all of it may have written beyond.
     if used == 0 || used >= most {
-        return Err(Failure::new(format!("{language}, {program}: {used} bytes of stack, accepted: less than {most}")));
+        return Err(Failure(format!("{language}, {name}: {used} bytes of stack, accepted: less than {most}")));
     }
     Ok(())
 }
@@ -43,7 +35,7 @@ struct Budget {
 }
 
 /// Flash and RAM of an image, stack not included.
-pub(crate) fn of(image: &Path) -> Result<(u64, u64), Failure> {
+fn flash_and_ram(image: &Path) -> Result<(u64, u64), Failure> {
     let bytes = fs::read(image).map_err(|error| Failure::at(image, error))?;
     let file = object::File::parse(&*bytes).map_err(Failure::new)?;
     let (mut flash, mut ram) = (0, 0);
@@ -64,8 +56,8 @@ pub(crate) fn of(image: &Path) -> Result<(u64, u64), Failure> {
 pub(crate) fn check() -> Result<(), Failure> {
     let budget: Budget = toml::from_str(&build::committed("sizes.toml")?).map_err(Failure::new)?;
     println!("{:<28} {:>8} {:>8} {:>8}", "on an STM32F405, bytes", "flash", "data", "stack");
-    let Some(image) = build::example(Board::NetduinoPlus2)? else { return Ok(()) };
-    let (flash, ram) = of(&image)?;
+    let Some(image) = build::c(&EXAMPLE, Board::NetduinoPlus2)? else { return Ok(()) };
+    let (flash, ram) = flash_and_ram(&image)?;
     println!("{:<28} {flash:>8} {ram:>8} {STACK:>8}", "the control loop in C");
     println!("{:<28} {:>8} {:>8}", "budget", budget.flash, budget.ram);
     if flash > budget.flash || ram + STACK > budget.ram {

@@ -1,9 +1,11 @@
 //! The table of sensor faults: as C, and what this machine's Rust does with it.
 
 use crate::Failure;
+use crate::data;
+use crate::expected;
 use crate::faults::{self, Log};
 use crate::line::Line;
-use crate::scenarios::{FAR_TARGET, GOOD_TARGET, Phase, Reading, SCENARIOS, Scenario, Target};
+use crate::scenarios::{FAR_TARGET, GOOD_TARGET, Phase, SCENARIOS, Scenario};
 use std::fmt::Write as _;
 use tpg_arm::hybrid::Hybrid;
 use tpg_arm::observation::Observation;
@@ -11,58 +13,19 @@ use tpg_arm::{Move, Pose};
 use tpg_codegen::emit::File;
 use tpg_runtime::policy::Policy;
 
-/// Names of the readings in C, in order; joint and amount of one.
-fn reading(reading: Reading) -> (&'static str, u8, i16) {
-    match reading {
-        Reading::Good => ("READING_GOOD", 0, 0),
-        Reading::Stuck => ("READING_STUCK", 0, 0),
-        Reading::JointStuck(joint) => ("READING_JOINT_STUCK", joint, 0),
-        Reading::Late(late) => ("READING_LATE", 0, i16::from(late)),
-        Reading::Jump(joint, by) => ("READING_JUMP", joint, by),
-        Reading::Fixed(joint, value) => ("READING_FIXED", joint, value),
-        Reading::Flicker(joint, value) => ("READING_FLICKER", joint, value),
-        Reading::HandNan => ("READING_HAND_NAN", 0, 0),
-        Reading::DifferenceInfinite => ("READING_DIFFERENCE_INFINITE", 0, 0),
-        Reading::HandOff => ("READING_HAND_OFF", 0, 0),
-        Reading::HandInfinite => ("READING_HAND_INFINITE", 0, 0),
-    }
-}
-
-fn target(target: Target) -> &'static str {
-    match target {
-        Target::Good => "TARGET_GOOD",
-        Target::Nan => "TARGET_NAN",
-        Target::Infinite => "TARGET_INFINITE",
-        Target::Huge => "TARGET_HUGE",
-        Target::Far => "TARGET_FAR",
-    }
-}
-
-/// `faults.h`.
+/// `faults.h`: the table as values of the types in `scenarios.h`.
 pub(crate) fn file() -> File {
-    let mut text = String::from(
-        "#ifndef FAULTS_H\n#define FAULTS_H\n\n#include \"tpg_runtime.h\"\n\n#include <stdbool.h>\n\n\
-         typedef enum reading {\n    READING_GOOD, READING_STUCK, READING_JOINT_STUCK, READING_LATE, READING_JUMP, \
-         READING_FIXED, READING_FLICKER,\n    READING_HAND_NAN, READING_DIFFERENCE_INFINITE, READING_HAND_OFF, \
-         READING_HAND_INFINITE\n} reading_t;\n\n\
-         typedef enum aim { TARGET_GOOD, TARGET_NAN, TARGET_INFINITE, TARGET_HUGE, TARGET_FAR } aim_t;\n\n\
-         typedef struct phase {\n    uint16_t steps;\n    reading_t reading;\n    uint8_t joint;\n    int16_t amount;\n    \
-         aim_t target;\n    bool resume;\n    int32_t code;\n    uint16_t within;\n} phase_t;\n\n\
-         typedef struct scenario {\n    const char *name;\n    tpg_watch_t watch;\n    const phase_t *phases;\n    \
-         size_t count;\n} scenario_t;\n\n",
-    );
-    for (name, [x, y, z]) in [("GOOD_TARGET", GOOD_TARGET), ("FAR_TARGET", FAR_TARGET)] {
-        let _ = writeln!(text, "#define {name} {{ {x:?}F, {y:?}F, {z:?}F }}");
+    let mut text = String::from("#ifndef FAULTS_H\n#define FAULTS_H\n\n#include \"scenarios.h\"\n\n");
+    for (name, target) in [("GOOD_TARGET", GOOD_TARGET), ("FAR_TARGET", FAR_TARGET)] {
+        let _ = writeln!(text, "#define {name} {}", data::list(&target));
     }
     let _ = writeln!(text, "#define SCENARIOS {}U\n", SCENARIOS.len());
     for (index, scenario) in SCENARIOS.iter().enumerate() {
         let _ = writeln!(text, "static const phase_t phases_{index}[] = {{");
-        for &Phase { steps, reading: read, target: aim, resume, code, within } in scenario.phases {
-            let (read, joint, amount) = reading(read);
+        for &Phase { steps, reading, joint, amount, target, resume, code, within } in scenario.phases {
             let _ = writeln!(
                 text,
-                "    {{ {steps}U, {read}, {joint}U, {amount}, {}, {resume}, {code}, {within}U }},",
-                target(aim)
+                "    {{ {steps}U, READING_{reading:?}, {joint}U, {amount}, TARGET_{target:?}, {resume}, {code}, {within}U }},"
             );
         }
         text.push_str("};\n");
@@ -96,29 +59,26 @@ where
 }
 
 /// Every scenario keeps the contract, and does the same as in this machine's Rust.
-pub(crate) fn check(language: &str, expected: &[Line], lines: &[Line]) -> Result<(), Failure> {
-    let found: Vec<&Line> =
-        lines.iter().filter(|line| line.words.first().is_some_and(|word| word == "fault")).collect();
-    if found.len() != SCENARIOS.len() || expected.len() != SCENARIOS.len() {
-        return Err(Failure::new(format!("{language}: {} scenarios of faults, not {}", found.len(), SCENARIOS.len())));
+pub(crate) fn check(place: &str, lines: &[Line]) -> Result<(), Failure> {
+    let found: Vec<&Line> = lines.iter().filter(|line| line.starts_with("fault")).collect();
+    let expected = expected::faults();
+    if found.len() != expected.len() {
+        return Err(Failure(format!("{place}: {} scenarios of faults, not {}", found.len(), expected.len())));
     }
-    for (found, expected) in found.iter().zip(expected) {
+    for (found, expected) in found.iter().zip(&expected) {
         if found.values.get("broken").is_none_or(|step| step != "0") {
-            return Err(Failure::new(format!("{language} breaks the sensor contract: {found:?}")));
+            return Err(Failure(format!("{place} breaks the sensor contract: {found:?}")));
         }
         if *found != expected {
-            return Err(Failure::new(format!("{language} is not the host: {found:?}, not {expected:?}")));
+            return Err(Failure(format!("{place} is not the host: {found:?}, not {expected:?}")));
         }
     }
-    let steps = |name: &str| found.iter().map(|line| line.number(name)).sum::<u64>();
+    let [ok, target, sensor, stuck] =
+        ["ok", "target", "sensor", "stuck"].map(|name| found.iter().map(|line| line.number(name)).sum::<u64>());
     println!(
-        "{language}: {} scenarios of sensor faults keep the contract: {} steps OK, {} TPG_BAD_TARGET, {} TPG_BAD_SENSOR, \
-         {} TPG_STUCK",
-        found.len(),
-        steps("ok"),
-        steps("target"),
-        steps("sensor"),
-        steps("stuck")
+        "{place}: {} scenarios of sensor faults keep the contract: {ok} steps OK, {target} TPG_BAD_TARGET, {sensor} \
+         TPG_BAD_SENSOR, {stuck} TPG_STUCK",
+        found.len()
     );
     Ok(())
 }

@@ -3,6 +3,7 @@
 use crate::Failure;
 use crate::facts::{self, Facts};
 use crate::line::Line;
+use crate::programs::Ran;
 use cortex_bound::{Analyser, Bound, Calls, Limit, Listing, LoopBounds, Share, Turns, disassemble};
 use std::path::Path;
 
@@ -97,16 +98,15 @@ fn tree(share: &Share, whole: u64, depth: usize) {
 }
 
 /// Checks that no measurement exceeds the bound.
-pub(crate) fn check(language: &str, image: &Path, lines: &[Line]) -> Result<(), Failure> {
+pub(crate) fn check(ran: &Ran<'_>) -> Result<(), Failure> {
+    let Ran { language, image, lines } = ran;
     let bound = Told::of(language, image)?.bound()?;
-    let of = |first: &str, last: &str, value: &str| {
-        let matching = |line: &&Line| {
-            line.words.first().is_some_and(|word| word == first) && line.words.last().is_some_and(|word| word == last)
-        };
+    let most = |first: &str, last: &str, value: &str| {
+        let matching = |line: &&Line| line.starts_with(first) && line.words.last().is_some_and(|word| word == last);
         lines.iter().filter(matching).map(|line| line.number(value)).max().unwrap_or(0)
     };
     let (instructions, stack) =
-        (of("episode", "hybrid", "worst"), of("decision", "fs", "stack").max(of("decision", "rs", "stack")));
+        (most("episode", "hybrid", "worst"), most("decision", "fs", "stack").max(most("decision", "rs", "stack")));
     println!(
         "{language}: a decision takes at most {} instructions (counted: {instructions}) and {} bytes of stack \
          (painted: {stack})",

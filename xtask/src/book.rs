@@ -1,4 +1,4 @@
-//! The book: `docs/` by mdBook, beside it the files outside of `docs/` that its pages link to, and a check of every link.
+//! The book: `docs/` by mdBook, beside it the files outside of `docs/` that its pages link to. A test checks the links.
 
 use crate::venv::{environment, interpreter, target};
 use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, html};
@@ -24,8 +24,7 @@ pub(crate) fn mdbook() -> io::Result<Option<PathBuf>> {
     }
 }
 
-/// Builds the book into `target/book`, with its first page at `docs/index.html`; returns true if every link of it leads to
-/// a file and a place in it.
+/// Builds the book into `target/book`, with its first page at `docs/index.html`; returns true if mdBook could build it.
 ///
 /// # Errors
 /// If mdBook cannot be started, or a file cannot be read or written.
@@ -39,22 +38,7 @@ pub(crate) fn build(mdbook: &Path) -> io::Result<bool> {
         return Ok(false);
     }
     add_what_is_linked(&place)?;
-    let mut pages = Vec::new();
-    files(&place, &mut pages)?;
-    pages.retain(|page| page.extension() == Some(OsStr::new("html")));
-    let (mut links, mut broken) = (0, Vec::new());
-    for page in &pages {
-        let text = fs::read_to_string(page)?;
-        for link in targets(&text) {
-            links += 1;
-            if !leads_somewhere(page, &text, link) {
-                broken.push(format!("{}: {link}", page.strip_prefix(&place).unwrap_or(page).display()));
-            }
-        }
-    }
-    broken.iter().for_each(|link| eprintln!("broken link: {link}"));
-    println!("book: {} pages, {links} links within it, {} broken", pages.len(), broken.len());
-    Ok(broken.is_empty() && links > 0)
+    Ok(true)
 }
 
 /// Copies the files outside of `docs/` that pages link to, and those that these link to; documents become pages.
@@ -168,46 +152,17 @@ fn page(text: &str) -> String {
     )
 }
 
-/// Returns what the links, pictures, scripts and styles of a page name.
-fn targets(page: &str) -> Vec<&str> {
-    let after = |key: &'static str| page.split(key).skip(1).filter_map(|rest| rest.split('"').next());
-    let all = after(" href=\"").chain(after(" src=\""));
-    all.filter(|link| !link.is_empty() && !leads_out(link)).collect()
-}
-
-/// True if a page's link leads to a file that exists, and to a place in it.
-fn leads_somewhere(page: &Path, text: &str, link: &str) -> bool {
-    let (file, place) = split(link);
-    let target = plain(&page.parent().unwrap_or(Path::new("")).join(file));
-    let named = format!("id=\"{place}\"");
-    let has_place = || match file {
-        "" => text.contains(&named),
-        _ => fs::read_to_string(&target).is_ok_and(|text| text.contains(&named)),
-    };
-    target.exists() && (place.is_empty() || has_place())
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{leads_somewhere, local_links, page, plain, targets};
-    use std::fs;
+    use super::{local_links, page, plain};
     use std::path::Path;
 
     #[test]
     fn a_document_becomes_a_page_whose_links_lead_to_pages() {
         let text = "# A\n[b](docs/b.md#there) [c](c.toml) [d](https://example.org/d.md)";
         assert_eq!(local_links(text), ["docs/b.md", "c.toml"]);
-        assert_eq!(targets(&page(text)), ["docs/b.html#there", "c.toml"]);
+        let page = page(text);
+        assert!(page.contains("href=\"docs/b.html#there\"") && page.contains("href=\"c.toml\""), "{page}");
         assert_eq!(plain(Path::new("/a/docs/../b/./c")), Path::new("/a/b/c"));
-    }
-
-    #[test]
-    fn a_broken_link_is_found() {
-        let folder = tempfile::tempdir().expect("a folder");
-        fs::write(folder.path().join("b.html"), "<h1 id=\"there\">").expect("written");
-        let page = folder.path().join("a.html");
-        let good = |link| leads_somewhere(&page, "<p id=\"here\">", link);
-        assert!(good("b.html") && good("b.html#there") && good("#here"));
-        assert!(!good("c.html") && !good("b.html#nowhere") && !good("#nowhere"));
     }
 }

@@ -203,7 +203,7 @@ impl Run {
     /// Builds the runtime without its features for a bare-metal target.
     fn no_std(&mut self, target: &str) {
         let name = format!("no_std build for {target}");
-        if !Self::has_target(target) {
+        if !tpg_testing::library::has_target(target) {
             self.summary.missing(&name, &format!("rustup target add {target}"));
             return;
         }
@@ -237,14 +237,6 @@ impl Run {
         command.env("CARGO_TARGET_DIR", tpg_testing::library::target_folder().join("oldest"));
         command.env_remove("RUSTUP_TOOLCHAIN").env_remove("CARGO").env_remove("RUSTC");
         self.check(&format!("Rust {version}"), command);
-    }
-
-    /// True if the compiler in use has a target's core library.
-    pub(crate) fn has_target(target: &str) -> bool {
-        let output = Command::new("rustc").args(["--print", "sysroot"]).output();
-        let sysroot =
-            output.map(|output| String::from_utf8_lossy(&output.stdout).trim().to_owned()).unwrap_or_default();
-        Path::new(&sysroot).join("lib/rustlib").join(target).join("lib").is_dir()
     }
 
     fn start(&self, name: &str, command: &mut Command) -> io::Result<()> {

@@ -79,13 +79,11 @@ enum Task {
         #[arg(long, default_value_t = 20)]
         seeds: u32,
     },
-    /// Evolution's threads, and tasks that share what the C interface lets them share, under ThreadSanitizer (nightly, gcc)
-    Threads,
     /// Build the Python package, install it into a virtual environment, run pytest, ruff, mypy and stubtest
     Python(python::PythonArgs),
     /// Make what users download: static programs for Linux, libraries for every target, a bill of materials, checksums
     Dist(dist::DistArgs),
-    /// Build the book of `docs/` with mdBook, into target/book; check its links
+    /// Build the book of `docs/` with mdBook, into target/book
     Book {
         /// First write the pages that are made from the programs: command lines and configuration
         #[arg(long)]
@@ -118,7 +116,6 @@ fn main() -> ExitCode {
         Task::Fuzz(arguments) => arguments.run(),
         Task::Miri => nightly::miri(),
         Task::Sanitize { seeds } => nightly::sanitize(seeds),
-        Task::Threads => nightly::threads(),
         Task::Python(arguments) => python::run(arguments),
         Task::Dist(arguments) => arguments.run(),
         Task::Book { update } => check::book(update),

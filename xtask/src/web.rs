@@ -4,7 +4,7 @@ use crate::check::{Run, cargo};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::{fs, io};
-use tpg_testing::library::{target_folder, top};
+use tpg_testing::library::{has_target, target_folder, top};
 
 /// The target of the module.
 pub(crate) const TARGET: &str = "wasm32-unknown-unknown";
@@ -18,7 +18,7 @@ pub(crate) fn run() -> bool {
 
 /// Builds and tests the page.
 pub(crate) fn check(run: &mut Run) {
-    if !Run::has_target(TARGET) {
+    if !has_target(TARGET) {
         return run.missing("page", &format!("rustup target add {TARGET}"));
     }
     let folder = target_folder().join("web");

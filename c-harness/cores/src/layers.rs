@@ -4,8 +4,6 @@ use tpg_runtime::net::{self, Kind, LayerRows, Meaning, Model, OutputKind, Rescal
 
 /// Values of each layer, the inputs first.
 const SIZES: [usize; 4] = [38, 64, 64, 4];
-/// Weights of the widest layer.
-const WIDEST: usize = 64 * 64;
 /// Inputs that each network is asked with.
 pub const INPUTS: u32 = 200;
 /// Words of scratch memory: as many as the widest layer's inputs.
@@ -53,54 +51,56 @@ impl Numbers {
 }
 
 const fn model<const N: usize>(kind: Kind) -> [u32; N] {
+    let mut words = [0; N];
+    assert!(write::<{ 64 * 64 }, 64>(SIZES, kind, &MEANING, &mut words));
+    words
+}
+
+/// Packs a network with weights without a pattern into `words`; true if it fits. No layer has more weights than `WEIGHTS` or more
+/// outputs than `WIDTH`.
+pub const fn write<const WEIGHTS: usize, const WIDTH: usize>(
+    sizes: [usize; 4],
+    kind: Kind,
+    meaning: &Meaning<'_>,
+    words: &mut [u32],
+) -> bool {
     let mut numbers = Numbers(1);
     let (bound, shift) = match kind {
         Kind::W8A16 => (250, 22),
         Kind::W16A16 => (400, 22),
         Kind::W8A8 => (250, 23),
     };
-    let mut weights = [[0i16; WIDEST]; 3];
-    let mut biases = [[0i32; 64]; 3];
+    let mut weights = [[0i16; WEIGHTS]; 3];
+    let mut biases = [[0i32; WIDTH]; 3];
+    let rescale = [Rescale { factor: 20_000, shift }; WIDTH];
     let mut layer = 0;
     while layer < 3 {
         let mut at = 0;
-        while at < SIZES[layer] * SIZES[layer + 1] {
+        while at < sizes[layer] * sizes[layer + 1] {
             weights[layer][at] = numbers.below(bound) as i16;
             at += 1;
         }
         at = 0;
-        while at < SIZES[layer + 1] {
+        while at < sizes[layer + 1] {
             biases[layer][at] = numbers.below(10_000);
             at += 1;
         }
         layer += 1;
     }
-    let rescale = [Rescale { factor: 20_000, shift }; 64];
-    let [a, b, c] = [
-        rows(0, kind, &weights, &biases, &rescale),
-        rows(1, kind, &weights, &biases, &rescale),
-        rows(2, kind, &weights, &biases, &rescale),
-    ];
-    let mut words = [0; N];
-    assert!(pack(&[a, b, c], &MEANING, &mut words));
-    words
-}
-
-const fn rows<'a>(
-    layer: usize,
-    kind: Kind,
-    weights: &'a [[i16; WIDEST]; 3],
-    biases: &'a [[i32; 64]; 3],
-    rescale: &'a [Rescale; 64],
-) -> LayerRows<'a> {
-    let (inputs, outputs) = (SIZES[layer], SIZES[layer + 1]);
-    LayerRows {
-        inputs,
-        kind,
-        weights: Weights::I16(weights[layer].split_at(inputs * outputs).0),
-        bias: biases[layer].split_at(outputs).0,
-        rescale: rescale.split_at(outputs).0,
+    let mut rows = [LayerRows { inputs: 0, kind, weights: Weights::I16(&[]), bias: &[], rescale: &[] }; 3];
+    layer = 0;
+    while layer < 3 {
+        let (inputs, outputs) = (sizes[layer], sizes[layer + 1]);
+        rows[layer] = LayerRows {
+            inputs,
+            kind,
+            weights: Weights::I16(weights[layer].split_at(inputs * outputs).0),
+            bias: biases[layer].split_at(outputs).0,
+            rescale: rescale.split_at(outputs).0,
+        };
+        layer += 1;
     }
+    pack(&rows, meaning, words)
 }
 
 /// Asks the network of a kind: `from` starts a count of instructions, `count` says how many since. `None` where it is no model.

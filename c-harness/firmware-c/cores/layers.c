@@ -27,7 +27,7 @@ int main(void)
         }
         report_begin(&line, "layers ");
         report_word(&line, kinds[code]);
-        report_unsigned(&line, "inputs", asked.inputs);
+        report_unsigned(&line, "actions", asked.inputs);
         report_hexadecimal(&line, "hash", asked.hash);
         report_unsigned(&line, "instructions", asked.instructions);
         report_unsigned(&line, "worst", asked.worst);

@@ -114,7 +114,7 @@ static void run(const policy_t *policy, uint32_t overhead)
     }
     report_begin(&line, "policy ");
     report_word(&line, policy->name);
-    report_unsigned(&line, "states", (uint32_t)STATES);
+    report_unsigned(&line, "actions", (uint32_t)STATES);
     report_hexadecimal(&line, "hash", hash);
     report_unsigned(&line, "instructions", instructions);
     report_unsigned(&line, "worst", worst);

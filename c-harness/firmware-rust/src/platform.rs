@@ -1,5 +1,6 @@
 //! Output by semihosting, and SysTick as a counter of instructions (see `firmware-c/qemu.c`).
 
+use crate::report::Report;
 use cortex_m::peripheral::{SYST, syst::SystClkSource};
 use cortex_m_semihosting::{debug, hio};
 
@@ -46,6 +47,17 @@ pub fn exit(good: bool) -> ! {
     loop {
         debug::exit(if good { debug::EXIT_SUCCESS } else { debug::EXIT_FAILURE });
     }
+}
+
+/// A program: its work, then the stack that it took, and the end. `None` from the work is a failure.
+#[inline(always)]
+pub fn run(work: impl FnOnce(&mut Counter) -> Option<()>) -> ! {
+    let stack = paint_stack();
+    let done = cortex_m::Peripherals::take().and_then(|peripherals| work(&mut Counter::new(peripherals.SYST)));
+    if done.is_some() {
+        Report::new("done").unsigned("stack", stack_used(stack)).print();
+    }
+    exit(done.is_some())
 }
 
 unsafe extern "C" {

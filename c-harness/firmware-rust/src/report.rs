@@ -68,7 +68,7 @@ impl Report {
     pub fn print(self) {
         let line = self.word("\n");
         if let Some(text) = line.text.get(..line.length).and_then(|text| core::str::from_utf8(text).ok()) {
-            super::platform::print(text);
+            crate::platform::print(text);
         }
     }
 }

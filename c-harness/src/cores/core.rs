@@ -56,161 +56,132 @@ const MPS2: Memories = memories((0, "4M"), (0x2000_0000, "4M"));
 /// Those of QEMU's `virt`: both in its RAM.
 const VIRT: Memories = memories((0x8000_0000, "4M"), (0x8040_0000, "4M"));
 
+/// A Cortex-M, with the words for its core and its floats.
+const fn arm(
+    name: &'static str,
+    machine: &'static str,
+    (memories, ticks): (Memories, u32),
+    flags: &'static [&'static str],
+    target: &'static str,
+) -> Core {
+    let runner = Runner::Arm(memories, ticks);
+    Core { name, machine, runner, flags, target: Some(target), images: 1, figures: true }
+}
+
+/// A RISC-V on a board of QEMU's.
+const fn riscv(
+    name: &'static str,
+    (machine, memories): (&'static str, Memories),
+    flags: &'static [&'static str],
+    target: &'static str,
+) -> Core {
+    Core { name, machine, runner: Runner::RiscV(memories), flags, target: Some(target), images: 1, figures: true }
+}
+
+/// A core for which no Rust is built.
+const fn only_c(name: &'static str, machine: &'static str, runner: Runner, flags: &'static [&'static str]) -> Core {
+    Core { name, machine, runner, flags, target: None, images: 1, figures: false }
+}
+
+/// Memories and ticks of the boards with a Cortex-M33.
+const AN505: (Memories, u32) = (memories((0x1000_0000, "4M"), (0x3800_0000, "4M")), 20_480);
+const RV32IMAC: &[&str] = &["-march=rv32imac", "-mabi=ilp32", "-mcmodel=medany"];
+
 /// Every core.
 pub(super) const CORES: [Core; 17] = [
+    arm(
+        "Cortex-M0",
+        "microbit",
+        (memories((0, "256K"), (0x2000_0000, "16K")), 16_384),
+        &["-mcpu=cortex-m0", "-mthumb", "-mfloat-abi=soft"],
+        "thumbv6m-none-eabi",
+    ),
+    arm(
+        "Cortex-M3",
+        "mps2-an385",
+        (MPS2, 25_600),
+        &["-mcpu=cortex-m3", "-mthumb", "-mfloat-abi=soft"],
+        "thumbv7m-none-eabi",
+    ),
+    arm(
+        "Cortex-M4F",
+        "mps2-an386",
+        (MPS2, 25_600),
+        &["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"],
+        "thumbv7em-none-eabihf",
+    ),
+    arm(
+        "Cortex-M7",
+        "mps2-an500",
+        (MPS2, 25_600),
+        &["-mcpu=cortex-m7", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv5-sp-d16"],
+        "thumbv7em-none-eabihf",
+    ),
+    arm(
+        "Cortex-M33",
+        "mps2-an505",
+        AN505,
+        &["-mcpu=cortex-m33", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv5-sp-d16"],
+        "thumbv8m.main-none-eabihf",
+    ),
     Core {
-        name: "Cortex-M0",
-        machine: "microbit",
-        runner: Runner::Arm(memories((0, "256K"), (0x2000_0000, "16K")), 16_384),
-        flags: &["-mcpu=cortex-m0", "-mthumb", "-mfloat-abi=soft"],
-        target: Some("thumbv6m-none-eabi"),
-        images: 1,
-        figures: true,
-    },
-    Core {
-        name: "Cortex-M3",
-        machine: "mps2-an385",
-        runner: Runner::Arm(MPS2, 25_600),
-        flags: &["-mcpu=cortex-m3", "-mthumb", "-mfloat-abi=soft"],
-        target: Some("thumbv7m-none-eabi"),
-        images: 1,
-        figures: true,
-    },
-    Core {
-        name: "Cortex-M4F",
-        machine: "mps2-an386",
-        runner: Runner::Arm(MPS2, 25_600),
-        flags: &["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"],
-        target: Some("thumbv7em-none-eabihf"),
-        images: 1,
-        figures: true,
-    },
-    Core {
-        name: "Cortex-M7",
-        machine: "mps2-an500",
-        runner: Runner::Arm(MPS2, 25_600),
-        flags: &["-mcpu=cortex-m7", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv5-sp-d16"],
-        target: Some("thumbv7em-none-eabihf"),
-        images: 1,
-        figures: true,
-    },
-    Core {
-        name: "Cortex-M33",
-        machine: "mps2-an505",
-        runner: Runner::Arm(memories((0x1000_0000, "4M"), (0x3800_0000, "4M")), 20_480),
-        flags: &["-mcpu=cortex-m33", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv5-sp-d16"],
-        target: Some("thumbv8m.main-none-eabihf"),
-        images: 1,
-        figures: true,
-    },
-    Core {
-        name: "Cortex-M33 without FPU",
-        machine: "mps2-an505",
-        runner: Runner::Arm(memories((0x1000_0000, "4M"), (0x3800_0000, "4M")), 20_480),
-        flags: &["-mcpu=cortex-m33+nofp", "-mthumb", "-mfloat-abi=soft"],
-        target: Some("thumbv8m.main-none-eabi"),
-        images: 1,
         figures: false,
+        ..arm(
+            "Cortex-M33 without FPU",
+            "mps2-an505",
+            AN505,
+            &["-mcpu=cortex-m33+nofp", "-mthumb", "-mfloat-abi=soft"],
+            "thumbv8m.main-none-eabi",
+        )
     },
+    arm(
+        "Cortex-M55",
+        "mps3-an547",
+        (memories((0, "512K"), (0x2000_0000, "512K")), 32_768),
+        &["-mcpu=cortex-m55", "-mthumb", "-mfloat-abi=hard", "-mfpu=auto"],
+        "thumbv8m.main-none-eabihf",
+    ),
+    riscv("RISC-V rv32imac", ("virt", VIRT), RV32IMAC, "riscv32imac-unknown-none-elf"),
     Core {
-        name: "Cortex-M55",
-        machine: "mps3-an547",
-        runner: Runner::Arm(memories((0, "512K"), (0x2000_0000, "512K")), 32_768),
-        flags: &["-mcpu=cortex-m55", "-mthumb", "-mfloat-abi=hard", "-mfpu=auto"],
-        target: Some("thumbv8m.main-none-eabihf"),
-        images: 1,
-        figures: true,
-    },
-    Core {
-        name: "RISC-V rv32imac",
-        machine: "virt",
-        runner: Runner::RiscV(VIRT),
-        flags: &["-march=rv32imac", "-mabi=ilp32", "-mcmodel=medany"],
-        target: Some("riscv32imac-unknown-none-elf"),
-        images: 1,
-        figures: true,
-    },
-    Core {
-        name: "RISC-V rv32imac",
-        machine: "sifive_e",
-        runner: Runner::RiscV(memories((0x2040_0000, "4M"), (0x8000_0000, "16K"))),
-        flags: &["-march=rv32imac", "-mabi=ilp32", "-mcmodel=medany"],
-        target: Some("riscv32imac-unknown-none-elf"),
-        images: 1,
         figures: false,
+        ..riscv(
+            "RISC-V rv32imac",
+            ("sifive_e", memories((0x2040_0000, "4M"), (0x8000_0000, "16K"))),
+            RV32IMAC,
+            "riscv32imac-unknown-none-elf",
+        )
     },
     Core {
-        name: "RISC-V rv32imc",
-        machine: "virt",
-        runner: Runner::RiscV(VIRT),
-        flags: &["-march=rv32imc", "-mabi=ilp32", "-mcmodel=medany"],
-        target: Some("riscv32imc-unknown-none-elf"),
-        images: 1,
         figures: false,
+        ..riscv(
+            "RISC-V rv32imc",
+            ("virt", VIRT),
+            &["-march=rv32imc", "-mabi=ilp32", "-mcmodel=medany"],
+            "riscv32imc-unknown-none-elf",
+        )
     },
+    riscv(
+        "RISC-V rv32imafc",
+        ("virt", VIRT),
+        &["-march=rv32imafc", "-mabi=ilp32f", "-mcmodel=medany"],
+        "riscv32imafc-unknown-none-elf",
+    ),
     Core {
-        name: "RISC-V rv32imafc",
-        machine: "virt",
-        runner: Runner::RiscV(VIRT),
-        flags: &["-march=rv32imafc", "-mabi=ilp32f", "-mcmodel=medany"],
-        target: Some("riscv32imafc-unknown-none-elf"),
-        images: 1,
-        figures: true,
-    },
-    Core {
-        name: "AVR ATmega328P",
-        machine: "uno",
-        runner: Runner::Avr,
-        flags: &["-mmcu=atmega328p", "-DF_CPU=16000000UL"],
-        target: None,
         images: 2,
         figures: true,
+        ..only_c("AVR ATmega328P", "uno", Runner::Avr, &["-mmcu=atmega328p", "-DF_CPU=16000000UL"])
     },
     Core {
-        name: "AVR ATmega2560",
-        machine: "mega2560",
-        runner: Runner::Avr,
-        flags: &["-mmcu=atmega2560", "-DF_CPU=16000000UL"],
-        target: None,
-        images: 1,
         figures: true,
+        ..only_c("AVR ATmega2560", "mega2560", Runner::Avr, &["-mmcu=atmega2560", "-DF_CPU=16000000UL"])
     },
     Core {
-        name: "WebAssembly",
-        machine: "node",
-        runner: Runner::Wasm,
-        flags: &["--target=wasm32-wasi"],
         target: Some("wasm32-unknown-unknown"),
-        images: 1,
-        figures: false,
+        ..only_c("WebAssembly", "node", Runner::Wasm, &["--target=wasm32-wasi"])
     },
-    Core {
-        name: "x86-64",
-        machine: "this machine",
-        runner: Runner::Host,
-        flags: &[],
-        target: None,
-        images: 1,
-        figures: false,
-    },
-    Core {
-        name: "x86-64 with fused multiply-add",
-        machine: "this machine",
-        runner: Runner::Host,
-        flags: &["-mfma"],
-        target: None,
-        images: 1,
-        figures: false,
-    },
-    Core {
-        name: "PowerPC, big-endian",
-        machine: "qemu-ppc",
-        runner: Runner::User,
-        flags: &["-static"],
-        target: None,
-        images: 1,
-        figures: false,
-    },
+    only_c("x86-64", "this machine", Runner::Host, &[]),
+    only_c("x86-64 with fused multiply-add", "this machine", Runner::Host, &["-mfma"]),
+    only_c("PowerPC, big-endian", "qemu-ppc", Runner::User, &["-static"]),
 ];
 
 impl Core {

@@ -5,7 +5,7 @@ use super::images::EPISODES;
 use super::shipped::{Bits, STATES};
 use crate::Failure;
 use crate::build;
-use crate::costs::Cost;
+use crate::costs::{Cost, Tolerance};
 use crate::line::Line;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
@@ -85,53 +85,31 @@ impl Figures {
             Program::Layers => &mut of.layers,
         };
         for line in lines {
-            let (name, actions) = match line.words.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-                ["policy", name] if matches!(program, Program::C | Program::Rust) => (name, "states"),
-                ["layers", kind] if program == Program::Layers => (kind, "inputs"),
-                ["episode", start, "hybrid"] if program == Program::Hybrid => (start, "actions"),
-                _ => continue,
-            };
-            let cost = costs.entry(name.to_owned()).or_default();
-            cost.actions += line.number(actions);
-            cost.instructions += line.number("instructions");
-            cost.worst = cost.worst.max(line.number("worst"));
+            if let [first, name, rest @ ..] = &*line.words
+                && (program != Program::Hybrid || rest == ["hybrid"])
+                && ["policy", "layers", "episode"].contains(&first.as_str())
+            {
+                costs.entry(name.clone()).or_default().add(line);
+            }
         }
     }
 
-    /// Differences from what is committed. With other compilers 2 % are allowed, and a line says so.
+    /// Differences from what is committed.
     pub(super) fn differences(&self) -> Result<Vec<String>, Failure> {
         let committed: Self = toml::from_str(&build::committed(FILE)?).map_err(Failure::new)?;
-        let exact = committed.compilers == self.compilers;
-        if !exact {
-            println!("{FILE} was made with other compilers ({:?}): 2 % are allowed", committed.compilers);
-        }
-        let near = |a: u64, b: u64| if exact { a == b } else { a.abs_diff(b) * 50 <= b };
+        let tolerance = Tolerance::new(FILE, &committed.compilers, &self.compilers);
         let mut differences = Vec::new();
-        for (name, of) in &self.core {
+        for (name, found) in &self.core {
             let was = committed.core.get(name).cloned().unwrap_or_default();
-            for (policy, flash) in &of.flash {
-                if !was.flash.get(policy).is_some_and(|&was| near(*flash, was)) {
-                    differences
-                        .push(format!("{name}, {policy}: {flash} bytes, {FILE} has {:?}", was.flash.get(policy)));
-                }
-            }
+            let place = |what: &str| format!("{name}, {what}, ");
+            differences.extend(tolerance.differences(&place("flash"), &found.flash, &was.flash, |&bytes| [bytes]));
             for (what, found, was) in [
-                ("C", &of.c, &was.c),
-                ("Rust", &of.rust, &was.rust),
-                ("hybrid", &of.hybrid, &was.hybrid),
-                ("layers", &of.layers, &was.layers),
+                ("C", &found.c, &was.c),
+                ("Rust", &found.rust, &was.rust),
+                ("hybrid", &found.hybrid, &was.hybrid),
+                ("layers", &found.layers, &was.layers),
             ] {
-                for (policy, cost) in found {
-                    let same = |was: &Cost| {
-                        cost.actions == was.actions
-                            && near(cost.instructions, was.instructions)
-                            && near(cost.worst, was.worst)
-                    };
-                    if !was.get(policy).is_some_and(same) {
-                        let was = was.get(policy);
-                        differences.push(format!("{name}, {what}, {policy}: {cost:?}, {FILE} has {was:?}"));
-                    }
-                }
+                differences.extend(tolerance.differences(&place(what), found, was, Cost::numbers));
             }
         }
         let page = page();
@@ -185,11 +163,7 @@ fn page() -> PathBuf {
 impl std::fmt::Display for Figures {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let cost = |costs: &BTreeMap<String, Cost>| {
-            let cell = |cost: &Cost| {
-                let mean = cost.instructions as f64 / cost.actions.max(1) as f64;
-                format!("{mean:.0} · {}", cost.worst)
-            };
-            costs.iter().map(|(name, one)| (name.clone(), cell(one))).collect()
+            costs.iter().map(|(name, one)| (name.clone(), format!("{:.0} · {}", one.mean(), one.worst))).collect()
         };
         writeln!(
             f,

@@ -1,6 +1,7 @@
 //! The shipped policies, the states that they see on every core, and their answers on this machine: the interpreter's.
 
 use crate::Failure;
+use crate::data;
 use crate::record::Hash;
 use std::fmt::Write as _;
 use std::fs;
@@ -27,7 +28,7 @@ pub(super) enum Bits {
 }
 
 impl Bits {
-    fn of(self, bits: u32) -> u32 {
+    fn apply(self, bits: u32) -> u32 {
         match (self, bits >> 23 & 255) {
             (Self::Any, _) | (_, 255) => bits,
             (Self::NeitherTinyNorHuge, 0) => bits & 0x8000_0000,
@@ -41,6 +42,8 @@ impl Bits {
 pub(super) struct Shipped {
     pub(super) prefix: Prefix,
     graph: Graph,
+    /// A hash of the interpreter's answers for any bits, and for neither tiny nor huge ones.
+    hashes: [Hash; 2],
 }
 
 /// The graphs of `generated/`, and one with memory, by name.
@@ -54,6 +57,42 @@ pub(super) fn all() -> Result<Vec<Shipped>, Failure> {
     paths.iter().map(|path| Shipped::load(path)).collect()
 }
 
+/// The low end and a 16,777,216th of the range of each input.
+fn ranges(graph: &Graph) -> [Vec<f32>; 2] {
+    let (low, step) =
+        graph.state_ranges().map(|range| (range.min as f32, ((range.max - range.min) / 16_777_216.0) as f32)).unzip();
+    [low, step]
+}
+
+/// The states that `states.c` draws.
+fn states(graph: &Graph, kind: Bits) -> Vec<f64> {
+    let [low, step] = ranges(graph);
+    let mut bits = 1u32;
+    let mut states = Vec::with_capacity(STATES * low.len());
+    for index in 0..STATES {
+        for (low, step) in low.iter().zip(&step) {
+            bits ^= bits << 13;
+            bits ^= bits >> 17;
+            bits ^= bits << 5;
+            let value = if index % 3 == 0 { f32::from_bits(kind.apply(bits)) } else { low + (bits >> 8) as f32 * step };
+            states.push(f64::from(value));
+        }
+    }
+    states
+}
+
+/// A hash of the interpreter's answers.
+fn hash(graph: &Graph, states: &[f64]) -> Hash {
+    let mut hash = Hash::new();
+    for answer in interpret::answers(graph, states) {
+        match answer {
+            Answer::Action(ActionId(action)) => hash.add_bits(u32::from(action)),
+            Answer::Values(values) => values.iter().for_each(|&value| hash.add_bits((value as f32).to_bits())),
+        }
+    }
+    hash
+}
+
 impl Shipped {
     fn load(path: &Path) -> Result<Self, Failure> {
         let graph = import::load(path, None, None).map_err(Failure::new)?;
@@ -63,48 +102,14 @@ impl Shipped {
         if graph.state_length() as u32 > MOST_VALUES {
             return Err(Failure::at(path, format!("a state of more than {MOST_VALUES} values: see policies.h")));
         }
-        Ok(Self { prefix: Prefix::of_file(path), graph })
+        let hashes = [Bits::Any, Bits::NeitherTinyNorHuge].map(|bits| hash(&graph, &states(&graph, bits)));
+        Ok(Self { prefix: Prefix::of_file(path), graph, hashes })
     }
 
-    /// The values of an answer: 1 for an action.
-    fn answers(&self) -> usize {
-        self.graph.outputs().len().max(1)
-    }
-
-    /// The low end and a 16,777,216th of the range of each input.
-    fn ranges(&self) -> (Vec<f32>, Vec<f32>) {
-        let range = |range: tpg_graph::Range| (range.min as f32, ((range.max - range.min) / 16_777_216.0) as f32);
-        self.graph.state_ranges().map(range).unzip()
-    }
-
-    /// The states that `states.c` draws.
-    fn states(&self, kind: Bits) -> Vec<f64> {
-        let (low, step) = self.ranges();
-        let mut bits = 1u32;
-        let mut states = Vec::with_capacity(STATES * low.len());
-        for index in 0..STATES {
-            for (low, step) in low.iter().zip(&step) {
-                bits ^= bits << 13;
-                bits ^= bits >> 17;
-                bits ^= bits << 5;
-                let value =
-                    if index % 3 == 0 { f32::from_bits(kind.of(bits)) } else { low + (bits >> 8) as f32 * step };
-                states.push(f64::from(value));
-            }
-        }
-        states
-    }
-
-    /// A hash of the interpreter's answers.
-    pub(super) fn expected(&self, kind: Bits) -> Hash {
-        let mut hash = Hash::new();
-        for answer in interpret::answers(&self.graph, &self.states(kind)) {
-            match answer {
-                Answer::Action(ActionId(action)) => hash.add_bits(u32::from(action)),
-                Answer::Values(values) => values.iter().for_each(|&value| hash.add_bits((value as f32).to_bits())),
-            }
-        }
-        hash
+    /// The hash of its answers to states with such bits.
+    pub(super) fn expected(&self, bits: Bits) -> &Hash {
+        let [any, neither] = &self.hashes;
+        if bits == Bits::Any { any } else { neither }
     }
 
     /// The generated C.
@@ -161,18 +166,12 @@ impl Shipped {
     /// The constants and the entry of `policies[]`.
     fn entry(&self) -> (String, String) {
         let name = &self.prefix;
-        let (low, step) = self.ranges();
-        let list = |values: &[f32]| values.iter().map(|value| format!("{value:?}F")).collect::<Vec<_>>().join(", ");
-        let constants = format!(
-            "static const float {name}_low[] = {{ {} }};\nstatic const float {name}_step[] = {{ {} }};\n",
-            list(&low),
-            list(&step)
-        );
-        let entry = format!(
-            "    {{ \"{name}\", {}U, {}U, {name}_low, {name}_step, {name}_answer }},\n",
-            low.len(),
-            self.answers()
-        );
+        let constants = ["low", "step"].into_iter().zip(ranges(&self.graph));
+        let constants: String = constants
+            .map(|(what, values)| format!("static const float {name}_{what}[] = {};\n", data::list(&values)))
+            .collect();
+        let (inputs, answers) = (self.graph.state_length(), self.graph.outputs().len().max(1));
+        let entry = format!("    {{ \"{name}\", {inputs}U, {answers}U, {name}_low, {name}_step, {name}_answer }},\n");
         (constants, entry)
     }
 }

@@ -54,182 +54,70 @@ pub struct Own;
 #[derive(Clone, Copy, Debug, Default)]
 pub struct System;
 
-impl Maths<f32> for Own {
-    #[inline]
-    fn sin(x: f32) -> f32 {
-        own::f32::sin(x)
-    }
-    #[inline]
-    fn cos(x: f32) -> f32 {
-        own::f32::cos(x)
-    }
-    #[inline]
-    fn tan(x: f32) -> f32 {
-        own::f32::tan(x)
-    }
-    #[inline]
-    fn ln(x: f32) -> f32 {
-        own::f32::ln(x)
-    }
-    #[inline]
-    fn exp(x: f32) -> f32 {
-        own::f32::exp(x)
-    }
-    #[inline(always)]
-    fn sines(numbers: &mut [f32; 8], _used: usize) {
-        eight::f32::sines(numbers);
-    }
-    #[inline(always)]
-    fn cosines(numbers: &mut [f32; 8], _used: usize) {
-        eight::f32::cosines(numbers);
-    }
-    #[inline(always)]
-    fn logarithms(numbers: &mut [f32; 8], _used: usize) {
-        numbers.iter_mut().for_each(|x| *x = own::f32::ln(*x));
-    }
-    #[inline(always)]
-    fn exponentials(numbers: &mut [f32; 8], _used: usize) {
-        numbers.iter_mut().for_each(|x| *x = own::f32::exp(*x));
-    }
+/// Implements a provider by its five functions in one scalar type, and more.
+macro_rules! provider {
+    ($provider:ty, $scalar:ty, [$sin:path, $cos:path, $tan:path, $ln:path, $exp:path] $($more:item)*) => {
+        impl Maths<$scalar> for $provider {
+            #[inline]
+            fn sin(x: $scalar) -> $scalar {
+                $sin(x)
+            }
+            #[inline]
+            fn cos(x: $scalar) -> $scalar {
+                $cos(x)
+            }
+            #[inline]
+            fn tan(x: $scalar) -> $scalar {
+                $tan(x)
+            }
+            #[inline]
+            fn ln(x: $scalar) -> $scalar {
+                $ln(x)
+            }
+            #[inline]
+            fn exp(x: $scalar) -> $scalar {
+                $exp(x)
+            }
+            $($more)*
+        }
+    };
 }
 
-impl Maths<f64> for Own {
-    #[inline]
-    fn sin(x: f64) -> f64 {
-        own::f64::sin(x)
-    }
-    #[inline]
-    fn cos(x: f64) -> f64 {
-        own::f64::cos(x)
-    }
-    #[inline]
-    fn tan(x: f64) -> f64 {
-        own::f64::tan(x)
-    }
-    #[inline]
-    fn ln(x: f64) -> f64 {
-        own::f64::ln(x)
-    }
-    #[inline]
-    fn exp(x: f64) -> f64 {
-        own::f64::exp(x)
-    }
-    #[inline(always)]
-    fn sines(numbers: &mut [f64; 8], _used: usize) {
-        eight::f64::sines(numbers);
-    }
-    #[inline(always)]
-    fn cosines(numbers: &mut [f64; 8], _used: usize) {
-        eight::f64::cosines(numbers);
-    }
-    #[inline(always)]
-    fn logarithms(numbers: &mut [f64; 8], _used: usize) {
-        numbers.iter_mut().for_each(|x| *x = own::f64::ln(*x));
-    }
-    #[inline(always)]
-    fn exponentials(numbers: &mut [f64; 8], _used: usize) {
-        numbers.iter_mut().for_each(|x| *x = own::f64::exp(*x));
-    }
+/// Implements [`Own`] in the scalar type of this name.
+macro_rules! own_kernels {
+    ($scalar:ident) => {
+        provider! {
+            Own,
+            $scalar,
+            [own::$scalar::sin, own::$scalar::cos, own::$scalar::tan, own::$scalar::ln, own::$scalar::exp]
+            #[inline(always)]
+            fn sines(numbers: &mut [$scalar; 8], _used: usize) {
+                eight::$scalar::sines(numbers);
+            }
+            #[inline(always)]
+            fn cosines(numbers: &mut [$scalar; 8], _used: usize) {
+                eight::$scalar::cosines(numbers);
+            }
+            #[inline(always)]
+            fn logarithms(numbers: &mut [$scalar; 8], _used: usize) {
+                numbers.iter_mut().for_each(|x| *x = own::$scalar::ln(*x));
+            }
+            #[inline(always)]
+            fn exponentials(numbers: &mut [$scalar; 8], _used: usize) {
+                numbers.iter_mut().for_each(|x| *x = own::$scalar::exp(*x));
+            }
+        }
+    };
 }
+
+own_kernels!(f32);
+own_kernels!(f64);
 
 #[cfg(feature = "std")]
-mod system {
-    use super::{Maths, System};
-
-    impl Maths<f32> for System {
-        #[inline]
-        fn sin(x: f32) -> f32 {
-            x.sin()
-        }
-        #[inline]
-        fn cos(x: f32) -> f32 {
-            x.cos()
-        }
-        #[inline]
-        fn tan(x: f32) -> f32 {
-            x.tan()
-        }
-        #[inline]
-        fn ln(x: f32) -> f32 {
-            x.ln()
-        }
-        #[inline]
-        fn exp(x: f32) -> f32 {
-            x.exp()
-        }
-    }
-
-    impl Maths<f64> for System {
-        #[inline]
-        fn sin(x: f64) -> f64 {
-            x.sin()
-        }
-        #[inline]
-        fn cos(x: f64) -> f64 {
-            x.cos()
-        }
-        #[inline]
-        fn tan(x: f64) -> f64 {
-            x.tan()
-        }
-        #[inline]
-        fn ln(x: f64) -> f64 {
-            x.ln()
-        }
-        #[inline]
-        fn exp(x: f64) -> f64 {
-            x.exp()
-        }
-    }
-}
-
+provider!(System, f32, [f32::sin, f32::cos, f32::tan, f32::ln, f32::exp]);
+#[cfg(feature = "std")]
+provider!(System, f64, [f64::sin, f64::cos, f64::tan, f64::ln, f64::exp]);
 #[cfg(not(feature = "std"))]
-mod system {
-    use super::{Maths, System};
-
-    impl Maths<f32> for System {
-        #[inline]
-        fn sin(x: f32) -> f32 {
-            libm::sinf(x)
-        }
-        #[inline]
-        fn cos(x: f32) -> f32 {
-            libm::cosf(x)
-        }
-        #[inline]
-        fn tan(x: f32) -> f32 {
-            libm::tanf(x)
-        }
-        #[inline]
-        fn ln(x: f32) -> f32 {
-            libm::logf(x)
-        }
-        #[inline]
-        fn exp(x: f32) -> f32 {
-            libm::expf(x)
-        }
-    }
-
-    impl Maths<f64> for System {
-        #[inline]
-        fn sin(x: f64) -> f64 {
-            libm::sin(x)
-        }
-        #[inline]
-        fn cos(x: f64) -> f64 {
-            libm::cos(x)
-        }
-        #[inline]
-        fn tan(x: f64) -> f64 {
-            libm::tan(x)
-        }
-        #[inline]
-        fn ln(x: f64) -> f64 {
-            libm::log(x)
-        }
-        #[inline]
-        fn exp(x: f64) -> f64 {
-            libm::exp(x)
-        }
-    }
-}
+provider!(System, f32, [libm::sinf, libm::cosf, libm::tanf, libm::logf, libm::expf]);
+#[cfg(not(feature = "std"))]
+provider!(System, f64, [libm::sin, libm::cos, libm::tan, libm::log, libm::exp]);

@@ -153,14 +153,19 @@ fn install(target: &str, folder: &Path) -> Result<(), Missing> {
     put(&format!("lib/{target}/pkgconfig/tpg_runtime.pc"), filled("tpg_runtime.pc.in"))
 }
 
+/// True if the compiler in use has a target's core library.
+pub fn has_target(target: &str) -> bool {
+    let output = Command::new("rustc").args(["--print", "sysroot"]).current_dir(top()).output();
+    let sysroot = output.map(|output| String::from_utf8_lossy(&output.stdout).trim().to_owned()).unwrap_or_default();
+    Path::new(&sysroot).join("lib/rustlib").join(target).join("lib").is_dir()
+}
+
 /// True if the compiler in use has a target's core library; otherwise `what` is skipped, or fails.
 ///
 /// # Panics
 /// If the target is missing and missing tools must fail.
 pub fn rust_target(target: &str, what: &str) -> bool {
-    let output = Command::new("rustc").args(["--print", "sysroot"]).current_dir(top()).output();
-    let sysroot = output.map(|output| String::from_utf8_lossy(&output.stdout).trim().to_owned()).unwrap_or_default();
-    if Path::new(&sysroot).join("lib/rustlib").join(target).join("lib").is_dir() {
+    if has_target(target) {
         return true;
     }
     let message = format!("{what}: not installed (rustup target add {target})");

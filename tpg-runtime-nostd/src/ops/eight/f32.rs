@@ -1,10 +1,7 @@
 //! Eight floats.
 
-use super::super::own::f32::{self as own, CIRCLE, HALF_PI, TWO_OVER_PI};
+use super::super::own::f32::{self as own, CIRCLE, FRACTION, LEAST_NORMAL, MAGNITUDE, SIGN, TOP, TWO_OVER_PI};
 
-const SIGN: u32 = 1 << 31;
-const FRACTION: u32 = 0x007f_ffff;
-const LEAST_NORMAL: u32 = 0x0080_0000;
 /// The first 192 bits of [`TWO_OVER_PI`], whose words overlap.
 const WINDOW: [u64; 3] = [bits(0), bits(8), bits(16)];
 /// 2³⁰: from there on, other bits of 2/π matter.
@@ -22,7 +19,7 @@ pub(in crate::ops) fn sines(numbers: &mut [f32; 8]) {
     }
     for x in numbers {
         let bits = x.to_bits();
-        *x = f32::from_bits(circle(bits & !SIGN, 0x2000_0000) ^ (bits & SIGN));
+        *x = f32::from_bits(circle(bits & MAGNITUDE, 0x2000_0000) ^ (bits & SIGN));
     }
 }
 
@@ -33,7 +30,7 @@ pub(in crate::ops) fn cosines(numbers: &mut [f32; 8]) {
         return numbers.iter_mut().for_each(|x| *x = own::cos(*x));
     }
     for x in numbers {
-        *x = f32::from_bits(circle(x.to_bits() & !SIGN, 0x6000_0000));
+        *x = f32::from_bits(circle(x.to_bits() & MAGNITUDE, 0x6000_0000));
     }
 }
 
@@ -58,42 +55,14 @@ fn circle(magnitude: u32, offset: u32) -> u32 {
     let low = mantissa.wrapping_mul(second >> 32) >> 32;
     let angle = high.wrapping_add(middle).wrapping_add(low);
 
-    let turn = ((angle >> 32) as u32).wrapping_add(offset);
-    let distance = (turn & 0x3fff_ffff).wrapping_sub(0x2000_0000);
-    let negative = all_ones(distance);
-    let distance_high = u64::from(distance ^ negative);
-    let distance_low = u64::from((angle as u32) ^ negative);
-
-    let radians = distance_high.wrapping_mul(HALF_PI).wrapping_add(distance_low.wrapping_mul(HALF_PI) >> 32);
-    let upper = (radians >> 37) as u32 as f32;
-    let lower = (radians >> 5) as u32 as f32;
-    let reduced = (upper * 5.9604645e-8 + lower * 1.3877788e-17).to_bits() | (distance & SIGN);
-
-    let small = all_ones(magnitude.wrapping_sub(0x3f40_0000));
-    let r = f32::from_bits(choose(small, magnitude, reduced));
-    let odd = all_ones(turn << 1);
-    let base = f32::from_bits(choose(odd, 1.0_f32.to_bits(), r.to_bits()));
-    let s = r * r;
-    let mut p = 0.0;
-    for place in (0..4).rev() {
-        let coefficient = choose(odd, CIRCLE[1][place].to_bits(), CIRCLE[0][place].to_bits());
-        // Of the first, 0 + c is c.
-        p = (p + f32::from_bits(coefficient)) * s;
-    }
-    let zero = f32::from_bits(magnitude) * 0.0;
-    (base + (p * base + zero)).to_bits() ^ (turn & SIGN)
+    own::wave(TOP, magnitude, angle, offset, row)
 }
 
-/// All ones where the top bit is set, else 0.
+/// The row of [`CIRCLE`] for a quadrant.
 #[inline(always)]
-fn all_ones(bits: u32) -> u32 {
-    0_u32.wrapping_sub(bits >> 31)
-}
-
-/// `a` where the mask is all ones, `b` where it is 0.
-#[inline(always)]
-fn choose(mask: u32, a: u32, b: u32) -> u32 {
-    b ^ ((a ^ b) & mask)
+fn row(turn: u32) -> [f32; 4] {
+    let odd = own::mask(TOP, turn << 1);
+    core::array::from_fn(|at| f32::from_bits(own::choose(odd, CIRCLE[1][at].to_bits(), CIRCLE[0][at].to_bits())))
 }
 
 #[cfg(test)]

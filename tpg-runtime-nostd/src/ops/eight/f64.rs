@@ -1,11 +1,7 @@
 //! Eight doubles.
 
-use super::super::own::f64::{self as own, CIRCLE, HALF_PI, TWO_OVER_PI};
+use super::super::own::f64::{self as own, CIRCLE, FRACTION, LEAST_NORMAL, MAGNITUDE, SIGN, TWO_OVER_PI};
 
-const SIGN: u64 = 1 << 63;
-const FRACTION: u64 = 0x000f_ffff_ffff_ffff;
-const LEAST_NORMAL: u64 = 0x0010_0000_0000_0000;
-const ONE: u64 = 0x3ff0_0000_0000_0000;
 /// The first 192 bits of 2/π behind the binary point.
 const WINDOW: [u64; 3] = [bits(2), bits(4), bits(6)];
 /// 2⁵⁴: from there on, other bits of 2/π matter.
@@ -23,7 +19,7 @@ pub(in crate::ops) fn sines(numbers: &mut [f64; 8]) {
     }
     for x in numbers {
         let bits = x.to_bits();
-        *x = f64::from_bits(circle(bits & !SIGN, 0x2000_0000_0000_0000) ^ (bits & SIGN));
+        *x = f64::from_bits(circle(bits & MAGNITUDE, 0x2000_0000_0000_0000) ^ (bits & SIGN));
     }
 }
 
@@ -34,7 +30,7 @@ pub(in crate::ops) fn cosines(numbers: &mut [f64; 8]) {
         return numbers.iter_mut().for_each(|x| *x = own::cos(*x));
     }
     for x in numbers {
-        *x = f64::from_bits(circle(x.to_bits() & !SIGN, 0x6000_0000_0000_0000));
+        *x = f64::from_bits(circle(x.to_bits() & MAGNITUDE, 0x6000_0000_0000_0000));
     }
 }
 
@@ -61,45 +57,14 @@ fn circle(magnitude: u64, offset: u64) -> u64 {
     let carry = u64::from(angle_low < below);
     let angle_high = mantissa.wrapping_mul(first).wrapping_add(multiply_high(mantissa, second)).wrapping_add(carry);
 
-    let turn = angle_high.wrapping_add(offset);
-    let distance = (turn & 0x3fff_ffff_ffff_ffff).wrapping_sub(0x2000_0000_0000_0000);
-    let negative = all_ones(distance);
-    let distance_high = distance ^ negative;
-    let distance_low = angle_low ^ negative;
-
-    let below = multiply_high(distance_low, HALF_PI);
-    let radians_low = distance_high.wrapping_mul(HALF_PI).wrapping_add(below);
-    let carry = u64::from(radians_low < below);
-    let radians_high = multiply_high(distance_high, HALF_PI).wrapping_add(carry);
-    let upper = (radians_high >> 8) as f64;
-    let lower = ((radians_high << 56) | (radians_low >> 8)) as f64;
-    let reduced = (upper * 1.1102230246251565e-16 + lower * 6.018531076210112e-36).to_bits() | (distance & SIGN);
-
-    let small = all_ones(magnitude.wrapping_sub(0x3fe8_0000_0000_0000));
-    let r = f64::from_bits(choose(small, magnitude, reduced));
-    let odd = all_ones(turn << 1);
-    let base = f64::from_bits(choose(odd, ONE, r.to_bits()));
-    let s = r * r;
-    let mut p = 0.0;
-    for place in (0..7).rev() {
-        let coefficient = choose(odd, CIRCLE[1][place].to_bits(), CIRCLE[0][place].to_bits());
-        // Of the first, 0 + c is c.
-        p = (p + f64::from_bits(coefficient)) * s;
-    }
-    let zero = f64::from_bits(magnitude) * 0.0;
-    (base + (p * base + zero)).to_bits() ^ (turn & SIGN)
+    own::wave(magnitude, [angle_high, angle_low], offset, multiply_high, row)
 }
 
-/// All ones where the top bit is set, else 0.
+/// The row of [`CIRCLE`] for a quadrant.
 #[inline(always)]
-fn all_ones(bits: u64) -> u64 {
-    0_u64.wrapping_sub(bits >> 63)
-}
-
-/// `a` where the mask is all ones, `b` where it is 0.
-#[inline(always)]
-fn choose(mask: u64, a: u64, b: u64) -> u64 {
-    b ^ ((a ^ b) & mask)
+fn row(turn: u64) -> [f64; 7] {
+    let odd = own::mask(turn << 1);
+    core::array::from_fn(|at| f64::from_bits(own::choose(odd, CIRCLE[1][at].to_bits(), CIRCLE[0][at].to_bits())))
 }
 
 /// The upper half of a product, from products of 32 bits.

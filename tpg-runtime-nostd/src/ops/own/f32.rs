@@ -1,13 +1,13 @@
 //! The kernels in `f32`. No operation is wider than `f32` and `u64`: a Cortex-M4F runs all of it in hardware.
 
 /// The place of the top bit.
-const TOP: u32 = 31;
+pub(in crate::ops) const TOP: u32 = 31;
 /// Everything but the sign.
-const MAGNITUDE: u32 = 0x7fff_ffff;
-const SIGN: u32 = 0x8000_0000;
-const FRACTION: u32 = 0x007f_ffff;
+pub(in crate::ops) const MAGNITUDE: u32 = 0x7fff_ffff;
+pub(in crate::ops) const SIGN: u32 = 0x8000_0000;
+pub(in crate::ops) const FRACTION: u32 = 0x007f_ffff;
 /// The least normal number, and also the bit below which the exponent begins.
-const LEAST_NORMAL: u32 = 0x0080_0000;
+pub(in crate::ops) const LEAST_NORMAL: u32 = 0x0080_0000;
 const INFINITY: u32 = 0x7f80_0000;
 const MINUS_INFINITY: u32 = 0xff80_0000;
 const NAN: u32 = 0x7fc0_0000;
@@ -115,12 +115,13 @@ pub(in crate::ops) fn tan_by(top: u32, x: f32) -> f32 {
 /// All ones where the top bit is set, else 0. Masks rather than conditions, where a compiler would branch. `top` is
 /// [`TOP`], which a caller may hide from the compiler: see [`constant_time`](crate::ops::constant_time).
 #[inline(always)]
-fn mask(top: u32, bits: u32) -> u32 {
+pub(in crate::ops) fn mask(top: u32, bits: u32) -> u32 {
     bits.cast_signed().wrapping_shr(top).cast_unsigned()
 }
 
 /// `a` where the mask is all ones, `b` where it is 0.
-fn choose(mask: u32, a: u32, b: u32) -> u32 {
+#[inline(always)]
+pub(in crate::ops) fn choose(mask: u32, a: u32, b: u32) -> u32 {
     b ^ ((a ^ b) & mask)
 }
 
@@ -144,6 +145,19 @@ fn circle(top: u32, magnitude: u32, offset: u32) -> u32 {
     let low = mantissa.wrapping_mul(u64::from(TWO_OVER_PI[byte + 8])) >> 32;
     let angle = high.wrapping_add(middle).wrapping_add(low);
 
+    wave(top, magnitude, angle, offset, |turn| CIRCLE[((turn >> 30) & 1) as usize])
+}
+
+/// The bits of `sin(a + offset − ⅛ turn)`, `a` given by its bits and as an angle in units of 2⁻⁶² quadrants; `row` returns the row of
+/// [`CIRCLE`] for a quadrant, which is in the top two bits.
+#[inline(always)]
+pub(in crate::ops) fn wave(
+    top: u32,
+    magnitude: u32,
+    angle: u64,
+    offset: u32,
+    row: impl FnOnce(u32) -> [f32; 4],
+) -> u32 {
     // The quadrant, and the signed distance from its middle with its sign taken off. (Ones' complement: a unit is lost.)
     let turn = ((angle >> 32) as u32).wrapping_add(offset);
     let distance = (turn & 0x3fff_ffff).wrapping_sub(0x2000_0000);
@@ -164,9 +178,8 @@ fn circle(top: u32, magnitude: u32, offset: u32) -> u32 {
     let r = f32::from_bits(choose(small, magnitude, reduced));
 
     // Odd quadrants are the cosine's.
-    let odd = (turn >> 30) & 1;
     let base = f32::from_bits(choose(mask(top, turn << 1), 1.0_f32.to_bits(), r.to_bits()));
-    let [c0, c1, c2, c3] = CIRCLE[odd as usize];
+    let [c0, c1, c2, c3] = row(turn);
     let s = r * r;
     let p = c3 * s;
     let p = p + c2;

@@ -1,11 +1,11 @@
 //! The kernels in `f64`. On a core without doubles each operation is a call, but there is no loop all the same.
 
 /// Everything but the sign.
-const MAGNITUDE: u64 = 0x7fff_ffff_ffff_ffff;
-const SIGN: u64 = 0x8000_0000_0000_0000;
-const FRACTION: u64 = 0x000f_ffff_ffff_ffff;
+pub(in crate::ops) const MAGNITUDE: u64 = 0x7fff_ffff_ffff_ffff;
+pub(in crate::ops) const SIGN: u64 = 0x8000_0000_0000_0000;
+pub(in crate::ops) const FRACTION: u64 = 0x000f_ffff_ffff_ffff;
 /// The least normal number, and also the bit below which the exponent begins.
-const LEAST_NORMAL: u64 = 0x0010_0000_0000_0000;
+pub(in crate::ops) const LEAST_NORMAL: u64 = 0x0010_0000_0000_0000;
 const INFINITY: u64 = 0x7ff0_0000_0000_0000;
 const MINUS_INFINITY: u64 = 0xfff0_0000_0000_0000;
 const NAN: u64 = 0x7ff8_0000_0000_0000;
@@ -128,12 +128,14 @@ pub fn tan(x: f64) -> f64 {
 }
 
 /// All ones where the top bit is set, else 0. Masks rather than conditions, where a compiler would branch.
-fn mask(bits: u64) -> u64 {
+#[inline(always)]
+pub(in crate::ops) fn mask(bits: u64) -> u64 {
     0_u64.wrapping_sub(bits >> 63)
 }
 
 /// `a` where the mask is all ones, `b` where it is 0.
-fn choose(mask: u64, a: u64, b: u64) -> u64 {
+#[inline(always)]
+pub(in crate::ops) fn choose(mask: u64, a: u64, b: u64) -> u64 {
     b ^ ((a ^ b) & mask)
 }
 
@@ -171,6 +173,19 @@ fn circle(magnitude: u64, offset: u64) -> u64 {
     let carry = u64::from(angle_low < below);
     let angle_high = mantissa.wrapping_mul(first).wrapping_add(multiply_high(mantissa, second)).wrapping_add(carry);
 
+    wave(magnitude, [angle_high, angle_low], offset, multiply_high, |turn| CIRCLE[((turn >> 62) & 1) as usize])
+}
+
+/// The bits of `sin(a + offset − ⅛ turn)`, `a` given by its bits and as an angle in units of 2⁻¹²⁶ quadrants; `multiply_high` returns the
+/// upper half of a product, and `row` the row of [`CIRCLE`] for a quadrant, which is in the top two bits.
+#[inline(always)]
+pub(in crate::ops) fn wave(
+    magnitude: u64,
+    [angle_high, angle_low]: [u64; 2],
+    offset: u64,
+    multiply_high: impl Fn(u64, u64) -> u64,
+    row: impl FnOnce(u64) -> [f64; 7],
+) -> u64 {
     // The quadrant, and the signed distance from its middle with its sign taken off. (Ones' complement: a unit is lost.)
     let turn = angle_high.wrapping_add(offset);
     let distance = (turn & 0x3fff_ffff_ffff_ffff).wrapping_sub(0x2000_0000_0000_0000);
@@ -194,9 +209,8 @@ fn circle(magnitude: u64, offset: u64) -> u64 {
     let r = f64::from_bits(choose(small, magnitude, reduced));
 
     // Odd quadrants are the cosine's.
-    let odd = (turn >> 62) & 1;
-    let base = if odd == 1 { 1.0 } else { r };
-    let [c0, c1, c2, c3, c4, c5, c6] = CIRCLE[odd as usize];
+    let base = f64::from_bits(choose(mask(turn << 1), 1.0_f64.to_bits(), r.to_bits()));
+    let [c0, c1, c2, c3, c4, c5, c6] = row(turn);
     let s = r * r;
     let p = c6 * s;
     let p = p + c5;

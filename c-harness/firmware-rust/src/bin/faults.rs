@@ -3,19 +3,13 @@
 #![no_std]
 #![no_main]
 
-#[path = "../../src/faults.rs"]
+#[path = "../../../src/faults.rs"]
 mod faults;
-mod platform;
-#[path = "../../src/record.rs"]
-mod record;
-mod report;
-#[path = "../../src/scenarios.rs"]
+#[path = "../../../src/scenarios.rs"]
 mod scenarios;
 
 use core::hint::black_box;
 use cortex_m_rt::entry;
-use platform::Counter;
-use report::Report;
 use scenarios::SCENARIOS;
 use tpg_arm::binding;
 use tpg_arm::cycle::Brent;
@@ -25,10 +19,11 @@ use tpg_arm::observation::{ArmPolicy, Observation};
 use tpg_arm::sac::packed::{Model, PackedPolicy};
 use tpg_arm::sensors::{Fault, Watch};
 use tpg_arm::{Arm, Move, Pose, WIDOWX};
+use tpg_firmware::{Counter, Report, Tally, exit, record, run};
 use tpg_generated::{widowx_fs_fast::WidowxFsFast, widowx_fs_hybrid, widowx_sac};
 use tpg_runtime::policy::Policy;
 
-include!(env!("TPG_PROBLEMS"));
+include!(concat!(env!("TPG_GENERATED"), "/problems.rs"));
 
 static ARM: Arm<f32> = WIDOWX.to_f32();
 
@@ -37,42 +32,17 @@ type Network = PackedPolicy<'static, { widowx_sac::SCRATCH }>;
 /// Steps of an episode that are counted.
 const STEPS: u32 = 1707;
 
-/// Instructions of many steps.
-#[derive(Default)]
-struct Tally {
-    actions: u32,
-    instructions: u32,
-    worst: u32,
-}
-
-impl Tally {
-    fn add(&mut self, instructions: u32) {
-        self.actions += 1;
-        self.instructions = self.instructions.wrapping_add(instructions);
-        self.worst = self.worst.max(instructions);
-    }
-
-    fn tell(&self, words: &str) {
-        Report::new("cost fs ")
-            .word(words)
-            .unsigned("actions", self.actions)
-            .unsigned("instructions", self.instructions)
-            .unsigned("worst", self.worst)
-            .print();
-    }
-}
-
 /// Whole control steps along episodes, with the checks of readings and without: observe, tell the switch, decide.
 fn costs<P>(counter: &mut Counter, hybrid: &Hybrid<'_, f32, P, Network>)
 where
     P: Policy<State = Observation<f32>, Action = Move>,
 {
-    let [mut with, mut without] = [Tally::default(), Tally::default()];
+    let [mut with, mut without] = [Tally::new(); 2];
     for &ReachTask { start, target, tolerance, .. } in FS_PROBLEMS.iter().take(PARTS) {
         let mut motors = start;
         let mut seen = Observation::at(&ARM, motors, target);
         let Ok(mut control) = Control::new(&ARM, hybrid.settings, Watch::DEFAULT, Brent::new(), &seen) else {
-            platform::exit(false)
+            exit(false)
         };
         let mut switch = Switch::new(hybrid.settings, Brent::new(), &seen);
         // What is kept about a target is computed before, so that neither way pays for it alone.
@@ -86,9 +56,9 @@ where
             let (same, instructions) =
                 counter.measure(|| unchecked(hybrid, &mut switch, reading, &target, &mut again, &mut executed));
             without.add(instructions);
-            let Ok(chosen) = chosen else { platform::exit(false) };
+            let Ok(chosen) = chosen else { exit(false) };
             if same != chosen || again != seen {
-                platform::exit(false);
+                exit(false);
             }
             if seen.distance() < tolerance {
                 break;
@@ -97,8 +67,8 @@ where
         }
         black_box(&seen);
     }
-    with.tell("step");
-    without.tell("step without checks");
+    with.print("cost fs step");
+    without.print("cost fs step without checks");
 }
 
 #[inline(never)]
@@ -138,34 +108,37 @@ where
 
 #[entry]
 fn main() -> ! {
-    let Some(peripherals) = cortex_m::Peripherals::take() else { platform::exit(false) };
-    let mut counter = Counter::new(peripherals.SYST);
-    let model = Model::parse(&widowx_sac::MODEL).ok();
-    let Some(network) = model.and_then(|model| Network::new(&ARM, model)) else { platform::exit(false) };
-    let fs = ArmPolicy::new(WidowxFsFast, &ARM, &const { binding::sources(WidowxFsFast::SOURCES) }, &const { binding::moves(WidowxFsFast::MOVES) });
-    let hybrid = Hybrid { arm: &ARM, tpg: fs, sac: network, settings: widowx_fs_hybrid::SETTINGS };
-    for scenario in &SCENARIOS {
-        let log = faults::run(&hybrid, scenario);
-        let [ok, target, sensor, stuck] = log.codes;
-        let [graph, network] = log.actions;
-        let [base, shoulder, elbow, wrist] = log.motors.0.map(i32::from);
-        Report::new("fault ")
-            .word(scenario.name)
-            .unsigned("ok", ok)
-            .unsigned("target", target)
-            .unsigned("sensor", sensor)
-            .unsigned("stuck", stuck)
-            .unsigned("broken", log.broken)
-            .unsigned("graph", graph)
-            .unsigned("network", network)
-            .number("base", base)
-            .number("shoulder", shoulder)
-            .number("elbow", elbow)
-            .number("wrist", wrist)
-            .hexadecimal("log", log.hash.0)
-            .print();
-    }
-    costs(&mut counter, &hybrid);
-    Report::new("done").print();
-    platform::exit(true)
+    run(|counter| {
+        let network = Network::new(&ARM, Model::parse(&widowx_sac::MODEL).ok()?)?;
+        let fs = ArmPolicy::new(
+            WidowxFsFast,
+            &ARM,
+            &const { binding::sources(WidowxFsFast::SOURCES) },
+            &const { binding::moves(WidowxFsFast::MOVES) },
+        );
+        let hybrid = Hybrid { arm: &ARM, tpg: fs, sac: network, settings: widowx_fs_hybrid::SETTINGS };
+        for scenario in &SCENARIOS {
+            let log = faults::run(&hybrid, scenario);
+            let [ok, target, sensor, stuck] = log.codes;
+            let [graph, network] = log.actions;
+            let [base, shoulder, elbow, wrist] = log.motors.0.map(i32::from);
+            Report::new("fault ")
+                .word(scenario.name)
+                .unsigned("ok", ok)
+                .unsigned("target", target)
+                .unsigned("sensor", sensor)
+                .unsigned("stuck", stuck)
+                .unsigned("broken", log.broken)
+                .unsigned("graph", graph)
+                .unsigned("network", network)
+                .number("base", base)
+                .number("shoulder", shoulder)
+                .number("elbow", elbow)
+                .number("wrist", wrist)
+                .hexadecimal("log", log.hash.0)
+                .print();
+        }
+        costs(counter, &hybrid);
+        Some(())
+    })
 }

@@ -4,68 +4,43 @@
 #![no_std]
 #![no_main]
 
-mod platform;
-#[path = "../../src/record.rs"]
-mod record;
-mod report;
-
 use cortex_m_rt::entry;
-use platform::Counter;
-use record::{Hash, code};
-use report::Report;
-use tpg_generated::{widowx_fs_fast::WidowxFsFast, widowx_fs_hybrid, widowx_rs_fast::WidowxRsFast, widowx_rs_hybrid, widowx_sac};
-use tpg_arm::{Arm, Move, Pose, WIDOWX};
 use tpg_arm::binding;
 use tpg_arm::cycle::Brent;
 use tpg_arm::episode::{Episode, Outcome, ReachTask};
 use tpg_arm::hybrid::{Chosen, Driver, Hybrid, HybridEpisode, Settings, Switch};
 use tpg_arm::observation::{ArmPolicy, Observation};
-use tpg_runtime::policy::Policy;
 use tpg_arm::sac::packed::{Model, PackedPolicy};
+use tpg_arm::{Arm, Move, Pose, WIDOWX};
+use tpg_firmware::record::code;
+use tpg_firmware::{Counter, Report, Tally, paint_stack, run, stack_used};
+use tpg_generated::{
+    widowx_fs_fast::WidowxFsFast, widowx_fs_hybrid, widowx_rs_fast::WidowxRsFast, widowx_rs_hybrid, widowx_sac,
+};
+use tpg_runtime::policy::Policy;
 
-include!(env!("TPG_PROBLEMS"));
+include!(concat!(env!("TPG_GENERATED"), "/problems.rs"));
 
 static ARM: Arm<f32> = WIDOWX.to_f32();
 
 type Network = PackedPolicy<'static, { widowx_sac::SCRATCH }>;
 
-/// Counts of an episode.
-struct Tally {
-    actions: u32,
-    instructions: u32,
-    worst: u32,
-    poses: Hash,
-}
-
-impl Tally {
-    const fn new() -> Self {
-        Self { actions: 0, instructions: 0, worst: 0, poses: Hash::new() }
-    }
-
-    fn add(&mut self, instructions: u32, pose: Pose) {
-        self.actions += 1;
-        self.instructions = self.instructions.wrapping_add(instructions);
-        self.worst = self.worst.max(instructions);
-        self.poses.add_pose(pose);
-    }
-
-    fn tell(&self, line: Report, index: u32, outcome: Outcome, [graph, network, switches]: [u32; 3], pose: Pose) {
-        let [base, shoulder, elbow, wrist] = pose.0.map(i32::from);
-        line.unsigned("index", index)
-            .number("outcome", code(outcome))
-            .unsigned("actions", self.actions)
-            .unsigned("graph", graph)
-            .unsigned("network", network)
-            .unsigned("switches", switches)
-            .number("base", base)
-            .number("shoulder", shoulder)
-            .number("elbow", elbow)
-            .number("wrist", wrist)
-            .hexadecimal("poses", self.poses.0)
-            .unsigned("instructions", self.instructions)
-            .unsigned("worst", self.worst)
-            .print();
-    }
+/// Prints the line of an episode: how it ended, and what it took.
+fn tell(tally: &Tally, line: Report, index: u32, outcome: Outcome, [graph, network, switches]: [u32; 3], pose: Pose) {
+    let [base, shoulder, elbow, wrist] = pose.0.map(i32::from);
+    let line = line
+        .unsigned("index", index)
+        .number("outcome", code(outcome))
+        .unsigned("actions", tally.actions)
+        .unsigned("graph", graph)
+        .unsigned("network", network)
+        .unsigned("switches", switches)
+        .number("base", base)
+        .number("shoulder", shoulder)
+        .number("elbow", elbow)
+        .number("wrist", wrist)
+        .hexadecimal("poses", tally.hash.0);
+    tally.costs(line).print();
 }
 
 /// One decision of a hybrid. A function of its own in the image, so that its worst case can be bounded.
@@ -86,9 +61,9 @@ where
     for &problem in problems.iter().take(8) {
         let mut episode = HybridEpisode::new(hybrid, problem, Brent::new());
         loop {
-            let here = platform::paint_stack();
+            let here = paint_stack();
             let chosen = hybrid_decide(&mut episode);
-            deepest = deepest.max(platform::stack_used(here));
+            deepest = deepest.max(stack_used(here));
             if episode.act(chosen).is_some() {
                 break;
             }
@@ -97,8 +72,14 @@ where
     deepest
 }
 
-fn hybrids<P>(counter: &mut Counter, set: &str, graph: P, network: Network, settings: Settings<f32>, problems: &[ReachTask<f32>])
-where
+fn hybrids<P>(
+    counter: &mut Counter,
+    set: &str,
+    graph: P,
+    network: Network,
+    settings: Settings<f32>,
+    problems: &[ReachTask<f32>],
+) where
     P: Policy<State = Observation<f32>, Action = Move>,
 {
     let hybrid = Hybrid { arm: &ARM, tpg: graph, sac: network, settings };
@@ -109,13 +90,14 @@ where
         loop {
             let (chosen, instructions) = counter.measure(|| hybrid_decide(&mut episode));
             let outcome = episode.act(chosen);
-            tally.add(instructions, episode.observation().pose);
+            tally.add(instructions);
+            tally.hash.add_pose(episode.observation().pose);
             if let Some(outcome) = outcome {
                 let counts = episode.switch().counts();
                 let switches = counts.hand_overs.iter().fold(0u32, |sum, &count| sum.wrapping_add(count));
-                let who = [counts.tpg_actions, counts.sac_actions, switches];
+                let decided = [counts.tpg_actions, counts.sac_actions, switches];
                 let line = Report::new("episode ").word(set).word(" hybrid");
-                tally.tell(line, index, outcome, who, episode.observation().pose);
+                tell(&tally, line, index, outcome, decided, episode.observation().pose);
                 break;
             }
         }
@@ -132,10 +114,11 @@ where
         loop {
             let (wanted, instructions) = counter.measure(|| policy.decide(episode.observation()));
             let outcome = episode.advance(wanted);
-            tally.add(instructions, episode.observation().pose);
+            tally.add(instructions);
+            tally.hash.add_pose(episode.observation().pose);
             if let Some(outcome) = outcome {
                 let line = Report::new("episode ").word(set).word(" ").word(name);
-                tally.tell(line, index, outcome, [0; 3], episode.observation().pose);
+                tell(&tally, line, index, outcome, [0; 3], episode.observation().pose);
                 break;
             }
         }
@@ -145,7 +128,8 @@ where
 /// Counts the work of a controller beside its decision: it observes the arm and tells the switch.
 fn around(counter: &mut Counter) {
     let Some(&problem) = RS_PROBLEMS.first() else { return };
-    let (seen, observe) = counter.measure(|| Observation::at(&ARM, core::hint::black_box(problem.start), problem.target));
+    let (seen, observe) =
+        counter.measure(|| Observation::at(&ARM, core::hint::black_box(problem.start), problem.target));
     let mut switch = Switch::new(widowx_rs_hybrid::SETTINGS, Brent::new(), &seen);
     let chosen = Chosen { driver: Driver::Tpg, wanted: Move([3, 0, 0, 0]) };
     let (_, acted) = counter.measure(|| switch.acted(core::hint::black_box(chosen), &seen));
@@ -154,20 +138,27 @@ fn around(counter: &mut Counter) {
 
 #[entry]
 fn main() -> ! {
-    let stack = platform::paint_stack();
-    let Some(peripherals) = cortex_m::Peripherals::take() else { platform::exit(false) };
-    let mut counter = Counter::new(peripherals.SYST);
-    let model = Model::parse(&widowx_sac::MODEL).ok();
-    let Some(network) = model.and_then(|model| Network::new(&ARM, model)) else { platform::exit(false) };
-    let fs = ArmPolicy::new(WidowxFsFast, &ARM, &const { binding::sources(WidowxFsFast::SOURCES) }, &const { binding::moves(WidowxFsFast::MOVES) });
-    let rs = ArmPolicy::new(WidowxRsFast, &ARM, &const { binding::sources(WidowxRsFast::SOURCES) }, &const { binding::moves(WidowxRsFast::MOVES) });
-    around(&mut counter);
-    hybrids(&mut counter, "fs", fs.clone(), network, widowx_fs_hybrid::SETTINGS, &FS_PROBLEMS);
-    hybrids(&mut counter, "rs", rs.clone(), network, widowx_rs_hybrid::SETTINGS, &RS_PROBLEMS);
-    singles(&mut counter, "fs", "graph", &fs, &FS_PROBLEMS);
-    singles(&mut counter, "rs", "graph", &rs, &RS_PROBLEMS);
-    singles(&mut counter, "fs", "network", &network, &FS_PROBLEMS);
-    singles(&mut counter, "rs", "network", &network, &RS_PROBLEMS);
-    Report::new("done").unsigned("stack", platform::stack_used(stack)).print();
-    platform::exit(true)
+    run(|counter| {
+        let network = Network::new(&ARM, Model::parse(&widowx_sac::MODEL).ok()?)?;
+        let fs = ArmPolicy::new(
+            WidowxFsFast,
+            &ARM,
+            &const { binding::sources(WidowxFsFast::SOURCES) },
+            &const { binding::moves(WidowxFsFast::MOVES) },
+        );
+        let rs = ArmPolicy::new(
+            WidowxRsFast,
+            &ARM,
+            &const { binding::sources(WidowxRsFast::SOURCES) },
+            &const { binding::moves(WidowxRsFast::MOVES) },
+        );
+        around(counter);
+        hybrids(counter, "fs", fs.clone(), network, widowx_fs_hybrid::SETTINGS, &FS_PROBLEMS);
+        hybrids(counter, "rs", rs.clone(), network, widowx_rs_hybrid::SETTINGS, &RS_PROBLEMS);
+        singles(counter, "fs", "graph", &fs, &FS_PROBLEMS);
+        singles(counter, "rs", "graph", &rs, &RS_PROBLEMS);
+        singles(counter, "fs", "network", &network, &FS_PROBLEMS);
+        singles(counter, "rs", "network", &network, &RS_PROBLEMS);
+        Some(())
+    })
 }

@@ -1,0 +1,94 @@
+//! The programs of the firmwares: what each is linked with in C, and what its output must be, in C and in Rust.
+
+use crate::build::{self, Board};
+use crate::closed_loop::{CARTPOLE, PENDULUM, PROFILES};
+use crate::line::Line;
+use crate::{Failure, dodge, expected, models, network, size, table, worst};
+use std::path::{Path, PathBuf};
+
+/// The stack of a C program that the linker script keeps free, bytes.
+pub(crate) const STACK: u64 = 2304;
+
+/// A program in both languages.
+pub(crate) struct Program {
+    pub(crate) name: &'static str,
+    /// The files of generated C that it is linked with; a star is for each profile.
+    generated: &'static [&'static str],
+    /// Bytes kept for the stack in C.
+    pub(crate) stack: u64,
+    check: fn(&Ran<'_>) -> Result<(), Failure>,
+}
+
+/// What a program printed under QEMU.
+pub(crate) struct Ran<'a> {
+    pub(crate) language: &'a str,
+    pub(crate) image: &'a Path,
+    pub(crate) lines: &'a [Line],
+}
+
+/// The files of a hybrid of each start.
+const HYBRIDS: &[&str] = &["widowx_fs", "widowx_rs", "widowx_sac"];
+
+const fn program(
+    name: &'static str,
+    generated: &'static [&'static str],
+    check: fn(&Ran<'_>) -> Result<(), Failure>,
+) -> Program {
+    Program { name, generated, stack: STACK, check }
+}
+
+/// The control program, which runs on this machine and on every board, too.
+pub(crate) static CONTROL: Program = program("control", HYBRIDS, |ran| {
+    expected::check(ran.language, ran.lines)?;
+    size::stack(ran, &CONTROL)?;
+    worst::check(ran)
+});
+
+/// The table of sensor faults.
+pub(crate) static FAULTS: Program = program("faults", HYBRIDS, |ran| table::check(ran.language, ran.lines));
+
+/// The control step among balls, which needs more stack.
+static DODGE: Program = Program {
+    stack: 4096,
+    ..program("dodge", &["dodge", "balls"], |ran| {
+        dodge::check(ran)?;
+        size::stack(ran, &DODGE)
+    })
+};
+
+/// The control loop that a user copies.
+pub(crate) static EXAMPLE: Program = program("example", &["widowx_fs", "widowx_sac"], |_| Ok(()));
+
+/// Every other program whose output is checked.
+static OTHERS: [Program; 4] = [
+    program("costs", &["fs_*", "rs_*"], models::check),
+    program("network", &["pendulum"], network::check),
+    program("continuous", &["plant", "swing_*", "recall_*"], |ran| PENDULUM.check(ran)),
+    program("cartpole", &["cart", "pole_*"], |ran| CARTPOLE.check(ran)),
+];
+
+/// Every program whose output is checked.
+pub(crate) fn all() -> impl Iterator<Item = &'static Program> {
+    [&CONTROL, &FAULTS, &DODGE].into_iter().chain(&OTHERS)
+}
+
+/// A language of the firmwares, and the builder of its images.
+pub(crate) type Language = (&'static str, fn(&Program, Board) -> Result<Option<PathBuf>, Failure>);
+
+pub(crate) const LANGUAGES: [Language; 2] = [("C", build::c), ("Rust", build::rust)];
+
+impl Program {
+    /// The names of the generated C that it is linked with.
+    pub(crate) fn generated(&self) -> Vec<String> {
+        let each = |name: &&str| match name.strip_suffix('*') {
+            Some(start) => PROFILES.iter().map(|(_, profile)| format!("{start}{profile}")).collect(),
+            None => vec![(*name).to_owned()],
+        };
+        self.generated.iter().flat_map(each).collect()
+    }
+
+    /// Compares what it printed with this machine.
+    pub(crate) fn check(&self, ran: &Ran<'_>) -> Result<(), Failure> {
+        (self.check)(ran)
+    }
+}
