@@ -15,10 +15,10 @@ use tpg_generated::widowx_sac::{DECISION, NETWORK};
 use tpg_problems::arm::targets::{Set, Start, tasks};
 use tpg_runtime::net::Kind;
 use tpg_runtime::policy::Policy;
-use tpg_train::actor::file::Actor;
-use tpg_train::actor::fixed::FixedActor;
 use tpg_train::hybrid::arm::setting::HybridFile;
 use tpg_train::quantise::{QuantiseArgs, quantise as quantise_file};
+use tpg_train::sac::motors::MotorNetwork;
+use tpg_train::sac::network::Network;
 
 const ARM: Arm<f32> = WIDOWX.to_f32();
 
@@ -63,7 +63,7 @@ fn every_kind_answers_packed_as_its_file_for_any_observation_and_succeeds() {
                 start,
                 tpg_testing::amount(60, 200),
             );
-            let actor = Actor::read(&path, None).expect("a good file");
+            let actor = MotorNetwork::read(&path, None).expect("a good file");
             let trial = actor.trial(start, &tasks);
             assert!(
                 trial.success_rate >= least,
@@ -142,7 +142,9 @@ fn hybrids_are_made_of_what_is_there_and_their_constants_are_fresh() {
 fn the_constants_answer_as_the_file_for_any_observation() {
     let policy = policy();
     assert!(policy.bytes() <= 8192, "{} bytes", policy.bytes());
-    let actor = FixedActor::new(policy.clone(), &WIDOWX).expect("actions and mask that exist");
+    let actor = MotorNetwork::new(Network::Fixed(Box::new(policy.clone())), Some(&WIDOWX))
+        .expect("actions and mask that exist");
+    let actor = actor.policy();
     let constants = FixedPolicy {
         arm: &ARM,
         network: &NETWORK,
@@ -177,7 +179,7 @@ fn it_does_what_it_was_trained_for() {
     // Validation tasks of another seed, because the committed test tasks are reserved for reports.
     for (start, least) in [(Start::Fs, 0.98), (Start::Rs, 0.97)] {
         let tasks = tasks(&WIDOWX, 77, Set::Validation, start, 200);
-        let actor = Actor::read(&generated("policy.q.json"), None).expect("a good file");
+        let actor = MotorNetwork::read(&generated("policy.q.json"), None).expect("a good file");
         let trial = actor.trial(start, &tasks);
         assert!(
             trial.success_rate >= least,

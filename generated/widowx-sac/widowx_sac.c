@@ -1,6 +1,6 @@
 /*
  * Made by tpg-codegen 0.1.0 from a network in integers; do not edit.
- * Weights' SHA-256: 86b07b4f7e22d70e1aa1f8caa90e6425ebe378bfd20ef6c864f5c9656deaa1b9
+ * Weights' SHA-256: e56e4aa8c274247a654e0c90c2868c61c79273012e5756ed8131e3ccc319f277
  * 3 layers, 6784 multiplications a decision, 8012 bytes.
  * Actions: fine; mask: joint-limits.
  */

@@ -2,7 +2,7 @@
 
 mod examples;
 
-use crate::actor::import::{ImportArgs, import};
+use crate::sac::import::{ImportArgs, import};
 use crate::arm_import::{ArmArgs, execute as execute_arm};
 use crate::evaluate::{EvalArgs, eval};
 use crate::evolution::command::{TpgArgs, execute as execute_tpg};

@@ -7,7 +7,6 @@
 //! | [`cli`] | the program `tpg-train`: its commands and exit codes |
 //! | [`evolution`] | tangled program graphs: genome, mutation, selection, runs |
 //! | [`sac`] | soft actor-critic on any environment with outputs |
-//! | [`actor`] | the arm's actors |
 //! | [`arm_import`] | `tpg-train arm import`: an arm from its URDF |
 //! | [`quantise`] | `tpg-train quantise` |
 //! | [`targets`] | tasks over the reachable space |
@@ -24,7 +23,6 @@
 //! | [`ranks`] | runs over several processes |
 //! | [`report`] | runs in one HTML file |
 
-pub mod actor;
 pub mod arm_import;
 pub mod arm_of;
 pub mod cli;

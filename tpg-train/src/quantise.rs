@@ -1,17 +1,13 @@
 //! `tpg-train quantise`: puts a trained network into integers.
 
-use crate::actor::comparison::Comparison as OnTheArm;
-use crate::actor::file::FloatActor;
-use crate::actor::fixed::quantise_actor;
-use crate::actor::version1::upgraded;
 use crate::files::write_atomically;
 use crate::sac::integers::{self, Comparison};
-use crate::sac::tensors::{Tensors, place};
-use crate::sac::weights::{LIMIT, from_tensors};
+use crate::sac::motors::{self, MotorNetwork};
+use crate::sac::network::Network;
+use crate::sac::tensors::place;
+use crate::sac::weights;
 use clap::Args;
-use serde::Serialize;
 use sha2::{Digest, Sha256};
-use std::fmt::Display;
 use std::fs;
 use std::path::PathBuf;
 use tpg_codegen::policy::{QuantisedPolicy, to_rust};
@@ -34,8 +30,8 @@ pub struct QuantiseArgs {
     /// Bits of weights and activations: w8a16, w16a16 or w8a8
     #[arg(long, default_value = "w8a16", value_parser = kind)]
     pub kind: Kind,
-    /// A report to write, JSON: bytes, multiplications, and both networks on 1,000 test episodes; on the arm, agreement and
-    /// success on 1,000 validation episodes of each start
+    /// A report to write, JSON: bytes, multiplications, and both networks on 1,000 test episodes; on the arm, on
+    /// 1,000 validation episodes
     #[arg(long, value_name = "FILE")]
     pub report: Option<PathBuf>,
     /// The seed of the training tasks that calibrate it
@@ -56,15 +52,15 @@ pub fn quantise(args: &QuantiseArgs) -> Result<(), InputError> {
     if args.out == args.policy {
         return Err(InputError::new(file, Place::Whole, "the policy itself as --out", "another file"));
     }
-    let refuse = |finding| place(&args.policy, finding);
-    let (network, contract) = upgraded(Tensors::read(&args.policy, LIMIT)?).and_then(from_tensors).map_err(refuse)?;
+    let (network, contract) = weights::read(&args.policy)?;
     let bytes = fs::read(&args.policy).map_err(|error| InputError::io(&args.policy, &error, "a policy.safetensors"))?;
     let hash = Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect();
     match ContinuousProblem::from_table(&file, &contract.problem)? {
-        ContinuousProblem::Motors(..) => {
-            let actor = FloatActor::of_contract(network, &contract).map_err(refuse)?;
-            let policy = quantise_actor(&file, &actor, hash, args.kind, args.seed)?;
-            args.write(&policy, || OnTheArm::new(&actor, &policy))
+        ContinuousProblem::Motors(start, _) => {
+            let float = MotorNetwork::new(Network::Float(Box::new((network, contract))), None)
+                .map_err(|finding| place(&args.policy, finding))?;
+            let policy = motors::quantise(&file, &float, hash, args.kind, args.seed)?;
+            args.write(&policy, || motors::compare(&float, &policy, start))
         }
         problem => {
             let (environment, mean) = (problem.environment(args.seed), (&network, &contract));
@@ -76,10 +72,10 @@ pub fn quantise(args: &QuantiseArgs) -> Result<(), InputError> {
 }
 
 impl QuantiseArgs {
-    fn write<C: Serialize + Display>(
+    fn write(
         &self,
         policy: &QuantisedPolicy,
-        comparison: impl FnOnce() -> Result<C, InputError>,
+        comparison: impl FnOnce() -> Result<Comparison, InputError>,
     ) -> Result<(), InputError> {
         write_atomically(&self.out, policy.to_json().as_bytes())?;
         if let Some(path) = &self.rust {

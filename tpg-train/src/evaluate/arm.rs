@@ -2,7 +2,7 @@
 
 use super::EvalArgs;
 use super::report::EvaluationReport;
-use crate::actor::file::Actor;
+use crate::sac::motors::MotorNetwork;
 use crate::arm_of;
 use crate::files::read_graph;
 use crate::hybrid::arm::setting::{Detector, Hybrid, Setting};
@@ -28,7 +28,7 @@ enum Asked {
     /// A graph alone.
     Graph(String, Graph),
     /// A network alone.
-    Network(String, Actor),
+    Network(String, MotorNetwork),
     /// A graph and a network.
     Hybrid(String, Hybrid),
     /// A classical controller, by its name.
@@ -124,13 +124,13 @@ fn asked(args: &EvalArgs, config: Option<&Config>) -> Result<Asked, InputError> 
                 None => arm_of::graph(&graph.0, &graph.1)?,
             };
             let name = format!("{} with {actor}: {}", graph.0, setting.sentence());
-            let actor = Actor::read(Path::new(actor), Some(&arm))?;
+            let actor = MotorNetwork::read(Path::new(actor), Some(&arm))?;
             Ok(Asked::Hybrid(name, Hybrid { graph, actor, setting }))
         }
         (None, Some(path), None) => named(path).map(|(file, graph)| Asked::Graph(file, graph)),
         (None, None, Some(policy)) => match Classical::find(policy) {
             Some(classical) => Ok(Asked::Classical(policy.clone(), classical)),
-            None => Ok(Asked::Network(policy.clone(), Actor::read(Path::new(policy), arm.as_ref())?)),
+            None => Ok(Asked::Network(policy.clone(), MotorNetwork::read(Path::new(policy), arm.as_ref())?)),
         },
         (None, None, None) => Err(command_line("no policy", "--tpg GRAPH, --policy FILE or --hybrid FILE")),
     }

@@ -1,6 +1,5 @@
 //! Reading and grouping of run folders.
 
-use crate::actor::version1::upgraded;
 use crate::evolution::config::{AskConfig, EvolutionConfig};
 use crate::evolution::state::Row;
 use crate::files::read_text;
@@ -8,8 +7,7 @@ use crate::hybrid::arm::setting::Hybrid as ArmHybrid;
 use crate::hybrid::setting::{Hybrid, Setting};
 use crate::sac::contract::Contract;
 use crate::sac::network::Network;
-use crate::sac::tensors::{Tensors, place};
-use crate::sac::weights::{LIMIT, from_tensors};
+use crate::sac::weights;
 use serde::Deserialize;
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -283,8 +281,7 @@ fn cpu_of_sessions(timing: &str) -> Option<f64> {
 fn sac(folder: &Path, name: String) -> Result<Run, InputError> {
     let rows: Vec<BTreeMap<String, Value>> = lines(&folder.join("log.jsonl"))?;
     let path = folder.join("policy.safetensors");
-    let (network, contract) =
-        upgraded(Tensors::read(&path, LIMIT)?).and_then(from_tensors).map_err(|finding| place(&path, finding))?;
+    let (network, contract) = weights::read(&path)?;
     let problem = Box::new(ContinuousProblem::from_table(&path.display().to_string(), &contract.problem)?);
     let value = |row: &BTreeMap<String, Value>, key: &str| row.get(key).and_then(Value::as_f64);
     let curve = |key: &str| {

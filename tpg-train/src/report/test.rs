@@ -2,7 +2,6 @@
 
 use super::episode::{WEIGHED, Watched, watch};
 use super::runs::{Kind, Run, Together};
-use crate::actor::file::FloatActor;
 use crate::evaluate::arm::endings_of;
 use crate::evaluate::graph::endings;
 use crate::evaluate::{hybrid, network};
@@ -11,6 +10,7 @@ use crate::hybrid::arm::trial;
 use crate::hybrid::setting::Hybrid;
 use crate::hybrid::shared::{Episodes, Shared};
 use crate::hybrid::trial::Acting;
+use crate::sac::motors::MotorNetwork;
 use crate::sac::network::Network;
 use crate::sac::tensors::place;
 use tpg_arm::{Arm, Pose};
@@ -130,9 +130,9 @@ pub(super) fn test(
         },
         Kind::Sac { problem, network, contract } => match &**problem {
             ContinuousProblem::Motors(start, _) => {
-                let actor = FloatActor::of_contract((**network).clone(), contract)
-                    .map_err(|finding| place(run.name.as_ref(), finding))?;
-                Ok(Some(of_an_actor(&actor, *start, episodes, seed)))
+                let network = Network::Float(Box::new(((**network).clone(), (**contract).clone())));
+                let network = MotorNetwork::new(network, None).map_err(|finding| place(run.name.as_ref(), finding))?;
+                Ok(Some(of_motors(&network, *start, episodes, seed)))
             }
             problem => {
                 let network = Network::Float(Box::new(((**network).clone(), (**contract).clone())));
@@ -165,11 +165,11 @@ fn of_an_arms_hybrid(hybrid: &ArmHybrid, rules: &ArmProblem, episodes: usize, se
     Ok(Tested { endings, measure: Some(DISTANCE), arm: Some(arm), watched: None })
 }
 
-/// An actor of the arm on its test episodes.
-fn of_an_actor(actor: &FloatActor, start: Start, episodes: usize, seed: u64) -> Tested {
-    let (arm, rules) = (actor.motors.arm(), actor.motors.tests(start));
+/// A network of the arm's motors on its test episodes.
+fn of_motors(network: &MotorNetwork, start: Start, episodes: usize, seed: u64) -> Tested {
+    let (arm, rules) = (network.arm(), network.tests(start));
     let tasks = targets::tasks(&arm, seed, Set::Test, start, episodes);
-    let policy = actor.policy();
+    let policy = network.policy();
     let watch = |place: usize| {
         let mut poses = vec![tasks[place].start];
         let summary = policy.watch(&rules, place, &tasks[place], |pose| poses.push(pose));

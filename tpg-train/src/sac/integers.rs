@@ -65,8 +65,7 @@ pub fn quantise(
         layers: deciding_layers(network, contract.outputs.len()),
         output,
     };
-    let interface = contract.interface();
-    let policy = NetworkPolicy::new(network, &interface, &contract.actor);
+    let policy = NetworkPolicy::new(network, contract.interface(), &contract.actor);
     let mut states = Vec::new();
     for index in 0..CALIBRATION {
         let task = environment.draw(&mut Stream::new(seed, index, Purpose::Reset, 0));
@@ -90,15 +89,23 @@ pub struct Comparison {
     pub bytes: usize,
     /// Multiplications of a weight that one decision costs.
     pub multiplications: usize,
-    /// The mean difference of an output, on the way of the policy in floating point, as a fraction of half its range; of a network
-    /// that chooses, the fraction of other choices.
-    pub mean_difference: f64,
-    /// The greatest of these differences.
-    pub greatest_difference: f64,
+    /// How far outputs differ; absent on the arm.
+    #[serde(flatten, skip_serializing_if = "Option::is_none")]
+    pub differences: Option<Differences>,
     /// In floating point.
     pub float: Summary,
     /// In integers.
     pub fixed: Summary,
+}
+
+/// Differences of outputs, at the states that the policy in floating point visits.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Differences {
+    /// The mean difference of an output, as a fraction of half its range; of a network that chooses, the fraction of other
+    /// choices.
+    pub mean_difference: f64,
+    /// The maximum of these differences.
+    pub greatest_difference: f64,
 }
 
 impl Comparison {
@@ -110,7 +117,7 @@ impl Comparison {
         seed: u64,
     ) -> Self {
         let interface = contract.interface();
-        let float = NetworkPolicy::new(network, &interface, &contract.actor);
+        let float = NetworkPolicy::new(network, contract.interface(), &contract.actor);
         let (mut endings, mut count, mut sum, mut greatest) = ([Vec::new(), Vec::new()], 0usize, 0.0, 0.0f64);
         for index in 0..EPISODES {
             let task = environment.draw(&mut Stream::new(seed, 0, Purpose::Evaluation, index));
@@ -140,8 +147,10 @@ impl Comparison {
             kind: fixed.kind.clone(),
             bytes: fixed.bytes(),
             multiplications: fixed.multiplications(),
-            mean_difference: sum / count.max(1) as f64,
-            greatest_difference: greatest,
+            differences: Some(Differences {
+                mean_difference: sum / count.max(1) as f64,
+                greatest_difference: greatest,
+            }),
             float: Summary::of(&endings[0]),
             fixed: Summary::of(&endings[1]),
         }
@@ -150,14 +159,16 @@ impl Comparison {
 
 impl fmt::Display for Comparison {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { float, fixed, mean_difference, greatest_difference, .. } = self;
+        let Self { float, fixed, .. } = self;
+        let (float_score, fixed_score, episodes) = (float.score, fixed.score, float.episodes);
+        write!(f, "mean score {float_score:.2} in floating point, {fixed_score:.2} in integers, on {episodes} episodes")?;
+        if let Some((float, fixed)) = float.success.zip(fixed.success) {
+            write!(f, "; success {:.1} % and {:.1} %", 100.0 * float, 100.0 * fixed)?;
+        }
+        let Some(Differences { mean_difference, greatest_difference }) = self.differences else { return Ok(()) };
         write!(
             f,
-            "mean score {:.2} in floating point, {:.2} in integers, on {} test episodes; outputs differ by {:.2} % of half \
-             their range in the mean, {:.1} % at most",
-            float.score,
-            fixed.score,
-            float.episodes,
+            "; outputs differ by {:.2} % of half their range in the mean, {:.1} % at most",
             100.0 * mean_difference,
             100.0 * greatest_difference
         )

@@ -15,7 +15,8 @@
 //! | [`contract`], [`weights`] | `policy.safetensors` |
 //! | [`integers`] | a trained actor in integers, and how well it does |
 //! | [`network`] | either kind of policy file, ready to act |
-//! | [`foreign`] | actors of Stable-Baselines3 and CleanRL |
+//! | [`motors`] | networks of an arm's motors |
+//! | [`import`], [`foreign`] | `tpg-train import`: actors of Stable-Baselines3 and CleanRL |
 //! | [`command`], [`log`] | `tpg-train sac` and its logs |
 
 pub mod agent;
@@ -28,10 +29,12 @@ mod curve;
 pub mod episode;
 pub mod failures;
 pub mod foreign;
+pub mod import;
 pub mod integers;
 pub mod interface;
 pub mod lanes;
 pub mod log;
+pub mod motors;
 pub mod network;
 pub mod policy;
 pub mod presets;

@@ -44,6 +44,18 @@ impl Network {
         }
     }
 
+    /// Returns the bytes of the constants that decide: four a parameter in floating point, the spreads left out.
+    pub fn bytes(&self) -> usize {
+        match self {
+            Self::Float(actor) => {
+                let shape = actor.0.shape();
+                let spreads = actor.1.outputs.len() * (shape.hidden.last().unwrap_or(&shape.inputs) + 1);
+                4 * (shape.parameters() - spreads)
+            }
+            Self::Fixed(policy) => policy.bytes(),
+        }
+    }
+
     /// One episode of each task; `file` is what an error names.
     ///
     /// # Errors
@@ -57,8 +69,7 @@ impl Network {
         self.fit(file, &environment.sources(), &environment.actions())?;
         Ok(match self {
             Self::Float(actor) if !actor.1.chooses => {
-                let interface = actor.1.interface();
-                NetworkPolicy::new(&actor.0, &interface, &actor.1.actor).endings(environment, tasks)
+                NetworkPolicy::new(&actor.0, actor.1.interface(), &actor.1.actor).endings(environment, tasks)
             }
             Self::Float(_) | Self::Fixed(_) => self.deciding(|decide| {
                 let ending = |task| Course::new(environment, task).run(|state| decide(state));
@@ -71,8 +82,7 @@ impl Network {
     pub fn deciding<R>(&self, act: impl FnOnce(&dyn Fn(&[f32]) -> Decision<f32>) -> R) -> R {
         match self {
             Self::Float(actor) => {
-                let interface = actor.1.interface();
-                let policy = NetworkPolicy::new(&actor.0, &interface, &actor.1.actor);
+                let policy = NetworkPolicy::new(&actor.0, actor.1.interface(), &actor.1.actor);
                 act(&|state| {
                     let mut values = Vec::new();
                     policy.answer(state, &mut values);

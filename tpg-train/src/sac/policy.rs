@@ -12,7 +12,7 @@ use tpg_nn::{Gaussian, Mlp, Samples, Tape};
 #[derive(Debug)]
 pub struct NetworkPolicy<'a> {
     network: &'a Mlp<f32>,
-    interface: &'a Interface,
+    interface: Interface,
     gaussian: Gaussian,
     decides: Decides,
     tape: RefCell<Tape<f32>>,
@@ -23,7 +23,7 @@ impl<'a> NetworkPolicy<'a> {
     ///
     /// # Panics
     /// If the network's input or output is not the interface's.
-    pub fn new(network: &'a Mlp<f32>, interface: &'a Interface, actor: &Actor) -> Self {
+    pub fn new(network: &'a Mlp<f32>, interface: Interface, actor: &Actor) -> Self {
         let gaussian = Gaussian { actions: interface.outputs.len(), spread: actor.spread };
         assert_eq!(network.shape().inputs, interface.inputs.len(), "an actor of other inputs");
         assert_eq!(network.shape().outputs, 2 * gaussian.actions, "an actor of other outputs");
@@ -49,6 +49,18 @@ impl<'a> NetworkPolicy<'a> {
         play(environment, task, |state, values| self.values(state, &mut random, values), each)
     }
 
+    /// Returns true if it decides by the mean of its actions.
+    pub fn decides_by_mean(&self) -> bool {
+        self.decides.is_by_mean()
+    }
+
+    /// Computes the means of the actions before the tanh.
+    pub fn means(&self, state: &[f32], means: &mut [f32]) {
+        let mut tape = self.tape.borrow_mut();
+        self.forward(state, &mut tape);
+        means.copy_from_slice(&tape.output()[..self.gaussian.actions]);
+    }
+
     /// The values for a flat state, decided by the mean; where actions are named, the preferences as they are.
     pub fn answer(&self, state: &[f32], values: &mut Vec<f32>) {
         let mut tape = self.tape.borrow_mut();
@@ -64,7 +76,7 @@ impl<'a> NetworkPolicy<'a> {
     }
 
     /// The values for a flat state, decided as the actor does outside of training.
-    fn values(&self, state: &[f32], random: &mut Stream, values: &mut Vec<f32>) {
+    pub fn values(&self, state: &[f32], random: &mut Stream, values: &mut Vec<f32>) {
         if self.decides.is_by_mean() {
             return self.answer(state, values);
         }
@@ -110,7 +122,7 @@ mod tests {
         let shape = Shape { inputs: 3, hidden: vec![8], outputs: 2, norm: false };
         let network = Mlp::random(shape, || random.unit());
         let tasks = tpg_engine::tasks::<f32, _>(&Pendulum, tpg_engine::TaskSet::Validation, 0, 3);
-        let endings = |actor: &Actor| NetworkPolicy::new(&network, &interface, actor).endings(&Pendulum, &tasks);
+        let endings = |actor: &Actor| NetworkPolicy::new(&network, interface.clone(), actor).endings(&Pendulum, &tasks);
         let by_mean = endings(&actor);
         actor.decides = Decides::ByDraw;
         assert_eq!(endings(&actor), endings(&actor));

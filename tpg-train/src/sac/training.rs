@@ -301,7 +301,7 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
 
     /// Returns the current policy.
     pub fn policy(&self) -> NetworkPolicy<'_> {
-        NetworkPolicy::new(self.actor(), self.interface(), &self.config.actor)
+        NetworkPolicy::new(self.actor(), self.interface().clone(), &self.config.actor)
     }
 
     /// Lets the actor as it stands try the validation tasks, and keeps it if it is the best so far. Where the rate falls,

@@ -4,8 +4,8 @@ use crate::Bytes;
 use tpg_codegen::policy::{self, QuantisedPolicy};
 use tpg_engine::Output;
 use tpg_runtime::net::Model;
-use tpg_train::actor::file::FloatActor;
-use tpg_train::actor::version1;
+use tpg_train::sac::motors::MotorNetwork;
+use tpg_train::sac::network::Network;
 use tpg_train::sac::tensors::Tensors;
 use tpg_train::sac::{foreign, weights};
 
@@ -79,7 +79,7 @@ fn checksum(words: &[u32]) -> u32 {
         .fold(u32::MAX, |crc, byte| (0..8).fold(crc ^ u32::from(byte), |crc, _| (crc >> 1) ^ (0xedb8_8320 * (crc & 1))))
 }
 
-/// A safetensors file: as a container, as a policy of this or the earlier version, as another trainer's actor.
+/// A safetensors file: as a container, as a policy, as another trainer's actor.
 ///
 /// # Panics
 /// If what is written is not read again.
@@ -88,10 +88,10 @@ pub fn safetensors(data: &[u8]) {
     let bytes = tensors.to_bytes();
     assert_eq!(Tensors::from_bytes(&bytes).expect("what is written is read").to_bytes(), bytes);
     let read = |tensors: Tensors| {
-        let (network, contract) = weights::from_tensors(version1::upgraded(tensors)?)?;
+        let (network, contract) = weights::from_tensors(tensors)?;
         let again = weights::from_tensors(weights::to_tensors(&network, &contract)).expect("what is written is read");
         assert_eq!(again.0.parameters().len(), network.parameters().len());
-        FloatActor::of_contract(network, &contract)
+        MotorNetwork::new(Network::Float(Box::new((network, contract))), None)
     };
     let _ = read(tensors.clone()).is_ok();
     let output = Output { name: "a".into(), unit: "".into(), min: -1.0, max: 1.0 };

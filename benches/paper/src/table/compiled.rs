@@ -18,7 +18,10 @@ use tpg_nn::{Mlp, Shape};
 use tpg_problems::ContinuousProblem;
 use tpg_problems::arm::targets::{Start, Task};
 use tpg_runtime::policy::Policy;
-use tpg_train::actor::policy::ActorPolicy;
+use tpg_train::sac::contract::{Contract, Provenance};
+use tpg_train::sac::interface::Interface;
+use tpg_train::sac::motors::MotorNetwork;
+use tpg_train::sac::network::Network;
 use tpg_train::sac::presets;
 
 /// The arm that they were trained for, in the precision that they run in.
@@ -86,18 +89,19 @@ pub fn measure(start: Start, tasks: &[Task]) -> Costs {
 fn wide(start: Start, tasks: &[Task]) -> Time {
     let preset = presets::find("paper-fs").expect("it comes with the trainer");
     let actor = presets::config(preset).expect("it is accepted").actor;
-    let Ok(ContinuousProblem::Motors(_, motors)) = ContinuousProblem::from_toml(preset.name, &preset.text()) else {
-        panic!("the preset is for the arm")
-    };
+    let problem = ContinuousProblem::from_toml(preset.name, &preset.text()).expect("a problem of the registry");
+    let interface = Interface::new(&&*problem.environment(0), actor.scaled_inputs).expect("motors");
     let shape = Shape {
-        inputs: motors.inputs.count(),
+        inputs: interface.inputs.len(),
         hidden: actor.hidden.clone(),
         outputs: 2 * JOINTS,
         norm: actor.layer_norm,
     };
     let mut random = Stream::new(1, 0, Purpose::Weights, 0);
     let weights = Mlp::random(shape, || random.unit());
-    timing::of_policy_along(&ARM, &ActorPolicy::new(&weights, &motors, &actor), &network(), start, tasks)
+    let contract = Contract::new(problem.to_table(), &interface, actor, Provenance::default());
+    let wide = MotorNetwork::new(Network::Float(Box::new((weights, contract))), None).expect("a network of the arm");
+    timing::of_policy_along(&ARM, &wide.policy(), &network(), start, tasks)
 }
 
 fn fs() -> impl Policy<State = Observation<f32>, Action = Move> + Clone {

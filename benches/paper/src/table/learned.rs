@@ -14,7 +14,7 @@ use tpg_problems::arm::planner::{Choice, Planner};
 use tpg_problems::arm::targets::{Start, Task};
 use tpg_problems::arm::trial::{Trial, run};
 use tpg_problems::arm::{ArmProblem, ArmTask};
-use tpg_train::actor::file::Actor;
+use tpg_train::sac::motors::MotorNetwork;
 use tpg_train::evaluate::arm::shielded_endings_of;
 use tpg_train::files::read_graph;
 
@@ -96,7 +96,7 @@ fn graphs(learned: &Learned, shield: Shield, start: Start, tasks: &[Task]) -> Re
 }
 
 fn actors(learned: &Learned, start: Start, tasks: &[Task]) -> Result<Row, InputError> {
-    let trial = |path: &PathBuf| Ok(Actor::read(path, None)?.trial(start, tasks));
+    let trial = |path: &PathBuf| Ok(MotorNetwork::read(path, None)?.trial(start, tasks));
     let trials: Result<Vec<_>, InputError> = learned.sac.iter().map(trial).collect();
     Ok(Row::of(&learned.name, &trials?))
 }

@@ -6,7 +6,7 @@ use super::report;
 use super::setting::{Detector, HybridFile};
 use super::study::{Cell, Study, settings};
 use super::trial::graph_alone;
-use crate::actor::file::Actor;
+use crate::sac::motors::MotorNetwork;
 use crate::arm_of;
 use crate::files::{read_graph, write_atomically};
 use crate::hybrid::command::{HybridArgs, StudyArgs};
@@ -74,7 +74,7 @@ pub fn execute(args: &HybridArgs, start: Start, place: &impl Workplace) -> Resul
         Some(config) => config.arm(),
         None => common_arm(&tpgs)?,
     };
-    let sacs = args.policy.iter().map(|path| Ok((path.display().to_string(), Actor::read(path, Some(&arm))?)));
+    let sacs = args.policy.iter().map(|path| Ok((path.display().to_string(), MotorNetwork::read(path, Some(&arm))?)));
     let sacs = sacs.collect::<Result<Vec<_>, InputError>>()?;
     let problem = config.as_ref().map_or_else(|| sacs[0].1.tests(start), |config| config.problem(start));
     let asked = Asked {
@@ -149,7 +149,7 @@ fn alone(study: &Study) -> Result<Vec<Alone>, InputError> {
             } else {
                 let (file, actor) = &study.sacs[place];
                 let arm = study.arm.to_f32();
-                (file, tpg_problems::arm::trial::run(&arm, &*actor.policy(), study.problem.clone(), &study.tasks))
+                (file, tpg_problems::arm::trial::run(&arm, &actor.policy(), study.problem.clone(), &study.tasks))
             };
             Ok(Alone {
                 kind,

@@ -39,12 +39,12 @@ impl Costs {
         let arm = study.arm.to_f32();
         let sac = study.sacs.iter().map(|(_, actor)| {
             let policy = actor.policy();
-            let states = states::<f32, _>(&*policy, study);
+            let states = states::<f32, _>(&policy, study);
             best_of(&states, |seen| policy.decide(seen))
         });
         let sac: Vec<f64> = sac.collect();
         let policy = study.sacs[0].1.policy();
-        let states = states::<f32, _>(&Narrowed::<f32, _>::new(&*policy), study);
+        let states = states::<f32, _>(&Narrowed::<f32, _>::new(&policy), study);
         let single = Move([3, 0, 0, 0]);
         let collision = |moved| Plane::at(&arm, moved).collision(&arm.shapes);
         let guards = Guard::ALL.map(|guard| best_of(&states, |seen| guard.refuses(&arm, seen.pose, single, collision)));

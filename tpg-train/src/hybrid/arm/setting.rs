@@ -1,6 +1,6 @@
 //! Settings for sharing an arm between a graph and an actor, and their file `hybrid.toml`.
 
-use crate::actor::file::Actor;
+use crate::sac::motors::MotorNetwork;
 use crate::arm_of;
 use crate::files::{read_graph, read_text};
 use crate::hybrid::setting::{rust_distance, shown};
@@ -161,7 +161,7 @@ pub struct Hybrid {
     /// The graph, and its file.
     pub graph: (String, Graph),
     /// The actor.
-    pub actor: Actor,
+    pub actor: MotorNetwork,
     /// The setting.
     pub setting: Setting,
 }
@@ -176,7 +176,7 @@ impl Hybrid {
         let beside = |name: &str| path.parent().unwrap_or(Path::new("")).join(name);
         let graph = beside(&file.graph);
         let (name, graph) = (graph.display().to_string(), read_graph(&graph)?);
-        let actor = Actor::read(&beside(&file.actor), Some(&arm_of::graph(&name, &graph)?))?;
+        let actor = MotorNetwork::read(&beside(&file.actor), Some(&arm_of::graph(&name, &graph)?))?;
         Ok(Self { graph: (name, graph), actor, setting })
     }
 }

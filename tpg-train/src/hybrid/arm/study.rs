@@ -2,7 +2,7 @@
 
 use super::setting::{Detector, Setting};
 use super::trial;
-use crate::actor::file::Actor;
+use crate::sac::motors::MotorNetwork;
 use crate::hybrid::span::Span;
 use crate::hybrid::study;
 use serde::{Deserialize, Serialize};
@@ -99,7 +99,7 @@ pub struct Study {
     /// The graphs, with their files.
     pub tpgs: Vec<(String, Graph)>,
     /// The actors, with their files.
-    pub sacs: Vec<(String, Actor)>,
+    pub sacs: Vec<(String, MotorNetwork)>,
     /// The settings.
     pub settings: Vec<Setting>,
     /// The arm.

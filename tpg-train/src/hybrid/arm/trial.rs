@@ -3,7 +3,7 @@
 use super::graph::GraphPolicy;
 use super::narrowed::Narrowed;
 use super::setting::{Detector, Setting};
-use crate::actor::file::Actor;
+use crate::sac::motors::MotorNetwork;
 use serde::Serialize;
 use tpg_arm::cycle::{Brent, CycleDetector, Visited};
 use tpg_arm::hybrid::{CAUSES, Hybrid, HybridEpisode, HybridSummary};
@@ -44,7 +44,7 @@ const CAPACITY: usize = 4096;
 pub fn run(
     file: &str,
     graph: &Graph,
-    actor: &Actor,
+    actor: &MotorNetwork,
     setting: &Setting,
     problem: impl Into<ArmProblem>,
     tasks: &[Task],
@@ -56,7 +56,7 @@ pub fn run(
 fn of<S: ArmScalar, M: Maths<S>>(
     file: &str,
     graph: &Graph,
-    actor: &Actor,
+    actor: &MotorNetwork,
     setting: &Setting,
     problem: &ArmProblem,
     tasks: &[Task],
@@ -65,7 +65,7 @@ fn of<S: ArmScalar, M: Maths<S>>(
     let tpg = GraphPolicy::<S, M>::new(file, graph, &description)?;
     let sac = actor.policy();
     let arm = S::arm(&description);
-    let hybrid = Hybrid { arm: &arm, tpg, sac: Narrowed::<S, _>::new(&*sac), settings: setting.settings() };
+    let hybrid = Hybrid { arm: &arm, tpg, sac: Narrowed::<S, _>::new(&sac), settings: setting.settings() };
     Ok(trial(&hybrid, setting.detector, problem, tasks))
 }
 

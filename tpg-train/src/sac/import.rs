@@ -10,14 +10,13 @@
 //! with `from safetensors.torch import save_file`. Such a file says neither what the network reads nor what its outputs
 //! mean, so the command line must; sizes that do not fit it are refused.
 
-use super::version1::interface;
 use crate::run_args::command_line;
-use crate::sac::config::{Actor, Decides};
-use crate::sac::contract::{Contract, Provenance};
-use crate::sac::foreign::from_tensors;
-use crate::sac::interface::Interface;
-use crate::sac::tensors::{Tensors, place};
-use crate::sac::weights::{LIMIT, to_tensors};
+use super::config::{Actor, Decides};
+use super::contract::{Contract, Provenance};
+use super::foreign::from_tensors;
+use super::interface::Interface;
+use super::tensors::{Tensors, place};
+use super::weights::{LIMIT, to_tensors};
 use clap::Args;
 use std::path::{Path, PathBuf};
 use tpg_arm::sac::{Actions, Mask};
@@ -69,14 +68,14 @@ fn mask(name: &str) -> Result<Mask, String> {
 /// # Errors
 /// If the file is damaged, is neither trainer's, or does not fit what the arguments say.
 pub fn import(args: &ImportArgs) -> Result<(), InputError> {
-    let (problem, interface) = match args.problem.start() {
+    let problem = match args.problem.start() {
         Some(start) => of_the_arm(args, start)?,
-        None => {
-            let problem = ContinuousProblem::usual(args.problem);
-            let interface = plain(&problem)?;
-            (problem, interface)
-        }
+        None => ContinuousProblem::usual(args.problem),
     };
+    // The values go to the network as they are.
+    let interface = Interface::new(&&*problem.environment(0), false).map_err(|finding| {
+        command_line(format!("--problem {}: {}", problem.name().name(), finding.found), finding.accepted)
+    })?;
     let file = Tensors::read(&args.actor, LIMIT)?;
     let (network, trainer) = from_tensors(file, interface.inputs.len(), &interface.outputs)
         .map_err(|finding| place(&args.actor, finding))?;
@@ -97,18 +96,11 @@ pub fn import(args: &ImportArgs) -> Result<(), InputError> {
 }
 
 /// The arm by its motors, as the arguments say.
-fn of_the_arm(args: &ImportArgs, start: Start) -> Result<(ContinuousProblem, Interface), InputError> {
+fn of_the_arm(args: &ImportArgs, start: Start) -> Result<ContinuousProblem, InputError> {
     let (Some(inputs), Some(actions)) = (args.inputs, args.actions) else {
         return Err(command_line("an actor of the arm without --inputs or --actions", "both of them"));
     };
     let (mask, may_rest) = (args.mask, args.may_rest);
     let motors = Config { inputs, actions, mask, may_rest, ..Config::default() };
-    Ok((ContinuousProblem::Motors(start, motors), interface(inputs)))
-}
-
-/// Returns the interface of a problem whose values go to the network as they are.
-fn plain(problem: &ContinuousProblem) -> Result<Interface, InputError> {
-    Interface::new(&&*problem.environment(0), false).map_err(|finding| {
-        command_line(format!("--problem {}: {}", problem.name().name(), finding.found), finding.accepted)
-    })
+    Ok(ContinuousProblem::Motors(start, motors))
 }
