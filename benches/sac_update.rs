@@ -27,7 +27,7 @@ fn milliseconds(actor: usize, critic: usize) -> f64 {
     let (inputs, batch) = (INPUTS, config.learning.batch);
     let mut random = Stream::new(1, 0, Purpose::Test, 0);
     let gaussian = Gaussian { actions: ACTIONS, spread: Spread::LogSigma };
-    let mut agent = Agent::<f32>::new(&config, inputs, gaussian, false, &mut random);
+    let mut agent = Agent::<f32>::new(&config, inputs, gaussian, &mut random);
     let mut space = agent.workspace(batch);
     let mut draw = |count: usize| {
         let mut numbers = vec![0.0; count];

@@ -2,7 +2,6 @@
 
 mod examples;
 
-use crate::sac::import::{ImportArgs, import};
 use crate::arm_import::{ArmArgs, execute as execute_arm};
 use crate::evaluate::{EvalArgs, eval};
 use crate::evolution::command::{TpgArgs, execute as execute_tpg};
@@ -14,6 +13,7 @@ use crate::quantise::{QuantiseArgs, quantise};
 use crate::ranks::workplace::ThisProcess;
 use crate::report::{ReportArgs, report};
 use crate::sac::command::{SacArgs, execute as execute_sac};
+use crate::sac::import::{ImportArgs, import};
 use crate::targets::{TargetsArgs, print_targets};
 use clap::{CommandFactory as _, Parser, Subcommand};
 use std::process::ExitCode;

@@ -11,7 +11,6 @@ use sha2::{Digest, Sha256};
 use std::fs;
 use std::path::PathBuf;
 use tpg_codegen::policy::{QuantisedPolicy, to_rust};
-use tpg_engine::Preferring;
 use tpg_graph::error::{InputError, Place};
 use tpg_problems::ContinuousProblem;
 use tpg_runtime::net::Kind;
@@ -63,10 +62,9 @@ pub fn quantise(args: &QuantiseArgs) -> Result<(), InputError> {
             args.write(&policy, || motors::compare(&float, &policy, start))
         }
         problem => {
-            let (environment, mean) = (problem.environment(args.seed), (&network, &contract));
-            let environment = Preferring::new(&*environment);
-            let policy = integers::quantise(&file, mean, &environment, hash, args.kind, args.seed)?;
-            args.write(&policy, || Ok(Comparison::new(mean, &policy, &environment, args.seed)))
+            let (environment, actor) = (problem.environment(args.seed), (&network, &contract));
+            let policy = integers::quantise(&file, actor, &&*environment, hash, args.kind, args.seed)?;
+            args.write(&policy, || Ok(Comparison::new(actor, &policy, &&*environment, args.seed)))
         }
     }
 }

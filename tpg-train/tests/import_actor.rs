@@ -7,8 +7,8 @@ use tpg_engine::Output;
 use tpg_nn::Tape;
 use tpg_problems::ProblemName;
 use tpg_problems::arm::motors::Inputs;
-use tpg_train::sac::import::{ImportArgs, import};
 use tpg_train::sac::foreign::from_tensors;
+use tpg_train::sac::import::{ImportArgs, import};
 use tpg_train::sac::tensors::{Tensor, Tensors};
 use tpg_train::sac::weights;
 

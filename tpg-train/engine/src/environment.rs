@@ -69,11 +69,6 @@ pub trait Environment<S: Scalar>: Sync {
     /// Returns the actions that a policy can take.
     fn actions(&self) -> ActionSpace;
 
-    /// Returns true if the outputs are preferences for named actions: the greatest acts. See [`Preferring`](crate::Preferring).
-    fn chooses(&self) -> bool {
-        false
-    }
-
     /// Returns the maximum number of actions in an episode. The engine ends a longer one with
     /// [`timeout`](Self::timeout).
     fn time_limit(&self) -> u32;
@@ -173,6 +168,6 @@ impl<S: Scalar, E: Environment<S> + ?Sized> Environment<S> for &E {
     type Episode = E::Episode;
 
     crate::forward!(this => (**this);
-        sources actions chooses time_limit draw start observe step outcomes timeout measure preference constants accepts
+        sources actions time_limit draw start observe step outcomes timeout measure preference constants accepts
         lanes key cycle training guarded drawn distance);
 }

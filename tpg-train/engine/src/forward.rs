@@ -18,12 +18,6 @@ macro_rules! forward {
             $inner.actions()
         }
     };
-    (@chooses $this:ident $inner:expr) => {
-        fn chooses(&self) -> bool {
-            let $this = self;
-            $inner.chooses()
-        }
-    };
     (@time_limit $this:ident $inner:expr) => {
         fn time_limit(&self) -> u32 {
             let $this = self;

@@ -14,7 +14,6 @@
 //! | [`Rollout`], [`Decision`] | one episode, action by action |
 //! | [`bind`] | binding of a graph to an environment |
 //! | [`Choices`] | any action space as a list of named actions |
-//! | [`Preferring`] | named actions as outputs: the greatest acts |
 //! | [`Remembering`], [`Remembered`] | a memory for policies |
 //! | [`Episodes`], [`OneByOne`], [`Mapped`], [`View`], [`SourceSet`] | parallel episodes |
 //! | [`Ending`], [`Summary`], [`Preference`] | results |
@@ -51,7 +50,6 @@ mod options;
 mod parts;
 mod plan;
 mod policy;
-mod preferring;
 pub mod random;
 mod remembering;
 mod rollout;
@@ -78,7 +76,6 @@ pub use one_by_one::OneByOne;
 pub use options::EngineOptions;
 pub use plan::Plan;
 pub use policy::{Destination, Edge, Limits, Line, Operand, PolicyGraph, bounded};
-pub use preferring::{Preferring, preferred};
 pub use remembering::{Remembered, Remembering, WithMemory, remembered};
 pub use rollout::{Decision, Rollout};
 pub use single::{Single, single};

@@ -14,7 +14,6 @@
 //! `fearless_simd` detects.
 
 mod adam;
-mod categorical;
 mod gaussian;
 mod loops;
 mod mlp;
@@ -24,7 +23,6 @@ mod sum;
 mod vectors;
 
 pub use adam::Adam;
-pub use categorical::{softmax, softmax_backward};
 pub use gaussian::{Gaussian, Samples, Spread};
 pub use loops::Loops;
 pub use mlp::{Mlp, Shape, Tape};

@@ -124,7 +124,10 @@ fn what_is_no_arm_is_refused_with_file_and_joint() {
         (lift, &lift.replace("0 1 0", "0 0 0"), "five.urdf: joint lift: an axis without a direction"),
         ("<parent link=\"root\"/>", "<parent link=\"tip\"/>", "five.urdf: joint"),
         ("0.05 -0.003", "${width} -0.003", "five.urdf: line 20: a xacro that is not expanded"),
-        ("</robot>", "", "five.urdf: "),
+        ("</robot>", "", "five.urdf: line "),
+        ("<robot", "<robots", "five.urdf: line "),
+        ("0.05 -0.003", "0.05 x", "five.urdf: joint "),
+        ("type=\"prismatic\"", "type=\"telescope\"", "five.urdf: joint finger: line 23: the type \"telescope\""),
     ] {
         let text = ARM.replacen(from, to, 1);
         assert_ne!(text, ARM, "{from} is in the text");

@@ -129,14 +129,13 @@ fn read_joint(file: &str, node: Node<'_, '_>) -> Result<Joint, InputError> {
         let line = at.document().text_pos_at(at.range().start).row;
         at_joint(file, name, format!("line {line}: {found}"), accepted)
     };
-    let part = |tag| node.children().find(move |part| part.has_tag_name(tag));
-    let link = |tag: &str| {
+    let part = |tag: &'static str| node.children().find(move |part| part.has_tag_name(tag));
+    let link = |tag: &'static str| {
         let link = part(tag).and_then(|part| part.attribute("link"));
         link.map(str::to_owned).ok_or_else(|| refuse(node, format!("no {tag}"), "<parent link=…/> and <child link=…/>"))
     };
-    let number = |at, text: &str| {
-        text.parse::<f64>().map_err(|_| refuse(at, format!("{text:?}"), "a number such as -1.57"))
-    };
+    let number =
+        |at, text: &str| text.parse::<f64>().map_err(|_| refuse(at, format!("{text:?}"), "a number such as -1.57"));
     let three = |tag, attribute, otherwise: [f64; 3]| {
         let Some((at, text)) = part(tag).and_then(|part| Some((part, part.attribute(attribute)?))) else {
             return Ok(otherwise);

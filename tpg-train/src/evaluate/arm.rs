@@ -2,13 +2,13 @@
 
 use super::EvalArgs;
 use super::report::EvaluationReport;
-use crate::sac::motors::MotorNetwork;
 use crate::arm_of;
 use crate::files::read_graph;
 use crate::hybrid::arm::setting::{Detector, Hybrid, Setting};
 use crate::hybrid::arm::trial;
 use crate::hybrid::setting::Detector as AnyDetector;
 use crate::run_args::command_line;
+use crate::sac::motors::MotorNetwork;
 use std::path::Path;
 use std::time::Instant;
 use tpg_arm::observation::Straight;

@@ -16,7 +16,6 @@
 //!
 //! Where actions are named, [`choice`](super::choice) has the update.
 
-use super::choice::Choices;
 use super::config::{Algorithm, Learning, SacConfig};
 use serde::{Deserialize, Serialize};
 use tpg_engine::random::Stream;
@@ -82,7 +81,7 @@ impl<T: Real> Learner<T> {
         Self { network, adam }
     }
 
-    pub(super) fn descend(&mut self, gradient: &[T], rate: f64) {
+    fn descend(&mut self, gradient: &[T], rate: f64) {
         self.adam.step(self.network.parameters_mut(), gradient, rate);
     }
 }
@@ -115,34 +114,31 @@ pub struct Agent<T> {
     /// The optimiser of ln α.
     pub alpha_adam: Adam<T>,
     gaussian: Gaussian,
-    /// True if actions are named.
-    chooses: bool,
 }
 
 /// Scratch memory of an update, allocated once for one batch size.
 #[derive(Clone, Debug)]
 pub struct Workspace<T> {
-    pub(super) actor: Tape<T>,
-    pub(super) critics: [Tape<T>; 2],
+    actor: Tape<T>,
+    critics: [Tape<T>; 2],
     value: Option<Tape<T>>,
-    pub(super) gradient: Vec<T>,
-    pub(super) by_q: [Vec<T>; 2],
+    gradient: Vec<T>,
+    by_q: [Vec<T>; 2],
     /// By the critics' inputs, of which the actions are the last.
     by_input: [Vec<T>; 2],
     by_actions: Vec<T>,
-    pub(super) by_outputs: Vec<T>,
-    pub(super) wanted: Vec<T>,
+    by_outputs: Vec<T>,
+    wanted: Vec<T>,
     samples: Samples<T>,
-    pub(super) choices: Choices<T>,
 }
 
 impl<T: Real> Agent<T> {
-    /// Creates an agent with random weights, for states of that many inputs. If it `chooses`, its actions are named.
-    pub fn new(config: &SacConfig, inputs: usize, gaussian: Gaussian, chooses: bool, random: &mut Stream) -> Self {
+    /// Creates an agent with random weights, for states of that many inputs.
+    pub fn new(config: &SacConfig, inputs: usize, gaussian: Gaussian, random: &mut Stream) -> Self {
         let norm = config.actor.layer_norm;
         let actor = Shape { inputs, hidden: config.actor.hidden.clone(), outputs: 2 * gaussian.actions, norm };
-        let (read, outputs) = if chooses { (inputs, gaussian.actions) } else { (inputs + gaussian.actions, 1) };
-        let critic = Shape { inputs: read, hidden: config.critic.hidden.clone(), outputs, norm };
+        let read = inputs + gaussian.actions;
+        let critic = Shape { inputs: read, hidden: config.critic.hidden.clone(), outputs: 1, norm };
         let actor = Mlp::random(actor, || random.unit());
         let critics = [(); 2].map(|()| Mlp::random(critic.clone(), || random.unit()));
         let Learning { log_temperature, algorithm, .. } = config.learning;
@@ -150,7 +146,7 @@ impl<T: Real> Agent<T> {
             let shape = Shape { inputs, hidden: config.critic.hidden.clone(), outputs: 1, norm };
             Mlp::random(shape, || random.unit())
         });
-        Self { chooses, ..Self::of_networks(actor, critics, value, gaussian, log_temperature) }
+        Self::of_networks(actor, critics, value, gaussian, log_temperature)
     }
 
     /// Creates an agent from given networks, with new optimisers and slow copies equal to the networks that they follow.
@@ -169,7 +165,7 @@ impl<T: Real> Agent<T> {
         let critics = critics.map(Learner::new);
         let actor = Learner::new(actor);
         let (log_alpha, alpha_adam) = (T::of(log_alpha), Adam::new(1));
-        Self { actor, critics, bootstrap, log_alpha, alpha_adam, gaussian, chooses: false }
+        Self { actor, critics, bootstrap, log_alpha, alpha_adam, gaussian }
     }
 
     /// Allocates scratch memory for updates with `batch` samples.
@@ -185,13 +181,12 @@ impl<T: Real> Agent<T> {
                 Bootstrap::Value { slow, .. } => Some(Tape::new(slow.shape(), batch)),
             },
             gradient: vec![T::zero(); widest],
-            by_q: [zeros(critic.outputs), zeros(critic.outputs)],
+            by_q: [zeros(1), zeros(1)],
             by_input: [zeros(actions), zeros(actions)],
             by_actions: zeros(actions),
             by_outputs: zeros(2 * actions),
             wanted: zeros(1),
             samples: Samples::default(),
-            choices: Choices::new(actions, batch),
         }
     }
 
@@ -201,7 +196,6 @@ impl<T: Real> Agent<T> {
     /// If the batch has another size than the workspace.
     pub fn update(&mut self, space: &mut Workspace<T>, batch: Experience<'_, T>, rates: &Rates) -> UpdateFigures {
         match self.bootstrap {
-            Bootstrap::SlowCritics(_) if self.chooses => self.update_choosing(space, batch, rates),
             Bootstrap::SlowCritics(_) => self.update_with_slow_critics(space, batch, rates),
             Bootstrap::Value { .. } => self.update_with_value(space, batch, rates),
         }
@@ -224,7 +218,7 @@ impl<T: Real> Agent<T> {
     }
 
     /// Moves the temperature by the entropy of a batch, and lets the slow critics follow.
-    pub(super) fn settle(&mut self, entropy: T, rates: &Rates) {
+    fn settle(&mut self, entropy: T, rates: &Rates) {
         let mut log_alpha = [self.log_alpha];
         self.alpha_adam.step(&mut log_alpha, &[entropy - T::of(rates.target_entropy)], rates.temperature);
         [self.log_alpha] = log_alpha;
@@ -368,11 +362,6 @@ impl<T: Real> Agent<T> {
         (loss * share).wide()
     }
 
-    /// Returns true if actions are named.
-    pub fn chooses(&self) -> bool {
-        self.chooses
-    }
-
     /// Returns the distribution that the actor's outputs parameterise.
     pub fn gaussian(&self) -> Gaussian {
         self.gaussian
@@ -389,7 +378,7 @@ fn join<T: Real>(input: &mut [T], states: &[T], actions: &[T], components: usize
     }
 }
 
-pub(super) fn least<T: Real>(a: T, b: T) -> T {
+fn least<T: Real>(a: T, b: T) -> T {
     if b < a { b } else { a }
 }
 

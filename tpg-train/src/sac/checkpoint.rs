@@ -332,10 +332,9 @@ fn check_header(text: &str, config: &SacConfig, seed: u64) -> Result<(), Finding
 mod tests {
     use super::*;
     use crate::sac::presets;
-    use tpg_engine::Preferring;
+    use tpg_problems::Pendulum;
     use tpg_problems::arm::motors::{self, Motors};
     use tpg_problems::arm::targets::Start;
-    use tpg_problems::{CartPole, Pendulum};
 
     fn small(preset: &str) -> SacConfig {
         let mut config = presets::config(presets::find(preset).expect("a preset")).expect("it is accepted");
@@ -392,7 +391,6 @@ mod tests {
         let mut measured = small("general");
         measured.learning.measured_inputs = true;
         check_resumed(&Pendulum, &measured);
-        check_resumed(&Preferring::new::<f32>(CartPole), &measured);
     }
 
     #[test]

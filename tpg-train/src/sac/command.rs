@@ -22,7 +22,7 @@ use serde_json::Value;
 use sha2::{Digest as _, Sha256};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
-use tpg_engine::{Environment, Preferring, Summary};
+use tpg_engine::{Environment, Summary};
 use tpg_graph::command::Verdict;
 use tpg_graph::error::{Finding, InputError};
 use tpg_problems::{ContinuousProblem, ProblemName};
@@ -66,7 +66,7 @@ pub fn execute(args: &SacArgs) -> Result<Verdict, InputError> {
     let stop = interrupt::watch();
     let command = Command { args, name: &name, config, problem: problem.name() };
     let environment = problem.environment(args.seed);
-    Run::begin(command, &Preferring::new(&*environment))?.finish(&stop)
+    Run::begin(command, &&*environment)?.finish(&stop)
 }
 
 impl Configuration for SacConfig {
@@ -101,14 +101,14 @@ struct Command<'a> {
 }
 
 struct Run<'a, E: Environment<f32>> {
-    environment: &'a Preferring<E>,
+    environment: &'a E,
     folder: RunFolder,
     name: &'a str,
     problem: ProblemName,
     seed: u64,
     goal: Goal,
     checkpoint_every: Duration,
-    training: Training<'a, Preferring<E>>,
+    training: Training<'a, E>,
     validation: Vec<E::Task>,
     log: Vec<Value>,
     progress: ProgressBar,
@@ -116,7 +116,7 @@ struct Run<'a, E: Environment<f32>> {
 }
 
 impl<'a, E: Environment<f32>> Run<'a, E> {
-    fn begin(command: Command<'a>, environment: &'a Preferring<E>) -> Result<Self, InputError> {
+    fn begin(command: Command<'a>, environment: &'a E) -> Result<Self, InputError> {
         let Command { args, name, config, problem } = command;
         let (seed, folder) = (args.seed, args.run.folder(problem, args.seed));
         let refused = |finding: Finding| {

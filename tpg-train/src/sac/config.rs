@@ -119,12 +119,11 @@ pub struct Learning {
     pub discount: f64,
     /// The fraction by which slow copies follow after each update, τ.
     pub follow: f64,
-    /// Target entropy, nats; where it is left out, minus the number of outputs, or 0.3 times the most possible where actions are
-    /// named. Only with a learned temperature.
+    /// Target entropy, nats; where it is left out, minus the number of outputs. Only with a learned temperature.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub target_entropy: Option<f64>,
     /// Target entropy of each output at the start, nats; it falls linearly to the other at the end. Without it, the target stays the
-    /// same, as it does where actions are named.
+    /// same.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub exploring_entropy: Option<f64>,
     /// Logarithm of the temperature at the start, ln α. Only with a learned temperature.

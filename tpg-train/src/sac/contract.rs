@@ -25,17 +25,10 @@ pub struct Contract {
     pub inputs: Vec<Input>,
     /// The outputs, in order: a component of the action, tanh of a mean, is the fraction of half the range.
     pub outputs: Vec<OutputRange>,
-    /// True if the outputs are preferences for named actions: the greatest acts.
-    #[serde(default, skip_serializing_if = "is_false")]
-    pub chooses: bool,
     /// The network.
     pub actor: Actor,
     /// The origin of the policy.
     pub provenance: Provenance,
-}
-
-fn is_false(value: &bool) -> bool {
-    !value
 }
 
 /// An output and its range.
@@ -85,7 +78,6 @@ impl Contract {
             problem,
             inputs: interface.inputs.clone(),
             outputs: interface.outputs.iter().map(output).collect(),
-            chooses: interface.chooses,
             actor,
             provenance,
         }
@@ -99,11 +91,7 @@ impl Contract {
             min: *min,
             max: *max,
         };
-        Interface {
-            inputs: self.inputs.clone(),
-            outputs: self.outputs.iter().map(output).collect(),
-            chooses: self.chooses,
-        }
+        Interface { inputs: self.inputs.clone(), outputs: self.outputs.iter().map(output).collect() }
     }
 
     /// Reads the text of a policy file.

@@ -10,13 +10,13 @@
 //! with `from safetensors.torch import save_file`. Such a file says neither what the network reads nor what its outputs
 //! mean, so the command line must; sizes that do not fit it are refused.
 
-use crate::run_args::command_line;
 use super::config::{Actor, Decides};
 use super::contract::{Contract, Provenance};
 use super::foreign::from_tensors;
 use super::interface::Interface;
 use super::tensors::{Tensors, place};
 use super::weights::{LIMIT, to_tensors};
+use crate::run_args::command_line;
 use clap::Args;
 use std::path::{Path, PathBuf};
 use tpg_arm::sac::{Actions, Mask};

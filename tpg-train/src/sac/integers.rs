@@ -7,7 +7,7 @@ use serde::Serialize;
 use std::fmt;
 use tpg_codegen::policy::{FloatLayer, FloatNetwork, FloatOutput, FloatValue, Input, QuantisedPolicy};
 use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{Environment, Summary, preferred};
+use tpg_engine::{Environment, Summary};
 use tpg_graph::error::{InputError, Place};
 use tpg_nn::Mlp;
 use tpg_runtime::net::{Kind, Squash};
@@ -55,15 +55,11 @@ pub fn quantise(
         max: output.max as f32,
         squash: Squash::Tanh,
     });
-    let output = match contract.chooses {
-        true => FloatOutput::Argmax(contract.outputs.iter().map(|output| output.name.clone()).collect()),
-        false => FloatOutput::Values(values.collect()),
-    };
     let inputs = contract.inputs.iter();
     let float = FloatNetwork {
         inputs: inputs.map(|of| Input { name: of.name.clone(), offset: of.offset, scale: of.scale }).collect(),
         layers: deciding_layers(network, contract.outputs.len()),
-        output,
+        output: FloatOutput::Values(values.collect()),
     };
     let policy = NetworkPolicy::new(network, contract.interface(), &contract.actor);
     let mut states = Vec::new();
@@ -101,8 +97,7 @@ pub struct Comparison {
 /// Differences of outputs, at the states that the policy in floating point visits.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Differences {
-    /// The mean difference of an output, as a fraction of half its range; of a network that chooses, the fraction of other
-    /// choices.
+    /// The mean difference of an output, as a fraction of half its range.
     pub mean_difference: f64,
     /// The maximum of these differences.
     pub greatest_difference: f64,
@@ -123,24 +118,13 @@ impl Comparison {
             let task = environment.draw(&mut Stream::new(seed, 0, Purpose::Evaluation, index));
             let compared = |state: &[f32], values: &mut Vec<f32>| {
                 float.answer(state, values);
-                if contract.chooses {
-                    let differs = f64::from(u8::from(usize::from(preferred(values).0) != fixed.choose(state)));
-                    (count, sum, greatest) = (count + 1, sum + differs, greatest.max(differs));
-                    return;
-                }
                 for ((a, b), of) in values.iter().zip(fixed.values(state)).zip(&interface.outputs) {
                     let difference = f64::from((a - b).abs()) / (0.5 * (of.max - of.min));
                     (count, sum, greatest) = (count + 1, sum + difference, greatest.max(difference));
                 }
             };
             endings[0].push(play(environment, &task, compared, |_episode| ()));
-            let alone = |state: &[f32], values: &mut Vec<f32>| {
-                *values = fixed.values(state);
-                if contract.chooses {
-                    values.resize(interface.outputs.len(), 0.0);
-                    values[fixed.choose(state)] = 1.0;
-                }
-            };
+            let alone = |state: &[f32], values: &mut Vec<f32>| *values = fixed.values(state);
             endings[1].push(play(environment, &task, alone, |_episode| ()));
         }
         Self {
@@ -161,7 +145,10 @@ impl fmt::Display for Comparison {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { float, fixed, .. } = self;
         let (float_score, fixed_score, episodes) = (float.score, fixed.score, float.episodes);
-        write!(f, "mean score {float_score:.2} in floating point, {fixed_score:.2} in integers, on {episodes} episodes")?;
+        write!(
+            f,
+            "mean score {float_score:.2} in floating point, {fixed_score:.2} in integers, on {episodes} episodes"
+        )?;
         if let Some((float, fixed)) = float.success.zip(fixed.success) {
             write!(f, "; success {:.1} % and {:.1} %", 100.0 * float, 100.0 * fixed)?;
         }

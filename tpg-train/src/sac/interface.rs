@@ -43,8 +43,6 @@ pub struct Interface {
     pub inputs: Vec<Input>,
     /// One for each component of an action.
     pub outputs: Vec<Output>,
-    /// True if the outputs are preferences for named actions: the greatest acts.
-    pub chooses: bool,
 }
 
 impl Interface {
@@ -54,7 +52,7 @@ impl Interface {
     /// If the environment's actions are not outputs.
     pub fn new(environment: &impl Environment<f32>, scaled: bool) -> Result<Self, Finding> {
         let inputs = environment.sources().iter().flat_map(|source| inputs(source, scaled)).collect();
-        Ok(Self { inputs, outputs: outputs(environment.actions())?, chooses: environment.chooses() })
+        Ok(Self { inputs, outputs: outputs(environment.actions())? })
     }
 
     /// Makes the network read inputs less their mean, divided by their standard deviation; both are of what it has read so far. An

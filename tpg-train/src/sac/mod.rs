@@ -21,7 +21,6 @@
 
 pub mod agent;
 pub mod checkpoint;
-pub mod choice;
 pub mod command;
 pub mod config;
 pub mod contract;

@@ -157,7 +157,13 @@ enum Decides<'a> {
 
 impl MotorPolicy<'_> {
     /// Runs the episode at that place of a list; `each` sees the pose after every action.
-    pub fn watch(&self, problem: &ArmProblem, place: usize, task: &Task, each: impl FnMut(Pose)) -> episode::Summary<f32> {
+    pub fn watch(
+        &self,
+        problem: &ArmProblem,
+        place: usize,
+        task: &Task,
+        each: impl FnMut(Pose),
+    ) -> episode::Summary<f32> {
         let Decides::Float(network, discretiser) = &self.decides else {
             return trial::watch(&self.arm, self, problem, task, each);
         };
@@ -270,8 +276,7 @@ pub fn compare(float: &MotorNetwork, policy: &QuantisedPolicy, start: Start) -> 
     let fixed = MotorNetwork::new(Network::Fixed(Box::new(policy.clone())), Some(&float.arm))
         .map_err(|finding| place(Path::new("policy.q.json"), finding))?;
     let tasks = tasks(&float.arm, 1_000, Set::Validation, start, COMPARED);
-    let [float, fixed] =
-        [float, &fixed].map(|network| Summary::of(&network.trial(float.tests(start), &tasks).endings));
+    let [float, fixed] = [float, &fixed].map(|network| Summary::of(&network.trial(float.tests(start), &tasks).endings));
     Ok(Comparison {
         kind: policy.kind.clone(),
         bytes: policy.bytes(),

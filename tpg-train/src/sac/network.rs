@@ -8,7 +8,7 @@ use crate::course::{Course, Decision};
 use crate::files::read_text;
 use std::path::Path;
 use tpg_codegen::policy::{Output, QuantisedPolicy};
-use tpg_engine::{ActionSpace, Ending, Environment, preferred};
+use tpg_engine::{ActionSpace, Ending, Environment};
 use tpg_graph::SourceDocument;
 use tpg_graph::error::{InputError, Place};
 use tpg_nn::Mlp;
@@ -68,13 +68,13 @@ impl Network {
     ) -> Result<Vec<Ending>, InputError> {
         self.fit(file, &environment.sources(), &environment.actions())?;
         Ok(match self {
-            Self::Float(actor) if !actor.1.chooses => {
+            Self::Float(actor) => {
                 NetworkPolicy::new(&actor.0, actor.1.interface(), &actor.1.actor).endings(environment, tasks)
             }
-            Self::Float(_) | Self::Fixed(_) => self.deciding(|decide| {
-                let ending = |task| Course::new(environment, task).run(|state| decide(state));
+            Self::Fixed(policy) => {
+                let ending = |task| Course::new(environment, task).run(|state| decided(policy, state));
                 tasks.iter().map(ending).collect()
-            }),
+            }
         })
     }
 
@@ -86,7 +86,7 @@ impl Network {
                 act(&|state| {
                     let mut values = Vec::new();
                     policy.answer(state, &mut values);
-                    if actor.1.chooses { Decision::Choice(preferred(&values)) } else { Decision::Values(values) }
+                    Decision::Values(values)
                 })
             }
             Self::Fixed(policy) => act(&|state| decided(policy, state)),
@@ -108,9 +108,6 @@ impl Network {
             return refuse(format!("the inputs {}", inputs.join(" ")), wanted.join(" "));
         }
         let (answer, outputs) = match self {
-            Self::Float(actor) if actor.1.chooses => {
-                ("argmax", actor.1.outputs.iter().map(|output| output.name.as_str()).collect())
-            }
             Self::Float(actor) => ("values", actor.1.outputs.iter().map(|output| output.name.as_str()).collect()),
             Self::Fixed(policy) => match &policy.output {
                 Output::Values(values) => ("values", values.iter().map(|value| value.name.as_str()).collect()),

@@ -5,7 +5,7 @@ use super::episode::play;
 use super::interface::Interface;
 use std::cell::RefCell;
 use tpg_engine::random::{Purpose, Stream};
-use tpg_engine::{Ending, Environment, preferred};
+use tpg_engine::{Ending, Environment};
 use tpg_nn::{Gaussian, Mlp, Samples, Tape};
 
 /// An actor, in `f32`: the same on every machine, and the same as in its training.
@@ -61,16 +61,11 @@ impl<'a> NetworkPolicy<'a> {
         means.copy_from_slice(&tape.output()[..self.gaussian.actions]);
     }
 
-    /// The values for a flat state, decided by the mean; where actions are named, the preferences as they are.
+    /// The values for a flat state, decided by the mean.
     pub fn answer(&self, state: &[f32], values: &mut Vec<f32>) {
         let mut tape = self.tape.borrow_mut();
         self.forward(state, &mut tape);
         let means = &tape.output()[..self.gaussian.actions];
-        if self.interface.chooses {
-            values.clear();
-            values.extend_from_slice(means);
-            return;
-        }
         let action: Vec<f32> = means.iter().map(|&mean| libm::tanhf(mean)).collect();
         self.interface.values(&action, values);
     }
@@ -82,9 +77,6 @@ impl<'a> NetworkPolicy<'a> {
         }
         let mut tape = self.tape.borrow_mut();
         self.forward(state, &mut tape);
-        if self.interface.chooses {
-            return draw_choice(&tape.output()[..self.gaussian.actions], random, values);
-        }
         let (mut noise, mut samples) = (vec![0.0; self.gaussian.actions], Samples::default());
         random.normals(&mut noise);
         self.gaussian.sample(tape.output(), &noise, &mut samples);
@@ -96,15 +88,6 @@ impl<'a> NetworkPolicy<'a> {
         self.interface.scale(tape.input_mut());
         self.network.forward(tape);
     }
-}
-
-/// Draws an action by preferences, in proportion to the exponential of each, and writes 1 for it and 0 for the others: the greatest
-/// of the preferences with Gumbel's noise.
-pub(super) fn draw_choice(preferences: &[f32], random: &mut Stream, action: &mut Vec<f32>) {
-    let noisy: Vec<f64> = preferences.iter().map(|&x| f64::from(x) - libm::log(-libm::log(random.unit()))).collect();
-    action.clear();
-    action.resize(preferences.len(), 0.0);
-    action[usize::from(preferred(&noisy).0)] = 1.0;
 }
 
 #[cfg(test)]

@@ -6,20 +6,9 @@ use tpg_graph::error::InputError;
 use tpg_problems::ProblemName;
 
 /// Every preset.
-pub const PRESETS: [Preset; 11] = [
+pub const PRESETS: [Preset; 10] = [
     Preset::new("general", "for any problem with outputs", include_str!("presets/general.toml")),
     Preset::new("long", "for episodes of hundreds of steps", include_str!("presets/long.toml")),
-    Preset::new("choices", "for named actions in episodes of hundreds of steps", include_str!("presets/long.toml"))
-        .with(&[
-            ("# For episodes of", "# For named actions in episodes of"),
-            ("decisions = 150_000", "decisions = 100_000"),
-            ("decision_lasts = 4          #", "decision_lasts = 10         #"),
-            ("discount = 0.995 ", "discount = 0.997 "),
-            (
-                "exploring_entropy = 0.0     # target entropy of each output at the start, nats; it falls to -1 at the end\n",
-                "",
-            ),
-        ]),
     Preset::new("best-fs", "ours, the arm from its home position", include_str!("presets/best-fs.toml")),
     Preset::new("best-rs", "ours, the arm from anywhere", include_str!("presets/best-fs.toml")).with(&[
         ("for the fixed start.", "for both starts, chosen on random starts."),
@@ -97,7 +86,6 @@ pub fn usual(problem: ProblemName) -> &'static Preset {
     let name = match problem {
         ProblemName::Fs => "best-fs",
         ProblemName::Rs => "best-rs",
-        ProblemName::Dodge => "choices",
         _ => "general",
     };
     find(name).expect("it is in the list")

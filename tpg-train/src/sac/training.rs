@@ -4,12 +4,11 @@
 //! tick's random numbers are a function of the seed and of how many decisions came before.
 
 use super::agent::{Agent, Experience, Rates, UpdateFigures, Workspace};
-use super::choice::usual_entropy;
 use super::config::{Algorithm, Learning, SacConfig};
 use super::curve::flat;
 use super::interface::Interface;
 use super::lanes::Lanes;
-use super::policy::{NetworkPolicy, draw_choice};
+use super::policy::NetworkPolicy;
 use super::replay::{Batch, Replay, Transition};
 use serde::{Deserialize, Serialize};
 use tpg_engine::random::{Purpose, Stream};
@@ -70,7 +69,6 @@ struct Space {
     noise: Vec<f32>,
     next_noise: Vec<f32>,
     before: Vec<f32>,
-    choice: Vec<f32>,
 }
 
 impl Space {
@@ -85,7 +83,6 @@ impl Space {
             noise: vec![0.0; actions * batch.max(lanes)],
             next_noise: vec![0.0; actions * batch],
             before: vec![0.0; inputs * lanes],
-            choice: vec![0.0; actions],
         }
     }
 }
@@ -208,19 +205,7 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
         space.before.copy_from_slice(space.acting.input_mut());
         let count = config.learning.lanes;
         let mut random = Stream::new(*seed, self.decisions, Purpose::Exploration, 0);
-        let exploring = self.decisions < config.learning.random_decisions;
-        if agent.chooses() {
-            if !exploring {
-                agent.actor.network.forward(&mut space.acting);
-            }
-            space.samples.actions.clear();
-            for output in space.acting.output().chunks_exact(2 * actions) {
-                // Before the first update, no action is preferred.
-                let preferences = if exploring { &vec![0.0; actions][..] } else { &output[..actions] };
-                draw_choice(preferences, &mut random, &mut space.choice);
-                space.samples.actions.extend_from_slice(&space.choice);
-            }
-        } else if exploring {
+        if self.decisions < config.learning.random_decisions {
             space.samples.actions.clear();
             space.samples.actions.extend((0..actions * count).map(|_| (2.0 * random.unit() - 1.0) as f32));
         } else {
@@ -279,7 +264,7 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
             noise,
         };
         let done = (self.decisions as f64 / learning.decisions as f64).min(1.0);
-        let target_entropy = target_entropy(learning, actions, self.agent.chooses(), done);
+        let target_entropy = target_entropy(learning, actions, done);
         let rates = Rates {
             learning: learning.rate * (1.0 + (learning.final_rate - 1.0) * done),
             temperature: learning.temperature_rate,
@@ -322,11 +307,10 @@ impl<'e, E: Environment<f32>> Training<'e, E> {
 }
 
 /// Returns the target entropy when a fraction of the run is `done`.
-fn target_entropy(learning: &Learning, actions: usize, chooses: bool, done: f64) -> f64 {
-    let usual = if chooses { usual_entropy(actions) } else { -(actions as f64) };
-    let target = learning.target_entropy.unwrap_or(usual);
+fn target_entropy(learning: &Learning, actions: usize, done: f64) -> f64 {
+    let target = learning.target_entropy.unwrap_or(-(actions as f64));
     match learning.exploring_entropy {
-        Some(each) if !chooses => target + (actions as f64 * each - target) * (1.0 - done),
+        Some(each) => target + (actions as f64 * each - target) * (1.0 - done),
         _ => target,
     }
 }
@@ -340,10 +324,6 @@ pub(super) fn interface(environment: &impl Environment<f32>, config: &SacConfig)
             "none: this problem knows no failure",
         ));
     }
-    if environment.chooses() && config.learning.algorithm == Algorithm::ValueNetwork {
-        let accepted = "\"twin-critics\", where actions are named";
-        return Err(Finding::new("learning.algorithm", "\"value-network\"", accepted));
-    }
     Interface::new(environment, config.actor.scaled_inputs)
 }
 
@@ -351,7 +331,7 @@ pub(super) fn interface(environment: &impl Environment<f32>, config: &SacConfig)
 pub(super) fn agent(config: &SacConfig, interface: &Interface, seed: u64) -> Agent<f32> {
     let gaussian = Gaussian { actions: interface.outputs.len(), spread: config.actor.spread };
     let mut random = Stream::new(seed, 0, Purpose::Weights, 0);
-    Agent::new(config, interface.inputs.len(), gaussian, interface.chooses, &mut random)
+    Agent::new(config, interface.inputs.len(), gaussian, &mut random)
 }
 
 impl Recent {
@@ -380,7 +360,7 @@ impl Recent {
 mod tests {
     use super::*;
     use crate::sac::presets;
-    use tpg_problems::{CartPole, Pendulum};
+    use tpg_problems::Pendulum;
 
     fn long() -> SacConfig {
         let mut config = presets::config(presets::find("long").expect("a preset")).expect("it is accepted");
@@ -389,13 +369,11 @@ mod tests {
     }
 
     #[test]
-    fn the_target_entropy_falls_where_actions_are_values() {
+    fn the_target_entropy_falls() {
         let learning = long().learning;
-        let values = [0.0, 0.5, 1.0].map(|done| target_entropy(&learning, 2, false, done));
+        let values = [0.0, 0.5, 1.0].map(|done| target_entropy(&learning, 2, done));
         assert_eq!(values, [0.0, -1.0, -2.0]);
-        let named = [0.0, 1.0].map(|done| target_entropy(&learning, 15, true, done));
-        assert_eq!(named, [usual_entropy(15); 2]);
-        assert_eq!(target_entropy(&Learning { exploring_entropy: None, ..learning }, 2, false, 0.0), -2.0);
+        assert_eq!(target_entropy(&Learning { exploring_entropy: None, ..learning }, 2, 0.0), -2.0);
     }
 
     #[test]
@@ -425,15 +403,5 @@ mod tests {
         assert!(before.iter().zip(&after).all(|(a, b)| (a - b).abs() < 1e-5));
         (0..200).for_each(|_| training.tick());
         assert_eq!(training.interface(), &measured);
-    }
-
-    #[test]
-    fn the_papers_algorithm_is_refused_where_actions_are_named() {
-        let named = tpg_engine::Preferring::new::<f32>(CartPole);
-        let mut config = long();
-        assert!(Training::new(&named, config.clone(), 1).is_ok());
-        config.learning.algorithm = Algorithm::ValueNetwork;
-        let Err(finding) = Training::new(&named, config, 1) else { panic!("it is accepted") };
-        assert_eq!(finding.key, "learning.algorithm");
     }
 }

@@ -44,7 +44,7 @@ pub fn measure(start: Start, inputs: &ProblemInputs) -> Result<Vec<Row>, InputEr
     let arm = WIDOWX.to_f32();
     let mut rows = vec![
         Row::of("the graph alone", &[trial::graph_alone(file, graph, &WIDOWX, start, &tasks)?]),
-        Row::of("the actor alone", &[tpg_problems::arm::trial::run(&arm, &*shipped.actor.policy(), start, &tasks)]),
+        Row::of("the actor alone", &[tpg_problems::arm::trial::run(&arm, &shipped.actor.policy(), start, &tasks)]),
     ];
     for (name, setting) in settings {
         rows.push(Row::of_hybrids(&name, &[trial::run(file, graph, &shipped.actor, &setting, start, &tasks)?]));

@@ -14,9 +14,9 @@ use tpg_problems::arm::planner::{Choice, Planner};
 use tpg_problems::arm::targets::{Start, Task};
 use tpg_problems::arm::trial::{Trial, run};
 use tpg_problems::arm::{ArmProblem, ArmTask};
-use tpg_train::sac::motors::MotorNetwork;
 use tpg_train::evaluate::arm::shielded_endings_of;
 use tpg_train::files::read_graph;
+use tpg_train::sac::motors::MotorNetwork;
 
 /// Trainings that differ only in their seed: `[[fs.learned]]` and `[[rs.learned]]`.
 #[derive(Clone, Debug, Deserialize)]

@@ -170,7 +170,7 @@ pub fn measured(
     let ours = |settings: Settings<f64>| {
         recordings.with_everyone(settings, SAC_SEEDS.min(1), |_, _, hybrid_of| {
             let policy = shipped.actor.policy();
-            hybrid_of(&Narrowed::<f64, _>::new(&*policy))
+            hybrid_of(&Narrowed::<f64, _>::new(&policy))
         })
     };
     let paper = setting.settings();

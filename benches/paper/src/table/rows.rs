@@ -12,11 +12,11 @@ use tpg_graph::error::InputError;
 use tpg_problems::arm::planner::{Choice, Planner};
 use tpg_problems::arm::targets::{Start, Task};
 use tpg_problems::arm::trial::{Trial, run, run_allowing_collisions};
-use tpg_train::sac::motors::MotorNetwork;
 use tpg_train::files::read_graph;
 use tpg_train::hybrid::arm::setting::Hybrid;
 use tpg_train::hybrid::arm::trial::{self, HybridTrial};
 use tpg_train::hybrid::spread::Spread;
+use tpg_train::sac::motors::MotorNetwork;
 
 /// One row of the table. Rates lie in 0..1.
 #[derive(Clone, Debug, PartialEq)]
@@ -117,8 +117,8 @@ pub fn measure(start: Start, inputs: &ProblemInputs, tasks: &[Task]) -> Result<V
     let actor = shipped.actor.policy();
     let actor_bytes = shipped.actor.network().bytes();
     let actor_row = |name: &str, trial: Trial| Row { bytes: Some([actor_bytes; 2]), ..Row::of(name, &[trial]) };
-    rows.push(actor_row("SAC, shipped, collisions allowed", run_allowing_collisions(&arm, &*actor, start, tasks)));
-    rows.push(actor_row("SAC, shipped", run(&arm, &*actor, start, tasks)));
+    rows.push(actor_row("SAC, shipped, collisions allowed", run_allowing_collisions(&arm, &actor, start, tasks)));
+    rows.push(actor_row("SAC, shipped", run(&arm, &actor, start, tasks)));
     let bytes = graph_bytes(graph);
     rows.push(Row { bytes, ..Row::of("TPG, shipped", &[trial::graph_alone(file, graph, &WIDOWX, start, tasks)?]) });
     let both = trial::run(file, graph, &shipped.actor, &shipped.setting, start, tasks)?;

@@ -1,10 +1,10 @@
 //! Settings for sharing an arm between a graph and an actor, and their file `hybrid.toml`.
 
-use crate::sac::motors::MotorNetwork;
 use crate::arm_of;
 use crate::files::{read_graph, read_text};
 use crate::hybrid::setting::{rust_distance, shown};
 use crate::hybrid::span::Span;
+use crate::sac::motors::MotorNetwork;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 use tpg_arm::hybrid::{Guard, Settings};

@@ -2,9 +2,9 @@
 
 use super::setting::{Detector, Setting};
 use super::trial;
-use crate::sac::motors::MotorNetwork;
 use crate::hybrid::span::Span;
 use crate::hybrid::study;
+use crate::sac::motors::MotorNetwork;
 use serde::{Deserialize, Serialize};
 use tpg_arm::Arm;
 use tpg_arm::hybrid::Guard;
