@@ -1,4 +1,4 @@
-//! Effects of guards, final hand-overs and detectors, with the shipped graph and actor, on validation episodes.
+//! Effects of guards and final hand-overs, with the shipped graph and actor, on validation episodes.
 
 use super::ProblemInputs;
 use super::rows::Row;
@@ -6,8 +6,7 @@ use tpg_arm::WIDOWX;
 use tpg_arm::hybrid::Guard;
 use tpg_graph::error::InputError;
 use tpg_problems::arm::targets::{Set, Start, tasks};
-use tpg_train::files::read_graph;
-use tpg_train::hybrid::arm::setting::{Detector, Hybrid, Setting};
+use tpg_train::hybrid::arm::setting::{Hybrid, Setting};
 use tpg_train::hybrid::arm::trial;
 use tpg_train::hybrid::span::Span;
 
@@ -25,20 +24,13 @@ pub fn measure(start: Start, inputs: &ProblemInputs) -> Result<Vec<Row>, InputEr
     let (file, graph) = &shipped.graph;
     let paper = if start == Start::Fs { Setting::PAPER_FS } else { Setting::PAPER_RS };
     let no_hand_back = Setting { hand_back_after: Span::NEVER, ..paper };
-    let never_far = Setting { separation_mm: f64::INFINITY, ..no_hand_back };
     let guard = |setting, guard| Setting { guard, ..setting };
-    let brent = |setting| Setting { detector: Detector::Brent, ..setting };
+    let never_far = Setting { separation_mm: f64::INFINITY, ..guard(no_hand_back, Guard::Both) };
     let settings = [
         ("the paper's setting".to_owned(), paper),
-        ("the same with a guard for joint limits".to_owned(), guard(paper, Guard::JointLimits)),
         ("the same with a guard for collisions too".to_owned(), guard(paper, Guard::Collisions)),
-        ("the same, Brent instead of the exact set".to_owned(), brent(guard(paper, Guard::Collisions))),
-        ("no hand-back, no guard".to_owned(), no_hand_back),
-        ("no hand-back, guard for joint limits".to_owned(), guard(no_hand_back, Guard::JointLimits)),
-        ("no hand-back, guard for collisions".to_owned(), guard(no_hand_back, Guard::Collisions)),
-        ("the same with a guard for the network too".to_owned(), guard(no_hand_back, Guard::Both)),
-        ("the same, never because of the distance".to_owned(), guard(never_far, Guard::Both)),
-        ("the same, Brent instead of the exact set".to_owned(), brent(guard(never_far, Guard::Both))),
+        ("no hand-back, guard for collisions and the network".to_owned(), guard(no_hand_back, Guard::Both)),
+        ("the same, never because of the distance".to_owned(), never_far),
         (format!("shipped: {}", shipped.setting.sentence()), shipped.setting),
     ];
     let arm = WIDOWX.to_f32();
@@ -48,15 +40,6 @@ pub fn measure(start: Start, inputs: &ProblemInputs) -> Result<Vec<Row>, InputEr
     ];
     for (name, setting) in settings {
         rows.push(Row::of_hybrids(&name, &[trial::run(file, graph, &shipped.actor, &setting, start, &tasks)?]));
-    }
-    if let Some(path) = &inputs.priced {
-        let (file, priced) = (path.display().to_string(), read_graph(path)?);
-        let together = trial::run(&file, &priced, &shipped.actor, &shipped.setting, start, &tasks)?;
-        rows.push(Row::of(
-            "a graph evolved with a price for handing over, alone",
-            &[trial::graph_alone(&file, &priced, &WIDOWX, start, &tasks)?],
-        ));
-        rows.push(Row::of_hybrids("that graph in the shipped setting", &[together]));
     }
     Ok(rows)
 }

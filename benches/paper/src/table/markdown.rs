@@ -1,10 +1,8 @@
 //! Renders `docs/results.md`.
 
 use super::compiled::Costs;
-use super::cortex_m4::{Count, Counts};
-use super::learned::LearnedRow;
-use super::paper::{self, Measured};
-use super::rows::{Row, STRAIGHT};
+use super::paper;
+use super::rows::Row;
 use super::timing::Time;
 use askama::Template;
 use tpg_problems::arm::targets::Start;
@@ -24,10 +22,6 @@ pub struct ProblemResults {
     pub costs: Costs,
     /// Results of the ideas, on validation episodes.
     pub ideas: Vec<Row>,
-    /// Policies of other learning problems.
-    pub learned: Vec<LearnedRow>,
-    /// The paper's policies, if available.
-    pub paper: Option<Vec<Measured>>,
 }
 
 impl ProblemResults {
@@ -45,8 +39,6 @@ impl ProblemResults {
 struct Page<'a> {
     problems: &'a [Section],
     costs: String,
-    on_target: String,
-    layers: Option<[String; 2]>,
 }
 
 /// The tables of one problem.
@@ -55,32 +47,23 @@ struct Section {
     episodes: usize,
     table: String,
     ideas: String,
-    learned: String,
     printed: String,
-    paper: Option<String>,
 }
 
 /// Renders the file.
 ///
 /// # Panics
 /// Never: the template only puts text together.
-pub fn page(problems: &[ProblemResults], counts: &Counts) -> String {
+pub fn page(problems: &[ProblemResults]) -> String {
     let section = |problem: &ProblemResults| Section {
         title: capital(problem.name()),
         episodes: problem.episodes,
         table: table(&problem.rows, problem.episodes),
         ideas: ideas(&problem.ideas),
-        learned: learned(&problem.learned),
-        printed: printed(problem),
-        paper: problem.paper.as_deref().map(of_paper),
+        printed: printed(problem.start),
     };
     let sections: Vec<Section> = problems.iter().map(section).collect();
-    let layers = ["f32", "i8"].map(|kind| counts.named(&format!("Rust layers 13-256-256-4 {kind}")));
-    let layers = match layers {
-        [Some(single), Some(integers)] => Some([single, integers].map(|count| thousands(count.mean()))),
-        _ => None,
-    };
-    let page = Page { problems: &sections, costs: costs(problems), on_target: on_target(problems, counts), layers };
+    let page = Page { problems: &sections, costs: costs(problems) };
     page.render().expect("text is put together").trim_end().to_owned() + "\n"
 }
 
@@ -134,7 +117,7 @@ fn table(rows: &[Row], episodes: usize) -> String {
             let fast_text = thousands(fast as f64);
             if fast == small { fast_text } else { format!("{fast_text} · {}", thousands(small as f64)) }
         });
-        let [mut success, collision, distance, actions] = outcome(row, 2);
+        let [mut success, collision, distance, actions] = outcome(row);
         if !many {
             let [low, high] = confidence(row.success.mean, episodes).map(|end| 100.0 * end);
             success += &format!(" ({low:.1} to {high:.1})");
@@ -154,13 +137,13 @@ fn table(rows: &[Row], episodes: usize) -> String {
     grid(names, rows.iter().map(cells))
 }
 
-/// Formats success and collisions in %, distance in mm with the given number of digits, and actions.
-fn outcome(row: &Row, digits: usize) -> [String; 4] {
+/// Formats success and collisions in %, distance in mm, and actions.
+fn outcome(row: &Row) -> [String; 4] {
     let many = row.policies > 1;
     [
         number(row.success, 100.0, 1, many),
         number(row.collision, 100.0, 1, many),
-        number(row.distance, 1.0, digits, many),
+        number(row.distance, 1.0, 2, many),
         number(row.actions, 1.0, 0, many),
     ]
 }
@@ -220,95 +203,22 @@ fn costs(problems: &[ProblemResults]) -> String {
     grid(["times", title(0), title(1)], rows)
 }
 
-/// Tabulates the cost of the hybrids' parts on a Cortex-M4.
-fn on_target(problems: &[ProblemResults], counts: &Counts) -> String {
-    let parts = problems.iter().flat_map(|problem| {
-        [
-            ("hybrid", "**hybrid, shipped**"),
-            ("graph", "TPG, shipped"),
-            ("network", "SAC, shipped"),
-            ("straight", STRAIGHT),
-        ]
-        .map(|(part, row)| (problem, part, row))
-    });
-    let cells = parts.map(|(problem, part, row)| {
-        let [c, rust] = ["C", "Rust"].map(|language| counts.part(language, problem.start, part));
-        let cell =
-            |count: Option<Count>, of: fn(&Count) -> f64| count.map_or("–".to_owned(), |count| thousands(of(&count)));
-        let actions = problem.rows.iter().find(|known| known.name == row).map_or(0.0, |row| row.actions.mean);
-        [
-            format!("{}, {part}", problem.name()),
-            cell(c, Count::mean),
-            cell(c, |count| count.worst as f64),
-            cell(rust, Count::mean),
-            cell(rust, |count| count.worst as f64),
-            c.map_or("–".to_owned(), |count| thousands(count.mean() * actions)),
-        ]
-    });
-    grid(["instructions", "C, mean action", "C, worst", "Rust, mean action", "Rust, worst", "C, per episode"], cells)
-}
-
 fn signed(ns: f64) -> String {
     if ns >= 0.5 { format!("+{ns:.0}") } else { format!("{ns:.0}") }
 }
 
 fn ideas(rows: &[Row]) -> String {
     let cells = |row: &Row| {
-        let [success, collision, distance, actions] = outcome(row, 2);
+        let [success, collision, distance, actions] = outcome(row);
         [row.name.clone(), success, collision, distance, actions, by_graph(row)]
     };
     grid(["policy", "success %", "collision %", "distance mm", "actions", "by graph %"], rows.iter().map(cells))
 }
 
-fn printed(problem: &ProblemResults) -> String {
-    let names = [
-        "policy",
-        "distance mm, printed",
-        "from its files",
-        "success %, printed",
-        "from its files",
-        "collision %, printed",
-        "from its files",
-    ];
+fn printed(start: Start) -> String {
     let cells = |row: &paper::Printed| {
-        let [distance, success, collision] = row.printed.map(|value| value.to_string());
-        let [d, s, c] = row.recomputed.map(str::to_owned);
-        [row.name.to_owned(), distance, d, success, s, collision, c]
+        let [distance, success, collision] = row.recomputed.map(str::to_owned);
+        [row.name.to_owned(), distance, success, collision]
     };
-    grid(names, paper::printed(problem.start).iter().map(cells))
-}
-
-fn of_paper(rows: &[Measured]) -> String {
-    let cells = |row: &Measured| {
-        [
-            format!("{} ({})", row.name, row.policies),
-            number(row.success, 100.0, 1, true),
-            number(row.collision, 100.0, 1, true),
-            number(row.distance, 1.0, 1, true),
-            number(row.actions, 1.0, 0, true),
-        ]
-    };
-    grid(["policies", "success %", "collision %", "distance mm", "actions"], rows.iter().map(cells))
-}
-
-fn learned(rows: &[LearnedRow]) -> String {
-    let names = [
-        "policy (trainings)",
-        "success %",
-        "collision %",
-        "distance mm",
-        "actions",
-        "success %, paper's targets",
-        "distance mm, paper's targets",
-    ];
-    let cells = |LearnedRow { test, paper }: &LearnedRow| {
-        let of_paper = |of: fn(&Row) -> Spread, factor: f64| {
-            paper.as_ref().map_or("–".to_owned(), |row| number(of(row), factor, 1, test.policies > 1))
-        };
-        let [success, collision, distance, actions] = outcome(test, 1);
-        let name = format!("{} ({})", test.name, test.policies);
-        let [by_success, by_distance] = [of_paper(|row| row.success, 100.0), of_paper(|row| row.distance, 1.0)];
-        [name, success, collision, distance, actions, by_success, by_distance]
-    };
-    grid(names, rows.iter().map(cells))
+    grid(["policy", "distance mm", "success %", "collision %"], paper::printed(start).iter().map(cells))
 }

@@ -1,4 +1,4 @@
-//! `tpg-paper table2`: the paper's table 2 with this project's policies, and the rest of `docs/results.md`.
+//! `tpg-paper table2`: the paper's table 2 with this project's policies, in `docs/results.md`.
 //!
 //! | module | subject |
 //! | --- | --- |
@@ -6,16 +6,12 @@
 //! | [`timing`] | measured times |
 //! | [`compiled`] | the shipped policies as compiled code |
 //! | [`mod@reference`] | the network that the paper compares with |
-//! | [`cortex_m4`] | instructions counted on the target |
-//! | [`learned`] | policies trained on other observations or rewards |
 //! | [`ideas`] | effects of guards, hand-overs and detectors, on validation episodes |
-//! | [`paper`] | the paper's figures, and its own policies run by this project |
+//! | [`paper`] | the paper's figures |
 //! | [`markdown`] | the text |
 
 pub mod compiled;
-pub mod cortex_m4;
 pub mod ideas;
-pub mod learned;
 pub mod markdown;
 pub mod paper;
 pub mod reference;
@@ -43,12 +39,6 @@ pub struct Table2Args {
     /// The folder of the committed test episodes
     #[arg(long, value_name = "DIR", default_value = "generated/test-targets")]
     pub targets: PathBuf,
-    /// Instructions counted on a Cortex-M4
-    #[arg(long, value_name = "TOML", default_value = "c-harness/costs.toml")]
-    pub counts: PathBuf,
-    /// The folder of the paper's recorded policies; without it their rows are left out
-    #[arg(long, value_name = "DIR", env = "TPG_CONFORMANCE")]
-    pub conformance: Option<PathBuf>,
 }
 
 /// Content of `docs/results.toml`.
@@ -69,19 +59,12 @@ pub struct ProblemInputs {
     pub tpg: Vec<PathBuf>,
     /// Actors of several seeds.
     pub sac: Vec<PathBuf>,
-    /// A graph evolved with the cost of the hand-over included, if there is one.
-    pub priced: Option<PathBuf>,
-    /// Policies of other learning problems, including this project's for comparison.
-    #[serde(default)]
-    pub learned: Vec<learned::Learned>,
 }
 
 impl ProblemInputs {
     fn beside(mut self, folder: &Path) -> Self {
         self.shipped = folder.join(self.shipped);
-        let learned = self.learned.iter_mut().flat_map(|learned| learned.tpg.iter_mut().chain(&mut learned.sac));
-        let paths = self.tpg.iter_mut().chain(&mut self.sac).chain(&mut self.priced).chain(learned);
-        paths.for_each(|path| *path = folder.join(&*path));
+        self.tpg.iter_mut().chain(&mut self.sac).for_each(|path| *path = folder.join(&*path));
         self
     }
 }
@@ -94,11 +77,6 @@ pub fn execute(args: &Table2Args) -> Result<(), InputError> {
     let name = args.inputs.display().to_string();
     let text = read_text(&args.inputs, "a list of policies")?;
     let inputs: InputsFile = settings::from_toml(&name, &text, "[fs] and [rs] with shipped, tpg, sac")?;
-    let conformance = args.conformance.as_deref();
-    if conformance.is_none() {
-        eprintln!("no --conformance: the rows of the paper's own policies are omitted");
-    }
-    let counts = cortex_m4::Counts::read(&args.counts)?;
     let folder = args.inputs.parent().unwrap_or(Path::new(""));
     let mut problems = Vec::new();
     for (start, file, inputs) in [(Start::Fs, "fs.csv", inputs.fs), (Start::Rs, "rs.csv", inputs.rs)] {
@@ -111,14 +89,12 @@ pub fn execute(args: &Table2Args) -> Result<(), InputError> {
             rows: rows::measure(start, &inputs, &tasks)?,
             costs: compiled::measure(start, &tasks),
             ideas: ideas::measure(start, &inputs)?,
-            learned: learned::measure(start, &inputs, &tasks, conformance)?,
-            paper: paper::measured(start, conformance, &inputs)?,
         });
     }
     if let Some(folder) = args.out.parent().filter(|folder| !folder.as_os_str().is_empty()) {
         make_folder(folder)?;
     }
-    write_atomically(&args.out, markdown::page(&problems, &counts).as_bytes())?;
+    write_atomically(&args.out, markdown::page(&problems).as_bytes())?;
     eprintln!("wrote {}", args.out.display());
     Ok(())
 }

@@ -11,7 +11,7 @@ use tpg_graph::Graph;
 use tpg_graph::error::InputError;
 use tpg_problems::arm::planner::{Choice, Planner};
 use tpg_problems::arm::targets::{Start, Task};
-use tpg_problems::arm::trial::{Trial, run, run_allowing_collisions};
+use tpg_problems::arm::trial::{Trial, run};
 use tpg_train::files::read_graph;
 use tpg_train::hybrid::arm::setting::Hybrid;
 use tpg_train::hybrid::arm::trial::{self, HybridTrial};
@@ -117,7 +117,6 @@ pub fn measure(start: Start, inputs: &ProblemInputs, tasks: &[Task]) -> Result<V
     let actor = shipped.actor.policy();
     let actor_bytes = shipped.actor.network().bytes();
     let actor_row = |name: &str, trial: Trial| Row { bytes: Some([actor_bytes; 2]), ..Row::of(name, &[trial]) };
-    rows.push(actor_row("SAC, shipped, collisions allowed", run_allowing_collisions(&arm, &actor, start, tasks)));
     rows.push(actor_row("SAC, shipped", run(&arm, &actor, start, tasks)));
     let bytes = graph_bytes(graph);
     rows.push(Row { bytes, ..Row::of("TPG, shipped", &[trial::graph_alone(file, graph, &WIDOWX, start, tasks)?]) });
@@ -125,10 +124,8 @@ pub fn measure(start: Start, inputs: &ProblemInputs, tasks: &[Task]) -> Result<V
     let bytes = bytes.map(|graph| graph.map(|graph| graph + actor_bytes));
     rows.push(Row { bytes, ..Row::of_hybrids("**hybrid, shipped**", &[both]) });
     let compiled = super::compiled::times(start, timed);
-    for (row, time) in
-        rows[classical..].iter_mut().zip([None, Some(compiled.sac), Some(compiled.tpg), Some(compiled.hybrid)])
-    {
-        row.time = time;
+    for (row, time) in rows[classical..].iter_mut().zip([compiled.sac, compiled.tpg, compiled.hybrid]) {
+        row.time = Some(time);
     }
     rows.extend(of_seeds(start, inputs, &shipped, tasks)?);
     Ok(rows)
@@ -141,7 +138,6 @@ fn of_seeds(start: Start, inputs: &ProblemInputs, shipped: &Hybrid, tasks: &[Tas
     let graphs = inputs.tpg.iter().map(read).collect::<Result<Vec<(String, Graph)>, InputError>>()?;
     let actors = inputs.sac.iter().map(|path| MotorNetwork::read(path, None)).collect::<Result<Vec<_>, _>>()?;
     let of_actors = |run: &dyn Fn(&MotorNetwork) -> Trial| actors.iter().map(run).collect::<Vec<_>>();
-    let allowed = of_actors(&|actor| run_allowing_collisions(&arm, &actor.policy(), start, tasks));
     let ending = of_actors(&|actor| run(&arm, &actor.policy(), start, tasks));
     let alone = graphs.iter().map(|(file, graph)| trial::graph_alone(file, graph, &WIDOWX, start, tasks));
     let alone = alone.collect::<Result<Vec<_>, _>>()?;
@@ -152,7 +148,6 @@ fn of_seeds(start: Start, inputs: &ProblemInputs, shipped: &Hybrid, tasks: &[Tas
         }
     }
     let mut rows = vec![
-        Row::of("SAC, all seeds, collisions allowed", &allowed),
         Row::of("SAC, all seeds", &ending),
         Row::of("TPG, all seeds", &alone),
         Row::of_hybrids("hybrid, all pairs", &together),
